@@ -1,0 +1,1 @@
+"""Rollouts: Newton (reference), PhysX (verify) and Rapier (audit) behind one interface."""

@@ -1,0 +1,71 @@
+"""What an engine is: scene + program + many candidates -> rollouts with a contact log."""
+
+from __future__ import annotations
+
+from typing import Protocol, runtime_checkable
+
+from esg.engines.program import ProgramBatch
+from esg.engines.scene import Rollout, SimScene, Variation
+from esg.outcomes import UserError
+
+ENGINES = ("newton", "physx", "rapier")
+VERIFY_DT_S = 1.0 / 240.0
+
+
+@runtime_checkable
+class Engine(Protocol):
+    """A rigid-body engine that executes control programs.
+
+    Engines are deterministic: the same arguments give the same bytes. They may keep compiled models
+    between calls, keyed by the scene; nothing else survives a call.
+    """
+
+    name: str
+
+    def rollout(
+        self,
+        scene: SimScene,
+        batch: ProgramBatch,
+        *,
+        dt: float = VERIFY_DT_S,
+        record_every: int = 1,
+        duration: float | None = None,
+        variation: Variation | None = None,
+        ground_contacts: bool = False,
+    ) -> Rollout:
+        """Simulates every world of the batch.
+
+        Args:
+            scene: Bodies and materials.
+            batch: W programs.
+            dt: Physics step [s].
+            record_every: Steps per recorded frame; contacts are accumulated over a frame.
+            duration: [s]; default the batch's.
+            variation: Per-world changes of the scene.
+            ground_contacts: Whether the log includes contacts with the ground.
+
+        Returns:
+            Rollout of W worlds.
+        """
+        ...
+
+
+def get_engine(name: str, device: str = "cpu") -> Engine:
+    """The engine called `name`; imports it only now.
+
+    Raises:
+        UserError: For an unknown name, or a device the engine does not run on.
+    """
+    if name == "newton":
+        from esg.engines.newton_engine import NewtonEngine
+
+        return NewtonEngine(device=device)
+    if name == "physx":
+        from esg.engines.physx_engine import PhysxEngine
+
+        return PhysxEngine()
+    if name == "rapier":
+        from esg.engines.rapier_engine import RapierEngine
+
+        return RapierEngine()
+    raise UserError(f"unknown engine {name!r}; choose one of {', '.join(ENGINES)}")

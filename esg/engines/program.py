@@ -1,0 +1,253 @@
+"""The control program: the one executable meaning of a timeline and its theta.
+
+An ordered list of timed atomic primitives on named bodies. Every engine executes it with the same
+semantics. Before the physics step that leads from t to t + dt, in list order:
+
+* `SetVelocity`, `ApplyImpulse` and `AdjustProperties` whose `time` <= t + dt/2 and that have not
+  fired yet fire once.
+* A `HoldVelocity` is active from the first step with `start` <= t + dt/2 until t + dt/2 > `end`, or
+  until its body has touched (normal impulse > 0 in an earlier step, at or after `start`) one of
+  `until_contact`; it never becomes active again. While active it sets, with s = t - start,
+  speed = max(0, speed + acceleration s) clipped to `max_speed` for positive acceleration,
+  heading = heading + turn_rate s; horizontal velocity = speed (cos heading, sin heading); the
+  vertical velocity is kept. Angular velocity: (0, 0, turn_rate) for bodies with roll_radius = 0;
+  otherwise that of rolling without slipping, (-vy, vx, 0) / roll_radius.
+
+Damping is applied by every engine as v *= max(0, 1 - c dt) once per step.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import asdict, dataclass, fields
+from typing import Any, ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+PROGRAM_VERSION = 1
+
+Vec = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class SetVelocity:
+    """Sets linear [m/s] and, where given, angular [rad/s] velocity of `body` at `time` [s]."""
+
+    kind: ClassVar[str] = "SetVelocity"
+    body: str
+    time: float
+    linear: Vec
+    angular: Vec | None = None
+
+
+@dataclass(frozen=True)
+class ApplyImpulse:
+    """Applies `impulse` [N s] at the centre of mass of `body` at `time` [s]."""
+
+    kind: ClassVar[str] = "ApplyImpulse"
+    body: str
+    time: float
+    impulse: Vec
+
+
+@dataclass(frozen=True)
+class AdjustProperties:
+    """Changes damping [1/s] and friction of `body` at `time` [s]; None leaves a property as is."""
+
+    kind: ClassVar[str] = "AdjustProperties"
+    body: str
+    time: float
+    linear_damping: float | None = None
+    angular_damping: float | None = None
+    friction: float | None = None
+
+
+@dataclass(frozen=True)
+class HoldVelocity:
+    """Motion of `body` under its own power (module docstring).
+
+    Args:
+        body: Name of the driven body.
+        start, end: [s]; `end` may be math.inf.
+        speed: At `start` [m/s].
+        heading: At `start` [rad], 0 along +X, counter-clockwise positive.
+        acceleration: [m/s^2], may be negative.
+        max_speed: Upper limit with positive acceleration [m/s].
+        turn_rate: [rad/s], counter-clockwise positive.
+        roll_radius: Of a rolling round body [m], else 0.
+        until_contact: Names of bodies whose touch ends the hold.
+    """
+
+    kind: ClassVar[str] = "HoldVelocity"
+    body: str
+    start: float
+    end: float
+    speed: float
+    heading: float
+    acceleration: float = 0.0
+    max_speed: float = 500.0
+    turn_rate: float = 0.0
+    roll_radius: float = 0.0
+    until_contact: tuple[str, ...] = ()
+
+    @property
+    def time(self) -> float:
+        return self.start
+
+
+Primitive = SetVelocity | ApplyImpulse | AdjustProperties | HoldVelocity
+KINDS: tuple[type[Any], ...] = (SetVelocity, ApplyImpulse, AdjustProperties, HoldVelocity)
+
+
+@dataclass(frozen=True)
+class Program:
+    """Primitives in order of execution, and how long the scene plays.
+
+    Args:
+        primitives: Sorted by time; ties keep list order.
+        duration: [s].
+    """
+
+    primitives: tuple[Primitive, ...]
+    duration: float
+
+    def __post_init__(self) -> None:
+        times = [p.time for p in self.primitives]
+        if times != sorted(times):
+            ordered = tuple(sorted(self.primitives, key=lambda p: p.time))
+            object.__setattr__(self, "primitives", ordered)
+
+
+FIELDS = 16
+"""Floats per primitive in the numeric table."""
+
+
+@dataclass(frozen=True)
+class ProgramBatch:
+    """W programs of the same structure as arrays (P primitives each).
+
+    Args:
+        kind: Index into KINDS, shape [P].
+        body: Body index, shape [P].
+        until: Bodies whose touch ends a hold, shape [P, B] bool.
+        table: Numbers, shape [W, P, FIELDS], columns: 0 start, 1 end;
+            SetVelocity 2:5 linear, 5:8 angular (NaN keeps); ApplyImpulse 2:5 impulse;
+            AdjustProperties 2 linear damping, 3 angular damping, 4 friction (NaN keeps);
+            HoldVelocity 2 speed, 3 heading, 4 acceleration, 5 max speed, 6 turn rate, 7 roll radius.
+        duration: [s].
+    """
+
+    kind: NDArray[np.int32]
+    body: NDArray[np.int32]
+    until: NDArray[np.bool_]
+    table: NDArray[np.float64]
+    duration: float
+
+    @property
+    def n_worlds(self) -> int:
+        return self.table.shape[0]
+
+
+def batch_programs(programs: list[Program], names: tuple[str, ...]) -> ProgramBatch:
+    """Stacks programs of identical structure (kinds and bodies in the same order).
+
+    Primitives are kept in the first program's order; a batch whose primitives change order between
+    worlds is still executed correctly, because primitives of different bodies commute and those of
+    one body must keep their order.
+
+    Args:
+        programs: W programs.
+        names: Body names in `SimScene.bodies` order.
+
+    Raises:
+        ValueError: If structures differ or a body is unknown.
+    """
+    if not programs:
+        raise ValueError("need at least one program")
+    index = {n: i for i, n in enumerate(names)}
+    signature = [(p.kind, p.body) for p in programs[0].primitives]
+    table = np.full((len(programs), len(signature), FIELDS), np.nan)
+    until = np.zeros((len(signature), len(names)), bool)
+    for k, p in enumerate(programs[0].primitives):
+        if p.body not in index:
+            raise ValueError(f"program moves unknown body {p.body!r}; bodies are {list(names)}")
+        if isinstance(p, HoldVelocity):
+            for other in p.until_contact:
+                if other not in index:
+                    raise ValueError(f"hold of {p.body!r} ends at unknown body {other!r}")
+                until[k, index[other]] = True
+    for w, program in enumerate(programs):
+        remaining = list(program.primitives)
+        for k, key in enumerate(signature):
+            match = next((q for q in remaining if (q.kind, q.body) == key), None)
+            if match is None:
+                raise ValueError(f"program {w} has no {key[0]} of {key[1]!r} in position {k}")
+            remaining.remove(match)
+            table[w, k] = _row(match)
+        if remaining:
+            raise ValueError(f"program {w} has {len(remaining)} primitives too many")
+    kinds = [c.kind for c in KINDS]
+    return ProgramBatch(
+        kind=np.array([kinds.index(k) for k, _ in signature], np.int32),
+        body=np.array([index[b] for _, b in signature], np.int32),
+        until=until,
+        table=table,
+        duration=max(p.duration for p in programs),
+    )
+
+
+def _row(p: Primitive) -> NDArray[np.float64]:
+    row = np.full(FIELDS, np.nan)
+    row[0] = p.time
+    row[1] = p.end if isinstance(p, HoldVelocity) else p.time
+    nan = math.nan
+    if isinstance(p, SetVelocity):
+        row[2:5] = p.linear
+        row[5:8] = (nan, nan, nan) if p.angular is None else p.angular
+    elif isinstance(p, ApplyImpulse):
+        row[2:5] = p.impulse
+    elif isinstance(p, AdjustProperties):
+        values = (p.linear_damping, p.angular_damping, p.friction)
+        row[2:5] = [nan if v is None else v for v in values]
+    else:
+        row[2:8] = (p.speed, p.heading, p.acceleration, p.max_speed, p.turn_rate, p.roll_radius)
+    return row
+
+
+def program_to_json(program: Program) -> dict[str, Any]:
+    """Plain JSON of a program; an infinite hold end is null."""
+    out: list[dict[str, Any]] = []
+    for p in program.primitives:
+        item: dict[str, Any] = {"kind": p.kind}
+        for key, value in asdict(p).items():
+            if isinstance(value, float) and math.isinf(value):
+                value = None
+            item[key] = list(value) if isinstance(value, tuple) else value
+        out.append(item)
+    return {"version": PROGRAM_VERSION, "duration": program.duration, "primitives": out}
+
+
+def program_from_json(data: dict[str, Any]) -> Program:
+    """Inverse of program_to_json.
+
+    Raises:
+        ValueError: For an unknown version, primitive kind or field, with its position.
+    """
+    if data.get("version") != PROGRAM_VERSION:
+        raise ValueError(f"program version {data.get('version')!r}, expected {PROGRAM_VERSION}")
+    by_kind = {c.kind: c for c in KINDS}
+    out: list[Primitive] = []
+    for i, item in enumerate(data["primitives"]):
+        cls = by_kind.get(item.get("kind", ""))
+        if cls is None:
+            raise ValueError(f"/primitives/{i}/kind: {item.get('kind')!r}, expected {list(by_kind)}")
+        known = {f.name for f in fields(cls)}
+        values = {k: tuple(v) if isinstance(v, list) else v for k, v in item.items() if k != "kind"}
+        unknown = set(values) - known
+        if unknown:
+            raise ValueError(f"/primitives/{i}: unknown fields {sorted(unknown)}")
+        if cls is HoldVelocity and values.get("end") is None:
+            values["end"] = math.inf
+        out.append(cls(**values))
+    return Program(tuple(out), float(data["duration"]))

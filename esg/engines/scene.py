@@ -1,0 +1,253 @@
+"""The physical scene every engine builds from: bodies, shapes, materials, regions (SI).
+
+A body's frame has its origin at the centre of mass, so that positions, velocities and impulses mean
+the same in every engine. `origin_offset` leads from there to the asset's local origin (bottom
+centre), which is where the mesh and the Unreal component sit.
+
+Contact materials combine by **average** (PhysX, Unreal and Rapier default). Every scene has one
+ground, the half-space z <= 0. Wheeled bodies touch a second ground of friction
+`vehicle_ground_friction` instead of the normal one, so that a coasting vehicle does not grind to a
+halt like a box (FINDINGS.md).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+ShapeKind = Literal["sphere", "box", "capsule", "cylinder", "convex"]
+Floats = NDArray[np.float64]
+
+GROUND = "ground"
+"""Reserved body name of the ground half-space in contact logs."""
+
+
+@dataclass(frozen=True)
+class Shape:
+    """One collision shape in its body's frame.
+
+    Args:
+        kind: Shape type.
+        size: sphere (r, r, r); box half extents; capsule and cylinder (r, r, half height along
+            local Z, caps excluded); convex half extents of its bounding box [m], shape [3].
+        position: Centre in the body frame [m], shape [3].
+        quaternion: Orientation (x, y, z, w) in the body frame, shape [4].
+        vertices: Convex hull points in the shape's own frame [m], shape [n, 3]; empty otherwise.
+    """
+
+    kind: ShapeKind
+    size: tuple[float, float, float]
+    position: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    quaternion: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 1.0)
+    vertices: tuple[tuple[float, float, float], ...] = ()
+
+
+@dataclass(frozen=True)
+class Body:
+    """One rigid body.
+
+    Args:
+        name: Node id in the ESG document; unique.
+        static: Immovable (mass is ignored).
+        mass: [kg].
+        inertia: About the centre of mass in body axes [kg m^2], shape [3, 3] as nested tuples.
+        shapes: Collision shapes; empty for decals.
+        position: Centre of mass in the world [m], shape [3].
+        quaternion: Orientation (x, y, z, w), shape [4].
+        friction: Friction coefficient (static = dynamic).
+        restitution: Coefficient of restitution.
+        linear_damping: [1/s]; per step v *= max(0, 1 - c dt).
+        angular_damping: [1/s]; likewise.
+        wheeled: Touches the vehicle ground instead of the normal ground.
+        roll_radius: Radius [m] of a round body that rolls, 0 for others.
+        origin_offset: From the centre of mass to the asset's local origin, body axes [m].
+        half_extents: Of the asset's bounding box [m]; `height` is twice the last.
+        mesh: Path of the GLB inside the scene folder.
+        category: Asset category, for binding noun phrases.
+        label: How the prompt names it.
+        description: Free text for binding noun phrases.
+        color: RGB in [0, 1].
+        group: Name shared by the members of one plural.
+        mentioned: False if expansion added it.
+        active: It moves under its own control.
+    """
+
+    name: str
+    static: bool
+    mass: float
+    inertia: tuple[tuple[float, float, float], ...]
+    shapes: tuple[Shape, ...]
+    position: tuple[float, float, float]
+    quaternion: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 1.0)
+    friction: float = 0.5
+    restitution: float = 0.2
+    linear_damping: float = 0.0
+    angular_damping: float = 0.0
+    wheeled: bool = False
+    roll_radius: float = 0.0
+    origin_offset: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    half_extents: tuple[float, float, float] = (0.5, 0.5, 0.5)
+    mesh: str = ""
+    category: str = ""
+    label: str = ""
+    description: str = ""
+    color: tuple[float, float, float] = (0.6, 0.6, 0.6)
+    group: str = ""
+    mentioned: bool = True
+    active: bool = False
+
+    @property
+    def collides(self) -> bool:
+        return bool(self.shapes)
+
+
+@dataclass(frozen=True)
+class Region:
+    """A volume things can enter: a pocket, a goal mouth, a bin's inside.
+
+    Args:
+        name: "node_id/region name".
+        parent: Name of the body it belongs to.
+        center: In the parent's body frame [m], shape [3].
+        half_extents: Of the box in the parent's body axes [m], shape [3].
+        kind: pocket, goal, hole, inside, lane or area.
+    """
+
+    name: str
+    parent: str
+    center: tuple[float, float, float]
+    half_extents: tuple[float, float, float]
+    kind: str = "area"
+
+
+@dataclass(frozen=True)
+class SimScene:
+    """Everything an engine needs except the control program.
+
+    Args:
+        scene_id: Identifier of the scene.
+        bodies: All bodies, structural decals included.
+        regions: Named volumes.
+        gravity: [m/s^2], shape [3].
+        ground_friction: Friction coefficient of the ground.
+        ground_restitution: Coefficient of restitution of the ground.
+        vehicle_ground_friction: Friction of the second ground that wheeled bodies touch.
+    """
+
+    scene_id: str
+    bodies: tuple[Body, ...]
+    regions: tuple[Region, ...] = ()
+    gravity: tuple[float, float, float] = (0.0, 0.0, -9.81)
+    ground_friction: float = 0.7
+    ground_restitution: float = 0.3
+    vehicle_ground_friction: float = 0.0
+
+    def index(self, name: str) -> int:
+        """Index of the body called `name`; raises KeyError with the known names."""
+        for i, body in enumerate(self.bodies):
+            if body.name == name:
+                return i
+        raise KeyError(f"no body {name!r}; bodies are {[b.name for b in self.bodies]}")
+
+    def body(self, name: str) -> Body:
+        """The body called `name`."""
+        return self.bodies[self.index(name)]
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        return tuple(b.name for b in self.bodies)
+
+    def with_bodies(self, bodies: tuple[Body, ...]) -> SimScene:
+        """The same scene with other bodies."""
+        return replace(self, bodies=bodies)
+
+
+@dataclass(frozen=True)
+class Variation:
+    """What may differ between the worlds of one batch besides the program; None keeps the scene's.
+
+    Shapes: W worlds, B bodies in `SimScene.bodies` order.
+
+    Args:
+        position: Initial centres of mass [m], shape [W, B, 3].
+        quaternion: Initial orientations, shape [W, B, 4].
+        mass_scale: Factor on mass and inertia, shape [W, B].
+        friction_scale: Factor on the friction of everything, ground included, shape [W].
+        restitution_offset: Added to every restitution, clipped to [0, 1], shape [W].
+    """
+
+    position: Floats | None = None
+    quaternion: Floats | None = None
+    mass_scale: Floats | None = None
+    friction_scale: Floats | None = None
+    restitution_offset: Floats | None = None
+
+
+@dataclass(frozen=True)
+class ContactLog:
+    """Sparse record of touching pairs, one row per world, frame and pair with impulse > 0.
+
+    Columns have shape [n]; bodies are indices into `SimScene.bodies`, -1 is the ground. Rows are
+    sorted by (world, frame, a, b) with a < b, except that the ground is always b = -1. Contacts with
+    the ground are recorded only if asked for.
+
+    Args:
+        world, frame, a, b: Integers.
+        time: End time of the step in which the contact was solved [s].
+        impulse: Normal impulse accumulated over the frame [N s].
+        depth: Largest penetration depth in the frame [m], >= 0.
+        point: A contact point, world frame [m], shape [n, 3].
+        normal: Unit normal from b towards a, shape [n, 3].
+    """
+
+    world: NDArray[np.int32]
+    frame: NDArray[np.int32]
+    a: NDArray[np.int32]
+    b: NDArray[np.int32]
+    time: Floats
+    impulse: Floats
+    depth: Floats
+    point: Floats
+    normal: Floats
+
+    @staticmethod
+    def empty() -> ContactLog:
+        i, f = np.zeros(0, np.int32), np.zeros(0)
+        return ContactLog(i, i, i, i, f, f, f, np.zeros((0, 3)), np.zeros((0, 3)))
+
+    def select(self, world: int) -> ContactLog:
+        """The rows of one world."""
+        keep = self.world == world
+        return ContactLog(**{k: getattr(self, k)[keep] for k in self.__dataclass_fields__})
+
+
+@dataclass(frozen=True)
+class Rollout:
+    """Result of simulating W worlds for T frames (frame 0 is the initial state).
+
+    Args:
+        engine: newton, physx, rapier or surrogate.
+        dt: Physics step [s].
+        time: Frame times [s], shape [T]. At `record_every` = 1 a frame is a step.
+        position: Centres of mass [m], shape [W, T, B, 3], float32.
+        quaternion: (x, y, z, w), shape [W, T, B, 4].
+        linear_velocity: Of the centre of mass [m/s], shape [W, T, B, 3].
+        angular_velocity: World frame [rad/s], shape [W, T, B, 3].
+        contacts: Touching pairs.
+        valid: False for worlds that diverged (NaN, or a body faster than 500 m/s), shape [W].
+        extra: Engine-specific notes (version, solver, class replay log).
+    """
+
+    engine: str
+    dt: float
+    time: Floats
+    position: NDArray[np.float32]
+    quaternion: NDArray[np.float32]
+    linear_velocity: NDArray[np.float32]
+    angular_velocity: NDArray[np.float32]
+    contacts: ContactLog
+    valid: NDArray[np.bool_]
+    extra: dict[str, object] = field(default_factory=dict)

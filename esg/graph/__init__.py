@@ -1,0 +1,1 @@
+"""The ESG document: models, verifier, canonical JSON and hash, JSON Schema."""

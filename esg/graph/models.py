@@ -1,0 +1,507 @@
+"""The Evolutive Scene Graph (ESG) document: one frozen tree that every stage reads and extends.
+
+Units are cm, kg, s and degrees; the frame is right-handed, Z up, left = +X, front = +Y; headings
+are 0 along +X, counter-clockwise positive seen from above (DESIGN.md, section 3). A stage fills its
+own fields and never rewrites another stage's. Source: the paper's schema appendix.
+
+An asset's local frame has its origin at the bottom centre of its bounding box, Z up, front = +X, so
+that an object's yaw is its heading.
+"""
+
+from __future__ import annotations
+
+import enum
+from typing import Annotated, Any, Literal
+
+from pydantic import BaseModel, ConfigDict, Field
+
+SCHEMA_VERSION = "1.0.0"
+
+Vec3 = tuple[float, float, float]
+Quat = tuple[float, float, float, float]
+Interval = tuple[float, float]
+Quantity = float | Interval
+"""A fixed value (hard constraint) or a closed interval (optimization variable)."""
+
+
+class Model(BaseModel):
+    """Base of all document parts: frozen, no unknown fields, no NaN or infinity."""
+
+    model_config = ConfigDict(
+        frozen=True, extra="forbid", allow_inf_nan=False, populate_by_name=True
+    )
+
+
+class RegionType(str, enum.Enum):
+    SUPPORT_SURFACE = "SUPPORT_SURFACE"
+    STORAGE = "STORAGE"
+    ATTACHED_VERTICAL = "ATTACHED_VERTICAL"
+    ATTACHED_HORIZONTAL = "ATTACHED_HORIZONTAL"
+
+
+class RelationType(str, enum.Enum):
+    """Binary relations; every edge reads "`from` is <relation> `to`"."""
+
+    ON = "on"
+    UNDER = "under"
+    IN_FRONT_OF = "in_front_of"
+    BEHIND = "behind"
+    LEFT_OF = "left_of"
+    RIGHT_OF = "right_of"
+    NEAR = "near"
+    ADJACENT = "adjacent"
+    FAR_FROM = "far_from"
+    ABOVE = "above"
+    HIGHER_THAN = "higher_than"
+    LOWER_THAN = "lower_than"
+    SAME_LEVEL_AS = "same_level_as"
+    FACE = "face"
+    INSIDE_OF = "inside_of"
+    CENTER_OF = "center_of"
+    ATTACHED_VERTICAL = "attached_vertical"
+    ATTACHED_HORIZONTAL = "attached_horizontal"
+
+
+class MultiRelationType(str, enum.Enum):
+    """Relations of a group: `subjects` are arranged with respect to `targets`."""
+
+    BETWEEN = "between"
+    SURROUND = "surround"
+    ALIGN = "align"
+    SCATTER_BY = "scatter_by"
+
+
+class Role(str, enum.Enum):
+    ACTIVE = "active"
+    PASSIVE = "passive"
+
+
+class ForceDirection(str, enum.Enum):
+    ANY_3D = "ANY_3D"
+    HORIZONTAL_PLANE = "HORIZONTAL_PLANE"
+    ALONG_FORWARD_OR_BACKWARD = "ALONG_FORWARD_OR_BACKWARD"
+    ALONG_FORWARD_ONLY = "ALONG_FORWARD_ONLY"
+
+
+class NodeEvent(str, enum.Enum):
+    """Point events. Fall, Reach and Miss extend DESIGN.md's list (docs/graph.md says why)."""
+
+    SCENE_START = "SceneStart"
+    COLLISION = "Collision"
+    POSITION_AT = "PositionAt"
+    TRIGGER = "Trigger"
+    ENTER_REGION = "EnterRegion"
+    STOP = "Stop"
+    TOPPLE = "Topple"
+    HEADING_REACHED = "HeadingReached"
+    FALL = "Fall"
+    REACH = "Reach"
+    MISS = "Miss"
+
+
+class EdgeEvent(str, enum.Enum):
+    """Motion segments of one actor between two point events.
+
+    UniformMotion, AcceleratedMotion and Turn are motion under own power (HoldVelocity); Toward is a
+    launch: a throw, kick, strike or roll that sets the velocity once and then leaves the body to
+    physics; Brake raises damping; InertialConnector links a passive body's two collisions.
+    """
+
+    UNIFORM_MOTION = "UniformMotion"
+    TOWARD = "Toward"
+    ACCELERATED_MOTION = "AcceleratedMotion"
+    BRAKE = "Brake"
+    TURN = "Turn"
+    INERTIAL_CONNECTOR = "InertialConnector"
+
+
+class CoordinateSystem(Model):
+    units: Literal["cm"] = "cm"
+    handedness: Literal["right"] = "right"
+    up_axis: Literal["Z"] = "Z"
+    left_axis: Literal["+X"] = "+X"
+    front_axis: Literal["+Y"] = "+Y"
+    world_bounds_cm: tuple[Vec3, Vec3] = ((-6000.0, -6000.0, -500.0), (6000.0, 6000.0, 3000.0))
+
+
+class SceneParameters(Model):
+    is_dynamic: bool
+    scene_type: Literal["indoor", "outdoor"]
+    environment: str = "generic"
+    """Named environment preset, e.g. street, bowling_alley, billiard_hall, office, park."""
+    allow_supplementary: bool = True
+    """False when the prompt says "only" or "no other objects"."""
+
+
+class SceneDefinition(Model):
+    scene_id: str
+    coordinate_system: CoordinateSystem = CoordinateSystem()
+    original_description: str
+    expanded_description: str = ""
+    scene_parameters: SceneParameters
+
+
+class AssetRequirement(Model):
+    """What is needed (stage 1). Dimensions are (length along front, width, height)."""
+
+    asset_category: str
+    asset_description: str
+    expected_dimensions_cm: Vec3
+    expected_mass_kg: float
+    is_movable: bool = True
+    mass_is_prescribed: bool = False
+    dimensions_are_prescribed: bool = False
+    material: str | None = None
+    color: str | None = None
+    shape: Literal["sphere", "box", "cylinder", "capsule", "compound"] | None = None
+    linear_damping: float = 0.1
+
+
+class ProxyKind(str, enum.Enum):
+    SPHERE = "sphere"
+    BOX = "box"
+    CAPSULE = "capsule"
+    CYLINDER = "cylinder"
+    CONVEX = "convex"
+
+
+class Proxy(Model):
+    """One collision shape in the asset's local frame [cm].
+
+    `size_cm`: sphere (r, r, r); box half extents; capsule and cylinder (r, r, half height along
+    local Z, caps excluded); convex: half extents of its bounding box, with `vertices_cm` given.
+    """
+
+    kind: ProxyKind
+    size_cm: Vec3
+    position_cm: Vec3 = (0.0, 0.0, 0.0)
+    orientation_xyzw: Quat = (0.0, 0.0, 0.0, 1.0)
+    vertices_cm: tuple[Vec3, ...] = ()
+
+
+class SupportSurface(Model):
+    """A horizontal rectangle in the local frame on which things can stand (z is its height)."""
+
+    name: str
+    center_cm: Vec3
+    half_extents_cm: tuple[float, float]
+
+
+class NamedRegion(Model):
+    """A volume of an asset that things can enter: a pocket, a goal mouth, a bin's inside.
+
+    An axis-aligned box in the asset's local frame [cm].
+    """
+
+    name: str
+    center_cm: Vec3
+    half_extents_cm: Vec3
+    kind: Literal["pocket", "goal", "hole", "inside", "lane", "area"] = "area"
+
+
+class RetrievalCandidate(Model):
+    asset_name: str
+    score: float
+    semantic: float = 0.0
+    category: float = 0.0
+    physical: float = 0.0
+
+
+class AssetConfiguration(Model):
+    """What is used (stage 2): geometry, proxies and physics of one requirement."""
+
+    asset_name: str
+    source: Literal["parametric", "library", "generated", "fallback"]
+    category: str
+    mesh_path: str
+    """Path of the GLB inside the scene folder, e.g. `meshes/sedan.glb` (cm, Z up, front +X)."""
+    mesh_sha256: str = ""
+    dimensions_cm: Vec3
+    scale: Vec3 = (1.0, 1.0, 1.0)
+    front_axis: Literal["+X"] = "+X"
+    proxies: tuple[Proxy, ...] = ()
+    """Empty: the asset is a decal without collision (a road marking, a lane)."""
+    support_surfaces: tuple[SupportSurface, ...] = ()
+    regions: tuple[NamedRegion, ...] = ()
+    mass_kg: float
+    is_movable: bool
+    center_of_mass_cm: Vec3 = (0.0, 0.0, 0.0)
+    inertia_kg_cm2: tuple[float, float, float, float, float, float] = (0, 0, 0, 0, 0, 0)
+    """Ixx, Iyy, Izz, Ixy, Ixz, Iyz about the centre of mass, axes of the local frame."""
+    friction: float
+    restitution: float
+    linear_damping: float = 0.0
+    angular_damping: float = 0.0
+    is_wheeled: bool = False
+    """Rolls on wheels: coasts on the low-friction vehicle ground (docs/engines.md)."""
+    rolls: bool = False
+    """A round body that rolls about its centre (ball, wheel)."""
+    color_rgb: tuple[float, float, float] = (0.6, 0.6, 0.6)
+    license: str = "Apache-2.0"
+    attribution: str = ""
+    confidence: float = 1.0
+    runners_up: tuple[RetrievalCandidate, ...] = ()
+
+
+class SemanticRegion(Model):
+    region_description: str
+    region_type: RegionType
+    parent_object: str
+    bounds_cm: tuple[Vec3, Vec3] | None = None
+    """Bounds in the parent's local frame; None takes the parent's whole surface."""
+
+
+class LayoutPreference(Model):
+    """Soft cue used at initialization only (Supp. Mat., preference strategy)."""
+
+    anchor: Literal["center", "left", "right", "front", "back", "boundary", "none"] = "none"
+    weight: float = 1.0
+
+
+class Node(Model):
+    """One object instance. Node ids are logical names: car_1, picnic_table_1."""
+
+    asset_id: str
+    semantic_region: str | None = None
+    is_structural: bool = False
+    label: str = ""
+    """How the prompt names it: "ball A", "front car", "black ball"."""
+    mentioned: bool = True
+    """False for objects that expansion added."""
+    group: str | None = None
+    """Shared by members of one plural ("bowling pins"); their arrangement is in `group_pattern`."""
+    group_pattern: Literal["pins", "rack", "row", "column", "stack", "queue", "scatter"] | None = None
+    is_static: bool = False
+    """Fixed in the world although its asset is movable (a nailed-down table)."""
+    layout_preference: LayoutPreference = LayoutPreference()
+
+
+class BinaryRelation(Model):
+    from_: Annotated[str, Field(alias="from")]
+    to: str
+    relation_type: RelationType
+    confidence: float = 1.0
+    semantic_description: str = ""
+    distance_cm: Quantity | None = None
+    """Prescribed surface distance, where the prompt states one."""
+    cardinal: Literal["+X", "-X", "+Y", "-Y"] | None = None
+    """For `face` towards a direction instead of an object (`to` is then the ground node)."""
+
+
+class MultiRelation(Model):
+    subjects: tuple[str, ...]
+    targets: tuple[str, ...] = ()
+    relation_type: MultiRelationType
+    confidence: float = 1.0
+    semantic_description: str = ""
+    spacing_cm: Quantity | None = None
+
+
+class RelationEdges(Model):
+    binary_relations: tuple[BinaryRelation, ...] = ()
+    multi_relations: tuple[MultiRelation, ...] = ()
+
+
+class SpatialRelationGraph(Model):
+    semantic_regions: dict[str, SemanticRegion] = {}
+    nodes: dict[str, Node] = {}
+    edges: RelationEdges = RelationEdges()
+
+
+class Actor(Model):
+    role: Role
+    force_direction: ForceDirection | None = None
+    """Required for active actors, absent for passive ones."""
+
+
+class EventConstraint(Model):
+    """A measurable outcome the prompt prescribes for a point event.
+
+    Quantities and their meaning are the suite's (`data/suites`): speed_after, speed_before,
+    time_since, time_to_stop, distance, height, angle. Units: cm/s, s, cm, degrees.
+    """
+
+    quantity: Literal[
+        "speed_after", "speed_before", "time_since", "time_to_stop", "distance", "height", "angle"
+    ]
+    object: str
+    value: Quantity
+    since: str | None = None
+    """For time_since: id of the earlier point event."""
+
+
+class TimelineNode(Model):
+    """A point event: a milestone at a fixed `timestamp` or within a `window` [s]."""
+
+    id: str
+    event: NodeEvent
+    participants: tuple[str, ...] = ()
+    """Object ids. Collision, Reach and Miss name two: (mover, target)."""
+    timestamp: float | None = None
+    window: Interval | None = None
+    time_is_prescribed: bool = False
+    """True when the prompt states the time: a constraint, not a plausible guess."""
+    constraints: tuple[EventConstraint, ...] = ()
+    position_cm: Vec3 | None = None
+    """PositionAt: target position of the participant's centre."""
+    region: str | None = None
+    """EnterRegion: "node_id/region name" of a NamedRegion, e.g. "billiard_table_1/bottom pocket"."""
+    turn_direction: Literal["left", "right"] | None = None
+    turn_degrees: float | None = None
+    """HeadingReached: change of heading; left is counter-clockwise seen from above."""
+    description: str = ""
+
+
+class MotionParams(Model):
+    """Parameters of a motion segment; a number is fixed, a pair is optimized, None is unused."""
+
+    speed: Quantity | None = None
+    """[cm/s]"""
+    acceleration: Quantity | None = None
+    """[cm/s^2], positive speeds up"""
+    damping: Quantity | None = None
+    """Brake: linear damping [1/s]"""
+    heading_deg: Quantity | None = None
+    elevation_deg: Quantity | None = None
+    """Toward with ANY_3D: launch angle above the horizon"""
+    turn_degrees: Quantity | None = None
+    turn_direction: Literal["left", "right"] | None = None
+    turn_rate_deg_s: Quantity | None = None
+    duration: Quantity | None = None
+    """[s]"""
+    spin: Literal["roll", "slide", "none"] | None = None
+
+
+class TimelineEdge(Model):
+    """A motion segment of one actor from one point event to another."""
+
+    id: str
+    from_: Annotated[str, Field(alias="from")]
+    to: str
+    event: EdgeEvent
+    actor: str
+    target: str | None = None
+    params: MotionParams = MotionParams()
+    speed_is_prescribed: bool = False
+
+
+class SequenceGraph(Model):
+    nodes: tuple[TimelineNode, ...] = ()
+    edges: tuple[TimelineEdge, ...] = ()
+
+
+class TimelineSystem(Model):
+    actors: dict[str, Actor] = {}
+    sequence_graph: SequenceGraph = SequenceGraph()
+
+
+class CoverageItem(Model):
+    """Where one noun, event or quantity of the prompt went."""
+
+    text: str
+    start: int
+    end: int
+    kind: Literal["object", "event", "quantity", "relation", "modifier"]
+    status: Literal["used", "ignored", "not_understood"]
+    pointer: str = ""
+    """JSON pointer of the field it became."""
+    note: str = ""
+
+
+class Coverage(Model):
+    items: tuple[CoverageItem, ...] = ()
+    warnings: tuple[str, ...] = ()
+
+
+class Pose(Model):
+    """Pose of an asset's local frame: R = Rz(yaw) Ry(pitch) Rx(roll)."""
+
+    position_cm: Vec3
+    yaw_deg: float = 0.0
+    pitch_deg: float = 0.0
+    roll_deg: float = 0.0
+
+
+class RelationReport(Model):
+    edge: str
+    relation_type: str
+    satisfied: bool
+    violation: float
+    note: str = ""
+
+
+class LayoutResult(Model):
+    """Stage 3: poses xi and how well they satisfy the graph."""
+
+    poses: dict[str, Pose]
+    energy: float
+    energy_terms: dict[str, float] = {}
+    relations: tuple[RelationReport, ...] = ()
+    max_penetration_cm: float = 0.0
+    feasible: bool = True
+    reason: str = ""
+
+
+class Parameter(Model):
+    """One entry of theta, in document units."""
+
+    name: str
+    """`edge id/param`, e.g. `car_drive/speed`."""
+    value: float
+    lower: float
+    upper: float
+    initial: float
+    fixed: bool = False
+
+
+class RelaxedConstraint(Model):
+    event: str
+    quantity: str
+    requested: Quantity
+    achieved: float
+    unit: str
+
+
+class DynamicsResult(Model):
+    """Stage 4: theta, the control program it compiles to (SI), and why the search stopped."""
+
+    strategy: str
+    parameters: tuple[Parameter, ...] = ()
+    program: dict[str, Any] = {}
+    """Serialized control program (esg.engines.program.program_to_json), SI units."""
+    duration_s: float
+    outcome: str
+    reason: str = ""
+    loss: float = 0.0
+    margins: dict[str, float] = {}
+    """Signed margin per event or constraint, worst case over the ensemble; positive holds."""
+    relaxed: tuple[RelaxedConstraint, ...] = ()
+    evaluations: int = 0
+    history: tuple[float, ...] = ()
+    engine: str = ""
+    dt_s: float = 0.0
+
+
+class Provenance(Model):
+    """Which stage, version and seed wrote which part."""
+
+    stage: Literal["draft", "resolve", "layout", "optimize", "compile"]
+    version: str
+    seed: int
+    config: dict[str, Any] = {}
+    input_hash: str = ""
+
+
+class EsgDocument(Model):
+    """The carrier of the whole pipeline."""
+
+    schema_version: Literal["1.0.0"] = SCHEMA_VERSION
+    scene_definition: SceneDefinition
+    asset_requirement: dict[str, AssetRequirement] = {}
+    asset_configurations: dict[str, AssetConfiguration] = {}
+    spatial_relation_graph: SpatialRelationGraph = SpatialRelationGraph()
+    timeline_system: TimelineSystem | None = None
+    coverage: Coverage = Coverage()
+    layout_result: LayoutResult | None = None
+    dynamics_result: DynamicsResult | None = None
+    provenance: tuple[Provenance, ...] = ()

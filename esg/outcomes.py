@@ -1,0 +1,52 @@
+"""How a scene ended: an enum whose members carry what to try next, never a bare failure."""
+
+from __future__ import annotations
+
+import enum
+
+
+class Outcome(str, enum.Enum):
+    """Result of generating one scene (DESIGN.md, section 5)."""
+
+    SOLVED = "solved"
+    NEAREST_FEASIBLE = "nearest_feasible"
+    INFEASIBLE = "infeasible"
+    NOT_CONVERGED = "not_converged"
+    INVALID_DRAFT = "invalid_draft"
+    CRASHED = "crashed"
+
+    @property
+    def advice(self) -> str:
+        """One sentence on what the user can do about it."""
+        return _ADVICE[self]
+
+    @property
+    def has_scene(self) -> bool:
+        """Whether a compiled scene exists for this outcome."""
+        return self in (Outcome.SOLVED, Outcome.NEAREST_FEASIBLE, Outcome.NOT_CONVERGED)
+
+
+_ADVICE = {
+    Outcome.SOLVED: "Every event and constraint holds; nothing to do.",
+    Outcome.NEAREST_FEASIBLE: (
+        "Physics rules out one constraint; see `dynamics_result.relaxed` for which gave way and by "
+        "how much, and relax it in the prompt."
+    ),
+    Outcome.INFEASIBLE: "No scene can satisfy the prompt; see `reason` and change what it names.",
+    Outcome.NOT_CONVERGED: "Some event was not reached in the budget; try another --seed.",
+    Outcome.INVALID_DRAFT: "The draft breaks the schema or the rules; see the violations.",
+    Outcome.CRASHED: "A defect of this software; please report it with `log.jsonl`.",
+}
+
+
+class UserError(Exception):
+    """A mistake the user can repair: shown as one message, exit code 2, never a traceback.
+
+    Args:
+        message: What was wrong, where, with which value, and what to do about it.
+        exit_code: 2 for usage and input errors, 1 for an environment that fails.
+    """
+
+    def __init__(self, message: str, exit_code: int = 2) -> None:
+        super().__init__(message)
+        self.exit_code = exit_code

@@ -1,0 +1,70 @@
+"""Unit and frame conversions: the only place where the document meets the simulator.
+
+The ESG document is in cm, kg, s, degrees (paper, Unreal); simulation is SI with radians. Both are
+right-handed, Z up, left = +X, front = +Y. Unreal is left-handed: ``y`` is mirrored when emitting.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+CM_PER_M = 100.0
+GRAVITY_MPS2 = 9.81
+
+
+def m_from_cm(value: float) -> float:
+    """Converts a length, speed or acceleration from centimetres to metres."""
+    return value / CM_PER_M
+
+
+def cm_from_m(value: float) -> float:
+    """Converts a length, speed or acceleration from metres to centimetres."""
+    return value * CM_PER_M
+
+
+def quat_from_euler_deg(yaw: float, pitch: float = 0.0, roll: float = 0.0) -> NDArray[np.float64]:
+    """Quaternion (x, y, z, w) of R = Rz(yaw) Ry(pitch) Rx(roll), angles in degrees, shape [4]."""
+    cy, sy = math.cos(math.radians(yaw) / 2), math.sin(math.radians(yaw) / 2)
+    cp, sp = math.cos(math.radians(pitch) / 2), math.sin(math.radians(pitch) / 2)
+    cr, sr = math.cos(math.radians(roll) / 2), math.sin(math.radians(roll) / 2)
+    return np.array(
+        [
+            sr * cp * cy - cr * sp * sy,
+            cr * sp * cy + sr * cp * sy,
+            cr * cp * sy - sr * sp * cy,
+            cr * cp * cy + sr * sp * sy,
+        ]
+    )
+
+
+def quat_multiply(a: ArrayLike, b: ArrayLike) -> NDArray[np.float64]:
+    """Hamilton product of quaternions (x, y, z, w), shapes broadcast over [..., 4]."""
+    a, b = np.asarray(a, float), np.asarray(b, float)
+    ax, ay, az, aw = np.moveaxis(a, -1, 0)
+    bx, by, bz, bw = np.moveaxis(b, -1, 0)
+    return np.stack(
+        [
+            aw * bx + ax * bw + ay * bz - az * by,
+            aw * by - ax * bz + ay * bw + az * bx,
+            aw * bz + ax * by - ay * bx + az * bw,
+            aw * bw - ax * bx - ay * by - az * bz,
+        ],
+        axis=-1,
+    )
+
+
+def quat_rotate(q: ArrayLike, v: ArrayLike) -> NDArray[np.float64]:
+    """Rotates vectors [..., 3] by quaternions (x, y, z, w) [..., 4]."""
+    q, v = np.asarray(q, float), np.asarray(v, float)
+    u, w = q[..., :3], q[..., 3:]
+    t = 2.0 * np.cross(u, v)
+    return v + w * t + np.cross(u, t)
+
+
+def yaw_from_quat(q: ArrayLike) -> NDArray[np.float64]:
+    """Heading [rad] of the rotated +X axis projected on the ground, shape [...]."""
+    x, y, z, w = np.moveaxis(np.asarray(q, float), -1, 0)
+    return np.arctan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z))
