@@ -1,0 +1,70 @@
+"""Where planned motion needs things to start: the planner's request to the layout stage.
+
+A constellation fixes the relative start of the bodies that take part in a motion (car, bin, table of
+a chain) in one frame; the layout chooses where the whole constellation stands, places everything
+else, and keeps bystanders out of the corridors that the motion sweeps.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Placement:
+    """Start of one node in the constellation's frame.
+
+    Args:
+        node: Node id, or "group:NAME" for a whole group. A group pattern's own frame has its first
+            member (head pin, front of a row) at the origin and the others towards local +X.
+        x_cm, y_cm: Position of the asset origin (bottom centre).
+        yaw_deg: Heading in the constellation's frame; None leaves it to the layout.
+        z_cm: Height of the asset origin above the ground for bodies that start in the air (a throw,
+            a drop); None rests the body on its support.
+        tolerance_cm: The layout may move the node this far to satisfy relations.
+    """
+
+    node: str
+    x_cm: float
+    y_cm: float
+    yaw_deg: float | None = 0.0
+    z_cm: float | None = None
+    tolerance_cm: float = 0.0
+
+
+@dataclass(frozen=True)
+class Corridor:
+    """A swept path that only its participants may touch at the start.
+
+    Args:
+        points_cm: Polyline in the constellation's frame, shape [n, 2].
+        half_width_cm: Including a safety margin.
+        participants: Node ids (or "group:NAME") that belong on the path.
+    """
+
+    points_cm: tuple[tuple[float, float], ...]
+    half_width_cm: float
+    participants: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Constellation:
+    """Bodies whose relative start is planned.
+
+    Args:
+        placements: At least one.
+        corridors: Swept paths.
+        anchor: Node whose asset frame is the constellation's frame (a billiard table, a lane); None
+            lets the layout choose position and yaw of the frame.
+        yaw_deg: World yaw of the frame if it is prescribed (anchor None), else free.
+    """
+
+    placements: tuple[Placement, ...]
+    corridors: tuple[Corridor, ...] = ()
+    anchor: str | None = None
+    yaw_deg: float | None = None
+
+
+@dataclass(frozen=True)
+class StartHints:
+    constellations: tuple[Constellation, ...] = ()
