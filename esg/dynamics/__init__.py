@@ -1,0 +1,33 @@
+"""Stage 4: control program, theta, event losses and the search that makes events happen."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from esg.engines.scene import SimScene
+    from esg.graph.models import EsgDocument
+    from esg.layout.hints import StartHints
+
+
+def build_scene(doc: EsgDocument) -> SimScene:
+    """The physical scene of a laid-out document, in SI (esg.dynamics.build)."""
+    from esg.dynamics.build import build_scene as run
+
+    return run(doc)
+
+
+def start_hints(doc: EsgDocument, *, seed: int = 0) -> StartHints:
+    """Start constellations of the timeline's participants (esg.dynamics.choreography)."""
+    from esg.dynamics.choreography import start_hints as run
+
+    return run(doc, seed=seed)
+
+
+def optimize(
+    doc: EsgDocument, *, seed: int = 0, strategy: str = "batched", device: str = "cpu"
+) -> EsgDocument:
+    """Fills `dynamics_result` (esg.dynamics.search)."""
+    from esg.dynamics.search import optimize as run
+
+    return run(doc, seed=seed, strategy=strategy, device=device)

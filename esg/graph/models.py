@@ -467,6 +467,8 @@ class DynamicsResult(Model):
 
     strategy: str
     parameters: tuple[Parameter, ...] = ()
+    start_poses: dict[str, Pose] = {}
+    """Start poses of active actors that the search re-aimed; they take precedence over xi."""
     program: dict[str, Any] = {}
     """Serialized control program (esg.engines.program.program_to_json), SI units."""
     duration_s: float
