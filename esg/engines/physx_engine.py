@@ -1,0 +1,328 @@
+"""Verify engine: PhysX 5 on the CPU through SAPIEN.
+
+Every world is a PhysX scene of its own, built, stepped and dropped, so that nothing leaks between
+worlds and repeats are bit-identical. Damping is PhysX's own, which is v *= max(0, 1 - c dt).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+import numpy as np
+
+from esg.engines.base import VERIFY_DT_S
+from esg.engines.executor import Executor, Vec
+from esg.engines.program import ProgramBatch
+from esg.engines.scene import ContactLog, Floats, Rollout, Shape, SimScene, Variation
+from esg.engines.worlds import (
+    MAX_SPEED_MPS,
+    ContactRecorder,
+    Frames,
+    Values,
+    check,
+    cylinder_vertices,
+    join_logs,
+    moving,
+    principal_axes,
+    rest_states,
+    world_values,
+)
+from esg.units import quat_multiply
+
+BOUNCE_THRESHOLD_MPS = 0.2
+POSITION_ITERATIONS = 8
+VELOCITY_ITERATIONS = 2
+SLEEP_THRESHOLD = 5e-5
+"""Kinetic energy per mass [m^2/s^2] under which a body may fall asleep: 1 cm/s."""
+
+_GROUND, _VEHICLE_GROUND, _BODY, _WHEELED = 1, 2, 4, 8
+_X_TO_Z = (0.0, -(0.5**0.5), 0.0, 0.5**0.5)
+"""Rotation that takes PhysX's capsule axis X to our Z."""
+
+
+class PhysxEngine:
+    """PhysX 5 (see `esg.engines.base.Engine`)."""
+
+    name = "physx"
+
+    def rollout(
+        self,
+        scene: SimScene,
+        batch: ProgramBatch,
+        *,
+        dt: float = VERIFY_DT_S,
+        record_every: int = 1,
+        duration: float | None = None,
+        variation: Variation | None = None,
+        ground_contacts: bool = False,
+    ) -> Rollout:
+        """Simulates every world of the batch (`Engine.rollout`)."""
+        check(scene, batch)
+        px = physx_module()
+        frames = Frames.of(batch.duration if duration is None else duration, dt, record_every)
+        values = world_values(scene, variation, batch.n_worlds)
+        states = rest_states(values, frames)
+        valid = np.ones(batch.n_worlds, bool)
+        logs: list[ContactLog] = []
+        with _scene_config(px, scene):
+            for w in range(batch.n_worlds):
+                world = PhysxWorld(scene, values, w, dt)
+                recorder = ContactRecorder(w, frames)
+                valid[w] = world.run(Executor(batch, w), frames, states, recorder, ground_contacts)
+                logs.append(recorder.log())
+        return Rollout(
+            engine=self.name,
+            dt=dt,
+            time=frames.time,
+            position=states[0],
+            quaternion=states[1],
+            linear_velocity=states[2],
+            angular_velocity=states[3],
+            contacts=join_logs(logs),
+            valid=valid,
+            extra={
+                "version": px.version(),
+                "solver": "TGS",
+                "bounce_threshold_mps": BOUNCE_THRESHOLD_MPS,
+                "iterations": [POSITION_ITERATIONS, VELOCITY_ITERATIONS],
+            },
+        )
+
+
+def physx_module() -> Any:
+    """Imports `sapien.physx`; its notice about a missing graphics driver is not for our users."""
+    import warnings
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        import sapien.physx as px
+    return px
+
+
+@contextmanager
+def _scene_config(px: Any, scene: SimScene) -> Iterator[None]:
+    """Sets SAPIEN's process-wide configuration for the scenes made inside, and puts it back."""
+    scene_before, body_before, shape_before = (
+        px.get_scene_config(),
+        px.get_body_config(),
+        px.get_shape_config(),
+    )
+    config = px.PhysxSceneConfig()
+    config.gravity = list(scene.gravity)
+    config.bounce_threshold = BOUNCE_THRESHOLD_MPS
+    config.enable_enhanced_determinism = True
+    config.enable_tgs = True
+    config.enable_pcm = True
+    config.enable_ccd = False
+    body = px.PhysxBodyConfig()
+    body.solver_position_iterations = POSITION_ITERATIONS
+    body.solver_velocity_iterations = VELOCITY_ITERATIONS
+    body.sleep_threshold = SLEEP_THRESHOLD
+    px.set_scene_config(config)
+    px.set_body_config(body)
+    px.set_shape_config(px.PhysxShapeConfig())
+    try:
+        yield
+    finally:
+        px.set_scene_config(scene_before)
+        px.set_body_config(body_before)
+        px.set_shape_config(shape_before)
+
+
+class PhysxWorld:
+    """One world as a PhysX scene; also the executor's access to its bodies.
+
+    Args:
+        scene: Bodies and shapes.
+        values: Initial states and materials of W worlds.
+        w: Which of them.
+        dt: Physics step [s].
+    """
+
+    def __init__(self, scene: SimScene, values: Values, w: int, dt: float) -> None:
+        import sapien
+
+        self._px = px = physx_module()
+        self.system = px.PhysxCpuSystem()
+        self._scene = sapien.Scene([self.system])
+        self._scene.set_timestep(dt)
+        self._mass = values.mass[w]
+        self._scale = float(values.friction_scale[w])
+        self._materials: list[Any] = []
+        self.bodies: list[Any] = []
+        self._index: dict[int, int] = {}
+        self.finite = bool(
+            np.isfinite(values.position[w]).all() and np.isfinite(values.quaternion[w]).all()
+        )
+        if not self.finite:
+            return
+        ground_mu, vehicle_mu, ground_e = (float(v) for v in values.ground[w])
+        self._add_ground(ground_mu, ground_e, _GROUND, _BODY)
+        self._add_ground(vehicle_mu, ground_e, _VEHICLE_GROUND, _WHEELED)
+        for i, body in enumerate(scene.bodies):
+            mu = float(values.friction[w, i])
+            material = px.PhysxMaterial(mu, mu, float(values.restitution[w, i]))
+            self._materials.append(material)
+            if not body.collides:
+                self.bodies.append(None)
+                continue
+            component = (
+                px.PhysxRigidStaticComponent() if body.static else px.PhysxRigidDynamicComponent()
+            )
+            group = _WHEELED if body.wheeled else _BODY
+            for shape in body.shapes:
+                collider = make_shape(px, shape, material)
+                collider.set_collision_groups([group, _BODY | _WHEELED, 0, 0])
+                component.attach(collider)
+            if not body.static:
+                moments, axes = principal_axes(values.inertia[w, i])
+                component.mass = float(values.mass[w, i])
+                component.cmass_local_pose = to_pose((0.0, 0.0, 0.0), axes)
+                component.inertia = moments.astype(np.float32)
+                component.linear_damping = body.linear_damping
+                component.angular_damping = body.angular_damping
+                component.max_angular_velocity = 1e6
+            self._add(component, body.name, to_pose(values.position[w, i], values.quaternion[w, i]))
+            self._index[component._physx_pointer] = i
+            self.bodies.append(component)
+        self._moving = np.nonzero(moving(scene))[0].tolist()
+
+    def _add(self, component: Any, name: str, pose: Any) -> None:
+        import sapien
+
+        entity = sapien.Entity()
+        entity.name = name
+        entity.add_component(component)
+        entity.set_pose(pose)
+        self._scene.add_entity(entity)
+
+    def _add_ground(self, friction: float, restitution: float, group: int, touches: int) -> None:
+        px = self._px
+        plane = px.PhysxCollisionShapePlane(px.PhysxMaterial(friction, friction, restitution))
+        # PhysX planes face +X.
+        plane.local_pose = to_pose((0.0, 0.0, 0.0), _X_TO_Z)
+        plane.set_collision_groups([group, touches, 0, 0])
+        component = px.PhysxRigidStaticComponent()
+        component.attach(plane)
+        self._add(component, "", to_pose((0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0)))
+        self._index[component._physx_pointer] = -1
+
+    def linear(self, body: int) -> Vec:
+        v = self.bodies[body].linear_velocity
+        return float(v[0]), float(v[1]), float(v[2])
+
+    def set_linear(self, body: int, velocity: Vec) -> None:
+        self.bodies[body].linear_velocity = velocity
+
+    def set_angular(self, body: int, velocity: Vec) -> None:
+        self.bodies[body].angular_velocity = velocity
+
+    def mass(self, body: int) -> float:
+        return float(self._mass[body])
+
+    def set_linear_damping(self, body: int, damping: float) -> None:
+        if hasattr(self.bodies[body], "linear_damping"):
+            self.bodies[body].linear_damping = damping
+
+    def set_angular_damping(self, body: int, damping: float) -> None:
+        if hasattr(self.bodies[body], "angular_damping"):
+            self.bodies[body].angular_damping = damping
+
+    def set_friction(self, body: int, friction: float) -> None:
+        material = self._materials[body]
+        material.static_friction = friction * self._scale
+        material.dynamic_friction = friction * self._scale
+
+    def contacts(self, ground: bool) -> Iterator[tuple[int, int, float, float, Floats, Floats]]:
+        """Touching pairs of the last step: (a, b, impulse, depth, point, normal from b to a)."""
+        for contact in self.system.get_contacts():
+            points = contact.points
+            if not points:
+                continue
+            a, b = (self._index[c._physx_pointer] for c in contact.bodies)
+            if (a < 0 or b < 0) and not ground:
+                continue
+            total, depth, best, strongest = 0.0, 0.0, -1.0, points[0]
+            for p in points:
+                impulse = float(np.dot(p.impulse, p.normal))
+                total += impulse
+                depth = max(depth, -float(p.separation))
+                if impulse > best:
+                    best, strongest = impulse, p
+            if total > 0.0:
+                yield a, b, total, depth, strongest.position, strongest.normal
+
+    def run(
+        self,
+        program: Executor,
+        frames: Frames,
+        states: tuple[Any, Any, Any, Any],
+        recorder: ContactRecorder,
+        ground_contacts: bool,
+    ) -> bool:
+        """Steps through all frames, writing into the arrays of the rollout.
+
+        Returns:
+            Whether the world stayed finite and slower than 500 m/s; it stops being stepped (and
+            keeps its last state) as soon as it does not.
+        """
+        if not self.finite:
+            return False
+        world = recorder.world
+        touched: list[tuple[int, int]] = []
+        for step in range(frames.n_steps):
+            program.before_step(step * frames.dt, frames.dt, touched, self)
+            self.system.step()
+            touched = []
+            for a, b, impulse, depth, point, normal in self.contacts(ground_contacts):
+                recorder.add(step, a, b, impulse, depth, point, normal)
+                touched.append((min(a, b), max(a, b)))
+            if (step + 1) % frames.record_every == 0:
+                frame = (step + 1) // frames.record_every
+                if not self._record(states, world, frame):
+                    for array in states:
+                        array[world, frame:] = array[world, frame - 1]
+                    return False
+        return True
+
+    def _record(self, states: tuple[Any, Any, Any, Any], w: int, frame: int) -> bool:
+        for i in self._moving:
+            body = self.bodies[i]
+            pose = body.entity.pose
+            q, v = pose.q, body.linear_velocity
+            states[0][w, frame, i] = pose.p
+            states[1][w, frame, i] = (q[1], q[2], q[3], q[0])
+            states[2][w, frame, i] = v
+            states[3][w, frame, i] = body.angular_velocity
+            # The comparison is also false for NaN.
+            if not float(np.dot(v, v)) <= MAX_SPEED_MPS**2 or not np.isfinite(pose.p).all():
+                return False
+        return True
+
+
+def to_pose(position: Any, quaternion: Any) -> Any:
+    """A SAPIEN pose, whose quaternions are (w, x, y, z)."""
+    import sapien
+
+    x, y, z, w = (float(v) for v in quaternion)
+    return sapien.Pose([float(v) for v in position], [w, x, y, z])
+
+
+def make_shape(px: Any, shape: Shape, material: Any) -> Any:
+    """A PhysX collision shape in its body's frame; cylinders become 32-sided prisms."""
+    quaternion: Any = shape.quaternion
+    one = np.ones(3, np.float32)
+    if shape.kind == "sphere":
+        collider = px.PhysxCollisionShapeSphere(shape.size[0], material)
+    elif shape.kind == "box":
+        collider = px.PhysxCollisionShapeBox(np.array(shape.size, np.float32), material)
+    elif shape.kind == "capsule":
+        collider = px.PhysxCollisionShapeCapsule(shape.size[0], shape.size[2], material)
+        quaternion = quat_multiply(np.array(shape.quaternion), np.array(_X_TO_Z))
+    else:
+        points = cylinder_vertices(shape) if shape.kind == "cylinder" else np.array(shape.vertices)
+        collider = px.PhysxCollisionShapeConvexMesh(points.astype(np.float32), one, material)
+    collider.local_pose = to_pose(shape.position, quaternion)
+    return collider
