@@ -1,0 +1,248 @@
+"""Prefect without a server to look after: a private API process that lives as long as the command.
+
+Prefect's own ephemeral mode starts its API inside the first flow call and makes the command wait
+for it: 11 s warm, 20 s on first use. Here the API process starts first, with database migrations
+already done and without the background services a single command never needs, and the caller
+imports its numerical libraries meanwhile; the first flow then waits about 6 s in all.
+
+Each command works on a private copy of a migrated template database: two commands never contend for
+one SQLite file, nothing grows, and the user's own Prefect profile and home stay untouched. A user
+who sets `PREFECT_API_URL` gets that server instead and sees every run in its UI.
+
+Import this module before `prefect`: it sets the environment prefect reads at import.
+"""
+
+from __future__ import annotations
+
+import atexit
+from collections.abc import Iterator
+import contextlib
+import http.client
+from importlib import metadata
+import os
+from pathlib import Path
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+
+from esg.outcomes import UserError
+from esg.paths import cache_dir
+
+STARTUP_TIMEOUT_S = 90.0
+
+_QUIET = {
+    "DO_NOT_TRACK": "1",
+    "PREFECT_SERVER_ANALYTICS_ENABLED": "false",
+    "PREFECT_LOGGING_LEVEL": "ERROR",
+    "PREFECT_LOGGING_TO_API_ENABLED": "false",
+    "PREFECT_RESULTS_PERSIST_BY_DEFAULT": "false",
+}
+_UNUSED_SERVICES = (
+    "CANCELLATION_CLEANUP",
+    "CLEANUP_RECONCILER",
+    "EVENT_LOGGER",
+    "FOREMAN",
+    "LATE_RUNS",
+    "PAUSE_EXPIRATIONS",
+    "REPOSSESSOR",
+    "SCHEDULER",
+    "TRIGGERS",
+)
+
+
+def configure() -> None:
+    """Sets what prefect reads at import; values the user has set win."""
+    for key, value in _QUIET.items():
+        os.environ.setdefault(key, value)
+    os.environ.setdefault("PREFECT_LOCAL_STORAGE_PATH", str(_home() / "results"))
+    if "PREFECT_API_URL" not in os.environ:
+        os.environ.setdefault("PREFECT_HOME", str(_home() / "home"))
+
+
+class EmbeddedServer:
+    """The private API process of one command."""
+
+    def __init__(self) -> None:
+        self._process: subprocess.Popen[bytes] | None = None
+        self._folder: Path | None = None
+        self._port = 0
+
+    def start(self) -> None:
+        """Starts the process and points prefect at it; returns at once (see `wait`)."""
+        configure()
+        if os.environ.get("PREFECT_API_URL") or self._process is not None:
+            return
+        self._folder = Path(tempfile.mkdtemp(prefix="esg-prefect-"))
+        database = self._folder / "prefect.db"
+        with contextlib.suppress(OSError):  # an unwritable cache: migrate the private copy instead
+            shutil.copyfile(prepare_template(), database)
+        self._port = _free_port()
+        self._process = subprocess.Popen(
+            [
+                *(sys.executable, "-m", "uvicorn", "--factory"),
+                "prefect.server.api.server:create_app",
+                *("--host", "127.0.0.1", "--port", str(self._port)),
+                *("--log-level", "critical", "--timeout-keep-alive", "30"),
+            ],
+            env=_server_environment(database, migrate=not database.exists()),
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.DEVNULL,
+            stderr=(self._folder / "server.log").open("wb"),
+            preexec_fn=_die_with_parent if sys.platform == "linux" else None,
+        )
+        os.environ["PREFECT_API_URL"] = f"http://127.0.0.1:{self._port}/api"
+        atexit.register(self.stop)
+
+    def wait(self) -> None:
+        """Blocks until the API answers.
+
+        Raises:
+            UserError: With exit code 1 if the process ends or does not answer in time.
+        """
+        if self._process is None:
+            return
+        deadline = time.monotonic() + STARTUP_TIMEOUT_S
+        while time.monotonic() < deadline:
+            if self._process.poll() is not None:
+                break
+            if self._healthy():
+                return
+            time.sleep(0.05)
+        log = self._log_tail()
+        self.stop()
+        raise UserError(
+            "the embedded Prefect API did not start; set PREFECT_API_URL to use a running server, "
+            f"or run `esg doctor`. Its last words: {log or 'none'}",
+            exit_code=1,
+        )
+
+    def stop(self) -> None:
+        """Ends the process and removes its database."""
+        process, self._process = self._process, None
+        if process is None:
+            return
+        os.environ.pop("PREFECT_API_URL", None)
+        process.terminate()
+        try:
+            process.wait(timeout=5)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait()
+        if self._folder is not None:
+            shutil.rmtree(self._folder, ignore_errors=True)
+
+    def _healthy(self) -> bool:
+        connection = http.client.HTTPConnection("127.0.0.1", self._port, timeout=2)
+        try:
+            connection.request("GET", "/api/health")
+            return connection.getresponse().status == 200
+        except (OSError, http.client.HTTPException):
+            return False
+        finally:
+            connection.close()
+
+    def _log_tail(self) -> str:
+        if self._folder is None:
+            return ""
+        with contextlib.suppress(OSError):
+            lines = (self._folder / "server.log").read_text(errors="replace").strip().splitlines()
+            return lines[-1] if lines else ""
+        return ""
+
+
+@contextlib.contextmanager
+def prefect_api() -> Iterator[EmbeddedServer]:
+    """A running or starting API for the body; call `wait()` before the first flow."""
+    server = EmbeddedServer()
+    server.start()
+    try:
+        yield server
+    finally:
+        server.stop()
+
+
+def prepare_template() -> Path:
+    """Creates the migrated template database (about 10 s); `esg setup` calls it.
+
+    Returns:
+        Its path.
+    """
+    template = _template()
+    if template.exists():
+        return template
+    configure()
+    template.parent.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(prefix="esg-prefect-") as folder:
+        database = Path(folder) / "prefect.db"
+        env = _server_environment(database, migrate=True)
+        code = (
+            "import asyncio\n"
+            "from prefect.server.database import provide_database_interface\n"
+            "asyncio.run(provide_database_interface().create_db())\n"
+        )
+        done = subprocess.run(
+            [sys.executable, "-c", code], env=env, capture_output=True, text=True, check=False
+        )
+        if done.returncode != 0 or not database.exists():
+            last = done.stderr.strip().splitlines()[-1:] or ["no message"]
+            raise UserError(f"Prefect could not create its database: {last[0]}", exit_code=1)
+        _fold_wal(database)
+        partial = template.with_suffix(f".{os.getpid()}.tmp")
+        shutil.copyfile(database, partial)
+        partial.replace(template)
+    return template
+
+
+def _server_environment(database: Path, migrate: bool) -> dict[str, str]:
+    env = dict(os.environ)
+    env.update(
+        PREFECT_HOME=str(database.parent),
+        PREFECT_API_DATABASE_CONNECTION_URL=f"sqlite+aiosqlite:///{database}",
+        PREFECT_API_DATABASE_MIGRATE_ON_START="true" if migrate else "false",
+        PREFECT_API_BLOCKS_REGISTER_ON_START="false",
+        PREFECT_UI_ENABLED="0",
+        PREFECT__SERVER_EPHEMERAL="1",
+        PREFECT__SERVER_FINAL="1",
+        OMP_NUM_THREADS="1",
+    )
+    env.pop("PREFECT_API_URL", None)
+    for service in _UNUSED_SERVICES:
+        env[f"PREFECT_SERVER_SERVICES_{service}_ENABLED"] = "false"
+    return env
+
+
+def _fold_wal(database: Path) -> None:
+    """Writes SQLite's log back into the file, so that copying the file copies everything."""
+    import sqlite3
+
+    connection = sqlite3.connect(database)
+    try:
+        connection.execute("PRAGMA wal_checkpoint(TRUNCATE)")
+        connection.execute("PRAGMA journal_mode=DELETE")
+    finally:
+        connection.close()
+
+
+def _home() -> Path:
+    return cache_dir() / "prefect"
+
+
+def _template() -> Path:
+    return _home() / f"template-{metadata.version('prefect')}.db"
+
+
+def _free_port() -> int:
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return int(probe.getsockname()[1])
+
+
+def _die_with_parent() -> None:
+    """Linux: the API process gets SIGTERM when the command dies, even by SIGKILL."""
+    import ctypes
+
+    ctypes.CDLL(None).prctl(1, signal.SIGTERM)
