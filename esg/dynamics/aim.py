@@ -1,0 +1,127 @@
+"""Where to aim: the solid part of a target within reach, and ghost positions for chains."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from esg.dynamics.story import Phase, Story
+from esg.engines.scene import Body, Shape, SimScene
+from esg.graph.models import NodeEvent
+from esg.units import quat_rotate
+
+Floats = NDArray[np.float64]
+
+
+def shape_bounds(body: Body, shape: Shape) -> tuple[Floats, Floats]:
+    """World axis-aligned bounds of one shape [m], each of shape [3]."""
+    if shape.kind == "convex" and shape.vertices:
+        local = np.array(shape.vertices)
+    else:
+        half = np.array(shape.size, float)
+        if shape.kind == "capsule":
+            half[2] += half[0]
+        signs = np.array([[i, j, k] for i in (-1, 1) for j in (-1, 1) for k in (-1, 1)], float)
+        local = signs * half
+    points = quat_rotate(np.array(shape.quaternion), local) + np.array(shape.position)
+    world = quat_rotate(np.array(body.quaternion), points) + np.array(body.position)
+    return world.min(axis=0), world.max(axis=0)
+
+
+def body_bounds(body: Body) -> tuple[Floats, Floats]:
+    """World axis-aligned bounds of a body [m]."""
+    boxes = [shape_bounds(body, s) for s in body.shapes]
+    if not boxes:
+        p = np.array(body.position)
+        return p, p
+    return np.min([b[0] for b in boxes], axis=0), np.max([b[1] for b in boxes], axis=0)
+
+
+def aim_point(mover: Body, target: Body, scene: SimScene) -> Floats:
+    """A point on the target that the mover can meet: its broadest solid part at the mover's height.
+
+    Args:
+        mover: The body that moves.
+        target: The body it shall meet.
+        scene: Regions of the target (a goal, a pocket) are aimed at through their centre.
+
+    Returns:
+        World point [m], shape [3].
+    """
+    low, high = body_bounds(mover)
+    grounded = low[2] < 0.5
+    position = np.array(mover.position)
+    best, best_score = np.array(target.position), -math.inf
+    toward = np.array(target.position)[:2] - position[:2]
+    toward = toward / max(float(np.linalg.norm(toward)), 1e-9)
+    side = np.array([-toward[1], toward[0]])
+    for shape in target.shapes:
+        a, b = shape_bounds(target, shape)
+        center = 0.5 * (a + b)
+        overlap = min(b[2], high[2]) - max(a[2], low[2])
+        if grounded and mover.roll_radius and overlap < 0.35 * (high[2] - low[2]):
+            continue
+        if grounded and overlap <= 0.01:
+            continue
+        lateral = float(np.abs(side) @ (b - a)[:2])
+        off_axis = abs(float(side @ (center[:2] - np.array(target.position)[:2])))
+        score = lateral * (1.0 if grounded else (b - a)[2]) - 0.1 * off_axis
+        if not grounded:
+            score = float(np.prod(b - a) ** (1 / 3)) + 0.2 * lateral
+        if score > best_score:
+            best, best_score = center, score
+    _ = scene
+    return best
+
+
+def region_center(scene: SimScene, name: str) -> Floats | None:
+    """World centre of a named region [m], or None."""
+    for region in scene.regions:
+        if region.name == name:
+            parent = scene.body(region.parent)
+            offset = quat_rotate(np.array(parent.quaternion), np.array(region.center))
+            return np.array(parent.position) + offset
+    return None
+
+
+def aim_heading(scene: SimScene, story: Story, mover: Body, phase: Phase, target: str) -> float:
+    """Heading [rad] that starts the chain of events behind this phase.
+
+    A round mover aims at the ghost position that sends a round target on towards the next one; a
+    flat front drives through the target towards the next one; otherwise straight at the target.
+    """
+    position = np.array(mover.position)[:2]
+    body = scene.body(target)
+    goal = aim_point(mover, body, scene)[:2]
+    if phase.end.region:
+        center = region_center(scene, phase.end.region)
+        goal = goal if center is None else center[:2]
+    beyond = next_goal(scene, story, phase.end.id, target)
+    if beyond is not None and not body.static:
+        onward = beyond[:2] - np.array(body.position)[:2]
+        distance = float(np.linalg.norm(onward))
+        if distance > 1e-6:
+            unit = onward / distance
+            if mover.roll_radius and body.roll_radius:
+                goal = np.array(body.position)[:2] - (mover.roll_radius + body.roll_radius) * unit
+            elif not mover.roll_radius:
+                toward = goal - position
+                if float(toward @ unit) > 0.97 * float(np.linalg.norm(toward)):
+                    return math.atan2(unit[1], unit[0])
+    return math.atan2(goal[1] - position[1], goal[0] - position[0])
+
+
+def next_goal(scene: SimScene, story: Story, node_id: str, body: str) -> Floats | None:
+    """Where `body` has to go after event `node_id`, or None if nothing more is said of it."""
+    for node in story.nodes.values():
+        if node_id not in story.ancestors(node.id) or body not in node.participants:
+            continue
+        if node.event is NodeEvent.ENTER_REGION and node.region:
+            return region_center(scene, node.region)
+        if node.event in (NodeEvent.COLLISION, NodeEvent.REACH):
+            others = [p for p in node.participants if p != body]
+            if others and others[0] in scene.names:
+                return np.array(scene.body(others[0]).position)
+    return None

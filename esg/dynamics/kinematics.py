@@ -1,0 +1,108 @@
+"""Closed-form motion used to choreograph a scene before it is simulated (SI, planar).
+
+Sources: linear damping v' = -c v gives s = v/c (1 - exp(-c t)); head-on impact with restitution e
+gives v_b = (1 + e) m_a / (m_a + m_b) v_a; Coulomb sliding stops after v^2 / (2 mu g).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+import math
+
+import numpy as np
+
+from esg.units import GRAVITY_MPS2
+
+
+@dataclass
+class Track:
+    """State of one body along its planned path, in its own frame.
+
+    Attributes:
+        x, y: Position [m].
+        heading: [rad].
+        speed: [m/s].
+        time: [s].
+        points: Corners of the path so far [m].
+        start_speed: Speed when the current braking began [m/s].
+    """
+
+    x: float = 0.0
+    y: float = 0.0
+    heading: float = 0.0
+    speed: float = 0.0
+    time: float = 0.0
+    points: list[tuple[float, float]] = field(default_factory=lambda: [(0.0, 0.0)])
+
+    def straight(self, distance: float, duration: float, speed: float) -> None:
+        """Moves straight on and leaves with `speed`."""
+        self.x += distance * math.cos(self.heading)
+        self.y += distance * math.sin(self.heading)
+        self.time += duration
+        self.speed = speed
+        self.points.append((self.x, self.y))
+
+    def arc(self, angle: float, turn_rate: float) -> None:
+        """Turns by `angle` [rad] (positive left) at `turn_rate` > 0 [rad/s]."""
+        steps = max(2, int(abs(angle) / 0.25))
+        duration = abs(angle) / turn_rate / steps
+        for _ in range(steps):
+            half = angle / steps / 2.0
+            chord = self.speed * duration * (math.sin(half) / half if abs(half) > 1e-9 else 1.0)
+            self.heading += half
+            self.x += chord * math.cos(self.heading)
+            self.y += chord * math.sin(self.heading)
+            self.heading += half
+            self.points.append((self.x, self.y))
+        self.time += abs(angle) / turn_rate
+
+
+@dataclass(frozen=True)
+class Frame:
+    """A planar rigid transform: rotation [rad], then translation [m]."""
+
+    x: float = 0.0
+    y: float = 0.0
+    angle: float = 0.0
+
+    def apply(self, x: float, y: float) -> tuple[float, float]:
+        c, s = math.cos(self.angle), math.sin(self.angle)
+        return self.x + c * x - s * y, self.y + s * x + c * y
+
+
+def frame_mapping(
+    point: tuple[float, float], heading: float, to: tuple[float, float], to_heading: float
+) -> Frame:
+    """The transform that takes `point` and `heading` to `to` and `to_heading`."""
+    angle = to_heading - heading
+    x, y = Frame(angle=angle).apply(*point)
+    return Frame(to[0] - x, to[1] - y, angle)
+
+
+def braking_distance(speed: float, damping: float, duration: float) -> float:
+    """Distance travelled in `duration` under linear damping [m]."""
+    if damping < 1e-9:
+        return speed * duration
+    return speed / damping * (1.0 - math.exp(-damping * duration))
+
+
+def impact_speed(mass_a: float, mass_b: float, speed: float, restitution: float) -> float:
+    """Speed of a resting body b after a central impact by a [m/s]."""
+    return (1.0 + restitution) * mass_a / (mass_a + mass_b) * speed
+
+
+def sliding_distance(speed: float, friction: float) -> float:
+    """Distance a body slides on level ground [m]."""
+    return speed * speed / (2.0 * max(friction, 0.02) * GRAVITY_MPS2)
+
+
+def ballistic_velocity(offset: np.ndarray, duration: float) -> np.ndarray:
+    """Launch velocity [m/s] that covers `offset` [m] in `duration` [s] under gravity, shape [3]."""
+    velocity = np.asarray(offset, float) / duration
+    velocity[2] += 0.5 * GRAVITY_MPS2 * duration
+    return velocity
+
+
+def half_along(length: float, width: float, relative: float) -> float:
+    """Half extent of an l x w rectangle along a direction at angle `relative` to its length."""
+    return 0.5 * (abs(math.cos(relative)) * length + abs(math.sin(relative)) * width)

@@ -1,0 +1,208 @@
+"""Everyday knowledge the choreography draws on: sizes, usual speeds, distances, surfaces, shots."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+import math
+
+import numpy as np
+
+from esg.dynamics.kinematics import half_along
+from esg.graph.models import EsgDocument, NamedRegion
+
+
+@dataclass(frozen=True)
+class Prop:
+    """Planar view of one body: extents [m], mass [kg] and contact behaviour."""
+
+    length: float
+    width: float
+    height: float
+    mass: float
+    friction: float
+    restitution: float
+    rolls: bool
+    wheeled: bool
+    fixed: bool
+    grouped: bool = False
+
+    @property
+    def half_length(self) -> float:
+        return 0.5 * self.length
+
+    @property
+    def half_width(self) -> float:
+        return 0.5 * self.width
+
+    def half_lateral(self, relative: float) -> float:
+        """Half extent across a path that meets the body's length at angle `relative`."""
+        return half_along(self.length, self.width, relative + math.pi / 2)
+
+
+def prop(doc: EsgDocument, name: str) -> Prop:
+    """The planar view of one node's asset."""
+    node = doc.spatial_relation_graph.nodes[name]
+    config = doc.asset_configurations[node.asset_id]
+    length, width, height = (d / 100.0 for d in config.dimensions_cm)
+    return Prop(
+        length=length,
+        width=width,
+        height=height,
+        mass=config.mass_kg,
+        friction=config.friction,
+        restitution=config.restitution,
+        rolls=config.rolls,
+        wheeled=config.is_wheeled,
+        fixed=node.is_structural or node.is_static or not config.is_movable,
+    )
+
+
+def default_speed(body: Prop) -> float:
+    """A usual speed [m/s] for a body of this kind: cars about 8, balls a few, small things slower."""
+    if body.wheeled:
+        return 8.0 if body.length > 2.5 else 4.0 if body.length > 1.0 else 2.0
+    if body.rolls:
+        return 2.0 if body.width < 0.09 else 4.0
+    return 1.5 if body.height > 1.0 else 3.0
+
+
+def approach_distance(body: Prop, speed: float, rng: np.random.Generator) -> float:
+    """Free run [m] before a meeting nobody gave a time for."""
+    usual = 1.4 * speed if body.wheeled else 1.0 * speed
+    low, high = (4.0, 16.0) if body.length > 1.0 else (0.8, 4.0)
+    if body.width < 0.09:
+        low, high = 0.35, 0.9
+    return float(min(max(usual, low), high) * rng.uniform(0.9, 1.1))
+
+
+def release_height(thrown: Prop, target: Prop) -> float:
+    """Height [m] of a thrown body's bottom at release: a hand's, or a little above the target."""
+    return max(1.0, min(1.6, target.height + 0.3)) - 0.5 * thrown.height
+
+
+def target_yaw(body: Prop, heading: float, rng: np.random.Generator) -> float:
+    """Yaw [rad] at which a waiting body is met: broadside, which is the larger and steadier mark."""
+    if body.rolls or body.grouped:
+        return heading
+    side = float(rng.choice([-1.0, 1.0]))
+    if body.length > 1.15 * body.width:
+        return heading + side * math.pi / 2
+    return heading + math.pi
+
+
+def support_of(doc: EsgDocument, name: str) -> str | None:
+    """The table or shelf a node stands on; None for the ground and for structural decals."""
+    graph = doc.spatial_relation_graph
+    region = graph.nodes[name].semantic_region
+    if region is None or region not in graph.semantic_regions:
+        return None
+    parent = graph.semantic_regions[region].parent_object
+    if parent not in graph.nodes:
+        return None
+    config = doc.asset_configurations.get(graph.nodes[parent].asset_id)
+    if config is None or not config.proxies or not config.support_surfaces:
+        return None
+    return parent
+
+
+def fit_to_surface(
+    doc: EsgDocument, anchor: str, places: dict[str, tuple[float, float, float | None]]
+) -> bool:
+    """Centres a choreography on its support's surface, along its longer side; False if too large.
+
+    Args:
+        doc: The document.
+        anchor: Supporting node.
+        places: Positions [m] and yaws [rad] by key, changed in place on success.
+    """
+    config = doc.asset_configurations[doc.spatial_relation_graph.nodes[anchor].asset_id]
+    surface = max(
+        config.support_surfaces, key=lambda s: s.half_extents_cm[0] * s.half_extents_cm[1]
+    )
+    half = np.array(surface.half_extents_cm) / 100.0
+    center = np.array(surface.center_cm[:2]) / 100.0
+    turn = half[1] > half[0]
+    room = half[::-1] if turn else half
+    points: list[tuple[float, float]] = []
+    for key, (x, y, yaw) in places.items():
+        name = key[6:] if key.startswith("group:") else key
+        nodes = doc.spatial_relation_graph.nodes
+        if name not in nodes:
+            name = next(n for n, v in nodes.items() if v.group == name)
+        body = prop(doc, name)
+        along = half_along(body.length, body.width, yaw or 0.0)
+        across = body.half_lateral(yaw or 0.0)
+        points += [(x - along, y - across), (x + along, y + across)]
+    low, high = np.min(points, axis=0), np.max(points, axis=0)
+    if np.any(high - low > 2.0 * room - 0.04):
+        return False
+    shift = -0.5 * (low + high)
+    for key, (x, y, yaw) in places.items():
+        x, y = x + shift[0], y + shift[1]
+        if turn:
+            x, y, yaw = -y, x, None if yaw is None else yaw + math.pi / 2
+        places[key] = (float(center[0] + x), float(center[1] + y), yaw)
+    return True
+
+
+def pocket_shot(
+    doc: EsgDocument, anchor: str, region: str, chain: list[str], rng: np.random.Generator
+) -> dict[str, tuple[float, float, float]]:
+    """Start positions of a shot that ends in a pocket, planned backwards from it.
+
+    The last ball lies on a clear line to the pocket; each ball before it lies behind the ghost
+    position that sends the next one along its line, at a small cut angle.
+
+    Args:
+        doc: The document.
+        anchor: The table.
+        region: "table/pocket name".
+        chain: Bodies from the one that enters back to the active one.
+        rng: Source of variety.
+
+    Returns:
+        (x, y, yaw) in the table's frame [m, rad]; yaw is the direction of travel.
+    """
+    nodes = doc.spatial_relation_graph.nodes
+    config = doc.asset_configurations[nodes[anchor].asset_id]
+    surface = max(
+        config.support_surfaces, key=lambda s: s.half_extents_cm[0] * s.half_extents_cm[1]
+    )
+    center = np.array(surface.center_cm[:2]) / 100.0
+    half = np.array(surface.half_extents_cm) / 100.0
+    pocket = _region(config.regions, region)
+    goal = np.array(pocket.center_cm[:2]) / 100.0
+    radius = [0.5 * prop(doc, n).width for n in chain]
+    best: dict[str, tuple[float, float, float]] = {}
+    best_cost = math.inf
+    for _ in range(400):
+        aim, spots, cost = goal, {}, 0.0
+        inward = math.atan2(*(center - goal)[::-1])
+        direction = inward + float(rng.uniform(-0.5, 0.5))
+        for k, name in enumerate(chain):
+            near = 0.35 if k == 0 else 0.3
+            run = float(rng.uniform(near, near + 0.35)) * min(1.0, float(half.max()) / 0.9)
+            spot = aim + run * np.array([math.cos(direction), math.sin(direction)])
+            room = half - 1.6 * radius[k] - 0.03
+            outside = np.maximum(np.abs(spot - center) - room, 0.0).sum()
+            cost += 10.0 * float(outside) + 0.02 * abs(direction - inward)
+            spots[name] = (float(spot[0]), float(spot[1]), direction + math.pi)
+            if k + 1 < len(chain):
+                unit = np.array([math.cos(direction), math.sin(direction)])
+                aim = spot + (radius[k] + radius[k + 1]) * unit
+                direction += float(rng.uniform(-0.3, 0.3))
+        if cost < best_cost:
+            best, best_cost = spots, cost
+        if cost < 0.02:
+            break
+    return best
+
+
+def _region(regions: tuple[NamedRegion, ...], name: str) -> NamedRegion:
+    wanted = name.split("/", 1)[-1]
+    for region in regions:
+        if region.name == wanted:
+            return region
+    words = set(wanted.lower().split())
+    ranked = sorted(regions, key=lambda r: -len(words & set(r.name.lower().split())))
+    return ranked[0]

@@ -1,0 +1,154 @@
+"""The timeline read as a story: who moves, in which phases, and which events follow from which."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+import math
+
+from esg.graph.models import (
+    EdgeEvent,
+    EsgDocument,
+    ForceDirection,
+    NodeEvent,
+    Quantity,
+    Role,
+    TimelineEdge,
+    TimelineNode,
+)
+
+OWN_POWER = (
+    EdgeEvent.UNIFORM_MOTION,
+    EdgeEvent.ACCELERATED_MOTION,
+    EdgeEvent.TURN,
+    EdgeEvent.BRAKE,
+)
+CONTROLLED = (NodeEvent.SCENE_START, NodeEvent.TRIGGER, NodeEvent.HEADING_REACHED)
+"""Node events whose time the program sets; all others are outcomes of physics."""
+
+
+@dataclass(frozen=True)
+class Phase:
+    """One motion segment of one active actor."""
+
+    edge: TimelineEdge
+    start: TimelineNode
+    end: TimelineNode
+
+
+@dataclass(frozen=True)
+class Story:
+    """A timeline in causal order.
+
+    Args:
+        nodes: Point events by id, in topological order.
+        before: For each node id, ids of the point events it directly follows.
+        phases: Per active actor, its motion segments in order.
+        force: Force direction per active actor.
+        groups: Members of every plural, by group name.
+        group_of: Group name by node id.
+    """
+
+    nodes: dict[str, TimelineNode]
+    before: dict[str, tuple[str, ...]]
+    phases: dict[str, tuple[Phase, ...]]
+    force: dict[str, ForceDirection]
+    groups: dict[str, tuple[str, ...]]
+    group_of: dict[str, str]
+
+    def expand(self, name: str) -> tuple[str, ...]:
+        """The object itself, or all members of its group: any of them counts as a hit."""
+        group = self.group_of.get(name)
+        return self.groups[group] if group else (name,)
+
+    @property
+    def outcomes(self) -> tuple[TimelineNode, ...]:
+        """Events that physics must bring about, in causal order."""
+        skip = (NodeEvent.SCENE_START, NodeEvent.TRIGGER)
+        return tuple(n for n in self.nodes.values() if n.event not in skip)
+
+    def is_active(self, name: str) -> bool:
+        return name in self.phases
+
+    def ancestors(self, node_id: str) -> set[str]:
+        """All events that lead to this one."""
+        seen: set[str] = set()
+        stack = list(self.before.get(node_id, ()))
+        while stack:
+            current = stack.pop()
+            if current not in seen:
+                seen.add(current)
+                stack.extend(self.before.get(current, ()))
+        return seen
+
+    def previous_outcome(self, node_id: str) -> str | None:
+        """The latest physics event this one follows, or None."""
+        order = list(self.nodes)
+        ids = [n.id for n in self.outcomes if n.id in self.ancestors(node_id)]
+        return max(ids, key=order.index) if ids else None
+
+
+def read_story(doc: EsgDocument) -> Story:
+    """Reads a verified document's timeline; a static scene gives an empty story."""
+    timeline = doc.timeline_system
+    graph = doc.spatial_relation_graph
+    members: dict[str, list[str]] = {}
+    for name, node in graph.nodes.items():
+        if node.group:
+            members.setdefault(node.group, []).append(name)
+    groups = {g: tuple(m) for g, m in members.items() if _is_plural(doc, m)}
+    group_of = {name: g for g, m in groups.items() for name in m}
+    if timeline is None:
+        return Story({}, {}, {}, {}, groups, group_of)
+    by_id = {n.id: n for n in timeline.sequence_graph.nodes}
+    edges = timeline.sequence_graph.edges
+    before: dict[str, list[str]] = {i: [] for i in by_id}
+    for edge in edges:
+        if edge.from_ not in before[edge.to]:
+            before[edge.to].append(edge.from_)
+    order = _topological(list(by_id), before)
+    nodes = {i: by_id[i] for i in order}
+    rank = {i: k for k, i in enumerate(order)}
+    phases: dict[str, tuple[Phase, ...]] = {}
+    force: dict[str, ForceDirection] = {}
+    for name, actor in timeline.actors.items():
+        if actor.role is not Role.ACTIVE:
+            continue
+        own = [e for e in edges if e.actor == name and e.event is not EdgeEvent.INERTIAL_CONNECTOR]
+        own.sort(key=lambda e: (rank[e.from_], rank[e.to]))
+        if own:
+            phases[name] = tuple(Phase(e, by_id[e.from_], by_id[e.to]) for e in own)
+            force[name] = actor.force_direction or ForceDirection.HORIZONTAL_PLANE
+    return Story(nodes, {k: tuple(v) for k, v in before.items()}, phases, force, groups, group_of)
+
+
+def _is_plural(doc: EsgDocument, members: list[str]) -> bool:
+    """Named individuals ("ball A", "front car") that share a group are not interchangeable."""
+    labels = {doc.spatial_relation_graph.nodes[m].label for m in members}
+    return len(members) > 1 and len(labels) == 1
+
+
+def _topological(ids: list[str], before: dict[str, list[str]]) -> list[str]:
+    done: list[str] = []
+    pending = list(ids)
+    while pending:
+        ready = [i for i in pending if all(b in done for b in before[i])]
+        if not ready:
+            return done + pending
+        done.append(ready[0])
+        pending.remove(ready[0])
+    return done
+
+
+def bounds(value: Quantity | None, default: tuple[float, float]) -> tuple[float, float, bool]:
+    """Lower bound, upper bound and whether the quantity is fixed."""
+    if value is None:
+        return (*default, False)
+    if isinstance(value, (int, float)):
+        return float(value), float(value), True
+    low, high = float(value[0]), float(value[1])
+    return low, high, high - low < 1e-9
+
+
+def middle(low: float, high: float) -> float:
+    """A plausible value of an interval: the geometric mean where both ends are positive."""
+    return math.sqrt(low * high) if low > 0.0 else 0.5 * (low + high)
