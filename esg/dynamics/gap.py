@@ -1,0 +1,90 @@
+"""Surface distance between two bodies over many worlds and frames, from their analytic proxies.
+
+Points on each body's surface are measured against the other body's exact signed distances (sphere,
+box, capsule, cylinder; a convex hull by its bounding box). Exact where a face, edge or round surface
+faces a sampled corner, edge point or centre; never smaller than the true distance by more than the
+sampling allows. Used to steer the search towards a missed target, not to decide whether it was hit.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from esg.engines.scene import Body, Shape
+from esg.units import quat_rotate
+
+Floats = NDArray[np.float64]
+
+
+@lru_cache(maxsize=4096)
+def _samples(shape: Shape) -> tuple[Floats, float]:
+    """Sample points in the shape's frame [m], shape [n, 3], and the radius around each of them."""
+    sx, sy, sz = shape.size
+    if shape.kind == "sphere":
+        return np.zeros((1, 3)), sx
+    if shape.kind == "capsule":
+        return np.array([[0.0, 0.0, z] for z in (-sz, 0.0, sz)]), sx
+    if shape.kind == "cylinder":
+        angles = np.arange(12) * (2.0 * np.pi / 12)
+        ring = np.stack([sx * np.cos(angles), sx * np.sin(angles)], axis=1)
+        return np.concatenate([np.c_[ring, np.full(12, z)] for z in (-sz, 0.0, sz)]), 0.0
+    if shape.kind == "convex" and shape.vertices:
+        return np.array(shape.vertices), 0.0
+    grid = np.array([[i, j, k] for i in (-1, 0, 1) for j in (-1, 0, 1) for k in (-1, 0, 1)], float)
+    grid = grid[np.any(grid != 0.0, axis=1)]
+    return grid * np.array([sx, sy, sz]), 0.0
+
+
+def signed_distance(shape: Shape, p: Floats) -> Floats:
+    """Signed distance [m] of points in the shape's frame, shape [..., 3] -> [...]."""
+    sx, sy, sz = shape.size
+    if shape.kind == "sphere":
+        return np.linalg.norm(p, axis=-1) - sx
+    if shape.kind == "capsule":
+        z = np.clip(p[..., 2], -sz, sz)
+        return np.sqrt(p[..., 0] ** 2 + p[..., 1] ** 2 + (p[..., 2] - z) ** 2) - sx
+    if shape.kind == "cylinder":
+        q = np.stack([np.hypot(p[..., 0], p[..., 1]) - sx, np.abs(p[..., 2]) - sz], axis=-1)
+    else:
+        q = np.abs(p) - np.array([sx, sy, sz])
+    outside = np.linalg.norm(np.maximum(q, 0.0), axis=-1)
+    return outside + np.minimum(q.max(axis=-1), 0.0)
+
+
+def surface_gap(
+    a: Body, b: Body, pos_a: Floats, quat_a: Floats, pos_b: Floats, quat_b: Floats
+) -> Floats:
+    """Distance between the surfaces of two bodies [m], negative inside.
+
+    Args:
+        a, b: Bodies with shapes.
+        pos_a, pos_b: Centres of mass [m], shape [..., 3].
+        quat_a, quat_b: Orientations (x, y, z, w), shape [..., 4].
+
+    Returns:
+        Shape [...].
+    """
+    forward = _one_way(a, b, pos_a, quat_a, pos_b, quat_b)
+    return np.minimum(forward, _one_way(b, a, pos_b, quat_b, pos_a, quat_a))
+
+
+def _one_way(
+    a: Body, b: Body, pos_a: Floats, quat_a: Floats, pos_b: Floats, quat_b: Floats
+) -> Floats:
+    inverse_b = np.asarray(quat_b, float) * np.array([-1.0, -1.0, -1.0, 1.0])
+    best = np.full(np.shape(pos_a)[:-1], np.inf)
+    for source in a.shapes:
+        local, radius = _samples(source)
+        local = quat_rotate(np.array(source.quaternion), local) + np.array(source.position)
+        world = (
+            quat_rotate(np.asarray(quat_a)[..., None, :], local) + np.asarray(pos_a)[..., None, :]
+        )
+        in_b = quat_rotate(inverse_b[..., None, :], world - np.asarray(pos_b)[..., None, :])
+        for target in b.shapes:
+            frame = np.array(target.quaternion) * np.array([-1.0, -1.0, -1.0, 1.0])
+            p = quat_rotate(frame, in_b - np.array(target.position))
+            best = np.minimum(best, signed_distance(target, p).min(axis=-1) - radius)
+    return best
