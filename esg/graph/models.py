@@ -270,7 +270,9 @@ class Node(Model):
     """False for objects that expansion added."""
     group: str | None = None
     """Shared by members of one plural ("bowling pins"); their arrangement is in `group_pattern`."""
-    group_pattern: Literal["pins", "rack", "row", "column", "stack", "queue", "scatter"] | None = None
+    group_pattern: Literal["pins", "rack", "row", "column", "stack", "queue", "scatter"] | None = (
+        None
+    )
     is_static: bool = False
     """Fixed in the world although its asset is movable (a nailed-down table)."""
     layout_preference: LayoutPreference = LayoutPreference()
@@ -443,7 +445,7 @@ class LayoutResult(Model):
 
 
 class Parameter(Model):
-    """One entry of theta, in document units."""
+    """One entry of theta, in SI units as simulated; `unit` says which."""
 
     name: str
     """`edge id/param`, e.g. `car_drive/speed`."""
@@ -452,6 +454,7 @@ class Parameter(Model):
     upper: float
     initial: float
     fixed: bool = False
+    unit: str = ""
 
 
 class RelaxedConstraint(Model):
