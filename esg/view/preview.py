@@ -1,0 +1,361 @@
+"""The contact sheet of a scene: before, at every event, after, from the replayed trajectory."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from esg.engines.scene import Rollout, SimScene
+from esg.graph.models import EsgDocument
+from esg.units import CM_PER_M
+from esg.view.camera import Camera, box_corners, frame_points
+from esg.view.render import Part, Renderer
+from esg.view.sheet import Panel, draw_trail, write_sheet
+
+if TYPE_CHECKING:
+    from esg.metrics.models import EventVerdict, SceneVerdict
+
+PANEL_PX = (480, 320)
+MAX_EVENTS = 7
+REACH = 2.6
+"""A bystander of the cast joins the picture if it widens the picture by at most this factor."""
+GROUND_RGB = {"indoor": (0.47, 0.41, 0.35), "outdoor": (0.36, 0.38, 0.36)}
+
+
+@dataclass(frozen=True)
+class _Moment:
+    """One panel to draw: when, whom to frame, what to say."""
+
+    time: float
+    focus: tuple[int, ...]
+    title: str
+    caption: str
+
+
+def preview(
+    scene: SimScene,
+    rollout: Rollout,
+    verdict: SceneVerdict | None,
+    doc: EsgDocument,
+    folder: Path,
+    *,
+    note: str = "",
+) -> Path:
+    """Writes `preview.png`: the scene before, at every completed event and after.
+
+    Args:
+        scene: The bodies.
+        rollout: The replay; its first world is drawn.
+        verdict: Events with their times; None or no events draws before and after only.
+        doc: Asset configurations (meshes) and the prompt.
+        folder: Where the file goes.
+        note: A line under the prompt, e.g. the outcome.
+
+    Returns:
+        Path of the picture.
+    """
+    moments = _moments(scene, rollout, verdict)
+    renderer = Renderer(_parts(scene, rollout, doc), len(scene.bodies), *PANEL_PX)
+    view = _viewpoint(scene, rollout, moments, renderer)
+    panels: list[Panel] = []
+    since = 0.0
+    for moment in moments:
+        frame = _frame(rollout, moment.time)
+        _pose(renderer, rollout, frame)
+        camera = _camera(scene, rollout, moment, frame, *view)
+        image = renderer.color(camera)
+        image = draw_trail(image, camera, _trails(rollout, moment.focus, since, moment.time))
+        panels.append(Panel(image, moment.title, moment.caption))
+        since = moment.time
+    return write_sheet(
+        folder / "preview.png",
+        panels,
+        title=doc.scene_definition.original_description,
+        note=note,
+        footnotes=_failures(verdict),
+    )
+
+
+def _moments(scene: SimScene, rollout: Rollout, verdict: SceneVerdict | None) -> list[_Moment]:
+    events = [e for e in verdict.events if e.completed and e.time_s is not None] if verdict else []
+    events = sorted(events, key=lambda e: e.time_s or 0.0)[:MAX_EVENTS]
+    cast = _cast(scene, rollout, verdict)
+    end = float(rollout.time[-1])
+    if events:
+        # A moment after the last event, not the end of a long tail in which everything is still.
+        end = min(end, (events[-1].time_s or 0.0) + 1.0)
+    moments = [_Moment(0.0, cast, "start", "before anything moves")]
+    for event in events:
+        bodies = tuple(scene.index(b) for b in event.bodies if b in scene.names) or cast
+        moments.append(
+            _Moment(event.time_s or 0.0, bodies, _title(scene, event), _measurements(event))
+        )
+    moments.append(_Moment(end, cast, "after", f"t = {end:.2f} s"))
+    return moments
+
+
+def _cast(scene: SimScene, rollout: Rollout, verdict: SceneVerdict | None) -> tuple[int, ...]:
+    """Bodies the picture is about: event participants, else movers, else what the prompt names."""
+    names = [b for e in verdict.events for b in e.bodies] if verdict else []
+    cast = {scene.index(n) for n in names if n in scene.names}
+    if not cast and verdict is not None:
+        cast = {scene.index(b) for v in verdict.bindings.values() for b in v if b in scene.names}
+    if not cast:
+        travelled = np.linalg.norm(rollout.position[0, -1] - rollout.position[0, 0], axis=-1)
+        cast = {i for i, b in enumerate(scene.bodies) if not b.static and travelled[i] > 0.3}
+    if not cast:
+        cast = {i for i, b in enumerate(scene.bodies) if b.mentioned and b.collides}
+    return tuple(sorted(cast)) or tuple(range(len(scene.bodies)))
+
+
+def _name(scene: SimScene, name: str) -> str:
+    if name not in scene.names:
+        return name
+    return scene.body(name).label or name.replace("_", " ")
+
+
+def _title(scene: SimScene, event: EventVerdict) -> str:
+    who = [_name(scene, b) for b in event.bodies]
+    joiner = " x " if event.type == "collision" else ", "
+    shown = joiner.join(who[:2]) + (f" +{len(who) - 2}" if len(who) > 2 else "")
+    return f"{event.id}  {event.type}  {shown}"
+
+
+def _measurements(event: EventVerdict) -> str:
+    parts = [f"t = {event.time_s:.2f} s"]
+    for key, value in list(event.measured.items())[:3]:
+        name, _, unit = key.rpartition("_")
+        known = {"mps": "m/s", "m": "m", "s": "s", "deg": "deg", "ns": "N s", "kg": "kg"}
+        if name and unit.lower() in known:
+            parts.append(f"{name.replace('_', ' ')} {value:.2f} {known[unit.lower()]}")
+        else:
+            parts.append(f"{key.replace('_', ' ')} {value:.2f}")
+    return "   ".join(parts)
+
+
+def _failures(verdict: SceneVerdict | None) -> list[str]:
+    if verdict is None:
+        return []
+    lines = [
+        f"{e.id} {e.type}: not completed ({e.reason or 'no reason given'})"
+        for e in verdict.events
+        if not e.completed
+    ]
+    layout = verdict.layout
+    lines += [f"missing: {m}" for m in layout.missing]
+    lines += [f"overlap: {o.a} and {o.b}, {100 * o.depth_m:.1f} cm" for o in layout.overlaps]
+    return lines
+
+
+def _frame(rollout: Rollout, time: float) -> int:
+    return int(np.argmin(np.abs(rollout.time - time)))
+
+
+def _pose(renderer: Renderer, rollout: Rollout, frame: int) -> None:
+    renderer.pose(rollout.position[0, frame], rollout.quaternion[0, frame])
+
+
+def _corners(scene: SimScene, rollout: Rollout, frame: int, body: int) -> NDArray[np.float64]:
+    b = scene.bodies[body]
+    return box_corners(
+        rollout.position[0, frame, body],
+        rollout.quaternion[0, frame, body],
+        b.half_extents,
+        np.asarray(b.origin_offset),
+    )
+
+
+def _frame_set(
+    scene: SimScene, rollout: Rollout, focus: Sequence[int], frame: int
+) -> NDArray[np.float64]:
+    """Points to keep in the picture: the focus, nearest first, until the picture gets too wide."""
+    boxes = {i: _corners(scene, rollout, frame, i) for i in focus}
+    movers = [i for i in focus if not scene.bodies[i].static] or list(focus)
+    middle = np.mean([boxes[i].mean(axis=0) for i in movers], axis=0)
+    order = sorted(focus, key=lambda i: (float(np.linalg.norm(boxes[i].mean(0) - middle)), i))
+    points = boxes[order[0]]
+    biggest = max(float(np.ptp(b, axis=0).max()) for b in boxes.values())
+    for i in order[1:]:
+        wider = np.concatenate([points, boxes[i]])
+        span = float(np.ptp(wider, axis=0).max())
+        if len(focus) <= 3 or span <= max(REACH * float(np.ptp(points, axis=0).max()), 4 * biggest):
+            points = wider
+    return points
+
+
+def _camera(
+    scene: SimScene,
+    rollout: Rollout,
+    moment: _Moment,
+    frame: int,
+    azimuth: float,
+    elevation: float,
+) -> Camera:
+    points = _frame_set(scene, rollout, moment.focus, frame)
+    span = float(np.ptp(points, axis=0).max())
+    # Room around the action: at least a third of its size, so that one sees where it happens.
+    low, high = points.min(axis=0), points.max(axis=0)
+    pad = 0.16 * span
+    low = np.array([low[0] - pad, low[1] - pad, max(0.0, low[2] - pad)])
+    high = high + np.array([pad, pad, 0.0])
+    corners = np.array([[x, y, z] for x in (low[0], high[0]) for y in (low[1], high[1])
+                        for z in (low[2], high[2])])  # fmt: skip
+    return frame_points(corners, azimuth, elevation, PANEL_PX[0] / PANEL_PX[1])
+
+
+def _viewpoint(
+    scene: SimScene, rollout: Rollout, moments: list[_Moment], renderer: Renderer
+) -> tuple[float, float]:
+    """Azimuth and elevation from which the cast is seen best over all moments.
+
+    The natural place is beside the motion, on the viewer's (+Y) side; other directions compete by
+    how much of every framed body is visible at every moment.
+    """
+    along = _motion_direction(scene, rollout, moments)
+    side = math.atan2(along[1], along[0]) + math.pi / 2
+    if math.sin(side) < -1e-6:
+        side += math.pi
+    best, best_score = (side, math.radians(24)), -math.inf
+    for turn in (0, 25, -25, 50, -50, 155, -155, 180):
+        for elevation in (24, 42):
+            view = (side + math.radians(turn), math.radians(elevation))
+            seen = []
+            for moment in moments:
+                frame = _frame(rollout, moment.time)
+                _pose(renderer, rollout, frame)
+                camera = _camera(scene, rollout, moment, frame, *view)
+                seen.append(_visibility(scene, rollout, moment, frame, camera, renderer))
+            preference = 0.0015 * abs(turn) + 0.004 * abs(elevation - 24)
+            score = min(seen) + 0.5 * sum(seen) / len(seen) - preference
+            if score > best_score + 1e-9:
+                best, best_score = view, score
+    return best
+
+
+def _visibility(
+    scene: SimScene,
+    rollout: Rollout,
+    moment: _Moment,
+    frame: int,
+    camera: Camera,
+    renderer: Renderer,
+) -> float:
+    """Mean over the focus of visible pixels over those of its projected box, capped at 1."""
+    width, height = 96, 64
+    counts = renderer.visible(camera, moment.focus, width)
+    shares = []
+    for body in moment.focus:
+        pixels, ahead = camera.project(_corners(scene, rollout, frame, body), width, height)
+        if not ahead.all():
+            shares.append(0.0)
+            continue
+        area = float(np.prod(np.maximum(np.ptp(pixels, axis=0), 1.0)))
+        shares.append(min(1.0, counts[body] / (0.45 * area)))
+    return sum(shares) / max(1, len(shares))
+
+
+def _motion_direction(
+    scene: SimScene, rollout: Rollout, moments: list[_Moment]
+) -> NDArray[np.float64]:
+    last = _frame(rollout, moments[-1].time)
+    moved = rollout.position[0, last] - rollout.position[0, 0]
+    focus = sorted({i for m in moments for i in m.focus})
+    longest = max(focus, key=lambda i: float(np.linalg.norm(moved[i, :2])))
+    if float(np.linalg.norm(moved[longest, :2])) > 0.2:
+        return moved[longest, :2].astype(float)
+    centers = rollout.position[0, 0, focus, :2].astype(float)
+    if len(focus) > 1:
+        spread = centers - centers.mean(axis=0)
+        return np.linalg.svd(spread)[2][0]
+    return np.array([1.0, 0.0])
+
+
+def _trails(
+    rollout: Rollout, bodies: Sequence[int], start: float, end: float
+) -> list[NDArray[np.float64]]:
+    a, b = _frame(rollout, start), _frame(rollout, end)
+    trails = []
+    for body in bodies:
+        path = rollout.position[0, a : b + 1, body].astype(float)
+        if len(path) > 1 and float(np.linalg.norm(path[-1] - path[0])) > 0.15:
+            trails.append(path)
+    return trails
+
+
+def _parts(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> list[Part]:
+    from esg.assets import build_mesh
+
+    parts: list[Part] = []
+    meshes: dict[str, Any] = {}
+    for index, body in enumerate(scene.bodies):
+        node = doc.spatial_relation_graph.nodes[body.name]
+        if node.asset_id not in meshes:
+            meshes[node.asset_id] = build_mesh(doc.asset_configurations[node.asset_id])
+        for vertices, faces, color in _geometries(meshes[node.asset_id], body.color):
+            local = vertices / CM_PER_M + np.asarray(body.origin_offset)
+            parts.append(Part(index, local, faces, color))
+    scene_type = doc.scene_definition.scene_parameters.scene_type
+    return parts + _ground(rollout, GROUND_RGB[scene_type])
+
+
+def _geometries(mesh: Any, fallback: tuple[float, float, float]) -> list[Any]:
+    """Vertices in the asset's frame [cm], faces and colour of every geometry of a trimesh scene."""
+    out = []
+    for name in sorted(mesh.graph.nodes_geometry):
+        transform, geometry_name = mesh.graph[name]
+        geometry = mesh.geometry[geometry_name]
+        if not len(getattr(geometry, "faces", ())):
+            continue
+        vertices = np.asarray(geometry.vertices, float) @ transform[:3, :3].T + transform[:3, 3]
+        out.append((vertices, np.asarray(geometry.faces), _color(geometry, fallback)))
+    return out
+
+
+def _color(geometry: Any, fallback: tuple[float, float, float]) -> tuple[float, float, float]:
+    visual = getattr(geometry, "visual", None)
+    material = getattr(visual, "material", None)
+    rgba = getattr(material, "main_color", None) if material is not None else None
+    if rgba is None and visual is not None and getattr(visual, "defined", False):
+        rgba = getattr(visual, "main_color", None)
+    if rgba is None:
+        return fallback
+    red, green, blue = (float(c) / 255.0 for c in np.asarray(rgba)[:3])
+    return red, green, blue
+
+
+def _ground(rollout: Rollout, color: tuple[float, float, float]) -> list[Part]:
+    """A plane and, as a sense of scale, a faint checkerboard of 1 m (or 0.25 m) tiles."""
+    span = rollout.position[0, :, :, :2].reshape(-1, 2)
+    span = span[np.isfinite(span).all(axis=1)]
+    low, high = np.percentile(span, 2, axis=0), np.percentile(span, 98, axis=0)
+    extent = float(np.max(high - low))
+    tile = 0.25 if extent < 3 else 1.0
+    margin = 14 * tile + 0.25 * extent
+    start = np.floor((low - margin) / tile).astype(int)
+    stop = np.ceil((high + margin) / tile).astype(int)
+    if int(np.max(stop - start)) > 240:  # a runaway body: tiles around the origin only
+        start, stop = np.array([-120, -120]), np.array([120, 120])
+    cells = [
+        (i, j)
+        for i in range(start[0], stop[0])
+        for j in range(start[1], stop[1])
+        if (i + j) % 2 == 0
+    ]
+    corner = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], float)
+    corners = (np.array(cells, float)[:, None, :] + corner) * tile
+    vertices = np.concatenate([corners.reshape(-1, 2), np.full((4 * len(cells), 1), -0.003)], 1)
+    offsets = 4 * np.arange(len(cells))[:, None, None]
+    faces = (np.array([[0, 1, 2], [0, 2, 3]])[None] + offsets).reshape(-1, 3)
+    lighter = tuple(min(1.0, 1.07 * c) for c in color)
+    middle = 0.5 * (low + high)
+    big = np.concatenate([(corner - 0.5) * 900 + middle, np.full((4, 1), -0.006)], axis=1)
+    return [
+        Part(-1, big, np.array([[0, 1, 2], [0, 2, 3]]), color),
+        Part(-1, vertices, faces, lighter),  # type: ignore[arg-type]  # three floats
+    ]

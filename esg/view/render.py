@@ -1,0 +1,144 @@
+"""Ray-traced stills of a scene's real meshes on the CPU (Newton's camera sensor)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from esg.view.camera import Camera
+
+SKY = (205, 219, 235)
+"""RGB of everything the rays miss."""
+SAMPLES = 4
+"""Rays a pixel."""
+
+
+@dataclass(frozen=True)
+class Part:
+    """One coloured triangle mesh, fixed to a body or (body -1) to the world.
+
+    Args:
+        body: Index of the body, -1 for the world.
+        vertices: In the body's frame [m], shape [n, 3].
+        faces: Vertex indices, counter-clockwise seen from outside, shape [m, 3].
+        color: Linear-ish RGB in [0, 1].
+    """
+
+    body: int
+    vertices: NDArray[np.float64]
+    faces: NDArray[np.int64]
+    color: tuple[float, float, float]
+
+
+class Renderer:
+    """Renders one set of parts in many poses from many cameras.
+
+    Args:
+        parts: Meshes; every part keeps its position in this list as its shape index.
+        n_bodies: Number of bodies that `Part.body` refers to.
+        width, height: Of the picture [px].
+    """
+
+    def __init__(self, parts: list[Part], n_bodies: int, width: int, height: int) -> None:
+        import warp as wp
+
+        wp.config.quiet = True
+        import newton
+        from newton.sensors import SensorCamera
+
+        self.width, self.height = width, height
+        self._wp = wp
+        builder = newton.ModelBuilder(gravity=(0.0, 0.0, 0.0))
+        inertia = wp.mat33(np.eye(3).flatten())
+        for _ in range(n_bodies):
+            builder.add_body(mass=1.0, inertia=inertia)
+        for part in parts:
+            mesh = newton.Mesh(
+                np.ascontiguousarray(part.vertices, np.float32),
+                np.ascontiguousarray(part.faces, np.int32).reshape(-1),
+                compute_inertia=False,
+            )
+            builder.add_shape_mesh(part.body, mesh=mesh, color=part.color)
+        self._model = builder.finalize(device="cpu")
+        self._state = self._model.state()
+        self._part_bodies = np.array([p.body for p in parts])
+        config = SensorCamera.RenderConfig(
+            enable_shadows=True, anti_aliasing=SensorCamera.AntiAliasing.SSAA
+        )
+        probe = SensorCamera.RenderConfig()
+        red, green, blue = SKY
+        self._clear = SensorCamera.ClearData(clear_color=red | green << 8 | blue << 16)
+        self._config, self._probe_config = config, probe
+        self._camera: Any = SensorCamera(self._model, default_render_config=config)
+        light = np.array([-0.45, -0.5, -0.9])
+        self._camera.create_default_light(
+            enable_shadows=True,
+            direction=wp.vec3f(*(light / np.linalg.norm(light))),
+            color=(0.8, 0.78, 0.74),
+        )
+        self._camera.set_ambient_light((0.34, 0.36, 0.4), (0.16, 0.15, 0.14))
+        self._rays: dict[tuple[int, int, float, int], Any] = {}
+
+    def pose(self, position: NDArray[Any], quaternion: NDArray[Any]) -> None:
+        """Moves the bodies.
+
+        Args:
+            position: Body origins [m], shape [B, 3].
+            quaternion: (x, y, z, w), shape [B, 4].
+        """
+        poses = np.concatenate([position, quaternion], axis=1).astype(np.float32)
+        self._state.body_q.assign(poses)
+
+    def color(self, camera: Camera) -> NDArray[np.uint8]:
+        """The picture from `camera`, shape [height, width, 3]."""
+        image = self._camera.allocate_image_color(1, self.width, self.height)
+        self._camera.update(
+            self._state,
+            self._transform(camera),
+            self._ray_bundle(self.width, self.height, camera.fov, SAMPLES),
+            color_image=image,
+            clear_data=self._clear,
+        )
+        packed = image.numpy().reshape(self.height, self.width)
+        return np.stack([packed & 255, packed >> 8 & 255, packed >> 16 & 255], -1).astype(np.uint8)
+
+    def visible(self, camera: Camera, bodies: Iterable[int], width: int = 96) -> dict[int, int]:
+        """How many pixels of a small picture each body covers.
+
+        Args:
+            camera: Where to look from.
+            bodies: Body indices to count.
+            width: Of the small picture [px].
+        """
+        height = max(1, round(width * self.height / self.width))
+        image = self._camera.allocate_image_shape_index(1, width, height)
+        self._camera.update(
+            self._state,
+            self._transform(camera),
+            self._ray_bundle(width, height, camera.fov, 1),
+            shape_index_image=image,
+            render_config=self._probe_config,
+        )
+        index = image.numpy().reshape(-1).astype(np.int64)
+        index = index[index < len(self._part_bodies)]
+        seen = self._part_bodies[index]
+        return {b: int((seen == b).sum()) for b in bodies}
+
+    def _transform(self, camera: Camera) -> Any:
+        wp = self._wp
+        pose = wp.transform(wp.vec3(*camera.eye), wp.quat(*camera.quaternion()))
+        return wp.array([pose], dtype=wp.transformf, device="cpu")
+
+    def _ray_bundle(self, width: int, height: int, fov: float, samples: int) -> Any:
+        from newton.sensors import SensorCamera
+
+        key = (width, height, fov, samples)
+        if key not in self._rays:
+            self._rays[key] = SensorCamera.compute_camera_rays_pinhole(
+                width, height, camera_fov=fov, device="cpu", sample_count=samples
+            )
+        return self._rays[key]

@@ -1,0 +1,141 @@
+"""Drawing on rendered pictures: trails, captions and the sheet they stand on."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from esg.view.camera import Camera
+
+INK = (28, 32, 38)
+FAINT = (98, 106, 116)
+PAPER = (250, 250, 248)
+ALARM = (176, 42, 30)
+TRAIL = (255, 196, 0)
+GAP = 12
+CAPTION_PX = 40
+
+
+@dataclass(frozen=True)
+class Panel:
+    """One picture with two lines under it; image shape [height, width, 3] uint8."""
+
+    image: NDArray[np.uint8]
+    title: str
+    caption: str
+
+
+def draw_trail(
+    image: NDArray[np.uint8], camera: Camera, trails: Sequence[NDArray[np.float64]]
+) -> NDArray[np.uint8]:
+    """Draws where bodies came from, as half-transparent lines.
+
+    Args:
+        image: Shape [height, width, 3].
+        camera: That took it.
+        trails: World paths [m], each of shape [n, 3].
+    """
+    from PIL import Image, ImageDraw
+
+    height, width = image.shape[:2]
+    scale = 2
+    layer = Image.new("RGBA", (scale * width, scale * height), (*TRAIL, 0))
+    draw = ImageDraw.Draw(layer)
+    for path in trails:
+        pixels, ahead = camera.project(path, scale * width, scale * height)
+        points = [(float(x), float(y)) for (x, y), ok in zip(pixels, ahead, strict=True) if ok]
+        points = [p for p in points if abs(p[0]) < 1e5 and abs(p[1]) < 1e5]
+        if len(points) > 1:
+            draw.line(points, fill=(*TRAIL, 170), width=2 * scale, joint="curve")
+            x, y = points[-1]
+            r = 2.5 * scale
+            draw.ellipse((x - r, y - r, x + r, y + r), fill=(*TRAIL, 220))
+    layer = layer.resize((width, height), Image.Resampling.LANCZOS)
+    base = Image.fromarray(image).convert("RGBA")
+    return np.asarray(Image.alpha_composite(base, layer).convert("RGB"))
+
+
+def write_sheet(
+    path: Path,
+    panels: Sequence[Panel],
+    *,
+    title: str,
+    note: str = "",
+    footnotes: Sequence[str] = (),
+) -> Path:
+    """Writes the panels as one PNG, at most three a row, under a wrapped title.
+
+    Args:
+        path: Of the file.
+        panels: At least one, all of one size.
+        title: First lines, usually the prompt.
+        note: Line below the title.
+        footnotes: Lines below the panels, e.g. what did not happen.
+    """
+    from PIL import Image, ImageDraw
+
+    height, width = panels[0].image.shape[:2]
+    columns = 2 if len(panels) in (2, 4) else min(3, len(panels))
+    rows = -(-len(panels) // columns)
+    sheet_width = columns * width + (columns + 1) * GAP
+    title_lines = _wrap(title, _font(17), sheet_width - 2 * GAP)[:4]
+    notes = _wrap(note, _font(13), sheet_width - 2 * GAP) if note else []
+    foot = [line for f in footnotes[:8] for line in _wrap(f, _font(13), sheet_width - 2 * GAP)]
+    top = GAP + 23 * len(title_lines) + 18 * len(notes) + 8
+    bottom = 18 * len(foot) + (GAP if foot else 0)
+    sheet_height = top + rows * (height + CAPTION_PX + GAP) + bottom
+    sheet = Image.new("RGB", (sheet_width, sheet_height), PAPER)
+    draw = ImageDraw.Draw(sheet)
+    y = GAP
+    for line in title_lines:
+        draw.text((GAP, y), line, fill=INK, font=_font(17))
+        y += 23
+    for line in notes:
+        draw.text((GAP, y), line, fill=FAINT, font=_font(13))
+        y += 18
+    for k, panel in enumerate(panels):
+        x = GAP + (k % columns) * (width + GAP)
+        y = top + (k // columns) * (height + CAPTION_PX + GAP)
+        sheet.paste(Image.fromarray(panel.image), (x, y))
+        draw.text((x, y + height + 3), _fit(panel.title, 14, width), fill=INK, font=_font(14))
+        draw.text((x, y + height + 21), _fit(panel.caption, 13, width), fill=FAINT, font=_font(13))
+    y = top + rows * (height + CAPTION_PX + GAP)
+    for line in foot:
+        draw.text((GAP, y), line, fill=ALARM, font=_font(13))
+        y += 18
+    path.parent.mkdir(parents=True, exist_ok=True)
+    sheet.save(path, optimize=False, compress_level=6)
+    return path
+
+
+def _font(size: int) -> Any:
+    from PIL import ImageFont
+
+    return ImageFont.load_default(size)
+
+
+def _wrap(text: str, font: Any, width: int) -> list[str]:
+    lines: list[str] = []
+    current = ""
+    for word in " ".join(text.split()).split(" "):
+        candidate = f"{current} {word}".strip()
+        if current and font.getlength(candidate) > width:
+            lines.append(current)
+            current = word
+        else:
+            current = candidate
+    return [*lines, current]
+
+
+def _fit(text: str, size: int, width: int) -> str:
+    font = _font(size)
+    if font.getlength(text) <= width:
+        return text
+    while text and font.getlength(text + "...") > width:
+        text = text[:-1]
+    return text + "..."

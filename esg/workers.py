@@ -1,0 +1,126 @@
+"""Worker processes that stay warm: engines, models and compiled kernels live across scenes.
+
+Each slot owns one process, so a worker that dies (a segmentation fault in an engine, the kernel's
+memory killer) takes down exactly one call. The call is tried once more in a fresh process; if that
+dies as well, the call is at fault and raises `WorkerDied`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+import multiprocessing
+import os
+import queue
+import threading
+from typing import Any, TypeVar
+
+T = TypeVar("T")
+
+RECYCLE_AFTER = 400
+"""Calls after which a worker process is replaced, so that memory stays flat."""
+
+
+class WorkerDied(RuntimeError):
+    """The process that ran a call ended without an answer, twice."""
+
+
+class WorkerPool:
+    """A fixed number of warm worker processes, usable from any thread.
+
+    Args:
+        processes: Number of processes; 0 runs every call in this process, one at a time.
+        recycle_after: Calls after which a process is replaced.
+    """
+
+    def __init__(self, processes: int, recycle_after: int = RECYCLE_AFTER) -> None:
+        self.processes = processes
+        self._recycle_after = recycle_after
+        self._slots: queue.SimpleQueue[_Slot] = queue.SimpleQueue()
+        self._all = [_Slot() for _ in range(processes)]
+        self._local = threading.Lock()
+        for slot in self._all:
+            self._slots.put(slot)
+
+    def run(self, function: Callable[..., T], *args: Any) -> T:
+        """Calls `function(*args)` in a free worker and waits for its result.
+
+        Args:
+            function: A module-level function; exceptions it raises pass through.
+            *args: Picklable arguments.
+
+        Raises:
+            WorkerDied: If two processes in a row ended during the call.
+        """
+        if self.processes == 0:
+            with self._local:
+                return function(*args)
+        slot = self._slots.get()
+        try:
+            return slot.run(function, args, self._recycle_after)
+        finally:
+            self._slots.put(slot)
+
+    def warm(self, function: Callable[..., Any], *args: Any) -> None:
+        """Starts `function(*args)` in every worker without waiting for it."""
+        for slot in self._all:
+            slot.submit(function, args)
+
+    def close(self) -> None:
+        """Ends all workers; running calls finish first."""
+        for slot in self._all:
+            slot.close()
+
+    def __enter__(self) -> WorkerPool:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+
+class _Slot:
+    def __init__(self) -> None:
+        self._executor: ProcessPoolExecutor | None = None
+        self._calls = 0
+
+    def submit(self, function: Callable[..., T], args: tuple[Any, ...]) -> Any:
+        if self._executor is None:
+            # A spawned worker inherits the environment before it imports numpy: one thread each,
+            # because the processes already share the cores.
+            os.environ.setdefault("OMP_NUM_THREADS", "1")
+            context = multiprocessing.get_context("spawn")
+            self._executor = ProcessPoolExecutor(1, mp_context=context)
+            self._calls = 0
+        return self._executor.submit(function, *args)
+
+    def run(self, function: Callable[..., T], args: tuple[Any, ...], recycle_after: int) -> T:
+        if self._calls >= recycle_after:
+            self.close()
+        for _ in range(2):
+            try:
+                future = self.submit(function, args)
+                self._calls += 1
+                return future.result()
+            except BrokenProcessPool:
+                self.close()
+        raise WorkerDied(
+            f"the worker process ended twice during {function.__name__}; "
+            "a crash in native code or not enough memory"
+        )
+
+    def close(self) -> None:
+        if self._executor is not None:
+            self._executor.shutdown(wait=True, cancel_futures=True)
+            self._executor = None
+
+
+def default_processes(n_scenes: int) -> int:
+    """Worker processes for `n_scenes`: none for a few, else one a core, at most eight."""
+    if n_scenes < 3:
+        return 0
+    try:
+        cores = len(os.sched_getaffinity(0))
+    except AttributeError:
+        cores = os.cpu_count() or 1
+    return max(1, min(8, cores, n_scenes))
