@@ -219,9 +219,7 @@ def _quat_from_matrix(m: Floats) -> Floats:
 
 def rest_states(
     values: Values, frames: Frames
-) -> tuple[
-    NDArray[np.float32], NDArray[np.float32], NDArray[np.float32], NDArray[np.float32]
-]:
+) -> tuple[NDArray[np.float32], NDArray[np.float32], NDArray[np.float32], NDArray[np.float32]]:
     """Arrays of a rollout in which nothing moves: positions, quaternions and both velocities."""
     w, b = values.mass.shape
     t = frames.n_frames
@@ -314,4 +312,3 @@ def join_logs(logs: list[ContactLog]) -> ContactLog:
         return ContactLog.empty()
     names = ContactLog.__dataclass_fields__
     return ContactLog(**{n: np.concatenate([getattr(log, n) for log in logs]) for n in names})
-

@@ -1,0 +1,225 @@
+"""Warp kernels of the Newton engine: program execution, contact accumulation, recording.
+
+All of them are launched inside a captured graph, so everything that changes between calls is read
+from device arrays: `clock` holds (step, steps per frame, first frame of the chunk, frames in the
+chunk, primitives), `grid` the step length [s] in double precision.
+"""
+
+from __future__ import annotations
+
+# pyright: basic, reportGeneralTypeIssues=false, reportInvalidTypeForm=false
+import warp as wp
+
+STEP, RECORD_EVERY, CHUNK_START, CHUNK_FRAMES, PRIMITIVES = range(5)
+
+FIXED_POINT = 1.0e9
+"""Units per N s (and N s m) of the integer sums; integers make atomic sums independent of order."""
+
+
+@wp.func
+def _set_linear(
+    body: int,
+    v: wp.vec3,
+    body_qd: wp.array(dtype=wp.spatial_vector),
+    joint_qd: wp.array(dtype=float),
+):
+    w = wp.spatial_bottom(body_qd[body])
+    body_qd[body] = wp.spatial_vector(v, w)
+    for k in range(3):
+        joint_qd[6 * body + k] = v[k]
+
+
+@wp.func
+def _set_angular(
+    body: int,
+    w: wp.vec3,
+    body_qd: wp.array(dtype=wp.spatial_vector),
+    joint_qd: wp.array(dtype=float),
+):
+    v = wp.spatial_top(body_qd[body])
+    body_qd[body] = wp.spatial_vector(v, w)
+    for k in range(3):
+        joint_qd[6 * body + 3 + k] = w[k]
+
+
+@wp.kernel(enable_backward=False)
+def run_program(
+    clock: wp.array(dtype=int),
+    grid: wp.array(dtype=wp.float64),
+    kind: wp.array(dtype=int),
+    body: wp.array(dtype=int),
+    until: wp.array2d(dtype=int),
+    table: wp.array3d(dtype=wp.float64),
+    dynamic: wp.array(dtype=int),
+    n_dynamic: int,
+    shape_body: wp.array(dtype=int),
+    n_shapes: int,
+    friction_scale: wp.array(dtype=float),
+    touched: wp.array3d(dtype=int),
+    done: wp.array2d(dtype=int),
+    active: wp.array2d(dtype=int),
+    body_mass: wp.array(dtype=float),
+    linear_damping: wp.array(dtype=float),
+    angular_damping: wp.array(dtype=float),
+    shape_mu: wp.array(dtype=float),
+    body_qd: wp.array(dtype=wp.spatial_vector),
+    joint_qd: wp.array(dtype=float),
+):
+    """One thread per world executes the program before a step (`esg.engines.program`)."""
+    world = wp.tid()
+    step = clock[0]
+    dt = grid[0]
+    t = wp.float64(step) * dt
+    now = t + wp.float64(0.5) * dt
+    for k in range(clock[4]):
+        if done[world, k] != 0:
+            continue
+        b = body[k]
+        target = world * n_dynamic + dynamic[b]
+        start = table[world, k, 0]
+        if kind[k] == 3:
+            if active[world, k] != 0:
+                for other in range(until.shape[1]):
+                    if until[k, other] != 0 and touched[world, b, other] == step:
+                        done[world, k] = 1
+            if now > table[world, k, 1]:
+                done[world, k] = 1
+            if done[world, k] == 0 and start <= now:
+                active[world, k] = 1
+                s = t - start
+                speed = wp.max(wp.float64(0.0), table[world, k, 2] + table[world, k, 4] * s)
+                if table[world, k, 4] > wp.float64(0.0):
+                    speed = wp.min(speed, table[world, k, 5])
+                heading = table[world, k, 3] + table[world, k, 6] * s
+                vx = float(speed * wp.cos(heading))
+                vy = float(speed * wp.sin(heading))
+                vz = wp.spatial_top(body_qd[target])[2]
+                _set_linear(target, wp.vec3(vx, vy, vz), body_qd, joint_qd)
+                r = float(table[world, k, 7])
+                omega = wp.vec3(0.0, 0.0, float(table[world, k, 6]))
+                if r != 0.0:
+                    omega = wp.vec3(-vy / r, vx / r, 0.0)
+                _set_angular(target, omega, body_qd, joint_qd)
+        elif start <= now:
+            done[world, k] = 1
+            a = wp.vec3(
+                float(table[world, k, 2]), float(table[world, k, 3]), float(table[world, k, 4])
+            )
+            if kind[k] == 0:
+                _set_linear(target, a, body_qd, joint_qd)
+                if not wp.isnan(table[world, k, 5]):
+                    omega = wp.vec3(
+                        float(table[world, k, 5]),
+                        float(table[world, k, 6]),
+                        float(table[world, k, 7]),
+                    )
+                    _set_angular(target, omega, body_qd, joint_qd)
+            elif kind[k] == 1:
+                v = wp.spatial_top(body_qd[target]) + a / body_mass[target]
+                _set_linear(target, v, body_qd, joint_qd)
+            else:
+                if dynamic[b] >= 0:
+                    if not wp.isnan(table[world, k, 2]):
+                        linear_damping[target] = a[0]
+                    if not wp.isnan(table[world, k, 3]):
+                        angular_damping[target] = a[1]
+                if not wp.isnan(table[world, k, 4]):
+                    for shape in range(n_shapes):
+                        if shape_body[shape] == b:
+                            shape_mu[world * n_shapes + shape] = a[2] * friction_scale[world]
+
+
+@wp.kernel(enable_backward=False)
+def accumulate_contacts(
+    clock: wp.array(dtype=int),
+    grid: wp.array(dtype=wp.float64),
+    count: wp.array(dtype=int),
+    shape0: wp.array(dtype=int),
+    shape1: wp.array(dtype=int),
+    point0: wp.array(dtype=wp.vec3),
+    point1: wp.array(dtype=wp.vec3),
+    normal: wp.array(dtype=wp.vec3),
+    margin0: wp.array(dtype=float),
+    margin1: wp.array(dtype=float),
+    force: wp.array(dtype=wp.spatial_vector),
+    model_shape_body: wp.array(dtype=int),
+    body_q: wp.array(dtype=wp.transform),
+    shape_body: wp.array(dtype=int),
+    n_shapes: int,
+    pair: wp.array2d(dtype=int),
+    touched: wp.array3d(dtype=int),
+    impulse: wp.array3d(dtype=wp.int64),
+    first: wp.array3d(dtype=int),
+    depth: wp.array3d(dtype=float),
+    moments: wp.array4d(dtype=wp.int64),
+):
+    """One thread per contact point adds the step's normal impulse to its pair of bodies."""
+    i = wp.tid()
+    if i >= count[0]:
+        return
+    s0 = shape0[i]
+    s1 = shape1[i]
+    if s0 < 0 or s1 < 0:
+        return
+    n = normal[i]
+    # Newton reports the force on shape 0; the normal points from shape 0 to shape 1.
+    magnitude = -wp.dot(wp.spatial_top(force[i]), n) * float(grid[0])
+    if not (magnitude > 0.0) or not wp.isfinite(magnitude):
+        return
+    world = s0 / n_shapes
+    a = shape_body[s0 - world * n_shapes]
+    b = shape_body[s1 - world * n_shapes]
+    step = clock[0]
+    if a >= 0 and b >= 0:
+        touched[world, a, b] = step + 1
+        touched[world, b, a] = step + 1
+    p = pair[a + 1, b + 1]
+    slot = step / clock[1] - clock[2]
+    if p < 0 or slot < 0 or slot >= clock[3]:
+        return
+    x0 = point0[i]
+    x1 = point1[i]
+    body0 = model_shape_body[s0]
+    body1 = model_shape_body[s1]
+    if body0 >= 0:
+        x0 = wp.transform_point(body_q[body0], x0)
+    if body1 >= 0:
+        x1 = wp.transform_point(body_q[body1], x1)
+    gap = wp.dot(n, x1 - x0) - (margin0[i] + margin1[i])
+    x = 0.5 * (x0 + n * margin0[i] + x1 - n * margin1[i])
+    # The log's normal points from the pair's second body to its first.
+    direction = -n
+    if (b >= 0 and b < a) or a < 0:
+        direction = n
+    weight = wp.float64(magnitude) * wp.float64(1.0e9)
+    wp.atomic_add(impulse, slot, world, p, wp.int64(weight))
+    wp.atomic_min(first, slot, world, p, step)
+    wp.atomic_max(depth, slot, world, p, -gap)
+    for k in range(3):
+        wp.atomic_add(moments, slot, world, p, k, wp.int64(weight * wp.float64(x[k])))
+        wp.atomic_add(moments, slot, world, p, 3 + k, wp.int64(weight * wp.float64(direction[k])))
+
+
+@wp.kernel(enable_backward=False)
+def record(
+    clock: wp.array(dtype=int),
+    body_q: wp.array(dtype=wp.transform),
+    body_qd: wp.array(dtype=wp.spatial_vector),
+    out_q: wp.array2d(dtype=wp.transform),
+    out_qd: wp.array2d(dtype=wp.spatial_vector),
+):
+    """One thread per body stores the state after a step that ends a frame."""
+    i = wp.tid()
+    after = clock[0] + 1
+    if after % clock[1] != 0:
+        return
+    slot = after / clock[1] - 1 - clock[2]
+    if slot >= 0 and slot < clock[3]:
+        out_q[slot, i] = body_q[i]
+        out_qd[slot, i] = body_qd[i]
+
+
+@wp.kernel(enable_backward=False)
+def advance(clock: wp.array(dtype=int)):
+    """Counts the step."""
+    clock[0] = clock[0] + 1
