@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.dynamics.build import build_scene
-from esg.dynamics.losses import TOLERANCE, Assessment
+from esg.dynamics.losses import MISSED, TOLERANCE, Assessment
 from esg.dynamics.plan import Plan, make_plan
 from esg.dynamics.simulate import ENSEMBLE, NOMINAL, Perturbation, Simulator
 from esg.engines.base import get_engine
@@ -112,48 +112,34 @@ def _search(
     low, high, free = plan.lower(), plan.upper(), plan.free()
     mean = plan.initial()
     spread = np.array([v.spread for v in plan.variables]) * free
-    pool: list[Floats] = []
-    scores: list[float] = []
+    elites: Floats = np.zeros((0, len(mean)))
+    kept: Floats = np.zeros(0)
     best: Found | None = None
     history: list[float] = []
     for round_ in range(max_rounds):
         thetas = np.clip(mean + spread * rng.standard_normal((WORLDS, len(mean))), low, high)
         thetas[0] = np.clip(mean, low, high)
-        if best is not None:
-            thetas[1] = best.theta
         losses = simulator.assess(thetas).total + _prior(plan, thetas)
-        pool += list(thetas)
-        scores += [float(x) for x in losses]
+        pool = np.concatenate([elites, thetas])
+        scores = np.concatenate([kept, losses])
         order = np.argsort(scores, kind="stable")
-        history.append(round(scores[order[0]], 6))
-        finalists = np.array([pool[k] for k in order[:FINALISTS]])
-        found = _worst_case(plan, simulator, finalists, round_ + 1, history)
+        history.append(_rounded(scores[order[0]]))
+        found = _worst_case(plan, simulator, pool[order[:FINALISTS]], round_ + 1, history)
         if best is None or found.worst < best.worst:
             best = found
         best.rounds, best.history = round_ + 1, history
-        if best.worst < GOOD_LOSS:
+        if best.worst < GOOD_LOSS or (round_ >= 4 and _settled(best, history)):
             break
-        if round_ >= 4 and _settled(best, history):
-            break
-        elites = np.array([pool[k] for k in order[:ELITES]])
-        if best.worst < 5.0:
-            elites[-1] = best.theta
-        mean = elites.mean(axis=0)
-        floor = np.array([v.spread for v in plan.variables]) * free * 0.35 * 0.8**round_
-        spread = np.maximum(1.3 * elites.std(axis=0), floor)
-        if scores[order[0]] > 8.0:
-            # Nothing happened yet: look further afield instead of closing in.
-            spread = np.maximum(spread, 1.6 * np.array([v.spread for v in plan.variables]) * free)
-        del pool[:], scores[:]
-        pool += list(elites)
-        scores += [float(x) for x in simulator_scores(simulator, plan, elites)]
+        elites, kept = pool[order[:ELITES]], scores[order[:ELITES]]
+        center = np.concatenate([elites, best.theta[None]]) if best.worst < MISSED else elites
+        mean = center.mean(axis=0)
+        first = np.array([v.spread for v in plan.variables]) * free
+        spread = np.maximum(1.3 * elites.std(axis=0), 0.35 * 0.8**round_ * first)
+        if kept[0] > 0.8 * MISSED:
+            # An event never happened yet: look further afield instead of closing in.
+            spread = np.maximum(spread, 1.6 * first)
     assert best is not None
     return best
-
-
-def simulator_scores(simulator: Simulator, plan: Plan, thetas: Floats) -> Floats:
-    """Losses with prior of a few thetas."""
-    return simulator.assess(thetas).total + _prior(plan, thetas)
 
 
 def _settled(best: Found, history: list[float]) -> bool:
