@@ -1,1 +1,21 @@
 """The ESG document: models, verifier, canonical JSON and hash, JSON Schema."""
+
+from __future__ import annotations
+
+from esg.graph.canonical import canonical_json, document_hash
+from esg.graph.files import CheckReport, check_file, load_document
+from esg.graph.models import EsgDocument
+from esg.graph.verifier import verify
+from esg.graph.violations import RULES, Violation
+
+__all__ = [
+    "RULES",
+    "CheckReport",
+    "EsgDocument",
+    "Violation",
+    "canonical_json",
+    "check_file",
+    "document_hash",
+    "load_document",
+    "verify",
+]

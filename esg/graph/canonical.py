@@ -1,0 +1,52 @@
+"""Canonical JSON and content hash: one document, one byte string."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from typing import Any
+
+from esg.graph.models import EsgDocument
+
+
+def plain(value: Any) -> Any:
+    """Plain JSON with negative zeros made positive, so that equal numbers have equal text."""
+    if isinstance(value, float):
+        return value + 0.0 if value == 0.0 else value
+    if isinstance(value, dict):
+        return {str(k): plain(v) for k, v in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [plain(v) for v in value]
+    return value
+
+
+def canonical_json(doc: EsgDocument, *, indent: int | None = None) -> bytes:
+    """UTF-8 JSON of a document with sorted keys and the shortest text that restores each number.
+
+    Absent optional fields (None) are left out, so that a field added later with None as its default
+    changes no old hash. Equal documents give equal bytes on every machine.
+
+    Args:
+        doc: The document.
+        indent: None for the compact form that is hashed; a number for files that people read.
+
+    Raises:
+        ValueError: If a free-form part (a control program, a stage's configuration) holds NaN or
+            infinity.
+    """
+    tree = plain(doc.model_dump(mode="json", by_alias=True, exclude_none=True))
+    separators = (",", ":") if indent is None else (",", ": ")
+    text = json.dumps(
+        tree,
+        sort_keys=True,
+        ensure_ascii=False,
+        allow_nan=False,
+        separators=separators,
+        indent=indent,
+    )
+    return text.encode("utf-8")
+
+
+def document_hash(doc: EsgDocument) -> str:
+    """SHA-256 of the canonical JSON, as 64 hexadecimal digits."""
+    return hashlib.sha256(canonical_json(doc)).hexdigest()

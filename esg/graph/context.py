@@ -1,0 +1,141 @@
+"""What every rule sees: the document, its declared names, and where to report."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from esg.graph.models import AssetRequirement, EsgDocument, Node, TimelineNode, Vec3
+from esg.graph.parsing import Parsed
+from esg.graph.violations import Findings
+
+TIME_EPS_S = 1e-9
+
+Span = tuple[float, float]
+
+
+class Context:
+    """A parsed document with the look-ups that rules share.
+
+    Args:
+        doc: The document, without what broke the schema.
+        parsed: Where it came from; declared names include the parts that broke the schema, so that
+            one mistake is not reported again as a dangling reference.
+        found: Receives the violations.
+    """
+
+    def __init__(self, doc: EsgDocument, parsed: Parsed, found: Findings) -> None:
+        self.doc = doc
+        self.parsed = parsed
+        self.found = found
+        self.graph = doc.spatial_relation_graph
+        self.nodes = self.graph.nodes
+        self.node_names = parsed.declared("spatial_relation_graph", "nodes")
+        self.region_names = parsed.declared("spatial_relation_graph", "semantic_regions")
+        self.asset_names = parsed.declared("asset_requirement")
+
+    def add(self, code: str, where: str, value: Any, message: str, remedy: str) -> None:
+        """Reports a violation at a pointer into the document."""
+        self.found.add(code, self.parsed.original(where), value, message, remedy)
+
+    def is_structural(self, name: str) -> bool:
+        """Whether a node is part of the structure (ground, wall, road)."""
+        node = self.nodes.get(name)
+        return node is not None and node.is_structural
+
+    def requirement(self, node: Node) -> AssetRequirement | None:
+        """What a node's asset asks for."""
+        return self.doc.asset_requirement.get(node.asset_id)
+
+    def dimensions_cm(self, name: str) -> Vec3 | None:
+        """Size of a node: the asset's if it is resolved, else the expected one."""
+        node = self.nodes.get(name)
+        if node is None:
+            return None
+        configuration = self.doc.asset_configurations.get(node.asset_id)
+        if configuration is not None:
+            return configuration.dimensions_cm
+        requirement = self.requirement(node)
+        return None if requirement is None else requirement.expected_dimensions_cm
+
+    def support_of(self, name: str) -> str | None:
+        """The parent object of the region a node belongs to."""
+        node = self.nodes.get(name)
+        region = self.graph.semantic_regions.get(node.semantic_region or "") if node else None
+        return region.parent_object if region else None
+
+    def supports(self, name: str) -> list[str]:
+        """The parents of a node's region, their regions' parents and so on, nearest first."""
+        chain: list[str] = []
+        current = self.support_of(name)
+        while current is not None and current not in chain:
+            chain.append(current)
+            current = self.support_of(current)
+        return chain
+
+
+def time_span(node: TimelineNode) -> Span | None:
+    """Earliest and latest time of a point event [s]; None when it states neither."""
+    if node.window is not None:
+        return (min(node.window), max(node.window))
+    if node.timestamp is not None:
+        return (node.timestamp, node.timestamp)
+    return None
+
+
+def bounds(value: float | Span) -> Span:
+    """A quantity as an interval."""
+    return value if isinstance(value, tuple) else (value, value)
+
+
+def components(nodes: list[str], edges: list[tuple[str, str]]) -> list[list[str]]:
+    """Strongly connected components of more than one node, or of one node with a loop.
+
+    Tarjan's algorithm without recursion; components and their members are sorted.
+    """
+    following: dict[str, list[str]] = {n: [] for n in nodes}
+    for a, b in edges:
+        if a in following and b in following:
+            following[a].append(b)
+    index: dict[str, int] = {}
+    low: dict[str, int] = {}
+    stack: list[str] = []
+    on_stack: set[str] = set()
+    out: list[list[str]] = []
+    for root in nodes:
+        if root in index:
+            continue
+        work = [(root, 0)]
+        while work:
+            node, position = work.pop()
+            if position == 0:
+                index[node] = low[node] = len(index)
+                stack.append(node)
+                on_stack.add(node)
+            children = following[node]
+            descended = False
+            while position < len(children):
+                child = children[position]
+                position += 1
+                if child not in index:
+                    work.append((node, position))
+                    work.append((child, 0))
+                    descended = True
+                    break
+                if child in on_stack:
+                    low[node] = min(low[node], index[child])
+            if descended:
+                continue
+            if low[node] == index[node]:
+                component: list[str] = []
+                while True:
+                    member = stack.pop()
+                    on_stack.discard(member)
+                    component.append(member)
+                    if member == node:
+                        break
+                if len(component) > 1 or node in following[node]:
+                    out.append(sorted(component))
+            if work:
+                parent = work[-1][0]
+                low[parent] = min(low[parent], low[node])
+    return sorted(out)

@@ -1,0 +1,297 @@
+"""From plain JSON to a document, with every schema violation and as much as can be saved.
+
+The verifier returns all violations at once, so a misspelled field must not hide a dangling
+reference elsewhere. What breaks the schema is reported and cut out, and the remainder is checked by
+the rules; names that were cut out still count as declared.
+"""
+
+from __future__ import annotations
+
+import copy
+from dataclasses import dataclass, field
+import json
+import math
+from typing import Any
+
+from pydantic import ValidationError
+from pydantic_core import ErrorDetails
+
+from esg.graph.models import SCHEMA_VERSION, EsgDocument
+from esg.graph.violations import Findings, clip, pointer
+
+MAX_REPAIRS = 200
+MAX_DEPTH = 100
+
+Path = tuple[str | int, ...]
+
+
+@dataclass(frozen=True)
+class Parsed:
+    """A document as far as it can be read.
+
+    Args:
+        doc: None when nothing could be saved.
+        raw: The plain JSON as given.
+        cut: Paths, in `raw`, that were removed before `doc` could be built.
+        tree: What `doc` was built from.
+        origin: id of a list in `tree` -> original index of each of its items.
+    """
+
+    doc: EsgDocument | None
+    raw: dict[str, Any]
+    cut: tuple[Path, ...] = ()
+    tree: Any = None
+    origin: dict[int, list[int]] = field(default_factory=dict)
+
+    def declared(self, *path: str) -> frozenset[str]:
+        """Keys of the raw object at `path`, whether or not their values could be read."""
+        node: Any = self.raw
+        for part in path:
+            node = node.get(part) if isinstance(node, dict) else None
+        return frozenset(str(k) for k in node) if isinstance(node, dict) else frozenset()
+
+    def declared_ids(self, *path: str) -> frozenset[str]:
+        """Values of `id` in the raw list of objects at `path`."""
+        node: Any = self.raw
+        for part in path:
+            node = node.get(part) if isinstance(node, dict) else None
+        items = node if isinstance(node, (list, tuple)) else []
+        return frozenset(
+            i["id"] for i in items if isinstance(i, dict) and isinstance(i.get("id"), str)
+        )
+
+    def intact(self, *path: str) -> bool:
+        """Whether nothing at or below `path`, nor a part that contains it, was cut out."""
+        return not any(c[: len(path)] == path or path[: len(c)] == c for c in self.cut)
+
+    def original(self, where: str) -> str:
+        """The pointer into `raw` of a pointer into `doc` (items may have been cut out between)."""
+        if not self.origin or not where:
+            return where
+        parts: list[str | int] = []
+        node = self.tree
+        for text in where[1:].split("/"):
+            part: str | int = text.replace("~1", "/").replace("~0", "~")
+            if isinstance(node, list) and text.isdecimal():
+                index = int(text)
+                indices = self.origin.get(id(node))
+                part = indices[index] if indices and index < len(indices) else index
+                node = node[index] if index < len(node) else None
+            else:
+                node = node.get(part) if isinstance(node, dict) else None
+            parts.append(part)
+        return pointer(*parts)
+
+
+def parse(raw: dict[str, Any], found: Findings) -> Parsed:
+    """Validates plain JSON against the schema and adds a violation for each mismatch.
+
+    Args:
+        raw: Plain JSON; tuples count as lists.
+        found: Receives the violations.
+
+    Returns:
+        The document without its broken parts.
+    """
+    version = raw.get("schema_version", SCHEMA_VERSION)
+    tree = copy.deepcopy(raw)
+    if not isinstance(version, str) or version != SCHEMA_VERSION:
+        found.add(
+            "SCHEMA_VERSION",
+            "/schema_version",
+            version,
+            f"Schema version {clip(version)!r} is unknown.",
+            f"Use {SCHEMA_VERSION!r}.",
+        )
+        tree["schema_version"] = SCHEMA_VERSION
+    _drop_unusable(tree, (), found, 0)
+    cut: list[Path] = []
+    origin: dict[int, list[int]] = {}
+    for _ in range(MAX_REPAIRS):
+        try:
+            doc = EsgDocument.model_validate_json(json.dumps(tree), strict=True)
+        except ValidationError as error:
+            partial = Parsed(None, raw, tuple(cut), tree, origin)
+            paths = [_report(e, partial, found) for e in error.errors(include_url=False)]
+            removed = _cut(tree, paths, origin)
+            if not removed:
+                return partial
+            cut.extend(removed)
+        else:
+            return Parsed(doc, raw, tuple(cut), tree, origin)
+    return Parsed(None, raw, tuple(cut), tree, origin)
+
+
+def _drop_unusable(node: Any, path: Path, found: Findings, depth: int) -> None:
+    """Reports and removes what JSON or UTF-8 cannot express; limits depth."""
+    items = node.items() if isinstance(node, dict) else enumerate(node)
+    for key, value in list(items):
+        here = (*path, key)
+        if isinstance(value, (dict, list, tuple)):
+            if depth > MAX_DEPTH:
+                _flag(found, "SCHEMA_TYPE", here, None, "is nested too deeply", "Flatten it.")
+                node[key] = None
+                continue
+            if isinstance(value, tuple):
+                value = list(value)
+                node[key] = value
+            _drop_unusable(value, here, found, depth + 1)
+        elif isinstance(value, float) and not math.isfinite(value):
+            _flag(found, "JSON_NOT_FINITE", here, str(value), "is not a finite number", "Give one.")
+            node[key] = 0.0 if _free_form(here) else None
+        elif isinstance(value, str) and not _encodable(value):
+            text = value.encode("utf-8", "replace").decode()
+            _flag(found, "SCHEMA_VALUE", here, text, "holds half a character", "Give valid text.")
+            node[key] = text
+        elif value is not None and not isinstance(value, (str, int, float, bool)):
+            name = type(value).__name__
+            _flag(found, "SCHEMA_TYPE", here, name, f"is a {name}, not JSON", "Give plain JSON.")
+            node[key] = None
+
+
+def _free_form(path: Path) -> bool:
+    return path[:2] == ("dynamics_result", "program") or "config" in path
+
+
+def _encodable(text: str) -> bool:
+    try:
+        text.encode("utf-8")
+    except UnicodeEncodeError:
+        return False
+    return True
+
+
+def _flag(found: Findings, code: str, path: Path, value: Any, what: str, remedy: str) -> None:
+    where = pointer(*path)
+    found.add(code, where, value, f"{_leaf(where)} {what}.", remedy)
+
+
+def _locate(loc: Path, tree: Any) -> tuple[Path, Any]:
+    """The path and value in `tree` of a pydantic location, without the tags of unions."""
+    path: list[str | int] = []
+    node = tree
+    for part in loc:
+        if not _has(node, part):
+            continue
+        node = node[part]
+        path.append(part)
+    return tuple(path), node
+
+
+def _report(error: ErrorDetails, parsed: Parsed, found: Findings) -> Path:
+    """Adds the violation of one pydantic error; returns the path in the tree of what is wrong."""
+    kind, loc, text = error["type"], error["loc"], error["msg"]
+    if kind == "missing":
+        parent, _ = _locate(loc[:-1], parsed.tree)
+        path = (*parent, loc[-1])
+        where = parsed.original(pointer(*path))
+        if isinstance(loc[-1], int):
+            _, value = _locate(parent, parsed.tree)
+            here = parsed.original(pointer(*parent))
+            message = f"{_leaf(here)} is {_kind(value)}, which is too short."
+            if not any(v.pointer == here and v.code == "SCHEMA_TYPE" for v in found.items):
+                remedy = f"Give at least {loc[-1] + 1} items."
+                found.add("SCHEMA_TYPE", here, value, message, remedy)
+            return parent
+        if where not in {pointer(*c) for c in parsed.cut}:
+            remedy = f"Add {loc[-1]!r} to {where.rpartition('/')[0] or 'the document'}."
+            found.add("SCHEMA_MISSING", where, None, f"{_leaf(where)} is missing.", remedy)
+        return path
+    path, value = _locate(loc, parsed.tree)
+    where = parsed.original(pointer(*path))
+    inner = value if isinstance(value, (str, int, float, bool, type(None))) else None
+    known = {v.code for v in found.items if v.pointer == where}
+    if kind == "extra_forbidden":
+        remedy = "Remove it, or correct its spelling; schemas/esg.schema.json lists the fields."
+        found.add(
+            "SCHEMA_UNKNOWN_FIELD", where, value, f"{_leaf(where)} is an unknown field.", remedy
+        )
+    elif kind in ("enum", "literal_error") and "SCHEMA_VALUE" not in known:
+        expected = str(error.get("ctx", {}).get("expected", ""))
+        message = f"{_leaf(where)} is {clip(inner)!r}, which is not an allowed value."
+        found.add("SCHEMA_VALUE", where, value, message, f"Use one of: {expected}.")
+    elif not known:
+        shown = repr(clip(inner)) if value is None or inner is not None else _kind(value)
+        message = f"{_leaf(where)} is {shown}: {text[:1].lower()}{text[1:]}."
+        remedy = "Give the type that schemas/esg.schema.json states."
+        found.add("SCHEMA_TYPE", where, value, message, remedy)
+    return path
+
+
+def _leaf(where: str) -> str:
+    return repr(where.rpartition("/")[2].replace("~1", "/").replace("~0", "~"))
+
+
+def _kind(value: Any) -> str:
+    return "an object" if isinstance(value, dict) else f"a list of {len(value)}"
+
+
+def _cut(tree: Any, paths: list[Path], origin: dict[int, list[int]]) -> list[Path]:
+    """Removes what is wrong; a required field that is missing takes its parent with it.
+
+    Returns:
+        The removed paths with their original indices; none when the document itself would go.
+    """
+    # Higher indices first: removing a list item moves the later ones.
+    order = sorted(set(paths), key=lambda p: [str(x).zfill(9) for x in p], reverse=True)
+    targets: list[Path] = []
+    for path in order:
+        target = path
+        while target:
+            parent: Any = tree
+            for part in target[:-1]:
+                parent = parent[part] if _has(parent, part) else None
+            fixed_list = isinstance(parent, list) and not _is_collection(target[:-1])
+            absent = not isinstance(parent, list) and not _has(parent, target[-1])
+            if not (fixed_list or absent):
+                break
+            target = target[:-1]
+        if not target:
+            return []
+        if not any(target[: len(t)] == t for t in targets):
+            targets = [t for t in targets if t[: len(target)] != target]
+            targets.append(target)
+    removed: list[Path] = []
+    named = Parsed(None, {}, (), tree, origin)
+    originals = [_walk(named, t) for t in targets]
+    targets_order = sorted(
+        range(len(targets)), key=lambda i: [str(x).zfill(9) for x in targets[i]], reverse=True
+    )
+    for i in targets_order:
+        *parents, last = targets[i]
+        node: Any = tree
+        for part in parents:
+            node = node[part]
+        if isinstance(node, list):
+            origin.setdefault(id(node), list(range(len(node)))).pop(int(last))
+        del node[last]
+        removed.append(originals[i])
+    return removed
+
+
+def _walk(parsed: Parsed, path: Path) -> Path:
+    """The path in the raw document of a path in the tree."""
+    node, out = parsed.tree, list[str | int]()
+    for part in path:
+        indices = parsed.origin.get(id(node)) if isinstance(node, list) else None
+        out.append(indices[int(part)] if indices else part)
+        node = node[part] if _has(node, part) else None
+    return tuple(out)
+
+
+def _has(node: Any, part: str | int) -> bool:
+    if isinstance(node, dict):
+        return part in node
+    return isinstance(node, list) and isinstance(part, int) and part < len(node)
+
+
+_COLLECTIONS = {
+    "nodes", "edges", "binary_relations", "multi_relations", "constraints", "proxies", "regions",
+    "support_surfaces", "participants", "subjects", "targets", "items", "warnings", "provenance",
+    "parameters", "relaxed", "relations", "runners_up", "history", "vertices_cm", "primitives",
+}  # fmt: skip
+
+
+def _is_collection(path: Path) -> bool:
+    """Whether items of the list at `path` can go one by one (a vector's cannot)."""
+    return bool(path) and path[-1] in _COLLECTIONS

@@ -1,0 +1,290 @@
+"""Rules on motion segments: ends, roles, parameters and inertial connectors."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+
+from esg.graph.context import Context, bounds
+from esg.graph.models import (
+    EdgeEvent,
+    ForceDirection,
+    NodeEvent,
+    Role,
+    SequenceGraph,
+    TimelineEdge,
+    TimelineNode,
+    TimelineSystem,
+)
+from esg.graph.rules_scene import interval, outside
+from esg.graph.rules_timeline import MAX_SPEED_CM_S
+from esg.graph.violations import listing, pointer
+
+M = EdgeEvent
+
+LIMITS: dict[str, tuple[float, float, str]] = {
+    "acceleration": (-2e4, 2e4, "cm/s^2"),
+    "damping": (0.0, 100.0, "1/s"),
+    "heading_deg": (-720.0, 720.0, "degrees"),
+    "elevation_deg": (-90.0, 90.0, "degrees"),
+    "turn_degrees": (0.0, 720.0, "degrees"),
+    "turn_rate_deg_s": (0.0, 720.0, "degrees/s"),
+    "duration": (0.0, 600.0, "s"),
+}
+_ONLY: dict[str, frozenset[EdgeEvent]] = {
+    "damping": frozenset({M.BRAKE}),
+    "elevation_deg": frozenset({M.TOWARD}),
+    "turn_degrees": frozenset({M.TURN}),
+    "turn_direction": frozenset({M.TURN}),
+    "turn_rate_deg_s": frozenset({M.TURN}),
+}
+"""Parameters that only some segments have; all others fit every driven segment."""
+
+_NODES = ("timeline_system", "sequence_graph", "nodes")
+_EDGES = ("timeline_system", "sequence_graph", "edges")
+
+
+def check(ctx: Context) -> None:
+    """Adds violations of motion segments."""
+    timeline = ctx.doc.timeline_system
+    if timeline is None:
+        return
+    graph = timeline.sequence_graph
+    events = {n.id: n for n in reversed(graph.nodes)}
+    for i, edge in enumerate(graph.edges):
+        where = pointer(*_EDGES, i)
+        _references(ctx, timeline, where, edge)
+        _role(ctx, timeline, where, edge, events)
+        _parameters(ctx, timeline, where, edge, events)
+
+
+def _references(ctx: Context, timeline: TimelineSystem, where: str, edge: TimelineEdge) -> None:
+    declared = ctx.parsed.declared_ids(*_NODES)
+    for key, name in (("from", edge.from_), ("to", edge.to)):
+        if name not in declared:
+            ctx.add(
+                "REF_EVENT",
+                f"{where}/{key}",
+                name,
+                f"Segment {edge.id!r} names {name!r}, which is not a point event.",
+                f"Use one of {listing(declared)}.",
+            )
+    actors = ctx.parsed.declared("timeline_system", "actors")
+    if edge.actor not in actors:
+        ctx.add(
+            "REF_EDGE_ACTOR",
+            where + "/actor",
+            edge.actor,
+            f"Segment {edge.id!r} moves {edge.actor!r}, which is not an actor.",
+            f"Use one of {listing(actors)}, or add the actor.",
+        )
+    if edge.target is None:
+        return
+    if edge.target not in ctx.node_names:
+        ctx.add(
+            "REF_EDGE_TARGET",
+            where + "/target",
+            edge.target,
+            f"Segment {edge.id!r} heads for {edge.target!r}, which is not a node.",
+            f"Use one of {listing(ctx.node_names)}.",
+        )
+    if edge.target == edge.actor:
+        ctx.add(
+            "EDGE_TARGET_SELF",
+            where + "/target",
+            edge.target,
+            f"Segment {edge.id!r} moves {edge.actor!r} towards itself.",
+            "Name another object, or leave out the target.",
+        )
+
+
+def _role(
+    ctx: Context,
+    timeline: TimelineSystem,
+    where: str,
+    edge: TimelineEdge,
+    events: dict[str, TimelineNode],
+) -> None:
+    actor = timeline.actors.get(edge.actor)
+    if actor is None:
+        return
+    connector = edge.event is M.INERTIAL_CONNECTOR
+    if connector and actor.role is Role.ACTIVE:
+        ctx.add(
+            "CONNECTOR_ACTIVE",
+            where,
+            edge.event.value,
+            f"Segment {edge.id!r} is an inertial connector of {edge.actor!r}, which is active.",
+            "Use a driven segment, or make the actor passive.",
+        )
+    if not connector and actor.role is Role.PASSIVE:
+        ctx.add(
+            "EDGE_ACTOR_PASSIVE",
+            where + "/event",
+            edge.event.value,
+            f"Segment {edge.id!r} drives {edge.actor!r} ({edge.event.value}), which is passive.",
+            "Make the actor active, or use InertialConnector after the collision that moves it.",
+        )
+    end, begin = events.get(edge.to), events.get(edge.from_)
+    intact = ctx.parsed.intact(*_NODES)
+    if end is not None and edge.actor not in end.participants and intact:
+        code = "CONNECTOR_DOWNSTREAM" if connector else "EDGE_ACTOR_ABSENT"
+        ctx.add(
+            code,
+            where + "/to",
+            edge.to,
+            f"Segment {edge.id!r} leads {edge.actor!r} to {edge.to!r}, in which it takes no part.",
+            f"Lead to an event of {edge.actor!r}, or name the actor of {edge.to!r}.",
+        )
+    elif connector and end is not None and end.event in (NodeEvent.TRIGGER, NodeEvent.SCENE_START):
+        ctx.add(
+            "CONNECTOR_DOWNSTREAM",
+            where + "/to",
+            edge.to,
+            f"Inertial connector {edge.id!r} leads to a {end.event.value}.",
+            "Let it lead to the next collision or outcome of its body.",
+        )
+    if connector and actor.role is Role.PASSIVE and begin is not None and intact:
+        graph = timeline.sequence_graph
+        if not _was_hit(edge, begin, graph, events):
+            ctx.add(
+                "CONNECTOR_UPSTREAM",
+                where + "/from",
+                edge.from_,
+                f"Inertial connector {edge.id!r} starts at {edge.from_!r}, where no collision has "
+                f"moved {edge.actor!r} yet.",
+                f"Start at a collision in which {edge.actor!r} is hit.",
+            )
+
+
+def _was_hit(
+    edge: TimelineEdge, begin: TimelineNode, graph: SequenceGraph, events: dict[str, TimelineNode]
+) -> bool:
+    """Whether the body takes part in the begin and was hit there or at an event before it."""
+    if edge.actor not in begin.participants:
+        return False
+    before: dict[str, list[str]] = defaultdict(list)
+    for other in graph.edges:
+        before[other.to].append(other.from_)
+    seen: set[str] = set()
+    stack = [begin.id]
+    while stack:
+        name = stack.pop()
+        if name in seen or name not in events:
+            continue
+        seen.add(name)
+        event = events[name]
+        if event.event is NodeEvent.COLLISION and edge.actor in event.participants:
+            return True
+        stack.extend(before[name])
+    return False
+
+
+def _parameters(
+    ctx: Context,
+    timeline: TimelineSystem,
+    where: str,
+    edge: TimelineEdge,
+    events: dict[str, TimelineNode],
+) -> None:
+    params = edge.params
+    at = where + "/params"
+    if params.speed is not None:
+        _speed(ctx, at + "/speed", edge)
+    for name, limits in LIMITS.items():
+        value = getattr(params, name)
+        if value is None:
+            continue
+        if isinstance(value, tuple) and not interval(ctx, f"{at}/{name}", value):
+            continue
+        low, high = bounds(value)
+        if outside(low, limits[:2]) or outside(high, limits[:2]):
+            ctx.add(
+                "EDGE_PARAM_RANGE",
+                f"{at}/{name}",
+                value,
+                f"{name} {value} {limits[2]} of {edge.id!r} is not plausible.",
+                f"Use {limits[0]:g} to {limits[1]:g} {limits[2]}.",
+            )
+    for name, kinds in _ONLY.items():
+        value = getattr(params, name)
+        if value is not None and edge.event not in kinds:
+            ctx.add(
+                "EDGE_PARAM_FORBIDDEN",
+                f"{at}/{name}",
+                value,
+                f"{edge.event.value} {edge.id!r} has {name!r}.",
+                f"Remove it, or make the segment {listing(k.value for k in kinds)}.",
+            )
+    if edge.event is M.INERTIAL_CONNECTOR:
+        _connector_parameters(ctx, at, edge)
+    if edge.event is M.TURN:
+        _turn(ctx, at, edge, events)
+    actor = timeline.actors.get(edge.actor)
+    if actor is not None and actor.force_direction not in (None, ForceDirection.ANY_3D):
+        low, high = bounds(params.elevation_deg) if params.elevation_deg is not None else (0.0, 0.0)
+        if (low, high) != (0.0, 0.0):
+            assert actor.force_direction is not None
+            ctx.add(
+                "EDGE_FORCE_DIRECTION",
+                at + "/elevation_deg",
+                params.elevation_deg,
+                f"{edge.id!r} leaves the ground, but {edge.actor!r} moves "
+                f"{actor.force_direction.value} only.",
+                "Use force_direction ANY_3D, or remove the elevation.",
+            )
+
+
+def _speed(ctx: Context, where: str, edge: TimelineEdge) -> None:
+    value = edge.params.speed
+    if value is None or (isinstance(value, tuple) and not interval(ctx, where, value)):
+        return
+    low, high = bounds(value)
+    if low < 0.0 or high > MAX_SPEED_CM_S:
+        ctx.add(
+            "UNIT_SPEED",
+            where,
+            value,
+            f"Speed {value} cm/s of {edge.id!r} is not plausible.",
+            f"Use 0 to {MAX_SPEED_CM_S:g} cm/s (the unit is cm/s; heading says which way).",
+        )
+
+
+def _connector_parameters(ctx: Context, at: str, edge: TimelineEdge) -> None:
+    given = edge.params.model_dump(exclude_none=True, exclude={"spin"})
+    if given:
+        ctx.add(
+            "EDGE_PARAM_FORBIDDEN",
+            at,
+            given,
+            f"Inertial connector {edge.id!r} has parameters, but physics alone moves its body.",
+            "Remove them; put a prescribed outcome into the constraints of its events.",
+        )
+
+
+def _turn(ctx: Context, at: str, edge: TimelineEdge, events: dict[str, TimelineNode]) -> None:
+    end = events.get(edge.to)
+    for name in ("turn_direction", "turn_degrees"):
+        stated = getattr(edge.params, name)
+        reached = getattr(end, name) if end is not None else None
+        if stated is None and reached is None:
+            ctx.add(
+                "EDGE_PARAM_MISSING",
+                f"{at}/{name}",
+                None,
+                f"Turn {edge.id!r} has no {name}.",
+                "State it here or in the HeadingReached event it leads to.",
+            )
+        elif stated is not None and reached is not None and _differ(stated, reached):
+            ctx.add(
+                "CONSTRAINT_CONTRADICTION",
+                f"{at}/{name}",
+                stated,
+                f"Turn {edge.id!r} has {name} {stated}, but {edge.to!r} asks for {reached}.",
+                "Make both the same.",
+            )
+
+
+def _differ(stated: object, reached: object) -> bool:
+    if isinstance(stated, tuple) and isinstance(reached, float):
+        return not min(stated) <= reached <= max(stated)
+    return stated != reached
