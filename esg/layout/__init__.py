@@ -1,0 +1,34 @@
+"""Stage 3: layout. `solve(doc, seed=, hints=)` places every node; see docs/layout.md."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from esg.layout.config import LayoutConfig
+    from esg.layout.hints import Constellation, Corridor, Placement, StartHints
+    from esg.layout.solver import solve, solve_batch
+
+__all__ = [
+    "Constellation",
+    "Corridor",
+    "LayoutConfig",
+    "Placement",
+    "StartHints",
+    "solve",
+    "solve_batch",
+]
+
+_HOME = {
+    "Constellation": "hints", "Corridor": "hints", "Placement": "hints", "StartHints": "hints",
+    "LayoutConfig": "config", "solve": "solver", "solve_batch": "solver",
+}  # fmt: skip
+
+
+def __getattr__(name: str) -> Any:
+    # numpy and Warp load only when a layout is asked for
+    if name not in _HOME:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    import importlib
+
+    return getattr(importlib.import_module(f"esg.layout.{_HOME[name]}"), name)

@@ -1,0 +1,674 @@
+"""Warp kernels of the layout search: one thread is one start of one scene.
+
+A launch runs sequential sampled initialization and the whole Adam refinement, so that one scene with
+sixteen starts and ten thousand scenes with one start are the same call. Everything rests on its
+support by construction (heights are constants of the problem), which leaves a planar problem per
+unit: x, y [cm] and yaw [rad] in the frame of the unit's parent node.
+
+Arrays of all scenes of a batch are concatenated; node, unit, edge and pair indices are global.
+"""
+
+# ruff: noqa: E501  (Warp functions keep one expression per line)
+from __future__ import annotations
+
+import warp as wp
+
+from esg.layout import terms
+
+# gradients are central differences of each unit's own terms: no adjoint code to compile
+wp.set_module_options({"enable_backward": False})
+
+E_BAND = wp.constant(terms.BAND)
+E_DIRECTION = wp.constant(terms.DIRECTION)
+E_FACE = wp.constant(terms.FACE)
+E_CENTER = wp.constant(terms.CENTER)
+E_UNDER = wp.constant(terms.UNDER)
+E_REGION = wp.constant(terms.REGION)
+E_SLOT = wp.constant(terms.SLOT)
+E_BETWEEN = wp.constant(terms.BETWEEN)
+E_LERP = wp.constant(terms.LERP)
+TOUCH_CM = wp.constant(0.2)
+"""Vertical overlap below which two shapes only touch (an object and its support)."""
+COLLISION_WEIGHT = wp.constant(8.0)
+REGION_WEIGHT = wp.constant(8.0)
+FACE_SCALE_CM = wp.constant(60.0)
+PI = wp.constant(3.14159265358979)
+
+
+@wp.struct
+class Problem:
+    node_unit: wp.array(dtype=wp.int32)
+    node_rel: wp.array(dtype=wp.vec3)  # pose in the unit's frame (x, y, yaw)
+    node_z: wp.array(dtype=wp.float32)  # height of the origin
+    node_half: wp.array(dtype=wp.vec2)  # footprint half extents
+    node_round: wp.array(dtype=wp.int32)
+    node_height: wp.array(dtype=wp.float32)
+    node_radius: wp.array(dtype=wp.float32)  # of the circle about the origin that holds all shapes
+    prim_off: wp.array(dtype=wp.int32)
+    prim_kind: wp.array(dtype=wp.int32)  # 0 circle, 1 rectangle
+    prim_pose: wp.array(dtype=wp.vec3)
+    prim_half: wp.array(dtype=wp.vec2)
+    prim_z: wp.array(dtype=wp.vec2)
+    unit_parent: wp.array(dtype=wp.int32)  # node, -1 is the world
+    unit_free: wp.array(dtype=wp.vec3)  # 1 where x, y, yaw may change
+    unit_pose: wp.array(dtype=wp.vec3)  # where fixed, else preferred
+    unit_box: wp.array(dtype=wp.vec4)  # sampling box in the parent's frame: centre, half extents
+    unit_anchor: wp.array(dtype=wp.vec3)  # preferred x, y and weight
+    unit_step: wp.array(dtype=wp.float32)  # length scale of a step [cm]
+    aff_off: wp.array(dtype=wp.int32)  # nodes moved by a unit, parents first
+    aff: wp.array(dtype=wp.int32)
+    own_off: wp.array(dtype=wp.int32)  # nodes of the unit itself come first in aff
+    ue_off: wp.array(dtype=wp.int32)
+    ue: wp.array(dtype=wp.int32)  # edges that a unit influences
+    up_off: wp.array(dtype=wp.int32)
+    up: wp.array(dtype=wp.int32)  # collision pairs that a unit influences
+    edge_kind: wp.array(dtype=wp.int32)
+    edge_node: wp.array(dtype=wp.vec3i)
+    edge_w: wp.array(dtype=wp.float32)
+    edge_p: wp.array2d(dtype=wp.float32)
+    pair: wp.array(dtype=wp.vec2i)
+    pair_margin: wp.array(dtype=wp.float32)
+    scene_node: wp.array(dtype=wp.int32)  # first node, unit, edge, pair of each scene, [scenes + 1]
+    scene_unit: wp.array(dtype=wp.int32)
+    scene_edge: wp.array(dtype=wp.int32)
+    scene_pair: wp.array(dtype=wp.int32)
+
+
+@wp.struct
+class Settings:
+    candidates: wp.int32
+    iterations: wp.int32
+    refine: wp.int32
+    sample: wp.int32
+    aabb: wp.int32
+    preference: wp.float32
+
+
+@wp.func
+def turn(v: wp.vec2, a: float):
+    c = wp.cos(a)
+    s = wp.sin(a)
+    return wp.vec2(c * v[0] - s * v[1], s * v[0] + c * v[1])
+
+
+@wp.func
+def compose(p: wp.vec3, q: wp.vec3):
+    d = turn(wp.vec2(q[0], q[1]), p[2])
+    return wp.vec3(p[0] + d[0], p[1] + d[1], p[2] + q[2])
+
+
+@wp.func
+def gap_in_frame(d: wp.vec2, ha: wp.vec2, hb: wp.vec2, rel: float):
+    c = wp.abs(wp.cos(rel))
+    s = wp.abs(wp.sin(rel))
+    gx = wp.abs(d[0]) - ha[0] - hb[0] * c - hb[1] * s
+    gy = wp.abs(d[1]) - ha[1] - hb[0] * s - hb[1] * c
+    if gx > 0.0 and gy > 0.0:
+        return wp.sqrt(gx * gx + gy * gy)
+    return wp.max(gx, gy)
+
+
+@wp.func
+def separation(ka: int, pa: wp.vec3, ha: wp.vec2, kb: int, pb: wp.vec3, hb: wp.vec2):
+    """Signed planar distance of two footprints [cm]; negative is the penetration depth."""
+    d = wp.vec2(pb[0] - pa[0], pb[1] - pa[1])
+    if ka == 0 and kb == 0:
+        return wp.length(d) - ha[0] - hb[0]
+    if ka == 1 and kb == 1:
+        ga = gap_in_frame(turn(d, -pa[2]), ha, hb, pb[2] - pa[2])
+        gb = gap_in_frame(turn(d, -pb[2]), hb, ha, pb[2] - pa[2])
+        return wp.max(ga, gb)
+    q = turn(d, -pa[2])
+    h = ha
+    r = hb[0]
+    if ka == 0:
+        q = turn(d, -pb[2])
+        h = hb
+        r = ha[0]
+    qx = wp.abs(q[0]) - h[0]
+    qy = wp.abs(q[1]) - h[1]
+    if qx > 0.0 and qy > 0.0:
+        return wp.sqrt(qx * qx + qy * qy) - r
+    return wp.max(qx, qy) - r
+
+
+@wp.func
+def world_half(p: Problem, node: int, yaw: float):
+    h = p.node_half[node]
+    if p.node_round[node] == 1:
+        return h
+    c = wp.abs(wp.cos(yaw))
+    s = wp.abs(wp.sin(yaw))
+    return wp.vec2(h[0] * c + h[1] * s, h[0] * s + h[1] * c)
+
+
+@wp.func
+def surface_distance(p: Problem, a: int, b: int, pa: wp.vec3, pb: wp.vec3):
+    d = separation(1 - p.node_round[a], pa, p.node_half[a], 1 - p.node_round[b], pb, p.node_half[b])
+    zg = wp.max(
+        p.node_z[a] - p.node_z[b] - p.node_height[b], p.node_z[b] - p.node_z[a] - p.node_height[a]
+    )
+    if zg > 0.0:
+        return wp.sqrt(wp.max(d, 0.0) * wp.max(d, 0.0) + zg * zg)
+    return d
+
+
+@wp.func
+def relu(v: float):
+    return wp.max(v, 0.0)
+
+
+@wp.func
+def smooth(v: float):
+    """Quadratic below 1 cm and linear above, so that gradients fade out at the optimum."""
+    if v < 1.0:
+        return 0.5 * v * v
+    return v - 0.5
+
+
+@wp.func
+def edge_energy(p: Problem, w: wp.array(dtype=wp.vec3), off: int, e: int):
+    kind = p.edge_kind[e]
+    n = p.edge_node[e]
+    a = n[0]
+    b = n[1]
+    pa = w[a + off]
+    if (
+        kind == E_REGION
+    ):  # rectangle p0..p3 = min x, min y, max x, max y in b's frame holds a's footprint
+        q = wp.vec2(pa[0], pa[1])
+        yaw = pa[2]
+        if b >= 0:
+            pb = w[b + off]
+            q = turn(wp.vec2(pa[0] - pb[0], pa[1] - pb[1]), -pb[2])
+            yaw = pa[2] - pb[2]
+        h = world_half(p, a, yaw)
+        vx = relu(p.edge_p[e, 0] - q[0] + h[0]) + relu(q[0] + h[0] - p.edge_p[e, 2])
+        vy = relu(p.edge_p[e, 1] - q[1] + h[1]) + relu(q[1] + h[1] - p.edge_p[e, 3])
+        return REGION_WEIGHT * (vx * vx + vy * vy + smooth(vx) + smooth(vy)) * p.edge_w[e]
+    if kind == E_FACE:  # p0: 1 = towards the fixed direction p1 [rad], p2: angular tolerance
+        target = p.edge_p[e, 1]
+        if p.edge_p[e, 0] < 0.5:
+            pt = w[b + off]
+            target = wp.atan2(pt[1] - pa[1], pt[0] - pa[0])
+        return p.edge_w[e] * FACE_SCALE_CM * (1.0 - wp.cos(pa[2] - target))
+    pb = w[b + off]
+    d = wp.vec2(pa[0] - pb[0], pa[1] - pb[1])
+    v = 0.0
+    if kind == E_BAND:  # surface distance between p0 and p1
+        s = surface_distance(p, a, b, pa, pb)
+        v = smooth(relu(s - p.edge_p[e, 1])) + smooth(relu(p.edge_p[e, 0] - s))
+    elif (
+        kind == E_DIRECTION
+    ):  # axis p0, sign p1, extra range p2, lateral tolerance p3, scale p4, least gap p5
+        ha = world_half(p, a, pa[2])
+        hb = world_half(p, b, pb[2])
+        along = d[0]
+        across = wp.abs(d[1])
+        ea = ha[0] + hb[0]
+        if p.edge_p[e, 0] > 0.5:
+            along = d[1]
+            across = wp.abs(d[0])
+            ea = ha[1] + hb[1]
+        along = along * p.edge_p[e, 1]
+        low = ea + p.edge_p[e, 5]
+        high = low + p.edge_p[e, 2]
+        if along < 0.0:
+            v = smooth(low) - 2.0 * along
+        elif along < low:
+            v = smooth(low - along)
+        else:
+            v = 0.3 * smooth(relu(along - high))
+        lat = relu(across - p.edge_p[e, 3])
+        # the quadratic of the paper, continued linearly so that one far object cannot drown the rest
+        c = p.edge_p[e, 4]
+        if lat < c:
+            v += lat * lat / c
+        else:
+            v += 2.0 * lat - c
+    elif kind == E_CENTER or kind == E_SLOT:  # within p0 of b's point (p1, p2)
+        t = turn(wp.vec2(p.edge_p[e, 1], p.edge_p[e, 2]), pb[2])
+        v = smooth(relu(wp.length(d - t) - p.edge_p[e, 0]))
+    elif kind == E_UNDER:  # a's centre within b's footprint shrunk by p0
+        q = turn(d, -pb[2])
+        hb = p.node_half[b]
+        v = smooth(relu(wp.abs(q[0]) - relu(hb[0] - p.edge_p[e, 0]))) + smooth(
+            relu(wp.abs(q[1]) - relu(hb[1] - p.edge_p[e, 0]))
+        )
+    else:  # BETWEEN and LERP: within p0 of the point at fraction p1 from b to c
+        pc = w[n[2] + off]
+        frac = p.edge_p[e, 1]
+        v = smooth(
+            relu(
+                wp.length(
+                    wp.vec2(
+                        pa[0] - pb[0] - frac * (pc[0] - pb[0]),
+                        pa[1] - pb[1] - frac * (pc[1] - pb[1]),
+                    )
+                )
+                - p.edge_p[e, 0]
+            )
+        )
+    return p.edge_w[e] * v
+
+
+@wp.func
+def pair_energy(p: Problem, w: wp.array(dtype=wp.vec3), off: int, k: int, aabb: int):
+    ab = p.pair[k]
+    a = ab[0]
+    b = ab[1]
+    m = p.pair_margin[k]
+    pa = w[a + off]
+    pb = w[b + off]
+    dx = pa[0] - pb[0]
+    dy = pa[1] - pb[1]
+    reach = p.node_radius[a] + p.node_radius[b] + m
+    e = 0.0
+    if dx * dx + dy * dy > reach * reach:
+        return e
+    if aabb == 1:
+        ha = world_half(p, a, pa[2])
+        hb = world_half(p, b, pb[2])
+        ox = ha[0] + hb[0] + m - wp.abs(dx)
+        oy = ha[1] + hb[1] + m - wp.abs(dy)
+        oz = wp.min(p.node_z[a] + p.node_height[a], p.node_z[b] + p.node_height[b]) - wp.max(
+            p.node_z[a], p.node_z[b]
+        )
+        if ox > 0.0 and oy > 0.0 and oz > TOUCH_CM:
+            # the vertical overlap is a constant of the problem: only x and y can resolve it
+            q = wp.min(ox, oy)
+            e = COLLISION_WEIGHT * (0.1 * q * q + q)
+        return e
+    for i in range(p.prim_off[a], p.prim_off[a + 1]):
+        qa = compose(pa, p.prim_pose[i])
+        za = p.prim_z[i]
+        for j in range(p.prim_off[b], p.prim_off[b + 1]):
+            zb = p.prim_z[j]
+            oz = wp.min(za[1] + p.node_z[a], zb[1] + p.node_z[b]) - wp.max(
+                za[0] + p.node_z[a], zb[0] + p.node_z[b]
+            )
+            if oz > TOUCH_CM:
+                s = m - separation(
+                    p.prim_kind[i],
+                    qa,
+                    p.prim_half[i],
+                    p.prim_kind[j],
+                    compose(pb, p.prim_pose[j]),
+                    p.prim_half[j],
+                )
+                if s > 0.0:
+                    e += COLLISION_WEIGHT * (0.1 * s * s + smooth(s))
+    return e
+
+
+@wp.func
+def spread(
+    p: Problem,
+    w: wp.array(dtype=wp.vec3),
+    x: wp.array(dtype=wp.vec3),
+    off: int,
+    uoff: int,
+    u: int,
+    limit: int,
+):
+    """Writes the world poses of the nodes that unit u moves, up to unit `limit`."""
+    for k in range(p.aff_off[u], p.aff_off[u + 1]):
+        n = p.aff[k]
+        v = p.node_unit[n]
+        if v <= limit:
+            q = compose(x[v + uoff], p.node_rel[n])
+            if p.unit_parent[v] >= 0:
+                q = compose(w[p.unit_parent[v] + off], q)
+            w[n + off] = q
+
+
+@wp.func
+def unit_energy(p: Problem, w: wp.array(dtype=wp.vec3), off: int, u: int, limit: int, aabb: int):
+    """Sum of all terms that unit u influences, among units up to `limit`."""
+    e = 0.0
+    for k in range(p.ue_off[u], p.ue_off[u + 1]):
+        i = p.ue[k]
+        n = p.edge_node[i]
+        ready = p.node_unit[n[0]] <= limit
+        if n[1] >= 0:
+            ready = ready and p.node_unit[n[1]] <= limit
+        if n[2] >= 0:
+            ready = ready and p.node_unit[n[2]] <= limit
+        if ready:
+            e += edge_energy(p, w, off, i)
+    for k in range(p.up_off[u], p.up_off[u + 1]):
+        i = p.up[k]
+        ab = p.pair[i]
+        if p.node_unit[ab[0]] <= limit and p.node_unit[ab[1]] <= limit:
+            e += pair_energy(p, w, off, i, aabb)
+    return e
+
+
+@wp.func
+def project(p: Problem, x: wp.vec3, u: int):
+    """Shifts a unit into the regions of its own nodes that are given in its parent's frame."""
+    low = wp.vec2(-1.0e9, -1.0e9)
+    high = wp.vec2(1.0e9, 1.0e9)
+    for k in range(p.ue_off[u], p.ue_off[u + 1]):
+        i = p.ue[k]
+        if p.edge_kind[i] == E_REGION:
+            n = p.edge_node[i]
+            if p.node_unit[n[0]] == u and n[1] == p.unit_parent[u]:
+                q = compose(x, p.node_rel[n[0]])
+                h = world_half(p, n[0], q[2])
+                low = wp.vec2(
+                    wp.max(low[0], p.edge_p[i, 0] + h[0] - q[0]),
+                    wp.max(low[1], p.edge_p[i, 1] + h[1] - q[1]),
+                )
+                high = wp.vec2(
+                    wp.min(high[0], p.edge_p[i, 2] - h[0] - q[0]),
+                    wp.min(high[1], p.edge_p[i, 3] - h[1] - q[1]),
+                )
+    f = p.unit_free[u]
+    sx = wp.clamp(0.0, low[0], high[0])
+    sy = wp.clamp(0.0, low[1], high[1])
+    if low[0] > high[0]:
+        sx = 0.5 * (low[0] + high[0])
+    if low[1] > high[1]:
+        sy = 0.5 * (low[1] + high[1])
+    return wp.vec3(x[0] + sx * f[0], x[1] + sy * f[1], x[2])
+
+
+@wp.func
+def reach_along(p: Problem, n: int, yaw: float, dir: wp.vec2):
+    h = p.node_half[n]
+    if p.node_round[n] == 1:
+        return h[0]
+    q = turn(dir, -yaw)
+    # distance from the centre to the rectangle's edge along the ray
+    return wp.min(h[0] / wp.max(wp.abs(q[0]), 1.0e-3), h[1] / wp.max(wp.abs(q[1]), 1.0e-3))
+
+
+@wp.func
+def propose_point(
+    p: Problem, w: wp.array(dtype=wp.vec3), off: int, e: int, first: int, yaw: float, rng: wp.uint32
+):
+    """A world position for the edge's first (or second) node that tends to satisfy the edge."""
+    kind = p.edge_kind[e]
+    n = p.edge_node[e]
+    me = n[0]
+    other = n[1]
+    if first == 0:
+        me = n[1]
+        other = n[0]
+    po = w[other + off]
+    base = wp.vec2(po[0], po[1])
+    out = base
+    if kind == E_BAND:
+        a = wp.randf(rng) * 2.0 * PI
+        if wp.randf(rng) < 0.5:
+            a = wp.floor(wp.randf(rng) * 4.0) * 0.5 * PI + po[2]
+        dir = wp.vec2(wp.cos(a), wp.sin(a))
+        high = wp.min(p.edge_p[e, 1], p.edge_p[e, 0] + 300.0)
+        gap = p.edge_p[e, 0] + (high - p.edge_p[e, 0]) * wp.randf(rng)
+        out = base + dir * (reach_along(p, other, po[2], dir) + reach_along(p, me, yaw, dir) + gap)
+    elif kind == E_DIRECTION:
+        ha = world_half(p, me, yaw)
+        hb = world_half(p, other, po[2])
+        s = p.edge_p[e, 1]
+        if first == 0:
+            s = -s
+        ahead = wp.randf(rng)
+        ahead = ahead * ahead * p.edge_p[e, 2]
+        lat = (wp.randf(rng) * 2.0 - 1.0) * p.edge_p[e, 3]
+        if wp.randf(rng) < 0.4:
+            lat = 0.0
+        if p.edge_p[e, 0] < 0.5:
+            out = base + wp.vec2(s * (ha[0] + hb[0] + p.edge_p[e, 5] + ahead), lat)
+        else:
+            out = base + wp.vec2(lat, s * (ha[1] + hb[1] + p.edge_p[e, 5] + ahead))
+    elif kind == E_CENTER or kind == E_SLOT:
+        t = turn(wp.vec2(p.edge_p[e, 1], p.edge_p[e, 2]), po[2])
+        if first == 1:
+            out = base + t
+        else:
+            out = base - t
+    elif kind == E_UNDER:
+        h = p.node_half[n[1]]
+        q = wp.vec2((wp.randf(rng) * 2.0 - 1.0) * h[0], (wp.randf(rng) * 2.0 - 1.0) * h[1])
+        out = base + turn(q, po[2])
+    elif kind == E_BETWEEN or kind == E_LERP:
+        pc = w[n[2] + off]
+        frac = p.edge_p[e, 1]
+        out = wp.vec2(po[0] + frac * (pc[0] - po[0]), po[1] + frac * (pc[1] - po[1]))
+    return out
+
+
+@wp.func
+def propose(
+    p: Problem, w: wp.array(dtype=wp.vec3), off: int, u: int, k: int, s: Settings, rng: wp.uint32
+):
+    """A candidate pose of unit u in its parent's frame."""
+    free = p.unit_free[u]
+    pref = p.unit_pose[u]
+    box = p.unit_box[u]
+    parent = wp.vec3(0.0, 0.0, 0.0)
+    if p.unit_parent[u] >= 0:
+        parent = w[p.unit_parent[u] + off]
+    yaw = pref[2]
+    if free[2] > 0.5:
+        r = wp.randf(rng)
+        if r > 0.5:
+            yaw = pref[2] + wp.floor(wp.randf(rng) * 4.0) * 0.5 * PI
+        if r > 0.9:
+            yaw = wp.randf(rng) * 2.0 * PI
+    x = wp.vec2(
+        box[0] + box[2] * (wp.randf(rng) * 2.0 - 1.0), box[1] + box[3] * (wp.randf(rng) * 2.0 - 1.0)
+    )
+    # one usable edge chosen uniformly (reservoir of size one)
+    chosen = -1
+    seen = 0.0
+    mine = 1
+    for j in range(p.ue_off[u], p.ue_off[u + 1]):
+        i = p.ue[j]
+        n = p.edge_node[i]
+        kd = p.edge_kind[i]
+        if kd != E_REGION and kd != E_FACE and n[1] >= 0:
+            ua = p.node_unit[n[0]]
+            ub = p.node_unit[n[1]]
+            uc = -1
+            if n[2] >= 0:
+                uc = p.node_unit[n[2]]
+            if (ua == u and ub < u and uc < u) or (ub == u and ua < u and uc < 0):
+                seen += 1.0
+                if wp.randf(rng) * seen <= 1.0:
+                    chosen = i
+                    mine = 1
+                    if ub == u:
+                        mine = 0
+    if chosen >= 0 and wp.randf(rng) < 0.8:
+        n = p.edge_node[chosen]
+        me = n[0]
+        if mine == 0:
+            me = n[1]
+        rel = p.node_rel[me]
+        t = propose_point(p, w, off, chosen, mine, parent[2] + yaw + rel[2], rng)
+        q = turn(wp.vec2(t[0] - parent[0], t[1] - parent[1]), -parent[2])
+        x = q - turn(wp.vec2(rel[0], rel[1]), yaw)
+    elif k == 0:
+        a = p.unit_anchor[u]
+        x = wp.vec2(a[0], a[1])
+    if free[2] > 0.5 and wp.randf(rng) < 0.85:
+        # turn to what the unit must face
+        for j in range(p.ue_off[u], p.ue_off[u + 1]):
+            i = p.ue[j]
+            n = p.edge_node[i]
+            if p.edge_kind[i] == E_FACE and p.node_unit[n[0]] == u:
+                rel = p.node_rel[n[0]]
+                if p.edge_p[i, 0] > 0.5:
+                    yaw = p.edge_p[i, 1] - parent[2] - rel[2]
+                elif p.node_unit[n[1]] < u:
+                    here = compose(parent, compose(wp.vec3(x[0], x[1], yaw), rel))
+                    pt = w[n[1] + off]
+                    yaw = wp.atan2(pt[1] - here[1], pt[0] - here[0]) - parent[2] - rel[2]
+    out = wp.vec3(x[0], x[1], yaw)
+    if free[0] < 0.5:
+        out = wp.vec3(pref[0], out[1], out[2])
+    if free[1] < 0.5:
+        out = wp.vec3(out[0], pref[1], out[2])
+    if free[2] < 0.5:
+        out = wp.vec3(out[0], out[1], pref[2])
+    return project(p, out, u)
+
+
+@wp.func
+def total_energy(p: Problem, w: wp.array(dtype=wp.vec3), off: int, scene: int, aabb: int):
+    rel = 0.0
+    reg = 0.0
+    col = 0.0
+    for i in range(p.scene_edge[scene], p.scene_edge[scene + 1]):
+        e = edge_energy(p, w, off, i)
+        if p.edge_kind[i] == E_REGION:
+            reg += e
+        else:
+            rel += e
+    for i in range(p.scene_pair[scene], p.scene_pair[scene + 1]):
+        col += pair_energy(p, w, off, i, aabb)
+    return wp.vec3(rel, col, reg)
+
+
+@wp.kernel
+def search(
+    p: Problem,
+    s: Settings,
+    thread_scene: wp.array(dtype=wp.int32),
+    thread_seed: wp.array(dtype=wp.int32),
+    thread_node: wp.array(dtype=wp.int32),
+    thread_unit: wp.array(dtype=wp.int32),
+    x: wp.array(dtype=wp.vec3),
+    best: wp.array(dtype=wp.vec3),
+    m1: wp.array(dtype=wp.vec3),
+    m2: wp.array(dtype=wp.vec3),
+    grad: wp.array(dtype=wp.vec3),
+    w: wp.array(dtype=wp.vec3),
+    energy: wp.array(dtype=wp.vec3),
+    initial: wp.array(dtype=wp.vec3),
+    steps: wp.array(dtype=wp.int32),
+):
+    t = wp.tid()
+    scene = thread_scene[t]
+    rng = wp.rand_init(thread_seed[t])
+    # state index = global index + offset
+    off = thread_node[t] - p.scene_node[scene]
+    uoff = thread_unit[t] - p.scene_unit[scene]
+    u0 = p.scene_unit[scene]
+    u1 = p.scene_unit[scene + 1]
+
+    for u in range(u0, u1):
+        least = 1.0e30
+        pick = p.unit_pose[u]
+        count = s.candidates
+        fr = p.unit_free[u]
+        if s.sample == 0 or fr[0] + fr[1] + fr[2] < 0.5:
+            count = 1
+        for k in range(count):
+            c = propose(p, w, off, u, k, s, rng)
+            if s.sample == 0:
+                box = p.unit_box[u]
+                cx = c[0]
+                cy = c[1]
+                if fr[0] > 0.5:
+                    cx = box[0] + box[2] * (wp.randf(rng) * 2.0 - 1.0)
+                if fr[1] > 0.5:
+                    cy = box[1] + box[3] * (wp.randf(rng) * 2.0 - 1.0)
+                c = project(p, wp.vec3(cx, cy, c[2]), u)
+            # reading rng in propose advances a copy only: move this one on
+            rng = wp.rand_init(thread_seed[t] * 7919 + 13, (u - u0) * 1024 + k + 1)
+            e = 0.0
+            if count > 1:
+                x[u + uoff] = c
+                spread(p, w, x, off, uoff, u, u)
+                e = unit_energy(p, w, off, u, u, s.aabb)
+                a = p.unit_anchor[u]
+                dx = c[0] - a[0]
+                dy = c[1] - a[1]
+                e += s.preference * a[2] * wp.sqrt(dx * dx + dy * dy)
+            if e < least:
+                least = e
+                pick = c
+        x[u + uoff] = pick
+        spread(p, w, x, off, uoff, u, u)
+
+    last = 1 << 30
+    parts = total_energy(p, w, off, scene, s.aabb)
+    initial[t] = parts
+    energy[t] = parts
+    lowest = parts[0] + parts[1] + parts[2]
+    for u in range(u0, u1):
+        best[u + uoff] = x[u + uoff]
+        m1[u + uoff] = wp.vec3(0.0, 0.0, 0.0)
+        m2[u + uoff] = wp.vec3(0.0, 0.0, 0.0)
+    used = 0
+    if s.refine == 1:
+        mark = lowest
+        done = 0
+        for it in range(s.iterations):
+            if done == 0 and lowest > 1.0e-3:
+                used = it + 1
+                for u in range(u0, u1):
+                    fr = p.unit_free[u]
+                    x0 = x[u + uoff]
+                    g = wp.vec3(0.0, 0.0, 0.0)
+                    for axis in range(3):
+                        if fr[axis] > 0.5:
+                            h = 0.05
+                            if axis == 2:
+                                h = 0.003
+                            dv = wp.vec3(0.0, 0.0, 0.0)
+                            dv[axis] = h
+                            x[u + uoff] = x0 + dv
+                            spread(p, w, x, off, uoff, u, last)
+                            ep = unit_energy(p, w, off, u, last, s.aabb)
+                            x[u + uoff] = x0 - dv
+                            spread(p, w, x, off, uoff, u, last)
+                            em = unit_energy(p, w, off, u, last, s.aabb)
+                            g[axis] = (ep - em) / (2.0 * h)
+                    x[u + uoff] = x0
+                    spread(p, w, x, off, uoff, u, last)
+                    grad[u + uoff] = g
+                frac = float(it) / float(s.iterations)
+                rate = 0.5 * (1.0 + wp.cos(PI * frac)) + 0.02
+                b1 = 1.0 - wp.pow(0.8, float(it + 1))
+                b2 = 1.0 - wp.pow(0.95, float(it + 1))
+                for u in range(u0, u1):
+                    g = grad[u + uoff]
+                    g = wp.vec3(
+                        wp.clamp(g[0], -50.0, 50.0),
+                        wp.clamp(g[1], -50.0, 50.0),
+                        wp.clamp(g[2], -5000.0, 5000.0),
+                    )
+                    a1 = 0.8 * m1[u + uoff] + 0.2 * g
+                    a2 = 0.95 * m2[u + uoff] + 0.05 * wp.cw_mul(g, g)
+                    m1[u + uoff] = a1
+                    m2[u + uoff] = a2
+                    step = p.unit_step[u] * rate
+                    yaw_step = 0.06 * rate
+                    d = wp.vec3(
+                        step * (a1[0] / b1) / (wp.sqrt(a2[0] / b2) + 1.0e-3),
+                        step * (a1[1] / b1) / (wp.sqrt(a2[1] / b2) + 1.0e-3),
+                        yaw_step * (a1[2] / b1) / (wp.sqrt(a2[2] / b2) + 1.0e-2),
+                    )
+                    x[u + uoff] = project(p, x[u + uoff] - d, u)
+                for u in range(u0, u1):
+                    spread(p, w, x, off, uoff, u, last)
+                parts = total_energy(p, w, off, scene, s.aabb)
+                now = parts[0] + parts[1] + parts[2]
+                if now < lowest:
+                    lowest = now
+                    energy[t] = parts
+                    for u in range(u0, u1):
+                        best[u + uoff] = x[u + uoff]
+                if it % 20 == 19:
+                    if mark - lowest < 1.0e-4 * mark:
+                        done = 1
+                    mark = lowest
+    for u in range(u0, u1):
+        x[u + uoff] = best[u + uoff]
+    for u in range(u0, u1):
+        spread(p, w, x, off, uoff, u, last)
+    steps[t] = used

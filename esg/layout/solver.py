@@ -1,0 +1,197 @@
+"""Stage 3: poses for every node of a resolved document."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+import math
+
+import numpy as np
+
+from esg.graph.models import EsgDocument, LayoutResult, Pose, Provenance
+from esg.layout.check import World, penetrations, relation_reports, world_poses
+from esg.layout.config import LayoutConfig
+from esg.layout.hints import StartHints
+from esg.layout.problem import LayoutProblem, build_problem
+from esg.layout.search import SearchResult, run_search
+from esg.outcomes import UserError
+
+VERSION = "1"
+MAX_PENETRATION_CM = 2.0
+HARD_RELATIONS = ("on", "inside_of", "attached_vertical", "attached_horizontal")
+
+
+def solve(
+    doc: EsgDocument,
+    *,
+    seed: int = 0,
+    hints: StartHints | None = None,
+    config: LayoutConfig | None = None,
+) -> EsgDocument:
+    """Fills `layout_result` with a pose per node.
+
+    Args:
+        doc: A resolved document (every node has an asset configuration).
+        seed: Seed of the search; equal input gives equal output.
+        hints: Planned starts of dynamic scenes.
+        config: Search settings.
+
+    Returns:
+        The document with `layout_result` and a provenance entry.
+
+    Raises:
+        UserError: A node has no asset configuration.
+    """
+    return solve_batch([doc], [seed], [hints], config=config)[0]
+
+
+def solve_batch(
+    docs: Sequence[EsgDocument],
+    seeds: Sequence[int] | None = None,
+    hints: Sequence[StartHints | None] | None = None,
+    *,
+    config: LayoutConfig | None = None,
+) -> list[EsgDocument]:
+    """Lays out many scenes together; see `solve`."""
+    config = config or LayoutConfig()
+    seeds = list(seeds) if seeds is not None else [0] * len(docs)
+    plans = list(hints) if hints is not None else [None] * len(docs)
+    for doc in docs:
+        missing = sorted(
+            {n.asset_id for n in doc.spatial_relation_graph.nodes.values()}
+            - set(doc.asset_configurations)
+        )
+        if missing:
+            raise UserError(
+                f"{doc.scene_definition.scene_id}: no asset configuration for {missing}; "
+                "resolve the assets before the layout"
+            )
+    if not docs:
+        return []
+    problems = [build_problem(d, s, h) for d, s, h in zip(docs, seeds, plans, strict=True)]
+    best: list[tuple[tuple[float, ...], World, SearchResult, int] | None] = [None] * len(docs)
+    open_ = list(range(len(docs)))
+    for round_ in range(max(1, config.rounds)):
+        settings = config if round_ == 0 else replace(
+            config, candidates=2 * config.candidates, iterations=2 * config.iterations
+        )  # fmt: skip
+        results = run_search(
+            [problems[i] for i in open_], [seeds[i] + 7907 * round_ for i in open_], settings
+        )
+        again = []
+        for i, result in zip(open_, results, strict=True):
+            found = _choose(docs[i], problems[i], result)
+            current = best[i]
+            if current is None or found[0] < current[0]:
+                best[i] = found
+            if best[i][0][0] > 0:  # type: ignore[index]  # set above
+                again.append(i)
+        open_ = again
+        if not open_:
+            break
+    out = []
+    for doc, problem, seed, found in zip(docs, problems, seeds, best, strict=True):
+        assert found is not None
+        out.append(_write(doc, problem, found, seed, config))
+    return out
+
+
+def _choose(
+    doc: EsgDocument, problem: LayoutProblem, result: SearchResult
+) -> tuple[tuple[float, ...], World, SearchResult, int]:
+    """The best start: fewest hard faults, then most relations, then least energy."""
+    total = result.energy.sum(1)
+    order = np.argsort(np.where(np.isfinite(total), total, np.inf), kind="stable")
+    best = None
+    for k in order[:6].tolist():
+        world = world_poses(problem, result.units[k])
+        deep = sum(1 for p in penetrations(problem, world) if p[0] > 0.05)
+        reports = relation_reports(doc, problem, world)
+        broken = sum(not r.satisfied for r in reports)
+        hard = sum(not r.satisfied and r.relation_type in HARD_RELATIONS for r in reports)
+        score = (float(deep + hard), float(broken), float(total[k]))
+        if best is None or score < best[0]:
+            best = (score, world, result, k)
+        if deep + hard + broken == 0:
+            break
+    assert best is not None
+    return best
+
+
+def _reason(
+    doc: EsgDocument, problem: LayoutProblem, deep: list[tuple[float, str, str]], hard: list[str]
+) -> str:
+    """Why a layout is not feasible, in words."""
+    parts = []
+    crowded: dict[str | None, list[str]] = {}
+    for _, a, b in deep:
+        pa, pb = problem.supports.of[a].parent, problem.supports.of[b].parent
+        if pa == pb:
+            crowded.setdefault(pa, []).extend([a, b])
+        else:
+            parts.append(f"{a} and {b} overlap")
+    for parent, members in sorted(crowded.items(), key=lambda t: str(t[0])):
+        if parent is None:
+            parts += [f"{a} and {b} overlap" for _, a, b in deep if {a, b} <= set(members)]
+            continue
+        on = [n for n in problem.names if problem.supports.of[n].parent == parent]
+        area = sum(4 * problem.shape[n].hx * problem.shape[n].hy for n in on) / 1e4
+        rect = problem.supports.of[on[0]].rect
+        room = (rect[2] - rect[0]) * (rect[3] - rect[1]) / 1e4 if rect else math.inf
+        parts.append(
+            f"{parent} is too small: {len(on)} objects need {area:.2f} m2 of {room:.2f} m2"
+        )
+    return "; ".join([*parts, *hard])
+
+
+def _write(
+    doc: EsgDocument,
+    problem: LayoutProblem,
+    found: tuple[tuple[float, ...], World, SearchResult, int],
+    seed: int,
+    config: LayoutConfig,
+) -> EsgDocument:
+    _, world, result, k = found
+    deep = penetrations(problem, world)
+    reports = relation_reports(doc, problem, world)
+    hard = [
+        f"{r.edge} does not hold{': ' + r.note if r.note else ''}"
+        for r in reports
+        if not r.satisfied and r.relation_type in HARD_RELATIONS
+    ]
+    bad = [d for d in deep if d[0] >= MAX_PENETRATION_CM]
+    supports = [f"{n} {s.note}" for n, s in problem.supports.of.items() if s.note]
+    feasible = not bad and not hard and not supports
+    reason = _reason(doc, problem, bad, [*hard, *supports])
+    notes = "; ".join(problem.notes)
+    poses = {
+        n: Pose(
+            position_cm=(round(world.pose[n][0], 4), round(world.pose[n][1], 4), round(world.z[n], 4)),
+            yaw_deg=round(math.degrees(math.remainder(world.pose[n][2], 2 * math.pi)), 4),
+        )
+        for n in problem.names
+    }  # fmt: skip
+    relation, collision, region = (float(v) for v in result.energy[k])
+    out = LayoutResult(
+        poses=poses,
+        energy=round(relation + collision + region, 4),
+        energy_terms={
+            "relation": round(relation, 4),
+            "collision": round(collision, 4),
+            "region": round(region, 4),
+            "initial": round(float(result.initial[k].sum()), 4),
+        },
+        relations=reports,
+        max_penetration_cm=round(deep[0][0] if deep else 0.0, 4),
+        feasible=feasible,
+        reason="; ".join(p for p in (reason, notes) if p),
+    )
+    return doc.model_copy(
+        update={
+            "layout_result": out,
+            "provenance": (
+                *doc.provenance,
+                Provenance(stage="layout", version=VERSION, seed=seed, config=config.to_json()),
+            ),
+        }
+    )
