@@ -6,13 +6,14 @@ Warp kernel of the Newton engine is tested against it.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 import math
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 
 from esg.engines.program import ProgramBatch
+from esg.engines.worlds import MAX_SPEED_MPS, ContactRecorder, Frames
 
 SET_VELOCITY, APPLY_IMPULSE, ADJUST, HOLD = range(4)
 """Indices into `esg.engines.program.KINDS`."""
@@ -32,6 +33,27 @@ class BodyAccess(Protocol):
     def set_friction(self, body: int, friction: float) -> None: ...
 
 
+Touch = tuple[int, int, float, float, Any, Any]
+"""(a, b, impulse [N s], depth [m], point [m], unit normal from b to a); the ground is -1."""
+
+
+class World(BodyAccess, Protocol):
+    """One world that can be stepped."""
+
+    moving: list[int]
+    """Indices of the bodies whose state changes."""
+
+    def step(self) -> None: ...
+
+    def read(self, body: int) -> tuple[Any, Any, Any, Any]:
+        """Position, quaternion (x, y, z, w), linear and angular velocity."""
+        ...
+
+    def contacts(self, ground: bool) -> Iterator[Touch]:
+        """Pairs that touched in the last step; contacts with the ground only if asked for."""
+        ...
+
+
 class Executor:
     """Executes one world's program step by step.
 
@@ -49,16 +71,6 @@ class Executor:
         self._done = [False] * n
         self._active = [False] * n
         self._pending = list(range(n))
-
-    @property
-    def watched(self) -> frozenset[tuple[int, int]]:
-        """Pairs (a < b) whose touch ends a hold."""
-        pairs = {
-            (min(self._body[k], other), max(self._body[k], other))
-            for k in range(len(self._kind))
-            for other in self._until[k]
-        }
-        return frozenset(pairs)
 
     def before_step(
         self, t: float, dt: float, touched: Iterable[tuple[int, int]], world: BodyAccess
@@ -96,6 +108,64 @@ class Executor:
         if not self._done[k] and row[0] <= now:
             self._active[k] = True
         return self._active[k] and not self._done[k]
+
+
+def play(
+    world: World,
+    program: Executor,
+    frames: Frames,
+    states: tuple[Any, Any, Any, Any],
+    recorder: ContactRecorder,
+    ground_contacts: bool,
+) -> bool:
+    """Steps one world through all frames.
+
+    Args:
+        world: The world in its initial state.
+        program: Its control program.
+        frames: The time grid.
+        states: Arrays of the rollout (`esg.engines.worlds.rest_states`); the row of the recorder's
+            world is written.
+        recorder: Receives the contacts.
+        ground_contacts: Whether they include those with the ground.
+
+    Returns:
+        Whether the world stayed finite and slower than 500 m/s. When it does not, stepping stops
+        and the remaining frames repeat the last sound one.
+    """
+    w = recorder.world
+    touched: list[tuple[int, int]] = []
+    for step in range(frames.n_steps):
+        program.before_step(step * frames.dt, frames.dt, touched, world)
+        world.step()
+        touched = []
+        for a, b, impulse, depth, point, normal in world.contacts(ground_contacts):
+            recorder.add(step, a, b, impulse, depth, point, normal)
+            touched.append((min(a, b), max(a, b)))
+        frame, rest = divmod(step + 1, frames.record_every)
+        if rest == 0 and not _record(world, states, w, frame):
+            for array in states:
+                array[w, frame:] = array[w, frame - 1]
+            recorder.drop_from(frame)
+            return False
+    return True
+
+
+def _record(world: World, states: tuple[Any, Any, Any, Any], w: int, frame: int) -> bool:
+    position, quaternion, linear, angular = states
+    for i in world.moving:
+        p, q, v, omega = world.read(i)
+        position[w, frame, i] = p
+        quaternion[w, frame, i] = q
+        linear[w, frame, i] = v
+        angular[w, frame, i] = omega
+        speed2 = float(v[0]) ** 2 + float(v[1]) ** 2 + float(v[2]) ** 2
+        # The comparison is also false for NaN.
+        if not (speed2 <= MAX_SPEED_MPS**2 and math.isfinite(sum(map(float, p)))):
+            return False
+        if not math.isfinite(sum(map(float, omega)) + sum(map(float, q))):
+            return False
+    return True
 
 
 def _fire(kind: int, row: list[float], body: int, world: BodyAccess) -> None:

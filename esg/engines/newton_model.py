@@ -7,6 +7,8 @@ materials, damping and programs are arrays that `NewtonModel.load` writes.
 
 from __future__ import annotations
 
+from functools import cache
+import os
 from typing import Any
 
 import numpy as np
@@ -34,12 +36,23 @@ def structure_key(scene: SimScene) -> tuple[object, ...]:
     return bodies, tuple(scene.gravity)
 
 
+@cache
 def quiet_warp() -> Any:
-    """Imports warp without its banner."""
+    """Imports and initializes warp without its banner and its notice that there is no GPU."""
     import warp as wp
 
     wp.config.quiet = True
     wp.config.log_level = wp.LOG_WARNING
+    # The notice is printed by native code, past Python's sys.stderr.
+    saved = os.dup(2)
+    null = os.open(os.devnull, os.O_WRONLY)
+    try:
+        os.dup2(null, 2)
+        wp.init()
+    finally:
+        os.dup2(saved, 2)
+        os.close(saved)
+        os.close(null)
     return wp
 
 

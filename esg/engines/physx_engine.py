@@ -13,11 +13,10 @@ from typing import Any
 import numpy as np
 
 from esg.engines.base import VERIFY_DT_S
-from esg.engines.executor import Executor, Vec
+from esg.engines.executor import Executor, Touch, Vec, play
 from esg.engines.program import ProgramBatch
-from esg.engines.scene import ContactLog, Floats, Rollout, Shape, SimScene, Variation
+from esg.engines.scene import ContactLog, Rollout, Shape, SimScene, Variation
 from esg.engines.worlds import (
-    MAX_SPEED_MPS,
     ContactRecorder,
     Frames,
     Values,
@@ -70,7 +69,9 @@ class PhysxEngine:
             for w in range(batch.n_worlds):
                 world = PhysxWorld(scene, values, w, dt)
                 recorder = ContactRecorder(w, frames)
-                valid[w] = world.run(Executor(batch, w), frames, states, recorder, ground_contacts)
+                valid[w] = world.finite and play(
+                    world, Executor(batch, w), frames, states, recorder, ground_contacts
+                )
                 logs.append(recorder.log())
         return Rollout(
             engine=self.name,
@@ -156,6 +157,7 @@ class PhysxWorld:
         self.finite = bool(
             np.isfinite(values.position[w]).all() and np.isfinite(values.quaternion[w]).all()
         )
+        self.moving: list[int] = []
         if not self.finite:
             return
         ground_mu, vehicle_mu, ground_e = (float(v) for v in values.ground[w])
@@ -187,7 +189,7 @@ class PhysxWorld:
             self._add(component, body.name, to_pose(values.position[w, i], values.quaternion[w, i]))
             self._index[component._physx_pointer] = i
             self.bodies.append(component)
-        self._moving = np.nonzero(moving(scene))[0].tolist()
+        self.moving = np.nonzero(moving(scene))[0].tolist()
 
     def _add(self, component: Any, name: str, pose: Any) -> None:
         import sapien
@@ -235,8 +237,16 @@ class PhysxWorld:
         material.static_friction = friction * self._scale
         material.dynamic_friction = friction * self._scale
 
-    def contacts(self, ground: bool) -> Iterator[tuple[int, int, float, float, Floats, Floats]]:
-        """Touching pairs of the last step: (a, b, impulse, depth, point, normal from b to a)."""
+    def step(self) -> None:
+        self.system.step()
+
+    def read(self, body: int) -> tuple[Any, Any, Any, Any]:
+        component = self.bodies[body]
+        pose = component.entity.pose
+        w, x, y, z = pose.q
+        return pose.p, (x, y, z, w), component.linear_velocity, component.angular_velocity
+
+    def contacts(self, ground: bool) -> Iterator[Touch]:
         for contact in self.system.get_contacts():
             points = contact.points
             if not points:
@@ -253,53 +263,6 @@ class PhysxWorld:
                     best, strongest = impulse, p
             if total > 0.0:
                 yield a, b, total, depth, strongest.position, strongest.normal
-
-    def run(
-        self,
-        program: Executor,
-        frames: Frames,
-        states: tuple[Any, Any, Any, Any],
-        recorder: ContactRecorder,
-        ground_contacts: bool,
-    ) -> bool:
-        """Steps through all frames, writing into the arrays of the rollout.
-
-        Returns:
-            Whether the world stayed finite and slower than 500 m/s; it stops being stepped (and
-            keeps its last state) as soon as it does not.
-        """
-        if not self.finite:
-            return False
-        world = recorder.world
-        touched: list[tuple[int, int]] = []
-        for step in range(frames.n_steps):
-            program.before_step(step * frames.dt, frames.dt, touched, self)
-            self.system.step()
-            touched = []
-            for a, b, impulse, depth, point, normal in self.contacts(ground_contacts):
-                recorder.add(step, a, b, impulse, depth, point, normal)
-                touched.append((min(a, b), max(a, b)))
-            if (step + 1) % frames.record_every == 0:
-                frame = (step + 1) // frames.record_every
-                if not self._record(states, world, frame):
-                    for array in states:
-                        array[world, frame:] = array[world, frame - 1]
-                    return False
-        return True
-
-    def _record(self, states: tuple[Any, Any, Any, Any], w: int, frame: int) -> bool:
-        for i in self._moving:
-            body = self.bodies[i]
-            pose = body.entity.pose
-            q, v = pose.q, body.linear_velocity
-            states[0][w, frame, i] = pose.p
-            states[1][w, frame, i] = (q[1], q[2], q[3], q[0])
-            states[2][w, frame, i] = v
-            states[3][w, frame, i] = body.angular_velocity
-            # The comparison is also false for NaN.
-            if not float(np.dot(v, v)) <= MAX_SPEED_MPS**2 or not np.isfinite(pose.p).all():
-                return False
-        return True
 
 
 def to_pose(position: Any, quaternion: Any) -> Any:

@@ -229,17 +229,6 @@ def rest_states(
     return position, quaternion, zero, zero.copy()
 
 
-def sane(linear: NDArray[np.float32], *arrays: NDArray[np.float32]) -> NDArray[np.bool_]:
-    """Worlds (first axis) whose arrays are finite and whose bodies stay below 500 m/s."""
-    axes = tuple(range(1, linear.ndim))
-    ok = np.isfinite(linear).all(axis=axes)
-    for array in arrays:
-        ok &= np.isfinite(array).all(axis=tuple(range(1, array.ndim)))
-    with np.errstate(invalid="ignore", over="ignore"):
-        fast = np.nan_to_num((linear.astype(float) ** 2).sum(-1), nan=0.0)
-    return ok & (fast <= MAX_SPEED_MPS**2).all(axis=tuple(range(1, linear.ndim - 1)))
-
-
 class ContactRecorder:
     """Accumulates the touches of one world into rows of a `ContactLog`.
 
@@ -284,6 +273,10 @@ class ContactRecorder:
         else:
             row[1] += impulse  # type: ignore[operator]  # a float
             row[2] = max(row[2], depth)  # type: ignore[type-var]  # floats
+
+    def drop_from(self, frame: int) -> None:
+        """Forgets the rows of `frame` and later ones."""
+        self._rows = {k: v for k, v in self._rows.items() if k[0] < frame}
 
     def log(self) -> ContactLog:
         """The rows sorted by (frame, a, b)."""

@@ -1,0 +1,94 @@
+"""Which engines work here, and compiling the Newton kernels ahead of the first scene."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+import itertools
+import time
+
+import numpy as np
+
+from esg.engines.base import ENGINES, get_engine
+from esg.engines.program import AdjustProperties, Program, SetVelocity, batch_programs
+from esg.engines.scene import Body, Shape, ShapeKind, SimScene
+
+_KINDS: tuple[ShapeKind, ...] = ("sphere", "box", "capsule", "cylinder", "convex")
+
+
+def available() -> dict[str, tuple[bool, str]]:
+    """Which engines can run here (`esg.engines.available`)."""
+    out: dict[str, tuple[bool, str]] = {}
+    for name in ENGINES:
+        try:
+            out[name] = (True, _version(name))
+        except Exception as error:  # an import of a compiled package can fail in any way
+            out[name] = (False, f"{type(error).__name__}: {error}")
+    return out
+
+
+def _version(name: str) -> str:
+    if name == "newton":
+        from importlib.metadata import version
+
+        from esg.engines.newton_model import quiet_warp
+
+        wp = quiet_warp()
+        devices = ", ".join(str(d) for d in wp.get_devices())
+        return f"newton {version('newton')}, warp {version('warp-lang')} on {devices}"
+    if name == "physx":
+        from importlib.metadata import version
+
+        from esg.engines.physx_engine import physx_module
+
+        return f"PhysX {physx_module().version()} in sapien {version('sapien')}"
+    import rapier3d
+
+    return f"rapier3d {rapier3d.__version__}"
+
+
+def warmup(
+    progress: Callable[[str, int, int], None] | None = None, device: str = "cpu"
+) -> dict[str, float]:
+    """Runs a tiny scene for every combination of shapes that compiles kernels of its own.
+
+    Newton specializes its narrow phase for the shape types of a model, so scenes of few kinds are
+    covered one by one and the mixture of all kinds last.
+    """
+    engine = get_engine("newton", device)
+    steps = [kinds for n in (1, 2) for kinds in itertools.combinations(_KINDS, n)] + [_KINDS]
+    seconds: dict[str, float] = {}
+    for i, kinds in enumerate(steps):
+        what = " + ".join(kinds)
+        if progress is not None:
+            progress(what, i, len(steps))
+        scene = _scene(kinds)
+        name = scene.bodies[0].name
+        program = Program(
+            (SetVelocity(name, 0.0, (1.0, 0.0, 0.0)), AdjustProperties(name, 0.0, friction=0.4)),
+            0.05,
+        )
+        start = time.perf_counter()
+        engine.rollout(scene, batch_programs([program], scene.names))
+        seconds[what] = time.perf_counter() - start
+    if progress is not None:
+        progress("done", len(steps), len(steps))
+    return seconds
+
+
+def _scene(kinds: tuple[ShapeKind, ...]) -> SimScene:
+    """Two bodies of every kind that collide with each other and the ground."""
+    corners = tuple(tuple(float(v) for v in p) for p in itertools.product((-0.1, 0.1), repeat=3))
+    inertia = tuple(tuple(float(v) for v in row) for row in 0.004 * np.eye(3))
+    bodies = [
+        Body(
+            name=f"{kind} {k}",
+            static=False,
+            mass=1.0,
+            inertia=inertia,
+            shapes=(Shape(kind, (0.1, 0.1, 0.1), vertices=corners if kind == "convex" else ()),),
+            position=(0.15 * (2 * i + k), 0.0, 0.1),
+        )
+        for i, kind in enumerate(kinds)
+        for k in range(2)
+    ]
+    return SimScene("warmup", tuple(bodies))

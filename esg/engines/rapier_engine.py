@@ -1,0 +1,268 @@
+"""Audit engine: Rapier, which no optimizer of this project ever sees."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+import math
+from typing import Any
+
+import numpy as np
+
+from esg.engines.base import VERIFY_DT_S
+from esg.engines.executor import Executor, Touch, Vec, play
+from esg.engines.program import ProgramBatch
+from esg.engines.scene import ContactLog, Rollout, Shape, SimScene, Variation
+from esg.engines.worlds import (
+    ContactRecorder,
+    Frames,
+    Values,
+    check,
+    join_logs,
+    moving,
+    principal_axes,
+    rest_states,
+    world_values,
+)
+from esg.units import quat_multiply
+
+_GROUND, _VEHICLE_GROUND, _BODY, _WHEELED = 1, 2, 4, 8
+_Y_TO_Z = (0.5**0.5, 0.0, 0.0, 0.5**0.5)
+"""Rotation that takes Rapier's cylinder axis Y to our Z."""
+
+
+class RapierEngine:
+    """Rapier (see `esg.engines.base.Engine`)."""
+
+    name = "rapier"
+
+    def rollout(
+        self,
+        scene: SimScene,
+        batch: ProgramBatch,
+        *,
+        dt: float = VERIFY_DT_S,
+        record_every: int = 1,
+        duration: float | None = None,
+        variation: Variation | None = None,
+        ground_contacts: bool = False,
+    ) -> Rollout:
+        """Simulates every world of the batch, one after the other (`Engine.rollout`)."""
+        import rapier3d
+
+        check(scene, batch)
+        frames = Frames.of(batch.duration if duration is None else duration, dt, record_every)
+        values = world_values(scene, variation, batch.n_worlds)
+        states = rest_states(values, frames)
+        valid = np.ones(batch.n_worlds, bool)
+        logs: list[ContactLog] = []
+        for w in range(batch.n_worlds):
+            recorder = ContactRecorder(w, frames)
+            finite = (
+                np.isfinite(values.position[w]).all() and np.isfinite(values.quaternion[w]).all()
+            )
+            valid[w] = bool(finite) and play(
+                RapierWorld(rapier3d, scene, values, w, dt),
+                Executor(batch, w),
+                frames,
+                states,
+                recorder,
+                ground_contacts,
+            )
+            logs.append(recorder.log())
+        return Rollout(
+            engine=self.name,
+            dt=dt,
+            time=frames.time,
+            position=states[0],
+            quaternion=states[1],
+            linear_velocity=states[2],
+            angular_velocity=states[3],
+            contacts=join_logs(logs),
+            valid=valid,
+            extra={"version": rapier3d.__version__},
+        )
+
+
+class RapierWorld:
+    """One world; also the executor's access to its bodies.
+
+    Args:
+        r: The module rapier3d.
+        scene: Bodies and shapes.
+        values: Initial states and materials of W worlds.
+        w: Which of them.
+        dt: Physics step [s].
+    """
+
+    def __init__(self, r: Any, scene: SimScene, values: Values, w: int, dt: float) -> None:
+        self._world = world = r.PhysicsWorld(gravity=tuple(scene.gravity))
+        world.set_num_threads(1)
+        world.integration_parameters.dt = dt
+        # Recycled contacts would keep the depth and normal of an earlier step.
+        world.integration_parameters.contact_recycling = False
+        self._dt = dt
+        self._mass = values.mass[w]
+        self._scale = float(values.friction_scale[w])
+        self._owner: dict[int, int] = {}
+        self._colliders: list[list[Any]] = []
+        self._handles: list[Any] = []
+        self._damping = [[b.linear_damping, b.angular_damping] for b in scene.bodies]
+        self.moving = np.nonzero(moving(scene))[0].tolist()
+        ground_mu, vehicle_mu, ground_e = (float(v) for v in values.ground[w])
+        for friction, group, touches in (
+            (ground_mu, _GROUND, _BODY),
+            (vehicle_mu, _VEHICLE_GROUND, _WHEELED),
+        ):
+            plane = r.Collider.halfspace((0.0, 0.0, 1.0))
+            self._own(
+                world.add_collider(_material(r, plane, friction, ground_e, group, touches)), -1
+            )
+        for i, body in enumerate(scene.bodies):
+            if not body.collides:
+                self._handles.append(None)
+                self._colliders.append([])
+                continue
+            builder = r.RigidBody.fixed() if body.static else r.RigidBody.dynamic()
+            builder = builder.position(_pose(r, values.position[w, i], values.quaternion[w, i]))
+            if not body.static:
+                moments, axes = principal_axes(values.inertia[w, i])
+                properties = r.MassProperties(
+                    local_com=(0.0, 0.0, 0.0),
+                    mass=float(values.mass[w, i]),
+                    principal_inertia=tuple(float(v) for v in moments),
+                    principal_inertia_local_frame=_rotation(r, axes),
+                )
+                builder = builder.additional_mass_properties(properties).can_sleep(False)
+                # Damping is applied by hand: Rapier's own is v /= 1 + c dt.
+                builder = builder.linear_damping(0.0).angular_damping(0.0)
+                builder = builder.gyroscopic_forces(True)
+            handle = world.add_body(builder)
+            group = _WHEELED if body.wheeled else _BODY
+            near = _BODY | _WHEELED | (_VEHICLE_GROUND if body.wheeled else _GROUND)
+            mu, e = float(values.friction[w, i]), float(values.restitution[w, i])
+            own = [
+                world.add_collider(_material(r, make_shape(r, s), mu, e, group, near), handle)
+                for s in body.shapes
+            ]
+            for collider in own:
+                self._own(collider, i)
+            self._handles.append(handle)
+            self._colliders.append(own)
+        self._bodies = world.rigid_bodies
+
+    def _own(self, collider: Any, body: int) -> None:
+        self._owner[collider.index] = body
+
+    def _body(self, body: int) -> Any:
+        return self._bodies[self._handles[body]]
+
+    def linear(self, body: int) -> Vec:
+        x, y, z = self._body(body).linvel
+        return float(x), float(y), float(z)
+
+    def set_linear(self, body: int, velocity: Vec) -> None:
+        self._body(body).linvel = velocity
+
+    def set_angular(self, body: int, velocity: Vec) -> None:
+        self._body(body).angvel = velocity
+
+    def mass(self, body: int) -> float:
+        return float(self._mass[body])
+
+    def set_linear_damping(self, body: int, damping: float) -> None:
+        self._damping[body][0] = damping
+
+    def set_angular_damping(self, body: int, damping: float) -> None:
+        self._damping[body][1] = damping
+
+    def set_friction(self, body: int, friction: float) -> None:
+        for collider in self._colliders[body]:
+            self._world.colliders[collider].friction = friction * self._scale
+
+    def step(self) -> None:
+        for i in self.moving:
+            linear, angular = self._damping[i]
+            if linear:
+                v = self.linear(i)
+                k = max(0.0, 1.0 - linear * self._dt)
+                self.set_linear(i, (v[0] * k, v[1] * k, v[2] * k))
+            if angular:
+                x, y, z = self._body(i).angvel
+                k = max(0.0, 1.0 - angular * self._dt)
+                self.set_angular(i, (x * k, y * k, z * k))
+        self._world.step()
+
+    def read(self, body: int) -> tuple[Any, Any, Any, Any]:
+        b = self._body(body)
+        return tuple(b.translation), b.rotation.quaternion, tuple(b.linvel), tuple(b.angvel)
+
+    def contacts(self, ground: bool) -> Iterator[Touch]:
+        found: dict[tuple[int, int], list[Any]] = {}
+        for contact in self._world.narrow_phase.contact_pairs():
+            a = self._owner[contact.collider1.index]
+            b = self._owner[contact.collider2.index]
+            if (a < 0 or b < 0) and not ground:
+                continue
+            for manifold in contact.manifolds:
+                n = manifold.data.normal
+                for p in manifold.points:
+                    if p.impulse > 0.0:
+                        # Rapier's normal points from the first collider to the second.
+                        direction = np.array([-n.x, -n.y, -n.z])
+                        key = (a, b)
+                        if (b, a) in found:
+                            key, direction = (b, a), -direction
+                        row = found.setdefault(key, [0.0, 0.0, -1.0, None, None])
+                        row[0] += p.impulse
+                        row[1] = max(row[1], -p.dist)
+                        if p.impulse > row[2]:
+                            row[2:] = p.impulse, self._point(contact.collider1, p), direction
+        for (a, b), (impulse, depth, _, point, normal) in found.items():
+            yield a, b, impulse, depth, point, normal
+
+    def _point(self, collider: Any, contact: Any) -> Any:
+        p = self._world.colliders[collider].position.transform_point(contact.local_p1)
+        return np.array([p.x, p.y, p.z])
+
+
+def make_shape(r: Any, shape: Shape) -> Any:
+    """A collider builder in its body's frame."""
+    quaternion: Any = shape.quaternion
+    size = shape.size
+    if shape.kind == "sphere":
+        builder = r.Collider.ball(size[0])
+    elif shape.kind == "box":
+        builder = r.Collider.cuboid(*size)
+    elif shape.kind == "capsule":
+        builder = r.Collider.capsule_z(size[2], size[0])
+    elif shape.kind == "cylinder":
+        builder = r.Collider.cylinder(size[2], size[0])
+        quaternion = quat_multiply(np.array(shape.quaternion), np.array(_Y_TO_Z))
+    else:
+        builder = r.Collider.convex_hull(np.array(shape.vertices, np.float32))
+    return builder.position(_pose(r, shape.position, quaternion)).density(0.0)
+
+
+def _material(
+    r: Any, builder: Any, friction: float, restitution: float, group: int, touches: int
+) -> Any:
+    average = r.CoefficientCombineRule.AVERAGE
+    groups = r.InteractionGroups(r.Group(group), r.Group(touches))
+    return (
+        builder.friction(friction)
+        .restitution(restitution)
+        .friction_combine_rule(average)
+        .restitution_combine_rule(average)
+        .collision_groups(groups)
+    )
+
+
+def _pose(r: Any, position: Any, quaternion: Any) -> Any:
+    x, y, z = (float(v) for v in position)
+    return r.Isometry3((x, y, z), _rotation(r, quaternion))
+
+
+def _rotation(r: Any, quaternion: Any) -> Any:
+    x, y, z, w = (float(v) for v in quaternion)
+    norm = math.sqrt(x * x + y * y + z * z + w * w) or 1.0
+    return r.Rotation3(w / norm, x / norm, y / norm, z / norm)
