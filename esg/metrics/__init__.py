@@ -1,0 +1,71 @@
+"""The judge: SLR, ECR and PPA of a replay, measured against a suite (docs/metrics.md)."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from esg.metrics.aggregate import SceneRun, bench_json, comparison_table, load_paper_results
+    from esg.metrics.binding import Binding, bind
+    from esg.metrics.expectations import expectations_from_timeline
+    from esg.metrics.judge import judge
+    from esg.metrics.models import (
+        ConstraintVerdict,
+        EventVerdict,
+        LayoutVerdict,
+        SceneVerdict,
+        Suite,
+        SuiteConstraint,
+        SuiteEvent,
+        SuiteScene,
+    )
+    from esg.metrics.suite import load_suite, parse_suite
+
+_HOME = {
+    "SceneRun": "aggregate",
+    "bench_json": "aggregate",
+    "comparison_table": "aggregate",
+    "load_paper_results": "aggregate",
+    "Binding": "binding",
+    "bind": "binding",
+    "expectations_from_timeline": "expectations",
+    "judge": "judge",
+    "ConstraintVerdict": "models",
+    "EventVerdict": "models",
+    "LayoutVerdict": "models",
+    "SceneVerdict": "models",
+    "Suite": "models",
+    "SuiteConstraint": "models",
+    "SuiteEvent": "models",
+    "SuiteScene": "models",
+    "load_suite": "suite",
+    "parse_suite": "suite",
+}
+
+__all__ = [
+    "Binding",
+    "ConstraintVerdict",
+    "EventVerdict",
+    "LayoutVerdict",
+    "SceneRun",
+    "SceneVerdict",
+    "Suite",
+    "SuiteConstraint",
+    "SuiteEvent",
+    "SuiteScene",
+    "bench_json",
+    "bind",
+    "comparison_table",
+    "expectations_from_timeline",
+    "judge",
+    "load_paper_results",
+    "load_suite",
+    "parse_suite",
+]
+
+
+def __getattr__(name: str) -> Any:
+    if name in _HOME:
+        return getattr(import_module(f"esg.metrics.{_HOME[name]}"), name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -1,0 +1,466 @@
+"""Binds the noun phrases of a suite to the bodies and regions of a scene.
+
+By head noun first, then by identifier, ordinal, class modifier, colour and position (suite format,
+"Participants"). Binding is conservative: contradicting evidence excludes a body, and a phrase that
+binds to nothing yields an empty Binding with the reason, never an exception.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+import math
+import re
+
+import numpy as np
+
+from esg.engines.scene import GROUND, Body, Region, SimScene
+from esg.metrics.phrases import (
+    COLORS,
+    GROUND_WORDS,
+    HYPERNYMS,
+    OPPOSITE,
+    ORDINALS,
+    POSITIONS,
+    RELATED,
+    Phrase,
+    canonical_modifier,
+    normalize,
+    parse,
+)
+from esg.units import quat_rotate
+
+_COLOR_DISTANCE = 0.35
+_CONTAINER_KINDS = ("inside", "goal", "hole", "pocket")
+_REGION_HEADS = {
+    "pocket": {"pocket", "hole"},
+    "hole": {"hole", "pocket", "cup"},
+    "goal": {"goal", "net", "mouth"},
+    "lane": {"lane", "road", "street"},
+    "inside": {"inside", "interior", "basket", "hoop"},
+    "area": {"area", "zone", "region", "spot", "space", "circle", "square"},
+}
+
+
+@dataclass(frozen=True)
+class Binding:
+    """What a phrase stands for in a scene.
+
+    Args:
+        phrase: As the suite wrote it.
+        bodies: Indices into `SimScene.bodies`.
+        regions: Indices into `SimScene.regions` (only where a target was asked for).
+        ground: The phrase also means the ground half-space.
+        point: World position [m] of an exact point reference, shape [3].
+        plural: The phrase names a set.
+        problem: Why the prescribed objects are missing; empty when they are all there.
+    """
+
+    phrase: str
+    bodies: tuple[int, ...] = ()
+    regions: tuple[int, ...] = ()
+    ground: bool = False
+    point: tuple[float, float, float] | None = None
+    plural: bool = False
+    problem: str = ""
+
+    @property
+    def bound(self) -> bool:
+        """Whether the phrase stands for anything."""
+        return bool(self.bodies or self.regions or self.ground or self.point)
+
+    def names(self, scene: SimScene) -> tuple[str, ...]:
+        """Names of everything bound, bodies first."""
+        out = [scene.bodies[i].name for i in self.bodies]
+        out += [scene.regions[i].name for i in self.regions]
+        if self.ground:
+            out.append(GROUND)
+        if self.point:
+            out.append("@" + ",".join(f"{x:g}" for x in self.point))
+        return tuple(out)
+
+
+@dataclass
+class _Candidate:
+    index: int
+    body: Body
+    level: float
+    fields: list[Phrase] = field(default_factory=list)
+    words: set[str] = field(default_factory=set)
+
+
+def bind(phrase: str, scene: SimScene, *, target: bool = False) -> Binding:
+    """Binds one phrase.
+
+    Args:
+        phrase: Noun phrase, or an exact reference ("=name", "=a,b", "=node/region", "@x,y,z").
+        scene: The scene.
+        target: Whether regions may be meant (targets of enters and reaches).
+
+    Returns:
+        The binding; `problem` says what is missing.
+    """
+    text = phrase.strip()
+    if text.startswith("="):
+        return _bind_exact(phrase, text[1:], scene)
+    if text.startswith("@"):
+        return _bind_point(phrase, text[1:])
+    parsed = parse(text)
+    if not parsed.head:
+        return Binding(phrase, problem=f"{phrase!r} has no noun")
+    regions: tuple[int, ...] = ()
+    if target:
+        regions = _bind_regions(parsed, scene)
+        if regions:
+            return Binding(phrase, regions=regions, plural=parsed.plural)
+    bodies = _bind_bodies(parsed, scene)
+    if not bodies and target:
+        regions = _loose_regions(parsed, scene)
+        if regions:
+            return Binding(phrase, regions=regions, plural=parsed.plural)
+    if not bodies and parsed.head in GROUND_WORDS:
+        return Binding(phrase, ground=True)
+    if not bodies:
+        return Binding(phrase, plural=parsed.plural, problem=_why_not(phrase, parsed, scene))
+    ground = parsed.head in GROUND_WORDS and all(not scene.bodies[i].collides for i in bodies)
+    need = parsed.count or (2 if parsed.plural and not _is_distributive(text) else 1)
+    problem = ""
+    if len(bodies) < need and not ground:
+        names = ", ".join(scene.bodies[i].name for i in bodies)
+        problem = f"{phrase!r} asks for {need} objects, the scene has {len(bodies)} ({names})"
+    return Binding(phrase, bodies, ground=ground, plural=parsed.plural, problem=problem)
+
+
+def _is_distributive(text: str) -> bool:
+    words = normalize(text).split()
+    return bool(words) and (words[0] in ("one", "any", "each", "every", "either"))
+
+
+def _bind_exact(phrase: str, text: str, scene: SimScene) -> Binding:
+    bodies: list[int] = []
+    regions: list[int] = []
+    missing: list[str] = []
+    names = {b.name: i for i, b in enumerate(scene.bodies)}
+    region_names = {r.name: i for i, r in enumerate(scene.regions)}
+    wanted = [part.strip() for part in text.split(",") if part.strip()]
+    for name in wanted:
+        if name in names:
+            bodies.append(names[name])
+        elif name in region_names:
+            regions.append(region_names[name])
+        elif name != GROUND:
+            missing.append(name)
+    problem = f"no body or region is called {', '.join(map(repr, missing))}" if missing else ""
+    return Binding(
+        phrase,
+        tuple(bodies),
+        tuple(regions),
+        ground=GROUND in wanted,
+        plural=len(wanted) > 1,
+        problem=problem,
+    )
+
+
+def _bind_point(phrase: str, text: str) -> Binding:
+    try:
+        values = tuple(float(x) for x in text.split(","))
+    except ValueError:
+        values = ()
+    if len(values) != 3 or not all(math.isfinite(v) for v in values):
+        return Binding(phrase, problem=f"{phrase!r} is not a point; write '@x,y,z' in metres")
+    return Binding(phrase, point=values)  # type: ignore[arg-type]  # length checked above
+
+
+def _strip_number(name: str) -> str:
+    return re.sub(r"[_\-\s]+\d+$", "", name)
+
+
+def _number(name: str) -> int:
+    match = re.search(r"(\d+)$", name)
+    return int(match[1]) if match else 0
+
+
+def _candidate(index: int, body: Body, wanted: Phrase) -> _Candidate | None:
+    label = parse(body.label) if body.label else None
+    name = parse(_strip_number(body.name))
+    category = parse(body.category) if body.category else None
+    group = parse(body.group) if body.group else None
+    chunk = re.split(r",|;|\.| with | on | in | for | of | at ", body.description + " ")[0]
+    described = parse(chunk) if chunk.strip() else None
+    level = 0.0
+    for source, weight in (
+        (label, 4.0),
+        (name, 4.0),
+        (group, 3.5),
+        (category, 3.0),
+        (described, 2.0),
+    ):
+        if source is None or not source.head:
+            continue
+        if source.head == wanted.head:
+            level = max(level, weight)
+        elif source.head in HYPERNYMS.get(wanted.head, ()):
+            level = max(level, 1.0 + weight / 10)
+        elif source.head in RELATED.get(wanted.head, ()):
+            level = max(level, 0.5 + weight / 10)
+    if not level:
+        return None
+    fields = [p for p in (label, name, category, group) if p is not None]
+    words = {w for p in fields for w in p.modifiers}
+    words |= {canonical_modifier(w) for p in fields for w in p.text.split()}
+    words |= {canonical_modifier(w) for w in normalize(body.description).split()}
+    return _Candidate(index, body, level, fields, words)
+
+
+def _bind_bodies(wanted: Phrase, scene: SimScene) -> tuple[int, ...]:
+    found = [c for i, b in enumerate(scene.bodies) if (c := _candidate(i, b, wanted)) is not None]
+    exact = [c for c in found if c.body.label and normalize(c.body.label) == wanted.text]
+    if exact and not wanted.plural:
+        found = exact
+    found = [c for c in found if not _contradicts(c, wanted, found)]
+    if not found:
+        return _bind_alias(wanted, scene)
+    best = max(c.level for c in found)
+    found = [c for c in found if c.level == best]
+    if any(c.body.mentioned for c in found):
+        found = [c for c in found if c.body.mentioned]
+    # Words that at least one candidate carries decide between candidates; others say nothing.
+    for word in wanted.modifiers:
+        if word in COLORS or word in POSITIONS:
+            continue
+        having = [c for c in found if word in c.words]
+        found = having or found
+    found = _by_color(found, wanted)
+    found = _by_identifier(found, wanted)
+    found = _by_position(found, wanted)
+    found = _by_ordinal(found, wanted)
+    if not found:
+        return _bind_alias(wanted, scene)
+    if not wanted.plural and len(found) > 1:
+        found = _prefer_plain(found, wanted)
+    return tuple(c.index for c in found)
+
+
+def _contradicts(c: _Candidate, wanted: Phrase, found: list[_Candidate]) -> bool:
+    """Whether the body's own texts rule it out."""
+    if wanted.classes:
+        own = frozenset().union(*(p.classes for p in c.fields))
+        if own and not own & wanted.classes:
+            return True
+        if not own and any(wanted.classes & frozenset(o.words) for o in found if o is not c):
+            return True
+    if wanted.colors:
+        own = frozenset().union(*(p.colors for p in c.fields))
+        if own and not own & wanted.colors:
+            return True
+    positions = frozenset().union(*(p.positions for p in c.fields))
+    if any(OPPOSITE.get(p) in positions and p not in positions for p in wanted.positions):
+        return True
+    if wanted.identifier:
+        label_ids = {p.identifier for p in c.fields if p.identifier}
+        if label_ids and wanted.identifier not in label_ids:
+            return True
+    return False
+
+
+def _by_color(found: list[_Candidate], wanted: Phrase) -> list[_Candidate]:
+    for color in wanted.colors:
+        having = [c for c in found if color in c.words]
+        if having:
+            found = having
+            continue
+        if len(found) <= 1:
+            return found
+        reference = np.array(COLORS[color])
+        distance = [float(np.linalg.norm(np.array(c.body.color) - reference)) for c in found]
+        close = [c for c, d in zip(found, distance, strict=True) if d <= _COLOR_DISTANCE]
+        if close and not wanted.plural:
+            nearest = min(distance)
+            close = [c for c, d in zip(found, distance, strict=True) if d <= nearest + 1e-6]
+        found = close
+    return found
+
+
+def _by_identifier(found: list[_Candidate], wanted: Phrase) -> list[_Candidate]:
+    if wanted.identifier is None:
+        return found
+    having = [c for c in found if any(p.identifier == wanted.identifier for p in c.fields)]
+    if having:
+        return having
+    if any(p.identifier for c in found for p in c.fields):
+        return []
+    if wanted.identifier.isdigit():
+        return [c for c in found if _number(c.body.name) == int(wanted.identifier)]
+    # Nothing carries letters: A is the first of them, in the scene's own numbering.
+    place = ord(wanted.identifier) - ord("a")
+    ordered = sorted(found, key=lambda c: (_number(c.body.name), c.index))
+    return ordered[place : place + 1]
+
+
+def _by_ordinal(found: list[_Candidate], wanted: Phrase) -> list[_Candidate]:
+    if wanted.ordinal is None:
+        return found
+    labelled = [
+        c for c in found if any(p.ordinal == wanted.ordinal for p in c.fields if p is not None)
+    ]
+    if labelled:
+        return labelled
+    words = {w for w, n in ORDINALS.items() if n == wanted.ordinal}
+    written = [c for c in found if words & c.words]
+    if written:
+        return written
+    ordered = sorted(found, key=lambda c: (_number(c.body.name), c.index))
+    if wanted.ordinal == -1:
+        return ordered[-1:]
+    return ordered[wanted.ordinal - 1 : wanted.ordinal]
+
+
+def _by_position(found: list[_Candidate], wanted: Phrase) -> list[_Candidate]:
+    for position in sorted(wanted.positions):
+        labelled = [c for c in found if any(position in p.positions for p in c.fields)]
+        if labelled:
+            found = labelled
+            continue
+        if len(found) <= 1:
+            continue
+        key = [_position_key(c.body, position, found) for c in found]
+        if position == "middle":
+            order = sorted(range(len(found)), key=lambda i: key[i])
+            found = [found[order[len(order) // 2]]]
+            continue
+        found = [c for c, k in zip(found, key, strict=True) if k >= max(key) - 1e-6]
+    return found
+
+
+def _position_key(body: Body, position: str, found: list[_Candidate]) -> float:
+    """Coordinate that is largest for the body which `position` describes."""
+    place = np.array(body.position)
+    if position in ("left", "right"):
+        return float(place[0]) if position == "left" else -float(place[0])
+    if position in ("top", "bottom"):
+        return float(place[2]) if position == "top" else -float(place[2])
+    if position == "middle":
+        spread = np.ptp(np.array([c.body.position for c in found]), axis=0)
+        return float(place[int(np.argmax(spread))])
+    headings = [quat_rotate(np.array(c.body.quaternion), np.array([1.0, 0, 0])) for c in found]
+    forward = np.sum(headings, axis=0)
+    forward[2] = 0.0
+    # Bodies that face each other have no common front: the viewer's front (+Y) decides.
+    if np.linalg.norm(forward) < 0.5 * len(found):
+        forward = np.array([0.0, 1.0, 0.0])
+    along = float(place @ forward)
+    return along if position == "front" else -along
+
+
+def _prefer_plain(found: list[_Candidate], wanted: Phrase) -> list[_Candidate]:
+    """Of several matches of a singular phrase, those that carry no attribute it does not ask for."""
+
+    def extras(c: _Candidate) -> int:
+        label = parse(c.body.label) if c.body.label else parse(_strip_number(c.body.name))
+        distinguishing = set(label.modifiers) - set(wanted.modifiers)
+        return (
+            len(distinguishing)
+            + (label.identifier is not None and wanted.identifier is None)
+            + (label.ordinal is not None and wanted.ordinal is None)
+        )
+
+    fewest = min(extras(c) for c in found)
+    return [c for c in found if extras(c) == fewest]
+
+
+def _bind_alias(wanted: Phrase, scene: SimScene) -> tuple[int, ...]:
+    """Billiard players' names: the black ball is the 8, the cue ball is the white one."""
+    if wanted.head != "ball":
+        return ()
+    alias = ""
+    if "cue" in wanted.modifiers:
+        alias = "white ball"
+    elif wanted.identifier == "8" and not wanted.colors:
+        alias = "black ball"
+    elif "black" in wanted.colors and any(
+        "8" in normalize(b.label + " " + b.name) for b in scene.bodies
+    ):
+        alias = "8 ball"
+    elif "white" in wanted.colors and any(
+        "cue ball" in normalize(b.label + " " + b.category + " " + b.name) for b in scene.bodies
+    ):
+        alias = "cue ball"
+    if not alias or alias == wanted.text:
+        return ()
+    parsed = parse(alias)
+    found = [c for i, b in enumerate(scene.bodies) if (c := _candidate(i, b, parsed)) is not None]
+    if "cue" in wanted.modifiers:
+        found = [c for c in found if "billiard" in c.words or "pool" in c.words]
+    found = [c for c in found if not _contradicts(c, parsed, found)]
+    found = _by_identifier(_by_color(found, parsed), parsed)
+    return tuple(c.index for c in found[:1])
+
+
+def _region_words(region: Region) -> tuple[str, set[str], set[str]]:
+    local = normalize(region.name.split("/")[-1])
+    own = {canonical_modifier(w) for w in local.split()}
+    parent = {canonical_modifier(w) for w in normalize(region.parent).split()}
+    return local, own, parent
+
+
+def _bind_regions(wanted: Phrase, scene: SimScene) -> tuple[int, ...]:
+    """Regions whose own name carries the phrase: exact names first, then all words."""
+    need = {wanted.head, *wanted.modifiers}
+    if wanted.identifier:
+        need.add(wanted.identifier)
+    exact, full, with_parent = [], [], []
+    for i, region in enumerate(scene.regions):
+        local, own, parent = _region_words(region)
+        if local == wanted.text:
+            exact.append(i)
+        if need <= own:
+            full.append(i)
+        elif wanted.head in own and need <= own | parent | {region.kind}:
+            with_parent.append(i)
+    return tuple(exact or full or with_parent)
+
+
+def _loose_regions(wanted: Phrase, scene: SimScene) -> tuple[int, ...]:
+    """Regions of the right kind, chosen by position where the phrase states one."""
+    kinds = {k for k, heads in _REGION_HEADS.items() if wanted.head in heads}
+    found = [
+        i
+        for i, r in enumerate(scene.regions)
+        if r.kind in kinds or wanted.head in _region_words(r)[1]
+    ]
+    for position in sorted(wanted.positions):
+        named = [i for i in found if position in _region_words(scene.regions[i])[1]]
+        against = OPPOSITE.get(position, "")
+        found = named or [i for i in found if against not in _region_words(scene.regions[i])[1]]
+        if named or len(found) <= 1:
+            continue
+        # Seen by the viewer at +Y: the bottom or front edge is the near one, left is +X.
+        axis, sign = {"left": (0, 1), "right": (0, -1), "bottom": (1, 1), "front": (1, 1)}.get(
+            position, (1, -1)
+        )
+        place = {i: sign * _region_center(scene, scene.regions[i])[axis] for i in found}
+        spread = max(place.values()) - min(place.values())
+        found = [i for i in found if place[i] >= max(place.values()) - 0.2 * spread]
+    return tuple(found)
+
+
+def _region_center(scene: SimScene, region: Region) -> np.ndarray:
+    parent = scene.body(region.parent)
+    return np.array(parent.position) + quat_rotate(
+        np.array(parent.quaternion), np.array(region.center)
+    )
+
+
+def container_regions(scene: SimScene, body: int) -> tuple[int, ...]:
+    """Indices of the regions of a body that things can go into (inside, goal, hole, pocket)."""
+    name = scene.bodies[body].name
+    return tuple(
+        i for i, r in enumerate(scene.regions) if r.parent == name and r.kind in _CONTAINER_KINDS
+    )
+
+
+def _why_not(phrase: str, wanted: Phrase, scene: SimScene) -> str:
+    same = [b.name for b in scene.bodies if _candidate(0, b, wanted) is not None]
+    if same:
+        return f"{phrase!r}: none of {', '.join(same[:6])} fits its attributes"
+    names = ", ".join(b.name for b in scene.bodies[:12])
+    return f"{phrase!r} is not in the scene (objects: {names or 'none'})"

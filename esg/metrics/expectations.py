@@ -1,0 +1,237 @@
+"""What a document's own timeline promises, as a suite scene: lets a generated scene be judged.
+
+A benchmark never uses this: there the suite is the ground truth. Participants are exact references,
+so that nothing depends on how phrases bind.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from esg.engines.scene import SimScene
+from esg.graph.models import (
+    EdgeEvent,
+    EsgDocument,
+    EventConstraint,
+    NodeEvent,
+    SequenceGraph,
+    TimelineEdge,
+    TimelineNode,
+)
+from esg.metrics.models import SuiteConstraint, SuiteEvent, SuiteScene
+from esg.metrics.quantities import BASE_UNIT, DIMENSION_OF
+from esg.units import m_from_cm
+
+_OWN_POWER = (EdgeEvent.UNIFORM_MOTION, EdgeEvent.ACCELERATED_MOTION)
+
+
+def expectations_from_timeline(doc: EsgDocument, scene: SimScene | None = None) -> SuiteScene:
+    """The events and constraints that a document's timeline states.
+
+    Point events become events of the same meaning; a Brake segment becomes a `brakes` event; motion
+    under own power that leads to no measurable event becomes a `moves` event. SceneStart and Trigger
+    are no outcomes. `after` follows the sequence graph. Prescribed times, speeds and masses become
+    constraints; plausible guesses do not.
+
+    Args:
+        doc: A document with or without a timeline (without: no events).
+        scene: Restricts participants to bodies and regions that exist; None takes all.
+    """
+    definition = doc.scene_definition
+    events: list[SuiteEvent] = []
+    constraints: list[SuiteConstraint] = []
+    if doc.timeline_system is not None:
+        graph = doc.timeline_system.sequence_graph
+        events = _events(graph)
+        constraints = _constraints(graph, events)
+    constraints += _masses(doc)
+    mentioned = [
+        f"={name}"
+        for name, node in doc.spatial_relation_graph.nodes.items()
+        if node.mentioned and not node.is_structural and (scene is None or name in scene.names)
+    ]
+    return SuiteScene(
+        id=definition.scene_id,
+        prompt=definition.original_description or definition.scene_id,
+        level="timeline",
+        events=tuple(events),
+        constraints=tuple(constraints),
+        objects=tuple(mentioned),
+    )
+
+
+def _ref(names: Iterable[str]) -> str:
+    return "=" + ",".join(names)
+
+
+def _point(position_cm: tuple[float, float, float]) -> str:
+    return "@" + ",".join(f"{m_from_cm(x):.6g}" for x in position_cm)
+
+
+def _node_event(node: TimelineNode) -> SuiteEvent | None:
+    who = node.participants
+    pair = {"a": _ref(who[:1]), "b": _ref(who[1:2])} if len(who) >= 2 else None
+    if node.event in (NodeEvent.COLLISION, NodeEvent.MISS) and pair:
+        kind = "collision" if node.event is NodeEvent.COLLISION else "misses"
+        return SuiteEvent(id=node.id, type=kind, **pair)
+    if node.event is NodeEvent.REACH and pair:
+        return SuiteEvent(id=node.id, type="reaches", object=pair["a"], target=pair["b"])
+    if not who:
+        return None
+    one = _ref(who[:1])
+    if node.event is NodeEvent.STOP:
+        return SuiteEvent(id=node.id, type="stops", object=one)
+    if node.event is NodeEvent.TOPPLE:
+        return SuiteEvent(id=node.id, type="topples", object=_ref(who))
+    if node.event is NodeEvent.FALL:
+        support = _ref(who[1:2]) if len(who) > 1 else None
+        return SuiteEvent(id=node.id, type="falls", object=one, from_=support)
+    if node.event is NodeEvent.HEADING_REACHED:
+        return SuiteEvent(
+            id=node.id,
+            type="turns",
+            object=one,
+            direction=node.turn_direction or "left",
+            degrees=node.turn_degrees or 90.0,
+        )
+    if node.event is NodeEvent.ENTER_REGION and (node.region or len(who) > 1):
+        return SuiteEvent(
+            id=node.id, type="enters", object=one, target=_ref([node.region or who[1]])
+        )
+    if node.event is NodeEvent.POSITION_AT and node.position_cm is not None:
+        return SuiteEvent(id=node.id, type="reaches", object=one, target=_point(node.position_cm))
+    return None
+
+
+def _edge_event(edge: TimelineEdge, measurable: set[str]) -> SuiteEvent | None:
+    if edge.event is EdgeEvent.BRAKE:
+        return SuiteEvent(id=edge.id, type="brakes", object=_ref([edge.actor]))
+    if edge.event in _OWN_POWER and edge.to not in measurable:
+        return SuiteEvent(id=edge.id, type="moves", object=_ref([edge.actor]))
+    return None
+
+
+def _events(graph: SequenceGraph) -> list[SuiteEvent]:
+    """All events in topological order of the sequence graph, `after` set to what must precede."""
+    at_node = {n.id: e for n in graph.nodes if (e := _node_event(n)) is not None}
+    on_edge = {
+        e.id: event for e in graph.edges if (event := _edge_event(e, set(at_node))) is not None
+    }
+    order = _topological(graph)
+    before: dict[str, tuple[str, ...]] = {}
+    out: list[SuiteEvent] = []
+    for node_id in order:
+        arriving: list[str] = []
+        for edge in (e for e in graph.edges if e.to == node_id):
+            earlier = before.get(edge.from_, ())
+            event = on_edge.get(edge.id)
+            if event is not None:
+                out.append(event.model_copy(update={"after": earlier}))
+                # A segment's event starts the segment; what ends it comes later.
+                arriving.append(event.id)
+            else:
+                arriving += earlier
+        after = tuple(dict.fromkeys(arriving))
+        here = at_node.get(node_id)
+        if here is not None:
+            out.append(here.model_copy(update={"after": after}))
+            before[node_id] = (here.id,)
+        else:
+            before[node_id] = after
+    return out
+
+
+def _topological(graph: SequenceGraph) -> list[str]:
+    """Node ids, predecessors first; ties keep the document's order; cycles fall to the end."""
+    left = [n.id for n in graph.nodes]
+    done: list[str] = []
+    while left:
+        ready = next(
+            (
+                n
+                for n in left
+                if all(e.from_ in done or e.from_ not in left for e in graph.edges if e.to == n)
+            ),
+            left[0],
+        )
+        left.remove(ready)
+        done.append(ready)
+    return done
+
+
+def _constraints(graph: SequenceGraph, events: list[SuiteEvent]) -> list[SuiteConstraint]:
+    known = {e.id for e in events}
+    out: list[SuiteConstraint] = []
+    for node in graph.nodes:
+        if node.id not in known:
+            continue
+        if node.time_is_prescribed:
+            out += _bounded("outcome", "time", node.timestamp, node.window, event=node.id)
+        out += [c for item in node.constraints if (c := _outcome(node, item, known)) is not None]
+    starts = {n.id for n in graph.nodes if n.event is NodeEvent.SCENE_START}
+    for edge in graph.edges:
+        speed = edge.params.speed
+        if edge.speed_is_prescribed and edge.from_ in starts and speed is not None:
+            value, span = _si("speed", speed)
+            out += _bounded("initial", "speed", value, span, object=f"={edge.actor}", at="start")
+    return out
+
+
+def _bounded(
+    kind: str,
+    quantity: str,
+    value: float | None,
+    span: tuple[float, float] | None,
+    **fields: str | None,
+) -> list[SuiteConstraint]:
+    if value is None and (span is None or span[0] >= span[1]):
+        if span is None:
+            return []
+        value, span = span[0], None
+    return [
+        SuiteConstraint.model_validate(
+            {
+                "kind": kind,
+                "quantity": quantity,
+                "unit": BASE_UNIT[DIMENSION_OF[quantity]],
+                "value": value,
+                "range": None if value is not None else span,
+                **fields,
+            }
+        )
+    ]
+
+
+def _si(
+    quantity: str, value: float | tuple[float, float]
+) -> tuple[float | None, tuple[float, float] | None]:
+    scale = 0.01 if DIMENSION_OF[quantity] in ("speed", "length") else 1.0
+    if isinstance(value, tuple):
+        return None, (value[0] * scale, value[1] * scale)
+    return value * scale, None
+
+
+def _outcome(node: TimelineNode, item: EventConstraint, known: set[str]) -> SuiteConstraint | None:
+    quantity = "speed" if item.quantity == "speed_before" else item.quantity
+    value, span = _si(quantity, item.value)
+    fields: dict[str, str | None] = {"object": f"={item.object}"}
+    fields["at" if item.quantity == "speed_before" else "event"] = node.id
+    if quantity == "time_since":
+        fields["since"] = item.since if item.since in known else "start"
+    found = _bounded("outcome", quantity, value, span, **fields)
+    return found[0] if found else None
+
+
+def _masses(doc: EsgDocument) -> list[SuiteConstraint]:
+    out: list[SuiteConstraint] = []
+    for asset_id, asset in doc.asset_requirement.items():
+        if not asset.mass_is_prescribed:
+            continue
+        users = [
+            name
+            for name, node in doc.spatial_relation_graph.nodes.items()
+            if node.asset_id == asset_id
+        ]
+        if users:
+            out += _bounded("initial", "mass", asset.expected_mass_kg, None, object=_ref(users))
+    return out

@@ -1,0 +1,385 @@
+"""Noun phrases: normalisation, head noun, modifiers, identifiers and counts.
+
+One parser reads both sides of a binding, the suite's phrase and the texts of a body, so that both
+are folded the same way ("trash can", "trash-can" and "dustbin" all become head `bin`).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+import re
+import unicodedata
+
+_ARTICLES = {"a", "an", "the", "this", "that", "these", "those", "its", "his", "her", "their"}
+_QUANTIFIERS = {"several", "many", "some", "multiple", "few", "various", "all", "numerous"}
+_DISTRIBUTIVE = {"each", "every", "any", "either"}
+_COUNTS = {
+    "one": 1,
+    "single": 1,
+    "two": 2,
+    "both": 2,
+    "pair": 2,
+    "three": 3,
+    "four": 4,
+    "five": 5,
+    "six": 6,
+    "seven": 7,
+    "eight": 8,
+    "nine": 9,
+    "ten": 10,
+    "eleven": 11,
+    "twelve": 12,
+    "dozen": 12,
+}
+ORDINALS = {
+    "first": 1,
+    "second": 2,
+    "third": 3,
+    "fourth": 4,
+    "fifth": 5,
+    "sixth": 6,
+    "seventh": 7,
+    "eighth": 8,
+    "ninth": 9,
+    "tenth": 10,
+    "other": 2,
+    "another": 2,
+    "last": -1,
+    "final": -1,
+}
+_COLLECTIVE = {
+    "set", "row", "group", "pair", "stack", "pile", "rack", "line", "cluster", "bunch", "column",
+    "number", "couple", "tower", "pyramid", "queue", "collection", "heap", "dozen", "rest",
+}  # fmt: skip
+_PREPOSITIONS = {
+    "on", "in", "at", "by", "near", "under", "behind", "beside", "next", "of", "with", "without",
+    "from", "to", "inside", "above", "below", "along", "across", "over", "that", "which", "for",
+    "standing", "lying", "sitting", "parked", "stopped", "placed", "moving", "made", "labeled",
+    "weighing", "weigh", "named", "called",
+}  # fmt: skip
+_IRREGULAR = {
+    "people": "person", "men": "man", "women": "woman", "children": "child", "mice": "mouse",
+    "dice": "die", "knives": "knife", "shelves": "shelf", "leaves": "leaf", "wolves": "wolf",
+    "loaves": "loaf", "buses": "bus", "dominoes": "domino", "dominos": "domino",
+    "tomatoes": "tomato", "potatoes": "potato", "geese": "goose", "feet": "foot",
+    "billiards": "billiard", "vases": "vase", "cases": "case", "axes": "axe", "houses": "house",
+    "hoses": "hose", "trapezes": "trapeze", "horses": "horse", "bases": "base",
+    "briefcases": "briefcase", "suitcases": "suitcase", "bookcases": "bookcase",
+    "staircases": "staircase",
+}  # fmt: skip
+_SINGULAR_S = {
+    "stairs", "steps", "scissors", "glasses", "binoculars", "bus", "canvas", "gas", "cactus",
+    "compass", "mattress", "dress", "chess", "tennis", "grass", "glass", "lens", "bleachers",
+    "news", "physics", "trellis", "iris",
+}  # fmt: skip
+
+_PHRASE_FORMS = {
+    "trash can": "trashbin", "trash bin": "trashbin", "garbage can": "trashbin",
+    "garbage bin": "trashbin", "rubbish bin": "trashbin", "waste bin": "trashbin",
+    "litter bin": "trashbin", "dust bin": "trashbin", "waste basket": "trashbin",
+    "trash basket": "trashbin", "recycling bin": "trashbin", "wheelie bin": "trashbin",
+    "waste paper basket": "trashbin", "refuse bin": "trashbin",
+    "foot ball": "football", "basket ball": "basketball", "base ball": "baseball",
+    "volley ball": "volleyball", "ping pong": "pingpong", "table tennis": "pingpong",
+    "skate board": "skateboard", "motor cycle": "motorcycle", "motor bike": "motorcycle",
+    "pick up": "pickup", "pickup truck": "pickup", "street light": "streetlamp",
+    "street lamp": "streetlamp", "lamp post": "streetlamp", "light pole": "streetlamp",
+    "fire hydrant": "hydrant", "mail box": "mailbox", "post box": "mailbox",
+    "letter box": "mailbox", "ice cream": "icecream", "book shelf": "bookshelf",
+    "book case": "bookcase", "note book": "notebook", "lap top": "laptop",
+    "shopping cart": "cart", "shopping trolley": "cart", "goal post": "goal",
+    "inclined plane": "ramp", "ten pin": "tenpin", "nine pin": "ninepin", "push bike": "bicycle",
+    "mobile phone": "phone", "cell phone": "phone", "smart phone": "phone",
+    "station wagon": "car", "motor car": "car", "passenger car": "car", "eight ball": "8 ball",
+    "stair case": "staircase", "stair way": "stairs", "flower pot": "flowerpot",
+    "plant pot": "flowerpot", "side walk": "sidewalk", "cross road": "crossroad",
+    "wheel barrow": "wheelbarrow", "parking lot": "parkinglot", "utility pole": "pole",
+    "telephone pole": "pole", "traffic light": "trafficlight", "road sign": "sign",
+}  # fmt: skip
+
+_HEAD_SYNONYMS = {
+    "car": ("automobile", "auto", "sedan", "hatchback", "coupe", "motorcar", "saloon"),
+    "jeep": ("suv", "4x4"),
+    "truck": ("lorry", "pickup"),
+    "van": ("minivan",),
+    "taxi": ("cab", "taxicab"),
+    "bus": ("minibus",),
+    "bicycle": ("bike", "cycle", "pushbike"),
+    "motorcycle": ("motorbike", "moped"),
+    "bin": ("trashbin", "trashcan", "dustbin", "wastebasket", "dumpster", "wastebin"),
+    "ball": ("sphere", "orb", "billiard"),
+    "pin": ("tenpin", "ninepin", "skittle"),
+    "box": ("carton", "parcel", "package", "cuboid"),
+    "block": ("cube", "brick"),
+    "cone": ("pylon",),
+    "cup": ("mug",),
+    "glass": ("tumbler",),
+    "sofa": ("couch", "settee"),
+    "shelf": ("bookshelf", "bookcase", "rack"),
+    "cabinet": ("cupboard", "wardrobe"),
+    "cart": ("trolley",),
+    "barrel": ("keg",),
+    "rock": ("stone", "boulder"),
+    "pole": ("post", "pillar"),
+    "ramp": ("slope", "incline"),
+    "stairs": ("staircase", "steps", "stairway", "stair"),
+    "mailbox": ("postbox", "letterbox"),
+    "television": ("tv",),
+    "monitor": ("screen",),
+    "phone": ("telephone", "smartphone", "cellphone"),
+    "bucket": ("pail",),
+    "suitcase": ("luggage",),
+    "person": ("pedestrian", "man", "woman", "human"),
+    "goal": ("goalpost", "goalmouth"),
+    "puck": (),
+    "streetlamp": ("streetlight", "lamppost"),
+    "flowerpot": ("planter",),
+    "fence": ("railing",),
+    "aeroplane": ("airplane", "plane", "aircraft"),
+    "boat": ("ship",),
+    "laptop": ("notebook",),
+    "plate": ("dish",),
+    "tyre": ("tire",),
+}
+_CANONICAL = {word: head for head, words in _HEAD_SYNONYMS.items() for word in words}
+
+_MODIFIER_SYNONYMS = {
+    "football": "soccer", "foot": "soccer", "pool": "billiard", "snooker": "billiard",
+    "billiards": "billiard", "tenpin": "bowling", "wood": "wooden", "grey": "gray",
+    "metallic": "metal", "steel": "metal", "leading": "front", "lead": "front", "forward": "front",
+    "back": "rear", "trailing": "rear", "following": "rear", "hind": "rear", "behind": "rear",
+    "upper": "top", "lower": "bottom", "leftmost": "left", "rightmost": "right",
+    "center": "middle", "centre": "middle", "central": "middle", "little": "small",
+    "tiny": "small", "big": "large", "huge": "large", "giant": "large", "racing": "race",
+    "cardboard": "cardboard", "sport": "sports", "crimson": "red", "scarlet": "red",
+    "golden": "gold", "ebony": "black",
+}  # fmt: skip
+
+CLASS_MODIFIERS = {
+    "soccer", "basket", "bowling", "billiard", "cue", "tennis", "golf", "base", "volley", "beach",
+    "pingpong", "cricket", "medicine", "snow", "hand", "hockey", "rugby", "yoga", "exercise",
+    "picnic", "dining", "coffee", "police", "race", "toy", "fire", "garbage", "cargo", "school",
+    "wine", "water", "beer", "milk", "tool", "lunch", "cannon", "crystal", "rolling", "street",
+    "floor", "traffic", "stop", "marble", "bocce", "disco", "wrecking",
+}  # fmt: skip
+"""Modifiers that name another kind of thing: a soccer ball is not a bowling ball."""
+
+POSITIONS = {"front", "rear", "left", "right", "top", "bottom", "middle"}
+OPPOSITE = {"front": "rear", "rear": "front", "left": "right", "right": "left", "top": "bottom",
+            "bottom": "top"}  # fmt: skip
+
+COLORS: dict[str, tuple[float, float, float]] = {
+    "black": (0.05, 0.05, 0.05),
+    "white": (0.95, 0.95, 0.95),
+    "gray": (0.5, 0.5, 0.5),
+    "red": (0.8, 0.1, 0.1),
+    "green": (0.1, 0.6, 0.15),
+    "blue": (0.1, 0.2, 0.8),
+    "yellow": (0.95, 0.85, 0.1),
+    "orange": (0.95, 0.5, 0.05),
+    "purple": (0.5, 0.1, 0.6),
+    "pink": (0.95, 0.55, 0.7),
+    "brown": (0.45, 0.28, 0.12),
+    "gold": (0.85, 0.65, 0.15),
+    "silver": (0.75, 0.75, 0.78),
+    "cyan": (0.1, 0.8, 0.85),
+    "beige": (0.88, 0.82, 0.68),
+}
+
+HYPERNYMS: dict[str, set[str]] = {
+    "vehicle": {"car", "jeep", "truck", "bus", "van", "taxi", "motorcycle", "tractor", "cart"},
+    "car": {"jeep", "taxi"},
+    "motorcycle": {"scooter"},
+    "furniture": {"desk", "table", "chair", "sofa", "shelf", "cabinet", "bench", "stool", "bed"},
+    "container": {"box", "crate", "bin", "bucket", "barrel", "basket", "suitcase"},
+    "plant": {"tree", "flowerpot", "bush"},
+    "seat": {"chair", "stool", "sofa", "bench"},
+    "computer": {"laptop", "monitor"},
+    "toy": {"ball", "block", "car", "train"},
+}
+RELATED: dict[str, set[str]] = {
+    "desk": {"table"},
+    "table": {"desk"},
+    "box": {"crate", "block"},
+    "crate": {"box"},
+    "block": {"box"},
+    "bin": {"basket", "bucket"},
+    "basket": {"bin", "hoop"},
+    "hoop": {"basket"},
+    "cup": {"glass"},
+    "glass": {"cup"},
+    "truck": {"van"},
+    "wall": {"fence"},
+    "bench": {"table"},
+    "barrel": {"drum"},
+    "drum": {"barrel"},
+}
+GROUND_WORDS = {
+    "ground", "floor", "street", "road", "pavement", "asphalt", "grass", "lawn", "field", "earth",
+    "pitch", "sidewalk", "parkinglot", "terrain", "sand", "snow", "ice", "carpet",
+}  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Phrase:
+    """A parsed noun phrase.
+
+    Args:
+        text: Normalised text.
+        head: Canonical singular head noun, "" if there is none.
+        modifiers: Canonical words before the head, in order, without articles and counts.
+        identifier: Letter or number that names one of several ("ball A" -> "a", "car 2" -> "2").
+        ordinal: 1 for "first", -1 for "last", None without.
+        count: Stated number ("two cars" -> 2), None without.
+        plural: Whether the phrase names a set.
+    """
+
+    text: str
+    head: str
+    modifiers: tuple[str, ...]
+    identifier: str | None
+    ordinal: int | None
+    count: int | None
+    plural: bool
+
+    @property
+    def classes(self) -> frozenset[str]:
+        return frozenset(m for m in self.modifiers if m in CLASS_MODIFIERS)
+
+    @property
+    def colors(self) -> frozenset[str]:
+        return frozenset(m for m in self.modifiers if m in COLORS)
+
+    @property
+    def positions(self) -> frozenset[str]:
+        return frozenset(m for m in self.modifiers if m in POSITIONS)
+
+
+def normalize(text: str) -> str:
+    """Lower case, no accents, hyphens and underscores as spaces, possessives dropped."""
+    text = unicodedata.normalize("NFKD", text)
+    text = "".join(c for c in text if not unicodedata.combining(c)).lower()
+    text = re.sub(r"['’]s\b", "", text)
+    text = text.replace("no.", "number ").replace("#", " number ")
+    text = re.sub(r"[^a-z0-9.]+", " ", text).replace(".", " ")
+    text = re.sub(r"(?<=[a-z])(?=\d)", " ", text)
+    text = " ".join(text.split())
+    return _merge_words(text)
+
+
+def _merge_words(text: str) -> str:
+    words = text.split()
+    out: list[str] = []
+    i = 0
+    while i < len(words):
+        for n in (3, 2):
+            key = (
+                " ".join([*words[i : i + n - 1], singular(words[i + n - 1])])
+                if i + n <= len(words)
+                else ""
+            )
+            if key in _PHRASE_FORMS:
+                plural = words[i + n - 1] != singular(words[i + n - 1])
+                out.append(_PHRASE_FORMS[key] + ("s" if plural else ""))
+                i += n
+                break
+        else:
+            out.append(words[i])
+            i += 1
+    return " ".join(out)
+
+
+def singular(word: str) -> str:
+    """Singular of an English noun (rules and the irregular ones that scenes contain)."""
+    if word in _IRREGULAR:
+        return _IRREGULAR[word]
+    if word in _SINGULAR_S or len(word) < 3 or not word.endswith("s") or word.endswith("ss"):
+        return word
+    if word.endswith("ies") and len(word) > 4:
+        return word[:-3] + "y"
+    if re.search(r"(ch|sh|x|ss|zz)es$", word):
+        return word[:-2]
+    if word.endswith(("us", "is")):
+        return word
+    return word[:-1]
+
+
+def canonical_modifier(word: str) -> str:
+    """Folds a modifier: soccer for football, front for leading, gray for grey."""
+    return _MODIFIER_SYNONYMS.get(word, word)
+
+
+@lru_cache(maxsize=4096)
+def parse(text: str) -> Phrase:
+    """Parses a noun phrase; never fails (an empty phrase has an empty head)."""
+    norm = normalize(text)
+    words = norm.split()
+    count: int | None = None
+    plural = False
+    # "one of the cars", "a set of bowling pins": the head stands behind "of".
+    for i, w in enumerate(words[:-1]):
+        if words[i + 1] == "of" and (w in _COLLECTIVE or w in _COUNTS or w in _DISTRIBUTIVE):
+            plural = w in _COLLECTIVE or plural
+            count = 2 if w in ("pair", "couple") else count
+            words = words[i + 2 :]
+            break
+    words = _strip_leading(words)
+    if words and (words[0] in _QUANTIFIERS or words[0] in _DISTRIBUTIVE):
+        plural = True
+        words = _strip_leading(words[1:])
+    if len(words) > 1 and (words[0] in _COUNTS or words[0].isdigit()):
+        n = _COUNTS.get(words[0]) or int(words[0])
+        # "8 ball" names a ball; "8 balls" counts them.
+        if words[-1] != singular(words[-1]) or (words[0] in _COUNTS and n == 1):
+            count, words = n, words[1:]
+    # Cut a trailing clause ("bicycle stopped in the road"), but never everything.
+    for i, w in enumerate(words):
+        if i > 0 and w in _PREPOSITIONS:
+            words = words[:i]
+            break
+    identifier: str | None = None
+    if len(words) > 1 and (re.fullmatch(r"[a-z]|\d+", words[-1]) or words[-1] in _COUNTS):
+        last = words[-1]
+        identifier = str(_COUNTS[last]) if last in _COUNTS else last
+        words = words[:-1]
+        if len(words) > 1 and words[-1] in ("number", "no", "nr"):
+            words = words[:-1]
+    elif len(words) > 1 and re.fullmatch(r"\d+", words[0]):
+        identifier, words = words[0], words[1:]
+    ordinal: int | None = None
+    kept: list[str] = []
+    for w in words[:-1]:
+        match = re.fullmatch(r"(\d+)(st|nd|rd|th)", w)
+        if w in ORDINALS:
+            ordinal = ORDINALS[w]
+        elif match:
+            ordinal = int(match[1])
+        elif w not in _ARTICLES and w not in _QUANTIFIERS:
+            kept.append(w)
+    head = words[-1] if words else ""
+    stem = singular(head)
+    plural = plural or stem != head or (count or 0) > 1
+    if stem == "billiard" and head == "billiards":
+        kept.append("billiard")
+    head, implied = _split_head(stem)
+    modifiers = tuple(canonical_modifier(m) for m in (*kept, *implied))
+    return Phrase(norm, head, modifiers, identifier, ordinal, count, plural)
+
+
+def _strip_leading(words: list[str]) -> list[str]:
+    while len(words) > 1 and words[0] in _ARTICLES:
+        words = words[1:]
+    return words
+
+
+def _split_head(word: str) -> tuple[str, tuple[str, ...]]:
+    """Canonical head and the modifiers hidden in it: basketball -> ball, (basket)."""
+    if word in _CANONICAL:
+        implied = ("billiard",) if word == "billiard" else ()
+        return _CANONICAL[word], implied
+    if word.endswith("ball") and len(word) > 4:
+        return "ball", (word[:-4],)
+    if word.endswith("table") and word not in ("vegetable", "turntable") and len(word) > 5:
+        return "table", (word[:-5],)
+    return word, ()
