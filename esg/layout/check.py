@@ -19,7 +19,7 @@ from esg.layout import terms
 from esg.layout.edges import AXES, CARDINAL
 from esg.layout.problem import LayoutProblem
 from esg.layout.shapes import CIRCLE, Footprint
-from esg.layout.units import Pose2, compose
+from esg.layout.units import Pose2, compose, inverse
 
 TOUCH_CM = 0.05
 HARD = {
@@ -135,6 +135,35 @@ def penetrations(problem: LayoutProblem, world: World) -> list[tuple[float, str,
                     )
             if depth > 1e-6:
                 out.append((depth, a, b))
+    return sorted(out, key=lambda t: (-t[0], t[1], t[2]))
+
+
+def intrusions(problem: LayoutProblem, world: World) -> list[tuple[float, str, str]]:
+    """Objects inside a corridor that must stay clear: (depth [cm], object, corridor)."""
+    count = len(problem.names)
+    out = []
+    for a, b in problem.pair.tolist():
+        if b < count or not problem.obstacles[b - count].is_hard:
+            continue
+        obstacle = problem.obstacles[b - count]
+        member = next(iter(problem.units[obstacle.unit].members))
+        frame = compose(world.pose[member], inverse(problem.units[obstacle.unit].members[member]))
+        here = compose(frame, obstacle.rel)
+        name = problem.names[a]
+        depth = 0.0
+        for p in problem.shape[name].prims:
+            q = compose(world.pose[name], (p.x, p.y, p.yaw))
+            for k, x, y, yaw, hx, hy, z0, z1 in obstacle.prisms:
+                up = min(p.z1 + world.z[name], z1 + obstacle.base_z_cm) - max(
+                    p.z0 + world.z[name], z0 + obstacle.base_z_cm
+                )
+                if up > 0.2:
+                    gap = plan_separation(
+                        p.kind, q, (p.hx, p.hy), int(k), compose(here, (x, y, yaw)), (hx, hy)
+                    )
+                    depth = max(depth, -gap)
+        if depth > 0.1:
+            out.append((depth, name, obstacle.label))
     return sorted(out, key=lambda t: (-t[0], t[1], t[2]))
 
 

@@ -237,7 +237,6 @@ def rim_points(count: int, hx: float, hy: float, is_round: bool) -> list[tuple[f
     out = []
     for k in range(count):
         s = (k + 0.5) * perimeter / count if count > 4 else k * perimeter / count
-        s = (s + (0.0 if count > 4 else 0.0)) % perimeter
         # counter-clockwise from the middle of the +X side
         if count <= 4:
             out.append([(hx, 0.0), (-hx, 0.0), (0.0, hy), (0.0, -hy)][k])

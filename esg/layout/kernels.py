@@ -8,7 +8,7 @@ unit: x, y [cm] and yaw [rad] in the frame of the unit's parent node.
 Arrays of all scenes of a batch are concatenated; node, unit, edge and pair indices are global.
 """
 
-# ruff: noqa: E501  (Warp functions keep one expression per line)
+# ruff: noqa: E501, RUF046, SIM108, SIM109, UP018  (Warp needs plain statements and int())
 from __future__ import annotations
 
 import warp as wp
@@ -53,7 +53,7 @@ class Problem:
     unit_free: wp.array(dtype=wp.vec3)  # 1 where x, y, yaw may change
     unit_pose: wp.array(dtype=wp.vec3)  # where fixed, else preferred
     unit_box: wp.array(dtype=wp.vec4)  # sampling box in the parent's frame: centre, half extents
-    unit_anchor: wp.array(dtype=wp.vec3)  # preferred x, y and weight
+    unit_anchor: wp.array(dtype=wp.vec4)  # preferred x, y, weight, weight of the preferred yaw
     unit_step: wp.array(dtype=wp.float32)  # length scale of a step [cm]
     aff_off: wp.array(dtype=wp.int32)  # nodes moved by a unit, parents first
     aff: wp.array(dtype=wp.int32)
@@ -194,7 +194,7 @@ def edge_energy(p: Problem, w: wp.array(dtype=wp.vec3), off: int, e: int):
         return p.edge_w[e] * FACE_SCALE_CM * (1.0 - wp.cos(pa[2] - target))
     pb = w[b + off]
     d = wp.vec2(pa[0] - pb[0], pa[1] - pb[1])
-    v = 0.0
+    v = float(0.0)
     if kind == E_BAND:  # surface distance between p0 and p1
         s = surface_distance(p, a, b, pa, pb)
         v = smooth(relu(s - p.edge_p[e, 1])) + smooth(relu(p.edge_p[e, 0] - s))
@@ -263,7 +263,7 @@ def pair_energy(p: Problem, w: wp.array(dtype=wp.vec3), off: int, k: int, aabb: 
     dx = pa[0] - pb[0]
     dy = pa[1] - pb[1]
     reach = p.node_radius[a] + p.node_radius[b] + m
-    e = 0.0
+    e = float(0.0)
     if dx * dx + dy * dy > reach * reach:
         return e
     if aabb == 1:
@@ -325,7 +325,7 @@ def spread(
 @wp.func
 def unit_energy(p: Problem, w: wp.array(dtype=wp.vec3), off: int, u: int, limit: int, aabb: int):
     """Sum of all terms that unit u influences, among units up to `limit`."""
-    e = 0.0
+    e = float(0.0)
     for k in range(p.ue_off[u], p.ue_off[u + 1]):
         i = p.ue[k]
         n = p.edge_node[i]
@@ -453,17 +453,17 @@ def propose(
     yaw = pref[2]
     if free[2] > 0.5:
         r = wp.randf(rng)
-        if r > 0.5:
+        if r > 0.6 and k > 0:
             yaw = pref[2] + wp.floor(wp.randf(rng) * 4.0) * 0.5 * PI
-        if r > 0.9:
+        if r > 0.92 and k > 0:
             yaw = wp.randf(rng) * 2.0 * PI
     x = wp.vec2(
         box[0] + box[2] * (wp.randf(rng) * 2.0 - 1.0), box[1] + box[3] * (wp.randf(rng) * 2.0 - 1.0)
     )
     # one usable edge chosen uniformly (reservoir of size one)
-    chosen = -1
-    seen = 0.0
-    mine = 1
+    chosen = int(-1)
+    seen = float(0.0)
+    mine = int(1)
     for j in range(p.ue_off[u], p.ue_off[u + 1]):
         i = p.ue[j]
         n = p.edge_node[i]
@@ -471,14 +471,14 @@ def propose(
         if kd != E_REGION and kd != E_FACE and n[1] >= 0:
             ua = p.node_unit[n[0]]
             ub = p.node_unit[n[1]]
-            uc = -1
+            uc = int(-1)
             if n[2] >= 0:
                 uc = p.node_unit[n[2]]
             if (ua == u and ub < u and uc < u) or (ub == u and ua < u and uc < 0):
                 seen += 1.0
                 if wp.randf(rng) * seen <= 1.0:
                     chosen = i
-                    mine = 1
+                    mine = int(1)
                     if ub == u:
                         mine = 0
     if chosen >= 0 and wp.randf(rng) < 0.8:
@@ -518,9 +518,9 @@ def propose(
 
 @wp.func
 def total_energy(p: Problem, w: wp.array(dtype=wp.vec3), off: int, scene: int, aabb: int):
-    rel = 0.0
-    reg = 0.0
-    col = 0.0
+    rel = float(0.0)
+    reg = float(0.0)
+    col = float(0.0)
     for i in range(p.scene_edge[scene], p.scene_edge[scene + 1]):
         e = edge_energy(p, w, off, i)
         if p.edge_kind[i] == E_REGION:
@@ -560,12 +560,12 @@ def search(
     u1 = p.scene_unit[scene + 1]
 
     for u in range(u0, u1):
-        least = 1.0e30
+        least = float(1.0e30)
         pick = p.unit_pose[u]
         count = s.candidates
         fr = p.unit_free[u]
         if s.sample == 0 or fr[0] + fr[1] + fr[2] < 0.5:
-            count = 1
+            count = int(1)
         for k in range(count):
             c = propose(p, w, off, u, k, s, rng)
             if s.sample == 0:
@@ -579,7 +579,7 @@ def search(
                 c = project(p, wp.vec3(cx, cy, c[2]), u)
             # reading rng in propose advances a copy only: move this one on
             rng = wp.rand_init(thread_seed[t] * 7919 + 13, (u - u0) * 1024 + k + 1)
-            e = 0.0
+            e = float(0.0)
             if count > 1:
                 x[u + uoff] = c
                 spread(p, w, x, off, uoff, u, u)
@@ -587,14 +587,17 @@ def search(
                 a = p.unit_anchor[u]
                 dx = c[0] - a[0]
                 dy = c[1] - a[1]
-                e += s.preference * a[2] * wp.sqrt(dx * dx + dy * dy)
+                e += s.preference * (
+                    a[2] * wp.sqrt(dx * dx + dy * dy)
+                    + a[3] * (1.0 - wp.cos(c[2] - p.unit_pose[u][2]))
+                )
             if e < least:
                 least = e
                 pick = c
         x[u + uoff] = pick
         spread(p, w, x, off, uoff, u, u)
 
-    last = 1 << 30
+    last = int(1 << 30)
     parts = total_energy(p, w, off, scene, s.aabb)
     initial[t] = parts
     energy[t] = parts
@@ -603,10 +606,10 @@ def search(
         best[u + uoff] = x[u + uoff]
         m1[u + uoff] = wp.vec3(0.0, 0.0, 0.0)
         m2[u + uoff] = wp.vec3(0.0, 0.0, 0.0)
-    used = 0
+    used = int(0)
     if s.refine == 1:
         mark = lowest
-        done = 0
+        done = int(0)
         for it in range(s.iterations):
             if done == 0 and lowest > 1.0e-3:
                 used = it + 1
@@ -616,7 +619,7 @@ def search(
                     g = wp.vec3(0.0, 0.0, 0.0)
                     for axis in range(3):
                         if fr[axis] > 0.5:
-                            h = 0.05
+                            h = float(0.05)
                             if axis == 2:
                                 h = 0.003
                             dv = wp.vec3(0.0, 0.0, 0.0)
@@ -665,7 +668,7 @@ def search(
                         best[u + uoff] = x[u + uoff]
                 if it % 20 == 19:
                     if mark - lowest < 1.0e-4 * mark:
-                        done = 1
+                        done = int(1)
                     mark = lowest
     for u in range(u0, u1):
         x[u + uoff] = best[u + uoff]

@@ -7,25 +7,18 @@ import math
 
 import numpy as np
 
-from esg.graph.models import EsgDocument, RelationType
+from esg.graph.models import EsgDocument
 from esg.layout import terms
+from esg.layout.domains import unit_domains
 from esg.layout.edges import Term, binary_terms, characteristic, multi_terms
 from esg.layout.hints import StartHints
-from esg.layout.shapes import CIRCLE, RECTANGLE
+from esg.layout.obstacles import CLEAR_HEIGHT_CM, Obstacle, obstacles
+from esg.layout.ordering import break_parent_cycles, implied_faces, placement_order
+from esg.layout.shapes import CIRCLE
 from esg.layout.supports import Shape, SupportMap, find_supports, ground_nodes, shapes
 from esg.layout.units import Unit, UnitBuilder
 
 PARAMS = 6
-ANCHORS = {
-    "center": (0.0, 0.0),
-    "left": (0.7, 0.0),
-    "right": (-0.7, 0.0),
-    "front": (0.0, 0.7),
-    "back": (0.0, -0.7),
-    "boundary": (0.7, 0.7),
-}
-SEATS = ("chair", "stool", "seat", "armchair")
-FACED = ("desk", "table", "counter", "computer", "monitor", "television", "tv")
 
 
 @dataclass(frozen=True)
@@ -41,6 +34,7 @@ class LayoutProblem:
     supports: SupportMap
     shape: dict[str, Shape]
     terms: tuple[Term, ...]
+    obstacles: tuple[Obstacle, ...]
     notes: tuple[str, ...]
     node_unit: np.ndarray
     node_rel: np.ndarray
@@ -99,74 +93,6 @@ def _heights(
     return out
 
 
-def _order(
-    units: list[Unit], all_terms: list[Term], unit_of: dict[str, int], area: list[float]
-) -> list[int]:
-    """Placement order: parents first, then `to` before `from`, the larger first among equals."""
-    count = len(units)
-    parents = [unit_of[u.parent] if u.parent is not None else -1 for u in units]
-    needs: list[set[int]] = [set() for _ in units]
-    for t in all_terms:
-        a = unit_of[t.nodes[0]]
-        for other in t.nodes[1:]:
-            if other is not None and unit_of[other] != a:
-                needs[a].add(unit_of[other])
-    placed: set[int] = set()
-    out: list[int] = []
-    while len(out) < count:
-        open_ = [
-            i for i in range(count) if i not in placed and (parents[i] < 0 or parents[i] in placed)
-        ]
-
-        def rank(i: int) -> tuple[bool, int, bool, float, int]:
-            return (
-                any(units[i].free),
-                len(needs[i] - placed),
-                not units[i].is_planned,
-                -area[i],
-                i,
-            )
-
-        best = min(open_, key=rank)
-        placed.add(best)
-        out.append(best)
-    return out
-
-
-def _break_parent_cycles(units: list[Unit], unit_of: dict[str, int], notes: list[str]) -> None:
-    for i, u in enumerate(units):
-        seen = {i}
-        at = u.parent
-        while at is not None:
-            k = unit_of[at]
-            if k in seen:
-                notes.append(f"{next(iter(u.members))} cannot stand on itself; placed in the world")
-                u.parent = None
-                break
-            seen.add(k)
-            at = units[k].parent
-
-
-def _implied_faces(doc: EsgDocument) -> list[tuple[str, str]]:
-    """Seats turn to the desk or table that they are near, unless the prompt says otherwise."""
-    graph = doc.spatial_relation_graph
-    facing = {e.from_ for e in graph.edges.binary_relations if e.relation_type is RelationType.FACE}
-
-    def words(n: str) -> set[str]:
-        c = doc.asset_configurations[graph.nodes[n].asset_id]
-        return set(f"{c.category} {n}".lower().replace("_", " ").replace("-", " ").split())
-
-    out = []
-    for e in graph.edges.binary_relations:
-        for a, b in ((e.from_, e.to), (e.to, e.from_)):
-            if a not in graph.nodes or b not in graph.nodes or a in facing:
-                continue
-            if words(a) & set(SEATS) and words(b) & set(FACED) and not words(b) & set(SEATS):
-                facing.add(a)
-                out.append((a, b))
-    return out
-
-
 def build_problem(doc: EsgDocument, seed: int, hints: StartHints | None) -> LayoutProblem:
     """Turns a resolved document into arrays.
 
@@ -186,7 +112,7 @@ def build_problem(doc: EsgDocument, seed: int, hints: StartHints | None) -> Layo
     z = _heights(names, builder, supports, shape)
     ground = set(ground_nodes(doc))
     unit_of = {n: i for i, u in enumerate(units) for n in u.members}
-    _break_parent_cycles(units, unit_of, notes)
+    break_parent_cycles(units, unit_of, notes)
 
     rel_terms: list[Term] = []
     for k, e in enumerate(graph.edges.binary_relations):
@@ -196,7 +122,7 @@ def build_problem(doc: EsgDocument, seed: int, hints: StartHints | None) -> Layo
                 if not (e.to in ground and t.kind != terms.FACE)
             ]  # fmt: skip
     rel_terms += multi_terms(doc, shape, supports)
-    rel_terms += [Term(terms.FACE, (a, b, None), 0.5, (0.0, 0.0)) for a, b in _implied_faces(doc)]
+    rel_terms += [Term(terms.FACE, (a, b, None), 0.5, (0.0, 0.0)) for a, b in implied_faces(doc)]
 
     (bx0, by0, _), (bx1, by1, _) = doc.scene_definition.coordinate_system.world_bounds_cm
     world = (bx0, by0, bx1, by1)
@@ -206,18 +132,17 @@ def build_problem(doc: EsgDocument, seed: int, hints: StartHints | None) -> Layo
             if n in ground or (shape[n].is_decal and max(shape[n].hx, shape[n].hy) > 1000.0):
                 continue
             if s.parent is None or n in u.z_cm:
-                rel_terms.append(Term(terms.REGION, (n, None, None), 1.0, s.rect or world))
-            elif unit_of.get(s.parent) != i or len(u.members) == 1:
-                if s.rect is not None:
-                    rel_terms.append(
-                        Term(terms.REGION, (n, s.parent, None), 1.0, _overhang(s.rect, shape[n]))
-                    )
+                rect = (s.rect if n not in u.z_cm else None) or world
+                rel_terms.append(Term(terms.REGION, (n, None, None), 1.0, rect))
+            elif unit_of.get(s.parent) != i and s.rect is not None:
+                rect = _overhang(s.rect, shape[n])
+                rel_terms.append(Term(terms.REGION, (n, s.parent, None), 1.0, rect))
 
     area = [
         sum(4 * shape[n].hx * shape[n].hy for n in u.members if not shape[n].is_decal)
         for u in units
     ]
-    order = _order(units, rel_terms, unit_of, area)
+    order = placement_order(units, rel_terms, unit_of, area)
     units = [units[i] for i in order]
     unit_of = {n: i for i, u in enumerate(units) for n in u.members}
     return _arrays(doc, names, units, unit_of, supports, shape, rel_terms, notes, z, ground, seed)
@@ -251,7 +176,6 @@ def _arrays(
     seed: int,
 ) -> LayoutProblem:
     index = {n: i for i, n in enumerate(names)}
-    nodes = doc.spatial_relation_graph.nodes
     node_unit = [unit_of[n] for n in names]
     node_rel = [units[unit_of[n]].members[n] for n in names]
     node_z = [z[n] for n in names]
@@ -264,37 +188,16 @@ def _arrays(
         for n in names
     ]  # fmt: skip
 
-    # corridors are obstacles that belong to their unit
-    exempt: list[set[int]] = []
-    for u, unit in enumerate(units):
-        for c in unit.corridors:
-            allowed: set[str] = set()
-            for p in c.participants:
-                if p.startswith("group:"):
-                    allowed |= {n for n in names if nodes[n].group == p.removeprefix("group:")}
-                else:
-                    allowed.add(p)
-            allowed |= {a for n in allowed if n in index for a in supports.chain(n)}
-            allowed |= {n for n in names if set(supports.chain(n)) & allowed and n in unit.members}
-            movers = [n for n in c.participants if n in index]
-            base = min((z[n] for n in movers), default=0.0)
-            boxes = []
-            for (x0, y0), (x1, y1) in zip(c.points_cm, c.points_cm[1:], strict=False):
-                length = math.hypot(x1 - x0, y1 - y0)
-                boxes.append(
-                    (
-                        RECTANGLE, 0.5 * (x0 + x1), 0.5 * (y0 + y1), math.atan2(y1 - y0, x1 - x0),
-                        0.5 * length + c.half_width_cm, c.half_width_cm, 0.5, 300.0,
-                    )
-                )  # fmt: skip
-            node_unit.append(u)
-            node_rel.append((0.0, 0.0, 0.0))
-            node_z.append(base)
-            node_half.append((1.0, 1.0))
-            node_round.append(0)
-            node_height.append(300.0)
-            prims.append(boxes)
-            exempt.append({index[n] for n in allowed if n in index})
+    blocked = obstacles(doc, units, supports, shape, z)
+    exempt = [{index[n] for n in o.exempt} for o in blocked]
+    for o in blocked:
+        node_unit.append(o.unit)
+        node_rel.append(o.rel)
+        node_z.append(o.base_z_cm)
+        node_half.append((1.0, 1.0))
+        node_round.append(0)
+        node_height.append(CLEAR_HEIGHT_CM)
+        prims.append(list(o.prisms))
     radius = [
         max(
             (
@@ -372,53 +275,16 @@ def _arrays(
             ]
         )
 
-    rng = np.random.default_rng([seed, 78])
-    total = sum(
-        4 * shape[n].hx * shape[n].hy
-        for n in names
-        if n not in ground and not shape[n].is_decal and supports.of[n].parent is None
+    domains = unit_domains(
+        doc,
+        units,
+        supports,
+        shape,
+        rel_terms,
+        unit_edges,
+        ground,
+        np.random.default_rng([seed, 78]),
     )
-    biggest = max(
-        (max(shape[n].hx, shape[n].hy) for n in names if n not in ground and not shape[n].is_decal),
-        default=50.0,
-    )
-    span = max(1.5 * math.sqrt(max(total, 1.0)), 2.0 * biggest)
-    box, anchor, free, pose, step = [], [], [], [], []
-    for u, unit in enumerate(units):
-        first = next(iter(unit.members))
-        s = supports.of[first]
-        rect = s.rect if unit.parent is not None or s.parent is None else None
-        if rect is None:
-            (bx0, by0, _), (bx1, by1, _) = doc.scene_definition.coordinate_system.world_bounds_cm
-            rect = (max(-span, bx0), max(-span, by0), min(span, bx1), min(span, by1))
-        cx, cy = 0.5 * (rect[0] + rect[2]), 0.5 * (rect[1] + rect[3])
-        hx, hy = 0.5 * (rect[2] - rect[0]), 0.5 * (rect[3] - rect[1])
-        box.append((cx, cy, hx, hy))
-        preference = nodes[first].layout_preference
-        if preference.anchor == "none":
-            # unconstrained objects spread out instead of crowding in the middle
-            ax, ay = rng.uniform(-0.6, 0.6, 2)
-            weight = 0.3
-        else:
-            ax, ay = ANCHORS[preference.anchor]
-            weight = preference.weight
-        anchor.append((cx + ax * hx, cy + ay * hy, weight))
-        f = list(unit.free)
-        p = list(unit.pose)
-        if len(unit.members) == 1 and supports.of[first].yaw_fixed:
-            f[2] = False
-        turns = any(t.kind == terms.FACE and t.nodes[0] in unit.members for t in rel_terms)
-        if len(unit.members) == 1 and shape[first].is_round and not turns:
-            f[2] = False
-        if first in ground or (shape[first].is_decal and unit.parent is None and not any(
-            k for k in unit_edges[u] if rel_terms[k].source
-        ) and len(unit.members) == 1):  # fmt: skip
-            f = [False, False, False]
-        free.append(f)
-        pose.append(p)
-        sizes = [min(shape[n].hx, shape[n].hy) for n in unit.members]
-        step.append(min(max(0.1 * float(np.mean(sizes)), 0.3), 8.0))
-
     flat = [p for ps in prims for p in ps]
     table = np.asarray(flat, np.float32).reshape(-1, 8)
     return LayoutProblem(
@@ -427,6 +293,7 @@ def _arrays(
         supports=supports,
         shape=shape,
         terms=tuple(rel_terms),
+        obstacles=tuple(blocked),
         notes=tuple(notes),
         node_unit=np.asarray(node_unit, np.int32),
         node_rel=np.asarray(node_rel, np.float32).reshape(-1, 3),
@@ -443,11 +310,11 @@ def _arrays(
         unit_parent=np.asarray(
             [-1 if u.parent is None else index[u.parent] for u in units], np.int32
         ),
-        unit_free=np.asarray(free, np.float32).reshape(-1, 3),
-        unit_pose=np.asarray(pose, np.float32).reshape(-1, 3),
-        unit_box=np.asarray(box, np.float32).reshape(-1, 4),
-        unit_anchor=np.asarray(anchor, np.float32).reshape(-1, 3),
-        unit_step=np.asarray(step, np.float32),
+        unit_free=domains.free,
+        unit_pose=domains.pose,
+        unit_box=domains.box,
+        unit_anchor=domains.anchor,
+        unit_step=domains.step,
         aff=aff,
         unit_edges=unit_edges,
         unit_pairs=unit_pairs,

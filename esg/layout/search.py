@@ -71,10 +71,8 @@ def concatenate(problems: Sequence[LayoutProblem]) -> dict[str, np.ndarray]:
 
     data = {k: cat(k) for k in ("node_z", "node_round", "node_height", "node_radius", "unit_step")}
     data |= {k: cat(k, 2) for k in ("node_half", "prim_half", "prim_z")}
-    data |= {
-        k: cat(k, 3) for k in ("node_rel", "prim_pose", "unit_free", "unit_pose", "unit_anchor")
-    }
-    data["unit_box"] = cat("unit_box", 4)
+    data |= {k: cat(k, 3) for k in ("node_rel", "prim_pose", "unit_free", "unit_pose")}
+    data |= {k: cat(k, 4) for k in ("unit_box", "unit_anchor")}
     data |= {k: cat(k) for k in ("prim_kind", "edge_kind", "edge_w", "pair_margin")}
     data["edge_p"] = cat("edge_p", 6)
     data["node_unit"] = shift("node_unit", units)
@@ -114,7 +112,7 @@ def run_search(
     data = concatenate(problems)
     vectors: dict[str, Any] = {
         "node_half": wp.vec2, "prim_half": wp.vec2, "prim_z": wp.vec2, "node_rel": wp.vec3,
-        "prim_pose": wp.vec3, "unit_free": wp.vec3, "unit_pose": wp.vec3, "unit_anchor": wp.vec3,
+        "prim_pose": wp.vec3, "unit_free": wp.vec3, "unit_pose": wp.vec3, "unit_anchor": wp.vec4,
         "unit_box": wp.vec4, "edge_node": wp.vec3i, "pair": wp.vec2i,
     }  # fmt: skip
     problem = kernels.Problem()

@@ -9,7 +9,7 @@ import math
 import numpy as np
 
 from esg.graph.models import EsgDocument, LayoutResult, Pose, Provenance
-from esg.layout.check import World, penetrations, relation_reports, world_poses
+from esg.layout.check import World, intrusions, penetrations, relation_reports, world_poses
 from esg.layout.config import LayoutConfig
 from esg.layout.hints import StartHints
 from esg.layout.problem import LayoutProblem, build_problem
@@ -106,6 +106,7 @@ def _choose(
     for k in order[:6].tolist():
         world = world_poses(problem, result.units[k])
         deep = sum(1 for p in penetrations(problem, world) if p[0] > 0.05)
+        deep += len(intrusions(problem, world))
         reports = relation_reports(doc, problem, world)
         broken = sum(not r.satisfied for r in reports)
         hard = sum(not r.satisfied and r.relation_type in HARD_RELATIONS for r in reports)
@@ -161,8 +162,9 @@ def _write(
     ]
     bad = [d for d in deep if d[0] >= MAX_PENETRATION_CM]
     supports = [f"{n} {s.note}" for n, s in problem.supports.of.items() if s.note]
-    feasible = not bad and not hard and not supports
-    reason = _reason(doc, problem, bad, [*hard, *supports])
+    blocked = [f"{n} stands in {label}" for _, n, label in intrusions(problem, world)]
+    feasible = not bad and not hard and not supports and not blocked
+    reason = _reason(doc, problem, bad, [*hard, *supports, *blocked])
     notes = "; ".join(problem.notes)
     poses = {
         n: Pose(

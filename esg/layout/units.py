@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+import itertools
 import math
 
 import numpy as np
@@ -121,7 +122,7 @@ class UnitBuilder:
         pattern = self.pattern_of(group)
         poses = arrange(pattern, [_size(self.shape[m]) for m in members], self.rng)
         if pattern == "stack":
-            for below, above in zip(members, members[1:], strict=False):
+            for below, above in itertools.pairwise(members):
                 self.stacked[above] = below
         return dict(zip(members, poses, strict=True))
 
