@@ -9,7 +9,7 @@ if TYPE_CHECKING:
     from esg.metrics.aggregate import SceneRun, bench_json, comparison_table, load_paper_results
     from esg.metrics.binding import Binding, bind
     from esg.metrics.expectations import expectations_from_timeline
-    from esg.metrics.judge import judge
+    from esg.metrics.judging import judge
     from esg.metrics.models import (
         ConstraintVerdict,
         EventVerdict,
@@ -30,7 +30,7 @@ _HOME = {
     "Binding": "binding",
     "bind": "binding",
     "expectations_from_timeline": "expectations",
-    "judge": "judge",
+    "judge": "judging",
     "ConstraintVerdict": "models",
     "EventVerdict": "models",
     "LayoutVerdict": "models",
