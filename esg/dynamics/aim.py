@@ -98,6 +98,11 @@ def aim_heading(scene: SimScene, story: Story, mover: Body, phase: Phase, target
     if phase.end.region:
         center = region_center(scene, phase.end.region)
         goal = goal if center is None else center[:2]
+    if phase.end.event is NodeEvent.MISS:
+        low, high = body_bounds(body)
+        toward = np.array(body.position)[:2] - position
+        clear = 0.5 * float(np.linalg.norm((high - low)[:2])) + float(mover.half_extents[1]) + 0.2
+        return math.atan2(toward[1], toward[0]) + math.atan2(clear, float(np.linalg.norm(toward)))
     beyond = next_goal(scene, story, phase.end.id, target)
     if beyond is not None and not body.static:
         onward = beyond[:2] - np.array(body.position)[:2]

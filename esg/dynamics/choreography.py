@@ -47,6 +47,8 @@ from esg.layout.hints import Constellation, Corridor, Placement, StartHints
 CLEARANCE_M = 0.35
 RUN_OUT_M = 1.0
 MAX_APPROACH_M = 45.0
+REACH_BRAKE_DAMPING = 9.0
+"""Linear damping [1/s] with which a body stops that reaches a place without a hit."""
 
 
 @dataclass(frozen=True)
@@ -321,7 +323,9 @@ class _Stage:
             lateral = pa.half_width + pb.half_lateral(yaw - heading) + 0.25
             front = 0.0
         if node.event is NodeEvent.REACH:
-            front += 0.12
+            # Room to come to rest after the hold ends.
+            front += 0.15 + self.tracks[a].speed / REACH_BRAKE_DAMPING
+            self.nominal[f"{node.id}/time"] = self.tracks[a].time
         cx = x + front * math.cos(heading) - lateral * math.sin(heading)
         cy = y + front * math.sin(heading) + lateral * math.cos(heading)
         self.places[b] = (cx, cy, yaw)

@@ -25,6 +25,8 @@ Bools = NDArray[np.bool_]
 
 MISSED = 10.0
 """Loss of an event that did not happen, before its distance is added."""
+UNMET = 60.0
+"""Loss of a quantity whose event did not happen: more than any error of one that did."""
 CHAIN_GAP_S = 0.1
 HIT_LIMIT_S = 15.0
 MIN_IMPULSE_NS = 0.1
@@ -182,7 +184,7 @@ class _Assessor:
         self.result.measured[name] = np.where(done, time, np.nan)
         self.result.error[name] = np.where(done, error, np.inf)
         self._term(
-            f"{node.id}/window", np.where(done, np.minimum((error / TIME_SCALE_S) ** 2, 9), 9.0)
+            f"{node.id}/window", np.where(done, _bowl(error / TIME_SCALE_S), UNMET)
         )
 
     def _constraint(self, node: TimelineNode, c: EventConstraint, done: Bools) -> None:
@@ -198,7 +200,7 @@ class _Assessor:
         known = done & np.isfinite(value)
         self.result.measured[name] = np.where(known, value, np.nan)
         self.result.error[name] = np.where(known, error, np.inf)
-        self._term(name, np.where(known, np.minimum((push / scale) ** 2, 9.0), 9.0))
+        self._term(name, np.where(known, _bowl(push / scale), UNMET))
 
     def _measure(self, node: TimelineNode, c: EventConstraint) -> tuple[Floats, float]:
         time = self.result.time[node.id]
@@ -481,3 +483,9 @@ class _Assessor:
         offsets = np.arange(math.floor(begin * self.fps), math.ceil(end * self.fps) + 1)
         stack = np.stack([self._at(series, time + k / self.fps) for k in offsets])
         return stack.max(axis=0)
+
+
+def _bowl(x: Floats) -> Floats:
+    """Quadratic near zero, linear further out, at most UNMET."""
+    x = np.abs(x)
+    return np.minimum(np.where(x < 3.0, x * x, 6.0 * x - 9.0), UNMET)

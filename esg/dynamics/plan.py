@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.dynamics.aim import aim_heading, aim_point
-from esg.dynamics.choreography import choreograph, turn_of
+from esg.dynamics.choreography import REACH_BRAKE_DAMPING, choreograph, turn_of
 from esg.dynamics.kinematics import ballistic_velocity
 from esg.dynamics.story import Phase, Story, bounds, middle, read_story
 from esg.engines.program import (
@@ -35,7 +35,6 @@ from esg.graph.models import (
 )
 from esg.units import GRAVITY_MPS2, quat_from_euler_deg, yaw_from_quat
 
-REACH_BRAKE_DAMPING = 9.0
 AFTERMATH_S = 1.5
 MAX_DURATION_S = 14.5
 
@@ -477,7 +476,7 @@ class _Planner:
         yaw = float(yaw_from_quat(body.quaternion))
         if self._drives(actor) and not straight:
             return yaw
-        if target is None:
+        if target is None or (self._drives(actor) and first.end.event is NodeEvent.MISS):
             return yaw
         heading = aim_heading(self.scene, self.story, body, first, target)
         if self._drives(actor) and abs(_wrap(heading - yaw)) > math.radians(12.0):

@@ -39,6 +39,8 @@ WORLDS = 32
 MAX_ROUNDS = 12
 ELITES = 6
 FINALISTS = 4
+PATIENCE = 3
+"""Rounds without progress after which a search whose events all happen gives up on the rest."""
 GOOD_LOSS = 0.35
 """Worst-case loss at which the search stops early: all events happen, residuals are small."""
 STATIC_DURATION_S = 1.0
@@ -111,11 +113,18 @@ def _search(
     """Cross-entropy search over the free variables with a robust choice among the elites."""
     low, high, free = plan.lower(), plan.upper(), plan.free()
     mean = plan.initial()
-    spread = np.array([v.spread for v in plan.variables]) * free
+    scale = np.array([v.spread for v in plan.variables]) * free
+    spread = scale
     elites: Floats = np.zeros((0, len(mean)))
     kept: Floats = np.zeros(0)
-    best: Found | None = None
+    # Most choreographed starts already hold: try a few under the whole ensemble first.
+    first = np.clip(mean + spread * rng.standard_normal((FINALISTS, len(mean))), low, high)
+    first[0] = np.clip(mean, low, high)
     history: list[float] = []
+    best = _worst_case(plan, simulator, first, 1, history)
+    history.append(_rounded(best.worst))
+    if best.worst < GOOD_LOSS:
+        return best
     for round_ in range(max_rounds):
         thetas = np.clip(mean + spread * rng.standard_normal((WORLDS, len(mean))), low, high)
         thetas[0] = np.clip(mean, low, high)
@@ -124,28 +133,28 @@ def _search(
         scores = np.concatenate([kept, losses])
         order = np.argsort(scores, kind="stable")
         history.append(_rounded(scores[order[0]]))
-        found = _worst_case(plan, simulator, pool[order[:FINALISTS]], round_ + 1, history)
-        if best is None or found.worst < best.worst:
+        found = _worst_case(plan, simulator, pool[order[:FINALISTS]], round_ + 2, history)
+        if found.worst < best.worst:
             best = found
-        best.rounds, best.history = round_ + 1, history
-        if best.worst < GOOD_LOSS or (round_ >= 4 and _settled(best, history)):
+        best.rounds, best.history = round_ + 2, history
+        if best.worst < GOOD_LOSS or _stalled(best, history):
             break
         elites, kept = pool[order[:ELITES]], scores[order[:ELITES]]
         center = np.concatenate([elites, best.theta[None]]) if best.worst < MISSED else elites
         mean = center.mean(axis=0)
-        first = np.array([v.spread for v in plan.variables]) * free
-        spread = np.maximum(1.3 * elites.std(axis=0), 0.35 * 0.8**round_ * first)
+        spread = np.maximum(1.3 * elites.std(axis=0), 0.35 * 0.8**round_ * scale)
         if kept[0] > 0.8 * MISSED:
             # An event never happened yet: look further afield instead of closing in.
-            spread = np.maximum(spread, 1.6 * first)
-    assert best is not None
+            spread = np.maximum(spread, 1.6 * scale)
     return best
 
 
-def _settled(best: Found, history: list[float]) -> bool:
-    """Everything happens in every member of the ensemble and the last rounds gained nothing."""
-    done = bool(best.ensemble.all_completed().all() and best.ensemble.within_tolerance().all())
-    return done and min(history[:-2]) - min(history) < 0.02
+def _stalled(best: Found, history: list[float]) -> bool:
+    """The last rounds gained nothing although every event already happens."""
+    if len(history) < PATIENCE + 2 or not bool(best.nominal.all_completed().all()):
+        return False
+    earlier, now = min(history[:-PATIENCE]), min(history)
+    return earlier - now < max(0.02, 0.02 * earlier)
 
 
 def _worst_case(
