@@ -1,0 +1,315 @@
+"""Compiles emitted classes with g++ under the shim, cached by content.
+
+A library's key is the hash of the class's two files, the shim and the compiler's version, so that
+an unchanged class is never compiled twice. Several classes share a translation unit and all units
+share a precompiled header: that is what makes batches fast.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from functools import cache
+import hashlib
+import os
+from pathlib import Path
+import shutil
+import subprocess
+import tempfile
+import time
+
+from esg.compile.lint import ENGINE_HEADERS, generated_header, lint
+
+FLAGS = (
+    "-std=c++20",
+    "-Wall",
+    "-Wextra",
+    "-Werror",
+    "-O0",
+    "-fPIC",
+    "-fvisibility=hidden",
+    "-fno-gnu-unique",
+)
+CLASSES_PER_UNIT = 8
+"""More classes save little more header time and make one failure cost more."""
+
+_SHIM = Path(__file__).parent / "shim"
+_KEY_LENGTH = 20
+
+
+class CompilerMissing(RuntimeError):
+    """There is no C++ compiler: replay the control program instead and say so."""
+
+    def __init__(self) -> None:
+        super().__init__(
+            "no g++ found: the emitted class cannot be compiled for replay. Install g++ 11 or "
+            "newer, or set CXX; without it the control program is replayed instead."
+        )
+
+
+class ClassError(RuntimeError):
+    """An emitted class breaks a rule or does not compile.
+
+    Args:
+        where: Its files.
+        complaints: Every complaint, or the compiler's output as one.
+    """
+
+    def __init__(self, where: str, complaints: Sequence[str]) -> None:
+        self.complaints = tuple(complaints)
+        super().__init__(f"{where}: " + "; ".join(complaints))
+
+
+@dataclass(frozen=True)
+class ClassFiles:
+    """The two files of one class.
+
+    Args:
+        folder: Where they came from, for messages.
+        name: Class name without Unreal's A.
+        header, source: Their text.
+    """
+
+    folder: str
+    name: str
+    header: str
+    source: str
+
+    @staticmethod
+    def read(folder: Path) -> ClassFiles:
+        """The class in `folder`/unreal.
+
+        Raises:
+            FileNotFoundError: If there is not exactly one header with its source.
+        """
+        headers = sorted((folder / "unreal").glob("*.h"))
+        if len(headers) != 1:
+            raise FileNotFoundError(f"{folder}/unreal holds {len(headers)} headers, expected one")
+        source = headers[0].with_suffix(".cpp")
+        return ClassFiles(
+            str(folder), headers[0].stem, headers[0].read_text("utf-8"), source.read_text("utf-8")
+        )
+
+
+@dataclass(frozen=True)
+class Library:
+    """A compiled class.
+
+    Args:
+        path: Shared library.
+        entry: Suffix of the class's entry points in it.
+        seconds: Compile time, the class's share of its unit; 0 from the cache.
+    """
+
+    path: Path
+    entry: str
+    seconds: float
+
+
+def cache_dir() -> Path:
+    """Folder of compiled classes: $ESG_CACHE_DIR or ~/.cache/esg, below it `classes`."""
+    root = os.environ.get("ESG_CACHE_DIR")
+    return (Path(root) if root else Path.home() / ".cache" / "esg") / "classes"
+
+
+def compiler() -> str:
+    """Path of the C++ compiler.
+
+    Raises:
+        CompilerMissing: If there is none.
+    """
+    found = shutil.which(os.environ.get("CXX") or "g++")
+    if not found:
+        raise CompilerMissing
+    return found
+
+
+@cache
+def _compiler_version(path: str) -> str:
+    done = subprocess.run([path, "--version"], capture_output=True, text=True, check=True)
+    return done.stdout.splitlines()[0]
+
+
+@cache
+def _shim_text() -> tuple[str, str]:
+    return (_SHIM / "UEShim.h").read_text("utf-8"), (_SHIM / "glue.cpp").read_text("utf-8")
+
+
+def _environment_key(cxx: str) -> str:
+    parts = (*_shim_text(), _compiler_version(cxx), *FLAGS)
+    return hashlib.sha256("\0".join(parts).encode()).hexdigest()[:_KEY_LENGTH]
+
+
+def class_key(files: ClassFiles, cxx: str) -> str:
+    """Key of a compiled class: its text, the shim and the compiler."""
+    parts = (_environment_key(cxx), files.name, files.header, files.source)
+    return hashlib.sha256("\0".join(parts).encode()).hexdigest()[:_KEY_LENGTH]
+
+
+def compile_class(files: ClassFiles) -> Library:
+    """Lints and compiles one class, or finds it in the cache.
+
+    Raises:
+        CompilerMissing: Without a compiler.
+        ClassError: If lint or the compiler complains.
+    """
+    result = compile_many([files], jobs=1)[0]
+    if isinstance(result, Exception):
+        raise result
+    return result
+
+
+def compile_many(
+    classes: Sequence[ClassFiles], jobs: int | None = None
+) -> list[Library | ClassError]:
+    """Compiles many classes: several to a unit, units in parallel.
+
+    Args:
+        classes: What to compile, in any order; equal classes are compiled once.
+        jobs: Parallel compilers; default the number of cores.
+
+    Returns:
+        One entry per class, in order: its library, or what is wrong with it.
+
+    Raises:
+        CompilerMissing: Without a compiler.
+    """
+    cxx = compiler()
+    keys = [class_key(files, cxx) for files in classes]
+    results: dict[str, Library | ClassError] = {}
+    todo: dict[str, ClassFiles] = {}
+    for key, files in zip(keys, classes, strict=True):
+        if key in results or key in todo:
+            continue
+        complaints = lint(files.header, files.source, files.name)
+        if complaints:
+            results[key] = ClassError(f"{files.folder}/unreal/{files.name}", complaints)
+        elif (found := _cached(key)) is not None:
+            results[key] = found
+        else:
+            todo[key] = files
+    if todo:
+        include = _include_dir(cxx)
+        units = _units(todo)
+        with ThreadPoolExecutor(jobs or os.cpu_count() or 1) as pool:
+            for part in pool.map(lambda unit: _compile_unit(cxx, include, unit), units):
+                results.update(part)
+    return [results[key] for key in keys]
+
+
+def _cached(key: str) -> Library | None:
+    reference = cache_dir() / f"{key}.ref"
+    try:
+        path = cache_dir() / reference.read_text("utf-8").strip()
+    except OSError:
+        return None
+    return Library(path, key, 0.0) if path.is_file() else None
+
+
+def _units(todo: dict[str, ClassFiles]) -> list[list[tuple[str, ClassFiles]]]:
+    """Groups of at most CLASSES_PER_UNIT classes with different names."""
+    units: list[list[tuple[str, ClassFiles]]] = []
+    for item in todo.items():
+        for unit in units:
+            if len(unit) < CLASSES_PER_UNIT and all(f.name != item[1].name for _, f in unit):
+                unit.append(item)
+                break
+        else:
+            units.append([item])
+    return units
+
+
+def _compile_unit(
+    cxx: str, include: Path, unit: list[tuple[str, ClassFiles]]
+) -> dict[str, Library | ClassError]:
+    start = time.perf_counter()
+    root = cache_dir()
+    names = "\0".join(key for key, _ in unit)
+    target = root / f"unit-{hashlib.sha256(names.encode()).hexdigest()[:_KEY_LENGTH]}.so"
+    with tempfile.TemporaryDirectory(dir=root, prefix="build-") as work:
+        main: list[str] = []
+        for key, files in unit:
+            _write_class(Path(work), files)
+            main.append(f'#include "{files.name}.cpp"')
+            main.append(f"#define SHIM_CLASS A{files.name}\n#define SHIM_ID {_entry(key)}")
+            main.append('#include "glue.cpp"')
+        unit_cpp = Path(work, "unit.cpp")
+        unit_cpp.write_text("\n".join(main) + "\n", "utf-8")
+        built = Path(work, "unit.so")
+        command = [cxx, *FLAGS, "-shared", "-include", "UEShim.h", f"-I{include}", f"-I{work}",
+                   str(unit_cpp), "-o", str(built)]  # fmt: skip
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        if done.returncode == 0:
+            os.replace(built, target)
+    if done.returncode != 0:
+        if len(unit) > 1:
+            # One bad class must not fail its neighbours: find it by compiling each alone.
+            out: dict[str, Library | ClassError] = {}
+            for item in unit:
+                out.update(_compile_unit(cxx, include, [item]))
+            return out
+        key, files = unit[0]
+        message = done.stderr.strip().replace(f"{work}/", "")
+        return {key: ClassError(f"{files.folder}/unreal/{files.name}.cpp", [message])}
+    seconds = (time.perf_counter() - start) / len(unit)
+    for key, _ in unit:
+        _write(root / f"{key}.ref", target.name)
+    return {key: Library(target, key, seconds) for key, _ in unit}
+
+
+def _entry(key: str) -> str:
+    return f"k{key}"
+
+
+def entry_point(library: Library, name: str) -> str:
+    """Symbol of an entry point, e.g. `esg_tick_k0123…`."""
+    return f"esg_{name}_{_entry(library.entry)}"
+
+
+def _write_class(folder: Path, files: ClassFiles) -> None:
+    (folder / f"{files.name}.h").write_text(files.header, "utf-8")
+    (folder / f"{files.name}.cpp").write_text(files.source, "utf-8")
+    generated = generated_header(files.header, files.name)
+    (folder / f"{files.name}.generated.h").write_text(generated, "utf-8")
+
+
+def _write(path: Path, text: str) -> None:
+    temporary = path.with_name(f"{path.name}.{os.getpid()}.tmp")
+    temporary.write_text(text, "utf-8")
+    os.replace(temporary, path)
+
+
+def _include_dir(cxx: str) -> Path:
+    """Folder with the shim, a stub per engine header and the precompiled header."""
+    root = cache_dir()
+    root.mkdir(parents=True, exist_ok=True)
+    folder = root / f"include-{_environment_key(cxx)}"
+    if (folder / "UEShim.h.gch").is_file():
+        return folder
+    with tempfile.TemporaryDirectory(dir=root, prefix="include-build-") as work:
+        build = Path(work, "include")
+        build.mkdir()
+        shim, glue = _shim_text()
+        (build / "UEShim.h").write_text(shim, "utf-8")
+        (build / "glue.cpp").write_text(glue, "utf-8")
+        for name in sorted(ENGINE_HEADERS):
+            stub = build / name
+            stub.parent.mkdir(parents=True, exist_ok=True)
+            stub.write_text('#pragma once\n#include "UEShim.h"\n', "utf-8")
+        command = [cxx, *FLAGS, "-x", "c++-header", "UEShim.h", "-o", "UEShim.h.gch"]
+        done = subprocess.run(command, cwd=build, capture_output=True, text=True, check=False)
+        if done.returncode != 0:
+            raise RuntimeError(f"{cxx} cannot compile the shim: {done.stderr.strip()}")
+        try:
+            os.rename(build, folder)
+        except OSError:
+            # Another process finished first; its folder has the same content.
+            if not (folder / "UEShim.h.gch").is_file():
+                raise
+    return folder
+
+
+def read_classes(folders: Iterable[Path]) -> list[ClassFiles]:
+    """The classes of many scene folders."""
+    return [ClassFiles.read(Path(folder)) for folder in folders]

@@ -1,0 +1,307 @@
+"""What the emitter writes, already in Unreal's frame and units: cm, kg, s, degrees, left-handed.
+
+`plan` is the only place where SI values of a SimScene and its Program become Unreal values; the
+text modules (header, source) format what they find here and compute nothing.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from esg.compile import frames, names
+from esg.compile.assets import MeshAsset, mesh_assets
+from esg.engines.program import (
+    AdjustProperties,
+    ApplyImpulse,
+    HoldVelocity,
+    Primitive,
+    Program,
+    SetVelocity,
+)
+from esg.engines.scene import GROUND, Body, SimScene
+from esg.engines.worlds import principal_axes
+from esg.units import quat_rotate
+
+Floats = NDArray[np.float64]
+
+UNLIMITED = 1.0e9
+"""Unreal properties have no infinity: the end [s] of a hold that only a touch ends, the limit
+[cm/s] of a ramp without one."""
+
+GROUNDS = ("GroundPlane", "VehicleGroundPlane")
+"""Members of the two ground components: of ordinary bodies, of bodies on wheels."""
+
+CLASS_PREFIX = "EsgScene"
+MESH = "Mesh"
+"""Suffix of the members that point to components."""
+
+
+@dataclass(frozen=True)
+class WatchedEvent:
+    """A contact the class reports: any of `a` hits any of `b`.
+
+    Args:
+        id: Identifier of the event.
+        a, b: Body names; `ground` is allowed.
+        after: Ids of watched events that must be complete first.
+    """
+
+    id: str
+    a: tuple[str, ...]
+    b: tuple[str, ...]
+    after: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class UnrealBody:
+    """One component and its settings.
+
+    Args:
+        name: Identifier of the component.
+        source: The body it comes from.
+        asset: Its mesh.
+        location: Of the asset's local origin [cm], shape [3].
+        rotation: (x, y, z, w).
+        center_of_mass: In the component's frame [cm], shape [3].
+        principal_axes: Rotation of the principal axes of inertia in the component's frame.
+        inertia: Principal moments [kg cm^2], shape [3].
+        index: Position in the scene.
+    """
+
+    name: str
+    source: Body
+    asset: MeshAsset
+    location: Floats
+    rotation: Floats
+    center_of_mass: Floats
+    principal_axes: Floats
+    inertia: Floats
+    index: int
+
+    @property
+    def member(self) -> str:
+        """The class member that points to the component."""
+        return self.name + MESH
+
+    @property
+    def settings(self) -> str:
+        """The class member that holds its settings."""
+        return self.name + "Settings"
+
+    @property
+    def simulated(self) -> bool:
+        return not self.source.static and self.source.collides
+
+
+@dataclass(frozen=True)
+class UnrealPrimitive:
+    """One primitive: the member that holds its numbers, and those numbers as (field, literal)."""
+
+    member: str
+    kind: str
+    body: str
+    values: tuple[tuple[str, str], ...]
+    until: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class UnrealEvent:
+    """One watched contact.
+
+    Args:
+        name: Identifier, unique.
+        id: The event's own id, for the log.
+        first, second: Component members; any of `first` hitting any of `second` counts.
+        after: Indices of events that must be complete at least the gap before.
+    """
+
+    name: str
+    id: str
+    first: tuple[str, ...]
+    second: tuple[str, ...]
+    after: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class ScenePlan:
+    """Everything the two files of a class say."""
+
+    name: str
+    title: str
+    bodies: tuple[UnrealBody, ...]
+    assets: tuple[MeshAsset, ...]
+    primitives: tuple[UnrealPrimitive, ...]
+    events: tuple[UnrealEvent, ...]
+    notified: frozenset[str]
+    gravity_z: float
+    ground_friction: float
+    ground_restitution: float
+    vehicle_ground_friction: float
+    time_step: float
+    duration: float
+
+    @property
+    def kinds(self) -> frozenset[str]:
+        return frozenset(p.kind for p in self.primitives)
+
+
+def class_name(scene_id: str) -> str:
+    """Name of the class and its files, without Unreal's leading A."""
+    return CLASS_PREFIX + "_" + names.identifier(scene_id, "Scene")
+
+
+def plan(
+    scene: SimScene, program: Program, watch: tuple[WatchedEvent, ...], dt: float
+) -> ScenePlan:
+    """Turns a scene, its program and its watch list into Unreal values.
+
+    Args:
+        scene: Bodies and materials (SI).
+        program: What drives them.
+        watch: Contacts to report.
+        dt: Step the scene is verified with [s].
+
+    Raises:
+        ValueError: For names the scene lacks, a gravity that is not vertical, or non-finite values.
+    """
+    if scene.gravity[0] or scene.gravity[1]:
+        raise ValueError(f"gravity {scene.gravity}: Unreal's world gravity has a Z component only")
+    name = class_name(scene.scene_id)
+    idents = names.unique_identifiers(scene.names)
+    assets = mesh_assets(scene, f"/Game/ESG/{name.removeprefix(CLASS_PREFIX + '_')}")
+    bodies = tuple(
+        _body(i, body, idents[body.name], assets[i]) for i, body in enumerate(scene.bodies)
+    )
+    primitives = _primitives(program, idents)
+    events = _events(watch, idents)
+    notified = {n for e in events for n in e.first}
+    notified |= {p.body for p in primitives if p.until}
+    unique_assets = tuple(dict.fromkeys(assets))
+    return ScenePlan(
+        name=name,
+        title=names.comment(scene.scene_id),
+        bodies=bodies,
+        assets=unique_assets,
+        primitives=primitives,
+        events=events,
+        notified=frozenset(notified),
+        gravity_z=scene.gravity[2] * frames.CM_PER_M,
+        ground_friction=scene.ground_friction,
+        ground_restitution=scene.ground_restitution,
+        vehicle_ground_friction=scene.vehicle_ground_friction,
+        time_step=dt,
+        duration=program.duration,
+    )
+
+
+def _body(index: int, body: Body, name: str, asset: MeshAsset) -> UnrealBody:
+    offset = np.asarray(body.origin_offset, float)
+    origin = np.asarray(body.position, float) + quat_rotate(body.quaternion, offset)
+    moments, axes = principal_axes(np.asarray(body.inertia, float))
+    return UnrealBody(
+        name=name,
+        source=body,
+        asset=asset,
+        location=frames.vector_to_unreal(origin),
+        rotation=frames.quaternion_to_unreal(body.quaternion),
+        center_of_mass=frames.vector_to_unreal(-offset),
+        principal_axes=frames.quaternion_to_unreal(axes),
+        inertia=moments * frames.CM2_PER_M2,
+        index=index,
+    )
+
+
+def _known(idents: dict[str, str], name: str, what: str) -> str:
+    if name not in idents:
+        raise ValueError(f"{what} names unknown body {name!r}; bodies are {list(idents)}")
+    return idents[name] + MESH
+
+
+def _primitives(program: Program, idents: dict[str, str]) -> tuple[UnrealPrimitive, ...]:
+    counts: dict[tuple[str, str], int] = {}
+    members: set[str] = {i.lower() for i in idents.values()}
+    out: list[UnrealPrimitive] = []
+    for p in program.primitives:
+        name = _known(idents, p.body, p.kind).removesuffix(MESH)
+        stem = {
+            "SetVelocity": "Launch",
+            "ApplyImpulse": "Impulse",
+            "AdjustProperties": "Change",
+            "HoldVelocity": "Drive",
+        }[p.kind]
+        while True:
+            number = counts[name, stem] = counts.get((name, stem), 0) + 1
+            member = f"{name}{stem}{number}"
+            if member.lower() not in members:
+                break
+        members.add(member.lower())
+        until: tuple[str, ...] = ()
+        if isinstance(p, HoldVelocity):
+            until = tuple(_known(idents, n, f"hold of {p.body!r}") for n in p.until_contact)
+        out.append(UnrealPrimitive(member, p.kind, name + MESH, _values(p), until))
+    return tuple(out)
+
+
+def _values(p: Primitive) -> tuple[tuple[str, str], ...]:
+    if isinstance(p, SetVelocity):
+        values = [
+            ("Time", frames.literal(p.time)),
+            ("Velocity", frames.vector_literal(frames.vector_to_unreal(p.linear))),
+        ]
+        if p.angular is not None:
+            spin = frames.vector_literal(frames.angular_to_unreal(p.angular))
+            values += [("bSetSpin", "true"), ("Spin", spin)]
+        return tuple(values)
+    if isinstance(p, ApplyImpulse):
+        return (
+            ("Time", frames.literal(p.time)),
+            ("Impulse", frames.vector_literal(frames.vector_to_unreal(p.impulse))),
+        )
+    if isinstance(p, AdjustProperties):
+        values = [("Time", frames.literal(p.time))]
+        for flag, field, value in (
+            ("bSetLinearDamping", "LinearDamping", p.linear_damping),
+            ("bSetAngularDamping", "AngularDamping", p.angular_damping),
+            ("bSetFriction", "Friction", p.friction),
+        ):
+            if value is not None:
+                values += [(flag, "true"), (field, frames.float_literal(value))]
+        return tuple(values)
+    end = min(p.end, UNLIMITED)
+    limit = min(p.max_speed * frames.CM_PER_M, UNLIMITED)
+    return (
+        ("Start", frames.literal(p.start)),
+        ("End", frames.literal(end)),
+        ("Speed", frames.literal(p.speed * frames.CM_PER_M)),
+        ("Heading", frames.literal(frames.heading_to_unreal(p.heading))),
+        ("Acceleration", frames.literal(p.acceleration * frames.CM_PER_M)),
+        ("MaxSpeed", frames.literal(limit)),
+        ("TurnRate", frames.literal(frames.heading_to_unreal(p.turn_rate))),
+        ("RollRadius", frames.literal(p.roll_radius * frames.CM_PER_M)),
+    )
+
+
+def _events(watch: tuple[WatchedEvent, ...], idents: dict[str, str]) -> tuple[UnrealEvent, ...]:
+    ids = [w.id for w in watch]
+    event_names = names.unique_identifiers(ids, "Event")
+    out: list[UnrealEvent] = []
+    for w in watch:
+        what = f"event {w.id!r}"
+        unknown = [a for a in w.after if a not in ids]
+        if unknown:
+            raise ValueError(f"{what} comes after unknown events {unknown}; events are {ids}")
+        first, second = _side(w.a, idents, what), _side(w.b, idents, what)
+        if first == GROUNDS:
+            first, second = second, first
+        after = tuple(ids.index(a) for a in w.after)
+        out.append(UnrealEvent(event_names[w.id], w.id, first, second, after))
+    return tuple(out)
+
+
+def _side(bodies: tuple[str, ...], idents: dict[str, str], what: str) -> tuple[str, ...]:
+    if bodies == (GROUND,):
+        return GROUNDS
+    return tuple(_known(idents, n, what) for n in bodies)

@@ -1,0 +1,803 @@
+// A stand-in for the part of Unreal's API that an emitted scene class uses. Own code, no engine
+// source. It checks what the engine would reject or silently ignore (Shim::Fatal), and hands the
+// physical scene that the class describes to a backend (struct Backend, all values as the class
+// states them: cm, kg, left-handed). It does no physics itself.
+#ifndef ESG_UE_SHIM_H
+#define ESG_UE_SHIM_H
+
+#include <algorithm>
+#include <cmath>
+#include <cstdarg>
+#include <cstdint>
+#include <cstdio>
+#include <functional>
+#include <initializer_list>
+#include <map>
+#include <memory>
+#include <string>
+#include <strings.h>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+typedef int32_t int32;
+typedef uint8_t uint8;
+typedef char TCHAR;
+
+#define TEXT(x) x
+#define UCLASS(...)
+#define USTRUCT(...)
+#define UPROPERTY(...)
+#define UFUNCTION(...)
+#define ESGSCENES_API
+
+class AActor;
+class UObject;
+class UPrimitiveComponent;
+class USceneComponent;
+
+namespace Shim
+{
+	enum class EPhase { Idle, Constructing, Configuring, Playing };
+
+	struct FFatal
+	{
+		std::string Message;
+	};
+
+	[[noreturn]] inline void Fatal(const std::string& Message)
+	{
+		throw FFatal{Message};
+	}
+
+	/** One body as the class leaves it; vectors and quaternions (x, y, z, w) as Unreal has them. */
+	struct FBody
+	{
+		const char* Name;
+		const char* Asset;
+		double Location[3];
+		double Rotation[4];
+		double Scale[3];
+		double CenterOfMass[3];
+		double MassRotation[4];
+		double Inertia[3];
+		double Mass;
+		double LinearDamping;
+		double AngularDamping;
+		double Friction;
+		double Restitution;
+		double MaxSpin;
+		int Collides;
+		int Simulates;
+		int ObjectType;
+		uint32_t Blocks;
+		int Notifies;
+		int CCD;
+		int HasMassFrame;
+		int HasMaterial;
+		int Movable;
+	};
+
+	/** Filled by the host before the class is created. */
+	struct Backend
+	{
+		int (*Asset)(const char* Path, double* Bounds);
+		void (*Log)(const char* Category, const char* Verbosity, const char* Text);
+		void (*GetPose)(int Body, double* Location, double* Rotation);
+		void (*GetVelocity)(int Body, double* Linear, double* Angular);
+		void (*SetVelocity)(int Body, const double* Linear);
+		void (*SetSpin)(int Body, const double* Angular);
+		void (*Impulse)(int Body, const double* Impulse);
+		void (*SetDamping)(int Body, double Linear, double Angular);
+		void (*SetMaterial)(int Body, double Friction, double Restitution);
+		double (*Penetration)(int Body, int Kind, const double* Size, const double* Location, const double* Rotation);
+	};
+
+	struct FState
+	{
+		Backend* Host = nullptr;
+		EPhase Phase = EPhase::Idle;
+		double GravityZ = -980.0;
+		bool bGravitySet = false;
+		bool bFixedStep = false;
+		double FixedStep = 0.0;
+		std::vector<std::unique_ptr<UObject>> Pool;
+		std::vector<UPrimitiveComponent*> Bodies;
+	};
+
+	FState& State();
+
+	inline void Log(const char* Category, const char* Verbosity, const char* Format, ...) __attribute__((format(printf, 3, 4)));
+	inline void Log(const char* Category, const char* Verbosity, const char* Format, ...)
+	{
+		char Buffer[4096];
+		va_list Arguments;
+		va_start(Arguments, Format);
+		vsnprintf(Buffer, sizeof Buffer, Format, Arguments);
+		va_end(Arguments);
+		State().Host->Log(Category, Verbosity, Buffer);
+	}
+}
+
+#define DEFINE_LOG_CATEGORY_STATIC(Category, Default, CompileTime) [[maybe_unused]] static const char* const Category = #Category
+
+namespace ELogVerbosity { enum Type { Fatal, Error, Warning, Display, Log, Verbose, VeryVerbose }; }
+#define UE_LOG(Category, Verbosity, Format, ...) \
+	do { static_cast<void>(ELogVerbosity::Verbosity); Shim::Log(Category, #Verbosity, Format __VA_OPT__(,) __VA_ARGS__); } while (0)
+
+struct FName
+{
+	std::string Text;
+	FName() = default;
+	FName(const char* InText) : Text(InText) {}
+};
+inline const FName NAME_None{};
+
+struct FString
+{
+	std::string Text;
+	FString() = default;
+	FString(const char* InText) : Text(InText) {}
+	const TCHAR* operator*() const { return Text.c_str(); }
+};
+
+struct FMath
+{
+	template <class T> static T Abs(T V) { return V < 0 ? -V : V; }
+	template <class T> static T Max(T A, T B) { return A > B ? A : B; }
+	template <class T> static T Min(T A, T B) { return A < B ? A : B; }
+	template <class T> static T Clamp(T V, T Low, T High) { return Max(Low, Min(V, High)); }
+	template <class T> static T Square(T V) { return V * V; }
+	static double Sin(double V) { return std::sin(V); }
+	static double Cos(double V) { return std::cos(V); }
+	static double DegreesToRadians(double V) { return V * (M_PI / 180.0); }
+	static double RadiansToDegrees(double V) { return V * (180.0 / M_PI); }
+};
+
+struct FVector
+{
+	double X = 0.0, Y = 0.0, Z = 0.0;
+	FVector() = default;
+	explicit FVector(double V) : X(V), Y(V), Z(V) {}
+	FVector(double InX, double InY, double InZ) : X(InX), Y(InY), Z(InZ) {}
+	FVector operator+(const FVector& O) const { return FVector(X + O.X, Y + O.Y, Z + O.Z); }
+	FVector operator-(const FVector& O) const { return FVector(X - O.X, Y - O.Y, Z - O.Z); }
+	FVector operator-() const { return FVector(-X, -Y, -Z); }
+	FVector operator*(double S) const { return FVector(X * S, Y * S, Z * S); }
+	FVector operator/(double S) const { return FVector(X / S, Y / S, Z / S); }
+	FVector operator*(const FVector& O) const { return FVector(X * O.X, Y * O.Y, Z * O.Z); }
+	double Size() const { return std::sqrt(X * X + Y * Y + Z * Z); }
+	static double DotProduct(const FVector& A, const FVector& B) { return A.X * B.X + A.Y * B.Y + A.Z * B.Z; }
+	static FVector CrossProduct(const FVector& A, const FVector& B)
+	{
+		return FVector(A.Y * B.Z - A.Z * B.Y, A.Z * B.X - A.X * B.Z, A.X * B.Y - A.Y * B.X);
+	}
+	static const FVector ZeroVector;
+	static const FVector OneVector;
+};
+inline const FVector FVector::ZeroVector{};
+inline const FVector FVector::OneVector{1.0};
+
+struct FQuat
+{
+	double X = 0.0, Y = 0.0, Z = 0.0, W = 1.0;
+	FQuat() = default;
+	FQuat(double InX, double InY, double InZ, double InW) : X(InX), Y(InY), Z(InZ), W(InW) {}
+	FQuat operator*(const FQuat& B) const
+	{
+		return FQuat(
+			W * B.X + X * B.W + Y * B.Z - Z * B.Y,
+			W * B.Y - X * B.Z + Y * B.W + Z * B.X,
+			W * B.Z + X * B.Y - Y * B.X + Z * B.W,
+			W * B.W - X * B.X - Y * B.Y - Z * B.Z);
+	}
+	FVector RotateVector(const FVector& V) const
+	{
+		const FVector U(X, Y, Z);
+		const FVector T = FVector::CrossProduct(U, V) * 2.0;
+		return V + T * W + FVector::CrossProduct(U, T);
+	}
+	static const FQuat Identity;
+};
+inline const FQuat FQuat::Identity{};
+
+/** Rotation then translation; components of emitted classes have no scale but the ground's. */
+struct FTransform
+{
+	FQuat Rotation;
+	FVector Translation;
+	FTransform() = default;
+	FTransform(const FQuat& InRotation, const FVector& InTranslation) : Rotation(InRotation), Translation(InTranslation) {}
+	/** First this transform, then the other. */
+	FTransform operator*(const FTransform& After) const
+	{
+		return FTransform(After.Rotation * Rotation, After.Rotation.RotateVector(Translation) + After.Translation);
+	}
+	FVector GetLocation() const { return Translation; }
+	FQuat GetRotation() const { return Rotation; }
+	bool Equals(const FTransform& O, double Tolerance = 1e-4) const
+	{
+		const double Turn = 1.0 - std::fabs(Rotation.X * O.Rotation.X + Rotation.Y * O.Rotation.Y + Rotation.Z * O.Rotation.Z + Rotation.W * O.Rotation.W);
+		return (Translation - O.Translation).Size() <= Tolerance && Turn <= Tolerance;
+	}
+	static const FTransform Identity;
+};
+inline const FTransform FTransform::Identity{};
+
+struct FBox
+{
+	FVector Min, Max;
+	bool Intersect(const FBox& O) const
+	{
+		return Min.X <= O.Max.X && O.Min.X <= Max.X && Min.Y <= O.Max.Y && O.Min.Y <= Max.Y && Min.Z <= O.Max.Z && O.Min.Z <= Max.Z;
+	}
+};
+
+template <class T> struct TObjectPtr
+{
+	T* Pointer = nullptr;
+	TObjectPtr() = default;
+	TObjectPtr(T* InPointer) : Pointer(InPointer) {}
+	T* operator->() const
+	{
+		if (!Pointer)
+		{
+			Shim::Fatal("null TObjectPtr is used");
+		}
+		return Pointer;
+	}
+	operator T*() const { return Pointer; }
+	T* Get() const { return Pointer; }
+};
+
+template <class T> class TArray
+{
+public:
+	TArray() = default;
+	TArray(std::initializer_list<T> Init) : Items(Init) {}
+	int32 Add(const T& Item) { Items.push_back(Item); return Num() - 1; }
+	void Reset() { Items.clear(); }
+	void SetNum(int32 Count) { Items.resize(static_cast<size_t>(Count)); }
+	int32 Num() const { return static_cast<int32>(Items.size()); }
+	T& Last() { return At(Num() - 1); }
+	T& operator[](int32 Index) { return At(Index); }
+	const T& operator[](int32 Index) const { return const_cast<TArray*>(this)->At(Index); }
+	template <class U> bool Contains(const U& Item) const { return std::find(Items.begin(), Items.end(), Item) != Items.end(); }
+	auto begin() { return Items.begin(); }
+	auto end() { return Items.end(); }
+	auto begin() const { return Items.begin(); }
+	auto end() const { return Items.end(); }
+
+private:
+	T& At(int32 Index)
+	{
+		if (Index < 0 || Index >= Num())
+		{
+			Shim::Fatal("array index out of bounds: " + std::to_string(Index) + " of " + std::to_string(Num()));
+		}
+		return Items[static_cast<size_t>(Index)];
+	}
+	std::vector<T> Items;
+};
+
+namespace EComponentMobility { enum Type { Static, Stationary, Movable }; }
+namespace ECollisionEnabled { enum Type { NoCollision, QueryOnly, PhysicsOnly, QueryAndPhysics }; }
+namespace EFrictionCombineMode { enum Type { Average, Min, Multiply, Max }; }
+enum ECollisionChannel { ECC_WorldStatic, ECC_WorldDynamic, ECC_Pawn, ECC_Visibility, ECC_Camera, ECC_PhysicsBody, ECC_Vehicle, ECC_Destructible };
+enum ECollisionResponse { ECR_Ignore, ECR_Overlap, ECR_Block };
+enum ETickingGroup { TG_PrePhysics, TG_StartPhysics, TG_DuringPhysics, TG_EndPhysics, TG_PostPhysics };
+
+class UObject
+{
+public:
+	virtual ~UObject() = default;
+	FString GetName() const { return FString(ShimName.c_str()); }
+	std::string ShimName;
+};
+
+namespace Shim
+{
+	inline FState& State()
+	{
+		static FState S;
+		return S;
+	}
+}
+
+class UStaticMesh : public UObject
+{
+public:
+	/** Half extents and centre of the mesh's box in its own frame [cm]. */
+	double ShimBounds[6] = {};
+};
+
+class UPhysicalMaterial : public UObject
+{
+public:
+	float Friction = 0.7f;
+	float StaticFriction = 0.0f;
+	float Restitution = 0.3f;
+	bool bOverrideFrictionCombineMode = false;
+	EFrictionCombineMode::Type FrictionCombineMode = EFrictionCombineMode::Average;
+	bool bOverrideRestitutionCombineMode = false;
+	EFrictionCombineMode::Type RestitutionCombineMode = EFrictionCombineMode::Average;
+};
+
+template <class T> T* NewObject(UObject* Outer)
+{
+	if (!Outer)
+	{
+		Shim::Fatal("NewObject without an outer");
+	}
+	if (Shim::State().Phase == Shim::EPhase::Constructing)
+	{
+		Shim::Fatal("NewObject in a constructor; use CreateDefaultSubobject");
+	}
+	auto Owned = std::make_unique<T>();
+	T* Result = Owned.get();
+	Shim::State().Pool.push_back(std::move(Owned));
+	return Result;
+}
+
+namespace ConstructorHelpers
+{
+	template <class T> struct FObjectFinder
+	{
+		T* Object = nullptr;
+		explicit FObjectFinder(const TCHAR* Path)
+		{
+			if (Shim::State().Phase != Shim::EPhase::Constructing)
+			{
+				Shim::Fatal("FObjectFinder outside a constructor");
+			}
+			auto Owned = std::make_unique<T>();
+			if (Shim::State().Host->Asset(Path, Owned->ShimBounds))
+			{
+				Owned->ShimName = Path;
+				Object = Owned.get();
+				Shim::State().Pool.push_back(std::move(Owned));
+			}
+		}
+		bool Succeeded() const { return Object != nullptr; }
+	};
+}
+
+struct FMTDResult
+{
+	FVector Direction;
+	float Distance = 0.0f;
+};
+
+struct FCollisionShape
+{
+	int Kind = 0;
+	double Size[3] = {};
+	static FCollisionShape MakeBox(const FVector& Half) { return Make(0, Half.X, Half.Y, Half.Z); }
+	static FCollisionShape MakeSphere(float Radius) { return Make(1, Radius, Radius, Radius); }
+	/** Unreal's half height includes the cap. */
+	static FCollisionShape MakeCapsule(float Radius, float HalfHeight)
+	{
+		return Make(2, Radius, Radius, FMath::Max(0.0, static_cast<double>(HalfHeight) - static_cast<double>(Radius)));
+	}
+
+private:
+	static FCollisionShape Make(int InKind, double X, double Y, double Z)
+	{
+		FCollisionShape Shape;
+		Shape.Kind = InKind;
+		Shape.Size[0] = X;
+		Shape.Size[1] = Y;
+		Shape.Size[2] = Z;
+		return Shape;
+	}
+};
+
+struct FHitResult
+{
+	bool bBlockingHit = false;
+	FVector Location, ImpactPoint, Normal, ImpactNormal;
+	float PenetrationDepth = 0.0f;
+};
+
+class FComponentHitSignature
+{
+public:
+	using FHandler = std::function<void(UPrimitiveComponent*, AActor*, UPrimitiveComponent*, FVector, const FHitResult&)>;
+	template <class C>
+	void ShimAdd(C* Object, void (C::*Function)(UPrimitiveComponent*, AActor*, UPrimitiveComponent*, FVector, const FHitResult&))
+	{
+		if (!Handlers.empty())
+		{
+			Shim::Fatal("AddDynamic twice on the same event");
+		}
+		Handlers.push_back([Object, Function](auto... Arguments) { (Object->*Function)(Arguments...); });
+	}
+	std::vector<FHandler> Handlers;
+};
+#define AddDynamic(Object, Function) ShimAdd(Object, Function)
+
+class USceneComponent : public UObject
+{
+public:
+	void SetupAttachment(USceneComponent* Parent)
+	{
+		if (Shim::State().Phase != Shim::EPhase::Constructing)
+		{
+			Shim::Fatal("SetupAttachment outside the constructor of " + ShimName);
+		}
+		if (!Parent)
+		{
+			Shim::Fatal("SetupAttachment of " + ShimName + " to nothing");
+		}
+		ShimParent = Parent;
+	}
+	virtual void SetMobility(EComponentMobility::Type Mobility)
+	{
+		if (Mobility == EComponentMobility::Static && ShimParent && ShimParent->ShimMobility != EComponentMobility::Static)
+		{
+			Shim::Fatal("static " + ShimName + " under a parent that is not static: Unreal refuses the attachment");
+		}
+		ShimMobility = Mobility;
+	}
+	void SetRelativeLocationAndRotation(const FVector& Location, const FQuat& Rotation)
+	{
+		if (Shim::State().Phase == Shim::EPhase::Playing && ShimMobility != EComponentMobility::Movable)
+		{
+			Shim::Fatal("moving " + ShimName + ", which is not Movable, in play");
+		}
+		const double Norm = Rotation.X * Rotation.X + Rotation.Y * Rotation.Y + Rotation.Z * Rotation.Z + Rotation.W * Rotation.W;
+		if (!(std::fabs(Norm - 1.0) < 1e-6))
+		{
+			Shim::Fatal("rotation of " + ShimName + " is no unit quaternion");
+		}
+		ShimPlaced = true;
+		ShimLocation = Location;
+		ShimRotation = Rotation;
+	}
+	void SetRelativeScale3D(const FVector& Scale) { ShimScale = Scale; }
+	void SetHiddenInGame(bool bHidden) { ShimHidden = bHidden; }
+	virtual FTransform GetComponentTransform() const { return FTransform(ShimRotation, ShimLocation); }
+
+	FVector ShimLocation, ShimScale{1.0};
+	FQuat ShimRotation;
+	USceneComponent* ShimParent = nullptr;
+	EComponentMobility::Type ShimMobility = EComponentMobility::Movable;
+	bool ShimPlaced = false, ShimHidden = false;
+};
+
+struct FPhysicsActorHandle
+{
+	class FBodyInstance* Body = nullptr;
+};
+
+class FBodyInstance
+{
+public:
+	const FPhysicsActorHandle& GetPhysicsActorHandle() const { return Handle; }
+	void SetInertiaConditioningEnabled(bool bEnabled) { ShimConditioning = bEnabled; }
+
+	FPhysicsActorHandle Handle{this};
+	bool ShimConditioning = true, ShimHasFrame = false, ShimHasInertia = false, ShimWriting = false;
+	FTransform ShimFrame;
+	FVector ShimInertia;
+};
+
+struct FPhysicsCommand
+{
+	template <class F> static bool ExecuteWrite(const FPhysicsActorHandle& Handle, F&& Function)
+	{
+		Handle.Body->ShimWriting = true;
+		Function(Handle);
+		Handle.Body->ShimWriting = false;
+		return true;
+	}
+};
+
+struct FPhysicsInterface
+{
+	static void SetComLocalPose_AssumesLocked(const FPhysicsActorHandle& Handle, const FTransform& Pose)
+	{
+		Locked(Handle);
+		Handle.Body->ShimFrame = Pose;
+		Handle.Body->ShimHasFrame = true;
+	}
+	static void SetMassSpaceInertiaTensor_AssumesLocked(const FPhysicsActorHandle& Handle, const FVector& Inertia)
+	{
+		Locked(Handle);
+		if (!(Inertia.X > 0.0 && Inertia.Y > 0.0 && Inertia.Z > 0.0))
+		{
+			Shim::Fatal("inertia must be positive");
+		}
+		Handle.Body->ShimInertia = Inertia;
+		Handle.Body->ShimHasInertia = true;
+	}
+
+private:
+	static void Locked(const FPhysicsActorHandle& Handle)
+	{
+		if (!Handle.Body->ShimWriting)
+		{
+			Shim::Fatal("physics body is changed outside FPhysicsCommand::ExecuteWrite");
+		}
+	}
+};
+
+class UPrimitiveComponent : public USceneComponent
+{
+public:
+	FComponentHitSignature OnComponentHit;
+
+	void SetSimulatePhysics(bool bSimulate)
+	{
+		if (bSimulate && ShimMobility != EComponentMobility::Movable)
+		{
+			Shim::Fatal("SetSimulatePhysics on " + ShimName + ", which is not Movable");
+		}
+		if (Shim::State().Phase == Shim::EPhase::Playing)
+		{
+			Shim::Fatal("SetSimulatePhysics on " + ShimName + " in play is not replayed");
+		}
+		ShimSimulates = bSimulate;
+		ShimSimulateSet = true;
+	}
+	void SetEnableGravity(bool bEnable) { ShimGravity = bEnable; }
+	void SetMassOverrideInKg(FName, float Mass, bool bOverride)
+	{
+		if (!(Mass > 0.0f))
+		{
+			Shim::Fatal("mass of " + ShimName + " must be positive");
+		}
+		ShimMass = bOverride ? Mass : -1.0f;
+		// Unreal recomputes centre of mass and inertia from the collision shapes.
+		ShimInstance.ShimHasFrame = ShimInstance.ShimHasInertia = false;
+	}
+	void SetLinearDamping(float Damping) { ShimLinearDamping = Damping; ShimUpdateDamping(); }
+	void SetAngularDamping(float Damping) { ShimAngularDamping = Damping; ShimUpdateDamping(); }
+	void SetPhysicsMaxAngularVelocityInDegrees(float MaxSpin) { ShimMaxSpin = MaxSpin; }
+	void SetUseCCD(bool bUse) { ShimCCD = bUse; }
+	void SetNotifyRigidBodyCollision(bool bNotify) { ShimNotifies = bNotify; }
+	void SetCollisionProfileName(FName Profile)
+	{
+		static const std::map<std::string, std::pair<ECollisionChannel, bool>> Known = {
+			{"NoCollision", {ECC_WorldStatic, false}}, {"BlockAll", {ECC_WorldStatic, true}},
+			{"BlockAllDynamic", {ECC_WorldDynamic, true}}, {"PhysicsActor", {ECC_PhysicsBody, true}}};
+		const auto Found = Known.find(Profile.Text);
+		if (Found == Known.end())
+		{
+			Shim::Fatal("unknown collision profile " + Profile.Text + " on " + ShimName);
+		}
+		ShimObjectType = Found->second.first;
+		ShimCollides = Found->second.second;
+		ShimBlocks = Found->second.second ? ~0u : 0u;
+		ShimProfileSet = true;
+	}
+	void SetCollisionEnabled(ECollisionEnabled::Type Enabled)
+	{
+		ShimCollides = Enabled == ECollisionEnabled::PhysicsOnly || Enabled == ECollisionEnabled::QueryAndPhysics;
+		ShimProfileSet = true;
+	}
+	void SetCollisionObjectType(ECollisionChannel Channel) { ShimObjectType = Channel; }
+	void SetCollisionResponseToAllChannels(ECollisionResponse Response) { ShimBlocks = Response == ECR_Block ? ~0u : 0u; }
+	void SetCollisionResponseToChannel(ECollisionChannel Channel, ECollisionResponse Response)
+	{
+		ShimBlocks = Response == ECR_Block ? ShimBlocks | (1u << Channel) : ShimBlocks & ~(1u << Channel);
+	}
+	void SetPhysMaterialOverride(UPhysicalMaterial* Material)
+	{
+		if (!Material)
+		{
+			Shim::Fatal("no physical material for " + ShimName);
+		}
+		if (!Material->bOverrideFrictionCombineMode || Material->FrictionCombineMode != EFrictionCombineMode::Average ||
+			!Material->bOverrideRestitutionCombineMode || Material->RestitutionCombineMode != EFrictionCombineMode::Average)
+		{
+			Shim::Fatal("material of " + ShimName + " does not combine by average, which is all that the replay knows");
+		}
+		if (Material->StaticFriction != Material->Friction)
+		{
+			Shim::Fatal("static and dynamic friction of " + ShimName + " differ, which the replay does not know");
+		}
+		ShimMaterial = Material;
+		if (ShimLive)
+		{
+			Shim::State().Host->SetMaterial(ShimId, Material->Friction, Material->Restitution);
+		}
+	}
+	FBodyInstance* GetBodyInstance() { return ShimId >= 0 && ShimCollides ? &ShimInstance : nullptr; }
+
+	void SetPhysicsLinearVelocity(FVector Velocity, bool bAddToCurrent = false, FName = NAME_None)
+	{
+		ShimRequireLive("SetPhysicsLinearVelocity");
+		if (bAddToCurrent)
+		{
+			Velocity = Velocity + GetPhysicsLinearVelocity();
+		}
+		const double Values[3] = {Velocity.X, Velocity.Y, Velocity.Z};
+		Shim::State().Host->SetVelocity(ShimId, Values);
+	}
+	void SetPhysicsAngularVelocityInDegrees(FVector Spin, bool bAddToCurrent = false, FName = NAME_None)
+	{
+		ShimRequireLive("SetPhysicsAngularVelocityInDegrees");
+		if (bAddToCurrent)
+		{
+			double Linear[3], Angular[3];
+			Shim::State().Host->GetVelocity(ShimId, Linear, Angular);
+			Spin = Spin + FVector(Angular[0], Angular[1], Angular[2]);
+		}
+		const double Values[3] = {Spin.X, Spin.Y, Spin.Z};
+		Shim::State().Host->SetSpin(ShimId, Values);
+	}
+	FVector GetPhysicsLinearVelocity(FName = NAME_None) const
+	{
+		ShimRequireLive("GetPhysicsLinearVelocity");
+		double Linear[3], Angular[3];
+		Shim::State().Host->GetVelocity(ShimId, Linear, Angular);
+		return FVector(Linear[0], Linear[1], Linear[2]);
+	}
+	void AddImpulse(FVector Impulse, FName, bool bVelChange)
+	{
+		ShimRequireLive("AddImpulse");
+		if (bVelChange)
+		{
+			SetPhysicsLinearVelocity(Impulse, true);
+			return;
+		}
+		const double Values[3] = {Impulse.X, Impulse.Y, Impulse.Z};
+		Shim::State().Host->Impulse(ShimId, Values);
+	}
+	bool ComputePenetration(FMTDResult& Out, const FCollisionShape& Shape, const FVector& Location, const FQuat& Rotation) const
+	{
+		if (ShimId < 0 || !ShimCollides)
+		{
+			return false;
+		}
+		const double L[3] = {Location.X, Location.Y, Location.Z};
+		const double R[4] = {Rotation.X, Rotation.Y, Rotation.Z, Rotation.W};
+		const double Depth = Shim::State().Host->Penetration(ShimId, Shape.Kind, Shape.Size, L, R);
+		Out.Distance = static_cast<float>(Depth);
+		return Depth > 0.0;
+	}
+	FTransform GetComponentTransform() const override
+	{
+		if (!ShimLive || !ShimSimulates)
+		{
+			return FTransform(ShimRotation, ShimLocation);
+		}
+		double L[3], R[4];
+		Shim::State().Host->GetPose(ShimId, L, R);
+		return FTransform(FQuat(R[0], R[1], R[2], R[3]), FVector(L[0], L[1], L[2]));
+	}
+
+	void ShimRequireLive(const char* Function) const
+	{
+		if (!ShimLive)
+		{
+			Shim::Fatal(std::string(Function) + " on " + ShimName + " before there is a physics body: use the first Tick or later");
+		}
+		if (!ShimSimulates)
+		{
+			Shim::Fatal(std::string(Function) + " on " + ShimName + ", which does not simulate physics");
+		}
+	}
+	void ShimUpdateDamping()
+	{
+		if (ShimLive)
+		{
+			Shim::State().Host->SetDamping(ShimId, ShimLinearDamping, ShimAngularDamping);
+		}
+	}
+
+	int ShimId = -1;
+	bool ShimLive = false, ShimSimulates = false, ShimSimulateSet = false, ShimGravity = false, ShimCCD = false;
+	bool ShimNotifies = false, ShimCollides = true, ShimProfileSet = false;
+	float ShimMass = -1.0f, ShimLinearDamping = -1.0f, ShimAngularDamping = -1.0f, ShimMaxSpin = 3600.0f;
+	ECollisionChannel ShimObjectType = ECC_WorldDynamic;
+	uint32_t ShimBlocks = ~0u;
+	UPhysicalMaterial* ShimMaterial = nullptr;
+	FBodyInstance ShimInstance;
+};
+
+class UStaticMeshComponent : public UPrimitiveComponent
+{
+public:
+	struct FBoundsView
+	{
+		const UStaticMeshComponent* Component = nullptr;
+		/** Axis-aligned box around the rotated box of the mesh. */
+		FBox GetBox() const
+		{
+			const FTransform Pose = Component->GetComponentTransform();
+			const double* B = Component->ShimMesh ? Component->ShimMesh->ShimBounds : nullptr;
+			if (!B)
+			{
+				return FBox{Pose.Translation, Pose.Translation};
+			}
+			const FVector Center = Pose.Translation + Pose.Rotation.RotateVector(FVector(B[3], B[4], B[5]) * Component->ShimScale);
+			const FVector X = Pose.Rotation.RotateVector(FVector(B[0] * Component->ShimScale.X, 0.0, 0.0));
+			const FVector Y = Pose.Rotation.RotateVector(FVector(0.0, B[1] * Component->ShimScale.Y, 0.0));
+			const FVector Z = Pose.Rotation.RotateVector(FVector(0.0, 0.0, B[2] * Component->ShimScale.Z));
+			const FVector Half(
+				std::fabs(X.X) + std::fabs(Y.X) + std::fabs(Z.X),
+				std::fabs(X.Y) + std::fabs(Y.Y) + std::fabs(Z.Y),
+				std::fabs(X.Z) + std::fabs(Y.Z) + std::fabs(Z.Z));
+			return FBox{Center - Half, Center + Half};
+		}
+	};
+
+	UStaticMeshComponent() { Bounds.Component = this; }
+	UStaticMeshComponent(const UStaticMeshComponent&) = delete;
+	bool SetStaticMesh(UStaticMesh* Mesh)
+	{
+		ShimMesh = Mesh;
+		return Mesh != nullptr;
+	}
+	FBoundsView Bounds;
+	UStaticMesh* ShimMesh = nullptr;
+};
+
+struct FActorTickFunction
+{
+	bool bCanEverTick = false;
+	ETickingGroup TickGroup = TG_PrePhysics;
+};
+
+class AWorldSettings : public UObject
+{
+public:
+	bool bWorldGravitySet = false;
+	float WorldGravityZ = 0.0f;
+};
+
+class UWorld : public UObject
+{
+public:
+	AWorldSettings* GetWorldSettings() { return &ShimSettings; }
+	AWorldSettings ShimSettings;
+};
+
+struct FApp
+{
+	static void SetUseFixedTimeStep(bool bUse) { Shim::State().bFixedStep = bUse; }
+	static void SetFixedDeltaTime(double Seconds) { Shim::State().FixedStep = Seconds; }
+};
+
+class AActor : public UObject
+{
+public:
+	FActorTickFunction PrimaryActorTick;
+	virtual void OnConstruction(const FTransform&) {}
+	virtual void Tick(float) {}
+	void SetRootComponent(USceneComponent* Component) { ShimRoot = Component; }
+	FTransform GetActorTransform() const { return FTransform(); }
+	UWorld* GetWorld() const { return const_cast<UWorld*>(&ShimWorldObject); }
+	template <class T> T* CreateDefaultSubobject(FName Name)
+	{
+		if (Shim::State().Phase != Shim::EPhase::Constructing)
+		{
+			Shim::Fatal("CreateDefaultSubobject outside the constructor: " + Name.Text);
+		}
+		for (const UObject* Other : ShimSubobjects)
+		{
+			if (strcasecmp(Other->ShimName.c_str(), Name.Text.c_str()) == 0)
+			{
+				Shim::Fatal("two subobjects are called " + Name.Text);
+			}
+		}
+		auto Owned = std::make_unique<T>();
+		T* Result = Owned.get();
+		Result->ShimName = Name.Text;
+		ShimSubobjects.push_back(Result);
+		Shim::State().Pool.push_back(std::move(Owned));
+		return Result;
+	}
+	void ShimBeginPlay() { BeginPlay(); }
+
+	USceneComponent* ShimRoot = nullptr;
+	std::vector<UObject*> ShimSubobjects;
+	UWorld ShimWorldObject;
+
+protected:
+	virtual void BeginPlay() {}
+};
+
+#endif

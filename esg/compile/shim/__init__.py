@@ -1,0 +1,1 @@
+"""C++ headers under which an emitted class compiles and runs without Unreal."""

@@ -1,0 +1,234 @@
+// C entry points of one emitted class, called by the host. SHIM_CLASS and SHIM_ID are defined by the build.
+// Every function returns 0 or sets the error text and returns 1.
+#define SHIM_JOIN2(A, B) A##B
+#define SHIM_JOIN(A, B) SHIM_JOIN2(A, B)
+#define SHIM_ENTRY(Name) SHIM_JOIN(Name, SHIM_ID)
+
+namespace SHIM_ENTRY(ShimGlue)
+{
+	static std::unique_ptr<AActor> Actor;
+	static std::string Error;
+
+	template <class F> static int Guard(F&& Function)
+	{
+		try
+		{
+			Function();
+			return 0;
+		}
+		catch (const Shim::FFatal& Caught)
+		{
+			Error = Caught.Message;
+		}
+		return 1;
+	}
+
+	static void Copy(double* Out, const FVector& V)
+	{
+		Out[0] = V.X;
+		Out[1] = V.Y;
+		Out[2] = V.Z;
+	}
+
+	static void Copy(double* Out, const FQuat& Q)
+	{
+		Out[0] = Q.X;
+		Out[1] = Q.Y;
+		Out[2] = Q.Z;
+		Out[3] = Q.W;
+	}
+
+	/** What Unreal would leave at a default that nobody stated. */
+	static void RequireExplicit(const UPrimitiveComponent& C)
+	{
+		std::string Missing;
+		Missing += C.ShimProfileSet ? "" : " collision profile;";
+		Missing += C.ShimPlaced ? "" : " location and rotation;";
+		Missing += C.ShimSimulateSet ? "" : " SetSimulatePhysics;";
+		if (C.ShimCollides)
+		{
+			Missing += C.ShimMaterial ? "" : " physical material;";
+		}
+		if (C.ShimSimulates)
+		{
+			Missing += C.ShimMass > 0.0f ? "" : " mass;";
+			Missing += C.ShimLinearDamping >= 0.0f ? "" : " linear damping;";
+			Missing += C.ShimAngularDamping >= 0.0f ? "" : " angular damping;";
+			Missing += C.ShimInstance.ShimHasFrame && C.ShimInstance.ShimHasInertia ? "" : " centre of mass and inertia;";
+			Missing += C.ShimGravity ? "" : " gravity;";
+			Missing += C.ShimInstance.ShimConditioning ? " inertia conditioning off;" : "";
+		}
+		if (!Missing.empty())
+		{
+			Shim::Fatal(C.ShimName + " relies on defaults for:" + Missing);
+		}
+	}
+
+	static Shim::FBody Describe(const UPrimitiveComponent& C)
+	{
+		const auto* Mesh = dynamic_cast<const UStaticMeshComponent*>(&C);
+		Shim::FBody Out{};
+		Out.Name = C.ShimName.c_str();
+		Out.Asset = Mesh && Mesh->ShimMesh ? Mesh->ShimMesh->ShimName.c_str() : "";
+		Copy(Out.Location, C.ShimLocation);
+		Copy(Out.Rotation, C.ShimRotation);
+		Copy(Out.Scale, C.ShimScale);
+		Copy(Out.CenterOfMass, C.ShimInstance.ShimFrame.Translation);
+		Copy(Out.MassRotation, C.ShimInstance.ShimFrame.Rotation);
+		Copy(Out.Inertia, C.ShimInstance.ShimInertia);
+		Out.Mass = C.ShimMass;
+		Out.LinearDamping = C.ShimLinearDamping;
+		Out.AngularDamping = C.ShimAngularDamping;
+		Out.Friction = C.ShimMaterial ? C.ShimMaterial->Friction : 0.0;
+		Out.Restitution = C.ShimMaterial ? C.ShimMaterial->Restitution : 0.0;
+		Out.MaxSpin = C.ShimMaxSpin;
+		Out.Collides = C.ShimCollides;
+		Out.Simulates = C.ShimSimulates;
+		Out.ObjectType = C.ShimObjectType;
+		Out.Blocks = C.ShimBlocks;
+		Out.Notifies = C.ShimNotifies;
+		Out.CCD = C.ShimCCD;
+		Out.HasMassFrame = C.ShimInstance.ShimHasFrame;
+		Out.HasMaterial = C.ShimMaterial != nullptr;
+		Out.Movable = C.ShimMobility == EComponentMobility::Movable;
+		return Out;
+	}
+}
+
+#pragma GCC visibility push(default)
+extern "C"
+{
+	const char* SHIM_ENTRY(esg_error_)()
+	{
+		return SHIM_ENTRY(ShimGlue)::Error.c_str();
+	}
+
+	int SHIM_ENTRY(esg_construct_)(Shim::Backend* Host)
+	{
+		using namespace SHIM_ENTRY(ShimGlue);
+		return Guard([&]
+		{
+			Shim::State() = Shim::FState();
+			Shim::State().Host = Host;
+			Shim::State().Phase = Shim::EPhase::Constructing;
+			Actor = std::make_unique<SHIM_CLASS>();
+			if (!Actor->ShimRoot)
+			{
+				Shim::Fatal("the actor has no root component");
+			}
+			Shim::State().Phase = Shim::EPhase::Configuring;
+			Actor->OnConstruction(FTransform::Identity);
+			for (UObject* Object : Actor->ShimSubobjects)
+			{
+				if (auto* Component = dynamic_cast<UPrimitiveComponent*>(Object))
+				{
+					Component->ShimId = static_cast<int>(Shim::State().Bodies.size());
+					Shim::State().Bodies.push_back(Component);
+				}
+			}
+		});
+	}
+
+	int SHIM_ENTRY(esg_body_count_)()
+	{
+		return static_cast<int>(Shim::State().Bodies.size());
+	}
+
+	/** Fills in a body; complete only after esg_begin_play_. */
+	int SHIM_ENTRY(esg_describe_)(int Index, Shim::FBody* Out)
+	{
+		using namespace SHIM_ENTRY(ShimGlue);
+		return Guard([&] { *Out = Describe(*Shim::State().Bodies.at(static_cast<size_t>(Index))); });
+	}
+
+	int SHIM_ENTRY(esg_begin_play_)()
+	{
+		using namespace SHIM_ENTRY(ShimGlue);
+		return Guard([&]
+		{
+			Shim::State().Phase = Shim::EPhase::Playing;
+			Actor->ShimBeginPlay();
+			const AWorldSettings& Settings = *Actor->GetWorld()->GetWorldSettings();
+			Shim::State().bGravitySet = Settings.bWorldGravitySet;
+			Shim::State().GravityZ = Settings.WorldGravityZ;
+			if (!Settings.bWorldGravitySet)
+			{
+				Shim::Fatal("the class leaves the world's gravity to the project");
+			}
+			if (!Shim::State().bFixedStep)
+			{
+				Shim::Fatal("the class does not pin the time step");
+			}
+			if (!Actor->PrimaryActorTick.bCanEverTick || Actor->PrimaryActorTick.TickGroup != TG_PrePhysics)
+			{
+				Shim::Fatal("the actor does not tick before physics");
+			}
+			for (const UPrimitiveComponent* Component : Shim::State().Bodies)
+			{
+				RequireExplicit(*Component);
+			}
+		});
+	}
+
+	double SHIM_ENTRY(esg_gravity_)() { return Shim::State().GravityZ; }
+	double SHIM_ENTRY(esg_fixed_step_)() { return Shim::State().FixedStep; }
+
+	/** The host has built its world; velocities may be set from now on. */
+	void SHIM_ENTRY(esg_live_)()
+	{
+		for (UPrimitiveComponent* Component : Shim::State().Bodies)
+		{
+			Component->ShimLive = Component->ShimCollides;
+		}
+	}
+
+	int SHIM_ENTRY(esg_tick_)(double DeltaTime)
+	{
+		using namespace SHIM_ENTRY(ShimGlue);
+		return Guard([&] { Actor->Tick(static_cast<float>(DeltaTime)); });
+	}
+
+	/** Impulse and normal act on the first body (Unreal's frame, kg cm/s); depth in cm. */
+	int SHIM_ENTRY(esg_hit_)(int A, int B, const double* Impulse, const double* Point, const double* Normal, double Depth)
+	{
+		using namespace SHIM_ENTRY(ShimGlue);
+		return Guard([&]
+		{
+			UPrimitiveComponent* First = Shim::State().Bodies.at(static_cast<size_t>(A));
+			UPrimitiveComponent* Second = Shim::State().Bodies.at(static_cast<size_t>(B));
+			const auto Fire = [&](UPrimitiveComponent* Self, UPrimitiveComponent* Other, double Sign)
+			{
+				if (!Self->ShimNotifies)
+				{
+					return;
+				}
+				FHitResult Hit;
+				Hit.bBlockingHit = true;
+				Hit.Location = Hit.ImpactPoint = FVector(Point[0], Point[1], Point[2]);
+				Hit.Normal = Hit.ImpactNormal = FVector(Normal[0], Normal[1], Normal[2]) * Sign;
+				Hit.PenetrationDepth = static_cast<float>(Depth);
+				const FVector J = FVector(Impulse[0], Impulse[1], Impulse[2]) * Sign;
+				for (const auto& Handler : Self->OnComponentHit.Handlers)
+				{
+					Handler(Self, Actor.get(), Other, J, Hit);
+				}
+			};
+			Fire(First, Second, 1.0);
+			Fire(Second, First, -1.0);
+		});
+	}
+
+	void SHIM_ENTRY(esg_destroy_)()
+	{
+		SHIM_ENTRY(ShimGlue)::Actor.reset();
+		Shim::State() = Shim::FState();
+	}
+}
+
+#pragma GCC visibility pop
+
+#undef SHIM_ENTRY
+#undef SHIM_JOIN
+#undef SHIM_JOIN2
+#undef SHIM_CLASS
+#undef SHIM_ID

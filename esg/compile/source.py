@@ -1,0 +1,223 @@
+"""Text of the emitted source file."""
+
+from __future__ import annotations
+
+from esg.compile import frames, names
+from esg.compile.assets import MeshAsset, Probe, probes
+from esg.compile.model import ScenePlan, UnrealBody
+from esg.compile.source_parts import FIXED_PARTS, RUN_PARTS
+
+INCLUDES = (
+    "Components/PrimitiveComponent.h",
+    "Components/SceneComponent.h",
+    "Components/StaticMeshComponent.h",
+    "Engine/EngineTypes.h",
+    "Engine/StaticMesh.h",
+    "Engine/World.h",
+    "GameFramework/WorldSettings.h",
+    "Misc/App.h",
+    "Physics/PhysicsInterfaceCore.h",
+    "PhysicalMaterials/PhysicalMaterial.h",
+    "PhysicsEngine/BodyInstance.h",
+    "UObject/ConstructorHelpers.h",
+)
+
+
+def emit_source(plan: ScenePlan) -> str:
+    """The .cpp file."""
+    shapes = {asset.path: i for i, asset in enumerate(plan.assets)}
+    parts = [
+        _preamble(plan),
+        _constructor(plan),
+        _construction(plan),
+        _collect(plan, shapes),
+        _dispatch(plan),
+        *(RUN_PARTS[kind] for kind in RUN_PARTS if kind in plan.kinds),
+        *FIXED_PARTS,
+    ]
+    text = "\n".join(part.strip("\n") + "\n" for part in parts)
+    return text.replace("@CLASS@", plan.name)
+
+
+def _preamble(plan: ScenePlan) -> str:
+    includes = "\n".join(f'#include "{path}"' for path in INCLUDES)
+    tables = "\n".join(_probe_table(a) for a in plan.assets)
+    return f"""#include "@CLASS@.h"
+
+{includes}
+
+DEFINE_LOG_CATEGORY_STATIC(Log@CLASS@, Log, All);
+
+namespace @CLASS@Detail
+{{
+	/** Side of the engine's basic cube [cm]. */
+	constexpr double BasicCubeSide = 100.0;
+
+	/** The ground is a block this wide and thick [cm] whose top is at height 0. */
+	constexpr double GroundSide = 400000.0;
+	constexpr double GroundThickness = 200.0;
+
+	/** Commands are due when their time is nearer to this step than to the next. */
+	constexpr double HalfStep = 0.5;
+
+	/** Largest rounding of a step to float [s]. */
+	constexpr double StepRounding = 1.0e-7;
+
+	/** High enough never to clamp a fast rolling ball [deg/s]. */
+	constexpr float MaxSpin = 57295780.0f;
+
+	/** Unreal's impulse unit is kg cm/s. */
+	constexpr double ImpulsePerNewtonSecond = 100.0;
+
+	/** A shape that penetration queries accept, in its mesh's frame. */
+	struct FProbe
+	{{
+		FCollisionShape Shape;
+		FVector Center;
+		FQuat Rotation;
+	}};
+
+	/** Query shapes of every mesh of the scene. */
+	const TArray<TArray<FProbe>>& Probes()
+	{{
+		static const TArray<TArray<FProbe>> Table = {{
+{tables}
+		}};
+		return Table;
+	}}
+}}
+"""
+
+
+def _probe_table(asset: MeshAsset) -> str:
+    rows = "\n".join(
+        f"\t\t\t\t{{ {_shape(p)}, {frames.vector_literal(p.position)}, "
+        f"{frames.quaternion_literal(p.quaternion)} }},"
+        for p in probes(asset)
+    )
+    inner = f"\n{rows}\n\t\t\t" if rows else ""
+    return f"\t\t\t// {asset.identifier}\n\t\t\t{{{inner}}},"
+
+
+def _shape(p: Probe) -> str:
+    x, _, z = p.size
+    if p.kind == "sphere":
+        return f"FCollisionShape::MakeSphere({frames.float_literal(x)})"
+    if p.kind == "capsule":
+        half = frames.float_literal(z + x)
+        return f"FCollisionShape::MakeCapsule({frames.float_literal(x)}, {half})"
+    return f"FCollisionShape::MakeBox({frames.vector_literal(p.size)})"
+
+
+def _constructor(plan: ScenePlan) -> str:
+    cube = 'TEXT("/Engine/BasicShapes/Cube.Cube")'
+    lines = [
+        f"A{plan.name}::A{plan.name}()",
+        "{",
+        "\tPrimaryActorTick.bCanEverTick = true;",
+        "\tPrimaryActorTick.TickGroup = TG_PrePhysics;",
+        "",
+        '\tSceneOrigin = CreateDefaultSubobject<USceneComponent>(TEXT("SceneRoot"));',
+        "\tSceneOrigin->SetMobility(EComponentMobility::Static);",
+        "\tSetRootComponent(SceneOrigin);",
+        f'\tGroundPlane = CreateMesh(TEXT("Ground"), {cube});',
+        f'\tVehicleGroundPlane = CreateMesh(TEXT("VehicleGround"), {cube});',
+    ]
+    for body in plan.bodies:
+        lines += ["", *_body_defaults(plan, body)]
+    for p in plan.primitives:
+        lines += ["", *(f"\t{p.member}.{field} = {value};" for field, value in p.values)]
+    lines.append("}")
+    return "\n".join(lines)
+
+
+def _body_defaults(plan: ScenePlan, body: UnrealBody) -> list[str]:
+    src, f = body.source, frames.float_literal
+    values = [
+        ("Location", frames.vector_literal(body.location)),
+        ("Rotation", frames.quaternion_literal(body.rotation)),
+        ("bSimulated", "true" if body.simulated else "false"),
+        ("bCollides", "true" if src.collides else "false"),
+        ("bOnWheels", "true" if src.wheeled else "false"),
+        ("bReportsHits", "true" if body.member in plan.notified else "false"),
+        ("Friction", f(src.friction)),
+        ("Restitution", f(src.restitution)),
+    ]
+    if body.simulated:
+        values += [
+            ("Mass", f(src.mass)),
+            ("CenterOfMass", frames.vector_literal(body.center_of_mass)),
+            ("PrincipalAxes", frames.quaternion_literal(body.principal_axes)),
+            ("Inertia", frames.vector_literal(body.inertia)),
+            ("LinearDamping", f(src.linear_damping)),
+            ("AngularDamping", f(src.angular_damping)),
+        ]
+    path, name = names.string_literal(body.asset.path), names.string_literal(body.name)
+    return [
+        f"\t{body.member} = CreateMesh({name}, {path});",
+        *(f"\t{body.settings}.{field} = {value};" for field, value in values),
+    ]
+
+
+def _construction(plan: ScenePlan) -> str:
+    calls = "\n".join(f"\tConfigureBody({b.member}, {b.settings});" for b in plan.bodies)
+    return f"""
+void A@CLASS@::OnConstruction(const FTransform& Transform)
+{{
+	Super::OnConstruction(Transform);
+	ConfigureGround(GroundPlane, false);
+	ConfigureGround(VehicleGroundPlane, true);
+{calls}
+}}
+"""
+
+
+def _collect(plan: ScenePlan, shapes: dict[str, int]) -> str:
+    bodies = "\n".join(
+        f"\tBodies.Add(FBodyRef{{ {b.member}, &{b.settings}, {shapes[b.asset.path]} }});"
+        for b in plan.bodies
+    )
+    lines: list[str] = []
+    for i, p in enumerate(plan.primitives):
+        lines.append(f"\tCommands[{i}].Body = {p.body};")
+        if p.until:
+            lines.append(f"\tCommands[{i}].EndsAtTouchOf = {{ {', '.join(p.until)} }};")
+    for i, e in enumerate(plan.events):
+        lines.append(f"\tEvents[{i}].Id = {names.string_literal(e.id)};")
+        lines.append(f"\tEvents[{i}].First = {{ {', '.join(e.first)} }};")
+        lines.append(f"\tEvents[{i}].Second = {{ {', '.join(e.second)} }};")
+        if e.after:
+            lines.append(f"\tEvents[{i}].After = {{ {', '.join(str(a) for a in e.after)} }};")
+    body = "\n".join(lines)
+    return f"""
+void A@CLASS@::CollectBodies()
+{{
+	Bodies.Reset();
+{bodies}
+}}
+
+void A@CLASS@::CollectEvents()
+{{
+	Commands.Reset();
+	Commands.SetNum({len(plan.primitives)});
+	Events.Reset();
+	Events.SetNum({len(plan.events)});
+{body}
+}}
+"""
+
+
+def _dispatch(plan: ScenePlan) -> str:
+    calls = "\n".join(
+        f"\tRun{p.kind}({p.body}, {p.member}, Commands[{i}], Due);"
+        for i, p in enumerate(plan.primitives)
+    )
+    due = (
+        "" if calls else "\t// The program is empty: nothing is driven.\n\tstatic_cast<void>(Due);"
+    )
+    return f"""
+void A@CLASS@::DispatchProgram(double Due)
+{{
+{calls or due}
+}}
+"""
