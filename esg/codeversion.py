@@ -1,0 +1,74 @@
+"""The version of a stage's code: what a cached result depends on besides its input.
+
+A hash of the sources a stage can reach, plus the versions of the numerical libraries under it. An
+edit of the layout stage thus invalidates layouts and everything after them, and no draft.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+import hashlib
+from importlib import metadata
+from pathlib import Path
+
+_ROOT = Path(__file__).parent
+_COMMON = ("graph", "units.py", "outcomes.py", "__init__.py")
+_SIMULATION = ("engines", "dynamics")
+
+SOURCES: dict[str, tuple[str, ...]] = {
+    "draft": ("draft",),
+    "resolve": ("assets",),
+    "layout": ("layout", "dynamics", "assets"),
+    "optimize": (*_SIMULATION, "layout"),
+    "compile": ("compile", "engines", "dynamics", "assets", "metrics"),
+    "replay": ("compile", "engines"),
+    "judge": ("metrics", "engines", "dynamics"),
+    "record": ("view", "store", "assets", "metrics", "engines"),
+}
+"""Parts of the package (files or folders below `esg/`) that each stage's result depends on."""
+
+LIBRARIES: dict[str, tuple[str, ...]] = {
+    "draft": ("spacy",),
+    "resolve": ("trimesh", "onnxruntime"),
+    "layout": ("warp-lang",),
+    "optimize": ("newton", "warp-lang"),
+    "compile": ("usd-core",),
+    "replay": ("sapien", "newton", "rapier3d"),
+    "judge": (),
+    "record": ("newton", "mcap"),
+}
+
+
+@lru_cache(maxsize=None)
+def code_version(stage: str) -> str:
+    """Hex digest of everything but input and configuration that determines a stage's result.
+
+    Args:
+        stage: A key of `SOURCES`.
+    """
+    digest = hashlib.sha256()
+    for part in sorted({*_COMMON, *SOURCES[stage], "stages.py"}):
+        digest.update(f"{part}={_tree_hash(part)};".encode())
+    for library in LIBRARIES[stage]:
+        digest.update(f"{library}={_version(library)};".encode())
+    return digest.hexdigest()[:16]
+
+
+@lru_cache(maxsize=None)
+def _tree_hash(part: str) -> str:
+    root = _ROOT / part
+    files = [root] if root.is_file() else sorted(p for p in root.rglob("*") if p.is_file())
+    digest = hashlib.sha256()
+    for path in files:
+        if "__pycache__" in path.parts or path.suffix == ".pyc":
+            continue
+        digest.update(path.relative_to(_ROOT).as_posix().encode())
+        digest.update(hashlib.sha256(path.read_bytes()).digest())
+    return digest.hexdigest()
+
+
+def _version(library: str) -> str:
+    try:
+        return metadata.version(library)
+    except metadata.PackageNotFoundError:
+        return "absent"

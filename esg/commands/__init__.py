@@ -1,0 +1,16 @@
+"""The commands of `esg`, one file each; heavy imports only inside the functions."""
+
+COMMANDS: dict[str, tuple[str, str]] = {
+    "draft": ("esg.commands.draft:draft", "Draft the scene graph of a prompt (stage 1 only)."),
+    "generate": ("esg.commands.generate:generate", "Generate and prove one scene from a prompt."),
+    "bench": ("esg.commands.bench:bench", "Run a benchmark suite over several seeds."),
+    "sql": ("esg.commands.sql:sql", "Query the results of all runs with SQL."),
+    "replay": ("esg.commands.replay:replay", "Replay a finished scene in an engine of choice."),
+    "check": ("esg.commands.check:check", "Check an ESG file against the schema and all rules."),
+    "doctor": (
+        "esg.commands.doctor:doctor",
+        "Tell what works on this machine and what is missing.",
+    ),
+    "setup": ("esg.commands.setup:setup", "Compile and cache all kernels, once per machine."),
+}
+"""Command name to its function ("module:function", imported when called) and its line of help."""

@@ -1,0 +1,155 @@
+"""`esg bench`: a suite over several seeds, judged against the suite."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+from cyclopts import Parameter
+
+if TYPE_CHECKING:
+    from esg.metrics.models import Suite
+    from esg.pipeline import SceneState
+
+MAX_RUNS = 1000
+
+
+def bench(
+    suite: Path,
+    *,
+    runs: int = 5,
+    seed: int = 0,
+    strategy: Literal["batched", "hybrid", "fd", "ad", "none"] = "batched",
+    engine: Literal["physx", "rapier", "newton"] = "physx",
+    device: str = "cpu",
+    out: Path | None = None,
+    json: Annotated[Path | None, Parameter(help="Write the results to this JSON file.")] = None,
+    workers: int | None = None,
+) -> int:
+    """Run every scene of a suite with several seeds and report SLR, ECR and PPA.
+
+    Args:
+        suite: Suite file (YAML).
+        runs: Seeds a scene: seed, seed + 1, ...
+        seed: First seed.
+        strategy: How the physics is searched; none keeps the first guess.
+        engine: Engine of the replay: physx runs the emitted class.
+        device: cpu or cuda:N.
+        out: Folder of the scene folders; default runs/bench-SUITE-STRATEGY-ENGINE.
+        workers: Worker processes; default one a core.
+    """
+    from esg.commands.console import progress
+    from esg.commands.generate import exit_code, record_runs, report_failures
+    from esg.commands.inputs import check_device
+    from esg.metrics import comparison_table, load_suite
+    from esg.outcomes import UserError
+    from esg.pipeline import STAGES
+    from esg.scenefolder import check_writable, publish
+    from esg.workers import default_processes
+
+    if not 1 <= runs <= MAX_RUNS:
+        raise UserError(f"--runs {runs}: choose 1 to {MAX_RUNS}")
+    if workers is not None and not 0 <= workers <= 256:
+        raise UserError(f"--workers {workers}: choose 0 to 256")
+    loaded = load_suite(suite)
+    out = out or Path("runs") / f"bench-{loaded.suite}-{strategy}-{engine}"
+    check_writable(out)
+    if json is not None:
+        check_json_target(json)
+    device = check_device(device)
+    total = len(loaded.scenes) * runs
+    processes = default_processes(total) if workers is None else workers
+    with progress(total * len(STAGES), "starting") as bar:
+
+        def watch(stage: str, state: SceneState) -> None:
+            bar.step(f"{state.request.name} {stage}")
+            if stage == STAGES[-1]:
+                bar.note(_line(state))
+
+        from flows.session import session
+
+        with session(processes, watch) as call:
+            from flows.benchmark import benchmark as flow
+
+            states = call(flow, str(suite), runs, seed, strategy, engine, device)
+        folders = [publish(state, out) for state in states]
+        report_failures(states, out)
+        record_runs(list(zip(states, folders, strict=True)), out, run_kind="bench")
+    result = results(loaded, states, runs, seed, strategy, engine)
+    if json is not None:
+        write_json(json, result)
+    print(comparison_table(result), end="")
+    cached = sum(s.cached_stages for s in states)
+    print(f"{cached} of {total * len(STAGES)} stages from cache; scenes in {out}")
+    return exit_code(states)
+
+
+def results(
+    suite: Suite, states: list[SceneState], runs: int, seed: int, strategy: str, engine: str
+) -> dict[str, Any]:
+    """The document of `--json`.
+
+    Args:
+        suite: The suite.
+        states: Final states, all runs of the first scene first.
+        runs: Runs a scene.
+        seed: Seed of the first run.
+        strategy: Search strategy.
+        engine: Engine of the replay.
+    """
+    from esg.metrics import SceneRun, bench_json
+    from esg.stages import REPLAY_RATE_HZ
+
+    by_scene: dict[str, list[SceneRun]] = {}
+    for k, scene in enumerate(suite.scenes):
+        by_scene[scene.id] = [
+            SceneRun(
+                seed=seed + run,
+                verdict=verdict_of(state),
+                outcome=state.outcome.value if state.outcome else "crashed",
+                seconds=round(state.seconds, 3),
+            )
+            for run, state in enumerate(states[k * runs : (k + 1) * runs])
+        ]
+    return bench_json(suite, by_scene, strategy=strategy, engine=engine, dt=1 / REPLAY_RATE_HZ)
+
+
+def verdict_of(state: SceneState) -> Any:
+    """The judge's verdict of a scene, None if it did not come to that."""
+    from esg.stages import load_verdict
+
+    return load_verdict(state) if "judge" in state.artifacts else None
+
+
+def check_json_target(path: Path) -> None:
+    """Finds out early whether a result file can be written.
+
+    Raises:
+        UserError: If not.
+    """
+    from esg.outcomes import UserError
+    from esg.scenefolder import check_writable
+
+    if path.is_dir():
+        raise UserError(f"--json {path} is a folder; give a file")
+    try:
+        check_writable(path.absolute().parent)
+    except UserError as error:
+        raise UserError(str(error).replace("--out", "--json")) from None
+
+
+def write_json(path: Path, document: dict[str, Any]) -> None:
+    """Writes a JSON file, complete or not at all."""
+    import json
+    import os
+
+    path.parent.mkdir(parents=True, exist_ok=True)
+    partial = path.with_name(f".{path.name}.{os.getpid()}.tmp")
+    partial.write_text(json.dumps(document, indent=2, ensure_ascii=False) + "\n", encoding="utf-8")
+    partial.replace(path)
+
+
+def _line(state: SceneState) -> str:
+    outcome = state.outcome.value if state.outcome else "unfinished"
+    reason = f"  {state.reason}" if state.reason and outcome != "solved" else ""
+    return f"{state.request.name:12} {outcome:17} {state.seconds:6.1f} s{reason}"

@@ -1,0 +1,117 @@
+"""What every command shares: where output goes, progress lines, JSON documents."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+import contextlib
+import json
+import os
+import sys
+from typing import Any, TextIO
+
+
+def quiet_native_output() -> None:
+    """Keeps libraries that write to the file descriptors themselves off stdout and stderr.
+
+    Python's `sys.stdout` and `sys.stderr` go on to the real ones. `ESG_DEBUG=1` leaves everything
+    as it is.
+    """
+    if os.environ.get("ESG_DEBUG"):
+        return
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    for number, name in ((1, "stdout"), (2, "stderr")):
+        stream: TextIO = getattr(sys, name)
+        with contextlib.suppress(OSError, ValueError):
+            stream.flush()
+            real = os.dup(number)
+            os.dup2(nowhere, number)
+            replacement = open(real, "w", encoding="utf-8", errors="replace", buffering=1)  # noqa: SIM115
+            setattr(sys, name, replacement)
+    os.close(nowhere)
+
+
+def emit(document: Any) -> None:
+    """Prints one JSON document on stdout."""
+    print(json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False))
+
+
+def say(message: str) -> None:
+    """A line for people on stderr, only on a terminal."""
+    if sys.stderr.isatty():
+        print(message, file=sys.stderr)
+
+
+class Progress:
+    """A bar on stderr over a number of steps; silent when stderr is no terminal.
+
+    Args:
+        total: Number of steps.
+        title: First words of the line.
+    """
+
+    def __init__(self, total: int, title: str) -> None:
+        self._bar: Any = None
+        if not sys.stderr.isatty():
+            return
+        from rich.console import Console
+        from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
+
+        self._bar = Progress(
+            SpinnerColumn(),
+            TextColumn("{task.description}"),
+            BarColumn(bar_width=30),
+            TextColumn("{task.completed}/{task.total}"),
+            TimeElapsedColumn(),
+            console=Console(file=sys.stderr),
+            transient=True,
+        )
+        self._task = self._bar.add_task(title, total=total)
+        self._bar.start()
+
+    def step(self, description: str, count: int = 1) -> None:
+        """Advances by `count` steps."""
+        if self._bar is not None:
+            self._bar.update(self._task, advance=count, description=description)
+
+    def show(self, description: str) -> None:
+        """Changes the words without advancing."""
+        self.step(description, 0)
+
+    def note(self, message: str) -> None:
+        """A line that stays, above the bar."""
+        if self._bar is not None:
+            self._bar.console.print(message, markup=False, highlight=False)
+
+    def close(self) -> None:
+        if self._bar is not None:
+            self._bar.stop()
+            self._bar = None
+
+
+@contextlib.contextmanager
+def progress(total: int, title: str) -> Iterator[Progress]:
+    """A progress bar for the body."""
+    bar = Progress(total, title)
+    try:
+        yield bar
+    finally:
+        bar.close()
+
+
+def table(columns: list[str], rows: list[list[str]], title: str = "") -> str:
+    """Aligned text columns; numbers-looking cells to the right."""
+
+    def numeric(cell: str) -> bool:
+        return cell[:1].isdigit() or cell[:1] in "-+." or cell == ""
+
+    widths = [max(len(str(r[k])) for r in [columns, *rows]) for k in range(len(columns))]
+    right = [bool(rows) and all(numeric(r[k]) for r in rows) for k in range(len(columns))]
+
+    def line(cells: list[str]) -> str:
+        parts = [
+            c.rjust(w) if r else c.ljust(w) for c, w, r in zip(cells, widths, right, strict=True)
+        ]
+        return "  ".join(parts).rstrip()
+
+    body = [line(columns), "  ".join("-" * w for w in widths), *(line(r) for r in rows)]
+    return "\n".join(([title] if title else []) + body)

@@ -1,0 +1,65 @@
+"""`esg draft`: stage 1 alone."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from cyclopts import Parameter
+
+
+def draft(
+    prompt: str,
+    *,
+    seed: int = 0,
+    drafter: Literal["rules", "llm"] = "rules",
+    json: Annotated[bool, Parameter(negative="")] = False,
+) -> int:
+    """Draft the scene graph of a prompt: the ESG, what became of every word, all violations.
+
+    Args:
+        prompt: English description of the scene.
+        seed: Of every random choice.
+        drafter: rules needs nothing; llm needs an OpenAI-compatible endpoint.
+        json: Print one JSON document: esg, coverage, violations.
+    """
+    from esg.commands.console import emit, table
+    from esg.commands.inputs import clean_prompt
+    from esg.draft import draft as run
+    from esg.graph import canonical_json, verify
+
+    doc = run(clean_prompt(prompt), seed=seed, drafter=drafter)
+    violations = verify(doc)
+    data = doc.model_dump(mode="json", by_alias=True)
+    if json:
+        import json as codec
+
+        esg = codec.loads(canonical_json(doc))
+        emit(
+            {
+                "esg": esg,
+                "coverage": data["coverage"],
+                "violations": [v.to_json() for v in violations],
+            }
+        )
+        return 3 if violations else 0
+    graph = doc.spatial_relation_graph
+    print(f"scene {doc.scene_definition.scene_id}")
+    print("objects:   " + ", ".join(graph.nodes))
+    for edge in graph.edges.binary_relations:
+        print(f"relation:  {edge.from_} {edge.relation_type.value} {edge.to}")
+    timeline = doc.timeline_system
+    for node in timeline.sequence_graph.nodes if timeline else ():
+        when = f"at {node.timestamp} s" if node.timestamp is not None else f"in {node.window} s"
+        print(f"event:     {node.id}  {node.event.value}({', '.join(node.participants)}) {when}")
+    for segment in timeline.sequence_graph.edges if timeline else ():
+        print(f"motion:    {segment.id}  {segment.actor} {segment.event.value}")
+    if timeline is None:
+        print("no timeline: a static scene")
+    rows = [[i.text, i.kind, i.status, i.pointer or i.note] for i in doc.coverage.items]
+    if rows:
+        print("\n" + table(["words", "kind", "status", "became"], rows))
+    for warning in doc.coverage.warnings:
+        print(f"warning:   {warning}")
+    for violation in violations:
+        print(f"violation: {violation}")
+    return 3 if violations else 0

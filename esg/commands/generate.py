@@ -1,0 +1,157 @@
+"""`esg generate`: a prompt to a proven scene folder."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+from cyclopts import Parameter
+
+if TYPE_CHECKING:
+    from esg.pipeline import SceneState
+
+Strategy = Literal["batched", "hybrid", "fd", "ad", "none"]
+
+
+def generate(
+    prompt: str,
+    *,
+    out: Path = Path("runs"),
+    seed: int = 0,
+    drafter: Literal["rules", "llm"] = "rules",
+    strategy: Strategy = "batched",
+    device: str = "cpu",
+    json: Annotated[bool, Parameter(negative="")] = False,
+) -> int:
+    """Generate one scene and prove it by replaying what was emitted.
+
+    Args:
+        prompt: English description of the scene.
+        out: Folder that receives the scene folder.
+        seed: Of every random choice.
+        drafter: rules needs nothing; llm needs an OpenAI-compatible endpoint.
+        strategy: How the physics is searched; none keeps the first guess.
+        device: cpu or cuda:N.
+        json: Print one JSON document with outcome, metrics and paths.
+    """
+    from esg.commands.console import emit, progress
+    from esg.commands.inputs import check_device, clean_prompt
+    from esg.outcomes import UserError
+    from esg.pipeline import STAGES
+    from esg.scenefolder import check_writable, publish
+
+    prompt = clean_prompt(prompt)
+    check_writable(out)
+    device = check_device(device)
+    with progress(len(STAGES), "starting") as bar:
+
+        def watch(stage: str, state: SceneState) -> None:
+            following = STAGES[STAGES.index(stage) + 1 :]
+            bar.step(following[0] if following and not state.ended else "finishing")
+
+        from flows.session import session
+
+        with session(processes=0, watch=watch) as call:
+            from flows.generate import generate as flow
+
+            bar.show("draft")
+            state = call(flow, [prompt], seed, drafter, strategy, device)[0]
+        if state.user_error:
+            raise UserError(state.reason)
+        bar.show("writing")
+        folder = publish(state, out)
+        report_failures([state], out)
+        bar.show("ingesting")
+        record_runs([(state, folder)], out, run_kind="generate")
+    summary = summarize(state, folder)
+    if json:
+        emit(summary)
+    else:
+        print(describe(summary))
+    return exit_code([state])
+
+
+def exit_code(states: list[SceneState]) -> int:
+    """3 if any scene did not end well, else 0."""
+    from flows.session import failures
+
+    return 3 if failures(states) else 0
+
+
+def report_failures(states: list[SceneState], out: Path) -> None:
+    """Writes `failures.jsonl` for the scenes that did not end well; none, no file."""
+    import json
+
+    from flows.session import failures
+
+    path = out / "failures.jsonl"
+    rows = failures(states)
+    if not rows:
+        path.unlink(missing_ok=True)
+        return
+    partial = path.with_suffix(".tmp")
+    partial.write_text("".join(json.dumps(r, ensure_ascii=False) + "\n" for r in rows))
+    partial.replace(path)
+
+
+def summarize(state: SceneState, folder: Path) -> dict[str, Any]:
+    """What `--json` prints about one scene."""
+    import json
+
+    path = folder / "metrics.json"
+    metrics = json.loads(path.read_bytes()) if path.exists() else None
+    assert state.outcome is not None
+    return {
+        "scene_id": folder.name,
+        "folder": str(folder),
+        "prompt": state.request.prompt,
+        "seed": state.request.seed,
+        "outcome": state.outcome.value,
+        "reason": state.reason,
+        "advice": state.outcome.advice,
+        "verified": bool(metrics and metrics["verified"]),
+        "proof": metrics["proof"] if metrics else None,
+        "metrics": metrics["verdict"] if metrics else None,
+        "cached_stages": state.cached_stages,
+        "stages": [
+            {k: e[k] for k in ("stage", "cached", "seconds", "error") if k in e} for e in state.log
+        ],
+        "seconds": round(state.seconds, 3),
+    }
+
+
+def describe(summary: dict[str, Any]) -> str:
+    """The same for people."""
+    from esg.pipeline import STAGES
+
+    lines = [f"{summary['outcome']}: {summary['folder']}"]
+    if summary["reason"]:
+        lines.append(f"  {summary['reason']}")
+    if summary["outcome"] != "solved":
+        lines.append(f"  {summary['advice']}")
+    metrics = summary["metrics"]
+    if metrics:
+        for event in metrics["events"]:
+            mark = "done" if event["completed"] else "NOT DONE"
+            when = f"at {event['time_s']:.2f} s" if event["time_s"] is not None else ""
+            what = f"{event['id']} {event['type']} {', '.join(event['bodies'])}"
+            lines.append(f"  {mark:8} {what} {when} {event['reason']}".rstrip())
+        for item in metrics["constraints"]:
+            measured = "not measured" if item["measured"] is None else f"{item['measured']:.3g}"
+            lines.append(f"  score {item['score']:.2f} {item['constraint']}: {measured}")
+        layout = "valid" if metrics["slr"] else "INVALID"
+        proof = {
+            "class": "the emitted class, compiled and run in PhysX",
+            "program": "the control program (no C++ compiler found, or another engine)",
+        }[summary["proof"]]
+        rate = round(1 / metrics["dt_s"])
+        lines.append(f"  layout {layout}; proof: {proof}, {rate} steps a second")
+    ran = [f"{s['stage']} {s['seconds']:.1f}" for s in summary["stages"] if not s["cached"]]
+    if ran:
+        lines.append(f"  seconds: {', '.join(ran)}")
+    lines.append(f"  {summary['cached_stages']} of {len(STAGES)} stages from cache")
+    return "\n".join(lines)
+
+
+def record_runs(rows: list[tuple[SceneState, Path]], out: Path, *, run_kind: str) -> None:
+    """Appends finished scenes to the run database below `out`."""

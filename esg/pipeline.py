@@ -1,0 +1,207 @@
+"""One scene from prompt to recorded result: eight stages, each cached by content.
+
+    draft -> resolve -> layout -> optimize -> compile -> replay -> judge -> record
+
+A stage's result is a folder in the artifact store under a key made of its input's key, its
+configuration and the version of its code. A `SceneState` carries only keys, so that it can travel
+between processes and through a scheduler; the data stays in the store. Nothing here knows about
+schedulers: `tasks/` calls `run_stage` for batches of scenes.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+import errno
+import json
+from pathlib import Path
+import time
+import traceback
+from typing import Any
+
+from esg.outcomes import Outcome, UserError
+
+STAGES = ("draft", "resolve", "layout", "optimize", "compile", "replay", "judge", "record")
+
+_PASSING = {
+    errno.EAGAIN,
+    errno.EBUSY,
+    errno.EINTR,
+    errno.EIO,
+    errno.EMFILE,
+    errno.ENFILE,
+    errno.ESTALE,
+    errno.ETIMEDOUT,
+}
+
+
+@dataclass(frozen=True)
+class SceneRequest:
+    """What to make and how; everything a result depends on besides code.
+
+    Args:
+        prompt: English text.
+        seed: Of every random choice.
+        drafter: rules or llm.
+        strategy: Search strategy of the optimize stage.
+        device: cpu or cuda:N.
+        engine: Engine of the replay: physx (the emitted class), rapier or newton (the program).
+        suite_scene: JSON of the suite's scene to judge against; empty judges against the scene's
+            own timeline.
+        name: Folder name of the scene; empty takes the document's scene id.
+    """
+
+    prompt: str
+    seed: int = 0
+    drafter: str = "rules"
+    strategy: str = "batched"
+    device: str = "cpu"
+    engine: str = "physx"
+    suite_scene: str = ""
+    name: str = ""
+
+
+@dataclass(frozen=True)
+class SceneState:
+    """How far a scene has come: artifact keys by stage, and what happened on the way.
+
+    Args:
+        request: What was asked.
+        artifacts: Stage name to artifact key, in stage order.
+        log: One entry a stage: stage, cached, seconds, and what went wrong.
+        outcome: Set when the scene has ended, early or not.
+        reason: One sentence with the outcome.
+        user_error: Whether the reason is a mistake the user can repair.
+    """
+
+    request: SceneRequest
+    artifacts: dict[str, str] = field(default_factory=dict)
+    log: tuple[dict[str, Any], ...] = ()
+    outcome: Outcome | None = None
+    reason: str = ""
+    user_error: bool = False
+
+    @property
+    def ended(self) -> bool:
+        """Whether no further stage can run."""
+        return self.outcome in (Outcome.INVALID_DRAFT, Outcome.CRASHED, Outcome.INFEASIBLE)
+
+    @property
+    def cached_stages(self) -> int:
+        """Number of stages whose result came from the store."""
+        return sum(bool(e.get("cached")) for e in self.log)
+
+    @property
+    def seconds(self) -> float:
+        """Time spent in stages [s]."""
+        return sum(float(e["seconds"]) for e in self.log)
+
+    def artifact(self, stage: str) -> Path:
+        """Folder of a finished stage.
+
+        Raises:
+            KeyError: If the stage has not run.
+        """
+        from esg.store.artifacts import ArtifactStore
+
+        found = ArtifactStore().find(self.artifacts[stage])
+        if found is None:
+            raise FileNotFoundError(
+                errno.ENOENT, f"the {stage} artifact vanished", self.artifacts[stage]
+            )
+        return found
+
+
+def stage_key(stage: str, state: SceneState) -> str:
+    """Artifact key of a stage: its inputs, its configuration and its code version."""
+    from esg.codeversion import code_version
+    from esg.stages import SPECS, configuration
+    from esg.store.artifacts import artifact_key
+
+    inputs = {s: state.artifacts[s] for s in SPECS[stage].inputs}
+    return artifact_key(
+        stage,
+        inputs=inputs,
+        config=configuration(stage, state.request),
+        code_version=code_version(stage),
+    )
+
+
+def run_stage(stage: str, state: SceneState) -> SceneState:
+    """Runs one stage of one scene, or finds its finished result.
+
+    Returns:
+        The next state. Mistakes in the input end the scene as `invalid_draft`, defects as
+        `crashed`; neither raises.
+
+    Raises:
+        OSError: Only one that may pass (see `may_pass`): try the stage again.
+    """
+    from esg.stages import SPECS, conclude
+    from esg.store.artifacts import ArtifactStore
+
+    if state.ended or stage in state.artifacts:
+        return state
+    start = time.perf_counter()
+    entry: dict[str, Any] = {"stage": stage, "cached": False}
+    try:
+        key = stage_key(stage, state)
+        store = ArtifactStore()
+        entry["key"] = key
+        entry["cached"] = store.find(key) is not None
+        if not entry["cached"]:
+            store.create(key, lambda folder: SPECS[stage].run(state, folder))
+        state = replace(state, artifacts={**state.artifacts, stage: key})
+        outcome, reason = conclude(stage, state)
+        if outcome is not None:
+            state = replace(state, outcome=outcome, reason=reason)
+    except UserError as error:
+        entry["error"] = str(error)
+        state = replace(state, outcome=Outcome.INVALID_DRAFT, reason=str(error), user_error=True)
+    except Exception as error:
+        if may_pass(error):
+            raise
+        state = crashed(state, error)
+        entry["error"] = state.reason
+        entry["traceback"] = traceback.format_exc()
+    entry["seconds"] = round(time.perf_counter() - start, 4)
+    if state.outcome is not None:
+        entry["outcome"] = state.outcome.value
+    return replace(state, log=(*state.log, entry))
+
+
+def crashed(state: SceneState, error: BaseException, stage: str = "") -> SceneState:
+    """The state of a scene ended by a defect; with `stage`, also logs it there."""
+    reason = f"{type(error).__name__}: {error}"
+    state = replace(state, outcome=Outcome.CRASHED, reason=reason)
+    if stage:
+        lines = "".join(traceback.format_exception(error))
+        entry = {
+            "stage": stage,
+            "cached": False,
+            "seconds": 0.0,
+            "error": reason,
+            "traceback": lines,
+            "outcome": Outcome.CRASHED.value,
+        }
+        state = replace(state, log=(*state.log, entry))
+    return state
+
+
+def may_pass(error: BaseException) -> bool:
+    """Whether trying again can help: connections, timeouts and busy files, nothing else."""
+    if isinstance(error, (ConnectionError, TimeoutError)):
+        return True
+    return isinstance(error, OSError) and error.errno in _PASSING
+
+
+def run_scene(request: SceneRequest) -> SceneState:
+    """All stages of one scene, in this process and without a scheduler."""
+    state = SceneState(request)
+    for stage in STAGES:
+        state = run_stage(stage, state)
+    return state
+
+
+def load_json(path: Path) -> Any:
+    """Parsed content of a JSON file."""
+    return json.loads(path.read_bytes())

@@ -1,0 +1,127 @@
+"""The scene folder: everything about one scene, put together aside and renamed into place."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+import re
+import shutil
+import tempfile
+
+from esg.outcomes import UserError
+from esg.pipeline import SceneState
+from esg.stages import DOCUMENT
+
+_DOCUMENT_STAGES = ("draft", "resolve", "layout", "optimize")
+_MARKS = ("prompt.txt", "log.jsonl")
+"""Files that tell a scene folder from a folder of the user's."""
+
+
+def publish(state: SceneState, out: Path) -> Path:
+    """Writes the folder of a scene, complete or as far as the scene came.
+
+    Args:
+        state: A scene that has ended.
+        out: Folder that receives it; created if need be.
+
+    Returns:
+        Path of the scene folder. An older folder of the same scene is replaced.
+
+    Raises:
+        UserError: If `out` cannot be written, or a folder of that name is no scene folder.
+    """
+    target = out / folder_name(state)
+    if target.exists() and not is_scene_folder(target):
+        raise UserError(
+            f"{target} exists and is not a scene folder; move it or choose another --out"
+        )
+    try:
+        out.mkdir(parents=True, exist_ok=True)
+        work = Path(tempfile.mkdtemp(prefix=f".{target.name}.", suffix=".tmp", dir=out))
+    except OSError as error:
+        raise UserError(f"cannot write to --out {out}: {error.strerror}") from None
+    try:
+        _fill(state, work)
+        work.chmod(0o755)
+        if target.exists():
+            retired = Path(tempfile.mkdtemp(prefix=f".{target.name}.", suffix=".tmp", dir=out))
+            target.rename(retired / "old")
+            work.rename(target)
+            shutil.rmtree(retired, ignore_errors=True)
+        else:
+            work.rename(target)
+    except OSError as error:
+        shutil.rmtree(work, ignore_errors=True)
+        raise UserError(f"cannot write {target}: {error.strerror}", exit_code=1) from None
+    except BaseException:
+        shutil.rmtree(work, ignore_errors=True)
+        raise
+    return target
+
+
+def is_scene_folder(path: Path) -> bool:
+    """Whether `path` is a folder that `publish` wrote."""
+    return path.is_dir() and all((path / mark).is_file() for mark in _MARKS)
+
+
+def folder_name(state: SceneState) -> str:
+    """The request's name, else the document's scene id; only characters safe in file names."""
+    name = state.request.name
+    if not name and "draft" in state.artifacts:
+        document = json.loads((state.artifact("draft") / DOCUMENT).read_bytes())
+        name = document["scene_definition"]["scene_id"]
+    return re.sub(r"[^A-Za-z0-9._-]+", "_", name).strip("._")[:120] or "scene"
+
+
+def _fill(state: SceneState, folder: Path) -> None:
+    (folder / "prompt.txt").write_text(state.request.prompt + "\n", encoding="utf-8")
+    stages = folder / "stages"
+    stages.mkdir()
+    for number, stage in enumerate(_DOCUMENT_STAGES, 1):
+        if stage in state.artifacts:
+            source = state.artifact(stage) / DOCUMENT
+            shutil.copyfile(source, stages / f"{number}-{stage}.json")
+            shutil.copyfile(source, folder / DOCUMENT)
+    if "draft" in state.artifacts:
+        violations = state.artifact("draft") / "violations.json"
+        if violations.stat().st_size > 3:
+            shutil.copyfile(violations, folder / "violations.json")
+    for stage in ("compile", "judge", "record"):
+        if stage in state.artifacts:
+            _copy(state.artifact(stage), folder)
+    if "replay" in state.artifacts:
+        shutil.copyfile(state.artifact("replay") / "replay.json", stages / "6-replay.json")
+    with (folder / "log.jsonl").open("w", encoding="utf-8") as log:
+        for entry in state.log:
+            log.write(json.dumps(entry, ensure_ascii=False) + "\n")
+        end = {"outcome": state.outcome.value if state.outcome else None, "reason": state.reason}
+        log.write(json.dumps(end, ensure_ascii=False) + "\n")
+
+
+def _copy(source: Path, folder: Path) -> None:
+    for path in sorted(source.rglob("*")):
+        relative = path.relative_to(source)
+        if path.is_dir():
+            (folder / relative).mkdir(exist_ok=True, parents=True)
+        else:
+            (folder / relative).parent.mkdir(exist_ok=True, parents=True)
+            shutil.copyfile(path, folder / relative)
+
+
+def check_writable(out: Path) -> None:
+    """Finds out early, leaving no trace, whether scene folders can be written to `out`.
+
+    Raises:
+        UserError: If not, with the reason.
+    """
+    existing = out
+    while not existing.exists() and existing != existing.parent:
+        existing = existing.parent
+    if not existing.is_dir():
+        raise UserError(f"cannot write to --out {out}: {existing} is not a folder")
+    try:
+        probe = tempfile.mkdtemp(prefix=".esg-probe-", dir=existing)
+        os.rmdir(probe)
+    except OSError as error:
+        raise UserError(f"cannot write to --out {out}: {error.strerror}") from None

@@ -1,0 +1,275 @@
+"""What each stage of the pipeline reads, does and writes (esg.pipeline runs and caches them)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from esg.outcomes import Outcome
+
+if TYPE_CHECKING:
+    from esg.engines.scene import Rollout
+    from esg.graph.models import EsgDocument
+    from esg.metrics.models import SceneVerdict, SuiteScene
+    from esg.pipeline import SceneRequest, SceneState
+
+DOCUMENT = "esg.json"
+ROLLOUT = "rollout.npz"
+REPLAY_RATE_HZ = 240
+
+
+@dataclass(frozen=True)
+class Spec:
+    """One stage.
+
+    Args:
+        run: Writes the result into an empty folder.
+        inputs: Stages whose artifacts it reads.
+        options: Fields of the request that change its result.
+    """
+
+    run: Callable[[SceneState, Path], None]
+    inputs: tuple[str, ...]
+    options: tuple[str, ...] = ()
+
+
+def configuration(stage: str, request: SceneRequest) -> dict[str, Any]:
+    """The part of a request that a stage's result depends on."""
+    values: dict[str, Any] = {name: getattr(request, name) for name in SPECS[stage].options}
+    if stage == "replay":
+        values["proof"] = proof_kind(request.engine)
+    return values
+
+
+def proof_kind(engine: str) -> str:
+    """`class` if the emitted class itself is replayed, `program` if its control program is.
+
+    The class needs PhysX (the shim's engine) and a C++ compiler.
+    """
+    if engine != "physx":
+        return "program"
+    from esg.compile import CompilerMissing
+    from esg.compile.build import compiler
+
+    try:
+        compiler()
+    except CompilerMissing:
+        return "program"
+    return "class"
+
+
+def conclude(stage: str, state: SceneState) -> tuple[Outcome | None, str]:
+    """The outcome a finished stage implies, None while the scene goes on.
+
+    `solved` and `nearest_feasible` are claims of the optimizer; they stand only if the replay of
+    the compiled scene completes the events of the scene's own timeline.
+    """
+    if stage == "draft":
+        violations = json.loads((state.artifact(stage) / "violations.json").read_bytes())
+        if violations:
+            first = violations[0]
+            more = f" (and {len(violations) - 1} more)" if len(violations) > 1 else ""
+            return Outcome.INVALID_DRAFT, f"{first['code']}: {first['message']}{more}"
+        return None, ""
+    if stage == "optimize":
+        result = load_doc(state, stage).dynamics_result
+        if result is not None and result.outcome == Outcome.INFEASIBLE.value:
+            return Outcome.INFEASIBLE, result.reason
+        return None, ""
+    if stage != "judge":
+        return None, ""
+    metrics = json.loads((state.artifact(stage) / "metrics.json").read_bytes())
+    return Outcome(metrics["outcome"]), metrics["reason"]
+
+
+def load_doc(state: SceneState, stage: str = "optimize") -> EsgDocument:
+    """The document as a stage left it."""
+    from esg.graph import EsgDocument
+
+    return EsgDocument.model_validate_json((state.artifact(stage) / DOCUMENT).read_bytes())
+
+
+def load_scene(state: SceneState) -> tuple[Any, Any]:
+    """Physical scene and control program of a compiled scene."""
+    from esg.engines.manifest import load_manifest
+
+    manifest = load_manifest(state.artifact("compile") / "manifest.json")
+    return manifest.scene, manifest.program
+
+
+def load_verdict(state: SceneState) -> SceneVerdict:
+    """The judge's verdict: against the suite if there is one, else against the own timeline."""
+    from esg.metrics import SceneVerdict
+
+    metrics = json.loads((state.artifact("judge") / "metrics.json").read_bytes())
+    raw = {k: v for k, v in metrics["verdict"].items() if k in SceneVerdict.model_fields}
+    return SceneVerdict.model_validate(raw)
+
+
+def load_suite_scene(request: SceneRequest, doc: EsgDocument) -> tuple[SuiteScene, bool]:
+    """What to judge against, and whether it is a suite's (else the scene's own timeline)."""
+    from esg.metrics import SuiteScene, expectations_from_timeline
+
+    if request.suite_scene:
+        return SuiteScene.model_validate_json(request.suite_scene), True
+    return expectations_from_timeline(doc), False
+
+
+def _draft(state: SceneState, folder: Path) -> None:
+    from esg.draft import draft
+    from esg.graph import verify
+
+    request = state.request
+    doc = draft(request.prompt, seed=request.seed, drafter=request.drafter)
+    _write_doc(doc, folder)
+    _write_json([v.to_json() for v in verify(doc)], folder / "violations.json")
+
+
+def _resolve(state: SceneState, folder: Path) -> None:
+    from esg.assets import resolve
+
+    _write_doc(resolve(load_doc(state, "draft"), seed=state.request.seed), folder)
+
+
+def _layout(state: SceneState, folder: Path) -> None:
+    from esg.dynamics import start_hints
+    from esg.layout import solve
+
+    doc = load_doc(state, "resolve")
+    seed = state.request.seed
+    hints = start_hints(doc, seed=seed) if doc.timeline_system is not None else None
+    _write_doc(solve(doc, seed=seed, hints=hints), folder)
+
+
+def _optimize(state: SceneState, folder: Path) -> None:
+    from esg.dynamics import optimize
+
+    doc = load_doc(state, "layout")
+    request = state.request
+    if doc.timeline_system is not None:
+        doc = optimize(doc, seed=request.seed, strategy=request.strategy, device=request.device)
+    _write_doc(doc, folder)
+
+
+def _compile(state: SceneState, folder: Path) -> None:
+    from esg.compile import compile_scene
+
+    compile_scene(load_doc(state), folder)
+
+
+def _replay(state: SceneState, folder: Path) -> None:
+    from esg.rolloutfile import save_rollout
+
+    proof = proof_kind(state.request.engine)
+    log: list[str] = []
+    if proof == "class":
+        from esg.compile import replay_class
+
+        replay = replay_class(state.artifact("compile"), dt=1.0 / REPLAY_RATE_HZ)
+        rollout, log = replay.rollout, replay.log
+    else:
+        rollout = _replay_program(state)
+    save_rollout(rollout, folder / ROLLOUT)
+    facts = {"engine": rollout.engine, "dt_s": rollout.dt, "proof": proof, "log": log}
+    _write_json(facts, folder / "replay.json")
+
+
+def _replay_program(state: SceneState) -> Rollout:
+    from esg.engines.base import get_engine
+    from esg.engines.program import batch_programs
+
+    scene, program = load_scene(state)
+    engine = get_engine(state.request.engine, state.request.device)
+    batch = batch_programs([program], scene.names)
+    return engine.rollout(scene, batch, dt=1.0 / REPLAY_RATE_HZ)
+
+
+def _judge(state: SceneState, folder: Path) -> None:
+    from esg.metrics import expectations_from_timeline
+
+    doc = load_doc(state)
+    expected, from_suite = load_suite_scene(state.request, doc)
+    verdict = _verdict(state, expected)
+    own = _verdict(state, expectations_from_timeline(doc)) if from_suite else verdict
+    outcome, reason = _outcome(doc, own)
+    facts = json.loads((state.artifact("replay") / "replay.json").read_bytes())
+    metrics = {
+        "outcome": outcome.value,
+        "reason": reason,
+        "advice": outcome.advice,
+        "proof": facts["proof"],
+        "judged_against": "suite" if from_suite else "timeline",
+        "verified": own.verified,
+        "verdict": verdict.to_json(),
+    }
+    if from_suite:
+        metrics["own_timeline"] = own.to_json()
+    _write_json(metrics, folder / "metrics.json")
+
+
+def _verdict(state: SceneState, expected: SuiteScene) -> SceneVerdict:
+    from esg.rolloutfile import load_rollout
+    from esg.metrics import judge
+
+    scene, program = load_scene(state)
+    rollout = load_rollout(state.artifact("replay") / ROLLOUT)
+    return judge(scene, program, rollout, expected)
+
+
+def _outcome(doc: EsgDocument, own: SceneVerdict) -> tuple[Outcome, str]:
+    failures = [f"{e.id} ({e.type}): {e.reason}" for e in own.events if not e.completed]
+    if not own.slr:
+        missing = [f"missing {m}" for m in own.layout.missing]
+        overlaps = [
+            f"{o.a} and {o.b} overlap by {100 * o.depth_m:.1f} cm" for o in own.layout.overlaps
+        ]
+        failures = [*missing, *overlaps, *failures]
+    result = doc.dynamics_result
+    claimed = Outcome(result.outcome) if result is not None else Outcome.SOLVED
+    reason = result.reason if result is not None else ""
+    if claimed in (Outcome.SOLVED, Outcome.NEAREST_FEASIBLE) and failures:
+        return Outcome.NOT_CONVERGED, "the replay disagrees: " + "; ".join(failures)
+    return claimed, reason
+
+
+def _record(state: SceneState, folder: Path) -> None:
+    from esg.assets import write_meshes
+    from esg.rolloutfile import load_rollout
+    from esg.store import write_mcap
+    from esg.view import preview
+
+    doc = load_doc(state)
+    scene, program = load_scene(state)
+    rollout = load_rollout(state.artifact("replay") / ROLLOUT)
+    metrics = json.loads((state.artifact("judge") / "metrics.json").read_bytes())
+    verdict = load_verdict(state)
+    write_meshes(doc, folder)
+    write_mcap(folder / "rollout.mcap", scene, program, rollout, verdict, doc)
+    note = f"{metrics['outcome']}  |  replayed in {rollout.engine} at {1 / rollout.dt:.0f} Hz"
+    preview(scene, rollout, verdict, doc, folder, note=note)
+
+
+def _write_doc(doc: EsgDocument, folder: Path) -> None:
+    from esg.graph import canonical_json
+
+    (folder / DOCUMENT).write_bytes(canonical_json(doc))
+
+
+def _write_json(value: Any, path: Path) -> None:
+    text = json.dumps(value, indent=2, sort_keys=True, ensure_ascii=False, allow_nan=False)
+    path.write_text(text + "\n", encoding="utf-8")
+
+
+SPECS: dict[str, Spec] = {
+    "draft": Spec(_draft, (), ("prompt", "seed", "drafter")),
+    "resolve": Spec(_resolve, ("draft",), ("seed",)),
+    "layout": Spec(_layout, ("resolve",), ("seed",)),
+    "optimize": Spec(_optimize, ("layout",), ("seed", "strategy", "device")),
+    "compile": Spec(_compile, ("optimize",)),
+    "replay": Spec(_replay, ("compile",), ("engine",)),
+    "judge": Spec(_judge, ("optimize", "compile", "replay"), ("suite_scene",)),
+    "record": Spec(_record, ("optimize", "compile", "replay", "judge")),
+}

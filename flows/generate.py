@@ -1,0 +1,35 @@
+"""The `generate` flow: prompts to scene folders."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from prefect import flow
+
+from esg.pipeline import SceneRequest, SceneState
+from flows.scenes import run_all, task_runner
+
+
+@flow(name="generate", task_runner=task_runner(), validate_parameters=False)
+def generate(
+    prompts: Sequence[str],
+    seed: int = 0,
+    drafter: str = "rules",
+    strategy: str = "batched",
+    device: str = "cpu",
+) -> list[SceneState]:
+    """Generates one scene a prompt.
+
+    Args:
+        prompts: English texts.
+        seed: Of every random choice.
+        drafter: rules or llm.
+        strategy: Search strategy of the optimize stage.
+        device: cpu or cuda:N.
+
+    Returns:
+        Final states in the order of the prompts.
+    """
+    options: dict[str, Any] = {"drafter": drafter, "strategy": strategy, "device": device}
+    return run_all([SceneRequest(prompt=p, seed=seed, **options) for p in prompts])

@@ -1,0 +1,80 @@
+"""Running flows from a command: API process, worker processes and warm-up, started together."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+import contextlib
+import threading
+from typing import Any, TypeVar
+
+from esg.pipeline import SceneState
+from esg.workers import WorkerPool
+from flows.embedded import prefect_api
+from tasks.context import Watcher, run_context
+
+T = TypeVar("T")
+
+
+@contextlib.contextmanager
+def session(processes: int, watch: Watcher | None = None) -> Iterator[Callable[..., Any]]:
+    """Everything a flow needs, for the body.
+
+    The API process, the workers and this process all need seconds to import their libraries; they
+    do so at the same time.
+
+    Args:
+        processes: Worker processes, 0 for none.
+        watch: Called after every stage of every scene.
+
+    Yields:
+        A function that calls a flow once the API answers: `call(flow, *args, **kwargs)`.
+    """
+    with prefect_api() as api, WorkerPool(processes) as pool, run_context(pool, watch):
+        if processes:
+            pool.warm(warm_up)
+        else:
+            threading.Thread(target=warm_up, daemon=True).start()
+        # Prefect reads its environment when first imported: after `prefect_api` has set it.
+        from prefect.settings import PREFECT_FLOWS_HEARTBEAT_FREQUENCY, temporary_settings
+
+        def call(flow: Callable[..., T], *args: Any, **kwargs: Any) -> T:
+            api.wait()
+            # The heartbeat thread costs a second at the end of every flow run.
+            with temporary_settings({PREFECT_FLOWS_HEARTBEAT_FREQUENCY: None}):
+                return flow(*args, **kwargs)
+
+        yield call
+
+
+def warm_up() -> None:
+    """Imports what scenes need and silences it; results do not depend on it."""
+    with contextlib.suppress(Exception):  # a missing library is reported by the stage that needs it
+        import warp as wp
+
+        wp.config.quiet = True
+        import newton  # noqa: F401  # pyright: ignore[reportUnusedImport]
+        import newton.sensors  # noqa: F401
+        import sapien  # noqa: F401
+        import spacy  # noqa: F401
+        import trimesh  # noqa: F401
+
+
+def failures(states: Sequence[SceneState]) -> list[dict[str, Any]]:
+    """One row for every scene that did not end well: the lines of `failures.jsonl`."""
+    return [
+        {
+            "scene": s.request.name or s.request.prompt,
+            "prompt": s.request.prompt,
+            "seed": s.request.seed,
+            "outcome": s.outcome.value if s.outcome else "unfinished",
+            "reason": s.reason,
+            "stage": s.log[-1]["stage"] if s.log else "",
+        }
+        for s in states
+        if not good(s)
+    ]
+
+
+def good(state: SceneState) -> bool:
+    """Whether a scene ended with a compiled scene that does what it claims."""
+    return state.outcome is not None and state.outcome.value in ("solved", "nearest_feasible")

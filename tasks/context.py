@@ -1,0 +1,43 @@
+"""What tasks of one run share in this process: workers and whoever watches the progress."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+import contextlib
+from dataclasses import dataclass
+
+from esg.pipeline import SceneState
+from esg.workers import WorkerPool
+
+Watcher = Callable[[str, SceneState], None]
+"""Called with a stage's name and the scene's new state after every stage of every scene."""
+
+
+def _ignore(stage: str, state: SceneState) -> None:
+    return None
+
+
+@dataclass(frozen=True)
+class RunContext:
+    pool: WorkerPool
+    watch: Watcher = _ignore
+
+
+_current = RunContext(WorkerPool(0))
+
+
+def current() -> RunContext:
+    """The context of the run in progress; without one, calls run in this process."""
+    return _current
+
+
+@contextlib.contextmanager
+def run_context(pool: WorkerPool, watch: Watcher | None = None) -> Iterator[RunContext]:
+    """Makes a pool and a watcher the current ones. Not a context variable: task threads share it."""
+    global _current
+    before = _current
+    _current = RunContext(pool, watch or _ignore)
+    try:
+        yield _current
+    finally:
+        _current = before
