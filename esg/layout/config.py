@@ -22,6 +22,8 @@ class LayoutConfig:
         sample_init: False starts from random poses (w/o sampling initialization).
         preference: False drops the preference energy (w/o preference).
         preference_weight: Weight of the preference energy against the constraint energy.
+        alignment_weight: Weight of what makes a directional relation tidy (cleared footprints,
+            lateral alignment, upper range) against what makes it true.
         device: Warp device of the search.
     """
 
@@ -34,6 +36,7 @@ class LayoutConfig:
     sample_init: bool = True
     preference: bool = True
     preference_weight: float = 0.05
+    alignment_weight: float = 1.0
     device: str = "cpu"
 
     def to_json(self) -> dict[str, Any]:

@@ -82,6 +82,7 @@ class Settings:
     sample: wp.int32
     aabb: wp.int32
     preference: wp.float32
+    soft: wp.float32  # weight of what makes directional relations tidy
 
 
 @wp.func
@@ -167,7 +168,7 @@ def smooth(v: float):
 
 
 @wp.func
-def edge_energy(p: Problem, w: wp.array(dtype=wp.vec3), off: int, e: int):
+def edge_energy(p: Problem, w: wp.array(dtype=wp.vec3), off: int, e: int, soft: float):
     kind = p.edge_kind[e]
     n = p.edge_node[e]
     a = n[0]
@@ -191,7 +192,13 @@ def edge_energy(p: Problem, w: wp.array(dtype=wp.vec3), off: int, e: int):
         if p.edge_p[e, 0] < 0.5:
             pt = w[b + off]
             target = wp.atan2(pt[1] - pa[1], pt[0] - pa[0])
-        return p.edge_w[e] * FACE_SCALE_CM * (1.0 - wp.cos(pa[2] - target))
+        turned = wp.cos(pa[2] - target)
+        # the angle itself keeps a slope where the cosine is flat
+        return (
+            p.edge_w[e]
+            * FACE_SCALE_CM
+            * (1.0 - turned + 0.5 * relu(wp.acos(wp.clamp(turned, -1.0, 1.0)) - 0.1))
+        )
     pb = w[b + off]
     d = wp.vec2(pa[0] - pb[0], pa[1] - pb[1])
     v = float(0.0)
@@ -213,19 +220,20 @@ def edge_energy(p: Problem, w: wp.array(dtype=wp.vec3), off: int, e: int):
         along = along * p.edge_p[e, 1]
         low = ea + p.edge_p[e, 5]
         high = low + p.edge_p[e, 2]
-        if along < 0.0:
-            v = smooth(low) - 2.0 * along
-        elif along < low:
-            v = smooth(low - along)
-        else:
-            v = 0.3 * smooth(relu(along - high))
+        # what makes the relation true has full weight; clearing the footprints, the upper range and
+        # lateral alignment make it tidy
+        v = (
+            smooth(relu(2.0 - along))
+            + soft * smooth(relu(low - along))
+            + soft * 0.3 * smooth(relu(along - high))
+        )
         lat = relu(across - p.edge_p[e, 3])
-        # the quadratic of the paper, continued linearly so that one far object cannot drown the rest
+        # the quadratic of the paper, continued linearly: one far object must not drown the rest
         c = p.edge_p[e, 4]
-        if lat < c:
-            v += lat * lat / c
+        if lat < 0.5 * c:
+            v += soft * 0.5 * lat * lat / c
         else:
-            v += 2.0 * lat - c
+            v += soft * (0.5 * lat - 0.125 * c)
     elif kind == E_CENTER or kind == E_SLOT:  # within p0 of b's point (p1, p2)
         t = turn(wp.vec2(p.edge_p[e, 1], p.edge_p[e, 2]), pb[2])
         v = smooth(relu(wp.length(d - t) - p.edge_p[e, 0]))
@@ -323,7 +331,9 @@ def spread(
 
 
 @wp.func
-def unit_energy(p: Problem, w: wp.array(dtype=wp.vec3), off: int, u: int, limit: int, aabb: int):
+def unit_energy(
+    p: Problem, w: wp.array(dtype=wp.vec3), off: int, u: int, limit: int, aabb: int, soft: float
+):
     """Sum of all terms that unit u influences, among units up to `limit`."""
     e = float(0.0)
     for k in range(p.ue_off[u], p.ue_off[u + 1]):
@@ -335,7 +345,7 @@ def unit_energy(p: Problem, w: wp.array(dtype=wp.vec3), off: int, u: int, limit:
         if n[2] >= 0:
             ready = ready and p.node_unit[n[2]] <= limit
         if ready:
-            e += edge_energy(p, w, off, i)
+            e += edge_energy(p, w, off, i, soft)
     for k in range(p.up_off[u], p.up_off[u + 1]):
         i = p.up[k]
         ab = p.pair[i]
@@ -517,12 +527,14 @@ def propose(
 
 
 @wp.func
-def total_energy(p: Problem, w: wp.array(dtype=wp.vec3), off: int, scene: int, aabb: int):
+def total_energy(
+    p: Problem, w: wp.array(dtype=wp.vec3), off: int, scene: int, aabb: int, soft: float
+):
     rel = float(0.0)
     reg = float(0.0)
     col = float(0.0)
     for i in range(p.scene_edge[scene], p.scene_edge[scene + 1]):
-        e = edge_energy(p, w, off, i)
+        e = edge_energy(p, w, off, i, soft)
         if p.edge_kind[i] == E_REGION:
             reg += e
         else:
@@ -583,7 +595,7 @@ def search(
             if count > 1:
                 x[u + uoff] = c
                 spread(p, w, x, off, uoff, u, u)
-                e = unit_energy(p, w, off, u, u, s.aabb)
+                e = unit_energy(p, w, off, u, u, s.aabb, s.soft)
                 a = p.unit_anchor[u]
                 dx = c[0] - a[0]
                 dy = c[1] - a[1]
@@ -598,7 +610,7 @@ def search(
         spread(p, w, x, off, uoff, u, u)
 
     last = int(1 << 30)
-    parts = total_energy(p, w, off, scene, s.aabb)
+    parts = total_energy(p, w, off, scene, s.aabb, s.soft)
     initial[t] = parts
     energy[t] = parts
     lowest = parts[0] + parts[1] + parts[2]
@@ -626,10 +638,10 @@ def search(
                             dv[axis] = h
                             x[u + uoff] = x0 + dv
                             spread(p, w, x, off, uoff, u, last)
-                            ep = unit_energy(p, w, off, u, last, s.aabb)
+                            ep = unit_energy(p, w, off, u, last, s.aabb, s.soft)
                             x[u + uoff] = x0 - dv
                             spread(p, w, x, off, uoff, u, last)
-                            em = unit_energy(p, w, off, u, last, s.aabb)
+                            em = unit_energy(p, w, off, u, last, s.aabb, s.soft)
                             g[axis] = (ep - em) / (2.0 * h)
                     x[u + uoff] = x0
                     spread(p, w, x, off, uoff, u, last)
@@ -659,7 +671,7 @@ def search(
                     x[u + uoff] = project(p, x[u + uoff] - d, u)
                 for u in range(u0, u1):
                     spread(p, w, x, off, uoff, u, last)
-                parts = total_energy(p, w, off, scene, s.aabb)
+                parts = total_energy(p, w, off, scene, s.aabb, s.soft)
                 now = parts[0] + parts[1] + parts[2]
                 if now < lowest:
                     lowest = now

@@ -125,6 +125,7 @@ def run_search(
     settings.refine = int(config.refine)
     settings.sample = int(config.sample_init)
     settings.aabb = int(config.collision == "aabb")
+    settings.soft = config.alignment_weight
     settings.preference = config.preference_weight if config.preference else 0.0
 
     k = config.starts

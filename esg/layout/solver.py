@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 import math
 
 import numpy as np
@@ -19,6 +19,16 @@ from esg.outcomes import UserError
 VERSION = "1"
 MAX_PENETRATION_CM = 2.0
 HARD_RELATIONS = ("on", "inside_of", "attached_vertical", "attached_horizontal")
+
+
+@dataclass(frozen=True)
+class Found:
+    """One start, scored: hard faults, broken relations, energy (less is better)."""
+
+    score: tuple[float, float, float]
+    world: World
+    result: SearchResult
+    start: int
 
 
 def solve(
@@ -69,12 +79,19 @@ def solve_batch(
     if not docs:
         return []
     problems = [build_problem(d, s, h) for d, s, h in zip(docs, seeds, plans, strict=True)]
-    best: list[tuple[tuple[float, ...], World, SearchResult, int] | None] = [None] * len(docs)
+    best: list[Found | None] = [None] * len(docs)
     open_ = list(range(len(docs)))
     for round_ in range(max(1, config.rounds)):
-        settings = config if round_ == 0 else replace(
-            config, candidates=2 * config.candidates, iterations=2 * config.iterations
-        )  # fmt: skip
+        settings = config
+        if round_ > 0:  # truth before tidiness, and more weight for what is still broken
+            settings = replace(
+                config,
+                candidates=2 * config.candidates,
+                iterations=2 * config.iterations,
+                alignment_weight=0.1 * config.alignment_weight,
+            )
+            for i in open_:
+                problems[i] = _emphasize(docs[i], problems[i], best[i])
         results = run_search(
             [problems[i] for i in open_], [seeds[i] + 7907 * round_ for i in open_], settings
         )
@@ -82,9 +99,9 @@ def solve_batch(
         for i, result in zip(open_, results, strict=True):
             found = _choose(docs[i], problems[i], result)
             current = best[i]
-            if current is None or found[0] < current[0]:
+            if current is None or found.score < current.score:
                 best[i] = found
-            if best[i][0][0] > 0:  # type: ignore[index]  # set above
+            if sum(best[i].score[:2]) > 0:  # type: ignore[union-attr]  # set above
                 again.append(i)
         open_ = again
         if not open_:
@@ -96,13 +113,26 @@ def solve_batch(
     return out
 
 
-def _choose(
-    doc: EsgDocument, problem: LayoutProblem, result: SearchResult
-) -> tuple[tuple[float, ...], World, SearchResult, int]:
+def _emphasize(doc: EsgDocument, problem: LayoutProblem, found: Found | None) -> LayoutProblem:
+    """Triples the weight of relations that the best layout so far breaks."""
+    if found is None:
+        return problem
+    reports = relation_reports(doc, problem, found.world)
+    binary = len(doc.spatial_relation_graph.edges.binary_relations)
+    broken = {
+        f"b{k}" if k < binary else f"m{k - binary}"
+        for k, r in enumerate(reports)
+        if not r.satisfied
+    }
+    weight = problem.edge_w * np.array([3.0 if t.source in broken else 1.0 for t in problem.terms])
+    return replace(problem, edge_w=weight.astype(np.float32))
+
+
+def _choose(doc: EsgDocument, problem: LayoutProblem, result: SearchResult) -> Found:
     """The best start: fewest hard faults, then most relations, then least energy."""
     total = result.energy.sum(1)
     order = np.argsort(np.where(np.isfinite(total), total, np.inf), kind="stable")
-    best = None
+    best: Found | None = None
     for k in order[:6].tolist():
         world = world_poses(problem, result.units[k])
         deep = sum(1 for p in penetrations(problem, world) if p[0] > 0.05)
@@ -111,8 +141,8 @@ def _choose(
         broken = sum(not r.satisfied for r in reports)
         hard = sum(not r.satisfied and r.relation_type in HARD_RELATIONS for r in reports)
         score = (float(deep + hard), float(broken), float(total[k]))
-        if best is None or score < best[0]:
-            best = (score, world, result, k)
+        if best is None or score < best.score:
+            best = Found(score, world, result, k)
         if deep + hard + broken == 0:
             break
     assert best is not None
@@ -148,11 +178,11 @@ def _reason(
 def _write(
     doc: EsgDocument,
     problem: LayoutProblem,
-    found: tuple[tuple[float, ...], World, SearchResult, int],
+    found: Found,
     seed: int,
     config: LayoutConfig,
 ) -> EsgDocument:
-    _, world, result, k = found
+    world, result, k = found.world, found.result, found.start
     deep = penetrations(problem, world)
     reports = relation_reports(doc, problem, world)
     hard = [
