@@ -2,17 +2,27 @@
 
 from __future__ import annotations
 
+import enum
 import hashlib
 import json
 from typing import Any
 
 from esg.graph.models import EsgDocument
 
+_EXACT = 2.0**53
+"""Whole numbers below this are the same as int and as float."""
+
 
 def plain(value: Any) -> Any:
-    """Plain JSON with negative zeros made positive, so that equal numbers have equal text."""
+    """Plain JSON of dumped values in which equal numbers read alike.
+
+    Whole numbers are written without a fraction (as in RFC 8785): 10 and 10.0, 0 and -0.0 are equal
+    in a document, so they must be equal in its hash.
+    """
+    if isinstance(value, enum.Enum):
+        return value.value
     if isinstance(value, float):
-        return value + 0.0 if value == 0.0 else value
+        return int(value) if abs(value) < _EXACT and value.is_integer() else float(value)
     if isinstance(value, dict):
         return {str(k): plain(v) for k, v in value.items()}
     if isinstance(value, (list, tuple)):
@@ -34,7 +44,7 @@ def canonical_json(doc: EsgDocument, *, indent: int | None = None) -> bytes:
         ValueError: If a free-form part (a control program, a stage's configuration) holds NaN or
             infinity.
     """
-    tree = plain(doc.model_dump(mode="json", by_alias=True, exclude_none=True))
+    tree = plain(doc.model_dump(by_alias=True, exclude_none=True))
     separators = (",", ":") if indent is None else (",", ": ")
     text = json.dumps(
         tree,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from typing import Any
 
 from esg.graph.models import AssetRequirement, EsgDocument, Node, TimelineNode, Vec3
@@ -85,6 +86,21 @@ def time_span(node: TimelineNode) -> Span | None:
 def bounds(value: float | Span) -> Span:
     """A quantity as an interval."""
     return value if isinstance(value, tuple) else (value, value)
+
+
+def reachable(start: str, edges: list[tuple[str, str]]) -> set[str]:
+    """Events that some path leads to from `start`, without `start` unless on a cycle."""
+    following: dict[str, list[str]] = defaultdict(list)
+    for a, b in edges:
+        following[a].append(b)
+    seen: set[str] = set()
+    stack = list(following[start])
+    while stack:
+        node = stack.pop()
+        if node not in seen:
+            seen.add(node)
+            stack.extend(following[node])
+    return seen
 
 
 def components(nodes: list[str], edges: list[tuple[str, str]]) -> list[list[str]]:

@@ -7,7 +7,6 @@ the rules; names that were cut out still count as declared.
 
 from __future__ import annotations
 
-import copy
 from dataclasses import dataclass, field
 import json
 import math
@@ -23,6 +22,16 @@ MAX_REPAIRS = 200
 MAX_DEPTH = 100
 
 Path = tuple[str | int, ...]
+
+
+class _Unknown(frozenset[str]):
+    """Names that could not be read: any name may be one of them."""
+
+    def __contains__(self, name: object) -> bool:
+        return True
+
+
+UNKNOWN = _Unknown()
 
 
 @dataclass(frozen=True)
@@ -45,20 +54,28 @@ class Parsed:
 
     def declared(self, *path: str) -> frozenset[str]:
         """Keys of the raw object at `path`, whether or not their values could be read."""
-        node: Any = self.raw
-        for part in path:
-            node = node.get(part) if isinstance(node, dict) else None
-        return frozenset(str(k) for k in node) if isinstance(node, dict) else frozenset()
+        node = self._raw_at(path)
+        if isinstance(node, dict):
+            return frozenset(str(k) for k in node)
+        return frozenset() if node is None else UNKNOWN
 
     def declared_ids(self, *path: str) -> frozenset[str]:
         """Values of `id` in the raw list of objects at `path`."""
+        node = self._raw_at(path)
+        if not isinstance(node, (list, tuple)):
+            return frozenset() if node is None else UNKNOWN
+        ids = [i.get("id") if isinstance(i, dict) else None for i in node]
+        names = [i for i in ids if isinstance(i, str)]
+        return frozenset(names) if len(names) == len(ids) else UNKNOWN
+
+    def _raw_at(self, path: tuple[str, ...]) -> Any:
+        """The raw value at `path`; None when it is absent."""
         node: Any = self.raw
         for part in path:
-            node = node.get(part) if isinstance(node, dict) else None
-        items = node if isinstance(node, (list, tuple)) else []
-        return frozenset(
-            i["id"] for i in items if isinstance(i, dict) and isinstance(i.get("id"), str)
-        )
+            if not isinstance(node, dict):
+                return node
+            node = node.get(part)
+        return node
 
     def intact(self, *path: str) -> bool:
         """Whether nothing at or below `path`, nor a part that contains it, was cut out."""
@@ -94,7 +111,7 @@ def parse(raw: dict[str, Any], found: Findings) -> Parsed:
         The document without its broken parts.
     """
     version = raw.get("schema_version", SCHEMA_VERSION)
-    tree = copy.deepcopy(raw)
+    tree = _clean(raw, (), found, 0)
     if not isinstance(version, str) or version != SCHEMA_VERSION:
         found.add(
             "SCHEMA_VERSION",
@@ -104,7 +121,6 @@ def parse(raw: dict[str, Any], found: Findings) -> Parsed:
             f"Use {SCHEMA_VERSION!r}.",
         )
         tree["schema_version"] = SCHEMA_VERSION
-    _drop_unusable(tree, (), found, 0)
     cut: list[Path] = []
     origin: dict[int, list[int]] = {}
     for _ in range(MAX_REPAIRS):
@@ -122,31 +138,27 @@ def parse(raw: dict[str, Any], found: Findings) -> Parsed:
     return Parsed(None, raw, tuple(cut), tree, origin)
 
 
-def _drop_unusable(node: Any, path: Path, found: Findings, depth: int) -> None:
-    """Reports and removes what JSON or UTF-8 cannot express; limits depth."""
-    items = node.items() if isinstance(node, dict) else enumerate(node)
-    for key, value in list(items):
-        here = (*path, key)
-        if isinstance(value, (dict, list, tuple)):
-            if depth > MAX_DEPTH:
-                _flag(found, "SCHEMA_TYPE", here, None, "is nested too deeply", "Flatten it.")
-                node[key] = None
-                continue
-            if isinstance(value, tuple):
-                value = list(value)
-                node[key] = value
-            _drop_unusable(value, here, found, depth + 1)
-        elif isinstance(value, float) and not math.isfinite(value):
-            _flag(found, "JSON_NOT_FINITE", here, str(value), "is not a finite number", "Give one.")
-            node[key] = 0.0 if _free_form(here) else None
-        elif isinstance(value, str) and not _encodable(value):
-            text = value.encode("utf-8", "replace").decode()
-            _flag(found, "SCHEMA_VALUE", here, text, "holds half a character", "Give valid text.")
-            node[key] = text
-        elif value is not None and not isinstance(value, (str, int, float, bool)):
-            name = type(value).__name__
-            _flag(found, "SCHEMA_TYPE", here, name, f"is a {name}, not JSON", "Give plain JSON.")
-            node[key] = None
+def _clean(node: Any, path: Path, found: Findings, depth: int) -> Any:
+    """A copy without what JSON and UTF-8 cannot express, which is reported; limits depth."""
+    if isinstance(node, (dict, list, tuple)):
+        if depth > MAX_DEPTH:
+            _flag(found, "SCHEMA_TYPE", path, None, "is nested too deeply", "Flatten it.")
+            return None
+        if isinstance(node, dict):
+            return {str(k): _clean(v, (*path, str(k)), found, depth + 1) for k, v in node.items()}
+        return [_clean(v, (*path, i), found, depth + 1) for i, v in enumerate(node)]
+    if isinstance(node, float) and not math.isfinite(node):
+        _flag(found, "JSON_NOT_FINITE", path, str(node), "is not a finite number", "Give one.")
+        return 0.0 if _free_form(path) else None
+    if isinstance(node, str) and not _encodable(node):
+        text = node.encode("utf-8", "replace").decode()
+        _flag(found, "SCHEMA_VALUE", path, text, "holds half a character", "Give valid text.")
+        return text
+    if node is None or isinstance(node, (str, int, float, bool)):
+        return node
+    name = type(node).__name__
+    _flag(found, "SCHEMA_TYPE", path, name, f"is a {name}, not JSON", "Give plain JSON.")
+    return None
 
 
 def _free_form(path: Path) -> bool:
@@ -262,21 +274,27 @@ def _cut(tree: Any, paths: list[Path], origin: dict[int, list[int]]) -> list[Pat
         node: Any = tree
         for part in parents:
             node = node[part]
+        holder: Any = node
         if isinstance(node, list):
             origin.setdefault(id(node), list(range(len(node)))).pop(int(last))
-        del node[last]
+        del holder[last]
         removed.append(originals[i])
     return removed
 
 
 def _walk(parsed: Parsed, path: Path) -> Path:
     """The path in the raw document of a path in the tree."""
-    node, out = parsed.tree, list[str | int]()
+    node: Any = parsed.tree
+    out: list[str | int] = []
     for part in path:
         indices = parsed.origin.get(id(node)) if isinstance(node, list) else None
         out.append(indices[int(part)] if indices else part)
-        node = node[part] if _has(node, part) else None
+        node = _child(node, part)
     return tuple(out)
+
+
+def _child(node: Any, part: str | int) -> Any:
+    return node[part] if _has(node, part) else None
 
 
 def _has(node: Any, part: str | int) -> bool:

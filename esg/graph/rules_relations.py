@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 from esg.graph.context import Context, bounds, components
 from esg.graph.models import BinaryRelation, MultiRelation, MultiRelationType, RelationType
-from esg.graph.rules_scene import interval
+from esg.graph.rules_scene import SIZE_CM, interval, outside
 from esg.graph.violations import listing, pointer
 
 R = RelationType
@@ -196,7 +196,7 @@ def _cycles(ctx: Context, edges: Indexed) -> None:
     """Finds circles of three and more; shorter ones are contradictions of a pair."""
     reported: set[tuple[str, ...]] = set()
     for axis, signs in [*AXES.items(), ("support", dict.fromkeys(SUPPORTS, 1))]:
-        level: dict[str, str] = {n: n for n in sorted(ctx.node_names)}
+        level: dict[str, str] = {n: n for _, e in edges for n in (e.from_, e.to)}
         if axis == "up-down":
             _merge_levels(level, edges)
         arrows: list[tuple[str, str]] = []
@@ -293,6 +293,8 @@ def _fits(ctx: Context, i: int, edge: BinaryRelation) -> None:
     if inner is None or outer is None or ctx.is_structural(edge.to):
         return
     a, b = sorted(inner), sorted(outer)
+    if any(outside(v, SIZE_CM) for v in (*a, *b)):
+        return  # Reported as UNIT_SIZE already.
     if a[0] > b[1] or a[1] > b[2] or a[0] * a[1] * a[2] > b[0] * b[1] * b[2]:
         ctx.add(
             "RELATION_TOO_SMALL",

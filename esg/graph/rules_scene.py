@@ -47,6 +47,8 @@ def _scene(ctx: Context) -> None:
             (lower[axis], upper[axis]),
             strict=True,
         )
+    if not ctx.parsed.intact(_GRAPH, "nodes"):
+        return
     if not ctx.node_names:
         ctx.add(
             "SCENE_EMPTY",
@@ -55,7 +57,7 @@ def _scene(ctx: Context) -> None:
             "The scene has no objects.",
             "Add at least one object and the ground or floor it stands on.",
         )
-    elif ctx.parsed.intact(_GRAPH, "nodes") and not any(map(ctx.is_structural, ctx.nodes)):
+    elif not any(map(ctx.is_structural, ctx.nodes)):
         ctx.add(
             "SCENE_NO_BASE",
             pointer(_GRAPH, "nodes"),

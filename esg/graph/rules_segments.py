@@ -15,8 +15,8 @@ from esg.graph.models import (
     TimelineNode,
     TimelineSystem,
 )
+from esg.graph.rules_events import MAX_SPEED_CM_S
 from esg.graph.rules_scene import interval, outside
-from esg.graph.rules_timeline import MAX_SPEED_CM_S
 from esg.graph.violations import listing, pointer
 
 M = EdgeEvent
@@ -111,7 +111,7 @@ def _role(
     if connector and actor.role is Role.ACTIVE:
         ctx.add(
             "CONNECTOR_ACTIVE",
-            where,
+            where + "/event",
             edge.event.value,
             f"Segment {edge.id!r} is an inertial connector of {edge.actor!r}, which is active.",
             "Use a driven segment, or make the actor passive.",
@@ -143,6 +143,7 @@ def _role(
             f"Inertial connector {edge.id!r} leads to a {end.event.value}.",
             "Let it lead to the next collision or outcome of its body.",
         )
+    intact = intact and ctx.parsed.intact(*_EDGES)
     if connector and actor.role is Role.PASSIVE and begin is not None and intact:
         graph = timeline.sequence_graph
         if not _was_hit(edge, begin, graph, events):
@@ -205,9 +206,10 @@ def _parameters(
                 f"{name} {value} {limits[2]} of {edge.id!r} is not plausible.",
                 f"Use {limits[0]:g} to {limits[1]:g} {limits[2]}.",
             )
+    connector = edge.event is M.INERTIAL_CONNECTOR
     for name, kinds in _ONLY.items():
         value = getattr(params, name)
-        if value is not None and edge.event not in kinds:
+        if value is not None and not connector and edge.event not in kinds:
             ctx.add(
                 "EDGE_PARAM_FORBIDDEN",
                 f"{at}/{name}",
@@ -215,23 +217,27 @@ def _parameters(
                 f"{edge.event.value} {edge.id!r} has {name!r}.",
                 f"Remove it, or make the segment {listing(k.value for k in kinds)}.",
             )
-    if edge.event is M.INERTIAL_CONNECTOR:
+    if connector:
         _connector_parameters(ctx, at, edge)
     if edge.event is M.TURN:
         _turn(ctx, at, edge, events)
+    _force(ctx, timeline, at, edge)
+
+
+def _force(ctx: Context, timeline: TimelineSystem, at: str, edge: TimelineEdge) -> None:
     actor = timeline.actors.get(edge.actor)
-    if actor is not None and actor.force_direction not in (None, ForceDirection.ANY_3D):
-        low, high = bounds(params.elevation_deg) if params.elevation_deg is not None else (0.0, 0.0)
-        if (low, high) != (0.0, 0.0):
-            assert actor.force_direction is not None
-            ctx.add(
-                "EDGE_FORCE_DIRECTION",
-                at + "/elevation_deg",
-                params.elevation_deg,
-                f"{edge.id!r} leaves the ground, but {edge.actor!r} moves "
-                f"{actor.force_direction.value} only.",
-                "Use force_direction ANY_3D, or remove the elevation.",
-            )
+    allowed = actor.force_direction if actor is not None else None
+    elevation = edge.params.elevation_deg
+    if allowed in (None, ForceDirection.ANY_3D) or elevation is None:
+        return
+    if bounds(elevation) != (0.0, 0.0):
+        ctx.add(
+            "EDGE_FORCE_DIRECTION",
+            at + "/elevation_deg",
+            elevation,
+            f"{edge.id!r} leaves the ground, but {edge.actor!r} moves {allowed.value} only.",
+            "Use force_direction ANY_3D, or remove the elevation.",
+        )
 
 
 def _speed(ctx: Context, where: str, edge: TimelineEdge) -> None:

@@ -10,12 +10,14 @@ from collections.abc import Mapping
 from typing import Any
 
 from esg.graph import (
+    rules_events,
     rules_relations,
     rules_scene,
     rules_segments,
     rules_stages,
     rules_timeline,
 )
+from esg.graph.canonical import plain
 from esg.graph.context import Context
 from esg.graph.models import EsgDocument
 from esg.graph.parsing import parse
@@ -33,17 +35,12 @@ def verify(doc: EsgDocument | Mapping[str, Any]) -> tuple[Violation, ...]:
 
     Returns:
         All violations, schema first; empty for a valid document.
-
-    Raises:
-        TypeError: If `doc` is neither a document nor a mapping.
     """
     if isinstance(doc, EsgDocument):
         # A copy made with model_copy(update=…) is not validated: start from plain values.
-        raw = doc.model_dump(mode="json", by_alias=True, warnings=False)
-    elif isinstance(doc, Mapping):
-        raw = dict(doc)
+        raw = plain(doc.model_dump(by_alias=True, warnings=False))
     else:
-        raise TypeError(f"verify needs an EsgDocument or a mapping, not {type(doc).__name__}")
+        raw = dict(doc)
     found = Findings()
     parsed = parse(raw, found)
     if parsed.doc is not None:
@@ -52,6 +49,7 @@ def verify(doc: EsgDocument | Mapping[str, Any]) -> tuple[Violation, ...]:
             rules_scene,
             rules_relations,
             rules_timeline,
+            rules_events,
             rules_segments,
             rules_stages,
         ):

@@ -272,7 +272,7 @@ def turning() -> Json:
 
 
 def throwing() -> Json:
-    """A heavy ball is thrown at a table with bottles; a bottle falls, topples and hits the ground."""
+    """A heavy ball is thrown at a table with bottles; bottles fall, topple and land."""
     bottles = {
         f"bottle_{i}": node("bottle", "table_top", group="bottles", group_pattern="scatter")
         for i in (1, 2, 3)
