@@ -98,6 +98,8 @@ class RapierWorld:
         self._world = world = r.PhysicsWorld(gravity=tuple(scene.gravity))
         world.set_num_threads(1)
         world.integration_parameters.dt = dt
+        # The default clamps at 400 m/s, which would hide a world that diverges.
+        world.integration_parameters.normalized_max_linear_velocity = 1e6
         # Recycled contacts would keep the depth and normal of an earlier step.
         world.integration_parameters.contact_recycling = False
         self._dt = dt

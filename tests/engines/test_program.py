@@ -1,0 +1,158 @@
+"""One program means the same in every engine: compared with plain arithmetic."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from esg.engines import ENGINES, get_engine
+from esg.engines.executor import Executor
+from esg.engines.program import (
+    AdjustProperties,
+    ApplyImpulse,
+    HoldVelocity,
+    Program,
+    SetVelocity,
+    batch_programs,
+)
+from esg.engines.scene import SimScene, Variation
+from tests.engines.lab import ball
+
+DT = 1.0 / 240.0
+NAMES = ("a", "b", "c")
+SCENE = SimScene(
+    "void",
+    tuple(ball(n, 0.1, 1.0 + i, (0.0, 100.0 * i, 1e3)) for i, n in enumerate(NAMES)),
+    gravity=(0.0, 0.0, 0.0),
+)
+
+
+class Points:
+    """Free bodies without forces or contacts: the executor's world for the reference."""
+
+    def __init__(self, masses):
+        self.v = np.zeros((len(masses), 3))
+        self.w = np.zeros((len(masses), 3))
+        self.damping = np.zeros((len(masses), 2))
+        self.masses = masses
+
+    def linear(self, body):
+        return tuple(self.v[body])
+
+    def set_linear(self, body, velocity):
+        self.v[body] = velocity
+
+    def set_angular(self, body, velocity):
+        self.w[body] = velocity
+
+    def mass(self, body):
+        return self.masses[body]
+
+    def set_linear_damping(self, body, damping):
+        self.damping[body, 0] = damping
+
+    def set_angular_damping(self, body, damping):
+        self.damping[body, 1] = damping
+
+    def set_friction(self, body, friction):
+        pass
+
+
+def reference(batch, world, masses, n_steps):
+    points, executor = Points(masses), Executor(batch, world)
+    v, w = [points.v.copy()], [points.w.copy()]
+    for step in range(n_steps):
+        executor.before_step(step * DT, DT, (), points)
+        points.v *= np.maximum(0.0, 1.0 - points.damping[:, :1] * DT)
+        points.w *= np.maximum(0.0, 1.0 - points.damping[:, 1:] * DT)
+        v.append(points.v.copy())
+        w.append(points.w.copy())
+    return np.array(v), np.array(w)
+
+
+def random_program(rng, signature):
+    out = []
+    for kind, body in signature:
+        t = float(np.round(rng.uniform(0.0, 0.5), 3))
+        x = [float(v) for v in rng.normal(size=6)]
+        if kind == 0:
+            spin = tuple(x[3:]) if rng.random() < 0.5 else None
+            out.append(SetVelocity(body, t, tuple(x[:3]), spin))
+        elif kind == 1:
+            out.append(ApplyImpulse(body, t, tuple(x[:3])))
+        elif kind == 2:
+            damping = float(rng.uniform(0, 3)) if rng.random() < 0.7 else None
+            spin = float(rng.uniform(0, 3)) if rng.random() < 0.7 else None
+            out.append(AdjustProperties(body, t, damping, spin, friction=0.3))
+        else:
+            end = math.inf if rng.random() < 0.3 else t + abs(x[0]) * 0.2
+            out.append(
+                HoldVelocity(
+                    body, t, end, abs(x[1]), x[2], acceleration=x[3] * 3, max_speed=1.5,
+                    turn_rate=x[4], roll_radius=0.1 if rng.random() < 0.3 else 0.0,
+                )
+            )  # fmt: skip
+    return Program(tuple(out), 0.7)
+
+
+@pytest.fixture(scope="module")
+def random_batch():
+    rng = np.random.default_rng(7)
+    signature = [(int(rng.integers(4)), NAMES[int(rng.integers(3))]) for _ in range(12)]
+    # Several primitives of one kind and body exercise the order within a list.
+    signature += signature[:4]
+    programs = [random_program(rng, signature) for _ in range(5)]
+    return batch_programs(programs, NAMES)
+
+
+@pytest.mark.parametrize("name", ENGINES)
+def test_random_programs_match_the_reference_executor(name, random_batch):
+    factor = np.array([[1.0, 2.0, 0.5]] * 5)
+    rollout = get_engine(name).rollout(
+        SCENE, random_batch, dt=DT, variation=Variation(mass_scale=factor)
+    )
+    for w in range(5):
+        masses = [b.mass * k for b, k in zip(SCENE.bodies, factor[w], strict=True)]
+        v, omega = reference(random_batch, w, masses, len(rollout.time) - 1)
+        np.testing.assert_allclose(rollout.linear_velocity[w], v, atol=2e-5)
+        np.testing.assert_allclose(rollout.angular_velocity[w], omega, atol=2e-4)
+
+
+def hold(**more):
+    return HoldVelocity("a", 0.0, 1.0, 1.0, 0.0, **more)
+
+
+def executor_of(*primitives):
+    return Executor(batch_programs([Program(primitives, 1.0)], NAMES), 0)
+
+
+def test_hold_ends_the_step_after_its_contact_only_if_it_was_active():
+    executor, points = executor_of(hold(until_contact=("b",))), Points([1, 1, 1])
+    touch = [(0, 1)]
+    # A touch reported before the first active step happened before `start`.
+    executor.before_step(0.0, DT, touch, points)
+    assert points.linear(0)[0] == 1.0
+    points.v[:] = 0.0
+    executor.before_step(DT, DT, [(0, 2)], points)
+    assert points.linear(0)[0] == 1.0
+    points.v[:] = 0.0
+    executor.before_step(2 * DT, DT, touch, points)
+    executor.before_step(3 * DT, DT, (), points)
+    assert points.linear(0)[0] == 0.0
+
+
+def test_primitives_fire_in_the_step_whose_middle_is_past_their_time():
+    executor, points = executor_of(SetVelocity("a", 1.4 * DT, (1, 0, 0))), Points([1, 1, 1])
+    executor.before_step(0.0, DT, (), points)
+    assert points.linear(0)[0] == 0.0
+    executor.before_step(DT, DT, (), points)
+    assert points.linear(0)[0] == 1.0
+
+
+def test_hold_keeps_the_vertical_velocity_and_never_reverses():
+    executor, points = executor_of(hold(acceleration=-4.0)), Points([1, 1, 1])
+    points.v[0, 2] = -3.0
+    executor.before_step(0.5, DT, (), points)
+    assert points.linear(0) == (0.0, 0.0, -3.0)
