@@ -1,0 +1,58 @@
+"""Parametric builders: one function a family of objects, registered by name.
+
+A builder is called with its sketch, the wanted extents (length along +X, width along Y, height along
+Z) [cm] and a main colour, and fills the sketch in the asset's local frame.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from importlib import import_module
+from typing import Any, Literal
+
+Policy = Literal["free", "uniform"]
+BUILDERS: dict[str, Callable[..., None]] = {}
+POLICIES: dict[str, Policy] = {}
+DRAWN: dict[str, tuple[float, float, float]] = {}
+"""Extents [cm] of what a builder draws, where several sizes of entry share it."""
+_MODULES = (
+    "balls",
+    "containers",
+    "furniture",
+    "household",
+    "pool",
+    "simple",
+    "sports",
+    "street",
+    "structures",
+    "vehicles",
+    "wheels",
+)
+
+
+def builder(
+    name: str, policy: Policy = "uniform", drawn: tuple[float, float, float] | None = None
+) -> Callable[..., Any]:
+    """Registers a builder.
+
+    Args:
+        name: What the catalogue calls it.
+        policy: `free` builders take any extents; `uniform` ones keep their proportions and are
+            scaled as a whole.
+        drawn: Extents it draws at, if entries of several sizes share it [cm].
+    """
+
+    def register(function: Callable[..., None]) -> Callable[..., None]:
+        BUILDERS[name] = function
+        POLICIES[name] = policy
+        if drawn:
+            DRAWN[name] = drawn
+        return function
+
+    return register
+
+
+def load_builders() -> None:
+    """Imports every module of builders."""
+    for module in _MODULES:
+        import_module(f"esg.assets.builders.{module}")

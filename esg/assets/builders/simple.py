@@ -1,0 +1,125 @@
+"""Plain bodies: also what an unknown noun falls back to."""
+
+from __future__ import annotations
+
+import math
+
+from esg.assets.builders import builder
+from esg.assets.sketch import ALONG, Color, Sketch
+from esg.graph.models import ProxyKind
+
+
+@builder("box", "free")
+def box(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """A solid cuboid."""
+    s.box((L, W, H), (0, 0, H / 2), c, solid=1)
+    s.surface("top", H, (L / 2, W / 2))
+
+
+@builder("sphere")
+def sphere(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """A plain ball."""
+    s.ball(H / 2, (0, 0, H / 2), c, solid=1, detail=4)
+
+
+@builder("cylinder", "free")
+def cylinder(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """An upright solid cylinder."""
+    r = min(L, W) / 2
+    s.rod(r, (0, 0, 0), (0, 0, H), c, solid=1, sections=48)
+    s.surface("top", H, (r * 0.7, r * 0.7))
+
+
+@builder("capsule")
+def capsule(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """A capsule lying along the front axis."""
+    r = H / 2
+    half = max(L / 2 - r, 0.0)
+    n = 12
+    arc = [(r * math.cos(a), -half + r * math.sin(a)) for a in _angles(-90, 0, n)]
+    arc += [(r * math.cos(a), half + r * math.sin(a)) for a in _angles(0, 90, n)]
+    s.lathe(arc, c, center=(0, 0, r), axis="x")
+    s.proxy(ProxyKind.CAPSULE, (r, r, half), (0, 0, r), 1.0, ALONG["x"])
+
+
+def _angles(start: float, end: float, n: int) -> list[float]:
+    return [math.radians(start + (end - start) * k / n) for k in range(n + 1)]
+
+
+@builder("brick", "free")
+def brick(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """A masonry brick with a frog."""
+    s.slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H * 0.8), c, rough=0.95)
+    t = min(L, W) * 0.16
+    for x in (-1, 1):
+        s.slab(_band(x, L, t), (-W / 2, W / 2), (H * 0.8, H), c, rough=0.95)
+    for y in (-1, 1):
+        s.slab((-L / 2 + t, L / 2 - t), _band(y, W, t), (H * 0.8, H), c, rough=0.95)
+    s.proxy_slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H))
+    s.surface("top", H, (L / 2, W / 2))
+
+
+def _band(sign: int, extent: float, t: float) -> tuple[float, float]:
+    return (extent / 2 - t, extent / 2) if sign > 0 else (-extent / 2, -extent / 2 + t)
+
+
+@builder("domino", "free")
+def domino(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """A standing domino tile: thin along the front axis, pips on both faces."""
+    s.box((L, W, H), (0, 0, H / 2), c, solid=1, rough=0.3)
+    ink = (0.95, 0.95, 0.92) if sum(c) < 1.5 else (0.1, 0.1, 0.1)
+    s.slab((-L / 2 - 0.02, L / 2 + 0.02), (-W * 0.42, W * 0.42), (H * 0.495, H * 0.505), ink)
+    r = min(W, H / 2) * 0.08
+    for z, spots in ((H * 0.25, ((-1, -1), (1, 1), (0, 0))), (H * 0.75, ((-1, 1), (1, -1)))):
+        for y, up in spots:
+            at = z + up * H * 0.13
+            s.rod(
+                r,
+                (-L / 2 - 0.02, y * W * 0.25, at),
+                (L / 2 + 0.02, y * W * 0.25, at),
+                ink,
+                sections=16,
+            )
+    s.surface("top", H, (L / 2, W / 2))
+
+
+@builder("ring")
+def ring(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """A flat-lying ring (hoop, quoit, tyre); its proxy is twelve capsule segments."""
+    minor = H / 2
+    major = L / 2 - minor
+    s.torus(major, minor, (0, 0, minor), c, rough=0.5)
+    n = 12
+    half = major * math.sin(math.pi / n)
+    middle = major * math.cos(math.pi / n)
+    from esg.assets.sketch import turn
+    from esg.units import quat_multiply
+
+    for k in range(n):
+        angle = 360.0 * k / n
+        a = math.radians(angle)
+        q = quat_multiply(turn("z", angle), ALONG["y"])
+        s.proxy(ProxyKind.CAPSULE, (minor, minor, half), (middle * math.cos(a), middle * math.sin(a), minor), 1.0, tuple(float(v) for v in q))  # fmt: skip  # type: ignore[arg-type]
+
+
+@builder("cone", "free")
+def cone(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """A solid cone with a slightly blunt tip."""
+    r = min(L, W) / 2
+    s.lathe([(0, 0), (r, 0), (r * 0.06, H), (0, H)], c)
+    ring_points = [
+        (q * math.cos(a), q * math.sin(a), z)
+        for q, z in ((r, 0.0), (r * 0.06, H))
+        for a in _angles(0, 345, 23)
+    ]
+    s.proxy_hull(ring_points)
+
+
+@builder("pyramid", "free")
+def pyramid(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """A square pyramid."""
+    points = [(x * L / 2, y * W / 2, 0.0) for x in (-1, 1) for y in (-1, 1)] + [(0.0, 0.0, H)]
+    from esg.assets import shapes
+
+    s.add(lambda: shapes.hull(points), c)
+    s.proxy_hull(points)

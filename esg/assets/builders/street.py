@@ -1,0 +1,494 @@
+"""Street furniture."""
+
+from __future__ import annotations
+
+import math
+
+from esg.assets.builders import builder
+from esg.assets.sketch import (
+    ALONG,
+    BLUE,
+    CHROME,
+    CONCRETE,
+    DARK,
+    GREEN,
+    RED,
+    RUBBER,
+    STEEL,
+    WHITE,
+    WOOD,
+    YELLOW,
+    Color,
+    Sketch,
+    rgb,
+)
+from esg.graph.models import ProxyKind
+
+
+@builder("trash_bin")
+def trash_bin(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Round litter bin with a domed lid, drawn at 56 x 56 x 95; closed, so its proxy is solid."""
+    s.lathe([(0, 0), (24, 0), (25, 3), (27, 74), (28, 75), (28, 79), (0, 79)], c, rough=0.5)
+    s.lathe(
+        [(0, 79), (27.5, 79), (27, 84), (22, 91), (12, 94.5), (0, 95)], _shade(c, 0.7), rough=0.4
+    )
+    for k in range(20):
+        a = 2 * math.pi * k / 20
+        x, y = math.cos(a), math.sin(a)
+        s.rod(0.7, (25.1 * x, 25.1 * y, 6), (26.9 * x, 26.9 * y, 72), _shade(c, 0.8), sections=8)
+    s.box((2, 22, 9), (26.6, 0, 84), DARK)
+    s.proxy_cylinder(27.5, (0, 80))
+    s.proxy_cylinder(24, (80, 95), 0.6)
+    s.region("inside", (-18, 18), (-18, 18), (2, 78))
+
+
+def _shade(c: Color, f: float) -> Color:
+    return (c[0] * f, c[1] * f, c[2] * f)
+
+
+@builder("wheelie_bin")
+def wheelie_bin(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Two-wheeled refuse bin, lid closed, drawn at 73 x 58 x 107 (240 l)."""
+    from esg.assets import shapes
+
+    s.add(
+        lambda: shapes.hull(
+            [
+                (x, y * w, z)
+                for z, x0, x1, w in ((4, -24, 22, 22), (98, -32, 34, 28))
+                for x in (x0, x1)
+                for y in (-1, 1)
+            ]
+        ),
+        c,
+        0.6,
+    )
+    s.extrude(
+        [(-34, 98), (36, 98), (36, 101), (10, 106), (-30, 107), (-34, 104)],
+        (-29, 29),
+        _shade(c, 0.85),
+    )
+    s.rod(2, (-35, -24, 101), (-35, 24, 101), _shade(c, 0.7), sections=14)
+    for y in (-1, 1):
+        s.rod(10, (-24, 20 * y, 10), (-24, 26 * y, 10), RUBBER)
+    s.slab((14, 22), (-18, 18), (0, 5), _shade(c, 0.8))
+    s.proxy_slab((-34, 22), (-26, 26), (0, 12), 1.4)
+    s.proxy_slab((-29, 28), (-26, 26), (12, 60), 1.0)
+    s.proxy_slab((-33, 34), (-28, 28), (60, 107), 1.0)
+    s.surface("lid", 107, (20, 24), (-12, 0))
+    s.region("inside", (-22, 22), (-20, 20), (8, 96))
+
+
+@builder("bucket")
+def bucket(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Open pail with a bail handle, drawn at 30 x 30 x 30; hollow."""
+    s.lathe([(0, 0), (11, 0), (14.2, 28), (15, 28), (15, 30), (13.6, 30), (10.4, 1), (0, 1)], c)
+    n = 14
+    arc = [
+        (0.0, 14.6 * math.cos(t), 27 - 9 * math.sin(t))
+        for t in (math.pi * k / n for k in range(n + 1))
+    ]
+    s.pipe(0.35, arc, CHROME, metal=0.8)
+    s.tub(13.4, (0, 30), 1.0)
+    s.region("inside", (-9, 9), (-9, 9), (1, 28))
+    s.surface("floor", 1, (7, 7))
+
+
+@builder("traffic_cone")
+def traffic_cone(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Rubber cone with reflective bands, drawn at 38 x 38 x 71."""
+    s.slab((-19, 19), (-19, 19), (0, 3.5), DARK if sum(c) > 2.2 else _shade(c, 0.9), rough=0.8)
+
+    def r(z: float) -> float:
+        return 14.0 - (z - 3.5) * (14.0 - 2.4) / 67.5
+
+    s.lathe([(0, 3), (r(3.5), 3.5), (r(71), 71), (0, 71)], c, rough=0.6)
+    for a, b in ((28, 38), (48, 55)):
+        s.lathe(
+            [(r(a) - 0.3, a), (r(a) + 0.2, a), (r(b) + 0.2, b), (r(b) - 0.3, b), (r(a) - 0.3, a)],
+            WHITE,
+            rough=0.3,
+        )
+    s.proxy_slab((-19, 19), (-19, 19), (0, 3.5), 2.0)
+    points = [
+        (r(z) * math.cos(t), r(z) * math.sin(t), z)
+        for z in (3.5, 71.0)
+        for t in (2 * math.pi * k / 12 for k in range(12))
+    ]
+    s.proxy_hull(points, 0.5)
+
+
+@builder("barrier", "free")
+def barrier(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Striped road barrier across Y on two feet."""
+    for y in (-1, 1):
+        at = y * W * 0.36
+        s.slab((-L / 2, L / 2), (at - 4, at + 4), (0, 7), DARK, solid=1.5)
+        s.slab((-3, 3), (at - 3, at + 3), (7, H), STEEL, solid=0.8)
+    z0, z1 = H * 0.66, H * 0.94
+    s.slab((-1.5, 1.5), (-W / 2, W / 2), (z0, z1), WHITE, solid=0.7)
+    s.slab((-1.5, 1.5), (-W / 2, W / 2), (H * 0.3, H * 0.44), WHITE, solid=0.7)
+    n = max(3, round(W / 26))
+    step, lean = W / n, (z1 - z0) * 0.7
+    for k in range(n):
+        y = -W / 2 + step * k
+        right = min(y + step * 0.5 + lean, W / 2)
+        s.extrude(
+            [
+                (y, z0 + 0.1),
+                (min(y + step * 0.5, W / 2), z0 + 0.1),
+                (right, z1 - 0.1),
+                (min(y + lean, W / 2 - 0.1), z1 - 0.1),
+            ],
+            (-1.7, 1.7),
+            c,
+            plane="yz",
+        )
+
+
+@builder("jersey_barrier", "free")
+def jersey_barrier(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Concrete road barrier running along Y."""
+    p = [
+        (-0.5, 0),
+        (0.5, 0),
+        (0.5, 0.09),
+        (0.27, 0.4),
+        (0.17, 1),
+        (-0.17, 1),
+        (-0.27, 0.4),
+        (-0.5, 0.09),
+    ]
+    s.extrude([(x * L, z * H) for x, z in p], (-W / 2, W / 2), c, rough=0.95)
+    s.proxy_slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H * 0.09))
+    s.proxy_hull(
+        [
+            (x * L, y * W / 2, z * H)
+            for x, z in ((-0.5, 0.09), (0.5, 0.09), (0.27, 0.4), (-0.27, 0.4))
+            for y in (-1, 1)
+        ]
+    )
+    s.proxy_hull(
+        [
+            (x * L, y * W / 2, z * H)
+            for x, z in ((-0.27, 0.4), (0.27, 0.4), (0.17, 1), (-0.17, 1))
+            for y in (-1, 1)
+        ]
+    )
+    s.surface("top", H, (L * 0.15, W / 2))
+
+
+@builder("hydrant")
+def hydrant(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Fire hydrant, drawn at 38 x 38 x 76."""
+    s.lathe(
+        [
+            (0, 0),
+            (16, 0),
+            (16, 4),
+            (11, 5),
+            (11, 50),
+            (13.5, 51),
+            (13.5, 55),
+            (11.5, 56),
+            (10, 64),
+            (5, 69),
+            (0, 70),
+        ],
+        c,
+        rough=0.4,
+        metal=0.2,
+    )
+    s.rod(2.5, (0, 0, 69), (0, 0, 76), c, sections=6)
+    for y in (-1, 1):
+        s.rod(5.5, (0, 9 * y, 42), (0, 16 * y, 42), c)
+        s.rod(3, (0, 15 * y, 42), (0, 19 * y, 42), _shade(c, 0.7), sections=6)
+    for x in (-1, 1):
+        s.rod(6, (9 * x, 0, 38), (16 * x, 0, 38), c)
+        s.rod(3, (15 * x, 0, 38), (19 * x, 0, 38), _shade(c, 0.7), sections=6)
+    s.proxy_cylinder(16, (0, 5), 1.2)
+    s.proxy_cylinder(13, (5, 76), 0.9)
+    for a, b in (((0, -19, 42), (0, 19, 42)), ((-19, 0, 38), (19, 0, 38))):
+        half = math.dist(a, b) / 2
+        mid = [(p + q) / 2 for p, q in zip(a, b, strict=True)]
+        s.proxy(ProxyKind.CYLINDER, (5, 5, half), mid, 0.2, ALONG["y" if b[1] else "x"])
+
+
+@builder("street_lamp")
+def street_lamp(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Road lamp, the arm reaching forward, drawn at 160 x 36 x 600."""
+    x = -62.0
+    s.rod(18, (x, 0, 0), (x, 0, 30), c, solid=4, metal=0.4)
+    s.lathe([(0, 30), (9, 30), (5.5, 560), (0, 560)], c, center=(x, 0, 0), metal=0.4)
+    s.proxy_cylinder(7.5, (30, 585), 1.0, (x, 0))
+    s.pipe(4, [(x, 0, 550), (x + 12, 0, 588), (40, 0, 596)], c, metal=0.4)
+    s.extrude([(20, 592), (78, 592), (80, 595), (60, 600), (20, 600)], (-13, 13), c)
+    s.slab((30, 76), (-10, 10), (590.5, 592), (1.0, 0.95, 0.75), rough=0.1)
+    s.proxy_slab((x, 80), (-12, 12), (588, 600), 0.2)
+
+
+@builder("traffic_light")
+def traffic_light(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Signal on a pole, lights facing +X, drawn at 40 x 40 x 340."""
+    s.rod(20, (0, 0, 0), (0, 0, 12), CONCRETE, solid=5)
+    s.rod(5, (-6, 0, 12), (-6, 0, 335), c, solid=1, metal=0.4)
+    s.slab((-2, 16), (-16, 16), (240, 340), DARK, solid=0.5)
+    for z, color in ((322, RED), (290, YELLOW), (258, GREEN)):
+        s.rod(11, (16, 0, z), (17, 0, z), color, rough=0.1)
+        s.lathe(
+            [(11.5, 0), (12.3, 0), (12.3, 3.5), (11.5, 3.5), (11.5, 0)],
+            DARK,
+            center=(16, 0, z),
+            axis="x",
+        )
+
+
+@builder("sign")
+def sign(s: Sketch, L: float, W: float, H: float, c: Color, face: str = "octagon") -> None:
+    """Traffic sign facing +X, drawn at 44 x 70 x 240."""
+    s.rod(22, (0, 0, 0), (0, 0, 8), CONCRETE, solid=4)
+    s.rod(3, (0, 0, 8), (0, 0, 236), STEEL, solid=1, metal=0.6)
+    n, spin = {"octagon": (8, 22.5), "triangle": (3, 90.0), "round": (40, 0.0)}[face]
+
+    def outline(r: float) -> list[tuple[float, float]]:
+        return [
+            (
+                r * math.cos(math.radians(spin + 360 * k / n)),
+                203 + r * math.sin(math.radians(spin + 360 * k / n)),
+            )
+            for k in range(n)
+        ]
+
+    s.extrude(outline(37), (3, 4), WHITE if face == "octagon" else c, plane="yz")
+    s.extrude(
+        outline(34 if face == "octagon" else 28),
+        (4, 4.4),
+        c if face == "octagon" else WHITE,
+        plane="yz",
+    )
+    s.slab((4.4, 4.6), (-18, 18), (200, 206), WHITE if face == "octagon" else DARK)
+    s.proxy_slab((1.5, 4.5), (-34, 34), (170, 237), 1.0)
+
+
+@builder("mailbox")
+def mailbox(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Round-topped street mailbox, slot facing +X, drawn at 50 x 52 x 125."""
+    top = [(26 * math.cos(t), 99 + 26 * math.sin(t)) for t in (math.pi * k / 20 for k in range(21))]
+    s.extrude([(26, 18), *top, (-26, 18)], (-24, 24), c, plane="yz", rough=0.35)
+    for x in (-19, 19):
+        for y in (-21, 21):
+            s.slab((x - 3, x + 3), (y - 3, y + 3), (0, 18), c, solid=1)
+    s.slab((24, 25), (-17, 17), (92, 98), CHROME, metal=0.7)
+    s.slab((24, 24.8), (-15, 15), (62, 78), WHITE)
+    s.proxy_slab((-24, 24), (-26, 26), (18, 100))
+    s.proxy_slab((-24, 24), (-20, 20), (100, 124), 0.8)
+
+
+@builder("park_bench")
+def park_bench(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Slatted bench with a backrest, drawn at 62 x 160 x 84; one sits facing +X."""
+    for k in range(4):
+        s.slab((-16 + 11.5 * k, -6 + 11.5 * k), (-80, 80), (42, 45), c)
+    for z in (54, 66, 78):
+        x = -20 - (z - 45) * 0.22
+        s.slab((x - 1.5, x + 1.5), (-80, 80), (z - 4.5, z + 4.5), c)
+    for y in (-66, 66):
+        s.pipe(2.2, [(26, y, 0), (26, y, 41), (-18, y, 41), (-28, y, 82)], DARK, metal=0.4)
+        s.pipe(2.2, [(-18, y, 41), (-28, y, 0)], DARK, metal=0.4)
+        s.pipe(1.6, [(27, y, 41), (27, y, 62), (-24, y, 64)], DARK, metal=0.4)
+        s.slab((-31, 29), (y - 3, y + 3), (0, 2), DARK)
+        s.proxy_slab((-31, 29), (y - 3, y + 3), (0, 41), 0.7)
+    s.proxy_slab((-18, 30), (-80, 80), (41, 45))
+    s.proxy_slab((-30, -20), (-80, 80), (49, 83), 0.5)
+    s.surface("seat", 45, (21, 76), (5, 0))
+
+
+@builder("picnic_table")
+def picnic_table(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Picnic table with two benches, drawn at 180 x 158 x 74, long side along X."""
+    frame = _shade(c, 0.82)
+    for k in range(5):
+        s.slab((-90, 90), ((k - 2) * 14.6 - 6.8, (k - 2) * 14.6 + 6.8), (70.2, 74), c)
+    for y in (-1, 1):
+        for k in (0, 1):
+            mid = y * (58 + k * 14.2)
+            s.slab((-90, 90), (mid - 6.8, mid + 6.8), (42, 45.8), c)
+    for x in (-64.8, 64.8):
+        s.slab((x - 1.9, x + 1.9), (-36, 36), (61, 70.2), frame)
+        s.slab((x + 1.9, x + 5.7), (-78, 78), (33, 42), frame)
+        for y in (-1, 1):
+            s.extrude(
+                [(y * 24, 70), (y * 32, 70), (y * 62, 0), (y * 53, 0)],
+                (x - 5.7, x - 1.9),
+                frame,
+                plane="yz",
+            )
+    s.proxy_slab((-90, 90), (-36, 36), (66, 74))
+    for y in (-1, 1):
+        s.proxy_slab((-90, 90), (51, 79) if y > 0 else (-79, -51), (38, 45.8), 1.0)
+        for x in (-64.8, 64.8):
+            s.proxy_slab((x - 6, x + 6), (48, 62) if y > 0 else (-62, -48), (0, 38), 0.7)
+    for x in (-64.8, 64.8):
+        s.proxy_slab((x - 6, x + 6), (-34, 34), (38, 66), 0.3)
+    s.surface("top", 74, (87, 34))
+    s.surface("left bench", 45.8, (87, 12), (0, 65))
+    s.surface("right bench", 45.8, (87, 12), (0, -65))
+
+
+@builder("bollard")
+def bollard(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Street post, drawn at 20 x 20 x 95."""
+    s.rod(10, (0, 0, 0), (0, 0, 2), DARK, solid=1)
+    s.lathe([(0, 2), (7, 2), (7, 86), (5.5, 92), (0, 95)], c, rough=0.4)
+    s.lathe([(6.8, 70), (7.2, 70), (7.2, 78), (6.8, 78), (6.8, 70)], WHITE)
+    s.proxy_cylinder(7, (2, 95))
+
+
+@builder("parking_meter")
+def parking_meter(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Meter on a post, drawn at 34 x 34 x 145."""
+    s.rod(17, (0, 0, 0), (0, 0, 6), CONCRETE, solid=6)
+    s.rod(3.5, (0, 0, 6), (0, 0, 112), c, solid=1, metal=0.5)
+    s.extrude(
+        [(-10, 112), (10, 112), (11, 135), (6, 143), (0, 145), (-6, 143), (-11, 135)],
+        (-6, 6),
+        c,
+        plane="yz",
+        rough=0.3,
+    )
+    s.slab((6, 6.4), (-6, 6), (126, 138), BLUE)
+    s.proxy_slab((-6, 6), (-11, 11), (112, 145))
+
+
+@builder("phone_booth")
+def phone_booth(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Telephone kiosk, door at +X, drawn at 92 x 92 x 240."""
+    s.slab((-46, 46), (-46, 46), (0, 8), CONCRETE, solid=1)
+    s.slab((-44, 44), (-44, 44), (214, 232), c, solid=1)
+    s.slab((-36, 36), (-36, 36), (232, 240), c, solid=1)
+    s.slab((-40, 40), (-40, 40), (10, 214), (0.62, 0.72, 0.75), rough=0.05, alpha=0.5)
+    for x in (-41, 41):
+        for y in (-41, 41):
+            s.slab((x - 3, x + 3), (y - 3, y + 3), (8, 214), c)
+    for k in range(1, 7):
+        z = 8 + k * 30
+        s.slab((-42, 42), (-42, 42), (z - 1, z + 1), c)
+    s.proxy_slab((-43, 43), (-43, 43), (8, 214), 0.25)
+
+
+@builder("tree")
+def tree(s: Sketch, L: float, W: float, H: float, c: Color, crown: str = "round") -> None:
+    """Tree, drawn at 300 x 300 x 500; rooted, so it never moves."""
+    s.lathe([(0, 0), (24, 0), (15, 20), (12, 260), (0, 260)], rgb(96, 70, 46), rough=0.95)
+    s.proxy_cylinder(14, (0, 250), 3)
+    if crown == "cone":
+        for z0, r, z1 in ((120, 150, 300), (230, 115, 400), (330, 80, 500)):
+            s.lathe([(0, z0), (r, z0), (0, z1)], c, sections=24, rough=0.95)
+        s.proxy(ProxyKind.CYLINDER, (90, 90, 120), (0, 0, 240), 0.1)
+        s.proxy(ProxyKind.CYLINDER, (45, 45, 70), (0, 0, 430), 0.1)
+        return
+    for p, r in (
+        ((0, 0, 350), 150),
+        ((58, 40, 300), 85),
+        ((-62, 30, 310), 82),
+        ((10, -66, 305), 80),
+        ((12, 22, 430), 70),
+    ):
+        s.ball(r, p, _shade(c, 0.85 + 0.05 * (r % 4)), rough=0.95, detail=3)
+    s.proxy(ProxyKind.SPHERE, (145, 145, 145), (0, 0, 350), 0.1)
+
+
+@builder("bush", "free")
+def bush(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Leafy shrub or hedge."""
+    r = min(L, W, H) * 0.34
+    n = max(2, round(max(L, W) / r))
+    span_x, span_y = L / 2 - r, W / 2 - r
+    for k in range(n):
+        t = -1 + 2 * k / (n - 1)
+        x, y = (
+            (t * span_x, (k % 2 * 2 - 1) * span_y)
+            if L >= W
+            else ((k % 2 * 2 - 1) * span_x, t * span_y)
+        )
+        s.ball(r, (x, y, H - r if k % 2 else r), _shade(c, 0.85 + 0.15 * (k % 3) / 2), rough=0.95)
+        s.ball(r, (x, -y, r if k % 2 else H - r), _shade(c, 0.8 + 0.15 * (k % 4) / 3), rough=0.95)
+    s.slab((-L * 0.38, L * 0.38), (-W * 0.38, W * 0.38), (0, H * 0.8), _shade(c, 0.75), rough=1.0)
+    s.proxy_slab((-L * 0.45, L * 0.45), (-W * 0.45, W * 0.45), (0, H * 0.95))
+
+
+@builder("rock")
+def rock(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Boulder with a flat underside, drawn at 60 x 50 x 40."""
+    import numpy as np
+
+    rng = np.random.default_rng(7)
+    p = rng.normal(size=(70, 3))
+    p /= np.linalg.norm(p, axis=1, keepdims=True)
+    p *= rng.uniform(0.9, 1.0, (70, 1))
+    p = np.concatenate([p, np.eye(3), -np.eye(3)]) * np.array([30, 25, 24]) + [0, 0, 16]
+    p[:, 2] = np.clip(p[:, 2], 0, 40)
+    points = [tuple(float(c) for c in v) for v in p]
+    from esg.assets import shapes
+
+    s.add(lambda: shapes.hull(points), c, 0.95)
+    s.proxy_hull([tuple(v) for v in shapes.hull(points).vertices])  # type: ignore[misc]
+
+
+@builder("parasol")
+def parasol(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Open garden umbrella, drawn at 260 x 260 x 240."""
+    s.rod(26, (0, 0, 0), (0, 0, 9), CONCRETE, solid=12)
+    s.rod(2.4, (0, 0, 9), (0, 0, 238), WOOD, solid=0.4)
+    s.lathe(
+        [(0, 238), (4, 238), (130, 192), (130, 188), (3, 232), (0, 233)], c, sections=8, rough=0.9
+    )
+    s.proxy(ProxyKind.CYLINDER, (118, 118, 14), (0, 0, 205), 0.01)
+
+
+@builder("dumpster")
+def dumpster(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Open skip with sloped ends, drawn at 180 x 360 x 140; hollow."""
+    from esg.assets import shapes
+
+    outer = [
+        (x * 90, y * w, z) for z, w in ((0, 130), (140, 180)) for x in (-1, 1) for y in (-1, 1)
+    ]
+    inner = [
+        (x * 84, y * w, z) for z, w in ((6, 124), (141, 174)) for x in (-1, 1) for y in (-1, 1)
+    ]
+    s.add(lambda: shapes.cut(shapes.hull(outer), [shapes.hull(inner)]), c, 0.7)
+    for y in (-110, -40, 40, 110):
+        for x in (-1, 1):
+            s.slab((88, 92) if x > 0 else (-92, -88), (y - 5, y + 5), (10, 134), _shade(c, 0.8))
+    s.walls((-90, 90), (-150, 150), (0, 140), 6)
+    s.region("inside", (-82, 82), (-142, 142), (6, 138))
+    s.surface("floor", 6, (78, 118))
+    s.rod(3, (-90, -172, 118), (90, -172, 118), STEEL)
+    s.rod(3, (-90, 172, 118), (90, 172, 118), STEEL)
+
+
+@builder("fountain")
+def fountain(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Two-tier stone fountain, drawn at 200 x 200 x 160."""
+    s.lathe([(0, 0), (100, 0), (100, 45), (90, 45), (88, 12), (0, 12)], c, rough=0.9)
+    s.lathe([(0, 12), (87, 12), (88, 36), (0, 36)], (0.35, 0.55, 0.65), rough=0.05, alpha=0.7)
+    s.lathe(
+        [
+            (0, 12),
+            (18, 12),
+            (12, 95),
+            (50, 112),
+            (50, 118),
+            (8, 104),
+            (7, 150),
+            (10, 154),
+            (0, 160),
+        ],
+        c,
+        rough=0.9,
+    )
+    s.proxy_cylinder(100, (0, 45))
+    s.proxy_cylinder(14, (45, 108))
+    s.proxy_cylinder(48, (108, 118))
+    s.proxy_cylinder(9, (118, 160))

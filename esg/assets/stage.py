@@ -1,0 +1,260 @@
+"""Stage 2: an asset configuration for every requirement of a document."""
+
+from __future__ import annotations
+
+import math
+import re
+
+from esg.assets.colors import find_color
+from esg.assets.library import Entry, build_sketch, entries_by_name
+from esg.assets.massprops import mass_properties
+from esg.assets.materials import MATERIALS, Material, find_material
+from esg.assets.proposal import choose_dimensions, choose_mass
+from esg.assets.retrieve import Decision, decide
+from esg.assets.sketch import Sketch
+from esg.graph.models import (
+    AssetConfiguration,
+    AssetRequirement,
+    EsgDocument,
+    Provenance,
+    RetrievalCandidate,
+    Vec3,
+)
+
+VERSION = "1"
+WHEELED_FRICTION = 0.1
+"""Averages with the vehicle ground's 0 to a rolling resistance of 0.05."""
+ROLLING_DAMPING = 0.1
+
+
+def resolve(doc: EsgDocument, *, seed: int = 0) -> EsgDocument:
+    """Fills `asset_configurations` for every requirement.
+
+    Args:
+        doc: A drafted document.
+        seed: Recorded; the stage draws no random numbers.
+
+    Returns:
+        The document with configurations and one more provenance entry.
+    """
+    configurations = {
+        key: configure(key, requirement, _pattern(doc, key))
+        for key, requirement in doc.asset_requirement.items()
+    }
+    entry = Provenance(stage="resolve", version=VERSION, seed=seed, config=_library_state())
+    return doc.model_copy(
+        update={
+            "asset_configurations": configurations,
+            "provenance": (*(p for p in doc.provenance if p.stage != "resolve"), entry),
+        }
+    )
+
+
+def _library_state() -> dict[str, str]:
+    from esg.assets.index import active_index
+
+    return {"library": active_index().fingerprint}
+
+
+def _pattern(doc: EsgDocument, key: str) -> str:
+    """All names by which instances of a requirement are called: hints for retrieval."""
+    nodes = doc.spatial_relation_graph.nodes
+    return " ".join(sorted({n.label for n in nodes.values() if n.asset_id == key and n.label}))
+
+
+def configure(key: str, requirement: AssetRequirement, label: str = "") -> AssetConfiguration:
+    """The configuration of one requirement.
+
+    Args:
+        key: Asset id in the document; names the mesh file.
+        requirement: What is needed.
+        label: How the prompt names the instances.
+    """
+    decision = decide(requirement, label)
+    if decision.entry is None:
+        return _fallback(key, requirement, decision)
+    if decision.entry.library != "parametric":
+        from esg.assets.imported import configure_imported
+
+        return configure_imported(key, requirement, decision)
+    return _parametric(key, requirement, decision.entry, decision)
+
+
+def mesh_path(key: str) -> str:
+    """Path of an asset's GLB inside the scene folder."""
+    return f"meshes/{re.sub(r'[^A-Za-z0-9_.-]+', '_', key) or 'asset'}.glb"
+
+
+def _surface_material(entry: Entry, requirement: AssetRequirement) -> tuple[Material, float]:
+    """Contact material and the ratio of its density to the entry's own."""
+    own = MATERIALS[entry.material]
+    asked = find_material(requirement.material)
+    if asked is None or asked.name == own.name:
+        return own, 1.0
+    if "decal" in entry.flags or "wheeled" in entry.flags or "hollow" in entry.flags:
+        return asked, 1.0
+    # Shells and frames do not follow density one to one: a steel chair is not 13 times heavier.
+    ratio = asked.density / own.density
+    return asked, ratio if _is_solid(entry) else ratio ** (1 / 3)
+
+
+def _is_solid(entry: Entry) -> bool:
+    """Whether the usual mass is that of a body filled with its material."""
+    volume_m3 = math.prod(entry.dimensions_cm) * 1e-6
+    fill = {"rolls": math.pi / 6}.get("rolls" if "rolls" in entry.flags else "", 1.0)
+    return entry.mass_kg / (volume_m3 * fill) > 0.3 * MATERIALS[entry.material].density
+
+
+def _parametric(
+    key: str, requirement: AssetRequirement, entry: Entry, decision: Decision
+) -> AssetConfiguration:
+    dimensions = choose_dimensions(entry, requirement)
+    material, ratio = _surface_material(entry, requirement)
+    mass = choose_mass(entry, requirement, dimensions, ratio)
+    color = find_color(requirement.color) or _material_color(requirement, entry)
+    sketch = build_sketch(entry, dimensions, color)
+    return finish(
+        key, entry, requirement, sketch, dimensions, mass, material, color, decision, "parametric"
+    )
+
+
+def _material_color(requirement: AssetRequirement, entry: Entry) -> tuple[float, float, float]:
+    from esg.assets.sketch import BRASS, CARDBOARD, CONCRETE, DARK, GLASS, STEEL, WOOD
+
+    asked = find_material(requirement.material)
+    if asked is None or asked.name == entry.material:
+        return entry.color_rgb
+    table = {
+        "wood": WOOD,
+        "steel": STEEL,
+        "cast_iron": DARK,
+        "brass": BRASS,
+        "concrete": CONCRETE,
+        "stone": (0.55, 0.53, 0.5),
+        "glass": (0.75, 0.85, 0.88),
+        "cardboard": CARDBOARD,
+        "gold": (0.81, 0.65, 0.24),
+        "rubber": GLASS,
+        "ice": (0.8, 0.9, 0.95),
+    }
+    return table.get(asked.name, entry.color_rgb)
+
+
+def finish(
+    key: str,
+    entry: Entry,
+    requirement: AssetRequirement,
+    sketch: Sketch,
+    dimensions: Vec3,
+    mass: float,
+    material: Material,
+    color: tuple[float, float, float],
+    decision: Decision,
+    source: str,
+) -> AssetConfiguration:
+    """Assembles a configuration; the same schema whatever the source of the geometry."""
+    com, inertia = mass_properties(sketch.proxies, mass, sketch.densities)
+    rolls = "rolls" in entry.flags
+    wheeled = "wheeled" in entry.flags
+    factor = math.prod(b / a for a, b in zip(entry.dimensions_cm, dimensions, strict=True))
+    return AssetConfiguration(
+        asset_name=entry.name if entry.library == "parametric" else f"{entry.library}/{entry.name}",
+        source=source,  # type: ignore[arg-type]
+        category=entry.name if entry.library == "parametric" else entry.parents[0],
+        mesh_path=mesh_path(key),
+        dimensions_cm=dimensions,
+        scale=(factor ** (1 / 3),) * 3,
+        proxies=tuple(sketch.proxies),
+        support_surfaces=tuple(sketch.surfaces),
+        regions=tuple(sketch.regions),
+        mass_kg=mass,
+        is_movable=entry.movable and requirement.is_movable,
+        center_of_mass_cm=com,
+        inertia_kg_cm2=inertia,
+        friction=WHEELED_FRICTION if wheeled else material.friction,
+        restitution=material.restitution,
+        linear_damping=requirement.linear_damping,
+        angular_damping=ROLLING_DAMPING if rolls else requirement.linear_damping,
+        is_wheeled=wheeled,
+        rolls=rolls,
+        color_rgb=color,
+        license=entry.license,
+        attribution=entry.attribution,
+        confidence=decision.confidence,
+        runners_up=decision.runners_up,
+    )
+
+
+_SHAPE_BUILDERS = {"sphere": "sphere", "box": "box", "cylinder": "cylinder", "capsule": "capsule"}
+
+
+def _fallback(key: str, requirement: AssetRequirement, decision: Decision) -> AssetConfiguration:
+    """A plain body of the requested size for a noun that the library does not hold."""
+    shape = decision.shape or "box"
+    name = f"plain_{shape}"
+    material = find_material(requirement.material) or MATERIALS["plastic_hard"]
+    dimensions = requirement.expected_dimensions_cm
+    if shape in ("sphere", "capsule", "cylinder"):
+        a, b, c = dimensions
+        if shape == "sphere":
+            dimensions = ((a * b * c) ** (1 / 3),) * 3
+        elif shape == "cylinder":
+            dimensions = (math.sqrt(a * b), math.sqrt(a * b), c)
+        else:
+            width = math.sqrt(min(a, b) * c)
+            dimensions = (max(a, b, width), width, width)
+    color = find_color(requirement.color) or (0.55, 0.58, 0.62)
+    flags = frozenset({"rolls"} if shape in ("sphere", "capsule") else ())
+    entry = Entry(
+        name=name,
+        parents=(),
+        builder=_SHAPE_BUILDERS[shape],
+        params=(),
+        dimensions_cm=dimensions,
+        mass_kg=requirement.expected_mass_kg,
+        material=material.name,
+        color_rgb=color,
+        flags=flags,
+        synonyms=(),
+        description="",
+    )
+    sketch = build_sketch(entry, dimensions, color)
+    made = finish(
+        key,
+        entry,
+        requirement,
+        sketch,
+        dimensions,
+        requirement.expected_mass_kg,
+        material,
+        color,
+        decision,
+        "fallback",
+    )
+    return made.model_copy(update={"category": requirement.asset_category})
+
+
+def fallback_entry(config: AssetConfiguration) -> Entry | None:
+    """The entry behind a configuration: of the library, or the plain body of a fallback."""
+    known = entries_by_name().get(config.asset_name)
+    if known is not None:
+        return known
+    if not config.asset_name.startswith("plain_"):
+        return None
+    shape = config.asset_name.removeprefix("plain_")
+    return Entry(
+        name=config.asset_name,
+        parents=(),
+        builder=_SHAPE_BUILDERS[shape],
+        params=(),
+        dimensions_cm=config.dimensions_cm,
+        mass_kg=config.mass_kg,
+        material="plastic_hard",
+        color_rgb=config.color_rgb,
+        flags=frozenset(),
+        synonyms=(),
+        description="",
+    )
+
+
+__all__ = ["RetrievalCandidate", "configure", "fallback_entry", "finish", "mesh_path", "resolve"]
