@@ -2,7 +2,7 @@
 
     draft -> resolve -> layout -> optimize -> compile -> replay -> judge -> record
 
-A stage's result is a folder in the artifact store under a key made of its input's key, its
+A stage's result is a folder in the artifact store under a key made of its input's content, its
 configuration and the version of its code. A `SceneState` carries only keys, so that it can travel
 between processes and through a scheduler; the data stays in the store. Nothing here knows about
 schedulers: `tasks/` calls `run_stage` for batches of scenes.
@@ -10,15 +10,21 @@ schedulers: `tasks/` calls `run_stage` for batches of scenes.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+import contextlib
 from dataclasses import dataclass, field, replace
 import errno
+import hashlib
 import json
 from pathlib import Path
 import time
 import traceback
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from esg.outcomes import Outcome, UserError
+
+if TYPE_CHECKING:
+    from esg.store.artifacts import ArtifactStore
 
 STAGES = ("draft", "resolve", "layout", "optimize", "compile", "replay", "judge", "record")
 
@@ -101,14 +107,41 @@ class SceneState:
         Raises:
             KeyError: If the stage has not run.
         """
-        from esg.store.artifacts import ArtifactStore
-
-        found = ArtifactStore().find(self.artifacts[stage])
+        found = artifact_store().find(self.artifacts[stage])
         if found is None:
             raise FileNotFoundError(
                 errno.ENOENT, f"the {stage} artifact vanished", self.artifacts[stage]
             )
         return found
+
+
+_store_root: Path | None = None
+
+
+def artifact_store() -> ArtifactStore:
+    """The store that stages read and write."""
+    from esg.store.artifacts import ArtifactStore
+
+    return ArtifactStore(_store_root)
+
+
+@contextlib.contextmanager
+def scratch_store(root: Path) -> Iterator[None]:
+    """Makes this process use another store for the body: nothing is found, nothing is kept."""
+    global _store_root
+    before, _store_root = _store_root, root
+    try:
+        yield
+    finally:
+        _store_root = before
+
+
+def content_hash(folder: Path) -> str:
+    """Hash of an artifact's files: equal results are one, whichever code version made them."""
+    from esg.store.artifacts import MARK
+
+    files = json.loads((folder.parent / MARK).read_bytes())["files"]
+    return hashlib.sha256(json.dumps(files, sort_keys=True).encode()).hexdigest()
 
 
 def stage_key(stage: str, state: SceneState) -> str:
@@ -117,7 +150,7 @@ def stage_key(stage: str, state: SceneState) -> str:
     from esg.stages import SPECS, configuration
     from esg.store.artifacts import artifact_key
 
-    inputs = {s: state.artifacts[s] for s in SPECS[stage].inputs}
+    inputs = {s: content_hash(state.artifact(s)) for s in SPECS[stage].inputs}
     return artifact_key(
         stage,
         inputs=inputs,
@@ -137,7 +170,6 @@ def run_stage(stage: str, state: SceneState) -> SceneState:
         OSError: Only one that may pass (see `may_pass`): try the stage again.
     """
     from esg.stages import SPECS, conclude
-    from esg.store.artifacts import ArtifactStore
 
     if state.ended or stage in state.artifacts:
         return state
@@ -145,7 +177,7 @@ def run_stage(stage: str, state: SceneState) -> SceneState:
     entry: dict[str, Any] = {"stage": stage, "cached": False}
     try:
         key = stage_key(stage, state)
-        store = ArtifactStore()
+        store = artifact_store()
         entry["key"] = key
         entry["cached"] = store.find(key) is not None
         if not entry["cached"]:
@@ -200,8 +232,3 @@ def run_scene(request: SceneRequest) -> SceneState:
     for stage in STAGES:
         state = run_stage(stage, state)
     return state
-
-
-def load_json(path: Path) -> Any:
-    """Parsed content of a JSON file."""
-    return json.loads(path.read_bytes())

@@ -211,8 +211,8 @@ def _judge(state: SceneState, folder: Path) -> None:
 
 
 def _verdict(state: SceneState, expected: SuiteScene) -> SceneVerdict:
-    from esg.rolloutfile import load_rollout
     from esg.metrics import judge
+    from esg.rolloutfile import load_rollout
 
     scene, program = load_scene(state)
     rollout = load_rollout(state.artifact("replay") / ROLLOUT)

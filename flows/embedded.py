@@ -171,7 +171,7 @@ def prepare_template() -> Path:
     Returns:
         Its path.
     """
-    template = _template()
+    template = template_path()
     if template.exists():
         return template
     configure()
@@ -231,7 +231,7 @@ def _home() -> Path:
     return cache_dir() / "prefect"
 
 
-def _template() -> Path:
+def template_path() -> Path:
     return _home() / f"template-{metadata.version('prefect')}.db"
 
 

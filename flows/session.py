@@ -49,10 +49,10 @@ def session(processes: int, watch: Watcher | None = None) -> Iterator[Callable[.
 def warm_up() -> None:
     """Imports what scenes need and silences it; results do not depend on it."""
     with contextlib.suppress(Exception):  # a missing library is reported by the stage that needs it
-        import warp as wp
+        from esg.engines.newton_model import quiet_warp
 
-        wp.config.quiet = True
-        import newton  # noqa: F401  # pyright: ignore[reportUnusedImport]
+        quiet_warp()
+        import newton  # pyright: ignore[reportUnusedImport]
         import newton.sensors  # noqa: F401
         import sapien  # noqa: F401
         import spacy  # noqa: F401

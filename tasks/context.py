@@ -33,7 +33,7 @@ def current() -> RunContext:
 
 @contextlib.contextmanager
 def run_context(pool: WorkerPool, watch: Watcher | None = None) -> Iterator[RunContext]:
-    """Makes a pool and a watcher the current ones. Not a context variable: task threads share it."""
+    """Makes a pool and a watcher current for all threads (a context variable would not be)."""
     global _current
     before = _current
     _current = RunContext(pool, watch or _ignore)

@@ -56,11 +56,9 @@ def check_device(device: str) -> str:
     kind, _, number = device.partition(":")
     if kind != "cuda" or (number and not number.isdigit()):
         raise UserError(f"--device {device!r}: choose cpu or cuda:N")
-    import warp as wp
+    from esg.engines.newton_model import quiet_warp
 
-    wp.config.quiet = True
-    wp.init()
-    count = wp.get_cuda_device_count()
+    count = quiet_warp().get_cuda_device_count()
     if int(number or 0) >= count:
         raise UserError(f"--device {device}: this machine has {count} CUDA devices; use cpu")
     return f"cuda:{number or 0}"

@@ -1,0 +1,71 @@
+"""`esg setup`: everything that would otherwise stall a first scene, done once per machine."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+import sys
+import time
+
+SAMPLES = (
+    "A red ball rolls across the floor and hits a wooden box.",
+    "A table with a vase on it.",
+)
+"""Prompts whose whole way through the stages loads and compiles what scenes need."""
+
+
+def setup() -> int:
+    """Compile and cache all kernels (a few minutes the first time, seconds afterwards)."""
+    from pathlib import Path
+    import tempfile
+
+    from esg.engines import warmup
+    from esg.paths import cache_dir
+
+    _step("scheduler database", _prefect)
+    _step("engine kernels", lambda: warmup(progress=_line))
+    with tempfile.TemporaryDirectory(prefix="esg-setup-") as folder:
+        for number, prompt in enumerate(SAMPLES, 1):
+            name = f"sample scene {number} of {len(SAMPLES)}"
+            _step(name, lambda p=prompt: _sample(p, Path(folder)))
+    print(f"ready; caches are in {cache_dir()} and in warp's kernel cache")
+    return 0
+
+
+def _step(name: str, work: Callable[[], object]) -> None:
+    start = time.perf_counter()
+    _show(f"{name} ...")
+    work()
+    _show("")
+    print(f"{name}: {time.perf_counter() - start:.1f} s", flush=True)
+
+
+def _show(text: str) -> None:
+    """The line that is overwritten: only on a terminal."""
+    if sys.stderr.isatty():
+        print(f"\r\x1b[K{text}", end="", file=sys.stderr, flush=True)
+
+
+def _line(name: str, done: int, total: int) -> None:
+    _show(f"engine kernels {done}/{total}: {name}")
+
+
+def _prefect() -> None:
+    from flows.embedded import prepare_template
+
+    prepare_template()
+
+
+def _sample(prompt: str, root: object) -> None:
+    from pathlib import Path
+
+    from esg.outcomes import UserError
+    from esg.pipeline import STAGES, SceneRequest, SceneState, run_stage, scratch_store
+
+    assert isinstance(root, Path)
+    with scratch_store(root):
+        state = SceneState(SceneRequest(prompt))
+        for stage in STAGES:
+            _show(f"sample scene: {stage}")
+            state = run_stage(stage, state)
+    if len(state.artifacts) < len(STAGES):
+        raise UserError(f"the sample scene {prompt!r} failed: {state.reason}", exit_code=1)
