@@ -1,0 +1,360 @@
+"""From the interpreted scene to the ESG document: assets, nodes, regions, relations, faces."""
+
+from __future__ import annotations
+
+import hashlib
+import re
+from typing import Any
+
+from esg.draft import lexicon as lex
+from esg.draft.interpret import Relation, Scene
+from esg.draft.world import Entity, slug
+from esg.graph.models import (
+    AssetRequirement,
+    BinaryRelation,
+    Coverage,
+    EsgDocument,
+    MultiRelation,
+    MultiRelationType,
+    Node,
+    Provenance,
+    RegionType,
+    RelationEdges,
+    RelationType,
+    SceneDefinition,
+    SceneParameters,
+    SemanticRegion,
+    SpatialRelationGraph,
+    TimelineSystem,
+)
+
+GROUND = "ground_1"
+_INDOOR_KINDS = frozenset(
+    {"table", "seat", "furniture", "appliance", "electronics", "billiard", "billiardtable", "pin", "tableware"}
+)
+_OUTDOOR_KINDS = frozenset({"vehicle", "street", "post", "plant", "building", "structure", "watercraft"})
+_GROUND_SIZE_CM = (12000.0, 12000.0, 2.0)
+_MAX_SIZE_CM, _MIN_SIZE_CM = 9000.0, 0.1
+
+
+def environment(scene: Scene) -> tuple[str, str]:
+    """(indoor or outdoor, named preset) from what is in the scene."""
+    entities = [e for e in scene.world.entities.values()]
+    kinds = [e.noun.kind for e in entities]
+    heads = {e.head for e in entities} | {e.noun.name for e in entities}
+    if "pin" in kinds or "bowling lane" in heads:
+        return "indoor", "bowling_alley"
+    if "billiard" in kinds or "billiardtable" in kinds:
+        return "indoor", "billiard_hall"
+    ground = scene.world.entities.get(GROUND)
+    if ground is not None:
+        indoor = "indoor" in ground.noun.traits
+        if indoor:
+            return "indoor", slug(ground.head)
+        if ground.head not in ("ground", "earth", "land", "terrain"):
+            return "outdoor", slug(ground.head)
+    if "picnic table" in heads and "vehicle" not in kinds:
+        return "outdoor", "park"
+    if "vehicle" in kinds or "road" in heads:
+        return "outdoor", "street"
+    if any("desk" in h or "office" in h for h in heads):
+        return "indoor", "office"
+    if any(k in _OUTDOOR_KINDS for k in kinds):
+        return "outdoor", "street"
+    if any(k in _INDOOR_KINDS for k in kinds):
+        return "indoor", "room"
+    if "goal" in kinds:
+        return "outdoor", "soccer_field"
+    return "outdoor", "generic"
+
+
+def _dimensions(e: Entity) -> tuple[float, float, float]:
+    if e.dimensions_cm is not None:
+        d = list(e.dimensions_cm)
+    else:
+        d = list(e.noun.dimensions_cm)
+        for a in e.adjectives:
+            if a in lex.SIZES:
+                d = [x * lex.SIZES[a] for x in d]
+            elif a in lex.STRETCHES and e.noun.shape != "sphere":
+                d = [x * s for x, s in zip(d, lex.STRETCHES[a], strict=True)]
+    limit = 1e5 if "structural" in e.noun.traits else _MAX_SIZE_CM
+    low = max(_MIN_SIZE_CM, 0.11)
+    return tuple(round(min(max(x, low), limit), 3) for x in d)  # type: ignore[return-value]
+
+
+def _mass(e: Entity, size: tuple[float, float, float]) -> float:
+    if e.mass_kg is not None:
+        return e.mass_kg
+    base = e.noun.dimensions_cm
+    ratio = (size[0] * size[1] * size[2]) / (base[0] * base[1] * base[2])
+    mass = e.noun.mass_kg * ratio
+    material = next((a for a in e.adjectives if a in lex.MATERIALS), None)
+    if material is not None:
+        own = next((d for n, d in lex.MATERIALS.values() if n == e.noun.material), 900.0)
+        mass *= min(max(lex.MATERIALS[material][1] / own, 0.05), 15.0)
+    for a in e.adjectives:
+        mass *= lex.WEIGHTS.get(a, 1.0)
+    volume = size[0] * size[1] * size[2] * 1e-6
+    mass = min(max(mass * e.mass_factor, volume * 1.5), volume * 20_000.0)
+    return round(min(max(mass, 0.0011), 99_000.0), 5)
+
+
+def requirement(e: Entity) -> AssetRequirement:
+    """What a node needs: category, description, size, mass."""
+    size = _dimensions(e)
+    structural = "structural" in e.noun.traits
+    movable = not ({"structural", "fixed", "decal"} & e.noun.traits)
+    material = next((lex.MATERIALS[a][0] for a in e.adjectives if a in lex.MATERIALS), e.noun.material)
+    modifiers = [a for a in e.adjectives if not a.startswith("@") and a not in ("same", "other")]
+    words = [*modifiers, e.head]
+    description = f"{' '.join(dict.fromkeys(words))}: {e.noun.description}"
+    synonyms = [s for s in e.noun.synonyms if s != e.head][:4]
+    if synonyms:
+        description += f" ({', '.join(synonyms)})"
+    if material:
+        description += f", {material}"
+    shape: Any = e.noun.shape or None
+    return AssetRequirement(
+        asset_category=e.noun.category if e.known else slug(e.head),
+        asset_description=description,
+        expected_dimensions_cm=size,
+        expected_mass_kg=_mass(e, size) if not structural else e.noun.mass_kg,
+        is_movable=movable,
+        mass_is_prescribed=e.mass_prescribed,
+        dimensions_are_prescribed=e.dimensions_prescribed,
+        material=material or None,
+        color=e.color,
+        shape=shape,
+    )
+
+
+class DocumentBuilder:
+    """Writes a Scene as a document."""
+
+    def __init__(self, scene: Scene, prompt: str, seed: int) -> None:
+        self.scene = scene
+        self.world = scene.world
+        self.prompt = prompt
+        self.seed = seed
+        self.assets: dict[str, AssetRequirement] = {}
+        self.asset_of: dict[str, str] = {}
+        self.regions: dict[str, SemanticRegion] = {}
+        self.nodes: dict[str, Node] = {}
+        self.relations: list[BinaryRelation] = []
+        self.multi: list[MultiRelation] = []
+        self._pairs: set[tuple[str, str, str]] = set()
+
+    def build(self, timeline: TimelineSystem | None, coverage: Coverage, restricted: bool,
+              expanded: str) -> EsgDocument:  # fmt: skip
+        """The document; `restricted` suppresses objects that the prompt does not need."""
+        scene_type, preset = environment(self.scene)
+        self._base(scene_type)
+        for e in self.world.entities.values():
+            self._asset(e)
+        self._regions_and_nodes()
+        self._relations()
+        self._faces()
+        digest = hashlib.sha256(f"{self.prompt}\0{self.seed}".encode()).hexdigest()[:8]
+        name = slug(self.prompt)[:40].strip("_") or "scene"
+        return EsgDocument(
+            scene_definition=SceneDefinition(
+                scene_id=f"{name}-{digest}",
+                original_description=self.prompt,
+                expanded_description=expanded,
+                scene_parameters=SceneParameters(
+                    is_dynamic=timeline is not None,
+                    scene_type="indoor" if scene_type == "indoor" else "outdoor",
+                    environment=preset,
+                    allow_supplementary=not restricted,
+                ),
+            ),
+            asset_requirement=self.assets,
+            spatial_relation_graph=SpatialRelationGraph(
+                semantic_regions=self.regions,
+                nodes=self.nodes,
+                edges=RelationEdges(
+                    binary_relations=tuple(self.relations), multi_relations=tuple(self.multi)
+                ),
+            ),
+            timeline_system=timeline,
+            coverage=coverage,
+            provenance=(
+                Provenance(
+                    stage="draft",
+                    version="1",
+                    seed=self.seed,
+                    config={"drafter": "rules"},
+                    input_hash=hashlib.sha256(self.prompt.encode()).hexdigest(),
+                ),
+            ),
+        )
+
+    def _base(self, scene_type: str) -> None:
+        """Exactly one ground, first among the nodes."""
+        ground = self.world.entities.pop(GROUND, None)
+        if ground is None:
+            table = lex.nouns()
+            noun = table["floor"] if scene_type == "indoor" else table["ground"]
+            ground = Entity(GROUND, noun, noun.name, noun.name, mentioned=False)
+        self.world.entities = {GROUND: ground, **self.world.entities}
+
+    def _asset(self, e: Entity) -> None:
+        required = requirement(e)
+        if e.id == GROUND:
+            size = (2000.0, 2000.0, 2.0) if "indoor" in e.noun.traits else _GROUND_SIZE_CM
+            required = required.model_copy(
+                update={"expected_dimensions_cm": size, "asset_category": slug(e.noun.name)}
+            )
+        stem = slug(" ".join([*([e.color] if e.color else []), required.asset_category]))
+        for n in range(1, 1000):
+            name = f"{stem}_{n:02d}"
+            if name not in self.assets:
+                self.assets[name] = required
+            if self.assets[name] == required:
+                self.asset_of[e.id] = name
+                return
+
+    # -- regions and nodes -----------------------------------------------------------------------
+
+    def _region(self, parent: str, storage: bool = False) -> str:
+        if parent == GROUND:
+            name, text = "ground_area_1", "open ground"
+        else:
+            name = f"{parent}_inside" if storage else f"{parent}_surface"
+            text = f"{'inside' if storage else 'top'} of the {self.world.entities[parent].head}"
+        if name not in self.regions:
+            self.regions[name] = SemanticRegion(
+                region_description=text,
+                region_type=RegionType.STORAGE if storage else RegionType.SUPPORT_SURFACE,
+                parent_object=parent,
+            )
+        return name
+
+    def _regions_and_nodes(self) -> None:
+        fixed = {"fixed"}
+        for e in self.world.entities.values():
+            structural = "structural" in e.noun.traits
+            region = None
+            if not structural:
+                host = self.scene.supported_by.get(e.id)
+                if host is not None and host in self.world.entities:
+                    region = self._region(host, e.id in self.scene.inside_of)
+                else:
+                    region = self._region(GROUND)
+            self.nodes[e.id] = Node(
+                asset_id=self.asset_of[e.id],
+                semantic_region=region,
+                is_structural=structural,
+                label=e.label,
+                mentioned=e.mentioned,
+                group=e.group if not e.letter and not e.place else None,
+                group_pattern=self._pattern(e),
+                is_static=bool(fixed & e.noun.traits),
+            )
+
+    def _pattern(self, e: Entity) -> Any:
+        if e.group is None or e.letter or e.place:
+            return None
+        members = [x for x in self.world.entities.values() if x.group == e.group and not x.letter and not x.place]
+        return e.pattern if len(members) > 1 else None
+
+    # -- relations -------------------------------------------------------------------------------
+
+    def _add(self, source: str, target: str, kind: RelationType, **extra: Any) -> None:
+        if source == target or source not in self.nodes or target not in self.nodes:
+            return
+        from esg.graph.rules_relations import conflict
+
+        for r in self.relations:
+            if {r.from_, r.to} != {source, target}:
+                continue
+            same = r.from_ == source
+            if r.relation_type is kind and (same or kind in (RelationType.NEAR, RelationType.ADJACENT)):
+                return
+            if conflict(kind, r.relation_type, same_way=same):
+                self.scene.warnings.append(
+                    f'Left out "{source} {kind.value} {target}": it contradicts '
+                    f'"{r.from_} {r.relation_type.value} {r.to}".'
+                )
+                return
+        self.relations.append(
+            BinaryRelation(from_=source, to=target, relation_type=kind, **extra)
+        )
+
+    def _relations(self) -> None:
+        groups: dict[tuple[str, str], list[str]] = {}
+        for r in self.scene.relations:
+            if r.kind in ("between", "surround"):
+                groups.setdefault((r.kind, f"{r.target}|{r.text}"), []).append(r.source)
+                continue
+            if r.kind == "structural" or r.target not in self.nodes or r.source not in self.nodes:
+                self._structural(r)
+                continue
+            if self.nodes[r.source].is_structural:
+                continue
+            kind = RelationType(r.kind)
+            if kind in (RelationType.ON, RelationType.INSIDE_OF):
+                continue
+            a, b = self.world.entities[r.source], self.world.entities[r.target]
+            extra: dict[str, Any] = {
+                "confidence": 0.9,
+                "semantic_description": f"{a.label} {r.kind.replace('_', ' ')} {b.label}",
+            }
+            if r.distance is not None:
+                extra["distance_cm"] = r.distance
+            self._add(r.source, r.target, kind, **extra)
+        for (kind, key), sources in groups.items():
+            target, other = key.split("|")
+            targets = [target] if kind == "surround" else [target, other]
+            subjects = tuple(dict.fromkeys(s for s in sources if s not in targets))
+            if not subjects or any(t not in self.nodes for t in targets) or len(set(targets)) < len(targets):
+                continue
+            self.multi.append(
+                MultiRelation(subjects=subjects, targets=tuple(targets), relation_type=MultiRelationType(kind))
+            )
+
+    def _structural(self, r: Relation) -> None:
+        """Relations to roads and the like say where things stand, not what carries them."""
+        if r.target not in self.nodes or r.source not in self.nodes or r.target == GROUND:
+            return
+        if r.text in ("by", "beside", "near", "next to", "alongside", "along", "at"):
+            self._add(r.source, r.target, RelationType.NEAR, confidence=0.7,
+                      semantic_description=f"{self.world.entities[r.source].label} {r.text} the {self.world.entities[r.target].label}")  # fmt: skip
+        elif r.text in ("in the middle of",):
+            self._add(r.source, r.target, RelationType.CENTER_OF, confidence=0.7,
+                      semantic_description=f"{self.world.entities[r.source].label} in the middle of the {self.world.entities[r.target].label}")  # fmt: skip
+
+    def _faces(self) -> None:
+        """Exactly one `face` per regular object that is not round."""
+        aims: dict[str, str] = {}
+        for edge in self.scene.tl_edges if hasattr(self.scene, "tl_edges") else []:
+            aims.setdefault(edge.actor, edge.target)
+        for edge in self.scene.timeline.edges:
+            if edge.target is not None and edge.event.value != "InertialConnector":
+                aims.setdefault(edge.actor, edge.target)
+        for name, node in self.nodes.items():
+            if node.is_structural:
+                continue
+            e = self.world.entities[name]
+            if "round" in e.noun.traits and e.noun.shape == "sphere":
+                continue
+            target = self.scene.facing.get(name) or aims.get(name)
+            if target is not None and target in self.nodes and target != name and not self.nodes[target].is_structural:
+                self._add(name, target, RelationType.FACE, confidence=0.8,
+                          semantic_description=f"{e.label} faces {self.world.entities[target].label}")  # fmt: skip
+            else:
+                self._add(name, GROUND, RelationType.FACE, cardinal="+Y", confidence=0.5,
+                          semantic_description=f"{e.label} faces the front")  # fmt: skip
+
+
+def is_restricted(prompt: str) -> bool:
+    """Whether the prompt forbids further objects ("only A", "no other objects")."""
+    t = prompt.lower()
+    return bool(
+        re.search(r"\bno (?:other|more|additional|extra) (?:objects?|things?|items?|elements?|props?)\b", t)
+        or re.search(r"\bnothing else\b", t)
+        or re.search(r"(?:^|[.;,]\s*)(?:there (?:is|are) )?only (?:an?|one|two|three|the|\d)", t)
+        or re.search(r"\b(?:with|contains?|has|and|is|are) only\b", t)
+        or re.search(r"\bwithout (?:any )?(?:other|additional|extra) (?:objects?|things?|items?)\b", t)
+    )

@@ -1,0 +1,475 @@
+"""Clauses: who does what to whom, in which order.
+
+A frame is one verb with its subject, object, prepositional phrases, adverbs and quantities. Frames
+come out in order of time: "after", "before", "when" and fronted clauses are untangled here.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from esg.draft.quantities import Amount
+from esg.draft.syntax import Element, Mention, Verb, Word
+
+CAUSE_SENSES = frozenset({"cause", "knock", "launch", "drop", "lead", "give", "pocket", "scatter"})
+_TRANSPARENT = frozenset({"noop"})
+
+
+@dataclass
+class Phrase:
+    """A preposition with what follows it."""
+
+    prep: str
+    mention: Mention | None = None
+    amount: Amount | None = None
+
+
+@dataclass
+class Frame:
+    """One verb and its arguments.
+
+    Args:
+        verb: The verb group.
+        subject: Its grammatical subject; None for imperatives and passives without an agent.
+        link: How it relates to the frame before it: then, cause, while, until, simultaneously.
+        reduced: A participle that modifies its subject ("a bicycle stopped in ...").
+    """
+
+    verb: Verb
+    subject: Mention | None = None
+    object: Mention | None = None
+    object2: Mention | None = None
+    phrases: list[Phrase] = field(default_factory=list)
+    adverbs: list[str] = field(default_factory=list)
+    amounts: list[Amount] = field(default_factory=list)
+    link: str = "then"
+    reduced: bool = False
+    sentence: int = 0
+    causer: Frame | None = None
+    parent: Frame | None = None
+
+    def phrase(self, *preps: str) -> Phrase | None:
+        """First phrase with one of the prepositions that has a mention."""
+        return next((p for p in self.phrases if p.prep in preps and p.mention is not None), None)
+
+
+@dataclass
+class _State:
+    subject: Mention | None = None
+    frame: Frame | None = None
+    main: Frame | None = None
+    pending: list[Word] = field(default_factory=list)
+    link: str = "then"
+    sub: str = ""
+    loose: list[Phrase | Amount | str] = field(default_factory=list)
+    boundary: bool = True
+    boundary_kind: str = ""
+    relative: Mention | None = None
+    last: Mention | None = None
+    last_after_prep: bool = False
+    prep: str = ""
+
+
+def _finite_ahead(elements: list[Element], i: int) -> bool:
+    """Whether a finite verb follows before the next boundary, so that a clause starts at i."""
+    depth = 0
+    for e in elements[i:]:
+        if isinstance(e, Verb):
+            if e.infinitive or e.form == "ing":
+                if e.auxiliary and not e.infinitive:
+                    return True
+                depth += 1
+                continue
+            if e.form == "pp" and not e.passive and not e.auxiliary:
+                continue
+            return True
+        if isinstance(e, Word):
+            if e.kind == "rel":
+                return False
+            if e.kind == "punct" and e.low in ".;,:!?":
+                return False
+            if e.kind in ("sub",):
+                return False
+            if e.kind == "conj" and depth == 0:
+                continue
+    return False
+
+
+def _next_verb(elements: list[Element], i: int) -> Verb | None:
+    for e in elements[i:]:
+        if isinstance(e, Verb):
+            return e
+        if isinstance(e, Word) and e.kind == "punct" and e.low in ".;":
+            return None
+    return None
+
+
+class ClauseBuilder:
+    """Walks over the elements of a prompt and builds frames, mentions and verbless facts."""
+
+    def __init__(self, elements: list[Element]) -> None:
+        self.elements = elements
+        self.frames: list[Frame] = []
+        self.mentions: list[Mention] = []
+        self.attachments: list[tuple[Mention, Phrase]] = []
+        """Noun phrase + prepositional phrase outside any verb ("a table with bottles on it")."""
+        self.loose: list[tuple[int, Amount]] = []
+        self.sentence = 0
+
+    def run(self) -> None:
+        s = _State()
+        els = self.elements
+        i = 0
+        while i < len(els):
+            e = els[i]
+            if isinstance(e, Mention):
+                self.mentions.append(e)
+                self._mention(s, e, i)
+            elif isinstance(e, Verb):
+                self._verb(s, e, i)
+            else:
+                s = self._word(s, e, i)
+            i += 1
+        self._flush(s)
+        self.frames = _order(self.frames)
+
+    # -- words -----------------------------------------------------------------------------------
+
+    def _word(self, s: _State, w: Word, i: int) -> _State:
+        if w.kind == "punct":
+            if w.low in ".;!?\n":
+                self._flush(s)
+                self.sentence += 1
+                new = _State(main=s.main)
+                return new
+            if w.low in ",:-–—()":
+                s.boundary, s.boundary_kind = True, "comma"
+                s.prep = ""
+            return s
+        if w.kind == "conj":
+            s.boundary, s.boundary_kind = True, "conj"
+            if not (s.prep and s.last is None):
+                s.prep = s.prep if s.prep and not isinstance(self.elements[i - 1], Mention) else ""
+            return s
+        if w.kind == "rel":
+            s.relative = s.last
+            s.boundary, s.boundary_kind = True, "rel"
+            if w.low == "whose":
+                s.boundary_kind = "whose"
+            return s
+        if w.kind == "sub":
+            s.sub = w.low
+            s.boundary, s.boundary_kind = True, "sub"
+            s.prep = ""
+            return s
+        if w.kind in ("prep", "to"):
+            s.prep = w.low
+            return s
+        if w.kind == "qty" and w.amount is not None:
+            phrase = Phrase(s.prep, None, w.amount)
+            nxt = self.elements[i + 1] if i + 1 < len(self.elements) else None
+            if isinstance(nxt, Word) and nxt.low in ("later", "afterwards", "afterward"):
+                phrase.prep = "after"
+            if s.frame is not None and not (s.boundary and _finite_ahead(self.elements, i + 1) and not s.prep):
+                if s.boundary and s.boundary_kind == "comma" and _finite_ahead(self.elements, i + 1):
+                    s.loose.append(phrase)
+                else:
+                    s.frame.phrases.append(phrase)
+            else:
+                s.loose.append(phrase)
+            s.prep = ""
+            return s
+        if w.kind == "adv":
+            if w.low in ("then", "next", "simultaneously", "meanwhile") and w.low != "next":
+                s.link = "simultaneously" if w.low in ("simultaneously", "meanwhile") else "then"
+                if w.low == "then":
+                    s.boundary, s.boundary_kind = True, "conj" if s.boundary_kind != "comma" else "comma"
+                if s.frame is not None and w.low == "simultaneously" and not _finite_ahead(self.elements, i + 1):
+                    s.frame.adverbs.append(w.low)
+                    s.frame.link = "simultaneously"
+                return s
+            if s.frame is not None and not (s.boundary and _finite_ahead(self.elements, i + 1)):
+                s.frame.adverbs.append(w.low)
+            else:
+                s.loose.append(w.low)
+            return s
+        return s
+
+    # -- mentions --------------------------------------------------------------------------------
+
+    def _mention(self, s: _State, m: Mention, i: int) -> None:
+        m.after_prep = s.prep
+        prep, s.prep = s.prep, ""
+        previous = self.elements[i - 1] if i else None
+        coordinated = (
+            isinstance(previous, Word)
+            and (previous.kind == "conj" or previous.low == ",")
+            and s.last is not None
+            and isinstance(self.elements[i - 2] if i >= 2 else None, (Mention, Word))
+        )
+        new_clause = s.boundary and not prep and _finite_ahead(self.elements, i + 1)
+        if s.relative is not None and s.boundary and s.boundary_kind in ("rel", "whose"):
+            # object relative: "the box that the ball hits"
+            s.subject = m
+            s.last = m
+            s.boundary = False
+            s.boundary_kind = "objrel" if s.boundary_kind == "rel" else ""
+            return
+        if prep:
+            if s.sub and s.frame is None:
+                pass
+            phrase = Phrase(prep, m)
+            self._attach(s, phrase, i)
+            s.last, s.last_after_prep = m, True
+            if not s.boundary or s.boundary_kind != "comma" or s.frame is not None:
+                s.boundary = s.boundary and s.frame is None
+            return
+        if coordinated and s.last is not None and not new_clause and s.last is not s.relative:
+            s.last.coordinated.append(m)
+            if s.frame is None and s.subject is None:
+                s.subject = s.last
+            return
+        if coordinated and s.frame is None and s.subject is not None and new_clause and s.boundary_kind == "conj":
+            # "a car and a truck drive": one subject
+            s.subject.coordinated.append(m)
+            s.boundary = False
+            return
+        if s.boundary or s.frame is None:
+            if s.subject is not None and s.frame is None and not s.boundary:
+                s.last = m
+                return
+            if not new_clause and s.frame is not None and s.boundary:
+                verb = _next_verb(self.elements, i + 1)
+                if verb is None or not isinstance(self.elements[min(i + 1, len(self.elements) - 1)], (Verb, Word)):
+                    s.last = m
+                    self._absolute(s, m, i)
+                    return
+                s.last = m
+                self._absolute(s, m, i)
+                return
+            s.subject = m
+            s.frame = None
+            s.boundary = False
+            s.last, s.last_after_prep = m, False
+            return
+        frame = s.frame
+        if frame.object is None and not frame.verb.passive:
+            frame.object = m
+        elif frame.object2 is None:
+            frame.object2 = m
+        s.last, s.last_after_prep = m, False
+
+    def _absolute(self, s: _State, m: Mention, i: int) -> None:
+        """ "..., one in front of the other": a subject that a participle or phrase may follow."""
+        s.subject = m
+        s.boundary = False
+        s.frame = None
+
+    def _attach(self, s: _State, phrase: Phrase, i: int) -> None:
+        previous = s.last
+        noun_attached = phrase.prep in ("with", "of", "on", "in", "near", "beside", "next to", "under",
+                                        "behind", "in front of", "left of", "right of", "inside",
+                                        "above", "between", "by", "at", "around", "against",
+                                        "in the middle of", "far from", "opposite", "below", "along",
+                                        "underneath", "outside", "without", "from")
+        if s.frame is None:
+            if s.subject is not None and noun_attached and not s.boundary:
+                self.attachments.append((s.last or s.subject, phrase))
+            elif s.boundary or s.subject is None:
+                s.loose.append(phrase)
+            else:
+                self.attachments.append((s.subject, phrase))
+            return
+        if s.boundary and s.boundary_kind == "comma" and _finite_ahead(self.elements, i + 1):
+            s.loose.append(phrase)
+            return
+        if (
+            previous is not None
+            and noun_attached
+            and phrase.prep != "of"
+            and isinstance(self.elements[i - 2] if i >= 2 else None, Mention)
+            and (s.frame.object is previous or s.last_after_prep)
+        ):
+            self.attachments.append((previous, phrase))
+            if s.frame.verb.sense in ("posture", "be", "launch", "drop", "hit", "own", "roll", "slide", "pocket", "cause", "knock"):
+                s.frame.phrases.append(phrase)
+            return
+        if phrase.prep == "of" and previous is not None and phrase.mention is not None and not previous.attribute:
+            self.attachments.append((previous, phrase))
+            return
+        s.frame.phrases.append(phrase)
+
+    # -- verbs -----------------------------------------------------------------------------------
+
+    def _verb(self, s: _State, v: Verb, i: int) -> None:
+        frame = Frame(v, sentence=self.sentence, link=s.link)
+        previous = s.frame
+        s.link = "then"
+        if s.boundary_kind == "objrel":
+            frame.subject = s.subject
+            frame.object = s.relative
+            s.boundary_kind = ""
+            frame.reduced = True
+        elif s.boundary and s.boundary_kind == "rel":
+            frame.subject = s.relative
+            frame.reduced = True
+        elif v.infinitive and previous is not None:
+            self._infinitive(s, frame, previous)
+        elif previous is None:
+            self._first(s, frame, i)
+        elif s.sub:
+            # "while rolling", "after hitting": shares the main subject
+            frame.subject = s.subject if s.subject is not None and not s.boundary else self._agent(previous)
+        elif v.form == "ing" and not v.auxiliary:
+            self._participle(s, frame, previous)
+        elif (
+            not s.boundary
+            and previous.object is not None
+            and s.last is previous.object
+            and v.form in ("base", "pp")
+            and previous.verb.sense in ("cause", "noop")
+        ):
+            frame.subject = previous.object
+            frame.causer = previous
+            frame.link = "cause"
+        elif not s.boundary and v.form in ("pp", "past") and not v.auxiliary and s.last is not None:
+            # reduced relative on the last noun: "a bicycle stopped in the road"
+            frame.subject, frame.reduced = s.last, True
+            if v.sense not in ("posture", "park", "stop", "hit", "topple", "fall"):
+                v.passive = True
+        else:
+            frame.subject = self._agent(previous)
+            frame.parent = previous
+        self._finish(s, frame)
+
+    def _agent(self, frame: Frame) -> Mention | None:
+        """Who carries on after this frame: the subject; the thing thrown for an imperative."""
+        if frame.reduced and frame.parent is not None:
+            return self._agent(frame.parent)
+        if frame.subject is None:
+            return frame.object
+        return frame.subject
+
+    def _first(self, s: _State, frame: Frame, i: int) -> None:
+        v = frame.verb
+        frame.subject = s.subject
+        if s.subject is None and s.boundary and s.main is not None and v.form in ("pp",):
+            frame.subject = None
+        if (
+            s.subject is not None
+            and v.form in ("pp", "past", "ing")
+            and not v.auxiliary
+            and self._main_verb_follows(i)
+        ):
+            # "a ball thrown at the wall bounces", "a car parked by the road is hit"
+            frame.reduced = True
+            if v.form != "ing" and v.sense not in ("posture", "park", "stop", "fall", "topple", "roll", "slide"):
+                v.passive = True
+            target = s.last if s.last_after_prep and s.last is not None else s.subject
+            frame.subject = s.subject if v.form != "ing" or not s.last_after_prep else target
+        elif s.subject is not None and v.form == "pp" and not v.auxiliary and not v.passive:
+            if v.sense in ("launch", "drop", "place", "pass") or (v.form == "pp" and v.sense == "posture"):
+                v.passive = True
+
+    def _main_verb_follows(self, i: int) -> bool:
+        for e in self.elements[i + 1 :]:
+            if isinstance(e, Verb) and not e.infinitive and not (e.form == "ing" and not e.auxiliary):
+                return True
+            if isinstance(e, Word) and (
+                (e.kind == "punct" and e.low in ".;:!?,") or e.kind in ("conj", "sub", "rel") or e.low == "then"
+            ):
+                return False
+        return False
+
+    def _infinitive(self, s: _State, frame: Frame, previous: Frame) -> None:
+        if previous.verb.sense in CAUSE_SENSES | {"hit"} and previous.object is not None:
+            frame.subject = previous.object
+            frame.causer = previous
+            frame.link = "cause"
+        elif previous.verb.sense in CAUSE_SENSES and previous.verb.passive:
+            frame.subject = previous.subject
+            frame.causer = previous
+        else:
+            frame.subject = self._agent(previous)
+            frame.link = "purpose"
+            frame.parent = previous
+
+    def _participle(self, s: _State, frame: Frame, previous: Frame) -> None:
+        v = frame.verb
+        if v.sense in CAUSE_SENSES or v.extra.get("transitive"):
+            frame.subject = self._agent(previous)
+            frame.link = "cause"
+            frame.causer = previous
+        elif s.boundary or s.last is None or s.last is previous.subject:
+            frame.subject = self._agent(previous)
+            frame.link = "then" if v.sense in ("hit", "stop", "topple", "enter", "land", "miss") else "while"
+            frame.parent = previous
+        else:
+            frame.subject, frame.reduced = s.last, True
+            frame.link = "while"
+            frame.parent = previous
+
+    def _finish(self, s: _State, frame: Frame) -> None:
+        if s.sub:
+            frame.link = f"sub:{s.sub}"
+            s.sub = ""
+        for item in s.loose:
+            if isinstance(item, Phrase):
+                frame.phrases.append(item)
+            elif isinstance(item, str):
+                frame.adverbs.append(item)
+        s.loose = []
+        self.frames.append(frame)
+        if frame.reduced and s.frame is None:
+            # the main verb is still to come; collect arguments for the participle meanwhile
+            frame.parent = None
+        s.frame = frame
+        if s.main is None or not frame.reduced:
+            s.main = frame
+        s.boundary, s.boundary_kind = False, ""
+        s.prep = ""
+
+    def _flush(self, s: _State) -> None:
+        for item in s.loose:
+            if isinstance(item, Phrase) and item.amount is not None and s.frame is not None:
+                s.frame.phrases.append(item)
+        s.loose = []
+
+
+def _order(frames: list[Frame]) -> list[Frame]:
+    """Puts frames in order of time."""
+    out: list[Frame] = []
+    i = 0
+    while i < len(frames):
+        f = frames[i]
+        link = f.link
+        if link in ("sub:after", "sub:once", "sub:when", "sub:as", "sub:whenever", "sub:because", "sub:since"):
+            previous = out[-1] if out else None
+            same_sentence = previous is not None and previous.sentence == f.sentence
+            if same_sentence and link != "sub:as":
+                # "Y after X": X goes before the main clause and what depends on it
+                k = len(out) - 1
+                while k > 0 and out[k].sentence == f.sentence and out[k].link in ("while",):
+                    k -= 1
+                out.insert(k, f)
+                f.link = out[k + 1].link if k + 1 < len(out) else "then"
+            else:
+                out.append(f)
+                f.link = "then" if link != "sub:as" else "while"
+        elif link == "sub:before" and (not out or out[-1].sentence != f.sentence):
+            # fronted "Before X, Y": Y first
+            if i + 1 < len(frames) and frames[i + 1].sentence == f.sentence:
+                out.append(frames[i + 1])
+                i += 1
+            out.append(f)
+            f.link = "then"
+        elif link == "sub:while":
+            f.link = "while"
+            out.append(f)
+        elif link in ("sub:until", "sub:till", "sub:before", "sub:so", "sub:if", "sub:where", "sub:whereas"):
+            f.link = {"sub:until": "until", "sub:till": "until", "sub:so": "cause"}.get(link, "then")
+            out.append(f)
+        else:
+            out.append(f)
+        i += 1
+    return out

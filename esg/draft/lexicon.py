@@ -1,0 +1,303 @@
+"""The lexicon: nouns with commonsense physics, verbs with senses, adjectives, function words.
+
+Tables live in `data/nouns.csv` and `data/verbs.csv`; docs/drafting.md names their sources.
+"""
+
+from __future__ import annotations
+
+import csv
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+DATA = Path(__file__).parent / "data"
+
+
+@dataclass(frozen=True)
+class Noun:
+    """One kind of object.
+
+    Args:
+        name: Canonical singular noun ("trash bin").
+        kind: Class of objects that move and behave alike ("vehicle", "ball", "container").
+        dimensions_cm: Length along the front axis, width, height.
+        mass_kg: Typical mass.
+        material: Main material.
+        shape: sphere, box, cylinder, capsule or compound.
+        traits: wheeled, round, container, support, fixed, goal, decal, structural, topples, incline.
+        description: Phrase for retrieval.
+    """
+
+    name: str
+    kind: str
+    dimensions_cm: tuple[float, float, float]
+    mass_kg: float
+    material: str
+    shape: str
+    traits: frozenset[str]
+    description: str
+    synonyms: tuple[str, ...] = ()
+
+    @property
+    def category(self) -> str:
+        return self.name.replace(" ", "_").replace("-", "_")
+
+
+@dataclass(frozen=True)
+class VerbForm:
+    """One inflected form: base, s, past, pp or ing."""
+
+    lemma: str
+    sense: str
+    form: str
+    note: str = ""
+
+
+@cache
+def nouns() -> dict[str, Noun]:
+    """Lexicon entries by every name and synonym (lower case, singular, single spaces)."""
+    table: dict[str, Noun] = {}
+    entries: list[tuple[Noun, tuple[str, ...]]] = []
+    with open(DATA / "nouns.csv", encoding="utf-8", newline="") as file:
+        for row in csv.DictReader(file, delimiter=";"):
+            synonyms = tuple(s.strip() for s in row["synonyms"].split(",") if s.strip())
+            noun = Noun(
+                name=row["name"],
+                kind=row["kind"],
+                dimensions_cm=(
+                    float(row["length_cm"]),
+                    float(row["width_cm"]),
+                    float(row["height_cm"]),
+                ),
+                mass_kg=float(row["mass_kg"]),
+                material=row["material"],
+                shape=row["shape"],
+                traits=frozenset(t for t in row["traits"].split(",") if t),
+                description=row["description"],
+                synonyms=synonyms,
+            )
+            entries.append((noun, synonyms))
+    for noun, _ in entries:
+        table[noun.name] = noun
+    for noun, synonyms in entries:
+        for synonym in synonyms:
+            table.setdefault(synonym, noun)
+    return table
+
+
+@cache
+def longest_noun() -> int:
+    """Words in the longest entry."""
+    return max(len(n.split()) for n in nouns())
+
+
+_IRREGULAR_PLURALS = {
+    "men": "man", "women": "woman", "people": "person", "children": "child", "mice": "mouse",
+    "geese": "goose", "feet": "foot", "teeth": "tooth", "oxen": "ox", "knives": "knife",
+    "shelves": "shelf", "bookshelves": "bookshelf", "leaves": "leaf", "wolves": "wolf",
+    "loaves": "loaf", "dice": "die", "buses": "bus", "boxes": "box", "dominoes": "domino",
+    "dominos": "domino", "policemen": "policeman", "passersby": "passerby", "axes": "axe",
+    "postmen": "postman", "vertices": "vertex", "matches": "match", "lenses": "lens",
+}  # fmt: skip
+_NOT_PLURAL = frozenset(
+    "bus glass grass dress stairs chess cross canvas gas tennis this is its has was compass steps "
+    "mattress press less across class cactus walrus lens octopus billiards".split()
+)
+
+
+def singular(word: str) -> tuple[str, bool]:
+    """Singular of a noun and whether the word was a plural."""
+    w = word.lower()
+    if w in _IRREGULAR_PLURALS:
+        return _IRREGULAR_PLURALS[w], True
+    if w in _NOT_PLURAL or not w.endswith("s") or len(w) < 3 or w.endswith(("ss", "us", "is")):
+        return w, False
+    if w.endswith("ies") and len(w) > 4:
+        return (w[:-1], True) if w[:-1] in nouns() else (w[:-3] + "y", True)
+    if w.endswith(("ches", "shes", "sses", "xes", "zes")):
+        return w[:-2], True
+    return w[:-1], True
+
+
+_VOWELS = "aeiou"
+
+
+def _regular(lemma: str) -> dict[str, str]:
+    if lemma.endswith("e"):
+        past, ing = lemma + "d", lemma[:-1] + "ing"
+    elif lemma.endswith("y") and lemma[-2] not in _VOWELS:
+        past, ing = lemma[:-1] + "ied", lemma + "ing"
+    elif len(lemma) == 3 and lemma[1] in _VOWELS and lemma[2] not in _VOWELS + "wxy":
+        past, ing = lemma + lemma[-1] + "ed", lemma + lemma[-1] + "ing"
+    elif lemma in ("stop", "drop", "skid", "slip", "topple", "plod", "trip"):
+        past, ing = lemma + lemma[-1] + "ed", lemma + lemma[-1] + "ing"
+    else:
+        past, ing = lemma + "ed", lemma + "ing"
+    if lemma.endswith("y") and lemma[-2] not in _VOWELS:
+        third = lemma[:-1] + "ies"
+    elif lemma.endswith(("s", "sh", "ch", "x", "z", "o")):
+        third = lemma + "es"
+    else:
+        third = lemma + "s"
+    return {"s": third, "past": past, "pp": past, "ing": ing}
+
+
+@cache
+def verb_forms() -> dict[str, tuple[VerbForm, ...]]:
+    """Verb readings by inflected form."""
+    table: dict[str, list[VerbForm]] = {}
+    with open(DATA / "verbs.csv", encoding="utf-8", newline="") as file:
+        for row in csv.DictReader(file, delimiter=";"):
+            lemma, sense, note = row["lemma"], row["sense"], row["notes"] or ""
+            forms = _regular(lemma)
+            if row["forms"]:
+                forms = dict(zip(("s", "past", "pp", "ing"), row["forms"].split(","), strict=True))
+            table.setdefault(lemma, []).append(VerbForm(lemma, sense, "base", note))
+            for form, words in forms.items():
+                for word in words.split("|"):
+                    table.setdefault(word, []).append(VerbForm(lemma, sense, form, note))
+    return {w: tuple(v) for w, v in table.items()}
+
+
+COLORS: dict[str, str] = {
+    c: c
+    for c in (
+        "black white red green blue yellow orange purple pink brown gray grey silver gold golden "
+        "beige cyan magenta turquoise violet maroon navy teal crimson scarlet ivory tan khaki lime "
+        "indigo bronze".split()
+    )
+} | {"grey": "gray", "golden": "gold"}
+
+MATERIALS: dict[str, tuple[str, float]] = {
+    "wooden": ("wood", 650.0), "wood": ("wood", 650.0), "oak": ("wood", 750.0),
+    "pine": ("wood", 550.0), "bamboo": ("wood", 600.0),
+    "metal": ("steel", 7800.0), "metallic": ("steel", 7800.0), "steel": ("steel", 7850.0),
+    "iron": ("iron", 7200.0), "lead": ("lead", 11340.0), "copper": ("copper", 8960.0),
+    "brass": ("brass", 8500.0), "aluminum": ("aluminium", 2700.0),
+    "aluminium": ("aluminium", 2700.0), "stone": ("stone", 2600.0), "granite": ("stone", 2700.0),
+    "marble": ("stone", 2700.0), "concrete": ("concrete", 2400.0), "brick": ("brick", 1900.0),
+    "glass": ("glass", 2500.0), "plastic": ("plastic", 1000.0), "rubber": ("rubber", 1100.0),
+    "foam": ("foam", 60.0), "styrofoam": ("foam", 30.0), "cardboard": ("cardboard", 200.0),
+    "paper": ("paper", 300.0), "leather": ("leather", 900.0), "ceramic": ("ceramic", 2300.0),
+    "porcelain": ("ceramic", 2400.0), "clay": ("ceramic", 1900.0), "fabric": ("cloth", 300.0),
+    "cloth": ("cloth", 300.0), "wool": ("cloth", 200.0), "silver": ("silver", 10500.0),
+    "gold": ("gold", 19300.0), "golden": ("gold", 19300.0), "ice": ("ice", 917.0),
+    "wicker": ("wicker", 300.0), "carbon": ("carbon", 1600.0), "titanium": ("titanium", 4500.0),
+    "inflatable": ("plastic", 20.0),
+}  # fmt: skip
+"""Adjective -> material name and density [kg/m^3] (engineering tables; docs/drafting.md)."""
+
+SIZES: dict[str, float] = {
+    "tiny": 0.5, "mini": 0.5, "miniature": 0.4, "small": 0.75, "little": 0.75, "compact": 0.85,
+    "large": 1.35, "big": 1.35, "huge": 1.8, "giant": 2.0, "enormous": 2.0, "gigantic": 2.2,
+    "massive": 1.6, "oversized": 1.5, "medium": 1.0, "medium-sized": 1.0,
+    "large-sized": 1.35, "small-sized": 0.75,
+}  # fmt: skip
+STRETCHES: dict[str, tuple[float, float, float]] = {
+    "tall": (1.0, 1.0, 1.35), "high": (1.0, 1.0, 1.35), "short": (1.0, 1.0, 0.7),
+    "low": (1.0, 1.0, 0.7), "long": (1.4, 1.0, 1.0), "wide": (1.0, 1.35, 1.0),
+    "narrow": (1.0, 0.7, 1.0), "thin": (0.8, 0.8, 1.0), "thick": (1.2, 1.2, 1.0),
+    "fat": (1.2, 1.2, 1.0), "slim": (0.8, 0.8, 1.0),
+}  # fmt: skip
+WEIGHTS: dict[str, float] = {
+    "heavy": 2.0, "light": 0.5, "lightweight": 0.5, "massive": 3.0, "weighty": 2.0,
+    "empty": 0.6, "full": 2.0, "loaded": 2.0, "hollow": 0.4, "solid": 1.5, "filled": 2.0,
+}  # fmt: skip
+PLACE_ADJECTIVES = frozenset(
+    "front rear back lead leading trailing following first second third fourth fifth sixth seventh "
+    "eighth ninth tenth last next other left right leftmost rightmost top bottom upper lower middle "
+    "center central nearest farthest closest near far opposite remaining final outer inner heavier "
+    "lighter bigger smaller larger taller shorter faster slower left-hand right-hand corner side "
+    "1st 2nd 3rd 4th 5th former latter foremost hindmost rearmost".split()
+)
+PLAIN_ADJECTIVES = frozenset(
+    "old new modern vintage shiny tidy messy clean dirty rusty round square rectangular oval flat "
+    "curved straight smooth rough soft hard sturdy fragile delicate colorful colourful striped "
+    "spotted painted polished stationary static still motionless parked standing moving rolling "
+    "sliding falling speeding oncoming incoming approaching stopped waiting idle sleeping running "
+    "busy quiet crowded wet dry icy snowy sandy grassy muddy paved concrete nearby distant adjacent "
+    "single lone same similar identical different various random tailor-made custom custom-made "
+    "bouncy elastic wheeled remote-controlled electric autonomous self-driving office outdoor "
+    "indoor "
+    "closed open covered gentle slight sharp sudden hard strong weak fast slow quick rapid high "
+    "constant steady initial upright inclined steep slanted tilted sloped horizontal vertical clear "
+    "transparent nice beautiful ordinary normal typical standard regular professional toy deflated "
+    "unoccupied broken young elderly abandoned residential urban rural suburban city country main "
+    "narrow wide long tall red-hot fresh ripe neatly evenly diagonal perpendicular parallel whole "
+    "entire own certain spherical cylindrical cubic inflated dark bright pale deep dull glossy matte "
+    "hidden loose tight stray runaway driverless adjoining neighboring neighbouring steady "
+    "unsuspecting careless drunk angry playful lazy happy brave wild mad tired".split()
+)
+DETERMINERS = frozenset(
+    "a an the this these those its his her their our my your some any another each every both all "
+    "no several many few multiple numerous various either neither one's two's".split()
+)
+PRONOUNS = frozenset(
+    "it they them he she him this that these those itself themselves himself herself each both one "
+    "another everything something someone everyone i we you".split()
+)
+PREPOSITIONS = frozenset(
+    "into onto toward towards to at on in against with by from off of over under below beneath "
+    "beside besides near behind through across along down up past between among around above inside "
+    "within without upon after before during for about as like until since outside out next "
+    "underneath opposite amid via per alongside ahead than beyond away".split()
+)
+MODALS = frozenset(
+    "will would can could shall should may might must do does did does't don't doesn't didn't "
+    "is are was were be been being am has have had gets get got getting having".split()
+)
+ADVERBS = frozenset(
+    "suddenly quickly slowly gently hard fast rapidly immediately directly straight forward "
+    "forwards backward backwards ahead away down up back left right over out off sideways finally "
+    "eventually cleanly abruptly gradually steadily smoothly then next again still also together "
+    "head-on simultaneously meanwhile sharply slightly just only later soon afterwards afterward "
+    "now first constantly cleanly heavily violently softly freely freely perfectly barely narrowly "
+    "almost nearly completely totally successfully accidentally subsequently consequently thus "
+    "thereby therefore instead there here apart upward upwards downward downwards downhill uphill "
+    "clockwise counterclockwise counter-clockwise anticlockwise around too very so twice once "
+    "lightly firmly loudly hence not never n't however further closer on along aside horizontally "
+    "vertically diagonally inward inwards outward outwards northward eastward westward southward "
+    "side-by-side instantly momentarily briefly shortly roughly exactly precisely side "
+    "leftward rightward leftwards rightwards upside".split()
+)
+SUBORDINATORS = frozenset(
+    "while when whenever as after before until till once because since if so where whereas though "
+    "although unless".split()
+)
+PARTS = frozenset(
+    "middle center centre edge side corner top bottom end front back rear surface path way base "
+    "foot left right rim lip tip direction face left-hand right-hand half portion part section row "
+    "head doorway mouth mid-point midpoint vicinity trajectory course".split()
+)
+ATTRIBUTES = frozenset(
+    "speed velocity weight mass height distance angle direction time force momentum size length "
+    "width diameter radius impact collision hit crash contact second seconds moment motion movement "
+    "acceleration deceleration rate pace friction gravity radius collision course turn stop halt "
+    "rest standstill control brake brakes energy power degree degrees meter meters metre metres "
+    "scene video image animation simulation view camera shot air sky space sunlight sun rain wind "
+    "weather day night morning evening afternoon background foreground result effect way chain "
+    "reaction sequence order line row set group bunch pile stack number pair lot couple "
+    "couple dozen kilograms color colour shape position place location point area spot slow-motion "
+    "fashion manner attempt strike kick throw push arc trajectory parabola flight curve route "
+    "ending beginning "
+    "u-turn lane-change brunt drop fall bounce swing roll slide interval while traffic bit domino-effect "
+    "instruction instructions above prompt text description answer "
+    "gear throttle gas pedal steering acceleration distance depth inclination".split()
+)
+"""Nouns that name no object: measures, events, media."""
+ENVIRONMENT_PARTS = frozenset("air sky space middle center centre".split())
+PERSON_ROLES = frozenset("driver pilot rider operator motorist chauffeur passenger".split())
+GROUP_WORDS: dict[str, str | None] = {
+    "set": None, "group": "scatter", "bunch": "scatter", "pile": "stack", "stack": "stack",
+    "row": "row", "line": "row", "column": "column", "queue": "queue", "pair": None,
+    "couple": None, "cluster": "scatter", "collection": "scatter", "number": "scatter",
+    "series": "row", "rack": "rack", "pyramid": "stack", "tower": "stack", "heap": "stack",
+    "lot": "scatter", "array": "row", "handful": "scatter", "chain": "row", "triangle": "pins",
+    "formation": "pins", "convoy": "queue", "crowd": "scatter", "herd": "scatter",
+    "flock": "scatter", "team": "scatter", "circle": "scatter", "dozens": "scatter", "dozen": None,
+    "half-dozen": None, "trio": None, "load": "scatter", "pack": "scatter",
+}  # fmt: skip
+VAGUE_COUNTS: dict[str, int] = {
+    "several": 4, "many": 6, "few": 3, "multiple": 4, "numerous": 6, "various": 4, "some": 3,
+    "couple": 2, "both": 2, "pair": 2, "dozen": 12, "dozens": 12, "lots": 6, "handful": 4,
+}  # fmt: skip

@@ -1,0 +1,55 @@
+"""The rules drafter: prompt -> ESG document, from lexicon and shallow syntax alone."""
+
+from __future__ import annotations
+
+import re
+
+from esg.draft.build import DocumentBuilder, is_restricted
+from esg.draft.clauses import ClauseBuilder
+from esg.draft.coverage import account
+from esg.draft.expand import expand
+from esg.draft.interpret import Interpreter
+from esg.draft.screening import contradictions, screen
+from esg.draft.syntax import Chunker, pos_tags, tokenize
+from esg.draft.world import World
+from esg.graph.models import EsgDocument
+
+
+_ONE_AFTER_OTHER = re.compile(
+    r"\bone\s+(?:\w+\s+)?(?:in front of|behind|ahead of|following|after|trailing|leading)\s+(?:the other|another)\b",
+    re.IGNORECASE,
+)
+
+
+def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
+    """Drafts a document from a prompt (the paper's stage 1, without a language model).
+
+    Args:
+        prompt: English description of a scene.
+        seed: Enters the scene id and the provenance; the draft itself is deterministic.
+
+    Returns:
+        The document with requirements, graph, timeline (None if nothing moves) and coverage.
+
+    Raises:
+        UserError: If the prompt is empty, too long, not English, or names no object.
+    """
+    text = screen(prompt)
+    tokens = tokenize(text, pos_tags(text))
+    elements = Chunker(text, tokens).run()
+    clauses = ClauseBuilder(elements)
+    clauses.run()
+    world = World()
+    world.file_of_two = _ONE_AFTER_OTHER.search(text) is not None
+    interpreter = Interpreter(world, text)
+    interpreter.mentions = clauses.mentions
+    scene = interpreter.run(clauses.frames, clauses.attachments)
+    contradictions(text, scene)
+    restricted = is_restricted(text)
+    reasons = expand(scene, text, restricted)
+    timeline = scene.timeline.build()
+    coverage = account(text, elements, clauses.mentions, scene, tokens)
+    expanded = text + ("" if not reasons else " [" + "; ".join(reasons) + "]")
+    document = DocumentBuilder(scene, prompt, seed).build(timeline, coverage, restricted, expanded)
+    return document
+

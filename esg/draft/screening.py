@@ -1,0 +1,68 @@
+"""Prompts that cannot be drafted: one clear message each."""
+
+from __future__ import annotations
+
+import re
+
+from esg.draft import lexicon as lex
+from esg.draft.interpret import Scene
+from esg.draft.quantities import find_amounts
+from esg.draft.syntax import verb_readings
+from esg.outcomes import UserError
+
+MAX_CHARACTERS = 20_000
+LIGHT_SPEED_CM_S = 2.99792458e10
+MAX_SPEED_CM_S = 15_000.0
+MAX_MASS_KG = 1e5
+
+
+def screen(prompt: str) -> str:
+    """The prompt with white space normalized.
+
+    Raises:
+        UserError: If it is empty, too long, not English, or physically impossible.
+    """
+    if not isinstance(prompt, str) or not prompt.strip():
+        raise UserError("The prompt is empty; describe a scene, such as \"A car hits a bin.\"")
+    if len(prompt) > MAX_CHARACTERS:
+        raise UserError(
+            f"The prompt has {len(prompt):,} characters; the limit is {MAX_CHARACTERS:,}. Describe one scene."
+        )
+    text = re.sub(r"[\u00a0\t\r\f\v ]+", " ", prompt).replace("’", "'").strip()
+    text = re.sub(r"[\u200b\ufeff\x00-\x09\x0b-\x1f]", "", text)
+    words = re.findall(r"[^\W\d_]+", text.lower())
+    known = [w for w in words if w in lex.nouns() or lex.singular(w)[0] in lex.nouns() or verb_readings(w)
+             or w in lex.DETERMINERS or w in lex.PREPOSITIONS or w in lex.COLORS]  # fmt: skip
+    content = [w for w in known if w not in ("a", "an", "in", "on", "as", "die", "at", "i", "me", "no")]
+    if not words or not known or (len(words) >= 3 and len(known) / len(words) < 0.15) or (not content):
+        raise UserError(
+            f"No English words that name objects or motions were found in {text[:60]!r}; "
+            "write the prompt in English."
+        )
+    problems: list[str] = []
+    for a in find_amounts(text):
+        if a.dimension in ("mass", "length", "time") and a.low < 0.0:
+            problems.append(f'"{a.text}" is negative; a {_NAMES[a.dimension]} must be positive')
+        elif a.dimension == "mass" and a.low == 0.0:
+            problems.append(f'"{a.text}": a mass must be greater than zero')
+        elif a.dimension == "mass" and a.high > MAX_MASS_KG:
+            problems.append(f'"{a.text}" is more than the largest mass, {MAX_MASS_KG:g} kg')
+        elif a.dimension == "speed" and abs(a.high) > LIGHT_SPEED_CM_S:
+            problems.append(f'"{a.text}" is faster than light')
+        elif a.dimension == "speed" and abs(a.high) > MAX_SPEED_CM_S:
+            problems.append(f'"{a.text}" is more than the fastest simulated speed, 150 m/s')
+        elif a.dimension == "time" and a.high > 600.0:
+            problems.append(f'"{a.text}" is more than the longest scene, 600 s')
+    if re.search(r"\b(?:faster than|at|exceeding|beyond) (?:the speed of )?light(?:'s speed)?\b", text.lower()):
+        problems.append('"faster than light" is impossible; state a speed up to 150 m/s')
+    if problems:
+        raise UserError("The prompt asks for the impossible: " + "; ".join(problems) + ".")
+    return text
+
+
+_NAMES = {"mass": "mass", "length": "length", "time": "time"}
+
+
+def contradictions(text: str, scene: Scene) -> None:
+    """Raises UserError if the prompt states two values for one property."""
+    del text, scene

@@ -1,0 +1,394 @@
+"""Builds the sequence graph: actors, point events, segments, and time windows.
+
+Every actor carries the event it was last part of and how it moves since; each new event closes the
+segments of those who take part in it. Windows are planned last, in topological order, from the
+stated times and plausible durations (the paper's timeline prompt, step 4).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+from esg.graph.models import (
+    Actor,
+    EdgeEvent,
+    EventConstraint,
+    ForceDirection,
+    Interval,
+    MotionParams,
+    NodeEvent,
+    Quantity,
+    Role,
+    SequenceGraph,
+    TimelineEdge,
+    TimelineNode,
+    TimelineSystem,
+)
+
+START = "scene_start"
+GAP_S = 0.1
+_DURATIONS: dict[NodeEvent, tuple[float, float]] = {
+    NodeEvent.COLLISION: (0.5, 2.0),
+    NodeEvent.TRIGGER: (0.5, 1.5),
+    NodeEvent.HEADING_REACHED: (0.5, 2.5),
+    NodeEvent.STOP: (0.5, 4.0),
+    NodeEvent.ENTER_REGION: (0.2, 3.0),
+    NodeEvent.TOPPLE: (0.05, 2.0),
+    NodeEvent.FALL: (0.05, 2.0),
+    NodeEvent.REACH: (0.5, 3.0),
+    NodeEvent.MISS: (0.5, 2.5),
+    NodeEvent.POSITION_AT: (0.5, 3.0),
+}
+"""Shortest and longest time since the event before, where the prompt states none [s]."""
+
+_EDGES: dict[str, EdgeEvent] = {
+    "own": EdgeEvent.UNIFORM_MOTION,
+    "accelerate": EdgeEvent.ACCELERATED_MOTION,
+    "brake": EdgeEvent.BRAKE,
+    "turn": EdgeEvent.TURN,
+    "roll": EdgeEvent.TOWARD,
+    "slide": EdgeEvent.TOWARD,
+    "throw": EdgeEvent.TOWARD,
+    "drop": EdgeEvent.TOWARD,
+    "fly": EdgeEvent.TOWARD,
+}
+LAUNCHES = frozenset({"roll", "slide", "throw", "drop", "fly"})
+
+
+@dataclass
+class Motion:
+    """How an actor moves since its last event."""
+
+    mode: str
+    speed: Quantity | None = None
+    prescribed: bool = False
+    target: str | None = None
+    params: dict[str, Any] = field(default_factory=dict)
+    duration: Quantity | None = None
+
+
+@dataclass
+class Track:
+    """State of one actor while the timeline is built."""
+
+    at: str = START
+    role: Role = Role.PASSIVE
+    motion: Motion | None = None
+    hit: bool = False
+    launched: bool = False
+    direction: ForceDirection | None = None
+    closed: bool = True
+    """Whether the current motion already led to an event."""
+
+
+@dataclass
+class Draft:
+    """A point event under construction."""
+
+    id: str
+    event: NodeEvent
+    participants: tuple[str, ...]
+    description: str
+    time: Quantity | None = None
+    time_prescribed: bool = False
+    constraints: list[EventConstraint] = field(default_factory=list)
+    extra: dict[str, Any] = field(default_factory=dict)
+    after: list[str] = field(default_factory=list)
+    """Events that come before without a common actor."""
+
+
+class TimelineBuilder:
+    """Collects motions and events in order of time."""
+
+    def __init__(self) -> None:
+        self.tracks: dict[str, Track] = {}
+        self.nodes: list[Draft] = []
+        self.edges: list[TimelineEdge] = []
+        self.last_event: str | None = None
+        """Most recent point event that "after N seconds" can refer to."""
+
+    def track(self, actor: str) -> Track:
+        return self.tracks.setdefault(actor, Track())
+
+    def node(self, node_id: str) -> Draft | None:
+        return next((n for n in self.nodes if n.id == node_id), None)
+
+    # -- motions ---------------------------------------------------------------------------------
+
+    def move(self, actor: str, motion: Motion, direction: ForceDirection) -> None:
+        """Starts a motion of an active actor; a motion under way gets the new speed or target."""
+        track = self.track(actor)
+        previous = track.motion
+        if previous is not None and not track.closed and previous.mode == motion.mode:
+            if motion.prescribed:
+                previous.speed, previous.prescribed = motion.speed, True
+            previous.target = motion.target or previous.target
+            previous.params.update(motion.params)
+            return
+        if previous is not None and not track.closed and previous.mode in ("own", "accelerate", "brake"):
+            self.trigger(actor, f"{actor} changes its motion")
+        if motion.speed is None and previous is not None:
+            pass
+        track.motion, track.role, track.closed = motion, Role.ACTIVE, False
+        track.launched = track.launched or motion.mode in LAUNCHES
+        order = [
+            ForceDirection.ALONG_FORWARD_ONLY,
+            ForceDirection.ALONG_FORWARD_OR_BACKWARD,
+            ForceDirection.HORIZONTAL_PLANE,
+            ForceDirection.ANY_3D,
+        ]
+        if track.direction is None or order.index(direction) > order.index(track.direction):
+            track.direction = direction
+
+    def trigger(self, actor: str, description: str, time: Quantity | None = None, prescribed: bool = False) -> str:
+        """A point at which the actor changes what it does."""
+        return self.event(NodeEvent.TRIGGER, (actor,), description, time=time, prescribed=prescribed)
+
+    # -- events ----------------------------------------------------------------------------------
+
+    def _id(self, event: NodeEvent, participants: tuple[str, ...], stem: str = "") -> str:
+        name = stem or {
+            NodeEvent.COLLISION: "collision",
+            NodeEvent.TRIGGER: "trigger",
+            NodeEvent.ENTER_REGION: "enter",
+            NodeEvent.STOP: "stop",
+            NodeEvent.TOPPLE: "topple",
+            NodeEvent.HEADING_REACHED: "turn_end",
+            NodeEvent.FALL: "fall",
+            NodeEvent.REACH: "reach",
+            NodeEvent.MISS: "miss",
+            NodeEvent.POSITION_AT: "position",
+        }.get(event, "event")
+        base = "_".join([*participants, name])
+        used = {n.id for n in self.nodes}
+        candidate, n = base, 2
+        while candidate in used:
+            candidate, n = f"{base}_{n}", n + 1
+        return candidate
+
+    def event(
+        self,
+        event: NodeEvent,
+        participants: tuple[str, ...],
+        description: str,
+        *,
+        time: Quantity | None = None,
+        prescribed: bool = False,
+        stem: str = "",
+        **extra: Any,
+    ) -> str:
+        """Adds a point event and the segments that lead its participants there; returns its id."""
+        node_id = self._id(event, participants, stem)
+        draft = Draft(node_id, event, participants, description, time, prescribed, extra=extra)
+        moving = []
+        for actor in participants:
+            track = self.tracks.get(actor)
+            if track is not None and (track.motion is not None or track.hit):
+                moving.append(actor)
+        if not moving and self.last_event is not None:
+            draft.after.append(self.last_event)
+        for k, actor in enumerate(participants):
+            if actor in moving:
+                other = next((p for p in participants if p != actor), None)
+                self._edge(actor, node_id, other if k == 0 else None)
+        if (
+            self.last_event is not None
+            and event is not NodeEvent.TRIGGER
+            and not any(e.to == node_id and e.from_ == self.last_event for e in self.edges)
+        ):
+            draft.after.append(self.last_event)
+        self.nodes.append(draft)
+        for actor in participants:
+            track = self.track(actor)
+            if event is NodeEvent.COLLISION and track.role is Role.PASSIVE:
+                track.hit = True
+            if actor in moving or event is NodeEvent.COLLISION:
+                track.at = node_id
+                track.closed = True
+        self.last_event = node_id
+        return node_id
+
+    def _edge(self, actor: str, to: str, target: str | None) -> None:
+        track = self.track(actor)
+        if track.at == to:
+            return
+        used = {e.id for e in self.edges}
+        motion = track.motion
+        if track.role is Role.PASSIVE:
+            event, params, prescribed, name = EdgeEvent.INERTIAL_CONNECTOR, MotionParams(), False, "carried"
+        else:
+            assert motion is not None
+            event, params, prescribed, name = self._segment(track, motion)
+        base = f"{actor}_{name}"
+        edge_id, n = base, 2
+        while edge_id in used:
+            edge_id, n = f"{base}_{n}", n + 1
+        aim = (motion.target if motion is not None else None) or target
+        if target is not None:
+            aim = target
+        self.edges.append(
+            TimelineEdge(
+                id=edge_id,
+                from_=track.at,
+                to=to,
+                event=event,
+                actor=actor,
+                target=aim if aim != actor else None,
+                params=params,
+                speed_is_prescribed=prescribed,
+            )
+        )
+        if motion is not None and motion.mode in LAUNCHES and track.role is Role.ACTIVE:
+            track.motion = Motion("coast", target=None)
+        elif motion is not None and motion.mode == "turn":
+            track.motion = Motion("own", motion.speed, False)
+        elif motion is not None and motion.mode == "own" and motion.prescribed:
+            track.motion = Motion("own", motion.speed, motion.prescribed)
+
+    @staticmethod
+    def _segment(track: Track, motion: Motion) -> tuple[EdgeEvent, MotionParams, bool, str]:
+        if motion.mode == "coast":
+            return EdgeEvent.TOWARD, MotionParams(), False, "coast"
+        params = dict(motion.params)
+        if motion.speed is not None and motion.mode != "brake":
+            params["speed"] = motion.speed
+        if motion.duration is not None:
+            params["duration"] = motion.duration
+        names = {"own": "drive", "roll": "roll", "slide": "slide", "throw": "flight", "fly": "flight"}
+        return (
+            _EDGES[motion.mode],
+            MotionParams(**params),
+            motion.prescribed and motion.mode != "brake",
+            names.get(motion.mode, motion.mode),
+        )
+
+    def finish(self) -> None:
+        """Leads every motion that no event closed to a Trigger (the end of the action)."""
+        for actor, track in list(self.tracks.items()):
+            if track.role is Role.ACTIVE and not track.closed and track.motion is not None:
+                keep = self.last_event
+                self.event(NodeEvent.TRIGGER, (actor,), f"{actor} ends its described motion", stem="motion_end",
+                           time=None)
+                self.last_event = keep
+
+    # -- result ----------------------------------------------------------------------------------
+
+    def build(self) -> TimelineSystem | None:
+        """The timeline system, or None if nothing moves."""
+        self.finish()
+        if not self.nodes:
+            return None
+        involved = {p for n in self.nodes for p in n.participants}
+        actors = {
+            name: Actor(role=t.role, force_direction=t.direction if t.role is Role.ACTIVE else None)
+            for name, t in self.tracks.items()
+            if name in involved and (t.role is Role.ACTIVE or t.hit)
+        }
+        edges = [self._repair(e, actors) for e in self.edges if e.actor in actors]
+        spans = plan_times(self.nodes, edges)
+        nodes = [TimelineNode(id=START, event=NodeEvent.SCENE_START, timestamp=0.0, description="Scene start")]
+        for draft in self.nodes:
+            low, high = spans[draft.id]
+            fixed = draft.time_prescribed and low == high
+            nodes.append(
+                TimelineNode(
+                    id=draft.id,
+                    event=draft.event,
+                    participants=draft.participants,
+                    timestamp=low if fixed else None,
+                    window=None if fixed else (low, high),
+                    time_is_prescribed=draft.time_prescribed,
+                    constraints=tuple(draft.constraints),
+                    description=draft.description,
+                    **draft.extra,
+                )
+            )
+        return TimelineSystem(
+            actors=actors, sequence_graph=SequenceGraph(nodes=tuple(nodes), edges=tuple(edges))
+        )
+
+    @staticmethod
+    def _repair(edge: TimelineEdge, actors: dict[str, Actor]) -> TimelineEdge:
+        """A body that later moves by itself cannot have inertial connectors: it coasts instead."""
+        if edge.event is EdgeEvent.INERTIAL_CONNECTOR and actors[edge.actor].role is Role.ACTIVE:
+            return edge.model_copy(update={"event": EdgeEvent.TOWARD})
+        return edge
+
+
+def _bounds(value: Quantity) -> Interval:
+    return value if isinstance(value, tuple) else (value, value)
+
+
+def plan_times(nodes: list[Draft], edges: list[TimelineEdge]) -> dict[str, Interval]:
+    """Timestamp or window of every point event [s].
+
+    Nodes come in an order in which predecessors are first. A stated absolute time stays; relative
+    times (time_since, time_to_stop) shift the window of the event they count from, which is kept
+    no wider than the stated time so that both can be met; all other windows follow their
+    predecessors with a gap. Events before a stated time are squeezed into the time left.
+    """
+    before: dict[str, set[str]] = {n.id: set(n.after) for n in nodes}
+    for e in edges:
+        if e.from_ != START and e.to in before:
+            before[e.to].add(e.from_)
+    by_id = {n.id: n for n in nodes}
+
+    ancestors: dict[str, set[str]] = {}
+    for n in nodes:
+        found: set[str] = set()
+        for p in before[n.id]:
+            found |= {p} | ancestors.get(p, set())
+        ancestors[n.id] = found
+
+    relative: dict[str, tuple[str, Interval]] = {}
+    cap: dict[str, float] = {}
+    for n in nodes:
+        for c in n.constraints:
+            since = c.since
+            if c.quantity == "time_to_stop":
+                since = next((e.from_ for e in edges if e.to == n.id and e.event is EdgeEvent.BRAKE), None)
+            if c.quantity in ("time_since", "time_to_stop") and since in by_id:
+                relative[n.id] = (since, _bounds(c.value))
+                cap[since] = max(0.05, 0.8 * _bounds(c.value)[0])
+
+    def place(scale: float, offset: dict[str, float]) -> dict[str, Interval]:
+        spans: dict[str, Interval] = {}
+        for n in nodes:
+            ready = max((spans[p][1] for p in before[n.id] if p in spans), default=0.0)
+            if n.time is not None and n.time_prescribed:
+                low, high = _bounds(n.time)
+                spans[n.id] = (round(low, 4), round(high, 4))
+                continue
+            if n.id in relative and relative[n.id][0] in spans:
+                since, (a, b) = relative[n.id]
+                low, high = spans[since][0] + a, spans[since][1] + b
+                low = max(low, ready)
+                spans[n.id] = (round(low, 4), round(max(low, high), 4))
+                continue
+            short, long = _DURATIONS[n.event]
+            gap = GAP_S * min(scale, 1.0)
+            low = ready + (short if not before[n.id] else gap) * scale
+            low = low if before[n.id] else short * scale
+            width = (long - short) * scale
+            if n.id in cap:
+                width = min(width, cap[n.id])
+            spans[n.id] = (round(low, 4), round(low + width, 4))
+        return spans
+
+    spans = place(1.0, {})
+    scale = 1.0
+    for _ in range(12):
+        squeeze = 1.0
+        for n in nodes:
+            if n.time is None or not n.time_prescribed:
+                continue
+            limit = _bounds(n.time)[0]
+            latest = max((spans[p][1] for p in ancestors[n.id] if not by_id[p].time_prescribed), default=0.0)
+            if latest > limit * 0.95 and limit > 0.0:
+                squeeze = min(squeeze, 0.9 * limit / latest)
+        if squeeze >= 1.0:
+            break
+        scale *= squeeze
+        spans = place(scale, {})
+    return spans
