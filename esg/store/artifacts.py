@@ -1,0 +1,245 @@
+"""Stage results by content: a folder under the key of everything that determined it.
+
+    <root>/<first two hex digits>/<key>/data/...       what the stage wrote
+    <root>/<first two hex digits>/<key>/artifact.json  size and SHA-256 of every file of it
+    <root>/tmp/...                                     being written
+
+A result is written aside and renamed into place, so that a key either has its whole result or none.
+Every file's hash is checked before a process first uses an artifact and again whenever its size or
+modification time changes; a damaged artifact is dropped and counts as never computed. Any number of
+processes may write the same key: the first rename wins, the others adopt its result.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+import contextlib
+from dataclasses import dataclass
+import errno
+import hashlib
+import json
+import logging
+import os
+from pathlib import Path
+import re
+import shutil
+import time
+from typing import Any
+import uuid
+
+from esg.paths import cache_dir
+from esg.store.files import explained, sync_file, sync_folder
+
+FORMAT = 1
+MARK = "artifact.json"
+DATA = "data"
+_KEY = re.compile(r"[a-z]+-[0-9a-f]{64}")
+_log = logging.getLogger(__name__)
+
+
+def artifact_key(
+    stage: str, *, inputs: Mapping[str, str], config: Mapping[str, Any], code_version: str
+) -> str:
+    """Key of a stage's result.
+
+    Args:
+        stage: Name of the stage, lower-case letters.
+        inputs: Keys (or content hashes) of what it reads, by name.
+        config: JSON values that change its result.
+        code_version: Version of the code that makes it.
+
+    Returns:
+        "stage-" and 64 hex digits.
+
+    Raises:
+        ValueError: If the configuration holds NaN or infinity.
+        TypeError: If it holds anything but JSON values.
+    """
+    identity = {
+        "format": FORMAT,
+        "stage": stage,
+        "inputs": dict(inputs),
+        "config": dict(config),
+        "code_version": code_version,
+    }
+    text = json.dumps(identity, sort_keys=True, allow_nan=False, separators=(",", ":"))
+    return f"{stage}-{hashlib.sha256(text.encode()).hexdigest()}"
+
+
+@dataclass(frozen=True)
+class _Seen:
+    """What a verified artifact looked like: size and modification time of every file."""
+
+    signature: tuple[tuple[str, int, int], ...]
+
+
+_verified: dict[Path, _Seen] = {}
+"""Artifacts this process has already hashed. Grows by one small entry an artifact."""
+
+
+class ArtifactStore:
+    """A folder of artifacts.
+
+    Args:
+        root: The folder; default `artifacts` in the cache folder. Created on first writing.
+    """
+
+    def __init__(self, root: Path | None = None) -> None:
+        self.root = root if root is not None else cache_dir() / "artifacts"
+
+    def find(self, key: str) -> Path | None:
+        """Folder with the finished, undamaged result of `key`, or None.
+
+        Raises:
+            ValueError: If `key` is no artifact key.
+        """
+        home = self._home(key)
+        if not (home / MARK).is_file():
+            return None
+        if self._intact(home):
+            return home / DATA
+        _log.warning("artifact %s is damaged: dropped, it will be computed again", key)
+        self._discard(home)
+        return None
+
+    def create(self, key: str, fill: Callable[[Path], None]) -> Path:
+        """Computes a result and stores it, or adopts one that another process stored meanwhile.
+
+        Args:
+            key: The artifact's key.
+            fill: Writes the result into an empty folder. If it raises, nothing is stored.
+
+        Returns:
+            The folder with the result.
+
+        Raises:
+            OSError: With the remedy in its text if the disk is full, read-only or forbidden.
+        """
+        home = self._home(key)
+        work = self.root / "tmp" / f"{key}.{os.getpid()}-{uuid.uuid4().hex[:8]}"
+        try:
+            (work / DATA).mkdir(parents=True)
+            fill(work / DATA)
+            self._seal(key, work)
+            return self._install(key, work, home)
+        except OSError as error:
+            inside = error.filename is None or str(error.filename).startswith(str(self.root))
+            raise explained(error, self.root) if inside else error from error
+        finally:
+            shutil.rmtree(work, ignore_errors=True)
+
+    def _home(self, key: str) -> Path:
+        if not _KEY.fullmatch(key):
+            raise ValueError(f"{key!r} is no artifact key (stage-<64 hex digits>)")
+        return self.root / key.rsplit("-", 1)[1][:2] / key
+
+    def _seal(self, key: str, work: Path) -> None:
+        files = {
+            path.relative_to(work / DATA).as_posix(): {
+                "size": path.stat().st_size,
+                "sha256": _hash(path),
+            }
+            for path in sorted((work / DATA).rglob("*"))
+            if path.is_file()
+        }
+        mark = {"format": FORMAT, "key": key, "files": files}
+        mark["sha256"] = _mark_hash(mark)
+        (work / MARK).write_text(json.dumps(mark, indent=1, sort_keys=True), encoding="utf-8")
+        for name in files:
+            sync_file(work / DATA / name)
+        sync_file(work / MARK)
+        sync_folder(work)
+
+    def _install(self, key: str, work: Path, home: Path) -> Path:
+        home.parent.mkdir(parents=True, exist_ok=True)
+        for _ in range(8):
+            try:
+                work.rename(home)
+            except OSError as error:
+                if error.errno not in (errno.EEXIST, errno.ENOTEMPTY):
+                    raise
+                found = self.find(key)
+                if found is not None:
+                    return found
+                # Half a folder without its mark: not an artifact, whoever left it.
+                if home.exists():
+                    self._discard(home)
+            else:
+                sync_folder(home.parent)
+                _verified[home] = _Seen(_signature(home))
+                return home / DATA
+        raise OSError(errno.EBUSY, "other writers keep replacing this artifact", str(home))
+
+    def _intact(self, home: Path) -> bool:
+        try:
+            signature = _signature(home)
+            seen = _verified.get(home)
+            if seen is not None and seen.signature == signature:
+                return True
+            mark = json.loads((home / MARK).read_bytes())
+            if mark["format"] != FORMAT or mark["sha256"] != _mark_hash(mark):
+                return False
+            files = mark["files"]
+            found = {name: size for name, size, _ in signature if name != MARK}
+            if found != {f"{DATA}/{name}": facts["size"] for name, facts in files.items()}:
+                return False
+            if any(_hash(home / DATA / n) != facts["sha256"] for n, facts in files.items()):
+                return False
+        except (OSError, ValueError, KeyError, TypeError):
+            return False
+        _verified[home] = _Seen(signature)
+        return True
+
+    def _discard(self, home: Path) -> None:
+        """Moves a folder out of the way in one step, then deletes it."""
+        _verified.pop(home, None)
+        grave = self.root / "tmp" / f"{home.name}.{uuid.uuid4().hex[:8]}.dead"
+        with contextlib.suppress(FileNotFoundError):
+            grave.parent.mkdir(parents=True, exist_ok=True)
+            home.rename(grave)
+            shutil.rmtree(grave, ignore_errors=True)
+
+    def sweep(self, older_than_s: float = 86400.0, now: float | None = None) -> int:
+        """Deletes what killed writers left in `tmp`; returns the number of folders."""
+        now = time.time() if now is None else now
+        count = 0
+        folder = self.root / "tmp"
+        for path in folder.iterdir() if folder.is_dir() else ():
+            with contextlib.suppress(FileNotFoundError):
+                if now - path.stat().st_mtime > older_than_s:
+                    shutil.rmtree(path, ignore_errors=True)
+                    count += 1
+        return count
+
+    def prune(self, older_than_s: float, now: float | None = None) -> int:
+        """Deletes artifacts stored longer ago than `older_than_s`; returns how many."""
+        now = time.time() if now is None else now
+        count = 0
+        for mark in sorted(self.root.glob(f"??/*/{MARK}")):
+            with contextlib.suppress(FileNotFoundError):
+                if now - mark.stat().st_mtime > older_than_s:
+                    self._discard(mark.parent)
+                    count += 1
+        return count
+
+
+def _signature(home: Path) -> tuple[tuple[str, int, int], ...]:
+    out: list[tuple[str, int, int]] = []
+    for folder, _, names in os.walk(home):
+        for name in names:
+            path = os.path.join(folder, name)
+            facts = os.stat(path)
+            relative = os.path.relpath(path, home).replace(os.sep, "/")
+            out.append((relative, facts.st_size, facts.st_mtime_ns))
+    return tuple(sorted(out))
+
+
+def _hash(path: Path) -> str:
+    with path.open("rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()
+
+
+def _mark_hash(mark: Mapping[str, Any]) -> str:
+    body = {k: v for k, v in mark.items() if k != "sha256"}
+    text = json.dumps(body, sort_keys=True, separators=(",", ":"))
+    return hashlib.sha256(text.encode()).hexdigest()

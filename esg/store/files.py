@@ -1,0 +1,118 @@
+"""Writing files so that a reader sees the whole of one or nothing of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+import contextlib
+import errno
+import os
+from pathlib import Path
+import time
+from typing import IO
+import uuid
+
+TEMPORARY = ".tmp"
+
+_REMEDIES = {
+    errno.ENOSPC: "free some space, or choose a folder on another disk",
+    errno.EDQUOT: "your quota is used up: free some space, or choose another folder",
+    errno.EROFS: "the disk is read-only: choose a folder on another one",
+    errno.EACCES: "you may not write there: change its permissions or choose another folder",
+    errno.EPERM: "you may not write there: change its permissions or choose another folder",
+}
+
+
+def explained(error: OSError, path: Path) -> OSError:
+    """The same error with the path and what to do about it in its text."""
+    remedy = _REMEDIES.get(error.errno or 0)
+    if remedy is None:
+        return error
+    text = f"{os.strerror(error.errno or 0)}; {remedy}"
+    return type(error)(error.errno, text, str(path))
+
+
+def temporary_name(path: Path) -> Path:
+    """A name beside `path` that no other writer uses and no reader looks at."""
+    return path.with_name(f".{path.name}.{os.getpid()}-{uuid.uuid4().hex[:8]}{TEMPORARY}")
+
+
+@contextlib.contextmanager
+def atomic_file(path: Path) -> Iterator[IO[bytes]]:
+    """Opens a temporary file that becomes `path` when the block ends, or vanishes if it fails.
+
+    Raises:
+        OSError: With the remedy in its text for a full, read-only or forbidden disk.
+    """
+    temporary = temporary_name(path)
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with temporary.open("wb") as file:
+            yield file
+            file.flush()
+            os.fsync(file.fileno())
+        os.replace(temporary, path)
+        sync_folder(path.parent)
+    except OSError as error:
+        raise explained(error, path) from error
+    finally:
+        temporary.unlink(missing_ok=True)
+
+
+def atomic_write(path: Path, write: Callable[[Path], None]) -> None:
+    """Lets `write` fill a temporary file by name, then renames it to `path`.
+
+    Raises:
+        OSError: As for `atomic_file`.
+    """
+    temporary = temporary_name(path)
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        write(temporary)
+        sync_file(temporary)
+        os.replace(temporary, path)
+        sync_folder(path.parent)
+    except OSError as error:
+        raise explained(error, path) from error
+    finally:
+        temporary.unlink(missing_ok=True)
+
+
+def sync_file(path: Path) -> None:
+    """Forces a file's content to the disk."""
+    handle = os.open(path, os.O_RDONLY)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)
+
+
+def sync_folder(path: Path) -> None:
+    """Forces a folder's entries to the disk, where the file system supports it."""
+    with contextlib.suppress(OSError):
+        handle = os.open(path, os.O_RDONLY)
+        try:
+            os.fsync(handle)
+        finally:
+            os.close(handle)
+
+
+def sweep(folder: Path, older_than_s: float = 86400.0, now: float | None = None) -> int:
+    """Deletes temporary files that a killed writer left behind; returns how many.
+
+    Args:
+        folder: Searched without its subfolders.
+        older_than_s: Younger ones may still be written.
+        now: Time to compare with [s since the epoch]; default the clock.
+    """
+    now = time.time() if now is None else now
+    count = 0
+    if not folder.is_dir():
+        return 0
+    for path in folder.iterdir():
+        if not path.name.endswith(TEMPORARY) or not path.is_file():
+            continue
+        with contextlib.suppress(FileNotFoundError):
+            if now - path.stat().st_mtime > older_than_s:
+                path.unlink()
+                count += 1
+    return count
