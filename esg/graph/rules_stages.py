@@ -252,6 +252,7 @@ def _program(ctx: Context, program: dict[str, Any]) -> None:
 
     where = "/dynamics_result/program"
     try:
+        _program_types(program)
         primitives = program_from_json(program).primitives
     except (ValueError, TypeError, KeyError, AttributeError) as error:
         ctx.add(
@@ -273,6 +274,38 @@ def _program(ctx: Context, program: dict[str, Any]) -> None:
                     f"{p.kind} names body {name!r}, which is not a node.",
                     f"Use one of {listing(ctx.node_names)}.",
                 )
+
+
+_VECTORS = ("linear", "angular", "impulse")
+_MAY_BE_NULL = ("end", "angular", "linear_damping", "angular_damping", "friction")
+
+
+def _program_types(program: dict[str, Any]) -> None:
+    """Checks the types of primitives' fields, which the program's reader takes as they are.
+
+    Raises:
+        TypeError: Naming the field.
+    """
+
+    def number(value: Any) -> bool:
+        return isinstance(value, (int, float)) and not isinstance(value, bool)
+
+    if not isinstance(program.get("primitives"), (list, tuple)):
+        raise TypeError("/primitives is not a list")
+    for i, item in enumerate(program["primitives"]):
+        for key, value in dict(item).items():
+            if key in ("kind", "body"):
+                good = isinstance(value, str)
+            elif key == "until_contact":
+                good = isinstance(value, (list, tuple)) and all(isinstance(v, str) for v in value)
+            elif value is None:
+                good = key in _MAY_BE_NULL
+            elif key in _VECTORS:
+                good = isinstance(value, (list, tuple)) and list(map(number, value)) == [True] * 3
+            else:
+                good = number(value)
+            if not good:
+                raise TypeError(f"/primitives/{i}/{key} is {value!r}")
 
 
 def _coverage(ctx: Context) -> None:

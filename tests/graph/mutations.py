@@ -767,6 +767,9 @@ def stages(m: Maker) -> None:
         ((*first, "body"), "ghost", "PROGRAM_BODY"),
         ((*first, "until_contact"), ["ghost"], "PROGRAM_BODY"),
         ((*first, "kind"), "Teleport", "PROGRAM_INVALID"),
+        ((*first, "body"), 3, "PROGRAM_INVALID"),
+        ((*first, "until_contact"), None, "PROGRAM_INVALID"),
+        ((*first, "speed"), "fast", "PROGRAM_INVALID"),
         ((*first, "colour"), "red", "PROGRAM_INVALID"),
         ((*result, "program", "version"), 7, "PROGRAM_INVALID"),
     ):

@@ -156,7 +156,7 @@ def places(tree: object, path: tuple = ()) -> list[tuple]:
     return out
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=300, deadline=None)
 @given(st.data())
 def test_nothing_crashes_the_verifier(data: st.DataObject) -> None:
     """Answer with violations, not an exception, whatever stands at whatever place."""
