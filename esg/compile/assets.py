@@ -28,7 +28,7 @@ ROUND_DIGITS = 9
 
 @dataclass(frozen=True)
 class Primitive:
-    """One collision shape in the asset's local frame, Unreal cm; sizes as in engines.scene.Shape."""
+    """One collision shape in the asset's local frame, Unreal cm; sizes as in `Shape`."""
 
     kind: str
     size: tuple[float, float, float]

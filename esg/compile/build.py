@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 import hashlib
 import os
 from pathlib import Path
@@ -193,7 +193,7 @@ def compile_many(
         include = _include_dir(cxx)
         units = _units(todo)
         with ThreadPoolExecutor(jobs or os.cpu_count() or 1) as pool:
-            for part in pool.map(lambda unit: _compile_unit(cxx, include, unit), units):
+            for part in pool.map(partial(_compile_unit, cxx, include), units):
                 results.update(part)
     return [results[key] for key in keys]
 

@@ -164,7 +164,8 @@ struct FHitResult;
 
 def _struct(name: str, text: str, fields: tuple[Field, ...]) -> str:
     body = "\n".join(f.emit("ESG") for f in fields)
-    return f"/** {text} */\nUSTRUCT(BlueprintType)\nstruct {name}\n{{\n\tGENERATED_BODY()\n\n{body}}};\n"
+    head = f"/** {text} */\nUSTRUCT(BlueprintType)\nstruct {name}"
+    return f"{head}\n{{\n\tGENERATED_BODY()\n\n{body}}};\n"
 
 
 def _class(plan: ScenePlan) -> str:
@@ -254,7 +255,9 @@ private:
 	TArray<TObjectPtr<UPhysicalMaterial>> Materials;
 
 	UFUNCTION()
-	void OnBodyHit(UPrimitiveComponent* HitComponent, AActor* OtherActor, UPrimitiveComponent* OtherComp, FVector NormalImpulse, const FHitResult& Hit);
+	void OnBodyHit(
+		UPrimitiveComponent* HitComponent, AActor* OtherActor, UPrimitiveComponent* OtherComp,
+		FVector NormalImpulse, const FHitResult& Hit);
 
 	UStaticMeshComponent* CreateMesh(const TCHAR* Name, const TCHAR* AssetPath);
 	void ConfigureGround(UStaticMeshComponent* Plane, bool bForWheels);

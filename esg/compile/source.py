@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from functools import cache
+from pathlib import Path
+
 from esg.compile import frames, names
 from esg.compile.assets import MeshAsset, Probe, probes
+from esg.compile.header import PRIMITIVE_FIELDS
 from esg.compile.model import ScenePlan, UnrealBody
-from esg.compile.source_parts import FIXED_PARTS, RUN_PARTS
 
 INCLUDES = (
     "Components/PrimitiveComponent.h",
@@ -23,6 +26,12 @@ INCLUDES = (
 )
 
 
+@cache
+def _template(name: str) -> str:
+    path = Path(__file__).parent / "templates" / f"{name}.cpp"
+    return path.read_text("utf-8")
+
+
 def emit_source(plan: ScenePlan) -> str:
     """The .cpp file."""
     shapes = {asset.path: i for i, asset in enumerate(plan.assets)}
@@ -32,8 +41,8 @@ def emit_source(plan: ScenePlan) -> str:
         _construction(plan),
         _collect(plan, shapes),
         _dispatch(plan),
-        *(RUN_PARTS[kind] for kind in RUN_PARTS if kind in plan.kinds),
-        *FIXED_PARTS,
+        *(_template(f"Run{kind}") for kind in PRIMITIVE_FIELDS if kind in plan.kinds),
+        _template("Fixed"),
     ]
     text = "\n".join(part.strip("\n") + "\n" for part in parts)
     return text.replace("@CLASS@", plan.name)

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from esg.compile import WatchedEvent
 from esg.engines.program import (
     AdjustProperties,
     ApplyImpulse,
@@ -80,6 +81,13 @@ def cylinder(
     )
 
 
+STREET_WATCH = (WatchedEvent("hit", ("car_1",), ("trash_bin_1",)),)
+MARBLES_WATCH = (
+    WatchedEvent("a hits b", ("ball_a",), ("ball_b",)),
+    WatchedEvent("b hits c", ("ball_b",), ("ball_c",), ("a hits b",)),
+)
+
+
 def street() -> tuple[SimScene, Program]:
     """A driven car turns into a bin, brakes; a table is kicked; a decal and a wall stand by."""
     car = box(
@@ -118,9 +126,10 @@ def marbles() -> tuple[SimScene, Program]:
     )  # fmt: skip
     tilt = np.array([[0.04, 0.004, -0.002], [0.004, 0.05, 0.003], [-0.002, 0.003, 0.03]])
     points = tuple((x, y, z) for x in (-0.2, 0.2) for y in (-0.15, 0.25) for z in (-0.1, 0.1))
+    points = (*points, (0.3, 0.0, 0.3))
     hull = Body(
         "wedge_1", False, 3.0, tuple(tuple(r) for r in tilt.tolist()),
-        (Shape("convex", (0.2, 0.2, 0.1), (0.01, 0.0, 0.02), (0, 0, 0, 1), (*points, (0.3, 0.0, 0.3))),),
+        (Shape("convex", (0.25, 0.2, 0.2), (0.01, 0.0, 0.02), vertices=points),),
         (-2.0, -2.0, 0.8), quaternion=(0.1, -0.2, 0.3, math.sqrt(1 - 0.14)),
         origin_offset=(0.02, -0.01, -0.1), half_extents=(0.3, 0.2, 0.2),
     )  # fmt: skip

@@ -1,103 +1,3 @@
-"""The member functions of an emitted class that do not depend on the scene.
-
-`@CLASS@` stands for the class name. Every number they use is a named constant of the class's
-detail namespace or an editable property.
-"""
-
-from __future__ import annotations
-
-RUN_PARTS = {
-    "SetVelocity": """
-void A@CLASS@::RunSetVelocity(UPrimitiveComponent* Body, const F@CLASS@SetVelocity& Command, FCommandState& State, double Due)
-{
-	if (State.bDone || Command.Time > Due)
-	{
-		return;
-	}
-	State.bDone = true;
-	Body->SetPhysicsLinearVelocity(Command.Velocity);
-	if (Command.bSetSpin)
-	{
-		Body->SetPhysicsAngularVelocityInDegrees(Command.Spin);
-	}
-	UE_LOG(Log@CLASS@, Display, TEXT("COMMAND SetVelocity body=%s t=%.4f"), *Body->GetName(), SceneTime);
-}
-""",
-    "ApplyImpulse": """
-void A@CLASS@::RunApplyImpulse(UPrimitiveComponent* Body, const F@CLASS@ApplyImpulse& Command, FCommandState& State, double Due)
-{
-	if (State.bDone || Command.Time > Due)
-	{
-		return;
-	}
-	State.bDone = true;
-	Body->AddImpulse(Command.Impulse, NAME_None, false);
-	UE_LOG(Log@CLASS@, Display, TEXT("COMMAND ApplyImpulse body=%s t=%.4f"), *Body->GetName(), SceneTime);
-}
-""",
-    "AdjustProperties": """
-void A@CLASS@::RunAdjustProperties(UPrimitiveComponent* Body, const F@CLASS@AdjustProperties& Command, FCommandState& State, double Due)
-{
-	if (State.bDone || Command.Time > Due)
-	{
-		return;
-	}
-	State.bDone = true;
-	if (Command.bSetLinearDamping)
-	{
-		Body->SetLinearDamping(Command.LinearDamping);
-	}
-	if (Command.bSetAngularDamping)
-	{
-		Body->SetAngularDamping(Command.AngularDamping);
-	}
-	const FBodyRef* Known = FindBody(Body);
-	if (Command.bSetFriction && Known)
-	{
-		Body->SetPhysMaterialOverride(CreateMaterial(Command.Friction, Known->Settings->Restitution));
-	}
-	UE_LOG(Log@CLASS@, Display, TEXT("COMMAND AdjustProperties body=%s t=%.4f"), *Body->GetName(), SceneTime);
-}
-""",
-    "HoldVelocity": """
-void A@CLASS@::RunHoldVelocity(UPrimitiveComponent* Body, const F@CLASS@HoldVelocity& Command, FCommandState& State, double Due)
-{
-	if (State.bDone || Command.Start > Due)
-	{
-		return;
-	}
-	if (Due > Command.End)
-	{
-		State.bDone = true;
-		UE_LOG(Log@CLASS@, Display, TEXT("COMMAND HoldVelocity ends body=%s t=%.4f"), *Body->GetName(), SceneTime);
-		return;
-	}
-	if (!State.bActive)
-	{
-		State.bActive = true;
-		UE_LOG(Log@CLASS@, Display, TEXT("COMMAND HoldVelocity starts body=%s t=%.4f"), *Body->GetName(), SceneTime);
-	}
-	const double Elapsed = SceneTime - Command.Start;
-	double Speed = FMath::Max(0.0, Command.Speed + Command.Acceleration * Elapsed);
-	if (Command.Acceleration > 0.0)
-	{
-		Speed = FMath::Min(Speed, Command.MaxSpeed);
-	}
-	const double Heading = FMath::DegreesToRadians(Command.Heading + Command.TurnRate * Elapsed);
-	FVector Velocity(Speed * FMath::Cos(Heading), Speed * FMath::Sin(Heading), 0.0);
-	// Rolling without slipping, or turning on the spot about the vertical.
-	const FVector Spin = Command.RollRadius > 0.0
-		? FVector(-Velocity.Y, Velocity.X, 0.0) * FMath::RadiansToDegrees(1.0 / Command.RollRadius)
-		: FVector(0.0, 0.0, Command.TurnRate);
-	Velocity.Z = Body->GetPhysicsLinearVelocity().Z;
-	Body->SetPhysicsLinearVelocity(Velocity);
-	Body->SetPhysicsAngularVelocityInDegrees(Spin);
-}
-""",
-}
-
-FIXED_PARTS = (
-    """
 UStaticMeshComponent* A@CLASS@::CreateMesh(const TCHAR* Name, const TCHAR* AssetPath)
 {
 	UStaticMeshComponent* Component = CreateDefaultSubobject<UStaticMeshComponent>(Name);
@@ -181,7 +81,9 @@ void A@CLASS@::BeginPlay()
 			Body.Component->OnComponentHit.AddDynamic(this, &A@CLASS@::OnBodyHit);
 		}
 	}
-	UE_LOG(Log@CLASS@, Display, TEXT("SCENE_START bodies=%d commands=%d events=%d step=%.6f"), Bodies.Num(), Commands.Num(), Events.Num(), FixedTimeStep);
+	UE_LOG(
+		Log@CLASS@, Display, TEXT("SCENE_START bodies=%d commands=%d events=%d step=%.6f"), Bodies.Num(),
+		Commands.Num(), Events.Num(), FixedTimeStep);
 	CheckLayout();
 }
 
@@ -199,7 +101,9 @@ void A@CLASS@::PinSimulation()
 	}
 	if (!GetActorTransform().Equals(FTransform::Identity))
 	{
-		UE_LOG(Log@CLASS@, Warning, TEXT("NOT_AT_ORIGIN velocities and poses are meant for an actor at the origin"));
+		UE_LOG(
+			Log@CLASS@, Warning,
+			TEXT("NOT_AT_ORIGIN velocities and poses are meant for an actor at the origin"));
 	}
 }
 
@@ -252,11 +156,15 @@ void A@CLASS@::Tick(float DeltaTime)
 		{
 			Complete += Event.bComplete ? 1 : 0;
 		}
-		UE_LOG(Log@CLASS@, Display, TEXT("SCENE_END t=%.4f complete=%d of=%d"), SceneTime, Complete, Events.Num());
+		UE_LOG(
+			Log@CLASS@, Display, TEXT("SCENE_END t=%.4f complete=%d of=%d"), SceneTime, Complete,
+			Events.Num());
 	}
 }
 
-void A@CLASS@::OnBodyHit(UPrimitiveComponent* HitComponent, AActor* OtherActor, UPrimitiveComponent* OtherComp, FVector NormalImpulse, const FHitResult& Hit)
+void A@CLASS@::OnBodyHit(
+	UPrimitiveComponent* HitComponent, AActor* OtherActor, UPrimitiveComponent* OtherComp, FVector NormalImpulse,
+	const FHitResult& Hit)
 {
 	FTouch Touch;
 	Touch.First = HitComponent;
@@ -285,7 +193,9 @@ void A@CLASS@::EndDrivesAtTouch(const UPrimitiveComponent* First, const UPrimiti
 		if (State.bActive && !State.bDone && State.Body == First && State.EndsAtTouchOf.Contains(Second))
 		{
 			State.bDone = true;
-			UE_LOG(Log@CLASS@, Display, TEXT("COMMAND HoldVelocity ends body=%s at=%s t=%.4f"), *First->GetName(), *Second->GetName(), SceneTime);
+			UE_LOG(
+				Log@CLASS@, Display, TEXT("COMMAND HoldVelocity ends body=%s at=%s t=%.4f"),
+				*First->GetName(), *Second->GetName(), SceneTime);
 		}
 	}
 }
@@ -336,7 +246,11 @@ void A@CLASS@::WatchTouch(FWatchedEvent& Event, const FTouch& Touch)
 	const bool bShallow = Open->Penetration < MaxHitPenetration;
 	Event.bChecked = !bShallow;
 	const double ImpulseNs = Open->Impulse / @CLASS@Detail::ImpulsePerNewtonSecond;
-	UE_LOG(Log@CLASS@, Display, TEXT("EVENT_HIT id=%s a=%s b=%s t=%.4f penetration_cm=%.3f impulse_Ns=%.3f pass=%d"), *Event.Id, *Open->First->GetName(), *Open->Second->GetName(), Open->Time, Open->Penetration, ImpulseNs, bShallow ? 1 : 0);
+	UE_LOG(
+		Log@CLASS@, Display,
+		TEXT("EVENT_HIT id=%s a=%s b=%s t=%.4f penetration_cm=%.3f impulse_Ns=%.3f pass=%d"), *Event.Id,
+		*Open->First->GetName(), *Open->Second->GetName(), Open->Time, Open->Penetration, ImpulseNs,
+		bShallow ? 1 : 0);
 }
 
 void A@CLASS@::RecheckEvents()
@@ -353,7 +267,9 @@ void A@CLASS@::RecheckEvents()
 		const double Depth = First && Second ? PenetrationOf(*First, *Second) : 0.0;
 		Event.bChecked = true;
 		Event.bComplete = Depth <= MaxRestPenetration;
-		UE_LOG(Log@CLASS@, Display, TEXT("EVENT_CHECK id=%s t=%.4f penetration_cm=%.3f pass=%d"), *Event.Id, SceneTime, Depth, Event.bComplete ? 1 : 0);
+		UE_LOG(
+			Log@CLASS@, Display, TEXT("EVENT_CHECK id=%s t=%.4f penetration_cm=%.3f pass=%d"), *Event.Id,
+			SceneTime, Depth, Event.bComplete ? 1 : 0);
 	}
 }
 
@@ -380,11 +296,15 @@ void A@CLASS@::CheckLayout()
 			if (Depth > MaxRestPenetration)
 			{
 				++Overlaps;
-				UE_LOG(Log@CLASS@, Warning, TEXT("LAYOUT_OVERLAP a=%s b=%s penetration_cm=%.3f"), *A.Component->GetName(), *B.Component->GetName(), Depth);
+				UE_LOG(
+					Log@CLASS@, Warning, TEXT("LAYOUT_OVERLAP a=%s b=%s penetration_cm=%.3f"),
+					*A.Component->GetName(), *B.Component->GetName(), Depth);
 			}
 		}
 	}
-	UE_LOG(Log@CLASS@, Display, TEXT("LAYOUT overlaps=%d deepest_cm=%.3f pass=%d"), Overlaps, Deepest, Overlaps == 0 ? 1 : 0);
+	UE_LOG(
+		Log@CLASS@, Display, TEXT("LAYOUT overlaps=%d deepest_cm=%.3f pass=%d"), Overlaps, Deepest,
+		Overlaps == 0 ? 1 : 0);
 }
 
 double A@CLASS@::PenetrationOf(const FBodyRef& First, const FBodyRef& Second) const
@@ -397,7 +317,8 @@ double A@CLASS@::PenetrationOf(const FBodyRef& First, const FBodyRef& Second) co
 		const FBodyRef& Probed = *Pair[1 - Side];
 		for (const @CLASS@Detail::FProbe& Probe : @CLASS@Detail::Probes()[Probed.Shape])
 		{
-			const FTransform Pose = FTransform(Probe.Rotation, Probe.Center) * Probed.Component->GetComponentTransform();
+			const FTransform Pose = FTransform(
+				Probe.Rotation, Probe.Center) * Probed.Component->GetComponentTransform();
 			FMTDResult Separation;
 			if (Exact.Component->ComputePenetration(Separation, Probe.Shape, Pose.GetLocation(), Pose.GetRotation()))
 			{
@@ -419,5 +340,3 @@ const A@CLASS@::FBodyRef* A@CLASS@::FindBody(const UPrimitiveComponent* Componen
 	}
 	return nullptr;
 }
-""",
-)

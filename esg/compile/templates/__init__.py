@@ -1,0 +1,1 @@
+"""Scene-independent C++ of an emitted class; `@CLASS@` stands for its name."""

@@ -1,0 +1,200 @@
+from __future__ import annotations
+
+from dataclasses import replace
+import json
+import math
+from pathlib import Path
+
+from helpers import assert_same, both, first_touches, written
+import numpy as np
+import pytest
+import scenes
+
+from esg.compile import ReplayError, WatchedEvent, replay_class
+from esg.engines.program import AdjustProperties, HoldVelocity, Program, SetVelocity
+from esg.engines.scene import SimScene
+from esg.outcomes import UserError
+
+CASES = {
+    "street": (*scenes.street(), scenes.STREET_WATCH),
+    "marbles": (*scenes.marbles(), scenes.MARBLES_WATCH),
+}
+
+
+@pytest.mark.parametrize("engine", ["physx", "rapier"])
+@pytest.mark.parametrize("name", CASES)
+def test_class_and_program_do_the_same(tmp_path: Path, name: str, engine: str) -> None:
+    scene, program, watch = CASES[name]
+    replayed, rollout = both(tmp_path, scene, program, watch, engine=engine)
+    assert replayed.proof == "class" and replayed.rollout.valid.all()
+    assert len(first_touches(rollout)) >= 1
+    assert_same(replayed.rollout, rollout, tolerance_m=1e-6)
+
+
+def test_the_class_described_the_scene(tmp_path: Path) -> None:
+    scene, program, watch = CASES["marbles"]
+    written(tmp_path, scene, program, watch)
+    told = replay_class(tmp_path, duration=0.1).scene
+    for one, two in zip(told.bodies, scene.bodies, strict=True):
+        assert one.name == two.name and one.static == two.static and one.wheeled == two.wheeled
+        np.testing.assert_allclose(one.position, two.position, atol=1e-9)
+        np.testing.assert_allclose(one.quaternion, two.quaternion, atol=1e-9)
+        np.testing.assert_allclose(one.inertia, two.inertia, rtol=1e-9, atol=1e-12)
+        np.testing.assert_allclose(one.mass, two.mass, rtol=1e-6)
+        for a, b in zip(one.shapes, two.shapes, strict=True):
+            assert a.kind == b.kind
+            np.testing.assert_allclose(a.size, b.size, atol=1e-9)
+            np.testing.assert_allclose(a.position, b.position, atol=1e-9)
+
+
+def test_log_reports_events_in_order(tmp_path: Path) -> None:
+    scene, program, watch = CASES["marbles"]
+    written(tmp_path, scene, program, watch)
+    replayed = replay_class(tmp_path)
+    hits = [e for e in replayed.events() if e["event"] == "EVENT_HIT"]
+    assert [(h["a"], h["b"], h["pass"]) for h in hits] == [
+        ("BallA", "BallB", "1"),
+        ("BallB", "BallC", "1"),
+    ]
+    touches = first_touches(replayed.rollout)
+    assert float(hits[0]["t"]) == pytest.approx(touches[0, 1], abs=1e-4)
+    assert float(hits[1]["t"]) == pytest.approx(touches[1, 2], abs=1e-4)
+    checks = [e for e in replayed.events() if e["event"] == "EVENT_CHECK"]
+    assert [c["pass"] for c in checks] == ["1", "1"]
+    assert float(checks[0]["t"]) - float(hits[0]["t"]) == pytest.approx(0.2, abs=0.006)
+    assert (
+        replayed.log[-1].startswith("Display: SCENE_END") and "complete=2 of=2" in replayed.log[-1]
+    )
+
+
+def test_later_event_waits_for_the_earlier_one(tmp_path: Path) -> None:
+    scene, program, _ = CASES["marbles"]
+    watch = (
+        WatchedEvent("never", ("ball_a",), ("pill_1",)),
+        WatchedEvent("b hits c", ("ball_b",), ("ball_c",), ("never",)),
+    )
+    written(tmp_path, scene, program, watch)
+    assert replay_class(tmp_path).events() == []
+
+
+def test_weak_touch_is_no_event(tmp_path: Path) -> None:
+    light = (
+        scenes.ball("a", (0.0, 0.0, 0.05), 0.05, 0.01),
+        scenes.ball("b", (0.2, 0.0, 0.05), 0.05, 0.01),
+    )
+    program = Program((SetVelocity("a", 0.0, (0.5, 0.0, 0.0)),), 1.0)
+    written(tmp_path, SimScene("weak", light), program, (WatchedEvent("e", ("a",), ("b",)),))
+    replayed = replay_class(tmp_path)
+    assert (0, 1) in first_touches(replayed.rollout)
+    assert replayed.events() == []
+
+
+def test_start_overlap_is_reported_with_its_depth(tmp_path: Path) -> None:
+    half = (0.5, 0.5, 0.5)
+    bodies = (
+        scenes.box("one", (0.0, 0.0, 0.5), half, 10.0),
+        scenes.box("two", (0.96, 0.0, 0.5), half, 10.0),
+        scenes.box("three", (-1.01, 0.0, 0.5), half, 10.0),
+    )
+    written(tmp_path, SimScene("overlap", bodies), Program((), 0.2))
+    log = replay_class(tmp_path).log
+    overlaps = [line for line in log if "LAYOUT_OVERLAP" in line]
+    assert len(overlaps) == 1 and "a=One b=Two penetration_cm=4.000" in overlaps[0]
+    assert any("LAYOUT overlaps=1 deepest_cm=4.000 pass=0" in line for line in log)
+
+
+def test_hold_ends_by_time_and_by_touch(tmp_path: Path) -> None:
+    wall = scenes.box("wall", (3.0, 0.0, 0.5), (0.1, 2.0, 0.5), 1.0, static=True)
+    cart = scenes.box("cart", (0.0, 0.0, 0.3), (0.4, 0.3, 0.3), 50.0, wheeled=True, friction=0.0)
+    program = Program(
+        (
+            HoldVelocity("cart", 0.0, 0.5, 1.0, 0.0),
+            HoldVelocity("cart", 1.0, math.inf, 2.0, 0.0, until_contact=("wall",)),
+        ),
+        4.0,
+    )
+    replayed, rollout = both(tmp_path, SimScene("holds", (wall, cart)), program)
+    assert_same(replayed.rollout, rollout, tolerance_m=1e-6)
+    ends = [line for line in replayed.log if "ends" in line]
+    assert "t=0.5" in ends[0] and "at=Wall" in ends[1] and len(ends) == 2
+
+
+def test_friction_changes_by_material(tmp_path: Path) -> None:
+    crate = scenes.box("crate", (0.0, 0.0, 0.3), (0.3, 0.3, 0.3), 5.0, friction=0.0)
+    program = Program(
+        (
+            SetVelocity("crate", 0.0, (6.0, 0.0, 0.0)),
+            AdjustProperties("crate", 0.5, friction=0.9),
+        ),
+        2.0,
+    )
+    replayed, rollout = both(tmp_path, SimScene("friction", (crate,)), program)
+    assert_same(replayed.rollout, rollout, tolerance_m=1e-6)
+    speed = np.linalg.norm(replayed.rollout.linear_velocity[0, :, 0], axis=1)
+    # Before: only the ground's half of the average; after: half of 0.7 + 0.9.
+    drop = (speed[120 + 24] - speed[120 + 48]) / 0.1
+    assert drop == pytest.approx(0.8 * 9.81, rel=0.03)
+
+
+def test_other_steps_agree_too(tmp_path: Path) -> None:
+    scene, program, watch = CASES["marbles"]
+    replayed, rollout = both(tmp_path, scene, program, watch, dt=1 / 480)
+    assert_same(replayed.rollout, rollout, tolerance_m=1e-3)
+
+
+def test_repeats_are_identical(tmp_path: Path) -> None:
+    scene, program, watch = CASES["street"]
+    written(tmp_path, scene, program, watch)
+    one, two = replay_class(tmp_path), replay_class(tmp_path)
+    assert np.array_equal(one.rollout.position, two.rollout.position)
+    assert one.log == two.log and two.compile_seconds == 0.0
+
+
+def test_edited_class_changes_the_replay(tmp_path: Path) -> None:
+    """What runs is the class, not the manifest beside it."""
+    scene, program, watch = CASES["marbles"]
+    written(tmp_path, scene, program, watch)
+    before = replay_class(tmp_path, duration=0.3)
+    source = tmp_path / "unreal" / "EsgScene_S7.cpp"
+    text = source.read_text()
+    assert "BallADrive1.Speed = 250.0;" in text
+    source.write_text(text.replace("BallADrive1.Speed = 250.0;", "BallADrive1.Speed = 125.0;"))
+    after = replay_class(tmp_path, duration=0.3)
+    ratio = after.rollout.position[0, -1, 0, 0] / before.rollout.position[0, -1, 0, 0]
+    assert ratio == pytest.approx(0.5, rel=1e-3)
+
+
+def test_static_bodies_keep_their_centres(tmp_path: Path) -> None:
+    scene, program, watch = CASES["street"]
+    written(tmp_path, scene, program, watch)
+    rollout = replay_class(tmp_path, duration=0.1).rollout
+    for i, body in enumerate(scene.bodies):
+        np.testing.assert_allclose(rollout.position[0, 0, i], body.position, atol=1e-6)
+
+
+def test_missing_class_is_a_users_mistake(tmp_path: Path) -> None:
+    with pytest.raises(UserError, match="no compiled scene"):
+        replay_class(tmp_path)
+
+
+def test_broken_import_manifest_is_named(tmp_path: Path) -> None:
+    written(tmp_path, *CASES["marbles"])
+    (tmp_path / "unreal" / "imports.json").write_text("{")
+    with pytest.raises(UserError, match=r"imports\.json"):
+        replay_class(tmp_path)
+
+
+def test_asset_without_collision_is_refused(tmp_path: Path) -> None:
+    written(tmp_path, *CASES["marbles"])
+    path = tmp_path / "unreal" / "imports.json"
+    data = json.loads(path.read_text())
+    data["assets"][0]["collision"] = []
+    path.write_text(json.dumps(data))
+    with pytest.raises(ReplayError, match="no collision shapes"):
+        replay_class(tmp_path)
+
+
+def test_tilted_gravity_cannot_be_emitted(tmp_path: Path) -> None:
+    scene, program, _ = CASES["marbles"]
+    with pytest.raises(ValueError, match="Z component only"):
+        written(tmp_path, replace(scene, gravity=(0.0, 1.0, -9.0)), program)
