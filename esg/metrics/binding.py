@@ -352,7 +352,7 @@ def _position_key(body: Body, position: str, found: list[_Candidate]) -> float:
 
 
 def _prefer_plain(found: list[_Candidate], wanted: Phrase) -> list[_Candidate]:
-    """Of several matches of a singular phrase, those that carry no attribute it does not ask for."""
+    """Of several matches of a singular phrase, those without attributes it does not ask for."""
 
     def extras(c: _Candidate) -> int:
         label = parse(c.body.label) if c.body.label else parse(_strip_number(c.body.name))
@@ -371,18 +371,15 @@ def _bind_alias(wanted: Phrase, scene: SimScene) -> tuple[int, ...]:
     """Billiard players' names: the black ball is the 8, the cue ball is the white one."""
     if wanted.head != "ball":
         return ()
+    texts = [normalize(f"{b.label} {b.category} {b.name}") for b in scene.bodies]
     alias = ""
     if "cue" in wanted.modifiers:
         alias = "white ball"
     elif wanted.identifier == "8" and not wanted.colors:
         alias = "black ball"
-    elif "black" in wanted.colors and any(
-        "8" in normalize(b.label + " " + b.name) for b in scene.bodies
-    ):
+    elif "black" in wanted.colors and any("8" in t.split() for t in texts):
         alias = "8 ball"
-    elif "white" in wanted.colors and any(
-        "cue ball" in normalize(b.label + " " + b.category + " " + b.name) for b in scene.bodies
-    ):
+    elif "white" in wanted.colors and any("cue ball" in t for t in texts):
         alias = "cue ball"
     if not alias or alias == wanted.text:
         return ()

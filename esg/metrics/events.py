@@ -1,8 +1,8 @@
 """When was an event completed? One detector per event type of the suite format.
 
-A detector looks for the first completion later than `since` (the latest time of the events that must
-come before; None from scene start) and returns what it found, or why nothing counts. docs/metrics.md
-states every rule and what the time of each event is.
+A detector looks for the first completion later than `since` (the latest time of the events that
+must come before; None from scene start) and returns what it found, or why nothing counts.
+docs/metrics.md states every rule and what the time of each event is.
 """
 
 from __future__ import annotations
@@ -274,7 +274,7 @@ def _turns(replay: Replay, q: Query) -> Iterator[Found]:
 
 
 def _settled(turned: NDArray[np.float64], first: int, frame_s: float) -> float:
-    """Angle when the turning ends after frame `first`: the rate falls under 5 degrees/s for 0.1 s."""
+    """Angle when the turning ends after `first`: the rate falls under 5 degrees/s for 0.1 s."""
     quiet = max(1, round(0.1 / frame_s))
     k = first
     while k + quiet < len(turned) and turned[k + quiet] - turned[k] > 5.0 * quiet * frame_s:
@@ -298,7 +298,8 @@ def _inside(
         center = np.array(b.origin_offset) + np.array([0.0, 0.0, half[2]])
         if not b.collides:
             # A painted area has no height: whatever is over its outline is in it.
-            center, half = center + (0, 0, 500.0), np.array([half[0], half[1], 501.0])
+            center = center + np.array([0.0, 0.0, 500.0])
+            half = np.array([half[0], half[1], 501.0])
     q = replay.quaternion[:, parent]
     inverse = q * np.array([-1.0, -1.0, -1.0, 1.0])
     local = quat_rotate(inverse, replay.position[:, body] - replay.position[:, parent]) - center

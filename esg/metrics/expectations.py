@@ -29,8 +29,8 @@ def expectations_from_timeline(doc: EsgDocument, scene: SimScene | None = None) 
     """The events and constraints that a document's timeline states.
 
     Point events become events of the same meaning; a Brake segment becomes a `brakes` event; motion
-    under own power that leads to no measurable event becomes a `moves` event. SceneStart and Trigger
-    are no outcomes. `after` follows the sequence graph. Prescribed times, speeds and masses become
+    under own power that leads to no measurable event becomes a `moves` event. SceneStart and
+    Trigger are no outcomes. `after` follows the sequence graph. Prescribed times, speeds and masses become
     constraints; plausible guesses do not.
 
     Args:

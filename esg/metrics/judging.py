@@ -98,7 +98,7 @@ def bind_all(scene: SimScene, suite_scene: SuiteScene) -> dict[str, Binding]:
 
 
 def judge_layout(replay: Replay, bindings: dict[str, Binding]) -> LayoutVerdict:
-    """SLR: all prescribed objects are there, and no pair overlaps by more than 2 cm at the start."""
+    """SLR: all prescribed objects are there, and no pair overlaps by over 2 cm at the start."""
     missing = tuple(b.problem for b in bindings.values() if b.problem)
     overlaps, deepest = initial_overlaps(replay)
     return LayoutVerdict(

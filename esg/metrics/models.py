@@ -73,7 +73,7 @@ class SuiteEvent(_Frozen):
     direction: Literal["left", "right"] | None = None
     degrees: float = 90.0
     after: tuple[str, ...] = ()
-    """Ids of the events that must have been completed before; the default is resolved on loading."""
+    """Ids of the events that must come before; the default is resolved on loading."""
 
     @property
     def participants(self) -> tuple[str, ...]:
@@ -105,7 +105,7 @@ class SuiteConstraint(_Frozen):
 
     @property
     def label(self) -> str:
-        """Compact unique-in-scene text, e.g. `time e1 = 3 s`, `speed cars @start in [5, 10] m/s`."""
+        """Compact text, e.g. `time e1 = 3 s` or `speed cars @start in [5, 10] m/s`."""
         parts = [self.quantity]
         if self.object:
             parts.append(self.object)

@@ -1,9 +1,9 @@
 """A replay as an MCAP file that Foxglove, Lichtblick or Rerun open.
 
 Channels: `/scene` (foxglove.SceneUpdate, once), `/tf` (foxglove.FrameTransforms, 60 per second),
-`/events` (JSON with schema: the judge's verdicts and every hit), `/log` (foxglove.Log). Attachments:
-`esg.json`, `manifest.json`, `verdict.json`. Times are simulation time, so that the same replay gives
-the same bytes.
+`/events` (JSON with schema: the judge's verdicts and every hit), `/log` (foxglove.Log).
+Attachments: `esg.json`, `manifest.json`, `verdict.json`. Times are simulation time, so that the
+same replay gives the same bytes.
 """
 
 from __future__ import annotations

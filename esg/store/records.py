@@ -1,0 +1,381 @@
+"""What is recorded of one scene run: its rows in every table."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+import datetime
+import hashlib
+import json
+import re
+from typing import TYPE_CHECKING, Any
+
+from esg.metrics.models import SceneVerdict
+
+if TYPE_CHECKING:
+    from esg.engines.scene import Rollout
+    from esg.pipeline import SceneState
+
+SPLIT_SHARES = (("train", 0.8), ("validation", 0.1), ("test", 0.1))
+
+
+@dataclass(frozen=True)
+class RunInfo:
+    """One invocation: a benchmark, a dataset, a generated scene.
+
+    Args:
+        run_id: Unique name; everything recorded carries it.
+        kind: bench, dataset or generate.
+        started_at: Time zone aware.
+        suite: Name of the suite, empty without.
+        strategy: Search strategy.
+        engine: Engine of the replay.
+        dt_s: Its physics step [s].
+        seeds: Seeds a scene.
+        version: Version of this software.
+        code_version: Hash of the code of all stages.
+        machine: Short description of the machine.
+    """
+
+    run_id: str
+    kind: str
+    started_at: datetime.datetime
+    suite: str = ""
+    strategy: str = "batched"
+    engine: str = "physx"
+    dt_s: float = 1.0 / 240.0
+    seeds: int = 1
+    version: str = ""
+    code_version: str = ""
+    machine: str = ""
+
+    def row(self) -> dict[str, Any]:
+        """The row of table `runs`."""
+        return dict(vars(self))
+
+
+@dataclass(frozen=True)
+class SceneRecord:
+    """Rows of one scene run by table."""
+
+    rows: Mapping[str, list[dict[str, Any]]] = field(default_factory=dict)
+
+
+def prompt_family(prompt: str) -> str:
+    """The prompt without case, articles, numbers and punctuation: counterfactual variants of one
+    prompt (other speed, other mass) share a family, and so a split.
+    """
+    text = re.sub(r"\d+(?:[.,]\d+)*", " # ", prompt.lower())
+    text = re.sub(r"[^a-z#]+", " ", text)
+    words = [w for w in text.split() if w not in ("a", "an", "the")]
+    return re.sub(r"(?:# ?)+", "# ", " ".join(words)).strip()
+
+
+def split_of(family: str) -> str:
+    """train, validation or test, by hash of the prompt family."""
+    place = int.from_bytes(hashlib.sha256(family.encode()).digest()[:8], "big") / 2**64
+    for name, share in SPLIT_SHARES:
+        if place < share:
+            return name
+        place -= share
+    return SPLIT_SHARES[-1][0]
+
+
+def scene_key(run_id: str, suite: str, scene_id: str, seed: int) -> str:
+    """Key of a scene run; replays of it in several engines share it."""
+    return f"{run_id}/{suite or '-'}/{scene_id}/{seed}"
+
+
+def make_record(
+    run: RunInfo,
+    *,
+    scene_id: str,
+    seed: int,
+    prompt: str,
+    outcome: str,
+    reason: str = "",
+    level: str = "",
+    drafter: str = "rules",
+    device: str = "cpu",
+    proof: str = "",
+    documents: Mapping[str, bytes] | None = None,
+    artifacts: Mapping[str, str] | None = None,
+    verdicts: Mapping[str, SceneVerdict] | None = None,
+    rollouts: Mapping[str, Rollout] | None = None,
+    bodies: tuple[str, ...] = (),
+    stages: tuple[Mapping[str, Any], ...] = (),
+    split: str | None = None,
+    family: str | None = None,
+) -> SceneRecord:
+    """All rows of one scene run.
+
+    Args:
+        run: The run it belongs to.
+        scene_id: Id of the suite's scene, or of the generated one.
+        seed: Its seed.
+        prompt: Its prompt.
+        outcome: Value of the Outcome enum.
+        reason: Why.
+        level: Difficulty label of the suite.
+        drafter, device, proof: How it was made and proven.
+        documents: Canonical JSON of the ESG by stage (draft, resolve, layout, optimize).
+        artifacts: Artifact keys by stage.
+        verdicts: Verdicts by engine; the run's engine fills the scene's own columns.
+        rollouts: Rollouts of one world by engine.
+        bodies: Names in the order of the rollouts' body axis.
+        stages: Log entries of the stages: stage, seconds, cached, outcome.
+        split: Overrides the split of the prompt family.
+        family: Overrides the prompt family (counterfactual pairs keep one).
+    """
+    key = scene_key(run.run_id, run.suite, scene_id, seed)
+    common = {
+        "run_id": run.run_id,
+        "scene_key": key,
+        "suite": run.suite,
+        "scene_id": scene_id,
+        "seed": seed,
+    }
+    documents = documents or {}
+    verdicts = verdicts or {}
+    family = prompt_family(prompt) if family is None else family
+    split = split_of(family) if split is None else split
+    texts = {f"esg_{name}": data.decode() for name, data in documents.items()}
+    last = list(documents.values())[-1] if documents else b""
+    main = verdicts.get(run.engine)
+    scene: dict[str, Any] = {
+        **common,
+        "level": level,
+        "prompt": prompt,
+        "family": family,
+        "split": split,
+        "drafter": drafter,
+        "strategy": run.strategy,
+        "engine": run.engine,
+        "device": device,
+        "dt_s": main.dt_s if main else run.dt_s,
+        "proof": proof,
+        "outcome": outcome,
+        "reason": reason,
+        "verified": main.verified if main else False,
+        "slr": main.slr if main else False,
+        "max_penetration_m": main.layout.max_penetration_m if main else None,
+        "n_events": main.n_events if main else None,
+        "n_completed": main.completed if main else 0,
+        "ppa": main.ppa() if main else None,
+        "ppa_strict": main.ppa("strict") if main else None,
+        "ppa_lenient": main.ppa("lenient") if main else None,
+        "seconds": sum(float(s.get("seconds", 0.0)) for s in stages),
+        "cached_stages": sum(bool(s.get("cached")) for s in stages),
+        **texts,
+        "esg_sha256": hashlib.sha256(last).hexdigest() if last else None,
+        "artifacts": json.dumps(dict(artifacts or {}), sort_keys=True),
+    }
+    rows: dict[str, list[dict[str, Any]]] = {"runs": [run.row()], "scenes": [scene]}
+    rows["metrics"] = [
+        row for engine, v in verdicts.items() for row in _events(common, run, engine, v)
+    ]
+    rows["constraints"] = [
+        row for engine, v in verdicts.items() for row in _constraints(common, run, engine, v)
+    ]
+    rows["trajectories"] = [
+        _trajectory(common, split, engine, rollout, bodies)
+        for engine, rollout in (rollouts or {}).items()
+    ]
+    rows["coverage"] = _coverage(common, documents.get("draft"))
+    rows["timings"] = [
+        {
+            **common,
+            "stage": s["stage"],
+            "stage_index": i,
+            "seconds": float(s.get("seconds", 0.0)),
+            "cached": bool(s.get("cached")),
+            "outcome": s.get("outcome"),
+        }
+        for i, s in enumerate(stages)
+    ]
+    return SceneRecord(rows)
+
+
+def record_of(
+    state: SceneState,
+    run: RunInfo,
+    *,
+    scene_id: str = "",
+    level: str = "",
+    trajectories: bool = True,
+) -> SceneRecord:
+    """The record of a scene that the pipeline has ended, read from its artifacts.
+
+    Args:
+        state: The scene.
+        run: The run it belongs to.
+        scene_id: Id in the suite; default the suite scene's, else the document's.
+        level: Difficulty label.
+        trajectories: Whether to include the replay's trajectories.
+    """
+    request = state.request
+    documents = {
+        stage: (state.artifact(stage) / "esg.json").read_bytes()
+        for stage in ("draft", "resolve", "layout", "optimize")
+        if stage in state.artifacts
+    }
+    if request.suite_scene:
+        expected = json.loads(request.suite_scene)
+        scene_id = scene_id or expected["id"]
+        level = level or expected.get("level", "")
+    if not scene_id and "draft" in documents:
+        scene_id = json.loads(documents["draft"])["scene_definition"]["scene_id"]
+    verdicts: dict[str, SceneVerdict] = {}
+    proof = ""
+    if "judge" in state.artifacts:
+        metrics = json.loads((state.artifact("judge") / "metrics.json").read_bytes())
+        raw = {k: metrics["verdict"][k] for k in SceneVerdict.model_fields}
+        verdict = SceneVerdict.model_validate(raw)
+        verdicts[verdict.engine] = verdict
+        proof = metrics.get("proof", "")
+    elif request.suite_scene:
+        verdicts[run.engine] = _nothing(state, run)
+    rollouts: dict[str, Rollout] = {}
+    bodies: tuple[str, ...] = ()
+    if trajectories and "replay" in state.artifacts:
+        from esg.engines.manifest import load_manifest
+        from esg.engines.rollout_file import load_rollout
+
+        rollout = load_rollout(state.artifact("replay") / "rollout.npz")
+        rollouts[rollout.engine] = rollout
+        bodies = load_manifest(state.artifact("compile") / "manifest.json").scene.names
+    return make_record(
+        run,
+        scene_id=scene_id or request.name or "scene",
+        seed=request.seed,
+        prompt=request.prompt,
+        outcome=state.outcome.value if state.outcome else "",
+        reason=state.reason,
+        level=level,
+        drafter=request.drafter,
+        device=request.device,
+        proof=proof,
+        documents=documents,
+        artifacts=state.artifacts,
+        verdicts=verdicts,
+        rollouts=rollouts,
+        bodies=bodies,
+        stages=state.log,
+    )
+
+
+def _nothing(state: SceneState, run: RunInfo) -> SceneVerdict:
+    """A suite's scene that never reached the judge: its events count, and none is completed."""
+    from esg.metrics.judging import failed_verdict
+    from esg.metrics.models import SuiteScene
+
+    expected = SuiteScene.model_validate_json(state.request.suite_scene)
+    return failed_verdict(expected.id, expected, run.engine, run.dt_s, state.reason or "no replay")
+
+
+def _events(
+    common: Mapping[str, Any], run: RunInfo, engine: str, verdict: SceneVerdict
+) -> list[dict[str, Any]]:
+    return [
+        {
+            **common,
+            "strategy": run.strategy,
+            "engine": engine,
+            "dt_s": verdict.dt_s,
+            "event_id": e.id,
+            "event_index": i,
+            "event_type": e.type,
+            "completed": e.completed,
+            "time_s": e.time_s,
+            "bodies": list(e.bodies),
+            "reason": e.reason,
+            "measured": json.dumps(e.measured, sort_keys=True),
+        }
+        for i, e in enumerate(verdict.events)
+    ]
+
+
+def _constraints(
+    common: Mapping[str, Any], run: RunInfo, engine: str, verdict: SceneVerdict
+) -> list[dict[str, Any]]:
+    out: list[dict[str, Any]] = []
+    for i, c in enumerate(verdict.constraints):
+        low, high = c.target if isinstance(c.target, tuple) else (c.target, c.target)
+        error = None if c.measured is None else max(0.0, low - c.measured, c.measured - high)
+        out.append(
+            {
+                **common,
+                "strategy": run.strategy,
+                "engine": engine,
+                "constraint_index": i,
+                "constraint": c.constraint,
+                "kind": c.kind,
+                "quantity": c.quantity,
+                "unit": c.unit,
+                "target_low": low,
+                "target_high": high,
+                "measured": c.measured,
+                "error": error,
+                "score": c.score,
+                "score_strict": c.score_strict,
+                "score_lenient": c.score_lenient,
+                "reason": c.reason,
+            }
+        )
+    return out
+
+
+def _trajectory(
+    common: Mapping[str, Any],
+    split: str,
+    engine: str,
+    rollout: Rollout,
+    bodies: tuple[str, ...],
+) -> dict[str, Any]:
+    import numpy as np
+
+    c = rollout.contacts.select(0)
+    frame = float(np.median(np.diff(rollout.time))) if len(rollout.time) > 1 else rollout.dt
+
+    def flat(values: Any, kind: Any = np.float32) -> Any:
+        return np.ascontiguousarray(values, kind).ravel()
+
+    return {
+        **common,
+        "split": split,
+        "engine": engine,
+        "dt_s": rollout.dt,
+        "fps": 1.0 / frame,
+        "n_frames": len(rollout.time),
+        "bodies": list(bodies),
+        "time_s": flat(rollout.time),
+        "position_m": flat(rollout.position[0]),
+        "quaternion_xyzw": flat(rollout.quaternion[0]),
+        "linear_velocity_mps": flat(rollout.linear_velocity[0]),
+        "angular_velocity_radps": flat(rollout.angular_velocity[0]),
+        "contact_time_s": flat(c.time),
+        "contact_a": flat(c.a, np.int16),
+        "contact_b": flat(c.b, np.int16),
+        "contact_impulse_ns": flat(c.impulse),
+        "contact_depth_m": flat(c.depth),
+    }
+
+
+def _coverage(common: Mapping[str, Any], draft: bytes | None) -> list[dict[str, Any]]:
+    if draft is None:
+        return []
+    items = json.loads(draft).get("coverage", {}).get("items", [])
+    return [
+        {
+            **common,
+            "item_index": i,
+            "text": item["text"],
+            "start": item["start"],
+            "stop": item["end"],
+            "kind": item["kind"],
+            "status": item["status"],
+            "pointer": item.get("pointer", ""),
+            "note": item.get("note", ""),
+        }
+        for i, item in enumerate(items)
+    ]
