@@ -34,9 +34,12 @@ from esg.layout.units import compose
 def _asset(
     name: str, dims: tuple[float, float, float], proxies: tuple[Proxy, ...], mass: float, **kw: Any
 ) -> AssetConfiguration:
+    x, y, h = dims
+    inertia = tuple(mass / 12.0 * v for v in (y * y + h * h, x * x + h * h, x * x + y * y))
     return AssetConfiguration(
         asset_name=name,
         source="parametric",
+        inertia_kg_cm2=(*inertia, 0.0, 0.0, 0.0),  # of the bounding box
         category=name,
         mesh_path=f"meshes/{name}.glb",
         dimensions_cm=dims,
@@ -256,7 +259,7 @@ def generate(seed: int, count: int | None = None, density: float = 1.2) -> EsgDo
     kinds = sorted({e.relation_type.value for e in true})
     chosen: list[BinaryRelation] = []
     faced: set[str] = set()
-    want = int(round(density * count))
+    want = round(density * count)
     for _ in range(20 * want):
         if len(chosen) >= want or not kinds:
             break

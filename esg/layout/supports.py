@@ -74,18 +74,25 @@ def shapes(doc: EsgDocument) -> dict[str, Shape]:
 
 
 def ground_nodes(doc: EsgDocument) -> tuple[str, ...]:
-    """Structural nodes that are the ground itself."""
-    out = []
+    """Structural nodes that are the ground itself: by name, else by what they are made of.
+
+    The name decides first, because roads and pitches are ground too in a wider sense.
+    """
     graph = doc.spatial_relation_graph
-    for name, node in graph.nodes.items():
-        if not node.is_structural:
-            continue
-        config = doc.asset_configurations[node.asset_id]
-        words = f"{name} {config.category} {config.asset_name}".lower().replace("-", "_")
-        tokens = words.replace("_", " ").split()
-        if any(w in tokens for w in GROUND_WORDS):
-            out.append(name)
-    return tuple(out)
+    structural = [n for n, node in graph.nodes.items() if node.is_structural]
+
+    def words(text: str) -> set[str]:
+        return set(text.lower().replace("_", " ").replace("-", " ").split())
+
+    named = tuple(n for n in structural if words(n) & set(GROUND_WORDS))
+    if named:
+        return named
+    out = []
+    for n in structural:
+        config = doc.asset_configurations[graph.nodes[n].asset_id]
+        if words(f"{config.category} {config.asset_name}") & set(GROUND_WORDS):
+            out.append(n)
+    return tuple(out[:1])
 
 
 def surface_for(shape: Shape) -> SupportSurface:

@@ -1,0 +1,190 @@
+"""Layout benchmark: solvable graphs with a settling check, ablations, scaling, pictures.
+
+    python -m benchmarks.layout graphs --count 500 --settle 500
+    python -m benchmarks.layout ablation --count 100
+    python -m benchmarks.layout scaling
+    python -m benchmarks.layout pictures --count 20 --out layouts.png
+"""
+
+from __future__ import annotations
+
+import argparse
+from collections import Counter
+from dataclasses import replace
+import json
+from pathlib import Path
+import time
+from typing import Any
+
+from benchmarks.layout_graphs import generate
+from esg.graph.models import EsgDocument
+from esg.layout import LayoutConfig, solve, solve_batch
+
+HARD = ("on", "inside_of", "attached_vertical", "attached_horizontal")
+SETTLE_S = 0.5
+MAX_SETTLE_CM = 0.5
+
+
+def settle_cm(doc: EsgDocument) -> dict[str, float]:
+    """Lets a layout rest in PhysX for half a second.
+
+    Returns:
+        Vertical displacement of every dynamic body [cm].
+    """
+    import numpy as np
+
+    from esg.dynamics.build import build_scene
+    from esg.engines.base import get_engine
+    from esg.engines.program import FIELDS, ProgramBatch
+
+    scene = build_scene(doc)
+    count = len(scene.bodies)
+    batch = ProgramBatch(
+        np.zeros(0, np.int32),
+        np.zeros(0, np.int32),
+        np.zeros((0, count), bool),
+        np.zeros((1, 0, FIELDS)),
+        SETTLE_S,
+    )
+    rollout = get_engine("physx").rollout(scene, batch, dt=1 / 240, duration=SETTLE_S)
+    z = rollout.position[0, :, :, 2]
+    return {
+        b.name: 100.0 * float(z[-1, i] - z[0, i])
+        for i, b in enumerate(scene.bodies)
+        if not b.static
+    }
+
+
+def summarize(results: list[EsgDocument]) -> dict[str, Any]:
+    """Feasibility, penetration and shares of true relations over many layouts."""
+    total: Counter[str] = Counter()
+    broken: Counter[str] = Counter()
+    for r in results:
+        assert r.layout_result is not None
+        for x in r.layout_result.relations:
+            total[x.relation_type] += 1
+            broken[x.relation_type] += not x.satisfied
+    soft = sum(v for k, v in total.items() if k not in HARD)
+    soft_broken = sum(v for k, v in broken.items() if k not in HARD)
+    layouts = [r.layout_result for r in results if r.layout_result is not None]
+    return {
+        "scenes": len(results),
+        "feasible": sum(x.feasible for x in layouts),
+        "max_penetration_cm": max(x.max_penetration_cm for x in layouts),
+        "overlapping": sum(x.max_penetration_cm > 0.05 for x in layouts),
+        "hard_true": 1.0 - sum(broken[k] for k in HARD) / max(1, sum(total[k] for k in HARD)),
+        "soft_true": 1.0 - soft_broken / max(1, soft),
+        "all_true": sum(all(r.satisfied for r in x.relations) for x in layouts),
+        "broken": dict(sorted(broken.items())),
+    }
+
+
+def graphs(count: int, settle: int, device: str) -> dict[str, Any]:
+    """Solves generated problems one by one and settles the first `settle` of them."""
+    docs = [generate(k) for k in range(count)]
+    config = LayoutConfig(device=device)
+    solve(docs[0], config=config)
+    seconds: list[float] = []
+    results: list[EsgDocument] = []
+    for k, d in enumerate(docs):
+        start = time.perf_counter()
+        results.append(solve(d, seed=k, config=config))
+        seconds.append(time.perf_counter() - start)
+    out = summarize(results)
+    ordered = sorted(seconds)
+    out["seconds_median"] = round(ordered[len(ordered) // 2], 4)
+    out["seconds_max"] = round(ordered[-1], 3)
+    worst = 0.0
+    moved: list[str] = []
+    for r in results[:settle]:
+        for name, dz in settle_cm(r).items():
+            worst = max(worst, abs(dz))
+            if abs(dz) > MAX_SETTLE_CM:
+                moved.append(f"{r.scene_definition.scene_id}/{name}: {dz:+.2f} cm")
+    out |= {"settled": min(settle, count), "settle_worst_cm": round(worst, 3), "moved": moved}
+    return out
+
+
+def ablation(count: int, device: str) -> list[dict[str, Any]]:
+    """The paper's ablations; one round each, so that retries do not hide a difference."""
+    docs = [generate(k) for k in range(count)]
+    full = LayoutConfig(device=device, rounds=1)
+    variants = {
+        "full": full,
+        "full, 3 rounds": replace(full, rounds=3),
+        "w/o global refinement": replace(full, refine=False),
+        "w/o sampling init": replace(full, sample_init=False),
+        "w/o preference": replace(full, preference=False),
+        "AABB only": replace(full, collision="aabb"),
+        "SDF": replace(full, collision="sdf"),
+        "HYBRID": replace(full, collision="hybrid"),
+    }
+    rows = []
+    for name, config in variants.items():
+        solve_batch(docs[:1], config=config)
+        start = time.perf_counter()
+        results = [solve(d, seed=k, config=config) for k, d in enumerate(docs)]
+        rows.append(
+            {
+                "variant": name,
+                **summarize(results),
+                "seconds_per_scene": (time.perf_counter() - start) / count,
+            }
+        )
+    return rows
+
+
+def scaling(device: str) -> list[dict[str, Any]]:
+    """Seconds of the search over objects and starts (median of three, warm)."""
+    from esg.layout.problem import build_problem
+    from esg.layout.search import run_search
+
+    rows = []
+    for objects in (5, 10, 20, 40, 80):
+        problem = build_problem(generate(5000 + objects, objects), 0, None)
+        for starts in (1, 16, 64, 256):
+            config = LayoutConfig(starts=starts, device=device)
+            run_search([problem], [0], config)
+            laps = []
+            for k in range(3):
+                start = time.perf_counter()
+                run_search([problem], [k], config)
+                laps.append(time.perf_counter() - start)
+            rows.append({"objects": objects, "starts": starts, "seconds": sorted(laps)[1]})
+    return rows
+
+
+def pictures(count: int, out: Path) -> None:
+    """One sheet of layouts seen from above."""
+    from benchmarks.layout_pictures import sheet
+
+    docs = [solve(generate(k), seed=k) for k in range(count)]
+    sheet(docs, out)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("what", choices=("graphs", "ablation", "scaling", "pictures"))
+    parser.add_argument("--count", type=int, default=100)
+    parser.add_argument("--settle", type=int, default=0)
+    parser.add_argument("--device", default="cpu")
+    parser.add_argument("--out", type=Path, default=None)
+    args = parser.parse_args()
+    if args.what == "pictures":
+        pictures(args.count, args.out or Path("layouts.png"))
+        return
+    result: Any
+    if args.what == "graphs":
+        result = graphs(args.count, args.settle, args.device)
+    elif args.what == "ablation":
+        result = ablation(args.count, args.device)
+    else:
+        result = scaling(args.device)
+    text = json.dumps(result, indent=1)
+    if args.out:
+        args.out.write_text(text + "\n")
+    print(text)
+
+
+if __name__ == "__main__":
+    main()
