@@ -30,8 +30,8 @@ def expectations_from_timeline(doc: EsgDocument, scene: SimScene | None = None) 
 
     Point events become events of the same meaning; a Brake segment becomes a `brakes` event; motion
     under own power that leads to no measurable event becomes a `moves` event. SceneStart and
-    Trigger are no outcomes. `after` follows the sequence graph. Prescribed times, speeds and masses become
-    constraints; plausible guesses do not.
+    Trigger are no outcomes. `after` follows the sequence graph. Prescribed times, speeds and
+    masses become constraints; plausible guesses do not.
 
     Args:
         doc: A document with or without a timeline (without: no events).

@@ -1,9 +1,9 @@
 """Signed distances between compounds of convex shapes, exact for their hulls.
 
 Every shape is a convex core plus a radius: a sphere is a point, a capsule a segment, a box,
-cylinder (a prism of 48 sides, < 0.3% of the radius off) or convex hull its vertices. Separated cores are
-measured with GJK, overlapping ones on the facets of their Minkowski difference (the exact EPA
-answer). Validated on analytic pairs in tests/metrics/test_geometry.py.
+cylinder (a prism of 48 sides, < 0.3% of the radius off) or convex hull its vertices. Separated
+cores are measured with GJK, overlapping ones on the facets of their Minkowski difference (the
+exact EPA answer). Validated on analytic pairs in tests/metrics/test_geometry.py.
 """
 
 from __future__ import annotations

@@ -204,10 +204,14 @@ def _ingest(
 
 
 def _upsert(connection: DuckDBPyConnection, file: Path, table: str) -> int:
-    columns = [
-        c for c in COLUMNS[table] if table != "trajectories" or c not in _ARRAYS - {"bodies"}
-    ]
+    skipped = _ARRAYS - {"bodies"} if table == "trajectories" else set()
+    columns = {c: kind for c, kind in COLUMNS[table].items() if c not in skipped}
     names = ", ".join(f'"{c}"' for c in columns)
+    # The database keeps plain UTC: time zone types need a package that readers may lack.
+    read = ", ".join(
+        f"timezone('UTC', \"{c}\")" if kind == "timestamp" else f'"{c}"'
+        for c, kind in columns.items()
+    )
     extra, values = (", file", ", $file") if table == "trajectories" else ("", "")
     keys = ", ".join(KEYS[table])
     # Within one file the last row of a key wins, as it does between files.
