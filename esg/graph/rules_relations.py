@@ -30,6 +30,8 @@ CLOSE = frozenset({R.NEAR, R.ADJACENT, R.ON, R.INSIDE_OF, R.CENTER_OF, R.ATTACHE
                    R.ATTACHED_HORIZONTAL})  # fmt: skip
 SUPPORTS = frozenset({R.ON, R.INSIDE_OF, R.ATTACHED_VERTICAL, R.ATTACHED_HORIZONTAL})
 MAX_DISTANCE_CM = 2e4
+SQUARE_RATIO = 0.05
+"""Footprints whose sides differ by less have no front to speak of."""
 
 _ARITY: dict[MultiRelationType, tuple[int, int]] = {
     MultiRelationType.BETWEEN: (1, 2),
@@ -320,6 +322,36 @@ def _faces(ctx: Context, edges: Indexed) -> None:
                 f"{edge.from_!r} already faces {first.cardinal or first.to!r}.",
                 "Keep one `face` per object.",
             )
+    if not ctx.parsed.intact(*_EDGES, "binary_relations"):
+        return
+    # A `face` with a dangling end is reported as such already.
+    turned = {e.from_ for e in ctx.graph.edges.binary_relations if e.relation_type is R.FACE}
+    for name in ctx.nodes:
+        if name not in turned and _has_direction(ctx, name):
+            ctx.add(
+                "FACE_MISSING",
+                pointer("spatial_relation_graph", "nodes", name),
+                name,
+                f"{name!r} has a direction but faces nothing.",
+                "Add one `face` relation to an object, or to the ground with a cardinal.",
+            )
+
+
+def _has_direction(ctx: Context, name: str) -> bool:
+    """Whether the paper's "exactly one face" is asked of a node.
+
+    Not of what looks alike from all sides, of group members (their pattern turns them), nor of
+    objects that expansion added and that nothing constrains.
+    """
+    node = ctx.nodes[name]
+    asset = ctx.requirement(node)
+    if asset is None or node.is_structural or not node.mentioned or node.group is not None:
+        return False
+    length, width, _ = asset.expected_dimensions_cm
+    if outside(length, SIZE_CM) or outside(width, SIZE_CM):
+        return False  # Reported as UNIT_SIZE already.
+    square = abs(length - width) <= SQUARE_RATIO * max(length, width)
+    return asset.shape not in ("sphere", "cylinder", "capsule") and not square
 
 
 def _multi(ctx: Context, i: int, edge: MultiRelation) -> None:

@@ -123,6 +123,7 @@ RULES: dict[str, str] = {
     "RELATION_CARDINAL": "Only `face` towards a structural base has a cardinal.",
     "RELATION_ARITY": "A multi relation has as many subjects and targets as its type needs.",
     "FACE_DUPLICATE": "An object faces one way.",
+    "FACE_MISSING": "A mentioned object with a long and a short side faces some way.",
     # Actors.
     "ACTOR_FORCE_MISSING": "An active actor has a force direction.",
     "ACTOR_FORCE_FORBIDDEN": "A passive actor has no force direction.",

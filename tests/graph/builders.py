@@ -423,6 +423,9 @@ def study() -> Json:
         },
         [
             rel("desk_1", "face", "ground_1", cardinal="+Y"),
+            rel("picture_1", "face", "desk_1"),
+            rel("book_1", "face", "ground_1", cardinal="+Y"),
+            rel("book_2", "face", "ground_1", cardinal="-X"),
             rel("laptop_1", "on", "desk_1"),
             rel("laptop_1", "center_of", "desk_1"),
             rel("laptop_1", "face", "desk_1"),

@@ -144,7 +144,7 @@ def references(m: Maker) -> None:
     for region in get(raw, (*GRAPH, "semantic_regions")):
         m.set("REF_REGION_PARENT", (*GRAPH, "semantic_regions", region, "parent_object"), "nobody")
     for i, _ in enumerate(get(raw, BINARY)):
-        m.set("REF_RELATION", (*BINARY, i, "from"), "nobody")
+        m.set("REF_RELATION", (*BINARY, i, "from"), "nobody", "FACE_MISSING")
         m.set("REF_RELATION", (*BINARY, i, "to"), "nobody")
     for i, item in enumerate(get(raw, MULTI)):
         m.set("REF_GROUP", (*MULTI, i, "subjects", 0), "nobody")
@@ -204,11 +204,18 @@ def scene(m: Maker) -> None:
     for item in get(floating, NODES).values():
         if item.pop("is_structural", False):
             item["semantic_region"] = "ground_area"
-    m.add("SCENE_NO_BASE", NODES, floating, "REGION_CYCLE", "RELATION_CARDINAL")
+    m.add("SCENE_NO_BASE", NODES, floating, "REGION_CYCLE", "RELATION_CARDINAL", "FACE_MISSING")
     for name, item in get(raw, NODES).items():
         spaced = copy.deepcopy(raw)
         get(spaced, NODES)[f"bad {name}"] = item
-        m.add("ID_MALFORMED", (*NODES, f"bad {name}"), spaced, "POSE_MISSING", "SCENE_NO_BASE")
+        m.add(
+            "ID_MALFORMED",
+            (*NODES, f"bad {name}"),
+            spaced,
+            "POSE_MISSING",
+            "SCENE_NO_BASE",
+            "FACE_MISSING",
+        )
         if not item.get("is_structural"):
             m.add("REGION_MISSING", (*NODES, name), without(raw, (*NODES, name, "semantic_region")))
             path = (*NODES, name, "group_pattern")
@@ -313,7 +320,11 @@ def relations(m: Maker) -> None:
                     note=f"{i}mutual",
                 )
                 spare = copy.deepcopy(raw)
-                get(spare, NODES)["third_1"] = {**get(raw, NODES)[a], "is_structural": False}
+                get(spare, NODES)["third_1"] = {
+                    **get(raw, NODES)[a],
+                    "is_structural": False,
+                    "mentioned": False,
+                }
                 third = "third_1"
                 m.add(
                     "RELATION_CYCLE",
@@ -340,6 +351,8 @@ def relations(m: Maker) -> None:
                     (*BINARY, i),
                     put(raw, (*BINARY, i, "cardinal"), "+X"),
                 )
+            if a not in ("laptop_1", "cue_ball_1", "chair_1", "chair_2", "chair_3", "chair_4"):
+                m.add("FACE_MISSING", (*NODES, a), without(raw, (*BINARY, i)))
         if kind in ("on", "inside_of", "attached_vertical"):
             m.add(
                 "RELATION_TWO_SUPPORTS",

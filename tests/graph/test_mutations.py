@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+import re
+
 import pytest
 
 from esg.graph import RULES, verify
@@ -49,3 +52,10 @@ def test_violations_are_complete() -> None:
         for v in found:
             assert v.code in RULES and v.message.endswith(".") and v.remedy.endswith("."), case.name
             assert v.pointer == "" or v.pointer.startswith("/"), case.name
+
+
+def test_documented_rules_are_in_sync() -> None:
+    """Keep the table of codes in docs/graph.md what RULES says."""
+    text = (Path(__file__).parents[2] / "docs" / "graph.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| `([A-Z_]+)` \| (.+) \|$", text, re.MULTILINE)
+    assert rows == list(RULES.items())
