@@ -160,10 +160,15 @@ def _topological(graph: SequenceGraph) -> list[str]:
 
 
 def _constraints(graph: SequenceGraph, events: list[SuiteEvent]) -> list[SuiteConstraint]:
-    known = {e.id for e in events}
+    known = {e.id: e.id for e in events}
+    # A segment's event happens where the segment starts: "since the trigger" is since its braking.
+    for edge in graph.edges:
+        if edge.id in known:
+            known.setdefault(edge.from_, edge.id)
+    known |= {n.id: "start" for n in graph.nodes if n.event is NodeEvent.SCENE_START}
     out: list[SuiteConstraint] = []
     for node in graph.nodes:
-        if node.id not in known:
+        if known.get(node.id) != node.id:
             continue
         if node.time_is_prescribed:
             out += _bounded("outcome", "time", node.timestamp, node.window, event=node.id)
@@ -211,13 +216,18 @@ def _si(
     return value * scale, None
 
 
-def _outcome(node: TimelineNode, item: EventConstraint, known: set[str]) -> SuiteConstraint | None:
+def _outcome(
+    node: TimelineNode, item: EventConstraint, known: dict[str, str]
+) -> SuiteConstraint | None:
     quantity = "speed" if item.quantity == "speed_before" else item.quantity
     value, span = _si(quantity, item.value)
     fields: dict[str, str | None] = {"object": f"={item.object}"}
     fields["at" if item.quantity == "speed_before" else "event"] = node.id
     if quantity == "time_since":
-        fields["since"] = item.since if item.since in known else "start"
+        since = known.get(item.since or "")
+        if since is None:
+            return None
+        fields["since"] = since
     found = _bounded("outcome", quantity, value, span, **fields)
     return found[0] if found else None
 
