@@ -181,6 +181,7 @@ def run_stage(stage: str, state: SceneState) -> SceneState:
         entry["key"] = key
         entry["cached"] = store.find(key) is not None
         if not entry["cached"]:
+            _quiet_libraries(stage)
             store.create(key, lambda folder: SPECS[stage].run(state, folder))
         state = replace(state, artifacts={**state.artifacts, stage: key})
         outcome, reason = conclude(stage, state)
@@ -199,6 +200,14 @@ def run_stage(stage: str, state: SceneState) -> SceneState:
     if state.outcome is not None:
         entry["outcome"] = state.outcome.value
     return replace(state, log=(*state.log, entry))
+
+
+def _quiet_libraries(stage: str) -> None:
+    """Initializes warp without its banner before a stage does so with it."""
+    if stage not in ("draft", "resolve"):
+        from esg.engines.newton_model import quiet_warp
+
+        quiet_warp()
 
 
 def crashed(state: SceneState, error: BaseException, stage: str = "") -> SceneState:

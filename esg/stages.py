@@ -238,8 +238,8 @@ def _outcome(doc: EsgDocument, own: SceneVerdict) -> tuple[Outcome, str]:
 def _record(state: SceneState, folder: Path) -> None:
     from esg.assets import write_meshes
     from esg.rolloutfile import load_rollout
-    from esg.store import write_mcap
-    from esg.view import preview
+    from esg.store.mcap_log import write_mcap
+    from esg.view.preview import preview
 
     doc = load_doc(state)
     scene, program = load_scene(state)

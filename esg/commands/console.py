@@ -8,6 +8,7 @@ import json
 import os
 import sys
 from typing import Any, TextIO
+import warnings
 
 
 def quiet_native_output() -> None:
@@ -18,6 +19,8 @@ def quiet_native_output() -> None:
     """
     if os.environ.get("ESG_DEBUG"):
         return
+    warnings.simplefilter("ignore")
+    os.environ.setdefault("PYTHONWARNINGS", "ignore")  # for worker processes
     nowhere = os.open(os.devnull, os.O_WRONLY)
     for number, name in ((1, "stdout"), (2, "stderr")):
         stream: TextIO = getattr(sys, name)

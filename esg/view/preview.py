@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+import itertools
 import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -25,6 +26,9 @@ PANEL_PX = (480, 320)
 MAX_EVENTS = 7
 REACH = 2.6
 """A bystander of the cast joins the picture if it widens the picture by at most this factor."""
+_UNITS = {"mps": "m/s", "m": "m", "s": "s", "deg": "deg", "ns": "N s", "kg": "kg"}
+GROUND_HALF_EXTENT_M = 45.0
+"""A surface without collision at least this wide is the ground."""
 GROUND_RGB = {"indoor": (0.47, 0.41, 0.35), "outdoor": (0.36, 0.38, 0.36)}
 
 
@@ -91,10 +95,15 @@ def _moments(scene: SimScene, rollout: Rollout, verdict: SceneVerdict | None) ->
         # A moment after the last event, not the end of a long tail in which everything is still.
         end = min(end, (events[-1].time_s or 0.0) + 1.0)
     moments = [_Moment(0.0, cast, "start", "before anything moves")]
-    for event in events:
+    for number, event in enumerate(events, 1):
         bodies = tuple(scene.index(b) for b in event.bodies if b in scene.names) or cast
         moments.append(
-            _Moment(event.time_s or 0.0, bodies, _title(scene, event), _measurements(event))
+            _Moment(
+                event.time_s or 0.0,
+                bodies,
+                f"{number}  {_title(scene, event)}",
+                _measurements(event),
+            )
         )
     moments.append(_Moment(end, cast, "after", f"t = {end:.2f} s"))
     return moments
@@ -124,26 +133,25 @@ def _title(scene: SimScene, event: EventVerdict) -> str:
     who = [_name(scene, b) for b in event.bodies]
     joiner = " x " if event.type == "collision" else ", "
     shown = joiner.join(who[:2]) + (f" +{len(who) - 2}" if len(who) > 2 else "")
-    return f"{event.id}  {event.type}  {shown}"
+    return f"{event.type}: {shown}"
 
 
 def _measurements(event: EventVerdict) -> str:
+    """Time and what was measured, in the units of the measurement's name; zeros say nothing."""
     parts = [f"t = {event.time_s:.2f} s"]
-    for key, value in list(event.measured.items())[:3]:
+    for key, value in event.measured.items():
         name, _, unit = key.rpartition("_")
-        known = {"mps": "m/s", "m": "m", "s": "s", "deg": "deg", "ns": "N s", "kg": "kg"}
-        if name and unit.lower() in known:
-            parts.append(f"{name.replace('_', ' ')} {value:.2f} {known[unit.lower()]}")
-        else:
-            parts.append(f"{key.replace('_', ' ')} {value:.2f}")
-    return "   ".join(parts)
+        if name in ("", "time") or unit not in _UNITS or round(abs(value), 2) == 0.0:
+            continue
+        parts.append(f"{name.replace('_', ' ')} {value:.3g} {_UNITS[unit]}")
+    return "   ".join(parts[:4])
 
 
 def _failures(verdict: SceneVerdict | None) -> list[str]:
     if verdict is None:
         return []
     lines = [
-        f"{e.id} {e.type}: not completed ({e.reason or 'no reason given'})"
+        f"{e.type} {' x '.join(e.bodies)}: not completed ({e.reason or 'no reason given'})"
         for e in verdict.events
         if not e.completed
     ]
@@ -199,13 +207,12 @@ def _camera(
 ) -> Camera:
     points = _frame_set(scene, rollout, moment.focus, frame)
     span = float(np.ptp(points, axis=0).max())
-    # Room around the action: at least a third of its size, so that one sees where it happens.
+    # A little room around the action, so that one sees where it happens.
     low, high = points.min(axis=0), points.max(axis=0)
-    pad = 0.16 * span
+    pad = 0.06 * span
     low = np.array([low[0] - pad, low[1] - pad, max(0.0, low[2] - pad)])
     high = high + np.array([pad, pad, 0.0])
-    corners = np.array([[x, y, z] for x in (low[0], high[0]) for y in (low[1], high[1])
-                        for z in (low[2], high[2])])  # fmt: skip
+    corners = np.array(list(itertools.product(*zip(low, high, strict=True))))
     return frame_points(corners, azimuth, elevation, PANEL_PX[0] / PANEL_PX[1])
 
 
@@ -222,7 +229,9 @@ def _viewpoint(
     if math.sin(side) < -1e-6:
         side += math.pi
     best, best_score = (side, math.radians(24)), -math.inf
-    for turn in (0, 25, -25, 50, -50, 155, -155, 180):
+    # First, last and the middle moment stand for all: this is half of the work otherwise.
+    moments = [moments[k] for k in sorted({0, len(moments) // 2, len(moments) - 1})]
+    for turn in (0, 30, -30, 60, -60, 180):
         for elevation in (24, 42):
             view = (side + math.radians(turn), math.radians(elevation))
             seen = []
@@ -247,7 +256,7 @@ def _visibility(
     renderer: Renderer,
 ) -> float:
     """Mean over the focus of visible pixels over those of its projected box, capped at 1."""
-    width, height = 96, 64
+    width, height = 72, 48
     counts = renderer.visible(camera, moment.focus, width)
     shares = []
     for body in moment.focus:
@@ -293,15 +302,32 @@ def _parts(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> list[Part]:
 
     parts: list[Part] = []
     meshes: dict[str, Any] = {}
+    ground = GROUND_RGB[doc.scene_definition.scene_parameters.scene_type]
+    decals: list[tuple[float, list[Part]]] = []
     for index, body in enumerate(scene.bodies):
-        node = doc.spatial_relation_graph.nodes[body.name]
+        node = doc.spatial_relation_graph.nodes.get(body.name)
+        if node is None:
+            continue
+        flat = not body.collides
+        if flat and max(body.half_extents[:2]) > GROUND_HALF_EXTENT_M:
+            # The ground itself: drawn as an endless plane in its colour.
+            ground = body.color
+            continue
         if node.asset_id not in meshes:
             meshes[node.asset_id] = build_mesh(doc.asset_configurations[node.asset_id])
-        for vertices, faces, color in _geometries(meshes[node.asset_id], body.color):
-            local = vertices / CM_PER_M + np.asarray(body.origin_offset)
-            parts.append(Part(index, local, faces, color))
-    scene_type = doc.scene_definition.scene_parameters.scene_type
-    return parts + _ground(rollout, GROUND_RGB[scene_type])
+        own = [
+            Part(index, vertices / CM_PER_M + np.asarray(body.origin_offset), faces, color)
+            for vertices, faces, color in _geometries(meshes[node.asset_id], body.color)
+        ]
+        if flat:
+            decals.append((body.half_extents[0] * body.half_extents[1], own))
+        else:
+            parts += own
+    # Roads and markings lie on the ground, the smaller on the larger: a few millimetres apart.
+    for layer, (_, own) in enumerate(sorted(decals, key=lambda d: -d[0]), 1):
+        lift = np.array([0.0, 0.0, 0.004 * layer])
+        parts += [replace(p, vertices=p.vertices + lift) for p in own]
+    return parts + _ground(rollout, ground)
 
 
 def _geometries(mesh: Any, fallback: tuple[float, float, float]) -> list[Any]:
@@ -349,12 +375,12 @@ def _ground(rollout: Rollout, color: tuple[float, float, float]) -> list[Part]:
     ]
     corner = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], float)
     corners = (np.array(cells, float)[:, None, :] + corner) * tile
-    vertices = np.concatenate([corners.reshape(-1, 2), np.full((4 * len(cells), 1), -0.003)], 1)
+    vertices = np.concatenate([corners.reshape(-1, 2), np.full((4 * len(cells), 1), -0.002)], 1)
     offsets = 4 * np.arange(len(cells))[:, None, None]
     faces = (np.array([[0, 1, 2], [0, 2, 3]])[None] + offsets).reshape(-1, 3)
-    lighter = tuple(min(1.0, 1.07 * c) for c in color)
+    lighter = tuple(min(1.0, 1.1 * c) for c in color)
     middle = 0.5 * (low + high)
-    big = np.concatenate([(corner - 0.5) * 900 + middle, np.full((4, 1), -0.006)], axis=1)
+    big = np.concatenate([(corner - 0.5) * 900 + middle, np.full((4, 1), -0.005)], axis=1)
     return [
         Part(-1, big, np.array([[0, 1, 2], [0, 2, 3]]), color),
         Part(-1, vertices, faces, lighter),  # type: ignore[arg-type]  # three floats

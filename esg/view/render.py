@@ -44,9 +44,9 @@ class Renderer:
     """
 
     def __init__(self, parts: list[Part], n_bodies: int, width: int, height: int) -> None:
-        import warp as wp
+        from esg.engines.newton_model import quiet_warp
 
-        wp.config.quiet = True
+        wp = quiet_warp()
         import newton
         from newton.sensors import SensorCamera
 
@@ -55,7 +55,7 @@ class Renderer:
         builder = newton.ModelBuilder(gravity=(0.0, 0.0, 0.0))
         inertia = wp.mat33(np.eye(3).flatten())
         for _ in range(n_bodies):
-            builder.add_body(mass=1.0, inertia=inertia)
+            builder.add_body(mass=1.0, inertia=inertia, lock_inertia=True)
         for part in parts:
             mesh = newton.Mesh(
                 np.ascontiguousarray(part.vertices, np.float32),
@@ -92,6 +92,7 @@ class Renderer:
         """
         poses = np.concatenate([position, quaternion], axis=1).astype(np.float32)
         self._state.body_q.assign(poses)
+        self._model.bvh_refit_shapes(self._state)
 
     def color(self, camera: Camera) -> NDArray[np.uint8]:
         """The picture from `camera`, shape [height, width, 3]."""
