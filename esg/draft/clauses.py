@@ -131,7 +131,19 @@ class ClauseBuilder:
                 s = self._word(s, e, i)
             i += 1
         self._flush(s)
-        self.frames = _order(self.frames)
+        for f in self.frames:
+            self._hand_over(f)
+        self.frames = _order(_background_first(self.frames))
+
+    @staticmethod
+    def _hand_over(f: Frame) -> None:
+        """ "car B, weighing 1500 kg, at 10 m/s": the speed belongs to the clause around it."""
+        if f.parent is None or f.verb.sense not in ("weigh", "measure", "have"):
+            return
+        for p in list(f.phrases):
+            if p.amount is not None and p.amount.dimension in ("speed", "time"):
+                f.phrases.remove(p)
+                f.parent.phrases.append(p)
 
     # -- words -----------------------------------------------------------------------------------
 
@@ -163,6 +175,11 @@ class ClauseBuilder:
             s.prep = ""
             return s
         if w.kind in ("prep", "to"):
+            nxt = self.elements[i + 1] if i + 1 < len(self.elements) else None
+            if nxt is None or (isinstance(nxt, Word) and nxt.kind in ("punct", "conj", "sub", "rel")):
+                if s.frame is not None:
+                    s.frame.adverbs.append(w.low)  # a particle: "knocking them over"
+                return s
             s.prep = w.low
             return s
         if w.kind == "qty" and w.amount is not None:
@@ -267,6 +284,9 @@ class ClauseBuilder:
 
     def _attach(self, s: _State, phrase: Phrase, i: int) -> None:
         previous = s.last
+        if phrase.prep == "by" and s.frame is not None and s.frame.verb.passive:
+            s.frame.phrases.append(phrase)
+            return
         noun_attached = phrase.prep in ("with", "of", "on", "in", "near", "beside", "next to", "under",
                                         "behind", "in front of", "left of", "right of", "inside",
                                         "above", "between", "by", "at", "around", "against",
@@ -313,6 +333,7 @@ class ClauseBuilder:
         elif s.boundary and s.boundary_kind == "rel":
             frame.subject = s.relative
             frame.reduced = True
+            frame.parent = previous
         elif v.infinitive and previous is not None:
             self._infinitive(s, frame, previous)
         elif previous is None:
@@ -396,7 +417,9 @@ class ClauseBuilder:
 
     def _participle(self, s: _State, frame: Frame, previous: Frame) -> None:
         v = frame.verb
-        if v.sense in CAUSE_SENSES or v.extra.get("transitive"):
+        if v.sense in ("weigh", "measure", "have", "contain") and s.last is not None:
+            frame.subject, frame.reduced, frame.parent = s.last, True, previous
+        elif v.sense in CAUSE_SENSES or v.extra.get("transitive"):
             frame.subject = self._agent(previous)
             frame.link = "cause"
             frame.causer = previous
@@ -434,6 +457,32 @@ class ClauseBuilder:
             if isinstance(item, Phrase) and item.amount is not None and s.frame is not None:
                 s.frame.phrases.append(item)
         s.loose = []
+
+
+_MOVING = frozenset({"own", "roll", "slide", "fly", "approach", "coast", "accelerate", "fall", "spin"})
+
+
+def _background_first(frames: list[Frame]) -> list[Frame]:
+    """What a noun is already doing ("hit by a van moving at 12 m/s") precedes its clause."""
+    out: list[Frame] = []
+    for f in frames:
+        progressive = f.verb.form == "ing"
+        parent = f.parent
+        if (
+            f.reduced
+            and progressive
+            and f.verb.sense in _MOVING
+            and out
+            and out[-1].sentence == f.sentence
+            and out[-1].subject is not f.subject
+            and f.link in ("while", "then")
+        ):
+            at = out.index(parent) if parent in out else len(out) - 1
+            f.link, out[at].link = out[at].link, "then" if out[at].link == "then" else out[at].link
+            out.insert(at, f)
+        else:
+            out.append(f)
+    return out
 
 
 def _order(frames: list[Frame]) -> list[Frame]:

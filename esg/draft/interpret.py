@@ -147,11 +147,7 @@ class Interpreter:
 
     def run(self, frames: list[Frame], attachments: list[tuple[Mention, Phrase]]) -> Scene:
         # references are resolved in the order of the text, events in the order of time
-        for f in sorted(frames, key=lambda f: f.verb.start):
-            self._refer(f)
-        for m in self.mentions:
-            if id(m) not in self.world.resolved and (m.head or m.pronoun) and m.count != 0:
-                self.world.resolve(m)
+        self._refer_all(frames)
         for f in frames:
             self.frame(f)
         for m, p in attachments:
@@ -245,6 +241,26 @@ class Interpreter:
         return bool({"container", "goal"} & self.e(node).noun.traits)
 
     # -- frames ----------------------------------------------------------------------------------
+
+    def _refer_all(self, frames: list[Frame]) -> None:
+        """Resolves every noun phrase, frame by frame and in the order of the text."""
+        framed: set[int] = set()
+        items: list[tuple[int, int, Frame | Mention]] = []
+        for f in frames:
+            mentions = [f.subject, f.object, f.object2, *[p.mention for p in f.phrases]]
+            own = [m for m in mentions if m is not None and id(m) not in framed]
+            framed |= {id(m) for m in own}
+            framed |= {id(c) for m in own for c in m.coordinated}
+            items.append((min([f.verb.start, *[m.start for m in own]]), f.verb.start, f))
+        for m in self.mentions:
+            if id(m) not in framed:
+                items.append((m.start, m.start, m))
+        items.sort(key=lambda item: item[:2])
+        for _, _, item in items:
+            if isinstance(item, Frame):
+                self._refer(item)
+            elif id(item) not in self.world.resolved and (item.head or item.pronoun) and item.count != 0:
+                self.world.resolve(item)
 
     def _refer(self, f: Frame) -> None:
         """Resolves the noun phrases of a frame, subject first."""
@@ -428,7 +444,7 @@ class Interpreter:
         return track is not None and track.hit and track.role is Role.PASSIVE
 
     def _target(self, f: Frame, avoid: list[str]) -> list[str]:
-        p = f.phrase("towards", "toward", "at", "to", "into", "onto", "against", "on", "in")
+        p = f.phrase("towards", "toward", "at", "to", "into", "onto", "against", "after", "on", "in")
         if p is None or p.mention is None:
             return []
         return [i for i in p.mention.entities if i not in avoid]
@@ -1229,6 +1245,10 @@ class Interpreter:
     def _do_fall(self, f: Frame, s: list[str], o: list[str]) -> None:
         actors = self._representatives(s, [])
         fresh = [a for a in actors if a not in self.tl.tracks]
+        upright = [a for a in actors if "topples" in self.e(a).noun.traits or self.kind(a) in ("domino", "plant", "post")]
+        if upright and f.phrase("off", "from", "over", "down", "onto", "on", "into", "in") is None and a_rests_low(self, upright[0]):
+            self._do_topple(f, s, [])
+            return
         source = f.phrase("off", "from", "over", "down")
         if fresh and source is None and f.phrase("onto", "on", "into", "in") is None:
             self._drop(f, actors)
@@ -1396,6 +1416,11 @@ class Interpreter:
         self.scene.ignored[(f.verb.start, f.verb.end)] = "no physical meaning"
 
     _do_start = _do_apply
+
+
+def a_rests_low(interpreter: Interpreter, node: str) -> bool:
+    """Whether an upright thing stands on the ground, so that "falls" means that it topples."""
+    return node not in interpreter.scene.supported_by and node not in interpreter.scene.heights
 
 
 def pocket_name(adjectives: list[str]) -> str:

@@ -15,7 +15,8 @@ from esg.draft import lexicon as lex
 from esg.draft.quantities import Amount, find_amounts, parse_number
 
 _WORD = re.compile(
-    r"[A-Za-zÀ-ɏ]+(?:[-'’][A-Za-zÀ-ɏ]+)*|\d+(?:st|nd|rd|th)\b|#?\d+(?:\.\d+)?|[^\sA-Za-z0-9]"
+    r"\d+-(?:ball|wheeler)s?\b|[A-Za-zÀ-ɏ]+(?:[-'’][A-Za-zÀ-ɏ]+)*|\d+(?:st|nd|rd|th)\b"
+    r"|#?\d+(?:\.\d+)?|[^\sA-Za-z0-9]"
 )
 
 
@@ -222,7 +223,7 @@ def tokenize(text: str, tags: list[tuple[int, str]] | None = None) -> list[Token
                     continue
                 out.append(Token(word, m.start(), m.end(), "word"))
             elif word[0].isdigit() or (word[0] == "#" and len(word) > 1):
-                kind = "word" if re.fullmatch(r"\d+(st|nd|rd|th)", word) else "number"
+                kind = "word" if re.search(r"[a-z]", word) else "number"
                 out.append(Token(word, m.start(), m.end(), kind))
             else:
                 out.append(Token(word, m.start(), m.end(), "punct"))

@@ -161,7 +161,7 @@ class World:
 
     def note(self, ids: list[str], subject: bool = False) -> None:
         """Makes a referent set the most salient one."""
-        if ids:
+        if ids and self.entities[ids[0]].noun.kind != "region":
             self.salience.append(ids)
             if subject:
                 self.subjects.append(ids)
@@ -261,6 +261,8 @@ class World:
         return m.head == e.head
 
     def _existing(self, m: Mention, avoid: list[str]) -> list[str]:
+        if m.determiner in ("a", "an", "one", "any") and not m.plural and not m.letters and m.count in (None, 1):
+            return self._member(m, avoid)
         definite = m.determiner in ("the", "this", "that", "these", "those", "its", "his", "her", "their", "both", "all", "each", "every") or bool(m.letters)
         structural = m.noun is not None and "structural" in m.noun.traits
         bare = m.determiner == "" and not m.pattern
@@ -332,6 +334,16 @@ class World:
             pool = [e for e in pool if not (e.group and e.noun.kind == "billiard")] or pool
         pool.sort(key=lambda e: max((k for k, i in enumerate(order) if i == e.id), default=-1))
         return [pool[-1].id]
+
+    def _member(self, m: Mention, avoid: list[str]) -> list[str]:
+        """ "two blue balls ... hits a blue ball": an indefinite that picks a member of a plural."""
+        if any(a in _OTHER for a in m.adjectives):
+            return []
+        colors = {lex.COLORS[a] for a in m.adjectives if a in lex.COLORS}
+        pool = [e for e in self.entities.values()
+                if e.group and e.id not in avoid and self._matches(m, e)
+                and e.noun == m.noun and (not colors or e.color in colors)]  # fmt: skip
+        return [pool[0].id] if pool else []
 
     def _letter(self, m: Mention, letter: str) -> str:
         """Names a member of a plural, or creates the individual."""
@@ -457,6 +469,8 @@ class World:
         last_group = next(reversed(list(self.groups.values())), None)
         ordinal = next((a for a in m.adjectives if a in _ORDINALS or a == "last"), None)
         if last_group:
+            if m.pronoun == "one" and m.determiner == "the" and "other" in m.adjectives and not avoid:
+                return [last_group[-1]]
             if ordinal is not None:
                 k = len(last_group) - 1 if ordinal == "last" else _ORDINALS[ordinal]
                 return [last_group[k]] if k < len(last_group) else []

@@ -1,0 +1,317 @@
+"""Drafting benchmark: usability, recall of objects, events and quantities, invented events.
+
+    python -m benchmarks.drafting                  # the test third, rules drafter
+    python -m benchmarks.drafting --split dev --show
+
+Expectations in `data/prompts/*.jsonl` were written from the prompts alone. The paper's column is its
+ablation of draft construction (usability of single-shot, without validation, full).
+"""
+
+from __future__ import annotations
+
+import argparse
+from collections import Counter
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+import json
+from pathlib import Path
+import re
+import sys
+import time
+from typing import Any
+
+from esg.draft import draft
+from esg.graph import verify
+from esg.graph.models import EsgDocument, TimelineNode
+from esg.outcomes import UserError
+
+PROMPTS = Path(__file__).resolve().parents[1] / "data" / "prompts"
+BANDS = ("single", "quantified", "chain", "multi_phase")
+PAPER = {"single-shot": 76.5, "without validation": 88.5, "hierarchical + validation": 99.0}
+RELATIVE_TOLERANCE = 0.02
+
+_EVENTS = {
+    "collision": "Collision", "enters": "EnterRegion", "falls": "Fall", "topples": "Topple",
+    "stops": "Stop", "turns": "HeadingReached", "reaches": "Reach", "misses": "Miss",
+}  # fmt: skip
+
+
+@dataclass
+class Score:
+    """Counts over prompts; usability counts prompts, the others count expectations."""
+
+    prompts: int = 0
+    usable: int = 0
+    objects: int = 0
+    objects_found: int = 0
+    events: int = 0
+    events_found: int = 0
+    quantities: int = 0
+    quantities_found: int = 0
+    drafted: int = 0
+    invented: int = 0
+    problems: list[str] = field(default_factory=list)
+
+    def add(self, other: Score) -> None:
+        """Adds another score's counts and problems."""
+        for name in self.__dataclass_fields__:
+            setattr(self, name, getattr(self, name) + getattr(other, name))
+
+    def row(self) -> dict[str, float]:
+        """Percentages."""
+
+        def percent(a: int, b: int) -> float:
+            return round(100.0 * a / b, 1) if b else 100.0
+
+        return {
+            "prompts": self.prompts,
+            "usability": percent(self.usable, self.prompts),
+            "object_recall": percent(self.objects_found, self.objects),
+            "event_recall": percent(self.events_found, self.events),
+            "quantity_recall": percent(self.quantities_found, self.quantities),
+            "invented_events": round(100.0 * self.invented / self.drafted, 1) if self.drafted else 0.0,
+        }
+
+
+def load(split: str | None) -> list[dict[str, Any]]:
+    """The corpus, or one split of it."""
+    rows: list[dict[str, Any]] = []
+    for band in BANDS:
+        for line in (PROMPTS / f"{band}.jsonl").read_text(encoding="utf-8").splitlines():
+            row = json.loads(line)
+            if split in (None, "all", row["split"]):
+                rows.append(row)
+    return rows
+
+
+def _words(text: str) -> list[str]:
+    out: list[str] = []
+    for w in re.findall(r"[a-z0-9]+", text.lower()):
+        if len(w) > 3 and w.endswith("s") and not w.endswith("ss"):
+            w = w[:-2] if w.endswith(("xes", "ches", "shes")) else w[:-1]
+        out.append(w)
+    return out
+
+
+def bind(doc: EsgDocument, phrase: str) -> list[str]:
+    """Nodes that a noun phrase of the expectations can mean."""
+    want = _words(phrase)
+    best: list[str] = []
+    best_score = 0
+    for name, node in doc.spatial_relation_graph.nodes.items():
+        asset = doc.asset_requirement[node.asset_id]
+        own = set(_words(node.label) + _words(name.replace("_", " ")))
+        own |= set(_words(asset.asset_category.replace("_", " ")))
+        own |= set(_words(asset.asset_description.split(":")[0]))
+        if asset.color:
+            own.add(asset.color)
+        joined = "".join(want)
+        head = want[-1] if len(want[-1]) > 1 and not want[-1].isdigit() else want[0]
+        if head not in own and joined not in own and joined not in "".join(_words(node.label)):
+            continue
+        score = 1 + sum(w in own for w in want)
+        if joined in "".join(_words(node.label)):
+            score = max(score, 1 + len(want))
+        if score > best_score:
+            best, best_score = [name], score
+        elif score == best_score:
+            best.append(name)
+    return best if best_score >= 1 + min(len(want), 1) else []
+
+
+def _groups(doc: EsgDocument, ids: Iterable[str]) -> set[str]:
+    nodes = doc.spatial_relation_graph.nodes
+    return {nodes[i].group or i for i in ids}
+
+
+def _matches(doc: EsgDocument, node: TimelineNode, event: dict[str, Any]) -> bool:
+    if node.event.value != _EVENTS.get(event["type"]):
+        return False
+    first = bind(doc, event.get("a") or event["object"])
+    participants = node.participants
+    if event["type"] == "collision":
+        second = bind(doc, event["b"])
+        a, b = participants[0], participants[1]
+        return (bool({a} & set(first)) and bool({b} & set(second))) or (
+            bool({b} & set(first)) and bool({a} & set(second))
+        )
+    if not {participants[0]} & set(first):
+        return False
+    if event["type"] == "turns":
+        return node.turn_direction == event["direction"]
+    if event["type"] == "enters":
+        region = node.region or ""
+        return event["target"].split()[-1] in region or region.split("/")[0] in bind(doc, event["target"])
+    if event["type"] in ("reaches", "misses") and event.get("target"):
+        return participants[1] in bind(doc, event["target"])
+    return True
+
+
+def _moves(doc: EsgDocument, phrase: str) -> bool:
+    timeline = doc.timeline_system
+    if timeline is None:
+        return False
+    ids = bind(doc, phrase)
+    return any(e.actor in ids and e.event.value != "InertialConnector" for e in timeline.sequence_graph.edges)
+
+
+def _brakes(doc: EsgDocument, phrase: str) -> bool:
+    timeline = doc.timeline_system
+    if timeline is None:
+        return False
+    ids = bind(doc, phrase)
+    return any(e.actor in ids and e.event.value == "Brake" for e in timeline.sequence_graph.edges)
+
+
+def score_events(doc: EsgDocument, row: dict[str, Any], out: Score) -> None:
+    """Recall of expected events, and drafted events that nothing expected accounts for."""
+    timeline = doc.timeline_system
+    points = [n for n in (timeline.sequence_graph.nodes if timeline else ()) if n.event.value in _EVENTS.values()]
+    free = list(points)
+    for event in row["events"]:
+        out.events += 1
+        if event["type"] in ("moves", "brakes"):
+            found = (_moves if event["type"] == "moves" else _brakes)(doc, event["object"])
+        else:
+            hit = next((n for n in free if _matches(doc, n, event)), None)
+            found = hit is not None
+            if hit is not None:
+                free.remove(hit)
+        out.events_found += found
+        if not found:
+            out.problems.append(f"{row['id']} missing {event} | {row['prompt']}")
+    out.drafted += len(points)
+    out.invented += len(free)
+    for n in free:
+        out.problems.append(f"{row['id']} invented {n.event.value}{n.participants} | {row['prompt']}")
+
+
+def _close(found: Any, want: dict[str, Any], factor: float) -> bool:
+    low, high = found if isinstance(found, (tuple, list)) else (found, found)
+    low, high = low / factor, high / factor
+    if "value" in want:
+        v = want["value"]
+        return abs(low - v) <= RELATIVE_TOLERANCE * abs(v) and abs(high - v) <= RELATIVE_TOLERANCE * abs(v)
+    a, b = want["range"]
+    good_low = abs(low - a) <= 0.1 * max(abs(a), 0.5 * (b or a), 0.1) + 1e-9
+    return good_low and (b is None or abs(high - b) <= RELATIVE_TOLERANCE * abs(b))
+
+
+def _quantity(doc: EsgDocument, want: dict[str, Any]) -> bool:
+    nodes = doc.spatial_relation_graph.nodes
+    kind = want["quantity"]
+    ids = bind(doc, want["object"]) if "object" in want else []
+    assets = [doc.asset_requirement[nodes[i].asset_id] for i in ids]
+    timeline = doc.timeline_system
+    points = timeline.sequence_graph.nodes if timeline else ()
+    edges = timeline.sequence_graph.edges if timeline else ()
+    if kind == "mass":
+        return any(a.mass_is_prescribed and _close(a.expected_mass_kg, want, 1.0) for a in assets)
+    if kind == "size":
+        return any(
+            a.dimensions_are_prescribed and any(_close(x, want, 100.0) for x in a.expected_dimensions_cm)
+            for a in assets
+        )
+    if kind == "speed":
+        stated = [e.params.speed for e in edges if e.actor in ids and e.speed_is_prescribed and e.params.speed is not None]
+        stated += [c.value for n in points for c in n.constraints if c.object in ids and c.quantity in ("speed_before", "speed_after")]
+        return any(_close(v, want, 100.0) for v in stated)
+    if kind == "acceleration":
+        return any(e.params.acceleration is not None and e.actor in ids and _close(e.params.acceleration, want, 100.0) for e in edges)
+    if kind in ("time", "time_since"):
+        name = _EVENTS.get(want["event"], "Trigger")
+        for n in points:
+            if n.event.value != name and not (want["event"] == "turns" and n.event.value == "Trigger"):
+                continue
+            for c in n.constraints:
+                if c.quantity in ("time_since", "time_to_stop") and _close(c.value, want, 1.0):
+                    return True
+            if n.time_is_prescribed and _close(n.timestamp if n.timestamp is not None else n.window, want, 1.0):
+                return True
+        return False
+    if kind == "angle":
+        values: list[Any] = [n.turn_degrees for n in points if n.turn_degrees and n.participants[0] in ids]
+        values += [e.params.elevation_deg for e in edges if e.actor in ids and e.params.elevation_deg is not None]
+        values += [c.value for n in points for c in n.constraints if c.quantity == "angle"]
+        return any(_close(v, want, 1.0) for v in values)
+    factor = 100.0 if kind in ("speed_after", "height", "distance") else 1.0
+    stated = [c.value for n in points for c in n.constraints if c.object in ids and c.quantity == kind]
+    if kind == "distance":
+        stated += [r.distance_cm for r in doc.spatial_relation_graph.edges.binary_relations if r.distance_cm is not None]
+    if kind == "time_to_stop":
+        stated += [c.value for n in points for c in n.constraints if c.object in ids and c.quantity == "time_since"]
+    if kind == "speed_after":
+        stated += [e.params.speed for e in edges if e.actor in ids and e.speed_is_prescribed and e.params.speed is not None]
+    return any(_close(v, want, factor) for v in stated)
+
+
+def score_row(row: dict[str, Any], drafter: Callable[[str], EsgDocument]) -> Score:
+    """Drafts one prompt and compares it with its expectations."""
+    out = Score(prompts=1)
+    try:
+        doc = drafter(row["prompt"])
+    except UserError as error:
+        out.problems.append(f"{row['id']} refused: {error} | {row['prompt']}")
+        out.objects, out.events, out.quantities = len(row["objects"]), len(row["events"]), len(row["constraints"])
+        return out
+    violations = verify(doc)
+    out.usable = int(not violations)
+    out.problems += [f"{row['id']} {v.code} {v.pointer} | {row['prompt']}" for v in violations]
+    for item in row["objects"]:
+        out.objects += 1
+        ids = bind(doc, item["phrase"])
+        found = bool(ids) and len(ids) >= item.get("count", 1)
+        out.objects_found += found
+        if not found:
+            out.problems.append(f"{row['id']} object {item} got {ids} | {row['prompt']}")
+    score_events(doc, row, out)
+    for want in row["constraints"]:
+        out.quantities += 1
+        found = _quantity(doc, want)
+        out.quantities_found += found
+        if not found:
+            out.problems.append(f"{row['id']} quantity {want} | {row['prompt']}")
+    return out
+
+
+def run(split: str, drafter: Callable[[str], EsgDocument]) -> tuple[dict[str, Score], float]:
+    """Scores by band and in total, and the mean time of a draft [s]."""
+    scores = {band: Score() for band in BANDS} | {"total": Score()}
+    began = time.perf_counter()
+    rows = load(split)
+    for row in rows:
+        one = score_row(row, drafter)
+        scores[row["band"]].add(one)
+        scores["total"].add(one)
+    return scores, (time.perf_counter() - began) / max(1, len(rows))
+
+
+def main(argv: list[str] | None = None) -> int:
+    """Prints the table; returns the exit code."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--split", choices=("test", "dev", "all"), default="test")
+    parser.add_argument("--drafter", choices=("rules", "llm"), default="rules")
+    parser.add_argument("--show", action="store_true", help="list every miss")
+    parser.add_argument("--json", metavar="FILE", help="write the numbers here")
+    args = parser.parse_args(argv)
+    draft("A ball hits a box.")
+    scores, seconds = run(args.split, lambda p: draft(p, drafter=args.drafter))
+    columns = list(scores["total"].row())
+    print(f"{'band':<12}" + "".join(f"{c:>17}" for c in columns))
+    for band, score in scores.items():
+        print(f"{band:<12}" + "".join(f"{v:>17}" for v in score.row().values()))
+    print(f"\n{1000.0 * seconds:.1f} ms a prompt (draft, verify, score), split {args.split}")
+    print("paper, usability: " + ", ".join(f"{k} {v}" for k, v in PAPER.items()))
+    if args.show:
+        for line in scores["total"].problems:
+            print("  " + line)
+        codes = Counter(p.split(" ")[1] for p in scores["total"].problems)
+        print(dict(codes))
+    if args.json:
+        data = {"split": args.split, "drafter": args.drafter, "bands": {b: s.row() for b, s in scores.items()}}
+        Path(args.json).write_text(json.dumps(data, indent=2) + "\n", encoding="utf-8")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
