@@ -29,6 +29,7 @@ E_BETWEEN = wp.constant(terms.BETWEEN)
 E_LERP = wp.constant(terms.LERP)
 TOUCH_CM = wp.constant(0.2)
 """Vertical overlap below which two shapes only touch (an object and its support)."""
+SAMPLES = wp.constant(16)
 COLLISION_WEIGHT = wp.constant(8.0)
 REGION_WEIGHT = wp.constant(8.0)
 FACE_SCALE_CM = wp.constant(60.0)
@@ -68,6 +69,9 @@ class Problem:
     edge_p: wp.array2d(dtype=wp.float32)
     pair: wp.array(dtype=wp.vec2i)
     pair_margin: wp.array(dtype=wp.float32)
+    pair_mode: wp.array(
+        dtype=wp.int32
+    )  # 0 proxies, 1 boxes, 2 SDF, 3 and 4 SDF with the box of a, b
     scene_node: wp.array(dtype=wp.int32)  # first node, unit, edge, pair of each scene, [scenes + 1]
     scene_unit: wp.array(dtype=wp.int32)
     scene_edge: wp.array(dtype=wp.int32)
@@ -80,7 +84,6 @@ class Settings:
     iterations: wp.int32
     refine: wp.int32
     sample: wp.int32
-    aabb: wp.int32
     preference: wp.float32
     soft: wp.float32  # weight of what makes directional relations tidy
 
@@ -261,11 +264,88 @@ def edge_energy(p: Problem, w: wp.array(dtype=wp.vec3), off: int, e: int, soft: 
 
 
 @wp.func
-def pair_energy(p: Problem, w: wp.array(dtype=wp.vec3), off: int, k: int, aabb: int):
+def box_overlap_energy(p: Problem, a: int, b: int, pa: wp.vec3, pb: wp.vec3, m: float):
+    """The paper's AABB term; heights are constants here, so only x and y can resolve an overlap."""
+    ha = world_half(p, a, pa[2])
+    hb = world_half(p, b, pb[2])
+    ox = ha[0] + hb[0] + m - wp.abs(pa[0] - pb[0])
+    oy = ha[1] + hb[1] + m - wp.abs(pa[1] - pb[1])
+    oz = wp.min(p.node_z[a] + p.node_height[a], p.node_z[b] + p.node_height[b]) - wp.max(
+        p.node_z[a], p.node_z[b]
+    )
+    if ox > 0.0 and oy > 0.0 and oz > TOUCH_CM:
+        q = wp.min(ox, oy)
+        return COLLISION_WEIGHT * (0.1 * q * q + q)
+    return 0.0
+
+
+@wp.func
+def rim(kind: int, pose: wp.vec3, half: wp.vec2, k: int):
+    """Sample k of SAMPLES on the outline of a footprint."""
+    t = (float(k) + 0.5) / float(SAMPLES)
+    q = wp.vec2(wp.cos(2.0 * PI * t), wp.sin(2.0 * PI * t)) * half[0]
+    if kind == 1:
+        side = wp.floor(4.0 * t)
+        f = 2.0 * (4.0 * t - side) - 1.0
+        q = wp.vec2(half[0], f * half[1])
+        if side == 1.0:
+            q = wp.vec2(-f * half[0], half[1])
+        if side == 2.0:
+            q = wp.vec2(-half[0], -f * half[1])
+        if side == 3.0:
+            q = wp.vec2(f * half[0], -half[1])
+    r = turn(q, pose[2])
+    return wp.vec3(pose[0] + r[0], pose[1] + r[1], 0.0)
+
+
+@wp.func
+def sampled_penetration(
+    p: Problem, a: int, b: int, pa: wp.vec3, pb: wp.vec3, m: float, b_is_box: int
+):
+    """Sum of squared penetrations of a's samples into b, and how many penetrate."""
+    sums = wp.vec2(0.0, 0.0)
+    ground = wp.vec2(0.0, 0.0)
+    for i in range(p.prim_off[a], p.prim_off[a + 1]):
+        qa = compose(pa, p.prim_pose[i])
+        z0 = p.prim_z[i][0] + p.node_z[a]
+        z1 = p.prim_z[i][1] + p.node_z[a]
+        for k in range(SAMPLES):
+            x = rim(p.prim_kind[i], qa, p.prim_half[i], k)
+            least = float(1.0e9)
+            if b_is_box == 1:
+                if wp.min(z1, p.node_z[b] + p.node_height[b]) - wp.max(z0, p.node_z[b]) > TOUCH_CM:
+                    # the box of the large side is its world-aligned box, as in the paper
+                    least = separation(
+                        1, wp.vec3(pb[0], pb[1], 0.0), world_half(p, b, pb[2]), 0, x, ground
+                    )
+            else:
+                for j in range(p.prim_off[b], p.prim_off[b + 1]):
+                    zb = p.prim_z[j]
+                    if wp.min(z1, zb[1] + p.node_z[b]) - wp.max(z0, zb[0] + p.node_z[b]) > TOUCH_CM:
+                        least = wp.min(
+                            least,
+                            separation(
+                                p.prim_kind[j],
+                                compose(pb, p.prim_pose[j]),
+                                p.prim_half[j],
+                                0,
+                                x,
+                                ground,
+                            ),
+                        )
+            depth = m - least
+            if depth > 0.0:
+                sums += wp.vec2(depth * depth, 1.0)
+    return sums
+
+
+@wp.func
+def pair_energy(p: Problem, w: wp.array(dtype=wp.vec3), off: int, k: int):
     ab = p.pair[k]
     a = ab[0]
     b = ab[1]
     m = p.pair_margin[k]
+    mode = p.pair_mode[k]
     pa = w[a + off]
     pb = w[b + off]
     dx = pa[0] - pb[0]
@@ -274,18 +354,20 @@ def pair_energy(p: Problem, w: wp.array(dtype=wp.vec3), off: int, k: int, aabb: 
     e = float(0.0)
     if dx * dx + dy * dy > reach * reach:
         return e
-    if aabb == 1:
-        ha = world_half(p, a, pa[2])
-        hb = world_half(p, b, pb[2])
-        ox = ha[0] + hb[0] + m - wp.abs(dx)
-        oy = ha[1] + hb[1] + m - wp.abs(dy)
-        oz = wp.min(p.node_z[a] + p.node_height[a], p.node_z[b] + p.node_height[b]) - wp.max(
-            p.node_z[a], p.node_z[b]
+    if mode == 1:
+        return box_overlap_energy(p, a, b, pa, pb, m)
+    if mode >= 2:  # 2: SDF on both sides, 3: a is large, 4: b is large
+        large_a = int(0)
+        large_b = int(0)
+        if mode == 3:
+            large_a = int(1)
+        if mode == 4:
+            large_b = int(1)
+        sums = sampled_penetration(p, a, b, pa, pb, m, large_b) + sampled_penetration(
+            p, b, a, pb, pa, m, large_a
         )
-        if ox > 0.0 and oy > 0.0 and oz > TOUCH_CM:
-            # the vertical overlap is a constant of the problem: only x and y can resolve it
-            q = wp.min(ox, oy)
-            e = COLLISION_WEIGHT * (0.1 * q * q + q)
+        if sums[1] > 0.0:
+            e = COLLISION_WEIGHT * sums[0] / sums[1]
         return e
     for i in range(p.prim_off[a], p.prim_off[a + 1]):
         qa = compose(pa, p.prim_pose[i])
@@ -331,9 +413,7 @@ def spread(
 
 
 @wp.func
-def unit_energy(
-    p: Problem, w: wp.array(dtype=wp.vec3), off: int, u: int, limit: int, aabb: int, soft: float
-):
+def unit_energy(p: Problem, w: wp.array(dtype=wp.vec3), off: int, u: int, limit: int, soft: float):
     """Sum of all terms that unit u influences, among units up to `limit`."""
     e = float(0.0)
     for k in range(p.ue_off[u], p.ue_off[u + 1]):
@@ -350,7 +430,7 @@ def unit_energy(
         i = p.up[k]
         ab = p.pair[i]
         if p.node_unit[ab[0]] <= limit and p.node_unit[ab[1]] <= limit:
-            e += pair_energy(p, w, off, i, aabb)
+            e += pair_energy(p, w, off, i)
     return e
 
 
@@ -527,9 +607,7 @@ def propose(
 
 
 @wp.func
-def total_energy(
-    p: Problem, w: wp.array(dtype=wp.vec3), off: int, scene: int, aabb: int, soft: float
-):
+def total_energy(p: Problem, w: wp.array(dtype=wp.vec3), off: int, scene: int, soft: float):
     rel = float(0.0)
     reg = float(0.0)
     col = float(0.0)
@@ -540,7 +618,7 @@ def total_energy(
         else:
             rel += e
     for i in range(p.scene_pair[scene], p.scene_pair[scene + 1]):
-        col += pair_energy(p, w, off, i, aabb)
+        col += pair_energy(p, w, off, i)
     return wp.vec3(rel, col, reg)
 
 
@@ -595,7 +673,7 @@ def search(
             if count > 1:
                 x[u + uoff] = c
                 spread(p, w, x, off, uoff, u, u)
-                e = unit_energy(p, w, off, u, u, s.aabb, s.soft)
+                e = unit_energy(p, w, off, u, u, s.soft)
                 a = p.unit_anchor[u]
                 dx = c[0] - a[0]
                 dy = c[1] - a[1]
@@ -610,7 +688,7 @@ def search(
         spread(p, w, x, off, uoff, u, u)
 
     last = int(1 << 30)
-    parts = total_energy(p, w, off, scene, s.aabb, s.soft)
+    parts = total_energy(p, w, off, scene, s.soft)
     initial[t] = parts
     energy[t] = parts
     lowest = parts[0] + parts[1] + parts[2]
@@ -638,10 +716,10 @@ def search(
                             dv[axis] = h
                             x[u + uoff] = x0 + dv
                             spread(p, w, x, off, uoff, u, last)
-                            ep = unit_energy(p, w, off, u, last, s.aabb, s.soft)
+                            ep = unit_energy(p, w, off, u, last, s.soft)
                             x[u + uoff] = x0 - dv
                             spread(p, w, x, off, uoff, u, last)
-                            em = unit_energy(p, w, off, u, last, s.aabb, s.soft)
+                            em = unit_energy(p, w, off, u, last, s.soft)
                             g[axis] = (ep - em) / (2.0 * h)
                     x[u + uoff] = x0
                     spread(p, w, x, off, uoff, u, last)
@@ -671,7 +749,7 @@ def search(
                     x[u + uoff] = project(p, x[u + uoff] - d, u)
                 for u in range(u0, u1):
                     spread(p, w, x, off, uoff, u, last)
-                parts = total_energy(p, w, off, scene, s.aabb, s.soft)
+                parts = total_energy(p, w, off, scene, s.soft)
                 now = parts[0] + parts[1] + parts[2]
                 if now < lowest:
                     lowest = now

@@ -90,6 +90,36 @@ def concatenate(problems: Sequence[LayoutProblem]) -> dict[str, np.ndarray]:
     return data
 
 
+LARGE_SHAPES = 8
+"""Objects with more collision shapes count as large in the hybrid mode."""
+
+
+def pair_modes(problem: LayoutProblem, collision: str) -> np.ndarray:
+    """Collision term of every pair: the runtime partition of the supplementary, shape [pairs].
+
+    Corridors are always tested against proxies; a container's box does not exclude its content.
+    """
+    names = problem.names
+    large = [len(problem.shape[n].prims) > LARGE_SHAPES for n in names]
+    out = np.zeros(len(problem.pair), np.int32)
+    if collision == "proxy":
+        return out
+    for k, (a, b) in enumerate(problem.pair.tolist()):
+        if b >= len(names):
+            continue
+        la, lb = large[a], large[b]
+        carried = names[a] in problem.supports.chain(names[b]) or names[
+            b
+        ] in problem.supports.chain(names[a])
+        if collision == "aabb" or (collision == "hybrid" and la and lb):
+            out[k] = 0 if carried else 1
+        elif collision == "sdf" or carried or not (la or lb):
+            out[k] = 2
+        else:
+            out[k] = 3 if la else 4
+    return out
+
+
 def run_search(
     problems: Sequence[LayoutProblem], seeds: Sequence[int], config: LayoutConfig
 ) -> list[SearchResult]:
@@ -110,6 +140,9 @@ def run_search(
     wp.config.quiet = True
     device = config.device
     data = concatenate(problems)
+    data["pair_mode"] = np.concatenate([pair_modes(p, config.collision) for p in problems] or [[]])
+    if len(data["pair_mode"]) == 0:
+        data["pair_mode"] = np.zeros(1, np.int32)
     vectors: dict[str, Any] = {
         "node_half": wp.vec2, "prim_half": wp.vec2, "prim_z": wp.vec2, "node_rel": wp.vec3,
         "prim_pose": wp.vec3, "unit_free": wp.vec3, "unit_pose": wp.vec3, "unit_anchor": wp.vec4,
@@ -124,7 +157,6 @@ def run_search(
     settings.iterations = config.iterations
     settings.refine = int(config.refine)
     settings.sample = int(config.sample_init)
-    settings.aabb = int(config.collision == "aabb")
     settings.soft = config.alignment_weight
     settings.preference = config.preference_weight if config.preference else 0.0
 
