@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 from collections import OrderedDict
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+import os
 from typing import Any
 
 import numpy as np
@@ -23,18 +26,25 @@ from esg.engines.worlds import (
 )
 from esg.outcomes import UserError
 
-MAX_MODELS = 6
+MAX_MODELS = 12
 """Compiled models kept; the least recently used one is dropped."""
 
 MAX_WORLDS_CPU = 128
+MIN_WORLDS_PER_THREAD = 8
 MAX_WORLDS_CUDA = 16384
 _BUCKETS = (1, 8, 16, 32, 64, 128)
 
+MAX_GROWTH = 64
+
+_growth: dict[object, int] = {}
 _models: OrderedDict[object, NewtonModel] = OrderedDict()
 
 
 class NewtonEngine:
     """Newton 1.8, solver Steel (see `esg.engines.base.Engine`).
+
+    On the CPU a batch is split over as many threads as there are cores, at most four; the
+    environment variable ESG_THREADS sets another number. The split does not change results.
 
     Args:
         device: Warp device: "cpu" or "cuda:0".
@@ -51,6 +61,7 @@ class NewtonEngine:
         if device not in known:
             raise UserError(f"no device {device!r} for Newton; this machine has {', '.join(known)}")
         self.device = device
+        self.threads = _threads() if device == "cpu" else 1
 
     def rollout(
         self,
@@ -74,12 +85,16 @@ class NewtonEngine:
             (1, 2)
         )
         valid = sound.copy()
-        most = MAX_WORLDS_CPU if self.device == "cpu" else MAX_WORLDS_CUDA
         logs: list[ContactLog] = []
         order = np.nonzero(sound)[0]
-        for start in range(0, len(order), most):
-            worlds = order[start : start + most]
-            logs += self._run(scene, batch, values, frames, ground_contacts, worlds, states, valid)
+        most = MAX_WORLDS_CUDA
+        if self.device == "cpu":
+            share = -(-len(order) // self.threads)
+            most = int(np.clip(share, MIN_WORLDS_PER_THREAD, MAX_WORLDS_CPU))
+        job = _Job(scene, batch, values, frames, ground_contacts, states, valid, self.device)
+        parts = [order[k : k + most] for k in range(0, len(order), most)]
+        for k in range(0, len(parts), self.threads):
+            logs += job.run(parts[k : k + self.threads])
         log = join_logs(logs)
         keep = np.lexsort((log.b, log.a, log.frame, log.world))
         return Rollout(
@@ -100,51 +115,77 @@ class NewtonEngine:
             },
         )
 
-    def _run(
-        self,
-        scene: SimScene,
-        batch: ProgramBatch,
-        values: Values,
-        frames: Frames,
-        ground_contacts: bool,
-        worlds: NDArray[np.int64],
-        states: tuple[Any, Any, Any, Any],
-        valid: NDArray[np.bool_],
-    ) -> list[ContactLog]:
-        """Simulates some worlds and writes their rows of `states` and `valid`."""
-        model = _model(scene, len(worlds), self.device)
+
+@dataclass(frozen=True)
+class _Job:
+    """One rollout; `states` and `valid` are written in place."""
+
+    scene: SimScene
+    batch: ProgramBatch
+    values: Values
+    frames: Frames
+    ground_contacts: bool
+    states: tuple[Any, Any, Any, Any]
+    valid: NDArray[np.bool_]
+    device: str
+
+    def run(self, parts: list[NDArray[np.int64]]) -> list[ContactLog]:
+        """Simulates groups of worlds side by side, one thread and model each.
+
+        Warp's kernels are serial on the CPU but release the interpreter's lock.
+        """
+        growth = _growth.get(structure_key(self.scene), 1)
+        while True:
+            models = [self._load(worlds, k, growth) for k, worlds in enumerate(parts)]
+            if len(parts) == 1:
+                logs = [self._play(models[0], parts[0])]
+            else:
+                with ThreadPoolExecutor(len(parts)) as pool:
+                    logs = list(pool.map(self._play, models, parts))
+            if growth >= MAX_GROWTH or not any(m.overflowed() for m in models):
+                return [log for part in logs for log in part]
+            # Contacts were dropped: simulate again with more room, and remember it.
+            growth *= 2
+            _growth[structure_key(self.scene)] = growth
+
+    def _load(self, worlds: NDArray[np.int64], part: int, growth: int) -> NewtonModel:
+        model = _model(self.scene, len(worlds), self.device, part, growth)
         # Surplus worlds of the bucket repeat the first one.
         slots = np.concatenate([worlds, np.full(model.n_worlds - len(worlds), worlds[0])])
+        b = self.batch
         model.load(
-            scene,
-            Values(**{n: getattr(values, n)[slots] for n in Values.__dataclass_fields__}),
-            ProgramBatch(batch.kind, batch.body, batch.until, batch.table[slots], batch.duration),
-            frames.dt,
-            frames.record_every,
-            ground_contacts,
+            self.scene,
+            Values(**{n: getattr(self.values, n)[slots] for n in Values.__dataclass_fields__}),
+            ProgramBatch(b.kind, b.body, b.until, b.table[slots], b.duration),
+            self.frames.dt,
+            self.frames.record_every,
+            self.ground_contacts,
         )
-        w, moving = len(worlds), model.moving
+        model.prepare()
+        return model
+
+    def _play(self, model: NewtonModel, worlds: NDArray[np.int64]) -> list[ContactLog]:
+        w, moving, frames = len(worlds), model.moving, self.frames
         ends = np.full(w, frames.n_frames)
         logs: list[ContactLog] = []
         if len(moving) == 0:
             return logs
-        columns = np.ix_(worlds, np.arange(1), moving)
+        position, quaternion, linear, angular = self.states
         for start in range(0, frames.n_frames - 1, model.chunk_frames):
             n = min(model.chunk_frames, frames.n_frames - 1 - start)
             chunk = model.run_chunk(start, n)
             pose = chunk["pose"][:, :w].swapaxes(0, 1)
             velocity = chunk["velocity"][:, :w].swapaxes(0, 1)
-            span = np.arange(start + 1, start + 1 + n)
-            columns = np.ix_(worlds, span, moving)
-            states[0][columns], states[1][columns] = pose[..., :3], pose[..., 3:]
-            states[2][columns], states[3][columns] = velocity[..., :3], velocity[..., 3:]
+            rows = np.ix_(worlds, np.arange(start + 1, start + 1 + n), moving)
+            position[rows], quaternion[rows] = pose[..., :3], pose[..., 3:]
+            linear[rows], angular[rows] = velocity[..., :3], velocity[..., 3:]
             bad = _bad(pose, velocity)
             first_bad = np.where(bad.any(1), start + 1 + bad.argmax(1), frames.n_frames)
             ends = np.minimum(ends, first_bad)
             logs.append(_log(chunk, model, frames, start, worlds, ends))
+        self.valid[worlds] = ends >= frames.n_frames
         for k in np.nonzero(ends < frames.n_frames)[0]:
-            valid[worlds[k]] = False
-            for array in states:
+            for array in self.states:
                 array[worlds[k], ends[k] :] = array[worlds[k], ends[k] - 1]
         return logs
 
@@ -190,20 +231,30 @@ def _log(
     )
 
 
-def _model(scene: SimScene, n_worlds: int, device: str) -> NewtonModel:
+def _model(scene: SimScene, n_worlds: int, device: str, part: int, growth: int) -> NewtonModel:
     size = next((b for b in _BUCKETS if b >= n_worlds), None)
     if size is None:
         size = 1 << (n_worlds - 1).bit_length()
-    key = (structure_key(scene), size, device)
+    key = (structure_key(scene), size, device, part, growth)
     if key in _models:
         _models.move_to_end(key)
         return _models[key]
     while len(_models) >= MAX_MODELS:
         _models.popitem(last=False)
-    _models[key] = NewtonModel(scene, size, device)
+    _models[key] = NewtonModel(scene, size, device, growth)
     return _models[key]
+
+
+def _threads() -> int:
+    text = os.environ.get("ESG_THREADS", "")
+    if not text:
+        return min(4, len(os.sched_getaffinity(0)))
+    if not (text.isdigit() and int(text) > 0):
+        raise UserError(f"ESG_THREADS is {text!r}; it must be a positive number of threads")
+    return int(text)
 
 
 def clear_cache() -> None:
     """Drops all compiled models and their memory."""
     _models.clear()
+    _growth.clear()

@@ -63,9 +63,11 @@ class NewtonModel:
         scene: Any scene of the structure.
         n_worlds: W.
         device: Warp device, such as "cpu" or "cuda:0".
+        growth: Factor on the room for contacts. Room is sized for ordinary scenes, because the
+            solver visits all of it every step; `overflowed` tells when it was too small.
     """
 
-    def __init__(self, scene: SimScene, n_worlds: int, device: str) -> None:
+    def __init__(self, scene: SimScene, n_worlds: int, device: str, growth: int = 1) -> None:
         self.wp = wp = quiet_warp()
         import newton
 
@@ -77,11 +79,11 @@ class NewtonModel:
         self._bodies = scene.bodies
         self._graphs: dict[object, Any] = {}
         with wp.ScopedDevice(device):
-            self._build(newton, scene)
+            self._build(newton, scene, growth)
             self._allocate()
         self._primitives = 0
 
-    def _build(self, newton: Any, scene: SimScene) -> None:
+    def _build(self, newton: Any, scene: SimScene, growth: int) -> None:
         wp = self.wp
         steel = newton.solvers.SolverSteel
         world = newton.ModelBuilder(up_axis=newton.Axis.Z, gravity=scene.gravity)
@@ -114,18 +116,24 @@ class NewtonModel:
         self.model = model = everything.finalize(device=self.device)
         self._check_layout(model)
         cuda = not str(self.device).startswith("cpu")
+        dynamic_shapes = sum(len(scene.bodies[i].shapes) for i in self.moving)
+        points = growth * (16 + 4 * dynamic_shapes)
         self.pipeline = newton.CollisionPipeline(
-            model, broad_phase="explicit", deterministic=cuda, verify_buffers=False
+            model,
+            broad_phase="explicit",
+            rigid_contact_max=points * self.n_worlds,
+            deterministic=cuda,
+            verify_buffers=False,
         )
         self.contacts = self.pipeline.contacts()
-        rows = 512 + 96 * len(scene.bodies)
         self.solver = steel(
             model,
             iterations=ITERATIONS,
             friction_anchor_beta=0.0,
             restitution_velocity_threshold=RESTITUTION_THRESHOLD_MPS,
-            free_body_constraint_max=rows,
-            articulation_constraint_max=32,
+            # One row along the normal and two for friction.
+            free_body_constraint_max=3 * points,
+            articulation_constraint_max=1,
             warn_constraint_overflow=False,
         )
         self.observables = self.solver.observables({"contact_f"}, contacts=self.contacts)
@@ -253,6 +261,7 @@ class NewtonModel:
             self.dt = dt
             self.record_every = record_every
             self._clock = np.array([0, record_every, 0, 0, len(batch.kind)], np.int32)
+            self.clock.assign(self._clock)
 
     def _load_program(self, batch: ProgramBatch) -> None:
         n = len(batch.kind)
@@ -318,8 +327,9 @@ class NewtonModel:
             self.moments.zero_()
             target = (first_frame + n_frames) * self.record_every
             launches = -(-(target - int(done)) // STEPS_PER_GRAPH)
+            graph = self.prepare()
             for _ in range(launches):
-                wp.capture_launch(self._graph())
+                wp.capture_launch(graph)
             f, w, d = n_frames, self.n_worlds, self.n_dynamic
             return {
                 "pose": self.out_q.numpy()[:f].reshape(f, w, d, 7),
@@ -330,7 +340,12 @@ class NewtonModel:
                 "moments": self.moments.numpy()[:f],
             }
 
-    def _graph(self) -> Any:
+    def overflowed(self) -> bool:
+        """Whether contacts were dropped for lack of room since `load`."""
+        return bool(self.solver.constraint_overflow.numpy().any())
+
+    def prepare(self) -> Any:
+        """The captured steps; captures them if `load` asked for something new."""
         key = (self.dt, self.has_friction_change)
         if key not in self._graphs:
             wp = self.wp
