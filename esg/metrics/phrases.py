@@ -55,7 +55,7 @@ _COLLECTIVE = {
 _PREPOSITIONS = {
     "on", "in", "at", "by", "near", "under", "behind", "beside", "next", "of", "with", "without",
     "from", "to", "inside", "above", "below", "along", "across", "over", "that", "which", "for",
-    "standing", "lying", "sitting", "parked", "stopped", "placed", "moving", "made", "labeled",
+    "ahead", "standing", "lying", "sitting", "parked", "stopped", "placed", "moving", "made", "labeled",
     "weighing", "weigh", "named", "called",
 }  # fmt: skip
 _IRREGULAR = {
@@ -147,7 +147,7 @@ _CANONICAL = {word: head for head, words in _HEAD_SYNONYMS.items() for word in w
 _MODIFIER_SYNONYMS = {
     "football": "soccer", "foot": "soccer", "pool": "billiard", "snooker": "billiard",
     "billiards": "billiard", "tenpin": "bowling", "wood": "wooden", "grey": "gray",
-    "metallic": "metal", "steel": "metal", "leading": "front", "lead": "front", "forward": "front",
+    "metallic": "metal", "steel": "metal", "leading": "front", "lead": "front", "forward": "front", "ahead": "front",
     "back": "rear", "trailing": "rear", "following": "rear", "hind": "rear", "behind": "rear",
     "upper": "top", "lower": "bottom", "leftmost": "left", "rightmost": "right",
     "center": "middle", "centre": "middle", "central": "middle", "little": "small",
@@ -187,8 +187,11 @@ COLORS: dict[str, tuple[float, float, float]] = {
     "beige": (0.88, 0.82, 0.68),
 }
 
+# fmt: off
 HYPERNYMS: dict[str, set[str]] = {
-    "vehicle": {"car", "jeep", "truck", "bus", "van", "taxi", "motorcycle", "tractor", "cart"},
+    "vehicle": {
+        "car", "jeep", "truck", "bus", "van", "taxi", "motorcycle", "tractor", "bicycle", "scooter",
+    },
     "car": {"jeep", "taxi"},
     "motorcycle": {"scooter"},
     "furniture": {"desk", "table", "chair", "sofa", "shelf", "cabinet", "bench", "stool", "bed"},
@@ -198,6 +201,7 @@ HYPERNYMS: dict[str, set[str]] = {
     "computer": {"laptop", "monitor"},
     "toy": {"ball", "block", "car", "train"},
 }
+# fmt: on
 RELATED: dict[str, set[str]] = {
     "desk": {"table"},
     "table": {"desk"},
@@ -334,9 +338,10 @@ def parse(text: str) -> Phrase:
         if words[-1] != singular(words[-1]) or (words[0] in _COUNTS and n == 1):
             count, words = n, words[1:]
     # Cut a trailing clause ("bicycle stopped in the road"), but never everything.
+    tail: list[str] = []
     for i, w in enumerate(words):
         if i > 0 and w in _PREPOSITIONS:
-            words = words[:i]
+            words, tail = words[:i], words[i:]
             break
     identifier: str | None = None
     if len(words) > 1 and (re.fullmatch(r"[a-z]|\d+", words[-1]) or words[-1] in _COUNTS):
@@ -363,8 +368,17 @@ def parse(text: str) -> Phrase:
     if stem == "billiard" and head == "billiards":
         kept.append("billiard")
     head, implied = _split_head(stem)
-    modifiers = tuple(canonical_modifier(m) for m in (*kept, *implied))
+    modifiers = tuple(canonical_modifier(m) for m in (*kept, *implied, *_place_words(tail)))
     return Phrase(norm, head, modifiers, identifier, ordinal, count, plural)
+
+
+def _place_words(tail: list[str]) -> list[str]:
+    """Position words of a trailing clause that says nothing else: "the car in front"."""
+    fillers = _ARTICLES | {"in", "on", "at", "to", "side", "hand"}
+    found = [w for w in tail if w not in fillers]
+    if found and all(canonical_modifier(w) in POSITIONS for w in found):
+        return found
+    return []
 
 
 def _strip_leading(words: list[str]) -> list[str]:

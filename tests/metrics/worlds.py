@@ -1,0 +1,166 @@
+"""Synthetic replays with known answers: bodies on prescribed paths, contacts written by hand."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from esg.engines.program import Primitive, Program
+from esg.engines.scene import Body, ContactLog, Region, Rollout, Shape, SimScene
+from esg.metrics import SuiteConstraint, SuiteEvent, SuiteScene, judge
+from esg.units import quat_from_euler_deg
+
+DT = 1.0 / 240.0
+Path = Callable[[np.ndarray], np.ndarray]
+_UNIT = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+
+
+def body(name: str, shape: Shape | None = None, **more: object) -> Body:
+    """A unit-mass box of 0.2 m unless said otherwise."""
+    shape = Shape("box", (0.1, 0.1, 0.1)) if shape is None else shape
+    values: dict[str, object] = {
+        "name": name,
+        "static": False,
+        "mass": 1.0,
+        "inertia": _UNIT,
+        "shapes": (shape,),
+        "position": (0.0, 0.0, shape.size[2]),
+        "half_extents": shape.size,
+        "origin_offset": (0.0, 0.0, -shape.size[2]),
+        "category": name.rsplit("_", 1)[0],
+    }
+    return Body(**{**values, **more})  # type: ignore[arg-type]
+
+
+def ball(name: str, radius: float = 0.1, **more: object) -> Body:
+    return body(
+        name, Shape("sphere", (radius,) * 3), **{"roll_radius": radius, "category": "ball", **more}
+    )
+
+
+class World:
+    """Collects paths and contacts, then judges."""
+
+    def __init__(self, duration: float = 3.0, dt: float = DT) -> None:
+        self.time = np.arange(round(duration / dt) + 1) * dt
+        self.dt = dt
+        self.bodies: list[Body] = []
+        self.paths: list[np.ndarray] = []
+        self.turns: list[np.ndarray] = []
+        self.contacts: list[tuple[float, str, str, float, float]] = []
+        self.primitives: list[Primitive] = []
+        self.regions: list[Region] = []
+
+    def add(
+        self,
+        item: Body,
+        x: float | Path = 0.0,
+        y: float | Path = 0.0,
+        z: float | Path | None = None,
+        yaw_deg: float | Path = 0.0,
+        pitch_deg: float | Path = 0.0,
+    ) -> World:
+        """Adds a body on a path; numbers are constant, functions take the time array."""
+        z = item.position[2] if z is None else z
+        columns = [self._curve(v) for v in (x, y, z)]
+        path = np.stack(columns, axis=1)
+        yaw, pitch = self._curve(yaw_deg), self._curve(pitch_deg)
+        self.turns.append(
+            np.array([quat_from_euler_deg(a, b) for a, b in zip(yaw, pitch, strict=True)])
+        )
+        self.paths.append(path)
+        self.bodies.append(replace(item, position=tuple(path[0].tolist())))
+        return self
+
+    def _curve(self, value: float | Path) -> np.ndarray:
+        if callable(value):
+            return np.asarray(value(self.time), float)
+        return np.full(len(self.time), float(value))
+
+    def touch(self, time: float, a: str, b: str, impulse: float = 1.0, depth: float = 0.0) -> World:
+        """Writes one row of the contact log."""
+        self.contacts.append((time, a, b, impulse, depth))
+        return self
+
+    def run(self, *primitives: Primitive) -> World:
+        self.primitives += primitives
+        return self
+
+    def region(self, *regions: Region) -> World:
+        self.regions += regions
+        return self
+
+    @property
+    def scene(self) -> SimScene:
+        return SimScene("test", tuple(self.bodies), tuple(self.regions))
+
+    @property
+    def program(self) -> Program:
+        return Program(tuple(self.primitives), float(self.time[-1]))
+
+    def rollout(self, valid: bool = True) -> Rollout:
+        position = np.stack(self.paths, axis=1)[None]
+        velocity = np.zeros_like(position)
+        velocity[:, 1:] = np.diff(position, axis=1) / self.dt
+        scene = self.scene
+        rows = []
+        for time, a, b, impulse, depth in sorted(self.contacts):
+            i = scene.index(a)
+            j = -1 if b == "ground" else scene.index(b)
+            if j >= 0:
+                i, j = min(i, j), max(i, j)
+            rows.append((round(time / self.dt), i, j, time, impulse, depth))
+        rows.sort(key=lambda r: (r[0], r[1], r[2]))
+        n = len(rows)
+        table = np.array(rows, float).reshape(n, 6)
+        log = ContactLog(
+            world=np.zeros(n, np.int32),
+            frame=table[:, 0].astype(np.int32),
+            a=table[:, 1].astype(np.int32),
+            b=table[:, 2].astype(np.int32),
+            time=table[:, 3],
+            impulse=table[:, 4],
+            depth=table[:, 5],
+            point=np.zeros((n, 3)),
+            normal=np.zeros((n, 3)),
+        )
+        quaternion = np.stack(self.turns, axis=1)[None]
+        return Rollout(
+            engine="synthetic",
+            dt=self.dt,
+            time=self.time,
+            position=position.astype(np.float32),
+            quaternion=quaternion.astype(np.float32),
+            linear_velocity=velocity.astype(np.float32),
+            angular_velocity=np.zeros_like(velocity, dtype=np.float32),
+            contacts=log,
+            valid=np.array([valid]),
+        )
+
+    def judge(
+        self,
+        events: Sequence[SuiteEvent] = (),
+        constraints: Sequence[SuiteConstraint] = (),
+        objects: Sequence[str] = (),
+        valid: bool = True,
+    ):
+        """The verdict on the world."""
+        expected = SuiteScene(
+            id="T",
+            prompt="test",
+            events=tuple(events),
+            constraints=tuple(constraints),
+            objects=tuple(objects),
+        )
+        return judge(self.scene, self.program, self.rollout(valid), expected)
+
+    def event(self, **fields: object):
+        """The verdict on one event."""
+        return self.judge([SuiteEvent.model_validate({"id": "e1", **fields})]).events[0]
+
+
+def line(start: float, speed: float, begin: float = 0.0, end: float = np.inf) -> Path:
+    """Moves with `speed` between two times and rests otherwise."""
+    return lambda t: start + speed * (np.clip(t, begin, end) - begin)
