@@ -10,7 +10,7 @@ schedulers: `tasks/` calls `run_stage` for batches of scenes.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 import contextlib
 from dataclasses import dataclass, field, replace
 import errno
@@ -235,9 +235,45 @@ def may_pass(error: BaseException) -> bool:
     return isinstance(error, OSError) and error.errno in _PASSING
 
 
+def recall(request: SceneRequest) -> SceneState | None:
+    """The final state of a scene whose every stage is in the store; None if one would compute."""
+    state = SceneState(request)
+    for stage in STAGES:
+        try:
+            if artifact_store().find(stage_key(stage, state)) is None:
+                return None
+        except OSError:
+            return None
+        state = run_stage(stage, state)
+        if state.ended:
+            return state if state.outcome is not Outcome.CRASHED else None
+    return state
+
+
 def run_scene(request: SceneRequest) -> SceneState:
     """All stages of one scene, in this process and without a scheduler."""
     state = SceneState(request)
     for stage in STAGES:
         state = run_stage(stage, state)
     return state
+
+
+def failures(states: Sequence[SceneState]) -> list[dict[str, Any]]:
+    """One row for every scene that did not end well: the lines of `failures.jsonl`."""
+    return [
+        {
+            "scene": s.request.name or s.request.prompt,
+            "prompt": s.request.prompt,
+            "seed": s.request.seed,
+            "outcome": s.outcome.value if s.outcome else "unfinished",
+            "reason": s.reason,
+            "stage": s.log[-1]["stage"] if s.log else "",
+        }
+        for s in states
+        if not good(s)
+    ]
+
+
+def good(state: SceneState) -> bool:
+    """Whether a scene ended with a compiled scene that does what it claims."""
+    return state.outcome is not None and state.outcome.value in ("solved", "nearest_feasible")

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from prefect import flow
 
-from esg.metrics import load_suite
-from esg.pipeline import SceneRequest, SceneState
+from esg.pipeline import SceneState
+from esg.requests import bench_requests
 from flows.scenes import run_all, task_runner
 
 
@@ -32,22 +32,3 @@ def benchmark(
         Final states, all runs of the first scene first.
     """
     return run_all(bench_requests(suite, runs, seed, strategy, engine, device))
-
-
-def bench_requests(
-    suite: str, runs: int, seed: int, strategy: str, engine: str, device: str
-) -> list[SceneRequest]:
-    """The scene runs of a benchmark; arguments as of `benchmark`."""
-    return [
-        SceneRequest(
-            prompt=scene.prompt,
-            seed=seed + run,
-            strategy=strategy,
-            engine=engine,
-            device=device,
-            suite_scene=scene.model_dump_json(by_alias=True),
-            name=f"{scene.id}-run{run}",
-        )
-        for scene in load_suite(suite).scenes
-        for run in range(runs)
-    ]

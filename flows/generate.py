@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 from prefect import flow
 
-from esg.pipeline import SceneRequest, SceneState
+from esg.pipeline import SceneState
+from esg.requests import generate_requests
 from flows.scenes import run_all, task_runner
 
 
@@ -31,5 +31,4 @@ def generate(
     Returns:
         Final states in the order of the prompts.
     """
-    options: dict[str, Any] = {"drafter": drafter, "strategy": strategy, "device": device}
-    return run_all([SceneRequest(prompt=p, seed=seed, **options) for p in prompts])
+    return run_all(generate_requests(prompts, seed, drafter, strategy, device))

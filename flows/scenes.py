@@ -54,7 +54,8 @@ def run_all(requests: Sequence[SceneRequest]) -> list[SceneState]:
 def run_stages(states: list[SceneState], label: str) -> list[SceneState]:
     """All stages of one batch, one Prefect task each."""
     for stage in STAGES:
-        states = stage_task(stage)(states, label)
+        # A task that returns a state of its own making hands it over as it is.
+        states = stage_task(stage)(states, label, return_state=True).result()
     return states
 
 

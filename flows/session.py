@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 import contextlib
 import threading
 from typing import Any, TypeVar
 
-from esg.pipeline import SceneState
 from esg.workers import WorkerPool
 from flows.embedded import prefect_api
 from tasks.context import Watcher, run_context
@@ -57,24 +56,3 @@ def warm_up() -> None:
         import sapien  # noqa: F401
         import spacy  # noqa: F401
         import trimesh  # noqa: F401
-
-
-def failures(states: Sequence[SceneState]) -> list[dict[str, Any]]:
-    """One row for every scene that did not end well: the lines of `failures.jsonl`."""
-    return [
-        {
-            "scene": s.request.name or s.request.prompt,
-            "prompt": s.request.prompt,
-            "seed": s.request.seed,
-            "outcome": s.outcome.value if s.outcome else "unfinished",
-            "reason": s.reason,
-            "stage": s.log[-1]["stage"] if s.log else "",
-        }
-        for s in states
-        if not good(s)
-    ]
-
-
-def good(state: SceneState) -> bool:
-    """Whether a scene ended with a compiled scene that does what it claims."""
-    return state.outcome is not None and state.outcome.value in ("solved", "nearest_feasible")

@@ -43,7 +43,8 @@ def bench(
     from esg.commands.inputs import check_device
     from esg.metrics import comparison_table, load_suite
     from esg.outcomes import UserError
-    from esg.pipeline import STAGES
+    from esg.pipeline import STAGES, recall
+    from esg.requests import bench_requests
     from esg.scenefolder import check_writable, publish
     from esg.workers import default_processes
 
@@ -66,12 +67,16 @@ def bench(
             if stage == STAGES[-1]:
                 bar.note(_line(state))
 
-        from flows.session import session
+        arguments = (str(suite), runs, seed, strategy, engine, device)
+        known = [recall(request) for request in bench_requests(*arguments)]
+        states = [state for state in known if state is not None]
+        if len(states) < total:
+            from flows.session import session
 
-        with session(processes, watch) as call:
-            from flows.benchmark import benchmark as flow
+            with session(processes, watch) as call:
+                from flows.benchmark import benchmark as flow
 
-            states = call(flow, str(suite), runs, seed, strategy, engine, device)
+                states = call(flow, *arguments)
         folders = [publish(state, out) for state in states]
         report_failures(states, out)
         record_runs(list(zip(states, folders, strict=True)), out, run_kind="bench")

@@ -37,7 +37,8 @@ def generate(
     from esg.commands.console import emit, progress
     from esg.commands.inputs import check_device, clean_prompt
     from esg.outcomes import UserError
-    from esg.pipeline import STAGES
+    from esg.pipeline import STAGES, recall
+    from esg.requests import generate_requests
     from esg.scenefolder import check_writable, publish
 
     prompt = clean_prompt(prompt)
@@ -49,13 +50,17 @@ def generate(
             following = STAGES[STAGES.index(stage) + 1 :]
             bar.step(following[0] if following and not state.ended else "finishing")
 
-        from flows.session import session
+        # A scene that is already in the store needs no scheduler: the answer comes at once.
+        request = generate_requests([prompt], seed, drafter, strategy, device)[0]
+        state = recall(request)
+        if state is None:
+            from flows.session import session
 
-        with session(processes=0, watch=watch) as call:
-            from flows.generate import generate as flow
+            with session(processes=0, watch=watch) as call:
+                from flows.generate import generate as flow
 
-            bar.show("draft")
-            state = call(flow, [prompt], seed, drafter, strategy, device)[0]
+                bar.show("draft")
+                state = call(flow, [prompt], seed, drafter, strategy, device)[0]
         if state.user_error:
             raise UserError(state.reason)
         bar.show("writing")
@@ -73,7 +78,7 @@ def generate(
 
 def exit_code(states: list[SceneState]) -> int:
     """3 if any scene did not end well, else 0."""
-    from flows.session import failures
+    from esg.pipeline import failures
 
     return 3 if failures(states) else 0
 
@@ -82,7 +87,7 @@ def report_failures(states: list[SceneState], out: Path) -> None:
     """Writes `failures.jsonl` for the scenes that did not end well; none, no file."""
     import json
 
-    from flows.session import failures
+    from esg.pipeline import failures
 
     path = out / "failures.jsonl"
     rows = failures(states)

@@ -1,0 +1,35 @@
+"""What a command or a flow asks for, as scene requests."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from esg.pipeline import SceneRequest
+
+
+def generate_requests(
+    prompts: Sequence[str], seed: int, drafter: str, strategy: str, device: str
+) -> list[SceneRequest]:
+    """The scenes of a `generate` run; arguments as of `flows.generate`."""
+    return [SceneRequest(p, seed, drafter, strategy, device) for p in prompts]
+
+
+def bench_requests(
+    suite: str, runs: int, seed: int, strategy: str, engine: str, device: str
+) -> list[SceneRequest]:
+    """The scene runs of a benchmark; arguments as of `flows.benchmark`."""
+    from esg.metrics import load_suite
+
+    return [
+        SceneRequest(
+            prompt=scene.prompt,
+            seed=seed + run,
+            strategy=strategy,
+            engine=engine,
+            device=device,
+            suite_scene=scene.model_dump_json(by_alias=True),
+            name=f"{scene.id}-run{run}",
+        )
+        for scene in load_suite(suite).scenes
+        for run in range(runs)
+    ]
