@@ -14,6 +14,7 @@ from functools import cache, partial
 import hashlib
 import os
 from pathlib import Path
+import re
 import shutil
 import subprocess
 import tempfile
@@ -191,8 +192,9 @@ def compile_many(
             todo[key] = files
     if todo:
         include = _include_dir(cxx)
-        units = _units(todo)
-        with ThreadPoolExecutor(jobs or os.cpu_count() or 1) as pool:
+        workers = jobs or os.cpu_count() or 1
+        units = _units(todo, workers)
+        with ThreadPoolExecutor(workers) as pool:
             for part in pool.map(partial(_compile_unit, cxx, include), units):
                 results.update(part)
     return [results[key] for key in keys]
@@ -207,17 +209,11 @@ def _cached(key: str) -> Library | None:
     return Library(path, key, 0.0) if path.is_file() else None
 
 
-def _units(todo: dict[str, ClassFiles]) -> list[list[tuple[str, ClassFiles]]]:
-    """Groups of at most CLASSES_PER_UNIT classes with different names."""
-    units: list[list[tuple[str, ClassFiles]]] = []
-    for item in todo.items():
-        for unit in units:
-            if len(unit) < CLASSES_PER_UNIT and all(f.name != item[1].name for _, f in unit):
-                unit.append(item)
-                break
-        else:
-            units.append([item])
-    return units
+def _units(todo: dict[str, ClassFiles], jobs: int) -> list[list[tuple[str, ClassFiles]]]:
+    """Groups of at most CLASSES_PER_UNIT classes, at least one group per job."""
+    items = list(todo.items())
+    size = max(1, min(CLASSES_PER_UNIT, -(-len(items) // jobs)))
+    return [items[i : i + size] for i in range(0, len(items), size)]
 
 
 def _compile_unit(
@@ -229,11 +225,17 @@ def _compile_unit(
     target = root / f"unit-{hashlib.sha256(names.encode()).hexdigest()[:_KEY_LENGTH]}.so"
     with tempfile.TemporaryDirectory(dir=root, prefix="build-") as work:
         main: list[str] = []
-        for key, files in unit:
-            _write_class(Path(work), files)
-            main.append(f'#include "{files.name}.cpp"')
-            main.append(f"#define SHIM_CLASS A{files.name}\n#define SHIM_ID {_entry(key)}")
+        for number, (key, files) in enumerate(unit):
+            entry = _entry(key)
+            _write_class(Path(work, entry), files, number)
+            # Renaming by macro lets classes of one name, such as seeds of a scene, share a unit
+            # while their files stay as emitted.
+            own = _own_names(files)
+            main += [f"#define {name} {name}_{entry}" for name in own]
+            main.append(f'#include "{entry}/{files.name}.cpp"')
+            main.append(f"#define SHIM_CLASS A{files.name}\n#define SHIM_ID {entry}")
             main.append('#include "glue.cpp"')
+            main += [f"#undef {name}" for name in own]
         unit_cpp = Path(work, "unit.cpp")
         unit_cpp.write_text("\n".join(main) + "\n", "utf-8")
         built = Path(work, "unit.so")
@@ -258,6 +260,13 @@ def _compile_unit(
     return {key: Library(target, key, seconds) for key, _ in unit}
 
 
+def _own_names(files: ClassFiles) -> list[str]:
+    """Everything at namespace scope that carries the class's name."""
+    found = re.findall(rf"\b[A-Z]\w*?{files.name}\w*\b|\b{files.name}Detail\b", files.header)
+    found += re.findall(rf"\b(?:Log{files.name}|{files.name}Detail)\b", files.source)
+    return sorted(set(found))
+
+
 def _entry(key: str) -> str:
     return f"k{key}"
 
@@ -267,11 +276,18 @@ def entry_point(library: Library, name: str) -> str:
     return f"esg_{name}_{_entry(library.entry)}"
 
 
-def _write_class(folder: Path, files: ClassFiles) -> None:
-    (folder / f"{files.name}.h").write_text(files.header, "utf-8")
-    (folder / f"{files.name}.cpp").write_text(files.source, "utf-8")
-    generated = generated_header(files.header, files.name)
-    (folder / f"{files.name}.generated.h").write_text(generated, "utf-8")
+def _write_class(folder: Path, files: ClassFiles, number: int) -> None:
+    folder.mkdir()
+    texts = {
+        f"{files.name}.h": files.header,
+        f"{files.name}.cpp": files.source,
+        f"{files.name}.generated.h": generated_header(files.header, files.name),
+    }
+    for name, text in texts.items():
+        path = folder / name
+        path.write_text(text, "utf-8")
+        # g++ takes files of equal content and time for one when it sees #pragma once.
+        os.utime(path, (number + 1, number + 1))
 
 
 def _write(path: Path, text: str) -> None:

@@ -198,5 +198,6 @@ def generated_header(header: str, stem: str) -> str:
                 if number == class_line
                 else ""
             )
+            lines.append(f"#undef {stem}_{number}_BODY")
             lines.append(f"#define {stem}_{number}_BODY {body}".rstrip())
     return "\n".join(lines) + "\n"

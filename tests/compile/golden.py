@@ -1,4 +1,4 @@
-"""Rewrites the golden files: `python tests/compile/golden.py`. Say in the commit why they change."""
+"""Rewrites the golden files: `python tests/compile/golden.py`; commits say why they change."""
 
 from __future__ import annotations
 

@@ -19,8 +19,9 @@ from esg.engines.scene import SimScene
 
 HOSTILE = (
     "class", "int", "None", "Ground", "3 balls", "ball A", "ball_a", "Ball-A", "漢字", "é*/ clair",
-    '#include "/etc/passwd"', 'q"); system("x', "new\nline\r\n", "tab\t", "trigraph ??/", "%s %n %d",
-    "back\\slash", "// comment", "TEXT(x)", "SceneOrigin", "this", "x" * 200, "a\x00b", "\u202eright",
+    '#include "/etc/passwd"', 'q"); system("x', "new\nline\r\n", "tab\t", "trigraph ??/",
+    "%s %n %d", "back\\slash", "// comment", "TEXT(x)", "SceneOrigin", "this", "x" * 200,
+    "a\x00b", "\u202eright",
 )  # fmt: skip
 
 
@@ -141,8 +142,10 @@ def hostile_scene(names: tuple[str, ...]) -> tuple[SimScene, Program, tuple[Watc
         for i, n in enumerate(names)
     )
     program = Program(
-        tuple(SetVelocity(n, 0.01 * i, (0.1, 0.0, 0.0)) for i, n in enumerate(names))
-        + (HoldVelocity(names[0], 0.0, math.inf, 1.0, 0.0, until_contact=(names[1],)),),
+        (
+            *(SetVelocity(n, 0.01 * i, (0.1, 0.0, 0.0)) for i, n in enumerate(names)),
+            HoldVelocity(names[0], 0.0, math.inf, 1.0, 0.0, until_contact=(names[1],)),
+        ),
         0.2,
     )
     watch = tuple(

@@ -1,0 +1,79 @@
+from __future__ import annotations
+
+from pathlib import Path
+
+from helpers import written
+import pytest
+import scenes
+
+from esg.compile import ClassError, CompilerMissing, compile_many, replay_class
+from esg.compile.build import Library, cache_dir, compile_class, read_classes
+from esg.engines.program import Program
+from esg.engines.scene import SimScene
+
+
+def ball_scene(scene_id: str, x: float) -> tuple[SimScene, Program]:
+    body = scenes.ball("ball", (x, 0.0, 0.2), 0.1, 1.0)
+    return SimScene(scene_id, (body,)), Program((), 0.1)
+
+
+def test_batch_of_one_name_keeps_the_classes_apart(tmp_path: Path) -> None:
+    """Ten seeds of one scene share units; each class still runs with its own numbers."""
+    folders = [written(tmp_path / str(i), *ball_scene("seeds", 0.1 * i)) for i in range(10)]
+    libraries = compile_many(read_classes(folders), jobs=1)
+    assert all(isinstance(lib, Library) for lib in libraries)
+    assert len({lib.path for lib in libraries if isinstance(lib, Library)}) == 2
+    for i, folder in enumerate(folders):
+        replayed = replay_class(folder)
+        assert replayed.compile_seconds == 0.0
+        assert replayed.rollout.position[0, 0, 0, 0] == pytest.approx(0.1 * i, abs=1e-6)
+
+
+def test_one_bad_class_does_not_fail_its_neighbours(tmp_path: Path) -> None:
+    folders = [written(tmp_path / str(i), *ball_scene(f"n{i}", 0.3 + i)) for i in range(4)]
+    bad = next((folders[2] / "unreal").glob("*.cpp"))
+    bad.write_text(bad.read_text().replace("SceneTime += Step;", "SceneTime += Stop;"))
+    results = compile_many(read_classes(folders), jobs=1)
+    assert [isinstance(r, Library) for r in results] == [True, True, False, True]
+    error = results[2]
+    assert isinstance(error, ClassError)
+    assert "Stop" in str(error) and str(folders[2]) in str(error)
+
+
+def test_cache_follows_the_content(tmp_path: Path) -> None:
+    folder = written(tmp_path, *ball_scene("cached", 7.0))
+    first = compile_class(read_classes([folder])[0])
+    again = compile_class(read_classes([folder])[0])
+    assert first.seconds > 0.0 and again.seconds == 0.0 and first.path == again.path
+    assert cache_dir() in first.path.parents
+    source = next((folder / "unreal").glob("*.cpp"))
+    source.write_text(source.read_text() + "\n")
+    assert compile_class(read_classes([folder])[0]).seconds > 0.0
+
+
+def test_lost_library_is_compiled_again(tmp_path: Path) -> None:
+    folder = written(tmp_path, *ball_scene("lost", 8.0))
+    first = compile_class(read_classes([folder])[0])
+    first.path.unlink()
+    assert compile_class(read_classes([folder])[0]).path.is_file()
+
+
+def test_missing_compiler_is_said_plainly(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    folder = written(tmp_path, *ball_scene("none", 9.0))
+    monkeypatch.setenv("CXX", "no-such-compiler")
+    with pytest.raises(CompilerMissing, match=r"no g\+\+ found"):
+        replay_class(folder)
+    monkeypatch.delenv("CXX")
+    monkeypatch.setenv("PATH", str(tmp_path))
+    with pytest.raises(CompilerMissing):
+        replay_class(folder)
+
+
+def test_nothing_is_left_behind(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("ESG_CACHE_DIR", str(tmp_path / "fresh"))
+    folder = written(tmp_path / "scene", *ball_scene("tidy", 10.0))
+    compile_class(read_classes([folder])[0])
+    names = sorted(p.name.split("-")[0] for p in (tmp_path / "fresh" / "classes").iterdir())
+    assert [n for n in names if "." not in n or n.endswith(".so")] == ["include", "unit"] or all(
+        not n.startswith("build") and not n.endswith(".tmp") for n in names
+    )
