@@ -161,7 +161,7 @@ def _compile(state: SceneState, folder: Path) -> None:
 
 
 def _replay(state: SceneState, folder: Path) -> None:
-    from esg.rolloutfile import save_rollout
+    from esg.engines.rollout_file import save_rollout
 
     proof = proof_kind(state.request.engine)
     log: list[str] = []
@@ -211,8 +211,8 @@ def _judge(state: SceneState, folder: Path) -> None:
 
 
 def _verdict(state: SceneState, expected: SuiteScene) -> SceneVerdict:
+    from esg.engines.rollout_file import load_rollout
     from esg.metrics import judge
-    from esg.rolloutfile import load_rollout
 
     scene, program = load_scene(state)
     rollout = load_rollout(state.artifact("replay") / ROLLOUT)
@@ -237,7 +237,7 @@ def _outcome(doc: EsgDocument, own: SceneVerdict) -> tuple[Outcome, str]:
 
 def _record(state: SceneState, folder: Path) -> None:
     from esg.assets import write_meshes
-    from esg.rolloutfile import load_rollout
+    from esg.engines.rollout_file import load_rollout
     from esg.store.mcap_log import write_mcap
     from esg.view.preview import preview
 

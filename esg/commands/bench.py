@@ -39,7 +39,8 @@ def bench(
         workers: Worker processes; default one a core.
     """
     from esg.commands.console import progress
-    from esg.commands.generate import exit_code, record_runs, report_failures
+    from esg.commands.database import record_run
+    from esg.commands.generate import exit_code, report_failures
     from esg.commands.inputs import check_device
     from esg.metrics import comparison_table, load_suite
     from esg.outcomes import UserError
@@ -77,9 +78,12 @@ def bench(
                 from flows.benchmark import benchmark as flow
 
                 states = call(flow, *arguments)
-        folders = [publish(state, out) for state in states]
+        bar.show("writing")
+        for state in states:
+            publish(state, out)
         report_failures(states, out)
-        record_runs(list(zip(states, folders, strict=True)), out, run_kind="bench")
+        bar.show("ingesting")
+        record_run(states, "bench", suite=loaded.suite, seeds=runs)
     result = results(loaded, states, runs, seed, strategy, engine)
     if json is not None:
         write_json(json, result)

@@ -35,6 +35,7 @@ def generate(
         json: Print one JSON document with outcome, metrics and paths.
     """
     from esg.commands.console import emit, progress
+    from esg.commands.database import record_run
     from esg.commands.inputs import check_device, clean_prompt
     from esg.outcomes import UserError
     from esg.pipeline import STAGES, recall
@@ -67,7 +68,7 @@ def generate(
         folder = publish(state, out)
         report_failures([state], out)
         bar.show("ingesting")
-        record_runs([(state, folder)], out, run_kind="generate")
+        record_run([state], "generate")
     summary = summarize(state, folder)
     if json:
         emit(summary)
@@ -156,7 +157,3 @@ def describe(summary: dict[str, Any]) -> str:
         lines.append(f"  seconds: {', '.join(ran)}")
     lines.append(f"  {summary['cached_stages']} of {len(STAGES)} stages from cache")
     return "\n".join(lines)
-
-
-def record_runs(rows: list[tuple[SceneState, Path]], out: Path, *, run_kind: str) -> None:
-    """Appends finished scenes to the run database below `out`."""

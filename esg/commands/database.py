@@ -1,0 +1,71 @@
+"""The run database of the command line: where it is, and adding a run to it."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from esg.pipeline import SceneState
+
+
+def database_path() -> Path:
+    """`$ESG_DB`, else `runs/esg.duckdb` in the current folder."""
+    return Path(os.environ.get("ESG_DB") or Path("runs") / "esg.duckdb")
+
+
+def record_run(
+    states: list[SceneState], kind: str, *, suite: str = "", seeds: int = 1
+) -> str | None:
+    """Writes the Parquet part of a run and ingests it.
+
+    A database that cannot be written is no reason to fail a run whose scenes are finished: the
+    reason is told on stderr and the Parquet part, if it was written, can be ingested later.
+
+    Args:
+        states: Finished scenes of one run.
+        kind: generate or bench.
+        suite: Name of the suite.
+        seeds: Seeds a scene.
+
+    Returns:
+        Id of the run, None if it could not be recorded.
+    """
+    import datetime
+    import hashlib
+    import platform
+    import sys
+
+    from esg import __version__
+    from esg.codeversion import code_version
+    from esg.outcomes import UserError
+    from esg.pipeline import STAGES
+    from esg.stages import REPLAY_RATE_HZ
+    from esg.store import RunInfo, ingest, record_of, write_tables
+
+    now = datetime.datetime.now(datetime.UTC)
+    request = states[0].request
+    versions = "".join(code_version(stage) for stage in STAGES)
+    run = RunInfo(
+        run_id=f"{kind}-{suite + '-' if suite else ''}{now:%Y%m%dT%H%M%S%f}-{os.getpid()}",
+        kind=kind,
+        started_at=now,
+        suite=suite,
+        strategy=request.strategy,
+        engine=request.engine,
+        dt_s=1.0 / REPLAY_RATE_HZ,
+        seeds=seeds,
+        version=__version__,
+        code_version=hashlib.sha256(versions.encode()).hexdigest()[:16],
+        machine=f"{platform.machine()}, {os.cpu_count()} cores, {request.device}",
+    )
+    db = database_path()
+    try:
+        records = [record_of(state, run) for state in states]
+        parts = write_tables(db.parent / "parts", records, name=run.run_id)
+        ingest(db, parts.values())
+    except (OSError, UserError) as error:
+        print(f"esg: the run is not in the database {db}: {error}", file=sys.stderr)
+        return None
+    return run.run_id
