@@ -232,5 +232,18 @@ def grown(mesh: trimesh.Trimesh, z: float, factor: float) -> trimesh.Trimesh:
     mid = top.bounds.mean(0)
     v = top.vertices.copy()
     v[:, :2] = (v[:, :2] - mid[:2]) * factor + mid[:2]
+    v[:, 2] += 0.5
     top.vertices = v
     return top
+
+
+def pillow(size: Any) -> trimesh.Trimesh:
+    """Superellipsoid cushion standing on z = 0: nearly square in plan, thin at its rim."""
+    mesh = trimesh.creation.icosphere(subdivisions=4)
+    v = np.asarray(mesh.vertices)
+    plan = (np.abs(v[:, 0]) ** 5 + np.abs(v[:, 1]) ** 5) ** 0.2
+    flat = np.hypot(v[:, 0], v[:, 1])
+    stretch = np.where(plan > 1e-9, flat / np.maximum(plan, 1e-9), 1.0)
+    v = np.column_stack([v[:, 0] * stretch, v[:, 1] * stretch, v[:, 2]])
+    mesh.vertices = v * (np.asarray(size) / 2) + [0, 0, size[2] / 2]
+    return mesh

@@ -375,6 +375,25 @@ class Sketch:
         )
 
 
+def lying_hull(profile: Sequence[tuple[float, float]], axis_z: float, sides: int) -> list[Vec3]:
+    """Hull points of a body of revolution that lies along X and stands on a flat underneath.
+
+    Args:
+        profile: (x, radius) pairs [cm].
+        axis_z: Height of the axis [cm].
+        sides: Points a ring.
+    """
+    points: list[Vec3] = []
+    reach = max(x for x, _ in profile)
+    for x, radius in profile:
+        for k in range(sides):
+            t = 2 * math.pi * (k + 0.5) / sides
+            points.append((x, radius * math.cos(t), axis_z + radius * math.sin(t)))
+        if abs(x) < 0.55 * reach or radius > 0.8 * axis_z:
+            points += [(x, side * 0.25 * radius, 0.0) for side in (-1.0, 1.0)]
+    return points
+
+
 def scaled(sketch: Sketch, factor: float) -> Sketch:
     """The same sketch, uniformly scaled about the origin."""
     if abs(factor - 1.0) < 1e-9:

@@ -6,7 +6,7 @@ import math
 
 from esg.assets import shapes
 from esg.assets.builders import builder
-from esg.assets.sketch import BLUE, DARK, RED, WHITE, Color, Sketch
+from esg.assets.sketch import BLUE, DARK, RED, WHITE, Color, Sketch, lying_hull
 
 PHI = (1 + math.sqrt(5)) / 2
 ICOSAHEDRON = [
@@ -142,7 +142,7 @@ def beach_ball(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 
 @builder("american_football")
 def american_football(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Prolate ball lying along the front axis; the proxy is a convex hull."""
+    """Prolate ball lying along the front axis on a small flat; the proxy is a convex hull."""
     r, a = H / 2, L / 2
     profile = [
         (r * math.cos(t) ** 1.35, a * math.sin(t))
@@ -153,12 +153,7 @@ def american_football(s: Sketch, L: float, W: float, H: float, c: Color) -> None
         q = next(p[0] for p in profile if p[1] >= x * a)
         s.torus(q * 0.98, r * 0.03, (x * a, 0, r), WHITE, axis="x")
     s.rod(r * 0.04, (-a * 0.3, 0, 2 * r), (a * 0.3, 0, 2 * r), WHITE, sections=10)
-    points = [
-        (x, q * math.cos(t), r + q * math.sin(t))
-        for q, x in profile[::2]
-        for t in (math.radians(v) for v in range(0, 360, 30))
-    ]
-    s.proxy_hull(points)
+    s.proxy_hull(lying_hull([(x, q) for q, x in profile[::2]], r, 12))
 
 
 @builder("puck", "free")

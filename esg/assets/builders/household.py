@@ -17,6 +17,7 @@ from esg.assets.sketch import (
     YELLOW,
     Color,
     Sketch,
+    lying_hull,
     rgb,
 )
 
@@ -600,27 +601,15 @@ def egg(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         for t in (math.radians(v) for v in range(-90, 91, 10))
     ]
     s.lathe(profile, c, center=(0, 0, 2.2), axis="x", rough=0.5)
-    s.proxy_hull(
-        [
-            (x, q * math.cos(t), 2.2 + q * math.sin(t))
-            for q, x in profile[::2]
-            for t in (math.radians(v) for v in range(0, 360, 30))
-        ]
-    )
+    s.proxy_hull(lying_hull([(x, q) for q, x in profile[::2]], 2.2, 12))
 
 
 @builder("cushion", "free")
 def cushion(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Pillow."""
-    s.ball(0.5, (0, 0, H / 2), c, scale=(L, W, H), rough=1.0)
-    s.extrude(
-        [(-L / 2, -W / 2), (L / 2, -W / 2), (L / 2, W / 2), (-L / 2, W / 2)],
-        (H * 0.28, H * 0.72),
-        c,
-        plane="xy",
-        soft=min(L, W) * 0.08,
-        rough=1.0,
-    )
+    from esg.assets import shapes
+
+    s.add(lambda: shapes.pillow((L, W, H)), c, 1.0)
     s.proxy_slab((-L * 0.45, L * 0.45), (-W * 0.45, W * 0.45), (0, H * 0.95))
 
 

@@ -6,42 +6,47 @@ diameter, corner mouths 11.4-11.7 cm, side mouths 12.7-13.0 cm for 5.715 cm ball
 
 from __future__ import annotations
 
-from esg.assets.builders import builder
-from esg.assets.sketch import BRASS, DARK, DARK_WOOD, PALE_WOOD, WHITE, WOOD, Color, Sketch
+import math
 
-RAIL, OUTER = 8.5, 5.0
+from esg.assets.builders import builder
+from esg.assets.sketch import DARK, DARK_WOOD, PALE_WOOD, WHITE, WOOD, Color, Sketch, rgb, turn
+
+RAIL, OUTER = 10.0, 4.0
 CUSHION_Z = 3.7
+LEAN = 20.0
+"""Undercut of a pocket's back [deg]."""
+LEATHER = rgb(52, 34, 24)
 DROP = 18.0
+CORNER_MOUTH, SIDE_MOUTH = 8.6, 6.5
+"""From a corner to a cushion's end; half width between the cushions of a side pocket [cm]."""
 
 
 @builder("billiard_table")
 def billiard_table(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Nine-foot table, drawn at 281 x 154 x 81; the bed is 4 cm below the rail's top."""
-    L, W, H = 281.0, 154.0, 81.0
-    a, b, bed = L / 2 - RAIL - OUTER, W / 2 - RAIL - OUTER, H - 4.0
-    low = bed - DROP
-    xc, yc = a - 5.5, b - 5.5  # inner edges of the corner pockets
-    ys, side = b - 1.5, 6.5  # inner edge and half mouth of the side pockets
-    mouth = 8.6  # distance of a cushion's end from the corner
+    """Nine-foot table, drawn at 282 x 155 x 84.2; the bed is at 77, the rails rise 4 cm above.
+
+    The bed is one box, so that no seam can kick a rolling ball; the pockets lie outside its edges,
+    between blocks that carry the cushions.
+    """
+    L, W, H = 282.0, 155.0, 84.2
+    a, b, bed = L / 2 - RAIL - OUTER, W / 2 - RAIL - OUTER, H - 7.2
+    rail, low = bed + 4.0, bed - DROP
     ox, oy = a + RAIL, b + RAIL
+    felt, side = _dark(c), SIDE_MOUTH
 
-    def both(
-        x: tuple[float, float],
-        y: tuple[float, float],
-        z: tuple[float, float],
-        color: Color,
-        rough: float = 0.9,
-    ) -> None:
-        s.slab(x, y, z, color, solid=1.0, rough=rough)
-
-    both((-xc, xc), (-ys, ys), (low, bed), c)
+    s.slab((-a, a), (-b, b), (low, bed), c, solid=1.0, rough=0.9)
     for sx in (-1, 1):
-        both(_pair(sx, xc, ox), (-yc, yc), (low, bed), c)
-        both(_pair(sx, a, ox), (-b + mouth, b - mouth), (bed, bed + CUSHION_Z), _dark(c))
-        both(_pair(sx, ox, ox + OUTER), (-oy - OUTER, oy + OUTER), (low, H), DARK_WOOD, 0.3)
+        _cushion(s, _pair(sx, a, ox), (-b + CORNER_MOUTH, b - CORNER_MOUTH), low, bed, felt)
+        s.slab(
+            _pair(sx, ox, ox + OUTER),
+            (-oy - OUTER, oy + OUTER),
+            (low, rail),
+            DARK_WOOD,
+            solid=1.0,
+            rough=0.3,
+        )
         for sy in (-1, 1):
-            both(_pair(sx, side, xc), _pair(sy, ys, oy), (low, bed), c)
-            both(_pair(sx, side, a - mouth), _pair(sy, b, oy), (bed, bed + CUSHION_Z), _dark(c))
+            _cushion(s, _pair(sx, side, a - CORNER_MOUTH), _pair(sy, b, oy), low, bed, felt)
             s.slab(
                 _pair(sx, L / 2 - 32, L / 2 - 12),
                 _pair(sy, W / 2 - 30, W / 2 - 10),
@@ -50,34 +55,60 @@ def billiard_table(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
                 solid=0.6,
             )
     for sy in (-1, 1):
-        both((-ox, ox), _pair(sy, oy, oy + OUTER), (low, H), DARK_WOOD, 0.3)
-        for x in (-a * 0.75, -a * 0.5, -a * 0.25, a * 0.25, a * 0.5, a * 0.75):
-            s.rod(
-                0.8,
-                (x, sy * (oy + OUTER / 2), H - 0.05),
-                (x, sy * (oy + OUTER / 2), H + 0.02),
-                WHITE,
-                sections=12,
-            )
-    both((-L / 2 + 3, L / 2 - 3), (-W / 2 + 3, W / 2 - 3), (low - 15, low), WOOD, 0.4)
-    ends = {"top": 1, "middle": 0, "bottom": -1}
-    sides = {"left": 1, "right": -1}
-    for end, sx in ends.items():
-        for lateral, sy in sides.items():
-            if sx:
-                x, y = _pair(sx, xc, ox), _pair(sy, yc, oy)
-            else:
-                x, y = (-side, side), _pair(sy, ys, oy)
-            s.region(f"{end} {lateral} pocket", x, y, (low, bed + 1.0), "pocket")
-            s.slab((x[0] + 0.2, x[1] - 0.2), (y[0] + 0.2, y[1] - 0.2), (low, low + 0.3), DARK)
-            px = sx * (ox - 1.0)
-            s.box(
-                (3.0, 14, 0.6) if sx else (14, 3.0, 0.6),
-                (px if sx else 0.0, sy * (oy - (8 if sx else 1)), H - 0.3),
-                BRASS,
-                metal=0.8,
-            )
+        s.slab((-ox, ox), _pair(sy, oy, oy + OUTER), (low, rail), DARK_WOOD, solid=1.0, rough=0.3)
+        for k in (-3, -2, -1, 1, 2, 3):
+            at = (k * a / 4, sy * (oy + OUTER / 2))
+            s.rod(0.8, (*at, rail - 0.05), (*at, rail + 0.02), WHITE, sections=12)
+    s.slab((-L / 2 + 3, L / 2 - 3), (-W / 2 + 3, W / 2 - 3), (low - 15, low), WOOD, solid=1.0)
+    for end, sx in (("top", 1), ("middle", 0), ("bottom", -1)):
+        for lateral, sy in (("left", 1), ("right", -1)):
+            _pocket(s, f"{end} {lateral} pocket", sx, sy, (a, b, bed))
     s.surface("bed", bed, (a - 9.0, b - 4.0))
+
+
+def _cushion(
+    s: Sketch, x: tuple[float, float], y: tuple[float, float], low: float, bed: float, felt: Color
+) -> None:
+    """A block from the cabinet up to the cushion's nose, felt above, wood below."""
+    s.slab(x, y, (low, bed), WOOD)
+    s.slab(x, y, (bed, bed + CUSHION_Z), felt, rough=0.9)
+    s.proxy_slab(x, y, (low, bed + CUSHION_Z))
+
+
+def _pocket(s: Sketch, name: str, sx: int, sy: int, size: tuple[float, float, float]) -> None:
+    """Region, dark floor, leather back and lid of one pocket."""
+    a, b, bed = size
+    ox, oy, low, reach = a + RAIL, b + RAIL, bed - DROP, CORNER_MOUTH
+    if sx:
+        x, y = _pair(sx, a - reach, ox), _pair(sy, b - reach, oy)
+        floor = (_pair(sx, a, ox), y)
+        lid = _pair(sx, ox - 6.0, ox + 1.5), _pair(sy, oy - 6.0, oy + 1.5)
+        width = RAIL + reach
+        _liner(s, (sx * ox, sy * (oy - width / 2), bed), "x", sx, width)
+        _liner(s, (sx * (ox - width / 2), sy * oy, bed), "y", sy, width)
+    else:
+        x, y = (-SIDE_MOUTH, SIDE_MOUTH), _pair(sy, b, oy)
+        floor = (x, y)
+        lid = (-SIDE_MOUTH - 1.0, SIDE_MOUTH + 1.0), _pair(sy, oy - 4.5, oy + 1.5)
+        _liner(s, (0.0, sy * oy, bed), "y", sy, 2 * SIDE_MOUTH)
+    s.region(name, x, y, (low, bed + 1.0), "pocket")
+    s.slab(*floor, (low, low + 0.3), DARK)
+    s.slab(*lid, (bed + 6.4, bed + 7.2), LEATHER, solid=0.3, rough=0.8)
+
+
+def _liner(s: Sketch, at: tuple[float, float, float], axis: str, sign: int, width: float) -> None:
+    """Leather back of a pocket, leaning inwards so that a fast ball is turned down, not out."""
+    thick, tall = 2.4, 7.6
+    quat = turn("y", -LEAN * sign) if axis == "x" else turn("x", LEAN * sign)
+    # The foot stays outside the hole's edge; the top leans in over it.
+    offset = sign * (thick / 2 - 0.2 - tall / 2 * math.sin(math.radians(LEAN)))
+    center = (
+        (at[0] + offset, at[1], at[2] + 1.6)
+        if axis == "x"
+        else (at[0], at[1] + offset, at[2] + 1.6)
+    )
+    size = (thick, width, tall) if axis == "x" else (width, thick, tall)
+    s.box(size, center, LEATHER, solid=0.3, rough=0.9, quat=quat)
 
 
 def _pair(sign: int, lo: float, hi: float) -> tuple[float, float]:

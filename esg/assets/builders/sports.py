@@ -17,6 +17,7 @@ from esg.assets.sketch import (
     WOOD,
     Color,
     Sketch,
+    lying_hull,
 )
 
 # USBC bowling pin specification: (height, diameter) in inches.
@@ -181,13 +182,7 @@ def bat(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         (0, 42),
     ]
     s.lathe(profile, c, center=(0, 0, r), axis="x", rough=0.35)
-    s.proxy_hull(
-        [
-            (x, q * math.cos(t), r + q * math.sin(t))
-            for x, q in ((-42, 2.4), (20, 3.0), (32, 3.3), (42, 2.4))
-            for t in (math.radians(v) for v in range(0, 360, 45))
-        ]
-    )
+    s.proxy_hull(lying_hull([(-42, 2.4), (-20, 2.2), (20, 3.0), (32, 3.3), (42, 2.4)], r, 8))
 
 
 @builder("racket")

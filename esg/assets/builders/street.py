@@ -413,7 +413,7 @@ def bush(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         )
         s.ball(r, (x, y, H - r if k % 2 else r), _shade(c, 0.85 + 0.15 * (k % 3) / 2), rough=0.95)
         s.ball(r, (x, -y, r if k % 2 else H - r), _shade(c, 0.8 + 0.15 * (k % 4) / 3), rough=0.95)
-    s.slab((-L * 0.38, L * 0.38), (-W * 0.38, W * 0.38), (0, H * 0.8), _shade(c, 0.75), rough=1.0)
+    s.ball(0.5, (0, 0, H * 0.46), _shade(c, 0.8), scale=(L * 0.92, W * 0.92, H * 0.92), rough=1.0)
     s.proxy_slab((-L * 0.45, L * 0.45), (-W * 0.45, W * 0.45), (0, H * 0.95))
 
 
