@@ -182,6 +182,8 @@ class ClauseBuilder:
                 return s
             s.prep = w.low
             return s
+        if w.kind == "qty" and w.amount is not None and self._belongs_to_noun(s, w, i):
+            return s
         if w.kind == "qty" and w.amount is not None:
             phrase = Phrase(s.prep, None, w.amount)
             nxt = self.elements[i + 1] if i + 1 < len(self.elements) else None
@@ -199,18 +201,49 @@ class ClauseBuilder:
         if w.kind == "adv":
             if w.low in ("then", "next", "simultaneously", "meanwhile") and w.low != "next":
                 s.link = "simultaneously" if w.low in ("simultaneously", "meanwhile") else "then"
-                if w.low == "then":
+                if w.low == "then" and s.boundary_kind != "rel":
                     s.boundary, s.boundary_kind = True, "conj" if s.boundary_kind != "comma" else "comma"
                 if s.frame is not None and w.low == "simultaneously" and not _finite_ahead(self.elements, i + 1):
                     s.frame.adverbs.append(w.low)
                     s.frame.link = "simultaneously"
                 return s
-            if s.frame is not None and not (s.boundary and _finite_ahead(self.elements, i + 1)):
+            side = w.low in ("left", "right")
+            if s.frame is not None and (side or not (s.boundary and _finite_ahead(self.elements, i + 1))):
                 s.frame.adverbs.append(w.low)
             else:
                 s.loose.append(w.low)
             return s
         return s
+
+    def _belongs_to_noun(self, s: _State, w: Word, i: int) -> bool:
+        """ "a ball of 2 kg", "the van (3 tons)", "a mass of 6 kg": a property of the noun before."""
+        assert w.amount is not None
+        previous = self.elements[i - 1] if i else None
+        before = self.elements[i - 2] if i >= 2 else None
+        noun = before if isinstance(previous, Word) and previous.low in ("of", "at", ",", "(", "about") else previous
+        if not isinstance(noun, Mention) or noun.pronoun:
+            return False
+        if noun.attribute:
+            if noun.possessor is not None:
+                return False
+            noun.amounts.append(w.amount)
+            s.prep = ""
+            return True
+        if w.amount.dimension not in ("mass", "length") or (isinstance(previous, Word) and previous.low == "at"):
+            return False
+        after = self.elements[i + 1] if i + 1 < len(self.elements) else None
+        if w.amount.dimension == "length" and not (isinstance(previous, Word) and previous.low == "of"):
+            if not (isinstance(after, (Word, Mention)) and getattr(after, "low", getattr(after, "head", "")) in _SIZES):
+                return False
+        if s.frame is not None and s.frame.verb.sense in ("weigh", "measure", "be", "have") and noun is s.frame.subject:
+            return False
+        if isinstance(after, (Word, Mention)):
+            word = getattr(after, "low", "") or getattr(after, "head", "")
+            if word in _SIZES:
+                noun.adjectives.append(f"@{w.amount.start}:{word}")
+        noun.amounts.append(w.amount)
+        s.prep = ""
+        return True
 
     # -- mentions --------------------------------------------------------------------------------
 
@@ -417,7 +450,9 @@ class ClauseBuilder:
 
     def _participle(self, s: _State, frame: Frame, previous: Frame) -> None:
         v = frame.verb
-        if v.sense in ("weigh", "measure", "have", "contain") and s.last is not None:
+        if previous.verb.sense == "cause" and previous.object is not None and not s.boundary:
+            frame.subject, frame.link, frame.causer = previous.object, "cause", previous
+        elif v.sense in ("weigh", "measure", "have", "contain") and s.last is not None:
             frame.subject, frame.reduced, frame.parent = s.last, True, previous
         elif v.sense in CAUSE_SENSES or v.extra.get("transitive"):
             frame.subject = self._agent(previous)
@@ -459,7 +494,8 @@ class ClauseBuilder:
         s.loose = []
 
 
-_MOVING = frozenset({"own", "roll", "slide", "fly", "approach", "coast", "accelerate", "fall", "spin"})
+_SIZES = frozenset({"tall", "high", "wide", "long", "thick", "deep", "diameter", "in diameter"})
+_MOVING = frozenset({"own", "cross", "leave", "continue", "overtake", "follow", "roll", "slide", "fly", "approach", "coast", "accelerate", "fall", "spin"})
 
 
 def _background_first(frames: list[Frame]) -> list[Frame]:

@@ -13,6 +13,8 @@ from esg.draft.world import Entity, World
 from esg.graph.models import EventConstraint, ForceDirection, NodeEvent, Quantity, Role
 
 SELF_POWERED = frozenset({"vehicle", "person", "animal", "robot", "cart", "toyvehicle", "watercraft", "flyer"})
+_THINGS_DO = frozenset({"hit", "enter", "land", "bounce", "miss", "scatter", "fall"})
+"""Senses that, after "the boy throws a ball and ...", are about the ball."""
 _AIRBORNE = frozenset({"projectile", "tool", "tableware", "book", "rock"})
 _OPEN = frozenset({"container", "hoop", "hole", "goal", "region", "box", "water"})
 SPEEDS: dict[str, Quantity] = {
@@ -49,6 +51,8 @@ class Scene:
     inside_of: dict[str, str] = field(default_factory=dict)
     heights: dict[str, Quantity] = field(default_factory=dict)
     facing: dict[str, str] = field(default_factory=dict)
+    travel: dict[str, Amount] = field(default_factory=dict)
+    """Stated distance of a motion, by actor."""
     used: dict[tuple[int, int], str] = field(default_factory=dict)
     """Spans that became something: (start, end) -> pointer or note."""
     ignored: dict[tuple[int, int], str] = field(default_factory=dict)
@@ -79,6 +83,11 @@ class Interpreter:
         """Last thing an actor moves towards."""
         self.last_hit: tuple[str, str] | None = None
         self.mentions: list[Mention] = []
+        self.pending: dict[str, tuple[NodeEvent, Frame, str | None, tuple[Quantity, Amount, str] | None]] = {}
+        """Arrivals ("walks to the door") and falls that a later event may replace."""
+        self._patient: list[str] = []
+        self.thrown: dict[int, list[str]] = {}
+        """What the person of a subject phrase launched last."""
 
     # -- utilities -------------------------------------------------------------------------------
 
@@ -90,6 +99,9 @@ class Interpreter:
 
     def structural(self, node: str) -> bool:
         return "structural" in self.e(node).noun.traits
+
+    def _aimable(self, node: str) -> bool:
+        return not self.structural(node) and self.kind(node) != "region"
 
     def movable(self, node: str) -> bool:
         return not ({"structural", "fixed", "decal"} & self.e(node).noun.traits)
@@ -148,10 +160,11 @@ class Interpreter:
     def run(self, frames: list[Frame], attachments: list[tuple[Mention, Phrase]]) -> Scene:
         # references are resolved in the order of the text, events in the order of time
         self._refer_all(frames)
-        for f in frames:
-            self.frame(f)
         for m, p in attachments:
             self.attachment(m, p)
+        for f in frames:
+            self.frame(f)
+        self._settle(None, None)
         return self.scene
 
     def attachment(self, m: Mention, p: Phrase) -> None:
@@ -264,7 +277,7 @@ class Interpreter:
 
     def _refer(self, f: Frame) -> None:
         """Resolves the noun phrases of a frame, subject first."""
-        subject = self.ids(f.subject, subject=True)
+        subject = self._subject(f)
         if f.object is not None and f.subject is not None and f.object.start < f.subject.start:
             objects = list(f.object.entities) or self.ids(f.object)
         else:
@@ -272,7 +285,38 @@ class Interpreter:
         self.ids(f.object2, avoid=subject + objects)
         for p in f.phrases:
             if p.mention is not None:
-                self.ids(p.mention, avoid=subject)
+                self.ids(p.mention, avoid=subject + objects)
+        self._patient = objects or self._patient
+
+    def _subject(self, f: Frame) -> list[str]:
+        """Referents of the subject; what falls after a push is the thing pushed."""
+        m = f.subject
+        if (
+            m is not None
+            and m.pronoun in ("it", "they")
+            and id(m) not in self.world.resolved
+            and f.verb.sense in ("fall", "topple", "land", "pocket")
+            and self._patient
+            and (m.pronoun == "it") == (len(self._patient) == 1)
+        ):
+            self.world.resolved[id(m)] = m.entities = list(self._patient)
+        return self.ids(m, subject=True)
+
+    def _settle(self, actor: str | None, kind: NodeEvent | None, target: str | None = None) -> None:
+        """Turns a pending arrival or landing into an event, unless a stronger event replaces it."""
+        for name in list(self.pending):
+            if actor is not None and name != actor:
+                continue
+            event, f, other, time = self.pending.pop(name)
+            if event is NodeEvent.FALL and f.verb.sense == "fall":
+                self.event(event, (name,), f, time)
+                continue
+            replaced = kind in (NodeEvent.COLLISION, NodeEvent.ENTER_REGION, NodeEvent.REACH, NodeEvent.TOPPLE,
+                                NodeEvent.FALL) and (event is NodeEvent.FALL or target in (other, None))  # fmt: skip
+            if replaced or (event is NodeEvent.REACH and kind is NodeEvent.STOP):
+                continue
+            participants = (name,) if other is None else (name, other)
+            self.event(event, participants, f, time)
 
     def frame(self, f: Frame) -> None:
         sense = f.verb.sense
@@ -289,6 +333,10 @@ class Interpreter:
                 self.use(a, owners[0])
         if f.verb.negated and sense in ("hit", "reach", "enter"):
             f.verb.sense = sense = "miss"
+        if f.subject is not None and sense in _THINGS_DO and f.subject.start < f.verb.start:
+            flying = self.thrown.get(id(f.subject))
+            if flying and not set(flying) & set(objects) and all(self.kind(i) == "person" for i in subject):
+                subject = list(flying)
         handler = getattr(self, f"_do_{sense}", None)
         if handler is None:
             self.scene.ignored[(f.verb.start, f.verb.end)] = "no physical meaning"
@@ -455,7 +503,7 @@ class Interpreter:
             self.scene.warnings.append(f'It is not clear what "{self.text[f.verb.start:f.verb.end]}" moves.')
             return
         target = self._target(f, actors)
-        aim = next((t for t in target if not self.structural(t)), None)
+        aim = next((t for t in target if self._aimable(t)), None)
         for actor in actors:
             if aim is not None:
                 self.aim[actor] = aim
@@ -468,6 +516,11 @@ class Interpreter:
                 continue
             self._start_motion(f, [actor], mode, aim)
         self.use(f, "motion")
+        self._distance(f, actors, aim)
+        if "off" in f.adverbs:
+            for actor in actors:
+                if actor in self.scene.supported_by:
+                    self.event(NodeEvent.FALL, (actor,), f, self._time(f))
         duration = next((a for p, a in self.amounts(f) if a.dimension == "time" and p == "for"), None)
         if duration is not None:
             for actor in actors:
@@ -476,6 +529,22 @@ class Interpreter:
                     track.motion.duration = duration.value
             self.use(duration, "duration")
         self._outcomes(f, actors)
+
+    def _distance(self, f: Frame, actors: list[str], aim: str | None) -> None:
+        """ "toward a bench 6 m away": how far the target is at the start."""
+        for _, a in self.amounts(f):
+            if a.dimension != "length" or (a.start, a.end) in self.scene.used:
+                continue
+            after = self.text[a.end : a.end + 8].strip().lower()
+            if after.startswith(("away", "apart", "ahead")) and aim is not None:
+                for actor in actors:
+                    self.scene.relations.append(Relation(actor, aim, "near", a.value))
+                self.use(a, "distance at the start")
+            elif f.verb.sense in ("own", "roll", "slide", "fly", "launch") and actors:
+                track = self.tl.tracks.get(actors[0])
+                if track is not None and track.motion is not None:
+                    self.scene.travel[actors[0]] = a
+                    self.use(a, "distance travelled")
 
     def _outcomes(self, f: Frame, actors: list[str], movers_hit: bool = False) -> None:
         """Events that a motion's prepositional phrases state: into, off, onto, against, past."""
@@ -505,6 +574,8 @@ class Interpreter:
                     self.place([actor], [other], "on" if p.prep == "down" else "near")
                 elif p.prep == "past":
                     self.event(NodeEvent.MISS, (actor, other), f, time)
+                elif p.prep == "to" and not self.structural(other) and not p.mention.attribute:
+                    self.pending[actor] = (NodeEvent.REACH, f, other, time)
 
     def _elevated(self, node: str) -> bool:
         noun = self.e(node).noun
@@ -562,6 +633,10 @@ class Interpreter:
 
     def event(self, kind: NodeEvent, participants: tuple[str, ...], f: Frame, time: tuple[Quantity, Amount, str] | None, **extra: object) -> str:  # type: ignore[type-arg]
         """Adds a point event with the stated time, absolute or relative."""
+        for actor in participants[:1]:
+            if extra.get("stem") == "brake":
+                break
+            self._settle(actor, kind, participants[1] if len(participants) > 1 else None)
         stop_timed = kind is NodeEvent.STOP
         previous = self.tl.last_event
         node_id = ""
@@ -646,6 +721,9 @@ class Interpreter:
             movers = by.mention.entities if by is not None and by.mention is not None else []
             if not movers:
                 movers = [a for a, t in self.tl.tracks.items() if t.motion is not None and a not in s][-1:]
+            if not movers and s:
+                self._motion(f, s, None)  # "a cue ball is struck at 3 m/s"
+                return
             targets = s
         else:
             movers, targets = s, self._hit_targets(f, s, o)
@@ -656,6 +734,10 @@ class Interpreter:
         if movers and all(self.kind(m) == "person" for m in movers) and targets and not f.verb.passive and f.verb.lemma in ("hit", "strike", "tap", "smack", "whack") and self.kind(targets[0]) in ("ball", "billiard", "sliding"):
             self._launch_by(f, movers, targets)
             return
+        host = f.phrase("on", "in", "at")
+        if len(movers) >= 2 and host is not None and host.mention is not None and targets == host.mention.entities:
+            self.place(movers, targets, host.prep)
+            targets = []
         if not targets and len(movers) >= 2:
             self._mutual(f, movers, time)
             return
@@ -670,6 +752,13 @@ class Interpreter:
             self._reverse(movers)
         nodes = self._hit(f, movers, targets, time)
         self._after_hit(f, nodes, targets)
+        if not o and not f.verb.passive:
+            seen = list(targets)
+            for p in f.phrases:
+                if p.prep in ("into", "against", "with") and p.mention is not None and not p.mention.attribute:
+                    extra = [i for i in p.mention.entities if i not in seen and i not in movers and not self.structural(i)]
+                    seen += extra
+                    self._hit(f, movers, extra)
         tail = f.phrase("off")
         if tail is not None and tail.mention is not None and targets:
             self._outcomes(f, targets[:1])
@@ -761,7 +850,7 @@ class Interpreter:
 
     def _already_hit(self, f: Frame, s: list[str], o: list[str]) -> bool:
         return any(self.tl.tracks.get(b) is not None and self.tl.tracks[b].hit for b in o) and (
-            f.causer is not None or f.link in ("cause", "then") and self.last_hit is not None and self.last_hit[1] in o
+            f.causer is not None or f.link in ("cause", "then", "while") and self.last_hit is not None and self.last_hit[1] in o
         )
 
     def _consequence(self, f: Frame, bodies: list[str]) -> None:
@@ -821,6 +910,11 @@ class Interpreter:
         elif not s and o:
             actors = o
         actors = [a for a in actors if self.movable(a)]
+        sides = [x for x in f.adverbs if x in ("left", "right")]
+        if sides and actors and self.kind(actors[0]) in SELF_POWERED and f.verb.lemma in ("go", "move", "drive", "head", "run", "walk", "ride"):
+            for side in sides:
+                self._turn(f, actors, side, 90.0, NodeEvent.HEADING_REACHED)
+            return
         found = self.quantity(f, "speed")
         if found is not None and all(self._moved_by_others(a) for a in actors) and actors:
             self._speed_after(actors[0], found[1])
@@ -851,6 +945,8 @@ class Interpreter:
                 track = self.tl.tracks.get(o[0])
                 if track is None and self.movable(o[0]):
                     self._start_motion(f, o[:1])
+                elif track is not None and track.motion is not None and (p := f.phrase("at")) is not None and p.mention is not None and "same" in p.mention.adjectives:
+                    self._start_motion(f, o[:1])
 
     def _do_coast(self, f: Frame, s: list[str], o: list[str]) -> None:
         self._motion(f, s, None)
@@ -864,14 +960,28 @@ class Interpreter:
     def _do_leave(self, f: Frame, s: list[str], o: list[str]) -> None:
         self._motion(f, s, None)
 
+    def _pushes(self, f: Frame, s: list[str], o: list[str]) -> bool:
+        """ "hits a bale, rolling it into a fence": the object is moved by the hit."""
+        if s and o and self.kind(s[0]) != "person" and s[0] != o[0]:
+            self._do_knock(f, s, o)
+            self.use(f, "consequence of the collision")
+            return True
+        return False
+
     def _do_roll(self, f: Frame, s: list[str], o: list[str]) -> None:
+        if self._pushes(f, s, o):
+            return
         actors = o if o and (not s or self.kind(s[0]) == "person") else s
+        if f.subject is not None and actors == o:
+            self.thrown[id(f.subject)] = list(o)
         if actors and self.kind(actors[0]) in SELF_POWERED and not o:
             self._motion(f, actors, "own")
             return
         self._motion(f, actors, "roll" if actors and "round" in self.e(actors[0]).noun.traits else "slide" if f.verb.sense == "slide" else "roll")
 
     def _do_slide(self, f: Frame, s: list[str], o: list[str]) -> None:
+        if self._pushes(f, s, o):
+            return
         actors = o if o and (not s or self.kind(s[0]) == "person") else s
         if actors and self.kind(actors[0]) in SELF_POWERED and not o and actors[0] in self.tl.tracks:
             self._motion(f, actors, "own")
@@ -1137,6 +1247,17 @@ class Interpreter:
             return
         self._launch_by(f, agents, things)
 
+    def _do_tow(self, f: Frame, s: list[str], o: list[str]) -> None:
+        """Pulling: a person moves the thing; a vehicle drives with the thing behind it."""
+        if f.verb.passive:
+            by = f.phrase("by")
+            s, o = (list(by.mention.entities) if by and by.mention else []), s
+        if s and o and self.kind(s[0]) != "person":
+            self.place(o, s, "behind")
+            self._motion(f, s, None)
+        else:
+            self._launch_by(f, s, o)
+
     _do_pass = _do_launch
     _do_lift = _do_launch
 
@@ -1160,7 +1281,7 @@ class Interpreter:
 
     def _motion_of_things(self, f: Frame, things: list[str], mode: str) -> None:
         target = self._target(f, things)
-        aim = next((t for t in target if not self.structural(t)), None)
+        aim = next((t for t in target if self._aimable(t)), None)
         if mode == "roll" and f.verb.lemma not in ("roll", "bowl", "putt", "dribble"):
             aimed = self.e(aim) if aim else None
             if aimed is not None and (aimed.noun.kind in ("hoop", "wall", "goal") and f.verb.lemma in ("shoot",)):
@@ -1181,6 +1302,9 @@ class Interpreter:
                 self.use(angle[1], "launch angle")
         self.use(f, "launch")
         self._heights(f, moved)
+        self._distance(f, moved, aim)
+        for m in ([f.subject] if f.subject is not None else []):
+            self.thrown[id(m)] = moved
         self._outcomes(f, moved)
         self._consequence(f, moved)
         if aim is not None:
@@ -1193,6 +1317,7 @@ class Interpreter:
             if a.dimension == "length" and (p in ("from", "at", "of", "above", "") and ("height" in self.text[max(0, a.start - 25) : a.end + 12] or p in ("from", "above") or self.text[a.end : a.end + 7].strip().startswith(("above", "high", "up")))):
                 for t in things:
                     self.scene.heights[t] = a.value
+                    self.tl.start_constraints.append(EventConstraint(quantity="height", object=t, value=a.value))
                 self.use(a, "start height")
 
     def _do_drop(self, f: Frame, s: list[str], o: list[str]) -> None:
@@ -1223,10 +1348,10 @@ class Interpreter:
         self.use(f, "drop")
         if not self._landing(f, moved):
             for t in moved:
-                self.event(NodeEvent.FALL, (t,), f, self._time(f))
+                self.pending[t] = (NodeEvent.FALL, f, None, self._time(f))
 
     def _landing(self, f: Frame, moved: list[str]) -> bool:
-        p = f.phrase("onto", "on", "into", "in", "to", "upon")
+        p = f.phrase("onto", "on", "into", "in", "through", "to", "upon")
         if p is None or p.mention is None or not p.mention.entities:
             return False
         other = p.mention.entities[0]
@@ -1236,7 +1361,7 @@ class Interpreter:
             if self.structural(other):
                 if not any(n.event is NodeEvent.FALL and t in n.participants for n in self.tl.nodes):
                     self.event(NodeEvent.FALL, (t,), f, self._time(f))
-            elif p.prep in ("into", "in") and self._holds(other) or self.kind(other) == "region":
+            elif p.prep in ("into", "in", "through") and self._holds(other) or self.kind(other) in ("region", "water"):
                 self.enter(f, t, other, p.mention, self._time(f))
             else:
                 self._hit(f, [t], p.mention.entities, self._time(f))
@@ -1250,9 +1375,28 @@ class Interpreter:
             self._do_topple(f, s, [])
             return
         source = f.phrase("off", "from", "over", "down")
-        if fresh and source is None and f.phrase("onto", "on", "into", "in") is None:
+        if source is not None and source.mention is not None and not source.mention.entities:
+            source = None
+        for actor in fresh:
+            self._struck_before(f, actor)
+        fresh = [a for a in fresh if a not in self.tl.tracks]
+        into = f.phrase("into", "in", "through")
+        if source is None and not fresh and into is not None and into.mention is not None and into.mention.entities:
+            if self._landing(f, actors):
+                return
+        on_something = [a for a in fresh if a in self.scene.supported_by]
+        if fresh and source is None and f.phrase("onto", "on", "into", "in") is None and not on_something:
             self._drop(f, actors)
             return
+        if on_something:
+            source = f.phrase("to") or source
+            fresh_low: list[str] = []
+        else:
+            fresh_low = fresh
+        fresh, held = fresh_low, fresh
+        if held and not fresh:
+            for actor in held:
+                self._start_motion(f, [actor], "roll" if "round" in self.e(actor).noun.traits else "slide")
         if fresh and source is None:
             self._drop(f, fresh)
             return
@@ -1274,6 +1418,16 @@ class Interpreter:
         if landing is not None and landing.mention is not None and landing.mention.entities and not self.structural(landing.mention.entities[0]):
             self._landing(f, actors)
 
+    def _struck_before(self, f: Frame, body: str) -> None:
+        """ "thrown at a bottle, which falls": the fall implies the hit."""
+        if body in self.tl.tracks:
+            return
+        for mover, aimed in self.aim.items():
+            track = self.tl.tracks.get(mover)
+            if aimed == body and track is not None and not track.closed:
+                self._hit(f, [mover], [body])
+                return
+
     def _do_topple(self, f: Frame, s: list[str], o: list[str]) -> None:
         if f.verb.passive:
             by = f.phrase("by")
@@ -1288,6 +1442,7 @@ class Interpreter:
         for b in bodies:
             if not self.movable(b):
                 continue
+            self._struck_before(f, b)
             if b not in self.tl.tracks or (self.tl.tracks[b].motion is None and not self.tl.tracks[b].hit):
                 self._start_motion(f, [b], "slide")
             self.event(NodeEvent.TOPPLE, (b,), f, self._time(f))
@@ -1364,7 +1519,11 @@ class Interpreter:
                 else:
                     self._hit(f, [actor], [other], self._time(f))
             else:
-                if actor not in self.tl.tracks:
+                aimed = self.aim.get(actor)
+                track = self.tl.tracks.get(actor)
+                if aimed is not None and track is not None and not track.closed:
+                    self._hit(f, [actor], [aimed], self._time(f))
+                elif track is None:
                     self._ensure_drop(f, actor)
                 self.use(f, "rebound")
         into = f.phrase("into")

@@ -254,6 +254,8 @@ def _amount(m: re.Match[str]) -> Amount | None:
     if groups.get("tol"):
         tolerance = float(str(groups["tol"]).replace(",", "")) * factor
         low_a, low_b = low_a - tolerance, low_b + tolerance
+    if groups.get("between") and not groups.get("hi"):
+        start = m.start("lo")  # a lone "from" is a preposition
     bound: Literal["min", "max"] | None = None
     word = (groups.get("bound") or "").lower()
     if word and not groups.get("hi"):

@@ -54,6 +54,7 @@ class Mention:
     amounts: list[Amount] = field(default_factory=list)
     part: str = ""
     pattern: str | None = None
+    group_word: str = ""
     pronoun: str = ""
     role: str = ""
     """driver, pilot: a person that stands for the vehicle."""
@@ -794,6 +795,7 @@ class Chunker:
             word = lex.singular(self._low(j + 1))[0]
         if word in lex.GROUP_WORDS and self._low(j + 1 + adjective_skip) == "of":
             m.pattern = lex.GROUP_WORDS[word]
+            m.group_word = word
             multiplier = m.count if m.count and m.count > 1 else 1
             default = {"pair": 2, "couple": 2, "trio": 3, "dozen": 12, "half-dozen": 6, "dozens": 12}.get(word)
             m.count = default * multiplier if default else None
@@ -863,6 +865,9 @@ class Chunker:
         token = self._tok(j)
         if token is None:
             return j
+        compound = self._match_noun(j)
+        if compound is not None and compound[1] > 1:
+            return j  # "eight ball"
         if token.kind == "number" and token.text[0] != "#":
             value = parse_number(token.text)
             nxt = self._tok(j + 1)
@@ -927,11 +932,26 @@ class Chunker:
                 k += n
             j = first
             m.noun, m.head, m.plural = entry, phrase, plural or m.plural
+            following_qty = self._tok(k + 1)
+            if phrase in ("weight", "mass") and (
+                (self._low(k) in ("of", "is") and following_qty is not None and following_qty.kind == "qty")
+                or m.determiner == "its"
+            ):
+                m.noun, m.attribute = None, True
             if phrase in lex.PERSON_ROLES or phrase in ("cyclist", "rider"):
                 m.role = phrase if phrase in lex.PERSON_ROLES else ""
             if phrase in ("row", "line"):
                 m.noun = None
             j = k
+            if (m.role or m.head == "net") and self._low(j) == "of":
+                size = len(self.elements)
+                inner = self._noun_phrase(j + 1)
+                if inner is not None:
+                    owner = self.elements.pop()
+                    assert isinstance(owner, Mention) and len(self.elements) == size
+                    owner.start = m.start
+                    self.elements.append(owner)
+                    return inner
             # unknown nouns after a known modifier: "car horn"
             token = self._tok(j)
             if (
@@ -1009,7 +1029,7 @@ class Chunker:
         elif low and self._unknown_noun(j) and (m.determiner or m.adjectives or m.count is not None or m.pattern or tokens[j].tag in ("NOUN", "PROPN")):
             # unknown head, possibly a compound
             k = j
-            while k + 1 < len(tokens) and self._unknown_noun(k + 1) and tokens[k + 1].tag in ("NOUN", "PROPN", "") and tokens[k].tag != "":
+            while k + 1 < len(tokens) and self._match_noun(k + 1) is None and self._unknown_noun(k + 1) and tokens[k + 1].tag in ("NOUN", "PROPN", "") and tokens[k].tag != "":
                 m.adjectives.append(self._low(k))
                 k += 1
             nxt = self._match_noun(k + 1) if k + 1 < len(tokens) else None

@@ -105,6 +105,8 @@ class TimelineBuilder:
         self.tracks: dict[str, Track] = {}
         self.nodes: list[Draft] = []
         self.edges: list[TimelineEdge] = []
+        self.start_constraints: list[EventConstraint] = []
+        """Stated initial conditions, such as the height of a drop."""
         self.last_event: str | None = None
         """Most recent point event that "after N seconds" can refer to."""
 
@@ -287,7 +289,7 @@ class TimelineBuilder:
         }
         edges = [self._repair(e, actors) for e in self.edges if e.actor in actors]
         spans = plan_times(self.nodes, edges)
-        nodes = [TimelineNode(id=START, event=NodeEvent.SCENE_START, timestamp=0.0, description="Scene start")]
+        nodes = [TimelineNode(id=START, event=NodeEvent.SCENE_START, timestamp=0.0, description="Scene start", constraints=tuple(self.start_constraints))]
         for draft in self.nodes:
             low, high = spans[draft.id]
             fixed = draft.time_prescribed and low == high

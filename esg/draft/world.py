@@ -27,7 +27,11 @@ _HYPERNYMS: dict[str, frozenset[str]] = {
     "person": frozenset({"person"}),
     "child": frozenset({"person"}),
 }
+_NUMBERS = frozenset("eight nine seven six five four three two one 8 9 7 6 5 4 3 2 1".split())
+_DISTINCT = frozenset({"person", "animal", "food", "tool", "plant", "tableware", "ground", "book"})
+"""Kinds whose synonyms name different things (man and woman, lemon and orange)."""
 _ANYTHING = frozenset({"object", "thing", "item", "body", "prop", "entity", "projectile"})
+_NAMED_GROUPS = frozenset({"tower", "pyramid", "pile", "heap", "convoy"})
 
 UNKNOWN_MASS_KG = 5.0
 
@@ -247,9 +251,12 @@ class World:
             return True
         if m.noun is not None and e.known:
             if m.noun.name == e.noun.name:
-                return m.head == e.head or m.head == m.noun.name or e.head == e.noun.name or (
-                    m.noun.kind not in ("person",)
-                )
+                if m.head == e.head:
+                    return True
+                numbered = {*m.head.replace("-", " ").split(), *e.head.replace("-", " ").split()} & _NUMBERS
+                if numbered or m.noun.kind in _DISTINCT:
+                    return m.head == m.noun.name and not numbered
+                return True
             words, own = m.head.split(), e.noun.name.split() + e.head.split()
             if len(words) == 1 and words[0] in own and (
                 e.noun.name.split()[-1] == words[0] or e.head.split()[-1] == words[0]
@@ -424,6 +431,12 @@ class World:
             return []
         if p in ("i", "we", "you", "something", "everything"):
             return []
+        if p == "another" and not self.groups:
+            model = next((self.entities[i] for i in avoid), None)
+            if model is not None:
+                other = self.add(model.noun, model.head, adjectives=["second"], label=f"second {model.head}",
+                                 known=model.known, origin=m.start)  # fmt: skip
+                return [other.id]
         if p in ("they", "them", "themselves", "these", "those", "both", "ones", "all", "each", "some", "many", "several"):
             pool = self.subjects if subject and p not in ("both",) else self.salience
             for ids in reversed(pool):
@@ -446,7 +459,8 @@ class World:
         pools = [self.subjects, self.salience] if subject else [self.salience]
         for pool in pools:
             for ids in reversed(pool):
-                fits = [i for i in ids if i not in avoid and "structural" not in self.entities[i].noun.traits]
+                fits = [i for i in ids if i not in avoid and "structural" not in self.entities[i].noun.traits
+                        and self.entities[i].noun.kind != "person"]  # fmt: skip
                 if len(ids) == 1 and fits:
                     return fits
         for ids in reversed(self.salience):
@@ -467,6 +481,16 @@ class World:
                     if e.color == lex.COLORS[a]:
                         return [e.id]
         last_group = next(reversed(list(self.groups.values())), None)
+        colors = [a for a in m.adjectives if a in lex.COLORS]
+        if colors and last_group:
+            plain = [self.entities[i] for i in last_group if self.entities[i].color is None and i not in avoid]
+            if plain:
+                chosen = plain[0]
+                chosen.adjectives.append(colors[0])
+                chosen.label = f"{colors[0]} {chosen.head}"
+                chosen.place = chosen.place or colors[0]
+                self._rename(chosen, self._new_id(slug(chosen.label)))
+                return [chosen.id]
         ordinal = next((a for a in m.adjectives if a in _ORDINALS or a == "last"), None)
         if last_group:
             if m.pronoun == "one" and m.determiner == "the" and "other" in m.adjectives and not avoid:
@@ -487,6 +511,8 @@ class World:
 
     def _create(self, m: Mention) -> list[str]:
         noun = m.noun or unknown_noun(m.head)
+        if noun.name == "net" and m.after_prep in ("into", "in"):
+            noun = lex.nouns()["goal"]
         if "structural" in noun.traits and "decal" not in noun.traits:
             return ["ground_1"] if "ground_1" in self.entities else self._ground(noun, m)
         plain = [a for a in m.adjectives if not a.startswith("@")]
@@ -508,7 +534,8 @@ class World:
             group, n = f"{base}_{n}", n + 1
         ids: list[str] = []
         for _ in range(count):
-            e = self.add(noun, m.head, adjectives=plain, label=m.head, group=group, pattern=pattern,
+            label = f"{m.group_word} of {m.head}s" if m.group_word in _NAMED_GROUPS else m.head
+            e = self.add(noun, m.head, adjectives=plain, label=label, group=group, pattern=pattern,
                          known=m.noun is not None, origin=m.start)  # fmt: skip
             self._amounts(m, e)
             ids.append(e.id)
