@@ -247,6 +247,8 @@ def binary_violation(
         d = sign * (pa[axis] - pb[axis])
         return max(0.0, 0.5 - d), ""
     if kind is RelationType.FACE:
+        if e.cardinal and problem.shape[e.from_].is_round:
+            return 0.0, "round: any heading"
         target = CARDINAL[e.cardinal] if e.cardinal else math.atan2(pb[1] - pa[1], pb[0] - pa[0])
         return max(0.0, math.degrees(_angle(pa[2] - target)) - 20.0), ""
     if kind in (RelationType.NEAR, RelationType.ADJACENT, RelationType.FAR_FROM):

@@ -26,11 +26,20 @@ FACING_VIEWER = 0.5 * math.pi
 
 @dataclass(frozen=True)
 class Domains:
-    """Per unit: sampling box [n, 4], anchor and its weight [n, 4: x, y, weight, yaw weight],
-    freedom [n, 3], fixed or preferred pose [n, 3] and step length [n] (cm, rad)."""
+    """Search domain per unit (cm, rad).
+
+    Args:
+        box: Centre and half extents of the sampling rectangle, shape [n, 4].
+        anchor: Preferred x, y, its weight and the weight of the preferred yaw, shape [n, 4].
+        centre: Point of the unit's frame that box and anchor refer to, shape [n, 2].
+        free: 1 where x, y, yaw may change, shape [n, 3].
+        pose: Fixed or preferred pose, shape [n, 3].
+        step: Length scale of an optimization step, shape [n].
+    """
 
     box: np.ndarray
     anchor: np.ndarray
+    centre: np.ndarray
     free: np.ndarray
     pose: np.ndarray
     step: np.ndarray
@@ -102,7 +111,7 @@ def unit_domains(
             for unit in units
         ]  # fmt: skip
         middle = int(np.argmax(sizes)) if sizes and max(sizes) > 0 else -1
-    box, anchor, free, pose, step = [], [], [], [], []
+    box, anchor, centre, free, pose, step = [], [], [], [], [], []
     for u, unit in enumerate(units):
         first = next(iter(unit.members))
         single = len(unit.members) == 1
@@ -117,13 +126,12 @@ def unit_domains(
         p = list(unit.pose)
         f = list(unit.free)
         preference = nodes[first].layout_preference
+        middle_at = (0.0, 0.0)
         if unit.is_planned and unit.parent is None:
             # planned motion is centred in the world
             x0, y0, x1, y1 = extent(unit, shape)
-            c, n = math.cos(p[2]), math.sin(p[2])
-            mx, my = 0.5 * (x0 + x1), 0.5 * (y0 + y1)
-            at = (-c * mx + n * my, -n * mx - c * my)
-            anchor.append((*at, 0.3, 50.0))
+            middle_at = (0.5 * (x0 + x1), 0.5 * (y0 + y1))
+            anchor.append((0.0, 0.0, 0.3, 50.0))
         elif preference.anchor == "boundary":
             k = int(rng.integers(4))
             side = [(0.9, 0.0), (-0.9, 0.0), (0.0, 0.9), (0.0, -0.9)][k]
@@ -151,6 +159,7 @@ def unit_domains(
         related = any(rel_terms[k].source for k in unit_edges[u])
         if first in ground or (single and shape[first].is_decal and not related):
             f, p = [False, False, False], [0.0, 0.0, 0.0]
+        centre.append(middle_at)
         free.append(f)
         pose.append(p)
         sizes = [min(shape[n].hx, shape[n].hy) for n in unit.members]
@@ -158,6 +167,7 @@ def unit_domains(
     return Domains(
         np.asarray(box, np.float32).reshape(-1, 4),
         np.asarray(anchor, np.float32).reshape(-1, 4),
+        np.asarray(centre, np.float32).reshape(-1, 2),
         np.asarray(free, np.float32).reshape(-1, 3),
         np.asarray(pose, np.float32).reshape(-1, 3),
         np.asarray(step, np.float32),

@@ -120,6 +120,8 @@ def binary_terms(
         return out
     if kind is RelationType.FACE:
         if e.cardinal is not None:
+            if a.is_round:
+                return []  # a heading has no meaning
             return [Term(terms.FACE, pair, w, (1.0, CARDINAL[e.cardinal]), source)]
         return [Term(terms.FACE, pair, w, (0.0, 0.0), source)]
     if kind is RelationType.CENTER_OF:

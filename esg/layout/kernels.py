@@ -55,6 +55,7 @@ class Problem:
     unit_pose: wp.array(dtype=wp.vec3)  # where fixed, else preferred
     unit_box: wp.array(dtype=wp.vec4)  # sampling box in the parent's frame: centre, half extents
     unit_anchor: wp.array(dtype=wp.vec4)  # preferred x, y, weight, weight of the preferred yaw
+    unit_center: wp.array(dtype=wp.vec2)  # point of the unit that box and anchor refer to
     unit_step: wp.array(dtype=wp.float32)  # length scale of a step [cm]
     aff_off: wp.array(dtype=wp.int32)  # nodes moved by a unit, parents first
     aff: wp.array(dtype=wp.int32)
@@ -571,7 +572,9 @@ def propose(
                     mine = int(1)
                     if ub == u:
                         mine = 0
-    if chosen >= 0 and wp.randf(rng) < 0.8:
+    if chosen >= 0 and wp.randf(rng) >= 0.8:
+        chosen = int(-1)
+    if chosen >= 0:
         n = p.edge_node[chosen]
         me = n[0]
         if mine == 0:
@@ -596,6 +599,8 @@ def propose(
                     here = compose(parent, compose(wp.vec3(x[0], x[1], yaw), rel))
                     pt = w[n[1] + off]
                     yaw = wp.atan2(pt[1] - here[1], pt[0] - here[0]) - parent[2] - rel[2]
+    if chosen < 0:
+        x = x - turn(p.unit_center[u], yaw)
     out = wp.vec3(x[0], x[1], yaw)
     if free[0] < 0.5:
         out = wp.vec3(pref[0], out[1], out[2])
@@ -662,10 +667,11 @@ def search(
                 box = p.unit_box[u]
                 cx = c[0]
                 cy = c[1]
+                mid = turn(p.unit_center[u], c[2])
                 if fr[0] > 0.5:
-                    cx = box[0] + box[2] * (wp.randf(rng) * 2.0 - 1.0)
+                    cx = box[0] + box[2] * (wp.randf(rng) * 2.0 - 1.0) - mid[0]
                 if fr[1] > 0.5:
-                    cy = box[1] + box[3] * (wp.randf(rng) * 2.0 - 1.0)
+                    cy = box[1] + box[3] * (wp.randf(rng) * 2.0 - 1.0) - mid[1]
                 c = project(p, wp.vec3(cx, cy, c[2]), u)
             # reading rng in propose advances a copy only: move this one on
             rng = wp.rand_init(thread_seed[t] * 7919 + 13, (u - u0) * 1024 + k + 1)
@@ -675,8 +681,9 @@ def search(
                 spread(p, w, x, off, uoff, u, u)
                 e = unit_energy(p, w, off, u, u, s.soft)
                 a = p.unit_anchor[u]
-                dx = c[0] - a[0]
-                dy = c[1] - a[1]
+                mid = turn(p.unit_center[u], c[2])
+                dx = c[0] + mid[0] - a[0]
+                dy = c[1] + mid[1] - a[1]
                 e += s.preference * (
                     a[2] * wp.sqrt(dx * dx + dy * dy)
                     + a[3] * (1.0 - wp.cos(c[2] - p.unit_pose[u][2]))

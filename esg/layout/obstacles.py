@@ -21,6 +21,9 @@ ROAD_WORDS = (
     "intersection",
     "highway",
     "alley",
+    "cross",
+    "crossing",
+    "junction",
 )
 CLEAR_HEIGHT_CM = 300.0
 ON_IT = (
@@ -68,6 +71,7 @@ def obstacles(
     """Returns the corridors of all planned units and the carriageways on the ground."""
     nodes = doc.spatial_relation_graph.nodes
     out: list[Obstacle] = []
+    planned = any(unit.is_planned for unit in units)
     for u, unit in enumerate(units):
         for c in unit.corridors:
             allowed: set[str] = set()
@@ -107,7 +111,7 @@ def obstacles(
                 )
             )
         for n, pose in unit.members.items():
-            if shape[n].is_decal and is_road(doc, n):
+            if planned and shape[n].is_decal and is_road(doc, n):
                 out.append(_road(doc, u, n, pose, units, supports, shape))
     return out
 

@@ -53,6 +53,7 @@ class LayoutProblem:
     unit_pose: np.ndarray
     unit_box: np.ndarray
     unit_anchor: np.ndarray
+    unit_center: np.ndarray
     unit_step: np.ndarray
     aff: list[list[int]]
     unit_edges: list[list[int]]
@@ -314,6 +315,7 @@ def _arrays(
         unit_pose=domains.pose,
         unit_box=domains.box,
         unit_anchor=domains.anchor,
+        unit_center=domains.centre,
         unit_step=domains.step,
         aff=aff,
         unit_edges=unit_edges,

@@ -70,7 +70,7 @@ def concatenate(problems: Sequence[LayoutProblem]) -> dict[str, np.ndarray]:
         return out
 
     data = {k: cat(k) for k in ("node_z", "node_round", "node_height", "node_radius", "unit_step")}
-    data |= {k: cat(k, 2) for k in ("node_half", "prim_half", "prim_z")}
+    data |= {k: cat(k, 2) for k in ("node_half", "prim_half", "prim_z", "unit_center")}
     data |= {k: cat(k, 3) for k in ("node_rel", "prim_pose", "unit_free", "unit_pose")}
     data |= {k: cat(k, 4) for k in ("unit_box", "unit_anchor")}
     data |= {k: cat(k) for k in ("prim_kind", "edge_kind", "edge_w", "pair_margin")}
@@ -144,6 +144,7 @@ def run_search(
     if len(data["pair_mode"]) == 0:
         data["pair_mode"] = np.zeros(1, np.int32)
     vectors: dict[str, Any] = {
+        "unit_center": wp.vec2,
         "node_half": wp.vec2, "prim_half": wp.vec2, "prim_z": wp.vec2, "node_rel": wp.vec3,
         "prim_pose": wp.vec3, "unit_free": wp.vec3, "unit_pose": wp.vec3, "unit_anchor": wp.vec4,
         "unit_box": wp.vec4, "edge_node": wp.vec3i, "pair": wp.vec2i,
@@ -181,7 +182,9 @@ def run_search(
     wp.launch(
         kernels.search,
         dim=threads,
-        inputs=[problem, settings, array(scene), array(seed), array(node_off[:-1]), array(unit_off[:-1])],
+        inputs=[
+            problem, settings, array(scene), array(seed), array(node_off[:-1]), array(unit_off[:-1]),
+        ],
         outputs=[
             x, vec(unit_off[-1]), vec(unit_off[-1]), vec(unit_off[-1]), vec(unit_off[-1]),
             vec(node_off[-1]), energy, initial, steps,

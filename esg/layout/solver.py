@@ -198,7 +198,11 @@ def _write(
     notes = "; ".join(problem.notes)
     poses = {
         n: Pose(
-            position_cm=(round(world.pose[n][0], 4), round(world.pose[n][1], 4), round(world.z[n], 4)),
+            position_cm=(
+                round(world.pose[n][0], 4),
+                round(world.pose[n][1], 4),
+                round(world.z[n], 4),
+            ),
             yaw_deg=round(math.degrees(math.remainder(world.pose[n][2], 2 * math.pi)), 4),
         )
         for n in problem.names

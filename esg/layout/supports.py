@@ -28,7 +28,8 @@ class Support:
     Args:
         parent: Node whose frame carries it; None is the world.
         kind: How.
-        rect: min x, min y, max x, max y of the surface in the parent's frame [cm]; None is unbounded.
+        rect: min x, min y, max x, max y of the surface in the parent's frame [cm]; None is
+            unbounded.
         z_cm: Height of the node's origin above the parent's origin.
         yaw_fixed: The attachment dictates the heading.
         note: What is wrong with this support, for the report.

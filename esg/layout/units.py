@@ -243,33 +243,9 @@ class UnitBuilder:
         self._add(Unit(poses, parent=base))
 
     def _lay_decals(self, unit: Unit) -> None:
-        """Lays roads and lanes under the planned motion that refers to them."""
-        edges = self.doc.spatial_relation_graph.edges.binary_relations
-        for name in self.nodes:
-            if name in self.taken or not self.shape[name].is_decal:
-                continue
-            linked = [
-                n for n in unit.members
-                if self.supports.of[n].parent == name
-                or any({e.from_, e.to} == {n, name} for e in edges)
-            ]  # fmt: skip
-            if not linked:
-                continue
-            riders = [n for n in linked if self.supports.of[n].parent == name] or linked
-            points = [p[:2] for p in unit.members.values()]
-            points += [q for c in unit.corridors for q in c.points_cm]
-            yaw = 0.0
-            if unit.corridors and len(unit.corridors[0].points_cm) > 1:
-                (x0, y0), (x1, y1) = unit.corridors[0].points_cm[:2]
-                yaw = math.atan2(y1 - y0, x1 - x0)
-            c, s = math.cos(-yaw), math.sin(-yaw)
-            along = [c * x - s * y for x, y in points]
-            lateral = float(
-                np.mean([s * unit.members[n][0] + c * unit.members[n][1] for n in riders])
-            )
-            middle = 0.5 * (min(along) + max(along))
-            x, y, _ = compose((0.0, 0.0, yaw), (middle, lateral, 0.0))
-            if self.shape[name].hy > self.shape[name].hx:
-                yaw += 0.5 * math.pi
-            unit.members[name] = (x, y, yaw)
+        from esg.layout.decals import lay_decals  # decals need units and obstacles
+
+        free = [n for n in self.nodes if n not in self.taken and self.shape[n].is_decal]
+        for name, pose in lay_decals(self.doc, unit, free, self.supports, self.shape).items():
+            unit.members[name] = pose
             self.taken[name] = unit
