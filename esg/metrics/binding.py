@@ -150,6 +150,8 @@ def _bind_exact(phrase: str, text: str, scene: SimScene) -> Binding:
         elif name != GROUND:
             missing.append(name)
     problem = f"no body or region is called {', '.join(map(repr, missing))}" if missing else ""
+    if not wanted:
+        problem = f"{phrase!r} names nothing; write '=name'"
     return Binding(
         phrase,
         tuple(bodies),

@@ -55,8 +55,8 @@ _COLLECTIVE = {
 _PREPOSITIONS = {
     "on", "in", "at", "by", "near", "under", "behind", "beside", "next", "of", "with", "without",
     "from", "to", "inside", "above", "below", "along", "across", "over", "that", "which", "for",
-    "ahead", "standing", "lying", "sitting", "parked", "stopped", "placed", "moving", "made", "labeled",
-    "weighing", "weigh", "named", "called",
+    "ahead", "standing", "lying", "sitting", "parked", "stopped", "placed", "moving", "made",
+    "labeled", "weighing", "weigh", "named", "called",
 }  # fmt: skip
 _IRREGULAR = {
     "people": "person", "men": "man", "women": "woman", "children": "child", "mice": "mouse",
@@ -147,7 +147,8 @@ _CANONICAL = {word: head for head, words in _HEAD_SYNONYMS.items() for word in w
 _MODIFIER_SYNONYMS = {
     "football": "soccer", "foot": "soccer", "pool": "billiard", "snooker": "billiard",
     "billiards": "billiard", "tenpin": "bowling", "wood": "wooden", "grey": "gray",
-    "metallic": "metal", "steel": "metal", "leading": "front", "lead": "front", "forward": "front", "ahead": "front",
+    "metallic": "metal", "steel": "metal", "leading": "front", "lead": "front",
+    "forward": "front", "ahead": "front",
     "back": "rear", "trailing": "rear", "following": "rear", "hind": "rear", "behind": "rear",
     "upper": "top", "lower": "bottom", "leftmost": "left", "rightmost": "right",
     "center": "middle", "centre": "middle", "central": "middle", "little": "small",
