@@ -279,7 +279,8 @@ def _angle(c: SuiteConstraint, body: int, world: Scored) -> float:
         first = r.frame_at(found.time or 0.0)
         return max(_tilt(r, body, k) for k in range(first, len(r.time)))
     before = r.velocity[r.frame_before(found.time or 0.0), body]
-    after = r.velocity[r.frame_at(_last_contact(found)), body]
+    # One frame later: an engine may spread a bounce over the last step of the contact.
+    after = r.velocity[min(r.frame_at(_last_contact(found)) + 1, len(r.time) - 1), body]
     norm = float(np.linalg.norm(before) * np.linalg.norm(after))
     if norm < 1e-9:
         return 0.0

@@ -1,0 +1,158 @@
+"""A document's timeline as a suite scene."""
+
+from __future__ import annotations
+
+from esg.graph.models import (
+    Actor,
+    AssetRequirement,
+    EsgDocument,
+    EventConstraint,
+    Node,
+    SceneDefinition,
+    SceneParameters,
+    SequenceGraph,
+    SpatialRelationGraph,
+    TimelineEdge,
+    TimelineNode,
+    TimelineSystem,
+)
+from esg.metrics import expectations_from_timeline
+
+N = TimelineNode
+
+
+def edge(name: str, start: str, end: str, kind: str, actor: str, **more: object) -> TimelineEdge:
+    return TimelineEdge.model_validate(
+        {"id": name, "from": start, "to": end, "event": kind, "actor": actor, **more}
+    )
+
+
+def document(nodes: list[TimelineNode], edges: list[TimelineEdge], **assets) -> EsgDocument:
+    actors = {e.actor: Actor(role="passive") for e in edges}
+    return EsgDocument(
+        scene_definition=SceneDefinition(
+            scene_id="doc",
+            original_description="a prompt",
+            scene_parameters=SceneParameters(is_dynamic=True, scene_type="outdoor"),
+        ),
+        asset_requirement=assets,
+        spatial_relation_graph=SpatialRelationGraph(
+            nodes={name: Node(asset_id=f"{name}_asset") for name in ("car_1", "bin_1", "table_1")}
+        ),
+        timeline_system=TimelineSystem(
+            actors=actors, sequence_graph=SequenceGraph(nodes=tuple(nodes), edges=tuple(edges))
+        ),
+    )
+
+
+START = N(id="start", event="SceneStart", timestamp=0.0)
+
+
+def test_chain_of_collisions_keeps_its_order():
+    doc = document(
+        [
+            START,
+            N(id="e2", event="Collision", participants=("bin_1", "table_1"), window=(2, 3)),
+            N(id="e1", event="Collision", participants=("car_1", "bin_1"), window=(1, 2)),
+        ],
+        [
+            edge("drive", "start", "e1", "UniformMotion", "car_1", target="bin_1"),
+            edge("fly", "e1", "e2", "InertialConnector", "bin_1", target="table_1"),
+        ],
+    )
+    found = expectations_from_timeline(doc)
+    assert [(e.id, e.type, e.a, e.b, e.after) for e in found.events] == [
+        ("e1", "collision", "=car_1", "=bin_1", ()),
+        ("e2", "collision", "=bin_1", "=table_1", ("e1",)),
+    ]
+    assert found.objects == ("=car_1", "=bin_1", "=table_1")
+    assert found.constraints == ()
+
+
+def test_braking_is_an_event_and_times_since_its_trigger_are_since_it():
+    doc = document(
+        [
+            START,
+            N(id="t1", event="Trigger", participants=("car_1",), window=(1, 2)),
+            N(
+                id="e",
+                event="Collision",
+                participants=("car_1", "bin_1"),
+                timestamp=3.0,
+                time_is_prescribed=True,
+                constraints=(
+                    EventConstraint(quantity="time_since", object="car_1", value=1.0, since="t1"),
+                    EventConstraint(quantity="speed_before", object="car_1", value=(100.0, 200.0)),
+                ),
+            ),
+        ],
+        [
+            edge(
+                "drive", "start", "t1", "UniformMotion", "car_1",
+                params={"speed": (500.0, 1000.0)}, speed_is_prescribed=True,
+            ),
+            edge("brake", "t1", "e", "Brake", "car_1", target="bin_1"),
+        ],
+    )  # fmt: skip
+    found = expectations_from_timeline(doc)
+    assert [(e.id, e.type, e.after) for e in found.events] == [
+        ("drive", "moves", ()),
+        ("brake", "brakes", ("drive",)),
+        ("e", "collision", ("brake",)),
+    ]
+    assert [c.label for c in found.constraints] == [
+        "time e = 3 s",
+        "time_since =car_1 e since brake = 1 s",
+        "speed =car_1 @e in [1, 2] m/s",
+        "speed =car_1 @start in [5, 10] m/s",
+    ]
+
+
+def test_every_point_event_has_its_counterpart():
+    nodes = [
+        START,
+        N(id="stop", event="Stop", participants=("car_1",)),
+        N(id="top", event="Topple", participants=("bin_1",)),
+        N(id="fall", event="Fall", participants=("bin_1", "table_1")),
+        N(id="reach", event="Reach", participants=("car_1", "bin_1")),
+        N(id="miss", event="Miss", participants=("car_1", "bin_1")),
+        N(id="at", event="PositionAt", participants=("car_1",), position_cm=(100.0, 0.0, 50.0)),
+        N(
+            id="turn",
+            event="HeadingReached",
+            participants=("car_1",),
+            turn_direction="right",
+            turn_degrees=45.0,
+        ),
+        N(id="in", event="EnterRegion", participants=("bin_1",), region="table_1/inside"),
+    ]
+    edges = [edge(f"to_{n.id}", "start", n.id, "Toward", "car_1") for n in nodes[1:]]
+    events = {e.id: e for e in expectations_from_timeline(document(nodes, edges)).events}
+    assert events["stop"].type == "stops"
+    assert events["top"].type == "topples"
+    assert (events["fall"].type, events["fall"].from_) == ("falls", "=table_1")
+    assert (events["reach"].type, events["reach"].target) == ("reaches", "=bin_1")
+    assert events["miss"].type == "misses"
+    assert events["at"].target == "@1,0,0.5"
+    assert (events["turn"].direction, events["turn"].degrees) == ("right", 45.0)
+    assert events["in"].target == "=table_1/inside"
+    assert all(e.after == () for e in events.values())
+
+
+def test_prescribed_masses_are_initial_constraints():
+    asset = AssetRequirement(
+        asset_category="car",
+        asset_description="a car",
+        expected_dimensions_cm=(400, 180, 150),
+        expected_mass_kg=900.0,
+        mass_is_prescribed=True,
+    )
+    found = expectations_from_timeline(document([START], [], car_1_asset=asset))
+    assert [c.label for c in found.constraints] == ["mass =car_1 = 900 kg"]
+
+
+def test_a_static_document_promises_its_objects_only():
+    doc = document([START], []).model_copy(update={"timeline_system": None})
+    found = expectations_from_timeline(doc)
+    assert found.events == ()
+    assert len(found.objects) == 3
