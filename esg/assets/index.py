@@ -58,6 +58,11 @@ class Index:
         np.maximum.at(best, self.owner, cosine)
         return best
 
+    def scores_of(self, entry: int, query: NDArray[np.float32]) -> NDArray[np.float32]:
+        """Cosines of a query with the texts of one entry, shape [texts of it]."""
+        first, last = np.searchsorted(self.owner, (entry, entry + 1))
+        return self.vectors[first:last] @ query
+
 
 def owners(entries: tuple[Entry, ...]) -> NDArray[np.int32]:
     """Entry index of each text."""

@@ -4,24 +4,30 @@ An exact name or synonym decides at once. Otherwise candidates are ranked by
 
     score = 0.70 semantic + 0.18 category + 0.12 physical
 
-with the cosine of MiniLM embeddings, the agreement of head nouns and hypernyms, and the plausibility
-of size, mass, movability and shape. The gate accepts the first candidate if its cosine is high
-enough for how well its category agrees; everything else becomes a plain body of the wanted size.
+with the best cosine of MiniLM embeddings over an entry's texts, the agreement of head nouns, and the
+plausibility of size, mass, movability and shape. The confidence of the first candidate mixes the
+cosine of the whole phrase with that of its head noun alone ("bowling shoes" are not bowling pins),
+and the gate accepts it above a threshold; everything else becomes a plain body of the wanted size.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 import math
+import re
 
 import numpy as np
 
-from esg.assets.index import Index, active_index
+from esg.assets.index import Index, active_index, texts_of
 from esg.assets.library import Entry, entries_by_name, lexicon, normalize
 from esg.graph.models import AssetRequirement, RetrievalCandidate
 
 WEIGHTS = (0.70, 0.18, 0.12)
-GATE_SAME_CATEGORY, GATE_OTHER = 0.50, 0.66
+GATE = 0.65
+"""Least confidence at which a candidate is used."""
+_MODIFIER_PENALTY = 0.2
+"""For a text that is only the first part of a compound ("cannon" of "cannon ball")."""
 _KEEP = 5
 
 
@@ -42,18 +48,47 @@ class Decision:
     shape: str | None = None
 
 
+_TAIL = re.compile(
+    r"\b(of|for|with|without|in|on|from|to|at|by|used|thrown|made|that|which|into|over|under)\b"
+)
+_AMBIGUOUS_HEADS = frozenset(
+    "board stand screen club stop tin tube post pole bob meter saw stick bar cross head machine "
+    "display store shop surface track home frame hat roller line set organ beam watch coin wheel "
+    "horn lantern dish mat court bag pin bat block pot plant net ring glass cue".split()
+)
+"""Nouns that name a library entry alone but mean something else as the head of a compound."""
+
+
+def _compact(text: str) -> str:
+    return text.replace(" ", "")
+
+
+@lru_cache(maxsize=1)
+def _compact_lexicon() -> dict[str, str]:
+    return {_compact(k): v for k, v in lexicon().items()}
+
+
 def exact(text: str) -> Entry | None:
-    """The entry whose name or synonym is `text`, else the one named by its last words."""
-    words = normalize(text).split()
-    name = lexicon().get(" ".join(words))
+    """The entry whose name or synonym is `text`, spaces and hyphens aside."""
+    name = _compact_lexicon().get(_compact(normalize(text)))
     return entries_by_name()[name] if name else None
 
 
+def head_phrase(text: str) -> str:
+    """The noun phrase before the first preposition ("bottle" of "bottle of wine")."""
+    words = normalize(text)
+    cut = _TAIL.split(words, maxsplit=1)[0].strip()
+    return normalize(cut) if cut else words
+
+
 def head_match(text: str) -> Entry | None:
-    """The entry named by the longest proper suffix of `text` ("rusty oil drum" -> oil drum)."""
-    words = normalize(text).split()
-    for start in range(1, len(words)):
-        name = lexicon().get(" ".join(words[start:]))
+    """The entry named by the longest suffix of the head phrase ("rusty oil drum" -> oil drum)."""
+    words = head_phrase(text).split()
+    for start in range(len(words)):
+        tail = words[start:]
+        if len(tail) == 1 and len(words) > 1 and tail[0] in _AMBIGUOUS_HEADS:
+            return None
+        name = _compact_lexicon().get("".join(tail))
         if name:
             return entries_by_name()[name]
     return None
@@ -72,17 +107,16 @@ def physical_score(entry: Entry, requirement: AssetRequirement) -> float:
     return score
 
 
-def _category_score(entry: Entry, text: str, match: Entry | None) -> float:
-    words = set(normalize(text).split())
-    names = {normalize(entry.name), *(normalize(s) for s in entry.synonyms)}
-    heads = {n.split()[-1] for n in names}
-    tail = normalize(text).split()[-1:] or [""]
-    if match is not None and (entry.name == match.name or match.name in entry.parents):
+def _category_score(entry: Entry, match: Entry | None) -> float:
+    """1 for the entry that the head noun names, 0.8 for its kinds, 0.5 for its broader kinds."""
+    if match is None:
+        return 0.0
+    if entry.name == match.name:
         return 1.0
-    if tail[0] in heads:
-        return 1.0
-    if words & (set(entry.parents) | heads):
-        return 0.6
+    if match.name in entry.parents:
+        return 0.8
+    if entry.name in match.parents or set(entry.parents) & {match.parents[0]}:
+        return 0.5
     return 0.0
 
 
@@ -99,11 +133,13 @@ def rank(
     query = embed([normalize(text) or text])[0]
     semantic = index.scores(query)
     match = exact(text) or head_match(text)
-    pool = np.argsort(-semantic, kind="stable")[: max(24, k)]
+    pool = list(np.argsort(-semantic, kind="stable")[: max(32, k)])
+    if match is not None:
+        pool += [i for i, e in enumerate(index.entries) if e.name == match.name and i not in pool]
     candidates = []
     for i in pool:
         entry = index.entries[int(i)]
-        category = _category_score(entry, text, match)
+        category = _category_score(entry, match)
         physical = physical_score(entry, requirement) if requirement else 0.5
         score = float(np.dot(WEIGHTS, (float(semantic[i]), category, physical)))
         candidates.append(
@@ -117,6 +153,33 @@ def rank(
         )
     candidates.sort(key=lambda c: (-c.score, c.asset_name))
     return candidates[:k]
+
+
+def confidence(text: str, best: RetrievalCandidate, index: Index | None = None) -> float:
+    """How sure the first candidate is what the text means, in [0, 1].
+
+    Tuned on `data/retrieval_tuning.csv`; measured on `data/retrieval_queries.csv`.
+    """
+    from esg.assets.embed import embed
+
+    if exact(text) is not None:
+        return 1.0
+    index = index or active_index()
+    i = next(k for k, e in enumerate(index.entries) if _qualified(e) == best.asset_name)
+    if best.category >= 0.8:
+        return round(0.6 + 0.4 * max(best.semantic, 0.0), 6)
+    words = normalize(text)
+    head = head_phrase(text).split()[-1:] or [words]
+    whole = embed([words])[0]
+    alone = embed(head)[0]
+    value = 0.5 * best.semantic + 0.5 * float(index.scores_of(i, alone).max())
+    if head[0] in _AMBIGUOUS_HEADS:
+        value = 0.9 * best.semantic
+    texts = texts_of(index.entries[i])
+    nearest = normalize(texts[int(index.scores_of(i, whole).argmax())])
+    if nearest.startswith(words) and nearest != words:
+        value -= _MODIFIER_PENALTY
+    return round(min(max(value, 0.0), 1.0), 6)
 
 
 def _qualified(entry: Entry) -> str:
@@ -139,11 +202,11 @@ def decide(requirement: AssetRequirement, label: str = "") -> Decision:
     text = category.replace("_", " ")
     candidates = rank(text, requirement)
     best = candidates[0]
-    gate = GATE_SAME_CATEGORY if best.category >= 1.0 else GATE_OTHER
-    if best.semantic >= gate:
+    sure = confidence(text, best)
+    if sure >= GATE:
         entry = next(e for e in active_index().entries if _qualified(e) == best.asset_name)
-        return Decision(entry, round(min(best.semantic, 1.0), 6), tuple(candidates))
-    return Decision(None, round(max(best.semantic, 0.0), 6), tuple(candidates), _plain(requirement))
+        return Decision(entry, sure, tuple(candidates))
+    return Decision(None, sure, tuple(candidates), _plain(requirement))
 
 
 _ROUND = ("ball", "sphere", "globe", "orb", "bead", "marble", "melon", "berry", "fruit", "nut")
