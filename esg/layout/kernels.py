@@ -772,3 +772,18 @@ def search(
     for u in range(u0, u1):
         spread(p, w, x, off, uoff, u, last)
     steps[t] = used
+
+
+@wp.kernel
+def separations(
+    kind: wp.array(dtype=wp.vec2i),
+    pa: wp.array(dtype=wp.vec3),
+    pb: wp.array(dtype=wp.vec3),
+    ha: wp.array(dtype=wp.vec2),
+    hb: wp.array(dtype=wp.vec2),
+    out: wp.array(dtype=wp.float32),
+):
+    """Signed distances of footprint pairs [cm], shape [n]."""
+    i = wp.tid()
+    k = kind[i]
+    out[i] = separation(k[0], pa[i], ha[i], k[1], pb[i], hb[i])
