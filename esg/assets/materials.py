@@ -139,6 +139,34 @@ _ALIASES = {
 }
 
 
+_MADE_OF: dict[str, frozenset[str]] = {
+    "leather_ball": frozenset({"leather", "rubber", "plastic", "plastic_hard", "textile"}),
+    "basketball": frozenset({"rubber", "leather", "plastic", "plastic_hard"}),
+    "felt_ball": frozenset({"textile", "rubber"}),
+    "hard_ball": frozenset({"leather"}),
+    "golf_ball": frozenset({"plastic", "plastic_hard", "rubber"}),
+    "celluloid": frozenset({"plastic", "plastic_hard"}),
+    "inflatable": frozenset({"plastic", "plastic_hard", "rubber"}),
+    "phenolic": frozenset({"plastic", "plastic_hard", "composite"}),
+    "phenolic_ball": frozenset({"plastic", "plastic_hard", "composite"}),
+    "car_body": frozenset({"steel", "aluminium", "cast_iron", "composite"}),
+    "cloth_table": frozenset({"wood", "textile", "stone", "wood_panel"}),
+    "wood_panel": frozenset({"wood"}),
+    "wood_lacquered": frozenset({"wood", "wood_panel"}),
+    "plastic_hard": frozenset({"plastic"}),
+    "rubber_hard": frozenset({"rubber"}),
+    "cast_iron": frozenset({"steel"}),
+    "asphalt": frozenset({"concrete"}),
+    "grass": frozenset({"stone", "asphalt"}),
+}
+"""Plain materials that a composite row already stands for: naming them changes nothing."""
+
+
+def is_usual(asked: Material, own: str) -> bool:
+    """Whether a request for `asked` only repeats what an entry of material `own` is made of."""
+    return asked.name == own or asked.name in _MADE_OF.get(own, frozenset())
+
+
 def find_material(text: str | None) -> Material | None:
     """The material that a word or phrase names ("wooden", "stainless steel"), or None."""
     if not text:

@@ -52,9 +52,56 @@ _TAIL = re.compile(
     r"\b(of|for|with|without|in|on|from|to|at|by|used|thrown|made|that|which|into|over|under)\b"
 )
 _AMBIGUOUS_HEADS = frozenset(
-    "board stand screen club stop tin tube post pole bob meter saw stick bar cross head machine "
-    "display store shop surface track home frame hat roller line set organ beam watch coin wheel "
-    "horn lantern dish mat court bag pin bat block pot plant net ring glass cue".split()
+    [
+        "board",
+        "stand",
+        "screen",
+        "club",
+        "stop",
+        "tin",
+        "tube",
+        "post",
+        "pole",
+        "bob",
+        "meter",
+        "saw",
+        "stick",
+        "bar",
+        "cross",
+        "head",
+        "machine",
+        "display",
+        "store",
+        "shop",
+        "surface",
+        "track",
+        "home",
+        "frame",
+        "hat",
+        "roller",
+        "line",
+        "set",
+        "organ",
+        "beam",
+        "watch",
+        "coin",
+        "wheel",
+        "horn",
+        "lantern",
+        "dish",
+        "mat",
+        "court",
+        "bag",
+        "pin",
+        "bat",
+        "block",
+        "pot",
+        "plant",
+        "net",
+        "ring",
+        "glass",
+        "cue",
+    ]
 )
 """Nouns that name a library entry alone but mean something else as the head of a compound."""
 

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from esg.assets.lazy import shapes
 from esg.graph.models import NamedRegion, Proxy, ProxyKind, Quat, SupportSurface, Vec3
 
 if TYPE_CHECKING:
@@ -108,7 +109,6 @@ class Sketch:
         quat: Quat = IDENTITY,
     ) -> None:
         """Box of full extents `size` about `center`."""
-        from esg.assets import shapes
 
         self.add(lambda: shapes.box(size, center, quat), color, rough, metal, alpha)
         if solid:
@@ -144,7 +144,6 @@ class Sketch:
         sections: int = 28,
     ) -> None:
         """Cylinder from `start` to `end`."""
-        from esg.assets import shapes
 
         self.add(lambda: shapes.rod(radius, start, end, sections), color, rough, metal, alpha)
         if solid:
@@ -166,7 +165,6 @@ class Sketch:
         alpha: float = 1.0,
     ) -> None:
         """Surface of revolution of a (radius, height) profile about `axis`."""
-        from esg.assets import shapes
 
         self.add(
             lambda: shapes.lathe(profile, center, smooth, sections, axis),
@@ -189,7 +187,6 @@ class Sketch:
         detail: int = 3,
     ) -> None:
         """Sphere, or an ellipsoid if scaled (then without a proxy)."""
-        from esg.assets import shapes
 
         self.add(lambda: shapes.ball(radius, center, scale, detail), color, rough, metal)
         if solid:
@@ -209,7 +206,6 @@ class Sketch:
         alpha: float = 1.0,
     ) -> None:
         """Prism of a polygon in plane xz (along y), yz (along x) or xy (along z)."""
-        from esg.assets import shapes
 
         self.add(
             lambda: shapes.extrude(polygon, span, plane, soft, holes), color, rough, metal, alpha
@@ -227,7 +223,6 @@ class Sketch:
         metal: float = 0.0,
     ) -> None:
         """Ring about `axis`."""
-        from esg.assets import shapes
 
         self.add(lambda: shapes.torus(major, minor, center, axis), color, rough, metal)
 

@@ -8,7 +8,7 @@ import re
 from esg.assets.colors import find_color
 from esg.assets.library import Entry, build_sketch, entries_by_name
 from esg.assets.massprops import mass_properties
-from esg.assets.materials import MATERIALS, Material, find_material
+from esg.assets.materials import MATERIALS, Material, find_material, is_usual
 from esg.assets.proposal import choose_dimensions, choose_mass
 from esg.assets.retrieve import Decision, decide
 from esg.assets.sketch import Sketch
@@ -89,7 +89,7 @@ def _surface_material(entry: Entry, requirement: AssetRequirement) -> tuple[Mate
     """Contact material and the ratio of its density to the entry's own."""
     own = MATERIALS[entry.material]
     asked = find_material(requirement.material)
-    if asked is None or asked.name == own.name:
+    if asked is None or is_usual(asked, own.name):
         return own, 1.0
     if "decal" in entry.flags or "wheeled" in entry.flags or "hollow" in entry.flags:
         return asked, 1.0
@@ -122,7 +122,7 @@ def _material_color(requirement: AssetRequirement, entry: Entry) -> tuple[float,
     from esg.assets.sketch import BRASS, CARDBOARD, CONCRETE, DARK, GLASS, STEEL, WOOD
 
     asked = find_material(requirement.material)
-    if asked is None or asked.name == entry.material:
+    if asked is None or is_usual(asked, entry.material):
         return entry.color_rgb
     table = {
         "wood": WOOD,

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
-from esg.assets import shapes
 from esg.assets.builders import builder
+from esg.assets.lazy import shapes
 from esg.assets.sketch import BLUE, DARK, RED, WHITE, Color, Sketch, lying_hull
 
 PHI = (1 + math.sqrt(5)) / 2
@@ -85,7 +86,7 @@ def bowling_ball(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.proxy(ProxyKind.SPHERE, (r, r, r), (0, 0, r))
 
 
-def _drilled(r: float) -> shapes.trimesh.Trimesh:
+def _drilled(r: float) -> Any:
     holes = []
     for dx, dy, q in ((0.22, 0.13, 0.1), (0.22, -0.13, 0.1), (-0.18, 0.0, 0.12)):
         z = math.sqrt(1 - dx * dx - dy * dy)

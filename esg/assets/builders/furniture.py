@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from esg.assets.builders import builder
+from esg.assets.lazy import shapes
 from esg.assets.sketch import (
     CHROME,
     DARK,
@@ -419,7 +420,6 @@ def piano(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 @builder("bathtub", "free")
 def bathtub(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Bathtub along X; hollow."""
-    from esg.assets import shapes
 
     s.add(
         lambda: shapes.cut(
@@ -481,7 +481,6 @@ def toilet(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 @builder("sink", "free")
 def sink(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Pedestal washbasin."""
-    from esg.assets import shapes
 
     s.add(
         lambda: shapes.cut(

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from esg.assets.builders import builder
+from esg.assets.lazy import shapes
 from esg.assets.sketch import (
     BRASS,
     CHROME,
@@ -607,7 +608,6 @@ def egg(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 @builder("cushion", "free")
 def cushion(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Pillow."""
-    from esg.assets import shapes
 
     s.add(lambda: shapes.pillow((L, W, H)), c, 1.0)
     s.proxy_slab((-L * 0.45, L * 0.45), (-W * 0.45, W * 0.45), (0, H * 0.95))

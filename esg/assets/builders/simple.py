@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from esg.assets.builders import builder
+from esg.assets.lazy import shapes
 from esg.assets.sketch import ALONG, Color, Sketch
 from esg.graph.models import ProxyKind
 
@@ -119,7 +120,6 @@ def cone(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 def pyramid(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """A square pyramid."""
     points = [(x * L / 2, y * W / 2, 0.0) for x in (-1, 1) for y in (-1, 1)] + [(0.0, 0.0, H)]
-    from esg.assets import shapes
 
     s.add(lambda: shapes.hull(points), c)
     s.proxy_hull(points)

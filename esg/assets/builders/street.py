@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from esg.assets.builders import builder
+from esg.assets.lazy import shapes
 from esg.assets.sketch import (
     ALONG,
     BLUE,
@@ -49,7 +50,6 @@ def _shade(c: Color, f: float) -> Color:
 @builder("wheelie_bin")
 def wheelie_bin(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Two-wheeled refuse bin, lid closed, drawn at 73 x 58 x 107 (240 l)."""
-    from esg.assets import shapes
 
     s.add(
         lambda: shapes.hull(
@@ -429,7 +429,6 @@ def rock(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     p = np.concatenate([p, np.eye(3), -np.eye(3)]) * np.array([30, 25, 24]) + [0, 0, 16]
     p[:, 2] = np.clip(p[:, 2], 0, 40)
     points = [tuple(float(c) for c in v) for v in p]
-    from esg.assets import shapes
 
     s.add(lambda: shapes.hull(points), c, 0.95)
     s.proxy_hull([tuple(v) for v in shapes.hull(points).vertices])  # type: ignore[misc]
@@ -449,7 +448,6 @@ def parasol(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 @builder("dumpster")
 def dumpster(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Open skip with sloped ends, drawn at 180 x 360 x 140; hollow."""
-    from esg.assets import shapes
 
     outer = [
         (x * 90, y * w, z) for z, w in ((0, 130), (140, 180)) for x in (-1, 1) for y in (-1, 1)

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from esg.assets import shapes
 from esg.assets.builders import builder
+from esg.assets.lazy import shapes
 from esg.assets.sketch import CHROME, DARK, GLASS, RUBBER, STEEL, WHITE, YELLOW, Color, Sketch
 
 LAMP, TAIL = (0.98, 0.96, 0.86), (0.6, 0.04, 0.05)
@@ -25,7 +25,7 @@ def _wheel(s: Sketch, x: float, y: float, r: float, width: float, side: int) -> 
 
 def _hull_with_wells(
     profile: Any, width: float, wells: list[tuple[float, float]], soft: float
-) -> shapes.trimesh.Trimesh:
+) -> Any:
     body = shapes.extrude(profile, (-width / 2, width / 2), "xz", soft)
     tools = [
         shapes.rod(r + 4, (x, side * (width / 2 - 26), r), (x, side * (width / 2 + 4), r), 36)
