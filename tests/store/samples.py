@@ -1,0 +1,74 @@
+"""Records of small runs with known numbers."""
+
+from __future__ import annotations
+
+import datetime
+
+from esg.metrics import SuiteConstraint
+from esg.store.records import RunInfo, SceneRecord, make_record
+from tests.metrics.test_events import CHAIN, chain
+
+UTC = datetime.UTC
+TIME = SuiteConstraint(kind="outcome", quantity="time", event="e2", value=0.8)
+MASS = SuiteConstraint(kind="initial", quantity="mass", object="ball 1", value=1.0)
+
+
+def run_info(name: str = "run-1", day: int = 1, **more: object) -> RunInfo:
+    values: dict[str, object] = {
+        "run_id": name,
+        "kind": "bench",
+        "started_at": datetime.datetime(2026, 1, day, 12, tzinfo=UTC),
+        "suite": "paper",
+        "engine": "synthetic",
+        "seeds": 2,
+    }
+    return RunInfo(**{**values, **more})  # type: ignore[arg-type]
+
+
+def world(complete: bool = True):
+    made = chain(0.4, 0.8)
+    if not complete:
+        made.contacts = made.contacts[:1]
+    return made
+
+
+def record(
+    run: RunInfo, scene: str, seed: int, *, complete: bool = True, engines: tuple[str, ...] = ()
+) -> SceneRecord:
+    """A run of a two-event scene, both or only one completed."""
+    made = world(complete)
+    verdict = made.judge(CHAIN, [MASS, TIME])
+    verdicts = {
+        engine: verdict.model_copy(update={"engine": engine}) for engine in (run.engine, *engines)
+    }
+    draft = (
+        b'{"coverage": {"items": [{"text": "Ball", "start": 0, "end": 4, "kind": "object",'
+        b' "status": "used"}, {"text": "gently", "start": 5, "end": 11, "kind": "modifier",'
+        b' "status": "not_understood", "note": "manner"}]}}'
+    )
+    return make_record(
+        run,
+        scene_id=scene,
+        seed=seed,
+        prompt=f"Ball {seed} of scene {scene} hits ball 2.",
+        outcome="solved" if complete else "not_converged",
+        reason="" if complete else "e2 not reached",
+        level="chain",
+        documents={"draft": draft, "optimize": draft},
+        artifacts={"draft": "draft-" + "0" * 64},
+        verdicts=verdicts,
+        rollouts={run.engine: made.rollout()},
+        bodies=made.scene.names,
+        stages=(
+            {"stage": "draft", "seconds": 0.5, "cached": False},
+            {"stage": "replay", "seconds": 1.5, "cached": seed == 1},
+        ),
+    )
+
+
+def records(run: RunInfo, scenes: int = 3, seeds: int = 2) -> list[SceneRecord]:
+    return [
+        record(run, f"S{k}", seed, complete=(k + seed) % 3 != 0)
+        for k in range(1, scenes + 1)
+        for seed in range(seeds)
+    ]
