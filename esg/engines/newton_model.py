@@ -23,7 +23,7 @@ from esg.units import quat_multiply, quat_rotate
 STEPS_PER_GRAPH = 8
 """Even, so that the two states are back in place after one launch of the graph."""
 
-ITERATIONS = 8
+ITERATIONS = 6
 RESTITUTION_THRESHOLD_MPS = 0.2
 CONTACT_GAP_M = 0.02
 _CELLS = 1_000_000
@@ -129,7 +129,7 @@ class NewtonModel:
         self.solver = steel(
             model,
             iterations=ITERATIONS,
-            friction_anchor_beta=0.0,
+            friction_anchor_beta=0.2,
             restitution_velocity_threshold=RESTITUTION_THRESHOLD_MPS,
             # One row along the normal and two for friction.
             free_body_constraint_max=3 * points,
