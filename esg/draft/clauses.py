@@ -45,6 +45,7 @@ class Frame:
     link: str = "then"
     reduced: bool = False
     sentence: int = 0
+    relative: bool = False
     causer: Frame | None = None
     parent: Frame | None = None
 
@@ -115,6 +116,8 @@ class ClauseBuilder:
         """Noun phrase + prepositional phrase outside any verb ("a table with bottles on it")."""
         self.loose: list[tuple[int, Amount]] = []
         self.sentence = 0
+        self._quantified: Mention | None = None
+        """Noun that the last quantity was a property of."""
 
     def run(self) -> None:
         s = _State()
@@ -220,6 +223,16 @@ class ClauseBuilder:
         assert w.amount is not None
         previous = self.elements[i - 1] if i else None
         before = self.elements[i - 2] if i >= 2 else None
+        if (
+            isinstance(previous, Word)
+            and previous.kind == "conj"
+            and isinstance(before, Word)
+            and before.amount is not None
+            and self._quantified is not None
+            and before.amount in self._quantified.amounts
+        ):
+            self._quantified.amounts.append(w.amount)
+            return True
         noun = before if isinstance(previous, Word) and previous.low in ("of", "at", ",", "(", "about") else previous
         if not isinstance(noun, Mention) or noun.pronoun:
             return False
@@ -242,6 +255,7 @@ class ClauseBuilder:
             if word in _SIZES:
                 noun.adjectives.append(f"@{w.amount.start}:{word}")
         noun.amounts.append(w.amount)
+        self._quantified = noun
         s.prep = ""
         return True
 
@@ -270,7 +284,8 @@ class ClauseBuilder:
                 pass
             phrase = Phrase(prep, m)
             self._attach(s, phrase, i)
-            s.last, s.last_after_prep = m, True
+            if not m.attribute:
+                s.last, s.last_after_prep = m, True
             if not s.boundary or s.boundary_kind != "comma" or s.frame is not None:
                 s.boundary = s.boundary and s.frame is None
             return
@@ -325,6 +340,11 @@ class ClauseBuilder:
                                         "above", "between", "by", "at", "around", "against",
                                         "in the middle of", "far from", "opposite", "below", "along",
                                         "underneath", "outside", "without", "from")
+        if s.frame is not None and phrase.mention is not None and phrase.mention.attribute and not (
+            phrase.prep == "of" or (phrase.prep == "with" and phrase.mention.head in _PROPERTIES and s.last is not s.frame.subject)
+        ):
+            s.frame.phrases.append(phrase)
+            return
         if s.frame is None:
             if s.subject is not None and noun_attached and not s.boundary:
                 self.attachments.append((s.last or s.subject, phrase))
@@ -365,7 +385,7 @@ class ClauseBuilder:
             frame.reduced = True
         elif s.boundary and s.boundary_kind == "rel":
             frame.subject = s.relative
-            frame.reduced = True
+            frame.reduced = frame.relative = True
             frame.parent = previous
         elif v.infinitive and previous is not None:
             self._infinitive(s, frame, previous)
@@ -388,9 +408,18 @@ class ClauseBuilder:
             frame.link = "cause"
         elif not s.boundary and v.form in ("pp", "past") and not v.auxiliary and s.last is not None:
             # reduced relative on the last noun: "a bicycle stopped in the road"
-            frame.subject, frame.reduced = s.last, True
+            frame.subject, frame.reduced, frame.parent = s.last, True, previous
             if v.sense not in ("posture", "park", "stop", "hit", "topple", "fall"):
                 v.passive = True
+        elif (
+            previous.relative
+            and s.boundary_kind == "conj"
+            and v.form != "ing"
+            and previous.verb.sense not in ("be", "posture", "park", "weigh", "measure", "have", "contain")
+        ):
+            # ", which rolls away and hits C": the relative clause goes on
+            frame.subject, frame.relative, frame.reduced = previous.subject, True, True
+            frame.parent = previous.parent
         else:
             frame.subject = self._agent(previous)
             frame.parent = previous
@@ -419,8 +448,7 @@ class ClauseBuilder:
             frame.reduced = True
             if v.form != "ing" and v.sense not in ("posture", "park", "stop", "fall", "topple", "roll", "slide"):
                 v.passive = True
-            target = s.last if s.last_after_prep and s.last is not None else s.subject
-            frame.subject = s.subject if v.form != "ing" or not s.last_after_prep else target
+            frame.subject = s.subject
         elif s.subject is not None and v.form == "pp" and not v.auxiliary and not v.passive:
             if v.sense in ("launch", "drop", "place", "pass") or (v.form == "pp" and v.sense == "posture"):
                 v.passive = True
@@ -494,6 +522,7 @@ class ClauseBuilder:
         s.loose = []
 
 
+_PROPERTIES = frozenset({"mass", "weight", "height", "length", "width", "diameter", "radius", "size"})
 _SIZES = frozenset({"tall", "high", "wide", "long", "thick", "deep", "diameter", "in diameter"})
 _MOVING = frozenset({"own", "cross", "leave", "continue", "overtake", "follow", "roll", "slide", "fly", "approach", "coast", "accelerate", "fall", "spin"})
 
@@ -506,8 +535,7 @@ def _background_first(frames: list[Frame]) -> list[Frame]:
         parent = f.parent
         if (
             f.reduced
-            and progressive
-            and f.verb.sense in _MOVING
+            and (progressive and f.verb.sense in _MOVING or f.verb.passive and f.verb.sense in ("launch", "drop"))
             and out
             and out[-1].sentence == f.sentence
             and out[-1].subject is not f.subject

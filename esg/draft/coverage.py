@@ -13,7 +13,7 @@ def account(
 ) -> Coverage:
     """The coverage record, in order of the text."""
     items: list[CoverageItem] = []
-    warnings: list[str] = list(dict.fromkeys(scene.warnings))
+    warnings: list[str] = list(dict.fromkeys([*scene.world.warnings, *scene.warnings]))
 
     def add(start: int, end: int, kind: str, status: str, pointer: str = "", note: str = "") -> None:
         items.append(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from esg.draft import lexicon as lex
 from esg.draft.clauses import Frame, Phrase
@@ -15,6 +15,11 @@ from esg.graph.models import EventConstraint, ForceDirection, NodeEvent, Quantit
 SELF_POWERED = frozenset({"vehicle", "person", "animal", "robot", "cart", "toyvehicle", "watercraft", "flyer"})
 _THINGS_DO = frozenset({"hit", "enter", "land", "bounce", "miss", "scatter", "fall"})
 """Senses that, after "the boy throws a ball and ...", are about the ball."""
+_ANIMAL_VERBS = frozenset(
+    {"run", "walk", "jog", "gallop", "trot", "jump", "leap", "hop", "crawl", "sprint", "dash", "charge", "sleep", "sit",
+     "chase", "wander", "swim", "climb", "stroll", "march", "pursue"}
+)  # fmt: skip
+_VEHICLE_VERBS = frozenset({"drive", "brake", "accelerate", "overtake", "park", "steer", "cruise", "merge", "reverse", "swerve", "speed"})
 _AIRBORNE = frozenset({"projectile", "tool", "tableware", "book", "rock"})
 _OPEN = frozenset({"container", "hoop", "hole", "goal", "region", "box", "water"})
 SPEEDS: dict[str, Quantity] = {
@@ -44,6 +49,7 @@ class Scene:
 
     world: World
     timeline: TimelineBuilder
+    text: str = ""
     relations: list[Relation] = field(default_factory=list)
     needs: list[tuple[str, str]] = field(default_factory=list)
     """Implied supports: (kind of need, node id)."""
@@ -86,6 +92,8 @@ class Interpreter:
         self.pending: dict[str, tuple[NodeEvent, Frame, str | None, tuple[Quantity, Amount, str] | None]] = {}
         """Arrivals ("walks to the door") and falls that a later event may replace."""
         self._patient: list[str] = []
+        self._topic: tuple[int, list[str]] | None = None
+        """Sentence and subject of the last description of a state."""
         self.thrown: dict[int, list[str]] = {}
         """What the person of a subject phrase launched last."""
 
@@ -204,7 +212,7 @@ class Interpreter:
             return
         if part:
             words = part.split()
-            if words[-1] in ("edge", "corner") and kind == "on":
+            if words[-1] in ("edge", "corner", "rim", "end") and "support" in self.e(others[0]).noun.traits:
                 kind = "on"
             elif words[-1] in ("middle", "center", "centre"):
                 kind = "center_of"
@@ -278,6 +286,20 @@ class Interpreter:
     def _refer(self, f: Frame) -> None:
         """Resolves the noun phrases of a frame, subject first."""
         subject = self._subject(f)
+        for m in (f.object, *[p.mention for p in f.phrases]):
+            # "A vase stands on a table. A ball hits it.": the vase
+            if (
+                m is not None
+                and m.pronoun == "it"
+                and self._topic is not None
+                and self._topic[0] == f.sentence - 1
+                and len(self._topic[1]) == 1
+                and self._topic[1] != subject
+                and id(m) not in self.world.resolved
+                and f.subject is not None
+                and f.subject.determiner in ("a", "an")
+            ):
+                self.world.resolved[id(m)] = m.entities = list(self._topic[1])
         if f.object is not None and f.subject is not None and f.object.start < f.subject.start:
             objects = list(f.object.entities) or self.ids(f.object)
         else:
@@ -287,6 +309,8 @@ class Interpreter:
             if p.mention is not None:
                 self.ids(p.mention, avoid=subject + objects)
         self._patient = objects or self._patient
+        if f.verb.sense in ("be", "posture", "have", "park") and (subject or objects):
+            self._topic = (f.sentence, subject or objects)
 
     def _subject(self, f: Frame) -> list[str]:
         """Referents of the subject; what falls after a push is the thing pushed."""
@@ -331,17 +355,32 @@ class Interpreter:
                 for o in owners:
                     self.world.apply_amount(self.e(o), a)
                 self.use(a, owners[0])
-        if f.verb.negated and sense in ("hit", "reach", "enter"):
+        if f.verb.negated and sense in ("hit", "enter"):
             f.verb.sense = sense = "miss"
+        elif f.verb.negated and sense not in ("be", "posture", "miss"):
+            self.scene.ignored[(f.verb.start, f.verb.end)] = "negated"
+            return
         if f.subject is not None and sense in _THINGS_DO and f.subject.start < f.verb.start:
             flying = self.thrown.get(id(f.subject))
             if flying and not set(flying) & set(objects) and all(self.kind(i) == "person" for i in subject):
                 subject = list(flying)
+        for node in subject if not f.verb.passive else []:
+            self._guess_kind(node, f.verb.lemma)
         handler = getattr(self, f"_do_{sense}", None)
         if handler is None:
             self.scene.ignored[(f.verb.start, f.verb.end)] = "no physical meaning"
             return
         handler(f, subject, objects)
+
+    def _guess_kind(self, node: str, lemma: str) -> None:
+        """An unknown noun is what its verb says: what gallops is an animal, what brakes a vehicle."""
+        entity = self.e(node)
+        if entity.known or entity.noun.kind != "generic":
+            return
+        model = "dog" if lemma in _ANIMAL_VERBS else "car" if lemma in _VEHICLE_VERBS else None
+        if model is not None:
+            like = lex.nouns()[model]
+            entity.noun = replace(like, name=entity.head, description=f"{entity.head}, like a {model}", synonyms=())
 
     # static -------------------------------------------------------------------------------------
 
@@ -364,6 +403,12 @@ class Interpreter:
 
     _do_posture = _do_be
     _do_park = _do_be
+
+    def _do_acquire(self, f: Frame, s: list[str], o: list[str]) -> None:
+        found = self.quantity(f, "speed")
+        if found is not None and s and not self._speed_after(s[0], found[1]):
+            self._do_accelerate(f, s, o)
+        self.use(f, "speed")
 
     def _do_weigh(self, f: Frame, s: list[str], o: list[str]) -> None:
         self.use(f, "mass")
@@ -416,6 +461,10 @@ class Interpreter:
             if p.mention is None or p.mention.attribute:
                 continue
             others = p.mention.entities
+            if p.prep == "with" and f.verb.lemma in ("cover", "load", "fill", "stack", "set"):
+                for t in things[:1]:
+                    self.attachment_with([t], others)
+                continue
             if p.prep in _RELATION_PREPS:
                 fixed = None
                 if distance is not None and p.prep not in ("on", "in", "inside"):
@@ -510,11 +559,20 @@ class Interpreter:
             if self._moved_by_others(actor) and (mode != "own" or self.kind(actor) not in SELF_POWERED):
                 continue
             track = self.tl.tracks.get(actor)
-            if track is not None and track.launched and mode in (None, *LAUNCHES) and track.closed:
+            if track is not None and track.launched and track.motion is not None and mode in (None, *LAUNCHES):
+                stated = self.quantity(f, "speed")
+                if stated is not None and not track.closed:
+                    track.motion.speed, track.motion.prescribed = self._speed(f, [actor], track.motion.mode)
+                if aim is not None and not track.closed:
+                    track.motion.target = aim
                 continue
             if f.verb.extra.get("continue") and track is not None and track.motion is not None:
                 continue
             self._start_motion(f, [actor], mode, aim)
+        found = self.quantity(f, "speed")
+        if found is not None and actors and all(self._moved_by_others(a) for a in actors):
+            self._speed_after(actors[0], found[1])
+        self._order_of(f, actors)
         self.use(f, "motion")
         self._distance(f, actors, aim)
         if "off" in f.adverbs:
@@ -529,6 +587,18 @@ class Interpreter:
                     track.motion.duration = duration.value
             self.use(duration, "duration")
         self._outcomes(f, actors)
+
+    def _order_of(self, f: Frame, actors: list[str]) -> None:
+        """ "a bus and a taxi drive with the taxi ahead"."""
+        p = f.phrase("with")
+        if p is None or p.mention is None or len(actors) < 2:
+            return
+        for side, kind in (("ahead", "in_front_of"), ("behind", "behind"), ("in front", "in_front_of")):
+            if side in f.adverbs:
+                for one in p.mention.entities:
+                    for other in actors:
+                        if other != one:
+                            self.scene.relations.append(Relation(one, other, kind))
 
     def _distance(self, f: Frame, actors: list[str], aim: str | None) -> None:
         """ "toward a bench 6 m away": how far the target is at the start."""
@@ -718,6 +788,7 @@ class Interpreter:
             o = []
         if f.verb.passive:
             by = f.phrase("by")
+            by = by or f.phrase("with")
             movers = by.mention.entities if by is not None and by.mention is not None else []
             if not movers:
                 movers = [a for a, t in self.tl.tracks.items() if t.motion is not None and a not in s][-1:]
@@ -805,6 +876,11 @@ class Interpreter:
     def _knock_on(self, f: Frame, bodies: list[str]) -> None:
         """ "hits the ball into the pocket": what happens to the body that was hit."""
         for p in f.phrases:
+            if p.mention is not None and p.mention.part in ("edge", "side", "end", "rim") and not p.mention.entities:
+                if p.prep in ("over", "off"):
+                    for body in bodies:
+                        self.event(NodeEvent.FALL, (body,), f, None)
+                continue
             if p.mention is None or p.mention.attribute:
                 continue
             others = [i for i in p.mention.entities if i not in bodies]
@@ -915,9 +991,6 @@ class Interpreter:
             for side in sides:
                 self._turn(f, actors, side, 90.0, NodeEvent.HEADING_REACHED)
             return
-        found = self.quantity(f, "speed")
-        if found is not None and all(self._moved_by_others(a) for a in actors) and actors:
-            self._speed_after(actors[0], found[1])
         mode = None
         if actors and f.verb.lemma in ("go", "come", "move", "travel", "race", "speed", "rush", "hurtle", "run", "proceed"):
             mode = None
@@ -1025,11 +1098,18 @@ class Interpreter:
                     start, prescribed = a.value, True
             if track.motion is not None and track.motion.prescribed and not prescribed:
                 start, prescribed = track.motion.speed or start, True
-            if f.phrase("from") is None and self.text[f.verb.end : f.verb.end + 20].strip().startswith("from rest"):
+            if "from rest" in f.adverbs:
                 start, prescribed = 0.0, True
             if rate is not None:
                 self.use(rate[1], "acceleration")
-            self.tl.move(actor, Motion("accelerate", start, prescribed, self.aim.get(actor), params), self._direction(actor, "own"))
+            duration = next((a for p, a in self.amounts(f) if a.dimension == "time" and p == "for"), None)
+            if duration is not None:
+                self.use(duration, "duration")
+            self.tl.move(
+                actor,
+                Motion("accelerate", start, prescribed, self.aim.get(actor), params, duration.value if duration else None),
+                self._direction(actor, "own"),
+            )
             if final is not None:
                 node = self.tl.trigger(actor, f"{actor} has reached its speed")
                 draft = self.tl.node(node)
@@ -1123,6 +1203,9 @@ class Interpreter:
         self.event(NodeEvent.STOP, (actor,), f, time)
 
     def _do_turn(self, f: Frame, s: list[str], o: list[str]) -> None:
+        if s and not any(self.movable(a) for a in s):
+            self.scene.ignored[(f.verb.start, f.verb.end)] = "a fixed object does not turn"
+            return
         words = [*f.adverbs, f.verb.extra.get("dir", "")]
         for p in f.phrases:
             if p.mention is not None and p.mention.attribute or (p.mention and p.mention.part):
@@ -1429,6 +1512,8 @@ class Interpreter:
                 return
 
     def _do_topple(self, f: Frame, s: list[str], o: list[str]) -> None:
+        if f.subject is not None and f.subject.determiner in ("each", "every") and f.object is not None and "next" in f.object.adjectives and len(s) > 1:
+            s, o = s[:1], s[1:2]
         if f.verb.passive:
             by = f.phrase("by")
             o, s = s, list(by.mention.entities) if by is not None and by.mention is not None else []
@@ -1536,6 +1621,9 @@ class Interpreter:
             self._start_motion(f, [actor], "drop")
 
     def _do_reach(self, f: Frame, s: list[str], o: list[str]) -> None:
+        if f.object is not None and f.object.attribute and self.quantity(f, "speed") is not None:
+            self._do_acquire(f, s, o)
+            return
         targets = o or self._hit_targets(f, s, [])
         for actor in s:
             target = next((t for t in targets if t != actor and not self.structural(t)), None)

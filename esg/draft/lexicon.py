@@ -188,7 +188,7 @@ MATERIALS: dict[str, tuple[str, float]] = {
 """Adjective -> material name and density [kg/m^3] (engineering tables; docs/drafting.md)."""
 
 SIZES: dict[str, float] = {
-    "tiny": 0.5, "mini": 0.5, "miniature": 0.4, "small": 0.75, "little": 0.75, "compact": 0.85,
+    "toy": 0.25, "model": 0.25, "tiny": 0.5, "mini": 0.5, "miniature": 0.4, "small": 0.75, "little": 0.75, "compact": 0.85,
     "large": 1.35, "big": 1.35, "huge": 1.8, "giant": 2.0, "enormous": 2.0, "gigantic": 2.2,
     "massive": 1.6, "oversized": 1.5, "medium": 1.0, "medium-sized": 1.0,
     "large-sized": 1.35, "small-sized": 0.75,
@@ -257,7 +257,7 @@ ADVERBS = frozenset(
     "clockwise counterclockwise counter-clockwise anticlockwise around too very so twice once "
     "lightly firmly loudly hence not never n't however further closer on along aside horizontally "
     "vertically diagonally inward inwards outward outwards northward eastward westward southward "
-    "side-by-side instantly momentarily briefly shortly roughly exactly precisely side "
+    "north south east west northwards southwards side-by-side instantly momentarily briefly shortly roughly exactly precisely side "
     "leftward rightward leftwards rightwards upside".split()
 )
 SUBORDINATORS = frozenset(
@@ -286,13 +286,19 @@ ATTRIBUTES = frozenset(
 )
 """Nouns that name no object: measures, events, media."""
 ENVIRONMENT_PARTS = frozenset("air sky space middle center centre".split())
+SUBSTANCES = frozenset(
+    "water milk beer coffee tea juice wine sand dirt gravel coal steel iron wood glass plastic rubber "
+    "metal stone concrete cardboard paper flour rice sugar salt soup cola soda oil paint hay straw "
+    "leather foam ice snow gold silver copper marble clay fruit".split()
+)
+"""What a thing is made of or filled with: "a glass of water", "a ball of steel"."""
 PERSON_ROLES = frozenset("driver pilot rider operator motorist chauffeur passenger".split())
 GROUP_WORDS: dict[str, str | None] = {
     "set": None, "group": "scatter", "bunch": "scatter", "pile": "stack", "stack": "stack",
     "row": "row", "line": "row", "column": "column", "queue": "queue", "pair": None,
     "couple": None, "cluster": "scatter", "collection": "scatter", "number": "scatter",
     "series": "row", "rack": "rack", "pyramid": "stack", "tower": "stack", "heap": "stack",
-    "lot": "scatter", "array": "row", "handful": "scatter", "chain": "row", "triangle": "pins",
+    "lot": "scatter", "wall": "stack", "array": "row", "handful": "scatter", "chain": "row", "triangle": "pins",
     "formation": "pins", "convoy": "queue", "crowd": "scatter", "herd": "scatter",
     "flock": "scatter", "team": "scatter", "circle": "scatter", "dozens": "scatter", "dozen": None,
     "half-dozen": None, "trio": None, "load": "scatter", "pack": "scatter",

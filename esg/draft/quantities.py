@@ -217,13 +217,20 @@ def find_amounts(text: str) -> list[Amount]:
     taken: list[tuple[int, int]] = []
     out: list[Amount] = []
     for pattern in (_TOLERANCE_FIRST, _PATTERN):
-        for m in pattern.finditer(text):
-            if any(m.start() < e and s < m.end() for s, e in taken):
+        position = 0
+        while (m := pattern.search(text, position)) is not None:
+            amount = None
+            if not any(m.start() < e and s < m.end() for s, e in taken):
+                amount = _amount(m)
+            if amount is None:
+                position = m.start("lo") + 1
+                if text[position - 1].isalnum():
+                    while position < len(text) and text[position].isalnum():
+                        position += 1
                 continue
-            amount = _amount(m)
-            if amount is not None:
-                out.append(amount)
-                taken.append((amount.start, amount.end))
+            out.append(amount)
+            taken.append((amount.start, amount.end))
+            position = m.end()
     return sorted(out, key=lambda a: a.start)
 
 

@@ -9,7 +9,7 @@ from esg.draft.clauses import ClauseBuilder
 from esg.draft.coverage import account
 from esg.draft.expand import expand
 from esg.draft.interpret import Interpreter
-from esg.draft.screening import contradictions, screen
+from esg.draft.screening import contradictions, nothing_to_draw, screen
 from esg.draft.syntax import Chunker, pos_tags, tokenize
 from esg.draft.world import World
 from esg.graph.models import EsgDocument
@@ -44,7 +44,9 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     interpreter = Interpreter(world, text)
     interpreter.mentions = clauses.mentions
     scene = interpreter.run(clauses.frames, clauses.attachments)
+    scene.text = text
     contradictions(text, scene)
+    nothing_to_draw(scene)
     restricted = is_restricted(text)
     reasons = expand(scene, text, restricted)
     timeline = scene.timeline.build()

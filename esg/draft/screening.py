@@ -32,16 +32,17 @@ def screen(prompt: str) -> str:
     text = re.sub(r"[\u200b\ufeff\x00-\x09\x0b-\x1f]", "", text)
     words = re.findall(r"[^\W\d_]+", text.lower())
     known = [w for w in words if w in lex.nouns() or lex.singular(w)[0] in lex.nouns() or verb_readings(w)
-             or w in lex.DETERMINERS or w in lex.PREPOSITIONS or w in lex.COLORS]  # fmt: skip
+             or w in lex.DETERMINERS or w in lex.PREPOSITIONS or w in lex.COLORS or w in lex.ADVERBS
+             or w in lex.PRONOUNS or w in lex.MODALS or w in ("and", "or", "but", "to")]  # fmt: skip
     content = [w for w in known if w not in ("a", "an", "in", "on", "as", "die", "at", "i", "me", "no")]
-    if not words or not known or (len(words) >= 3 and len(known) / len(words) < 0.15) or (not content):
+    if not words or not known or (len(words) >= 3 and len(known) / len(words) < 0.34) or (not content):
         raise UserError(
             f"No English words that name objects or motions were found in {text[:60]!r}; "
             "write the prompt in English."
         )
     problems: list[str] = []
     for a in find_amounts(text):
-        if a.dimension in ("mass", "length", "time") and a.low < 0.0:
+        if a.dimension in ("mass", "length", "time", "speed") and a.low < 0.0:
             problems.append(f'"{a.text}" is negative; a {_NAMES[a.dimension]} must be positive')
         elif a.dimension == "mass" and a.low == 0.0:
             problems.append(f'"{a.text}": a mass must be greater than zero')
@@ -60,9 +61,26 @@ def screen(prompt: str) -> str:
     return text
 
 
-_NAMES = {"mass": "mass", "length": "length", "time": "time"}
+_NAMES = {"mass": "mass", "length": "length", "time": "time", "speed": "speed"}
+_ORDERS = re.compile(
+    r"\b(?:ignore|disregard|forget)\b.{0,30}\b(?:instructions?|above|prompts?|rules)\b", re.IGNORECASE
+)
+
+
+def nothing_to_draw(scene: Scene) -> None:
+    """Raises UserError if the prompt names no object; warns of text addressed to the system."""
+    if _ORDERS.search(scene.text):
+        scene.warnings.append("Text that reads like an instruction to the system is taken as description only.")
+    if not any(e.mentioned and "ground" not in e.noun.traits for e in scene.world.entities.values()):
+        raise UserError(
+            f"The prompt {scene.text[:60]!r} names no object that can be placed; "
+            'name one, such as "a ball rolls into a box".'
+        )
 
 
 def contradictions(text: str, scene: Scene) -> None:
     """Raises UserError if the prompt states two values for one property."""
-    del text, scene
+    del text
+    if scene.world.conflicts:
+        stated = "; ".join(dict.fromkeys(scene.world.conflicts))
+        raise UserError(f"The prompt contradicts itself: {stated}. State one value.")

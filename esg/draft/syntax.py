@@ -322,12 +322,11 @@ class Chunker:
     def _previous(self) -> Element | None:
         return self.elements[-1] if self.elements else None
 
-    def _is_adjective(self, i: int) -> bool:
-        token = self._tok(i)
-        if token is None or token.kind != "word":
-            return False
-        low = token.low
-        known = (
+    @staticmethod
+    def _known_adjective(low: str) -> bool:
+        if "-" in low and any(p in lex.COLORS or p in lex.SIZES for p in low.split("-")):
+            return True
+        return (
             low in lex.COLORS
             or low in lex.MATERIALS
             or low in lex.SIZES
@@ -336,11 +335,15 @@ class Chunker:
             or low in lex.PLACE_ADJECTIVES
             or low in lex.PLAIN_ADJECTIVES
         )
-        if known:
+
+    def _is_adjective(self, i: int) -> bool:
+        token = self._tok(i)
+        if token is None or token.kind != "word":
+            return False
+        low = token.low
+        if self._known_adjective(low):
             return True
-        if any(p in lex.COLORS or p in lex.SIZES for p in low.split("-")) and "-" in low:
-            return True
-        return token.tag == "ADJ" and not verb_readings(low) and low not in lex.PREPOSITIONS
+        return token.tag == "ADJ" and self._match_noun(i) is None and not verb_readings(low) and low not in lex.PREPOSITIONS
 
     # -- one step --------------------------------------------------------------------------------
 
@@ -485,6 +488,8 @@ class Chunker:
         (("of", "course"), "adv", "indeed"),
         (("at", "once"), "adv", "immediately"),
         (("all", "at", "once"), "adv", "suddenly"),
+        (("from", "rest"), "adv", "from rest"),
+        (("at", "speed"), "adv", "at speed"),
         (("by", "accident"), "adv", "accidentally"),
         (("in", "motion"), "adv", "in motion"),
     )
@@ -531,6 +536,10 @@ class Chunker:
             return False
         if self._low(i) in ("so", "since") and self._low(i + 1) in ("hard", "fast", "much"):
             return False
+        first = i + 1 + (self._low(i + 1) in lex.DETERMINERS)
+        if self._low(first) in ("collision", "impact", "crash", "hit", "contact", "turn", "stop", "strike", "kick"):
+            if not verb_readings(self._low(first + 1)) and self._low(first + 1) not in lex.MODALS:
+                return False
         for j in range(i + 1, min(i + 14, len(self.tokens))):
             t = self.tokens[j]
             if t.kind == "punct" and t.text in ".;,!?":
@@ -553,6 +562,8 @@ class Chunker:
         previous = self._previous()
         if low in ("is", "are", "was", "were", "be", "been", "being", "'s", "gets", "get"):
             return low != "'s" or isinstance(previous, Mention)
+        if low in ("cannot", "can't", "couldn't"):
+            return True
         if low in lex.MODALS and low not in ("can", "has", "have", "had", "having", "might", "will"):
             return True
         if low in ("will", "can", "might", "has", "have", "had", "having"):
@@ -603,6 +614,15 @@ class Chunker:
             if nounish:
                 return nxt in lex.DETERMINERS and "base" in forms
             return True
+        if (
+            nounish
+            and forms & {"s", "past"}
+            and isinstance(previous, Word)
+            and previous.kind in ("punct", "conj", "adv")
+            and (nxt == "" or nxt in ("and", "then"))
+            and any(isinstance(e, Verb) for e in self.elements)
+        ):
+            return True  # "..., slides, and hits"
         if nounish and noun is not None:
             inflected = forms & {"past", "pp", "ing"} or ("s" in forms and not isinstance(previous, Word))
             if isinstance(previous, Word) and previous.kind in ("conj", "adv", "punct", "rel"):
@@ -661,6 +681,8 @@ class Chunker:
                 have, aux = True, low
             elif low in ("will", "would", "can", "could", "should", "may", "might", "must", "does", "do", "did", "shall"):
                 modal, aux = True, low
+            elif low in ("cannot", "can't", "couldn't", "can’t"):
+                modal, aux, negated = True, low, True
             elif low in ("not", "never", "n't", "doesn't", "don't", "didn't", "isn't", "wasn't", "won't", "cannot", "aren't"):
                 negated = True
             elif low in lex.ADVERBS and (be or have or modal) and low not in ("left", "right", "in", "on", "over", "off", "up", "down", "out", "along", "around", "there", "here", "away", "together", "apart", "ahead", "aside", "side", "back", "forward", "backward"):
@@ -763,6 +785,10 @@ class Chunker:
         j = i
         m = Mention(tokens[i].start, tokens[i].end)
         low = self._low(j)
+        if low in ("this", "that", "these", "those") and self._verb_next(j + 1):
+            m.pronoun, m.text, m.end = low, tokens[j].text, tokens[j].end
+            self.elements.append(m)
+            return j + 1
         # "all", "both of", "one of", "each of"
         if low in ("all", "both", "each", "one", "half", "most", "some", "none") and self._low(j + 1) == "of":
             if low in ("one", "each"):
@@ -793,7 +819,11 @@ class Chunker:
         if self._is_adjective(j) and lex.singular(self._low(j + 1))[0] in lex.GROUP_WORDS and self._low(j + 2) == "of":
             adjective_skip = 1
             word = lex.singular(self._low(j + 1))[0]
-        if word in lex.GROUP_WORDS and self._low(j + 1 + adjective_skip) == "of":
+        if (
+            word in lex.GROUP_WORDS
+            and self._low(j + 1 + adjective_skip) == "of"
+            and not (word in ("wall",) and self._low(j + 2 + adjective_skip) in lex.DETERMINERS)
+        ):
             m.pattern = lex.GROUP_WORDS[word]
             m.group_word = word
             multiplier = m.count if m.count and m.count > 1 else 1
@@ -846,6 +876,10 @@ class Chunker:
                     continue
                 break
             if self._is_adjective(j):
+                if self._low(j + 1) in ("one", "ones") and token.low in lex.PLACE_ADJECTIVES | lex.COLORS.keys():
+                    m.adjectives.append(token.low)
+                    j += 1
+                    break
                 if token.low in lex.PARTS and not self._noun_soon(j + 1):
                     break
                 if token.low in ("near", "past", "like", "over", "next", "inside", "back", "left", "right", "top", "bottom", "outer", "far", "opposite", "last", "first", "close", "still", "fast", "hard", "straight", "only", "low", "high") and not self._noun_soon(j + 1) and not m.determiner:
@@ -860,6 +894,12 @@ class Chunker:
                 continue
             break
         return self._head(i, j, m)
+
+    def _verb_next(self, j: int) -> bool:
+        """Whether a finite verb and its object follow ("this pushes the bin")."""
+        nxt = self._low(j + 1)
+        finite = any(r.form in ("s", "past") for r in verb_readings(self._low(j)))
+        return finite and (nxt in lex.DETERMINERS or nxt in lex.PRONOUNS or nxt in lex.PREPOSITIONS)
 
     def _count(self, j: int, m: Mention) -> int:
         token = self._tok(j)
@@ -943,6 +983,20 @@ class Chunker:
             if phrase in ("row", "line"):
                 m.noun = None
             j = k
+            if self._low(j) == "of" and self._low(j + 1) in lex.SUBSTANCES and self._match_noun(j + 1) is None:
+                m.adjectives.append(self._low(j + 1))
+                j += 2
+            if self._low(j) in ("behind", "following") and self._low(j + 1) in ("it", "him", "her", "them"):
+                m.adjectives.append("rear")
+                j += 2
+            elif self._low(j) == "behind" and verb_readings(self._low(j + 1)) and m.determiner == "the":
+                m.adjectives.append("rear")
+                j += 1
+            elif self._low(j) == "in" and self._low(j + 1) == "front" and m.determiner == "the" and (
+                self._low(j + 2) != "of" or self._low(j + 3) in ("it", "him", "her", "them")
+            ):
+                m.adjectives.append("front")
+                j += 4 if self._low(j + 2) == "of" else 2
             if (m.role or m.head == "net") and self._low(j) == "of":
                 size = len(self.elements)
                 inner = self._noun_phrase(j + 1)
@@ -1023,9 +1077,15 @@ class Chunker:
             j += 1
         elif m.adjectives and m.determiner and (j >= len(tokens) or not self._unknown_noun(j)):
             # "the other", "the second", "the black", "the last two"
-            m.pronoun = "one"
-            if m.count and m.count > 1:
-                m.pronoun = "ones"
+            last = m.adjectives[-1]
+            if not self._known_adjective(last) and not last.startswith("@"):
+                m.adjectives.pop()  # the tagger took an unknown noun for an adjective
+                m.head, m.plural = lex.singular(last)
+                m.known = False
+            else:
+                m.pronoun = "one"
+                if m.count and m.count > 1:
+                    m.pronoun = "ones"
         elif low and self._unknown_noun(j) and (m.determiner or m.adjectives or m.count is not None or m.pattern or tokens[j].tag in ("NOUN", "PROPN")):
             # unknown head, possibly a compound
             k = j
@@ -1080,6 +1140,10 @@ class Chunker:
         return self.tokens[k].tag == "NOUN" and bool(verb_readings(nxt.low))
 
     def _is_attribute_start(self, j: int) -> bool:
+        if self._low(j) in ("mass", "weight") and self._tok(j + 1) is not None:
+            return self.tokens[j + 1].kind == "qty" or self._low(j + 1) == "of"
+        if self._low(j) in ("time", "motion", "place", "reverse", "times", "line", "advance"):
+            return self._low(j - 1) in ("in", "three", "two", "several", "of", "into", "times")
         return self._low(j) in ("speed", "velocity", "sunlight", "rain", "speeds", "velocities", "brakes", "impact", "contact")
 
     def _pronoun_here(self, j: int) -> bool:

@@ -191,6 +191,8 @@ class TimelineBuilder:
         if not moving and self.last_event is not None:
             draft.after.append(self.last_event)
         for k, actor in enumerate(participants):
+            if k > 0 and self.track(actor).role is Role.PASSIVE:
+                continue  # what is hit again need not travel to the hit
             if actor in moving:
                 other = next((p for p in participants if p != actor), None)
                 self._edge(actor, node_id, other if k == 0 else None)
@@ -208,6 +210,8 @@ class TimelineBuilder:
             if actor in moving or event is NodeEvent.COLLISION:
                 track.at = node_id
                 track.closed = True
+            if event is NodeEvent.STOP:
+                track.motion = None
         self.last_event = node_id
         return node_id
 

@@ -33,6 +33,8 @@ _DISTINCT = frozenset({"person", "animal", "food", "tool", "plant", "tableware",
 _ANYTHING = frozenset({"object", "thing", "item", "body", "prop", "entity", "projectile"})
 _NAMED_GROUPS = frozenset({"tower", "pyramid", "pile", "heap", "convoy"})
 
+MAX_COUNT = 40
+"""Most members of one plural."""
 UNKNOWN_MASS_KG = 5.0
 
 
@@ -98,11 +100,15 @@ class World:
     def __init__(self) -> None:
         self.entities: dict[str, Entity] = {}
         self.groups: dict[str, list[str]] = {}
+        self.collective: set[str] = set()
+        """Groups that "it" can mean ("a tower of blocks")."""
         self.salience: list[list[str]] = []
         """Referent sets, most recent last."""
         self.subjects: list[list[str]] = []
         self.resolved: dict[int, list[str]] = {}
         self.warnings: list[str] = []
+        self.conflicts: list[str] = []
+        """Two values stated for one property."""
         self.file_of_two = False
         """The prompt says "one in front of the other"."""
 
@@ -291,7 +297,12 @@ class World:
             return rest if m.plural else rest[:1]
         ordinal = next((a for a in m.adjectives if a in _ORDINALS or a in ("last", "final")), None)
         if ordinal is not None:
-            return self._ordinal(m, ordinal)
+            found = self._ordinal(m, ordinal)
+            if not found and ordinal == "first" and m.noun is not None and m.noun.kind == "domino":
+                row = Mention(m.start, m.end, head=m.head, noun=m.noun, plural=True, text=m.head)
+                self._create(row)
+                found = self._ordinal(m, ordinal)
+            return found
         place = next((a for a in m.adjectives if a in _FRONT | _REAR), None)
         if place is not None:
             want = "front" if place in _FRONT else "rear"
@@ -386,6 +397,7 @@ class World:
                 e.adjectives.append(a)
             self._place(e, a)
         e.label = m.text or e.label
+        e.place = e.place or next((a for a in m.adjectives if a in lex.COLORS), "")
         keep = [a for a in m.adjectives if a in lex.COLORS or a in _FRONT | _REAR or a in _ORDINALS or a in ("left", "right")]
         if keep:
             self._rename(e, self._new_id(slug(" ".join([*keep, e.head]))))
@@ -463,6 +475,8 @@ class World:
                         and self.entities[i].noun.kind != "person"]  # fmt: skip
                 if len(ids) == 1 and fits:
                     return fits
+                if fits and len(ids) > 1 and self.entities[ids[0]].group in self.collective:
+                    return list(ids)
         for ids in reversed(self.salience):
             if ids and not set(ids) <= set(avoid):
                 return list(ids)
@@ -492,12 +506,16 @@ class World:
                 self._rename(chosen, self._new_id(slug(chosen.label)))
                 return [chosen.id]
         ordinal = next((a for a in m.adjectives if a in _ORDINALS or a == "last"), None)
+        if last_group and "next" in m.adjectives:
+            return last_group[1:2]
         if last_group:
             if m.pronoun == "one" and m.determiner == "the" and "other" in m.adjectives and not avoid:
                 return [last_group[-1]]
             if ordinal is not None:
                 k = len(last_group) - 1 if ordinal == "last" else _ORDINALS[ordinal]
                 return [last_group[k]] if k < len(last_group) else []
+            if "other" in m.adjectives and set(last_group) <= set(avoid):
+                return [last_group[-1]]
             if "other" in m.adjectives or m.pronoun in ("other", "another"):
                 used = avoid or (self.salience[-1] if self.salience else [])
                 rest = [i for i in last_group if i not in used]
@@ -530,6 +548,7 @@ class World:
         group = slug(" ".join([*[a for a in plain if a in lex.COLORS], m.head])) + "s"
         base = group
         n = 2
+        masses = [a for a in m.amounts if a.dimension == "mass"]
         while group in self.groups:
             group, n = f"{base}_{n}", n + 1
         ids: list[str] = []
@@ -538,8 +557,12 @@ class World:
             e = self.add(noun, m.head, adjectives=plain, label=label, group=group, pattern=pattern,
                          known=m.noun is not None, origin=m.start)  # fmt: skip
             self._amounts(m, e)
+            if len(masses) == count:
+                self.apply_amount(e, masses[len(ids)])
             ids.append(e.id)
         self.groups[group] = ids
+        if m.group_word and m.group_word not in ("pair", "couple", "number", "lot", "dozen"):
+            self.collective.add(group)
         if self.file_of_two and count == 2:
             self.file_of_two = False
             for i, place in zip(list(ids), ("front", "rear"), strict=True):
@@ -554,10 +577,11 @@ class World:
         self.entities["ground_1"] = e
         return ["ground_1"]
 
-    @staticmethod
-    def _count(m: Mention, noun: lex.Noun) -> int:
+    def _count(self, m: Mention, noun: lex.Noun) -> int:
         if m.count is not None:
-            return max(1, min(m.count, 60))
+            if m.count > MAX_COUNT:
+                self.warnings.append(f'"{m.text}": {MAX_COUNT} of {m.count} are placed, the most a scene holds.')
+            return max(1, min(m.count, MAX_COUNT))
         if not m.plural and m.pattern is None:
             return 1
         if noun.kind == "pin":
@@ -599,6 +623,8 @@ class World:
     def apply_amount(self, e: Entity, amount: Amount, word: str = "") -> str:
         """Applies a mass or size to an entity; returns the field it set or ""."""
         if amount.dimension == "mass":
+            if e.mass_prescribed and e.mass_kg is not None and abs(e.mass_kg - amount.middle) > 1e-6:
+                self.conflicts.append(f"{e.label} weighs {e.mass_kg:g} kg and {amount.middle:g} kg")
             e.mass_kg, e.mass_prescribed = amount.middle, True
             return "expected_mass_kg"
         if amount.dimension == "length":
