@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.engines.scene import Rollout, SimScene
-from esg.graph.models import EsgDocument
+from esg.graph.models import EsgDocument, RelationType
 from esg.units import CM_PER_M
 from esg.view.camera import Camera, box_corners, frame_points
 from esg.view.render import Part, Renderer
@@ -24,8 +24,8 @@ if TYPE_CHECKING:
 
 PANEL_PX = (480, 320)
 MAX_EVENTS = 7
-REACH = 2.6
-"""A bystander of the cast joins the picture if it widens the picture by at most this factor."""
+REACH = 3.5
+"""Company joins the picture if it widens it by at most this factor."""
 _UNITS = {"mps": "m/s", "m": "m", "s": "s", "deg": "deg", "ns": "N s", "kg": "kg"}
 GROUND_HALF_EXTENT_M = 45.0
 """A surface without collision at least this wide is the ground."""
@@ -38,6 +38,9 @@ class _Moment:
 
     time: float
     focus: tuple[int, ...]
+    """Bodies that must be seen."""
+    company: tuple[int, ...]
+    """Bodies that are seen if they do not widen the picture too much."""
     title: str
     caption: str
 
@@ -64,7 +67,7 @@ def preview(
     Returns:
         Path of the picture.
     """
-    moments = _moments(scene, rollout, verdict)
+    moments = _moments(scene, rollout, verdict, doc)
     renderer = Renderer(_parts(scene, rollout, doc), len(scene.bodies), *PANEL_PX)
     view = _viewpoint(scene, rollout, moments, renderer)
     panels: list[Panel] = []
@@ -86,27 +89,57 @@ def preview(
     )
 
 
-def _moments(scene: SimScene, rollout: Rollout, verdict: SceneVerdict | None) -> list[_Moment]:
+def _moments(
+    scene: SimScene, rollout: Rollout, verdict: SceneVerdict | None, doc: EsgDocument
+) -> list[_Moment]:
     events = [e for e in verdict.events if e.completed and e.time_s is not None] if verdict else []
     events = sorted(events, key=lambda e: e.time_s or 0.0)[:MAX_EVENTS]
     cast = _cast(scene, rollout, verdict)
+    company = _company(scene, doc, cast)
     end = float(rollout.time[-1])
     if events:
         # A moment after the last event, not the end of a long tail in which everything is still.
         end = min(end, (events[-1].time_s or 0.0) + 1.0)
-    moments = [_Moment(0.0, cast, "start", "before anything moves")]
+    moments = [_Moment(0.0, cast, company, "start", "before anything moves")]
     for number, event in enumerate(events, 1):
         bodies = tuple(scene.index(b) for b in event.bodies if b in scene.names) or cast
+        mates = tuple(i for i in company if _same_group(scene, i, bodies))
         moments.append(
             _Moment(
                 event.time_s or 0.0,
                 bodies,
+                mates,
                 f"{number}  {_title(scene, event)}",
                 _measurements(event),
             )
         )
-    moments.append(_Moment(end, cast, "after", f"t = {end:.2f} s"))
+    moments.append(_Moment(end, cast, company, "after", f"t = {end:.2f} s"))
     return moments
+
+
+def _same_group(scene: SimScene, body: int, others: Sequence[int]) -> bool:
+    group = scene.bodies[body].group
+    return bool(group) and any(scene.bodies[i].group == group for i in others)
+
+
+def _company(scene: SimScene, doc: EsgDocument, cast: tuple[int, ...]) -> tuple[int, ...]:
+    """Who belongs to the cast: members of its groups, and what it stands on unless that is flat."""
+    names = {scene.bodies[i].name for i in cast}
+    nodes = doc.spatial_relation_graph.nodes
+    regions = doc.spatial_relation_graph.semantic_regions
+    supports = {
+        edge.to
+        for edge in doc.spatial_relation_graph.edges.binary_relations
+        if edge.relation_type in (RelationType.ON, RelationType.INSIDE_OF) and edge.from_ in names
+    }
+    for name in names & set(nodes):
+        region = regions.get(nodes[name].semantic_region or "")
+        supports |= {region.parent_object} if region else set()
+    return tuple(
+        i
+        for i, b in enumerate(scene.bodies)
+        if i not in cast and b.collides and (_same_group(scene, i, cast) or b.name in supports)
+    )
 
 
 def _cast(scene: SimScene, rollout: Rollout, verdict: SceneVerdict | None) -> tuple[int, ...]:
@@ -143,8 +176,12 @@ def _measurements(event: EventVerdict) -> str:
         name, _, unit = key.rpartition("_")
         if name in ("", "time") or unit not in _UNITS or round(abs(value), 2) == 0.0:
             continue
-        parts.append(f"{name.replace('_', ' ')} {value:.3g} {_UNITS[unit]}")
+        parts.append(f"{name.replace('_', ' ')} {_number(value)} {_UNITS[unit]}")
     return "   ".join(parts[:4])
+
+
+def _number(value: float) -> str:
+    return f"{value:.0f}" if abs(value) >= 100 else f"{value:.3g}"
 
 
 def _failures(verdict: SceneVerdict | None) -> list[str]:
@@ -180,19 +217,25 @@ def _corners(scene: SimScene, rollout: Rollout, frame: int, body: int) -> NDArra
 
 
 def _frame_set(
-    scene: SimScene, rollout: Rollout, focus: Sequence[int], frame: int
+    scene: SimScene, rollout: Rollout, moment: _Moment, frame: int
 ) -> NDArray[np.float64]:
-    """Points to keep in the picture: the focus, nearest first, until the picture gets too wide."""
-    boxes = {i: _corners(scene, rollout, frame, i) for i in focus}
-    movers = [i for i in focus if not scene.bodies[i].static] or list(focus)
-    middle = np.mean([boxes[i].mean(axis=0) for i in movers], axis=0)
-    order = sorted(focus, key=lambda i: (float(np.linalg.norm(boxes[i].mean(0) - middle)), i))
-    points = boxes[order[0]]
-    biggest = max(float(np.ptp(b, axis=0).max()) for b in boxes.values())
-    for i in order[1:]:
+    """Points to keep in the picture: the focus, then its company while the picture stays close.
+
+    Of a large focus, bodies that have flown off are left out in the same way.
+    """
+    boxes = {i: _corners(scene, rollout, frame, i) for i in (*moment.focus, *moment.company)}
+    movers = [i for i in moment.focus if not scene.bodies[i].static] or list(moment.focus)
+    middle = np.median([boxes[i].mean(axis=0) for i in movers], axis=0)
+
+    def nearest_first(bodies: Sequence[int]) -> list[int]:
+        return sorted(bodies, key=lambda i: (float(np.linalg.norm(boxes[i].mean(0) - middle)), i))
+
+    order = nearest_first(moment.focus)
+    keep = order if len(order) <= 4 else order[:2]
+    points = np.concatenate([boxes[i] for i in keep])
+    for i in [*(j for j in order if j not in keep), *nearest_first(moment.company)]:
         wider = np.concatenate([points, boxes[i]])
-        span = float(np.ptp(wider, axis=0).max())
-        if len(focus) <= 3 or span <= max(REACH * float(np.ptp(points, axis=0).max()), 4 * biggest):
+        if float(np.ptp(wider, axis=0).max()) <= REACH * float(np.ptp(points, axis=0).max()):
             points = wider
     return points
 
@@ -205,7 +248,7 @@ def _camera(
     azimuth: float,
     elevation: float,
 ) -> Camera:
-    points = _frame_set(scene, rollout, moment.focus, frame)
+    points = _frame_set(scene, rollout, moment, frame)
     span = float(np.ptp(points, axis=0).max())
     # A little room around the action, so that one sees where it happens.
     low, high = points.min(axis=0), points.max(axis=0)
