@@ -14,6 +14,7 @@ class LayoutConfig:
         starts: Independent initializations per scene (K in the paper).
         candidates: Sampled poses per unit and start.
         iterations: Upper bound of Adam steps.
+        tolerance: Relative energy decrease over 20 steps at which a start stops.
         rounds: Further batches with fresh seeds while no start is feasible.
         collision: Collision energy: `proxy` uses the exact separation of the collision proxies,
             `aabb` the paper's overlap of world bounding boxes, `sdf` the paper's sampled signed
@@ -24,12 +25,14 @@ class LayoutConfig:
         preference_weight: Weight of the preference energy against the constraint energy.
         alignment_weight: Weight of what makes a directional relation tidy (cleared footprints,
             lateral alignment, upper range) against what makes it true.
+        threads: CPU threads that share the starts; the result does not depend on it.
         device: Warp device of the search.
     """
 
     starts: int = 16
     candidates: int = 48
-    iterations: int = 120
+    iterations: int = 80
+    tolerance: float = 1e-3
     rounds: int = 3
     collision: Literal["proxy", "aabb", "sdf", "hybrid"] = "proxy"
     refine: bool = True
@@ -37,10 +40,11 @@ class LayoutConfig:
     preference: bool = True
     preference_weight: float = 0.05
     alignment_weight: float = 1.0
+    threads: int = 2
     device: str = "cpu"
 
     def to_json(self) -> dict[str, Any]:
-        """Returns the settings as plain values for provenance, without the device."""
+        """Returns the settings that can change a result, as plain values for provenance."""
         data = asdict(self)
-        del data["device"]
+        del data["device"], data["threads"]
         return data

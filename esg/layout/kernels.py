@@ -86,6 +86,7 @@ class Settings:
     refine: wp.int32
     sample: wp.int32
     preference: wp.float32
+    tolerance: wp.float32  # relative decrease over 20 steps below which a start is finished
     soft: wp.float32  # weight of what makes directional relations tidy
 
 
@@ -629,6 +630,7 @@ def total_energy(p: Problem, w: wp.array(dtype=wp.vec3), off: int, scene: int, s
 
 @wp.kernel
 def search(
+    first: int,
     p: Problem,
     s: Settings,
     thread_scene: wp.array(dtype=wp.int32),
@@ -645,7 +647,7 @@ def search(
     initial: wp.array(dtype=wp.vec3),
     steps: wp.array(dtype=wp.int32),
 ):
-    t = wp.tid()
+    t = wp.tid() + first
     scene = thread_scene[t]
     rng = wp.rand_init(thread_seed[t])
     # state index = global index + offset
@@ -714,8 +716,12 @@ def search(
                     fr = p.unit_free[u]
                     x0 = x[u + uoff]
                     g = wp.vec3(0.0, 0.0, 0.0)
+                    # all terms are non-negative: a unit without energy has no gradient
+                    here = float(0.0)
+                    if fr[0] + fr[1] + fr[2] > 0.5:
+                        here = unit_energy(p, w, off, u, last, s.soft)
                     for axis in range(3):
-                        if fr[axis] > 0.5:
+                        if fr[axis] > 0.5 and here > 1.0e-6:
                             h = float(0.05)
                             if axis == 2:
                                 h = 0.003
@@ -764,7 +770,7 @@ def search(
                     for u in range(u0, u1):
                         best[u + uoff] = x[u + uoff]
                 if it % 20 == 19:
-                    if mark - lowest < 1.0e-4 * mark:
+                    if mark - lowest < s.tolerance * mark:
                         done = int(1)
                     mark = lowest
     for u in range(u0, u1):

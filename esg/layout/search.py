@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+import os
 from typing import Any
 
 import numpy as np
@@ -158,6 +160,7 @@ def run_search(
     settings.iterations = config.iterations
     settings.refine = int(config.refine)
     settings.sample = int(config.sample_init)
+    settings.tolerance = config.tolerance
     settings.soft = config.alignment_weight
     settings.preference = config.preference_weight if config.preference else 0.0
 
@@ -167,7 +170,9 @@ def run_search(
     scene = np.repeat(np.arange(len(problems)), k)
     node_off = np.concatenate([[0], np.cumsum(node_count[scene])])
     unit_off = np.concatenate([[0], np.cumsum(unit_count[scene])])
-    seed = np.concatenate([(np.int64(s) * 65537 + np.arange(k) * 101 + 1) % (2**30) for s in seeds])
+    seed = np.concatenate(
+        [(np.int64(s % 2**31) * 65537 + np.arange(k) * 101 + 1) % (2**30) for s in seeds]
+    )
     threads = len(scene)
 
     def array(values: np.ndarray) -> Any:
@@ -179,18 +184,28 @@ def run_search(
     x = vec(unit_off[-1])
     energy, initial = vec(threads), vec(threads)
     steps = wp.zeros(threads, dtype=wp.int32, device=device)
-    wp.launch(
-        kernels.search,
-        dim=threads,
-        inputs=[
-            problem, settings, array(scene), array(seed), array(node_off[:-1]), array(unit_off[:-1]),
-        ],
-        outputs=[
-            x, vec(unit_off[-1]), vec(unit_off[-1]), vec(unit_off[-1]), vec(unit_off[-1]),
-            vec(node_off[-1]), energy, initial, steps,
-        ],
-        device=device,
-    )  # fmt: skip
+    inputs = [
+        problem, settings, array(scene), array(seed), array(node_off[:-1]), array(unit_off[:-1]),
+    ]  # fmt: skip
+    outputs = [
+        x, vec(unit_off[-1]), vec(unit_off[-1]), vec(unit_off[-1]), vec(unit_off[-1]),
+        vec(node_off[-1]), energy, initial, steps,
+    ]  # fmt: skip
+    wp.load_module(kernels, device=device)
+
+    def launch(first: int, count: int) -> None:
+        wp.launch(
+            kernels.search, dim=count, inputs=[first, *inputs], outputs=outputs, device=device
+        )
+
+    workers = min(config.threads, os.cpu_count() or 1, threads)
+    if wp.get_device(device).is_cpu and workers > 1:
+        # a launch on the CPU is one loop over the starts and releases the interpreter
+        cuts = np.linspace(0, threads, 4 * workers + 1).astype(int).tolist()
+        with ThreadPoolExecutor(workers) as pool:
+            list(pool.map(launch, cuts[:-1], np.diff(cuts).tolist()))
+    else:
+        launch(0, threads)
     x_np, e_np, i_np, s_np = x.numpy(), energy.numpy(), initial.numpy(), steps.numpy()
     out = []
     for i, p in enumerate(problems):
