@@ -1,0 +1,372 @@
+"""The results database: ingest, views, queries, faults."""
+
+from __future__ import annotations
+
+import errno
+import multiprocessing
+import os
+from pathlib import Path
+import time
+
+import pytest
+
+from esg.outcomes import UserError
+from esg.store import db as module
+from esg.store.db import ingest, migrate, migrations, query, rebuild, snapshot
+from esg.store.tables import COLUMNS, TABLES, write_tables
+from tests.store.samples import record, records, run_info
+
+VIEWS = (
+    "bench_summary", "bench_history", "scene_outcomes", "event_timings", "constraint_errors",
+    "engine_transfer", "cost_per_stage", "coverage_gaps",
+)  # fmt: skip
+
+
+@pytest.fixture
+def parts(tmp_path) -> Path:
+    write_tables(tmp_path / "parts", records(run_info()), name="run-1")
+    return tmp_path / "parts"
+
+
+@pytest.fixture
+def db(tmp_path, parts) -> Path:
+    path = tmp_path / "esg.duckdb"
+    ingest(path, [parts])
+    return path
+
+
+def one(db: Path, sql: str):
+    rows = query(db, sql).rows
+    assert len(rows) == 1
+    return rows[0]
+
+
+def counts(db: Path) -> dict[str, int]:
+    return {t: one(db, f"SELECT count(*) FROM {t}")[0] for t in TABLES}
+
+
+def test_migrations_are_numbered_and_reachable_from_schemas():
+    assert [n for n, _, _ in migrations()] == list(range(1, len(migrations()) + 1))
+    link = Path(__file__).parents[2] / "schemas" / "sql"
+    assert sorted(p.name for p in link.glob("*.sql")) == [f"{n}.sql" for _, n, _ in migrations()]
+
+
+def test_every_parquet_column_has_its_database_column(db):
+    for table, columns in COLUMNS.items():
+        found = {r[0] for r in query(db, f"DESCRIBE {table}").rows}
+        arrays = {c for c, k in columns.items() if k.startswith("list<float") or k == "list<int16>"}
+        assert set(columns) - arrays <= found
+
+
+def test_ingest_is_idempotent(db, parts):
+    before = counts(db)
+    assert before == {
+        "runs": 1, "scenes": 6, "trajectories": 6, "metrics": 12, "constraints": 12,
+        "coverage": 12, "timings": 12,
+    }  # fmt: skip
+    again = ingest(db, [parts])
+    assert (again.files, again.unchanged) == (0, 7)
+    forced = ingest(db, [parts], force=True)
+    assert forced.files == 7
+    assert counts(db) == before
+
+
+def test_later_rows_replace_earlier_ones(db, tmp_path):
+    run = run_info()
+    sql = "SELECT outcome FROM scenes WHERE scene_id = 'S1' AND seed = 0"
+    assert one(db, sql) == ("solved",)
+    write_tables(tmp_path / "new", [record(run, "S1", 0, complete=False)], name="redo")
+    ingest(db, [tmp_path / "new"])
+    assert one(db, sql) == ("not_converged",)
+    assert counts(db)["scenes"] == 6
+
+
+def test_rebuild_gives_the_same_database(db, parts, tmp_path):
+    fresh = tmp_path / "fresh.duckdb"
+    rebuild(fresh, parts)
+    for table in TABLES:
+        order = "ORDER BY ALL"
+        assert query(db, f"FROM {table} {order}").rows == query(fresh, f"FROM {table} {order}").rows
+    # Rows that are not in the folder are gone after a rebuild.
+    write_tables(tmp_path / "other", records(run_info("run-2")), name="run-2")
+    ingest(fresh, [tmp_path / "other"])
+    assert counts(fresh)["runs"] == 2
+    rebuild(fresh, parts)
+    assert counts(fresh)["runs"] == 1
+    with pytest.raises(UserError, match="no Parquet tables"):
+        rebuild(fresh, tmp_path / "empty" if (tmp_path / "empty").mkdir() is None else parts)
+
+
+def test_bench_summary_is_the_papers_definition(db):
+    row = query(db, "FROM bench_summary").dicts()[0]
+    # Scenes S1..S3 with seeds 0, 1: (k + seed) % 3 == 0 completes one of two events.
+    # Sums: seed 0: 2 + 2 + 1, seed 1: 2 + 1 + 2.
+    assert row["ecr_mean"] == pytest.approx(5.0)
+    assert row["ecr_std"] == pytest.approx(0.0)
+    assert (row["events"], row["scenes"], row["runs"]) == (6, 3, 2)
+    assert row["slr"] == 100.0
+    # Mass always scores 1, time in 4 of 6 runs.
+    assert row["ppa"] == pytest.approx(100 * (6 + 4) / 12)
+    assert row["seconds_per_scene"] == pytest.approx(2.0)
+
+
+def test_summary_agrees_with_the_bench_report(db):
+    per_seed = query(db, "SELECT seed, sum(n_completed) FROM scenes GROUP BY seed ORDER BY seed")
+    assert per_seed.rows == [(0, 5), (1, 5)]
+
+
+def test_history_compares_with_the_last_good_run(tmp_path):
+    path = tmp_path / "h.duckdb"
+
+    def run(name: str, day: int, complete: bool):
+        info = run_info(name, day)
+        items = [record(info, f"S{k}", seed, complete=complete) for k in (1, 2) for seed in (0, 1)]
+        write_tables(tmp_path / name, items, name=name)
+        ingest(path, [tmp_path / name])
+
+    run("a", 1, complete=True)
+    run("b", 2, complete=False)
+    run("c", 3, complete=False)
+    run("d", 4, complete=True)
+    rows = query(path, "FROM bench_history ORDER BY started_at").dicts()
+    assert [r["run_id"] for r in rows] == ["a", "b", "c", "d"]
+    # b and c are both compared with a: a bad night does not become the standard.
+    assert [r["last_good"] for r in rows] == [None, "a", "a", "a"]
+    assert [r["regressed"] for r in rows] == [False, True, True, False]
+    assert rows[1]["ecr_change"] == pytest.approx(-2.0)
+
+
+def test_outcomes_timings_and_errors(db):
+    outcome = query(db, "FROM scene_outcomes WHERE scene_id = 'S2'").dicts()[0]
+    assert (outcome["runs"], outcome["solved"], outcome["not_converged"]) == (2, 1, 1)
+    assert outcome["usual_reason"] == "e2 not reached"
+    timing = query(db, "FROM event_timings WHERE scene_id = 'S2' AND event_id = 'e2'").dicts()[0]
+    assert timing["completion_rate"] == 0.5
+    assert timing["time_mean_s"] == pytest.approx(0.8)
+    errors = query(db, "FROM constraint_errors WHERE scene_id = 'S2' AND quantity = 'time'")
+    assert errors.dicts()[0]["evaluated"] == 1
+    assert errors.dicts()[0]["error_mean"] == pytest.approx(0.0)
+    assert errors.dicts()[0]["score"] == pytest.approx(0.5)
+
+
+def test_engine_transfer_pairs_replays_of_one_scene(tmp_path):
+    run = run_info()
+    item = record(run, "S1", 0, engines=("rapier",))
+    for row in item.rows["metrics"]:
+        if row["engine"] == "rapier" and row["event_id"] == "e2":
+            row["time_s"] += 0.25
+    write_tables(tmp_path / "p", [item], name="x")
+    ingest(tmp_path / "t.duckdb", [tmp_path / "p"])
+    rows = query(tmp_path / "t.duckdb", "FROM engine_transfer").dicts()
+    assert [(r["engine_a"], r["engine_b"]) for r in rows] == [("rapier", "synthetic")] * 2
+    assert [r["time_difference_max_s"] for r in rows] == [0.0, pytest.approx(0.25)]
+    assert [r["agreement"] for r in rows] == [1.0, 1.0]
+
+
+def test_cost_and_coverage(db):
+    rows = query(db, "FROM cost_per_stage").dicts()
+    assert [(r["stage"], r["scenes"], r["cached"]) for r in rows] == [
+        ("draft", 6, 0),
+        ("replay", 6, 3),
+    ]
+    assert sum(r["share"] for r in rows) == pytest.approx(1.0)
+    gap = query(db, "FROM coverage_gaps").dicts()[0]
+    assert (gap["text"], gap["status"], gap["occurrences"]) == ("gently", "not_understood", 6)
+
+
+@pytest.mark.parametrize("view", VIEWS)
+def test_views_answer_on_an_empty_database(tmp_path, view):
+    migrate(tmp_path / "empty.duckdb")
+    assert query(tmp_path / "empty.duckdb", f"FROM {view}").rows == []
+
+
+@pytest.mark.parametrize(
+    ("sql", "word"),
+    [
+        ("DROP TABLE runs", "not allowed"),
+        ("INSERT INTO runs(run_id) VALUES ('x')", "not allowed"),
+        ("UPDATE runs SET suite = 'x'", "not allowed"),
+        ("DELETE FROM runs", "not allowed"),
+        ("CREATE TABLE x AS SELECT 1", "not allowed"),
+        ("ATTACH '/tmp/other.duckdb'", "not allowed"),
+        ("COPY runs TO '/tmp/x.csv'", "not allowed"),
+        ("EXPORT DATABASE '/tmp/x'", "not allowed"),
+        ("INSTALL httpfs", "not allowed"),
+        ("SET enable_external_access = true", "not allowed"),
+        ("PRAGMA database_list", "not allowed"),
+        ("SELECT * FROM read_csv('/etc/passwd')", "may not read files"),
+        ("SELECT * FROM read_text('/etc/passwd')", "may not read files"),
+        ("SELECT * FROM glob('/*')", "may not read files"),
+        ("FROM '/etc/passwd'", "SQL error"),
+        ("SELECT 1; DROP TABLE runs", "one SQL statement"),
+        ("", "one SQL statement"),
+        ("SELEC 1", "SQL error"),
+        ("SELECT * FROM nope", "SQL error"),
+    ],
+)
+def test_queries_can_only_read_the_database(db, sql, word):
+    before = db.read_bytes()
+    with pytest.raises(UserError, match=word):
+        query(db, sql)
+    assert db.read_bytes() == before
+
+
+@pytest.mark.parametrize(
+    "sql", ["FROM runs", "DESCRIBE runs", "SHOW TABLES", "SUMMARIZE scenes", "EXPLAIN SELECT 1"]
+)
+def test_reading_statements_of_every_kind_work(db, sql):
+    assert query(db, sql).rows
+
+
+def test_a_query_that_takes_too_long_is_stopped(db):
+    start = time.monotonic()
+    with pytest.raises(UserError, match="ran past its limit"):
+        query(db, "SELECT sum(a.range * b.range) FROM range(10000000) a, range(10000000) b",
+              timeout_s=0.3)  # fmt: skip
+    assert time.monotonic() - start < 10
+
+
+def test_results_can_be_cut(db):
+    found = query(db, "SELECT range FROM range(10)", max_rows=3)
+    assert (len(found.rows), found.truncated) == (3, True)
+    assert not query(db, "SELECT range FROM range(3)", max_rows=3).truncated
+
+
+def test_trusted_callers_may_write(db):
+    query(db, "DELETE FROM coverage", read_only=False)
+    assert counts(db)["coverage"] == 0
+
+
+def test_a_missing_or_foreign_file_is_named(tmp_path):
+    with pytest.raises(UserError, match="there is no database"):
+        query(tmp_path / "none.duckdb", "SELECT 1")
+    text = tmp_path / "text.duckdb"
+    text.write_text("hello, this is no database at all" * 100)
+    with pytest.raises(UserError, match=r"text\.duckdb"):
+        query(text, "SELECT 1")
+    with pytest.raises(UserError, match="no such file"):
+        ingest(tmp_path / "x.duckdb", [tmp_path / "nowhere"])
+
+
+def test_a_truncated_file_leaves_the_database_as_it_was(db, tmp_path):
+    before = db.read_bytes()
+    new = write_tables(tmp_path / "new", [record(run_info("run-2"), "S9", 0)], name="new")
+    data = new["scenes"].read_bytes()
+    new["scenes"].write_bytes(data[: len(data) // 2])
+    with pytest.raises(UserError, match=r"new\.parquet is damaged"):
+        ingest(db, [tmp_path / "new"])
+    assert db.read_bytes() == before
+    # The same with a file whose pages, not its footer, are damaged.
+    broken = bytearray(data)
+    broken[60:400] = bytes(340)
+    new["scenes"].write_bytes(broken)
+    with pytest.raises(UserError, match="nothing was ingested"):
+        ingest(db, [tmp_path / "new"])
+    assert db.read_bytes() == before
+
+
+def test_a_full_disk_leaves_the_database_as_it_was(db, parts, monkeypatch):
+    before = db.read_bytes()
+
+    def full(*_: object) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device", "x")
+
+    monkeypatch.setattr(module, "sync_file", full)
+    with pytest.raises(UserError, match="free some space"):
+        ingest(db, [parts], force=True)
+    assert db.read_bytes() == before
+    assert sorted(p.name for p in db.parent.iterdir() if "duckdb" in p.name) == [
+        "esg.duckdb",
+        "esg.duckdb.lock",
+    ]
+
+
+def test_a_newer_schema_is_not_touched(db):
+    query(db, "INSERT INTO schema_migrations VALUES (99, '099_future')", read_only=False)
+    with pytest.raises(UserError, match="update the software"):
+        migrate(db)
+
+
+def _hold(path: str, ready, release) -> None:
+    import duckdb
+
+    connection = duckdb.connect(path)
+    connection.execute("CREATE TABLE IF NOT EXISTS mine (x INTEGER)")
+    ready.set()
+    release.wait(60)
+    connection.close()
+
+
+def test_a_foreign_writer_is_waited_for_then_named_and_readers_use_a_copy(db, parts, monkeypatch):
+    context = multiprocessing.get_context("spawn")
+    ready, release = context.Event(), context.Event()
+    holder = context.Process(target=_hold, args=(str(db), ready, release))
+    holder.start()
+    try:
+        assert ready.wait(60)
+        monkeypatch.setattr(module, "LOCK_WAIT_S", 0.3)
+        with pytest.raises(UserError, match="locked by another program"):
+            ingest(db, [parts], force=True)
+        assert one(db, "SELECT count(*) FROM scenes") == (6,)
+    finally:
+        release.set()
+        holder.join(30)
+    assert ingest(db, [parts], force=True).files == 7
+
+
+def _ingest_one(path: str, folder: str, barrier) -> None:
+    barrier.wait(60)
+    ingest(Path(path), [Path(folder)])
+
+
+def test_two_ingests_at_once_lose_nothing(tmp_path):
+    context = multiprocessing.get_context("spawn")
+    barrier = context.Barrier(3)
+    for k in range(3):
+        run = run_info(f"run-{k}")
+        write_tables(tmp_path / f"p{k}", records(run), name=f"run-{k}")
+    workers = [
+        context.Process(
+            target=_ingest_one, args=(str(tmp_path / "x.duckdb"), str(tmp_path / f"p{k}"), barrier)
+        )
+        for k in range(3)
+    ]
+    for worker in workers:
+        worker.start()
+    for worker in workers:
+        worker.join(60)
+    assert [w.exitcode for w in workers] == [0, 0, 0]
+    assert counts(tmp_path / "x.duckdb")["runs"] == 3
+
+
+def test_a_writer_that_holds_the_lock_too_long_is_reported(db, parts, monkeypatch):
+    import fcntl
+
+    monkeypatch.setattr(module, "LOCK_WAIT_S", 0.2)
+    with db.with_name(db.name + ".lock").open("a") as file:
+        fcntl.flock(file, fcntl.LOCK_EX)
+        with pytest.raises(UserError, match="being written by another process"):
+            ingest(db, [parts])
+    assert one(db, "SELECT count(*) FROM scenes") == (6,)
+
+
+def _die_in_ingest(path: str, folder: str) -> None:
+    module.sync_file = lambda _: os.kill(os.getpid(), 9)
+    ingest(Path(path), [Path(folder)], force=True)
+
+
+def test_a_killed_ingest_leaves_the_old_database(db, parts):
+    before = db.read_bytes()
+    worker = multiprocessing.get_context("fork").Process(
+        target=_die_in_ingest, args=(str(db), str(parts))
+    )
+    worker.start()
+    worker.join(60)
+    assert worker.exitcode == -9
+    assert db.read_bytes() == before
+    assert ingest(db, [parts], force=True).files == 7
+
+
+def test_snapshot_is_a_database(db, tmp_path):
+    copy = snapshot(db, tmp_path / "copies" / "a.duckdb")
+    assert counts(copy) == counts(db)
