@@ -65,7 +65,8 @@ def imports_json(what: ScenePlan) -> str:
         "format": IMPORTS_FORMAT,
         "version": IMPORTS_VERSION,
         "class": what.name,
-        "frame": "Unreal: cm, left-handed, Z up; a GLB is right-handed in m, mirror y on import",
+        "frame": "Unreal: cm, left-handed, Z up; a GLB (m, right-handed, Y up) gets there by "
+        "(x, y, z) -> 100 (x, z, y), which is what Unreal's glTF import does",
         "shape": "size: sphere (r, r, r); box half extents; capsule and cylinder (r, r, half "
         "height along local Z without caps); convex half extents of its bounding box",
         "assets": [_asset(a) for a in what.assets],

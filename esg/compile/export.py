@@ -1,0 +1,76 @@
+"""`export`: a compiled scene folder in the format of another program."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Literal, get_args
+
+from esg.engines.base import get_engine
+from esg.engines.manifest import Manifest, load_manifest
+from esg.engines.program import batch_programs
+from esg.engines.scene import Rollout
+from esg.outcomes import UserError
+
+Target = Literal["unreal", "usd", "mjcf", "glb"]
+FRAMES_PER_SECOND = 60
+"""Of exported animations."""
+
+
+def export(folder: str | Path, to: Target, out: str | Path | None = None) -> list[Path]:
+    """Writes a scene for another program.
+
+    Args:
+        folder: Compiled scene folder (`manifest.json`, `unreal/`, `meshes/`).
+        to: `unreal` a plugin folder; `usd` UsdPhysics scene and baked animation; `mjcf` MuJoCo XML;
+            `glb` animated glTF.
+        out: Folder to write into, default `folder`.
+
+    Returns:
+        The files written, sorted.
+
+    Raises:
+        UserError: For an unknown target or a folder that holds no compiled scene.
+    """
+    folder = Path(folder)
+    target = Path(out) if out is not None else folder
+    if to not in get_args(Target):
+        raise UserError(f"unknown export {to!r}; choose one of {', '.join(get_args(Target))}")
+    if not (folder / "manifest.json").is_file():
+        raise UserError(f"{folder} holds no manifest.json: compile the scene first")
+    manifest = load_manifest(folder / "manifest.json")
+    target.mkdir(parents=True, exist_ok=True)
+    if to == "unreal":
+        from esg.compile.plugin import write_plugin
+
+        return write_plugin(folder, target)
+    if to == "mjcf":
+        from esg.compile.mjcf import scene_mjcf
+
+        path = target / "scene.xml"
+        path.write_text(scene_mjcf(manifest), "utf-8", newline="\n")
+        return [path]
+    rollout = animation(folder, manifest)
+    if to == "glb":
+        from esg.compile.glb import scene_glb
+
+        path = target / "scene.glb"
+        path.write_bytes(scene_glb(manifest.scene, rollout, folder))
+        return [path]
+    from esg.compile.usd import write_usd
+
+    return write_usd(manifest, rollout, folder, target)
+
+
+def animation(folder: Path, manifest: Manifest) -> Rollout:
+    """The replay in PhysX at animation rate: of the class, or of the program without g++."""
+    from esg.compile.build import CompilerMissing
+    from esg.compile.replay import replay_class
+
+    every = max(1, round(1.0 / (FRAMES_PER_SECOND * manifest.dt)))
+    try:
+        return replay_class(folder, dt=manifest.dt, record_every=every).rollout
+    except CompilerMissing:
+        batch = batch_programs([manifest.program], manifest.scene.names)
+        return get_engine("physx").rollout(
+            manifest.scene, batch, dt=manifest.dt, record_every=every
+        )

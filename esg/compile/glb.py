@@ -1,0 +1,344 @@
+"""Animated GLB of a replayed scene: every body's own mesh, moving as the engine moved it.
+
+glTF is right-handed with Y up in metres: (x, y, z) of the simulation becomes (x, z, -y), and a
+quaternion (x, y, z, w) becomes (x, z, -y, w). The mesh files are merged as they are, so materials
+and textures survive; bodies with the same file share its buffers. The same input gives the same
+bytes.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+import json
+from pathlib import Path
+import struct
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from esg.compile.assets import safe_source
+from esg.engines.scene import Body, Rollout, Shape, SimScene
+from esg.units import quat_rotate
+
+_MAGIC, _JSON, _BIN = 0x46546C67, 0x4E4F534A, 0x004E4942
+_FLOAT, _SCALAR, _VEC3, _VEC4 = 5126, "SCALAR", "VEC3", "VEC4"
+_MOVED = 1e-6
+"""Smallest change [m, or of a quaternion] that counts as motion."""
+
+_SHARED = ("meshes", "materials", "textures", "images", "samplers", "accessors", "bufferViews")
+
+Floats = NDArray[np.float64]
+
+
+def to_gltf_vector(v: Any) -> Floats:
+    """Simulation frame to glTF, shape [..., 3]."""
+    x, y, z = np.moveaxis(np.asarray(v, float), -1, 0)
+    return np.stack([x, z, -y], axis=-1)
+
+
+def to_gltf_quaternion(q: Any) -> Floats:
+    """Orientation (x, y, z, w) in glTF's frame, shape [..., 4]."""
+    x, y, z, w = np.moveaxis(np.asarray(q, float), -1, 0)
+    return np.stack([x, z, -y, w], axis=-1)
+
+
+def origin_poses(body: Body, position: Any, quaternion: Any) -> tuple[Floats, Floats]:
+    """Poses of the mesh's origin for poses of the centre of mass, shapes [T, 3] and [T, 4]."""
+    q = np.asarray(quaternion, float)
+    q = q / np.linalg.norm(q, axis=-1, keepdims=True)
+    offset = np.broadcast_to(np.asarray(body.origin_offset, float), (*q.shape[:-1], 3))
+    return np.asarray(position, float) + quat_rotate(q, offset), q
+
+
+@dataclass
+class _Document:
+    """A growing glTF document with one buffer."""
+
+    data: dict[str, Any] = field(default_factory=dict)
+    binary: bytearray = field(default_factory=bytearray)
+    extensions: set[str] = field(default_factory=set)
+    required: set[str] = field(default_factory=set)
+
+    def append(self, key: str, item: Any) -> int:
+        items = self.data.setdefault(key, [])
+        items.append(item)
+        return len(items) - 1
+
+    def floats(self, values: Any, kind: str, *, limits: bool = False) -> int:
+        """Adds an accessor of float32 values, shape [n] or [n, k]."""
+        array = np.ascontiguousarray(values, np.float32)
+        view = {"buffer": 0, "byteOffset": len(self.binary), "byteLength": array.nbytes}
+        self.binary += array.tobytes()
+        accessor: dict[str, Any] = {
+            "bufferView": self.append("bufferViews", view),
+            "componentType": _FLOAT,
+            "count": len(array),
+            "type": kind,
+        }
+        if limits:
+            flat = array.reshape(len(array), -1)
+            accessor["min"] = [float(v) for v in flat.min(0)]
+            accessor["max"] = [float(v) for v in flat.max(0)]
+        return self.append("accessors", accessor)
+
+    def merge(self, source: bytes) -> tuple[list[dict[str, Any]], list[int]]:
+        """Takes over a GLB's meshes; returns its nodes with meshes renumbered, and its roots."""
+        other, binary = read_glb(source)
+        start = {key: len(self.data.get(key, [])) for key in _SHARED}
+        base = len(self.binary)
+        self.binary += binary + b"\0" * (-len(binary) % 4)
+        for view in other.get("bufferViews", []):
+            view["buffer"] = 0
+            view["byteOffset"] = view.get("byteOffset", 0) + base
+        for accessor in other.get("accessors", []):
+            _shift(accessor, "bufferView", start["bufferViews"])
+        for image in other.get("images", []):
+            _shift(image, "bufferView", start["bufferViews"])
+        for texture in other.get("textures", []):
+            _shift(texture, "source", start["images"])
+            _shift(texture, "sampler", start["samplers"])
+        for material in other.get("materials", []):
+            _shift_textures(material, start["textures"])
+        for mesh in other.get("meshes", []):
+            for primitive in mesh["primitives"]:
+                for key, value in primitive["attributes"].items():
+                    primitive["attributes"][key] = value + start["accessors"]
+                _shift(primitive, "indices", start["accessors"])
+                _shift(primitive, "material", start["materials"])
+        for key in _SHARED:
+            for item in other.get(key, []):
+                self.append(key, item)
+        self.extensions |= set(other.get("extensionsUsed", []))
+        self.required |= set(other.get("extensionsRequired", []))
+        nodes = other.get("nodes", [])
+        for node in nodes:
+            _shift(node, "mesh", start["meshes"])
+            for key in ("camera", "skin"):
+                node.pop(key, None)
+        scene = other.get("scenes", [{}])[other.get("scene", 0)]
+        return nodes, list(scene.get("nodes", range(len(nodes))))
+
+    def place(self, nodes: list[dict[str, Any]], roots: list[int]) -> list[int]:
+        """Adds one copy of a file's nodes; returns the indices of the copied roots."""
+        if not nodes:
+            return []
+        base = len(self.data.setdefault("nodes", []))
+        for node in nodes:
+            copy = dict(node)
+            if "children" in copy:
+                copy["children"] = [c + base for c in copy["children"]]
+            self.data["nodes"].append(copy)
+        return [r + base for r in roots]
+
+    def glb(self) -> bytes:
+        self.data["buffers"] = [{"byteLength": len(self.binary)}]
+        if self.extensions:
+            self.data["extensionsUsed"] = sorted(self.extensions)
+        if self.required:
+            self.data["extensionsRequired"] = sorted(self.required)
+        text = json.dumps(self.data, separators=(",", ":"), ensure_ascii=True).encode()
+        text += b" " * (-len(text) % 4)
+        binary = bytes(self.binary) + b"\0" * (-len(self.binary) % 4)
+        length = 12 + 8 + len(text) + 8 + len(binary)
+        head = struct.pack("<III", _MAGIC, 2, length)
+        return b"".join(
+            [head, struct.pack("<II", len(text), _JSON), text,
+             struct.pack("<II", len(binary), _BIN), binary]
+        )  # fmt: skip
+
+
+def _shift(item: dict[str, Any], key: str, by: int) -> None:
+    if key in item:
+        item[key] += by
+
+
+def _shift_textures(value: Any, by: int) -> None:
+    """Renumbers every `...Texture: {index}` below a material, extensions included."""
+    if isinstance(value, dict):
+        for key, inner in value.items():
+            if key.endswith("Texture") and isinstance(inner, dict):
+                _shift(inner, "index", by)
+            _shift_textures(inner, by)
+
+
+def read_glb(data: bytes) -> tuple[dict[str, Any], bytes]:
+    """JSON and binary chunk of a GLB.
+
+    Raises:
+        ValueError: If it is no binary glTF 2.
+    """
+    if len(data) < 20 or struct.unpack_from("<II", data) != (_MAGIC, 2):
+        raise ValueError("not a binary glTF 2 file")
+    document: dict[str, Any] = {}
+    binary = b""
+    at = 12
+    while at + 8 <= len(data):
+        length, kind = struct.unpack_from("<II", data, at)
+        chunk = data[at + 8 : at + 8 + length]
+        if kind == _JSON:
+            document = json.loads(chunk)
+        elif kind == _BIN:
+            binary = chunk
+        at += 8 + length + (-length % 4)
+    return document, binary
+
+
+def scene_glb(scene: SimScene, rollout: Rollout, folder: Path, *, world: int = 0) -> bytes:
+    """The replayed scene as an animated GLB.
+
+    Args:
+        scene: Bodies, in the rollout's order.
+        rollout: Poses; its frames become key frames.
+        folder: Scene folder with the meshes; a body without a readable one shows its collision.
+        world: World of the rollout.
+    """
+    document = _Document({"asset": {"version": "2.0", "generator": "esg-scenes"}, "scene": 0})
+    roots: list[int] = []
+    library: dict[str, tuple[list[dict[str, Any]], list[int]]] = {}
+    channels: list[dict[str, Any]] = []
+    samplers: list[dict[str, Any]] = []
+    clock = -1
+    document.data["nodes"] = []
+    for i, body in enumerate(scene.bodies):
+        key, data = mesh_of(body, folder)
+        if data is None:
+            continue
+        if key not in library:
+            library[key] = document.merge(data)
+        children = document.place(*library[key])
+        at, turn = origin_poses(
+            body, rollout.position[world, :, i], rollout.quaternion[world, :, i]
+        )
+        at, turn = to_gltf_vector(at), _continuous(to_gltf_quaternion(turn))
+        node: dict[str, Any] = {
+            "name": body.name,
+            "translation": at[0].astype(np.float32).tolist(),
+            "rotation": _unit32(turn[:1])[0].tolist(),
+            "extras": {"label": body.label, "category": body.category, "mass_kg": body.mass},
+        }
+        if children:
+            node["children"] = children
+        index = document.append("nodes", node)
+        roots.append(index)
+        for path, values, kind in (("translation", at, _VEC3), ("rotation", turn, _VEC4)):
+            if len(rollout.time) < 2 or np.abs(values - values[0]).max() < _MOVED:
+                continue
+            if clock < 0:
+                clock = document.floats(rollout.time, _SCALAR, limits=True)
+            keys = _unit32(values) if path == "rotation" else values
+            sampler = {
+                "input": clock,
+                "output": document.floats(keys, kind),
+                "interpolation": "LINEAR",
+            }
+            samplers.append(sampler)
+            target = {"node": index, "path": path}
+            channels.append({"sampler": len(samplers) - 1, "target": target})
+    document.data["scenes"] = [{"name": scene.scene_id, "nodes": roots}]
+    if channels:
+        document.data["animations"] = [
+            {"name": "replay", "channels": channels, "samplers": samplers}
+        ]
+    if not roots:
+        del document.data["scenes"][0]["nodes"], document.data["nodes"]
+    return document.glb()
+
+
+def _continuous(q: Floats) -> Floats:
+    """Signs chosen so that neighbouring key frames interpolate the short way, shape [T, 4]."""
+    flips = np.sign(np.einsum("ti,ti->t", q[1:], q[:-1]))
+    flips[flips == 0] = 1
+    return q * np.concatenate([[1.0], np.cumprod(flips)])[:, None]
+
+
+def _unit32(q: Floats) -> NDArray[np.float32]:
+    single = q.astype(np.float32)
+    return single / np.linalg.norm(single, axis=-1, keepdims=True)
+
+
+def mesh_of(body: Body, folder: Path) -> tuple[str, bytes | None]:
+    """Key and GLB of a body's mesh; its collision shapes where the file is missing or broken."""
+    source = safe_source(body.mesh)
+    if source and (folder / source).is_file():
+        data = (folder / source).read_bytes()
+        try:
+            read_glb(data)
+        except ValueError:
+            pass
+        else:
+            return source, data
+    if not body.shapes:
+        return "", None
+    return f"shapes of {body.name}", _shapes_glb(body)
+
+
+def _shapes_glb(body: Body) -> bytes:
+    import trimesh
+    from trimesh.visual.material import PBRMaterial
+
+    color = [round(255 * c) for c in body.color] + [255]
+    scene = trimesh.Scene()
+    for number, shape in enumerate(body.shapes):
+        mesh = shape_mesh(shape, body)
+        vertices = to_gltf_vector(mesh.vertices)
+        solid = trimesh.Trimesh(vertices, mesh.faces, process=False)
+        material = PBRMaterial(name="collision", baseColorFactor=color, metallicFactor=0.0)
+        solid.visual = trimesh.visual.TextureVisuals(material=material)
+        name = f"shape_{number}"
+        scene.add_geometry(solid, node_name=name, geom_name=name)
+    data = scene.export(file_type="glb")
+    assert isinstance(data, bytes)
+    return data
+
+
+def shape_mesh(shape: Shape, body: Body) -> Any:
+    """Triangles of a collision shape in the frame of the body's mesh [m] (a trimesh.Trimesh)."""
+    import trimesh
+
+    x, y, z = shape.size
+    if shape.kind == "sphere":
+        mesh = trimesh.creation.icosphere(subdivisions=3, radius=x)
+    elif shape.kind == "box":
+        mesh = trimesh.creation.box(extents=(2 * x, 2 * y, 2 * z))
+    elif shape.kind == "capsule":
+        mesh = trimesh.creation.capsule(height=2 * z, radius=x)
+        mesh.apply_translation([0.0, 0.0, -mesh.bounds.mean(0)[2]])
+    elif shape.kind == "cylinder":
+        mesh = trimesh.creation.cylinder(radius=x, height=2 * z, sections=32)
+    else:
+        mesh = trimesh.Trimesh(np.array(shape.vertices)).convex_hull
+    at = np.array(shape.position) - np.array(body.origin_offset)
+    mesh.vertices = quat_rotate(shape.quaternion, mesh.vertices) + at
+    return mesh
+
+
+class GltfMeshes:
+    """Triangles of a GLB, back in the simulation's frame.
+
+    Args:
+        data: A binary glTF 2 file.
+    """
+
+    def __init__(self, data: bytes) -> None:
+        self._data = data
+
+    def parts(self) -> list[tuple[Floats, NDArray[np.int64], tuple[float, ...]]]:
+        """Vertices [m], faces and RGBA of every part, in the file's order."""
+        import io
+
+        import trimesh
+
+        loaded = trimesh.load(io.BytesIO(self._data), file_type="glb", force="scene")
+        out: list[tuple[Floats, NDArray[np.int64], tuple[float, ...]]] = []
+        for name in loaded.graph.nodes_geometry:
+            transform, geometry = loaded.graph[name]
+            mesh = loaded.geometry[geometry]
+            points = np.asarray(mesh.vertices) @ transform[:3, :3].T + transform[:3, 3]
+            x, y, z = points.T
+            material = getattr(mesh.visual, "material", None)
+            base = getattr(material, "baseColorFactor", None)
+            color = (0.6, 0.6, 0.6, 1.0) if base is None else tuple(float(c) / 255 for c in base)
+            vertices = np.stack([x, -z, y], axis=1)
+            out.append((vertices, np.asarray(mesh.faces), color))
+        return out

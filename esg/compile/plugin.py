@@ -1,0 +1,89 @@
+"""Unreal plugin skeleton: a folder to drop into a project's `Plugins/`.
+
+Only what is emitted from the scene has been compiled (under the shim) and run; the files around it
+are written for UE 5.1 to 5.4 and have not met the engine. The plugin's README says so.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+import json
+from pathlib import Path
+import shutil
+
+from esg.compile.assets import safe_source
+from esg.compile.build import ClassFiles
+from esg.compile.replay import load_imports
+from esg.outcomes import UserError
+
+PLUGIN = "ESGScenes"
+_TEMPLATES = Path(__file__).parent / "templates"
+
+
+def write_plugin(folder: Path, out: Path) -> list[Path]:
+    """Writes the plugin of a compiled scene folder below `out`.
+
+    Args:
+        folder: Scene folder with `unreal/` and the meshes it names.
+        out: Where the plugin folder goes.
+
+    Returns:
+        The files written, sorted.
+
+    Raises:
+        UserError: If the folder holds no class.
+    """
+    try:
+        files = ClassFiles.read(folder)
+    except OSError as error:
+        raise UserError(f"{folder}: no compiled scene: {error}") from None
+    imports = load_imports(folder / "unreal" / "imports.json")
+    root = out / PLUGIN
+    source = root / "Source" / PLUGIN
+    texts = {
+        root / f"{PLUGIN}.uplugin": _descriptor(),
+        root / "README.md": _template("plugin_readme.md").replace("@CLASS@", files.name),
+        root / "Config" / "DefaultEngine.fragment.ini": _template("plugin_engine.ini"),
+        root / "Content" / "Python" / "import_esg_assets.py": _template("plugin_import.py.txt"),
+        root / "Resources" / files.name / "imports.json": json.dumps(imports, indent=1) + "\n",
+        source / f"{PLUGIN}.Build.cs": _template("plugin_build.cs.txt"),
+        source / "Private" / f"{PLUGIN}Module.cpp": _template("plugin_module.cpp"),
+        source / "Public" / f"{files.name}.h": files.header,
+        source / "Private" / f"{files.name}.cpp": files.source,
+    }
+    for path, text in texts.items():
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, "utf-8", newline="\n")
+    written = list(texts)
+    for asset in imports["assets"]:
+        mesh = safe_source(asset["source"])
+        if mesh and (folder / mesh).is_file():
+            target = root / "Resources" / files.name / mesh
+            target.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(folder / mesh, target)
+            written.append(target)
+    return sorted(set(written))
+
+
+@cache
+def _template(name: str) -> str:
+    return (_TEMPLATES / name).read_text("utf-8")
+
+
+def _descriptor() -> str:
+    data = {
+        "FileVersion": 3,
+        "Version": 1,
+        "VersionName": "1.0",
+        "FriendlyName": "ESG Scenes",
+        "Description": "Dynamic scenes with a control program and checked contact events.",
+        "Category": "Simulation",
+        "CreatedBy": "esg-scenes",
+        "CanContainContent": True,
+        "Modules": [{"Name": PLUGIN, "Type": "Runtime", "LoadingPhase": "Default"}],
+        "Plugins": [
+            {"Name": "PythonScriptPlugin", "Enabled": True},
+            {"Name": "EditorScriptingUtilities", "Enabled": True},
+        ],
+    }
+    return json.dumps(data, indent="\t") + "\n"

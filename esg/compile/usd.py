@@ -1,0 +1,292 @@
+"""OpenUSD: a UsdPhysics scene to simulate, and a layer with the baked replay to play.
+
+`scene.usda` (m, kg, Z up) holds bodies with mass properties, colliders, materials, start
+velocities, and the control program and watched pairs as custom data. `scene_animation.usda`
+sublayers it, switches its rigid bodies off and adds time samples of the replay, so that one file
+simulates and the other plays.
+"""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from esg.compile import names
+from esg.compile.glb import GltfMeshes, _continuous, mesh_of
+from esg.compile.mjcf import start_velocities
+from esg.engines.manifest import Manifest
+from esg.engines.program import program_to_json
+from esg.engines.scene import Body, Rollout, Shape
+from esg.engines.worlds import principal_axes
+from esg.units import quat_rotate
+
+GROUND_SIZE_M = 200.0
+"""Side of the drawn ground; the collider is an endless plane."""
+
+_RAD_TO_DEG = 180.0 / np.pi
+
+
+def write_usd(manifest: Manifest, rollout: Rollout, folder: Path, out: Path) -> list[Path]:
+    """Writes both layers; the same input gives the same bytes.
+
+    Args:
+        manifest: Scene and program.
+        rollout: Replay for the time samples.
+        folder: Scene folder with the meshes.
+        out: Where to write.
+    """
+    physics, animation = out / "scene.usda", out / "scene_animation.usda"
+    physics.write_text(_physics_layer(manifest, folder), "utf-8", newline="\n")
+    animation.write_text(_animation_layer(manifest, rollout, physics.name), "utf-8", newline="\n")
+    return [physics, animation]
+
+
+def _physics_layer(manifest: Manifest, folder: Path) -> str:
+    from pxr import Gf, Sdf, Usd, UsdGeom, UsdPhysics
+
+    scene = manifest.scene
+    stage = Usd.Stage.CreateInMemory()
+    _stage_metrics(stage)
+    world = UsdGeom.Xform.Define(stage, "/World").GetPrim()
+    stage.SetDefaultPrim(world)
+    program = json.dumps(program_to_json(manifest.program), sort_keys=True, allow_nan=False)
+    world.SetCustomDataByKey("esg:scene_id", scene.scene_id)
+    world.SetCustomDataByKey("esg:program", program)
+    world.SetCustomDataByKey("esg:watch", json.dumps([list(p) for p in manifest.watch]))
+    physics = UsdPhysics.Scene.Define(stage, "/World/PhysicsScene")
+    strength = float(np.linalg.norm(scene.gravity))
+    down = np.array(scene.gravity) / strength if strength else np.array([0.0, 0.0, -1.0])
+    physics.CreateGravityDirectionAttr(Gf.Vec3f(*map(float, down)))
+    physics.CreateGravityMagnitudeAttr(strength)
+    idents = names.unique_identifiers(scene.names)
+    wheeled = [idents[b.name] for b in scene.bodies if b.wheeled and b.collides and not b.static]
+    normal = [idents[b.name] for b in scene.bodies if b.collides and idents[b.name] not in wheeled]
+    _ground(stage, manifest, normal, wheeled)
+    start = start_velocities(manifest.program, manifest.dt)
+    library: dict[str, str] = {}
+    UsdGeom.Scope.Define(stage, "/World/Looks")
+    for body in scene.bodies:
+        path = f"/World/{idents[body.name]}"
+        prim = _body(stage, path, body)
+        _visual(stage, prim, body, folder, library)
+        linear, angular = start.get(body.name, ((0.0,) * 3, (0.0,) * 3))
+        if body.collides and not body.static:
+            rigid = UsdPhysics.RigidBodyAPI(prim)
+            rigid.CreateVelocityAttr(Gf.Vec3f(*map(float, linear)))
+            # UsdPhysics states angular velocity in degrees per second in the world's frame.
+            rigid.CreateAngularVelocityAttr(Gf.Vec3f(*(float(v) * _RAD_TO_DEG for v in angular)))
+    layer = stage.GetRootLayer()
+    assert isinstance(layer, Sdf.Layer)
+    return layer.ExportToString()
+
+
+def _stage_metrics(stage: Any) -> None:
+    from pxr import UsdGeom, UsdPhysics
+
+    UsdGeom.SetStageUpAxis(stage, UsdGeom.Tokens.z)
+    UsdGeom.SetStageMetersPerUnit(stage, 1.0)
+    UsdPhysics.SetStageKilogramsPerUnit(stage, 1.0)
+
+
+def _material(stage: Any, name: str, friction: float, restitution: float) -> Any:
+    from pxr import UsdPhysics, UsdShade
+
+    material = UsdShade.Material.Define(stage, f"/World/Looks/{name}")
+    physics = UsdPhysics.MaterialAPI.Apply(material.GetPrim())
+    physics.CreateStaticFrictionAttr(float(friction))
+    physics.CreateDynamicFrictionAttr(float(friction))
+    physics.CreateRestitutionAttr(float(restitution))
+    return material
+
+
+def _bind(prim: Any, material: Any) -> None:
+    from pxr import UsdShade
+
+    api = UsdShade.MaterialBindingAPI.Apply(prim)
+    api.Bind(material, UsdShade.Tokens.weakerThanDescendants, "physics")
+
+
+def _ground(stage: Any, manifest: Manifest, normal: list[str], wheeled: list[str]) -> None:
+    """Two planes: the ground of ordinary bodies and that of bodies on wheels."""
+    from pxr import UsdGeom, UsdPhysics
+
+    scene = manifest.scene
+    for name, friction, deaf_to in (
+        ("Ground", scene.ground_friction, wheeled),
+        ("VehicleGround", scene.vehicle_ground_friction, normal),
+    ):
+        if name == "VehicleGround" and not wheeled:
+            continue
+        plane = UsdGeom.Plane.Define(stage, f"/World/{name}")
+        plane.CreateAxisAttr("Z")
+        plane.CreateWidthAttr(GROUND_SIZE_M)
+        plane.CreateLengthAttr(GROUND_SIZE_M)
+        half = GROUND_SIZE_M / 2
+        plane.CreateExtentAttr([(-half, -half, 0.0), (half, half, 0.0)])
+        plane.CreateDisplayColorAttr([(0.6, 0.6, 0.6)])
+        if name == "VehicleGround":
+            plane.CreateVisibilityAttr("invisible")
+        UsdPhysics.CollisionAPI.Apply(plane.GetPrim())
+        _bind(plane.GetPrim(), _material(stage, name, friction, scene.ground_restitution))
+        if deaf_to:
+            pairs = UsdPhysics.FilteredPairsAPI.Apply(plane.GetPrim()).CreateFilteredPairsRel()
+            for ident in deaf_to:
+                pairs.AddTarget(f"/World/{ident}")
+
+
+def _body(stage: Any, path: str, body: Body) -> Any:
+    """A body's Xform at the mesh's origin, with mass properties and colliders."""
+    from pxr import Gf, UsdGeom, UsdPhysics
+
+    form = UsdGeom.Xform.Define(stage, path)
+    prim = form.GetPrim()
+    offset = np.asarray(body.origin_offset, float)
+    origin = np.asarray(body.position) + quat_rotate(body.quaternion, offset)
+    form.AddTranslateOp(UsdGeom.XformOp.PrecisionDouble).Set(Gf.Vec3d(*map(float, origin)))
+    form.AddOrientOp(UsdGeom.XformOp.PrecisionDouble).Set(_quatd(body.quaternion))
+    prim.SetCustomDataByKey("esg:name", body.name)
+    prim.SetCustomDataByKey("esg:linear_damping", float(body.linear_damping))
+    prim.SetCustomDataByKey("esg:angular_damping", float(body.angular_damping))
+    if body.collides and not body.static:
+        UsdPhysics.RigidBodyAPI.Apply(prim)
+        mass = UsdPhysics.MassAPI.Apply(prim)
+        moments, axes = principal_axes(np.asarray(body.inertia, float))
+        mass.CreateMassAttr(float(body.mass))
+        mass.CreateCenterOfMassAttr(Gf.Vec3f(*(float(-v) for v in offset)))
+        mass.CreateDiagonalInertiaAttr(Gf.Vec3f(*map(float, moments)))
+        mass.CreatePrincipalAxesAttr(Gf.Quatf(_quatd(axes)))
+    if body.shapes:
+        ident = path.rsplit("/", 1)[1]
+        material = _material(stage, ident, body.friction, body.restitution)
+        for number, shape in enumerate(body.shapes):
+            _collider(stage, f"{path}/Collider{number}", shape, body, material)
+    return prim
+
+
+def _collider(stage: Any, path: str, shape: Shape, body: Body, material: Any) -> None:
+    from pxr import Gf, UsdGeom, UsdPhysics
+
+    x, y, z = (float(v) for v in shape.size)
+    if shape.kind == "sphere":
+        geom = UsdGeom.Sphere.Define(stage, path)
+        geom.CreateRadiusAttr(x)
+        half = (x, x, x)
+    elif shape.kind == "capsule":
+        geom = UsdGeom.Capsule.Define(stage, path)
+        geom.CreateRadiusAttr(x)
+        geom.CreateHeightAttr(2 * z)
+        geom.CreateAxisAttr("Z")
+        half = (x, x, z + x)
+    elif shape.kind == "cylinder":
+        geom = UsdGeom.Cylinder.Define(stage, path)
+        geom.CreateRadiusAttr(x)
+        geom.CreateHeightAttr(2 * z)
+        geom.CreateAxisAttr("Z")
+        half = (x, x, z)
+    elif shape.kind == "box":
+        geom = UsdGeom.Cube.Define(stage, path)
+        geom.CreateSizeAttr(1.0)
+        half = (0.5, 0.5, 0.5)
+    else:
+        geom = _hull(stage, path, shape)
+        half = None
+    if half is not None:
+        geom.CreateExtentAttr([tuple(-v for v in half), half])
+    at = np.asarray(shape.position) - np.asarray(body.origin_offset)
+    geom.AddTranslateOp(UsdGeom.XformOp.PrecisionDouble).Set(Gf.Vec3d(*map(float, at)))
+    geom.AddOrientOp(UsdGeom.XformOp.PrecisionDouble).Set(_quatd(shape.quaternion))
+    if shape.kind == "box":
+        geom.AddScaleOp(UsdGeom.XformOp.PrecisionDouble).Set(Gf.Vec3d(2 * x, 2 * y, 2 * z))
+    geom.CreatePurposeAttr("guide")
+    UsdPhysics.CollisionAPI.Apply(geom.GetPrim())
+    _bind(geom.GetPrim(), material)
+
+
+def _hull(stage: Any, path: str, shape: Shape) -> Any:
+    from pxr import UsdGeom, UsdPhysics
+    import trimesh
+
+    hull = trimesh.Trimesh(np.array(shape.vertices)).convex_hull
+    mesh = UsdGeom.Mesh.Define(stage, path)
+    _triangles(mesh, hull.vertices, hull.faces)
+    api = UsdPhysics.MeshCollisionAPI.Apply(mesh.GetPrim())
+    api.CreateApproximationAttr("convexHull")
+    return mesh
+
+
+def _triangles(mesh: Any, vertices: Any, faces: Any) -> None:
+    points = np.asarray(vertices, float)
+    mesh.CreatePointsAttr([tuple(map(float, p)) for p in points])
+    mesh.CreateFaceVertexCountsAttr([3] * len(faces))
+    mesh.CreateFaceVertexIndicesAttr(np.asarray(faces).ravel().astype(int).tolist())
+    mesh.CreateSubdivisionSchemeAttr("none")
+    low, high = points.min(0), points.max(0)
+    mesh.CreateExtentAttr([tuple(map(float, low)), tuple(map(float, high))])
+
+
+def _visual(stage: Any, prim: Any, body: Body, folder: Path, library: dict[str, str]) -> None:
+    """The body's mesh as a child that references the one copy of its asset."""
+    from pxr import UsdGeom
+
+    key, data = mesh_of(body, folder)
+    if data is None:
+        return
+    if key not in library:
+        number = len(library)
+        root = f"/Assets/Asset{number}"
+        stage.CreateClassPrim("/Assets")
+        UsdGeom.Xform.Define(stage, root)
+        for i, (vertices, faces, color) in enumerate(GltfMeshes(data).parts()):
+            mesh = UsdGeom.Mesh.Define(stage, f"{root}/Part{i}")
+            _triangles(mesh, vertices, faces)
+            mesh.CreateDisplayColorAttr([color[:3]])
+            if color[3] < 1.0:
+                mesh.CreateDisplayOpacityAttr([color[3]])
+        library[key] = root
+    visual = UsdGeom.Xform.Define(stage, f"{prim.GetPath()}/Visual").GetPrim()
+    visual.GetReferences().AddInternalReference(library[key])
+
+
+def _animation_layer(manifest: Manifest, rollout: Rollout, physics: str) -> str:
+    from pxr import Sdf, Usd
+
+    scene = manifest.scene
+    idents = names.unique_identifiers(scene.names)
+    rate = 1.0 / (rollout.time[1] - rollout.time[0]) if len(rollout.time) > 1 else 1.0
+    layer = Sdf.Layer.CreateAnonymous(".usda")
+    stage = Usd.Stage.Open(layer)
+    _stage_metrics(stage)
+    stage.SetTimeCodesPerSecond(float(round(rate, 6)))
+    stage.SetFramesPerSecond(float(round(rate, 6)))
+    stage.SetStartTimeCode(0.0)
+    stage.SetEndTimeCode(float(len(rollout.time) - 1))
+    stage.SetDefaultPrim(stage.OverridePrim("/World"))
+    for i, body in enumerate(scene.bodies):
+        if body.static or not body.collides:
+            continue
+        prim = stage.OverridePrim(f"/World/{idents[body.name]}")
+        enabled = prim.CreateAttribute("physics:rigidBodyEnabled", Sdf.ValueTypeNames.Bool)
+        enabled.Set(False)
+        q = rollout.quaternion[0, :, i].astype(float)
+        q = _continuous(q / np.linalg.norm(q, axis=1, keepdims=True))
+        offset = np.broadcast_to(np.asarray(body.origin_offset, float), (len(q), 3))
+        at = rollout.position[0, :, i] + quat_rotate(q, offset)
+        translate = prim.CreateAttribute("xformOp:translate", Sdf.ValueTypeNames.Double3)
+        orient = prim.CreateAttribute("xformOp:orient", Sdf.ValueTypeNames.Quatd)
+        for frame in range(len(q)):
+            translate.Set(tuple(map(float, at[frame])), float(frame))
+            orient.Set(_quatd(q[frame]), float(frame))
+    # The layer is in memory: a stage would look for the sublayer beside nothing and complain.
+    del stage
+    layer.subLayerPaths.append(f"./{physics}")
+    return layer.ExportToString()
+
+
+def _quatd(quaternion: Any) -> Any:
+    from pxr import Gf
+
+    x, y, z, w = (float(v) for v in quaternion)
+    return Gf.Quatd(w, x, y, z)

@@ -1,0 +1,286 @@
+from __future__ import annotations
+
+from dataclasses import replace
+import json
+from pathlib import Path
+import struct
+from xml.etree import ElementTree as ET
+
+from helpers import written
+import numpy as np
+import pytest
+import scenes
+
+from esg.compile.export import export
+from esg.compile.glb import read_glb
+from esg.engines.manifest import load_manifest, manifest_bytes, manifest_to_json
+from esg.engines.program import Program, SetVelocity
+from esg.engines.scene import Rollout, SimScene
+from esg.outcomes import UserError
+from esg.units import quat_rotate
+
+CASES = {"street": scenes.street, "marbles": scenes.marbles}
+
+
+def folder_of(root: Path, scene: SimScene, program: Program) -> Path:
+    written(root, scene, program)
+    data = manifest_to_json(scene, program, dt=1 / 240)
+    (root / "manifest.json").write_bytes(manifest_bytes(data))
+    return root
+
+
+def replayed(folder: Path) -> Rollout:
+    from esg.compile.export import animation
+
+    return animation(folder, load_manifest(folder / "manifest.json"))
+
+
+@pytest.fixture(scope="module", params=CASES)
+def folder(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return folder_of(tmp_path_factory.mktemp("export"), *CASES[request.param]())
+
+
+def test_unknown_target_and_empty_folder(tmp_path: Path) -> None:
+    with pytest.raises(UserError, match="unknown export"):
+        export(tmp_path, "fbx")  # type: ignore[arg-type]
+    with pytest.raises(UserError, match=r"no manifest\.json"):
+        export(tmp_path, "glb")
+
+
+@pytest.mark.parametrize("to", ["unreal", "usd", "mjcf", "glb"])
+def test_exports_are_deterministic(folder: Path, tmp_path: Path, to: str) -> None:
+    one = export(folder, to, tmp_path / "1")  # type: ignore[arg-type]
+    two = export(folder, to, tmp_path / "2")  # type: ignore[arg-type]
+    assert one and [p.name for p in one] == [p.name for p in two]
+    for a, b in zip(one, two, strict=True):
+        assert a.read_bytes() == b.read_bytes()
+
+
+def accessor(document: dict, binary: bytes, index: int) -> np.ndarray:
+    a = document["accessors"][index]
+    view = document["bufferViews"][a["bufferView"]]
+    width = {"SCALAR": 1, "VEC3": 3, "VEC4": 4}[a["type"]]
+    start = view.get("byteOffset", 0) + a.get("byteOffset", 0)
+    values = struct.unpack_from(f"<{a['count'] * width}f", binary, start)
+    return np.array(values).reshape(a["count"], width)
+
+
+def test_glb_moves_as_the_replay_did(folder: Path, tmp_path: Path) -> None:
+    scene = load_manifest(folder / "manifest.json").scene
+    rollout = replayed(folder)
+    [path] = export(folder, "glb", tmp_path)
+    document, binary = read_glb(path.read_bytes())
+    nodes = {document["nodes"][i]["name"]: i for i in document["scenes"][0]["nodes"]}
+    assert set(nodes) == {b.name for b in scene.bodies if b.collides}
+    [animation] = document["animations"]
+    seen = set()
+    for channel in animation["channels"]:
+        sampler = animation["samplers"][channel["sampler"]]
+        times = accessor(document, binary, sampler["input"]).ravel()
+        np.testing.assert_allclose(times, rollout.time, atol=1e-6)
+        node, kind = channel["target"]["node"], channel["target"]["path"]
+        name = next(n for n, i in nodes.items() if i == node)
+        index = scene.index(name)
+        values = accessor(document, binary, sampler["output"])
+        seen.add((name, kind))
+        q = rollout.quaternion[0, :, index].astype(float)
+        if kind == "translation":
+            back = np.stack([values[:, 0], -values[:, 2], values[:, 1]], axis=1)
+            offset = np.broadcast_to(scene.bodies[index].origin_offset, back.shape)
+            origin = rollout.position[0, :, index] + quat_rotate(q, offset)
+            np.testing.assert_allclose(back, origin, atol=1e-5)
+        else:
+            back = np.stack([values[:, 0], -values[:, 2], values[:, 1], values[:, 3]], axis=1)
+            assert np.abs(np.abs(np.einsum("ti,ti->t", back, q)) - 1).max() < 1e-5
+            assert np.einsum("ti,ti->t", values[1:], values[:-1]).min() > 0
+    still = {b.name for b in scene.bodies if b.static}
+    assert seen and not {n for n, _ in seen} & still
+
+
+def test_glb_opens_in_trimesh_with_the_right_extent(folder: Path, tmp_path: Path) -> None:
+    import trimesh
+
+    scene = load_manifest(folder / "manifest.json").scene
+    [path] = export(folder, "glb", tmp_path)
+    loaded = trimesh.load(path)
+    y = loaded.bounds[:, 1]
+    tops = [b.position[2] + b.half_extents[2] for b in scene.bodies if b.static and b.collides]
+    assert y[0] > -0.3 and (not tops or y[1] >= max(tops) - 1e-5)
+
+
+def test_glb_carries_the_assets_own_meshes(tmp_path: Path) -> None:
+    import trimesh
+
+    scene, program = scenes.marbles()
+    one = trimesh.Scene(trimesh.creation.icosphere(radius=0.11)).export(file_type="glb")
+    (tmp_path / "meshes").mkdir()
+    (tmp_path / "meshes" / "ball.glb").write_bytes(one)
+    (tmp_path / "meshes" / "bad.glb").write_bytes(b"no mesh")
+    bodies = tuple(
+        replace(b, mesh="meshes/ball.glb" if b.name.startswith("ball") else "meshes/bad.glb")
+        for b in scene.bodies
+    )
+    folder = folder_of(tmp_path, replace(scene, bodies=bodies), program)
+    document, _ = read_glb(export(folder, "glb")[0].read_bytes())
+    # Three balls share one mesh; the broken file falls back to collision shapes, one body each.
+    assert len(document["meshes"]) == 3
+    assert len(document["scenes"][0]["nodes"]) == 5
+
+
+def test_mjcf_loads_and_steps_in_mujoco(folder: Path, tmp_path: Path) -> None:
+    import mujoco
+
+    scene = load_manifest(folder / "manifest.json").scene
+    [path] = export(folder, "mjcf", tmp_path)
+    model = mujoco.MjModel.from_xml_path(str(path))
+    moving = [b for b in scene.bodies if b.collides and not b.static]
+    assert model.njnt == len(moving)
+    np.testing.assert_allclose(sum(model.body_mass), sum(b.mass for b in moving), rtol=1e-9)
+    data = mujoco.MjData(model)
+    mujoco.mj_resetDataKeyframe(model, data, 0)
+    mujoco.mj_forward(model, data)
+    for body, name in zip(scene.bodies, model_names(path), strict=True):
+        where = data.body(name)
+        np.testing.assert_allclose(where.xpos, body.position, atol=1e-9)
+        x, y, z, w = body.quaternion
+        np.testing.assert_allclose(where.xquat, (w, x, y, z), atol=1e-9)
+    for _ in range(240):
+        mujoco.mj_step(model, data)
+    assert np.isfinite(data.qpos).all() and data.warning.number.sum() == 0
+
+
+def model_names(path: Path) -> list[str]:
+    return [b.get("name", "") for b in ET.parse(path).getroot().iter("body")]
+
+
+def test_mjcf_flies_and_slides_like_the_scene(tmp_path: Path) -> None:
+    """A throw is ballistic, a slide stops after v^2 / (2 mu g) with the averaged friction."""
+    import mujoco
+
+    ball = scenes.ball("ball", (0.0, 0.0, 5.0), 0.1, 1.0)
+    crate = scenes.box("crate", (0.0, 3.0, 0.2), (0.3, 0.3, 0.2), 5.0, 0.4, friction=0.3)
+    program = Program(
+        (
+            SetVelocity("ball", 0.0, (2.0, -1.0, 3.0), (1.0, 2.0, 3.0)),
+            SetVelocity("crate", 0.0, (3.0, 0.0, 0.0)),
+        ),
+        2.0,
+    )
+    folder = folder_of(tmp_path, SimScene("throw", (ball, crate)), program)
+    [path] = export(folder, "mjcf")
+    model = mujoco.MjModel.from_xml_path(str(path))
+    data = mujoco.MjData(model)
+    mujoco.mj_resetDataKeyframe(model, data, 0)
+    for _ in range(120):
+        mujoco.mj_step(model, data)
+    expected = (1.0, -0.5, 5.0 + 1.5 - 0.5 * 9.81 * 0.25)
+    np.testing.assert_allclose(data.body("Ball").xpos, expected, atol=0.02)
+    for _ in range(480):
+        mujoco.mj_step(model, data)
+    assert data.body("Crate").xpos[0] == pytest.approx(9.0 / (2 * 0.5 * 9.81), rel=0.03)
+
+
+def test_mjcf_says_what_it_cannot_represent(folder: Path, tmp_path: Path) -> None:
+    text = export(folder, "mjcf", tmp_path)[0].read_text()
+    assert "no coefficient of restitution" in text and "restitution_" in text
+    names = [json.loads(t.get("data", "")) for t in ET.fromstring(text).iter("text")]
+    assert names == [b.name for b in load_manifest(folder / "manifest.json").scene.bodies]
+
+
+def test_usd_states_the_scene_in_si(folder: Path, tmp_path: Path) -> None:
+    from pxr import Usd, UsdGeom, UsdPhysics
+
+    scene = load_manifest(folder / "manifest.json").scene
+    physics, _ = export(folder, "usd", tmp_path)
+    stage = Usd.Stage.Open(str(physics))
+    assert UsdGeom.GetStageMetersPerUnit(stage) == 1.0
+    assert UsdGeom.GetStageUpAxis(stage) == "Z"
+    found = {
+        p.GetCustomDataByKey("esg:name"): p
+        for p in stage.Traverse()
+        if p.GetCustomDataByKey("esg:name")
+    }
+    assert set(found) == {b.name for b in scene.bodies}
+    for body in scene.bodies:
+        prim = found[body.name]
+        moves = body.collides and not body.static
+        assert prim.HasAPI(UsdPhysics.RigidBodyAPI) == moves
+        matrix = UsdGeom.Xformable(prim).GetLocalTransformation()
+        com = matrix.Transform(tuple(-float(v) for v in body.origin_offset))
+        np.testing.assert_allclose(com, body.position, atol=1e-6)
+        if moves:
+            mass = UsdPhysics.MassAPI(prim)
+            assert mass.GetMassAttr().Get() == pytest.approx(body.mass)
+        colliders = [c for c in prim.GetChildren() if c.HasAPI(UsdPhysics.CollisionAPI)]
+        assert len(colliders) == len(body.shapes)
+    world = stage.GetDefaultPrim()
+    assert json.loads(world.GetCustomDataByKey("esg:program"))["duration"] > 0
+
+
+def test_usd_passes_the_checker(folder: Path, tmp_path: Path) -> None:
+    from pxr import Usd, UsdValidation
+
+    for path in export(folder, "usd", tmp_path):
+        stage = Usd.Stage.Open(str(path))
+        assert stage.GetDefaultPrim()
+        validators = UsdValidation.ValidationRegistry().GetOrLoadAllValidators()
+        errors = UsdValidation.ValidationContext(validators).Validate(stage)
+        bad = [
+            e.GetMessage() for e in errors if e.GetType() == UsdValidation.ValidationErrorType.Error
+        ]
+        assert bad == []
+
+
+def test_usd_animation_plays_the_replay(folder: Path, tmp_path: Path) -> None:
+    from pxr import Usd, UsdGeom, UsdPhysics
+
+    scene = load_manifest(folder / "manifest.json").scene
+    rollout = replayed(folder)
+    _, animation = export(folder, "usd", tmp_path)
+    stage = Usd.Stage.Open(str(animation))
+    assert stage.GetTimeCodesPerSecond() == 60.0
+    assert stage.GetEndTimeCode() == len(rollout.time) - 1
+    for prim in stage.Traverse():
+        name = prim.GetCustomDataByKey("esg:name")
+        if name is None or not prim.HasAPI(UsdPhysics.RigidBodyAPI):
+            continue
+        assert UsdPhysics.RigidBodyAPI(prim).GetRigidBodyEnabledAttr().Get() is False
+        index = scene.index(name)
+        for frame in (0, len(rollout.time) // 2, len(rollout.time) - 1):
+            matrix = UsdGeom.Xformable(prim).GetLocalTransformation(frame)
+            com = matrix.Transform(tuple(-float(v) for v in scene.bodies[index].origin_offset))
+            np.testing.assert_allclose(com, rollout.position[0, frame, index], atol=1e-5)
+
+
+def test_plugin_has_all_parts_and_the_proven_class(folder: Path, tmp_path: Path) -> None:
+    files = export(folder, "unreal", tmp_path)
+    names = {str(p.relative_to(tmp_path)) for p in files}
+    stem = next((folder / "unreal").glob("*.h")).stem
+    assert {
+        "ESGScenes/ESGScenes.uplugin",
+        "ESGScenes/README.md",
+        "ESGScenes/Source/ESGScenes/ESGScenes.Build.cs",
+        f"ESGScenes/Source/ESGScenes/Public/{stem}.h",
+        f"ESGScenes/Source/ESGScenes/Private/{stem}.cpp",
+        "ESGScenes/Content/Python/import_esg_assets.py",
+        f"ESGScenes/Resources/{stem}/imports.json",
+    } <= names
+    descriptor = json.loads((tmp_path / "ESGScenes/ESGScenes.uplugin").read_text())
+    assert descriptor["Modules"][0]["Name"] == "ESGScenes"
+    script = (tmp_path / "ESGScenes/Content/Python/import_esg_assets.py").read_text()
+    compile(script, "import_esg_assets.py", "exec")
+    header = (tmp_path / f"ESGScenes/Source/ESGScenes/Public/{stem}.h").read_text()
+    assert header == (folder / "unreal" / f"{stem}.h").read_text()
+    assert "ESGSCENES_API" in header
+    readme = (tmp_path / "ESGScenes/README.md").read_text()
+    assert "Not checked" in readme and "@CLASS@" not in readme
+
+
+def test_plugin_refuses_meshes_outside_the_folder(tmp_path: Path) -> None:
+    folder = folder_of(tmp_path / "scene", *scenes.marbles())
+    path = folder / "unreal" / "imports.json"
+    data = json.loads(path.read_text())
+    data["assets"][0]["source"] = "../secret.glb"
+    path.write_text(json.dumps(data))
+    with pytest.raises((UserError, ValueError), match="leaves the scene folder"):
+        export(folder, "unreal", tmp_path / "out")
