@@ -273,12 +273,15 @@ def binary_violation(
         if kind is RelationType.ABOVE:
             return max(out, world.z[e.to] + s.height - world.z[e.from_] - 0.5), ""
         return max(0.0, out), ""
-    za, zb = world.z[e.from_], world.z[e.to]
+    note = "heights follow from the supports"
+    za = world.z[e.from_] + 0.5 * problem.shape[e.from_].height
+    zb = world.z[e.to] + 0.5 * problem.shape[e.to].height
     if kind is RelationType.HIGHER_THAN:
-        return max(0.0, zb + 0.5 - za), "heights follow from the supports"
+        return max(0.0, zb + 0.5 - za), note
     if kind is RelationType.LOWER_THAN:
-        return max(0.0, za + 0.5 - zb), "heights follow from the supports"
-    return max(0.0, abs(za - zb) - 2.0), "heights follow from the supports"
+        return max(0.0, za + 0.5 - zb), note
+    level = min(abs(za - zb), abs(world.z[e.from_] - world.z[e.to]))
+    return max(0.0, level - 2.0), note
 
 
 def multi_violation(

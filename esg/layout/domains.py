@@ -107,7 +107,10 @@ def unit_domains(
     if not any(unit.is_planned for unit in units):
         sizes = [
             sum(shape[n].hx * shape[n].hy for n in unit.members if not shape[n].is_decal)
-            if unit.parent is None and not set(unit.members) & ground else 0.0
+            if unit.parent is None
+            and not set(unit.members) & ground
+            and "wall" not in next(iter(unit.members)).lower()
+            else 0.0
             for unit in units
         ]  # fmt: skip
         middle = int(np.argmax(sizes)) if sizes and max(sizes) > 0 else -1
@@ -139,6 +142,9 @@ def unit_domains(
         elif preference.anchor in ANCHORS:
             ax, ay = ANCHORS[preference.anchor]
             anchor.append((cx + ax * hx, cy + ay * hy, preference.weight, 10.0))
+        elif unit.parent is None and "wall" in first.lower():
+            # walls close the scene at the back and show their face to the viewer
+            anchor.append((cx, cy - hy, 1.0, 200.0))
         elif u == middle:
             anchor.append((cx, cy, 0.3, 10.0))
         else:

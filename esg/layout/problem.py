@@ -11,6 +11,7 @@ from esg.graph.models import EsgDocument
 from esg.layout import terms
 from esg.layout.domains import unit_domains
 from esg.layout.edges import Term, binary_terms, characteristic, multi_terms
+from esg.layout.heights import heights
 from esg.layout.hints import StartHints
 from esg.layout.obstacles import CLEAR_HEIGHT_CM, Obstacle, obstacles
 from esg.layout.ordering import break_parent_cycles, implied_faces, placement_order
@@ -66,34 +67,6 @@ class LayoutProblem:
     pair_margin: np.ndarray
 
 
-def _heights(
-    names: list[str], builder: UnitBuilder, supports: SupportMap, shape: dict[str, Shape]
-) -> dict[str, float]:
-    """World height of every origin: constants, because everything rests on something level."""
-    from esg.layout.supports import _on  # the stack pattern adds supports of its own
-
-    for above, below in builder.stacked.items():
-        if supports.of[above].parent != below:
-            supports.of[above] = _on(shape[above], below, shape[below])
-    airborne = {n: z for u in builder.units for n, z in u.z_cm.items()}
-    out: dict[str, float] = {}
-
-    def height(name: str, depth: int = 0) -> float:
-        if name not in out:
-            s = supports.of[name]
-            if name in airborne:
-                out[name] = airborne[name]
-            elif s.parent is None or depth > len(names):
-                out[name] = s.z_cm
-            else:
-                out[name] = height(s.parent, depth + 1) + s.z_cm
-        return out[name]
-
-    for n in names:
-        height(n)
-    return out
-
-
 def build_problem(doc: EsgDocument, seed: int, hints: StartHints | None) -> LayoutProblem:
     """Turns a resolved document into arrays.
 
@@ -110,7 +83,7 @@ def build_problem(doc: EsgDocument, seed: int, hints: StartHints | None) -> Layo
     builder = UnitBuilder(doc, shape, supports, hints, rng)
     units = builder.build()
     notes = list(builder.notes) + [f"{k}: {v}" for k, v in supports.notes.items()]
-    z = _heights(names, builder, supports, shape)
+    z = heights(doc, builder, supports, shape)
     ground = set(ground_nodes(doc))
     unit_of = {n: i for i, u in enumerate(units) for n in u.members}
     break_parent_cycles(units, unit_of, notes)

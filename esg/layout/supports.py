@@ -16,6 +16,7 @@ from esg.layout.shapes import Footprint, bounds, footprints
 
 REST_GAP_CM = 0.01
 """Gap between an object and its support: far below what a settling step can notice."""
+CEILING_CM = 260.0
 GROUND_WORDS = ("ground", "floor", "terrain")
 
 Rect = tuple[float, float, float, float]
@@ -154,7 +155,8 @@ def _rect(surface: SupportSurface, bounds_cm: object = None) -> Rect:
     return rect
 
 
-def _on(child: Shape, parent_name: str, parent: Shape, bounds_cm: object = None) -> Support:
+def stand_on(child: Shape, parent_name: str, parent: Shape, bounds_cm: object = None) -> Support:
+    """Support of a child that stands on a parent's surface, or on a part of it."""
     surface = surface_for(parent)
     z = flat_top(parent, surface)
     gap = 0.0 if child.is_decal else REST_GAP_CM
@@ -201,7 +203,7 @@ def _vertical(child: Shape, parent_name: str, parent: Shape) -> Support:
 
 def _hanging(child: Shape, parent_name: str, parent: Shape, parent_z: float) -> Support:
     if parent_z < child.height:  # nothing can hang below it: fixed on its upper side
-        return _on(child, parent_name, parent)
+        return stand_on(child, parent_name, parent)
     return Support(
         parent_name, "hanging", (-parent.hx, -parent.hy, parent.hx, parent.hy),
         -child.height - REST_GAP_CM,
@@ -281,6 +283,10 @@ def find_supports(doc: EsgDocument, shape: dict[str, Shape]) -> SupportMap:
             return
         child = shape[name]
         gap = 0.0 if child.is_decal or name in ground else REST_GAP_CM
+        if graph.nodes[name].is_structural and "ceiling" in name.lower():
+            out.of[name] = Support(None, "ground", None, CEILING_CM)
+            height[name] = CEILING_CM
+            return
         wish = chosen.get(name)
         if name in ground or wish is None or wish[0] == "ground":
             rect = None
@@ -299,10 +305,10 @@ def find_supports(doc: EsgDocument, shape: dict[str, Shape]) -> SupportMap:
         elif kind == "hanging":
             out.of[name] = _hanging(child, parent, shape[parent], height[parent])
         elif kind == "above" and not child.config.is_movable:
-            s = _on(child, parent, shape[parent])
+            s = stand_on(child, parent, shape[parent])
             out.of[name] = Support(parent, "above", s.rect, s.z_cm + 0.5 * child.height)
         else:
-            out.of[name] = _on(child, parent, shape[parent], limits)
+            out.of[name] = stand_on(child, parent, shape[parent], limits)
         height[name] = height[parent] + out.of[name].z_cm
 
     for name in graph.nodes:

@@ -25,10 +25,18 @@ def asset(
     name: str, proxies: tuple[Proxy, ...], dims: tuple[float, float, float], **kw: Any
 ) -> AssetConfiguration:
     return AssetConfiguration(
-        asset_name=name, source="parametric", category=kw.pop("category", name), mesh_path=f"meshes/{name}.glb",
-        dimensions_cm=dims, proxies=proxies, mass_kg=kw.pop("mass_kg", 1.0), is_movable=kw.pop("is_movable", True),
-        friction=0.5, restitution=0.2, **kw,
-    )  # fmt: skip
+        asset_name=name,
+        source="parametric",
+        category=kw.pop("category", name),
+        mesh_path=f"meshes/{name}.glb",
+        dimensions_cm=dims,
+        proxies=proxies,
+        mass_kg=kw.pop("mass_kg", 1.0),
+        is_movable=kw.pop("is_movable", True),
+        friction=0.5,
+        restitution=0.2,
+        **kw,
+    )
 
 
 def box(name: str, lx: float, ly: float, h: float, **kw: Any) -> AssetConfiguration:
@@ -54,10 +62,11 @@ def table(name: str, lx: float, ly: float, h: float, **kw: Any) -> AssetConfigur
         for sy in (-1, 1):
             parts.append(
                 Proxy(
-                    kind=ProxyKind.BOX, size_cm=(leg / 2, leg / 2, (h - 4) / 2),
+                    kind=ProxyKind.BOX,
+                    size_cm=(leg / 2, leg / 2, (h - 4) / 2),
                     position_cm=(sx * (lx / 2 - leg), sy * (ly / 2 - leg), (h - 4) / 2),
                 )
-            )  # fmt: skip
+            )
     top = SupportSurface(name="top", center_cm=(0, 0, h), half_extents_cm=(lx / 2, ly / 2))
     return asset(
         name,
@@ -90,8 +99,11 @@ def bin_(
             )
         )
     inside = NamedRegion(
-        name="inside", center_cm=(0, 0, (h + t) / 2), half_extents_cm=(lx / 2 - t, ly / 2 - t, (h - t) / 2), kind="inside"
-    )  # fmt: skip
+        name="inside",
+        center_cm=(0, 0, (h + t) / 2),
+        half_extents_cm=(lx / 2 - t, ly / 2 - t, (h - t) / 2),
+        kind="inside",
+    )
     return asset(name, tuple(parts), (lx, ly, h), regions=(inside,), **kw)
 
 
@@ -116,7 +128,9 @@ def document(
         table_[name] = Node(asset_id=a, **kw)
     return EsgDocument(
         scene_definition=SceneDefinition(
-            scene_id="t", original_description="", scene_parameters=SceneParameters(is_dynamic=False, scene_type="indoor")
+            scene_id="t",
+            original_description="",
+            scene_parameters=SceneParameters(is_dynamic=False, scene_type="indoor"),
         ),
         asset_configurations={"ground": GROUND, **assets},
         spatial_relation_graph=SpatialRelationGraph(
@@ -124,9 +138,12 @@ def document(
             nodes=table_,
             edges=RelationEdges(
                 binary_relations=tuple(
-                    BinaryRelation(from_=e[0], relation_type=e[1], to=e[2], **(e[3] if len(e) > 3 else {})) for e in edges
+                    BinaryRelation(
+                        from_=e[0], relation_type=e[1], to=e[2], **(e[3] if len(e) > 3 else {})
+                    )
+                    for e in edges
                 ),
                 multi_relations=tuple(multi),
             ),
         ),
-    )  # fmt: skip
+    )

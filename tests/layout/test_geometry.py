@@ -17,7 +17,7 @@ from esg.layout.supports import shape_of
 from tests.layout import builders as b
 
 
-def polygon(kind: int, pose: tuple[float, float, float], half: tuple[float, float]):  # noqa: ANN201
+def polygon(kind: int, pose: tuple[float, float, float], half: tuple[float, float]):
     if kind == 0:
         return shapely.Point(pose[:2]).buffer(half[0], 128)
     box = shapely.affinity.rotate(
@@ -31,7 +31,7 @@ def test_separation_never_misses_an_overlap() -> None:
     rng = np.random.default_rng(5)
     for _ in range(400):
         ka, kb = (int(v) for v in rng.integers(0, 2, 2))
-        pa, pb = (tuple(rng.uniform(-15, 15, 2)) + (rng.uniform(0, 7),) for _ in range(2))
+        pa, pb = ((*tuple(rng.uniform(-15, 15, 2)), rng.uniform(0, 7)) for _ in range(2))
         ha, hb = (tuple(rng.uniform(1, 10, 2)) for _ in range(2))
         d = plan_separation(ka, pa, ha, kb, pb, hb)
         p, q = polygon(ka, pa, ha), polygon(kb, pb, hb)

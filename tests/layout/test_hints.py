@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 
 import pytest
@@ -30,13 +31,13 @@ CHAIN = Constellation(
 )
 
 
-def layout(doc, *constellations: Constellation, seed: int = 0):  # noqa: ANN001, ANN201
+def layout(doc, *constellations: Constellation, seed: int = 0):
     out = solve(doc, seed=seed, hints=StartHints(constellations)).layout_result
     assert out is not None
     return out
 
 
-def local(out, base: str, name: str) -> tuple[float, float]:  # noqa: ANN001
+def local(out, base: str, name: str) -> tuple[float, float]:
     """Position of a node in another node's frame."""
     (x, y, _), (u, v, _) = out.poses[name].position_cm, out.poses[base].position_cm
     a = math.radians(out.poses[base].yaw_deg)
@@ -44,7 +45,7 @@ def local(out, base: str, name: str) -> tuple[float, float]:  # noqa: ANN001
     return math.cos(a) * dx + math.sin(a) * dy, -math.sin(a) * dx + math.cos(a) * dy
 
 
-def scene(trees: int = 6):  # noqa: ANN201
+def scene(trees: int = 6):
     nodes = {
         "road_1": ("road", {"is_structural": True}),
         "car_1": "car",
@@ -174,7 +175,7 @@ def test_dominoes_stand_at_toppling_distance() -> None:
     import numpy as np
 
     spots = arrange("queue", [(1.0, 2.4, 4.8)] * 12, np.random.default_rng(0))
-    steps = [q[0] - p[0] for p, q in zip(spots, spots[1:], strict=False)]
+    steps = [q[0] - p[0] for p, q in itertools.pairwise(spots)]
     assert all(0.4 * 4.8 <= s <= 0.6 * 4.8 for s in steps)
     assert all(s > 1.0 for s in steps)
     assert {p[1] for p in spots} == {0.0}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 
 import pytest
@@ -29,13 +30,13 @@ ASSETS = {
 }
 
 
-def result(doc: EsgDocument, **kw):  # noqa: ANN003, ANN201
+def result(doc: EsgDocument, **kw):
     out = solve(doc, **kw).layout_result
     assert out is not None
     return out
 
 
-def gap(layout, doc: EsgDocument, a: str, c: str) -> float:  # noqa: ANN001
+def gap(layout, doc: EsgDocument, a: str, c: str) -> float:
     """Planar gap of two axis-aligned or round objects along the line of centres' axes."""
     pa, pc = layout.poses[a], layout.poses[c]
     return math.dist(pa.position_cm[:2], pc.position_cm[:2])
@@ -225,7 +226,7 @@ def test_surround_spreads_evenly_and_faces_the_middle() -> None:
         )
         for i in range(4)
     )
-    steps = [*(y - x for x, y in zip(angles, angles[1:], strict=False))]
+    steps = [*(y - x for x, y in itertools.pairwise(angles))]
     assert min(steps) > math.radians(45)
     assert out.feasible and out.relations[0].satisfied
 
