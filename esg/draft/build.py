@@ -104,7 +104,7 @@ def requirement(e: Entity) -> AssetRequirement:
     """What a node needs: category, description, size, mass."""
     size = _dimensions(e)
     structural = "structural" in e.noun.traits
-    movable = not ({"structural", "fixed", "decal"} & e.noun.traits)
+    movable = e.movable
     material = next((lex.MATERIALS[a][0] for a in e.adjectives if a in lex.MATERIALS), e.noun.material)
     modifiers = [a for a in e.adjectives if not a.startswith("@") and a not in ("same", "other")]
     words = [*modifiers, e.head]
@@ -250,7 +250,7 @@ class DocumentBuilder:
                 mentioned=e.mentioned,
                 group=e.group if not e.letter and not e.place else None,
                 group_pattern=self._pattern(e),
-                is_static=bool(fixed & e.noun.traits),
+                is_static=bool(fixed & e.noun.traits) and not e.freed,
             )
 
     def _pattern(self, e: Entity) -> Any:

@@ -201,6 +201,8 @@ class ClauseBuilder:
                 s.loose.append(phrase)
             s.prep = ""
             return s
+        if w.kind == "unknown" and w.low in ("suppose", "imagine", "picture", "consider"):
+            return s
         if w.kind == "adv":
             if w.low in ("then", "next", "simultaneously", "meanwhile") and w.low != "next":
                 s.link = "simultaneously" if w.low in ("simultaneously", "meanwhile") else "then"

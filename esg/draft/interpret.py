@@ -92,6 +92,8 @@ class Interpreter:
         self.pending: dict[str, tuple[NodeEvent, Frame, str | None, tuple[Quantity, Amount, str] | None]] = {}
         """Arrivals ("walks to the door") and falls that a later event may replace."""
         self._patient: list[str] = []
+        self.stated: dict[str, Amount] = {}
+        """Speeds stated with the noun ("a car at 50 km/h")."""
         self._topic: tuple[int, list[str]] | None = None
         """Sentence and subject of the last description of a state."""
         self.thrown: dict[int, list[str]] = {}
@@ -112,7 +114,7 @@ class Interpreter:
         return not self.structural(node) and self.kind(node) != "region"
 
     def movable(self, node: str) -> bool:
-        return not ({"structural", "fixed", "decal"} & self.e(node).noun.traits)
+        return self.e(node).movable
 
     def use(self, item: Amount | Frame | Mention | None, note: str) -> None:
         if item is None:
@@ -180,7 +182,9 @@ class Interpreter:
         owners = m.entities or self.ids(m)
         if p.amount is not None:
             for o in owners:
-                if self.world.apply_amount(self.e(o), p.amount):
+                if p.amount.dimension == "speed":
+                    self.stated[o] = p.amount
+                elif self.world.apply_amount(self.e(o), p.amount):
                     self.use(p.amount, o)
             return
         if p.mention is None:
@@ -188,7 +192,9 @@ class Interpreter:
         if p.mention.attribute:
             for a in p.mention.amounts:
                 for o in owners:
-                    if self.world.apply_amount(self.e(o), a, p.mention.head):
+                    if a.dimension == "speed":
+                        self.stated[o] = a
+                    elif self.world.apply_amount(self.e(o), a, p.mention.head):
                         self.use(a, o)
             return
         others = p.mention.entities or self.ids(p.mention, avoid=owners)
@@ -402,7 +408,16 @@ class Interpreter:
         self.use(f, "state")
 
     _do_posture = _do_be
-    _do_park = _do_be
+
+    def _do_park(self, f: Frame, s: list[str], o: list[str]) -> None:
+        if f.verb.passive or f.reduced or f.verb.form == "pp" or not s or self.kind(s[0]) not in SELF_POWERED:
+            self._do_be(f, s, o)
+            return
+        self._stop(f, s[0], self._time(f))
+        self._places(f, s)
+
+    def _do_unknown(self, f: Frame, s: list[str], o: list[str]) -> None:
+        """Left out of the used spans, so that the coverage record reports the verb."""
 
     def _do_acquire(self, f: Frame, s: list[str], o: list[str]) -> None:
         found = self.quantity(f, "speed")
@@ -480,6 +495,9 @@ class Interpreter:
 
     def _speed(self, f: Frame, actors: list[str], mode: str) -> tuple[Quantity | None, bool]:
         found = self.quantity(f, "speed")
+        stated = next((self.stated[x] for x in actors if x in self.stated), None)
+        if found is None and stated is not None:
+            found = ("at", stated)
         if found is not None:
             self.use(found[1], "speed")
             a = found[1]
@@ -634,10 +652,9 @@ class Interpreter:
                 elif p.prep in ("off", "from", "out of", "over") and p.prep != "from" or (
                     p.prep == "from" and f.verb.sense in ("fall", "slide", "drop")
                 ):
-                    if self._elevated(other):
+                    if self._elevated(other) and (p.prep != "over" or p.mention.part):
                         self.place([actor], [other], "on")
-                        if p.prep != "over" or p.mention.part:
-                            self.event(NodeEvent.FALL, (actor,), f, time)
+                        self.event(NodeEvent.FALL, (actor,), f, time)
                 elif p.prep == "onto" and not self.structural(other):
                     self._hit(f, [actor], [other], time)
                 elif p.prep in ("down", "up") and "incline" in self.e(other).noun.traits:
@@ -730,6 +747,9 @@ class Interpreter:
                     draft.constraints.append(EventConstraint(quantity="time_since", object=participants[0], value=time[0], since=previous))
             elif previous is not None and time[2] != "at":
                 draft.constraints.append(EventConstraint(quantity="time_since", object=participants[0], value=time[0], since=previous))
+        travelled = self.scene.travel.pop(participants[0], None)
+        if travelled is not None:
+            draft.constraints.append(EventConstraint(quantity="distance", object=participants[0], value=travelled.value))
         self.use(f, node_id)
         return node_id
 
@@ -892,7 +912,7 @@ class Interpreter:
                         self._go_into_passive(f, body, others, p)
                     elif p.prep in ("onto", "against") and not self.structural(others[0]):
                         self._hit(f, [body], others, None)
-                    elif p.prep in ("off", "out of", "over") and self._elevated(others[0]):
+                    elif p.prep in ("off", "out of", "over") and self._elevated(others[0]) and (p.prep != "over" or p.mention.part):
                         self.place([body], [others[0]], "on")
                         self.event(NodeEvent.FALL, (body,), f, None)
 
@@ -985,6 +1005,9 @@ class Interpreter:
                 self.place(s, o, "near")
         elif not s and o:
             actors = o
+        mounted = [self.scene.supported_by.get(a, "") for a in actors]
+        if actors and all(m and self.kind(m) in SELF_POWERED for m in mounted) and self.kind(actors[0]) == "person":
+            actors = list(dict.fromkeys(mounted))  # "a man on a bicycle rides"
         actors = [a for a in actors if self.movable(a)]
         sides = [x for x in f.adverbs if x in ("left", "right")]
         if sides and actors and self.kind(actors[0]) in SELF_POWERED and f.verb.lemma in ("go", "move", "drive", "head", "run", "walk", "ride"):
@@ -1056,7 +1079,7 @@ class Interpreter:
         if self._pushes(f, s, o):
             return
         actors = o if o and (not s or self.kind(s[0]) == "person") else s
-        if actors and self.kind(actors[0]) in SELF_POWERED and not o and actors[0] in self.tl.tracks:
+        if actors and self.kind(actors[0]) in SELF_POWERED - {"person", "cart"} and not o:
             self._motion(f, actors, "own")
             return
         self._motion(f, actors, "slide")
@@ -1451,6 +1474,7 @@ class Interpreter:
         return True
 
     def _do_fall(self, f: Frame, s: list[str], o: list[str]) -> None:
+        self._free([x for x in s if self.kind(x) in ("post", "plant", "wall", "street")])
         actors = self._representatives(s, [])
         fresh = [a for a in actors if a not in self.tl.tracks]
         upright = [a for a in actors if "topples" in self.e(a).noun.traits or self.kind(a) in ("domino", "plant", "post")]
@@ -1492,7 +1516,8 @@ class Interpreter:
                     self.place([actor], [host], "on")
             self._heights(f, [actor])
             if actor in fresh:
-                if actor in self.scene.heights and actor not in self.scene.supported_by:
+                high = source is not None and source.mention is not None and source.mention.entities and not self._elevated(source.mention.entities[0])
+                if high or actor in self.scene.heights and actor not in self.scene.supported_by:
                     self._start_motion(f, [actor], "drop")
                 else:
                     self._start_motion(f, [actor], "roll" if "round" in self.e(actor).noun.traits else "slide")
@@ -1511,7 +1536,13 @@ class Interpreter:
                 self._hit(f, [mover], [body])
                 return
 
+    def _free(self, nodes: list[str]) -> None:
+        for node in nodes:
+            if not self.structural(node):
+                self.e(node).freed = True
+
     def _do_topple(self, f: Frame, s: list[str], o: list[str]) -> None:
+        self._free(o or s)
         if f.subject is not None and f.subject.determiner in ("each", "every") and f.object is not None and "next" in f.object.adjectives and len(s) > 1:
             s, o = s[:1], s[1:2]
         if f.verb.passive:
@@ -1591,6 +1622,10 @@ class Interpreter:
         self.use(f, "landing")
 
     def _do_bounce(self, f: Frame, s: list[str], o: list[str]) -> None:
+        slope = f.phrase("down")
+        if slope is not None and slope.mention is not None and any("incline" in self.e(i).noun.traits for i in slope.mention.entities):
+            self._do_roll(f, s, o)
+            return
         p = f.phrase("off", "against", "on", "from", "into", "onto")
         self._kinematics(f, s, [])
         for actor in s:

@@ -267,6 +267,7 @@ SUBORDINATORS = frozenset(
 PARTS = frozenset(
     "middle center centre edge side corner top bottom end front back rear surface path way base "
     "foot left right rim lip tip direction face left-hand right-hand half portion part section row "
+    "windshield windscreen bumper hood bonnet fender roof leg headlight tailgate lid handle hull wing "
     "head doorway mouth mid-point midpoint vicinity trajectory course".split()
 )
 ATTRIBUTES = frozenset(
@@ -279,7 +280,7 @@ ATTRIBUTES = frozenset(
     "reaction sequence order line row set group bunch pile stack number pair lot couple "
     "couple dozen kilograms color colour shape position place location point area spot slow-motion "
     "fashion manner attempt strike kick throw push arc trajectory parabola flight curve route "
-    "ending beginning "
+    "ending beginning gust wind breeze storm earthquake nothing anything "
     "u-turn lane-change brunt drop fall bounce swing roll slide interval while traffic bit domino-effect "
     "instruction instructions above prompt text description answer "
     "gear throttle gas pedal steering acceleration distance depth inclination".split()

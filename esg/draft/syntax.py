@@ -410,6 +410,13 @@ class Chunker:
         if low in lex.MODALS:
             self.elements.append(Word(token.start, token.end, "adv", low))
             return i + 1
+        previous = self._previous()
+        if (token.tag == "VERB" or low.endswith(("s", "ed", "ing"))) and low.isalpha() and (
+            isinstance(previous, Mention) or (isinstance(previous, Word) and previous.kind in ("conj", "rel", "adv"))
+        ):
+            form = "ing" if low.endswith("ing") else "s"
+            self.elements.append(Verb(token.start, token.end, low, "unknown", form))
+            return i + 1
         self.elements.append(Word(token.start, token.end, "unknown", low))
         return i + 1
 
@@ -785,6 +792,15 @@ class Chunker:
         j = i
         m = Mention(tokens[i].start, tokens[i].end)
         low = self._low(j)
+        if self._lone_letter(j):
+            m.letters, m.head, m.determiner = [tokens[j].text], "@", "the"
+            m.text, m.end = tokens[j].text, tokens[j].end
+            while self._low(j + 1) == "and" and self._lone_letter(j + 2) and not verb_readings(self._low(j + 3) if False else ""):
+                m.letters.append(tokens[j + 2].text)
+                j += 2
+                m.end = tokens[j].end
+            self.elements.append(m)
+            return j + 1
         if low in ("this", "that", "these", "those") and self._verb_next(j + 1):
             m.pronoun, m.text, m.end = low, tokens[j].text, tokens[j].end
             self.elements.append(m)
@@ -866,6 +882,20 @@ class Chunker:
                 j += 1
                 continue
             noun = self._match_noun(j)
+            if (
+                noun is not None
+                and noun[2]
+                and m.determiner in ("a", "an")
+                and m.adjectives
+                and not self._known_adjective(m.adjectives[-1])
+                and any(r.form == "s" for r in verb_readings(token.low))
+            ):
+                # "a pendulum swings": an unknown noun and its verb
+                m.head, m.known = lex.singular(m.adjectives.pop())[0], False
+                m.end = tokens[j - 1].end
+                m.text = self.text[tokens[j - 1].start : m.end]
+                self.elements.append(m)
+                return j
             if noun is not None and (noun[1] > 1 or not self._is_adjective(j)):
                 break
             if noun is not None and self._is_adjective(j) and not self._noun_soon(j + 1):
@@ -894,6 +924,23 @@ class Chunker:
                 continue
             break
         return self._head(i, j, m)
+
+    def _lone_letter(self, j: int) -> bool:
+        """A capital that names an individual introduced before ("A moves ... B moves")."""
+        token = self._tok(j)
+        if token is None or not re.fullmatch(r"[A-Z]", token.text) or token.text == "I":
+            return False
+        known = {x for e in self.elements if isinstance(e, Mention) for x in e.letters}
+        if token.text not in known:
+            return False
+        nxt = self._low(j + 1)
+        if token.text != "A":
+            return True
+        return nxt == "and" or (
+            (bool(verb_readings(nxt)) or nxt in lex.MODALS)
+            and self._match_noun(j + 1) is None
+            and not self._is_adjective(j + 1)
+        )
 
     def _verb_next(self, j: int) -> bool:
         """Whether a finite verb and its object follow ("this pushes the bin")."""
@@ -989,7 +1036,9 @@ class Chunker:
             if self._low(j) in ("behind", "following") and self._low(j + 1) in ("it", "him", "her", "them"):
                 m.adjectives.append("rear")
                 j += 2
-            elif self._low(j) == "behind" and verb_readings(self._low(j + 1)) and m.determiner == "the":
+            elif self._low(j) == "behind" and m.determiner == "the" and (
+                verb_readings(self._low(j + 1)) or self._tok(j + 1) is None or self.tokens[j + 1].kind == "punct"
+            ):
                 m.adjectives.append("rear")
                 j += 1
             elif self._low(j) == "in" and self._low(j + 1) == "front" and m.determiner == "the" and (
@@ -1012,6 +1061,7 @@ class Chunker:
                 token is not None
                 and token.kind == "word"
                 and token.tag in ("NOUN", "PROPN")
+                and not self._looks_like_verb(j, m)
                 and not plural
                 and len(token.text) > 1
                 and token.low not in lex.ADVERBS
@@ -1130,6 +1180,14 @@ class Chunker:
         self.elements.append(m)
         return j
 
+    def _looks_like_verb(self, j: int, m: Mention) -> bool:
+        """An unknown word in -s or -ed after a singular noun, with no verb after it ("derails")."""
+        low = self._low(j)
+        if not low.endswith(("s", "ed")) or low.endswith("ss") or m.determiner not in ("a", "an", "the", "this", "that", "its"):
+            return False
+        nxt = self._low(j + 1)
+        return not (verb_readings(nxt) or nxt in lex.MODALS or nxt == "'s")
+
     def _compound_noun(self, k: int) -> bool:
         """Whether an ambiguous word continues a compound ("picnic park") and is no verb."""
         nxt = self._tok(k + 1)
@@ -1199,6 +1257,30 @@ class Chunker:
             return None
 
         if not m.head or m.pronoun or m.attribute:
+            return j
+        opening = self._tok(j)
+        if (
+            m.plural
+            and opening is not None
+            and opening.text in (",", "(", ":")
+            and letter(j + 1)
+            and self._tok(j + 2) is not None
+            and (self.tokens[j + 2].text == "," or self._low(j + 2) == "and")
+        ):
+            j += 1
+            m.letters.append(letter(j) or "")
+            j += 1
+            while True:
+                k = j
+                while self._tok(k) is not None and (self.tokens[k].text == "," or self._low(k) == "and"):
+                    k += 1
+                found = letter(k) if k > j else None
+                if found is None:
+                    break
+                m.letters.append(found)
+                j = k + 1
+            if self._tok(j) is not None and self.tokens[j].text == ")":
+                j += 1
             return j
         if self._tok(j) is not None and self.tokens[j].text in ('"', "'", "“", "(") and letter(j + 1):
             found = letter(j + 1)

@@ -66,10 +66,18 @@ class Entity:
     dimensions_cm: list[float] | None = None
     dimensions_prescribed: bool = False
     static: bool = False
+    freed: bool = False
+    """Normally fixed, but the prompt moves it (a fence post that falls over)."""
     place: str = ""
     """front, rear, left, right or an ordinal, once known."""
     origin: int = -1
     """Offset of the first mention, for coverage."""
+
+    @property
+    def movable(self) -> bool:
+        """Whether it can move in the simulation."""
+        traits = self.noun.traits
+        return not ({"structural", "decal"} & traits) and (self.freed or "fixed" not in traits)
 
     @property
     def color(self) -> str | None:
@@ -225,7 +233,7 @@ class World:
 
     def _matches(self, m: Mention, e: Entity) -> bool:
         if m.letters:
-            return e.letter in m.letters and self._same_kind(m, e)
+            return e.letter in m.letters and (m.head == "@" or self._same_kind(m, e))
         if not self._same_kind(m, e):
             return False
         for a in m.adjectives:
@@ -274,7 +282,7 @@ class World:
         return m.head == e.head
 
     def _existing(self, m: Mention, avoid: list[str]) -> list[str]:
-        if m.determiner in ("a", "an", "one", "any") and not m.plural and not m.letters and m.count in (None, 1):
+        if (m.determiner in ("a", "an", "one", "any") or (m.count == 1 and not m.determiner)) and not m.plural and not m.letters and m.count in (None, 1):
             return self._member(m, avoid)
         definite = m.determiner in ("the", "this", "that", "these", "those", "its", "his", "her", "their", "both", "all", "each", "every") or bool(m.letters)
         structural = m.noun is not None and "structural" in m.noun.traits
@@ -531,6 +539,8 @@ class World:
         noun = m.noun or unknown_noun(m.head)
         if noun.name == "net" and m.after_prep in ("into", "in"):
             noun = lex.nouns()["goal"]
+        elif noun.name == "hoop" and m.after_prep in ("through", "into", "in"):
+            noun = lex.nouns()["basketball hoop"]
         if "structural" in noun.traits and "decal" not in noun.traits:
             return ["ground_1"] if "ground_1" in self.entities else self._ground(noun, m)
         plain = [a for a in m.adjectives if not a.startswith("@")]

@@ -12,6 +12,7 @@ import time
 from typing import Any
 
 from esg.draft.llm_scripted import ScriptedModel
+from esg.draft.llm_stages import find_object
 
 PNG = base64.b64decode(
     "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg=="
@@ -157,7 +158,7 @@ class Handler(BaseHTTPRequestHandler):
         self.send(200, self.completion(text[: len(text) // 2], "length"))
 
     def wrong_refs(self, body: dict[str, Any]) -> None:
-        tree = json.loads(self.answer(body))
+        tree = find_object(self.answer(body)) or {}
         for relation in tree.get("relations", []):
             relation["object"] = "nobody_7"
         for segment in tree.get("segments", []):
@@ -169,7 +170,7 @@ class Handler(BaseHTTPRequestHandler):
 
     def echo_key(self, body: dict[str, Any]) -> None:
         key = self.headers.get("Authorization", "").removeprefix("Bearer ")
-        tree = json.loads(self.answer(body))
+        tree = find_object(self.answer(body)) or {}
         if "expanded_description" in tree:
             tree["expanded_description"] += f" Your key is {key}."
         self.send(200, self.completion(json.dumps(tree)))
