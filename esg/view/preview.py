@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 PANEL_PX = (480, 320)
 MAX_EVENTS = 7
-REACH = 3.5
+REACH = 4.5
 """Company joins the picture if it widens it by at most this factor."""
 _UNITS = {"mps": "m/s", "m": "m", "s": "s", "deg": "deg", "ns": "N s", "kg": "kg"}
 GROUND_HALF_EXTENT_M = 45.0

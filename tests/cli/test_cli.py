@@ -1,0 +1,100 @@
+"""The command line: light to start, one message and the right code for every mistake."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+import subprocess
+import sys
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+
+
+def esg(*arguments: str, cwd: Path | None = None) -> subprocess.CompletedProcess[str]:
+    """Runs the command in a process of its own."""
+    return subprocess.run(
+        [sys.executable, "-c", "import sys; sys.path.insert(0, sys.argv.pop(1)); "
+         "from esg.cli import main; main()", str(ROOT), *arguments],
+        capture_output=True, text=True, cwd=cwd, timeout=300, check=False,
+    )  # fmt: skip
+
+
+def test_help_imports_nothing_heavy() -> None:
+    code = (
+        "import sys, contextlib\n"
+        "from esg.cli import build_app\n"
+        "build_app()(['--help'], result_action='return_value')\n"
+        "heavy = ('numpy', 'pydantic', 'warp', 'newton', 'prefect', 'spacy', 'duckdb', 'pyarrow',"
+        " 'trimesh', 'sapien')\n"
+        "print([m for m in heavy if m in sys.modules], file=sys.stderr)\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, cwd=ROOT, check=True
+    )
+    assert "generate" in done.stdout
+    assert done.stderr.strip() == "[]"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["generate", ""], "prompt is empty"),
+        (["generate", "   "], "prompt is empty"),
+        (["generate", "a\x07ball"], "control characters"),
+        (["generate", "a ball", "--strategy", "magic"], "magic"),
+        (["generate", "a ball", "--out", "/dev/null/x"], "is not a folder"),
+        (["generate", "a ball", "--device", "gpu"], "choose cpu or cuda:N"),
+        (["bench", "missing.yaml"], "missing.yaml"),
+        (["bench", "missing.yaml", "--runs", "0"], "--runs 0"),
+        (["sql", "select 1", "--db", "missing.duckdb"], "missing.duckdb"),
+        (["replay", "no-such-scene"], "no-such-scene"),
+        (["paint"], "paint"),
+    ],
+)
+def test_mistakes_are_told_in_one_message(arguments: list[str], words: str, tmp_path: Path) -> None:
+    done = esg(*arguments, cwd=tmp_path)
+    assert done.returncode == 2, done.stderr
+    assert words in done.stderr
+    assert "Traceback" not in done.stderr
+    assert done.stdout == ""
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_json_errors_are_one_document(tmp_path: Path) -> None:
+    done = esg("generate", "", "--json", cwd=tmp_path)
+    assert done.returncode == 2
+    document = json.loads(done.stdout)
+    assert document["exit_code"] == 2
+    assert "empty" in document["error"]
+
+
+def test_malformed_suite_lists_its_problems(tmp_path: Path) -> None:
+    suite = tmp_path / "bad.yaml"
+    suite.write_text("suite: x\nscenes:\n  - id: A\n    events: [{type: explodes}]\n")
+    done = esg("bench", str(suite), cwd=tmp_path)
+    assert done.returncode == 2
+    assert "prompt" in done.stderr
+    assert "explodes" in done.stderr
+    assert "Traceback" not in done.stderr
+    assert [p.name for p in tmp_path.iterdir()] == ["bad.yaml"]
+
+
+def test_check_tells_what_is_wrong_with_a_file(tmp_path: Path) -> None:
+    path = tmp_path / "bad.json"
+    path.write_text('{"scene_definition": {}}')
+    done = esg("check", str(path), "--json", cwd=tmp_path)
+    assert done.returncode == 2
+    report = json.loads(done.stdout)
+    assert report["ok"] is False
+    assert any("scene_id" in v["pointer"] for v in report["violations"])
+
+
+def test_draft_of_a_static_scene_has_no_timeline(tmp_path: Path) -> None:
+    done = esg("draft", "A table with a vase.", "--json", cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    document = json.loads(done.stdout)
+    assert document["esg"].get("timeline_system") is None
+    assert document["violations"] == []
+    assert list(tmp_path.iterdir()) == []

@@ -1,0 +1,101 @@
+"""Scene folders appear whole or not at all."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+import json
+from pathlib import Path
+
+import pytest
+
+from esg import scenefolder
+from esg.outcomes import Outcome, UserError
+from esg.pipeline import SceneRequest, SceneState, artifact_store, scratch_store
+from esg.scenefolder import check_writable, folder_name, is_scene_folder, publish
+from esg.store.artifacts import artifact_key
+
+
+@pytest.fixture
+def state(tmp_path: Path) -> Iterator[SceneState]:
+    """A scene whose draft and judge have run."""
+    files = {
+        "draft": {
+            "esg.json": json.dumps({"scene_definition": {"scene_id": "a scene/1"}}),
+            "violations.json": "[]\n",
+        },
+        "judge": {"metrics.json": "{}"},
+    }
+    with scratch_store(tmp_path / "store"):
+        keys: dict[str, str] = {}
+        for stage, content in files.items():
+
+            def fill(folder: Path, content: dict[str, str] = content) -> None:
+                for name, text in content.items():
+                    (folder / name).write_text(text)
+
+            keys[stage] = artifact_key(stage, inputs={}, config={}, code_version="1")
+            artifact_store().create(keys[stage], fill)
+        log = ({"stage": "draft", "seconds": 0.1, "cached": False},)
+        yield SceneState(SceneRequest("A ball."), keys, log, Outcome.SOLVED)
+
+
+def test_folder_is_named_after_the_scene_and_safe(state: SceneState) -> None:
+    assert folder_name(state) == "a_scene_1"
+
+
+def test_publishes_documents_log_and_prompt(state: SceneState, tmp_path: Path) -> None:
+    folder = publish(state, tmp_path / "out")
+    names = {p.relative_to(folder).as_posix() for p in folder.rglob("*") if p.is_file()}
+    assert names == {"prompt.txt", "esg.json", "stages/1-draft.json", "metrics.json", "log.jsonl"}
+    assert (folder / "prompt.txt").read_text() == "A ball.\n"
+    last = json.loads((folder / "log.jsonl").read_text().splitlines()[-1])
+    assert last == {"outcome": "solved", "reason": ""}
+
+
+def test_replaces_an_older_folder_of_the_scene(state: SceneState, tmp_path: Path) -> None:
+    folder = publish(state, tmp_path / "out")
+    (folder / "stale.txt").write_text("old")
+    publish(state, tmp_path / "out")
+    assert not (folder / "stale.txt").exists()
+    assert [p.name for p in (tmp_path / "out").iterdir()] == [folder.name]
+
+
+def test_never_replaces_a_folder_of_the_users(state: SceneState, tmp_path: Path) -> None:
+    mine = tmp_path / "out" / "a_scene_1"
+    mine.mkdir(parents=True)
+    (mine / "thesis.txt").write_text("precious")
+    with pytest.raises(UserError, match="not a scene folder"):
+        publish(state, tmp_path / "out")
+    assert (mine / "thesis.txt").read_text() == "precious"
+
+
+def test_failure_leaves_the_old_folder_and_no_rest(
+    state: SceneState, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = publish(state, tmp_path / "out")
+    before = (folder / "log.jsonl").read_bytes()
+
+    def full(*_: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(scenefolder, "_copy", full)
+    with pytest.raises(UserError, match="No space left"):
+        publish(state, tmp_path / "out")
+    assert (folder / "log.jsonl").read_bytes() == before
+    assert [p.name for p in (tmp_path / "out").iterdir()] == [folder.name]
+
+
+def test_check_writable_leaves_no_trace(tmp_path: Path) -> None:
+    check_writable(tmp_path / "a" / "b")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_check_writable_names_the_obstacle(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+    with pytest.raises(UserError, match="is not a folder"):
+        check_writable(tmp_path / "file" / "runs")
+
+
+def test_other_folders_are_no_scene_folders(tmp_path: Path) -> None:
+    assert not is_scene_folder(tmp_path)
+    assert not is_scene_folder(tmp_path / "missing")

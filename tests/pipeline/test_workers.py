@@ -1,0 +1,61 @@
+"""Worker processes: warm, isolated, replaced when they die."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+
+from esg.workers import WorkerDied, WorkerPool, default_processes
+
+
+def process_id() -> int:
+    return os.getpid()
+
+
+def fail(text: str) -> None:
+    raise ValueError(text)
+
+
+def die() -> None:
+    os._exit(9)
+
+
+def die_once(mark: str) -> str:
+    if not Path(mark).exists():
+        Path(mark).write_text("")
+        os._exit(9)
+    return "alive"
+
+
+def test_without_processes_calls_run_here() -> None:
+    assert WorkerPool(0).run(process_id) == os.getpid()
+
+
+def test_a_worker_lives_on_between_calls_and_after_errors() -> None:
+    with WorkerPool(1) as pool:
+        first = pool.run(process_id)
+        assert first != os.getpid()
+        with pytest.raises(ValueError, match="bad input"):
+            pool.run(fail, "bad input")
+        assert pool.run(process_id) == first
+
+
+def test_a_worker_is_replaced_after_its_share_of_calls() -> None:
+    with WorkerPool(1, recycle_after=2) as pool:
+        ids = [pool.run(process_id) for _ in range(3)]
+    assert ids[0] == ids[1] != ids[2]
+
+
+def test_a_deadly_call_is_told_apart_from_bad_luck(tmp_path: Path) -> None:
+    with WorkerPool(1) as pool:
+        assert pool.run(die_once, str(tmp_path / "mark")) == "alive"
+        with pytest.raises(WorkerDied, match="die"):
+            pool.run(die)
+        assert pool.run(process_id) != os.getpid()
+
+
+def test_few_scenes_need_no_processes() -> None:
+    assert default_processes(1) == 0
+    assert default_processes(100) >= 1
