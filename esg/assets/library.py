@@ -26,7 +26,7 @@ class Entry:
         mass_kg: Usual mass.
         material: Key of the material table.
         color_rgb: Usual main colour.
-        flags: rolls, wheeled, fixed, decal, container.
+        flags: rolls, wheeled, fixed, decal, container, any_size (comes in all sizes).
         synonyms: Other names.
         description: One line for retrieval.
         reference: Source of dimensions and mass.

@@ -4,12 +4,40 @@ from __future__ import annotations
 
 import math
 
-from esg.assets.library import Entry, policy
+from esg.assets.library import Entry, normalize, policy
 from esg.graph.models import AssetRequirement, Vec3
 
 _PLAUSIBLE = (0.5, 2.0)
+"""Range of uniform scales of an entry asked for by its own name."""
+_STRETCH = (0.04, 25.0)
+"""Range for another noun that the entry stands for (a pebble for a rock)."""
 _NEAR = 1.12
 """Ratios up to this are the same size: the library's sourced figures then win."""
+_MISFIT = 2.2
+"""Extents that differ by more than this after scaling are another shape."""
+_DENSITY = (2e-6, 0.022)
+"""Plausible mass per volume of the bounding box [kg/cm^3]: a balloon, a gold bar."""
+
+
+def is_own_name(entry: Entry, requirement: AssetRequirement) -> bool:
+    """Whether the requirement names the entry itself, not something like it."""
+    return normalize(entry.name) == normalize(requirement.asset_category)
+
+
+def misfit(entry: Entry, requirement: AssetRequirement) -> bool:
+    """Whether the entry, scaled as a whole, cannot pass for what is required.
+
+    Builders that take any extents always fit.
+    """
+    if policy(entry) == "free" and entry.library == "parametric":
+        return False
+    own, wanted = sorted(entry.dimensions_cm), sorted(requirement.expected_dimensions_cm)
+    factor = math.prod(b / a for a, b in zip(own, wanted, strict=True)) ** (1 / 3)
+    residual = max(max(b / (a * factor), a * factor / b) for a, b in zip(own, wanted, strict=True))
+    if residual <= _MISFIT:
+        return False
+    heavier = requirement.expected_mass_kg / entry.mass_kg
+    return not is_own_name(entry, requirement) or not 1 / 8 <= heavier <= 8
 
 
 def _oriented(usual: Vec3, wanted: Vec3) -> Vec3:
@@ -24,10 +52,13 @@ def choose_dimensions(entry: Entry, requirement: AssetRequirement) -> Vec3:
     """Extents [cm] at which an entry is built for a requirement.
 
     Prescribed extents are met exactly by builders that can, and by the most distinctive ratio where
-    the proportions are fixed. Other expectations are followed within a factor of two; structures
-    (roads, walls, lanes) follow theirs at any size.
+    the proportions are fixed. Other expectations are followed within a factor of two
+    for an entry asked for by its own name and freely for a noun it stands for; structures (roads,
+    walls, lanes) follow theirs at any size.
     """
     usual = entry.dimensions_cm
+    strict = is_own_name(entry, requirement) and "any_size" not in entry.flags
+    low, high = _PLAUSIBLE if strict else _STRETCH
     wanted = _oriented(usual, requirement.expected_dimensions_cm)
     ratios = [b / a for a, b in zip(usual, wanted, strict=True)]
     free = policy(entry) == "free"
@@ -43,11 +74,11 @@ def choose_dimensions(entry: Entry, requirement: AssetRequirement) -> Vec3:
     if free and ("decal" in entry.flags or "structure" in entry.parents):
         height = wanted[2] if "decal" not in entry.flags else usual[2]
         return (wanted[0], wanted[1], height)
-    plausible = all(_PLAUSIBLE[0] <= r <= _PLAUSIBLE[1] for r in ratios)
+    plausible = all(low <= r <= high for r in ratios)
     if free and plausible:
         return wanted
     factor = math.prod(ratios) ** (1 / 3)
-    if not plausible and not _PLAUSIBLE[0] <= factor <= _PLAUSIBLE[1]:
+    if not plausible and not low <= factor <= high:
         factor = 1.0
     if 1 / _NEAR <= factor <= _NEAR:
         factor = 1.0
@@ -57,14 +88,21 @@ def choose_dimensions(entry: Entry, requirement: AssetRequirement) -> Vec3:
 def choose_mass(
     entry: Entry, requirement: AssetRequirement, dimensions: Vec3, density_ratio: float
 ) -> float:
-    """Mass [kg]: prescribed, or the entry's scaled by volume and material.
+    """Mass [kg]: prescribed, or expected as far as the library's figures allow.
 
-    An expectation within a factor of two of that is followed, since it carries adjectives ("heavy")
-    that the library does not know.
+    The library's mass is scaled by volume and bracketed by the material's density; an expectation
+    within a factor of two of the bracket is followed, since it carries adjectives ("heavy") that
+    the library does not know. For a noun that the entry only stands for, the expectation counts as
+    long as its density is one of matter.
     """
-    if requirement.mass_is_prescribed:
-        return requirement.expected_mass_kg
-    volume = math.prod(b / a for a, b in zip(entry.dimensions_cm, dimensions, strict=True))
-    mass = entry.mass_kg * volume * density_ratio
     expected = requirement.expected_mass_kg
-    return expected if 0.5 * mass <= expected <= 2.0 * mass else mass
+    if requirement.mass_is_prescribed:
+        return expected
+    volume = math.prod(b / a for a, b in zip(entry.dimensions_cm, dimensions, strict=True))
+    mass = entry.mass_kg * volume
+    bracket = sorted((mass, mass * density_ratio))
+    if not is_own_name(entry, requirement):
+        packed = expected / math.prod(dimensions)
+        if _DENSITY[0] <= packed <= _DENSITY[1]:
+            return expected
+    return min(max(expected, 0.5 * bracket[0]), 2.0 * bracket[1])

@@ -21,11 +21,13 @@ import numpy as np
 
 from esg.assets.index import Index, active_index, texts_of
 from esg.assets.library import Entry, entries_by_name, lexicon, normalize
+from esg.assets.proposal import is_own_name, misfit
 from esg.graph.models import AssetRequirement, RetrievalCandidate
 
 WEIGHTS = (0.70, 0.18, 0.12)
 GATE = 0.65
 """Least confidence at which a candidate is used."""
+_SIBLING_MARGIN = 0.15
 _MODIFIER_PENALTY = 0.2
 """For a text that is only the first part of a compound ("cannon" of "cannon ball")."""
 _KEEP = 5
@@ -221,7 +223,7 @@ def confidence(text: str, best: RetrievalCandidate, index: Index | None = None) 
     alone = embed(head)[0]
     value = 0.5 * best.semantic + 0.5 * float(index.scores_of(i, alone).max())
     if head[0] in _AMBIGUOUS_HEADS:
-        value = 0.9 * best.semantic
+        value = 0.8 * best.semantic
     texts = texts_of(index.entries[i])
     nearest = normalize(texts[int(index.scores_of(i, whole).argmax())])
     if nearest.startswith(words) and nearest != words:
@@ -233,27 +235,50 @@ def _qualified(entry: Entry) -> str:
     return entry.name if entry.library == "parametric" else f"{entry.library}/{entry.name}"
 
 
-def decide(requirement: AssetRequirement, label: str = "") -> Decision:
+def decide(requirement: AssetRequirement) -> Decision:
     """Chooses the entry for a requirement, or closes the gate."""
-    category = requirement.asset_category
-    found = exact(category)
-    if found is not None:
-        chosen = RetrievalCandidate(
-            asset_name=found.name,
-            score=1.0,
-            semantic=1.0,
-            category=1.0,
-            physical=round(physical_score(found, requirement), 6),
-        )
-        return Decision(found, 1.0, (chosen,))
-    text = category.replace("_", " ")
-    candidates = rank(text, requirement)
-    best = candidates[0]
-    sure = confidence(text, best)
-    if sure >= GATE:
-        entry = next(e for e in active_index().entries if _qualified(e) == best.asset_name)
-        return Decision(entry, sure, tuple(candidates))
-    return Decision(None, sure, tuple(candidates), _plain(requirement))
+    text = requirement.asset_category.replace("_", " ")
+    found = exact(text)
+    if found is not None and is_own_name(found, requirement):
+        candidates = [_certain(found, requirement)]
+        sure = 1.0
+    else:
+        candidates = rank(text, requirement)
+        if found is not None:
+            found = _better_sibling(found, candidates, requirement)
+            candidates = [_certain(found, requirement), *candidates]
+            candidates = [c for k, c in enumerate(candidates) if c.asset_name not in
+                          {d.asset_name for d in candidates[:k]}][:_KEEP]  # fmt: skip
+        sure = 1.0 if found is not None else confidence(text, candidates[0])
+    if found is None and sure >= GATE:
+        best = candidates[0].asset_name
+        found = next(e for e in active_index().entries if _qualified(e) == best)
+    if found is not None and misfit(found, requirement):
+        found, sure = None, min(sure, GATE)
+    shape = None if found is not None else _plain(requirement)
+    return Decision(found, sure, tuple(candidates), shape)
+
+
+def _certain(entry: Entry, requirement: AssetRequirement) -> RetrievalCandidate:
+    physical = round(physical_score(entry, requirement), 6)
+    return RetrievalCandidate(
+        asset_name=_qualified(entry), score=1.0, semantic=1.0, category=1.0, physical=physical
+    )
+
+
+def _better_sibling(
+    entry: Entry, candidates: list[RetrievalCandidate], requirement: AssetRequirement
+) -> Entry:
+    """Among entries of one kind that share a synonym ("lamp"), the one of the required size."""
+    best, best_score = entry, physical_score(entry, requirement) + _SIBLING_MARGIN
+    for candidate in candidates:
+        if candidate.category < 0.5 or candidate.semantic < GATE:
+            continue
+        score = candidate.physical
+        if score > best_score:
+            best = next(e for e in active_index().entries if _qualified(e) == candidate.asset_name)
+            best_score = score
+    return best
 
 
 _ROUND = ("ball", "sphere", "globe", "orb", "bead", "marble", "melon", "berry", "fruit", "nut")

@@ -38,8 +38,7 @@ def resolve(doc: EsgDocument, *, seed: int = 0) -> EsgDocument:
         The document with configurations and one more provenance entry.
     """
     configurations = {
-        key: configure(key, requirement, _pattern(doc, key))
-        for key, requirement in doc.asset_requirement.items()
+        key: configure(key, requirement) for key, requirement in doc.asset_requirement.items()
     }
     entry = Provenance(stage="resolve", version=VERSION, seed=seed, config=_library_state())
     return doc.model_copy(
@@ -56,21 +55,14 @@ def _library_state() -> dict[str, str]:
     return {"library": active_index().fingerprint}
 
 
-def _pattern(doc: EsgDocument, key: str) -> str:
-    """All names by which instances of a requirement are called: hints for retrieval."""
-    nodes = doc.spatial_relation_graph.nodes
-    return " ".join(sorted({n.label for n in nodes.values() if n.asset_id == key and n.label}))
-
-
-def configure(key: str, requirement: AssetRequirement, label: str = "") -> AssetConfiguration:
+def configure(key: str, requirement: AssetRequirement) -> AssetConfiguration:
     """The configuration of one requirement.
 
     Args:
         key: Asset id in the document; names the mesh file.
         requirement: What is needed.
-        label: How the prompt names the instances.
     """
-    decision = decide(requirement, label)
+    decision = decide(requirement)
     if decision.entry is None:
         return _fallback(key, requirement, decision)
     if decision.entry.library != "parametric":
@@ -160,7 +152,7 @@ def finish(
     return AssetConfiguration(
         asset_name=entry.name if entry.library == "parametric" else f"{entry.library}/{entry.name}",
         source=source,  # type: ignore[arg-type]
-        category=entry.name if entry.library == "parametric" else entry.parents[0],
+        category="_".join(re.findall(r"[a-z0-9]+", requirement.asset_category.lower())),
         mesh_path=mesh_path(key),
         dimensions_cm=dimensions,
         scale=(factor ** (1 / 3),) * 3,
@@ -219,7 +211,7 @@ def _fallback(key: str, requirement: AssetRequirement, decision: Decision) -> As
         description="",
     )
     sketch = build_sketch(entry, dimensions, color)
-    made = finish(
+    return finish(
         key,
         entry,
         requirement,
@@ -231,7 +223,6 @@ def _fallback(key: str, requirement: AssetRequirement, decision: Decision) -> As
         decision,
         "fallback",
     )
-    return made.model_copy(update={"category": requirement.asset_category})
 
 
 def fallback_entry(config: AssetConfiguration) -> Entry | None:

@@ -6,11 +6,11 @@ import math
 
 import numpy as np
 
-from esg.assets.library import catalogue, Entry
+from esg.assets.library import Entry, catalogue
 from esg.assets.stage import configure
 from esg.dynamics.build import make_body
 from esg.engines.base import get_engine
-from esg.engines.program import batch_programs, Program
+from esg.engines.program import Program, batch_programs
 from esg.engines.scene import Rollout, SimScene
 from esg.graph.models import (
     AssetRequirement,
@@ -77,7 +77,13 @@ def faults(rollout: Rollout, entries: list[Entry]) -> list[str]:
         height = entry.dimensions_cm[2] / 100
         limit = max(0.005, 0.02 * height)
         rolls = "rolls" in entry.flags
-        if sink > limit or sink < -limit or drift > 0.02 or speed > 0.02 or (tilt > 2 and not rolls):
+        if (
+            sink > limit
+            or sink < -limit
+            or drift > 0.02
+            or speed > 0.02
+            or (tilt > 2 and not rolls)
+        ):
             out.append(
                 f"{entry.name}: tilt {tilt:.1f} deg, sank {100 * sink:.2f} cm, "
                 f"wandered {100 * drift:.2f} cm, speed {speed:.3f} m/s"

@@ -123,3 +123,41 @@ def pyramid(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 
     s.add(lambda: shapes.hull(points), c)
     s.proxy_hull(points)
+
+
+@builder("roller", "free")
+def roller(s: Sketch, L: float, W: float, H: float, c: Color, hollow: bool = False) -> None:
+    """Cylinder lying along X: a log, or a pipe with its bore drawn."""
+    r = min(W, H) / 2
+    bark = (c[0] * 1.35, c[1] * 1.35, c[2] * 1.35)
+    rim = tuple(min(v, 1.0) for v in bark)
+    if hollow:
+        q = r * 0.88
+        profile = [(q, -L / 2), (r, -L / 2), (r, L / 2), (q, L / 2), (q, -L / 2)]
+        s.lathe(profile, c, center=(0, 0, r), axis="x", rough=0.4, metal=0.5)
+    else:
+        s.rod(r, (-L / 2 + 0.3, 0, r), (L / 2 - 0.3, 0, r), c, rough=0.95, sections=36)
+        for x in (-1, 1):
+            ends = sorted((x * L / 2, x * (L / 2 - 0.4)))
+            s.rod(r * 0.93, (ends[0], 0, r), (ends[1], 0, r), rim, rough=0.9, sections=36)
+    s.proxy(ProxyKind.CYLINDER, (r, r, L / 2), (0, 0, r), 1.0, ALONG["x"])
+
+
+@builder("ladder", "free")
+def ladder(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Folding step ladder, climbed from +X."""
+    t = min(4.0, W * 0.1)
+    for y in (-W / 2 + t / 2, W / 2 - t / 2):
+        for sign in (-1, 1):
+            foot, top = sign * L / 2, sign * t * 0.8
+            points = [(foot, 0), (foot - sign * t, 0), (top - sign * t, H), (top, H)]
+            s.extrude(points, (y - t / 2, y + t / 2), c, metal=0.5)
+            s.proxy_hull([(x, q, z) for x, z in points for q in (y - t / 2, y + t / 2)])
+    n = max(2, round(H / 28))
+    for k in range(1, n):
+        z = H * k / n
+        x = L / 2 + (t * 0.8 - L / 2) * k / n
+        s.slab((x - 9 if x > 10 else x - 5, x), (-W / 2 + t, W / 2 - t), (z - 1.5, z + 1.5), c)
+        s.proxy_slab((x - 5, x), (-W / 2 + t, W / 2 - t), (z - 1.5, z + 1.5))
+    s.slab((-L * 0.12, L * 0.12), (-W / 2, W / 2), (H - 3, H), c, solid=1.0)
+    s.surface("top", H, (L * 0.12, W / 2))

@@ -221,7 +221,7 @@ def pickup(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         s.proxy_slab((-268, -40), _pair(side, w - 9, w), (88, 124), 0.3)
     s.proxy_slab((-268, -260), (-86, 86), (88, 124), 0.3)
     s.surface("bed", 88, (104, 80), (-150, 0))
-    s.region("bed", (-258, -44), (-82, 82), (88, 130))
+    s.region("inside", (-258, -44), (-82, 82), (88, 130))
 
 
 def _pair(side: int, a: float, b: float) -> tuple[float, float]:

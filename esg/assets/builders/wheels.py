@@ -91,7 +91,7 @@ def motorcycle(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.proxy_slab((-92, 50), (-14, 14), (64, 92), 0.8)
     s.proxy_slab((20, 48), (-39, 39), (92, 106), 0.2)
     s.proxy_slab((-76, 78), (-22, 22), (0, 14), 0.5)
-    s.surface("seat", 84, (22, 10), (-34, 0))
+    s.surface("seat", 92, (22, 10), (-34, 0))
 
 
 @builder("scooter")

@@ -1,0 +1,54 @@
+"""GLB files: glTF units and axes, determinism, errors."""
+
+from __future__ import annotations
+
+import io
+from pathlib import Path
+
+import numpy as np
+import pytest
+import trimesh
+
+from esg.assets import build_mesh, resolve, write_meshes
+from esg.assets.library import entries_by_name
+from esg.assets.mesh import glb_bytes
+from esg.assets.stage import configure
+from esg.outcomes import UserError
+from tests.assets.worlds import EMPTY, requirement
+
+
+def document(*names: str):
+    needs = {n: requirement(entries_by_name()[n]) for n in names}
+    return resolve(EMPTY.model_copy(update={"asset_requirement": needs}))
+
+
+def test_glb_is_in_metres_with_y_up_and_front_x() -> None:
+    config = configure("jeep", requirement(entries_by_name()["jeep"]))
+    scene = trimesh.load(io.BytesIO(glb_bytes(config)), file_type="glb")
+    local = build_mesh(config)
+    lo, hi = local.bounds / 100.0
+    np.testing.assert_allclose(scene.bounds[0], [lo[0], lo[2], -hi[1]], atol=1e-4)
+    np.testing.assert_allclose(scene.bounds[1], [hi[0], hi[2], -lo[1]], atol=1e-4)
+
+
+def test_files_land_at_their_paths_and_repeat_bit_for_bit(tmp_path: Path) -> None:
+    doc = document("bowling_pin", "bottle")
+    one = write_meshes(doc, tmp_path / "a")
+    two = write_meshes(doc, tmp_path / "b")
+    assert one == two and len(one["bottle"]) == 64
+    for config in doc.asset_configurations.values():
+        a, b = ((tmp_path / k / config.mesh_path).read_bytes() for k in "ab")
+        assert a == b and a[:4] == b"glTF"
+    assert not list(tmp_path.rglob("*.part"))
+
+
+def test_color_reaches_the_material() -> None:
+    red = configure("car", requirement(entries_by_name()["car"], color="red"))
+    blue = configure("car", requirement(entries_by_name()["car"], color="blue"))
+    assert glb_bytes(red) != glb_bytes(blue)
+
+
+def test_unwritable_folder_is_one_clear_message(tmp_path: Path) -> None:
+    (tmp_path / "meshes").write_text("a file where a folder should be")
+    with pytest.raises(UserError, match="cannot write"):
+        write_meshes(document("can"), tmp_path)
