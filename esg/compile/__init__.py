@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from esg.compile.build import ClassError, ClassFiles, CompilerMissing, compile_many
     from esg.compile.emit import EmittedClass, emit_class
+    from esg.compile.export import export
     from esg.compile.model import WatchedEvent
     from esg.compile.replay import ClassReplay, ReplayError, replay_class
     from esg.compile.scene import CompiledScene, compile_scene, document_program, watch_list
@@ -27,6 +28,7 @@ _HOME = {
     "compile_scene": "scene",
     "document_program": "scene",
     "emit_class": "emit",
+    "export": "export",
     "replay_class": "replay",
     "watch_list": "scene",
 }
@@ -44,6 +46,7 @@ __all__ = [
     "compile_scene",
     "document_program",
     "emit_class",
+    "export",
     "replay_class",
     "watch_list",
 ]

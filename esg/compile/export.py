@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Literal, get_args
 
@@ -16,7 +17,13 @@ FRAMES_PER_SECOND = 60
 """Of exported animations."""
 
 
-def export(folder: str | Path, to: Target, out: str | Path | None = None) -> list[Path]:
+def export(
+    folder: str | Path,
+    to: Target,
+    out: str | Path | None = None,
+    *,
+    rollout: Rollout | None = None,
+) -> list[Path]:
     """Writes a scene for another program.
 
     Args:
@@ -24,6 +31,8 @@ def export(folder: str | Path, to: Target, out: str | Path | None = None) -> lis
         to: `unreal` a plugin folder; `usd` UsdPhysics scene and baked animation; `mjcf` MuJoCo XML;
             `glb` animated glTF.
         out: Folder to write into, default `folder`.
+        rollout: Replay to show in animations (its first world, at most 60 frames a second);
+            default the class is replayed in PhysX.
 
     Returns:
         The files written, sorted.
@@ -49,7 +58,7 @@ def export(folder: str | Path, to: Target, out: str | Path | None = None) -> lis
         path = target / "scene.xml"
         path.write_text(scene_mjcf(manifest), "utf-8", newline="\n")
         return [path]
-    rollout = animation(folder, manifest)
+    rollout = animation(folder, manifest) if rollout is None else thinned(rollout)
     if to == "glb":
         from esg.compile.glb import scene_glb
 
@@ -74,3 +83,18 @@ def animation(folder: Path, manifest: Manifest) -> Rollout:
         return get_engine("physx").rollout(
             manifest.scene, batch, dt=manifest.dt, record_every=every
         )
+
+
+def thinned(rollout: Rollout) -> Rollout:
+    """The rollout's poses at no more than FRAMES_PER_SECOND, first and evenly spaced frames."""
+    if len(rollout.time) < 2:
+        return rollout
+    every = max(1, round(1.0 / (FRAMES_PER_SECOND * float(rollout.time[1] - rollout.time[0]))))
+    return replace(
+        rollout,
+        time=rollout.time[::every],
+        position=rollout.position[:, ::every],
+        quaternion=rollout.quaternion[:, ::every],
+        linear_velocity=rollout.linear_velocity[:, ::every],
+        angular_velocity=rollout.angular_velocity[:, ::every],
+    )

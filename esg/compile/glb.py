@@ -275,6 +275,7 @@ def mesh_of(body: Body, folder: Path) -> tuple[str, bytes | None]:
 
 def _shapes_glb(body: Body) -> bytes:
     import trimesh
+    from trimesh.visual import TextureVisuals
     from trimesh.visual.material import PBRMaterial
 
     color = [round(255 * c) for c in body.color] + [255]
@@ -284,7 +285,7 @@ def _shapes_glb(body: Body) -> bytes:
         vertices = to_gltf_vector(mesh.vertices)
         solid = trimesh.Trimesh(vertices, mesh.faces, process=False)
         material = PBRMaterial(name="collision", baseColorFactor=color, metallicFactor=0.0)
-        solid.visual = trimesh.visual.TextureVisuals(material=material)
+        solid.visual = TextureVisuals(material=material)
         name = f"shape_{number}"
         scene.add_geometry(solid, node_name=name, geom_name=name)
     data = scene.export(file_type="glb")
@@ -329,7 +330,7 @@ class GltfMeshes:
 
         import trimesh
 
-        loaded = trimesh.load(io.BytesIO(self._data), file_type="glb", force="scene")
+        loaded: Any = trimesh.load(io.BytesIO(self._data), file_type="glb", force="scene")
         out: list[tuple[Floats, NDArray[np.int64], tuple[float, ...]]] = []
         for name in loaded.graph.nodes_geometry:
             transform, geometry = loaded.graph[name]

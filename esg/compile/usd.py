@@ -1,3 +1,4 @@
+# pyright: reportAttributeAccessIssue=false
 """OpenUSD: a UsdPhysics scene to simulate, and a layer with the baked replay to play.
 
 `scene.usda` (m, kg, Z up) holds bodies with mass properties, colliders, materials, start

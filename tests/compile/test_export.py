@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 import scenes
 
+from esg.compile import replay_class
 from esg.compile.export import export
 from esg.compile.glb import read_glb
 from esg.engines.manifest import load_manifest, manifest_bytes, manifest_to_json
@@ -284,3 +285,10 @@ def test_plugin_refuses_meshes_outside_the_folder(tmp_path: Path) -> None:
     path.write_text(json.dumps(data))
     with pytest.raises((UserError, ValueError), match="leaves the scene folder"):
         export(folder, "unreal", tmp_path / "out")
+
+
+def test_a_stored_rollout_gives_the_same_animation(folder: Path, tmp_path: Path) -> None:
+    fine = replay_class(folder).rollout
+    [one] = export(folder, "glb", tmp_path / "1")
+    [two] = export(folder, "glb", tmp_path / "2", rollout=fine)
+    assert one.read_bytes() == two.read_bytes()
