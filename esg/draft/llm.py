@@ -169,8 +169,9 @@ def draft_llm_batch(
 async def _batch(
     prompts: list[str], seed: int, settings: LlmSettings, variant: Variant, client: Client | None
 ) -> tuple[LlmDraft, ...]:
-    endpoint = EndpointClient(settings) if client is None else None
-    server: Client = client if client is not None else cast(Client, endpoint)
+    replaying = settings.cassette is not None and settings.cassette_mode == "replay"
+    endpoint = EndpointClient(settings) if client is None and not replaying else None
+    server: Client = client or endpoint or _Nobody()
     gate = asyncio.Semaphore(settings.concurrency)
     patient = PatientClient(server, settings)
     stack: Client = patient
@@ -224,6 +225,13 @@ def instructions(stage: str) -> str:
     return shared + "\n\n" + (folder / f"{stage}.md").read_text(encoding="utf-8")
 
 
+class _Nobody:
+    """Stands for the server when replies only come from a recording."""
+
+    async def complete(self, call: Call) -> Reply:
+        raise ModelFailure("refused", f"nobody answers {call.stage}", retryable=False)
+
+
 class _Failed(Exception):
     """The scene cannot go on; the message is the reason."""
 
@@ -241,6 +249,7 @@ class _Session:
     rounds: int = 0
     calls: list[CallRecord] = field(default_factory=list)
     repairs: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
     answers: dict[str, Part] = field(default_factory=dict)
     talks: dict[str, list[tuple[str, str]]] = field(default_factory=dict)
     document: EsgDocument | None = None
@@ -394,8 +403,7 @@ class _Session:
             cast("TimelineReply | None", self.answers.get("timeline")),
         )
         raw, repairs = assemble(self.prompt, self.seed, replies, repair=self.variant == "full")
-        self.repairs = repairs
-        self._priors(raw)
+        self.repairs = (*repairs, *self.notes, *self._priors(raw))
         self.violations = verify(raw)
         document = _document(raw)
         if document is None:
@@ -416,7 +424,7 @@ class _Session:
                     "variant": self.variant,
                     "model": self.settings.model or "",
                     "rounds": self.rounds,
-                    "repairs": list(repairs),
+                    "repairs": list(self.repairs),
                     "replies": len(self.calls),
                     "input_tokens": tokens_in,
                     "output_tokens": tokens_out,
@@ -442,16 +450,17 @@ class _Session:
                 self.seed,
                 self._complete,
             )
-        except (ModelFailure, UnreadableReply, UserError):
+        except (ModelFailure, UnreadableReply, UserError) as error:
             self.answers.pop("visual", None)
+            self.notes = (f"no visual priors: {error}",)
 
-    def _priors(self, raw: Json) -> None:
-        if "visual" in self.answers:
-            from esg.draft.llm_stages import VisualReply
-            from esg.draft.providers import merge_priors
+    def _priors(self, raw: Json) -> tuple[str, ...]:
+        if "visual" not in self.answers:
+            return ()
+        from esg.draft.llm_stages import VisualReply
+        from esg.draft.providers import merge_priors
 
-            added = merge_priors(raw, cast(VisualReply, self.answers["visual"]))
-            self.repairs = (*self.repairs, *added)
+        return merge_priors(raw, cast(VisualReply, self.answers["visual"]))
 
     def _complaints(self) -> dict[str, str]:
         """What each stage that broke a rule is told, in the order of the stages."""

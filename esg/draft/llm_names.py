@@ -71,6 +71,10 @@ class Names:
             stems = [i for k, i in by_slug.items() if _stem(k) == _stem(wanted)]
             if len(stems) == 1:
                 return stems
+            # "desk" for the only office_desk_1, "red_car" for the only car_1.
+            kin = [i for k, i in by_slug.items() if _kin(_stem(k), _stem(wanted))]
+            if len(kin) == 1:
+                return kin
         # crate_2 is not a misspelled crate_1.
         near = [k for k in (*by_slug, *self._alias) if number == "" or _number(k) == number]
         close = difflib.get_close_matches(wanted, near, n=1, cutoff=CLOSE)
@@ -86,6 +90,10 @@ def _number(name: str) -> str:
 
 def _stem(name: str) -> str:
     return re.sub(r"_\d+$", "", name)
+
+
+def _kin(a: str, b: str) -> bool:
+    return a.endswith(f"_{b}") or b.endswith(f"_{a}")
 
 
 def _variants(wanted: str) -> list[str]:

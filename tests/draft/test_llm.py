@@ -359,6 +359,7 @@ def test_names() -> None:
     """Read near misses as what they mean, and leave the unknown alone."""
     names = Names("object")
     names.add("trashbin_1", "trashbin_1", "trash bin")
+    names.add("dust_bin_1")
     names.add("car_1", "car_1", "front car")
     names.add("car_2", "car_2", "rear car")
     for text, wanted in (
@@ -369,9 +370,10 @@ def test_names() -> None:
         ("trashbn_1", "trashbin_1"),
         ("front car", "car_1"),
         ("Rear Car", "car_2"),
+        ("bin_1", "dust_bin_1"),
     ):
         assert names.one(text) == wanted, text
-    for text in ("dragon", "car_3", "trashbin_2", ""):
+    for text in ("dragon", "car_3", "red_car", "trashbin_2", ""):
         assert names.one(text) == text
     plain = Names("object", repair=False)
     plain.add("trashbin_1")

@@ -316,14 +316,14 @@ def test_visual_priors_enter_softly(tmp_path: Path, monkeypatch: pytest.MonkeyPa
     before = set(plain.spatial_relation_graph.edges.binary_relations)
     new = [e for e in doc.spatial_relation_graph.edges.binary_relations if e not in before]
     assert [(e.from_, e.relation_type.value, e.to) for e in new] == [
-        ("soccer_ball_1", "left_of", "desk_1")
+        ("soccer_ball_1", "left_of", "office_desk_1")
     ]
     assert new[0].confidence <= 0.4
-    preference = doc.spatial_relation_graph.nodes["desk_1"].layout_preference
+    preference = doc.spatial_relation_graph.nodes["office_desk_1"].layout_preference
     assert preference.anchor == "back" and preference.weight <= 0.4
     image = next((tmp_path / "images").iterdir())
     assert image.read_bytes() == llm_server.PNG
-    content = server.bodies[4]["messages"][-1]["content"]
+    content = server.bodies[5]["messages"][-1]["content"]
     assert any(part["type"] == "image_url" for part in content)
 
 
