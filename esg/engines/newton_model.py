@@ -25,7 +25,10 @@ STEPS_PER_GRAPH = 8
 
 ITERATIONS = 6
 RESTITUTION_THRESHOLD_MPS = 0.2
-CONTACT_GAP_M = 0.02
+CONTACT_GAP_M = 0.005
+SPECULATIVE_GAP_M = 0.25
+"""Fast bodies are seen as far ahead as they move in a step, up to this distance [m]."""
+
 _CELLS = 1_000_000
 _GROUND_NAMES = (-1, -2)
 
@@ -124,6 +127,7 @@ class NewtonModel:
             rigid_contact_max=points * self.n_worlds,
             deterministic=cuda,
             verify_buffers=False,
+            speculative_contact_gap_max=SPECULATIVE_GAP_M,
         )
         self.contacts = self.pipeline.contacts()
         self.solver = steel(
@@ -408,7 +412,7 @@ class NewtonModel:
         if self.has_friction_change:
             self._notify_friction()
         s.clear_forces()
-        self.pipeline.collide(s, c)
+        self.pipeline.collide(s, c, dt=self.dt)
         self.solver.step(s, self.other, self.control, c, self.dt, observables=self.observables)
         wp.launch(
             kernels.accumulate_contacts,

@@ -36,6 +36,10 @@ VELOCITY_ITERATIONS = 2
 SLEEP_THRESHOLD = 5e-5
 """Kinetic energy per mass [m^2/s^2] under which a body may fall asleep: 1 cm/s."""
 
+CONTACT_OFFSET_M = 0.05
+"""Contacts are solved ahead of touching when they would touch within the step. Two bodies see each
+other at twice this distance, so that up to 24 m/s at 240 Hz they meet without overlap."""
+
 _GROUND, _VEHICLE_GROUND, _BODY, _WHEELED = 1, 2, 4, 8
 _X_TO_Z = (0.0, -(0.5**0.5), 0.0, 0.5**0.5)
 """Rotation that takes PhysX's capsule axis X to our Z."""
@@ -205,6 +209,7 @@ class PhysxWorld:
         plane = px.PhysxCollisionShapePlane(px.PhysxMaterial(friction, friction, restitution))
         # PhysX planes face +X.
         plane.local_pose = to_pose((0.0, 0.0, 0.0), _X_TO_Z)
+        plane.contact_offset = CONTACT_OFFSET_M
         plane.set_collision_groups([group, touches, 0, 0])
         component = px.PhysxRigidStaticComponent()
         component.attach(plane)
@@ -288,4 +293,5 @@ def make_shape(px: Any, shape: Shape, material: Any) -> Any:
         points = cylinder_vertices(shape) if shape.kind == "cylinder" else np.array(shape.vertices)
         collider = px.PhysxCollisionShapeConvexMesh(points.astype(np.float32), one, material)
     collider.local_pose = to_pose(shape.position, quaternion)
+    collider.contact_offset = CONTACT_OFFSET_M
     return collider

@@ -25,6 +25,9 @@ from esg.engines.worlds import (
 )
 from esg.units import quat_multiply
 
+PREDICTION_M = 0.25
+"""Fast bodies are seen as far ahead as they move in a step, up to this distance [m]."""
+
 _GROUND, _VEHICLE_GROUND, _BODY, _WHEELED = 1, 2, 4, 8
 _Y_TO_Z = (0.5**0.5, 0.0, 0.0, 0.5**0.5)
 """Rotation that takes Rapier's cylinder axis Y to our Z."""
@@ -137,7 +140,7 @@ class RapierWorld:
                 builder = builder.additional_mass_properties(properties).can_sleep(False)
                 # Damping is applied by hand: Rapier's own is v /= 1 + c dt.
                 builder = builder.linear_damping(0.0).angular_damping(0.0)
-                builder = builder.gyroscopic_forces(True)
+                builder = builder.gyroscopic_forces(True).soft_ccd_prediction(PREDICTION_M)
             handle = world.add_body(builder)
             group = _WHEELED if body.wheeled else _BODY
             near = _BODY | _WHEELED | (_VEHICLE_GROUND if body.wheeled else _GROUND)
