@@ -316,6 +316,10 @@ def multi_violation(
     return worst, note
 
 
+def _is_planned(problem: LayoutProblem, a: str, b: str) -> bool:
+    return any(u.is_planned and a in u.members and b in u.members for u in problem.units)
+
+
 def relation_reports(
     doc: EsgDocument, problem: LayoutProblem, world: World
 ) -> tuple[RelationReport, ...]:
@@ -324,6 +328,8 @@ def relation_reports(
     out = []
     for k, e in enumerate(edges.binary_relations):
         v, note = binary_violation(doc, problem, world, k, e)
+        if v > 0 and _is_planned(problem, e.from_, e.to):
+            note = f"{note}; held by the planned start".removeprefix("; ")
         out.append(
             _report(f"{e.from_} {e.relation_type.value} {e.to}", e.relation_type.value, v, note)
         )

@@ -793,3 +793,18 @@ def separations(
     i = wp.tid()
     k = kind[i]
     out[i] = separation(k[0], pa[i], ha[i], k[1], pb[i], hb[i])
+
+
+@wp.kernel
+def evaluate(
+    p: Problem,
+    soft: float,
+    x: wp.array(dtype=wp.vec3),
+    w: wp.array(dtype=wp.vec3),
+    energy: wp.array(dtype=wp.vec3),
+):
+    """Relation, collision and region energy of one layout per scene: x [units], energy [scenes]."""
+    scene = wp.tid()
+    for u in range(p.scene_unit[scene], p.scene_unit[scene + 1]):
+        spread(p, w, x, 0, 0, u, 1 << 30)
+    energy[scene] = total_energy(p, w, 0, scene, soft)

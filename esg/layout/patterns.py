@@ -63,6 +63,8 @@ def arrange(
         return _triangle(n, d * math.sqrt(3) / 2 * 1.001, d)
     if pattern == "stack":
         return [(0.0, 0.0, 0.0)] * n
+    if pattern == "row" and n > 1 and all(is_domino_like(*s) for s in sizes):
+        pattern = "queue"  # a row of dominoes stands face to face
     if pattern == "row":
         out, y = [], 0.0
         for k, s in enumerate(sizes):

@@ -122,19 +122,10 @@ def pair_modes(problem: LayoutProblem, collision: str) -> np.ndarray:
     return out
 
 
-def run_search(
-    problems: Sequence[LayoutProblem], seeds: Sequence[int], config: LayoutConfig
-) -> list[SearchResult]:
-    """Searches all scenes with `config.starts` starts each in one launch.
-
-    Args:
-        problems: Scenes.
-        seeds: One per scene.
-        config: Settings.
-
-    Returns:
-        One result per scene.
-    """
+def _upload(
+    problems: Sequence[LayoutProblem], config: LayoutConfig
+) -> tuple[Any, dict[str, np.ndarray]]:
+    """Copies a batch to the device: the kernel's struct and the arrays on the host."""
     import warp as wp
 
     from esg.layout import kernels
@@ -155,6 +146,58 @@ def run_search(
     for key, value in data.items():
         dtype = vectors.get(key, wp.int32 if value.dtype == np.int32 else wp.float32)
         setattr(problem, key, wp.array(value, dtype=dtype, device=device))
+    return problem, data
+
+
+def evaluate(
+    problems: Sequence[LayoutProblem], units: Sequence[np.ndarray], config: LayoutConfig
+) -> np.ndarray:
+    """Energies of given layouts.
+
+    Args:
+        problems: Scenes.
+        units: Unit poses per scene, shape [units, 3].
+        config: Collision mode and weights.
+
+    Returns:
+        Relation, collision and region energy, shape [scenes, 3].
+    """
+    import warp as wp
+
+    from esg.layout import kernels
+
+    problem, data = _upload(problems, config)
+    x = wp.array(np.concatenate(units).astype(np.float32), dtype=wp.vec3, device=config.device)
+    w = wp.zeros(int(data["scene_node"][-1]), dtype=wp.vec3, device=config.device)
+    energy = wp.zeros(len(problems), dtype=wp.vec3, device=config.device)
+    wp.launch(
+        kernels.evaluate,
+        dim=len(problems),
+        inputs=[problem, config.alignment_weight, x, w, energy],
+        device=config.device,
+    )
+    return energy.numpy()
+
+
+def run_search(
+    problems: Sequence[LayoutProblem], seeds: Sequence[int], config: LayoutConfig
+) -> list[SearchResult]:
+    """Searches all scenes with `config.starts` starts each in one launch.
+
+    Args:
+        problems: Scenes.
+        seeds: One per scene.
+        config: Settings.
+
+    Returns:
+        One result per scene.
+    """
+    import warp as wp
+
+    from esg.layout import kernels
+
+    device = config.device
+    problem, data = _upload(problems, config)
     settings = kernels.Settings()
     settings.candidates = config.candidates
     settings.iterations = config.iterations

@@ -13,7 +13,7 @@ from esg.layout.check import World, intrusions, penetrations, relation_reports, 
 from esg.layout.config import LayoutConfig
 from esg.layout.hints import StartHints
 from esg.layout.problem import LayoutProblem, build_problem
-from esg.layout.search import SearchResult, run_search
+from esg.layout.search import SearchResult, evaluate, run_search
 from esg.outcomes import UserError
 
 VERSION = "1"
@@ -29,6 +29,7 @@ class Found:
     world: World
     result: SearchResult
     start: int
+    energy: tuple[float, ...]
 
 
 def solve(
@@ -79,6 +80,7 @@ def solve_batch(
     if not docs:
         return []
     problems = [build_problem(d, s, h) for d, s, h in zip(docs, seeds, plans, strict=True)]
+    plain = list(problems)
     best: list[Found | None] = [None] * len(docs)
     open_ = list(range(len(docs)))
     for round_ in range(max(1, config.rounds)):
@@ -106,8 +108,15 @@ def solve_batch(
         open_ = again
         if not open_:
             break
+    # reported energies have the weights of the document, whatever a retry emphasized
+    retried = [i for i, p in enumerate(problems) if p is not plain[i]]
+    if retried:
+        poses = [best[i].result.units[best[i].start] for i in retried]  # type: ignore[union-attr]
+        fresh = evaluate([plain[i] for i in retried], poses, config)
+        for i, e in zip(retried, fresh, strict=True):
+            best[i] = replace(best[i], energy=tuple(float(v) for v in e))  # type: ignore[type-var]
     out = []
-    for doc, problem, seed, found in zip(docs, problems, seeds, best, strict=True):
+    for doc, problem, seed, found in zip(docs, plain, seeds, best, strict=True):
         assert found is not None
         out.append(_write(doc, problem, found, seed, config))
     return out
@@ -142,7 +151,8 @@ def _choose(doc: EsgDocument, problem: LayoutProblem, result: SearchResult) -> F
         hard = sum(not r.satisfied and r.relation_type in HARD_RELATIONS for r in reports)
         score = (float(deep + hard), float(broken), float(total[k]))
         if best is None or score < best.score:
-            best = Found(score, world, result, k)
+            energy = tuple(float(v) for v in result.energy[k])
+            best = Found(score, world, result, k, energy)
         if deep + hard + broken == 0:
             break
     assert best is not None
@@ -207,7 +217,7 @@ def _write(
         )
         for n in problem.names
     }  # fmt: skip
-    relation, collision, region = (float(v) for v in result.energy[k])
+    relation, collision, region = found.energy
     out = LayoutResult(
         poses=poses,
         energy=round(relation + collision + region, 4),

@@ -170,11 +170,12 @@ def test_stack_rests_member_on_member() -> None:
     assert out.max_penetration_cm == 0.0
 
 
-def test_dominoes_stand_at_toppling_distance() -> None:
+@pytest.mark.parametrize("pattern", ["row", "queue", "column"])
+def test_dominoes_stand_at_toppling_distance(pattern: str) -> None:
     """Each slab must reach its neighbour while falling, and none may touch."""
     import numpy as np
 
-    spots = arrange("queue", [(1.0, 2.4, 4.8)] * 12, np.random.default_rng(0))
+    spots = arrange(pattern, [(1.0, 2.4, 4.8)] * 12, np.random.default_rng(0))
     steps = [q[0] - p[0] for p, q in itertools.pairwise(spots)]
     assert all(0.4 * 4.8 <= s <= 0.6 * 4.8 for s in steps)
     assert all(s > 1.0 for s in steps)
