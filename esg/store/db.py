@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Any
 
 from esg.outcomes import UserError
 from esg.store.files import explained, sync_file, sync_folder, temporary_name
-from esg.store.tables import COLUMNS, KEYS, part_files, table_of
+from esg.store.tables import COLUMNS, KEYS, part_files, read_table, table_of
 
 if TYPE_CHECKING:
     from duckdb import DuckDBPyConnection
@@ -177,54 +177,81 @@ def _ingest(
         row[0]: row[1:]
         for row in connection.execute("SELECT file, size, modified_ns FROM ingested").fetchall()
     }
+    wanted: dict[str, list[Path]] = {}
+    marks: list[tuple[str, str, int, int]] = []
+    for file, table in zip(files, kinds, strict=True):
+        facts = file.stat()
+        if force or known.get(str(file)) != (facts.st_size, facts.st_mtime_ns):
+            wanted.setdefault(table, []).append(file)
+            marks.append((str(file), table, facts.st_size, facts.st_mtime_ns))
     rows: dict[str, int] = {}
-    skipped = 0
     connection.execute("BEGIN")
     try:
-        for file, table in zip(files, kinds, strict=True):
-            facts = file.stat()
-            if not force and known.get(str(file)) == (facts.st_size, facts.st_mtime_ns):
-                skipped += 1
-                continue
-            count = _upsert(connection, file, table)
-            rows[table] = rows.get(table, 0) + count
-            connection.execute(
-                "INSERT OR REPLACE INTO ingested VALUES (?, ?, ?, ?, ?)",
-                [str(file), table, facts.st_size, facts.st_mtime_ns, count],
-            )
+        for table, found in wanted.items():
+            rows[table] = _upsert(connection, found, table)
+        if marks:
+            connection.executemany("INSERT OR REPLACE INTO ingested VALUES (?, ?, ?, ?)", marks)
         connection.execute("COMMIT")
     except duckdb.Error as error:
         with contextlib.suppress(duckdb.Error):
             connection.execute("ROLLBACK")
-        raise UserError(
-            f"nothing was ingested: {file} is damaged ({str(error).splitlines()[0]}); delete it "
-            "and run again to write it anew"
-        ) from None
-    return IngestReport(len(files) - skipped, skipped, rows)
+        raise UserError(_blame(wanted, error)) from None
+    return IngestReport(len(marks), len(files) - len(marks), rows)
 
 
-def _upsert(connection: DuckDBPyConnection, file: Path, table: str) -> int:
+def _upsert(connection: DuckDBPyConnection, files: Sequence[Path], table: str) -> int:
+    """Replaces the rows of all keys that the files hold; the last row of a key wins."""
     skipped = _ARRAYS - {"bodies"} if table == "trajectories" else set()
     columns = {c: kind for c, kind in COLUMNS[table].items() if c not in skipped}
-    names = ", ".join(f'"{c}"' for c in columns)
     # The database keeps plain UTC: time zone types need a package that readers may lack.
     read = ", ".join(
-        f"timezone('UTC', \"{c}\")" if kind == "timestamp" else f'"{c}"'
+        f'timezone(\'UTC\', "{c}") AS "{c}"' if kind == "timestamp" else f'"{c}"'
         for c, kind in columns.items()
     )
-    extra, values = (", file", ", $file") if table == "trajectories" else ("", "")
+    names = ", ".join(f'"{c}"' for c in columns)
+    if table == "trajectories":
+        read, names = f"{read}, filename AS file", f"{names}, file"
     keys = ", ".join(KEYS[table])
-    # Within one file the last row of a key wins, as it does between files.
-    sql = f"""
-        INSERT OR REPLACE INTO {table} ({names}{extra})
-        SELECT {read}{values} FROM (
-            SELECT *, row_number() OVER () AS place__ FROM read_parquet($path)
+    connection.execute(
+        f"""
+        CREATE OR REPLACE TEMP TABLE staging AS
+        SELECT {read}, listed AS file_place, file_row_number AS row_place
+        FROM read_parquet($files, filename = true, file_row_number = true)
+        JOIN (
+            SELECT unnest($files) AS filename, unnest(range(len($files))) AS listed
+        ) USING (filename)
+        """,
+        {"files": [str(f) for f in files]},
+    )
+    repeated = connection.execute(
+        f"SELECT count(*) FROM (SELECT 1 FROM staging GROUP BY {keys} HAVING count(*) > 1)"
+    ).fetchone()
+    last = ""
+    if repeated and repeated[0]:
+        last = (
+            f"QUALIFY row_number() OVER (PARTITION BY {keys} "
+            "ORDER BY file_place DESC, row_place DESC) = 1"
         )
-        QUALIFY row_number() OVER (PARTITION BY {keys} ORDER BY place__ DESC) = 1
-    """
-    parameters = {"path": str(file)} | ({"file": str(file)} if extra else {})
-    result = connection.execute(sql, parameters).fetchone()
-    return int(result[0]) if result else 0
+    same = " AND ".join(f"{table}.{k} = staging.{k}" for k in KEYS[table])
+    connection.execute(f"DELETE FROM {table} USING staging WHERE {same}")
+    done = connection.execute(
+        f"INSERT INTO {table} ({names}) SELECT {names} FROM staging {last}"
+    ).fetchone()
+    connection.execute("DROP TABLE staging")
+    return int(done[0]) if done else 0
+
+
+def _blame(files: dict[str, list[Path]], error: BaseException) -> str:
+    """Which files made an ingest fail, found by reading each."""
+    problems: list[str] = []
+    for file in (f for found in files.values() for f in found):
+        try:
+            read_table(file)
+        except UserError as problem:
+            problems.append(str(problem))
+    if not problems:
+        problems = [f"{_line(error)}; rebuild the database from Parquet"]
+    return "nothing was ingested:\n" + "\n".join(f"  {p}" for p in problems)
 
 
 def _migrate(connection: DuckDBPyConnection) -> int:

@@ -1,8 +1,9 @@
 -- Tables of the results database: the Parquet tables without trajectories' arrays and documents'
--- duplicates. Keys are those of the Parquet tables, so that ingesting a file twice changes nothing.
+-- duplicates. Keys are those of the Parquet tables; `esg.store.db.ingest` keeps them unique. They are
+-- not declared: an index on a million text keys makes an upsert ten times slower.
 
 CREATE TABLE runs (
-    run_id VARCHAR PRIMARY KEY,
+    run_id VARCHAR NOT NULL,
     kind VARCHAR,
     suite VARCHAR,
     started_at TIMESTAMP, -- UTC
@@ -17,7 +18,7 @@ CREATE TABLE runs (
 
 CREATE TABLE scenes (
     run_id VARCHAR NOT NULL,
-    scene_key VARCHAR PRIMARY KEY,
+    scene_key VARCHAR NOT NULL,
     suite VARCHAR,
     scene_id VARCHAR,
     seed BIGINT,
@@ -64,8 +65,7 @@ CREATE TABLE trajectories (
     fps DOUBLE,
     n_frames INTEGER,
     bodies VARCHAR[],
-    file VARCHAR,
-    PRIMARY KEY (scene_key, engine)
+    file VARCHAR
 );
 
 CREATE TABLE metrics (
@@ -84,8 +84,7 @@ CREATE TABLE metrics (
     time_s DOUBLE,
     bodies VARCHAR[],
     reason VARCHAR,
-    measured VARCHAR,
-    PRIMARY KEY (scene_key, engine, event_id)
+    measured VARCHAR
 );
 
 CREATE TABLE constraints (
@@ -108,8 +107,7 @@ CREATE TABLE constraints (
     score DOUBLE,
     score_strict DOUBLE,
     score_lenient DOUBLE,
-    reason VARCHAR,
-    PRIMARY KEY (scene_key, engine, constraint_index)
+    reason VARCHAR
 );
 
 CREATE TABLE coverage (
@@ -125,8 +123,7 @@ CREATE TABLE coverage (
     kind VARCHAR,
     status VARCHAR,
     pointer VARCHAR,
-    note VARCHAR,
-    PRIMARY KEY (scene_key, item_index)
+    note VARCHAR
 );
 
 CREATE TABLE timings (
@@ -139,8 +136,7 @@ CREATE TABLE timings (
     stage_index INTEGER,
     seconds DOUBLE,
     cached BOOLEAN,
-    outcome VARCHAR,
-    PRIMARY KEY (scene_key, stage)
+    outcome VARCHAR
 );
 
 -- One row a Parquet file that has been ingested: an unchanged file is not read again.
@@ -148,6 +144,5 @@ CREATE TABLE ingested (
     file VARCHAR PRIMARY KEY,
     table_name VARCHAR,
     size BIGINT,
-    modified_ns BIGINT,
-    n_rows BIGINT
+    modified_ns BIGINT
 );
