@@ -69,7 +69,9 @@ class Score:
             "object_recall": percent(self.objects_found, self.objects),
             "event_recall": percent(self.events_found, self.events),
             "quantity_recall": percent(self.quantities_found, self.quantities),
-            "invented_events": round(100.0 * self.invented / self.drafted, 1) if self.drafted else 0.0,
+            "invented_events": round(100.0 * self.invented / self.drafted, 1)
+            if self.drafted
+            else 0.0,
         }
 
 
@@ -141,7 +143,9 @@ def _matches(doc: EsgDocument, node: TimelineNode, event: dict[str, Any]) -> boo
         return node.turn_direction == event["direction"]
     if event["type"] == "enters":
         region = node.region or ""
-        return event["target"].split()[-1] in region or region.split("/")[0] in bind(doc, event["target"])
+        return event["target"].split()[-1] in region or region.split("/")[0] in bind(
+            doc, event["target"]
+        )
     if event["type"] in ("reaches", "misses") and event.get("target"):
         return participants[1] in bind(doc, event["target"])
     return True
@@ -152,7 +156,10 @@ def _moves(doc: EsgDocument, phrase: str) -> bool:
     if timeline is None:
         return False
     ids = bind(doc, phrase)
-    return any(e.actor in ids and e.event.value != "InertialConnector" for e in timeline.sequence_graph.edges)
+    return any(
+        e.actor in ids and e.event.value != "InertialConnector"
+        for e in timeline.sequence_graph.edges
+    )
 
 
 def _brakes(doc: EsgDocument, phrase: str) -> bool:
@@ -166,7 +173,11 @@ def _brakes(doc: EsgDocument, phrase: str) -> bool:
 def score_events(doc: EsgDocument, row: dict[str, Any], out: Score) -> None:
     """Recall of expected events, and drafted events that nothing expected accounts for."""
     timeline = doc.timeline_system
-    points = [n for n in (timeline.sequence_graph.nodes if timeline else ()) if n.event.value in _EVENTS.values()]
+    points = [
+        n
+        for n in (timeline.sequence_graph.nodes if timeline else ())
+        if n.event.value in _EVENTS.values()
+    ]
     free = list(points)
     for event in row["events"]:
         out.events += 1
@@ -183,7 +194,9 @@ def score_events(doc: EsgDocument, row: dict[str, Any], out: Score) -> None:
     out.drafted += len(points)
     out.invented += len(free)
     for n in free:
-        out.problems.append(f"{row['id']} invented {n.event.value}{n.participants} | {row['prompt']}")
+        out.problems.append(
+            f"{row['id']} invented {n.event.value}{n.participants} | {row['prompt']}"
+        )
 
 
 def _close(found: Any, want: dict[str, Any], factor: float) -> bool:
@@ -191,7 +204,9 @@ def _close(found: Any, want: dict[str, Any], factor: float) -> bool:
     low, high = low / factor, high / factor
     if "value" in want:
         v = want["value"]
-        return abs(low - v) <= RELATIVE_TOLERANCE * abs(v) and abs(high - v) <= RELATIVE_TOLERANCE * abs(v)
+        return abs(low - v) <= RELATIVE_TOLERANCE * abs(v) and abs(
+            high - v
+        ) <= RELATIVE_TOLERANCE * abs(v)
     a, b = want["range"]
     good_low = abs(low - a) <= 0.1 * max(abs(a), 0.5 * (b or a), 0.1) + 1e-9
     return good_low and (b is None or abs(high - b) <= RELATIVE_TOLERANCE * abs(b))
@@ -209,39 +224,79 @@ def _quantity(doc: EsgDocument, want: dict[str, Any]) -> bool:
         return any(a.mass_is_prescribed and _close(a.expected_mass_kg, want, 1.0) for a in assets)
     if kind == "size":
         return any(
-            a.dimensions_are_prescribed and any(_close(x, want, 100.0) for x in a.expected_dimensions_cm)
+            a.dimensions_are_prescribed
+            and any(_close(x, want, 100.0) for x in a.expected_dimensions_cm)
             for a in assets
         )
     if kind == "speed":
-        stated = [e.params.speed for e in edges if e.actor in ids and e.speed_is_prescribed and e.params.speed is not None]
-        stated += [c.value for n in points for c in n.constraints if c.object in ids and c.quantity in ("speed_before", "speed_after")]
+        stated = [
+            e.params.speed
+            for e in edges
+            if e.actor in ids and e.speed_is_prescribed and e.params.speed is not None
+        ]
+        stated += [
+            c.value
+            for n in points
+            for c in n.constraints
+            if c.object in ids and c.quantity in ("speed_before", "speed_after")
+        ]
         return any(_close(v, want, 100.0) for v in stated)
     if kind == "acceleration":
-        return any(e.params.acceleration is not None and e.actor in ids and _close(e.params.acceleration, want, 100.0) for e in edges)
+        return any(
+            e.params.acceleration is not None
+            and e.actor in ids
+            and _close(e.params.acceleration, want, 100.0)
+            for e in edges
+        )
     if kind in ("time", "time_since"):
         name = _EVENTS.get(want["event"], "Trigger")
         for n in points:
-            if n.event.value != name and not (want["event"] == "turns" and n.event.value == "Trigger"):
+            if n.event.value != name and not (
+                want["event"] == "turns" and n.event.value == "Trigger"
+            ):
                 continue
             for c in n.constraints:
                 if c.quantity in ("time_since", "time_to_stop") and _close(c.value, want, 1.0):
                     return True
-            if n.time_is_prescribed and _close(n.timestamp if n.timestamp is not None else n.window, want, 1.0):
+            if n.time_is_prescribed and _close(
+                n.timestamp if n.timestamp is not None else n.window, want, 1.0
+            ):
                 return True
         return False
     if kind == "angle":
-        values: list[Any] = [n.turn_degrees for n in points if n.turn_degrees and n.participants[0] in ids]
-        values += [e.params.elevation_deg for e in edges if e.actor in ids and e.params.elevation_deg is not None]
+        values: list[Any] = [
+            n.turn_degrees for n in points if n.turn_degrees and n.participants[0] in ids
+        ]
+        values += [
+            e.params.elevation_deg
+            for e in edges
+            if e.actor in ids and e.params.elevation_deg is not None
+        ]
         values += [c.value for n in points for c in n.constraints if c.quantity == "angle"]
         return any(_close(v, want, 1.0) for v in values)
     factor = 100.0 if kind in ("speed_after", "height", "distance") else 1.0
-    stated = [c.value for n in points for c in n.constraints if c.object in ids and c.quantity == kind]
+    stated = [
+        c.value for n in points for c in n.constraints if c.object in ids and c.quantity == kind
+    ]
     if kind == "distance":
-        stated += [r.distance_cm for r in doc.spatial_relation_graph.edges.binary_relations if r.distance_cm is not None]
+        stated += [
+            r.distance_cm
+            for r in doc.spatial_relation_graph.edges.binary_relations
+            if r.distance_cm is not None
+        ]
     if kind == "time_to_stop":
-        stated += [c.value for n in points for c in n.constraints if c.object in ids and c.quantity == "time_since"]
+        stated += [
+            c.value
+            for n in points
+            for c in n.constraints
+            if c.object in ids and c.quantity == "time_since"
+        ]
     if kind == "speed_after":
-        stated += [e.params.speed for e in edges if e.actor in ids and e.speed_is_prescribed and e.params.speed is not None]
+        stated += [
+            e.params.speed
+            for e in edges
+            if e.actor in ids and e.speed_is_prescribed and e.params.speed is not None
+        ]
     return any(_close(v, want, factor) for v in stated)
 
 
@@ -252,7 +307,11 @@ def score_row(row: dict[str, Any], drafter: Callable[[str], EsgDocument]) -> Sco
         doc = drafter(row["prompt"])
     except UserError as error:
         out.problems.append(f"{row['id']} refused: {error} | {row['prompt']}")
-        out.objects, out.events, out.quantities = len(row["objects"]), len(row["events"]), len(row["constraints"])
+        out.objects, out.events, out.quantities = (
+            len(row["objects"]),
+            len(row["events"]),
+            len(row["constraints"]),
+        )
         return out
     violations = verify(doc)
     out.usable = int(not violations)
@@ -308,7 +367,11 @@ def main(argv: list[str] | None = None) -> int:
         codes = Counter(p.split(" ")[1] for p in scores["total"].problems)
         print(dict(codes))
     if args.json:
-        data = {"split": args.split, "drafter": args.drafter, "bands": {b: s.row() for b, s in scores.items()}}
+        data = {
+            "split": args.split,
+            "drafter": args.drafter,
+            "bands": {b: s.row() for b, s in scores.items()},
+        }
         Path(args.json).write_text(json.dumps(data, indent=2) + "\n", encoding="utf-8")
     return 0
 

@@ -7,7 +7,7 @@ import re
 from typing import Any
 
 from esg.draft import lexicon as lex
-from esg.draft.interpret import Relation, Scene
+from esg.draft.scene import Relation, Scene
 from esg.draft.world import Entity, slug
 from esg.graph.models import (
     AssetRequirement,
@@ -30,9 +30,21 @@ from esg.graph.models import (
 
 GROUND = "ground_1"
 _INDOOR_KINDS = frozenset(
-    {"table", "seat", "furniture", "appliance", "electronics", "billiard", "billiardtable", "pin", "tableware"}
+    {
+        "table",
+        "seat",
+        "furniture",
+        "appliance",
+        "electronics",
+        "billiard",
+        "billiardtable",
+        "pin",
+        "tableware",
+    }
 )
-_OUTDOOR_KINDS = frozenset({"vehicle", "street", "post", "plant", "building", "structure", "watercraft"})
+_OUTDOOR_KINDS = frozenset(
+    {"vehicle", "street", "post", "plant", "building", "structure", "watercraft"}
+)
 _GROUND_SIZE_CM = (12000.0, 12000.0, 2.0)
 _MAX_SIZE_CM, _MIN_SIZE_CM = 9000.0, 0.1
 
@@ -105,7 +117,9 @@ def requirement(e: Entity) -> AssetRequirement:
     size = _dimensions(e)
     structural = "structural" in e.noun.traits
     movable = e.movable
-    material = next((lex.MATERIALS[a][0] for a in e.adjectives if a in lex.MATERIALS), e.noun.material)
+    material = next(
+        (lex.MATERIALS[a][0] for a in e.adjectives if a in lex.MATERIALS), e.noun.material
+    )
     modifiers = [a for a in e.adjectives if not a.startswith("@") and a not in ("same", "other")]
     words = [*modifiers, e.head]
     description = f"{' '.join(dict.fromkeys(words))}: {e.noun.description}"
@@ -145,8 +159,9 @@ class DocumentBuilder:
         self.multi: list[MultiRelation] = []
         self._pairs: set[tuple[str, str, str]] = set()
 
-    def build(self, timeline: TimelineSystem | None, coverage: Coverage, restricted: bool,
-              expanded: str) -> EsgDocument:  # fmt: skip
+    def build(
+        self, timeline: TimelineSystem | None, coverage: Coverage, restricted: bool, expanded: str
+    ) -> EsgDocument:
         """The document; `restricted` suppresses objects that the prompt does not need."""
         scene_type, preset = environment(self.scene)
         self._base(scene_type)
@@ -256,7 +271,11 @@ class DocumentBuilder:
     def _pattern(self, e: Entity) -> Any:
         if e.group is None or e.letter or e.place:
             return None
-        members = [x for x in self.world.entities.values() if x.group == e.group and not x.letter and not x.place]
+        members = [
+            x
+            for x in self.world.entities.values()
+            if x.group == e.group and not x.letter and not x.place
+        ]
         return e.pattern if len(members) > 1 else None
 
     # -- relations -------------------------------------------------------------------------------
@@ -270,7 +289,9 @@ class DocumentBuilder:
             if {r.from_, r.to} != {source, target}:
                 continue
             same = r.from_ == source
-            if r.relation_type is kind and (same or kind in (RelationType.NEAR, RelationType.ADJACENT)):
+            if r.relation_type is kind and (
+                same or kind in (RelationType.NEAR, RelationType.ADJACENT)
+            ):
                 return
             if conflict(kind, r.relation_type, same_way=same):
                 self.scene.warnings.append(
@@ -278,9 +299,7 @@ class DocumentBuilder:
                     f'"{r.from_} {r.relation_type.value} {r.to}".'
                 )
                 return
-        self.relations.append(
-            BinaryRelation(from_=source, to=target, relation_type=kind, **extra)
-        )
+        self.relations.append(BinaryRelation(from_=source, to=target, relation_type=kind, **extra))
 
     def _relations(self) -> None:
         groups: dict[tuple[str, str], list[str]] = {}
@@ -308,10 +327,16 @@ class DocumentBuilder:
             target, other = key.split("|")
             targets = [target] if kind == "surround" else [target, other]
             subjects = tuple(dict.fromkeys(s for s in sources if s not in targets))
-            if not subjects or any(t not in self.nodes for t in targets) or len(set(targets)) < len(targets):
+            if (
+                not subjects
+                or any(t not in self.nodes for t in targets)
+                or len(set(targets)) < len(targets)
+            ):
                 continue
             self.multi.append(
-                MultiRelation(subjects=subjects, targets=tuple(targets), relation_type=MultiRelationType(kind))
+                MultiRelation(
+                    subjects=subjects, targets=tuple(targets), relation_type=MultiRelationType(kind)
+                )
             )
 
     def _structural(self, r: Relation) -> None:
@@ -319,11 +344,21 @@ class DocumentBuilder:
         if r.target not in self.nodes or r.source not in self.nodes or r.target == GROUND:
             return
         if r.text in ("by", "beside", "near", "next to", "alongside", "along", "at"):
-            self._add(r.source, r.target, RelationType.NEAR, confidence=0.7,
-                      semantic_description=f"{self.world.entities[r.source].label} {r.text} the {self.world.entities[r.target].label}")  # fmt: skip
+            self._add(
+                r.source,
+                r.target,
+                RelationType.NEAR,
+                confidence=0.7,
+                semantic_description=f"{self.world.entities[r.source].label} {r.text} the {self.world.entities[r.target].label}",
+            )
         elif r.text in ("in the middle of",):
-            self._add(r.source, r.target, RelationType.CENTER_OF, confidence=0.7,
-                      semantic_description=f"{self.world.entities[r.source].label} in the middle of the {self.world.entities[r.target].label}")  # fmt: skip
+            self._add(
+                r.source,
+                r.target,
+                RelationType.CENTER_OF,
+                confidence=0.7,
+                semantic_description=f"{self.world.entities[r.source].label} in the middle of the {self.world.entities[r.target].label}",
+            )
 
     def _faces(self) -> None:
         """Exactly one `face` per regular object that is not round."""
@@ -340,21 +375,42 @@ class DocumentBuilder:
             if "round" in e.noun.traits and e.noun.shape == "sphere":
                 continue
             target = self.scene.facing.get(name) or aims.get(name)
-            if target is not None and target in self.nodes and target != name and not self.nodes[target].is_structural:
-                self._add(name, target, RelationType.FACE, confidence=0.8,
-                          semantic_description=f"{e.label} faces {self.world.entities[target].label}")  # fmt: skip
+            if (
+                target is not None
+                and target in self.nodes
+                and target != name
+                and not self.nodes[target].is_structural
+            ):
+                self._add(
+                    name,
+                    target,
+                    RelationType.FACE,
+                    confidence=0.8,
+                    semantic_description=f"{e.label} faces {self.world.entities[target].label}",
+                )
             else:
-                self._add(name, GROUND, RelationType.FACE, cardinal="+Y", confidence=0.5,
-                          semantic_description=f"{e.label} faces the front")  # fmt: skip
+                self._add(
+                    name,
+                    GROUND,
+                    RelationType.FACE,
+                    cardinal="+Y",
+                    confidence=0.5,
+                    semantic_description=f"{e.label} faces the front",
+                )
 
 
 def is_restricted(prompt: str) -> bool:
     """Whether the prompt forbids further objects ("only A", "no other objects")."""
     t = prompt.lower()
     return bool(
-        re.search(r"\bno (?:other|more|additional|extra) (?:objects?|things?|items?|elements?|props?)\b", t)
+        re.search(
+            r"\bno (?:other|more|additional|extra) (?:objects?|things?|items?|elements?|props?)\b",
+            t,
+        )
         or re.search(r"\bnothing else\b", t)
         or re.search(r"(?:^|[.;,]\s*)(?:there (?:is|are) )?only (?:an?|one|two|three|the|\d)", t)
         or re.search(r"\b(?:with|contains?|has|and|is|are) only\b", t)
-        or re.search(r"\bwithout (?:any )?(?:other|additional|extra) (?:objects?|things?|items?)\b", t)
+        or re.search(
+            r"\bwithout (?:any )?(?:other|additional|extra) (?:objects?|things?|items?)\b", t
+        )
     )

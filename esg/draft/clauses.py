@@ -6,103 +6,20 @@ come out in order of time: "after", "before", "when" and fronted clauses are unt
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-
+from esg.draft.frames import (
+    Frame,
+    Phrase,
+    State,
+    background_first,
+    finite_ahead,
+    in_order,
+    next_verb,
+)
 from esg.draft.quantities import Amount
 from esg.draft.syntax import Element, Mention, Verb, Word
 
 CAUSE_SENSES = frozenset({"cause", "knock", "launch", "drop", "lead", "give", "pocket", "scatter"})
 _TRANSPARENT = frozenset({"noop"})
-
-
-@dataclass
-class Phrase:
-    """A preposition with what follows it."""
-
-    prep: str
-    mention: Mention | None = None
-    amount: Amount | None = None
-
-
-@dataclass
-class Frame:
-    """One verb and its arguments.
-
-    Args:
-        verb: The verb group.
-        subject: Its grammatical subject; None for imperatives and passives without an agent.
-        link: How it relates to the frame before it: then, cause, while, until, simultaneously.
-        reduced: A participle that modifies its subject ("a bicycle stopped in ...").
-    """
-
-    verb: Verb
-    subject: Mention | None = None
-    object: Mention | None = None
-    object2: Mention | None = None
-    phrases: list[Phrase] = field(default_factory=list)
-    adverbs: list[str] = field(default_factory=list)
-    amounts: list[Amount] = field(default_factory=list)
-    link: str = "then"
-    reduced: bool = False
-    sentence: int = 0
-    relative: bool = False
-    causer: Frame | None = None
-    parent: Frame | None = None
-
-    def phrase(self, *preps: str) -> Phrase | None:
-        """First phrase with one of the prepositions that has a mention."""
-        return next((p for p in self.phrases if p.prep in preps and p.mention is not None), None)
-
-
-@dataclass
-class _State:
-    subject: Mention | None = None
-    frame: Frame | None = None
-    main: Frame | None = None
-    pending: list[Word] = field(default_factory=list)
-    link: str = "then"
-    sub: str = ""
-    loose: list[Phrase | Amount | str] = field(default_factory=list)
-    boundary: bool = True
-    boundary_kind: str = ""
-    relative: Mention | None = None
-    last: Mention | None = None
-    last_after_prep: bool = False
-    prep: str = ""
-
-
-def _finite_ahead(elements: list[Element], i: int) -> bool:
-    """Whether a finite verb follows before the next boundary, so that a clause starts at i."""
-    depth = 0
-    for e in elements[i:]:
-        if isinstance(e, Verb):
-            if e.infinitive or e.form == "ing":
-                if e.auxiliary and not e.infinitive:
-                    return True
-                depth += 1
-                continue
-            if e.form == "pp" and not e.passive and not e.auxiliary:
-                continue
-            return True
-        if isinstance(e, Word):
-            if e.kind == "rel":
-                return False
-            if e.kind == "punct" and e.low in ".;,:!?":
-                return False
-            if e.kind in ("sub",):
-                return False
-            if e.kind == "conj" and depth == 0:
-                continue
-    return False
-
-
-def _next_verb(elements: list[Element], i: int) -> Verb | None:
-    for e in elements[i:]:
-        if isinstance(e, Verb):
-            return e
-        if isinstance(e, Word) and e.kind == "punct" and e.low in ".;":
-            return None
-    return None
 
 
 class ClauseBuilder:
@@ -120,7 +37,7 @@ class ClauseBuilder:
         """Noun that the last quantity was a property of."""
 
     def run(self) -> None:
-        s = _State()
+        s = State()
         els = self.elements
         i = 0
         while i < len(els):
@@ -136,7 +53,7 @@ class ClauseBuilder:
         self._flush(s)
         for f in self.frames:
             self._hand_over(f)
-        self.frames = _order(_background_first(self.frames))
+        self.frames = in_order(background_first(self.frames))
 
     @staticmethod
     def _hand_over(f: Frame) -> None:
@@ -150,12 +67,12 @@ class ClauseBuilder:
 
     # -- words -----------------------------------------------------------------------------------
 
-    def _word(self, s: _State, w: Word, i: int) -> _State:
+    def _word(self, s: State, w: Word, i: int) -> State:
         if w.kind == "punct":
             if w.low in ".;!?\n":
                 self._flush(s)
                 self.sentence += 1
-                new = _State(main=s.main)
+                new = State(main=s.main)
                 return new
             if w.low in ",:-–—()":
                 s.boundary, s.boundary_kind = True, "comma"
@@ -179,7 +96,9 @@ class ClauseBuilder:
             return s
         if w.kind in ("prep", "to"):
             nxt = self.elements[i + 1] if i + 1 < len(self.elements) else None
-            if nxt is None or (isinstance(nxt, Word) and nxt.kind in ("punct", "conj", "sub", "rel")):
+            if nxt is None or (
+                isinstance(nxt, Word) and nxt.kind in ("punct", "conj", "sub", "rel")
+            ):
                 if s.frame is not None:
                     s.frame.adverbs.append(w.low)  # a particle: "knocking them over"
                 return s
@@ -192,8 +111,10 @@ class ClauseBuilder:
             nxt = self.elements[i + 1] if i + 1 < len(self.elements) else None
             if isinstance(nxt, Word) and nxt.low in ("later", "afterwards", "afterward"):
                 phrase.prep = "after"
-            if s.frame is not None and not (s.boundary and _finite_ahead(self.elements, i + 1) and not s.prep):
-                if s.boundary and s.boundary_kind == "comma" and _finite_ahead(self.elements, i + 1):
+            if s.frame is not None and not (
+                s.boundary and finite_ahead(self.elements, i + 1) and not s.prep
+            ):
+                if s.boundary and s.boundary_kind == "comma" and finite_ahead(self.elements, i + 1):
                     s.loose.append(phrase)
                 else:
                     s.frame.phrases.append(phrase)
@@ -207,20 +128,29 @@ class ClauseBuilder:
             if w.low in ("then", "next", "simultaneously", "meanwhile") and w.low != "next":
                 s.link = "simultaneously" if w.low in ("simultaneously", "meanwhile") else "then"
                 if w.low == "then" and s.boundary_kind != "rel":
-                    s.boundary, s.boundary_kind = True, "conj" if s.boundary_kind != "comma" else "comma"
-                if s.frame is not None and w.low == "simultaneously" and not _finite_ahead(self.elements, i + 1):
+                    s.boundary, s.boundary_kind = (
+                        True,
+                        "conj" if s.boundary_kind != "comma" else "comma",
+                    )
+                if (
+                    s.frame is not None
+                    and w.low == "simultaneously"
+                    and not finite_ahead(self.elements, i + 1)
+                ):
                     s.frame.adverbs.append(w.low)
                     s.frame.link = "simultaneously"
                 return s
             side = w.low in ("left", "right")
-            if s.frame is not None and (side or not (s.boundary and _finite_ahead(self.elements, i + 1))):
+            if s.frame is not None and (
+                side or not (s.boundary and finite_ahead(self.elements, i + 1))
+            ):
                 s.frame.adverbs.append(w.low)
             else:
                 s.loose.append(w.low)
             return s
         return s
 
-    def _belongs_to_noun(self, s: _State, w: Word, i: int) -> bool:
+    def _belongs_to_noun(self, s: State, w: Word, i: int) -> bool:
         """ "a ball of 2 kg", "the van (3 tons)", "a mass of 6 kg": a property of the noun before."""
         assert w.amount is not None
         previous = self.elements[i - 1] if i else None
@@ -235,7 +165,11 @@ class ClauseBuilder:
         ):
             self._quantified.amounts.append(w.amount)
             return True
-        noun = before if isinstance(previous, Word) and previous.low in ("of", "at", ",", "(", "about") else previous
+        noun = (
+            before
+            if isinstance(previous, Word) and previous.low in ("of", "at", ",", "(", "about")
+            else previous
+        )
         if not isinstance(noun, Mention) or noun.pronoun:
             return False
         if noun.attribute:
@@ -244,13 +178,24 @@ class ClauseBuilder:
             noun.amounts.append(w.amount)
             s.prep = ""
             return True
-        if w.amount.dimension not in ("mass", "length") or (isinstance(previous, Word) and previous.low == "at"):
+        if w.amount.dimension not in ("mass", "length") or (
+            isinstance(previous, Word) and previous.low == "at"
+        ):
             return False
         after = self.elements[i + 1] if i + 1 < len(self.elements) else None
-        if w.amount.dimension == "length" and not (isinstance(previous, Word) and previous.low == "of"):
-            if not (isinstance(after, (Word, Mention)) and getattr(after, "low", getattr(after, "head", "")) in _SIZES):
+        if w.amount.dimension == "length" and not (
+            isinstance(previous, Word) and previous.low == "of"
+        ):
+            if not (
+                isinstance(after, (Word, Mention))
+                and getattr(after, "low", getattr(after, "head", "")) in _SIZES
+            ):
                 return False
-        if s.frame is not None and s.frame.verb.sense in ("weigh", "measure", "be", "have") and noun is s.frame.subject:
+        if (
+            s.frame is not None
+            and s.frame.verb.sense in ("weigh", "measure", "be", "have")
+            and noun is s.frame.subject
+        ):
             return False
         if isinstance(after, (Word, Mention)):
             word = getattr(after, "low", "") or getattr(after, "head", "")
@@ -263,7 +208,7 @@ class ClauseBuilder:
 
     # -- mentions --------------------------------------------------------------------------------
 
-    def _mention(self, s: _State, m: Mention, i: int) -> None:
+    def _mention(self, s: State, m: Mention, i: int) -> None:
         m.after_prep = s.prep
         prep, s.prep = s.prep, ""
         previous = self.elements[i - 1] if i else None
@@ -273,7 +218,7 @@ class ClauseBuilder:
             and s.last is not None
             and isinstance(self.elements[i - 2] if i >= 2 else None, (Mention, Word))
         )
-        new_clause = s.boundary and not prep and _finite_ahead(self.elements, i + 1)
+        new_clause = s.boundary and not prep and finite_ahead(self.elements, i + 1)
         if s.relative is not None and s.boundary and s.boundary_kind in ("rel", "whose"):
             # object relative: "the box that the ball hits"
             s.subject = m
@@ -296,7 +241,13 @@ class ClauseBuilder:
             if s.frame is None and s.subject is None:
                 s.subject = s.last
             return
-        if coordinated and s.frame is None and s.subject is not None and new_clause and s.boundary_kind == "conj":
+        if (
+            coordinated
+            and s.frame is None
+            and s.subject is not None
+            and new_clause
+            and s.boundary_kind == "conj"
+        ):
             # "a car and a truck drive": one subject
             s.subject.coordinated.append(m)
             s.boundary = False
@@ -306,8 +257,10 @@ class ClauseBuilder:
                 s.last = m
                 return
             if not new_clause and s.frame is not None and s.boundary:
-                verb = _next_verb(self.elements, i + 1)
-                if verb is None or not isinstance(self.elements[min(i + 1, len(self.elements) - 1)], (Verb, Word)):
+                verb = next_verb(self.elements, i + 1)
+                if verb is None or not isinstance(
+                    self.elements[min(i + 1, len(self.elements) - 1)], (Verb, Word)
+                ):
                     s.last = m
                     self._absolute(s, m, i)
                     return
@@ -326,24 +279,59 @@ class ClauseBuilder:
             frame.object2 = m
         s.last, s.last_after_prep = m, False
 
-    def _absolute(self, s: _State, m: Mention, i: int) -> None:
+    def _absolute(self, s: State, m: Mention, i: int) -> None:
         """ "..., one in front of the other": a subject that a participle or phrase may follow."""
         s.subject = m
         s.boundary = False
         s.frame = None
 
-    def _attach(self, s: _State, phrase: Phrase, i: int) -> None:
+    def _attach(self, s: State, phrase: Phrase, i: int) -> None:
         previous = s.last
         if phrase.prep == "by" and s.frame is not None and s.frame.verb.passive:
             s.frame.phrases.append(phrase)
             return
-        noun_attached = phrase.prep in ("with", "of", "on", "in", "near", "beside", "next to", "under",
-                                        "behind", "in front of", "left of", "right of", "inside",
-                                        "above", "between", "by", "at", "around", "against",
-                                        "in the middle of", "far from", "opposite", "below", "along",
-                                        "underneath", "outside", "without", "from")
-        if s.frame is not None and phrase.mention is not None and phrase.mention.attribute and not (
-            phrase.prep == "of" or (phrase.prep == "with" and phrase.mention.head in _PROPERTIES and s.last is not s.frame.subject)
+        noun_attached = phrase.prep in (
+            "with",
+            "of",
+            "on",
+            "in",
+            "near",
+            "beside",
+            "next to",
+            "under",
+            "behind",
+            "in front of",
+            "left of",
+            "right of",
+            "inside",
+            "above",
+            "between",
+            "by",
+            "at",
+            "around",
+            "against",
+            "in the middle of",
+            "far from",
+            "opposite",
+            "below",
+            "along",
+            "underneath",
+            "outside",
+            "without",
+            "from",
+        )
+        if (
+            s.frame is not None
+            and phrase.mention is not None
+            and phrase.mention.attribute
+            and not (
+                phrase.prep == "of"
+                or (
+                    phrase.prep == "with"
+                    and phrase.mention.head in _PROPERTIES
+                    and s.last is not s.frame.subject
+                )
+            )
         ):
             s.frame.phrases.append(phrase)
             return
@@ -355,7 +343,7 @@ class ClauseBuilder:
             else:
                 self.attachments.append((s.subject, phrase))
             return
-        if s.boundary and s.boundary_kind == "comma" and _finite_ahead(self.elements, i + 1):
+        if s.boundary and s.boundary_kind == "comma" and finite_ahead(self.elements, i + 1):
             s.loose.append(phrase)
             return
         if (
@@ -366,17 +354,34 @@ class ClauseBuilder:
             and (s.frame.object is previous or s.last_after_prep)
         ):
             self.attachments.append((previous, phrase))
-            if s.frame.verb.sense in ("posture", "be", "launch", "drop", "hit", "own", "roll", "slide", "pocket", "cause", "knock"):
+            if s.frame.verb.sense in (
+                "posture",
+                "be",
+                "launch",
+                "drop",
+                "hit",
+                "own",
+                "roll",
+                "slide",
+                "pocket",
+                "cause",
+                "knock",
+            ):
                 s.frame.phrases.append(phrase)
             return
-        if phrase.prep == "of" and previous is not None and phrase.mention is not None and not previous.attribute:
+        if (
+            phrase.prep == "of"
+            and previous is not None
+            and phrase.mention is not None
+            and not previous.attribute
+        ):
             self.attachments.append((previous, phrase))
             return
         s.frame.phrases.append(phrase)
 
     # -- verbs -----------------------------------------------------------------------------------
 
-    def _verb(self, s: _State, v: Verb, i: int) -> None:
+    def _verb(self, s: State, v: Verb, i: int) -> None:
         frame = Frame(v, sentence=self.sentence, link=s.link)
         previous = s.frame
         s.link = "then"
@@ -395,7 +400,9 @@ class ClauseBuilder:
             self._first(s, frame, i)
         elif s.sub:
             # "while rolling", "after hitting": shares the main subject
-            frame.subject = s.subject if s.subject is not None and not s.boundary else self._agent(previous)
+            frame.subject = (
+                s.subject if s.subject is not None and not s.boundary else self._agent(previous)
+            )
         elif v.form == "ing" and not v.auxiliary:
             self._participle(s, frame, previous)
         elif (
@@ -417,7 +424,8 @@ class ClauseBuilder:
             previous.relative
             and s.boundary_kind == "conj"
             and v.form != "ing"
-            and previous.verb.sense not in ("be", "posture", "park", "weigh", "measure", "have", "contain")
+            and previous.verb.sense
+            not in ("be", "posture", "park", "weigh", "measure", "have", "contain")
         ):
             # ", which rolls away and hits C": the relative clause goes on
             frame.subject, frame.relative, frame.reduced = previous.subject, True, True
@@ -435,7 +443,7 @@ class ClauseBuilder:
             return frame.object
         return frame.subject
 
-    def _first(self, s: _State, frame: Frame, i: int) -> None:
+    def _first(self, s: State, frame: Frame, i: int) -> None:
         v = frame.verb
         frame.subject = s.subject
         if s.subject is None and s.boundary and s.main is not None and v.form in ("pp",):
@@ -448,24 +456,40 @@ class ClauseBuilder:
         ):
             # "a ball thrown at the wall bounces", "a car parked by the road is hit"
             frame.reduced = True
-            if v.form != "ing" and v.sense not in ("posture", "park", "stop", "fall", "topple", "roll", "slide"):
+            if v.form != "ing" and v.sense not in (
+                "posture",
+                "park",
+                "stop",
+                "fall",
+                "topple",
+                "roll",
+                "slide",
+            ):
                 v.passive = True
             frame.subject = s.subject
         elif s.subject is not None and v.form == "pp" and not v.auxiliary and not v.passive:
-            if v.sense in ("launch", "drop", "place", "pass") or (v.form == "pp" and v.sense == "posture"):
+            if v.sense in ("launch", "drop", "place", "pass") or (
+                v.form == "pp" and v.sense == "posture"
+            ):
                 v.passive = True
 
     def _main_verb_follows(self, i: int) -> bool:
         for e in self.elements[i + 1 :]:
-            if isinstance(e, Verb) and not e.infinitive and not (e.form == "ing" and not e.auxiliary):
+            if (
+                isinstance(e, Verb)
+                and not e.infinitive
+                and not (e.form == "ing" and not e.auxiliary)
+            ):
                 return True
             if isinstance(e, Word) and (
-                (e.kind == "punct" and e.low in ".;:!?,") or e.kind in ("conj", "sub", "rel") or e.low == "then"
+                (e.kind == "punct" and e.low in ".;:!?,")
+                or e.kind in ("conj", "sub", "rel")
+                or e.low == "then"
             ):
                 return False
         return False
 
-    def _infinitive(self, s: _State, frame: Frame, previous: Frame) -> None:
+    def _infinitive(self, s: State, frame: Frame, previous: Frame) -> None:
         if previous.verb.sense in CAUSE_SENSES | {"hit"} and previous.object is not None:
             frame.subject = previous.object
             frame.causer = previous
@@ -478,7 +502,7 @@ class ClauseBuilder:
             frame.link = "purpose"
             frame.parent = previous
 
-    def _participle(self, s: _State, frame: Frame, previous: Frame) -> None:
+    def _participle(self, s: State, frame: Frame, previous: Frame) -> None:
         v = frame.verb
         if previous.verb.sense == "cause" and previous.object is not None and not s.boundary:
             frame.subject, frame.link, frame.causer = previous.object, "cause", previous
@@ -490,14 +514,16 @@ class ClauseBuilder:
             frame.causer = previous
         elif s.boundary or s.last is None or s.last is previous.subject:
             frame.subject = self._agent(previous)
-            frame.link = "then" if v.sense in ("hit", "stop", "topple", "enter", "land", "miss") else "while"
+            frame.link = (
+                "then" if v.sense in ("hit", "stop", "topple", "enter", "land", "miss") else "while"
+            )
             frame.parent = previous
         else:
             frame.subject, frame.reduced = s.last, True
             frame.link = "while"
             frame.parent = previous
 
-    def _finish(self, s: _State, frame: Frame) -> None:
+    def _finish(self, s: State, frame: Frame) -> None:
         if s.sub:
             frame.link = f"sub:{s.sub}"
             s.sub = ""
@@ -517,74 +543,14 @@ class ClauseBuilder:
         s.boundary, s.boundary_kind = False, ""
         s.prep = ""
 
-    def _flush(self, s: _State) -> None:
+    def _flush(self, s: State) -> None:
         for item in s.loose:
             if isinstance(item, Phrase) and item.amount is not None and s.frame is not None:
                 s.frame.phrases.append(item)
         s.loose = []
 
 
-_PROPERTIES = frozenset({"mass", "weight", "height", "length", "width", "diameter", "radius", "size"})
+_PROPERTIES = frozenset(
+    {"mass", "weight", "height", "length", "width", "diameter", "radius", "size"}
+)
 _SIZES = frozenset({"tall", "high", "wide", "long", "thick", "deep", "diameter", "in diameter"})
-_MOVING = frozenset({"own", "cross", "leave", "continue", "overtake", "follow", "roll", "slide", "fly", "approach", "coast", "accelerate", "fall", "spin"})
-
-
-def _background_first(frames: list[Frame]) -> list[Frame]:
-    """What a noun is already doing ("hit by a van moving at 12 m/s") precedes its clause."""
-    out: list[Frame] = []
-    for f in frames:
-        progressive = f.verb.form == "ing"
-        parent = f.parent
-        if (
-            f.reduced
-            and (progressive and f.verb.sense in _MOVING or f.verb.passive and f.verb.sense in ("launch", "drop"))
-            and out
-            and out[-1].sentence == f.sentence
-            and out[-1].subject is not f.subject
-            and f.link in ("while", "then")
-        ):
-            at = out.index(parent) if parent in out else len(out) - 1
-            f.link, out[at].link = out[at].link, "then" if out[at].link == "then" else out[at].link
-            out.insert(at, f)
-        else:
-            out.append(f)
-    return out
-
-
-def _order(frames: list[Frame]) -> list[Frame]:
-    """Puts frames in order of time."""
-    out: list[Frame] = []
-    i = 0
-    while i < len(frames):
-        f = frames[i]
-        link = f.link
-        if link in ("sub:after", "sub:once", "sub:when", "sub:as", "sub:whenever", "sub:because", "sub:since"):
-            previous = out[-1] if out else None
-            same_sentence = previous is not None and previous.sentence == f.sentence
-            if same_sentence and link != "sub:as":
-                # "Y after X": X goes before the main clause and what depends on it
-                k = len(out) - 1
-                while k > 0 and out[k].sentence == f.sentence and out[k].link in ("while",):
-                    k -= 1
-                out.insert(k, f)
-                f.link = out[k + 1].link if k + 1 < len(out) else "then"
-            else:
-                out.append(f)
-                f.link = "then" if link != "sub:as" else "while"
-        elif link == "sub:before" and (not out or out[-1].sentence != f.sentence):
-            # fronted "Before X, Y": Y first
-            if i + 1 < len(frames) and frames[i + 1].sentence == f.sentence:
-                out.append(frames[i + 1])
-                i += 1
-            out.append(f)
-            f.link = "then"
-        elif link == "sub:while":
-            f.link = "while"
-            out.append(f)
-        elif link in ("sub:until", "sub:till", "sub:before", "sub:so", "sub:if", "sub:where", "sub:whereas"):
-            f.link = {"sub:until": "until", "sub:till": "until", "sub:so": "cause"}.get(link, "then")
-            out.append(f)
-        else:
-            out.append(f)
-        i += 1
-    return out

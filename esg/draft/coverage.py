@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from esg.draft import lexicon as lex
-from esg.draft.interpret import Scene
+from esg.draft.scene import Scene
 from esg.draft.syntax import Element, Mention, Token, Verb, Word
 from esg.graph.models import Coverage, CoverageItem
 
@@ -15,9 +15,19 @@ def account(
     items: list[CoverageItem] = []
     warnings: list[str] = list(dict.fromkeys([*scene.world.warnings, *scene.warnings]))
 
-    def add(start: int, end: int, kind: str, status: str, pointer: str = "", note: str = "") -> None:
+    def add(
+        start: int, end: int, kind: str, status: str, pointer: str = "", note: str = ""
+    ) -> None:
         items.append(
-            CoverageItem(text=text[start:end], start=start, end=end, kind=kind, status=status, pointer=pointer, note=note)  # type: ignore[arg-type]
+            CoverageItem(
+                text=text[start:end],
+                start=start,
+                end=end,
+                kind=kind,
+                status=status,
+                pointer=pointer,
+                note=note,
+            )  # type: ignore[arg-type]
         )
 
     for m in mentions:
@@ -27,27 +37,39 @@ def account(
             e = scene.world.entities[ids[0]]
             if not e.known:
                 note = "not in the lexicon: a sized stand-in is used"
-                warnings.append(f'"{e.head}" is not in the lexicon; a stand-in of 40 cm and 5 kg is used.')
+                warnings.append(
+                    f'"{e.head}" is not in the lexicon; a stand-in of 40 cm and 5 kg is used.'
+                )
             add(m.start, m.end, "object", "used", f"/spatial_relation_graph/nodes/{ids[0]}", note)
         elif m.pronoun:
             if m.pronoun in ("i", "we", "you", "something", "everything", "this", "that", "it"):
                 add(m.start, m.end, "object", "ignored", note="refers to no object")
             else:
                 add(m.start, m.end, "object", "not_understood", note="no referent")
-                warnings.append(f'It is not clear what "{text[m.start:m.end]}" refers to.')
+                warnings.append(f'It is not clear what "{text[m.start : m.end]}" refers to.')
         elif m.attribute or m.count == 0:
             add(m.start, m.end, "modifier", "used", note="names a measure or an event")
         elif m.noun is not None and m.noun.kind == "region":
-            add(m.start, m.end, "object", "used", "/timeline_system/sequence_graph", "region of the table")
+            add(
+                m.start,
+                m.end,
+                "object",
+                "used",
+                "/timeline_system/sequence_graph",
+                "region of the table",
+            )
         else:
             add(m.start, m.end, "object", "not_understood")
-            warnings.append(f'"{text[m.start:m.end]}" was not understood.')
+            warnings.append(f'"{text[m.start : m.end]}" was not understood.')
     for token in tokens:
         if token.kind != "qty" or token.amount is None:
             continue
         a = token.amount
         note = scene.used.get((a.start, a.end))
-        inside = any(a in m.amounts and (m.entities or id(m) in scene.world.resolved) and not m.attribute for m in mentions)
+        inside = any(
+            a in m.amounts and (m.entities or id(m) in scene.world.resolved) and not m.attribute
+            for m in mentions
+        )
         if note is not None or inside:
             add(a.start, a.end, "quantity", "used", note=note or "property of the object")
         else:
@@ -62,11 +84,11 @@ def account(
                 add(e.start, e.end, "event", "ignored", note=scene.ignored[key])
             else:
                 add(e.start, e.end, "event", "not_understood")
-                warnings.append(f'The verb "{text[e.start:e.end]}" was not understood.')
+                warnings.append(f'The verb "{text[e.start : e.end]}" was not understood.')
         elif isinstance(e, Word) and e.kind == "unknown" and len(e.low) > 1 and e.low[0].isalpha():
             if e.low in lex.DETERMINERS or e.low in ("who", "whom"):
                 continue
             add(e.start, e.end, "modifier", "not_understood")
-            warnings.append(f'The word "{text[e.start:e.end]}" was not understood.')
+            warnings.append(f'The word "{text[e.start : e.end]}" was not understood.')
     items.sort(key=lambda i: (i.start, i.end))
     return Coverage(items=tuple(items), warnings=tuple(dict.fromkeys(warnings)))

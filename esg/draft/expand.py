@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 
 from esg.draft import lexicon as lex
-from esg.draft.interpret import Scene
+from esg.draft.scene import Scene
 from esg.draft.world import Entity
 from esg.graph.models import NodeEvent
 
@@ -33,11 +33,19 @@ def expand(scene: Scene, prompt: str, restricted: bool) -> list[str]:
     kinds = {e.noun.kind for e in entities.values()}
     dynamic = bool(scene.timeline.nodes) or any(t.motion for t in scene.timeline.tracks.values())
     if "billiard" in kinds:
-        table = _find(scene, "billiard table") or _add(scene, "billiard table", reasons, "billiard balls are played on it")
+        table = _find(scene, "billiard table") or _add(
+            scene, "billiard table", reasons, "billiard balls are played on it"
+        )
         for i, e in entities.items():
             if e.noun.kind == "billiard" and i not in scene.supported_by:
                 scene.supported_by[i] = table
-            elif e.noun.kind == "ball" and e.color is not None and i not in scene.supported_by and "billiard" in kinds and e.noun.name == "ball":
+            elif (
+                e.noun.kind == "ball"
+                and e.color is not None
+                and i not in scene.supported_by
+                and "billiard" in kinds
+                and e.noun.name == "ball"
+            ):
                 scene.supported_by[i] = table
                 e.noun = lex.nouns()["billiard ball"]
         _rename_regions(scene, table)
@@ -45,12 +53,30 @@ def expand(scene: Scene, prompt: str, restricted: bool) -> list[str]:
     _elevated_targets(scene)
     _roll_down(scene, prompt, reasons)
     if not restricted:
-        if "pin" in kinds and _find(scene, "bowling lane") is None and any(e.noun.kind == "pin" and not e.noun.name == "chess piece" for e in entities.values()):
+        if (
+            "pin" in kinds
+            and _find(scene, "bowling lane") is None
+            and any(
+                e.noun.kind == "pin" and not e.noun.name == "chess piece" for e in entities.values()
+            )
+        ):
             _add(scene, "bowling lane", reasons, "bowling pins stand at the end of a lane")
-        if dynamic and "vehicle" in kinds and _find(scene, "road", "parking lot", "crossroad") is None:
+        if (
+            dynamic
+            and "vehicle" in kinds
+            and _find(scene, "road", "parking lot", "crossroad") is None
+        ):
             _add(scene, "road", reasons, "vehicles drive on a road")
-        turns = any(n.event is NodeEvent.HEADING_REACHED and float(n.extra.get("turn_degrees") or 0) >= 60 for n in scene.timeline.nodes)
-        if turns and "vehicle" in kinds and _find(scene, "crossroad") is None and _find(scene, "road") is not None:
+        turns = any(
+            n.event is NodeEvent.HEADING_REACHED and float(n.extra.get("turn_degrees") or 0) >= 60
+            for n in scene.timeline.nodes
+        )
+        if (
+            turns
+            and "vehicle" in kinds
+            and _find(scene, "crossroad") is None
+            and _find(scene, "road") is not None
+        ):
             _add(scene, "crossroad", reasons, "a turn needs a crossing road")
     return reasons
 
@@ -71,7 +97,10 @@ def _rename_regions(scene: Scene, table: str) -> None:
 
 
 def _fill_targets(scene: Scene, reasons: list[str]) -> None:
-    if any("billiard_table" == need for need, _ in scene.needs) and _find(scene, "billiard table") is None:
+    if (
+        any(need == "billiard_table" for need, _ in scene.needs)
+        and _find(scene, "billiard table") is None
+    ):
         table = _add(scene, "billiard table", reasons, "a pocket belongs to a billiard table")
         _rename_regions(scene, table)
         for _, actor in scene.needs:
@@ -80,10 +109,14 @@ def _fill_targets(scene: Scene, reasons: list[str]) -> None:
 
 def _elevated_targets(scene: Scene) -> None:
     """A body on the ground cannot hit what stands on a table: it is thrown instead."""
-    raised = {t for t, host in scene.supported_by.items()
-              if host in scene.world.entities and "support" in scene.world.entities[host].noun.traits
-              and scene.world.entities[host].noun.dimensions_cm[2] > 25.0
-              and "incline" not in scene.world.entities[host].noun.traits}  # fmt: skip
+    raised = {
+        t
+        for t, host in scene.supported_by.items()
+        if host in scene.world.entities
+        and "support" in scene.world.entities[host].noun.traits
+        and scene.world.entities[host].noun.dimensions_cm[2] > 25.0
+        and "incline" not in scene.world.entities[host].noun.traits
+    }
     from esg.graph.models import ForceDirection
 
     edges = scene.timeline.edges
@@ -102,16 +135,28 @@ def _elevated_targets(scene: Scene) -> None:
 def _roll_down(scene: Scene, prompt: str, reasons: list[str]) -> None:
     """What rolls down needs something to roll down from."""
     t = prompt.lower()
-    if not re.search(r"\b(?:roll\w*|slid\w*|bounc\w*|tumbl\w*)\s+down(?:hill|wards?)?\b(?!\s+the\s+(?:road|street|lane|alley|hall|track))", t):
+    if not re.search(
+        r"\b(?:roll\w*|slid\w*|bounc\w*|tumbl\w*)\s+down(?:hill|wards?)?\b(?!\s+the\s+(?:road|street|lane|alley|hall|track))",
+        t,
+    ):
         return
     slope = next((i for i, e in scene.world.entities.items() if "incline" in e.noun.traits), None)
-    movers = [a for a, tr in scene.timeline.tracks.items() if tr.launched and a not in scene.supported_by]
+    movers = [
+        a for a, tr in scene.timeline.tracks.items() if tr.launched and a not in scene.supported_by
+    ]
     if slope is None:
-        if re.search(r"down\s+(?:the|a|an)\s+\w+", t) and not re.search(r"downhill", t) and any(
-            e.noun.kind == "ground" for e in scene.world.entities.values()
+        if (
+            re.search(r"down\s+(?:the|a|an)\s+\w+", t)
+            and not re.search(r"downhill", t)
+            and any(e.noun.kind == "ground" for e in scene.world.entities.values())
         ):
             return
-        slope = _add(scene, "staircase" if re.search(r"stairs|steps", t) else "ramp", reasons, "something rolls down it")
+        slope = _add(
+            scene,
+            "staircase" if re.search(r"stairs|steps", t) else "ramp",
+            reasons,
+            "something rolls down it",
+        )
     for mover in movers[:1]:
         if mover != slope:
             scene.supported_by[mover] = slope

@@ -13,6 +13,23 @@ from pathlib import Path
 DATA = Path(__file__).parent / "data"
 
 
+@cache
+def _sections() -> dict[str, frozenset[str]]:
+    """Word classes of `data/words.txt`: "[name]" and then words."""
+    table: dict[str, list[str]] = {}
+    current = ""
+    for line in (DATA / "words.txt").read_text(encoding="utf-8").splitlines():
+        if line.startswith("["):
+            current = line.strip("[]")
+        else:
+            table.setdefault(current, []).extend(line.split())
+    return {name: frozenset(words) for name, words in table.items()}
+
+
+def _words(section: str) -> frozenset[str]:
+    return _sections()[section]
+
+
 @dataclass(frozen=True)
 class Noun:
     """One kind of object.
@@ -99,10 +116,7 @@ _IRREGULAR_PLURALS = {
     "dominos": "domino", "policemen": "policeman", "passersby": "passerby", "axes": "axe",
     "postmen": "postman", "vertices": "vertex", "matches": "match", "lenses": "lens",
 }  # fmt: skip
-_NOT_PLURAL = frozenset(
-    "bus glass grass dress stairs chess cross canvas gas tennis this is its has was compass steps "
-    "mattress press less across class cactus walrus lens octopus billiards".split()
-)
+_NOT_PLURAL = _words("singular in -s")
 
 
 def singular(word: str) -> tuple[str, bool]:
@@ -127,9 +141,15 @@ def _regular(lemma: str) -> dict[str, str]:
         past, ing = lemma + "d", lemma[:-1] + "ing"
     elif lemma.endswith("y") and lemma[-2] not in _VOWELS:
         past, ing = lemma[:-1] + "ied", lemma + "ing"
-    elif len(lemma) == 3 and lemma[1] in _VOWELS and lemma[2] not in _VOWELS + "wxy":
-        past, ing = lemma + lemma[-1] + "ed", lemma + lemma[-1] + "ing"
-    elif lemma in ("stop", "drop", "skid", "slip", "topple", "plod", "trip"):
+    elif (len(lemma) == 3 and lemma[1] in _VOWELS and lemma[2] not in _VOWELS + "wxy") or lemma in (
+        "stop",
+        "drop",
+        "skid",
+        "slip",
+        "topple",
+        "plod",
+        "trip",
+    ):
         past, ing = lemma + lemma[-1] + "ed", lemma + lemma[-1] + "ing"
     else:
         past, ing = lemma + "ed", lemma + "ing"
@@ -159,14 +179,7 @@ def verb_forms() -> dict[str, tuple[VerbForm, ...]]:
     return {w: tuple(v) for w, v in table.items()}
 
 
-COLORS: dict[str, str] = {
-    c: c
-    for c in (
-        "black white red green blue yellow orange purple pink brown gray grey silver gold golden "
-        "beige cyan magenta turquoise violet maroon navy teal crimson scarlet ivory tan khaki lime "
-        "indigo bronze".split()
-    )
-} | {"grey": "gray", "golden": "gold"}
+COLORS: dict[str, str] = {c: c for c in _words("colors")} | {"grey": "gray", "golden": "gold"}
 
 MATERIALS: dict[str, tuple[str, float]] = {
     "wooden": ("wood", 650.0), "wood": ("wood", 650.0), "oak": ("wood", 750.0),
@@ -203,97 +216,20 @@ WEIGHTS: dict[str, float] = {
     "heavy": 2.0, "light": 0.5, "lightweight": 0.5, "massive": 3.0, "weighty": 2.0,
     "empty": 0.6, "full": 2.0, "loaded": 2.0, "hollow": 0.4, "solid": 1.5, "filled": 2.0,
 }  # fmt: skip
-PLACE_ADJECTIVES = frozenset(
-    "front rear back lead leading trailing following first second third fourth fifth sixth seventh "
-    "eighth ninth tenth last next other left right leftmost rightmost top bottom upper lower middle "
-    "center central nearest farthest closest near far opposite remaining final outer inner heavier "
-    "lighter bigger smaller larger taller shorter faster slower left-hand right-hand corner side "
-    "1st 2nd 3rd 4th 5th former latter foremost hindmost rearmost".split()
-)
-PLAIN_ADJECTIVES = frozenset(
-    "old new modern vintage shiny tidy messy clean dirty rusty round square rectangular oval flat "
-    "curved straight smooth rough soft hard sturdy fragile delicate colorful colourful striped "
-    "spotted painted polished stationary static still motionless parked standing moving rolling "
-    "sliding falling speeding oncoming incoming approaching stopped waiting idle sleeping running "
-    "busy quiet crowded wet dry icy snowy sandy grassy muddy paved concrete nearby distant adjacent "
-    "single lone same similar identical different various random tailor-made custom custom-made "
-    "bouncy elastic wheeled remote-controlled electric autonomous self-driving office outdoor "
-    "indoor "
-    "closed open covered gentle slight sharp sudden hard strong weak fast slow quick rapid high "
-    "constant steady initial upright inclined steep slanted tilted sloped horizontal vertical clear "
-    "transparent nice beautiful ordinary normal typical standard regular professional toy deflated "
-    "unoccupied broken young elderly abandoned residential urban rural suburban city country main "
-    "narrow wide long tall red-hot fresh ripe neatly evenly diagonal perpendicular parallel whole "
-    "entire own certain spherical cylindrical cubic inflated dark bright pale deep dull glossy matte "
-    "hidden loose tight stray runaway driverless adjoining neighboring neighbouring steady "
-    "unsuspecting careless drunk angry playful lazy happy brave wild mad tired".split()
-)
-DETERMINERS = frozenset(
-    "a an the this these those its his her their our my your some any another each every both all "
-    "no several many few multiple numerous various either neither one's two's".split()
-)
-PRONOUNS = frozenset(
-    "it they them he she him this that these those itself themselves himself herself each both one "
-    "another everything something someone everyone i we you".split()
-)
-PREPOSITIONS = frozenset(
-    "into onto toward towards to at on in against with by from off of over under below beneath "
-    "beside besides near behind through across along down up past between among around above inside "
-    "within without upon after before during for about as like until since outside out next "
-    "underneath opposite amid via per alongside ahead than beyond away".split()
-)
-MODALS = frozenset(
-    "will would can could shall should may might must do does did does't don't doesn't didn't "
-    "is are was were be been being am has have had gets get got getting having".split()
-)
-ADVERBS = frozenset(
-    "suddenly quickly slowly gently hard fast rapidly immediately directly straight forward "
-    "forwards backward backwards ahead away down up back left right over out off sideways finally "
-    "eventually cleanly abruptly gradually steadily smoothly then next again still also together "
-    "head-on simultaneously meanwhile sharply slightly just only later soon afterwards afterward "
-    "now first constantly cleanly heavily violently softly freely freely perfectly barely narrowly "
-    "almost nearly completely totally successfully accidentally subsequently consequently thus "
-    "thereby therefore instead there here apart upward upwards downward downwards downhill uphill "
-    "clockwise counterclockwise counter-clockwise anticlockwise around too very so twice once "
-    "lightly firmly loudly hence not never n't however further closer on along aside horizontally "
-    "vertically diagonally inward inwards outward outwards northward eastward westward southward "
-    "north south east west northwards southwards side-by-side instantly momentarily briefly shortly roughly exactly precisely side "
-    "leftward rightward leftwards rightwards upside".split()
-)
-SUBORDINATORS = frozenset(
-    "while when whenever as after before until till once because since if so where whereas though "
-    "although unless".split()
-)
-PARTS = frozenset(
-    "middle center centre edge side corner top bottom end front back rear surface path way base "
-    "foot left right rim lip tip direction face left-hand right-hand half portion part section row "
-    "windshield windscreen bumper hood bonnet fender roof leg headlight tailgate lid handle hull wing "
-    "head doorway mouth mid-point midpoint vicinity trajectory course".split()
-)
-ATTRIBUTES = frozenset(
-    "speed velocity weight mass height distance angle direction time force momentum size length "
-    "width diameter radius impact collision hit crash contact second seconds moment motion movement "
-    "acceleration deceleration rate pace friction gravity radius collision course turn stop halt "
-    "rest standstill control brake brakes energy power degree degrees meter meters metre metres "
-    "scene video image animation simulation view camera shot air sky space sunlight sun rain wind "
-    "weather day night morning evening afternoon background foreground result effect way chain "
-    "reaction sequence order line row set group bunch pile stack number pair lot couple "
-    "couple dozen kilograms color colour shape position place location point area spot slow-motion "
-    "fashion manner attempt strike kick throw push arc trajectory parabola flight curve route "
-    "ending beginning gust wind breeze storm earthquake nothing anything "
-    "u-turn lane-change brunt drop fall bounce swing roll slide interval while traffic bit domino-effect "
-    "instruction instructions above prompt text description answer "
-    "gear throttle gas pedal steering acceleration distance depth inclination".split()
-)
+PLACE_ADJECTIVES = _words("place adjectives")
+PLAIN_ADJECTIVES = _words("plain adjectives")
+DETERMINERS = _words("determiners")
+PRONOUNS = _words("pronouns")
+PREPOSITIONS = _words("prepositions")
+MODALS = _words("auxiliaries")
+ADVERBS = _words("adverbs")
+SUBORDINATORS = _words("subordinators")
+PARTS = _words("parts")
+ATTRIBUTES = _words("attributes")
 """Nouns that name no object: measures, events, media."""
-ENVIRONMENT_PARTS = frozenset("air sky space middle center centre".split())
-SUBSTANCES = frozenset(
-    "water milk beer coffee tea juice wine sand dirt gravel coal steel iron wood glass plastic rubber "
-    "metal stone concrete cardboard paper flour rice sugar salt soup cola soda oil paint hay straw "
-    "leather foam ice snow gold silver copper marble clay fruit".split()
-)
+SUBSTANCES = _words("substances")
 """What a thing is made of or filled with: "a glass of water", "a ball of steel"."""
-PERSON_ROLES = frozenset("driver pilot rider operator motorist chauffeur passenger".split())
+PERSON_ROLES = _words("person roles")
 GROUP_WORDS: dict[str, str | None] = {
     "set": None, "group": "scatter", "bunch": "scatter", "pile": "stack", "stack": "stack",
     "row": "row", "line": "row", "column": "column", "queue": "queue", "pair": None,

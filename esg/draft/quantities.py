@@ -12,11 +12,29 @@ from typing import Literal
 
 Dimension = Literal["mass", "length", "time", "speed", "acceleration", "angle", "count"]
 
-_ONES = (
-    "zero one two three four five six seven eight nine ten eleven twelve thirteen fourteen fifteen "
-    "sixteen seventeen eighteen nineteen"
-).split()
-_TENS = "twenty thirty forty fifty sixty seventy eighty ninety".split()
+_ONES = [
+    "zero",
+    "one",
+    "two",
+    "three",
+    "four",
+    "five",
+    "six",
+    "seven",
+    "eight",
+    "nine",
+    "ten",
+    "eleven",
+    "twelve",
+    "thirteen",
+    "fourteen",
+    "fifteen",
+    "sixteen",
+    "seventeen",
+    "eighteen",
+    "nineteen",
+]
+_TENS = ["twenty", "thirty", "forty", "fifty", "sixty", "seventy", "eighty", "ninety"]
 NUMBER_WORDS: dict[str, float] = {w: float(i) for i, w in enumerate(_ONES)}
 NUMBER_WORDS |= {w: 10.0 * (i + 2) for i, w in enumerate(_TENS)}
 NUMBER_WORDS |= {"half": 0.5, "hundred": 100.0, "thousand": 1000.0, "dozen": 12.0}
@@ -29,7 +47,9 @@ def _unit(dimension: Dimension, factor: float, *names: str) -> None:
         _UNITS[name] = (dimension, factor)
 
 
-_unit("mass", 1.0, "kg", "kgs", "kilo", "kilos", "kilogram", "kilograms", "kilogramme", "kilogrammes")
+_unit(
+    "mass", 1.0, "kg", "kgs", "kilo", "kilos", "kilogram", "kilograms", "kilogramme", "kilogrammes"
+)
 _unit("mass", 1e-3, "g", "gram", "grams", "gr", "gramme", "grammes")
 _unit("mass", 0.45359237, "lb", "lbs", "pound", "pounds")
 _unit("mass", 0.028349523, "oz", "ounce", "ounces")
@@ -81,9 +101,9 @@ _SPEED_UNIT = (
     rf"|m\.s-1|ms-1|mps|mph|kph|kmph|kmh|fps|knots?|kn)"
 )
 _ACCEL_UNIT = (
-    rf"(?:(?:m|cm|ft|meters?|metres?|feet|foot)\s*(?:/|per)\s*(?:s|sec|second)"
-    rf"(?:\s*(?:\^\s*2|²|2\b|squared|(?:/|per)\s*(?:s\b|sec\b|second\b)))"
-    rf"|m/s/s)"
+    r"(?:(?:m|cm|ft|meters?|metres?|feet|foot)\s*(?:/|per)\s*(?:s|sec|second)"
+    r"(?:\s*(?:\^\s*2|²|2\b|squared|(?:/|per)\s*(?:s\b|sec\b|second\b)))"
+    r"|m/s/s)"
 )
 _PLAIN_UNIT = _alternatives([u for u, (d, _) in _UNITS.items() if d != "speed" and u != "in"])
 _UNIT = rf"(?:{_ACCEL_UNIT}|{_SPEED_UNIT}|{_PLAIN_UNIT}|in(?=\s*(?:[.,;)]|$|tall|wide|long|high|deep|thick|in\s+diameter))|\"|”)"
@@ -201,7 +221,9 @@ def _unit_of(text: str) -> tuple[Dimension, float] | None:
         return "length", 2.54
     if t in _UNITS:
         return _UNITS[t]
-    m = re.fullmatch(r"(\D+?)\s*(?:/|\bper\b|\ban?\b|\beach\b)\s*(\D+?)(\s*(\^\s*2|²|2|squared|/.*|per .*))?", t)
+    m = re.fullmatch(
+        r"(\D+?)\s*(?:/|\bper\b|\ban?\b|\beach\b)\s*(\D+?)(\s*(\^\s*2|²|2|squared|/.*|per .*))?", t
+    )
     if not m:
         return None
     length, time = _UNITS.get(m.group(1).strip()), _UNITS.get(m.group(2).strip())
@@ -267,9 +289,7 @@ def _amount(m: re.Match[str]) -> Amount | None:
     word = (groups.get("bound") or "").lower()
     if word and not groups.get("hi"):
         bound = "min" if word.startswith(_LOW_BOUNDS) or word == "exceeding" else "max"
-    return Amount(
-        dimension, low_a, low_b, start, m.end(), m.string[start : m.end()].strip(), bound
-    )
+    return Amount(dimension, low_a, low_b, start, m.end(), m.string[start : m.end()].strip(), bound)
 
 
 def _article_counts(m: re.Match[str], unit: str, dimension: Dimension) -> bool:
@@ -279,6 +299,13 @@ def _article_counts(m: re.Match[str], unit: str, dimension: Dimension) -> bool:
     if len(unit.strip()) < 3:
         return False
     if unit.strip().lower() != "second":
-        return dimension == "time" or bool(re.match(r"\s+(?:away|apart|ahead|tall|high|wide|long|behind|in front|from)", m.string[m.end() :]))
+        return dimension == "time" or bool(
+            re.match(
+                r"\s+(?:away|apart|ahead|tall|high|wide|long|behind|in front|from)",
+                m.string[m.end() :],
+            )
+        )
     after = m.string[m.end() :]
-    return bool(re.match(r"\s*(?:$|[.,;:!?]|later|after|before|and|the|then)", after, re.IGNORECASE))
+    return bool(
+        re.match(r"\s*(?:$|[.,;:!?]|later|after|before|and|the|then)", after, re.IGNORECASE)
+    )

@@ -14,7 +14,6 @@ from esg.draft.syntax import Chunker, pos_tags, tokenize
 from esg.draft.world import World
 from esg.graph.models import EsgDocument
 
-
 _ONE_AFTER_OTHER = re.compile(
     r"\bone\s+(?:\w+\s+)?(?:in front of|behind|ahead of|following|after|trailing|leading)\s+(?:the other|another)\b",
     re.IGNORECASE,
@@ -54,4 +53,3 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     expanded = text + ("" if not reasons else " [" + "; ".join(reasons) + "]")
     document = DocumentBuilder(scene, prompt, seed).build(timeline, coverage, restricted, expanded)
     return document
-

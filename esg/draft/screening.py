@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 
 from esg.draft import lexicon as lex
-from esg.draft.interpret import Scene
 from esg.draft.quantities import find_amounts
-from esg.draft.syntax import verb_readings
+from esg.draft.scene import Scene
+from esg.draft.verbphrases import verb_readings
 from esg.outcomes import UserError
 
 MAX_CHARACTERS = 20_000
@@ -23,7 +23,7 @@ def screen(prompt: str) -> str:
         UserError: If it is empty, too long, not English, or physically impossible.
     """
     if not isinstance(prompt, str) or not prompt.strip():
-        raise UserError("The prompt is empty; describe a scene, such as \"A car hits a bin.\"")
+        raise UserError('The prompt is empty; describe a scene, such as "A car hits a bin."')
     if len(prompt) > MAX_CHARACTERS:
         raise UserError(
             f"The prompt has {len(prompt):,} characters; the limit is {MAX_CHARACTERS:,}. Describe one scene."
@@ -34,8 +34,15 @@ def screen(prompt: str) -> str:
     known = [w for w in words if w in lex.nouns() or lex.singular(w)[0] in lex.nouns() or verb_readings(w)
              or w in lex.DETERMINERS or w in lex.PREPOSITIONS or w in lex.COLORS or w in lex.ADVERBS
              or w in lex.PRONOUNS or w in lex.MODALS or w in ("and", "or", "but", "to")]  # fmt: skip
-    content = [w for w in known if w not in ("a", "an", "in", "on", "as", "die", "at", "i", "me", "no")]
-    if not words or not known or (len(words) >= 3 and len(known) / len(words) < 0.34) or (not content):
+    content = [
+        w for w in known if w not in ("a", "an", "in", "on", "as", "die", "at", "i", "me", "no")
+    ]
+    if (
+        not words
+        or not known
+        or (len(words) >= 3 and len(known) / len(words) < 0.34)
+        or (not content)
+    ):
         raise UserError(
             f"No English words that name objects or motions were found in {text[:60]!r}; "
             "write the prompt in English."
@@ -54,7 +61,10 @@ def screen(prompt: str) -> str:
             problems.append(f'"{a.text}" is more than the fastest simulated speed, 150 m/s')
         elif a.dimension == "time" and a.high > 600.0:
             problems.append(f'"{a.text}" is more than the longest scene, 600 s')
-    if re.search(r"\b(?:faster than|at|exceeding|beyond) (?:the speed of )?light(?:'s speed)?\b", text.lower()):
+    if re.search(
+        r"\b(?:faster than|at|exceeding|beyond) (?:the speed of )?light(?:'s speed)?\b",
+        text.lower(),
+    ):
         problems.append('"faster than light" is impossible; state a speed up to 150 m/s')
     if problems:
         raise UserError("The prompt asks for the impossible: " + "; ".join(problems) + ".")
@@ -63,15 +73,20 @@ def screen(prompt: str) -> str:
 
 _NAMES = {"mass": "mass", "length": "length", "time": "time", "speed": "speed"}
 _ORDERS = re.compile(
-    r"\b(?:ignore|disregard|forget)\b.{0,30}\b(?:instructions?|above|prompts?|rules)\b", re.IGNORECASE
+    r"\b(?:ignore|disregard|forget)\b.{0,30}\b(?:instructions?|above|prompts?|rules)\b",
+    re.IGNORECASE,
 )
 
 
 def nothing_to_draw(scene: Scene) -> None:
     """Raises UserError if the prompt names no object; warns of text addressed to the system."""
     if _ORDERS.search(scene.text):
-        scene.warnings.append("Text that reads like an instruction to the system is taken as description only.")
-    if not any(e.mentioned and "ground" not in e.noun.traits for e in scene.world.entities.values()):
+        scene.warnings.append(
+            "Text that reads like an instruction to the system is taken as description only."
+        )
+    if not any(
+        e.mentioned and "ground" not in e.noun.traits for e in scene.world.entities.values()
+    ):
         raise UserError(
             f"The prompt {scene.text[:60]!r} names no object that can be placed; "
             'name one, such as "a ball rolls into a box".'

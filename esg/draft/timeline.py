@@ -128,7 +128,11 @@ class TimelineBuilder:
             previous.target = motion.target or previous.target
             previous.params.update(motion.params)
             return
-        if previous is not None and not track.closed and previous.mode in ("own", "accelerate", "brake"):
+        if (
+            previous is not None
+            and not track.closed
+            and previous.mode in ("own", "accelerate", "brake")
+        ):
             self.trigger(actor, f"{actor} changes its motion")
         if motion.speed is None and previous is not None:
             pass
@@ -143,9 +147,13 @@ class TimelineBuilder:
         if track.direction is None or order.index(direction) > order.index(track.direction):
             track.direction = direction
 
-    def trigger(self, actor: str, description: str, time: Quantity | None = None, prescribed: bool = False) -> str:
+    def trigger(
+        self, actor: str, description: str, time: Quantity | None = None, prescribed: bool = False
+    ) -> str:
         """A point at which the actor changes what it does."""
-        return self.event(NodeEvent.TRIGGER, (actor,), description, time=time, prescribed=prescribed)
+        return self.event(
+            NodeEvent.TRIGGER, (actor,), description, time=time, prescribed=prescribed
+        )
 
     # -- events ----------------------------------------------------------------------------------
 
@@ -222,7 +230,12 @@ class TimelineBuilder:
         used = {e.id for e in self.edges}
         motion = track.motion
         if track.role is Role.PASSIVE:
-            event, params, prescribed, name = EdgeEvent.INERTIAL_CONNECTOR, MotionParams(), False, "carried"
+            event, params, prescribed, name = (
+                EdgeEvent.INERTIAL_CONNECTOR,
+                MotionParams(),
+                False,
+                "carried",
+            )
         else:
             assert motion is not None
             event, params, prescribed, name = self._segment(track, motion)
@@ -261,7 +274,13 @@ class TimelineBuilder:
             params["speed"] = motion.speed
         if motion.duration is not None:
             params["duration"] = motion.duration
-        names = {"own": "drive", "roll": "roll", "slide": "slide", "throw": "flight", "fly": "flight"}
+        names = {
+            "own": "drive",
+            "roll": "roll",
+            "slide": "slide",
+            "throw": "flight",
+            "fly": "flight",
+        }
         return (
             _EDGES[motion.mode],
             MotionParams(**params),
@@ -274,8 +293,13 @@ class TimelineBuilder:
         for actor, track in list(self.tracks.items()):
             if track.role is Role.ACTIVE and not track.closed and track.motion is not None:
                 keep = self.last_event
-                self.event(NodeEvent.TRIGGER, (actor,), f"{actor} ends its described motion", stem="motion_end",
-                           time=None)
+                self.event(
+                    NodeEvent.TRIGGER,
+                    (actor,),
+                    f"{actor} ends its described motion",
+                    stem="motion_end",
+                    time=None,
+                )
                 self.last_event = keep
 
     # -- result ----------------------------------------------------------------------------------
@@ -293,7 +317,15 @@ class TimelineBuilder:
         }
         edges = [self._repair(e, actors) for e in self.edges if e.actor in actors]
         spans = plan_times(self.nodes, edges)
-        nodes = [TimelineNode(id=START, event=NodeEvent.SCENE_START, timestamp=0.0, description="Scene start", constraints=tuple(self.start_constraints))]
+        nodes = [
+            TimelineNode(
+                id=START,
+                event=NodeEvent.SCENE_START,
+                timestamp=0.0,
+                description="Scene start",
+                constraints=tuple(self.start_constraints),
+            )
+        ]
         for draft in self.nodes:
             low, high = spans[draft.id]
             fixed = draft.time_prescribed and low == high
@@ -353,7 +385,9 @@ def plan_times(nodes: list[Draft], edges: list[TimelineEdge]) -> dict[str, Inter
         for c in n.constraints:
             since = c.since
             if c.quantity == "time_to_stop":
-                since = next((e.from_ for e in edges if e.to == n.id and e.event is EdgeEvent.BRAKE), None)
+                since = next(
+                    (e.from_ for e in edges if e.to == n.id and e.event is EdgeEvent.BRAKE), None
+                )
             if c.quantity in ("time_since", "time_to_stop") and since in by_id:
                 relative[n.id] = (since, _bounds(c.value))
                 cap[since] = max(0.05, 0.8 * _bounds(c.value)[0])
@@ -390,7 +424,9 @@ def plan_times(nodes: list[Draft], edges: list[TimelineEdge]) -> dict[str, Inter
             if n.time is None or not n.time_prescribed:
                 continue
             limit = _bounds(n.time)[0]
-            latest = max((spans[p][1] for p in ancestors[n.id] if not by_id[p].time_prescribed), default=0.0)
+            latest = max(
+                (spans[p][1] for p in ancestors[n.id] if not by_id[p].time_prescribed), default=0.0
+            )
             if latest > limit * 0.95 and limit > 0.0:
                 squeeze = min(squeeze, 0.9 * limit / latest)
         if squeeze >= 1.0:

@@ -1,0 +1,363 @@
+"""Heads of noun phrases: the noun itself, what belongs to it, and individual letters."""
+
+from __future__ import annotations
+
+import re
+
+from esg.draft import lexicon as lex
+from esg.draft.elements import Mention
+from esg.draft.verbgroups import VerbGroups
+from esg.draft.verbphrases import verb_readings
+
+
+class NounHeads(VerbGroups):
+    """Reads the head of a noun phrase whose modifiers have been read."""
+
+    def _noun_phrase(self, i: int) -> int | None:
+        raise NotImplementedError
+
+    def _head(self, i: int, j: int, m: Mention) -> int | None:
+        tokens = self.tokens
+        low = self._low(j)
+        noun = self._match_noun(j) if j < len(tokens) else None
+        phrase_start = tokens[j].start if j < len(tokens) else m.end
+        if noun is not None:
+            entry, n, plural, phrase = noun
+            # an adjective that is also a noun ends a compound ("steel ball", "office desk")
+            k = j + n
+            first = j
+            while True:
+                following = self._match_noun(k) if k < len(tokens) else None
+                if following is None or plural or self._low(k) in lex.ADVERBS:
+                    break
+                readings = verb_readings(self._low(k))
+                if readings and following[1] == 1 and not self._compound_noun(k):
+                    break
+                modifier = " ".join(t.low for t in tokens[first:k])
+                m.adjectives.extend(modifier.split())
+                entry, n, plural, phrase = following
+                first = k
+                k += n
+            j = first
+            m.noun, m.head, m.plural = entry, phrase, plural or m.plural
+            following_qty = self._tok(k + 1)
+            if phrase in ("weight", "mass") and (
+                (
+                    self._low(k) in ("of", "is")
+                    and following_qty is not None
+                    and following_qty.kind == "qty"
+                )
+                or m.determiner == "its"
+            ):
+                m.noun, m.attribute = None, True
+            if phrase in lex.PERSON_ROLES or phrase in ("cyclist", "rider"):
+                m.role = phrase if phrase in lex.PERSON_ROLES else ""
+            if phrase in ("row", "line"):
+                m.noun = None
+            j = k
+            if (
+                self._low(j) == "of"
+                and self._low(j + 1) in lex.SUBSTANCES
+                and self._match_noun(j + 1) is None
+            ):
+                m.adjectives.append(self._low(j + 1))
+                j += 2
+            if self._low(j) in ("behind", "following") and self._low(j + 1) in (
+                "it",
+                "him",
+                "her",
+                "them",
+            ):
+                m.adjectives.append("rear")
+                j += 2
+            elif (
+                self._low(j) == "behind"
+                and m.determiner == "the"
+                and (
+                    verb_readings(self._low(j + 1))
+                    or self._tok(j + 1) is None
+                    or self.tokens[j + 1].kind == "punct"
+                )
+            ):
+                m.adjectives.append("rear")
+                j += 1
+            elif (
+                self._low(j) == "in"
+                and self._low(j + 1) == "front"
+                and m.determiner == "the"
+                and (self._low(j + 2) != "of" or self._low(j + 3) in ("it", "him", "her", "them"))
+            ):
+                m.adjectives.append("front")
+                j += 4 if self._low(j + 2) == "of" else 2
+            if (m.role or m.head == "net") and self._low(j) == "of":
+                size = len(self.elements)
+                inner = self._noun_phrase(j + 1)
+                if inner is not None:
+                    owner = self.elements.pop()
+                    assert isinstance(owner, Mention) and len(self.elements) == size
+                    owner.start = m.start
+                    self.elements.append(owner)
+                    return inner
+            # unknown nouns after a known modifier: "car horn"
+            token = self._tok(j)
+            if (
+                token is not None
+                and token.kind == "word"
+                and token.tag in ("NOUN", "PROPN")
+                and not self._looks_like_verb(j, m)
+                and not plural
+                and len(token.text) > 1
+                and token.low not in lex.ADVERBS
+                and token.low not in lex.PREPOSITIONS
+                and not verb_readings(token.low)
+                and token.low not in lex.DETERMINERS
+                and token.low not in lex.SUBORDINATORS
+            ):
+                single, is_plural = lex.singular(token.low)
+                if single in lex.ATTRIBUTES:
+                    m.attribute = True
+                    m.head, m.noun = single, None
+                    j += 1
+                elif single in lex.PARTS:
+                    m.part = single
+                    j += 1
+                elif single not in ("other", "one"):
+                    m.adjectives.append(m.head)
+                    m.head, m.noun, m.plural, m.known = single, None, is_plural, False
+                    j += 1
+        elif (
+            low
+            and (low in lex.PARTS or lex.singular(low)[0] in lex.PARTS)
+            and (m.determiner or m.adjectives or self._low(j + 1) == "of")
+        ):
+            m.part = lex.singular(low)[0]
+            m.head = m.part
+            m.attribute = True
+            j += 1
+            if self._low(j) == "of":
+                size = len(self.elements)
+                inner = self._noun_phrase(j + 1)
+                if inner is not None:
+                    owner = self.elements.pop()
+                    assert isinstance(owner, Mention) and len(self.elements) == size
+                    owner.part = m.part
+                    owner.adjectives = owner.adjectives
+                    if m.adjectives:
+                        owner.part = f"{' '.join(m.adjectives)} {m.part}"
+                    owner.start = m.start
+                    self.elements.append(owner)
+                    return inner
+        elif (
+            low
+            and lex.singular(low)[0] in lex.ATTRIBUTES
+            and (m.determiner or m.adjectives or m.count is not None or self._is_attribute_start(j))
+        ):
+            m.attribute = True
+            m.head = lex.singular(low)[0]
+            j += 1
+            if self._low(j) in ("speed", "velocity", "distance", "height"):
+                m.head = self._low(j)
+                j += 1
+        elif (
+            low in lex.PRONOUNS
+            and not m.adjectives
+            and (low not in ("that", "this", "one", "both") or self._pronoun_here(j))
+        ):
+            if m.determiner and low not in ("one", "other"):
+                return None
+            m.pronoun = low
+            if m.determiner or m.count:
+                m.pronoun = low
+            j += 1
+        elif m.determiner in lex.PRONOUNS and not m.adjectives and j == i + 1 and m.count is None:
+            m.pronoun = m.determiner
+            if m.determiner in ("his", "her", "my", "our", "your", "its", "their"):
+                return None
+        elif (
+            m.determiner in ("both", "each", "all", "some", "many", "several", "another")
+            and j == i + 1
+        ):
+            m.pronoun = m.determiner
+        elif low in ("one", "ones", "other", "others") and (m.determiner or m.adjectives):
+            m.pronoun = "ones" if low in ("ones", "others") else "one"
+            if low.startswith("other"):
+                m.adjectives.append("other")
+            j += 1
+        elif m.adjectives and m.determiner and (j >= len(tokens) or not self._unknown_noun(j)):
+            # "the other", "the second", "the black", "the last two"
+            last = m.adjectives[-1]
+            if not self._known_adjective(last) and not last.startswith("@"):
+                m.adjectives.pop()  # the tagger took an unknown noun for an adjective
+                m.head, m.plural = lex.singular(last)
+                m.known = False
+            else:
+                m.pronoun = "one"
+                if m.count and m.count > 1:
+                    m.pronoun = "ones"
+        elif (
+            low
+            and self._unknown_noun(j)
+            and (
+                m.determiner
+                or m.adjectives
+                or m.count is not None
+                or m.pattern
+                or tokens[j].tag in ("NOUN", "PROPN")
+            )
+        ):
+            # unknown head, possibly a compound
+            k = j
+            while (
+                k + 1 < len(tokens)
+                and self._match_noun(k + 1) is None
+                and self._unknown_noun(k + 1)
+                and tokens[k + 1].tag in ("NOUN", "PROPN", "")
+                and tokens[k].tag != ""
+            ):
+                m.adjectives.append(self._low(k))
+                k += 1
+            nxt = self._match_noun(k + 1) if k + 1 < len(tokens) else None
+            if nxt is not None and not verb_readings(self._low(k + 1)) and tokens[k].text != "'s":
+                m.adjectives.append(self._low(k))
+                return self._head(i, k + 1, m)
+            m.head, m.plural = lex.singular(self._low(k))
+            m.known = False
+            j = k + 1
+        elif m.count is not None and m.count != 0 and (j > i):
+            if m.determiner == "the" or j == i + 1:
+                m.pronoun = "ones" if m.count > 1 else "one"
+            else:
+                return None
+        else:
+            return None
+        j = self._letters(j, m)
+        m.end = tokens[j - 1].end
+        first_word = i + (1 if m.determiner and self._low(i) == m.determiner else 0)
+        label_start = tokens[min(first_word, j - 1)].start
+        m.text = self.text[label_start : m.end]
+        if (noun is not None and m.pattern is not None) or m.vague:
+            m.text = self.text[phrase_start : m.end]
+        # possessive: "ball A's speed"
+        if self._low(j) == "'s" or (
+            self._tok(j) is not None and tokens[j].text in ("'", "’") and m.plural
+        ):
+            size = len(self.elements)
+            inner = self._noun_phrase(j + 1)
+            if inner is not None:
+                owned = self.elements.pop()
+                assert isinstance(owned, Mention) and len(self.elements) == size
+                owned.possessor = m
+                owned.start = m.start
+                owned.determiner = owned.determiner or "the"
+                self.elements.append(owned)
+                return inner
+            if self._low(j) == "'s" and verb_readings(self._low(j + 1)):
+                pass
+        self.elements.append(m)
+        return j
+
+    def _is_attribute_start(self, j: int) -> bool:
+        if self._low(j) in ("mass", "weight") and self._tok(j + 1) is not None:
+            return self.tokens[j + 1].kind == "qty" or self._low(j + 1) == "of"
+        if self._low(j) in ("time", "motion", "place", "reverse", "times", "line", "advance"):
+            return self._low(j - 1) in ("in", "three", "two", "several", "of", "into", "times")
+        return self._low(j) in (
+            "speed",
+            "velocity",
+            "sunlight",
+            "rain",
+            "speeds",
+            "velocities",
+            "brakes",
+            "impact",
+            "contact",
+        )
+
+    def _pronoun_here(self, j: int) -> bool:
+        low = self._low(j)
+        if low in ("that", "this"):
+            return bool(self._verb_ahead(j + 1))
+        return True
+
+    def _letters(self, j: int, m: Mention) -> int:
+        """Individual names after a head: "ball A", "balls A, B and C", "car 1", "ball #2"."""
+
+        def letter(k: int) -> str | None:
+            token = self._tok(k)
+            if token is None:
+                return None
+            if token.kind == "word" and re.fullmatch(r"[A-Z]", token.text):
+                return token.text
+            if token.kind == "word" and re.fullmatch(r"[b-hj-z]", token.text):
+                return token.text.upper()
+            if token.kind == "word" and token.text == "a" and m.noun is not None:
+                nxt = self._low(k + 1)
+                known = bool(self._match_noun(k + 1)) or self._is_adjective(k + 1)
+                if (verb_readings(nxt) or nxt in lex.MODALS) and not known and not m.determiner:
+                    return "A"
+                if nxt in ("and", "'s") and not m.determiner:
+                    return "A"
+            if token.kind == "number" and re.fullmatch(r"#?\d{1,2}", token.text):
+                nxt = self._tok(k + 1)
+                if nxt is None or nxt.kind != "word" or not self._match_noun(k + 1):
+                    return token.text.lstrip("#")
+            return None
+
+        if not m.head or m.pronoun or m.attribute:
+            return j
+        opening = self._tok(j)
+        if (
+            m.plural
+            and opening is not None
+            and opening.text in (",", "(", ":")
+            and letter(j + 1)
+            and self._tok(j + 2) is not None
+            and (self.tokens[j + 2].text == "," or self._low(j + 2) == "and")
+        ):
+            j += 1
+            m.letters.append(letter(j) or "")
+            j += 1
+            while True:
+                k = j
+                while self._tok(k) is not None and (
+                    self.tokens[k].text == "," or self._low(k) == "and"
+                ):
+                    k += 1
+                found = letter(k) if k > j else None
+                if found is None:
+                    break
+                m.letters.append(found)
+                j = k + 1
+            if self._tok(j) is not None and self.tokens[j].text == ")":
+                j += 1
+            return j
+        if (
+            self._tok(j) is not None
+            and self.tokens[j].text in ('"', "'", "“", "(")
+            and letter(j + 1)
+        ):
+            found = letter(j + 1)
+            closing = self._tok(j + 2)
+            if found and closing is not None and closing.text in ('"', "'", "”", ")"):
+                m.letters.append(found)
+                return j + 3
+        if self._low(j) in ("labeled", "labelled", "named", "called", "number") and letter(j + 1):
+            j += 1
+        found = letter(j)
+        if found is None:
+            return j
+        m.letters.append(found)
+        j += 1
+        while True:
+            k = j
+            if self._tok(k) is not None and self.tokens[k].text == ",":
+                k += 1
+            if self._low(k) == "and":
+                k += 1
+            if k == j:
+                return j
+            found = letter(k) if (m.plural or len(m.letters) > 1) else None
+            if found is None:
+                return j
+            m.letters.append(found)
+            j = k + 1

@@ -1,0 +1,364 @@
+"""Noun phrases: determiner, count, group word, adjectives, amounts, head, individual letters."""
+
+from __future__ import annotations
+
+import re
+
+from esg.draft import lexicon as lex
+from esg.draft.elements import Mention
+from esg.draft.nounheads import NounHeads
+from esg.draft.quantities import parse_number
+from esg.draft.verbphrases import verb_readings
+
+
+class NounPhrases(NounHeads):
+    """Reads noun phrases."""
+
+    def _noun_phrase(self, i: int) -> int | None:
+        """Parses a noun phrase at token i; returns the next index or None."""
+        tokens = self.tokens
+        j = i
+        m = Mention(tokens[i].start, tokens[i].end)
+        low = self._low(j)
+        if self._lone_letter(j):
+            m.letters, m.head, m.determiner = [tokens[j].text], "@", "the"
+            m.text, m.end = tokens[j].text, tokens[j].end
+            while (
+                self._low(j + 1) == "and"
+                and self._lone_letter(j + 2)
+                and not verb_readings(self._low(j + 3) if False else "")
+            ):
+                m.letters.append(tokens[j + 2].text)
+                j += 2
+                m.end = tokens[j].end
+            self.elements.append(m)
+            return j + 1
+        if low in ("this", "that", "these", "those") and self._verb_next(j + 1):
+            m.pronoun, m.text, m.end = low, tokens[j].text, tokens[j].end
+            self.elements.append(m)
+            return j + 1
+        # "all", "both of", "one of", "each of"
+        if (
+            low in ("all", "both", "each", "one", "half", "most", "some", "none")
+            and self._low(j + 1) == "of"
+        ):
+            if low in ("one", "each"):
+                m.count = 1
+            j += 2
+        elif low in ("all", "both") and self._low(j + 1) in lex.DETERMINERS:
+            j += 1
+        # determiner
+        if self._low(j) in lex.DETERMINERS:
+            m.determiner = self._low(j)
+            if m.determiner == "no":
+                m.count = 0
+            j += 1
+            if m.determiner in ("a", "an") and self._low(j) in (
+                "few",
+                "couple",
+                "dozen",
+                "hundred",
+                "lot",
+                "number",
+                "handful",
+                "pair",
+            ):
+                pass
+        if m.determiner in lex.VAGUE_COUNTS:
+            m.count, m.vague = lex.VAGUE_COUNTS[m.determiner], m.determiner != "both"
+        if (
+            self._low(j)
+            in (
+                "few",
+                "many",
+                "several",
+                "multiple",
+                "numerous",
+                "various",
+                "couple",
+                "dozen",
+                "dozens",
+                "handful",
+                "lots",
+                "pair",
+            )
+            and self._low(j) != m.determiner
+        ):
+            word = self._low(j)
+            if word not in lex.GROUP_WORDS or self._low(j + 1) != "of":
+                m.count, m.vague = lex.VAGUE_COUNTS[word], word not in ("couple", "dozen", "pair")
+                j += 1
+        # count
+        j = self._count(j, m)
+        # group word: "set of", "row of five"
+        word = lex.singular(self._low(j))[0]
+        adjective_skip = 0
+        if (
+            self._is_adjective(j)
+            and lex.singular(self._low(j + 1))[0] in lex.GROUP_WORDS
+            and self._low(j + 2) == "of"
+        ):
+            adjective_skip = 1
+            word = lex.singular(self._low(j + 1))[0]
+        if (
+            word in lex.GROUP_WORDS
+            and self._low(j + 1 + adjective_skip) == "of"
+            and not (word in ("wall",) and self._low(j + 2 + adjective_skip) in lex.DETERMINERS)
+        ):
+            m.pattern = lex.GROUP_WORDS[word]
+            m.group_word = word
+            multiplier = m.count if m.count and m.count > 1 else 1
+            default = {
+                "pair": 2,
+                "couple": 2,
+                "trio": 3,
+                "dozen": 12,
+                "half-dozen": 6,
+                "dozens": 12,
+            }.get(word)
+            m.count = default * multiplier if default else None
+            m.vague = False
+            m.plural = True
+            j += 2 + adjective_skip
+            if self._low(j) in lex.DETERMINERS:
+                if self._low(j) in lex.VAGUE_COUNTS:
+                    m.count, m.vague = lex.VAGUE_COUNTS[self._low(j)], True
+                j += 1
+            j = self._count(j, m)
+        if self._low(j) in ("other", "more", "additional", "extra"):
+            m.adjectives.append("other")
+            j += 1
+            j = self._count(j, m)
+        # adjectives and attributive amounts
+        while j < len(tokens):
+            token = tokens[j]
+            if (
+                token.kind == "qty"
+                and token.amount is not None
+                and token.amount.dimension in ("mass", "length", "speed", "angle")
+            ):
+                nxt = self._low(j + 1)
+                nxt = nxt.lstrip("-")
+                k = j + 1
+                if self._tok(k) is not None and tokens[k].text == "-":
+                    k += 1
+                    nxt = self._low(k)
+                if not (self._noun_at_or_after(k)):
+                    break
+                m.amounts.append(token.amount)
+                j = k
+                if nxt in (
+                    "tall",
+                    "wide",
+                    "long",
+                    "high",
+                    "thick",
+                    "deep",
+                    "diameter",
+                    "heavy",
+                    "radius",
+                ):
+                    m.adjectives.append(f"@{token.amount.start}:{nxt}")
+                    j += 1
+                continue
+            if (
+                token.kind == "punct"
+                and token.text == ","
+                and m.adjectives
+                and self._is_adjective(j + 1)
+                and self._noun_soon(j + 1)
+            ):
+                j += 1
+                continue
+            if (
+                token.low == "and"
+                and m.adjectives
+                and self._is_adjective(j + 1)
+                and m.adjectives[-1] in lex.COLORS
+                and self._low(j + 1) in lex.COLORS
+            ):
+                j += 1
+                continue
+            noun = self._match_noun(j)
+            if (
+                noun is not None
+                and noun[2]
+                and m.determiner in ("a", "an")
+                and m.adjectives
+                and not self._known_adjective(m.adjectives[-1])
+                and any(r.form == "s" for r in verb_readings(token.low))
+            ):
+                # "a pendulum swings": an unknown noun and its verb
+                m.head, m.known = lex.singular(m.adjectives.pop())[0], False
+                m.end = tokens[j - 1].end
+                m.text = self.text[tokens[j - 1].start : m.end]
+                self.elements.append(m)
+                return j
+            if noun is not None and (noun[1] > 1 or not self._is_adjective(j)):
+                break
+            if noun is not None and self._is_adjective(j) and not self._noun_soon(j + 1):
+                break
+            if token.low in lex.ADVERBS and not self._is_adjective(j):
+                if token.low in (
+                    "very",
+                    "too",
+                    "slightly",
+                    "heavily",
+                    "fully",
+                    "evenly",
+                    "brightly",
+                ) and self._is_adjective(j + 1):
+                    j += 1
+                    continue
+                break
+            if self._is_adjective(j):
+                if (
+                    self._low(j + 1) in ("one", "ones")
+                    and token.low in lex.PLACE_ADJECTIVES | lex.COLORS.keys()
+                ):
+                    m.adjectives.append(token.low)
+                    j += 1
+                    break
+                if token.low in lex.PARTS and not self._noun_soon(j + 1):
+                    break
+                if (
+                    token.low
+                    in (
+                        "near",
+                        "past",
+                        "like",
+                        "over",
+                        "next",
+                        "inside",
+                        "back",
+                        "left",
+                        "right",
+                        "top",
+                        "bottom",
+                        "outer",
+                        "far",
+                        "opposite",
+                        "last",
+                        "first",
+                        "close",
+                        "still",
+                        "fast",
+                        "hard",
+                        "straight",
+                        "only",
+                        "low",
+                        "high",
+                    )
+                    and not self._noun_soon(j + 1)
+                    and not m.determiner
+                ):
+                    break
+                m.adjectives.append(token.low)
+                j += 1
+                continue
+            readings = verb_readings(token.low)
+            if (
+                any(r.form in ("ing", "pp") for r in readings)
+                and (m.determiner or m.count)
+                and self._noun_soon(j + 1)
+                and token.low not in lex.nouns()
+            ):
+                m.adjectives.append(token.low)
+                j += 1
+                continue
+            break
+        return self._head(i, j, m)
+
+    def _lone_letter(self, j: int) -> bool:
+        """A capital that names an individual introduced before ("A moves ... B moves")."""
+        token = self._tok(j)
+        if token is None or not re.fullmatch(r"[A-Z]", token.text) or token.text == "I":
+            return False
+        known = {x for e in self.elements if isinstance(e, Mention) for x in e.letters}
+        if token.text not in known:
+            return False
+        nxt = self._low(j + 1)
+        if token.text != "A":
+            return True
+        return nxt == "and" or (
+            (bool(verb_readings(nxt)) or nxt in lex.MODALS)
+            and self._match_noun(j + 1) is None
+            and not self._is_adjective(j + 1)
+        )
+
+    def _verb_next(self, j: int) -> bool:
+        """Whether a finite verb and its object follow ("this pushes the bin")."""
+        nxt = self._low(j + 1)
+        finite = any(r.form in ("s", "past") for r in verb_readings(self._low(j)))
+        return finite and (nxt in lex.DETERMINERS or nxt in lex.PRONOUNS or nxt in lex.PREPOSITIONS)
+
+    def _count(self, j: int, m: Mention) -> int:
+        token = self._tok(j)
+        if token is None:
+            return j
+        compound = self._match_noun(j)
+        if compound is not None and compound[1] > 1:
+            return j  # "eight ball"
+        if token.kind == "number" and token.text[0] != "#":
+            value = parse_number(token.text)
+            nxt = self._tok(j + 1)
+            if (
+                isinstance(value, float)
+                and value == int(value)
+                and nxt is not None
+                and nxt.kind == "word"
+            ):
+                m.count = int(value)
+                return j + 1
+            return j
+        low = token.low
+        if low in lex.VAGUE_COUNTS and low not in (
+            "some",
+            "both",
+            "couple",
+            "pair",
+            "dozen",
+            "dozens",
+        ):
+            m.count, m.vague = lex.VAGUE_COUNTS[low], True
+            return j + 1
+        value = parse_number(low) if low not in ("a", "an", "half", "a half") else None
+        if isinstance(value, float) and value == int(value) and value >= 1:
+            nxt = self._tok(j + 1)
+            if low == "one" and (
+                nxt is None
+                or nxt.kind != "word"
+                or not (self._match_noun(j + 1) or self._is_adjective(j + 1) or m.determiner)
+            ):
+                return j
+            if nxt is not None and nxt.low in ("dozen", "hundred"):
+                m.count = int(value) * (12 if nxt.low == "dozen" else 100)
+                return j + 2
+            m.count = int(value)
+            return j + 1
+        return j
+
+    def _noun_at_or_after(self, k: int) -> bool:
+        for j in range(k, min(k + 5, len(self.tokens))):
+            low = self._low(j)
+            if self.tokens[j].kind == "qty":
+                continue
+            if self._match_noun(j) is not None:
+                return low not in lex.ATTRIBUTES
+            if low in (
+                "tall",
+                "wide",
+                "long",
+                "high",
+                "thick",
+                "deep",
+                "diameter",
+                "heavy",
+                "radius",
+            ):
+                continue
+            if not self._is_adjective(j):
+                return (
+                    self.tokens[j].tag in ("NOUN", "PROPN") and low not in lex.ATTRIBUTES and j == k
+                )
+        return False

@@ -1,0 +1,281 @@
+"""Looking at tokens: is this word a noun, an adjective or a verb here?"""
+
+from __future__ import annotations
+
+from esg.draft import lexicon as lex
+from esg.draft.elements import Element, Mention, Token, Verb, Word
+from esg.draft.verbphrases import PHRASES, verb_readings
+
+
+class Reader:
+    """Tokens read so far as elements, and questions about the next ones."""
+
+    def __init__(self, text: str, tokens: list[Token]) -> None:
+        self.text = text
+        self.tokens = tokens
+        self.elements: list[Element] = []
+
+    def _tok(self, i: int) -> Token | None:
+        return self.tokens[i] if 0 <= i < len(self.tokens) else None
+
+    def _low(self, i: int) -> str:
+        token = self._tok(i)
+        return token.low if token is not None and token.kind != "punct" else ""
+
+    def _match_noun(self, i: int) -> tuple[lex.Noun, int, bool, str] | None:
+        """Longest lexicon noun at token i: entry, tokens used, plural, phrase."""
+        table = lex.nouns()
+        for n in range(min(lex.longest_noun(), len(self.tokens) - i), 0, -1):
+            window = self.tokens[i : i + n]
+            if any(t.kind not in ("word",) and not (t.kind == "number" and n > 1) for t in window):
+                continue
+            words = [t.low for t in window]
+            phrase = " ".join(words)
+            last, plural = lex.singular(words[-1])
+            single = " ".join([*words[:-1], last])
+            for candidate, is_plural in ((phrase, False), (single, plural)):
+                if candidate in table:
+                    if candidate == phrase and single != phrase and single in table:
+                        continue
+                    return table[candidate], n, is_plural or words[-1] == "billiards", candidate
+            dashed = "-".join(words)
+            if n > 1 and dashed in table:
+                return table[dashed], n, False, dashed
+        if i < len(self.tokens) and "-" in self._low(i):
+            last, plural = lex.singular(self._low(i).replace("-", " "))
+            if last in table:
+                return table[last], 1, plural, last
+        return None
+
+    def _previous(self) -> Element | None:
+        return self.elements[-1] if self.elements else None
+
+    @staticmethod
+    def _known_adjective(low: str) -> bool:
+        if "-" in low and any(p in lex.COLORS or p in lex.SIZES for p in low.split("-")):
+            return True
+        return (
+            low in lex.COLORS
+            or low in lex.MATERIALS
+            or low in lex.SIZES
+            or low in lex.STRETCHES
+            or low in lex.WEIGHTS
+            or low in lex.PLACE_ADJECTIVES
+            or low in lex.PLAIN_ADJECTIVES
+        )
+
+    def _is_adjective(self, i: int) -> bool:
+        token = self._tok(i)
+        if token is None or token.kind != "word":
+            return False
+        low = token.low
+        if self._known_adjective(low):
+            return True
+        return (
+            token.tag == "ADJ"
+            and self._match_noun(i) is None
+            and not verb_readings(low)
+            and low not in lex.PREPOSITIONS
+        )
+
+    def _bare(self, mention: Mention) -> bool:
+        return not mention.determiner and not mention.pronoun and not mention.letters
+
+    def _verb_context(self, i: int) -> bool:
+        nxt = self._tok(i + 1)
+        if nxt is None:
+            return self.tokens[i].tag in ("VERB", "")
+        low = nxt.low
+        return (
+            low in lex.DETERMINERS
+            or low in lex.PRONOUNS
+            or low in lex.PREPOSITIONS
+            or nxt.kind in ("qty",)
+            or low in lex.ADVERBS
+            or low == "to"
+            or (nxt.kind == "punct" and self.tokens[i].tag in ("VERB", ""))
+        )
+
+    def _noun_soon(self, i: int) -> bool:
+        """Whether adjectives and then a noun follow without a determiner."""
+        for j in range(i, min(i + 4, len(self.tokens))):
+            low = self._low(j)
+            if self.tokens[j].kind != "word" or low in lex.DETERMINERS or low in lex.PREPOSITIONS:
+                return False
+            if self._match_noun(j) is not None:
+                return True
+            if verb_readings(low) and not self._is_adjective(j):
+                return False
+            if low in lex.ADVERBS and not self._is_adjective(j):
+                return False
+            if not self._is_adjective(j):
+                return self.tokens[j].tag in ("NOUN", "PROPN")
+        return False
+
+    def _verb_ahead(self, i: int) -> bool:
+        for j in range(i, min(i + 3, len(self.tokens))):
+            low = self._low(j)
+            if low in lex.MODALS or verb_readings(low):
+                return True
+            if low not in lex.ADVERBS:
+                return False
+        return False
+
+    def _participle(self, j: int, also_been: bool = False) -> bool:
+        for k in range(j, min(j + 3, len(self.tokens))):
+            low = self._low(k)
+            if also_been and low == "been":
+                return True
+            if any(r.form in ("pp", "ing") for r in verb_readings(low)):
+                return True
+            if low not in lex.ADVERBS and not low.endswith("ly"):
+                return False
+        return False
+
+    def _verb_here(self, i: int) -> bool:
+        """Whether the token starts a verb group here."""
+        low = self._low(i)
+        token = self.tokens[i]
+        previous = self._previous()
+        if low in ("is", "are", "was", "were", "be", "been", "being", "'s", "gets", "get"):
+            return low != "'s" or isinstance(previous, Mention)
+        if low in ("cannot", "can't", "couldn't"):
+            return True
+        if low in lex.MODALS and low not in (
+            "can",
+            "has",
+            "have",
+            "had",
+            "having",
+            "might",
+            "will",
+        ):
+            return True
+        if low in ("will", "can", "might", "has", "have", "had", "having"):
+            return isinstance(previous, Mention) or low in ("has", "have", "had", "having")
+        readings = verb_readings(low)
+        if not readings:
+            return False
+        prev_low = self._low(i - 1)
+        nxt = self._low(i + 1)
+        forms = {r.form for r in readings}
+        noun = self._match_noun(i)
+        nounish = noun is not None or low in lex.ATTRIBUTES or low in lex.PARTS
+        nounish = nounish or lex.singular(low)[0] in lex.ATTRIBUTES
+        adjectival = self._is_adjective(i)
+        if noun is not None and noun[1] > 1 and not isinstance(previous, Mention):
+            return False
+        if prev_low in lex.DETERMINERS and not (
+            isinstance(previous, Mention) and previous.end == self.tokens[i - 1].end
+        ):
+            return False
+        if low in (
+            "back",
+            "left",
+            "ground",
+            "wound",
+            "found",
+            "end",
+            "step",
+            "set",
+            "lead",
+            "rest",
+        ):
+            if not isinstance(previous, Mention):
+                return low == "back" and isinstance(previous, Word) and previous.kind == "conj"
+            if low == "left":
+                return nxt in ("the", "its", "a")
+            if low in ("back", "end", "wound", "ground"):
+                return any(
+                    p.match(self.text, token.end)
+                    for p, _, _ in PHRASES.get(low if low != "wound" else "wind", [])
+                )
+            return True
+        if isinstance(previous, Word) and previous.kind == "prep" and not (forms & {"ing"}):
+            return not (nounish or adjectival) and previous.low != "by"
+        if isinstance(previous, Mention):
+            if adjectival and forms <= {"pp", "past", "ing"} and self._noun_soon(i + 1):
+                return bool(forms & {"past", "pp"}) and not self._bare(previous)
+            if forms & {"s", "past", "pp", "ing"} or not nounish:
+                return True
+            return True
+        if isinstance(previous, Verb):
+            return (
+                bool(forms & {"ing", "base"})
+                and not (nounish and (self._noun_soon(i + 1) is False))
+                and not (adjectival and self._noun_soon(i + 1))
+            )
+        if (
+            adjectival
+            and self._noun_soon(i + 1)
+            and not (isinstance(previous, Word) and previous.kind in ("rel", "sub"))
+        ):
+            if "ing" in forms and nxt in lex.DETERMINERS:
+                return True
+            return False
+        if previous is None or (
+            isinstance(previous, Word) and previous.kind == "punct" and previous.low in ".;!?:\n"
+        ):
+            if nounish:
+                return nxt in lex.DETERMINERS and "base" in forms
+            return True
+        if (
+            nounish
+            and forms & {"s", "past"}
+            and isinstance(previous, Word)
+            and previous.kind in ("punct", "conj", "adv")
+            and (nxt == "" or nxt in ("and", "then"))
+            and any(isinstance(e, Verb) for e in self.elements)
+        ):
+            return True  # "..., slides, and hits"
+        if nounish and noun is not None:
+            inflected = forms & {"past", "pp", "ing"} or (
+                "s" in forms and not isinstance(previous, Word)
+            )
+            if isinstance(previous, Word) and previous.kind in ("conj", "adv", "punct", "rel"):
+                return self._verb_context(i) or bool(inflected)
+            return bool(inflected) or token.tag == "VERB"
+        return True
+
+    def _looks_like_verb(self, j: int, m: Mention) -> bool:
+        """An unknown word in -s or -ed after a singular noun, with no verb after it ("derails")."""
+        low = self._low(j)
+        if (
+            not low.endswith(("s", "ed"))
+            or low.endswith("ss")
+            or m.determiner not in ("a", "an", "the", "this", "that", "its")
+        ):
+            return False
+        nxt = self._low(j + 1)
+        return not (verb_readings(nxt) or nxt in lex.MODALS or nxt == "'s")
+
+    def _compound_noun(self, k: int) -> bool:
+        """Whether an ambiguous word continues a compound ("picnic park") and is no verb."""
+        nxt = self._tok(k + 1)
+        if nxt is None:
+            return self.tokens[k].tag == "NOUN"
+        if nxt.low in lex.DETERMINERS or nxt.low in lex.PRONOUNS:
+            return False
+        return self.tokens[k].tag == "NOUN" and bool(verb_readings(nxt.low))
+
+    def _unknown_noun(self, j: int) -> bool:
+        token = self._tok(j)
+        if token is None or token.kind != "word" or token.text == "'s":
+            return False
+        low = token.low
+        if (
+            low in lex.PREPOSITIONS
+            or low in lex.ADVERBS
+            or low in lex.MODALS
+            or low in lex.PRONOUNS
+            or low in lex.DETERMINERS
+            or low in lex.SUBORDINATORS
+            or low in ("and", "or", "but", "to", "which", "who", "that", "not")
+            or verb_readings(low)
+        ):
+            return False
+        if token.tag in ("NOUN", "PROPN"):
+            return True
+        if token.tag in ("ADJ", "VERB", "X", "INTJ"):
+            return not self._noun_soon(j + 1)
+        return token.tag == "" and not low.endswith("ly")

@@ -1,0 +1,299 @@
+"""Verbs of contact and its results: hit, knock, send, topple, pot, score, miss."""
+
+from __future__ import annotations
+
+from esg.draft import lexicon as lex
+from esg.draft.frames import Frame
+from esg.draft.senses_launch import LaunchSenses
+from esg.graph.models import EventConstraint, NodeEvent
+
+
+class ContactSenses(LaunchSenses):
+    """Collisions and what follows from them."""
+
+    def _do_hit(self, f: Frame, s: list[str], o: list[str]) -> None:
+        time = self._time(f)
+        if f.object is not None and f.object.attribute and not o:
+            o = []
+        if f.verb.passive:
+            by = f.phrase("by")
+            by = by or f.phrase("with")
+            movers = by.mention.entities if by is not None and by.mention is not None else []
+            if not movers:
+                movers = [
+                    a for a, t in self.tl.tracks.items() if t.motion is not None and a not in s
+                ][-1:]
+            if not movers and s:
+                self._motion(f, s, None)  # "a cue ball is struck at 3 m/s"
+                return
+            targets = s
+        else:
+            movers, targets = s, self._hit_targets(f, s, o)
+            if not s and o and f.subject is None:
+                # imperative "hit the ball into the goal": a launch
+                self._do_launch(f, s, o)
+                return
+        if (
+            movers
+            and all(self.kind(m) == "person" for m in movers)
+            and targets
+            and not f.verb.passive
+            and f.verb.lemma in ("hit", "strike", "tap", "smack", "whack")
+            and self.kind(targets[0]) in ("ball", "billiard", "sliding")
+        ):
+            self._launch_by(f, movers, targets)
+            return
+        host = f.phrase("on", "in", "at")
+        if (
+            len(movers) >= 2
+            and host is not None
+            and host.mention is not None
+            and targets == host.mention.entities
+        ):
+            self.place(movers, targets, host.prep)
+            targets = []
+        if not targets and len(movers) >= 2:
+            self._mutual(f, movers, time)
+            return
+        if not targets and movers:
+            aimed = self.aim.get(movers[0])
+            if aimed is not None and aimed != movers[0]:
+                targets = [aimed]
+            else:
+                targets = [
+                    i
+                    for ids in reversed(self.world.salience)
+                    for i in ids
+                    if i not in movers and not self.structural(i)
+                ][:1]
+        self._kinematics(f, movers, targets)
+        if f.verb.extra.get("motion") == "reverse":
+            self._reverse(movers)
+        nodes = self._hit(f, movers, targets, time)
+        self._after_hit(f, nodes, targets)
+        if not o and not f.verb.passive:
+            seen = list(targets)
+            for p in f.phrases:
+                if (
+                    p.prep in ("into", "against", "with")
+                    and p.mention is not None
+                    and not p.mention.attribute
+                ):
+                    extra = [
+                        i
+                        for i in p.mention.entities
+                        if i not in seen and i not in movers and not self.structural(i)
+                    ]
+                    seen += extra
+                    self._hit(f, movers, extra)
+        tail = f.phrase("off")
+        if tail is not None and tail.mention is not None and targets:
+            self._outcomes(f, targets[:1])
+        elif o and f.phrase("into", "onto", "toward", "towards") is not None and nodes:
+            self._knock_on(f, targets[:1])
+
+    def _hit_targets(self, f: Frame, s: list[str], o: list[str]) -> list[str]:
+        if o:
+            return o
+        p = f.phrase("with", "into", "against", "at", "on", "onto", "to", "in")
+        if p is not None and p.mention is not None and not (p.prep == "in" and p.mention.attribute):
+            found = [i for i in p.mention.entities if i not in s]
+            if found:
+                return found
+        return []
+
+    def _after_hit(self, f: Frame, nodes: list[str], targets: list[str]) -> None:
+        """Angles and the like stated with a hit."""
+        angle = self.quantity(f, "angle")
+        if angle is not None and nodes:
+            draft = self.tl.node(nodes[0])
+            if draft is not None:
+                draft.constraints.append(
+                    EventConstraint(
+                        quantity="angle", object=draft.participants[0], value=angle[1].value
+                    )
+                )
+                self.use(angle[1], f"angle of {nodes[0]}")
+
+    def _mutual(self, f: Frame, movers: list[str], time: object) -> None:
+        """ "Two cars collide": who moves, who is hit."""
+        a, b = movers[0], movers[1]
+        ta, tb = self.tl.tracks.get(a), self.tl.tracks.get(b)
+        if (
+            self.e(a).place == "front"
+            or (self.e(b).place == "rear")
+            or (ta is None and tb is not None)
+        ):
+            a, b = b, a
+        moving = [
+            m
+            for m in (a, b)
+            if (t := self.tl.tracks.get(m)) is not None and (t.motion is not None or t.hit)
+        ]
+        if not moving:
+            for m in (a, b):
+                if self.movable(m):
+                    self._start_motion(f, [m], None, b if m == a else a)
+        self._hit(f, [a], [b], time)
+
+    def _do_knock(self, f: Frame, s: list[str], o: list[str]) -> None:
+        if f.verb.passive:
+            by = f.phrase("by")
+            movers = by.mention.entities if by is not None and by.mention is not None else []
+            s, o = list(movers), s
+        if not o:
+            p = f.phrase("into", "against", "on")
+            if p is not None and p.mention is not None and s:
+                self._do_hit(f, s, [])
+            return
+        if self._already_hit(f, s, o):
+            self.use(f, "consequence of the collision")
+        elif s:
+            self._kinematics(f, s, o)
+            self._hit(f, s, o, self._time(f))
+        self._knock_on(f, o)
+        self._consequence(f, o)
+
+    def _do_cause(self, f: Frame, s: list[str], o: list[str]) -> None:
+        self.use(f, "consequence")
+        if f.verb.passive:
+            o, s = s, []
+        if not o:
+            return
+        if (
+            f.verb.lemma in ("send", "force")
+            and s
+            and not self._already_hit(f, s, o)
+            and f.causer is None
+        ):
+            if self.kind(s[0]) != "person":
+                self._hit(f, s, o, self._time(f))
+            else:
+                self._start_motion(f, o)
+        if f.verb.lemma in ("send", "force"):
+            self._knock_on(f, o)
+            self._consequence(f, o)
+        self.world.note(o)
+
+    def _do_lead(self, f: Frame, s: list[str], o: list[str]) -> None:
+        self.use(f, "consequence")
+
+    def _do_give(self, f: Frame, s: list[str], o: list[str]) -> None:
+        body = o
+        if not body:
+            p = f.phrase("to")
+            body = p.mention.entities if p is not None and p.mention is not None else []
+        found = self.quantity(f, "speed")
+        if found is not None and body:
+            self._speed_after(body[0], found[1])
+        self.use(f, "speed after the collision")
+
+    def _do_topple(self, f: Frame, s: list[str], o: list[str]) -> None:
+        self._free(o or s)
+        if (
+            f.subject is not None
+            and f.subject.determiner in ("each", "every")
+            and f.object is not None
+            and "next" in f.object.adjectives
+            and len(s) > 1
+        ):
+            s, o = s[:1], s[1:2]
+        if f.verb.passive:
+            by = f.phrase("by")
+            o, s = s, list(by.mention.entities) if by is not None and by.mention is not None else []
+        if o:
+            bodies = self._representatives(o, s)
+            movers = [m for m in s if self.kind(m) != "person"] or s
+            if movers and not self._already_hit(f, movers, o):
+                self._hit(f, movers[:1], o, self._time(f))
+        else:
+            bodies = self._representatives(s, []) if not f.verb.passive else []
+        for b in bodies:
+            if not self.movable(b):
+                continue
+            self._struck_before(f, b)
+            if b not in self.tl.tracks or (
+                self.tl.tracks[b].motion is None and not self.tl.tracks[b].hit
+            ):
+                self._start_motion(f, [b], "slide")
+            self.event(NodeEvent.TOPPLE, (b,), f, self._time(f))
+        self._knock_on(f, bodies)
+
+    def _do_scatter(self, f: Frame, s: list[str], o: list[str]) -> None:
+        bodies = o or s
+        if o and s and not self._already_hit(f, s, o):
+            self._hit(f, s[:1], o, self._time(f))
+        if bodies and self.kind(bodies[0]) in ("pin", "domino"):
+            self.event(NodeEvent.TOPPLE, (self._representatives(bodies, [])[0],), f, None)
+        self.use(f, "scatter")
+
+    def _do_enter(self, f: Frame, s: list[str], o: list[str]) -> None:
+        for actor in s:
+            target = next((t for t in o if not self.structural(t)), None)
+            if target is not None and actor in self.world.entities and self.movable(actor):
+                self._ensure_mover(f, actor, target)
+                self.enter(f, actor, target, f.object, self._time(f))
+            else:
+                self.use(f, "continues on its way")
+
+    def _do_pocket(self, f: Frame, s: list[str], o: list[str]) -> None:
+        if f.verb.passive:
+            by = f.phrase("by")
+            o, s = s, list(by.mention.entities) if by and by.mention else []
+        bodies = o
+        if f.verb.lemma == "sink" and not o:
+            p = f.phrase("in", "into")
+            bodies = s
+            s = []
+            if p is None:
+                self.scene.ignored[(f.verb.start, f.verb.end)] = "sinking is not simulated"
+                return
+        strikers = [x for x in s if self.kind(x) in ("billiard", "ball")]
+        if strikers and bodies and not self._already_hit(f, strikers, bodies):
+            self._hit(f, strikers[:1], bodies, self._time(f))
+        for b in bodies[:1]:
+            self._ensure_mover(f, b, None)
+            p = f.phrase("in", "into", "to")
+            goal = [i for i in (p.mention.entities if p and p.mention else [])]
+            if goal:
+                self.enter(f, b, goal[0], p.mention if p else None, self._time(f))
+            else:
+                self.scene.needs.append(("billiard_table", b))
+                self.event(
+                    NodeEvent.ENTER_REGION,
+                    (b,),
+                    f,
+                    self._time(f),
+                    region="billiard_table_1/bottom left pocket",
+                )
+
+    def _do_score(self, f: Frame, s: list[str], o: list[str]) -> None:
+        balls = [i for i, e in self.world.entities.items() if e.noun.kind in ("ball", "sliding")]
+        ball = next((i for i in [*o, *s] if i in balls), balls[-1] if balls else None)
+        if ball is None:
+            ball = self.world.add(lex.nouns()["soccer ball"], "soccer ball", mentioned=False).id
+        goal = next((i for i, e in self.world.entities.items() if "goal" in e.noun.traits), None)
+        if goal is None:
+            name = "basketball hoop" if self.e(ball).noun.name == "basketball" else "goal"
+            goal = self.world.add(lex.nouns()[name], name, mentioned=False).id
+        if any(n.event is NodeEvent.ENTER_REGION and ball in n.participants for n in self.tl.nodes):
+            self.use(f, "goal")
+            return
+        self._ensure_mover(f, ball, goal)
+        self.enter(f, ball, goal, None, self._time(f))
+
+    def _do_miss(self, f: Frame, s: list[str], o: list[str]) -> None:
+        targets = self._hit_targets(f, s, o)
+        for actor in s:
+            if not targets and actor in self.aim:
+                targets = [self.aim[actor]]
+            self._ensure_mover(f, actor, targets[0] if targets else None)
+            for other in targets[:1]:
+                if other != actor:
+                    self.event(NodeEvent.MISS, (actor, other), f, self._time(f))
+
+    def _do_avoid(self, f: Frame, s: list[str], o: list[str]) -> None:
+        for actor in s:
+            for other in o[:1]:
+                self._ensure_mover(f, actor, None)
+                self.event(NodeEvent.MISS, (actor, other), f, self._time(f))

@@ -1,0 +1,309 @@
+"""Verbs of control: accelerate, brake, stop, turn, swerve, overtake, reverse."""
+
+from __future__ import annotations
+
+from esg.draft.frames import Frame
+from esg.draft.quantities import Amount
+from esg.draft.scene import SELF_POWERED, SPEEDS
+from esg.draft.senses_contact import ContactSenses
+from esg.draft.timeline import Motion
+from esg.graph.models import EventConstraint, ForceDirection, NodeEvent, Quantity, Role
+
+
+class ControlSenses(ContactSenses):
+    """Intentional changes of motion under own power."""
+
+    def _do_accelerate(self, f: Frame, s: list[str], o: list[str]) -> None:
+        actors = s or o
+        speeds = [(p, a) for p, a in self.amounts(f) if a.dimension == "speed"]
+        rate = self.quantity(f, "acceleration")
+        for actor in actors:
+            track = self.tl.track(actor)
+            if track.motion is not None and not track.closed and track.motion.mode == "own":
+                time = self._time(f)
+                self.event(NodeEvent.TRIGGER, (actor,), f, time)
+            start: Quantity = (0.0, 500.0)
+            prescribed = False
+            params: dict[str, object] = {"acceleration": rate[1].value if rate else (50.0, 600.0)}
+            final: Amount | None = None
+            for p, a in speeds:
+                self.use(a, "speed")
+                if a.low != a.high and a.text.lower().startswith("from"):
+                    start, prescribed = a.low, True
+                    final = Amount("speed", a.high, a.high, a.start, a.end, a.text)
+                elif p == "from":
+                    start, prescribed = a.value, True
+                elif p in ("to", "until", "up to", ""):
+                    final = a
+                else:
+                    start, prescribed = a.value, True
+            if track.motion is not None and track.motion.prescribed and not prescribed:
+                start, prescribed = track.motion.speed or start, True
+            if "from rest" in f.adverbs:
+                start, prescribed = 0.0, True
+            if rate is not None:
+                self.use(rate[1], "acceleration")
+            duration = next(
+                (a for p, a in self.amounts(f) if a.dimension == "time" and p == "for"), None
+            )
+            if duration is not None:
+                self.use(duration, "duration")
+            self.tl.move(
+                actor,
+                Motion(
+                    "accelerate",
+                    start,
+                    prescribed,
+                    self.aim.get(actor),
+                    params,
+                    duration.value if duration else None,
+                ),
+                self._direction(actor, "own"),
+            )
+            if final is not None:
+                node = self.tl.trigger(actor, f"{actor} has reached its speed")
+                draft = self.tl.node(node)
+                assert draft is not None
+                draft.constraints.append(
+                    EventConstraint(quantity="speed_after", object=actor, value=final.value)
+                )
+                time = self._time(f)
+                if time is not None and (time[1].start, time[1].end) not in self.scene.used:
+                    self.use(time[1], "time")
+                    draft.time, draft.time_prescribed = time[0], True
+                self.tl.move(actor, Motion("own", final.value, True), self._direction(actor, "own"))
+                self.tl.track(actor).closed = True
+        self.use(f, "acceleration")
+        self._outcomes(f, actors)
+
+    def _brake(self, f: Frame, actor: str, time: tuple[Quantity, Amount, str] | None) -> None:
+        track = self.tl.track(actor)
+        if track.motion is None and not track.hit:
+            self._start_motion(f, [actor])
+        if track.motion is not None and track.motion.mode == "brake" and not track.closed:
+            return
+        self.event(NodeEvent.TRIGGER, (actor,), f, time, stem="brake")
+        motion = self.tl.track(actor).motion
+        target = motion.target if motion is not None else None
+        self.tl.move(
+            actor,
+            Motion("brake", None, False, target, {"damping": (0.3, 6.0)}),
+            self._direction(actor, "own"),
+        )
+
+    def _do_brake(self, f: Frame, s: list[str], o: list[str]) -> None:
+        actors = s or [a for a, t in self.tl.tracks.items() if t.motion is not None][-1:]
+        for actor in actors:
+            self._brake(f, actor, self._time(f))
+        found = self.quantity(f, "speed")
+        if found is not None and f.phrase("from") is None:
+            self.use(found[1], "speed")
+        self.use(f, "braking")
+
+    def _do_slow(self, f: Frame, s: list[str], o: list[str]) -> None:
+        actors = s or o
+        final = next(
+            (a for p, a in self.amounts(f) if a.dimension == "speed" and p in ("to", "")), None
+        )
+        for actor in actors:
+            if self._moved_by_others(actor) or (
+                self.tl.tracks.get(actor) and self.tl.tracks[actor].launched
+            ):
+                self.scene.ignored[(f.verb.start, f.verb.end)] = "friction slows it"
+                continue
+            self._brake(f, actor, self._time(f) if final is None else None)
+            if final is not None:
+                node = self.tl.trigger(actor, self.describe(f))
+                draft = self.tl.node(node)
+                assert draft is not None
+                draft.constraints.append(
+                    EventConstraint(quantity="speed_after", object=actor, value=final.value)
+                )
+                self.use(final, "speed after slowing")
+                time = self._time(f)
+                if time is not None:
+                    brake = self.tl.nodes[-2].id
+                    draft.constraints.append(
+                        EventConstraint(
+                            quantity="time_since", object=actor, value=time[0], since=brake
+                        )
+                    )
+                    self.use(time[1], "time")
+                self.tl.move(actor, Motion("own", final.value, True), self._direction(actor, "own"))
+                self.tl.track(actor).closed = True
+        self.use(f, "slowing")
+
+    def _do_stop(self, f: Frame, s: list[str], o: list[str]) -> None:
+        actors = s or o
+        if f.reduced or (f.verb.passive and not any(a in self.tl.tracks for a in actors)):
+            moving = [
+                a for a in actors if a in self.tl.tracks and self.tl.tracks[a].motion is not None
+            ]
+            if not moving:
+                self._do_be(f, s, o)
+                return
+        if f.verb.passive:
+            by = f.phrase("by")
+            if by is not None and by.mention is not None and by.mention.entities:
+                self._hit(f, actors, by.mention.entities, self._time(f))
+        for actor in actors:
+            if not self.movable(actor):
+                continue
+            time = self._time(f)
+            self._stop(f, actor, time)
+        self._places_loosely(f, actors)
+
+    def _places_loosely(self, f: Frame, actors: list[str]) -> None:
+        self.use(f, "stop")
+
+    def _stop(self, f: Frame, actor: str, time: tuple[Quantity, Amount, str] | None) -> None:
+        track = self.tl.track(actor)
+        if track.motion is None and not track.hit:
+            self._start_motion(f, [actor])
+            track = self.tl.track(actor)
+        motion = track.motion
+        if (
+            motion is not None
+            and motion.mode in ("own", "accelerate")
+            and track.role is Role.ACTIVE
+        ):
+            self._brake(f, actor, None)
+        self.event(NodeEvent.STOP, (actor,), f, time)
+
+    def _do_park(self, f: Frame, s: list[str], o: list[str]) -> None:
+        if (
+            f.verb.passive
+            or f.reduced
+            or f.verb.form == "pp"
+            or not s
+            or self.kind(s[0]) not in SELF_POWERED
+        ):
+            self._do_be(f, s, o)
+            return
+        self._stop(f, s[0], self._time(f))
+        self._places(f, s)
+
+    def _do_turn(self, f: Frame, s: list[str], o: list[str]) -> None:
+        if s and not any(self.movable(a) for a in s):
+            self.scene.ignored[(f.verb.start, f.verb.end)] = "a fixed object does not turn"
+            return
+        words = [*f.adverbs, f.verb.extra.get("dir", "")]
+        for p in f.phrases:
+            if (p.mention is not None and p.mention.attribute) or (p.mention and p.mention.part):
+                words += [p.mention.head, p.mention.part]
+        span = self.text[f.verb.start : f.verb.end + 40].lower()
+        direction = (
+            "left"
+            if "left" in words or "anticlockwise" in words or "counterclockwise" in words
+            else "right"
+            if "right" in words or "clockwise" in words
+            else ""
+        )
+        if not direction:
+            direction = "right" if " right" in span.split(".")[0] else "left"
+        degrees = 180.0 if f.verb.extra.get("dir") in ("u", "around", "back") else 90.0
+        amount = self.quantity(f, "angle")
+        if amount is not None:
+            degrees = max(1.0, min(720.0, abs(amount[1].middle)))
+            self.use(amount[1], "turn angle")
+        actors = s or o
+        if not actors:
+            actors = [a for a, t in self.tl.tracks.items() if t.motion is not None][-1:]
+        self._turn(f, actors, direction, degrees, NodeEvent.HEADING_REACHED)
+        cross = f.phrase("at", "into", "onto", "down")
+        if cross is not None:
+            self.use(f, "turn")
+
+    def _turn(
+        self, f: Frame, actors: list[str], direction: str, degrees: float, kind: NodeEvent
+    ) -> None:
+        for actor in actors:
+            if not self.movable(actor):
+                continue
+            track = self.tl.track(actor)
+            if track.motion is None:
+                self._start_motion(f, [actor], "own")
+            time = self._time(f)
+            speed, prescribed = (
+                (track.motion.speed, track.motion.prescribed) if track.motion else (None, False)
+            )
+            self.event(NodeEvent.TRIGGER, (actor,), f, time, stem="turn_start")
+            track.closed = True
+            self.tl.move(
+                actor,
+                Motion(
+                    "turn",
+                    speed,
+                    prescribed,
+                    None,
+                    {
+                        "turn_direction": direction,
+                        "turn_degrees": degrees,
+                        "turn_rate_deg_s": (20.0, 120.0),
+                    },
+                ),
+                self._direction(actor, "own"),
+            )
+            self.event(kind, (actor,), f, None, turn_direction=direction, turn_degrees=degrees)
+
+    def _do_swerve(self, f: Frame, s: list[str], o: list[str]) -> None:
+        direction = (
+            "right"
+            if "right" in f.adverbs
+            or any(p.mention and p.mention.head == "right" for p in f.phrases)
+            else "left"
+        )
+        amount = self.quantity(f, "angle")
+        degrees = amount[1].middle if amount is not None else 30.0
+        if amount is not None:
+            self.use(amount[1], "turn angle")
+        self._turn(f, s, direction, degrees, NodeEvent.HEADING_REACHED)
+        avoided = o
+        around = f.phrase("around", "past")
+        if around is not None and around.mention is not None:
+            avoided = around.mention.entities
+        for actor in s:
+            for other in avoided[:1]:
+                if other != actor and not self.structural(other):
+                    self.event(NodeEvent.MISS, (actor, other), f, None)
+        into = f.phrase("into")
+        if into is not None and into.mention is not None:
+            self._outcomes(f, s)
+
+    def _do_overtake(self, f: Frame, s: list[str], o: list[str]) -> None:
+        if f.verb.passive:
+            by = f.phrase("by")
+            s, o = (list(by.mention.entities) if by and by.mention else []), s
+        for actor in s:
+            track = self.tl.tracks.get(actor)
+            if track is None or track.motion is None:
+                self._start_motion(f, [actor])
+            for other in o[:1]:
+                if other != actor:
+                    self.place([actor], [other], "behind")
+                    self.event(NodeEvent.MISS, (actor, other), f, self._time(f), stem="overtakes")
+        self.use(f, "overtaking")
+
+    def _do_merge(self, f: Frame, s: list[str], o: list[str]) -> None:
+        direction = (
+            "right"
+            if "right" in f.adverbs or "right" in self.text[f.verb.start : f.verb.end + 30]
+            else "left"
+        )
+        self._turn(f, s, direction, 15.0, NodeEvent.HEADING_REACHED)
+
+    def _do_reverse(self, f: Frame, s: list[str], o: list[str]) -> None:
+        actors = s or o
+        self._motion(f, actors, "own")
+        self._reverse(actors)
+
+    def _reverse(self, actors: list[str]) -> None:
+        for actor in actors:
+            if not self.movable(actor):
+                continue
+            track = self.tl.track(actor)
+            if track.motion is None:
+                self._own(
+                    actor, SPEEDS.get(self.kind(actor), (50.0, 400.0)), False, self.aim.get(actor)
+                )
+            track.direction = ForceDirection.ALONG_FORWARD_OR_BACKWARD

@@ -1,0 +1,262 @@
+"""Verbs of launching and falling: throw, kick, push, drop, fall, land."""
+
+from __future__ import annotations
+
+from esg.draft.acts import Acts
+from esg.draft.frames import Frame
+from esg.draft.senses_state import StateSenses
+from esg.graph.models import EventConstraint, NodeEvent
+
+
+class LaunchSenses(StateSenses):
+    """Bodies that are set in motion once."""
+
+    def _do_launch(self, f: Frame, s: list[str], o: list[str]) -> None:
+        if f.verb.passive:
+            by = f.phrase("by")
+            agents = by.mention.entities if by is not None and by.mention is not None else []
+            things = s
+        else:
+            agents, things = (s, o) if o else ([], s)
+        if not things:
+            p = f.phrase("against", "on", "at")
+            if p is not None and p.mention is not None and agents:
+                self._do_hit(f, agents, p.mention.entities)
+            return
+        self._launch_by(f, agents, things)
+
+    def _do_tow(self, f: Frame, s: list[str], o: list[str]) -> None:
+        """Pulling: a person moves the thing; a vehicle drives with the thing behind it."""
+        if f.verb.passive:
+            by = f.phrase("by")
+            s, o = (list(by.mention.entities) if by and by.mention else []), s
+        if s and o and self.kind(s[0]) != "person":
+            self.place(o, s, "behind")
+            self._motion(f, s, None)
+        else:
+            self._launch_by(f, s, o)
+
+    def _launch_by(self, f: Frame, agents: list[str], things: list[str]) -> None:
+        mode = f.verb.note or "roll"
+        bodily = [a for a in agents if self.kind(a) != "person"]
+        if bodily and f.verb.sense in ("launch",) and mode in ("slide", "roll"):
+            # a robot, car or ball that pushes something hits it
+            self._kinematics(f, bodily, things)
+            if not self._already_hit(f, bodily, things):
+                self._hit(f, bodily[:1], things, self._time(f))
+            self._knock_on(f, things)
+            self._consequence(f, things)
+            return
+        if agents:
+            self.place(agents, things, "near")
+        for agent in agents:
+            if agent != things[0]:
+                self.scene.facing.setdefault(agent, things[0])
+        self._motion_of_things(f, things, mode)
+
+    def _motion_of_things(self, f: Frame, things: list[str], mode: str) -> None:
+        target = self._target(f, things)
+        aim = next((t for t in target if self._aimable(t)), None)
+        if mode == "roll" and f.verb.lemma not in ("roll", "bowl", "putt", "dribble"):
+            aimed = self.e(aim) if aim else None
+            if aimed is not None and (
+                aimed.noun.kind in ("hoop", "wall", "goal") and f.verb.lemma in ("shoot",)
+            ):
+                mode = "throw"
+        if mode == "slide" and things and "round" in self.e(things[0]).noun.traits:
+            mode = "roll"
+        moved = [t for t in self._representatives(things, []) if self.movable(t)]
+        for t in moved:
+            if self._moved_by_others(t):
+                continue
+            self._start_motion(f, [t], mode, aim)
+            if aim is not None:
+                self.aim[t] = aim
+            angle = self.quantity(f, "angle")
+            track = self.tl.tracks.get(t)
+            if (
+                angle is not None
+                and track is not None
+                and track.motion is not None
+                and mode in ("throw", "fly")
+            ):
+                track.motion.params["elevation_deg"] = angle[1].value
+                self.use(angle[1], "launch angle")
+        self.use(f, "launch")
+        self._heights(f, moved)
+        self._distance(f, moved, aim)
+        for m in [f.subject] if f.subject is not None else []:
+            self.thrown[id(m)] = moved
+        self._outcomes(f, moved)
+        self._consequence(f, moved)
+        if aim is not None:
+            for t in moved:
+                self.world.note([aim])
+                self.world.note([t], subject=f.verb.passive)
+
+    def _heights(self, f: Frame, things: list[str]) -> None:
+        for p, a in self.amounts(f):
+            if a.dimension == "length" and (
+                p in ("from", "at", "of", "above", "")
+                and (
+                    "height" in self.text[max(0, a.start - 25) : a.end + 12]
+                    or p in ("from", "above")
+                    or self.text[a.end : a.end + 7].strip().startswith(("above", "high", "up"))
+                )
+            ):
+                for t in things:
+                    self.scene.heights[t] = a.value
+                    self.tl.start_constraints.append(
+                        EventConstraint(quantity="height", object=t, value=a.value)
+                    )
+                self.use(a, "start height")
+
+    def _do_drop(self, f: Frame, s: list[str], o: list[str]) -> None:
+        things = s if f.verb.passive or not o else o
+        agents = [x for x in s if x not in things]
+        if agents:
+            self.place(agents, things, "near")
+        self._drop(f, things)
+
+    def _drop(self, f: Frame, things: list[str]) -> None:
+        moved = [t for t in things if self.movable(t)]
+        source = f.phrase("off", "from")
+        if source is not None and source.mention is not None:
+            host = [i for i in source.mention.entities if self._elevated(i)]
+            if host:
+                for t in moved:
+                    self.place([t], host, "on")
+                    self._ensure_mover(f, t, None)
+                    self.event(NodeEvent.FALL, (t,), f, self._time(f))
+                self._landing(f, moved)
+                return
+        for t in moved:
+            if not self._moved_by_others(t):
+                track = self.tl.tracks.get(t)
+                if track is None or track.motion is None:
+                    self._start_motion(f, [t], "drop")
+        self._heights(f, moved)
+        self.use(f, "drop")
+        if not self._landing(f, moved):
+            for t in moved:
+                self.pending[t] = (NodeEvent.FALL, f, None, self._time(f))
+
+    def _landing(self, f: Frame, moved: list[str]) -> bool:
+        p = f.phrase("onto", "on", "into", "in", "through", "to", "upon")
+        if p is None or p.mention is None or not p.mention.entities:
+            return False
+        other = p.mention.entities[0]
+        for t in moved:
+            if t == other:
+                continue
+            if self.structural(other):
+                if not any(
+                    n.event is NodeEvent.FALL and t in n.participants for n in self.tl.nodes
+                ):
+                    self.event(NodeEvent.FALL, (t,), f, self._time(f))
+            elif (p.prep in ("into", "in", "through") and self._holds(other)) or self.kind(
+                other
+            ) in ("region", "water"):
+                self.enter(f, t, other, p.mention, self._time(f))
+            else:
+                self._hit(f, [t], p.mention.entities, self._time(f))
+        return True
+
+    def _do_fall(self, f: Frame, s: list[str], o: list[str]) -> None:
+        self._free([x for x in s if self.kind(x) in ("post", "plant", "wall", "street")])
+        actors = self._representatives(s, [])
+        fresh = [a for a in actors if a not in self.tl.tracks]
+        upright = [
+            a
+            for a in actors
+            if "topples" in self.e(a).noun.traits or self.kind(a) in ("domino", "plant", "post")
+        ]
+        if (
+            upright
+            and f.phrase("off", "from", "over", "down", "onto", "on", "into", "in") is None
+            and a_rests_low(self, upright[0])
+        ):
+            self._do_topple(f, s, [])
+            return
+        source = f.phrase("off", "from", "over", "down")
+        if source is not None and source.mention is not None and not source.mention.entities:
+            source = None
+        for actor in fresh:
+            self._struck_before(f, actor)
+        fresh = [a for a in fresh if a not in self.tl.tracks]
+        into = f.phrase("into", "in", "through")
+        if (
+            source is None
+            and not fresh
+            and into is not None
+            and into.mention is not None
+            and into.mention.entities
+        ):
+            if self._landing(f, actors):
+                return
+        on_something = [a for a in fresh if a in self.scene.supported_by]
+        if (
+            fresh
+            and source is None
+            and f.phrase("onto", "on", "into", "in") is None
+            and not on_something
+        ):
+            self._drop(f, actors)
+            return
+        if on_something:
+            source = f.phrase("to") or source
+            fresh_low: list[str] = []
+        else:
+            fresh_low = fresh
+        fresh, held = fresh_low, fresh
+        if held and not fresh:
+            for actor in held:
+                self._start_motion(
+                    f, [actor], "roll" if "round" in self.e(actor).noun.traits else "slide"
+                )
+        if fresh and source is None:
+            self._drop(f, fresh)
+            return
+        for actor in actors:
+            if not self.movable(actor):
+                continue
+            if source is not None and source.mention is not None and source.mention.entities:
+                host = source.mention.entities[0]
+                if host != actor and self._elevated(host):
+                    self.place([actor], [host], "on")
+            self._heights(f, [actor])
+            if actor in fresh:
+                high = (
+                    source is not None
+                    and source.mention is not None
+                    and source.mention.entities
+                    and not self._elevated(source.mention.entities[0])
+                )
+                if high or (actor in self.scene.heights and actor not in self.scene.supported_by):
+                    self._start_motion(f, [actor], "drop")
+                else:
+                    self._start_motion(
+                        f, [actor], "roll" if "round" in self.e(actor).noun.traits else "slide"
+                    )
+            self.event(NodeEvent.FALL, (actor,), f, self._time(f))
+        landing = f.phrase("onto", "into", "on", "in")
+        if (
+            landing is not None
+            and landing.mention is not None
+            and landing.mention.entities
+            and not self.structural(landing.mention.entities[0])
+        ):
+            self._landing(f, actors)
+
+    def _do_land(self, f: Frame, s: list[str], o: list[str]) -> None:
+        for actor in s:
+            if actor not in self.tl.tracks:
+                self._start_motion(f, [actor], "drop")
+        if not self._landing(f, s):
+            self.use(f, "landing")
+        self.use(f, "landing")
+
+
+def a_rests_low(acts: Acts, node: str) -> bool:
+    """Whether an upright thing stands on the ground, so that "falls" means that it topples."""
+    return node not in acts.scene.supported_by and node not in acts.scene.heights

