@@ -70,6 +70,7 @@ class Problem:
     edge_p: wp.array2d(dtype=wp.float32)
     pair: wp.array(dtype=wp.vec2i)
     pair_margin: wp.array(dtype=wp.float32)
+    pair_avoid: wp.array(dtype=wp.float32)  # 1 where neither should hide under the other
     pair_mode: wp.array(
         dtype=wp.int32
     )  # 0 proxies, 1 boxes, 2 SDF, 3 and 4 SDF with the box of a, b
@@ -437,6 +438,28 @@ def unit_energy(p: Problem, w: wp.array(dtype=wp.vec3), off: int, u: int, limit:
 
 
 @wp.func
+def hiding(p: Problem, w: wp.array(dtype=wp.vec3), off: int, u: int):
+    """How deep footprints reach under or over those of units placed before [cm]."""
+    e = float(0.0)
+    for k in range(p.up_off[u], p.up_off[u + 1]):
+        i = p.up[k]
+        n = p.pair[i]
+        if p.pair_avoid[i] > 0.0 and p.node_unit[n[0]] <= u and p.node_unit[n[1]] <= u:
+            a = n[0]
+            b = n[1]
+            d = separation(
+                1 - p.node_round[a],
+                w[a + off],
+                p.node_half[a],
+                1 - p.node_round[b],
+                w[b + off],
+                p.node_half[b],
+            )
+            e += relu(-d)
+    return e
+
+
+@wp.func
 def project(p: Problem, x: wp.vec3, u: int):
     """Shifts a unit into the regions of its own nodes that are given in its parent's frame."""
     low = wp.vec2(-1.0e9, -1.0e9)
@@ -690,6 +713,7 @@ def search(
                     a[2] * wp.sqrt(dx * dx + dy * dy)
                     + a[3] * (1.0 - wp.cos(c[2] - p.unit_pose[u][2]))
                 )
+                e += s.preference * 20.0 * hiding(p, w, off, u)
             if e < least:
                 least = e
                 pick = c

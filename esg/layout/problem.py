@@ -10,11 +10,12 @@ import numpy as np
 from esg.graph.models import EsgDocument
 from esg.layout import terms
 from esg.layout.domains import unit_domains
-from esg.layout.edges import Term, binary_terms, characteristic, multi_terms
+from esg.layout.edges import Term, binary_terms, multi_terms
 from esg.layout.heights import heights
 from esg.layout.hints import StartHints
 from esg.layout.obstacles import CLEAR_HEIGHT_CM, Obstacle, obstacles
 from esg.layout.ordering import break_parent_cycles, implied_faces, placement_order
+from esg.layout.pairs import collision_pairs
 from esg.layout.shapes import CIRCLE
 from esg.layout.supports import Shape, SupportMap, find_supports, ground_nodes, shapes
 from esg.layout.units import Unit, UnitBuilder
@@ -65,6 +66,7 @@ class LayoutProblem:
     edge_p: np.ndarray
     pair: np.ndarray
     pair_margin: np.ndarray
+    pair_avoid: np.ndarray
 
 
 def build_problem(doc: EsgDocument, seed: int, hints: StartHints | None) -> LayoutProblem:
@@ -163,7 +165,6 @@ def _arrays(
     ]  # fmt: skip
 
     blocked = obstacles(doc, units, supports, shape, z)
-    exempt = [{index[n] for n in o.exempt} for o in blocked]
     for o in blocked:
         node_unit.append(o.unit)
         node_rel.append(o.rel)
@@ -199,33 +200,9 @@ def _arrays(
         for moved in moved_by
     ]
 
-    tops = [
-        (
-            min((p[6] for p in ps), default=0.0) + node_z[i],
-            max((p[7] for p in ps), default=0.0) + node_z[i],
-        )
-        for i, ps in enumerate(prims)
-    ]
-    pair, margin = [], []
-    for i in range(len(node_unit)):
-        for j in range(i):
-            if node_unit[i] == node_unit[j] or not prims[i] or not prims[j]:
-                continue
-            if min(tops[i][1], tops[j][1]) - max(tops[i][0], tops[j][0]) <= 0.2:
-                continue
-            if i >= len(names):
-                if j >= len(names) or j in exempt[i - len(names)]:
-                    continue
-                pair.append((j, i))
-                margin.append(0.5)
-                continue
-            pair.append((j, i))
-            a, b = shape[names[j]], shape[names[i]]
-            m = min(max(0.04 * min(characteristic(a), characteristic(b)), 0.7), 4.0)
-            if names[i] in supports.chain(names[j]) or names[j] in supports.chain(names[i]):
-                m = min(m, 0.7)
-            margin.append(m)
-
+    pair, margin, avoid = collision_pairs(
+        doc, names, node_unit, node_z, prims, blocked, supports, shape
+    )
     edge_nodes = [tuple(-1 if n is None else index[n] for n in t.nodes) for t in rel_terms]
     params = np.zeros((len(rel_terms), PARAMS), np.float32)
     for i, t in enumerate(rel_terms):
@@ -244,7 +221,7 @@ def _arrays(
         unit_pairs.append(
             [
                 k
-                for k, (a, b) in enumerate(pair)
+                for k, (a, b) in enumerate(pair.tolist())
                 if (node_unit[a] in moved) != (node_unit[b] in moved)
             ]
         )
@@ -297,6 +274,7 @@ def _arrays(
         edge_node=np.asarray(edge_nodes, np.int32).reshape(-1, 3),
         edge_w=np.asarray([t.weight for t in rel_terms], np.float32),
         edge_p=params,
-        pair=np.asarray(pair, np.int32).reshape(-1, 2),
-        pair_margin=np.asarray(margin, np.float32),
+        pair=pair,
+        pair_margin=margin,
+        pair_avoid=avoid,
     )

@@ -75,7 +75,7 @@ def concatenate(problems: Sequence[LayoutProblem]) -> dict[str, np.ndarray]:
     data |= {k: cat(k, 2) for k in ("node_half", "prim_half", "prim_z", "unit_center")}
     data |= {k: cat(k, 3) for k in ("node_rel", "prim_pose", "unit_free", "unit_pose")}
     data |= {k: cat(k, 4) for k in ("unit_box", "unit_anchor")}
-    data |= {k: cat(k) for k in ("prim_kind", "edge_kind", "edge_w", "pair_margin")}
+    data |= {k: cat(k) for k in ("prim_kind", "edge_kind", "edge_w", "pair_margin", "pair_avoid")}
     data["edge_p"] = cat("edge_p", 6)
     data["node_unit"] = shift("node_unit", units)
     data["unit_parent"] = shift("unit_parent", nodes)
