@@ -54,7 +54,7 @@ def _physics_layer(manifest: Manifest, folder: Path) -> str:
     world = UsdGeom.Xform.Define(stage, "/World").GetPrim()
     stage.SetDefaultPrim(world)
     program = json.dumps(program_to_json(manifest.program), sort_keys=True, allow_nan=False)
-    world.SetCustomDataByKey("esg:scene_id", scene.scene_id)
+    world.SetCustomDataByKey("esg:scene_id", json.dumps(scene.scene_id))
     world.SetCustomDataByKey("esg:program", program)
     world.SetCustomDataByKey("esg:watch", json.dumps([list(p) for p in manifest.watch]))
     physics = UsdPhysics.Scene.Define(stage, "/World/PhysicsScene")
@@ -63,8 +63,9 @@ def _physics_layer(manifest: Manifest, folder: Path) -> str:
     physics.CreateGravityDirectionAttr(Gf.Vec3f(*map(float, down)))
     physics.CreateGravityMagnitudeAttr(strength)
     idents = names.unique_identifiers(scene.names)
-    wheeled = [idents[b.name] for b in scene.bodies if b.wheeled and b.collides and not b.static]
-    normal = [idents[b.name] for b in scene.bodies if b.collides and idents[b.name] not in wheeled]
+    moving = [b for b in scene.bodies if b.collides and not b.static]
+    wheeled = [idents[b.name] for b in moving if b.wheeled]
+    normal = [idents[b.name] for b in moving if not b.wheeled]
     _ground(stage, manifest, normal, wheeled)
     start = start_velocities(manifest.program, manifest.dt)
     library: dict[str, str] = {}
@@ -148,7 +149,8 @@ def _body(stage: Any, path: str, body: Body) -> Any:
     origin = np.asarray(body.position) + quat_rotate(body.quaternion, offset)
     form.AddTranslateOp(UsdGeom.XformOp.PrecisionDouble).Set(Gf.Vec3d(*map(float, origin)))
     form.AddOrientOp(UsdGeom.XformOp.PrecisionDouble).Set(_quatd(body.quaternion))
-    prim.SetCustomDataByKey("esg:name", body.name)
+    # As JSON, because a name may hold characters that USD text cannot.
+    prim.SetCustomDataByKey("esg:name", json.dumps(body.name))
     prim.SetCustomDataByKey("esg:linear_damping", float(body.linear_damping))
     prim.SetCustomDataByKey("esg:angular_damping", float(body.angular_damping))
     if body.collides and not body.static:
