@@ -422,9 +422,21 @@ def _center_gap(replay: Replay, body: int, target: Binding) -> NDArray[np.float6
         if other != body:
             reach = replay.radii[body] + replay.radii[other]
             gaps.append(np.linalg.norm(p - replay.position[:, other], axis=1) - reach)
-    if target.regions or target.ground:
-        gaps.append(np.zeros(len(replay.time)))
+    for r in target.regions:
+        gaps.append(_outside(replay, body, r) - replay.radii[body])
+    if target.ground:
+        gaps.append(p[:, 2] - replay.radii[body])
     return np.min(gaps, axis=0)
+
+
+def _outside(replay: Replay, body: int, region: int) -> NDArray[np.float64]:
+    """Distance of a body's centre from a region's box per frame [m], 0 inside."""
+    r = replay.scene.regions[region]
+    parent = replay.scene.index(r.parent)
+    inverse = replay.quaternion[:, parent] * np.array([-1.0, -1.0, -1.0, 1.0])
+    offset = replay.position[:, body] - replay.position[:, parent]
+    local = np.abs(quat_rotate(inverse, offset) - np.array(r.center)) - np.array(r.half_extents)
+    return np.linalg.norm(np.maximum(local, 0.0), axis=1)
 
 
 def _reaches(replay: Replay, q: Query) -> Iterator[Found]:

@@ -454,3 +454,12 @@ def test_concurrent_events_share_their_predecessor():
         SuiteEvent(id="e3", type="collision", a="ball 2", b="ball 3", after=("e1",)),
     ]
     assert chain(0.4, 0.8).judge(events).completed == 3
+
+
+def test_reaches_a_region_of_a_moving_parent():
+    cart = body("cart_1", Shape("box", (0.5, 0.5, 0.4)), category="cart")
+    world = World().add(cart, x=line(4.0, 0.5), yaw_deg=90.0).add(ball("ball_1"), x=line(0.0, 2.5))
+    world.region(Region("cart_1/loading area", "cart_1", (0.0, 1.0, 0.0), (0.3, 0.5, 0.5), "area"))
+    found = world.event(type="reaches", object="ball", target="loading area")
+    # The region spans x = 2.5 .. 3.5 ahead of the cart and both move: the gap closes at 2 m/s.
+    assert found.time_s == pytest.approx((2.5 - 0.1 - 0.3) / 2.0, abs=2 * DT)
