@@ -215,6 +215,8 @@ def confidence(text: str, best: RetrievalCandidate, index: Index | None = None) 
         return 1.0
     index = index or active_index()
     i = next(k for k, e in enumerate(index.entries) if _qualified(e) == best.asset_name)
+    if any(normalize(name) == normalize(text) for name in texts_of(index.entries[i])):
+        return 1.0
     if best.category >= 0.8:
         return round(0.6 + 0.4 * max(best.semantic, 0.0), 6)
     words = normalize(text)

@@ -62,7 +62,13 @@ def configure(key: str, requirement: AssetRequirement) -> AssetConfiguration:
         key: Asset id in the document; names the mesh file.
         requirement: What is needed.
     """
-    decision = decide(requirement)
+    return build_configuration(key, requirement, decide(requirement))
+
+
+def build_configuration(
+    key: str, requirement: AssetRequirement, decision: Decision
+) -> AssetConfiguration:
+    """The configuration that a decision leads to."""
     if decision.entry is None:
         return _fallback(key, requirement, decision)
     if decision.entry.library != "parametric":

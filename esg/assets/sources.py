@@ -1,0 +1,200 @@
+"""What can be imported: Sweet Home 3D furniture libraries and folders of meshes with a catalogue."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+import csv
+from dataclasses import dataclass
+import json
+from pathlib import Path, PurePosixPath
+import re
+from typing import Any
+import zipfile
+
+from esg.outcomes import UserError
+
+MESH_SUFFIXES = (".glb", ".gltf", ".obj", ".stl", ".ply")
+CATALOGUE_FILES = ("catalogue.csv", "catalog.csv", "catalogue.json", "catalog.json")
+_NUMBER_FIELDS = ("length_cm", "width_cm", "height_cm", "mass_kg")
+_TEXT_FIELDS = (
+    "file", "name", "category", "tags", "description", "material", "license", "creator", "source",
+    "up", "front", "unit",
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Source:
+    """One model to import.
+
+    Args:
+        key: Stable id inside its library.
+        name: Human name, English.
+        path: Model file on disk.
+        dimensions_cm: (length along its front, width, height), None if unknown.
+        tags: Further words for retrieval.
+        category: The source's own category.
+        description: One line.
+        mass_kg: None if unknown.
+        material: Word for the material table.
+        license: Licence text or identifier.
+        creator: Author.
+        origin: Where it was published.
+        up: Model axis that points up: y or z.
+        front: Model axis that its front faces: +x, -x, +y, -y, +z, -z.
+        unit_cm: Size of the model's unit; None guesses.
+        rotation: Extra rotation of the model, shape [3, 3], row-major, or empty.
+    """
+
+    key: str
+    name: str
+    path: Path
+    dimensions_cm: tuple[float, float, float] | None = None
+    tags: tuple[str, ...] = ()
+    category: str = ""
+    description: str = ""
+    mass_kg: float | None = None
+    material: str = ""
+    license: str = ""
+    creator: str = ""
+    origin: str = ""
+    up: str = "y"
+    front: str = "+z"
+    unit_cm: float | None = None
+    rotation: tuple[float, ...] = ()
+
+
+def slug(text: str) -> str:
+    """Lower-case words joined by underscores."""
+    return "_".join(re.findall(r"[a-z0-9]+", text.lower()))
+
+
+def parse_properties(text: str) -> dict[str, str]:
+    """Java properties: continuation lines, comments, unicode escapes."""
+    table: dict[str, str] = {}
+    for line in re.sub(r"\\\r?\n[ \t]*", "", text).splitlines():
+        line = line.strip()
+        if not line or line[0] in "#!":
+            continue
+        match = re.match(r"((?:\\.|[^\\=:])+?)\s*[=:]\s*(.*)", line)
+        if match:
+            value = re.sub(r"\\u([0-9a-fA-F]{4})", lambda m: chr(int(m[1], 16)), match[2])
+            table[match[1].strip()] = re.sub(r"\\(.)", r"\1", value)
+    return table
+
+
+def read_sh3f(archive: Path, unpack_to: Path) -> Iterator[Source]:
+    """Models of a Sweet Home 3D library (`.sh3f`), unpacked on the way.
+
+    Its models are Y-up with fronts towards +Z; the catalogue gives width, depth and height in cm.
+
+    Raises:
+        UserError: If the file is not such a library.
+    """
+    try:
+        with zipfile.ZipFile(archive) as bundle:
+            names = set(bundle.namelist())
+            listing = next((n for n in names if n.endswith("FurnitureCatalog.properties")), None)
+            if listing is None:
+                raise UserError(
+                    f"{archive}: no *FurnitureCatalog.properties inside; is it a .sh3f?"
+                )
+            for name in names:
+                target = (unpack_to / name).resolve()
+                if target.is_relative_to(unpack_to.resolve()):
+                    bundle.extract(name, unpack_to)
+            table = parse_properties(bundle.read(listing).decode("latin-1"))
+    except (zipfile.BadZipFile, OSError) as error:
+        raise UserError(f"{archive}: cannot be read as a .sh3f library ({error})") from None
+    numbers = sorted(int(k.split("#")[1]) for k in table if re.fullmatch(r"name#\d+", k))
+    for i in numbers:
+
+        def get(field: str, i: int = i) -> str:
+            return table.get(f"{field}#{i}", "")
+
+        size = [_number(get(f)) for f in ("depth", "width", "height")]
+        rotation = tuple(float(v) for v in get("modelRotation").split())
+        yield Source(
+            key=f"{slug(archive.stem)}_{slug(get('id').split('#')[-1] or get('name'))}",
+            name=get("name"),
+            path=unpack_to / PurePosixPath(get("model").lstrip("/")),
+            dimensions_cm=None if None in size else tuple(size),  # type: ignore[arg-type]
+            tags=tuple(t.strip() for t in get("tags").split(",") if t.strip()),
+            category=get("category"),
+            license=get("license") or table.get("license", ""),
+            creator=get("creator") or table.get("provider", ""),
+            origin=f"Sweet Home 3D, {table.get('name', archive.stem)}",
+            rotation=rotation if len(rotation) == 9 else (),
+        )
+
+
+def _number(text: Any) -> float | None:
+    try:
+        value = float(text)
+    except (TypeError, ValueError):
+        return None
+    return value if value > 0 else None
+
+
+def read_folder(folder: Path) -> Iterator[Source]:
+    """Every mesh below a folder, described by its catalogue where there is one.
+
+    Raises:
+        UserError: For a malformed catalogue, with all its faults at once.
+    """
+    listing = next((folder / n for n in CATALOGUE_FILES if (folder / n).is_file()), None)
+    rows = {r["file"]: r for r in _read_catalogue(listing)} if listing else {}
+    files = sorted(p for p in folder.rglob("*") if p.suffix.lower() in MESH_SUFFIXES)
+    for path in files:
+        relative = path.relative_to(folder).as_posix()
+        row = rows.get(relative) or rows.get(path.name) or {}
+        size = [_number(row.get(f)) for f in ("length_cm", "width_cm", "height_cm")]
+        z_up = path.suffix.lower() in (".stl", ".ply")
+        unit = {"mm": 0.1, "cm": 1.0, "m": 100.0, "in": 2.54}.get(str(row.get("unit") or ""))
+        yield Source(
+            key=slug(path.relative_to(folder).with_suffix("").as_posix()),
+            name=row.get("name") or re.sub(r"[_\-\d]+", " ", path.stem).strip() or path.stem,
+            path=path,
+            dimensions_cm=None if None in size else tuple(size),  # type: ignore[arg-type]
+            tags=tuple(t.strip() for t in str(row.get("tags") or "").split(";") if t.strip()),
+            category=row.get("category") or "",
+            description=row.get("description") or "",
+            mass_kg=_number(row.get("mass_kg")),
+            material=row.get("material") or "",
+            license=row.get("license") or "",
+            creator=row.get("creator") or "",
+            origin=row.get("source") or "",
+            up=row.get("up") or ("z" if z_up else "y"),
+            front=row.get("front") or ("+x" if z_up else "+z"),
+            unit_cm=unit or (100.0 if path.suffix.lower() in (".glb", ".gltf") else None),
+        )
+
+
+def _read_catalogue(path: Path) -> list[dict[str, Any]]:
+    text = path.read_text(encoding="utf-8-sig")
+    try:
+        rows = (
+            json.loads(text) if path.suffix == ".json" else list(csv.DictReader(text.splitlines()))
+        )
+    except json.JSONDecodeError as error:
+        raise UserError(f"{path}: not JSON, line {error.lineno}: {error.msg}") from None
+    if isinstance(rows, dict):
+        rows = rows.get("assets", [])
+    if not isinstance(rows, list) or not all(isinstance(r, dict) for r in rows):
+        raise UserError(f'{path}: expected a list of objects (or {{"assets": [...]}})')
+    faults = []
+    for n, row in enumerate(rows):
+        if not row.get("file"):
+            faults.append(f"row {n + 1}: no `file`")
+        unknown = set(row) - set(_NUMBER_FIELDS) - set(_TEXT_FIELDS)
+        if unknown:
+            faults.append(f"row {n + 1}: unknown columns {sorted(map(str, unknown))}")
+        for name in _NUMBER_FIELDS:
+            if row.get(name) not in (None, "") and _number(row[name]) is None:
+                faults.append(f"row {n + 1}: {name} is {row[name]!r}, expected a positive number")
+        if (row.get("up") or "y") not in ("y", "z"):
+            faults.append(f"row {n + 1}: up is {row['up']!r}, expected y or z")
+        if not re.fullmatch(r"[+-][xyz]", str(row.get("front") or "+z")):
+            faults.append(f"row {n + 1}: front is {row['front']!r}, expected e.g. +z")
+    if faults:
+        raise UserError(f"{path}: " + "; ".join(faults[:20]))
+    return rows
