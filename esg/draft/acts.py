@@ -254,6 +254,24 @@ class Acts(Core):
         else:
             self._hit(f, [actor], others, time)
 
+    def event(
+        self,
+        kind: NodeEvent,
+        participants: tuple[str, ...],
+        f: Frame,
+        time: Time | None,
+        **extra: object,
+    ) -> str:
+        """Adds a point event; its first participant is set in motion if nothing moves it yet."""
+        first = participants[0]
+        track = self.tl.tracks.get(first)
+        if track is None or (track.motion is None and not track.hit):
+            if not self.movable(first):
+                self._free([first])
+            if self.movable(first):
+                self._start_motion(f, [first])
+        return super().event(kind, participants, f, time, **extra)
+
     def _ensure_mover(self, f: Frame, mover: str, target: str | None) -> None:
         track = self.tl.tracks.get(mover)
         if track is not None and (track.motion is not None or track.hit):

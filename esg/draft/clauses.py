@@ -51,8 +51,12 @@ class ClauseBuilder:
                 s = self._word(s, e, i)
             i += 1
         self._flush(s)
-        for f in self.frames:
+        for k, f in enumerate(self.frames):
             self._hand_over(f)
+            if f.subject is None and f.verb.form == "ing" and f.link.startswith("sub:"):
+                # "After hitting a cone, the car ...": the subject is still to come
+                following = (g for g in self.frames[k + 1 :] if g.sentence == f.sentence)
+                f.subject = next((g.subject for g in following if g.subject is not None), None)
         self.frames = in_order(background_first(self.frames))
 
     @staticmethod

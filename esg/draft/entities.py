@@ -122,6 +122,17 @@ def slug(text: str) -> str:
     return re.sub(r"[^a-z0-9]+", "_", text.lower()).strip("_")
 
 
+def plural(noun: str) -> str:
+    """Plural of a noun, for names of groups."""
+    if noun.endswith("s") and lex.singular(noun)[0] != noun or noun in ("billiards", "stairs"):
+        return noun
+    if noun.endswith(("s", "x", "ch", "sh", "z")):
+        return noun + "es"
+    if noun.endswith("y") and noun[-2:-1] not in "aeiou":
+        return noun[:-1] + "ies"
+    return noun + "s"
+
+
 def unknown_noun(head: str) -> lex.Noun:
     """A sized stand-in for a noun outside the lexicon."""
     return lex.Noun(
@@ -349,7 +360,7 @@ class Registry:
             )
             self._amounts(m, e)
             return [e.id]
-        group = slug(" ".join([*[a for a in plain if a in lex.COLORS], m.head])) + "s"
+        group = slug(" ".join([*[a for a in plain if a in lex.COLORS], plural(m.head)]))
         base = group
         n = 2
         masses = [a for a in m.amounts if a.dimension == "mass"]
@@ -357,7 +368,7 @@ class Registry:
             group, n = f"{base}_{n}", n + 1
         ids: list[str] = []
         for _ in range(count):
-            label = f"{m.group_word} of {m.head}s" if m.group_word in _NAMED_GROUPS else m.head
+            label = f"{m.group_word} of {plural(m.head)}" if m.group_word in _NAMED_GROUPS else m.head
             e = self.add(
                 noun,
                 m.head,

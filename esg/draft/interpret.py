@@ -117,6 +117,9 @@ class Interpreter(MotionSenses):
         for p in f.phrases:
             if p.mention is not None:
                 self.ids(p.mention, avoid=subject + objects)
+        aimed = f.phrase("at", "toward", "towards", "against")
+        if f.verb.sense in ("launch", "hit") and aimed is not None and aimed.mention is not None:
+            objects = aimed.mention.entities or objects  # "throws a stone at a can and it falls"
         self._patient = objects or self._patient
         if f.verb.sense in ("be", "posture", "have", "park") and (subject or objects):
             self._topic = (f.sentence, subject or objects)

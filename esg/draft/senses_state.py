@@ -68,7 +68,11 @@ class StateSenses(Acts):
         self.use(f, "state")
 
     def _do_unknown(self, f: Frame, s: list[str], o: list[str]) -> None:
-        """Left out of the used spans, so that the coverage record reports the verb."""
+        """An unknown verb is a motion if its phrases are those of one; it is reported either way."""
+        ways = f.phrase("toward", "towards", "into", "across", "along", "through", "down", "against")
+        if s and (ways is not None or self.quantity(f, "speed") is not None):
+            self._motion(f, s, None)
+            self.scene.used.pop((f.verb.start, f.verb.end), None)
 
     def _do_acquire(self, f: Frame, s: list[str], o: list[str]) -> None:
         found = self.quantity(f, "speed")

@@ -118,6 +118,9 @@ class Chunker(NounPhrases):
                 return j
             self.elements.append(Word(token.start, token.end, "qty", token.low, token.amount))
             return i + 1
+        used = self._multiword(i) if low == "to" else 0
+        if used:
+            return i + used
         if low == "to":
             nxt = verb_readings(self._low(i + 1))
             base = next((v for v in nxt if v.form == "base"), None)
