@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from esg.graph.context import Context, bounds, reachable, time_span
+from esg.graph.context import TIME_EPS_S, Context, bounds, reachable, time_span
 from esg.graph.models import (
     EventConstraint,
     NodeEvent,
@@ -37,6 +37,7 @@ _CONSTRAINT_LIMITS: dict[str, tuple[float, float, str]] = {
     "angle": (-720.0, 720.0, "degrees"),
 }
 _NODES = ("timeline_system", "sequence_graph", "nodes")
+_EDGES = ("timeline_system", "sequence_graph", "edges")
 
 
 def check(ctx: Context) -> None:
@@ -126,6 +127,8 @@ def _participants(ctx: Context, timeline: TimelineSystem, where: str, node: Time
             f"No participant of {node.event.value} {node.id!r} is an actor, so nothing causes it.",
             "List what moves, or is moved, among the actors.",
         )
+    if node.event is E.COLLISION and count == 2:
+        _mover(ctx, timeline, where, node)
     if node.event is E.TRIGGER:
         for k, name in enumerate(node.participants):
             actor = timeline.actors.get(name)
@@ -137,6 +140,23 @@ def _participants(ctx: Context, timeline: TimelineSystem, where: str, node: Time
                     f"Trigger {node.id!r} controls {name!r}, which is passive.",
                     "Make it active, or use an event that physics brings about.",
                 )
+
+
+def _mover(ctx: Context, timeline: TimelineSystem, where: str, node: TimelineNode) -> None:
+    edges = timeline.sequence_graph.edges
+    leads = {e.actor for e in edges if e.to == node.id and e.from_ != node.id}
+    first, second = node.participants
+    if first not in ctx.node_names:
+        return  # Reported as REF_PARTICIPANT already.
+    if second in leads and first not in leads and ctx.parsed.intact(*_EDGES):
+        ctx.add(
+            "EVENT_MOVER",
+            where + "/participants/0",
+            first,
+            f"Collision {node.id!r} names {first!r} as the mover, but segments lead {second!r} to "
+            "it.",
+            f"Write {second!r} first: (mover, target).",
+        )
 
 
 def _fields(ctx: Context, where: str, node: TimelineNode) -> None:
@@ -276,6 +296,32 @@ def _since(
             c.since,
             f"{node.id!r} counts time from {c.since!r}, which is not earlier.",
             "Name an event that comes before.",
+        )
+        return
+    _since_fits(ctx, where, node, c, timeline)
+
+
+def _since_fits(
+    ctx: Context, where: str, node: TimelineNode, c: EventConstraint, timeline: TimelineSystem
+) -> None:
+    """Compares a prescribed interval between two events with what their windows allow."""
+    earlier = next((n for n in timeline.sequence_graph.nodes if n.id == c.since), None)
+    begin = time_span(earlier) if earlier is not None else None
+    end = time_span(node)
+    if c.quantity != "time_since" or begin is None or end is None:
+        return
+    if any(outside(t, TIME_S) for t in (*begin, *end)):
+        return  # Reported as TIME_RANGE already.
+    low, high = bounds(c.value)
+    least, most = end[0] - begin[1], end[1] - begin[0]
+    if high < least - TIME_EPS_S or low > most + TIME_EPS_S:
+        ctx.add(
+            "CONSTRAINT_CONTRADICTION",
+            where + "/value",
+            c.value,
+            f"{node.id!r} shall follow {c.since!r} by {c.value} s, but their windows allow "
+            f"{least:g} to {most:g} s.",
+            "Move a window, or correct the time.",
         )
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from esg.graph.context import Context, components
-from esg.graph.models import AssetRequirement, Interval
+from esg.graph.models import AssetRequirement, Interval, Node
 from esg.graph.violations import listing, pointer
 
 SIZE_CM = (0.1, 1e4)
@@ -13,6 +13,7 @@ STRUCTURAL_SIZE_CM = (0.1, 1e5)
 MASS_KG = (1e-3, 1e5)
 DENSITY_KG_M3 = (1.0, 25_000.0)
 """Over the bounding box. A beach ball has 2, an empty carton 4, a tungsten cube 19,300."""
+BASE_CATEGORIES = frozenset({"ground", "floor", "terrain", "land"})
 DAMPING_PER_S = (0.0, 100.0)
 
 _NAME = re.compile(r"[^\s/:]+")
@@ -65,6 +66,22 @@ def _scene(ctx: Context) -> None:
             "No object is structural, so nothing carries the scene.",
             "Add a ground, road or floor with is_structural = true.",
         )
+    bases = [n for n, node in ctx.nodes.items() if _is_base(ctx, node)]
+    for name in bases[1:]:
+        ctx.add(
+            "SCENE_TWO_BASES",
+            pointer(_GRAPH, "nodes", name),
+            name,
+            f"{name!r} is a second base beside {bases[0]!r}.",
+            "Let one ground or floor be the whole walkable surface.",
+        )
+
+
+def _is_base(ctx: Context, node: Node) -> bool:
+    """Whether a node is the one surface that carries everything (roads and lanes lie on it)."""
+    asset = ctx.requirement(node)
+    category = asset.asset_category.strip().lower() if asset is not None else ""
+    return node.is_structural and category in BASE_CATEGORIES
 
 
 def interval(ctx: Context, where: str, value: Interval, *, strict: bool = False) -> bool:

@@ -86,6 +86,7 @@ RULES: dict[str, str] = {
     "SCENE_ID_MALFORMED": "`scene_id` can be a folder name.",
     "SCENE_EMPTY": "A scene has objects.",
     "SCENE_NO_BASE": "A scene has a structural base (ground, floor, road).",
+    "SCENE_TWO_BASES": "Not more than one structural node is the ground or floor.",
     "ASSET_UNUSED": "Every asset requirement is used by a node.",
     "INTERVAL_REVERSED": "The lower bound of an interval is not above the upper.",
     "UNIT_SIZE": "Sizes lie in 0.1 cm to 100 m (structural parts to 1 km).",
@@ -144,6 +145,7 @@ RULES: dict[str, str] = {
     # Point events.
     "EVENT_PARTICIPANTS": "A point event has as many different participants as its type needs.",
     "EVENT_NO_ACTOR": "Some participant of a point event is an actor.",
+    "EVENT_MOVER": "The first participant of a collision is the one that a segment leads there.",
     "EVENT_FIELD_MISSING": "A point event has the fields its type needs.",
     "EVENT_FIELD_FORBIDDEN": "A point event has no field of another type.",
     "EVENT_RANGE": "Positions lie in the world, turns in 0 to 720 degrees.",
@@ -151,7 +153,7 @@ RULES: dict[str, str] = {
     "CONSTRAINT_OBJECT": "A constraint's object takes part in its event.",
     "CONSTRAINT_SINCE": "`time_since` names an event that does not come later.",
     "CONSTRAINT_RANGE": "A constraint's value is plausible.",
-    "CONSTRAINT_CONTRADICTION": "Constraints of one quantity can hold together.",
+    "CONSTRAINT_CONTRADICTION": "Constraints can hold together, and within the windows.",
     # Segments.
     "EDGE_ACTOR_PASSIVE": "Only active actors move under their own power or are launched.",
     "EDGE_ACTOR_ABSENT": "A segment's actor takes part in the event the segment leads to.",

@@ -174,6 +174,7 @@ def references(m: Maker) -> None:
             m.set("REF_NAMED_REGION", (*EVENTS, i, "region"), "pocket", note="form")
     for i, item in enumerate(get(raw, SEGMENTS)):
         lost = (
+            "EVENT_MOVER",
             "TIMELINE_UNREACHABLE",
             "CONNECTOR_UPSTREAM",
             "CONNECTOR_DOWNSTREAM",
@@ -181,7 +182,7 @@ def references(m: Maker) -> None:
         )
         m.set("REF_EVENT", (*SEGMENTS, i, "from"), "never", *lost)
         m.set("REF_EVENT", (*SEGMENTS, i, "to"), "never", *lost)
-        m.set("REF_EDGE_ACTOR", (*SEGMENTS, i, "actor"), "nobody", "ACTOR_IDLE")
+        m.set("REF_EDGE_ACTOR", (*SEGMENTS, i, "actor"), "nobody", "ACTOR_IDLE", "EVENT_MOVER")
         m.set("REF_EDGE_TARGET", (*SEGMENTS, i, "target"), "nobody")
         m.set("EDGE_TARGET_SELF", (*SEGMENTS, i, "target"), item["actor"])
 
@@ -200,6 +201,8 @@ def scene(m: Maker) -> None:
     )
     base = put(raw, ("asset_requirement", "spare"), raw["asset_requirement"]["ground"])
     m.add("ASSET_UNUSED", ("asset_requirement", "spare"), base, "CONFIG_MISSING")
+    second = put(raw, (*NODES, "ground_2"), get(raw, (*NODES, "ground_1")))
+    m.add("SCENE_TWO_BASES", (*NODES, "ground_2"), second, "POSE_MISSING")
     floating = copy.deepcopy(raw)
     for item in get(floating, NODES).values():
         if item.pop("is_structural", False):
@@ -214,6 +217,7 @@ def scene(m: Maker) -> None:
             spaced,
             "POSE_MISSING",
             "SCENE_NO_BASE",
+            "SCENE_TWO_BASES",
             "FACE_MISSING",
         )
         if not item.get("is_structural"):
@@ -584,6 +588,7 @@ def roles(m: Maker) -> None:
             "ACTOR_IDLE",
             path,
             put(raw, SEGMENTS, still),
+            "EVENT_MOVER",
             "TIMELINE_UNREACHABLE",
             "CONNECTOR_UPSTREAM",
         )
@@ -609,6 +614,9 @@ def events(m: Maker) -> None:
         people, kind = item["participants"], item["event"]
         m.set("EVENT_PARTICIPANTS", (*path, "participants"), [], *absent)
         m.set("EVENT_PARTICIPANTS", (*path, "participants"), [people[0]] * 2, *absent, note="twice")
+        leads = {e["actor"] for e in get(raw, SEGMENTS) if e["to"] == item["id"]}
+        if kind == "Collision" and people[1] not in leads:
+            m.add("EVENT_MOVER", path, put(raw, (*path, "participants"), people[::-1]))
         others = _bystanders(raw, len(people))
         if len(others) == len(people):
             m.set("EVENT_NO_ACTOR", (*path, "participants"), others, *absent)
@@ -640,6 +648,8 @@ def events(m: Maker) -> None:
         timed = {"quantity": "time_since", "object": people[0], "value": 1.0}
         m.add("CONSTRAINT_SINCE", last, put(base, last, timed))
         m.add("CONSTRAINT_SINCE", last, put(base, last, {**timed, "since": item["id"]}), note="own")
+        far = {**timed, "value": [590.0, 600.0], "since": "scene_start"}
+        m.add("CONSTRAINT_CONTRADICTION", last, put(base, last, far), note="window")
         twice = put(raw, (*path, "constraints"), [constraint, {**constraint, "value": 400.0}])
         m.add("CONSTRAINT_CONTRADICTION", path, twice)
 
