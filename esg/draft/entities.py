@@ -368,7 +368,9 @@ class Registry:
             group, n = f"{base}_{n}", n + 1
         ids: list[str] = []
         for _ in range(count):
-            label = f"{m.group_word} of {plural(m.head)}" if m.group_word in _NAMED_GROUPS else m.head
+            label = (
+                f"{m.group_word} of {plural(m.head)}" if m.group_word in _NAMED_GROUPS else m.head
+            )
             e = self.add(
                 noun,
                 m.head,

@@ -25,6 +25,8 @@ class LaunchSenses(StateSenses):
             return
         self._launch_by(f, agents, things)
 
+    _do_pass = _do_launch
+
     def _do_tow(self, f: Frame, s: list[str], o: list[str]) -> None:
         """Pulling: a person moves the thing; a vehicle drives with the thing behind it."""
         if f.verb.passive:

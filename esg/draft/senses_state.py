@@ -67,9 +67,13 @@ class StateSenses(Acts):
                     self.use(a, word or after)
         self.use(f, "state")
 
+    _do_posture = _do_be
+
     def _do_unknown(self, f: Frame, s: list[str], o: list[str]) -> None:
         """An unknown verb is a motion if its phrases are those of one; it is reported either way."""
-        ways = f.phrase("toward", "towards", "into", "across", "along", "through", "down", "against")
+        ways = f.phrase(
+            "toward", "towards", "into", "across", "along", "through", "down", "against"
+        )
         if s and (ways is not None or self.quantity(f, "speed") is not None):
             self._motion(f, s, None)
             self.scene.used.pop((f.verb.start, f.verb.end), None)
@@ -165,3 +169,5 @@ class StateSenses(Acts):
 
     def _do_apply(self, f: Frame, s: list[str], o: list[str]) -> None:
         self.scene.ignored[(f.verb.start, f.verb.end)] = "no physical meaning"
+
+    _do_start = _do_apply
