@@ -34,6 +34,10 @@ GROUND_HALF_MIN_CM = 10000.0
 """A static cube at least this wide with its top at height 0 is played as the half-space z <= 0,
 whose contacts do not suffer from the size of the cube in single precision."""
 
+RECOVERED_DIGITS = 12
+"""Decimals [m] kept of values that come back from Unreal's units: the text has 15 significant
+digits, so anything below is rounding, which would turn an exact 0 into 1e-17."""
+
 _ECC_WORLD_STATIC, _ECC_PHYSICS_BODY, _ECC_VEHICLE = 0, 5, 6
 _BOX, _SPHERE, _CAPSULE = 0, 1, 2
 
@@ -397,10 +401,11 @@ class _Run:
         offset = -frames.vector_from_unreal(followed[0:3])
         self._offset[component] = offset
         origin, quaternion = _record_pose(record)
+        position = origin - quat_rotate(quaternion, offset)
         if tuple(record.scale) != (1.0, 1.0, 1.0):
             raise ReplayError(f"{name} is scaled, which its mass properties do not follow")
         shapes = tuple(
-            Shape(s.kind, s.size, tuple((np.array(s.position) + offset).tolist()), s.quaternion,
+            Shape(s.kind, s.size, _snapped(np.array(s.position) + offset), s.quaternion,
                   s.vertices)  # type: ignore[arg-type]
             for s in self._shapes.get(component, ())
         )  # fmt: skip
@@ -413,7 +418,7 @@ class _Run:
             mass=record.mass if record.simulates else 0.0,
             inertia=_inertia(record),
             shapes=shapes,
-            position=tuple((origin - quat_rotate(quaternion, offset)).tolist()),  # type: ignore[arg-type]
+            position=_snapped(position),
             quaternion=tuple(quaternion.tolist()),  # type: ignore[arg-type]
             friction=record.friction,
             restitution=record.restitution,
@@ -484,6 +489,11 @@ class _Driver:
         if body >= 0:
             return self._run._component_of[body]
         return self._run._plane[self._run.scene.bodies[other].wheeled]
+
+
+def _snapped(values: Any) -> tuple[float, float, float]:
+    x, y, z = np.round(values, RECOVERED_DIGITS).tolist()
+    return x + 0.0, y + 0.0, z + 0.0
 
 
 def _fill(pointer: Any, values: Any) -> None:

@@ -1,0 +1,38 @@
+from __future__ import annotations
+
+from pathlib import Path
+
+from helpers import first_touches, written
+import numpy as np
+import pytest
+from random_scenes import random_scene
+
+from esg.compile import compile_many, replay_class
+from esg.compile.build import Library, read_classes
+from esg.engines.base import get_engine
+from esg.engines.program import batch_programs
+
+
+def compare(root: Path, seeds: range) -> None:
+    """Every class compiles, and runs as its program does in the same engine."""
+    scenes = {seed: random_scene(seed) for seed in seeds}
+    folders = {seed: written(root / str(seed), *case) for seed, case in scenes.items()}
+    assert all(isinstance(x, Library) for x in compile_many(read_classes(folders.values())))
+    for seed, (scene, program, _) in scenes.items():
+        one = replay_class(folders[seed]).rollout
+        two = get_engine("physx").rollout(scene, batch_programs([program], scene.names))
+        times, others = first_touches(one), first_touches(two)
+        assert times.keys() == others.keys(), seed
+        late = [abs(times[p] - others[p]) for p in times]
+        assert max(late, default=0.0) <= one.dt * 1.0001, seed
+        assert np.abs(one.position - two.position).max() <= 1e-3, seed
+        assert one.valid.all() == two.valid.all()
+
+
+def test_random_scenes(tmp_path: Path) -> None:
+    compare(tmp_path, range(6))
+
+
+@pytest.mark.slow
+def test_forty_random_scenes(tmp_path: Path) -> None:
+    compare(tmp_path, range(100, 140))
