@@ -301,9 +301,7 @@ def _by_identifier(found: list[_Candidate], wanted: Phrase) -> list[_Candidate]:
 def _by_ordinal(found: list[_Candidate], wanted: Phrase) -> list[_Candidate]:
     if wanted.ordinal is None:
         return found
-    labelled = [
-        c for c in found if any(p.ordinal == wanted.ordinal for p in c.fields if p is not None)
-    ]
+    labelled = [c for c in found if any(p.ordinal == wanted.ordinal for p in c.fields)]
     if labelled:
         return labelled
     words = {w for w, n in ORDINALS.items() if n == wanted.ordinal}

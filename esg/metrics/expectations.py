@@ -42,7 +42,7 @@ def expectations_from_timeline(doc: EsgDocument, scene: SimScene | None = None) 
     constraints: list[SuiteConstraint] = []
     if doc.timeline_system is not None:
         graph = doc.timeline_system.sequence_graph
-        events = _events(graph)
+        events = _any_member(doc, _events(graph))
         constraints = _constraints(graph, events)
     constraints += _masses(doc)
     mentioned = [
@@ -60,6 +60,27 @@ def expectations_from_timeline(doc: EsgDocument, scene: SimScene | None = None) 
     )
 
 
+def _any_member(doc: EsgDocument, events: list[SuiteEvent]) -> list[SuiteEvent]:
+    """Lets any member of a group count where the timeline names one to stand for all (the head pin
+    of a rack); a timeline that names several members means each of them.
+    """
+    groups: dict[str, list[str]] = {}
+    for name, node in doc.spatial_relation_graph.nodes.items():
+        if node.group:
+            groups.setdefault(node.group, []).append(name)
+    named = {n for e in events for p in e.participants for n in p[1:].split(",")}
+    whole = {
+        _ref(found): _ref(members)
+        for members in groups.values()
+        if len(members) > 1 and len(found := [m for m in members if m in named]) == 1
+    }
+    fields = ("a", "b", "object", "target")
+    return [
+        e.model_copy(update={f: whole[v] for f in fields if (v := getattr(e, f)) in whole})
+        for e in events
+    ]
+
+
 def _ref(names: Iterable[str]) -> str:
     return "=" + ",".join(names)
 
@@ -70,22 +91,22 @@ def _point(position_cm: tuple[float, float, float]) -> str:
 
 def _node_event(node: TimelineNode) -> SuiteEvent | None:
     who = node.participants
-    pair = {"a": _ref(who[:1]), "b": _ref(who[1:2])} if len(who) >= 2 else None
-    if node.event in (NodeEvent.COLLISION, NodeEvent.MISS) and pair:
-        kind = "collision" if node.event is NodeEvent.COLLISION else "misses"
-        return SuiteEvent(id=node.id, type=kind, **pair)
-    if node.event is NodeEvent.REACH and pair:
-        return SuiteEvent(id=node.id, type="reaches", object=pair["a"], target=pair["b"])
     if not who:
         return None
     one = _ref(who[:1])
+    other = _ref(who[1:2]) if len(who) > 1 else None
+    if other and node.event is NodeEvent.COLLISION:
+        return SuiteEvent(id=node.id, type="collision", a=one, b=other)
+    if other and node.event is NodeEvent.MISS:
+        return SuiteEvent(id=node.id, type="misses", a=one, b=other)
+    if other and node.event is NodeEvent.REACH:
+        return SuiteEvent(id=node.id, type="reaches", object=one, target=other)
     if node.event is NodeEvent.STOP:
         return SuiteEvent(id=node.id, type="stops", object=one)
     if node.event is NodeEvent.TOPPLE:
         return SuiteEvent(id=node.id, type="topples", object=_ref(who))
     if node.event is NodeEvent.FALL:
-        support = _ref(who[1:2]) if len(who) > 1 else None
-        return SuiteEvent(id=node.id, type="falls", object=one, from_=support)
+        return SuiteEvent(id=node.id, type="falls", object=one, from_=other)
     if node.event is NodeEvent.HEADING_REACHED:
         return SuiteEvent(
             id=node.id,
@@ -94,10 +115,9 @@ def _node_event(node: TimelineNode) -> SuiteEvent | None:
             direction=node.turn_direction or "left",
             degrees=node.turn_degrees or 90.0,
         )
-    if node.event is NodeEvent.ENTER_REGION and (node.region or len(who) > 1):
-        return SuiteEvent(
-            id=node.id, type="enters", object=one, target=_ref([node.region or who[1]])
-        )
+    target = f"={node.region}" if node.region else other
+    if target and node.event is NodeEvent.ENTER_REGION:
+        return SuiteEvent(id=node.id, type="enters", object=one, target=target)
     if node.event is NodeEvent.POSITION_AT and node.position_cm is not None:
         return SuiteEvent(id=node.id, type="reaches", object=one, target=_point(node.position_cm))
     return None

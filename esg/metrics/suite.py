@@ -223,7 +223,7 @@ def _events(items: Any, where: str, problems: _Problems) -> list[SuiteEvent]:
 
 
 def _event_fields(item: dict[Any, Any], place: str, problems: _Problems) -> dict[str, Any]:
-    kind = item.get("type")
+    kind: Any = item.get("type")
     types = get_args(EventType)
     if kind not in types:
         hint = _closest(kind, types)
@@ -329,7 +329,7 @@ def _constraint_fields(item: dict[Any, Any], place: str, problems: _Problems) ->
     if kind not in ("initial", "outcome"):
         problems.add(f"{place}/kind", f"is {_show(kind)}", "write initial or outcome")
     values["kind"] = kind
-    quantity = item.get("quantity")
+    quantity: Any = item.get("quantity")
     known = get_args(Quantity)
     if quantity not in known:
         hint = _closest(quantity, known)

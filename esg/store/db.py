@@ -7,7 +7,7 @@ schema grows by numbered migrations in `esg/store/sql` (also reachable as `schem
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Generator, Iterable, Sequence
 import contextlib
 from dataclasses import dataclass
 import errno
@@ -275,7 +275,7 @@ def _migrate(connection: DuckDBPyConnection) -> int:
 
 
 @contextlib.contextmanager
-def _writing(db: Path, *, fresh: bool = False) -> Iterator[DuckDBPyConnection]:
+def _writing(db: Path, *, fresh: bool = False) -> Generator[DuckDBPyConnection]:
     """A connection to a private copy of the database, which replaces it when the block succeeds."""
     import duckdb
 
@@ -313,7 +313,7 @@ def _line(error: BaseException) -> str:
 
 
 @contextlib.contextmanager
-def _lock(path: Path, db: Path) -> Iterator[None]:
+def _lock(path: Path, db: Path) -> Generator[None]:
     """Holds the writers' lock; the system releases it when a writer dies."""
     import fcntl
 
@@ -361,7 +361,9 @@ def _open(db: Path, *, read_only: bool, wait_s: float | None = None) -> DuckDBPy
     start, wait = time.monotonic(), _FIRST_WAIT_S
     while True:
         try:
-            config = {"enable_external_access": "false"} if read_only else {}
+            config: dict[str, str | bool | int | float | list[str]] = {}
+            if read_only:
+                config["enable_external_access"] = "false"
             return duckdb.connect(str(db), read_only=read_only, config=config)
         except duckdb.IOException as error:
             if "lock" not in str(error).lower():
@@ -445,7 +447,7 @@ def query(
 
 
 @contextlib.contextmanager
-def _reading(db: Path) -> Iterator[DuckDBPyConnection]:
+def _reading(db: Path) -> Generator[DuckDBPyConnection]:
     """A read-only connection; beside a foreign writer, to a copy of the file."""
     try:
         connection = _open(db, read_only=True, wait_s=1.0)

@@ -356,6 +356,7 @@ def _events(
 def _log(stamp: int, text: str, level: int) -> Any:
     from foxglove_schemas_protobuf.Log_pb2 import Log
 
-    message = Log(level=level, message=text, name="judge")
+    message: Any = Log(message=text, name="judge")
+    message.level = level
     _stamp(message.timestamp, stamp)
     return message

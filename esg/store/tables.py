@@ -303,13 +303,13 @@ def _scene_splits(parts: Path) -> dict[str, str]:
 def _merged(table: str, files: list[Path], splits: Mapping[str, str], split: str) -> pa.Table:
     """All rows of one split, sorted by key, the last part winning where a key repeats."""
     import pyarrow as pa
-    import pyarrow.compute as pc
 
-    wanted = pa.array(sorted(k for k, s in splits.items() if s == split), pa.string())
+    wanted = {k for k, s in splits.items() if s == split}
     pieces = []
     for path in files:
         data = read_table(path)
-        pieces.append(data.filter(pc.is_in(data["scene_key"], value_set=wanted)))
+        keep = [key in wanted for key in data["scene_key"].to_pylist()]
+        pieces.append(data.filter(pa.array(keep, pa.bool_())))
     data = pa.concat_tables(pieces) if pieces else arrow_schema(table).empty_table()
     keys = [data[k].to_pylist() for k in KEYS[table]]
     last = {key: i for i, key in enumerate(zip(*keys, strict=True))}

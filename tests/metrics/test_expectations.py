@@ -156,3 +156,21 @@ def test_a_static_document_promises_its_objects_only():
     found = expectations_from_timeline(doc)
     assert found.events == ()
     assert len(found.objects) == 3
+
+
+def test_one_member_named_for_a_group_means_any_of_it():
+    def pins(*named: str) -> EsgDocument:
+        nodes = [START] + [
+            N(id=f"e{k}", event="Collision", participants=("car_1", pin))
+            for k, pin in enumerate(named)
+        ]
+        edges = [edge(f"d{n.id}", "start", n.id, "Toward", "car_1") for n in nodes[1:]]
+        doc = document(nodes, edges)
+        rack = {f"pin_{k}": Node(asset_id="pin", group="pins") for k in (1, 2, 3)}
+        graph = doc.spatial_relation_graph
+        graph = graph.model_copy(update={"nodes": {**graph.nodes, **rack}})
+        return doc.model_copy(update={"spatial_relation_graph": graph})
+
+    assert expectations_from_timeline(pins("pin_1")).events[0].b == "=pin_1,pin_2,pin_3"
+    both = expectations_from_timeline(pins("pin_1", "pin_2")).events
+    assert [e.b for e in both] == ["=pin_1", "=pin_2"]
