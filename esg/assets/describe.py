@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -10,8 +11,10 @@ from numpy.typing import NDArray
 
 from esg.assets.fitting import fit_proxies, support_surfaces
 from esg.assets.library import Entry
+from esg.assets.massprops import mass_properties
 from esg.assets.materials import MATERIALS, find_material
 from esg.assets.sources import Source, slug
+from esg.graph.models import Proxy
 
 _PACKED_KG_PER_CM3 = 1.2e-4
 """Mass per volume of the bounding box of an average furnishing."""
@@ -51,13 +54,38 @@ def _mass(source: Source, kind: Entry | None, dimensions: NDArray[np.float64]) -
 
 
 def sample(vertices: NDArray[np.float64], faces: NDArray[np.int64]) -> NDArray[np.float64]:
-    """Surface points: all vertices of a light mesh, else an even choice of them."""
+    """Surface points: vertices, and points spread evenly over the area, shape [n, 3]."""
     used = vertices[np.unique(faces)]
-    if len(used) <= _SAMPLES:
+    if len(used) > _SAMPLES:
+        extreme = [int(f(used[:, k])) for k in range(3) for f in (np.argmin, np.argmax)]
+        used = used[np.unique(np.r_[np.linspace(0, len(used) - 1, _SAMPLES).astype(int), extreme])]
+    tri = vertices[faces]
+    area = np.linalg.norm(np.cross(tri[:, 1] - tri[:, 0], tri[:, 2] - tri[:, 0]), axis=1)
+    if area.sum() <= 0:
         return used
-    extreme = [int(f(used[:, k])) for k in range(3) for f in (np.argmin, np.argmax)]
-    chosen = np.unique(np.r_[np.linspace(0, len(used) - 1, _SAMPLES).astype(int), extreme])
-    return used[chosen]
+    rng = np.random.default_rng(0)
+    pick = tri[rng.choice(len(tri), _SAMPLES // 2, p=area / area.sum())]
+    u = rng.random((len(pick), 2))
+    u = np.where(u.sum(1, keepdims=True) > 1, 1 - u, u)
+    spread = (
+        pick[:, 0] + u[:, :1] * (pick[:, 1] - pick[:, 0]) + u[:, 1:] * (pick[:, 2] - pick[:, 0])
+    )
+    return np.concatenate([used, spread])
+
+
+def _parts(
+    vertices: NDArray[np.float64], faces: NDArray[np.int64], convex: bool, cache: Path | None
+) -> tuple[Proxy, ...] | None:
+    """Parts of a concave mesh; None if they would not stand by themselves as its hull does."""
+    from esg.assets.boxes import box_parts, stands
+    from esg.assets.convex import convex_parts
+
+    if convex:
+        return convex_parts(vertices, faces, cache)
+    parts = box_parts(vertices, faces)
+    if parts is None or not stands(parts, mass_properties(parts, 1.0)[0]):
+        return None
+    return parts
 
 
 def describe(
@@ -65,6 +93,9 @@ def describe(
     vertices: NDArray[np.float64],
     faces: NDArray[np.int64],
     dimensions: NDArray[np.float64],
+    *,
+    convex: bool = False,
+    cache: Path | None = None,
 ) -> dict[str, Any]:
     """Record of an asset whose mesh is already in its local frame.
 
@@ -73,11 +104,15 @@ def describe(
         vertices: [cm], shape [n, 3].
         faces: Shape [m, 3].
         dimensions: Extents [cm], shape [3].
+        convex: Whether concave meshes get convex parts by CoACD (5-30 s each) instead of boxes.
+        cache: Folder of CoACD results.
     """
     kind = nearest_kind(source)
     flags = set(kind.flags) if kind else set()
     flags -= {"container", "any_size", "decal"}
     proxies, concave = fit_proxies(sample(vertices, faces), round_allowed="rolls" in flags)
+    if concave:
+        proxies = _parts(vertices, faces, convex, cache) or proxies
     if "rolls" in flags and proxies[0].kind.value != "sphere":
         flags.discard("rolls")
     material = find_material(source.material)
@@ -99,6 +134,5 @@ def describe(
         "license": source.license,
         "attribution": attribution,
         "proxies": [p.model_dump(mode="json") for p in proxies],
-        "concave": concave,
         "surfaces": [s.model_dump(mode="json") for s in support_surfaces(vertices, faces)],
     }

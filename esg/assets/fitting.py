@@ -17,7 +17,7 @@ from esg.graph.models import Proxy, ProxyKind, SupportSurface
 
 _FIT = 1.18
 """Primitive volume over hull volume up to which the primitive is used."""
-_CONCAVE = 0.05
+_CONCAVE = 0.004
 """Mean depth of the surface below the hull, over the bounding box's diagonal."""
 _HULL_POINTS = 48
 

@@ -30,17 +30,12 @@ def configure_imported(
     found = find_record(f"{entry.library}/{entry.name}")
     if found is None:
         raise UserError(f"asset {entry.library}/{entry.name} has left its library; import it again")
-    folder, record = found
+    _, record = found
     dimensions = choose_dimensions(entry, requirement)
     factor = math.prod(b / a for a, b in zip(entry.dimensions_cm, dimensions, strict=True)) ** (
         1 / 3
     )
     proxies = tuple(Proxy.model_validate(p) for p in record["proxies"])
-    if record["concave"]:
-        from esg.assets.convex import convex_parts
-
-        vertices, faces = _geometry(folder / entry.mesh_file)
-        proxies = convex_parts(vertices, faces, folder / "convex") or proxies
     sketch = Sketch(
         proxies=list(proxies),
         densities=[1.0] * len(proxies),
@@ -62,11 +57,6 @@ def _load(path: Any) -> trimesh.Scene:
     scene = trimesh.load_scene(path, file_type="glb", process=False)
     scene.apply_transform(np.linalg.inv(GLTF_FROM_LOCAL))
     return scene
-
-
-def _geometry(path: Any) -> tuple[np.ndarray, np.ndarray]:
-    mesh = _load(path).to_mesh()
-    return np.asarray(mesh.vertices, float), np.asarray(mesh.faces, np.int64)
 
 
 def load_imported(config: AssetConfiguration) -> trimesh.Scene:

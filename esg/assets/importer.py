@@ -20,7 +20,7 @@ from esg.assets.sources import Source, read_folder, read_sh3f, slug
 from esg.assets.store import library_root, write_index
 from esg.outcomes import UserError
 
-IMPORT_VERSION = 1
+IMPORT_VERSION = 2
 MAX_FACES = 60_000
 MAX_TEXTURE = 1024
 _SANE_CM = (0.2, 6000.0)
@@ -50,6 +50,7 @@ def import_folder(
     *,
     library: str | None = None,
     limit: int | None = None,
+    convex: bool = False,
     progress: Callable[[int, str], None] | None = None,
 ) -> ImportReport:
     """Imports a `.sh3f` file, or every mesh (and `.sh3f`) below a folder.
@@ -58,6 +59,7 @@ def import_folder(
         path: File or folder.
         library: Name of the library to add to; default the path's stem.
         limit: Stop after so many models.
+        convex: Decompose concave meshes by CoACD (slow, exact) instead of boxes (fast).
         progress: Called with the count and name before each model.
 
     Returns:
@@ -85,7 +87,7 @@ def import_folder(
             seen += 1
             if progress:
                 progress(seen, source.name)
-            _import_one(source, folder, report)
+            _import_one(source, folder, report, convex)
     if not seen:
         raise UserError(f"{path}: found no .sh3f, .glb, .gltf, .obj, .stl or .ply to import")
     write_index(folder)
@@ -104,22 +106,22 @@ def _sources(path: Path, unpacked: Path) -> Iterator[Source]:
         yield from read_folder(path)
 
 
-def _source_hash(source: Source) -> str:
-    digest = hashlib.sha256(f"{IMPORT_VERSION}".encode())
+def _source_hash(source: Source, convex: bool) -> str:
+    digest = hashlib.sha256(f"{IMPORT_VERSION} {convex}".encode())
     meta = {k: v for k, v in source.__dict__.items() if k != "path"}
     digest.update(json.dumps(meta, sort_keys=True, default=str).encode())
     digest.update(source.path.read_bytes())
     return digest.hexdigest()
 
 
-def _import_one(source: Source, folder: Path, report: ImportReport) -> None:
+def _import_one(source: Source, folder: Path, report: ImportReport, convex: bool) -> None:
     record = folder / "assets" / f"{source.key}.json"
     try:
-        key = _source_hash(source)
+        key = _source_hash(source, convex)
         if record.is_file() and json.loads(record.read_text())["source_hash"] == key:
             report.unchanged.append(source.key)
             return
-        data, notes = convert(source)
+        data, notes = convert(source, convex=convex, cache=folder / "convex")
         report.problems += [(source.key, f"warning: {n}") for n in notes]
         data["source_hash"] = key
         glb = data.pop("glb")
@@ -152,8 +154,10 @@ def frame(up: str, front: str) -> np.ndarray:
     return np.stack([x, np.cross(z, x), z])
 
 
-def convert(source: Source) -> tuple[dict[str, Any], list[str]]:
-    """Loads, orients, scales and describes one model.
+def convert(
+    source: Source, *, convex: bool = False, cache: Path | None = None
+) -> tuple[dict[str, Any], list[str]]:
+    """Loads, orients, scales and describes one model (`describe` says what the options mean).
 
     Returns:
         The record of the asset (with its GLB bytes under `glb`), and warnings.
@@ -194,7 +198,14 @@ def convert(source: Source) -> tuple[dict[str, Any], list[str]]:
     vertices = np.concatenate([m.vertices for m in meshes])
     offsets = np.cumsum([0] + [len(m.vertices) for m in meshes[:-1]])
     faces = np.concatenate([m.faces + o for m, o in zip(meshes, offsets, strict=True)])
-    record = describe(source, np.asarray(vertices, float), np.asarray(faces, np.int64), dimensions)
+    record = describe(
+        source,
+        np.asarray(vertices, float),
+        np.asarray(faces, np.int64),
+        dimensions,
+        convex=convex,
+        cache=cache,
+    )
     local.apply_transform(GLTF_FROM_LOCAL)
     glb = local.export(file_type="glb")
     record["mesh_sha256"] = hashlib.sha256(glb).hexdigest()

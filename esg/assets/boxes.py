@@ -1,0 +1,138 @@
+"""Few boxes that fill a concave mesh: a deterministic stand-in for convex parts, in milliseconds.
+
+The mesh is sampled on a grid fitted to its bounds; cells are full where the signed distance says so
+or a thin sheet passes; full cells are merged greedily, largest box first.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from esg.assets.sdf import voxel_sdf
+from esg.graph.models import Proxy, ProxyKind
+
+_GRIDS = (16, 12, 9, 7)
+MAX_BOXES = 28
+_SHEET = 0.3
+"""Cells within this share of a cell of the surface count as full: chair backs are thin."""
+
+
+def occupancy(
+    vertices: NDArray[np.float64], faces: NDArray[np.int64], shape: tuple[int, int, int]
+) -> NDArray[np.bool_]:
+    """Which cells of a grid over the mesh's bounds are full."""
+    field = voxel_sdf(vertices, faces, 44)
+    low, high = vertices.min(0), vertices.max(0)
+    cell = (high - low) / shape
+    grid = np.stack(np.meshgrid(*[np.arange(n) for n in shape], indexing="ij"), -1)
+    full = np.zeros(shape)
+    for corner in range(8):
+        offset = np.array([0.25 + 0.5 * ((corner >> k) & 1) for k in range(3)])
+        points = (low + (grid + offset) * cell).reshape(-1, 3)
+        full += (field.sample(points) < _SHEET * field.cell_cm).reshape(shape)
+    return full >= 4
+
+
+def _grow(
+    free: NDArray[np.bool_], seed: tuple[int, ...], order: tuple[int, ...]
+) -> tuple[slice, ...]:
+    low, high = list(seed), [s + 1 for s in seed]
+    for axis in order:
+        while high[axis] < free.shape[axis]:
+            probe = [slice(a, b) for a, b in zip(low, high, strict=True)]
+            probe[axis] = slice(high[axis], high[axis] + 1)
+            if not free[tuple(probe)].all():
+                break
+            high[axis] += 1
+    return tuple(slice(a, b) for a, b in zip(low, high, strict=True))
+
+
+_ORDERS = ((0, 1, 2), (0, 2, 1), (1, 0, 2), (1, 2, 0), (2, 0, 1), (2, 1, 0))
+
+
+def merge(full: NDArray[np.bool_]) -> list[tuple[slice, ...]]:
+    """Disjoint boxes of cells that cover all full ones, each grown as large as it gets."""
+    left = full.copy()
+    boxes = []
+    while left.any():
+        best: tuple[int, tuple[slice, ...]] | None = None
+        corners = np.argwhere(left & ~_shifted(left))
+        for seed in corners:
+            for order in _ORDERS:
+                box = _grow(left, tuple(int(v) for v in seed), order)
+                size = int(np.prod([b.stop - b.start for b in box]))
+                if best is None or size > best[0]:
+                    best = (size, box)
+        assert best is not None
+        left[best[1]] = False
+        boxes.append(best[1])
+        if len(boxes) > MAX_BOXES:
+            break
+    return boxes
+
+
+def _shifted(full: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Cells with a full neighbour before them on every axis: they start no maximal box."""
+    out = np.ones_like(full)
+    for axis in range(3):
+        before = np.zeros_like(full)
+        head = [slice(None)] * 3
+        tail = [slice(None)] * 3
+        head[axis], tail[axis] = slice(1, None), slice(None, -1)
+        before[tuple(head)] = full[tuple(tail)]
+        out &= before
+    return out
+
+
+def box_parts(vertices: NDArray[np.float64], faces: NDArray[np.int64]) -> tuple[Proxy, ...] | None:
+    """Boxes that follow a concave mesh standing on z = 0, None if it has no inside.
+
+    Args:
+        vertices: Local frame [cm], shape [n, 3].
+        faces: Shape [m, 3].
+    """
+    low, high = vertices.min(0), vertices.max(0)
+    extents = high - low
+    for cells in _GRIDS:
+        shape = tuple(int(np.clip(round(cells * e / extents.max()), 3, cells)) for e in extents)
+        full = occupancy(vertices, faces, shape)  # type: ignore[arg-type]
+        if not full.any():
+            return None
+        boxes = merge(full)
+        if len(boxes) <= MAX_BOXES:
+            break
+    else:
+        return None
+    cell = extents / shape
+    proxies = []
+    for box in boxes:
+        a = low + np.array([b.start for b in box]) * cell
+        b = low + np.array([b.stop for b in box]) * cell
+        proxies.append(
+            Proxy(
+                kind=ProxyKind.BOX,
+                size_cm=tuple(round(float(v), 4) for v in (b - a) / 2),  # type: ignore[arg-type]
+                position_cm=tuple(round(float(v), 4) for v in (a + b) / 2),  # type: ignore[arg-type]
+            )
+        )
+    if min(p.position_cm[2] - p.size_cm[2] for p in proxies) > 0.03 * extents[2]:
+        return None
+    return tuple(proxies)
+
+
+def stands(proxies: tuple[Proxy, ...], com: tuple[float, float, float]) -> bool:
+    """Whether the centre of mass lies well over what touches the ground."""
+    foot = [
+        (p.position_cm[0] + x * p.size_cm[0], p.position_cm[1] + y * p.size_cm[1])
+        for p in proxies
+        if p.position_cm[2] - p.size_cm[2] < 0.05
+        for x in (-1, 1)
+        for y in (-1, 1)
+    ]
+    if not foot:
+        return False
+    from shapely.geometry import MultiPoint, Point
+
+    hull = MultiPoint(foot).convex_hull
+    return hull.contains(Point(com[0], com[1])) and hull.exterior.distance(Point(com[:2])) > 0.5
