@@ -340,6 +340,9 @@ class _Session:
             "timeline": TimelineReply,
         }
         text = complaint or self._request(stage)
+        if complaint and self.talks.get(stage):
+            # An earlier stage may have revised what this one was told.
+            self.talks[stage][0] = ("user", self._request(stage))
         self.answers[stage] = await self._ask(stage, shapes[stage], text)
 
     async def _ask(self, stage: str, shape: type[_ANSWER], text: str) -> _ANSWER:

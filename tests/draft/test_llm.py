@@ -136,6 +136,27 @@ def test_violation_is_told_to_the_stage_that_owns_it() -> None:
     assert result.outcome is Outcome.SOLVED and result.rounds == 1
 
 
+def test_revision_sees_what_was_revised_before_it() -> None:
+    """Show a stage that revises its answer the revised answers of the stages before it."""
+
+    class Twice(Spoiled):
+        async def complete(self, call: Call) -> Reply:
+            reply = await super().complete(call)
+            tree = json.loads(find_text(reply.text))
+            if call.stage == "assets":
+                first = len(call.messages) == 1
+                tree["assets"][1]["mass_kg"] = -1.0 if first else 1234.5
+            elif call.stage == "timeline" and len(call.messages) == 1:
+                tree["events"][0]["latest_s"] = tree["events"][-1]["latest_s"] + 5.0
+            return Reply(json.dumps(tree), 1, 1)
+
+    client = Twice("none", None)
+    result = run(CHAIN, client)
+    assert result.outcome is Outcome.SOLVED and result.rounds == 1
+    assert client.stages() == [*STAGES, "assets", "timeline"]
+    assert "1234.5" in client.calls[-1].messages[0][1]
+
+
 def test_wrong_names_are_repaired_without_another_request() -> None:
     """Read 'The Trashbin' as trashbin_1 in code and record it."""
 
