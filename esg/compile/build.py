@@ -37,6 +37,7 @@ CLASSES_PER_UNIT = 8
 
 _SHIM = Path(__file__).parent / "shim"
 _KEY_LENGTH = 20
+_EXPORT = '__attribute__((visibility("default")))'
 
 
 class CompilerMissing(RuntimeError):
@@ -99,12 +100,12 @@ class Library:
 
     Args:
         path: Shared library.
-        entry: Suffix of the class's entry points in it.
+        create: Symbol of the function in it that makes an instance.
         seconds: Compile time, the class's share of its unit; 0 from the cache.
     """
 
     path: Path
-    entry: str
+    create: str
     seconds: float
 
 
@@ -134,7 +135,7 @@ def _compiler_version(path: str) -> str:
 
 @cache
 def _shim_text() -> tuple[str, str]:
-    return (_SHIM / "UEShim.h").read_text("utf-8"), (_SHIM / "glue.cpp").read_text("utf-8")
+    return (_SHIM / "UEShim.h").read_text("utf-8"), (_SHIM / "runtime.cpp").read_text("utf-8")
 
 
 def _environment_key(cxx: str) -> str:
@@ -206,7 +207,7 @@ def _cached(key: str) -> Library | None:
         path = cache_dir() / reference.read_text("utf-8").strip()
     except OSError:
         return None
-    return Library(path, key, 0.0) if path.is_file() else None
+    return Library(path, _entry(key), 0.0) if path.is_file() else None
 
 
 def _units(todo: dict[str, ClassFiles], jobs: int) -> list[list[tuple[str, ClassFiles]]]:
@@ -233,14 +234,13 @@ def _compile_unit(
             own = _own_names(files)
             main += [f"#define {name} {name}_{entry}" for name in own]
             main.append(f'#include "{entry}/{files.name}.cpp"')
-            main.append(f"#define SHIM_CLASS A{files.name}\n#define SHIM_ID {entry}")
-            main.append('#include "glue.cpp"')
+            main.append(f'extern "C" {_EXPORT} AActor* {entry}() {{ return new A{files.name}; }}')
             main += [f"#undef {name}" for name in own]
         unit_cpp = Path(work, "unit.cpp")
         unit_cpp.write_text("\n".join(main) + "\n", "utf-8")
         built = Path(work, "unit.so")
         command = [cxx, *FLAGS, "-shared", "-include", "UEShim.h", f"-I{include}", f"-I{work}",
-                   str(unit_cpp), "-o", str(built)]  # fmt: skip
+                   str(unit_cpp), str(include / "runtime.o"), "-o", str(built)]  # fmt: skip
         done = subprocess.run(command, capture_output=True, text=True, check=False)
         if done.returncode == 0:
             os.replace(built, target)
@@ -257,7 +257,7 @@ def _compile_unit(
     seconds = (time.perf_counter() - start) / len(unit)
     for key, _ in unit:
         _write(root / f"{key}.ref", target.name)
-    return {key: Library(target, key, seconds) for key, _ in unit}
+    return {key: Library(target, _entry(key), seconds) for key, _ in unit}
 
 
 def _own_names(files: ClassFiles) -> list[str]:
@@ -268,12 +268,7 @@ def _own_names(files: ClassFiles) -> list[str]:
 
 
 def _entry(key: str) -> str:
-    return f"k{key}"
-
-
-def entry_point(library: Library, name: str) -> str:
-    """Symbol of an entry point, e.g. `esg_tick_k0123…`."""
-    return f"esg_{name}_{_entry(library.entry)}"
+    return f"esg_create_{key}"
 
 
 def _write_class(folder: Path, files: ClassFiles, number: int) -> None:
@@ -297,31 +292,35 @@ def _write(path: Path, text: str) -> None:
 
 
 def _include_dir(cxx: str) -> Path:
-    """Folder with the shim, a stub per engine header and the precompiled header."""
+    """Folder with the shim precompiled, its runtime and a stub per engine header."""
     root = cache_dir()
     root.mkdir(parents=True, exist_ok=True)
     folder = root / f"include-{_environment_key(cxx)}"
-    if (folder / "UEShim.h.gch").is_file():
+    if (folder / "runtime.o").is_file():
         return folder
     with tempfile.TemporaryDirectory(dir=root, prefix="include-build-") as work:
         build = Path(work, "include")
         build.mkdir()
-        shim, glue = _shim_text()
+        shim, runtime = _shim_text()
         (build / "UEShim.h").write_text(shim, "utf-8")
-        (build / "glue.cpp").write_text(glue, "utf-8")
+        (build / "runtime.cpp").write_text(runtime, "utf-8")
         for name in sorted(ENGINE_HEADERS):
             stub = build / name
             stub.parent.mkdir(parents=True, exist_ok=True)
             stub.write_text('#pragma once\n#include "UEShim.h"\n', "utf-8")
-        command = [cxx, *FLAGS, "-x", "c++-header", "UEShim.h", "-o", "UEShim.h.gch"]
-        done = subprocess.run(command, cwd=build, capture_output=True, text=True, check=False)
-        if done.returncode != 0:
-            raise RuntimeError(f"{cxx} cannot compile the shim: {done.stderr.strip()}")
+        for arguments in (
+            ["-x", "c++-header", "UEShim.h", "-o", "UEShim.h.gch"],
+            ["-c", "runtime.cpp", "-o", "runtime.o"],
+        ):
+            command = [cxx, *FLAGS, *arguments]
+            done = subprocess.run(command, cwd=build, capture_output=True, text=True, check=False)
+            if done.returncode != 0:
+                raise RuntimeError(f"{cxx} cannot compile the shim: {done.stderr.strip()}")
         try:
             os.rename(build, folder)
         except OSError:
             # Another process finished first; its folder has the same content.
-            if not (folder / "UEShim.h.gch").is_file():
+            if not (folder / "runtime.o").is_file():
                 raise
     return folder
 

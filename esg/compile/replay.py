@@ -193,6 +193,7 @@ class _Run:
     """One life of one class: construct, begin play, tick, destroy."""
 
     def __init__(self, library: build.Library, imports: dict[str, Any]) -> None:
+        self._name = str(imports["class"])
         self._dll = C.CDLL(str(library.path))
         self._library = library
         self._assets = {a["path"]: a for a in imports["assets"]}
@@ -316,7 +317,7 @@ class _Run:
     # Life of the class -----------------------------------------------------------------------
 
     def _entry(self, name: str, restype: Any = C.c_int, *argtypes: Any) -> Any:
-        function = getattr(self._dll, build.entry_point(self._library, name))
+        function = getattr(self._dll, f"esg_{name}")
         function.restype, function.argtypes = restype, list(argtypes)
         return function
 
@@ -328,7 +329,9 @@ class _Run:
 
     def play(self, engine: str, grid: Frames, ground: bool) -> Rollout:
         """Runs the class from construction to the end of the scene."""
-        self._check(self._entry("construct", C.c_int, C.POINTER(_Backend))(C.byref(self._backend)))
+        construct = self._entry("construct", C.c_int, C.POINTER(_Backend), C.c_void_p)
+        create = C.cast(getattr(self._dll, self._library.create), C.c_void_p)
+        self._check(construct(C.byref(self._backend), create))
         self._describe()
         self._load_shapes()
         self._check(self._entry("begin_play")())
@@ -386,7 +389,7 @@ class _Run:
             raise ReplayError("the two grounds differ in restitution")
         gravity = self._entry("gravity", C.c_double)()
         return SimScene(
-            scene_id=self._library.entry,
+            scene_id=self._name,
             bodies=tuple(bodies[i] for i in range(len(bodies))),
             gravity=(0.0, 0.0, gravity / frames.CM_PER_M),
             ground_friction=normal.friction,

@@ -95,9 +95,7 @@ def _body(rng: np.random.Generator, index: int) -> Body:
     )
 
 
-def _command(
-    rng: np.random.Generator, moving: list[Body], bodies: tuple[Body, ...]
-) -> Primitive:
+def _command(rng: np.random.Generator, moving: list[Body], bodies: tuple[Body, ...]) -> Primitive:
     body = moving[rng.integers(len(moving))]
     time = float(rng.uniform(0.0, 0.8))
     vector = tuple(rng.uniform(-4.0, 4.0, 3).tolist())

@@ -50,6 +50,8 @@ namespace Shim
 		throw FFatal{Message};
 	}
 
+	[[noreturn]] void OutOfBounds(int32 Index, int32 Count);
+
 	/** One body as the class leaves it; vectors and quaternions (x, y, z, w) as Unreal has them. */
 	struct FBody
 	{
@@ -107,16 +109,7 @@ namespace Shim
 
 	FState& State();
 
-	inline void Log(const char* Category, const char* Verbosity, const char* Format, ...) __attribute__((format(printf, 3, 4)));
-	inline void Log(const char* Category, const char* Verbosity, const char* Format, ...)
-	{
-		char Buffer[4096];
-		va_list Arguments;
-		va_start(Arguments, Format);
-		vsnprintf(Buffer, sizeof Buffer, Format, Arguments);
-		va_end(Arguments);
-		State().Host->Log(Category, Verbosity, Buffer);
-	}
+	void Log(const char* Category, const char* Verbosity, const char* Format, ...) __attribute__((format(printf, 3, 4)));
 }
 
 #define DEFINE_LOG_CATEGORY_STATIC(Category, Default, CompileTime) [[maybe_unused]] static const char* const Category = #Category
@@ -250,34 +243,98 @@ template <class T> struct TObjectPtr
 	T* Get() const { return Pointer; }
 };
 
+/** Written by hand because instantiating std::vector for every class's types dominates compile time. */
 template <class T> class TArray
 {
 public:
 	TArray() = default;
-	TArray(std::initializer_list<T> Init) : Items(Init) {}
-	int32 Add(const T& Item) { Items.push_back(Item); return Num() - 1; }
-	void Reset() { Items.clear(); }
-	void SetNum(int32 Count) { Items.resize(static_cast<size_t>(Count)); }
-	int32 Num() const { return static_cast<int32>(Items.size()); }
-	T& Last() { return At(Num() - 1); }
-	T& operator[](int32 Index) { return At(Index); }
-	const T& operator[](int32 Index) const { return const_cast<TArray*>(this)->At(Index); }
-	template <class U> bool Contains(const U& Item) const { return std::find(Items.begin(), Items.end(), Item) != Items.end(); }
-	auto begin() { return Items.begin(); }
-	auto end() { return Items.end(); }
-	auto begin() const { return Items.begin(); }
-	auto end() const { return Items.end(); }
+	TArray(std::initializer_list<T> Init)
+	{
+		for (const T& Item : Init)
+		{
+			Add(Item);
+		}
+	}
+	TArray(const TArray& Other)
+	{
+		for (int32 Index = 0; Index < Other.Count; ++Index)
+		{
+			Add(Other.Data[Index]);
+		}
+	}
+	TArray& operator=(TArray Other)
+	{
+		std::swap(Data, Other.Data);
+		std::swap(Count, Other.Count);
+		std::swap(Room, Other.Room);
+		return *this;
+	}
+	~TArray() { delete[] Data; }
+	int32 Add(const T& Item)
+	{
+		const T Kept = Item;
+		Reserve(Count + 1);
+		Data[Count] = Kept;
+		return Count++;
+	}
+	void Reset() { *this = TArray(); }
+	void SetNum(int32 Wanted)
+	{
+		Reserve(Wanted);
+		for (int32 Index = Wanted; Index < Count; ++Index)
+		{
+			Data[Index] = T();
+		}
+		Count = Wanted;
+	}
+	int32 Num() const { return Count; }
+	T& Last() { return Data[Checked(Count - 1)]; }
+	T& operator[](int32 Index) { return Data[Checked(Index)]; }
+	const T& operator[](int32 Index) const { return Data[Checked(Index)]; }
+	template <class U> bool Contains(const U& Item) const
+	{
+		for (int32 Index = 0; Index < Count; ++Index)
+		{
+			if (Data[Index] == Item)
+			{
+				return true;
+			}
+		}
+		return false;
+	}
+	T* begin() { return Data; }
+	T* end() { return Data + Count; }
+	const T* begin() const { return Data; }
+	const T* end() const { return Data + Count; }
 
 private:
-	T& At(int32 Index)
+	int32 Checked(int32 Index) const
 	{
-		if (Index < 0 || Index >= Num())
+		if (Index < 0 || Index >= Count)
 		{
-			Shim::Fatal("array index out of bounds: " + std::to_string(Index) + " of " + std::to_string(Num()));
+			Shim::OutOfBounds(Index, Count);
 		}
-		return Items[static_cast<size_t>(Index)];
+		return Index;
 	}
-	std::vector<T> Items;
+	void Reserve(int32 Wanted)
+	{
+		if (Wanted <= Room)
+		{
+			return;
+		}
+		const int32 Larger = Wanted > 2 * Room ? Wanted : 2 * Room;
+		T* Moved = new T[static_cast<size_t>(Larger)]();
+		for (int32 Index = 0; Index < Count; ++Index)
+		{
+			Moved[Index] = Data[Index];
+		}
+		delete[] Data;
+		Data = Moved;
+		Room = Larger;
+	}
+	T* Data = nullptr;
+	int32 Count = 0;
+	int32 Room = 0;
 };
 
 namespace EComponentMobility { enum Type { Static, Stationary, Movable }; }
@@ -294,15 +351,6 @@ public:
 	FString GetName() const { return FString(ShimName.c_str()); }
 	std::string ShimName;
 };
-
-namespace Shim
-{
-	inline FState& State()
-	{
-		static FState S;
-		return S;
-	}
-}
 
 class UStaticMesh : public UObject
 {

@@ -1,10 +1,32 @@
-// C entry points of one emitted class, called by the host. SHIM_CLASS and SHIM_ID are defined by the build.
-// Every function returns 0 or sets the error text and returns 1.
-#define SHIM_JOIN2(A, B) A##B
-#define SHIM_JOIN(A, B) SHIM_JOIN2(A, B)
-#define SHIM_ENTRY(Name) SHIM_JOIN(Name, SHIM_ID)
+// The runtime that every library of compiled classes links: the shim's state and the C entry points
+// the host calls. Functions that can fail return 0, or set the error text and return 1.
+#include "UEShim.h"
 
-namespace SHIM_ENTRY(ShimGlue)
+namespace Shim
+{
+	FState& State()
+	{
+		static FState S;
+		return S;
+	}
+
+	void OutOfBounds(int32 Index, int32 Count)
+	{
+		Fatal("array index out of bounds: " + std::to_string(Index) + " of " + std::to_string(Count));
+	}
+
+	void Log(const char* Category, const char* Verbosity, const char* Format, ...)
+	{
+		char Buffer[4096];
+		va_list Arguments;
+		va_start(Arguments, Format);
+		vsnprintf(Buffer, sizeof Buffer, Format, Arguments);
+		va_end(Arguments);
+		State().Host->Log(Category, Verbosity, Buffer);
+	}
+}
+
+namespace ShimGlue
 {
 	static std::unique_ptr<AActor> Actor;
 	static std::string Error;
@@ -98,20 +120,20 @@ namespace SHIM_ENTRY(ShimGlue)
 #pragma GCC visibility push(default)
 extern "C"
 {
-	const char* SHIM_ENTRY(esg_error_)()
+	const char* esg_error()
 	{
-		return SHIM_ENTRY(ShimGlue)::Error.c_str();
+		return ShimGlue::Error.c_str();
 	}
 
-	int SHIM_ENTRY(esg_construct_)(Shim::Backend* Host)
+	int esg_construct(Shim::Backend* Host, AActor* (*Create)())
 	{
-		using namespace SHIM_ENTRY(ShimGlue);
+		using namespace ShimGlue;
 		return Guard([&]
 		{
 			Shim::State() = Shim::FState();
 			Shim::State().Host = Host;
 			Shim::State().Phase = Shim::EPhase::Constructing;
-			Actor = std::make_unique<SHIM_CLASS>();
+			Actor.reset(Create());
 			if (!Actor->ShimRoot)
 			{
 				Shim::Fatal("the actor has no root component");
@@ -129,21 +151,21 @@ extern "C"
 		});
 	}
 
-	int SHIM_ENTRY(esg_body_count_)()
+	int esg_body_count()
 	{
 		return static_cast<int>(Shim::State().Bodies.size());
 	}
 
-	/** Fills in a body; complete only after esg_begin_play_. */
-	int SHIM_ENTRY(esg_describe_)(int Index, Shim::FBody* Out)
+	/** Fills in a body; complete only after esg_begin_play. */
+	int esg_describe(int Index, Shim::FBody* Out)
 	{
-		using namespace SHIM_ENTRY(ShimGlue);
+		using namespace ShimGlue;
 		return Guard([&] { *Out = Describe(*Shim::State().Bodies.at(static_cast<size_t>(Index))); });
 	}
 
-	int SHIM_ENTRY(esg_begin_play_)()
+	int esg_begin_play()
 	{
-		using namespace SHIM_ENTRY(ShimGlue);
+		using namespace ShimGlue;
 		return Guard([&]
 		{
 			Shim::State().Phase = Shim::EPhase::Playing;
@@ -170,11 +192,11 @@ extern "C"
 		});
 	}
 
-	double SHIM_ENTRY(esg_gravity_)() { return Shim::State().GravityZ; }
-	double SHIM_ENTRY(esg_fixed_step_)() { return Shim::State().FixedStep; }
+	double esg_gravity() { return Shim::State().GravityZ; }
+	double esg_fixed_step() { return Shim::State().FixedStep; }
 
 	/** The host has built its world; velocities may be set from now on. */
-	void SHIM_ENTRY(esg_live_)()
+	void esg_live()
 	{
 		for (UPrimitiveComponent* Component : Shim::State().Bodies)
 		{
@@ -182,16 +204,16 @@ extern "C"
 		}
 	}
 
-	int SHIM_ENTRY(esg_tick_)(double DeltaTime)
+	int esg_tick(double DeltaTime)
 	{
-		using namespace SHIM_ENTRY(ShimGlue);
+		using namespace ShimGlue;
 		return Guard([&] { Actor->Tick(static_cast<float>(DeltaTime)); });
 	}
 
 	/** Impulse and normal act on the first body (Unreal's frame, kg cm/s); depth in cm. */
-	int SHIM_ENTRY(esg_hit_)(int A, int B, const double* Impulse, const double* Point, const double* Normal, double Depth)
+	int esg_hit(int A, int B, const double* Impulse, const double* Point, const double* Normal, double Depth)
 	{
-		using namespace SHIM_ENTRY(ShimGlue);
+		using namespace ShimGlue;
 		return Guard([&]
 		{
 			UPrimitiveComponent* First = Shim::State().Bodies.at(static_cast<size_t>(A));
@@ -218,17 +240,11 @@ extern "C"
 		});
 	}
 
-	void SHIM_ENTRY(esg_destroy_)()
+	void esg_destroy()
 	{
-		SHIM_ENTRY(ShimGlue)::Actor.reset();
+		ShimGlue::Actor.reset();
 		Shim::State() = Shim::FState();
 	}
 }
 
 #pragma GCC visibility pop
-
-#undef SHIM_ENTRY
-#undef SHIM_JOIN
-#undef SHIM_JOIN2
-#undef SHIM_CLASS
-#undef SHIM_ID
