@@ -9,7 +9,7 @@ from esg import __version__
 from esg.outcomes import UserError
 
 
-def build_app():  # noqa: ANN201  # the return type would import cyclopts for nothing
+def build_app():  # the return type would import cyclopts for nothing
     """The command-line application."""
     from cyclopts import App
 

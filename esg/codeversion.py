@@ -6,7 +6,7 @@ edit of the layout stage thus invalidates layouts and everything after them, and
 
 from __future__ import annotations
 
-from functools import lru_cache
+from functools import cache
 import hashlib
 from importlib import metadata
 from pathlib import Path
@@ -23,7 +23,7 @@ SOURCES: dict[str, tuple[str, ...]] = {
     "compile": ("compile", "engines", "dynamics", "assets", "metrics"),
     "replay": ("compile", "engines"),
     "judge": ("metrics", "engines", "dynamics"),
-    "record": ("view", "store", "assets", "metrics", "engines"),
+    "record": ("view", "store", "assets", "metrics", "engines", "compile"),
 }
 """Parts of the package (files or folders below `esg/`) that each stage's result depends on."""
 
@@ -35,11 +35,11 @@ LIBRARIES: dict[str, tuple[str, ...]] = {
     "compile": ("usd-core",),
     "replay": ("sapien", "newton", "rapier3d"),
     "judge": (),
-    "record": ("newton", "mcap"),
+    "record": ("newton", "mcap", "usd-core"),
 }
 
 
-@lru_cache(maxsize=None)
+@cache
 def code_version(stage: str) -> str:
     """Hex digest of everything but input and configuration that determines a stage's result.
 
@@ -54,7 +54,7 @@ def code_version(stage: str) -> str:
     return digest.hexdigest()[:16]
 
 
-@lru_cache(maxsize=None)
+@cache
 def _tree_hash(part: str) -> str:
     root = _ROOT / part
     files = [root] if root.is_file() else sorted(p for p in root.rglob("*") if p.is_file())

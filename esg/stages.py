@@ -237,6 +237,7 @@ def _outcome(doc: EsgDocument, own: SceneVerdict) -> tuple[Outcome, str]:
 
 def _record(state: SceneState, folder: Path) -> None:
     from esg.assets import write_meshes
+    from esg.compile.export import export
     from esg.engines.rollout_file import load_rollout
     from esg.store.mcap_log import write_mcap
     from esg.view.preview import preview
@@ -247,6 +248,12 @@ def _record(state: SceneState, folder: Path) -> None:
     metrics = json.loads((state.artifact("judge") / "metrics.json").read_bytes())
     verdict = load_verdict(state)
     write_meshes(doc, folder)
+    # Exports read a scene folder: lend them the manifest, which belongs to another stage.
+    manifest = folder / "manifest.json"
+    manifest.write_bytes((state.artifact("compile") / manifest.name).read_bytes())
+    export(folder, "usd", rollout=rollout)
+    export(folder, "glb", rollout=rollout)
+    manifest.unlink()
     write_mcap(folder / "rollout.mcap", scene, program, rollout, verdict, doc)
     note = f"{metrics['outcome']}  |  replayed in {rollout.engine} at {1 / rollout.dt:.0f} Hz"
     preview(scene, rollout, verdict, doc, folder, note=note)

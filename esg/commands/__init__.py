@@ -6,7 +6,9 @@ COMMANDS: dict[str, tuple[str, str]] = {
     "bench": ("esg.commands.bench:bench", "Run a benchmark suite over several seeds."),
     "sql": ("esg.commands.sql:sql", "Query the results of all runs with SQL."),
     "replay": ("esg.commands.replay:replay", "Replay a finished scene in an engine of choice."),
+    "export": ("esg.commands.export:export", "Write a scene for another program."),
     "check": ("esg.commands.check:check", "Check an ESG file against the schema and all rules."),
+    "assets": ("esg.commands.assets:app", "List, search, show and import assets."),
     "doctor": (
         "esg.commands.doctor:doctor",
         "Tell what works on this machine and what is missing.",

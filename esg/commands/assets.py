@@ -1,0 +1,122 @@
+"""`esg assets`: the asset library."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Any
+
+from cyclopts import App, Parameter
+
+app = App(name="assets", help="List, search, show and import assets.")
+Json = Annotated[bool, Parameter(negative="")]
+
+
+@app.command(name="list")
+def list_(*, library: str | None = None, json: Json = False) -> int:
+    """List all assets.
+
+    Args:
+        library: Only this library, e.g. parametric.
+        json: Print one JSON document.
+    """
+    from esg.assets.commands import list_assets
+    from esg.commands.console import emit, table
+
+    rows = list_assets(library)
+    if json:
+        emit(rows)
+        return 0
+    cells = [
+        [r["name"], r["category"], _size(r["dimensions_cm"]), f"{r['mass_kg']:g}", r["license"]]
+        for r in rows
+    ]
+    print(table(["name", "category", "size cm", "mass kg", "licence"], cells))
+    return 0
+
+
+@app.command
+def search(text: str, *, count: int = 5, json: Json = False) -> int:
+    """Find the assets nearest in meaning to a text.
+
+    Args:
+        text: What is wanted, e.g. "thing to sit on".
+        count: How many to show.
+        json: Print one JSON document.
+    """
+    from esg.assets import search as run
+    from esg.commands.console import emit, table
+    from esg.outcomes import UserError
+
+    if not text.strip():
+        raise UserError("say what to search for")
+    if not 1 <= count <= 1000:
+        raise UserError(f"--count {count}: choose 1 to 1000")
+    found = run(text, count)
+    if json:
+        emit([c.model_dump(mode="json") for c in found])
+    else:
+        print(table(["asset", "score"], [[c.asset_name, f"{c.score:.3f}"] for c in found]))
+    return 0
+
+
+@app.command
+def show(name: str, *, json: Json = False) -> int:
+    """Show everything known about one asset.
+
+    Args:
+        name: Its name as `esg assets list` gives it.
+        json: Print one JSON document.
+    """
+    from esg.assets.commands import show as run
+    from esg.commands.console import emit
+
+    facts = run(name)
+    if json:
+        emit(facts)
+        return 0
+    for key, value in facts.items():
+        if key != "configuration":
+            text = ", ".join(map(str, value)) if isinstance(value, list) else value
+            print(f"{key}: {text}")
+    config: dict[str, Any] = facts["configuration"]
+    for key in ("dimensions_cm", "mass_kg", "friction", "restitution", "is_movable"):
+        print(f"{key}: {config[key]}")
+    print("proxies: " + ", ".join(p["kind"] for p in config["proxies"]))
+    return 0
+
+
+@app.command(name="import")
+def import_(
+    path: Path,
+    *,
+    library: str | None = None,
+    json: Json = False,
+) -> int:
+    """Import meshes: a folder, or a Sweet Home 3D library (.sh3f).
+
+    Args:
+        path: Folder or file.
+        library: Name of the new library; default the file's.
+        json: Print one JSON document.
+    """
+    from esg.assets.commands import import_assets
+    from esg.commands.console import emit
+    from esg.outcomes import UserError
+
+    if not path.exists():
+        raise UserError(f"{path} does not exist")
+    report = import_assets(path, library)
+    if json:
+        emit(report)
+    else:
+        print(
+            f"library {report['library']} in {report['folder']}: {report['imported']} imported, "
+            f"{report['unchanged']} unchanged, {len(report['problems'])} problems"
+        )
+        for item in report["problems"]:
+            print(f"  {item['asset']}: {item['problem']}")
+    return 3 if any(not p["problem"].startswith("warning") for p in report["problems"]) else 0
+
+
+def _size(dimensions: list[float]) -> str:
+    return " x ".join(f"{d:g}" for d in dimensions)
