@@ -89,8 +89,8 @@ def region_center(scene: SimScene, name: str) -> Floats | None:
 def aim_heading(scene: SimScene, story: Story, mover: Body, phase: Phase, target: str) -> float:
     """Heading [rad] that starts the chain of events behind this phase.
 
-    A round mover aims at the ghost position that sends a round target on towards the next one; a
-    flat front drives through the target towards the next one; otherwise straight at the target.
+    A round mover aims at the ghost position that sends a round target on towards the next one;
+    anything else straight at the target.
     """
     position = np.array(mover.position)[:2]
     body = scene.body(target)
@@ -111,10 +111,6 @@ def aim_heading(scene: SimScene, story: Story, mover: Body, phase: Phase, target
             unit = onward / distance
             if mover.roll_radius and body.roll_radius:
                 goal = np.array(body.position)[:2] - (mover.roll_radius + body.roll_radius) * unit
-            elif not mover.roll_radius:
-                toward = goal - position
-                if float(toward @ unit) > 0.97 * float(np.linalg.norm(toward)):
-                    return math.atan2(unit[1], unit[0])
     return math.atan2(goal[1] - position[1], goal[0] - position[0])
 
 

@@ -28,9 +28,11 @@ from esg.dynamics.stagecraft import (
     approach_distance,
     default_speed,
     fit_to_surface,
+    min_hit_speed,
     pocket_shot,
     prop,
     release_height,
+    slide,
     support_of,
     target_yaw,
 )
@@ -255,10 +257,15 @@ class _Stage:
             self._drop(node, a, b)
             return
         prescribed = self._prescribed_time(node)
-        speed = self._speed(a, phase)
+        speed = self._speed(a, phase, min_hit_speed(pa, pb))
         if phase.edge.event is EdgeEvent.BRAKE:
             speed = track.speed or speed
             distance, duration, left = self._brake_into(phase, speed, prescribed, track.time)
+        elif self._slides(a, phase):
+            wait = None if prescribed is None else max(0.15, prescribed - track.time)
+            free = not self._fixed(phase)
+            speed, distance, duration, left = slide(pa, speed, wait, self.rng, adjustable=free)
+            self.nominal[f"{phase.edge.id}/speed"] = speed
         else:
             duration = (
                 max(0.15, prescribed - track.time)
@@ -522,9 +529,15 @@ class _Stage:
         self.nominal[f"{edge.id}/speed"] = speed
         track.straight(speed * duration, duration, speed)
 
-    def _speed(self, actor: str, phase: Phase) -> float:
-        """A plausible speed [m/s] within the segment's bounds."""
-        preferred = default_speed(self._prop(actor))
+    def _slides(self, actor: str, phase: Phase) -> bool:
+        """Pushed or slid along the ground, so that friction takes its speed."""
+        body = self._prop(actor)
+        flat = self.story.force[actor] is not ForceDirection.ANY_3D
+        return phase.edge.event is EdgeEvent.TOWARD and flat and not (body.rolls or body.wheeled)
+
+    def _speed(self, actor: str, phase: Phase, least: float = 0.0) -> float:
+        """A plausible speed [m/s] of at least `least` within the segment's bounds."""
+        preferred = max(default_speed(self._prop(actor)), least)
         if phase.edge.params.speed is None:
             return self.tracks[actor].speed or preferred
         low, high, fixed = bounds(phase.edge.params.speed, (100.0, 1000.0))

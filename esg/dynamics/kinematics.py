@@ -96,11 +96,18 @@ def sliding_distance(speed: float, friction: float) -> float:
     return speed * speed / (2.0 * max(friction, 0.02) * GRAVITY_MPS2)
 
 
-def ballistic_velocity(offset: np.ndarray, duration: float) -> np.ndarray:
-    """Launch velocity [m/s] that covers `offset` [m] in `duration` [s] under gravity, shape [3]."""
-    velocity = np.asarray(offset, float) / duration
-    velocity[2] += 0.5 * GRAVITY_MPS2 * duration
-    return velocity
+def ballistic_velocity(
+    offset: np.ndarray, duration: float, damping: float = 0.0
+) -> np.ndarray:
+    """Launch velocity [m/s] that covers `offset` [m] in `duration` [s] under gravity, shape [3].
+
+    With linear damping c the velocity is v(t) = (v0 + g/c) exp(-c t) - g/c.
+    """
+    gravity = np.array([0.0, 0.0, -GRAVITY_MPS2])
+    if damping < 1e-6:
+        return np.asarray(offset, float) / duration - 0.5 * gravity * duration
+    travel = braking_distance(1.0, damping, duration)
+    return (np.asarray(offset, float) - gravity / damping * (duration - travel)) / travel
 
 
 def half_along(length: float, width: float, relative: float) -> float:

@@ -230,7 +230,11 @@ class _Assessor:
         time, impulse, depth, recheck, struck = self._first_hit(a, b, earliest)
         hit = np.isfinite(time) & (time <= HIT_LIMIT_S)
         good = hit & (impulse > MIN_IMPULSE_NS) & (depth < MAX_DEPTH_M) & (recheck <= MAX_RECHECK_M)
-        far = np.where(hit, 0.5, (self._miss_distance(a, b, hit, earliest) / DISTANCE_SCALE_M) ** 2)
+        unsound = 0.5 + np.maximum(depth - MAX_DEPTH_M, 0.0) / 0.02
+        unsound += np.maximum(recheck - MAX_RECHECK_M, 0.0) / 0.02
+        unsound += np.maximum(MIN_IMPULSE_NS - impulse, 0.0) / MIN_IMPULSE_NS
+        missed = (self._miss_distance(a, b, hit, earliest) / DISTANCE_SCALE_M) ** 2
+        far = np.where(hit, np.minimum(unsound, 8.0), missed)
         soft = np.maximum(SAFE_IMPULSE_NS - impulse, 0.0) / SAFE_IMPULSE_NS
         soft = soft + np.maximum(depth - SAFE_DEPTH_M, 0.0) / 0.02
         self._term(f"{node.id}/weak", np.where(good, soft, 0.0))

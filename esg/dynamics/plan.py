@@ -36,6 +36,8 @@ from esg.graph.models import (
 from esg.units import GRAVITY_MPS2, quat_from_euler_deg, yaw_from_quat
 
 AFTERMATH_S = 1.5
+AFTER_HIT_DAMPING = 4.0
+"""Linear damping [1/s] of a driver who brakes after the hit that was asked for."""
 MAX_DURATION_S = 14.5
 
 
@@ -327,6 +329,8 @@ class _Planner:
             self.tied[name] = tie
             return
         after = self._speed_for_transfer(actor, phase)
+        if phase.end.time_is_prescribed:
+            nominal *= math.sqrt(self._damping_loss(actor, phase))
         self._add(
             name,
             low / 100.0,
@@ -366,8 +370,16 @@ class _Planner:
                 low, high, _ = bounds(c.value, (0.0, 0.0))
                 a, b = self.scene.body(actor), self.scene.body(c.object)
                 gain = (1 + 0.5 * (a.restitution + b.restitution)) * a.mass / (a.mass + b.mass)
-                return 0.005 * (low + high) / gain
+                return 0.005 * (low + high) / gain * self._damping_loss(actor, phase)
         return None
+
+    def _damping_loss(self, actor: str, phase: Phase) -> float:
+        """Factor by which a freely rolling body must start faster to arrive as planned."""
+        body = self.scene.body(actor)
+        if phase.edge.event is not EdgeEvent.TOWARD or body.linear_damping <= 0.0:
+            return 1.0
+        duration = self.nominal.get(f"{phase.end.id}/event_time", 1.0)
+        return float(min(math.exp(body.linear_damping * duration), 3.0))
 
     def _declare_throw(self, actor: str, body: Body, phase: Phase) -> None:
         edge, params = phase.edge, phase.edge.params
@@ -552,9 +564,23 @@ class _Planner:
             heading += rate * (end - start) if edge.event is EdgeEvent.TURN else 0.0
             speed = max(0.0, speed + acceleration * (min(end, duration) - start))
             clock = end
+            if last and self._leaves_to_others(actor, phase):
+                hit = self.nominal.get(f"{phase.end.id}/event_time", duration)
+                out.append(AdjustProperties(actor, hit, linear_damping=AFTER_HIT_DAMPING))
             if last and phase.end.event in (NodeEvent.REACH, NodeEvent.STOP):
                 out.append(AdjustProperties(actor, end, linear_damping=REACH_BRAKE_DAMPING))
         return out
+
+    def _leaves_to_others(self, actor: str, phase: Phase) -> bool:
+        """A driven body whose part ends with a hit that others carry on brakes there.
+
+        Otherwise it would run into the back of what it has just sent on its way, and crush it
+        against the next target.
+        """
+        if phase.end.event is not NodeEvent.COLLISION or self.scene.body(actor).roll_radius:
+            return False
+        after = [n for n in self.story.nodes.values() if phase.end.id in self.story.ancestors(n.id)]
+        return bool(after) and not any(actor in n.participants for n in after)
 
     def _phase_end(self, phase: Phase, v: Values, start: float, duration: float) -> float:
         name = f"{phase.end.id}/time"
@@ -594,7 +620,9 @@ class _Planner:
             offset = goal - np.array(body.position)
             flat_offset = float(np.hypot(offset[0], offset[1])) * flat
             velocity = ballistic_velocity(
-                np.array([flat_offset[0], flat_offset[1], offset[2]]), v[f"{edge.id}/flight_time"]
+                np.array([flat_offset[0], flat_offset[1], offset[2]]),
+                v[f"{edge.id}/flight_time"],
+                body.linear_damping,
             )
             return SetVelocity(actor, time, _vec(velocity), (0.0, 0.0, 0.0))
         speed = v[f"{edge.id}/speed"]

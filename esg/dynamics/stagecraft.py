@@ -9,6 +9,7 @@ import numpy as np
 
 from esg.dynamics.kinematics import half_along
 from esg.graph.models import EsgDocument, NamedRegion
+from esg.units import GRAVITY_MPS2
 
 
 @dataclass(frozen=True)
@@ -73,6 +74,29 @@ def approach_distance(body: Prop, speed: float, rng: np.random.Generator) -> flo
     if body.width < 0.09:
         low, high = 0.35, 0.9
     return float(min(max(usual, low), high) * rng.uniform(0.9, 1.1))
+
+
+def min_hit_speed(mover: Prop, target: Prop) -> float:
+    """Speed [m/s] at which a hit passes a clearly measurable impulse (0.5 N s)."""
+    mass = mover.mass if target.fixed else mover.mass * target.mass / (mover.mass + target.mass)
+    return 0.5 / (mass * (1.0 + 0.5 * (mover.restitution + target.restitution)))
+
+
+def slide(
+    body: Prop, speed: float, duration: float | None, rng: np.random.Generator, *, adjustable: bool
+) -> tuple[float, float, float, float]:
+    """A push after which friction brakes the body until it meets something.
+
+    Returns:
+        Launch speed [m/s], distance [m], duration [s] and speed left at the meeting [m/s].
+    """
+    deceleration = 0.5 * (body.friction + 0.7) * GRAVITY_MPS2
+    if duration is None:
+        duration = float(rng.uniform(0.35, 0.5)) * speed / deceleration
+    elif adjustable:
+        speed = max(speed, 1.5 * deceleration * duration)
+    left = max(speed - deceleration * duration, 0.3)
+    return speed, 0.5 * (speed + left) * duration, duration, left
 
 
 def release_height(thrown: Prop, target: Prop) -> float:

@@ -95,7 +95,10 @@ def read_story(doc: EsgDocument) -> Story:
     for name, node in graph.nodes.items():
         if node.group:
             members.setdefault(node.group, []).append(name)
-    groups = {g: tuple(m) for g, m in members.items() if _is_plural(doc, m)}
+    moving = {e.actor for e in timeline.sequence_graph.edges} if timeline else set[str]()
+    groups = {
+        g: tuple(m) for g, m in members.items() if _is_plural(doc, m) and not moving.intersection(m)
+    }
     group_of = {name: g for g, m in groups.items() for name in m}
     if timeline is None:
         return Story({}, {}, {}, {}, groups, group_of)
@@ -122,7 +125,10 @@ def read_story(doc: EsgDocument) -> Story:
 
 
 def _is_plural(doc: EsgDocument, members: list[str]) -> bool:
-    """Named individuals ("ball A", "front car") that share a group are not interchangeable."""
+    """Named individuals ("ball A", "front car") that share a group are not interchangeable.
+
+    Neither are members that move by themselves: each has a path of its own.
+    """
     labels = {doc.spatial_relation_graph.nodes[m].label for m in members}
     return len(members) > 1 and len(labels) == 1
 
