@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from esg.draft.core import Core
+from typing import Any
+
+from esg.draft.core import Core, Time
 from esg.draft.frames import Frame, Phrase
-from esg.draft.quantities import Amount
 from esg.draft.scene import SELF_POWERED, SPEEDS, Relation
 from esg.draft.timeline import LAUNCHES, Motion
 from esg.graph.models import ForceDirection, NodeEvent, Quantity
@@ -180,7 +181,7 @@ class Acts(Core):
                 self.use(a, "distance at the start")
             elif f.verb.sense in ("own", "roll", "slide", "fly", "launch") and actors:
                 track = self.tl.tracks.get(actors[0])
-                if track is not None and track.motion is not None:
+                if track is not None and (track.motion is not None or track.hit):
                     self.scene.travel[actors[0]] = a
                     self.use(a, "distance travelled")
 
@@ -220,24 +221,31 @@ class Acts(Core):
         actor: str,
         others: list[str],
         p: Phrase,
-        time: tuple[Quantity, Amount] | None,
+        time: Time | None,
     ) -> None:
         other = others[0]
         noun = self.e(other).noun
         if self.structural(other):
             return
-        if p.prep in ("in", "inside", "through") and f.verb.sense not in (
-            "cause",
-            "fall",
-            "land",
-            "pocket",
-            "launch",
-            "drop",
-            "reach",
+        if (
+            p.prep in ("in", "inside", "through")
+            and f.verb.sense
+            not in (
+                "cause",
+                "fall",
+                "land",
+                "pocket",
+                "launch",
+                "drop",
+                "reach",
+            )
+            and "goal" not in noun.traits
+            and noun.kind != "region"
         ):
-            if "goal" not in noun.traits and noun.kind != "region":
-                return
-        airborne = self._airborne(actor) or f.verb.sense in (
+            return
+        airborne = (
+            self._airborne(actor) and f.verb.sense not in ("roll", "slide")
+        ) or f.verb.sense in (
             "fall",
             "drop",
             "land",
@@ -260,7 +268,7 @@ class Acts(Core):
         participants: tuple[str, ...],
         f: Frame,
         time: Time | None,
-        **extra: object,
+        **extra: Any,
     ) -> str:
         """Adds a point event; its first participant is set in motion if nothing moves it yet."""
         first = participants[0]
@@ -279,7 +287,7 @@ class Acts(Core):
         self._start_motion(f, [mover], None, target)
 
     def _hit(
-        self, f: Frame, movers: list[str], targets: list[str], time: object = None
+        self, f: Frame, movers: list[str], targets: list[str], time: Time | None = None
     ) -> list[str]:
         """Collision events of movers with targets (one for a plural of things in a group)."""
         out: list[str] = []
@@ -293,7 +301,7 @@ class Acts(Core):
                     if not self.movable(mover):
                         continue
                 self._ensure_mover(f, mover, target)
-                out.append(self.event(NodeEvent.COLLISION, (mover, target), f, time))  # type: ignore[arg-type]
+                out.append(self.event(NodeEvent.COLLISION, (mover, target), f, time))
                 self.last_hit = (mover, target)
                 time = None
         return out
@@ -326,6 +334,10 @@ class Acts(Core):
             if p.mention is None or p.mention.attribute:
                 continue
             others = [i for i in p.mention.entities if i not in bodies]
+            if p.prep in ("to", "onto", "on") and others and self.structural(others[0]):
+                for body in bodies:
+                    self._down(f, body)
+                continue
             if p.prep in ("into", "onto", "in", "against", "off", "out of", "over"):
                 for body in bodies:
                     if not others:
@@ -341,6 +353,20 @@ class Acts(Core):
                     ):
                         self.place([body], [others[0]], "on")
                         self.event(NodeEvent.FALL, (body,), f, None)
+
+    def _down(self, f: Frame, body: str) -> None:
+        """ "knocks a glass to the floor": it falls off what it stands on, or topples."""
+        if body not in self.scene.supported_by:
+            hosts = [
+                i
+                for ids in reversed(self.world.salience)
+                for i in ids
+                if i != body and "support" in self.e(i).noun.traits
+            ]
+            if hosts:
+                self.place([body], hosts[:1], "on")
+        fell = body in self.scene.supported_by
+        self.event(NodeEvent.FALL if fell else NodeEvent.TOPPLE, (body,), f, None)
 
     def _go_into_passive(self, f: Frame, body: str, others: list[str], p: Phrase) -> None:
         other = others[0]
@@ -377,3 +403,14 @@ class Acts(Core):
             if aimed == body and track is not None and not track.closed:
                 self._hit(f, [mover], [body])
                 return
+
+    def _reverse(self, actors: list[str]) -> None:
+        for actor in actors:
+            if not self.movable(actor):
+                continue
+            track = self.tl.track(actor)
+            if track.motion is None:
+                self._own(
+                    actor, SPEEDS.get(self.kind(actor), (50.0, 400.0)), False, self.aim.get(actor)
+                )
+            track.direction = ForceDirection.ALONG_FORWARD_OR_BACKWARD

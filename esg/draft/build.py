@@ -343,13 +343,14 @@ class DocumentBuilder:
         """Relations to roads and the like say where things stand, not what carries them."""
         if r.target not in self.nodes or r.source not in self.nodes or r.target == GROUND:
             return
+        source, target = (self.world.entities[n].label for n in (r.source, r.target))
         if r.text in ("by", "beside", "near", "next to", "alongside", "along", "at"):
             self._add(
                 r.source,
                 r.target,
                 RelationType.NEAR,
                 confidence=0.7,
-                semantic_description=f"{self.world.entities[r.source].label} {r.text} the {self.world.entities[r.target].label}",
+                semantic_description=f"{source} {r.text} the {target}",
             )
         elif r.text in ("in the middle of",):
             self._add(
@@ -357,14 +358,12 @@ class DocumentBuilder:
                 r.target,
                 RelationType.CENTER_OF,
                 confidence=0.7,
-                semantic_description=f"{self.world.entities[r.source].label} in the middle of the {self.world.entities[r.target].label}",
+                semantic_description=f"{source} in the middle of the {target}",
             )
 
     def _faces(self) -> None:
         """Exactly one `face` per regular object that is not round."""
         aims: dict[str, str] = {}
-        for edge in self.scene.tl_edges if hasattr(self.scene, "tl_edges") else []:
-            aims.setdefault(edge.actor, edge.target)
         for edge in self.scene.timeline.edges:
             if edge.target is not None and edge.event.value != "InertialConnector":
                 aims.setdefault(edge.actor, edge.target)

@@ -126,6 +126,14 @@ class ClauseBuilder:
                 s.loose.append(phrase)
             s.prep = ""
             return s
+        if (
+            w.kind == "unknown"
+            and s.frame is not None
+            and s.frame.verb.sense == "be"
+            and not s.boundary
+        ):
+            s.frame.adverbs.append(w.low)
+            return s
         if w.kind == "unknown" and w.low in ("suppose", "imagine", "picture", "consider"):
             return s
         if w.kind == "adv":
@@ -155,7 +163,7 @@ class ClauseBuilder:
         return s
 
     def _belongs_to_noun(self, s: State, w: Word, i: int) -> bool:
-        """ "a ball of 2 kg", "the van (3 tons)", "a mass of 6 kg": a property of the noun before."""
+        """ "a ball of 2 kg", "the van (3 tons)": a property of the noun before."""
         assert w.amount is not None
         previous = self.elements[i - 1] if i else None
         before = self.elements[i - 2] if i >= 2 else None
@@ -187,14 +195,15 @@ class ClauseBuilder:
         ):
             return False
         after = self.elements[i + 1] if i + 1 < len(self.elements) else None
-        if w.amount.dimension == "length" and not (
-            isinstance(previous, Word) and previous.low == "of"
-        ):
-            if not (
+        if (
+            w.amount.dimension == "length"
+            and not (isinstance(previous, Word) and previous.low == "of")
+            and not (
                 isinstance(after, (Word, Mention))
                 and getattr(after, "low", getattr(after, "head", "")) in _SIZES
-            ):
-                return False
+            )
+        ):
+            return False
         if (
             s.frame is not None
             and s.frame.verb.sense in ("weigh", "measure", "be", "have")
@@ -472,10 +481,7 @@ class ClauseBuilder:
                 v.passive = True
             frame.subject = s.subject
         elif s.subject is not None and v.form == "pp" and not v.auxiliary and not v.passive:
-            if v.sense in ("launch", "drop", "place", "pass") or (
-                v.form == "pp" and v.sense == "posture"
-            ):
-                v.passive = True
+            v.passive = v.sense in ("launch", "drop", "pass", "posture")
 
     def _main_verb_follows(self, i: int) -> bool:
         for e in self.elements[i + 1 :]:

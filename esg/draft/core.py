@@ -6,7 +6,7 @@ from esg.draft.frames import Frame
 from esg.draft.quantities import Amount
 from esg.draft.scene import Relation, Scene, pocket_name
 from esg.draft.syntax import Mention
-from esg.draft.timeline import TimelineBuilder
+from esg.draft.timeline import START, TimelineBuilder
 from esg.draft.world import Entity, World
 from esg.graph.models import EventConstraint, NodeEvent, Quantity, Role
 
@@ -62,15 +62,15 @@ class Core:
         """Last thing an actor moves towards."""
         self.last_hit: tuple[str, str] | None = None
         self.mentions: list[Mention] = []
-        self.pending: dict[
-            str, tuple[NodeEvent, Frame, str | None, tuple[Quantity, Amount, str] | None]
-        ] = {}
+        self.pending: dict[str, tuple[NodeEvent, Frame, str | None, Time | None]] = {}
         """Arrivals ("walks to the door") and falls that a later event may replace."""
         self._patient: list[str] = []
         self.stated: dict[str, Amount] = {}
         """Speeds stated with the noun ("a car at 50 km/h")."""
         self._topic: tuple[int, list[str]] | None = None
         """Sentence and subject of the last description of a state."""
+        self.mounts: dict[int, list[str]] = {}
+        """What the person of a subject phrase rides or drives."""
         self.thrown: dict[int, list[str]] = {}
         """What the person of a subject phrase launched last."""
 
@@ -248,7 +248,7 @@ class Core:
             out.append(t)
         return out
 
-    def _time(self, f: Frame) -> tuple[Quantity, Amount, str] | None:  # type: ignore[override]
+    def _time(self, f: Frame) -> Time | None:
         for p, a in self.amounts(f):
             if a.dimension == "time" and p in (
                 "after",
@@ -277,14 +277,13 @@ class Core:
         kind: NodeEvent,
         participants: tuple[str, ...],
         f: Frame,
-        time: tuple[Quantity, Amount, str] | None,
-        **extra: object,
-    ) -> str:  # type: ignore[type-arg]
+        time: Time | None,
+        **extra: Any,
+    ) -> str:
         """Adds a point event with the stated time, absolute or relative."""
-        for actor in participants[:1]:
-            if extra.get("stem") == "brake":
-                break
-            self._settle(actor, kind, participants[1] if len(participants) > 1 else None)
+        mover = participants[0]
+        if extra.get("stem") != "brake":
+            self._settle(mover, kind, participants[1] if len(participants) > 1 else None)
         stop_timed = kind is NodeEvent.STOP
         previous = self.tl.last_event
         node_id = ""
@@ -304,9 +303,7 @@ class Core:
                 braked = any(e.to == node_id and e.event.value == "Brake" for e in self.tl.edges)
                 if braked:
                     draft.constraints.append(
-                        EventConstraint(
-                            quantity="time_to_stop", object=participants[0], value=time[0]
-                        )
+                        EventConstraint(quantity="time_to_stop", object=mover, value=time[0])
                     )
                 elif previous is None:
                     draft.time, draft.time_prescribed = time[0], True
@@ -314,7 +311,7 @@ class Core:
                     draft.constraints.append(
                         EventConstraint(
                             quantity="time_since",
-                            object=participants[0],
+                            object=mover,
                             value=time[0],
                             since=previous,
                         )
@@ -322,13 +319,23 @@ class Core:
             elif previous is not None and time[2] != "at":
                 draft.constraints.append(
                     EventConstraint(
-                        quantity="time_since", object=participants[0], value=time[0], since=previous
+                        quantity="time_since", object=mover, value=time[0], since=previous
                     )
                 )
-        travelled = self.scene.travel.pop(participants[0], None)
+        lasting = next(
+            (
+                e.params.duration
+                for e in self.tl.edges
+                if e.to == node_id and e.from_ == START and e.actor == mover and e.params.duration
+            ),
+            None,
+        )
+        if lasting is not None and draft.time is None and kind is not NodeEvent.STOP:
+            draft.time, draft.time_prescribed = lasting, True  # "rolls for 2 s and then hits"
+        travelled = self.scene.travel.pop(mover, None)
         if travelled is not None:
             draft.constraints.append(
-                EventConstraint(quantity="distance", object=participants[0], value=travelled.value)
+                EventConstraint(quantity="distance", object=mover, value=travelled.value)
             )
         self.use(f, node_id)
         return node_id
@@ -353,6 +360,19 @@ class Core:
                 continue
             participants = (name,) if other is None else (name, other)
             self.event(event, participants, f, time)
+
+    def _read_as(self, sense: str, f: Frame, s: list[str], o: list[str]) -> None:
+        """Reads the frame as if its verb had another sense."""
+        getattr(self, f"_do_{sense}")(f, s, o)
+
+    def _start_height(self, things: list[str], a: Amount) -> None:
+        """Things start this high above the ground."""
+        for t in things:
+            self.scene.heights[t] = a.value
+            self.tl.start_constraints.append(
+                EventConstraint(quantity="height", object=t, value=a.value)
+            )
+        self.use(a, "start height")
 
     def _speed_after(self, body: str, a: Amount) -> bool:
         for draft in reversed(self.tl.nodes):
@@ -382,7 +402,7 @@ class Core:
         actor: str,
         other: str,
         m: Mention | None,
-        time: tuple[Quantity, Amount] | None,
+        time: Time | None,
     ) -> None:
         noun = self.e(other).noun
         if noun.kind == "region":

@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
 from esg.draft import lexicon as lex
 from esg.draft.scene import Scene
 from esg.draft.syntax import Element, Mention, Token, Verb, Word
 from esg.graph.models import Coverage, CoverageItem
+
+Kind = Literal["object", "event", "quantity", "relation", "modifier"]
+Status = Literal["used", "ignored", "not_understood"]
 
 
 def account(
@@ -16,7 +21,7 @@ def account(
     warnings: list[str] = list(dict.fromkeys([*scene.world.warnings, *scene.warnings]))
 
     def add(
-        start: int, end: int, kind: str, status: str, pointer: str = "", note: str = ""
+        start: int, end: int, kind: Kind, status: Status, pointer: str = "", note: str = ""
     ) -> None:
         items.append(
             CoverageItem(
@@ -27,7 +32,7 @@ def account(
                 status=status,
                 pointer=pointer,
                 note=note,
-            )  # type: ignore[arg-type]
+            )
         )
 
     for m in mentions:
@@ -86,6 +91,13 @@ def account(
                 add(e.start, e.end, "event", "not_understood")
                 warnings.append(f'The verb "{text[e.start : e.end]}" was not understood.')
         elif isinstance(e, Word) and e.kind == "unknown" and len(e.low) > 1 and e.low[0].isalpha():
+            if (
+                e.low in lex.COLORS
+                or e.low in lex.PLAIN_ADJECTIVES
+                or e.low in lex.PLACE_ADJECTIVES
+            ):
+                add(e.start, e.end, "modifier", "used")
+                continue
             if e.low in lex.DETERMINERS or e.low in ("who", "whom"):
                 continue
             add(e.start, e.end, "modifier", "not_understood")

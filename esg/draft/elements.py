@@ -44,6 +44,8 @@ class Mention:
     part: str = ""
     pattern: str | None = None
     group_word: str = ""
+    pick: str = ""
+    """Which member is meant: "first" in "the first of two barrels"."""
     pronoun: str = ""
     role: str = ""
     """driver, pilot: a person that stands for the vehicle."""

@@ -124,7 +124,7 @@ def slug(text: str) -> str:
 
 def plural(noun: str) -> str:
     """Plural of a noun, for names of groups."""
-    if noun.endswith("s") and lex.singular(noun)[0] != noun or noun in ("billiards", "stairs"):
+    if (noun.endswith("s") and lex.singular(noun)[0] != noun) or noun in ("billiards", "stairs"):
         return noun
     if noun.endswith(("s", "x", "ch", "sh", "z")):
         return noun + "es"
@@ -240,7 +240,10 @@ class Registry:
         old = e.id
         self.entities = {(name if k == old else k): v for k, v in self.entities.items()}
         e.id = name
-        swap = lambda ids: [name if i == old else i for i in ids]  # noqa: E731
+
+        def swap(ids: list[str]) -> list[str]:
+            return [name if i == old else i for i in ids]
+
         self.groups = {g: swap(ids) for g, ids in self.groups.items()}
         for ids in [*self.salience, *self.subjects, *self.resolved.values()]:
             ids[:] = swap(ids)
@@ -482,11 +485,9 @@ class Registry:
                 and (e.noun.name.split()[-1] == words[0] or e.head.split()[-1] == words[0])
             ):
                 return True
-            if (
+            return bool(
                 m.head == "ball"
                 and "round" in e.noun.traits
                 and e.noun.kind in ("ball", "billiard")
-            ):
-                return True
-            return False
+            )
         return m.head == e.head

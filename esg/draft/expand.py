@@ -57,7 +57,7 @@ def expand(scene: Scene, prompt: str, restricted: bool) -> list[str]:
             "pin" in kinds
             and _find(scene, "bowling lane") is None
             and any(
-                e.noun.kind == "pin" and not e.noun.name == "chess piece" for e in entities.values()
+                e.noun.kind == "pin" and e.noun.name != "chess piece" for e in entities.values()
             )
         ):
             _add(scene, "bowling lane", reasons, "bowling pins stand at the end of a lane")

@@ -6,8 +6,10 @@ from dataclasses import replace
 
 from esg.draft import lexicon as lex
 from esg.draft.frames import Frame, Phrase
+from esg.draft.scene import Scene
 from esg.draft.senses_motion import MotionSenses
 from esg.draft.syntax import Mention
+from esg.graph.models import EventConstraint
 
 _THINGS_DO = frozenset({"hit", "enter", "land", "bounce", "miss", "scatter", "fall"})
 
@@ -66,6 +68,17 @@ class Interpreter(MotionSenses):
         for f in frames:
             self.frame(f)
         self._settle(None, None)
+        for actor, amount in list(self.scene.travel.items()):
+            track = self.tl.tracks.get(actor)
+            if track is not None and track.motion is not None and not track.closed:
+                node = self.tl.trigger(actor, f"{actor} has travelled {amount.text}")
+                draft = self.tl.node(node)
+                assert draft is not None
+                draft.constraints.append(
+                    EventConstraint(quantity="distance", object=actor, value=amount.value)
+                )
+            else:
+                self.scene.used.pop((amount.start, amount.end), None)
         return self.scene
 
     def _refer_all(self, frames: list[Frame]) -> None:
@@ -121,6 +134,16 @@ class Interpreter(MotionSenses):
         if f.verb.sense in ("launch", "hit") and aimed is not None and aimed.mention is not None:
             objects = aimed.mention.entities or objects  # "throws a stone at a can and it falls"
         self._patient = objects or self._patient
+        if f.verb.sense == "be" and subject:
+            for word in f.adverbs:  # "the first car is red"
+                if (
+                    word in lex.COLORS
+                    or word in lex.MATERIALS
+                    or word in lex.WEIGHTS
+                    or word in lex.SIZES
+                ):
+                    for node in subject:
+                        self.e(node).adjectives.append(word)
         if f.verb.sense in ("be", "posture", "have", "park") and (subject or objects):
             self._topic = (f.sentence, subject or objects)
 
@@ -144,7 +167,7 @@ class Interpreter(MotionSenses):
         objects = list(f.object.entities) if f.object is not None else []
         if f.object2 is not None:
             objects += [i for i in f.object2.entities if i not in objects]
-        for p, a in self.amounts(f):
+        for _, a in self.amounts(f):
             if a.dimension == "mass" and subject:
                 owner = objects[0] if objects and sense not in ("weigh", "be") else subject[0]
                 owners = subject if sense in ("weigh", "be", "have") else [owner]
@@ -166,6 +189,12 @@ class Interpreter(MotionSenses):
                 subject = list(flying)
         for node in subject if not f.verb.passive else []:
             self._guess_kind(node, f.verb.lemma)
+        if (
+            f.subject is not None
+            and id(f.subject) in self.mounts
+            and sense not in ("be", "posture", "weigh")
+        ):
+            subject = list(self.mounts[id(f.subject)])
         handler = getattr(self, f"_do_{sense}", None)
         if handler is None:
             self.scene.ignored[(f.verb.start, f.verb.end)] = "no physical meaning"
@@ -173,7 +202,7 @@ class Interpreter(MotionSenses):
         handler(f, subject, objects)
 
     def _guess_kind(self, node: str, lemma: str) -> None:
-        """An unknown noun is what its verb says: what gallops is an animal, what brakes a vehicle."""
+        """An unknown noun is what its verb says: what gallops is an animal."""
         entity = self.e(node)
         if entity.known or entity.noun.kind != "generic":
             return

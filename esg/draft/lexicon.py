@@ -41,7 +41,8 @@ class Noun:
         mass_kg: Typical mass.
         material: Main material.
         shape: sphere, box, cylinder, capsule or compound.
-        traits: wheeled, round, container, support, fixed, goal, decal, structural, topples, incline.
+        traits: wheeled, round, container, support, fixed, goal, decal, structural,
+            topples, incline.
         description: Phrase for retrieval.
     """
 
@@ -201,7 +202,8 @@ MATERIALS: dict[str, tuple[str, float]] = {
 """Adjective -> material name and density [kg/m^3] (engineering tables; docs/drafting.md)."""
 
 SIZES: dict[str, float] = {
-    "toy": 0.25, "model": 0.25, "tiny": 0.5, "mini": 0.5, "miniature": 0.4, "small": 0.75, "little": 0.75, "compact": 0.85,
+    "toy": 0.25, "model": 0.25, "tiny": 0.5, "mini": 0.5, "miniature": 0.4, "small": 0.75,
+    "little": 0.75, "compact": 0.85,
     "large": 1.35, "big": 1.35, "huge": 1.8, "giant": 2.0, "enormous": 2.0, "gigantic": 2.2,
     "massive": 1.6, "oversized": 1.5, "medium": 1.0, "medium-sized": 1.0,
     "large-sized": 1.35, "small-sized": 0.75,
@@ -235,7 +237,8 @@ GROUP_WORDS: dict[str, str | None] = {
     "row": "row", "line": "row", "column": "column", "queue": "queue", "pair": None,
     "couple": None, "cluster": "scatter", "collection": "scatter", "number": "scatter",
     "series": "row", "rack": "rack", "pyramid": "stack", "tower": "stack", "heap": "stack",
-    "lot": "scatter", "wall": "stack", "array": "row", "handful": "scatter", "chain": "row", "triangle": "pins",
+    "lot": "scatter", "wall": "stack", "array": "row", "handful": "scatter", "chain": "row",
+    "triangle": "pins",
     "formation": "pins", "convoy": "queue", "crowd": "scatter", "herd": "scatter",
     "flock": "scatter", "team": "scatter", "circle": "scatter", "dozens": "scatter", "dozen": None,
     "half-dozen": None, "trio": None, "load": "scatter", "pack": "scatter",

@@ -194,6 +194,15 @@ class NounHeads(VerbGroups):
                 m.pronoun = "one"
                 if m.count and m.count > 1:
                     m.pronoun = "ones"
+                if self._low(j) == "of" and m.pronoun == "one":
+                    size = len(self.elements)
+                    inner = self._noun_phrase(j + 1)
+                    if inner is not None:
+                        owner = self.elements.pop()
+                        assert isinstance(owner, Mention) and len(self.elements) == size
+                        owner.pick, owner.start = last, m.start
+                        self.elements.append(owner)
+                        return inner
         elif (
             low
             and self._unknown_noun(j)

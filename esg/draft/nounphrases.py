@@ -304,7 +304,7 @@ class NounPhrases(NounHeads):
             nxt = self._tok(j + 1)
             if (
                 isinstance(value, float)
-                and value == int(value)
+                and value.is_integer()
                 and nxt is not None
                 and nxt.kind == "word"
             ):
@@ -323,7 +323,7 @@ class NounPhrases(NounHeads):
             m.count, m.vague = lex.VAGUE_COUNTS[low], True
             return j + 1
         value = parse_number(low) if low not in ("a", "an", "half", "a half") else None
-        if isinstance(value, float) and value == int(value) and value >= 1:
+        if isinstance(value, float) and value.is_integer() and value >= 1:
             nxt = self._tok(j + 1)
             if low == "one" and (
                 nxt is None

@@ -35,9 +35,11 @@ _ONES = [
     "nineteen",
 ]
 _TENS = ["twenty", "thirty", "forty", "fifty", "sixty", "seventy", "eighty", "ninety"]
-NUMBER_WORDS: dict[str, float] = {w: float(i) for i, w in enumerate(_ONES)}
-NUMBER_WORDS |= {w: 10.0 * (i + 2) for i, w in enumerate(_TENS)}
-NUMBER_WORDS |= {"half": 0.5, "hundred": 100.0, "thousand": 1000.0, "dozen": 12.0}
+NUMBER_WORDS: dict[str, float] = {
+    **{w: float(i) for i, w in enumerate(_ONES)},
+    **{w: 10.0 * (i + 2) for i, w in enumerate(_TENS)},
+    **{"half": 0.5, "hundred": 100.0, "thousand": 1000.0, "dozen": 12.0},
+}
 
 _UNITS: dict[str, tuple[Dimension, float]] = {}
 
@@ -106,7 +108,8 @@ _ACCEL_UNIT = (
     r"|m/s/s)"
 )
 _PLAIN_UNIT = _alternatives([u for u, (d, _) in _UNITS.items() if d != "speed" and u != "in"])
-_UNIT = rf"(?:{_ACCEL_UNIT}|{_SPEED_UNIT}|{_PLAIN_UNIT}|in(?=\s*(?:[.,;)]|$|tall|wide|long|high|deep|thick|in\s+diameter))|\"|”)"
+_INCHES = r"in(?=\s*(?:[.,;)]|$|tall|wide|long|high|deep|thick|in\s+diameter))"
+_UNIT = rf"(?:{_ACCEL_UNIT}|{_SPEED_UNIT}|{_PLAIN_UNIT}|{_INCHES}|\"|”)"
 _GAP = r"[\s-]*"
 _TO = r"\s*(?:~|–|—|-|to\b|or\b)\s*"
 _APPROX = (

@@ -208,31 +208,24 @@ class Reader:
         if (
             adjectival
             and self._noun_soon(i + 1)
-            and not (isinstance(previous, Word) and previous.kind in ("rel", "sub"))
+            and not (previous is not None and previous.kind in ("rel", "sub"))
         ):
-            if "ing" in forms and nxt in lex.DETERMINERS:
-                return True
-            return False
-        if previous is None or (
-            isinstance(previous, Word) and previous.kind == "punct" and previous.low in ".;!?:\n"
-        ):
+            return bool("ing" in forms and nxt in lex.DETERMINERS)
+        if previous is None or (previous.kind == "punct" and previous.low in ".;!?:\n"):
             if nounish:
                 return nxt in lex.DETERMINERS and "base" in forms
             return True
         if (
             nounish
             and forms & {"s", "past"}
-            and isinstance(previous, Word)
             and previous.kind in ("punct", "conj", "adv")
             and (nxt == "" or nxt in ("and", "then"))
             and any(isinstance(e, Verb) for e in self.elements)
         ):
             return True  # "..., slides, and hits"
         if nounish and noun is not None:
-            inflected = forms & {"past", "pp", "ing"} or (
-                "s" in forms and not isinstance(previous, Word)
-            )
-            if isinstance(previous, Word) and previous.kind in ("conj", "adv", "punct", "rel"):
+            inflected = forms & {"past", "pp", "ing"}
+            if previous.kind in ("conj", "adv", "punct", "rel"):
                 return self._verb_context(i) or bool(inflected)
             return bool(inflected) or token.tag == "VERB"
         return True

@@ -15,7 +15,8 @@ from esg.draft.world import World
 from esg.graph.models import EsgDocument
 
 _ONE_AFTER_OTHER = re.compile(
-    r"\bone\s+(?:\w+\s+)?(?:in front of|behind|ahead of|following|after|trailing|leading)\s+(?:the other|another)\b",
+    r"\bone\s+(?:\w+\s+)?(?:in front of|behind|ahead of|following|after|trailing|leading)\s+"
+    r"(?:the other|another)\b",
     re.IGNORECASE,
 )
 

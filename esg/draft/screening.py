@@ -16,24 +16,36 @@ MAX_SPEED_CM_S = 15_000.0
 MAX_MASS_KG = 1e5
 
 
+def _is_english(word: str) -> bool:
+    """Whether the lexicon has the word in any class."""
+    classes = (lex.DETERMINERS, lex.PREPOSITIONS, lex.ADVERBS, lex.PRONOUNS, lex.MODALS)
+    return (
+        word in lex.nouns()
+        or lex.singular(word)[0] in lex.nouns()
+        or bool(verb_readings(word))
+        or word in lex.COLORS
+        or word in ("and", "or", "but", "to")
+        or any(word in c for c in classes)
+    )
+
+
 def screen(prompt: str) -> str:
     """The prompt with white space normalized.
 
     Raises:
         UserError: If it is empty, too long, not English, or physically impossible.
     """
-    if not isinstance(prompt, str) or not prompt.strip():
+    if not prompt.strip():
         raise UserError('The prompt is empty; describe a scene, such as "A car hits a bin."')
     if len(prompt) > MAX_CHARACTERS:
         raise UserError(
-            f"The prompt has {len(prompt):,} characters; the limit is {MAX_CHARACTERS:,}. Describe one scene."
+            f"The prompt has {len(prompt):,} characters; the limit is {MAX_CHARACTERS:,}. "
+            "Describe one scene."
         )
     text = re.sub(r"[\u00a0\t\r\f\v ]+", " ", prompt).replace("’", "'").strip()
     text = re.sub(r"[\u200b\ufeff\x00-\x09\x0b-\x1f]", "", text)
     words = re.findall(r"[^\W\d_]+", text.lower())
-    known = [w for w in words if w in lex.nouns() or lex.singular(w)[0] in lex.nouns() or verb_readings(w)
-             or w in lex.DETERMINERS or w in lex.PREPOSITIONS or w in lex.COLORS or w in lex.ADVERBS
-             or w in lex.PRONOUNS or w in lex.MODALS or w in ("and", "or", "but", "to")]  # fmt: skip
+    known = [w for w in words if _is_english(w)]
     content = [
         w for w in known if w not in ("a", "an", "in", "on", "as", "die", "at", "i", "me", "no")
     ]

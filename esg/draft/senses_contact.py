@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from esg.draft import lexicon as lex
+from esg.draft.core import Time
 from esg.draft.frames import Frame
 from esg.draft.senses_launch import LaunchSenses
 from esg.graph.models import EventConstraint, NodeEvent
@@ -75,7 +76,7 @@ class ContactSenses(LaunchSenses):
             seen = list(targets)
             for p in f.phrases:
                 if (
-                    p.prep in ("into", "against", "with")
+                    p.prep in ("into", "against", "with", "through")
                     and p.mention is not None
                     and not p.mention.attribute
                 ):
@@ -95,7 +96,7 @@ class ContactSenses(LaunchSenses):
     def _hit_targets(self, f: Frame, s: list[str], o: list[str]) -> list[str]:
         if o:
             return o
-        p = f.phrase("with", "into", "against", "at", "on", "onto", "to", "in")
+        p = f.phrase("with", "through", "into", "against", "at", "on", "onto", "to", "in")
         if p is not None and p.mention is not None and not (p.prep == "in" and p.mention.attribute):
             found = [i for i in p.mention.entities if i not in s]
             if found:
@@ -115,7 +116,7 @@ class ContactSenses(LaunchSenses):
                 )
                 self.use(angle[1], f"angle of {nodes[0]}")
 
-    def _mutual(self, f: Frame, movers: list[str], time: object) -> None:
+    def _mutual(self, f: Frame, movers: list[str], time: Time | None) -> None:
         """ "Two cars collide": who moves, who is hit."""
         a, b = movers[0], movers[1]
         ta, tb = self.tl.tracks.get(a), self.tl.tracks.get(b)

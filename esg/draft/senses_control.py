@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from esg.draft.core import Time
 from esg.draft.frames import Frame
 from esg.draft.quantities import Amount
-from esg.draft.scene import SELF_POWERED, SPEEDS
+from esg.draft.scene import SELF_POWERED
 from esg.draft.senses_contact import ContactSenses
 from esg.draft.timeline import Motion
-from esg.graph.models import EventConstraint, ForceDirection, NodeEvent, Quantity, Role
+from esg.graph.models import EventConstraint, NodeEvent, Quantity, Role
 
 
 class ControlSenses(ContactSenses):
@@ -76,7 +77,7 @@ class ControlSenses(ContactSenses):
         self.use(f, "acceleration")
         self._outcomes(f, actors)
 
-    def _brake(self, f: Frame, actor: str, time: tuple[Quantity, Amount, str] | None) -> None:
+    def _brake(self, f: Frame, actor: str, time: Time | None) -> None:
         track = self.tl.track(actor)
         if track.motion is None and not track.hit:
             self._start_motion(f, [actor])
@@ -156,7 +157,7 @@ class ControlSenses(ContactSenses):
     def _places_loosely(self, f: Frame, actors: list[str]) -> None:
         self.use(f, "stop")
 
-    def _stop(self, f: Frame, actor: str, time: tuple[Quantity, Amount, str] | None) -> None:
+    def _stop(self, f: Frame, actor: str, time: Time | None) -> None:
         track = self.tl.track(actor)
         if track.motion is None and not track.hit:
             self._start_motion(f, [actor])
@@ -296,14 +297,3 @@ class ControlSenses(ContactSenses):
         actors = s or o
         self._motion(f, actors, "own")
         self._reverse(actors)
-
-    def _reverse(self, actors: list[str]) -> None:
-        for actor in actors:
-            if not self.movable(actor):
-                continue
-            track = self.tl.track(actor)
-            if track.motion is None:
-                self._own(
-                    actor, SPEEDS.get(self.kind(actor), (50.0, 400.0)), False, self.aim.get(actor)
-                )
-            track.direction = ForceDirection.ALONG_FORWARD_OR_BACKWARD

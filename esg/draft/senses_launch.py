@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from esg.draft.acts import Acts
 from esg.draft.frames import Frame
+from esg.draft.scene import SELF_POWERED
 from esg.draft.senses_state import StateSenses
-from esg.graph.models import EventConstraint, NodeEvent
+from esg.graph.models import NodeEvent
 
 
 class LaunchSenses(StateSenses):
@@ -21,11 +22,20 @@ class LaunchSenses(StateSenses):
         if not things:
             p = f.phrase("against", "on", "at")
             if p is not None and p.mention is not None and agents:
-                self._do_hit(f, agents, p.mention.entities)
+                self._read_as("hit", f, agents, p.mention.entities)
             return
         self._launch_by(f, agents, things)
 
-    _do_pass = _do_launch
+    def _do_pass(self, f: Frame, s: list[str], o: list[str]) -> None:
+        """A person passes a ball on; a vehicle passes another one, or just passes."""
+        if s and self.kind(s[0]) in SELF_POWERED - {"person"}:
+            self._start_motion(f, [x for x in s if self.movable(x)])
+            for other in o[:1]:
+                self.place(s, [other], "behind")
+                self.event(NodeEvent.MISS, (s[0], other), f, self._time(f), stem="passes")
+            self.use(f, "passing")
+            return
+        self._do_launch(f, s, o)
 
     def _do_tow(self, f: Frame, s: list[str], o: list[str]) -> None:
         """Pulling: a person moves the thing; a vehicle drives with the thing behind it."""
@@ -58,6 +68,11 @@ class LaunchSenses(StateSenses):
 
     def _motion_of_things(self, f: Frame, things: list[str], mode: str) -> None:
         target = self._target(f, things)
+        if self.quantity(f, "angle") is not None and mode in ("roll", "slide"):
+            mode = "throw"
+        over = f.phrase("over")
+        if over is not None and over.mention is not None and not over.mention.part:
+            mode = "throw" if mode in ("roll", "slide") else mode
         aim = next((t for t in target if self._aimable(t)), None)
         if mode == "roll" and f.verb.lemma not in ("roll", "bowl", "putt", "dribble"):
             aimed = self.e(aim) if aim else None
@@ -98,6 +113,8 @@ class LaunchSenses(StateSenses):
 
     def _heights(self, f: Frame, things: list[str]) -> None:
         for p, a in self.amounts(f):
+            if self.text[a.end : a.end + 5].strip().startswith("away"):
+                continue
             if a.dimension == "length" and (
                 p in ("from", "at", "of", "above", "")
                 and (
@@ -106,12 +123,7 @@ class LaunchSenses(StateSenses):
                     or self.text[a.end : a.end + 7].strip().startswith(("above", "high", "up"))
                 )
             ):
-                for t in things:
-                    self.scene.heights[t] = a.value
-                    self.tl.start_constraints.append(
-                        EventConstraint(quantity="height", object=t, value=a.value)
-                    )
-                self.use(a, "start height")
+                self._start_height(things, a)
 
     def _do_drop(self, f: Frame, s: list[str], o: list[str]) -> None:
         things = s if f.verb.passive or not o else o
@@ -178,7 +190,7 @@ class LaunchSenses(StateSenses):
             and f.phrase("off", "from", "over", "down", "onto", "on", "into", "in") is None
             and a_rests_low(self, upright[0])
         ):
-            self._do_topple(f, s, [])
+            self._read_as("topple", f, s, [])
             return
         source = f.phrase("off", "from", "over", "down")
         if source is not None and source.mention is not None and not source.mention.entities:
@@ -193,9 +205,8 @@ class LaunchSenses(StateSenses):
             and into is not None
             and into.mention is not None
             and into.mention.entities
-        ):
-            if self._landing(f, actors):
-                return
+        ) and self._landing(f, actors):
+            return
         on_something = [a for a in fresh if a in self.scene.supported_by]
         if (
             fresh
@@ -261,4 +272,6 @@ class LaunchSenses(StateSenses):
 
 def a_rests_low(acts: Acts, node: str) -> bool:
     """Whether an upright thing stands on the ground, so that "falls" means that it topples."""
+    if acts.kind(node) == "domino":
+        return True
     return node not in acts.scene.supported_by and node not in acts.scene.heights

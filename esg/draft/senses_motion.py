@@ -25,6 +25,8 @@ class MotionSenses(ControlSenses):
         ):
             if self.kind(o[0]) in SELF_POWERED:
                 actors = o[:1]
+                if f.subject is not None:
+                    self.mounts[id(f.subject)] = actors
                 self.place(s, o, "near")
         elif not s and o:
             actors = o

@@ -29,6 +29,8 @@ class StateSenses(Acts):
                 for o in owners:
                     if a.dimension == "speed":
                         self.stated[o] = a
+                    elif a.dimension == "length" and p.prep == "at" and p.mention.head == "height":
+                        self._start_height([o], a)
                     elif self.world.apply_amount(self.e(o), a, p.mention.head):
                         self.use(a, o)
             return
@@ -70,7 +72,7 @@ class StateSenses(Acts):
     _do_posture = _do_be
 
     def _do_unknown(self, f: Frame, s: list[str], o: list[str]) -> None:
-        """An unknown verb is a motion if its phrases are those of one; it is reported either way."""
+        """An unknown verb is a motion if its phrases are; it is reported either way."""
         ways = f.phrase(
             "toward", "towards", "into", "across", "along", "through", "down", "against"
         )
@@ -81,7 +83,7 @@ class StateSenses(Acts):
     def _do_acquire(self, f: Frame, s: list[str], o: list[str]) -> None:
         found = self.quantity(f, "speed")
         if found is not None and s and not self._speed_after(s[0], found[1]):
-            self._do_accelerate(f, s, o)
+            self._read_as("accelerate", f, s, o)
         self.use(f, "speed")
 
     def _do_weigh(self, f: Frame, s: list[str], o: list[str]) -> None:

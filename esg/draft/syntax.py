@@ -221,19 +221,23 @@ class Chunker(NounPhrases):
         if self._low(i) in ("so", "since") and self._low(i + 1) in ("hard", "fast", "much"):
             return False
         first = i + 1 + (self._low(i + 1) in lex.DETERMINERS)
-        if self._low(first) in (
-            "collision",
-            "impact",
-            "crash",
-            "hit",
-            "contact",
-            "turn",
-            "stop",
-            "strike",
-            "kick",
+        if (
+            self._low(first)
+            in (
+                "collision",
+                "impact",
+                "crash",
+                "hit",
+                "contact",
+                "turn",
+                "stop",
+                "strike",
+                "kick",
+            )
+            and not verb_readings(self._low(first + 1))
+            and self._low(first + 1) not in lex.MODALS
         ):
-            if not verb_readings(self._low(first + 1)) and self._low(first + 1) not in lex.MODALS:
-                return False
+            return False
         for j in range(i + 1, min(i + 14, len(self.tokens))):
             t = self.tokens[j]
             if t.kind == "punct" and t.text in ".;,!?":
@@ -244,9 +248,7 @@ class Chunker(NounPhrases):
             ):
                 if t.low in lex.nouns() and j == i + 1:
                     return any(r.form == "ing" for r in readings)
-                if self._low(i) == "as" and j == i + 1:
-                    return False
-                return True
+                return not (self._low(i) == "as" and j == i + 1)
         return False
 
 

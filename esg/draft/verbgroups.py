@@ -114,9 +114,8 @@ class VerbGroups(Reader):
         if main is None:
             if not (be or have or modal):
                 return None
-            if j < len(self.tokens) and not be and not have and modal:
-                if readings:
-                    main = readings[0]
+            if j < len(self.tokens) and not be and not have and modal and readings:
+                main = readings[0]
             if main is None:
                 lemma = "be" if be or modal else "have"
                 sense = "be" if be or modal else "have"

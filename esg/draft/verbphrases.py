@@ -1,4 +1,4 @@
-"""Verbs that mean something else with their particle or noun: "slams on the brakes", "comes to a stop"."""
+"""Verbs that mean something else in a phrase: "slams on the brakes", "comes to a stop"."""
 
 from __future__ import annotations
 
@@ -18,7 +18,8 @@ _ADJ = r"(?:(?:[a-z-]+)\s+)?"
 for _v in ("slam", "hit", "apply", "press", "step", "stamp", "stand", "use", "tap", "push", "pull"):
     _phrase(
         _v,
-        rf"(?:on\s+|down\s+on\s+)?(?:the\s+|its\s+|his\s+|her\s+|their\s+)?{_ADJ}(?:brakes?|brake pedal|breaks)",
+        rf"(?:on\s+|down\s+on\s+)?(?:(?:the|its|his|her|their)\s+)?{_ADJ}"
+        r"(?:brakes?|brake pedal|breaks)",
         "brake",
     )
 for _v in (

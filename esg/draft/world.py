@@ -25,6 +25,8 @@ class World(Registry):
             ids = self.resolved[key]
         else:
             ids = self._one(m, subject, avoid or [])
+            if m.pick and len(ids) > 1:
+                ids = self._picked(m, ids)
             for other in m.coordinated:
                 extra = self.resolve(other, avoid=avoid)
                 ids = ids + [e for e in extra if e not in ids]
@@ -158,6 +160,18 @@ class World(Registry):
         pool.sort(key=lambda e: max((k for k, i in enumerate(order) if i == e.id), default=-1))
         return [pool[-1].id]
 
+    def _picked(self, m: Mention, ids: list[str]) -> list[str]:
+        """ "the first of two barrels": one member, named by its place."""
+        k = ORDINALS.get(
+            m.pick, len(ids) - 1 if m.pick in ("last", "final", "rightmost", "rear") else 0
+        )
+        entity = self.entities[ids[min(k, len(ids) - 1)]]
+        if not entity.place and not entity.letter:
+            entity.place, entity.label = m.pick, f"{m.pick} {entity.head}"
+            entity.adjectives.append(m.pick)
+            self._rename(entity, self._new_id(slug(entity.label)))
+        return [entity.id]
+
     def _member(self, m: Mention, avoid: list[str]) -> list[str]:
         """ "two blue balls ... hits a blue ball": an indefinite that picks a member of a plural."""
         if any(a in OTHER for a in m.adjectives):
@@ -287,7 +301,8 @@ class World(Registry):
                 ]
                 if len(ids) == 1 and fits:
                     return fits
-                if fits and len(ids) > 1 and self.entities[ids[0]].group in self.collective:
+                whole = self.entities[ids[0]].group in self.collective
+                if fits and len(ids) > 1 and whole and not (subject and pool is self.salience):
                     return list(ids)
         for ids in reversed(self.salience):
             if ids and not set(ids) <= set(avoid):

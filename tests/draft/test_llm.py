@@ -303,9 +303,18 @@ def test_prompt_is_passed_as_data() -> None:
         assert f"<<<\n{prompt}\n>>>" in call.messages[0][1]
 
 
-@pytest.mark.parametrize("prompt", ["", "   ", "x" * 50_000])
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "",
+        "   ",
+        "x" * 50_000,
+        "A ball that weighs -3 kg hits a desk.",
+        "A car moving at 400000 km/s hits a trashbin.",
+    ],
+)
 def test_unusable_prompt_costs_no_request(prompt: str) -> None:
-    """Refuse an empty or endless prompt before asking."""
+    """Refuse an empty, endless or impossible prompt before asking."""
     client = Spoiled("none", None)
     result = run(prompt, client)
     assert result.outcome is Outcome.INVALID_DRAFT and "prompt" in result.reason

@@ -280,9 +280,14 @@ def test_secret_leaks_nowhere(
         result = draft_llm_batch([CHAIN], settings=config)[0]
         assert "Incorrect API key" in result.reason
         texts.append(repr(result))
-    address = f"http://user:{SECRET}@127.0.0.1:9/v1?key={SECRET}"
-    hidden = LlmSettings(base_url=address, model="m", attempts=1, timeout_s=1.0)
-    texts.append(repr(draft_llm_batch([CHAIN], settings=hidden)[0]))
+    hidden = LlmSettings(
+        base_url=f"http://127.0.0.1:9/v1?key={SECRET}", model="m", attempts=1, timeout_s=1.0
+    )
+    texts += [repr(draft_llm_batch([CHAIN], settings=hidden)[0]), repr(hidden)]
+    address = f"http://user:{SECRET}@127.0.0.1:9/v1"
+    with pytest.raises(UserError, match="ESG_LLM_API_KEY") as error:
+        draft_llm(CHAIN, settings=LlmSettings(base_url=address, model="m"))
+    texts.append(str(error.value))
     texts += [p.read_text() for p in tmp_path.rglob("*") if p.is_file()]
     texts += [caplog.text, *capfd.readouterr()]
     assert any("[secret]" in t for t in texts)
