@@ -1,9 +1,9 @@
 """Layout benchmark: solvable graphs with a settling check, ablations, scaling, pictures.
 
-    python -m benchmarks.layout graphs --count 500 --settle 500
-    python -m benchmarks.layout ablation --count 100
-    python -m benchmarks.layout scaling
-    python -m benchmarks.layout pictures --count 20 --out layouts.png
+python -m benchmarks.layout graphs --count 500 --settle 500
+python -m benchmarks.layout ablation --count 100
+python -m benchmarks.layout scaling
+python -m benchmarks.layout pictures --count 20 --out layouts.png
 """
 
 from __future__ import annotations
@@ -163,7 +163,9 @@ def pictures(count: int, out: Path) -> None:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawTextHelpFormatter
+    )
     parser.add_argument("what", choices=("graphs", "ablation", "scaling", "pictures"))
     parser.add_argument("--count", type=int, default=100)
     parser.add_argument("--settle", type=int, default=0)

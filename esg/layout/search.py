@@ -200,8 +200,7 @@ def run_search(
     problem, data = _upload(problems, config)
     settings = kernels.Settings()
     settings.candidates = config.candidates
-    settings.iterations = config.iterations
-    settings.refine = int(config.refine)
+    settings.iterations = config.iterations if config.refine else 0
     settings.sample = int(config.sample_init)
     settings.tolerance = config.tolerance
     settings.soft = config.alignment_weight
@@ -227,18 +226,25 @@ def run_search(
     x = vec(unit_off[-1])
     energy, initial = vec(threads), vec(threads)
     steps = wp.zeros(threads, dtype=wp.int32, device=device)
-    inputs = [
-        problem, settings, array(scene), array(seed), array(node_off[:-1]), array(unit_off[:-1]),
-    ]  # fmt: skip
-    outputs = [
-        x, vec(unit_off[-1]), vec(unit_off[-1]), vec(unit_off[-1]), vec(unit_off[-1]),
-        vec(node_off[-1]), energy, initial, steps,
-    ]  # fmt: skip
+    where = [array(scene), array(seed), array(node_off[:-1]), array(unit_off[:-1])]
+    w = vec(node_off[-1])
+    memory = [vec(unit_off[-1]) for _ in range(4)]
     wp.load_module(kernels, device=device)
 
     def launch(first: int, count: int) -> None:
         wp.launch(
-            kernels.search, dim=count, inputs=[first, *inputs], outputs=outputs, device=device
+            kernels.initialize,
+            dim=count,
+            inputs=[first, problem, settings, *where],
+            outputs=[x, w],
+            device=device,
+        )
+        wp.launch(
+            kernels.refine,
+            dim=count,
+            inputs=[first, problem, settings, where[0], *where[2:]],
+            outputs=[x, *memory, w, energy, initial, steps],
+            device=device,
         )
 
     workers = min(config.threads, os.cpu_count() or 1, threads)

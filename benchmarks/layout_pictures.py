@@ -1,0 +1,138 @@
+"""Sheets of layouts seen from above and in isometric perspective, drawn from the proxies."""
+
+from __future__ import annotations
+
+import colorsys
+import math
+from pathlib import Path
+
+from PIL import Image, ImageDraw
+
+from esg.graph.models import EsgDocument
+from esg.layout.shapes import CIRCLE, footprints
+
+TILE = 360
+MARGIN = 24
+Point = tuple[float, float]
+
+
+def _outline(kind: int, x: float, y: float, yaw: float, hx: float, hy: float) -> list[Point]:
+    if kind == CIRCLE:
+        n = 20
+        return [
+            (x + hx * math.cos(2 * math.pi * k / n), y + hx * math.sin(2 * math.pi * k / n))
+            for k in range(n)
+        ]
+    c, s = math.cos(yaw), math.sin(yaw)
+    corners = ((hx, hy), (-hx, hy), (-hx, -hy), (hx, -hy))
+    return [(x + c * u - s * v, y + s * u + c * v) for u, v in corners]
+
+
+def prisms(doc: EsgDocument) -> list[tuple[str, list[Point], float, float]]:
+    """Every proxy of a layout: node, outline [cm], lower and upper height [cm]."""
+    assert doc.layout_result is not None
+    out = []
+    for name, node in doc.spatial_relation_graph.nodes.items():
+        pose = doc.layout_result.poses[name]
+        yaw = math.radians(pose.yaw_deg)
+        c, s = math.cos(yaw), math.sin(yaw)
+        x, y, z = pose.position_cm
+        config = doc.asset_configurations[node.asset_id]
+        for p in footprints(config):
+            px, py = x + c * p.x - s * p.y, y + s * p.x + c * p.y
+            out.append(
+                (name, _outline(p.kind, px, py, yaw + p.yaw, p.hx, p.hy), z + p.z0, z + p.z1)
+            )
+    return out
+
+
+def _color(category: str, light: float) -> tuple[int, int, int]:
+    hue = (sum(ord(ch) * (k + 7) for k, ch in enumerate(category)) % 97) / 97.0
+    r, g, b = colorsys.hls_to_rgb(hue, light, 0.45)
+    return int(255 * r), int(255 * g), int(255 * b)
+
+
+def _fit(points: list[Point]) -> tuple[float, float, float]:
+    xs, ys = [p[0] for p in points], [p[1] for p in points]
+    scale = (TILE - 2 * MARGIN) / max(max(xs) - min(xs), max(ys) - min(ys), 1.0)
+    return scale, 0.5 * (min(xs) + max(xs)), 0.5 * (min(ys) + max(ys))
+
+
+def top_down(doc: EsgDocument) -> Image.Image:
+    """The viewer stands below the picture's lower edge: right = -X, down = +Y."""
+    image = Image.new("RGB", (TILE, TILE), "white")
+    draw = ImageDraw.Draw(image)
+    items = sorted(prisms(doc), key=lambda t: t[3])
+    if not items:
+        return image
+    scale, cx, cy = _fit([p for _, o, _, _ in items for p in o])
+    nodes = doc.spatial_relation_graph.nodes
+    for name, outline, _, top in items:
+        fill = _color(nodes[name].asset_id, 0.45 + min(0.35, top / 500.0))
+        draw.polygon(
+            [(TILE / 2 - scale * (x - cx), TILE / 2 + scale * (y - cy)) for x, y in outline],
+            fill=fill,
+            outline="black",
+        )
+    assert doc.layout_result is not None
+    for name, node in nodes.items():
+        if node.is_structural:
+            continue
+        pose = doc.layout_result.poses[name]
+        x, y, _ = pose.position_cm
+        a = math.radians(pose.yaw_deg)
+        reach = 0.5 * doc.asset_configurations[node.asset_id].dimensions_cm[0]
+        ends = [(x, y), (x + reach * math.cos(a), y + reach * math.sin(a))]
+        draw.line(
+            [(TILE / 2 - scale * (u - cx), TILE / 2 + scale * (v - cy)) for u, v in ends],
+            fill="red",
+        )
+    return image
+
+
+def perspective(doc: EsgDocument) -> Image.Image:
+    """Isometric view from the front, painted from the back."""
+    image = Image.new("RGB", (TILE, TILE), (244, 244, 240))
+    draw = ImageDraw.Draw(image)
+
+    def project(x: float, y: float, z: float) -> Point:
+        return (-(x + 0.35 * y), 0.5 * y - 0.15 * x - 0.85 * z)
+
+    items = prisms(doc)
+    if not items:
+        return image
+    flat = [project(x, y, z) for _, o, lo, hi in items for x, y in o for z in (lo, hi)]
+    scale, cx, cy = _fit(flat)
+
+    def screen(x: float, y: float, z: float) -> Point:
+        u, v = project(x, y, z)
+        return TILE / 2 + scale * (u - cx), TILE / 2 + scale * (v - cy)
+
+    nodes = doc.spatial_relation_graph.nodes
+    order = sorted(items, key=lambda t: (sum(p[1] for p in t[1]) / len(t[1]) + 0.6 * t[2], t[2]))
+    for name, outline, low, high in order:
+        kind = nodes[name].asset_id
+        count = len(outline)
+        sides = sorted(range(count), key=lambda k: outline[k][1] + outline[(k + 1) % count][1])
+        for k in sides:
+            (x0, y0), (x1, y1) = outline[k], outline[(k + 1) % count]
+            quad = [(x0, y0, low), (x1, y1, low), (x1, y1, high), (x0, y0, high)]
+            shade = 0.35 + 0.12 * abs(math.cos(math.atan2(y1 - y0, x1 - x0)))
+            draw.polygon([screen(*q) for q in quad], fill=_color(kind, shade))
+        draw.polygon(
+            [screen(x, y, high) for x, y in outline], fill=_color(kind, 0.68), outline=(60, 60, 60)
+        )
+    return image
+
+
+def sheet(docs: list[EsgDocument], path: Path, columns: int = 5) -> None:
+    """Writes pairs of top-down and perspective views."""
+    rows = math.ceil(len(docs) / columns)
+    image = Image.new("RGB", (columns * TILE, rows * 2 * TILE), "white")
+    draw = ImageDraw.Draw(image)
+    for k, doc in enumerate(docs):
+        x, y = (k % columns) * TILE, (k // columns) * 2 * TILE
+        image.paste(top_down(doc), (x, y))
+        image.paste(perspective(doc), (x, y + TILE))
+        draw.text((x + 6, y + 6), doc.scene_definition.scene_id, fill="black")
+    image.save(path)
