@@ -253,11 +253,11 @@ class PhysxWorld:
 
     def contacts(self, ground: bool) -> Iterator[Touch]:
         for contact in self.system.get_contacts():
-            points = contact.points
-            if not points:
-                continue
             a, b = (self._index[c._physx_pointer] for c in contact.bodies)
             if (a < 0 or b < 0) and not ground:
+                continue
+            points = contact.points
+            if not points:
                 continue
             total, depth, best, strongest = 0.0, 0.0, -1.0, points[0]
             for p in points:
