@@ -13,7 +13,7 @@ import re
 
 import numpy as np
 
-from esg.engines.scene import GROUND, Body, Region, SimScene
+from esg.engines.scene import GROUND, Body, SimScene
 from esg.metrics.phrases import (
     COLORS,
     GROUND_WORDS,
@@ -27,18 +27,10 @@ from esg.metrics.phrases import (
     normalize,
     parse,
 )
+from esg.metrics.regions import bind_regions, loose_regions
 from esg.units import quat_rotate
 
 _COLOR_DISTANCE = 0.35
-_CONTAINER_KINDS = ("inside", "goal", "hole", "pocket")
-_REGION_HEADS = {
-    "pocket": {"pocket", "hole"},
-    "hole": {"hole", "pocket", "cup"},
-    "goal": {"goal", "net", "mouth"},
-    "lane": {"lane", "road", "street"},
-    "inside": {"inside", "interior", "basket", "hoop"},
-    "area": {"area", "zone", "region", "spot", "space", "circle", "square"},
-}
 
 
 @dataclass(frozen=True)
@@ -109,12 +101,12 @@ def bind(phrase: str, scene: SimScene, *, target: bool = False) -> Binding:
         return Binding(phrase, problem=f"{phrase!r} has no noun")
     regions: tuple[int, ...] = ()
     if target:
-        regions = _bind_regions(parsed, scene)
+        regions = bind_regions(parsed, scene)
         if regions:
             return Binding(phrase, regions=regions, plural=parsed.plural)
     bodies = _bind_bodies(parsed, scene)
     if not bodies and target:
-        regions = _loose_regions(parsed, scene)
+        regions = loose_regions(parsed, scene)
         if regions:
             return Binding(phrase, regions=regions, plural=parsed.plural)
     if not bodies and parsed.head in GROUND_WORDS:
@@ -390,69 +382,6 @@ def _bind_alias(wanted: Phrase, scene: SimScene) -> tuple[int, ...]:
     found = [c for c in found if not _contradicts(c, parsed, found)]
     found = _by_identifier(_by_color(found, parsed), parsed)
     return tuple(c.index for c in found[:1])
-
-
-def _region_words(region: Region) -> tuple[str, set[str], set[str]]:
-    local = normalize(region.name.split("/")[-1])
-    own = {canonical_modifier(w) for w in local.split()}
-    parent = {canonical_modifier(w) for w in normalize(region.parent).split()}
-    return local, own, parent
-
-
-def _bind_regions(wanted: Phrase, scene: SimScene) -> tuple[int, ...]:
-    """Regions whose own name carries the phrase: exact names first, then all words."""
-    need = {wanted.head, *wanted.modifiers}
-    if wanted.identifier:
-        need.add(wanted.identifier)
-    exact, full, with_parent = [], [], []
-    for i, region in enumerate(scene.regions):
-        local, own, parent = _region_words(region)
-        if local == wanted.text:
-            exact.append(i)
-        if need <= own:
-            full.append(i)
-        elif wanted.head in own and need <= own | parent | {region.kind}:
-            with_parent.append(i)
-    return tuple(exact or full or with_parent)
-
-
-def _loose_regions(wanted: Phrase, scene: SimScene) -> tuple[int, ...]:
-    """Regions of the right kind, chosen by position where the phrase states one."""
-    kinds = {k for k, heads in _REGION_HEADS.items() if wanted.head in heads}
-    found = [
-        i
-        for i, r in enumerate(scene.regions)
-        if r.kind in kinds or wanted.head in _region_words(r)[1]
-    ]
-    for position in sorted(wanted.positions):
-        named = [i for i in found if position in _region_words(scene.regions[i])[1]]
-        against = OPPOSITE.get(position, "")
-        found = named or [i for i in found if against not in _region_words(scene.regions[i])[1]]
-        if named or len(found) <= 1:
-            continue
-        # Seen by the viewer at +Y: the bottom or front edge is the near one, left is +X.
-        axis, sign = {"left": (0, 1), "right": (0, -1), "bottom": (1, 1), "front": (1, 1)}.get(
-            position, (1, -1)
-        )
-        place = {i: sign * _region_center(scene, scene.regions[i])[axis] for i in found}
-        spread = max(place.values()) - min(place.values())
-        found = [i for i in found if place[i] >= max(place.values()) - 0.2 * spread]
-    return tuple(found)
-
-
-def _region_center(scene: SimScene, region: Region) -> np.ndarray:
-    parent = scene.body(region.parent)
-    return np.array(parent.position) + quat_rotate(
-        np.array(parent.quaternion), np.array(region.center)
-    )
-
-
-def container_regions(scene: SimScene, body: int) -> tuple[int, ...]:
-    """Indices of the regions of a body that things can go into (inside, goal, hole, pocket)."""
-    name = scene.bodies[body].name
-    return tuple(
-        i for i, r in enumerate(scene.regions) if r.parent == name and r.kind in _CONTAINER_KINDS
-    )
 
 
 def _why_not(phrase: str, wanted: Phrase, scene: SimScene) -> str:

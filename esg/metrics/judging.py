@@ -13,7 +13,8 @@ from esg.engines.program import Program
 from esg.engines.scene import GROUND, Rollout, SimScene
 from esg.metrics.binding import Binding, bind
 from esg.metrics.constraints import Scored, measure, unmeasured
-from esg.metrics.events import Found, Query, detect, names
+from esg.metrics.detection import Found, Query
+from esg.metrics.events import detect, names
 from esg.metrics.models import (
     EventVerdict,
     LayoutVerdict,

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from esg.store.artifacts import ArtifactStore, artifact_key
-    from esg.store.db import QueryResult, ingest, migrate, query, rebuild, snapshot
+    from esg.store.db import QueryResult, migrate, query, snapshot
+    from esg.store.ingesting import IngestReport, ingest, rebuild
     from esg.store.mcap_log import write_mcap
     from esg.store.records import RunInfo, SceneRecord, prompt_family, record_of, split_of
     from esg.store.tables import assemble, read_table, write_tables
@@ -16,10 +17,11 @@ _HOME = {
     "ArtifactStore": "artifacts",
     "artifact_key": "artifacts",
     "QueryResult": "db",
-    "ingest": "db",
+    "IngestReport": "ingesting",
+    "ingest": "ingesting",
     "migrate": "db",
     "query": "db",
-    "rebuild": "db",
+    "rebuild": "ingesting",
     "snapshot": "db",
     "write_mcap": "mcap_log",
     "RunInfo": "records",
@@ -34,6 +36,7 @@ _HOME = {
 
 __all__ = [
     "ArtifactStore",
+    "IngestReport",
     "QueryResult",
     "RunInfo",
     "SceneRecord",

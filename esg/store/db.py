@@ -7,7 +7,7 @@ schema grows by numbered migrations in `esg/store/sql` (also reachable as `schem
 
 from __future__ import annotations
 
-from collections.abc import Generator, Iterable, Sequence
+from collections.abc import Generator
 import contextlib
 from dataclasses import dataclass
 import errno
@@ -21,7 +21,6 @@ from typing import TYPE_CHECKING, Any
 
 from esg.outcomes import UserError
 from esg.store.files import explained, sync_file, sync_folder, temporary_name
-from esg.store.tables import COLUMNS, KEYS, part_files, read_table, table_of
 
 if TYPE_CHECKING:
     from duckdb import DuckDBPyConnection
@@ -31,22 +30,6 @@ LOCK_WAIT_S = 20.0
 _FIRST_WAIT_S = 0.05
 _READ_ONLY_STATEMENTS = {"SELECT", "EXPLAIN"}
 MAX_ROWS = 1_000_000
-_ARRAYS = {name for name, kind in COLUMNS["trajectories"].items() if kind.startswith("list<")}
-
-
-@dataclass(frozen=True)
-class IngestReport:
-    """What an ingest did.
-
-    Args:
-        files: Files read.
-        unchanged: Files skipped because they had been ingested as they are.
-        rows: Rows upserted by table.
-    """
-
-    files: int
-    unchanged: int
-    rows: dict[str, int]
 
 
 @dataclass(frozen=True)
@@ -91,170 +74,11 @@ def migrate(db: Path) -> int:
     Raises:
         UserError: If it is locked, damaged or newer than this software.
     """
-    with _writing(Path(db)) as connection:
-        return _migrate(connection)
+    with writing(Path(db)) as connection:
+        return apply_migrations(connection)
 
 
-def ingest(db: Path, paths: Iterable[Path], *, force: bool = False) -> IngestReport:
-    """Upserts Parquet files into the database by the keys of their tables.
-
-    All files or none: a damaged file leaves the database as it was. Later files win where keys
-    repeat. A file that was ingested before and has not changed is skipped.
-
-    Args:
-        db: The database; created if missing.
-        paths: Parquet files, or folders of parts (`write_tables`) or of a dataset.
-        force: Read unchanged files too.
-
-    Raises:
-        UserError: Naming every damaged file, or that the database is locked.
-    """
-    files = expand(paths)
-    kinds = _tables_of(files)
-    with _writing(Path(db)) as connection:
-        _migrate(connection)
-        return _ingest(connection, files, kinds, force)
-
-
-def rebuild(db: Path, folder: Path | Sequence[Path]) -> IngestReport:
-    """Drops the database and makes it anew from Parquet. The old one stays until the new is whole.
-
-    Raises:
-        UserError: If a file is damaged or there is none.
-    """
-    folders = [folder] if isinstance(folder, str | Path) else list(folder)
-    files = expand(folders)
-    if not files:
-        raise UserError(f"no Parquet tables below {', '.join(map(str, folders))}; check the path")
-    kinds = _tables_of(files)
-    with _writing(Path(db), fresh=True) as connection:
-        _migrate(connection)
-        return _ingest(connection, files, kinds, force=True)
-
-
-def expand(paths: Iterable[Path]) -> list[Path]:
-    """Files among `paths`, and the Parquet files below the folders among them.
-
-    Raises:
-        UserError: Naming paths that do not exist.
-    """
-    out: list[Path] = []
-    missing: list[str] = []
-    for path in map(Path, paths):
-        if path.is_dir():
-            found = part_files(path) or sorted(
-                p for p in path.rglob("*.parquet") if not p.name.startswith(".")
-            )
-            out += found
-        elif path.is_file():
-            out.append(path)
-        else:
-            missing.append(str(path))
-    if missing:
-        raise UserError(f"{', '.join(missing)}: no such file or folder; check the path")
-    return list(dict.fromkeys(p.resolve() for p in out))
-
-
-def _tables_of(files: Sequence[Path]) -> list[str]:
-    kinds: list[str] = []
-    problems: list[str] = []
-    for file in files:
-        try:
-            kinds.append(table_of(file))
-        except UserError as error:
-            problems.append(str(error))
-    if problems:
-        raise UserError("nothing was ingested:\n" + "\n".join(f"  {p}" for p in problems))
-    return kinds
-
-
-def _ingest(
-    connection: DuckDBPyConnection, files: Sequence[Path], kinds: Sequence[str], force: bool
-) -> IngestReport:
-    import duckdb
-
-    known = {
-        row[0]: row[1:]
-        for row in connection.execute("SELECT file, size, modified_ns FROM ingested").fetchall()
-    }
-    wanted: dict[str, list[Path]] = {}
-    marks: list[tuple[str, str, int, int]] = []
-    for file, table in zip(files, kinds, strict=True):
-        facts = file.stat()
-        if force or known.get(str(file)) != (facts.st_size, facts.st_mtime_ns):
-            wanted.setdefault(table, []).append(file)
-            marks.append((str(file), table, facts.st_size, facts.st_mtime_ns))
-    rows: dict[str, int] = {}
-    connection.execute("BEGIN")
-    try:
-        for table, found in wanted.items():
-            rows[table] = _upsert(connection, found, table)
-        if marks:
-            connection.executemany("INSERT OR REPLACE INTO ingested VALUES (?, ?, ?, ?)", marks)
-        connection.execute("COMMIT")
-    except duckdb.Error as error:
-        with contextlib.suppress(duckdb.Error):
-            connection.execute("ROLLBACK")
-        raise UserError(_blame(wanted, error)) from None
-    return IngestReport(len(marks), len(files) - len(marks), rows)
-
-
-def _upsert(connection: DuckDBPyConnection, files: Sequence[Path], table: str) -> int:
-    """Replaces the rows of all keys that the files hold; the last row of a key wins."""
-    skipped = _ARRAYS - {"bodies"} if table == "trajectories" else set()
-    columns = {c: kind for c, kind in COLUMNS[table].items() if c not in skipped}
-    # The database keeps plain UTC: time zone types need a package that readers may lack.
-    read = ", ".join(
-        f'timezone(\'UTC\', "{c}") AS "{c}"' if kind == "timestamp" else f'"{c}"'
-        for c, kind in columns.items()
-    )
-    names = ", ".join(f'"{c}"' for c in columns)
-    if table == "trajectories":
-        read, names = f"{read}, filename AS file", f"{names}, file"
-    keys = ", ".join(KEYS[table])
-    connection.execute(
-        f"""
-        CREATE OR REPLACE TEMP TABLE staging AS
-        SELECT {read}, listed AS file_place, file_row_number AS row_place
-        FROM read_parquet($files, filename = true, file_row_number = true)
-        JOIN (
-            SELECT unnest($files) AS filename, unnest(range(len($files))) AS listed
-        ) USING (filename)
-        """,
-        {"files": [str(f) for f in files]},
-    )
-    repeated = connection.execute(
-        f"SELECT count(*) FROM (SELECT 1 FROM staging GROUP BY {keys} HAVING count(*) > 1)"
-    ).fetchone()
-    last = ""
-    if repeated and repeated[0]:
-        last = (
-            f"QUALIFY row_number() OVER (PARTITION BY {keys} "
-            "ORDER BY file_place DESC, row_place DESC) = 1"
-        )
-    same = " AND ".join(f"{table}.{k} = staging.{k}" for k in KEYS[table])
-    connection.execute(f"DELETE FROM {table} USING staging WHERE {same}")
-    done = connection.execute(
-        f"INSERT INTO {table} ({names}) SELECT {names} FROM staging {last}"
-    ).fetchone()
-    connection.execute("DROP TABLE staging")
-    return int(done[0]) if done else 0
-
-
-def _blame(files: dict[str, list[Path]], error: BaseException) -> str:
-    """Which files made an ingest fail, found by reading each."""
-    problems: list[str] = []
-    for file in (f for found in files.values() for f in found):
-        try:
-            read_table(file)
-        except UserError as problem:
-            problems.append(str(problem))
-    if not problems:
-        problems = [f"{_line(error)}; rebuild the database from Parquet"]
-    return "nothing was ingested:\n" + "\n".join(f"  {p}" for p in problems)
-
-
-def _migrate(connection: DuckDBPyConnection) -> int:
+def apply_migrations(connection: DuckDBPyConnection) -> int:
     connection.execute(
         "CREATE TABLE IF NOT EXISTS schema_migrations (version INTEGER PRIMARY KEY, name VARCHAR)"
     )
@@ -275,7 +99,7 @@ def _migrate(connection: DuckDBPyConnection) -> int:
 
 
 @contextlib.contextmanager
-def _writing(db: Path, *, fresh: bool = False) -> Generator[DuckDBPyConnection]:
+def writing(db: Path, *, fresh: bool = False) -> Generator[DuckDBPyConnection]:
     """A connection to a private copy of the database, which replaces it when the block succeeds."""
     import duckdb
 
@@ -298,7 +122,7 @@ def _writing(db: Path, *, fresh: bool = False) -> Generator[DuckDBPyConnection]:
     except OSError as error:
         raise UserError(_text(explained(error, db)), exit_code=1) from None
     except duckdb.IOException as error:
-        raise UserError(f"{db} cannot be written: {_line(error)}", exit_code=1) from None
+        raise UserError(f"{db} cannot be written: {first_line(error)}", exit_code=1) from None
     finally:
         for leftover in (work, work.with_name(work.name + ".wal")):
             leftover.unlink(missing_ok=True)
@@ -308,7 +132,7 @@ def _text(error: OSError) -> str:
     return f"{error.filename or 'database'}: {error.strerror or error}"
 
 
-def _line(error: BaseException) -> str:
+def first_line(error: BaseException) -> str:
     return str(error).strip().splitlines()[0] if str(error).strip() else type(error).__name__
 
 
@@ -367,16 +191,18 @@ def _open(db: Path, *, read_only: bool, wait_s: float | None = None) -> DuckDBPy
             return duckdb.connect(str(db), read_only=read_only, config=config)
         except duckdb.IOException as error:
             if "lock" not in str(error).lower():
-                raise UserError(f"{db} cannot be opened: {_line(error)}", exit_code=1) from None
+                raise UserError(
+                    f"{db} cannot be opened: {first_line(error)}", exit_code=1
+                ) from None
             if time.monotonic() - start > limit:
                 raise UserError(
-                    f"{db} is locked by another program ({_line(error)}); close it there, then "
-                    "run again",
+                    f"{db} is locked by another program ({first_line(error)}); close it there, "
+                    "then run again",
                     exit_code=1,
                 ) from None
         except duckdb.Error as error:
             raise UserError(
-                f"{db} is damaged or no DuckDB database ({_line(error)}); rebuild it from the "
+                f"{db} is damaged or no DuckDB database ({first_line(error)}); rebuild it from the "
                 "Parquet files",
                 exit_code=1,
             ) from None
@@ -438,7 +264,7 @@ def query(
     db = Path(db)
     _must_exist(db)
     if not read_only:
-        with _writing(db) as connection:
+        with writing(db) as connection:
             return _run(connection, sql, timeout_s, max_rows)
     _check_statement(sql)
     with _reading(db) as connection:

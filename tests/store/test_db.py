@@ -12,7 +12,8 @@ import pytest
 
 from esg.outcomes import UserError
 from esg.store import db as module
-from esg.store.db import ingest, migrate, migrations, query, rebuild, snapshot
+from esg.store.db import migrate, migrations, query, snapshot
+from esg.store.ingesting import ingest, rebuild
 from esg.store.tables import COLUMNS, TABLES, write_tables
 from tests.store.samples import record, records, run_info
 

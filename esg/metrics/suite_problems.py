@@ -1,0 +1,67 @@
+"""How mistakes in a suite are collected and worded."""
+
+from __future__ import annotations
+
+import difflib
+import math
+from typing import Any
+
+_NOTES = ("note", "notes", "comment", "description", "text", "source", "tags")
+"""Annotations that may stand anywhere and mean nothing to the judge."""
+
+
+class Problems:
+    """Collects mistakes with their place."""
+
+    def __init__(self) -> None:
+        self.lines: list[str] = []
+
+    def add(self, place: str, what: str, remedy: str) -> None:
+        self.lines.append(f"{place}: {what}; {remedy}")
+
+
+def read_number(value: Any, place: str, problems: Problems) -> float | None:
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        problems.add(place, f"is {show(value)}", "write a plain number, with the unit in `unit`")
+        return None
+    if not math.isfinite(value):
+        problems.add(place, f"is {value}", "write a finite number")
+        return None
+    return float(value)
+
+
+def report_unknown(
+    place: str,
+    item: dict[Any, Any],
+    known: tuple[str, ...],
+    problems: Problems,
+    *,
+    strict: bool = True,
+) -> None:
+    """Reports fields that would be ignored; where free metadata is allowed, only misspelt ones."""
+    for key in item:
+        if key in known or str(key) in _NOTES:
+            continue
+        close = difflib.get_close_matches(str(key), known, n=1, cutoff=0.75)
+        if close:
+            problems.add(f"{place}/{key}", "is not a field", f"did you mean {close[0]!r}?")
+        elif strict:
+            problems.add(f"{place}/{key}", "is not a field", f"fields are {', '.join(known)}")
+
+
+def closest(value: Any, known: tuple[str, ...]) -> str:
+    match = difflib.get_close_matches(str(value), known, n=1, cutoff=0.6)
+    return f"did you mean {match[0]!r}? " if match else ""
+
+
+def kind_of(value: Any) -> str:
+    return {"list": "list", "str": "text", "int": "number", "float": "number"}.get(
+        type(value).__name__, type(value).__name__
+    )
+
+
+def show(value: Any) -> str:
+    if value is None:
+        return "missing"
+    text = repr(value)
+    return text if len(text) <= 60 else text[:57] + "..."
