@@ -40,6 +40,8 @@ from esg.draft.llm_stages import (
 )
 from esg.draft.llm_store import CachingClient, CassetteClient
 from esg.graph.models import EsgDocument
+from esg.graph.rules_events import MAX_SPEED_CM_S, TIME_S
+from esg.graph.rules_scene import MASS_KG
 from esg.graph.verifier import verify
 from esg.graph.violations import Violation
 from esg.outcomes import Outcome, UserError
@@ -225,6 +227,23 @@ def instructions(stage: str) -> str:
     return shared + "\n\n" + (folder / f"{stage}.md").read_text(encoding="utf-8")
 
 
+def impossible(prompt: str) -> list[str]:
+    """Quantities that no scene can have, in words; a model would quietly make them possible."""
+    from esg.draft.quantities import find_amounts
+
+    problems: list[str] = []
+    for a in find_amounts(prompt):
+        if a.dimension in ("mass", "length", "time") and a.low < 0.0:
+            problems.append(f'"{a.text}" is negative')
+        elif a.dimension == "mass" and a.high > MASS_KG[1]:
+            problems.append(f'"{a.text}" is more than {MASS_KG[1]:g} kg')
+        elif a.dimension == "speed" and a.high > MAX_SPEED_CM_S:
+            problems.append(f'"{a.text}" is more than {MAX_SPEED_CM_S / 100:g} m/s')
+        elif a.dimension == "time" and a.high > TIME_S[1]:
+            problems.append(f'"{a.text}" is more than {TIME_S[1]:g} s')
+    return problems
+
+
 class _Nobody:
     """Stands for the server when replies only come from a recording."""
 
@@ -300,6 +319,9 @@ class _Session:
                 f"The prompt has {len(self.prompt):,} characters; the limit is "
                 f"{MAX_PROMPT_CHARACTERS:,}. Describe one scene."
             )
+        problems = impossible(self.prompt)
+        if problems:
+            raise _Failed(f"The prompt asks for the impossible: {'; '.join(problems)}.")
 
     def _cost(self, tokens_in: int, tokens_out: int) -> float | None:
         price_in, price_out = self.settings.price_in, self.settings.price_out

@@ -19,7 +19,7 @@ class LlmSettings(BaseSettings):
 
     model_config = SettingsConfigDict(env_prefix=ENV_PREFIX, frozen=True, extra="forbid")
 
-    base_url: str | None = None
+    base_url: str | None = Field(None, repr=False)
     """Of any OpenAI-compatible server, e.g. http://localhost:8080/v1."""
     model: str | None = None
     """Name that the server knows the model by."""
@@ -109,4 +109,9 @@ def require_endpoint(settings: LlmSettings) -> None:
         raise UserError(
             f"{ENV_PREFIX}BASE_URL is {settings.place!r}; give an http(s) address such as "
             "http://localhost:8080/v1."
+        )
+    if parts.username or parts.password:
+        raise UserError(
+            f"{ENV_PREFIX}BASE_URL holds a user or password; give the key in {ENV_PREFIX}API_KEY, "
+            "where it is kept out of logs and artifacts."
         )
