@@ -26,6 +26,11 @@ Floats = NDArray[np.float64]
 GROUND_INDEX = -1
 HIT_GAP_S = 0.05
 """Contact of a pair that pauses for longer than this starts a new hit."""
+BLOW_FACTOR = 5.0
+BLOW_WINDOW_S = 0.1
+"""A blow on a pair at rest against each other starts a new hit too: an impulse this many times
+larger than any in the time before."""
+BLOW_IMPULSE_NS = 0.1
 IMPULSE_WINDOW_S = 0.05
 IMPULSE_FRAMES = 3
 """The impulse of a hit is accumulated over this time or this many frames, whichever is longer."""
@@ -183,7 +188,7 @@ class Replay:
             return ()
         rows = rows[np.argsort(c.time[rows], kind="stable")]
         gap = max(HIT_GAP_S, 1.5 * self.frame_s)
-        starts = np.flatnonzero(np.diff(c.time[rows], prepend=-math.inf) > gap)
+        starts = _hit_starts(c.time[rows], c.impulse[rows], gap)
         window = max(IMPULSE_WINDOW_S, IMPULSE_FRAMES * self.frame_s) - 0.25 * self.frame_s
         out = []
         for k, start in enumerate(starts):
@@ -254,3 +259,19 @@ class Replay:
                 if p.acceleration < 0 or (c.time > 0 and p.speed < now - 0.1):
                     out.append(c.time)
         return tuple(out)
+
+
+def _hit_starts(time: Floats, impulse: Floats, gap: float) -> NDArray[np.int64]:
+    """Indices of the rows (sorted by time) at which a hit of the pair starts."""
+    new = np.diff(time, prepend=-math.inf) > gap
+    begin = 0
+    for k in np.flatnonzero((impulse > BLOW_IMPULSE_NS) | new):
+        if new[k]:
+            begin = int(k)
+        elif time[k] - time[begin] >= BLOW_WINDOW_S:
+            # Rows of one hit are no farther apart than the gap: the window is never empty.
+            before = impulse[begin:k][time[begin:k] >= time[k] - BLOW_WINDOW_S]
+            if impulse[k] > BLOW_FACTOR * before.max():
+                new[k] = True
+                begin = int(k)
+    return np.flatnonzero(new)

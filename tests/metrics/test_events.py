@@ -91,6 +91,29 @@ def test_a_later_hit_of_the_pair_counts_if_the_first_does_not():
     assert world.event(**HIT).time_s == pytest.approx(0.9)
 
 
+def test_a_blow_on_a_resting_contact_is_a_hit_of_its_own():
+    world = World().add(ball("ball_1"), x=0.0).add(ball("ball_2"), x=0.2)
+    for k in range(1, 200):
+        world.touch(k * DT, "ball_1", "ball_2", 0.001)
+    assert not world.event(**HIT).completed
+    blown = World().add(ball("ball_1"), x=0.0).add(ball("ball_2"), x=0.2)
+    for k in range(1, 200):
+        blown.touch(k * DT, "ball_1", "ball_2", 0.5 if k == 120 else 0.001)
+    assert blown.event(**HIT).time_s == pytest.approx(0.5)
+
+
+def test_pushing_is_one_hit():
+    world = World().add(ball("ball_1"), x=0.0).add(ball("ball_2"), x=0.2).add(ball("ball_3"), x=9)
+    for k in range(100, 400):
+        world.touch(k * DT, "ball_1", "ball_2", 0.2 + 0.1 * (k % 3))
+    world.touch(350 * DT, "ball_2", "ball_3", 1.0)
+    events = [
+        SuiteEvent(id="e1", type="collision", a="ball 2", b="ball 3"),
+        SuiteEvent(id="e2", type="collision", a="ball 1", b="ball 2", after=("e1",)),
+    ]
+    assert [e.completed for e in world.judge(events).events] == [True, False]
+
+
 def chain(first: float, second: float, **more: object) -> World:
     world = World()
     world.add(ball("ball_1"), x=line(0.0, 2.0, 0.0, first))
