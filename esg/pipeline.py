@@ -65,6 +65,11 @@ class SceneRequest:
     suite_scene: str = ""
     name: str = ""
 
+    @property
+    def choreographed(self) -> bool:
+        """Whether planned motion asks the layout for starts; `none` leaves all of stage 4 out."""
+        return self.strategy != "none"
+
 
 @dataclass(frozen=True)
 class SceneState:

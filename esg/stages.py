@@ -140,7 +140,8 @@ def _layout(state: SceneState, folder: Path) -> None:
 
     doc = load_doc(state, "resolve")
     seed = state.request.seed
-    hints = start_hints(doc, seed=seed) if doc.timeline_system is not None else None
+    planned = state.request.choreographed and doc.timeline_system is not None
+    hints = start_hints(doc, seed=seed) if planned else None
     _write_doc(solve(doc, seed=seed, hints=hints), folder)
 
 
@@ -273,7 +274,7 @@ def _write_json(value: Any, path: Path) -> None:
 SPECS: dict[str, Spec] = {
     "draft": Spec(_draft, (), ("prompt", "seed", "drafter")),
     "resolve": Spec(_resolve, ("draft",), ("seed",)),
-    "layout": Spec(_layout, ("resolve",), ("seed",)),
+    "layout": Spec(_layout, ("resolve",), ("seed", "choreographed")),
     "optimize": Spec(_optimize, ("layout",), ("seed", "strategy", "device")),
     "compile": Spec(_compile, ("optimize",)),
     "replay": Spec(_replay, ("compile",), ("engine",)),

@@ -123,14 +123,24 @@ class Plan:
         return self.scene.with_bodies(bodies)
 
 
-def make_plan(doc: EsgDocument, scene: SimScene, *, seed: int = 0) -> Plan:
-    """Reads the timeline of a laid-out document into variables and a program compiler."""
-    return _Planner(doc, scene, seed).plan()
+def make_plan(
+    doc: EsgDocument, scene: SimScene, *, seed: int = 0, look_ahead: bool = True
+) -> Plan:
+    """Reads the timeline of a laid-out document into variables and a program compiler.
+
+    Args:
+        doc: The document.
+        scene: Its physical scene.
+        seed: Of the choreography.
+        look_ahead: Aim with what comes after the first hit in mind; False aims straight at the
+            centre of the first target.
+    """
+    return _Planner(doc, scene, seed, look_ahead).plan()
 
 
 class _Planner:
-    def __init__(self, doc: EsgDocument, scene: SimScene, seed: int) -> None:
-        self.doc, self.scene = doc, scene
+    def __init__(self, doc: EsgDocument, scene: SimScene, seed: int, look_ahead: bool) -> None:
+        self.doc, self.scene, self.look_ahead = doc, scene, look_ahead
         self.story = read_story(doc)
         self.nominal = choreograph(doc, seed=seed).nominal
         self.variables: dict[str, Variable] = {}
@@ -488,6 +498,9 @@ class _Planner:
         yaw = float(yaw_from_quat(body.quaternion))
         if self._drives(actor) and not straight:
             return yaw
+        if target is not None and straight and not self.look_ahead:
+            offset = np.array(self.scene.body(target).position) - np.array(body.position)
+            return math.atan2(offset[1], offset[0])
         if target is None or (self._drives(actor) and first.end.event is NodeEvent.MISS):
             return yaw
         heading = aim_heading(self.scene, self.story, body, first, target)

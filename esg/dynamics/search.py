@@ -90,7 +90,7 @@ def optimize(
     scene = build_scene(doc)
     if doc.timeline_system is None:
         return _write(doc, _static_result(strategy), seed, strategy)
-    plan = make_plan(doc, scene, seed=seed)
+    plan = make_plan(doc, scene, seed=seed, look_ahead=strategy != "none")
     if not plan.variables:
         return _write(doc, _static_result(strategy), seed, strategy)
     simulator = Simulator(plan, get_engine("newton", device), dt=REFERENCE_DT_S)
