@@ -9,21 +9,21 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.assets.sdf import voxel_sdf
+from esg.assets.sdf import VoxelSdf, voxel_sdf
 from esg.graph.models import Proxy, ProxyKind
 
-_GRIDS = (16, 12, 9, 7)
+_GRIDS = (12, 8)
+_FIELD = 28
+"""Resolution of the distance field behind the grids."""
 MAX_BOXES = 28
 _SHEET = 0.3
 """Cells within this share of a cell of the surface count as full: chair backs are thin."""
 
 
 def occupancy(
-    vertices: NDArray[np.float64], faces: NDArray[np.int64], shape: tuple[int, int, int]
+    field: VoxelSdf, low: NDArray[np.float64], high: NDArray[np.float64], shape: tuple[int, ...]
 ) -> NDArray[np.bool_]:
     """Which cells of a grid over the mesh's bounds are full."""
-    field = voxel_sdf(vertices, faces, 44)
-    low, high = vertices.min(0), vertices.max(0)
     cell = (high - low) / shape
     grid = np.stack(np.meshgrid(*[np.arange(n) for n in shape], indexing="ij"), -1)
     full = np.zeros(shape)
@@ -48,7 +48,7 @@ def _grow(
     return tuple(slice(a, b) for a, b in zip(low, high, strict=True))
 
 
-_ORDERS = ((0, 1, 2), (0, 2, 1), (1, 0, 2), (1, 2, 0), (2, 0, 1), (2, 1, 0))
+_ORDERS = ((0, 1, 2), (1, 2, 0), (2, 0, 1))
 
 
 def merge(full: NDArray[np.bool_]) -> list[tuple[slice, ...]]:
@@ -94,9 +94,10 @@ def box_parts(vertices: NDArray[np.float64], faces: NDArray[np.int64]) -> tuple[
     """
     low, high = vertices.min(0), vertices.max(0)
     extents = high - low
+    field = voxel_sdf(vertices, faces, _FIELD)
     for cells in _GRIDS:
         shape = tuple(int(np.clip(round(cells * e / extents.max()), 3, cells)) for e in extents)
-        full = occupancy(vertices, faces, shape)  # type: ignore[arg-type]
+        full = occupancy(field, low, high, shape)
         if not full.any():
             return None
         boxes = merge(full)

@@ -17,7 +17,7 @@ from esg.graph.models import Proxy, ProxyKind, SupportSurface
 
 _FIT = 1.18
 """Primitive volume over hull volume up to which the primitive is used."""
-_CONCAVE = 0.004
+_CONCAVE = 0.006
 """Mean depth of the surface below the hull, over the bounding box's diagonal."""
 _HULL_POINTS = 48
 
@@ -113,7 +113,9 @@ def support_surfaces(vertices: Floats, faces: NDArray[np.int64], limit: int = 4
     tri = vertices[faces]
     cross = np.cross(tri[:, 1] - tri[:, 0], tri[:, 2] - tri[:, 0])
     area = np.linalg.norm(cross, axis=1) / 2
-    keep = (area > 0) & (np.abs(cross[:, 2]) > 1.98 * area)
+    # The signed volume tells outwards from inwards, even if the mesh has holes.
+    outward = 1.0 if np.einsum("ni,ni->", tri.mean(1), cross) >= 0 else -1.0
+    keep = (area > 0) & (outward * cross[:, 2] > 1.98 * area)
     if not keep.any():
         return ()
     height = float(np.ptp(vertices[:, 2])) or 1.0
@@ -159,7 +161,6 @@ def fit_proxies(points: Floats, *, round_allowed: bool = False) -> tuple[tuple[P
         round_allowed: Whether the object may roll.
     """
     base = flatten_base(points, float(points[:, 2].max()))
-    primitive = fit_primitive(base, round_allowed=round_allowed)
-    if primitive is not None:
-        return (primitive,), False
-    return (hull_proxy(base),), depth_below_hull(base) > _CONCAVE
+    concave = depth_below_hull(base) > _CONCAVE
+    primitive = None if concave else fit_primitive(base, round_allowed=round_allowed)
+    return (primitive or hull_proxy(base),), concave

@@ -108,6 +108,7 @@ def voxel_sdf(
             return VoxelSdf(archive["values"], origin, cell)
     import warp as wp
 
+    wp.config.quiet = True
     mesh = wp.Mesh(
         points=wp.array(vertices.astype(np.float32), dtype=wp.vec3, device=device),
         indices=wp.array(np.asarray(faces).flatten().astype(np.int32), dtype=int, device=device),
