@@ -6,6 +6,7 @@ from collections import OrderedDict
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 import os
+from threading import RLock
 from typing import Any
 
 import numpy as np
@@ -36,6 +37,7 @@ _BUCKETS = (1, 8, 16, 32, 64, 128)
 
 MAX_GROWTH = 64
 
+_lock = RLock()
 _growth: dict[object, int] = {}
 _models: OrderedDict[object, NewtonModel] = OrderedDict()
 
@@ -93,8 +95,10 @@ class NewtonEngine:
             most = int(np.clip(share, MIN_WORLDS_PER_THREAD, MAX_WORLDS_CPU))
         job = _Job(scene, batch, values, frames, ground_contacts, states, valid, self.device)
         parts = [order[k : k + most] for k in range(0, len(order), most)]
-        for k in range(0, len(parts), self.threads):
-            logs += job.run(parts[k : k + self.threads])
+        # Models are shared by all callers in the process, and one model serves one batch at a time.
+        with _lock:
+            for k in range(0, len(parts), self.threads):
+                logs += job.run(parts[k : k + self.threads])
         log = join_logs(logs)
         keep = np.lexsort((log.b, log.a, log.frame, log.world))
         return Rollout(
@@ -256,5 +260,6 @@ def _threads() -> int:
 
 def clear_cache() -> None:
     """Drops all compiled models and their memory."""
-    _models.clear()
-    _growth.clear()
+    with _lock:
+        _models.clear()
+        _growth.clear()

@@ -29,6 +29,10 @@ CONTACT_GAP_M = 0.005
 SPECULATIVE_GAP_M = 0.25
 """Fast bodies are seen as far ahead as they move in a step, up to this distance [m]."""
 
+POINTS_PER_WORLD = 16
+POINTS_PER_SHAPE = 4
+"""Room for contact points before it has to grow."""
+
 _CELLS = 1_000_000
 _GROUND_NAMES = (-1, -2)
 
@@ -120,7 +124,7 @@ class NewtonModel:
         self._check_layout(model)
         cuda = not str(self.device).startswith("cpu")
         dynamic_shapes = sum(len(scene.bodies[i].shapes) for i in self.moving)
-        points = growth * (16 + 4 * dynamic_shapes)
+        points = growth * (POINTS_PER_WORLD + POINTS_PER_SHAPE * dynamic_shapes)
         self.pipeline = newton.CollisionPipeline(
             model,
             broad_phase="explicit",

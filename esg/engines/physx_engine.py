@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from threading import RLock
 from typing import Any
 
 import numpy as np
@@ -106,9 +107,20 @@ def physx_module() -> Any:
     return px
 
 
+_config_lock = RLock()
+
+
 @contextmanager
 def _scene_config(px: Any, scene: SimScene) -> Iterator[None]:
-    """Sets SAPIEN's process-wide configuration for the scenes made inside, and puts it back."""
+    """Sets SAPIEN's process-wide configuration for the scenes made inside, and puts it back.
+
+    Only one thread at a time is inside, because the configuration is shared by all of them.
+    """
+    with _config_lock:
+        yield from _configured(px, scene)
+
+
+def _configured(px: Any, scene: SimScene) -> Iterator[None]:
     scene_before, body_before, shape_before = (
         px.get_scene_config(),
         px.get_body_config(),

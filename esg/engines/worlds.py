@@ -158,8 +158,8 @@ def check(scene: SimScene, batch: ProgramBatch) -> None:
                 wrong.append(f"body {body.name!r} has an inertia that is not positive definite")
         for shape in body.shapes:
             used = shape.size[:1] if shape.kind == "sphere" else shape.size
-            if shape.kind == "convex" and len(shape.vertices) < 4:
-                wrong.append(f"body {body.name!r} has a convex shape of fewer than 4 vertices")
+            if shape.kind == "convex" and not _has_volume(shape):
+                wrong.append(f"body {body.name!r} has a convex shape without volume")
             elif shape.kind != "convex" and not all(math.isfinite(s) and s > 0.0 for s in used):
                 wrong.append(f"body {body.name!r} has a {shape.kind} of size {shape.size} m")
     for k, b in zip(batch.kind, batch.body, strict=True):
@@ -168,6 +168,14 @@ def check(scene: SimScene, batch: ProgramBatch) -> None:
             wrong.append(f"{KINDS[int(k)].kind} would move {body.name!r}, which cannot move")
     if wrong:
         raise ValueError("; ".join(dict.fromkeys(wrong)))
+
+
+def _has_volume(shape: Shape) -> bool:
+    points = np.array(shape.vertices, float).reshape(-1, 3)
+    if len(points) < 4 or not np.isfinite(points).all():
+        return False
+    spread = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
+    return bool(spread[2] > 1e-6 * spread[0])
 
 
 def moving(scene: SimScene) -> NDArray[np.bool_]:

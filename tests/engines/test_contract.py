@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
 import numpy as np
@@ -9,7 +10,7 @@ import pytest
 
 from esg.engines import ENGINES, available, get_engine
 from esg.engines.program import Program, SetVelocity, batch_programs
-from esg.engines.scene import Body, SimScene, Variation
+from esg.engines.scene import Body, Shape, SimScene, Variation
 from esg.outcomes import UserError
 from tests.engines.lab import ball, box
 
@@ -179,6 +180,21 @@ def test_impossible_input_is_named(engine):
         engine.rollout(SCENE, batch([1.0]), dt=0.0)
 
 
+def test_flat_convex_shapes_are_named(engine):
+    flat = Shape("convex", (0.1, 0.1, 0.0), vertices=((0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)))
+    bad = SCENE.with_bodies((replace(SCENE.bodies[0], shapes=(flat,)), *SCENE.bodies[1:]))
+    with pytest.raises(ValueError, match="'a' has a convex shape without volume"):
+        engine.rollout(bad, batch([1.0]))
+
+
+def test_threads_may_share_an_engine(engine):
+    alone = [engine.rollout(SCENE, batch([v], 0.3)) for v in (1.0, 2.0, 3.0)]
+    with ThreadPoolExecutor(3) as pool:
+        together = list(pool.map(lambda v: engine.rollout(SCENE, batch([v], 0.3)), (1.0, 2.0, 3.0)))
+    for one, other in zip(alone, together, strict=True):
+        same(one, other)
+
+
 def test_unknown_engines_and_devices_are_user_errors():
     with pytest.raises(UserError, match="bullet"):
         get_engine("bullet")
@@ -204,3 +220,44 @@ def test_newton_keeps_its_model_while_only_values_change():
     engine.rollout(moved, batch([1.0], 0.2), record_every=2)
     assert list(newton_engine._models.values()) == [model]
     assert model._graphs == graphs
+
+
+HEAP = SimScene(
+    "heap",
+    tuple(
+        box(f"b{i}", (0.2, 0.2, 0.1), 1.0, (0.1 * (i % 3), 0.1 * (i % 2), 0.15 + 0.25 * i))
+        for i in range(8)
+    ),
+)
+
+
+def test_newton_makes_room_when_contacts_overflow(monkeypatch):
+    from esg.engines import newton_engine, newton_model
+
+    def run():
+        newton_engine.clear_cache()
+        programs = batch_programs([Program((), 0.8)] * 2, HEAP.names)
+        return get_engine("newton").rollout(HEAP, programs)
+
+    roomy = run()
+    monkeypatch.setattr(newton_model, "POINTS_PER_SHAPE", 0)
+    monkeypatch.setattr(newton_model, "POINTS_PER_WORLD", 8)
+    tight = run()
+    assert max(newton_engine._growth.values()) > 1
+    same(roomy, tight)
+    newton_engine.clear_cache()
+
+
+@pytest.mark.parametrize("threads", ["1", "3"])
+def test_newton_threads_do_not_change_results(threads, monkeypatch):
+    speeds = np.linspace(1.0, 4.0, 20)
+    monkeypatch.setenv("ESG_THREADS", "2")
+    expected = get_engine("newton").rollout(SCENE, batch(speeds, 0.4))
+    monkeypatch.setenv("ESG_THREADS", threads)
+    same(expected, get_engine("newton").rollout(SCENE, batch(speeds, 0.4)))
+
+
+def test_thread_number_must_be_positive(monkeypatch):
+    monkeypatch.setenv("ESG_THREADS", "many")
+    with pytest.raises(UserError, match="ESG_THREADS"):
+        get_engine("newton")
