@@ -20,6 +20,8 @@ from esg.graph.rules_scene import interval, outside
 from esg.graph.violations import listing, pointer
 
 M = EdgeEvent
+LEAST_SPEED_CM_S = 20.0
+"""Below this, benchmark suites do not call it motion; intervals in m/s by mistake end here."""
 
 LIMITS: dict[str, tuple[float, float, str]] = {
     "acceleration": (-2e4, 2e4, "cm/s^2"),
@@ -252,6 +254,14 @@ def _speed(ctx: Context, where: str, edge: TimelineEdge) -> None:
             value,
             f"Speed {value} cm/s of {edge.id!r} is not plausible.",
             f"Use 0 to {MAX_SPEED_CM_S:g} cm/s (the unit is cm/s; heading says which way).",
+        )
+    elif isinstance(value, tuple) and high < LEAST_SPEED_CM_S and not edge.speed_is_prescribed:
+        ctx.add(
+            "UNIT_SPEED",
+            where,
+            value,
+            f"Speed {value} cm/s of {edge.id!r} is too slow to count as motion.",
+            f"Let the interval reach {LEAST_SPEED_CM_S:g} cm/s or more (is it in m/s?).",
         )
 
 

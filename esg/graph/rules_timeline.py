@@ -56,6 +56,14 @@ def _actors(ctx: Context, timeline: TimelineSystem) -> None:
                 f"Use one of {listing(ctx.node_names)}.",
             )
         intact = ctx.parsed.intact("timeline_system", "actors", name)
+        if ctx.is_structural(name):
+            ctx.add(
+                "ACTOR_IMMOVABLE",
+                where,
+                name,
+                f"Actor {name!r} is structural and cannot move.",
+                "Remove it from the actors; it may still take part in events.",
+            )
         if actor.role is Role.PASSIVE:
             if actor.force_direction is not None:
                 ctx.add(
@@ -84,7 +92,7 @@ def _actors(ctx: Context, timeline: TimelineSystem) -> None:
             )
         node = ctx.nodes.get(name)
         asset = ctx.requirement(node) if node else None
-        if node and (node.is_structural or node.is_static or (asset and not asset.is_movable)):
+        if node and (node.is_static or (asset and not asset.is_movable)):
             ctx.add(
                 "ACTOR_IMMOVABLE",
                 where,

@@ -128,7 +128,7 @@ RULES: dict[str, str] = {
     # Actors.
     "ACTOR_FORCE_MISSING": "An active actor has a force direction.",
     "ACTOR_FORCE_FORBIDDEN": "A passive actor has no force direction.",
-    "ACTOR_IMMOVABLE": "An active actor can move.",
+    "ACTOR_IMMOVABLE": "An active actor can move; structure is no actor.",
     "ACTOR_IDLE": "An active actor has a segment.",
     # Timeline as a whole.
     "TIMELINE_MISSING": "A dynamic scene has a timeline.",
@@ -161,7 +161,7 @@ RULES: dict[str, str] = {
     "EDGE_PARAM_MISSING": "A segment has the parameters its type needs.",
     "EDGE_PARAM_FORBIDDEN": "A segment has no parameter of another type.",
     "EDGE_PARAM_RANGE": "A segment's parameters are plausible.",
-    "UNIT_SPEED": "Speeds lie in 0 to 150 m/s.",
+    "UNIT_SPEED": "Speeds lie in 0 to 150 m/s; an open interval reaches 0.2 m/s.",
     "EDGE_FORCE_DIRECTION": "A segment agrees with its actor's force direction.",
     "CONNECTOR_ACTIVE": "Inertial connectors belong to passive actors.",
     "CONNECTOR_UPSTREAM": "An inertial connector's body was moved by a collision before.",

@@ -540,6 +540,7 @@ def roles(m: Maker) -> None:
     raw = m.raw
     if "timeline_system" not in raw:
         return
+    m.add("ACTOR_IMMOVABLE", (*ACTORS, "ground_1"), put(raw, (*ACTORS, "ground_1"), PASSIVE))
     for name, actor in get(raw, ACTORS).items():
         path = (*ACTORS, name)
         if actor["role"] == "passive":
@@ -704,6 +705,7 @@ def segments(m: Maker) -> None:
             ("speed", -5.0, "UNIT_SPEED"),
             ("speed", 3e10, "UNIT_SPEED"),
             ("speed", [900.0, 300.0], "INTERVAL_REVERSED"),
+            ("speed", [3.0, 15.0], "UNIT_SPEED"),
             ("acceleration", 1e6, "EDGE_PARAM_RANGE"),
             ("heading_deg", 1e4, "EDGE_PARAM_RANGE"),
             ("duration", -1.0, "EDGE_PARAM_RANGE"),
