@@ -3,7 +3,7 @@
     python -m benchmarks.drafting                  # the test third, rules drafter
     python -m benchmarks.drafting --split dev --show
 
-Expectations in `data/prompts/*.jsonl` were written from the prompts alone. The paper's column is its
+Expectations in `data/prompts/*.jsonl` were written from the prompts alone. The paper's row is its
 ablation of draft construction (usability of single-shot, without validation, full).
 """
 

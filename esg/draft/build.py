@@ -214,8 +214,15 @@ class DocumentBuilder:
             ground = Entity(GROUND, noun, noun.name, noun.name, mentioned=False)
         self.world.entities = {GROUND: ground, **self.world.entities}
 
+    def _entered(self) -> set[str]:
+        """Nodes whose inside something enters."""
+        regions = (n.extra.get("region") for n in self.scene.timeline.nodes)
+        return {r.split("/")[0] for r in regions if isinstance(r, str) and r.endswith("/inside")}
+
     def _asset(self, e: Entity) -> None:
         required = requirement(e)
+        if e.id in self._entered():
+            required = self._opened(e, required)
         if e.id == GROUND:
             size = (2000.0, 2000.0, 2.0) if "indoor" in e.noun.traits else _GROUND_SIZE_CM
             required = required.model_copy(
@@ -229,6 +236,37 @@ class DocumentBuilder:
             if self.assets[name] == required:
                 self.asset_of[e.id] = name
                 return
+
+    @staticmethod
+    def _opened(e: Entity, required: AssetRequirement) -> AssetRequirement:
+        """Something enters it: an open box instead of a closed one, a rim above the flat ground.
+
+        The ground is a half-space, so a hole is a ring-like opening on it, as wide as stated.
+        """
+        if e.noun.name == "pot":
+            category, text = "bucket", f"{e.head}: open pot without a lid, bucket"
+        elif e.noun.name in ("cabinet", "crib", "well") or (
+            e.noun.kind in ("box", "bottle", "rock") and e.noun.name not in ("cup", "glass")
+        ):
+            category, text = "open_box", f"{e.head}: open box without a lid"
+        elif e.noun.kind in ("hole", "water"):
+            category, text = "goal", f"{e.head}: small opening on the ground that a ball rolls into"
+        else:
+            return required
+        size = required.expected_dimensions_cm
+        if category == "goal" and not e.dimensions_prescribed:
+            size = (30.0, 40.0, 30.0) if e.noun.kind == "hole" else (200.0, 300.0, 60.0)
+        return required.model_copy(
+            update={
+                "asset_category": category,
+                "asset_description": text,
+                "expected_dimensions_cm": size,
+                "expected_mass_kg": max(required.expected_mass_kg, 20.0)
+                if category == "goal"
+                else required.expected_mass_kg,
+                "shape": None,
+            }
+        )
 
     # -- regions and nodes -----------------------------------------------------------------------
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from esg.draft.frames import Frame
 from esg.draft.quantities import Amount
 from esg.draft.scene import Relation, Scene, pocket_name

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from hypothesis import given, settings, strategies as st
+from hypothesis import given, settings
+from hypothesis import strategies as st
 import pytest
 
-from esg.draft import draft
-from esg.draft import tokens
+from esg.draft import draft, tokens
 from esg.graph import canonical_json, verify
 from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent
 from esg.outcomes import UserError
@@ -209,10 +209,55 @@ def test_works_without_a_model(monkeypatch: pytest.MonkeyPatch) -> None:
         assert len(story(prompt)) == count
 
 
-_WORDS = (
-    "a the two ball car box and hits , . which table on it rolls into 3 kg 5 m/s after 2 s brakes turns left "
-    "red A B then falls off stops thrown is by with of to zorble its other first cars while before not"
-).split(" ")
+_WORDS = [
+    "a",
+    "the",
+    "two",
+    "ball",
+    "car",
+    "box",
+    "and",
+    "hits",
+    ",",
+    ".",
+    "which",
+    "table",
+    "on",
+    "it",
+    "rolls",
+    "into",
+    "3",
+    "kg",
+    "5",
+    "m/s",
+    "after",
+    "2",
+    "s",
+    "brakes",
+    "turns",
+    "left",
+    "red",
+    "A",
+    "B",
+    "then",
+    "falls",
+    "off",
+    "stops",
+    "thrown",
+    "is",
+    "by",
+    "with",
+    "of",
+    "to",
+    "zorble",
+    "its",
+    "other",
+    "first",
+    "cars",
+    "while",
+    "before",
+    "not",
+]
 
 
 @settings(max_examples=120, deadline=None)
