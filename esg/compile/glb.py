@@ -23,6 +23,7 @@ from esg.units import quat_rotate
 
 _MAGIC, _JSON, _BIN = 0x46546C67, 0x4E4F534A, 0x004E4942
 _FLOAT, _SCALAR, _VEC3, _VEC4 = 5126, "SCALAR", "VEC3", "VEC4"
+_VERTICES, _INDICES = 34962, 34963
 _MOVED = 1e-6
 """Smallest change [m, or of a quaternion] that counts as motion."""
 
@@ -102,6 +103,9 @@ class _Document:
             _shift_textures(material, start["textures"])
         for mesh in other.get("meshes", []):
             for primitive in mesh["primitives"]:
+                _say_use(other, primitive["attributes"].values(), _VERTICES, start["bufferViews"])
+                indices = [primitive["indices"]] if "indices" in primitive else []
+                _say_use(other, indices, _INDICES, start["bufferViews"])
                 for key, value in primitive["attributes"].items():
                     primitive["attributes"][key] = value + start["accessors"]
                 _shift(primitive, "indices", start["accessors"])
@@ -146,6 +150,14 @@ class _Document:
             [head, struct.pack("<II", len(text), _JSON), text,
              struct.pack("<II", len(binary), _BIN), binary]
         )  # fmt: skip
+
+
+def _say_use(document: dict[str, Any], accessors: Any, use: int, first_view: int) -> None:
+    """Marks the buffer views behind accessors as vertex or index data, which uploads faster."""
+    for index in accessors:
+        view = document["accessors"][index].get("bufferView")
+        if view is not None:
+            document["bufferViews"][view - first_view].setdefault("target", use)
 
 
 def _shift(item: dict[str, Any], key: str, by: int) -> None:

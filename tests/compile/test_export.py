@@ -4,9 +4,11 @@ from dataclasses import replace
 import json
 from pathlib import Path
 import struct
+import subprocess
+import sys
 from xml.etree import ElementTree as ET
 
-from helpers import written
+from helpers import first_touches, written
 import numpy as np
 import pytest
 import scenes
@@ -353,3 +355,22 @@ def test_usd_runs_in_newton(tmp_path: Path, name: str) -> None:
         assert first is None
     else:
         assert first == pytest.approx(hit, abs=0.05)
+
+
+def test_the_documented_reader_needs_nothing_of_ours(folder: Path) -> None:
+    """docs/read_manifest.py plays the manifest alone; its first contacts are the class's."""
+    script = Path(__file__).parents[2] / "docs" / "read_manifest.py"
+    assert "esg" not in script.read_text().replace("nothing of this project", "")
+    done = subprocess.run(
+        [sys.executable, str(script), str(folder / "manifest.json")],
+        capture_output=True, text=True, check=True, cwd=folder,
+    )  # fmt: skip
+    told = {}
+    for line in done.stdout.splitlines():
+        time, rest = line.split(" s  ", 1)
+        told[frozenset(rest.rsplit("  ", 1)[0].split(" hits "))] = float(time)
+    replay = replay_class(folder)
+    names = [b.name for b in replay.scene.bodies]
+    ours = {frozenset(names[i] for i in p): t for p, t in first_touches(replay.rollout).items()}
+    first = min(ours, key=lambda pair: ours[pair])
+    assert told[first] == pytest.approx(ours[first], abs=1.5 / 240)

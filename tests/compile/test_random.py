@@ -10,7 +10,20 @@ from random_scenes import random_scene
 from esg.compile import compile_many, replay_class
 from esg.compile.build import Library, read_classes
 from esg.engines.base import get_engine
-from esg.engines.program import batch_programs
+from esg.engines.program import Program, batch_programs
+from esg.engines.scene import Rollout, SimScene, Variation
+
+
+START_SHIFT_M = 1e-7
+
+
+def sensitivity(scene: SimScene, program: Program, rollout: Rollout) -> float:
+    """How far the program's own result moves [m] when its start moves by 0.1 micrometres."""
+    start = np.array([b.position for b in scene.bodies])[None]
+    shift = np.random.default_rng(0).normal(size=start.shape) * START_SHIFT_M
+    batch = batch_programs([program], scene.names)
+    moved = get_engine("physx").rollout(scene, batch, variation=Variation(start + shift))
+    return float(np.abs(moved.position - rollout.position).max())
 
 
 def compare(root: Path, seeds: range) -> None:
@@ -25,7 +38,8 @@ def compare(root: Path, seeds: range) -> None:
         assert times.keys() == others.keys(), seed
         late = [abs(times[p] - others[p]) for p in times]
         assert max(late, default=0.0) <= one.dt * 1.0001, seed
-        assert np.abs(one.position - two.position).max() <= 1e-3, seed
+        apart = np.abs(one.position - two.position).max()
+        assert apart <= 1e-3 or apart <= 10 * sensitivity(scene, program, two), seed
         assert one.valid.all() == two.valid.all()
 
 
