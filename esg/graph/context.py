@@ -33,6 +33,17 @@ class Context:
         self.node_names = parsed.declared("spatial_relation_graph", "nodes")
         self.region_names = parsed.declared("spatial_relation_graph", "semantic_regions")
         self.asset_names = parsed.declared("asset_requirement")
+        sequence = ("timeline_system", "sequence_graph", "nodes")
+        self.event_names = parsed.declared_ids(*sequence)
+        self.actor_names = parsed.declared("timeline_system", "actors")
+        self.events_before: dict[str, list[str]] = defaultdict(list)
+        """Point event -> the events that segments lead from to it."""
+        self.actors_leading_to: dict[str, set[str]] = defaultdict(set)
+        if doc.timeline_system is not None:
+            for edge in doc.timeline_system.sequence_graph.edges:
+                self.events_before[edge.to].append(edge.from_)
+                if edge.from_ != edge.to:
+                    self.actors_leading_to[edge.to].add(edge.actor)
 
     def add(self, code: str, where: str, value: Any, message: str, remedy: str) -> None:
         """Reports a violation at a pointer into the document."""

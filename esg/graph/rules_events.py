@@ -128,7 +128,7 @@ def _participants(ctx: Context, timeline: TimelineSystem, where: str, node: Time
             "List what moves, or is moved, among the actors.",
         )
     if node.event is E.COLLISION and count == 2:
-        _mover(ctx, timeline, where, node)
+        _mover(ctx, where, node)
     if node.event is E.TRIGGER:
         for k, name in enumerate(node.participants):
             actor = timeline.actors.get(name)
@@ -142,9 +142,8 @@ def _participants(ctx: Context, timeline: TimelineSystem, where: str, node: Time
                 )
 
 
-def _mover(ctx: Context, timeline: TimelineSystem, where: str, node: TimelineNode) -> None:
-    edges = timeline.sequence_graph.edges
-    leads = {e.actor for e in edges if e.to == node.id and e.from_ != node.id}
+def _mover(ctx: Context, where: str, node: TimelineNode) -> None:
+    leads = ctx.actors_leading_to.get(node.id, ())
     first, second = node.participants
     if first not in ctx.node_names:
         return  # Reported as REF_PARTICIPANT already.
@@ -279,7 +278,7 @@ def _since(
             )
         return
     graph = timeline.sequence_graph
-    if c.since not in ctx.parsed.declared_ids(*_NODES):
+    if c.since not in ctx.event_names:
         ctx.add(
             "REF_EVENT",
             where + "/since",

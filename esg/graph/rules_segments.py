@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
-
 from esg.graph.context import Context, bounds
 from esg.graph.models import (
     EdgeEvent,
     ForceDirection,
     NodeEvent,
     Role,
-    SequenceGraph,
     TimelineEdge,
     TimelineNode,
     TimelineSystem,
@@ -60,7 +57,7 @@ def check(ctx: Context) -> None:
 
 
 def _references(ctx: Context, timeline: TimelineSystem, where: str, edge: TimelineEdge) -> None:
-    declared = ctx.parsed.declared_ids(*_NODES)
+    declared = ctx.event_names
     for key, name in (("from", edge.from_), ("to", edge.to)):
         if name not in declared:
             ctx.add(
@@ -70,7 +67,7 @@ def _references(ctx: Context, timeline: TimelineSystem, where: str, edge: Timeli
                 f"Segment {edge.id!r} names {name!r}, which is not a point event.",
                 f"Use one of {listing(declared)}.",
             )
-    actors = ctx.parsed.declared("timeline_system", "actors")
+    actors = ctx.actor_names
     if edge.actor not in actors:
         ctx.add(
             "REF_EDGE_ACTOR",
@@ -146,28 +143,24 @@ def _role(
             "Let it lead to the next collision or outcome of its body.",
         )
     intact = intact and ctx.parsed.intact(*_EDGES)
-    if connector and actor.role is Role.PASSIVE and begin is not None and intact:
-        graph = timeline.sequence_graph
-        if not _was_hit(edge, begin, graph, events):
-            ctx.add(
-                "CONNECTOR_UPSTREAM",
-                where + "/from",
-                edge.from_,
-                f"Inertial connector {edge.id!r} starts at {edge.from_!r}, where no collision has "
-                f"moved {edge.actor!r} yet.",
-                f"Start at a collision in which {edge.actor!r} is hit.",
-            )
+    passive = connector and actor.role is Role.PASSIVE and intact
+    if passive and begin is not None and not _was_hit(ctx, edge, begin, events):
+        ctx.add(
+            "CONNECTOR_UPSTREAM",
+            where + "/from",
+            edge.from_,
+            f"Inertial connector {edge.id!r} starts at {edge.from_!r}, where no collision has "
+            f"moved {edge.actor!r} yet.",
+            f"Start at a collision in which {edge.actor!r} is hit.",
+        )
 
 
 def _was_hit(
-    edge: TimelineEdge, begin: TimelineNode, graph: SequenceGraph, events: dict[str, TimelineNode]
+    ctx: Context, edge: TimelineEdge, begin: TimelineNode, events: dict[str, TimelineNode]
 ) -> bool:
     """Whether the body takes part in the begin and was hit there or at an event before it."""
     if edge.actor not in begin.participants:
         return False
-    before: dict[str, list[str]] = defaultdict(list)
-    for other in graph.edges:
-        before[other.to].append(other.from_)
     seen: set[str] = set()
     stack = [begin.id]
     while stack:
@@ -178,7 +171,7 @@ def _was_hit(
         event = events[name]
         if event.event is NodeEvent.COLLISION and edge.actor in event.participants:
             return True
-        stack.extend(before[name])
+        stack.extend(ctx.events_before.get(name, ()))
     return False
 
 
