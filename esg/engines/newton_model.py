@@ -123,6 +123,8 @@ class NewtonModel:
         self.model = model = everything.finalize(device=self.device)
         self._check_layout(model)
         cuda = not str(self.device).startswith("cpu")
+        # On the CPU kernels run in order anyway.
+        mode = wp.DeterministicMode
         dynamic_shapes = sum(len(scene.bodies[i].shapes) for i in self.moving)
         points = growth * (POINTS_PER_WORLD + POINTS_PER_SHAPE * dynamic_shapes)
         self.pipeline = newton.CollisionPipeline(
@@ -143,6 +145,7 @@ class NewtonModel:
             free_body_constraint_max=3 * points,
             articulation_constraint_max=1,
             warn_constraint_overflow=False,
+            deterministic=mode.RUN_TO_RUN if cuda else mode.NOT_GUARANTEED,
         )
         self.observables = self.solver.observables({"contact_f"}, contacts=self.contacts)
         self.state = model.state()
@@ -357,10 +360,11 @@ class NewtonModel:
         key = (self.dt, self.has_friction_change)
         if key not in self._graphs:
             wp = self.wp
-            self._load_modules()
-            with wp.ScopedCapture(device=self.device) as capture:
-                for _ in range(STEPS_PER_GRAPH):
-                    self._step()
+            with wp.ScopedDevice(self.device):
+                self._load_modules()
+                with wp.ScopedCapture(device=self.device) as capture:
+                    for _ in range(STEPS_PER_GRAPH):
+                        self._step()
             self._graphs[key] = capture.graph
         return self._graphs[key]
 
