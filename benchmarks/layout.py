@@ -154,6 +154,35 @@ def scaling(device: str) -> list[dict[str, Any]]:
     return rows
 
 
+def batch(count: int, device: str) -> list[dict[str, Any]]:
+    """Seconds of one search over many ten-object scenes: 64 different ones, repeated."""
+    from esg.layout.problem import build_problem
+    from esg.layout.search import run_search
+
+    start = time.perf_counter()
+    distinct = [build_problem(generate(9000 + k, 10), 0, None) for k in range(min(64, count))]
+    build = (time.perf_counter() - start) / len(distinct)
+    problems = [distinct[k % len(distinct)] for k in range(count)]
+    rows = []
+    for starts in (1, 4, 16):
+        config = LayoutConfig(starts=starts, device=device)
+        run_search(problems[:64], range(64), config)
+        start = time.perf_counter()
+        results = run_search(problems, range(count), config)
+        seconds = time.perf_counter() - start
+        clear = sum(float(r.energy[:, 1].min()) < 0.05 for r in results) / count
+        rows.append(
+            {
+                "scenes": count,
+                "starts": starts,
+                "seconds": seconds,
+                "share_without_collision_energy": clear,
+                "seconds_to_generate_and_build_one": build,
+            }
+        )
+    return rows
+
+
 def pictures(count: int, out: Path) -> None:
     """One sheet of layouts seen from above."""
     from benchmarks.layout_pictures import sheet
@@ -166,7 +195,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawTextHelpFormatter
     )
-    parser.add_argument("what", choices=("graphs", "ablation", "scaling", "pictures"))
+    parser.add_argument("what", choices=("graphs", "ablation", "scaling", "batch", "pictures"))
     parser.add_argument("--count", type=int, default=100)
     parser.add_argument("--settle", type=int, default=0)
     parser.add_argument("--device", default="cpu")
@@ -180,6 +209,8 @@ def main() -> None:
         result = graphs(args.count, args.settle, args.device)
     elif args.what == "ablation":
         result = ablation(args.count, args.device)
+    elif args.what == "batch":
+        result = batch(args.count, args.device)
     else:
         result = scaling(args.device)
     text = json.dumps(result, indent=1)

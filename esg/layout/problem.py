@@ -207,24 +207,18 @@ def _arrays(
     params = np.zeros((len(rel_terms), PARAMS), np.float32)
     for i, t in enumerate(rel_terms):
         params[i, : len(t.params)] = t.params
-    unit_edges: list[list[int]] = []
-    unit_pairs: list[list[int]] = []
-    for u in range(len(units)):
-        moved = moved_by[u]
-        unit_edges.append(
-            [
-                k
-                for k, ns in enumerate(edge_nodes)
-                if any(n >= 0 and node_unit[n] in moved for n in ns)
-            ]
-        )
-        unit_pairs.append(
-            [
-                k
-                for k, (a, b) in enumerate(pair.tolist())
-                if (node_unit[a] in moved) != (node_unit[b] in moved)
-            ]
-        )
+    movers: list[set[int]] = [set() for _ in node_unit]
+    for u, nodes_moved in enumerate(aff):
+        for n in nodes_moved:
+            movers[n].add(u)
+    unit_edges: list[list[int]] = [[] for _ in units]
+    for k, ns in enumerate(edge_nodes):
+        for u in sorted(set().union(*(movers[n] for n in ns if n >= 0))):
+            unit_edges[u].append(k)
+    unit_pairs: list[list[int]] = [[] for _ in units]
+    for k, (a, b) in enumerate(pair.tolist()):
+        for u in sorted(movers[a] ^ movers[b]):  # a unit that moves both leaves them as they are
+            unit_pairs[u].append(k)
 
     domains = unit_domains(
         doc,

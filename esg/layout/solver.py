@@ -18,6 +18,8 @@ from esg.outcomes import UserError
 
 VERSION = "1"
 MAX_PENETRATION_CM = 2.0
+WORK = 40_000
+"""Starts times terms of one scene: huge scenes get fewer starts, so that time stays bounded."""
 HARD_RELATIONS = ("on", "inside_of", "attached_vertical", "attached_horizontal")
 
 
@@ -94,16 +96,14 @@ def solve_batch(
             )
             for i in open_:
                 problems[i] = _emphasize(docs[i], problems[i], best[i])
-        results = run_search(
-            [problems[i] for i in open_], [seeds[i] + 7907 * round_ for i in open_], settings
-        )
+        results = _search_by_size(problems, seeds, open_, round_, settings)
         again = []
         for i, result in zip(open_, results, strict=True):
             found = _choose(docs[i], problems[i], result)
             current = best[i]
             if current is None or found.score < current.score:
                 best[i] = found
-            if sum(best[i].score[:2]) > 0:  # type: ignore[union-attr]  # set above
+            if sum(best[i].score[:2]) > 0 and not _is_hopeless(plain[i]):  # type: ignore[union-attr]  # set above
                 again.append(i)
         open_ = again
         if not open_:
@@ -120,6 +120,47 @@ def solve_batch(
         assert found is not None
         out.append(_write(doc, problem, found, seed, config))
     return out
+
+
+def _search_by_size(
+    problems: list[LayoutProblem],
+    seeds: Sequence[int],
+    which: list[int],
+    round_: int,
+    config: LayoutConfig,
+) -> list[SearchResult]:
+    """One launch per number of starts; a scene's number follows from its own size alone."""
+    groups: dict[int, list[int]] = {}
+    for i in which:
+        size = len(problems[i].pair) + len(problems[i].edge_kind) + 1
+        groups.setdefault(min(config.starts, max(2, WORK // size)), []).append(i)
+    found: dict[int, SearchResult] = {}
+    for starts, members in sorted(groups.items()):
+        results = run_search(
+            [problems[i] for i in members],
+            [seeds[i] + 7907 * round_ for i in members],
+            replace(config, starts=starts),
+        )
+        found |= dict(zip(members, results, strict=True))
+    return [found[i] for i in which]
+
+
+def _is_hopeless(problem: LayoutProblem) -> bool:
+    """Whether a surface is smaller than what must stand on it: more search cannot help."""
+    need: dict[str, float] = {}
+    room: dict[str, float] = {}
+    for n, s in problem.supports.of.items():
+        if s.parent is None or s.rect is None or s.kind not in ("on", "inside"):
+            continue
+        shape = problem.shape[n]
+        if not shape.is_decal:
+            need[s.parent] = need.get(s.parent, 0.0) + (
+                math.pi * shape.hx**2 if shape.is_round else 4 * shape.hx * shape.hy
+            )
+            area = (s.rect[2] - s.rect[0]) * (s.rect[3] - s.rect[1])
+            room[s.parent] = max(room.get(s.parent, 0.0), area)
+    single = {p for p in need if sum(s.parent == p for s in problem.supports.of.values()) == 1}
+    return any(need[p] > room[p] for p in need if p not in single)
 
 
 def _emphasize(doc: EsgDocument, problem: LayoutProblem, found: Found | None) -> LayoutProblem:
