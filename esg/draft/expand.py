@@ -32,25 +32,20 @@ def expand(scene: Scene, prompt: str, restricted: bool) -> list[str]:
     entities = scene.world.entities
     kinds = {e.noun.kind for e in entities.values()}
     dynamic = bool(scene.timeline.nodes) or any(t.motion for t in scene.timeline.tracks.values())
-    if "billiard" in kinds:
+    if "billiard" in kinds or any(need == "billiard_table" for need, _ in scene.needs):
         table = _find(scene, "billiard table") or _add(
             scene, "billiard table", reasons, "billiard balls are played on it"
         )
         for i, e in entities.items():
             if e.noun.kind == "billiard" and i not in scene.supported_by:
                 scene.supported_by[i] = table
-            elif (
-                e.noun.kind == "ball"
-                and e.color is not None
-                and i not in scene.supported_by
-                and "billiard" in kinds
-                and e.noun.name == "ball"
-            ):
+            elif e.noun.kind == "ball" and i not in scene.supported_by and e.noun.name == "ball":
                 scene.supported_by[i] = table
                 e.noun = lex.nouns()["billiard ball"]
         _rename_regions(scene, table)
     _fill_targets(scene, reasons)
     _elevated_targets(scene)
+    _topple_shots(scene, prompt)
     _roll_down(scene, prompt, reasons)
     if not restricted:
         if (
@@ -126,6 +121,26 @@ def _elevated_targets(scene: Scene) -> None:
             and edge.actor not in scene.supported_by
             and edge.event.value == "Toward"
             and edge.params.spin in ("roll", "slide")
+        ):
+            params = edge.params.model_copy(update={"spin": "none", "elevation_deg": (-10.0, 60.0)})
+            edges[k] = edge.model_copy(update={"params": params})
+            scene.timeline.tracks[edge.actor].direction = ForceDirection.ANY_3D
+
+
+def _topple_shots(scene: Scene, prompt: str) -> None:
+    """What hits a tall thing far below its middle slides it along: it is kicked up instead."""
+    from esg.graph.models import ForceDirection, NodeEvent
+
+    if re.search(r"\broll", prompt.lower()):
+        return
+    toppled = {n.participants[0] for n in scene.timeline.nodes if n.event is NodeEvent.TOPPLE}
+    edges = scene.timeline.edges
+    for k, edge in enumerate(edges):
+        if edge.target not in toppled or edge.event.value != "Toward":
+            continue
+        height = scene.world.entities[edge.target].noun.dimensions_cm[2]
+        if edge.params.spin != "none" and (
+            scene.world.entities[edge.actor].noun.dimensions_cm[2] < 0.5 * height
         ):
             params = edge.params.model_copy(update={"spin": "none", "elevation_deg": (-10.0, 60.0)})
             edges[k] = edge.model_copy(update={"params": params})

@@ -1,9 +1,9 @@
 """Choreography: where the participants of a timeline start, and with which nominal parameters.
 
 Before anything is simulated, the story is told once with closed-form kinematics in a frame of its
-own: an actor runs along its path, meets its target after a plausible (or prescribed) time, sets it in
-motion, and the next target is put where the motion leads. The result is a set of constellations for
-the layout stage and a nominal value for every control parameter, the starting point of the search.
+own: an actor runs along its path, meets its target after a plausible (or prescribed) time, sets it
+in motion, and the next target is put where the motion leads. The result is a set of constellations
+for the layout stage and a nominal value for every control parameter, where the search starts.
 """
 
 from __future__ import annotations
@@ -22,15 +22,18 @@ from esg.dynamics.kinematics import (
     half_along,
     impact_speed,
     sliding_distance,
+    stopping_damping,
 )
 from esg.dynamics.stagecraft import (
     Prop,
     approach_distance,
+    coasting_drag,
     default_speed,
     fit_to_surface,
     min_hit_speed,
     pocket_shot,
     prop,
+    push_speed,
     release_height,
     slide,
     support_of,
@@ -257,7 +260,10 @@ class _Stage:
             self._drop(node, a, b)
             return
         prescribed = self._prescribed_time(node)
-        speed = self._speed(a, phase, min_hit_speed(pa, pb))
+        least = min_hit_speed(pa, pb)
+        if self._goes_on(node, b):
+            least = max(least, push_speed(pa, pb))
+        speed = self._speed(a, phase, least)
         if phase.edge.event is EdgeEvent.BRAKE:
             speed = track.speed or speed
             distance, duration, left = self._brake_into(phase, speed, prescribed, track.time)
@@ -283,6 +289,11 @@ class _Stage:
             self.heights[a] = release_height(pa, pb)
             self.nominal[f"{phase.edge.id}/flight_time"] = duration
         self._join(a, b, node)
+
+    def _goes_on(self, node: TimelineNode, b: str) -> bool:
+        """Whether more is said of the target after this hit."""
+        later = [n for n in self.story.nodes.values() if node.id in self.story.ancestors(n.id)]
+        return any(b in map(self._key, n.participants) for n in later)
 
     def _brake_into(
         self, phase: Phase, speed: float, prescribed: float | None, now: float
@@ -506,9 +517,10 @@ class _Stage:
             speed = track.speed or self._speed(actor, phase)
             low, high, fixed = bounds(edge.params.damping, (0.3, 8.0))
             stop = phase.end.event is NodeEvent.STOP
-            damping = (
-                math.log(max(speed, 0.2) / 0.1) / duration if stop else -math.log(0.4) / duration
-            )
+            if stop:
+                damping = stopping_damping(speed, duration, coasting_drag(self._prop(actor)))
+            else:
+                damping = -math.log(0.4) / duration
             damping = low if fixed else min(max(damping, low), high)
             self.nominal[f"{edge.id}/damping"] = damping
             distance = braking_distance(speed, damping, duration)
@@ -636,9 +648,9 @@ class _Stage:
 
     def _pocket_event(self) -> TimelineNode | None:
         for node in self.story.nodes.values():
-            if node.event is NodeEvent.ENTER_REGION and node.region and self.anchor:
-                if node.region.split("/")[0] == self.anchor and set(node.participants) & self.names:
-                    return node
+            inside = node.event is NodeEvent.ENTER_REGION and node.region and self.anchor
+            if inside and node.region.split("/")[0] == self.anchor and self._concerns(node):
+                return node
         return None
 
     def _play_pocket(self, event: TimelineNode) -> None:
@@ -660,6 +672,9 @@ class _Stage:
             if node.event is not NodeEvent.SCENE_START and set(node.participants) & self.names:
                 time += 0.5
             self.time[node.id] = time
+
+    def _concerns(self, node: TimelineNode) -> bool:
+        return bool(set(node.participants) & self.names)
 
     def _chain_to(self, event: TimelineNode) -> list[str]:
         """Bodies from the one that enters back to the active one that starts it."""

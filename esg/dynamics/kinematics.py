@@ -86,6 +86,22 @@ def braking_distance(speed: float, damping: float, duration: float) -> float:
     return speed / damping * (1.0 - math.exp(-damping * duration))
 
 
+def stopping_damping(speed: float, duration: float, deceleration: float) -> float:
+    """Linear damping [1/s] that, with Coulomb deceleration [m/s^2], slows to 0.1 m/s in `duration`.
+
+    v(t) = (v0 + a/c) exp(-c t) - a/c, solved for c by bisection.
+    """
+
+    def left(c: float) -> float:
+        return (speed + deceleration / c) * math.exp(-c * duration) - deceleration / c
+
+    low, high = 1e-3, 50.0
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if left(middle) > 0.1 else (low, middle)
+    return 0.5 * (low + high)
+
+
 def impact_speed(mass_a: float, mass_b: float, speed: float, restitution: float) -> float:
     """Speed of a resting body b after a central impact by a [m/s]."""
     return (1.0 + restitution) * mass_a / (mass_a + mass_b) * speed
@@ -96,9 +112,7 @@ def sliding_distance(speed: float, friction: float) -> float:
     return speed * speed / (2.0 * max(friction, 0.02) * GRAVITY_MPS2)
 
 
-def ballistic_velocity(
-    offset: np.ndarray, duration: float, damping: float = 0.0
-) -> np.ndarray:
+def ballistic_velocity(offset: np.ndarray, duration: float, damping: float = 0.0) -> np.ndarray:
     """Launch velocity [m/s] that covers `offset` [m] in `duration` [s] under gravity, shape [3].
 
     With linear damping c the velocity is v(t) = (v0 + g/c) exp(-c t) - g/c.

@@ -1,8 +1,8 @@
 """Event losses: how far each world of a rollout is from the timeline, and in what respect.
 
 The task term of an event vanishes when it happens, its window term when it happens on time
-(paper, equations for Collision, PositionAt, EnterRegion, UniformMotion, Brake and windows). Every term
-is divided by a reference scale of its type, so that all are of order one. An event that depends on
+(paper, equations for Collision, PositionAt, UniformMotion, Brake and windows). Every term is
+divided by a reference scale of its type, so that all are of order one. An event that depends on
 an earlier one is only looked for after it.
 """
 
@@ -45,7 +45,7 @@ HALVED = 0.45
 TOLERANCE = {
     "time": 0.15,
     "time_since": 0.15,
-    "time_to_stop": 0.1,
+    "time_to_stop": 0.15,
     "speed_after": 0.4,
     "speed_before": 0.4,
     "distance": 0.1,
@@ -183,9 +183,7 @@ class _Assessor:
         name = f"{node.id}/time/{node.id}"
         self.result.measured[name] = np.where(done, time, np.nan)
         self.result.error[name] = np.where(done, error, np.inf)
-        self._term(
-            f"{node.id}/window", np.where(done, _bowl(error / TIME_SCALE_S), UNMET)
-        )
+        self._term(f"{node.id}/window", np.where(done, _bowl(error / TIME_SCALE_S), UNMET))
 
     def _constraint(self, node: TimelineNode, c: EventConstraint, done: Bools) -> None:
         value, scale = self._measure(node, c)
@@ -387,7 +385,7 @@ class _Assessor:
         body = self.scene.index(node.participants[0])
         q = self.r.quaternion[:, :, body].astype(float)
         start = quat_rotate(q[:, :1] * np.array([-1.0, -1.0, -1.0, 1.0]), np.array([0.0, 0.0, 1.0]))
-        up = quat_rotate(q, np.broadcast_to(start, q.shape[:2] + (3,)))[..., 2]
+        up = quat_rotate(q, np.broadcast_to(start, (*q.shape[:2], 3)))[..., 2]
         tilt = np.degrees(np.arccos(np.clip(up, -1.0, 1.0)))
         late = self.t[None, :] >= earliest[:, None]
         most = np.where(late, tilt, 0.0).max(axis=1)

@@ -123,9 +123,7 @@ class Plan:
         return self.scene.with_bodies(bodies)
 
 
-def make_plan(
-    doc: EsgDocument, scene: SimScene, *, seed: int = 0, look_ahead: bool = True
-) -> Plan:
+def make_plan(doc: EsgDocument, scene: SimScene, *, seed: int = 0, look_ahead: bool = True) -> Plan:
     """Reads the timeline of a laid-out document into variables and a program compiler.
 
     Args:
@@ -245,9 +243,8 @@ class _Planner:
             EdgeEvent.TOWARD,
             EdgeEvent.TURN,
             EdgeEvent.ACCELERATED_MOTION,
-        ):
-            if edge.event is not EdgeEvent.TURN or params.speed is not None:
-                self._declare_speed(actor, phase)
+        ) and (edge.event is not EdgeEvent.TURN or params.speed is not None):
+            self._declare_speed(actor, phase)
         if edge.event is EdgeEvent.ACCELERATED_MOTION:
             low, high, fixed = bounds(params.acceleration, (50.0, 500.0))
             start = nominal.get(f"{edge.id}/acceleration", 0.005 * (low + high))
@@ -435,7 +432,13 @@ class _Planner:
             )
             height = self.scene.body(target).half_extents[2] if target else 0.3
             self._add(
-                f"{edge.id}/aim_height", -0.8 * height, 0.8 * height, 0.0, 0.0, 0.2 * height, "m"
+                f"{edge.id}/aim_height",
+                -0.8 * height,
+                0.8 * height,
+                0.45 * height if self._shall_topple(target) else 0.0,
+                0.0,
+                0.2 * height,
+                "m",
             )
             return
         speed = middle(max(low, 1.0), high) / 100.0
@@ -458,6 +461,13 @@ class _Planner:
             0.1,
             "rad",
             fixed=e_fixed,
+        )
+
+    def _shall_topple(self, name: str | None) -> bool:
+        """Whether the story tips a body over: it is then hit above its middle."""
+        return any(
+            n.event is NodeEvent.TOPPLE and name in n.participants
+            for n in self.story.nodes.values()
         )
 
     def _elevation_for(self, actor: str, phase: Phase, speed: float) -> float:

@@ -108,9 +108,7 @@ def _play(plan: Plan, simulator: Simulator) -> Found:
     return Found(theta, float(nominal.total[0]), nominal, nominal, 1, [float(nominal.total[0])])
 
 
-def _search(
-    plan: Plan, simulator: Simulator, rng: np.random.Generator, max_rounds: int
-) -> Found:
+def _search(plan: Plan, simulator: Simulator, rng: np.random.Generator, max_rounds: int) -> Found:
     """Cross-entropy search over the free variables with a robust choice among the elites."""
     low, high, free = plan.lower(), plan.upper(), plan.free()
     mean = plan.initial()

@@ -59,7 +59,7 @@ def prop(doc: EsgDocument, name: str) -> Prop:
 
 
 def default_speed(body: Prop) -> float:
-    """A usual speed [m/s] for a body of this kind: cars about 8, balls a few, small things slower."""
+    """A usual speed [m/s] of such a body: cars about 8, balls a few, small things less."""
     if body.wheeled:
         return 8.0 if body.length > 2.5 else 4.0 if body.length > 1.0 else 2.0
     if body.rolls:
@@ -80,6 +80,26 @@ def min_hit_speed(mover: Prop, target: Prop) -> float:
     """Speed [m/s] at which a hit passes a clearly measurable impulse (0.5 N s)."""
     mass = mover.mass if target.fixed else mover.mass * target.mass / (mover.mass + target.mass)
     return 0.5 / (mass * (1.0 + 0.5 * (mover.restitution + target.restitution)))
+
+
+def coasting_drag(body: Prop) -> float:
+    """Deceleration [m/s^2] of a body that coasts: tyres roll on the low-friction vehicle ground."""
+    if body.rolls:
+        return 0.0
+    other = 0.0 if body.wheeled else 0.7
+    return 0.5 * (body.friction + other) * GRAVITY_MPS2
+
+
+def push_speed(mover: Prop, target: Prop) -> float:
+    """Speed [m/s] that sends a resting target half a metre on, 15 m/s at most.
+
+    A round target rolls on by itself.
+    """
+    if target.rolls or target.fixed:
+        return 0.0
+    needed = math.sqrt(2.0 * coasting_drag(target) * 0.5)
+    gain = (1.0 + 0.5 * (mover.restitution + target.restitution)) * mover.mass
+    return min(needed * (mover.mass + target.mass) / gain, 15.0)
 
 
 def slide(
@@ -105,7 +125,7 @@ def release_height(thrown: Prop, target: Prop) -> float:
 
 
 def target_yaw(body: Prop, heading: float, rng: np.random.Generator) -> float:
-    """Yaw [rad] at which a waiting body is met: broadside, which is the larger and steadier mark."""
+    """Yaw [rad] at which a waiting body is met: broadside, the larger and steadier mark."""
     if body.rolls or body.grouped:
         return heading
     side = float(rng.choice([-1.0, 1.0]))

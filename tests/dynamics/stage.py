@@ -93,7 +93,7 @@ def document(
     *,
     on: dict[str, str] | None = None,
 ) -> EsgDocument:
-    """A resolved document; `on` names the supporting node of objects that do not stand on ground."""
+    """A resolved document; `on` names the supporting node of what does not stand on ground."""
     everything = {"ground_1": GROUND, **objects}
     on = on or {}
     parents = {"ground_1", *on.values()}
