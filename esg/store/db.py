@@ -165,12 +165,17 @@ def _lock(path: Path, db: Path) -> Generator[None]:
 
 
 def _settle(db: Path) -> None:
-    """Makes sure nobody else has the database open for writing, and that no log is pending."""
-    connection = _open(db, read_only=False)
-    try:
-        connection.execute("CHECKPOINT")
-    finally:
-        connection.close()
+    """Makes sure that nobody has the database open for writing and that no log is pending.
+
+    Programs that only read it do no harm: they keep the file they opened.
+    """
+    _open(db, read_only=True).close()
+    if db.with_name(db.name + ".wal").exists():
+        connection = _open(db, read_only=False)
+        try:
+            connection.execute("CHECKPOINT")
+        finally:
+            connection.close()
 
 
 def _open(db: Path, *, read_only: bool, wait_s: float | None = None) -> DuckDBPyConnection:

@@ -288,11 +288,12 @@ def test_a_newer_schema_is_not_touched(db):
         migrate(db)
 
 
-def _hold(path: str, ready, release) -> None:
+def _hold(path: str, read_only: bool, ready, release) -> None:
     import duckdb
 
-    connection = duckdb.connect(path)
-    connection.execute("CREATE TABLE IF NOT EXISTS mine (x INTEGER)")
+    connection = duckdb.connect(path, read_only=read_only)
+    if not read_only:
+        connection.execute("CREATE TABLE IF NOT EXISTS mine (x INTEGER)")
     ready.set()
     release.wait(60)
     connection.close()
@@ -301,7 +302,7 @@ def _hold(path: str, ready, release) -> None:
 def test_a_foreign_writer_is_waited_for_then_named_and_readers_use_a_copy(db, parts, monkeypatch):
     context = multiprocessing.get_context("spawn")
     ready, release = context.Event(), context.Event()
-    holder = context.Process(target=_hold, args=(str(db), ready, release))
+    holder = context.Process(target=_hold, args=(str(db), False, ready, release))
     holder.start()
     try:
         assert ready.wait(60)
@@ -313,6 +314,38 @@ def test_a_foreign_writer_is_waited_for_then_named_and_readers_use_a_copy(db, pa
         release.set()
         holder.join(30)
     assert ingest(db, [parts], force=True).files == 7
+
+
+def test_a_foreign_reader_hinders_nobody(db, parts):
+    context = multiprocessing.get_context("spawn")
+    ready, release = context.Event(), context.Event()
+    holder = context.Process(target=_hold, args=(str(db), True, ready, release))
+    holder.start()
+    try:
+        assert ready.wait(60)
+        assert ingest(db, [parts], force=True).files == 7
+        assert one(db, "SELECT count(*) FROM scenes") == (6,)
+    finally:
+        release.set()
+        holder.join(30)
+
+
+def test_what_a_killed_foreign_writer_committed_is_kept(db, parts):
+    import duckdb
+
+    # A write-ahead log beside the database, as a killed writer leaves it.
+    copy = db.with_name("copy.duckdb")
+    copy.write_bytes(db.read_bytes())
+    connection = duckdb.connect(str(copy))
+    connection.execute("SET wal_autocheckpoint = '1 GB'")
+    connection.execute("UPDATE scenes SET reason = 'mine'")
+    log = copy.with_name("copy.duckdb.wal")
+    assert log.stat().st_size > 0
+    db.with_name(db.name + ".wal").write_bytes(log.read_bytes())
+    connection.close()
+    ingest(db, [parts])
+    assert not db.with_name(db.name + ".wal").exists()
+    assert one(db, "SELECT count(*) FROM scenes WHERE reason = 'mine'") == (6,)
 
 
 def _ingest_one(path: str, folder: str, barrier) -> None:
