@@ -22,7 +22,7 @@ import numpy as np
 from esg.assets.embed import embed
 from esg.assets.index import active_index, texts_of
 from esg.assets.library import normalize
-from esg.assets.retrieve import confidence, exact, GATE, rank
+from esg.assets.retrieve import GATE, confidence, exact, rank
 
 ROOT = Path(__file__).parents[1]
 

@@ -13,7 +13,7 @@ from esg.assets.sdf import VoxelSdf, voxel_sdf
 from esg.graph.models import Proxy, ProxyKind
 
 _GRIDS = (12, 8)
-_FIELD = 28
+_FIELD = 20
 """Resolution of the distance field behind the grids."""
 MAX_BOXES = 28
 _SHEET = 0.3

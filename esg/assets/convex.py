@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +13,7 @@ from numpy.typing import NDArray
 from esg.assets.fitting import flatten_base, hull_proxy
 from esg.graph.models import Proxy
 
-SETTINGS = {"threshold": 0.08, "max_convex_hull": 16, "preprocess_resolution": 30,
+SETTINGS: dict[str, Any] = {"threshold": 0.08, "max_convex_hull": 16, "preprocess_resolution": 30,
             "mcts_iterations": 60, "mcts_nodes": 10, "seed": 1}  # fmt: skip
 
 

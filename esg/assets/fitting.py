@@ -1,8 +1,8 @@
 """Collision proxies and support surfaces of arbitrary meshes.
 
-The primitive whose volume is closest to the convex hull's wins if it is close enough; concave meshes
-get convex parts (CoACD, `esg.assets.convex`), everything else its hull. Meshes stand on z = 0 of
-their local frame and may be open: nothing here needs a watertight surface.
+Concave meshes get parts (`esg.assets.boxes`, or CoACD in `esg.assets.convex`). Of a convex one the
+primitive whose volume is closest to the hull's wins if it is close enough, else the hull. Meshes
+stand on z = 0 of their local frame and may be open: nothing here needs a watertight surface.
 """
 
 from __future__ import annotations

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+import itertools
 import math
 from typing import TYPE_CHECKING, Any
 
@@ -236,7 +237,7 @@ class Sketch:
         metal: float = 0.0,
     ) -> None:
         """Rods along a polyline with ball joints."""
-        for a, b in zip(path, path[1:], strict=False):
+        for a, b in itertools.pairwise(path):
             self.rod(radius, a, b, color, rough=rough, metal=metal, sections=14)
         for p in path[1:-1]:
             self.ball(radius, p, color, rough=rough, metal=metal, detail=2)

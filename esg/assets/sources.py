@@ -1,4 +1,4 @@
-"""What can be imported: Sweet Home 3D furniture libraries and folders of meshes with a catalogue."""
+"""What can be imported: Sweet Home 3D libraries and folders of meshes with a catalogue."""
 
 from __future__ import annotations
 

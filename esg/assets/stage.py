@@ -6,7 +6,7 @@ import math
 import re
 
 from esg.assets.colors import find_color
-from esg.assets.library import Entry, build_sketch, entries_by_name
+from esg.assets.library import Entry, build_sketch, entries_by_name, uniform_factor
 from esg.assets.massprops import mass_properties
 from esg.assets.materials import MATERIALS, Material, find_material, is_usual
 from esg.assets.proposal import choose_dimensions, choose_mass
@@ -154,14 +154,14 @@ def finish(
     com, inertia = mass_properties(sketch.proxies, mass, sketch.densities)
     rolls = "rolls" in entry.flags
     wheeled = "wheeled" in entry.flags
-    factor = math.prod(b / a for a, b in zip(entry.dimensions_cm, dimensions, strict=True))
+    factor = uniform_factor(entry.dimensions_cm, dimensions)
     return AssetConfiguration(
         asset_name=entry.name if entry.library == "parametric" else f"{entry.library}/{entry.name}",
         source=source,  # type: ignore[arg-type]
         category="_".join(re.findall(r"[a-z0-9]+", requirement.asset_category.lower())),
         mesh_path=mesh_path(key),
         dimensions_cm=dimensions,
-        scale=(factor ** (1 / 3),) * 3,
+        scale=(factor, factor, factor),
         proxies=tuple(sketch.proxies),
         support_surfaces=tuple(sketch.surfaces),
         regions=tuple(sketch.regions),

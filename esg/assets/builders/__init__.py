@@ -1,7 +1,7 @@
 """Parametric builders: one function a family of objects, registered by name.
 
-A builder is called with its sketch, the wanted extents (length along +X, width along Y, height along
-Z) [cm] and a main colour, and fills the sketch in the asset's local frame.
+A builder is called with its sketch, the wanted extents (length along +X, width along Y, height
+along Z) [cm] and a main colour, and fills the sketch in the asset's local frame.
 """
 
 from __future__ import annotations
@@ -18,8 +18,13 @@ DRAWN: dict[str, tuple[float, float, float]] = {}
 _MODULES = (
     "balls",
     "containers",
+    "electronics",
+    "fittings",
     "furniture",
     "household",
+    "kitchen",
+    "outdoors",
+    "playground",
     "pool",
     "simple",
     "sports",

@@ -6,6 +6,7 @@ import math
 from typing import Any
 
 from esg.assets.builders import builder
+from esg.assets.builders.common import shade
 from esg.assets.lazy import shapes
 from esg.assets.sketch import BLUE, DARK, RED, WHITE, Color, Sketch, lying_hull
 
@@ -115,7 +116,7 @@ def golf_ball(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     r = H / 2
     _sphere(s, r, c, 0.25)
     n = 90
-    shade = tuple(0.86 * v for v in c)
+    dimple = shade(c, 0.86)
     for k in range(n):
         z = 1 - 2 * (k + 0.5) / n
         a = k * math.pi * (3 - math.sqrt(5))
@@ -123,7 +124,7 @@ def golf_ball(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         d = (q * math.cos(a), q * math.sin(a), z)
         s.add(
             lambda d=d: shapes.shell_patch(d, 5.2, r * 1.002, r * 0.02, 8, (0, 0, r)),
-            shade,
+            dimple,
             0.3,  # type: ignore[arg-type]
         )
 

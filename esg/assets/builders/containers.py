@@ -5,11 +5,8 @@ from __future__ import annotations
 import math
 
 from esg.assets.builders import builder
+from esg.assets.builders.common import edge, shade
 from esg.assets.sketch import CARDBOARD, CHROME, DARK, STEEL, WHITE, Color, Sketch
-
-
-def _shade(c: Color, f: float) -> Color:
-    return (c[0] * f, c[1] * f, c[2] * f)
 
 
 @builder("carton", "free")
@@ -20,7 +17,7 @@ def carton(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         (-L / 2 - 0.05, L / 2 + 0.05),
         (-W * 0.08, W * 0.08),
         (H - H * 0.2, H + 0.05),
-        _shade(c, 1.15) if max(c) < 0.85 else CARDBOARD,
+        shade(c, 1.15) if max(c) < 0.85 else CARDBOARD,
     )
     s.slab((L / 2, L / 2 + 0.06), (W * 0.15, W * 0.4), (H * 0.2, H * 0.5), WHITE)
     s.surface("top", H, (L / 2, W / 2))
@@ -45,34 +42,30 @@ def crate(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Closed wooden crate with battens."""
     t = min(L, W, H) * 0.05
     s.slab((-L / 2 + t, L / 2 - t), (-W / 2 + t, W / 2 - t), (t, H - t), c, rough=0.85)
-    edge, b = _shade(c, 0.8), min(L, W, H) * 0.14
+    batten, b = shade(c, 0.8), min(L, W, H) * 0.14
     for x in (-1, 1):
         for y in (-1, 1):
-            s.slab(_end(x, L, b), _end(y, W, b), (0, H), edge, rough=0.85)
+            s.slab(edge(x, L, b), edge(y, W, b), (0, H), batten, rough=0.85)
         for z in ((0, b), (H - b, H)):
-            s.slab(_end(x, L, b), (-W / 2 + b, W / 2 - b), z, edge, rough=0.85)
-            s.slab((-L / 2 + b, L / 2 - b), _end(x, W, b), z, edge, rough=0.85)
+            s.slab(edge(x, L, b), (-W / 2 + b, W / 2 - b), z, batten, rough=0.85)
+            s.slab((-L / 2 + b, L / 2 - b), edge(x, W, b), z, batten, rough=0.85)
     for x in (-1, 1):
-        face = _end(x, L, t)
+        face = edge(x, L, t)
         s.extrude(
             [(-W / 2 + b, b), (-W / 2 + b * 2.1, b), (W / 2 - b, H - b), (W / 2 - b * 2.1, H - b)],
             face,
-            edge,
+            batten,
             plane="yz",
         )
-        face = _end(x, W, t)
+        face = edge(x, W, t)
         s.extrude(
             [(-L / 2 + b, b), (-L / 2 + b * 2.1, b), (L / 2 - b, H - b), (L / 2 - b * 2.1, H - b)],
             face,
-            edge,
+            batten,
         )
     s.slab((-L / 2 + t, L / 2 - t), (-W / 2 + t, W / 2 - t), (H - t, H), c, rough=0.85)
     s.proxy_slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H))
     s.surface("top", H, (L / 2, W / 2))
-
-
-def _end(sign: int, extent: float, t: float) -> tuple[float, float]:
-    return (extent / 2 - t, extent / 2) if sign > 0 else (-extent / 2, -extent / 2 + t)
 
 
 @builder("barrel")
@@ -133,7 +126,7 @@ def pallet(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     for x in (-52.75, 0, 52.75):
         s.slab((x - 7.25, x + 7.25), (-40, 40), (10, 12.2), c, rough=0.9)
         for y in (-35, 0, 35):
-            s.slab((x - 7.25, x + 7.25), (y - 5, y + 5), (2.2, 10), _shade(c, 0.9), rough=0.9)
+            s.slab((x - 7.25, x + 7.25), (y - 5, y + 5), (2.2, 10), shade(c, 0.9), rough=0.9)
     for y in (-35, 0, 35):
         s.slab((-60, 60), (y - 5, y + 5), (0, 2.2), c, rough=0.9)
         s.proxy_slab((-60, 60), (y - 5, y + 5), (0, 10))
@@ -152,7 +145,7 @@ def suitcase(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
             (-L / 2, L / 2),
             (y - W * 0.02, y + W * 0.02),
             (wheel + H * 0.03, top - H * 0.03),
-            _shade(c, 0.85),
+            shade(c, 0.85),
             rough=0.35,
         )
     for x in (-L * 0.34, L * 0.34):
@@ -175,8 +168,8 @@ def basket(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     for k in range(9):
         f = 0.82 + 0.18 * (k + 1) / 9
         z = H * (k + 0.5) / 9
-        s.torus(r * f - H / 22, H / 20, (0, 0, z), c if k % 2 else _shade(c, 0.85), rough=0.95)
-    s.lathe([(0, 0), (r * 0.8, 0), (r * 0.8, t), (0, t)], _shade(c, 0.8))
+        s.torus(r * f - H / 22, H / 20, (0, 0, z), c if k % 2 else shade(c, 0.85), rough=0.95)
+    s.lathe([(0, 0), (r * 0.8, 0), (r * 0.8, t), (0, t)], shade(c, 0.8))
     s.tub(r * 0.95, (0, H), t)
     h = r * 0.6
     s.region("inside", (-h, h), (-h, h), (t, H))
@@ -220,13 +213,13 @@ def shipping_container(s: Sketch, L: float, W: float, H: float, c: Color) -> Non
     for k in range(n):
         x = -L / 2 + 12 + (L - 24) * (k + 0.25) / n
         for y in (-1, 1):
-            s.slab((x, x + (L - 24) / n / 2), _end(y, W, 3.5), (14, H - 10), c, rough=0.6)
+            s.slab((x, x + (L - 24) / n / 2), edge(y, W, 3.5), (14, H - 10), c, rough=0.6)
     for x in (-1, 1):
         for y in (-1, 1):
-            s.slab(_end(x, L, 12), _end(y, W, 12), (0, H), _shade(c, 0.8))
+            s.slab(edge(x, L, 12), edge(y, W, 12), (0, H), shade(c, 0.8))
     for z in ((0, 14), (H - 10, H)):
         for y in (-1, 1):
-            s.slab((-L / 2, L / 2), _end(y, W, 6), z, _shade(c, 0.8))
+            s.slab((-L / 2, L / 2), edge(y, W, 6), z, shade(c, 0.8))
     for y in (-W * 0.3, -W * 0.12, W * 0.12, W * 0.3):
         s.rod(2, (L / 2 - 2, y, 10), (L / 2 - 2, y, H - 8), STEEL, metal=0.6)
     s.proxy_slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H))
@@ -242,7 +235,7 @@ def trunk(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         (L / 2 * math.cos(t), low + (H - low) * math.sin(t))
         for t in (math.pi * k / 16 for k in range(17))
     ]
-    s.extrude(lid, (-W / 2, W / 2), _shade(c, 0.9), rough=0.7)
+    s.extrude(lid, (-W / 2, W / 2), shade(c, 0.9), rough=0.7)
     for y in (-W * 0.4, 0, W * 0.4):
         s.slab(
             (-L / 2 - 0.3, L / 2 + 0.3), (y - W * 0.03, y + W * 0.03), (0, low), STEEL, metal=0.6

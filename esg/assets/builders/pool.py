@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 
 from esg.assets.builders import builder
+from esg.assets.builders.common import mirrored
 from esg.assets.sketch import DARK, DARK_WOOD, PALE_WOOD, WHITE, WOOD, Color, Sketch, rgb, turn
 
 RAIL, OUTER = 10.0, 4.0
@@ -36,9 +37,9 @@ def billiard_table(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 
     s.slab((-a, a), (-b, b), (low, bed), c, solid=1.0, rough=0.9)
     for sx in (-1, 1):
-        _cushion(s, _pair(sx, a, ox), (-b + CORNER_MOUTH, b - CORNER_MOUTH), low, bed, felt)
+        _cushion(s, mirrored(sx, a, ox), (-b + CORNER_MOUTH, b - CORNER_MOUTH), low, bed, felt)
         s.slab(
-            _pair(sx, ox, ox + OUTER),
+            mirrored(sx, ox, ox + OUTER),
             (-oy - OUTER, oy + OUTER),
             (low, rail),
             DARK_WOOD,
@@ -46,16 +47,18 @@ def billiard_table(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
             rough=0.3,
         )
         for sy in (-1, 1):
-            _cushion(s, _pair(sx, side, a - CORNER_MOUTH), _pair(sy, b, oy), low, bed, felt)
+            _cushion(s, mirrored(sx, side, a - CORNER_MOUTH), mirrored(sy, b, oy), low, bed, felt)
             s.slab(
-                _pair(sx, L / 2 - 32, L / 2 - 12),
-                _pair(sy, W / 2 - 30, W / 2 - 10),
+                mirrored(sx, L / 2 - 32, L / 2 - 12),
+                mirrored(sy, W / 2 - 30, W / 2 - 10),
                 (0, low - 15),
                 DARK_WOOD,
                 solid=0.6,
             )
     for sy in (-1, 1):
-        s.slab((-ox, ox), _pair(sy, oy, oy + OUTER), (low, rail), DARK_WOOD, solid=1.0, rough=0.3)
+        s.slab(
+            (-ox, ox), mirrored(sy, oy, oy + OUTER), (low, rail), DARK_WOOD, solid=1.0, rough=0.3
+        )
         for k in (-3, -2, -1, 1, 2, 3):
             at = (k * a / 4, sy * (oy + OUTER / 2))
             s.rod(0.8, (*at, rail - 0.05), (*at, rail + 0.02), WHITE, sections=12)
@@ -80,16 +83,16 @@ def _pocket(s: Sketch, name: str, sx: int, sy: int, size: tuple[float, float, fl
     a, b, bed = size
     ox, oy, low, reach = a + RAIL, b + RAIL, bed - DROP, CORNER_MOUTH
     if sx:
-        x, y = _pair(sx, a - reach, ox), _pair(sy, b - reach, oy)
-        floor = (_pair(sx, a, ox), y)
-        lid = _pair(sx, ox - 6.0, ox + 1.5), _pair(sy, oy - 6.0, oy + 1.5)
+        x, y = mirrored(sx, a - reach, ox), mirrored(sy, b - reach, oy)
+        floor = (mirrored(sx, a, ox), y)
+        lid = mirrored(sx, ox - 6.0, ox + 1.5), mirrored(sy, oy - 6.0, oy + 1.5)
         width = RAIL + reach
         _liner(s, (sx * ox, sy * (oy - width / 2), bed), "x", sx, width)
         _liner(s, (sx * (ox - width / 2), sy * oy, bed), "y", sy, width)
     else:
-        x, y = (-SIDE_MOUTH, SIDE_MOUTH), _pair(sy, b, oy)
+        x, y = (-SIDE_MOUTH, SIDE_MOUTH), mirrored(sy, b, oy)
         floor = (x, y)
-        lid = (-SIDE_MOUTH - 1.0, SIDE_MOUTH + 1.0), _pair(sy, oy - 4.5, oy + 1.5)
+        lid = (-SIDE_MOUTH - 1.0, SIDE_MOUTH + 1.0), mirrored(sy, oy - 4.5, oy + 1.5)
         _liner(s, (0.0, sy * oy, bed), "y", sy, 2 * SIDE_MOUTH)
     s.region(name, x, y, (low, bed + 1.0), "pocket")
     s.slab(*floor, (low, low + 0.3), DARK)
@@ -109,10 +112,6 @@ def _liner(s: Sketch, at: tuple[float, float, float], axis: str, sign: int, widt
     )
     size = (thick, width, tall) if axis == "x" else (width, thick, tall)
     s.box(size, center, LEATHER, solid=0.3, rough=0.9, quat=quat)
-
-
-def _pair(sign: int, lo: float, hi: float) -> tuple[float, float]:
-    return (lo, hi) if sign > 0 else (-hi, -lo)
 
 
 def _dark(c: Color) -> Color:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from esg.assets.builders import builder
+from esg.assets.builders.common import edge, shade
 from esg.assets.lazy import shapes
 from esg.assets.sketch import ALONG, Color, Sketch
 from esg.graph.models import ProxyKind
@@ -53,15 +54,11 @@ def brick(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H * 0.8), c, rough=0.95)
     t = min(L, W) * 0.16
     for x in (-1, 1):
-        s.slab(_band(x, L, t), (-W / 2, W / 2), (H * 0.8, H), c, rough=0.95)
+        s.slab(edge(x, L, t), (-W / 2, W / 2), (H * 0.8, H), c, rough=0.95)
     for y in (-1, 1):
-        s.slab((-L / 2 + t, L / 2 - t), _band(y, W, t), (H * 0.8, H), c, rough=0.95)
+        s.slab((-L / 2 + t, L / 2 - t), edge(y, W, t), (H * 0.8, H), c, rough=0.95)
     s.proxy_slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H))
     s.surface("top", H, (L / 2, W / 2))
-
-
-def _band(sign: int, extent: float, t: float) -> tuple[float, float]:
-    return (extent / 2 - t, extent / 2) if sign > 0 else (-extent / 2, -extent / 2 + t)
 
 
 @builder("domino", "free")
@@ -100,7 +97,9 @@ def ring(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         angle = 360.0 * k / n
         a = math.radians(angle)
         q = quat_multiply(turn("z", angle), ALONG["y"])
-        s.proxy(ProxyKind.CAPSULE, (minor, minor, half), (middle * math.cos(a), middle * math.sin(a), minor), 1.0, tuple(float(v) for v in q))  # fmt: skip  # type: ignore[arg-type]
+        center = (middle * math.cos(a), middle * math.sin(a), minor)
+        x, y, z, w = (float(v) for v in q)
+        s.proxy(ProxyKind.CAPSULE, (minor, minor, half), center, 1.0, (x, y, z, w))
 
 
 @builder("cone", "free")
@@ -129,8 +128,7 @@ def pyramid(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 def roller(s: Sketch, L: float, W: float, H: float, c: Color, hollow: bool = False) -> None:
     """Cylinder lying along X: a log, or a pipe with its bore drawn."""
     r = min(W, H) / 2
-    bark = (c[0] * 1.35, c[1] * 1.35, c[2] * 1.35)
-    rim = tuple(min(v, 1.0) for v in bark)
+    rim = shade(c, 1.35)
     if hollow:
         q = r * 0.88
         profile = [(q, -L / 2), (r, -L / 2), (r, L / 2), (q, L / 2), (q, -L / 2)]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from esg.assets.builders import builder
+from esg.assets.builders.common import mirrored
 from esg.assets.sketch import (
     BLUE,
     CHROME,
@@ -74,7 +75,7 @@ def goal(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         )
         s.rod(r * 0.4, (x, y * (W / 2 - r), r * 0.4), (-L / 2 + r, y * (W / 2 - r), r * 0.4), c)
         s.proxy_slab(
-            (-L / 2 + 3, x - r), _pair(y, W / 2 - r - 1, W / 2 - r + 1), (0, H - 2 * r), 0.1
+            (-L / 2 + 3, x - r), mirrored(y, W / 2 - r - 1, W / 2 - r + 1), (0, H - 2 * r), 0.1
         )
     s.rod(r, (x, -W / 2, H - r), (x, W / 2, H - r), c, solid=1)
     s.rod(r * 0.4, (-L / 2 + r, -W / 2 + r, r * 0.4), (-L / 2 + r, W / 2 - r, r * 0.4), c)
@@ -98,10 +99,6 @@ def goal(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.region(
         "inside", (-L / 2 + 3, x - r), (-W / 2 + r + 1, W / 2 - r - 1), (0, H - 2 * r), "inside"
     )
-
-
-def _pair(sign: int, lo: float, hi: float) -> tuple[float, float]:
-    return (lo, hi) if sign > 0 else (-hi, -lo)
 
 
 @builder("hoop")

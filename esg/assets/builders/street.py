@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from esg.assets.builders import builder
+from esg.assets.builders.common import shade
 from esg.assets.lazy import shapes
 from esg.assets.sketch import (
     ALONG,
@@ -17,11 +18,9 @@ from esg.assets.sketch import (
     RUBBER,
     STEEL,
     WHITE,
-    WOOD,
     YELLOW,
     Color,
     Sketch,
-    rgb,
 )
 from esg.graph.models import ProxyKind
 
@@ -31,20 +30,16 @@ def trash_bin(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Round litter bin with a domed lid, drawn at 56 x 56 x 95; closed, so its proxy is solid."""
     s.lathe([(0, 0), (24, 0), (25, 3), (27, 74), (28, 75), (28, 79), (0, 79)], c, rough=0.5)
     s.lathe(
-        [(0, 79), (27.5, 79), (27, 84), (22, 91), (12, 94.5), (0, 95)], _shade(c, 0.7), rough=0.4
+        [(0, 79), (27.5, 79), (27, 84), (22, 91), (12, 94.5), (0, 95)], shade(c, 0.7), rough=0.4
     )
     for k in range(20):
         a = 2 * math.pi * k / 20
         x, y = math.cos(a), math.sin(a)
-        s.rod(0.7, (25.1 * x, 25.1 * y, 6), (26.9 * x, 26.9 * y, 72), _shade(c, 0.8), sections=8)
+        s.rod(0.7, (25.1 * x, 25.1 * y, 6), (26.9 * x, 26.9 * y, 72), shade(c, 0.8), sections=8)
     s.box((2, 22, 9), (26.6, 0, 84), DARK)
     s.proxy_cylinder(27.5, (0, 80))
     s.proxy_cylinder(24, (80, 95), 0.6)
     s.region("inside", (-18, 18), (-18, 18), (2, 78))
-
-
-def _shade(c: Color, f: float) -> Color:
-    return (c[0] * f, c[1] * f, c[2] * f)
 
 
 @builder("wheelie_bin")
@@ -66,12 +61,12 @@ def wheelie_bin(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.extrude(
         [(-34, 98), (36, 98), (36, 101), (10, 106), (-30, 107), (-34, 104)],
         (-29, 29),
-        _shade(c, 0.85),
+        shade(c, 0.85),
     )
-    s.rod(2, (-35, -24, 101), (-35, 24, 101), _shade(c, 0.7), sections=14)
+    s.rod(2, (-35, -24, 101), (-35, 24, 101), shade(c, 0.7), sections=14)
     for y in (-1, 1):
         s.rod(10, (-24, 20 * y, 10), (-24, 26 * y, 10), RUBBER)
-    s.slab((14, 22), (-18, 18), (0, 5), _shade(c, 0.8))
+    s.slab((14, 22), (-18, 18), (0, 5), shade(c, 0.8))
     s.proxy_slab((-34, 22), (-26, 26), (0, 12), 1.4)
     s.proxy_slab((-29, 28), (-26, 26), (12, 60), 1.0)
     s.proxy_slab((-33, 34), (-28, 28), (60, 107), 1.0)
@@ -97,7 +92,7 @@ def bucket(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 @builder("traffic_cone")
 def traffic_cone(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Rubber cone with reflective bands, drawn at 38 x 38 x 71."""
-    s.slab((-19, 19), (-19, 19), (0, 3.5), DARK if sum(c) > 2.2 else _shade(c, 0.9), rough=0.8)
+    s.slab((-19, 19), (-19, 19), (0, 3.5), DARK if sum(c) > 2.2 else shade(c, 0.9), rough=0.8)
 
     def r(z: float) -> float:
         return 14.0 - (z - 3.5) * (14.0 - 2.4) / 67.5
@@ -202,10 +197,10 @@ def hydrant(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.rod(2.5, (0, 0, 69), (0, 0, 76), c, sections=6)
     for y in (-1, 1):
         s.rod(5.5, (0, 9 * y, 42), (0, 16 * y, 42), c)
-        s.rod(3, (0, 15 * y, 42), (0, 19 * y, 42), _shade(c, 0.7), sections=6)
+        s.rod(3, (0, 15 * y, 42), (0, 19 * y, 42), shade(c, 0.7), sections=6)
     for x in (-1, 1):
         s.rod(6, (9 * x, 0, 38), (16 * x, 0, 38), c)
-        s.rod(3, (15 * x, 0, 38), (19 * x, 0, 38), _shade(c, 0.7), sections=6)
+        s.rod(3, (15 * x, 0, 38), (19 * x, 0, 38), shade(c, 0.7), sections=6)
     s.proxy_cylinder(16, (0, 5), 1.2)
     s.proxy_cylinder(13, (5, 76), 0.9)
     for a, b in (((0, -19, 42), (0, 19, 42)), ((-19, 0, 38), (19, 0, 38))):
@@ -306,7 +301,7 @@ def park_bench(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 @builder("picnic_table")
 def picnic_table(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Picnic table with two benches, drawn at 180 x 158 x 74, long side along X."""
-    frame = _shade(c, 0.82)
+    frame = shade(c, 0.82)
     for k in range(5):
         s.slab((-90, 90), ((k - 2) * 14.6 - 6.8, (k - 2) * 14.6 + 6.8), (70.2, 74), c)
     for y in (-1, 1):
@@ -358,135 +353,3 @@ def parking_meter(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     )
     s.slab((6, 6.4), (-6, 6), (126, 138), BLUE)
     s.proxy_slab((-6, 6), (-11, 11), (112, 145))
-
-
-@builder("phone_booth")
-def phone_booth(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Telephone kiosk, door at +X, drawn at 92 x 92 x 240."""
-    s.slab((-46, 46), (-46, 46), (0, 8), CONCRETE, solid=1)
-    s.slab((-44, 44), (-44, 44), (214, 232), c, solid=1)
-    s.slab((-36, 36), (-36, 36), (232, 240), c, solid=1)
-    s.slab((-40, 40), (-40, 40), (10, 214), (0.62, 0.72, 0.75), rough=0.05, alpha=0.5)
-    for x in (-41, 41):
-        for y in (-41, 41):
-            s.slab((x - 3, x + 3), (y - 3, y + 3), (8, 214), c)
-    for k in range(1, 7):
-        z = 8 + k * 30
-        s.slab((-42, 42), (-42, 42), (z - 1, z + 1), c)
-    s.proxy_slab((-43, 43), (-43, 43), (8, 214), 0.25)
-
-
-@builder("tree")
-def tree(s: Sketch, L: float, W: float, H: float, c: Color, crown: str = "round") -> None:
-    """Tree, drawn at 300 x 300 x 500; rooted, so it never moves."""
-    s.lathe([(0, 0), (24, 0), (15, 20), (12, 260), (0, 260)], rgb(96, 70, 46), rough=0.95)
-    s.proxy_cylinder(14, (0, 250), 3)
-    if crown == "cone":
-        for z0, r, z1 in ((120, 150, 300), (230, 115, 400), (330, 80, 500)):
-            s.lathe([(0, z0), (r, z0), (0, z1)], c, sections=24, rough=0.95)
-        s.proxy(ProxyKind.CYLINDER, (90, 90, 120), (0, 0, 240), 0.1)
-        s.proxy(ProxyKind.CYLINDER, (45, 45, 70), (0, 0, 430), 0.1)
-        return
-    for p, r in (
-        ((0, 0, 350), 150),
-        ((58, 40, 300), 85),
-        ((-62, 30, 310), 82),
-        ((10, -66, 305), 80),
-        ((12, 22, 430), 70),
-    ):
-        s.ball(r, p, _shade(c, 0.85 + 0.05 * (r % 4)), rough=0.95, detail=3)
-    s.proxy(ProxyKind.SPHERE, (145, 145, 145), (0, 0, 350), 0.1)
-
-
-@builder("bush", "free")
-def bush(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Leafy shrub or hedge."""
-    r = min(L, W, H) * 0.34
-    n = max(2, round(max(L, W) / r))
-    span_x, span_y = L / 2 - r, W / 2 - r
-    for k in range(n):
-        t = -1 + 2 * k / (n - 1)
-        x, y = (
-            (t * span_x, (k % 2 * 2 - 1) * span_y)
-            if L >= W
-            else ((k % 2 * 2 - 1) * span_x, t * span_y)
-        )
-        s.ball(r, (x, y, H - r if k % 2 else r), _shade(c, 0.85 + 0.15 * (k % 3) / 2), rough=0.95)
-        s.ball(r, (x, -y, r if k % 2 else H - r), _shade(c, 0.8 + 0.15 * (k % 4) / 3), rough=0.95)
-    s.ball(0.5, (0, 0, H * 0.46), _shade(c, 0.8), scale=(L * 0.92, W * 0.92, H * 0.92), rough=1.0)
-    s.proxy_slab((-L * 0.45, L * 0.45), (-W * 0.45, W * 0.45), (0, H * 0.95))
-
-
-@builder("rock")
-def rock(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Boulder with a flat underside, drawn at 60 x 50 x 40."""
-    import numpy as np
-
-    rng = np.random.default_rng(7)
-    p = rng.normal(size=(70, 3))
-    p /= np.linalg.norm(p, axis=1, keepdims=True)
-    p *= rng.uniform(0.9, 1.0, (70, 1))
-    p = np.concatenate([p, np.eye(3), -np.eye(3)]) * np.array([30, 25, 24]) + [0, 0, 16]
-    p[:, 2] = np.clip(p[:, 2], 0, 40)
-    points = [tuple(float(c) for c in v) for v in p]
-
-    s.add(lambda: shapes.hull(points), c, 0.95)
-    s.proxy_hull([tuple(v) for v in shapes.hull(points).vertices])  # type: ignore[misc]
-
-
-@builder("parasol")
-def parasol(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Open garden umbrella, drawn at 260 x 260 x 240."""
-    s.rod(26, (0, 0, 0), (0, 0, 9), CONCRETE, solid=12)
-    s.rod(2.4, (0, 0, 9), (0, 0, 238), WOOD, solid=0.4)
-    s.lathe(
-        [(0, 238), (4, 238), (130, 192), (130, 188), (3, 232), (0, 233)], c, sections=8, rough=0.9
-    )
-    s.proxy(ProxyKind.CYLINDER, (118, 118, 14), (0, 0, 205), 0.01)
-
-
-@builder("dumpster")
-def dumpster(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Open skip with sloped ends, drawn at 180 x 360 x 140; hollow."""
-
-    outer = [
-        (x * 90, y * w, z) for z, w in ((0, 130), (140, 180)) for x in (-1, 1) for y in (-1, 1)
-    ]
-    inner = [
-        (x * 84, y * w, z) for z, w in ((6, 124), (141, 174)) for x in (-1, 1) for y in (-1, 1)
-    ]
-    s.add(lambda: shapes.cut(shapes.hull(outer), [shapes.hull(inner)]), c, 0.7)
-    for y in (-110, -40, 40, 110):
-        for x in (-1, 1):
-            s.slab((88, 92) if x > 0 else (-92, -88), (y - 5, y + 5), (10, 134), _shade(c, 0.8))
-    s.walls((-90, 90), (-150, 150), (0, 140), 6)
-    s.region("inside", (-82, 82), (-142, 142), (6, 138))
-    s.surface("floor", 6, (78, 118))
-    s.rod(3, (-90, -172, 118), (90, -172, 118), STEEL)
-    s.rod(3, (-90, 172, 118), (90, 172, 118), STEEL)
-
-
-@builder("fountain")
-def fountain(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Two-tier stone fountain, drawn at 200 x 200 x 160."""
-    s.lathe([(0, 0), (100, 0), (100, 45), (90, 45), (88, 12), (0, 12)], c, rough=0.9)
-    s.lathe([(0, 12), (87, 12), (88, 36), (0, 36)], (0.35, 0.55, 0.65), rough=0.05, alpha=0.7)
-    s.lathe(
-        [
-            (0, 12),
-            (18, 12),
-            (12, 95),
-            (50, 112),
-            (50, 118),
-            (8, 104),
-            (7, 150),
-            (10, 154),
-            (0, 160),
-        ],
-        c,
-        rough=0.9,
-    )
-    s.proxy_cylinder(100, (0, 45))
-    s.proxy_cylinder(14, (45, 108))
-    s.proxy_cylinder(48, (108, 118))
-    s.proxy_cylinder(9, (118, 160))

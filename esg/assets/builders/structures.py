@@ -6,7 +6,10 @@ goes down.
 
 from __future__ import annotations
 
+import itertools
+
 from esg.assets.builders import builder
+from esg.assets.builders.common import shade
 from esg.assets.sketch import (
     ASPHALT,
     BRICK_RED,
@@ -87,7 +90,7 @@ def crossing(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 @builder("pavement", "free")
 def pavement(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Flagged pavement."""
-    s.slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H * 0.6), tuple(v * 0.8 for v in c), rough=1.0)  # type: ignore[arg-type]
+    s.slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H * 0.6), shade(c, 0.8), rough=1.0)  # type: ignore[arg-type]
     nx, ny = max(1, round(L / 60)), max(1, round(W / 60))
     nx, ny = min(nx, 40), min(ny, 10)
     for i in range(nx):
@@ -166,9 +169,7 @@ def platform(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     for k in range(n):
         y = -W / 2 + W * k / n
         s.slab((-L / 2, L / 2), (y + 0.2, y + W / n - 0.2), (H * 0.85, H), c)
-    s.slab(
-        (-L / 2 + 1, L / 2 - 1), (-W / 2 + 1, W / 2 - 1), (0, H * 0.85), tuple(v * 0.7 for v in c)
-    )  # type: ignore[arg-type]
+    s.slab((-L / 2 + 1, L / 2 - 1), (-W / 2 + 1, W / 2 - 1), (0, H * 0.85), shade(c, 0.7))  # type: ignore[arg-type]
     s.proxy_slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H))
     s.surface("top", H, (L / 2, W / 2))
 
@@ -187,7 +188,7 @@ def ramp(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 
 @builder("stairs", "free")
 def stairs(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Straight staircase, high end at -X, descending to +X; the number of steps follows the height."""
+    """Straight staircase descending from -X to +X; the number of steps follows the height."""
     n = max(2, round(H / 17))
     rise = H / n
     landing = L * 0.24 if L / n > 30 else L / n
@@ -227,13 +228,13 @@ def wall(s: Sketch, L: float, W: float, H: float, c: Color, bricks: bool = False
             cuts = [k / per for k in range(per + 1)]
             if i % 2:
                 cuts = [0.0] + [(k + 0.5) / per for k in range(per)] + [1.0]
-            for a, b in zip(cuts, cuts[1:], strict=False):
+            for a, b in itertools.pairwise(cuts):
                 f = 0.86 + 0.14 * ((i * 7 + round(a * per * 2) * 5) % 4) / 3
                 s.slab(
                     (-L / 2, L / 2),
                     (-W / 2 + W * a + 0.4, -W / 2 + W * b - 0.4),
                     (z + 0.5, z + h),
-                    tuple(v * f for v in c),
+                    shade(c, f),
                     rough=0.95,
                 )  # type: ignore[arg-type]
     else:
@@ -307,7 +308,7 @@ def door(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
                 (L * 0.25, L * 0.33),
                 a if y > 0 else (-a[1], -a[0]),
                 (H * z0, H * z1),
-                tuple(v * 0.9 for v in c),
+                shade(c, 0.9),
             )  # type: ignore[arg-type]
     s.rod(
         2,
@@ -355,75 +356,3 @@ def house(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         at = y * W * 0.3
         s.slab((f, f + 3), (at - 50, at + 50), (90, 205), WHITE)
         s.slab((f + 2, f + 4), (at - 44, at + 44), (96, 199), (0.3, 0.4, 0.5), rough=0.1)
-
-
-@builder("seesaw")
-def seesaw(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Playground seesaw at rest, level on a wide fulcrum, drawn at 300 x 40 x 62."""
-    s.extrude([(-28, 0), (28, 0), (8, 52), (-8, 52)], (-18, 18), STEEL)
-    s.proxy_hull(
-        [(x, y * 18, z) for x, z in ((-28, 0), (28, 0), (8, 52), (-8, 52)) for y in (-1, 1)], 4
-    )
-    s.slab((-150, 150), (-15, 15), (52, 57), c, solid=1)
-    for x in (-1, 1):
-        s.rod(1.5, (x * 110, -18, 60.4), (x * 110, 18, 60.4), DARK)
-        s.rod(1.2, (x * 110, 0, 57), (x * 110, 0, 60.4), DARK)
-    s.surface("left seat", 57, (18, 14), (130, 0))
-    s.surface("right seat", 57, (18, 14), (-130, 0))
-
-
-@builder("slide")
-def slide(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Playground slide descending to +X, drawn at 300 x 60 x 200."""
-    run = [(-90.0, 150.0), (110.0, 22.0), (150.0, 18.0)]
-    for (x0, z0), (x1, z1) in zip(run, run[1:], strict=False):
-        s.extrude([(x0, z0 - 4), (x1, z1 - 4), (x1, z1), (x0, z0)], (-25, 25), c, rough=0.15)
-        s.proxy_hull(
-            [(x, y * 25, z + d) for x, z in ((x0, z0), (x1, z1)) for d in (-4, 0) for y in (-1, 1)]
-        )
-        for y in ((-28, -25), (25, 28)):
-            s.extrude([(x0, z0 - 4), (x1, z1 - 4), (x1, z1 + 12), (x0, z0 + 12)], y, c, rough=0.3)
-            s.proxy_hull(
-                [
-                    (x, q, z)
-                    for x, z in ((x0, z0 - 4), (x0, z0 + 12), (x1, z1 - 4), (x1, z1 + 12))
-                    for q in y
-                ]
-            )
-    s.slab((-130, -90), (-28, 28), (146, 150), STEEL, solid=1)
-    for y in (-26, 26):
-        s.rod(2.5, (-92, y, 0), (-92, y, 200), STEEL, solid=1)
-        s.rod(2.5, (-147, y, 0), (-128, y, 200), STEEL)
-        s.rod(2, (142, y, 0), (142, y, 16), STEEL)
-        s.proxy_slab((-150, -144), (y - 3, y + 3), (0, 20))
-        s.proxy_slab((-133, -127), (y - 3, y + 3), (20, 198), 0.5)
-        s.proxy_slab((139, 145), (y - 3, y + 3), (0, 14))
-    for k in range(1, 6):
-        x = -146 + k * 2.4
-        s.rod(1.5, (x, -26, k * 25), (x, 26, k * 25), STEEL)
-    s.surface("top", 150, (19, 26), (-110, 0))
-
-
-@builder("swing_frame")
-def swing_frame(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Swing set with a seat at rest, drawn at 160 x 240 x 220."""
-    for y in (-1, 1):
-        for x in (-1, 1):
-            s.rod(3.5, (x * 76.5, y * 112, 0.5), (0, y * 104, 214), c, metal=0.4)
-            s.proxy_slab((x * 70 - 5, x * 70 + 5), (y * 112 - 5, y * 112 + 5), (0, 30))
-        s.proxy_slab((-10, 10), (y * 105 - 4, y * 105 + 4), (150, 216), 0.5)
-    s.rod(4, (0, -118, 215), (0, 118, 215), c, solid=0.6, metal=0.4)
-    for y in (-20, 20):
-        s.rod(0.5, (0, y, 45), (0, y, 212), STEEL, sections=8, metal=0.7)
-    s.slab((-8, 8), (-23, 23), (43, 46), DARK, solid=0.4)
-    s.surface("seat", 46, (8, 20))
-
-
-@builder("tunnel", "free")
-def tunnel(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Straight square tunnel along X."""
-    t = min(W, H) * 0.08
-    for y in ((-W / 2, -W / 2 + t), (W / 2 - t, W / 2)):
-        s.slab((-L / 2, L / 2), y, (0, H - t), c, solid=1)
-    s.slab((-L / 2, L / 2), (-W / 2, W / 2), (H - t, H), c, solid=1)
-    s.region("inside", (-L / 2, L / 2), (-W / 2 + t, W / 2 - t), (0, H - t))

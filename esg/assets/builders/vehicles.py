@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import Any
 
 from esg.assets.builders import builder
+from esg.assets.builders.common import mirrored
 from esg.assets.lazy import shapes
 from esg.assets.sketch import CHROME, DARK, GLASS, RUBBER, STEEL, WHITE, YELLOW, Color, Sketch
 
@@ -212,20 +213,16 @@ def pickup(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     _car(s, c, low, cab, 196, 185, 39, (172, -160), 122, 0.12, 4)
     w = 95
     for side in (-1, 1):
-        s.slab((-262, -42), _pair(side, w - 12, w - 3), (86, 124), c, rough=0.3)
+        s.slab((-262, -42), mirrored(side, w - 12, w - 3), (86, 124), c, rough=0.3)
     s.slab((-268, -260), (-w + 3, w - 3), (70, 124), c, rough=0.3)
     s.proxy_slab((-40, 270), (-95, 95), (0, 122), 1.0)
     s.proxy_slab((-268, -40), (-95, 95), (0, 88), 0.8)
     s.proxy_slab((-42, 100), (-84, 84), (122, 185), 0.2)
     for side in (-1, 1):
-        s.proxy_slab((-268, -40), _pair(side, w - 9, w), (88, 124), 0.3)
+        s.proxy_slab((-268, -40), mirrored(side, w - 9, w), (88, 124), 0.3)
     s.proxy_slab((-268, -260), (-86, 86), (88, 124), 0.3)
     s.surface("bed", 88, (104, 80), (-150, 0))
     s.region("inside", (-258, -44), (-82, 82), (88, 130))
-
-
-def _pair(side: int, a: float, b: float) -> tuple[float, float]:
-    return (a, b) if side > 0 else (-b, -a)
 
 
 @builder("van")
@@ -246,7 +243,10 @@ def van(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.extrude([(196, 131), (155, 203), (150, 203), (190, 129)], (-84, 84), GLASS, rough=0.1)
     for side in (-1, 1):
         s.extrude(
-            [(178, 133), (148, 192), (90, 192), (90, 133)], _pair(side, 99, 101), GLASS, rough=0.1
+            [(178, 133), (148, 192), (90, 192), (90, 133)],
+            mirrored(side, 99, 101),
+            GLASS,
+            rough=0.1,
         )
         for x in (175, -165):
             _wheel(s, x, side * 100, 36, 22, side)
@@ -268,13 +268,15 @@ def truck(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.add(lambda: _hull_with_wells(cab, 240, [(285, 48)], 4), c, 0.3, 0.1)
     s.extrude([(367, 180), (349, 255), (345, 255), (362, 180)], (-105, 105), GLASS, rough=0.1)
     for side in (-1, 1):
-        s.extrude([(340, 175), (330, 248), (255, 248), (255, 175)], _pair(side, 119, 121.5), GLASS)
+        s.extrude(
+            [(340, 175), (330, 248), (255, 248), (255, 175)], mirrored(side, 119, 121.5), GLASS
+        )
         for x in (285, -235):
             _wheel(s, x, side * 119, 48, 30, side)
         s.box((8, 34, 18), (374, side * 90, 90), LAMP, rough=0.1)
         s.box((5, 28, 12), (-378, side * 95, 80), TAIL)
         s.box((12, 4, 44), (335, side * 123, 215), DARK)
-        s.slab((-160, 190), _pair(side, 100, 112), (52, 84), STEEL, metal=0.4)
+        s.slab((-160, 190), mirrored(side, 100, 112), (52, 84), STEEL, metal=0.4)
     s.slab((-380, 205), (-125, 125), (96, 340), WHITE, rough=0.5)
     s.slab((-381, -379), (-1, 1), (100, 335), DARK)
     s.box((6, 150, 40), (377, 0, 118), DARK)
@@ -293,7 +295,7 @@ def bus(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     for side in (-1, 1):
         for k in range(7):
             x = 430 - k * 155
-            s.slab((x - 70, x + 70), _pair(side, 122, 124.5), (140, 255), GLASS, rough=0.1)
+            s.slab((x - 70, x + 70), mirrored(side, 122, 124.5), (140, 255), GLASS, rough=0.1)
         for x in (330, -290):
             _wheel(s, x, side * 123, 48, 30, side)
         s.box((6, 34, 20), (597, side * 92, 75), LAMP, rough=0.1)
