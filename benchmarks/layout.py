@@ -135,22 +135,26 @@ def ablation(count: int, device: str) -> list[dict[str, Any]]:
 
 
 def scaling(device: str) -> list[dict[str, Any]]:
-    """Seconds of the search over objects and starts (median of three, warm)."""
+    """Wall and processor seconds of the search over objects and starts, warm, one thread."""
     from esg.layout.problem import build_problem
     from esg.layout.search import run_search
 
     rows = []
     for objects in (5, 10, 20, 40, 80):
         problem = build_problem(generate(5000 + objects, objects), 0, None)
-        for starts in (1, 16, 64, 256):
-            config = LayoutConfig(starts=starts, device=device)
+        for starts in (1, 16, 64):
+            config = LayoutConfig(starts=starts, threads=1, device=device)
+            run_search([problem], [0], replace(config, iterations=1))
+            wall, cpu = time.perf_counter(), time.process_time()
             run_search([problem], [0], config)
-            laps = []
-            for k in range(3):
-                start = time.perf_counter()
-                run_search([problem], [k], config)
-                laps.append(time.perf_counter() - start)
-            rows.append({"objects": objects, "starts": starts, "seconds": sorted(laps)[1]})
+            rows.append(
+                {
+                    "objects": objects,
+                    "starts": starts,
+                    "seconds": round(time.perf_counter() - wall, 4),
+                    "cpu_seconds": round(time.process_time() - cpu, 4),
+                }
+            )
     return rows
 
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import math
 
 from esg.graph.models import EsgDocument, RelationType
+from esg.layout.hints import Corridor
 from esg.layout.shapes import RECTANGLE
 from esg.layout.supports import Shape, SupportMap
 from esg.layout.units import Pose2, Unit
@@ -86,14 +87,20 @@ def obstacles(
             carried = {n for n in nodes if set(supports.chain(n)) & allowed}
             allowed |= {a for n in allowed for a in supports.chain(n)} | carried
             boxes = []
-            for (x0, y0), (x1, y1) in zip(c.points_cm, c.points_cm[1:], strict=False):
+            for k, ((x0, y0), (x1, y1)) in enumerate(
+                zip(c.points_cm, c.points_cm[1:], strict=False)
+            ):
+                length, yaw = math.hypot(x1 - x0, y1 - y0), math.atan2(y1 - y0, x1 - x0)
+                # nothing moves behind the start: only the mover itself stands there
+                back = c.half_width_cm if k else _start_reach(c, unit, shape)
+                mid = 0.5 * (length + c.half_width_cm - back)
                 boxes.append(
                     (
                         float(RECTANGLE),
-                        0.5 * (x0 + x1),
-                        0.5 * (y0 + y1),
-                        math.atan2(y1 - y0, x1 - x0),
-                        0.5 * math.hypot(x1 - x0, y1 - y0) + c.half_width_cm,
+                        x0 + mid * math.cos(yaw),
+                        y0 + mid * math.sin(yaw),
+                        yaw,
+                        0.5 * (length + c.half_width_cm + back),
                         c.half_width_cm,
                         0.5,
                         CLEAR_HEIGHT_CM,
@@ -114,6 +121,17 @@ def obstacles(
             if planned and shape[n].is_decal and is_road(doc, n):
                 out.append(_road(doc, u, n, pose, units, supports, shape))
     return out
+
+
+def _start_reach(c: Corridor, unit: Unit, shape: dict[str, Shape]) -> float:
+    """How far the corridor reaches back from its first point: the mover that stands there."""
+    x, y = c.points_cm[0]
+    reach = [
+        math.hypot(shape[n].hx, shape[n].hy)
+        for n, p in unit.members.items()
+        if math.hypot(p[0] - x, p[1] - y) < 1.0 and not shape[n].is_decal
+    ]
+    return min([c.half_width_cm, *(r + 1.0 for r in reach)])
 
 
 def is_road(doc: EsgDocument, name: str) -> bool:

@@ -13,7 +13,7 @@ from esg.layout.domains import unit_domains
 from esg.layout.edges import Term, binary_terms, multi_terms
 from esg.layout.heights import heights
 from esg.layout.hints import StartHints
-from esg.layout.obstacles import CLEAR_HEIGHT_CM, Obstacle, obstacles
+from esg.layout.obstacles import CLEAR_HEIGHT_CM, Obstacle, Prism, obstacles
 from esg.layout.ordering import break_parent_cycles, implied_faces, placement_order
 from esg.layout.pairs import collision_pairs
 from esg.layout.shapes import CIRCLE
@@ -158,8 +158,8 @@ def _arrays(
     node_half = [(shape[n].hx, shape[n].hy) for n in names]
     node_round = [int(shape[n].is_round) for n in names]
     node_height = [shape[n].height for n in names]
-    prims = [
-        [(p.kind, p.x, p.y, p.yaw, p.hx, p.hy, p.z0, p.z1) for p in shape[n].prims]
+    prims: list[list[Prism]] = [
+        [(float(p.kind), p.x, p.y, p.yaw, p.hx, p.hy, p.z0, p.z1) for p in shape[n].prims]
         if n not in ground else []
         for n in names
     ]  # fmt: skip

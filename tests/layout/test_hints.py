@@ -119,6 +119,20 @@ def test_pins_stand_in_a_triangle_with_the_head_pin_towards_the_ball() -> None:
     assert abs(local(out, "lane_1", "ball_1")[1]) < 1.0
 
 
+def test_a_path_does_not_reach_back_behind_its_mover() -> None:
+    """Who kicks a ball stands right behind it, however wide the path is."""
+    doc = b.document(
+        ASSETS,
+        {"ball_1": "ball", "bin_1": "bin"},
+        [("bin_1", "near", "ball_1")],
+    )
+    path = Corridor(((0.0, 0.0), (600.0, 0.0)), 120.0, ("ball_1",))
+    out = layout(doc, Constellation((Placement("ball_1", 0, 0),), (path,)))
+    assert out.relations[0].satisfied
+    assert local(out, "ball_1", "bin_1")[0] < -40
+    assert out.feasible
+
+
 def test_anchor_frame_is_the_anchor_and_others_avoid_the_path() -> None:
     others = {f"b_{i}": ("billiard", {"group": "b", "group_pattern": "scatter"}) for i in range(6)}
     nodes = {"pool_1": "pool", "cue": "billiard", "black": "billiard", **others}
