@@ -163,12 +163,12 @@ def compile_class(files: ClassFiles) -> Library:
 
 
 def compile_many(
-    classes: Sequence[ClassFiles], jobs: int | None = None
+    classes: Sequence[ClassFiles | str | Path], jobs: int | None = None
 ) -> list[Library | ClassError]:
     """Compiles many classes: several to a unit, units in parallel.
 
     Args:
-        classes: What to compile, in any order; equal classes are compiled once.
+        classes: Scene folders or classes, in any order; equal classes are compiled once.
         jobs: Parallel compilers; default the number of cores.
 
     Returns:
@@ -178,10 +178,11 @@ def compile_many(
         CompilerMissing: Without a compiler.
     """
     cxx = compiler()
-    keys = [class_key(files, cxx) for files in classes]
+    read = [c if isinstance(c, ClassFiles) else ClassFiles.read(Path(c)) for c in classes]
+    keys = [class_key(files, cxx) for files in read]
     results: dict[str, Library | ClassError] = {}
     todo: dict[str, ClassFiles] = {}
-    for key, files in zip(keys, classes, strict=True):
+    for key, files in zip(keys, read, strict=True):
         if key in results or key in todo:
             continue
         complaints = lint(files.header, files.source, files.name)

@@ -12,8 +12,8 @@ from collections.abc import Callable
 import ctypes as C
 from dataclasses import dataclass
 import json
-import math
 from pathlib import Path
+import threading
 from typing import Any, Literal
 
 import numpy as np
@@ -21,6 +21,17 @@ import numpy as np
 from esg.compile import build, frames
 from esg.compile.emit import IMPORTS_FORMAT, IMPORTS_VERSION
 from esg.compile.penetration import PenetrationProbe
+from esg.compile.records import (
+    CUBE_ASSET,
+    CUBE_HALF_CM,
+    BodyRecord,
+    ReplayError,
+    body_of,
+    ground_for_wheels,
+    grown,
+    record_pose,
+    shape_of,
+)
 from esg.engines.base import VERIFY_DT_S
 from esg.engines.executor import BodyAccess, play
 from esg.engines.scene import GROUND, Body, Rollout, Shape, SimScene
@@ -28,22 +39,10 @@ from esg.engines.worlds import ContactRecorder, Frames, Values, rest_states, wor
 from esg.outcomes import UserError
 from esg.units import quat_rotate
 
-CUBE_ASSET = "/Engine/BasicShapes/Cube.Cube"
-CUBE_HALF_CM = 50.0
-GROUND_HALF_MIN_CM = 10000.0
-"""A static cube at least this wide with its top at height 0 is played as the half-space z <= 0,
-whose contacts do not suffer from the size of the cube in single precision."""
+_ONE_AT_A_TIME = threading.Lock()
+"""Classes of one library share the shim's state, and PhysX's configuration is the process's."""
 
-RECOVERED_DIGITS = 12
-"""Decimals [m] kept of values that come back from Unreal's units: the text has 15 significant
-digits, so anything below is rounding, which would turn an exact 0 into 1e-17."""
-
-_ECC_WORLD_STATIC, _ECC_PHYSICS_BODY, _ECC_VEHICLE = 0, 5, 6
 _BOX, _SPHERE, _CAPSULE = 0, 1, 2
-
-
-class ReplayError(RuntimeError):
-    """The class asks for something that Unreal would refuse or that the replay cannot play."""
 
 
 @dataclass(frozen=True)
@@ -109,11 +108,13 @@ def replay_class(
     imports = load_imports(folder / "unreal" / "imports.json")
     if duration is None:
         duration = scene_duration(files.header)
-    run = _Run(library, imports)
-    try:
-        rollout = run.play(engine, Frames.of(duration, dt, record_every), ground_contacts)
-    finally:
-        run.close()
+    grid = Frames.of(duration, dt, record_every)
+    with _ONE_AT_A_TIME:
+        run = _Run(library, imports)
+        try:
+            rollout = run.play(engine, grid, ground_contacts)
+        finally:
+            run.close()
     return ClassReplay(rollout, run.log, library.seconds, run.scene)
 
 
@@ -140,34 +141,6 @@ def scene_duration(header: str) -> float:
     if not found:
         raise ReplayError("the class has no SceneDuration")
     return float(found.group(1))
-
-
-class _BodyRecord(C.Structure):
-    _fields_ = [
-        ("name", C.c_char_p),
-        ("asset", C.c_char_p),
-        ("location", C.c_double * 3),
-        ("rotation", C.c_double * 4),
-        ("scale", C.c_double * 3),
-        ("center_of_mass", C.c_double * 3),
-        ("mass_rotation", C.c_double * 4),
-        ("inertia", C.c_double * 3),
-        ("mass", C.c_double),
-        ("linear_damping", C.c_double),
-        ("angular_damping", C.c_double),
-        ("friction", C.c_double),
-        ("restitution", C.c_double),
-        ("max_spin", C.c_double),
-        ("collides", C.c_int),
-        ("simulates", C.c_int),
-        ("object_type", C.c_int),
-        ("blocks", C.c_uint32),
-        ("notifies", C.c_int),
-        ("ccd", C.c_int),
-        ("has_mass_frame", C.c_int),
-        ("has_material", C.c_int),
-        ("movable", C.c_int),
-    ]
 
 
 _D = C.POINTER(C.c_double)
@@ -203,7 +176,7 @@ class _Run:
         self._error: BaseException | None = None
         self._world: Any = None
         self._probe = PenetrationProbe()
-        self._records: list[_BodyRecord] = []
+        self._records: list[BodyRecord] = []
         self._shapes: dict[int, tuple[Shape, ...]] = {}
         self._offset: dict[int, np.ndarray] = {}
         self._body_of: dict[int, int] = {}
@@ -240,7 +213,7 @@ class _Run:
             half = tuple(self._assets[name]["half_extents_cm"])
             center = (0.0, 0.0, half[2])
             for shape in self._assets[name]["collision"]:
-                half, center = _grow(half, center, shape)
+                half, center = grown(half, center, shape)
         else:
             return 0
         _fill(bounds, [*half, *center])
@@ -310,7 +283,7 @@ class _Run:
         if self._world is not None and record.simulates:
             pose = self._origin_pose(component)
         else:
-            pose = _record_pose(record)
+            pose = record_pose(record)
         depth = self._probe.depth(component, self._shapes[component], pose, probe, where)
         return depth * frames.CM_PER_M
 
@@ -352,10 +325,10 @@ class _Run:
         return self._simulate(engine, values, grid, ground)
 
     def _describe(self) -> None:
-        describe = self._entry("describe", C.c_int, C.c_int, C.POINTER(_BodyRecord))
+        describe = self._entry("describe", C.c_int, C.c_int, C.POINTER(BodyRecord))
         self._records = []
         for i in range(self._entry("body_count")()):
-            record = _BodyRecord()
+            record = BodyRecord()
             self._check(describe(i, C.byref(record)))
             self._records.append(record)
 
@@ -363,15 +336,15 @@ class _Run:
         for i, record in enumerate(self._records):
             asset = self._assets.get(record.asset.decode())
             if asset is not None and record.collides:
-                self._shapes[i] = tuple(_shape(p) for p in asset["collision"])
+                self._shapes[i] = tuple(shape_of(p) for p in asset["collision"])
 
     def _described_scene(self) -> SimScene:
         bodies: dict[int, Body] = {}
-        grounds: dict[bool, _BodyRecord] = {}
+        grounds: dict[bool, BodyRecord] = {}
         for i, record in enumerate(self._records):
             name = record.name.decode()
             if record.asset.decode() == CUBE_ASSET:
-                for_wheels = _ground_kind(record)
+                for_wheels = ground_for_wheels(record)
                 if for_wheels in grounds:
                     raise ReplayError(f"{name} is a second ground of the same kind")
                 grounds[for_wheels], self._plane[for_wheels] = record, i
@@ -380,7 +353,7 @@ class _Run:
                 raise ReplayError(f"component {name} is not in the import manifest")
             entry = self._components[name]
             self._body_of[i], self._component_of[entry["index"]] = entry["index"], i
-            bodies[entry["index"]] = self._body(i, record, entry)
+            bodies[entry["index"]] = self._describe_body(i, record, entry)
         missing = sorted(set(range(len(self._components))) - set(bodies))
         if missing or set(grounds) != {False, True}:
             raise ReplayError(f"the class lacks bodies {missing} or one of its two grounds")
@@ -397,39 +370,11 @@ class _Run:
             vehicle_ground_friction=wheels.friction,
         )
 
-    def _body(self, component: int, record: _BodyRecord, entry: dict[str, Any]) -> Body:
-        name = entry["body"]
-        # Only moving bodies state a centre of mass; the others keep the point their poses refer to.
+    def _describe_body(self, i: int, record: BodyRecord, entry: dict[str, Any]) -> Body:
+        # Only moving bodies state a centre of mass; the others keep the point their poses follow.
         followed = record.center_of_mass if record.simulates else entry["center_of_mass_cm"]
-        offset = -frames.vector_from_unreal(followed[0:3])
-        self._offset[component] = offset
-        origin, quaternion = _record_pose(record)
-        position = origin - quat_rotate(quaternion, offset)
-        if tuple(record.scale) != (1.0, 1.0, 1.0):
-            raise ReplayError(f"{name} is scaled, which its mass properties do not follow")
-        shapes = tuple(
-            Shape(s.kind, s.size, _snapped(np.array(s.position) + offset), s.quaternion,
-                  s.vertices)  # type: ignore[arg-type]
-            for s in self._shapes.get(component, ())
-        )  # fmt: skip
-        if record.collides and not shapes:
-            raise ReplayError(f"{name} should collide, but its asset has no collision shapes")
-        wheeled = _wheeled(record, name)
-        return Body(
-            name=name,
-            static=not record.simulates,
-            mass=record.mass if record.simulates else 0.0,
-            inertia=_inertia(record),
-            shapes=shapes,
-            position=_snapped(position),
-            quaternion=tuple(quaternion.tolist()),  # type: ignore[arg-type]
-            friction=record.friction,
-            restitution=record.restitution,
-            linear_damping=record.linear_damping if record.simulates else 0.0,
-            angular_damping=record.angular_damping if record.simulates else 0.0,
-            wheeled=wheeled,
-            origin_offset=tuple(offset.tolist()),  # type: ignore[arg-type]
-        )
+        self._offset[i] = -frames.vector_from_unreal(followed[0:3])
+        return body_of(record, entry["body"], self._shapes.get(i, ()), self._offset[i])
 
     def _simulate(self, engine: str, values: Values, grid: Frames, ground: bool) -> Rollout:
         states = rest_states(values, grid)
@@ -452,8 +397,12 @@ class _Run:
         )
 
     def close(self) -> None:
-        """Destroys the actor; the library stays loaded."""
+        """Destroys the actor and unloads the library: batches must not grow with every class."""
+        import _ctypes
+
         self._entry("destroy", None)()
+        self._world = None
+        _ctypes.dlclose(self._dll._handle)
 
 
 class _Driver:
@@ -494,11 +443,6 @@ class _Driver:
         return self._run._plane[self._run.scene.bodies[other].wheeled]
 
 
-def _snapped(values: Any) -> tuple[float, float, float]:
-    x, y, z = np.round(values, RECOVERED_DIGITS).tolist()
-    return x + 0.0, y + 0.0, z + 0.0
-
-
 def _fill(pointer: Any, values: Any) -> None:
     """Writes numbers behind a C pointer."""
     for i, value in enumerate(values):
@@ -507,94 +451,6 @@ def _fill(pointer: Any, values: Any) -> None:
 
 def _doubles(values: Any) -> Any:
     return (C.c_double * 3)(*(float(v) for v in values))
-
-
-def _shape(data: dict[str, Any]) -> Shape:
-    vertices = frames.vector_from_unreal(np.reshape(data.get("vertices_cm", []), (-1, 3)))
-    x, y, z = (v / frames.CM_PER_M for v in data["size_cm"])
-    return Shape(
-        kind=data["kind"],
-        size=(x, y, z),
-        position=tuple(frames.vector_from_unreal(data["position_cm"]).tolist()),  # type: ignore[arg-type]
-        quaternion=tuple(frames.quaternion_to_unreal(data["quaternion"]).tolist()),  # type: ignore[arg-type]
-        vertices=tuple(tuple(v) for v in vertices.tolist()),
-    )
-
-
-def _grow(half: Any, center: Any, shape: dict[str, Any]) -> tuple[Any, Any]:
-    """The box that also holds a collision shape (by its bounding sphere)."""
-    x, _, z = shape["size_cm"]
-    if shape["kind"] == "convex":
-        points = np.array(shape["vertices_cm"])
-        radius = float(np.linalg.norm(points, axis=1).max())
-    elif shape["kind"] == "sphere":
-        radius = x
-    elif shape["kind"] == "capsule":
-        radius = x + z
-    elif shape["kind"] == "cylinder":
-        radius = math.hypot(x, z)
-    else:
-        radius = float(np.linalg.norm(shape["size_cm"]))
-    at = np.array(shape["position_cm"])
-    low = np.minimum(np.array(center) - half, at - radius)
-    high = np.maximum(np.array(center) + half, at + radius)
-    return ((high - low) / 2).tolist(), ((high + low) / 2).tolist()
-
-
-def _record_pose(record: _BodyRecord) -> tuple[np.ndarray, np.ndarray]:
-    return (
-        frames.vector_from_unreal(record.location[0:3]),
-        frames.quaternion_to_unreal(record.rotation[0:4]),
-    )
-
-
-def _inertia(record: _BodyRecord) -> Any:
-    if not record.simulates:
-        return ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
-    axes = frames.quaternion_to_unreal(record.mass_rotation[0:4])
-    columns = quat_rotate(np.tile(axes, (3, 1)), np.eye(3)).T
-    moments = np.array(record.inertia[0:3]) / frames.CM2_PER_M2
-    if np.array_equal(axes, [0.0, 0.0, 0.0, 1.0]):
-        tensor = np.diag(moments)
-    else:
-        tensor = columns @ np.diag(moments) @ columns.T
-    return tuple(tuple(row) for row in tensor.tolist())
-
-
-def _blocks(record: _BodyRecord, channel: int) -> bool:
-    return bool(record.blocks & (1 << channel))
-
-
-def _ground_kind(record: _BodyRecord) -> bool:
-    """Whether a ground is the one for wheels.
-
-    Raises:
-        ReplayError: If it is not a static, level, wide block with its top at height 0 that blocks
-            either ordinary bodies or vehicles.
-    """
-    name = record.name.decode()
-    half = np.array(record.scale[0:3]) * CUBE_HALF_CM
-    top = record.location[2] + half[2]
-    level = list(record.rotation) == [0.0, 0.0, 0.0, 1.0]
-    if record.simulates or not level or abs(top) > 1e-6 or min(half[:2]) < GROUND_HALF_MIN_CM:
-        raise ReplayError(f"{name} is not a static, level, wide block with its top at height 0")
-    normal, wheels = _blocks(record, _ECC_PHYSICS_BODY), _blocks(record, _ECC_VEHICLE)
-    if not record.collides or normal == wheels:
-        raise ReplayError(f"{name} must block either ordinary bodies or vehicles")
-    return wheels
-
-
-def _wheeled(record: _BodyRecord, name: str) -> bool:
-    if not record.collides:
-        return False
-    expected = (_ECC_PHYSICS_BODY, _ECC_VEHICLE) if record.simulates else (_ECC_WORLD_STATIC,)
-    if record.object_type not in expected:
-        raise ReplayError(f"{name} has collision object type {record.object_type}")
-    deaf = [c for c in (_ECC_WORLD_STATIC, _ECC_PHYSICS_BODY, _ECC_VEHICLE)
-            if not _blocks(record, c)]  # fmt: skip
-    if deaf:
-        raise ReplayError(f"{name} does not block collision channels {deaf}")
-    return record.object_type == _ECC_VEHICLE
 
 
 __all__ = ["GROUND", "ClassReplay", "ReplayError", "replay_class"]

@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from helpers import written
@@ -20,7 +21,7 @@ def ball_scene(scene_id: str, x: float) -> tuple[SimScene, Program]:
 def test_batch_of_one_name_keeps_the_classes_apart(tmp_path: Path) -> None:
     """Ten seeds of one scene share units; each class still runs with its own numbers."""
     folders = [written(tmp_path / str(i), *ball_scene("seeds", 0.1 * i)) for i in range(10)]
-    libraries = compile_many(read_classes(folders), jobs=1)
+    libraries = compile_many(folders, jobs=1)
     assert all(isinstance(lib, Library) for lib in libraries)
     assert len({lib.path for lib in libraries if isinstance(lib, Library)}) == 2
     for i, folder in enumerate(folders):
@@ -77,3 +78,11 @@ def test_nothing_is_left_behind(tmp_path: Path, monkeypatch: pytest.MonkeyPatch)
     assert [n for n in names if "." not in n or n.endswith(".so")] == ["include", "unit"] or all(
         not n.startswith("build") and not n.endswith(".tmp") for n in names
     )
+
+
+def test_replays_in_threads_do_not_disturb_each_other(tmp_path: Path) -> None:
+    folders = [written(tmp_path / str(i), *ball_scene("threads", 0.2 * i)) for i in range(4)]
+    compile_many(folders)
+    with ThreadPoolExecutor(4) as pool:
+        starts = list(pool.map(lambda f: replay_class(f).rollout.position[0, 0, 0, 0], folders * 3))
+    assert starts == pytest.approx([0.2 * i for i in range(4)] * 3, abs=1e-6)

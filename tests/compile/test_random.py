@@ -13,7 +13,6 @@ from esg.engines.base import get_engine
 from esg.engines.program import Program, batch_programs
 from esg.engines.scene import Rollout, SimScene, Variation
 
-
 START_SHIFT_M = 1e-7
 
 
