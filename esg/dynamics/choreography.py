@@ -648,8 +648,9 @@ class _Stage:
 
     def _pocket_event(self) -> TimelineNode | None:
         for node in self.story.nodes.values():
-            inside = node.event is NodeEvent.ENTER_REGION and node.region and self.anchor
-            if inside and node.region.split("/")[0] == self.anchor and self._concerns(node):
+            owner = (node.region or "").split("/")[0]
+            inside = node.event is NodeEvent.ENTER_REGION and owner == self.anchor
+            if inside and owner and self._concerns(node):
                 return node
         return None
 

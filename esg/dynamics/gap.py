@@ -2,8 +2,8 @@
 
 Points on each body's surface are measured against the other body's exact signed distances (sphere,
 box, capsule, cylinder; a convex hull by its bounding box). Exact where a face, edge or round
-surface faces a sampled corner, edge point or centre; never smaller than the true distance by more than the
-sampling allows. Used to steer the search towards a missed target, not to decide whether it was hit.
+surface faces a sampled corner, edge point or centre. Used to steer the search towards a missed
+target, not to decide whether it was hit.
 """
 
 from __future__ import annotations

@@ -131,7 +131,7 @@ def _search(plan: Plan, simulator: Simulator, rng: np.random.Generator, max_roun
         pool = np.concatenate([elites, thetas])
         scores = np.concatenate([kept, losses])
         order = np.argsort(scores, kind="stable")
-        history.append(_rounded(scores[order[0]]))
+        history.append(_rounded(float(scores[order[0]])))
         found = _worst_case(plan, simulator, pool[order[:FINALISTS]], round_ + 2, history)
         if found.worst < best.worst:
             best = found
