@@ -18,6 +18,9 @@ class Acts(Core):
 
     def _speed(self, f: Frame, actors: list[str], mode: str) -> tuple[Quantity | None, bool]:
         found = self.quantity(f, "speed")
+        own = next((self.own_speed[x] for x in actors if x in self.own_speed), None)
+        if own is not None:
+            found = ("at", own)
         stated = next((self.stated[x] for x in actors if x in self.stated), None)
         if found is None and stated is not None:
             found = ("at", stated)
@@ -100,6 +103,15 @@ class Acts(Core):
 
     def _motion(self, f: Frame, actors: list[str], mode: str | None) -> None:
         """Common part of all self motion: speed, target, and what the phrases say happens."""
+        mounted = [self.scene.supported_by.get(a, "") for a in actors]
+        riding = all(m and self.kind(m) in SELF_POWERED | {"sliding"} for m in mounted)
+        if actors and riding and self.kind(actors[0]) == "person":
+            actors = list(dict.fromkeys(mounted))  # "a man on a bicycle rides"
+            if f.subject is not None:
+                self.mounts[id(f.subject)] = actors
+        speeds = [a for _, a in self.amounts(f) if a.dimension == "speed"]
+        if len(speeds) == len(actors) > 1:
+            self.own_speed = dict(zip(actors, speeds, strict=True))
         if not actors:
             self.scene.warnings.append(
                 f'It is not clear what "{self.text[f.verb.start : f.verb.end]}" moves.'
@@ -321,6 +333,7 @@ class Acts(Core):
 
     def _knock_on(self, f: Frame, bodies: list[str]) -> None:
         """ "hits the ball into the pocket": what happens to the body that was hit."""
+        bodies = self._representatives(bodies, [])
         for p in f.phrases:
             if (
                 p.mention is not None

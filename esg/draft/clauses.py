@@ -33,6 +33,8 @@ class ClauseBuilder:
         """Noun phrase + prepositional phrase outside any verb ("a table with bottles on it")."""
         self.loose: list[tuple[int, Amount]] = []
         self.sentence = 0
+        self.nominal: list[Verb] = []
+        """Gerunds that name a time span or a means."""
         self._quantified: Mention | None = None
         """Noun that the last quantity was a property of."""
 
@@ -115,8 +117,10 @@ class ClauseBuilder:
             nxt = self.elements[i + 1] if i + 1 < len(self.elements) else None
             if isinstance(nxt, Word) and nxt.low in ("later", "afterwards", "afterward"):
                 phrase.prep = "after"
-            if s.frame is not None and not (
-                s.boundary and finite_ahead(self.elements, i + 1) and not s.prep
+            pair = i >= 2 and isinstance(self.elements[i - 2], Word)
+            pair = pair and getattr(self.elements[i - 2], "amount", None) is not None
+            if s.frame is not None and (
+                pair or not (s.boundary and finite_ahead(self.elements, i + 1) and not s.prep)
             ):
                 if s.boundary and s.boundary_kind == "comma" and finite_ahead(self.elements, i + 1):
                     s.loose.append(phrase)
@@ -395,6 +399,14 @@ class ClauseBuilder:
     # -- verbs -----------------------------------------------------------------------------------
 
     def _verb(self, s: State, v: Verb, i: int) -> None:
+        before = self.elements[i - 1] if i else None
+        after_prep = before.low if isinstance(before, Word) and before.kind == "prep" else ""
+        if v.form == "ing" and after_prep in ("of", "for") and s.frame is not None:
+            s.frame.adverbs.append(v.lemma)  # "after 6 seconds of braking"
+            self.nominal.append(v)
+            s.prep = ""
+            return
+        v.negated = v.negated or after_prep == "without"
         frame = Frame(v, sentence=self.sentence, link=s.link)
         previous = s.frame
         s.link = "then"
@@ -407,6 +419,9 @@ class ClauseBuilder:
             frame.subject = s.relative
             frame.reduced = frame.relative = True
             frame.parent = previous
+        elif v.form == "ing" and after_prep in ("without", "by", "from") and previous is not None:
+            frame.subject, frame.parent = self._agent(previous), previous
+            frame.link = "then"
         elif v.infinitive and previous is not None:
             self._infinitive(s, frame, previous)
         elif previous is None:

@@ -64,6 +64,8 @@ class Core:
         """Last thing an actor moves towards."""
         self.last_hit: tuple[str, str] | None = None
         self.mentions: list[Mention] = []
+        self.framed: set[int] = set()
+        """Noun phrases that are arguments of a verb."""
         self.pending: dict[str, tuple[NodeEvent, Frame, str | None, Time | None]] = {}
         """Arrivals ("walks to the door") and falls that a later event may replace."""
         self._patient: list[str] = []
@@ -71,6 +73,10 @@ class Core:
         """Speeds stated with the noun ("a car at 50 km/h")."""
         self._topic: tuple[int, list[str]] | None = None
         """Sentence and subject of the last description of a state."""
+        self.own_speed: dict[str, Amount] = {}
+        """Speeds stated one for each ("two trains at 20 m/s and 30 m/s")."""
+        self.gap: Amount | None = None
+        """Time until the next event ("brakes 2 seconds before ...")."""
         self.mounts: dict[int, list[str]] = {}
         """What the person of a subject phrase rides or drives."""
         self.thrown: dict[int, list[str]] = {}
@@ -252,6 +258,8 @@ class Core:
 
     def _time(self, f: Frame) -> Time | None:
         for p, a in self.amounts(f):
+            if a.dimension == "time" and self._precedes(a):
+                continue
             if a.dimension == "time" and p in (
                 "after",
                 "in",
@@ -324,6 +332,14 @@ class Core:
                         quantity="time_since", object=mover, value=time[0], since=previous
                     )
                 )
+        if self.gap is not None and previous is not None and kind is not NodeEvent.TRIGGER:
+            draft.constraints.append(
+                EventConstraint(
+                    quantity="time_since", object=mover, value=self.gap.value, since=previous
+                )
+            )
+            self.use(self.gap, f"time of {node_id}")
+            self.gap = None
         lasting = next(
             (
                 e.params.duration
@@ -362,6 +378,10 @@ class Core:
                 continue
             participants = (name,) if other is None else (name, other)
             self.event(event, participants, f, time)
+
+    def _precedes(self, a: Amount) -> bool:
+        """Whether a time says how long before the next event: "2 seconds before B hits"."""
+        return self.text[a.end : a.end + 8].lower().startswith(" before ")
 
     def _read_as(self, sense: str, f: Frame, s: list[str], o: list[str]) -> None:
         """Reads the frame as if its verb had another sense."""

@@ -60,8 +60,7 @@ def account(
                 m.end,
                 "object",
                 "used",
-                "/timeline_system/sequence_graph",
-                "region of the table",
+                note="region of the table",
             )
         else:
             add(m.start, m.end, "object", "not_understood")

@@ -14,6 +14,14 @@ from esg.graph.models import EventConstraint
 _THINGS_DO = frozenset({"hit", "enter", "land", "bounce", "miss", "scatter", "fall"})
 
 """Senses that, after "the boy throws a ball and ...", are about the ball."""
+_STATES = frozenset(
+    {"be", "posture", "have", "weigh", "measure", "contain", "face", "surround", "park", "noop"}
+)
+_ACTED_ON = frozenset(
+    {"slow", "stop", "brake", "accelerate", "turn", "reverse", "launch", "tow", "topple",
+     "knock", "drop", "cause"}
+)  # fmt: skip
+"""Senses whose object moves, so that it cannot be the ground."""
 _ANIMAL_VERBS = frozenset(
     {
         "run",
@@ -83,7 +91,7 @@ class Interpreter(MotionSenses):
 
     def _refer_all(self, frames: list[Frame]) -> None:
         """Resolves every noun phrase, frame by frame and in the order of the text."""
-        framed: set[int] = set()
+        framed = self.framed
         items: list[tuple[int, int, Frame | Mention]] = []
         for f in frames:
             mentions = [f.subject, f.object, f.object2, *[p.mention for p in f.phrases]]
@@ -108,6 +116,10 @@ class Interpreter(MotionSenses):
     def _refer(self, f: Frame) -> None:
         """Resolves the noun phrases of a frame, subject first."""
         subject = self._subject(f)
+        for m in self.mentions:
+            between = f.subject is not None and f.subject.start < m.start < f.verb.start
+            if between and id(m) not in self.framed and not m.pronoun and m.head and m.count != 0:
+                self.ids(m, avoid=subject)
         for m in (f.object, *[p.mention for p in f.phrases]):
             # "A vase stands on a table. A ball hits it.": the vase
             if (
@@ -125,6 +137,11 @@ class Interpreter(MotionSenses):
         if f.object is not None and f.subject is not None and f.object.start < f.subject.start:
             objects = list(f.object.entities) or self.ids(f.object)
         else:
+            for p in f.phrases:  # "heavier than a 1 kg box strikes the box": as the text goes
+                m = p.mention
+                if f.object is None or m is None or m.pronoun or m.start > f.object.start:
+                    continue
+                self.ids(m, avoid=subject)
             objects = self.ids(f.object, avoid=subject)
         self.ids(f.object2, avoid=subject + objects)
         for p in f.phrases:
@@ -167,6 +184,15 @@ class Interpreter(MotionSenses):
         objects = list(f.object.entities) if f.object is not None else []
         if f.object2 is not None:
             objects += [i for i in f.object2.entities if i not in objects]
+        objects = [i for i in objects if self.kind(i) != "region"]
+        if sense not in _STATES:
+            moving = [i for i in subject if self._aimable(i)]
+            if subject and not moving and not f.verb.passive:
+                self.scene.ignored[(f.verb.start, f.verb.end)] = "the ground does not act"
+                return
+            subject = moving
+        if sense in _ACTED_ON:
+            objects = [i for i in objects if self._aimable(i)]
         for _, a in self.amounts(f):
             if a.dimension == "mass" and subject:
                 owner = objects[0] if objects and sense not in ("weigh", "be") else subject[0]
@@ -200,6 +226,9 @@ class Interpreter(MotionSenses):
             self.scene.ignored[(f.verb.start, f.verb.end)] = "no physical meaning"
             return
         handler(f, subject, objects)
+        for _, a in self.amounts(f):
+            if a.dimension == "time" and self._precedes(a):
+                self.gap = a
 
     def _guess_kind(self, node: str, lemma: str) -> None:
         """An unknown noun is what its verb says: what gallops is an animal."""

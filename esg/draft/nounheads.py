@@ -130,6 +130,10 @@ class NounHeads(VerbGroups):
             and (low in lex.PARTS or lex.singular(low)[0] in lex.PARTS)
             and (m.determiner or m.adjectives or self._low(j + 1) == "of")
         ):
+            after = self._match_noun(j + 1)
+            if after is not None and not verb_readings(self._low(j + 1)):
+                m.adjectives.append(low)  # "the head pin"
+                return self._head(i, j + 1, m)
             m.part = lex.singular(low)[0]
             m.head = m.part
             m.attribute = True

@@ -17,6 +17,8 @@ class NounPhrases(NounHeads):
     def _noun_phrase(self, i: int) -> int | None:
         """Parses a noun phrase at token i; returns the next index or None."""
         tokens = self.tokens
+        if i >= len(tokens):
+            return None
         j = i
         m = Mention(tokens[i].start, tokens[i].end)
         low = self._low(j)
@@ -325,6 +327,9 @@ class NounPhrases(NounHeads):
         value = parse_number(low) if low not in ("a", "an", "half", "a half") else None
         if isinstance(value, float) and value.is_integer() and value >= 1:
             nxt = self._tok(j + 1)
+            following = self._match_noun(j + 1)
+            if low == "one" and following is not None and following[2]:
+                return j  # "one slides into the other"
             if low == "one" and (
                 nxt is None
                 or nxt.kind != "word"

@@ -6,6 +6,7 @@ import re
 
 from esg.draft.build import DocumentBuilder, is_restricted
 from esg.draft.clauses import ClauseBuilder
+from esg.draft.comparisons import compare
 from esg.draft.coverage import account
 from esg.draft.expand import expand
 from esg.draft.interpret import Interpreter
@@ -45,6 +46,8 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     interpreter.mentions = clauses.mentions
     scene = interpreter.run(clauses.frames, clauses.attachments)
     scene.text = text
+    scene.ignored.update({(v.start, v.end): "gerund" for v in clauses.nominal})
+    compare(text, clauses.mentions, scene)
     contradictions(text, scene)
     nothing_to_draw(scene)
     restricted = is_restricted(text)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from esg.draft.core import Time
 from esg.draft.frames import Frame
 from esg.draft.quantities import Amount
@@ -15,7 +17,10 @@ class ControlSenses(ContactSenses):
     """Intentional changes of motion under own power."""
 
     def _do_accelerate(self, f: Frame, s: list[str], o: list[str]) -> None:
-        actors = s or o
+        actors = [a for a in s or o if not self._free_body(a)]
+        if not actors and (s or o):
+            self.scene.ignored[(f.verb.start, f.verb.end)] = "gravity does it"
+            return
         speeds = [(p, a) for p, a in self.amounts(f) if a.dimension == "speed"]
         rate = self.quantity(f, "acceleration")
         for actor in actors:
@@ -77,6 +82,11 @@ class ControlSenses(ContactSenses):
         self.use(f, "acceleration")
         self._outcomes(f, actors)
 
+    def _free_body(self, actor: str) -> bool:
+        """Whether it was launched or hit, so that nothing drives it."""
+        track = self.tl.tracks.get(actor)
+        return self._moved_by_others(actor) or (track is not None and track.launched)
+
     def _brake(self, f: Frame, actor: str, time: Time | None) -> None:
         track = self.tl.track(actor)
         if track.motion is None and not track.hit:
@@ -106,10 +116,18 @@ class ControlSenses(ContactSenses):
         final = next(
             (a for p, a in self.amounts(f) if a.dimension == "speed" and p in ("to", "")), None
         )
+        initial: Amount | None = None
+        if final is not None and final.low < final.high and final.text.lower().startswith("from"):
+            # "from 20 m/s to 8 m/s"
+            initial, final = replace(final, low=final.high), replace(final, high=final.low)
+        initial = initial or next(
+            (a for p, a in self.amounts(f) if a.dimension == "speed" and p == "from"), None
+        )
         for actor in actors:
-            if self._moved_by_others(actor) or (
-                self.tl.tracks.get(actor) and self.tl.tracks[actor].launched
-            ):
+            if initial is not None and not self._free_body(actor):
+                self.use(initial, "speed")
+                self._own(actor, initial.value, True)
+            if self._free_body(actor):
                 self.scene.ignored[(f.verb.start, f.verb.end)] = "friction slows it"
                 continue
             self._brake(f, actor, self._time(f) if final is None else None)

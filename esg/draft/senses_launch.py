@@ -45,10 +45,15 @@ class LaunchSenses(StateSenses):
         if s and o and self.kind(s[0]) != "person":
             self.place(o, s, "behind")
             self._motion(f, s, None)
+        elif not o:
+            self._motion(f, s, None)  # "pulls out of a driveway"
         else:
             self._launch_by(f, s, o)
 
     def _launch_by(self, f: Frame, agents: list[str], things: list[str]) -> None:
+        if not things:
+            self._motion(f, agents, None)
+            return
         mode = f.verb.note or "roll"
         bodily = [a for a in agents if self.kind(a) != "person"]
         if bodily and f.verb.sense in ("launch",) and mode in ("slide", "roll"):
@@ -207,6 +212,13 @@ class LaunchSenses(StateSenses):
             and into.mention.entities
         ) and self._landing(f, actors):
             return
+        onto = f.phrase("on", "onto", "against")
+        if upright and onto is not None and onto.mention is not None and source is None:
+            struck = [i for i in onto.mention.entities if i not in actors and self.movable(i)]
+            if struck and a_rests_low(self, upright[0]) and self.kind(upright[0]) != "bottle":
+                self._read_as("topple", f, s, [])
+                self._hit(f, upright[:1], struck[:1])
+                return
         on_something = [a for a in fresh if a in self.scene.supported_by]
         if (
             fresh

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 from esg.draft.acts import Acts
 from esg.draft.core import RELATION_PREPS
 from esg.draft.frames import Frame, Phrase
@@ -143,6 +145,11 @@ class StateSenses(Acts):
             (a for p, a in self.amounts(f) if a.dimension == "length" and p in ("", "at", "about")),
             None,
         )
+        for _, a in self.amounts(f):
+            if a.dimension == "length" and self.text[a.end : a.end + 7].strip().startswith("apart"):
+                for one, other in pairwise(things):
+                    self.scene.relations.append(Relation(one, other, "near", a.value))
+                self.use(a, "distance")
         for p in f.phrases:
             if p.mention is None or p.mention.attribute:
                 continue

@@ -44,6 +44,8 @@ class World(Registry):
             return []
         if m.pronoun:
             return self._pronoun(m, subject, avoid)
+        if m.noun is not None and "structural" in m.noun.traits:
+            m.letters = []
         if m.role and m.noun is not None:
             driven = [
                 ids
@@ -134,7 +136,7 @@ class World(Registry):
                     return list(self.groups[recent])
             if m.count and m.count > len(ids) and not definite:
                 return []
-            if bare and m.count is None and not structural and len(ids) < 2:
+            if m.count is None and not structural and len(ids) < 2 and (bare or m.group_word):
                 return []
             return ids
         if bare and not structural and not definite:
@@ -158,6 +160,9 @@ class World(Registry):
         if m.head == "ball" and any(e.noun.kind == "billiard" for e in pool):
             pool = [e for e in pool if not (e.group and e.noun.kind == "billiard")] or pool
         pool.sort(key=lambda e: max((k for k, i in enumerate(order) if i == e.id), default=-1))
+        groups = {e.group for e in pool}
+        if len(pool) > 1 and len(groups) == 1 and None not in groups:
+            return [pool[0].id]  # "the head pin"
         return [pool[-1].id]
 
     def _picked(self, m: Mention, ids: list[str]) -> list[str]:
@@ -226,7 +231,7 @@ class World(Registry):
             if ordinal == "first" and taken:
                 return [taken[0].id]
             return []
-        if k < len(pool):
+        if 0 <= k < len(pool):
             e = pool[k]
             if not e.letter and len(grouped) <= 6:
                 e.place = ordinal

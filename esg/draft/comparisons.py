@@ -1,0 +1,74 @@
+"""Comparisons of masses and sizes: "twice as heavy as the other", "three times heavier than B"."""
+
+from __future__ import annotations
+
+import re
+
+from esg.draft import build
+from esg.draft.elements import Mention
+from esg.draft.entities import Entity
+from esg.draft.quantities import parse_number
+from esg.draft.scene import Scene
+
+_PATTERN = re.compile(
+    r"\b(?:(?P<word>twice|half|double|(?:\w+|\d+(?:\.\d+)?)\s+times)\s+)?"
+    r"(?:as\s+(?P<same>heavy|big|large|tall|wide|long|high)\s+as"
+    r"|(?:the\s+(?P<noun>mass|weight|size|height)\s+of)"
+    r"|(?P<more>heavier|bigger|larger|taller)\s+than)\b",
+    re.IGNORECASE,
+)
+_MASS = frozenset({"heavy", "mass", "weight", "heavier"})
+
+
+def factor_of(match: re.Match[str]) -> float:
+    """The ratio that a comparison states; "heavier than" alone means twice."""
+    word = (match["word"] or "").lower()
+    if word.endswith("times"):
+        value = parse_number(word.removesuffix("times").strip())
+        return value if isinstance(value, float) and value > 0.0 else 1.0
+    if word:
+        return {"twice": 2.0, "double": 2.0, "half": 0.5}[word]
+    return 2.0 if match["more"] else 1.0
+
+
+def compare(text: str, mentions: list[Mention], scene: Scene) -> None:
+    """Applies every comparison between two objects of the scene.
+
+    The mass compared with is the one stated, else the commonsense one; the result counts as
+    prescribed if the other is.
+    """
+    for match in _PATTERN.finditer(text):
+        if match["noun"] and not match["word"]:
+            continue
+        left = _nearest(mentions, scene, match.start(), before=True)
+        right = _nearest(mentions, scene, match.end(), before=False)
+        if left is None or right is None or left is right:
+            continue
+        factor = factor_of(match)
+        kind = (match["same"] or match["noun"] or match["more"]).lower()
+        required = build.requirement(right)
+        if kind in _MASS:
+            if not left.mass_prescribed:
+                left.mass_kg = factor * required.expected_mass_kg
+                left.mass_prescribed = right.mass_prescribed
+            continue
+        size = [factor * x for x in required.expected_dimensions_cm]
+        if kind in ("tall", "high", "height", "taller"):
+            size = [*build.requirement(left).expected_dimensions_cm[:2], size[2]]
+        if not left.dimensions_prescribed:
+            left.dimensions_cm = size
+            left.dimensions_prescribed = right.dimensions_prescribed
+
+
+def _nearest(mentions: list[Mention], scene: Scene, at: int, *, before: bool) -> Entity | None:
+    """The single object named just before or after a position."""
+    found: Entity | None = None
+    for m in sorted(mentions, key=lambda m: m.start):
+        ids = [i for i in scene.world.resolved.get(id(m), []) if i in scene.world.entities]
+        if not ids:
+            continue
+        if before and m.end <= at + 1:
+            found = scene.world.entities[ids[0]]
+        elif not before and m.start >= at - 1:
+            return scene.world.entities[ids[0]]
+    return found if before else None
