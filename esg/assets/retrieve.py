@@ -7,7 +7,8 @@ An exact name or synonym decides at once. Otherwise candidates are ranked by
 with the best cosine of MiniLM embeddings over an entry's texts, the agreement of head nouns, and
 the plausibility of size, mass, movability and shape. The confidence of the first candidate mixes
 the cosine of the whole phrase with that of its head noun alone ("bowling shoes" are not bowling
-pins), and the gate accepts it above a threshold; everything else becomes a plain body of the wanted size.
+pins), and the gate accepts it above a threshold; everything else becomes a plain body of the
+wanted size.
 """
 
 from __future__ import annotations

@@ -125,7 +125,7 @@ def golf_ball(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         s.add(
             lambda d=d: shapes.shell_patch(d, 5.2, r * 1.002, r * 0.02, 8, (0, 0, r)),
             dimple,
-            0.3,  # type: ignore[arg-type]
+            0.3,
         )
 
 

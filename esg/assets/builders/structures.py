@@ -90,7 +90,7 @@ def crossing(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 @builder("pavement", "free")
 def pavement(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Flagged pavement."""
-    s.slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H * 0.6), shade(c, 0.8), rough=1.0)  # type: ignore[arg-type]
+    s.slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H * 0.6), shade(c, 0.8), rough=1.0)
     nx, ny = max(1, round(L / 60)), max(1, round(W / 60))
     nx, ny = min(nx, 40), min(ny, 10)
     for i in range(nx):
@@ -169,7 +169,7 @@ def platform(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     for k in range(n):
         y = -W / 2 + W * k / n
         s.slab((-L / 2, L / 2), (y + 0.2, y + W / n - 0.2), (H * 0.85, H), c)
-    s.slab((-L / 2 + 1, L / 2 - 1), (-W / 2 + 1, W / 2 - 1), (0, H * 0.85), shade(c, 0.7))  # type: ignore[arg-type]
+    s.slab((-L / 2 + 1, L / 2 - 1), (-W / 2 + 1, W / 2 - 1), (0, H * 0.85), shade(c, 0.7))
     s.proxy_slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H))
     s.surface("top", H, (L / 2, W / 2))
 
@@ -236,7 +236,7 @@ def wall(s: Sketch, L: float, W: float, H: float, c: Color, bricks: bool = False
                     (z + 0.5, z + h),
                     shade(c, f),
                     rough=0.95,
-                )  # type: ignore[arg-type]
+                )
     else:
         s.slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H), c, rough=0.95)
     s.proxy_slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H))
@@ -309,7 +309,7 @@ def door(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
                 a if y > 0 else (-a[1], -a[0]),
                 (H * z0, H * z1),
                 shade(c, 0.9),
-            )  # type: ignore[arg-type]
+            )
     s.rod(
         2,
         (L * 0.25, W / 2 - f - 9, H * 0.48),
