@@ -294,10 +294,7 @@ def manifest_from_json(data: Any) -> Manifest:
         raise UserError("not a valid manifest:\n" + "\n".join(problems))
     scene = SimScene(
         scene_id=model.scene_id,
-        bodies=tuple(
-            Body(**{**_fields(b), "shapes": tuple(Shape(**_fields(s)) for s in b.shapes)})
-            for b in model.bodies
-        ),
+        bodies=tuple(_body(b) for b in model.bodies),
         regions=tuple(Region(**_fields(r)) for r in model.regions),
         gravity=model.gravity,
         ground_friction=model.ground.friction,
@@ -391,6 +388,12 @@ def _dangling(data: dict[str, Any]) -> list[str]:
         for pointer, name in uses
         if name not in known
     ]
+
+
+def _body(model: BodyModel) -> Body:
+    values = _fields(model)
+    values["shapes"] = tuple(Shape(**_fields(s)) for s in model.shapes)
+    return Body(**values)
 
 
 def _fields(model: BaseModel) -> dict[str, Any]:
