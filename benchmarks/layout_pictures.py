@@ -11,8 +11,8 @@ from PIL import Image, ImageDraw
 from esg.graph.models import EsgDocument
 from esg.layout.shapes import CIRCLE, footprints
 
-TILE = 360
-MARGIN = 24
+TILE = 240
+MARGIN = 16
 Point = tuple[float, float]
 
 

@@ -8,7 +8,7 @@ import math
 
 import numpy as np
 
-from esg.graph.models import EsgDocument
+from esg.graph.models import EsgDocument, RelationType
 from esg.layout.hints import Constellation, Corridor, StartHints
 from esg.layout.patterns import Pose2, arrange
 from esg.layout.supports import Shape, SupportMap, ground_nodes
@@ -147,6 +147,16 @@ class UnitBuilder:
                 poses.setdefault(node, compose(frame, pose))
                 if p.z_cm is not None:
                     heights[node] = p.z_cm
+        faces = {
+            e.from_: e.to
+            for e in self.doc.spatial_relation_graph.edges.binary_relations
+            if e.relation_type is RelationType.FACE and e.cardinal is None
+        }
+        for p in constellation.placements:
+            target = faces.get(p.node)
+            if p.yaw_deg is None and p.node in poses and target in poses:
+                (x, y, _), (u, v, _) = poses[p.node], poses[target]
+                poses[p.node] = (x, y, math.atan2(v - y, u - x))
         return poses, heights
 
     def _constellation(self, c: Constellation) -> None:

@@ -119,6 +119,16 @@ def test_pins_stand_in_a_triangle_with_the_head_pin_towards_the_ball() -> None:
     assert abs(local(out, "lane_1", "ball_1")[1]) < 1.0
 
 
+def test_free_heading_of_a_member_follows_its_face_relation() -> None:
+    doc = b.document(ASSETS, {"car_1": "car", "table_1": "table"}, [("table_1", "face", "car_1")])
+    c = Constellation((Placement("car_1", 0, 0), Placement("table_1", 900, 0, None)))
+    out = layout(doc, c)
+    assert abs(math.remainder(out.poses["table_1"].yaw_deg - out.poses["car_1"].yaw_deg, 360)) == (
+        pytest.approx(180, abs=0.1)
+    )
+    assert out.relations[0].satisfied
+
+
 def test_a_path_does_not_reach_back_behind_its_mover() -> None:
     """Who kicks a ball stands right behind it, however wide the path is."""
     doc = b.document(
