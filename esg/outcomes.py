@@ -6,7 +6,7 @@ import enum
 
 
 class Outcome(str, enum.Enum):
-    """Result of generating one scene (DESIGN.md, section 5)."""
+    """Result of generating one scene (docs/cli.md)."""
 
     SOLVED = "solved"
     NEAREST_FEASIBLE = "nearest_feasible"

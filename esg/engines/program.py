@@ -18,8 +18,8 @@ Damping is applied by every engine as v *= max(0, 1 - c dt) once per step.
 
 from __future__ import annotations
 
-import math
 from dataclasses import asdict, dataclass, fields
+import math
 from typing import Any, ClassVar
 
 import numpy as np
@@ -134,7 +134,7 @@ class ProgramBatch:
         table: Numbers, shape [W, P, FIELDS], columns: 0 start, 1 end;
             SetVelocity 2:5 linear, 5:8 angular (NaN keeps); ApplyImpulse 2:5 impulse;
             AdjustProperties 2 linear damping, 3 angular damping, 4 friction (NaN keeps);
-            HoldVelocity 2 speed, 3 heading, 4 acceleration, 5 max speed, 6 turn rate, 7 roll radius.
+            HoldVelocity 2 speed, 3 heading, 4 acceleration, 5 max speed, 6 turn rate, 7 radius.
         duration: [s].
     """
 
@@ -241,7 +241,9 @@ def program_from_json(data: dict[str, Any]) -> Program:
     for i, item in enumerate(data["primitives"]):
         cls = by_kind.get(item.get("kind", ""))
         if cls is None:
-            raise ValueError(f"/primitives/{i}/kind: {item.get('kind')!r}, expected {list(by_kind)}")
+            raise ValueError(
+                f"/primitives/{i}/kind: {item.get('kind')!r}, expected {list(by_kind)}"
+            )
         known = {f.name for f in fields(cls)}
         values = {k: tuple(v) if isinstance(v, list) else v for k, v in item.items() if k != "kind"}
         unknown = set(values) - known

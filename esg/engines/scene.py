@@ -7,7 +7,7 @@ centre), which is where the mesh and the Unreal component sit.
 Contact materials combine by **average** (PhysX, Unreal and Rapier default). Every scene has one
 ground, the half-space z <= 0. Wheeled bodies touch a second ground of friction
 `vehicle_ground_friction` instead of the normal one, so that a coasting vehicle does not grind to a
-halt like a box (FINDINGS.md).
+halt like a box (docs/engines.md).
 """
 
 from __future__ import annotations
@@ -191,7 +191,7 @@ class ContactLog:
     """Sparse record of touching pairs, one row per world, frame and pair with impulse > 0.
 
     Columns have shape [n]; bodies are indices into `SimScene.bodies`, -1 is the ground. Rows are
-    sorted by (world, frame, a, b) with a < b, except that the ground is always b = -1. Contacts with
+    sorted by (world, frame, a, b) with a < b, except that the ground is always b = -1. Those with
     the ground are recorded only if asked for.
 
     Args:

@@ -1,7 +1,7 @@
 """The Evolutive Scene Graph (ESG) document: one frozen tree that every stage reads and extends.
 
 Units are cm, kg, s and degrees; the frame is right-handed, Z up, left = +X, front = +Y; headings
-are 0 along +X, counter-clockwise positive seen from above (DESIGN.md, section 3). A stage fills its
+are 0 along +X, counter-clockwise positive seen from above (docs/graph.md). A stage fills its
 own fields and never rewrites another stage's. Source: the paper's schema appendix.
 
 An asset's local frame has its origin at the bottom centre of its bounding box, Z up, front = +X, so
@@ -84,7 +84,7 @@ class ForceDirection(str, enum.Enum):
 
 
 class NodeEvent(str, enum.Enum):
-    """Point events. Fall, Reach and Miss extend DESIGN.md's list (docs/graph.md says why)."""
+    """Point events. Fall, Reach and Miss extend the paper's list (docs/graph.md says why)."""
 
     SCENE_START = "SceneStart"
     COLLISION = "Collision"
@@ -347,7 +347,7 @@ class TimelineNode(Model):
     position_cm: Vec3 | None = None
     """PositionAt: target position of the participant's centre."""
     region: str | None = None
-    """EnterRegion: "node_id/region name" of a NamedRegion, e.g. "billiard_table_1/bottom pocket"."""
+    """EnterRegion: "node_id/region name" of a NamedRegion, e.g. "pool_table_1/bottom pocket"."""
     turn_direction: Literal["left", "right"] | None = None
     turn_degrees: float | None = None
     """HeadingReached: change of heading; left is counter-clockwise seen from above."""

@@ -1,7 +1,7 @@
 """Where planned motion needs things to start: the planner's request to the layout stage.
 
-A constellation fixes the relative start of the bodies that take part in a motion (car, bin, table of
-a chain) in one frame; the layout chooses where the whole constellation stands, places everything
+A constellation fixes the relative start of the bodies that take part in a motion (car, bin, table
+of a chain) in one frame; the layout chooses where the whole constellation stands, places everything
 else, and keeps bystanders out of the corridors that the motion sweeps.
 """
 

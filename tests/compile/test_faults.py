@@ -1,4 +1,4 @@
-# ruff: noqa: E501  # edits are quoted as they stand in the emitted files
+# edits are quoted as they stand in the emitted files
 """Faults seeded into an emitted class: each must be caught before or while the class runs."""
 
 from __future__ import annotations
