@@ -426,4 +426,5 @@ class Acts(Core):
                 self._own(
                     actor, SPEEDS.get(self.kind(actor), (50.0, 400.0)), False, self.aim.get(actor)
                 )
-            track.direction = ForceDirection.ALONG_FORWARD_OR_BACKWARD
+            if track.direction in (None, ForceDirection.ALONG_FORWARD_ONLY):
+                track.direction = ForceDirection.ALONG_FORWARD_OR_BACKWARD

@@ -19,7 +19,7 @@ _STATES = frozenset(
 )
 _ACTED_ON = frozenset(
     {"slow", "stop", "brake", "accelerate", "turn", "reverse", "launch", "tow", "topple",
-     "knock", "drop", "cause"}
+     "knock", "drop", "cause", "pocket", "scatter", "spin"}
 )  # fmt: skip
 """Senses whose object moves, so that it cannot be the ground."""
 _ANIMAL_VERBS = frozenset(
@@ -118,7 +118,8 @@ class Interpreter(MotionSenses):
         subject = self._subject(f)
         for m in self.mentions:
             between = f.subject is not None and f.subject.start < m.start < f.verb.start
-            if between and id(m) not in self.framed and not m.pronoun and m.head and m.count != 0:
+            named = bool(m.head or m.pronoun)
+            if between and id(m) not in self.framed and named and m.count != 0:
                 self.ids(m, avoid=subject)
         for m in (f.object, *[p.mention for p in f.phrases]):
             # "A vase stands on a table. A ball hits it.": the vase

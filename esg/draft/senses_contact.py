@@ -295,6 +295,6 @@ class ContactSenses(LaunchSenses):
 
     def _do_avoid(self, f: Frame, s: list[str], o: list[str]) -> None:
         for actor in s:
-            for other in o[:1]:
+            for other in [x for x in o if x != actor][:1]:
                 self._ensure_mover(f, actor, None)
                 self.event(NodeEvent.MISS, (actor, other), f, self._time(f))

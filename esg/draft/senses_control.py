@@ -17,7 +17,7 @@ class ControlSenses(ContactSenses):
     """Intentional changes of motion under own power."""
 
     def _do_accelerate(self, f: Frame, s: list[str], o: list[str]) -> None:
-        actors = [a for a in s or o if not self._free_body(a)]
+        actors = [a for a in s or o if not self._free_body(a) and self.movable(a)]
         if not actors and (s or o):
             self.scene.ignored[(f.verb.start, f.verb.end)] = "gravity does it"
             return
@@ -88,6 +88,8 @@ class ControlSenses(ContactSenses):
         return self._moved_by_others(actor) or (track is not None and track.launched)
 
     def _brake(self, f: Frame, actor: str, time: Time | None) -> None:
+        if not self.movable(actor):
+            return
         track = self.tl.track(actor)
         if track.motion is None and not track.hit:
             self._start_motion(f, [actor])

@@ -145,6 +145,12 @@ class StateSenses(Acts):
             (a for p, a in self.amounts(f) if a.dimension == "length" and p in ("", "at", "about")),
             None,
         )
+        pattern = {"stack": "stack", "line": "row"}.get(f.verb.lemma)
+        if "in a row" in f.adverbs:
+            pattern = "row"
+        for t in things if pattern is not None else []:
+            if self.e(t).group is not None:
+                self.e(t).pattern = pattern
         for _, a in self.amounts(f):
             if a.dimension == "length" and self.text[a.end : a.end + 7].strip().startswith("apart"):
                 for one, other in pairwise(things):

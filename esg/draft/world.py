@@ -36,6 +36,10 @@ class World(Registry):
         return ids
 
     def _one(self, m: Mention, subject: bool, avoid: list[str]) -> list[str]:
+        if m.attribute and m.head in lex.GROUP_WORDS and m.determiner in ("the", "this", "that"):
+            whole = next(reversed(list(self.groups.values())), None)  # "the stack collapses"
+            if whole is not None:
+                return list(whole)
         if m.attribute or (not m.head and not m.pronoun):
             if m.possessor is not None:
                 return self.resolve(m.possessor)
@@ -113,6 +117,10 @@ class World(Registry):
                 found = self._ordinal(m, ordinal)
             return found
         place = next((a for a in m.adjectives if a in FRONT | REAR), None)
+        first_pin = place is not None or "head" in m.adjectives
+        if first_pin and not names and m.noun is not None and m.noun.kind == "pin":
+            self._create(Mention(m.start, m.end, head=m.head, noun=m.noun, plural=True))
+            names = [e for e in self.entities.values() if self._matches(m, e)]
         if place is not None:
             want = "front" if place in FRONT else "rear"
             exact = [e for e in names if e.place == want]
@@ -251,7 +259,8 @@ class World(Registry):
         if p in ("i", "we", "you", "something", "everything"):
             return []
         if p == "another" and not self.groups:
-            model = next((self.entities[i] for i in avoid), None)
+            solid = (self.entities[i] for i in avoid)
+            model = next((e for e in solid if "structural" not in e.noun.traits), None)
             if model is not None:
                 other = self.add(
                     model.noun,
