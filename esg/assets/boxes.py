@@ -6,6 +6,9 @@ or a thin sheet passes; full cells are merged greedily, largest box first.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -122,18 +125,66 @@ def box_parts(vertices: NDArray[np.float64], faces: NDArray[np.int64]) -> tuple[
     return tuple(proxies)
 
 
-def stands(proxies: tuple[Proxy, ...], com: tuple[float, float, float]) -> bool:
-    """Whether the centre of mass lies well over what touches the ground."""
-    foot = [
-        (p.position_cm[0] + x * p.size_cm[0], p.position_cm[1] + y * p.size_cm[1])
-        for p in proxies
-        if p.position_cm[2] - p.size_cm[2] < 0.05
-        for x in (-1, 1)
-        for y in (-1, 1)
-    ]
-    if not foot:
-        return False
-    from shapely.geometry import MultiPoint, Point
+def _footprint(proxies: Sequence[Proxy]) -> NDArray[np.float64]:
+    """Plan of everything that touches the ground [cm], shape [n, 2]."""
+    points: list[tuple[float, float]] = []
+    for p in proxies:
+        x, y, z = p.position_cm
+        a, b, c = p.size_cm
+        if p.kind is ProxyKind.CONVEX:
+            points += [(x + v[0], y + v[1]) for v in p.vertices_cm if z + v[2] < 0.05]
+        elif z - c < 0.05 and p.kind is ProxyKind.CYLINDER:
+            turns = [2 * math.pi * k / 16 for k in range(16)]
+            points += [(x + a * math.cos(t), y + a * math.sin(t)) for t in turns]
+        elif z - c < 0.05:
+            points += [(x + i * a, y + j * b) for i in (-1, 1) for j in (-1, 1)]
+    return np.array(points).reshape(-1, 2)
 
-    hull = MultiPoint(foot).convex_hull
-    return hull.contains(Point(com[0], com[1])) and hull.exterior.distance(Point(com[:2])) > 0.5
+
+def margin(proxies: Sequence[Proxy]) -> float:
+    """How far inside its footprint the centre of mass lies [cm]; negative if it would tip."""
+    from shapely.geometry import MultiPoint, Point, Polygon
+
+    from esg.assets.massprops import mass_properties
+
+    foot = MultiPoint(_footprint(proxies)).convex_hull
+    com = Point(mass_properties(proxies, 1.0)[0][:2])
+    if not isinstance(foot, Polygon):
+        return -1.0
+    inside = foot.contains(com)
+    return (1.0 if inside else -1.0) * foot.exterior.distance(com)
+
+
+def steadied(proxies: tuple[Proxy, ...], vertices: NDArray[np.float64]) -> tuple[Proxy, ...]:
+    """The proxies, on a thin foot plate if they would not stand by themselves.
+
+    The plate spans what of the mesh is near the ground, and at least a patch under the centre of
+    mass: chair legs that a coarse grid lost, and things meant to hang on a wall.
+
+    Args:
+        proxies: Fitted shapes.
+        vertices: Local frame [cm], shape [n, 3].
+    """
+    from esg.assets.massprops import mass_properties
+
+    extents = np.ptp(vertices, axis=0)
+    enough = max(0.1, 0.06 * float(extents[:2].min()))
+    if proxies[0].kind is ProxyKind.SPHERE or margin(proxies) >= enough:
+        return proxies
+    com = np.array(mass_properties(proxies, 1.0)[0][:2])
+    near = vertices[vertices[:, 2] < 0.03 * extents[2]][:, :2]
+    patch = 0.2 * np.maximum(extents[:2], 0.12 * extents[2])
+    low = np.minimum(near.min(0), com - patch)
+    high = np.maximum(near.max(0), com + patch)
+    thick = max(0.1, 0.012 * float(extents[2]))
+    x, y = (low + high) / 2
+    plate = Proxy(
+        kind=ProxyKind.BOX,
+        size_cm=(
+            round(float(high[0] - low[0]) / 2, 4),
+            round(float(high[1] - low[1]) / 2, 4),
+            round(thick / 2, 4),
+        ),
+        position_cm=(round(float(x), 4), round(float(y), 4), round(thick / 2, 4)),
+    )
+    return (plate, *proxies)

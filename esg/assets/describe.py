@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.assets.boxes import steadied
 from esg.assets.fitting import fit_proxies, support_surfaces
 from esg.assets.library import Entry
-from esg.assets.massprops import mass_properties
 from esg.assets.materials import MATERIALS, find_material
 from esg.assets.sources import Source, slug
 from esg.graph.models import Proxy
@@ -76,16 +76,11 @@ def sample(vertices: NDArray[np.float64], faces: NDArray[np.int64]) -> NDArray[n
 def _parts(
     vertices: NDArray[np.float64], faces: NDArray[np.int64], convex: bool, cache: Path | None
 ) -> tuple[Proxy, ...] | None:
-    """Parts of a concave mesh; None if they would not stand by themselves as its hull does."""
-    from esg.assets.boxes import box_parts, stands
+    """Parts of a concave mesh, None if it has no inside."""
+    from esg.assets.boxes import box_parts
     from esg.assets.convex import convex_parts
 
-    if convex:
-        return convex_parts(vertices, faces, cache)
-    parts = box_parts(vertices, faces)
-    if parts is None or not stands(parts, mass_properties(parts, 1.0)[0]):
-        return None
-    return parts
+    return convex_parts(vertices, faces, cache) if convex else box_parts(vertices, faces)
 
 
 def describe(
@@ -113,6 +108,7 @@ def describe(
     proxies, concave = fit_proxies(sample(vertices, faces), round_allowed="rolls" in flags)
     if concave:
         proxies = _parts(vertices, faces, convex, cache) or proxies
+    proxies = steadied(proxies, vertices)
     if "rolls" in flags and proxies[0].kind.value != "sphere":
         flags.discard("rolls")
     material = find_material(source.material)

@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 import trimesh
 
-from esg.assets.boxes import box_parts, stands
+from esg.assets.boxes import box_parts, margin, steadied
 from esg.assets.convex import available, convex_parts
 from esg.assets.describe import sample
 from esg.assets.fitting import fit_proxies, support_surfaces
-from esg.assets.massprops import mass_properties, proxy_moments
+from esg.assets.massprops import proxy_moments
 from esg.assets.sdf import voxel_sdf
 
 
@@ -69,9 +69,19 @@ def test_boxes_follow_a_table_and_stand() -> None:
     solid = 120 * 80 * 5 + 4 * 6 * 6 * 70
     volume = sum(proxy_moments(p)[0] for p in parts)
     assert 0.7 * solid < volume < 2.5 * solid
-    assert stands(parts, mass_properties(parts, 1.0)[0])
+    assert margin(parts) > 20
+    assert steadied(parts, np.asarray(mesh.vertices)) == parts
     under = [p for p in parts if abs(p.position_cm[0]) < 20 and p.position_cm[2] < 40]
     assert not under, "the space under the table must stay free"
+
+
+def test_what_would_tip_gets_a_foot() -> None:
+    mesh = trimesh.creation.cone(radius=10, height=30)
+    mesh.apply_transform(trimesh.transformations.rotation_matrix(np.pi, [1, 0, 0]))
+    mesh = raised(mesh)
+    proxies, _ = fit_proxies(np.asarray(mesh.vertices))
+    assert margin(proxies) < 0.1
+    assert margin(steadied(proxies, np.asarray(mesh.vertices))) > 1
 
 
 @pytest.mark.slow
