@@ -19,6 +19,7 @@ from esg.layout import terms
 from esg.layout.edges import AXES, CARDINAL
 from esg.layout.problem import LayoutProblem
 from esg.layout.shapes import CIRCLE, Footprint
+from esg.layout.supports import ground_nodes
 from esg.layout.units import Pose2, compose, inverse
 
 TOUCH_CM = 0.05
@@ -217,6 +218,8 @@ def binary_violation(
     if e.from_ == e.to:
         return math.inf, "relates an object to itself"
     kind = e.relation_type
+    if kind not in HARD and e.cardinal is None and {e.from_, e.to} & set(ground_nodes(doc)):
+        return 0.0, "the ground is everywhere"
     pa, pb = world.pose[e.from_], world.pose[e.to]
     mine = [t for t in problem.terms if t.source == f"b{k}"]
     if kind in (RelationType.ON, RelationType.INSIDE_OF, RelationType.ATTACHED_VERTICAL,
@@ -227,8 +230,6 @@ def binary_violation(
             return 0.0, "starts in the air as planned"
         ground = s.parent is None and s.kind == "ground"
         if ground and problem.shape[e.to].config is not None and s.rect is None:
-            from esg.layout.supports import ground_nodes
-
             if e.to in ground_nodes(doc):
                 return 0.0, ""
             return math.inf, f"does not rest on {e.to}"
@@ -236,11 +237,8 @@ def binary_violation(
             s.parent is not None
             and s.parent != e.to
             and e.to not in problem.supports.chain(e.from_)
-        ):
-            from esg.layout.supports import ground_nodes
-
-            if e.to in ground_nodes(doc):
-                return 0.0, ""
+        ) and e.to in ground_nodes(doc):
+            return 0.0, ""
         return _rests(problem, world, e.from_, e.to), s.note
     if kind in AXES:
         axis, sign = AXES[kind]

@@ -95,7 +95,7 @@ def build_problem(doc: EsgDocument, seed: int, hints: StartHints | None) -> Layo
         if e.from_ in shape and e.to in shape and e.from_ != e.to:
             rel_terms += [
                 t for t in binary_terms(k, e, shape, supports)
-                if not (e.to in ground and t.kind != terms.FACE)
+                if e.cardinal is not None or not {e.from_, e.to} & ground
             ]  # fmt: skip
     rel_terms += multi_terms(doc, shape, supports)
     rel_terms += [Term(terms.FACE, (a, b, None), 0.5, (0.0, 0.0)) for a, b in implied_faces(doc)]

@@ -246,7 +246,13 @@ def _write(
     blocked = [f"{n} stands in {label}" for _, n, label in intrusions(problem, world)]
     feasible = not bad and not hard and not supports and not blocked
     reason = _reason(doc, problem, bad, [*hard, *supports, *blocked])
-    notes = "; ".join(problem.notes)
+    (x0, y0, _), (x1, y1, _) = doc.scene_definition.coordinate_system.world_bounds_cm
+    away = [
+        f"{n} starts outside the world bounds"
+        for n, (x, y, _) in world.pose.items()
+        if not (x0 <= x <= x1 and y0 <= y <= y1)
+    ]
+    notes = "; ".join([*problem.notes, *away])
     poses = {
         n: Pose(
             position_cm=(

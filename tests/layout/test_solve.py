@@ -287,6 +287,25 @@ def test_cyclic_relations_end_and_are_reported() -> None:
     assert "cycle" in out.reason
 
 
+def test_odd_relations_never_crash() -> None:
+    """Relations to the ground, to oneself, to nobody; empty multi relations."""
+    edges = [
+        ("a", "near", "ground_1"),
+        ("a", "center_of", "ground_1"),
+        ("a", "attached_vertical", "ground_1"),
+        ("a", "face", "a"),
+        ("a", "near", "ghost"),
+    ]
+    multi = [
+        MultiRelation(subjects=(), targets=("a",), relation_type="surround"),
+        MultiRelation(subjects=("a", "c"), targets=("d",), relation_type="between"),
+        MultiRelation(subjects=("a",), relation_type="align"),
+    ]
+    out = result(b.document(ASSETS, {k: "crate" for k in "acd"}, edges, multi))
+    assert [r.satisfied for r in out.relations[:5]] == [True, True, True, False, False]
+    assert out.max_penetration_cm == 0.0
+
+
 def test_zero_size_object_and_oversized_child() -> None:
     assets = {
         **ASSETS,
