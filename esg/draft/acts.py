@@ -222,6 +222,8 @@ class Acts(Core):
                     self._hit(f, [actor], [other], time)
                 elif p.prep in ("down", "up") and "incline" in self.e(other).noun.traits:
                     self.place([actor], [other], "on" if p.prep == "down" else "near")
+                elif p.prep in ("along", "across") and "support" in self.e(other).noun.traits:
+                    self.place([actor], [other], "on")
                 elif p.prep == "past":
                     self.event(NodeEvent.MISS, (actor, other), f, time)
                 elif p.prep == "to" and not self.structural(other) and not p.mention.attribute:

@@ -263,7 +263,7 @@ class ClauseBuilder:
             and s.frame is None
             and s.subject is not None
             and new_clause
-            and s.boundary_kind == "conj"
+            and s.boundary_kind in ("conj", "comma")
         ):
             # "a car and a truck drive": one subject
             s.subject.coordinated.append(m)
@@ -551,6 +551,7 @@ class ClauseBuilder:
     def _finish(self, s: State, frame: Frame) -> None:
         if s.sub:
             frame.link = f"sub:{s.sub}"
+            frame.subordinate = s.sub
             s.sub = ""
         for item in s.loose:
             if isinstance(item, Phrase):

@@ -69,6 +69,7 @@ class Core:
         self.pending: dict[str, tuple[NodeEvent, Frame, str | None, Time | None]] = {}
         """Arrivals ("walks to the door") and falls that a later event may replace."""
         self._patient: list[str] = []
+        self._last_subject: list[str] = []
         self.stated: dict[str, Amount] = {}
         """Speeds stated with the noun ("a car at 50 km/h")."""
         self._topic: tuple[int, list[str]] | None = None

@@ -33,6 +33,9 @@ def expand(scene: Scene, prompt: str, restricted: bool) -> list[str]:
     kinds = {e.noun.kind for e in entities.values()}
     dynamic = bool(scene.timeline.nodes) or any(t.motion for t in scene.timeline.tracks.values())
     if "billiard" in kinds or any(need == "billiard_table" for need, _ in scene.needs):
+        plain = next((e for e in entities.values() if e.noun.name == "table"), None)
+        if plain is not None and _find(scene, "billiard table") is None:
+            plain.noun = lex.nouns()["billiard table"]  # "the table" of a snooker ball
         table = _find(scene, "billiard table") or _add(
             scene, "billiard table", reasons, "billiard balls are played on it"
         )

@@ -39,6 +39,8 @@ class Frame:
     reduced: bool = False
     sentence: int = 0
     relative: bool = False
+    subordinate: str = ""
+    """The conjunction it came with: when, after, because."""
     causer: Frame | None = None
     parent: Frame | None = None
 

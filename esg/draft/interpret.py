@@ -122,6 +122,17 @@ class Interpreter(MotionSenses):
             if between and id(m) not in self.framed and named and m.count != 0:
                 self.ids(m, avoid=subject)
         for m in (f.object, *[p.mention for p in f.phrases]):
+            # "A lamp falls on the sofa when a dog bumps it": the lamp
+            if (
+                m is not None
+                and m.pronoun == "it"
+                and f.subordinate in ("when", "after", "as", "because", "once")
+                and self._last_subject
+                and len(self._last_subject) == 1
+                and self._last_subject != subject
+                and id(m) not in self.world.resolved
+            ):
+                self.world.resolved[id(m)] = m.entities = list(self._last_subject)
             # "A vase stands on a table. A ball hits it.": the vase
             if (
                 m is not None
@@ -152,6 +163,7 @@ class Interpreter(MotionSenses):
         if f.verb.sense in ("launch", "hit") and aimed is not None and aimed.mention is not None:
             objects = aimed.mention.entities or objects  # "throws a stone at a can and it falls"
         self._patient = objects or self._patient
+        self._last_subject = subject or self._last_subject
         if f.verb.sense == "be" and subject:
             for word in f.adverbs:  # "the first car is red"
                 if (

@@ -28,7 +28,8 @@ class LaunchSenses(StateSenses):
 
     def _do_pass(self, f: Frame, s: list[str], o: list[str]) -> None:
         """A person passes a ball on; a vehicle passes another one, or just passes."""
-        if s and self.kind(s[0]) in SELF_POWERED - {"person"}:
+        thing = bool(o) and self.kind(o[0]) in ("ball", "billiard", "sliding", "projectile")
+        if s and self.kind(s[0]) in SELF_POWERED and not (self.kind(s[0]) == "person" and thing):
             self._start_motion(f, [x for x in s if self.movable(x)])
             for other in o[:1]:
                 self.place(s, [other], "behind")

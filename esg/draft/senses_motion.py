@@ -172,7 +172,8 @@ class MotionSenses(ControlSenses):
                 elif self.last_hit == (actor, other) and p.prep in ("off", "from"):
                     self.use(f, "rebound of the collision")
                 else:
-                    self._hit(f, [actor], [other], self._time(f))
+                    nodes = self._hit(f, [actor], [other], self._time(f))
+                    self._after_hit(f, nodes, [other])
             else:
                 aimed = self.aim.get(actor)
                 track = self.tl.tracks.get(actor)
