@@ -122,15 +122,21 @@ def pair_modes(problem: LayoutProblem, collision: str) -> np.ndarray:
     return out
 
 
+def _warp() -> tuple[Any, Any]:
+    """Warp and the kernels; silent, because standard output belongs to the caller."""
+    import warp as wp
+
+    wp.config.quiet = True
+    from esg.layout import kernels
+
+    return wp, kernels
+
+
 def _upload(
     problems: Sequence[LayoutProblem], config: LayoutConfig
 ) -> tuple[Any, dict[str, np.ndarray]]:
     """Copies a batch to the device: the kernel's struct and the arrays on the host."""
-    import warp as wp
-
-    from esg.layout import kernels
-
-    wp.config.quiet = True
+    wp, kernels = _warp()
     device = config.device
     data = concatenate(problems)
     data["pair_mode"] = np.concatenate([pair_modes(p, config.collision) for p in problems] or [[]])
@@ -162,10 +168,7 @@ def evaluate(
     Returns:
         Relation, collision and region energy, shape [scenes, 3].
     """
-    import warp as wp
-
-    from esg.layout import kernels
-
+    wp, kernels = _warp()
     problem, data = _upload(problems, config)
     x = wp.array(np.concatenate(units).astype(np.float32), dtype=wp.vec3, device=config.device)
     w = wp.zeros(int(data["scene_node"][-1]), dtype=wp.vec3, device=config.device)
@@ -192,10 +195,7 @@ def run_search(
     Returns:
         One result per scene.
     """
-    import warp as wp
-
-    from esg.layout import kernels
-
+    wp, kernels = _warp()
     device = config.device
     problem, data = _upload(problems, config)
     settings = kernels.Settings()
