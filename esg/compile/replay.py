@@ -316,6 +316,7 @@ class _Run:
 
             with physx_engine._scene_config(physx_engine.physx_module(), self.scene):
                 self._world = physx_engine.PhysxWorld(self.scene, values, 0, grid.dt)
+                self._state_mass_frames(physx_engine.to_pose)
                 return self._simulate(engine, values, grid, ground)
         import rapier3d
 
@@ -369,6 +370,24 @@ class _Run:
             ground_restitution=normal.restitution,
             vehicle_ground_friction=wheels.friction,
         )
+
+    def _state_mass_frames(self, to_pose: Callable[[Any, Any], Any]) -> None:
+        """Gives every moving body the very principal axes the class states.
+
+        The engine diagonalizes the tensor again, which may find the same axes with other signs: no
+        other physics, but another rounding, which is enough to part two chaotic motions.
+        """
+        for component, index in self._body_of.items():
+            record = self._records[component]
+            if record.simulates:
+                body = self._world.bodies[index]
+                axes = frames.quaternion_to_unreal(record.mass_rotation[0:4])
+                moments = np.array(record.inertia[0:3]) / frames.CM2_PER_M2
+                body.cmass_local_pose = to_pose((0.0, 0.0, 0.0), axes)
+                body.inertia = moments.astype(np.float32)
+                # The pose is stated again because PhysX keeps that of the mass frame.
+                described = self.scene.bodies[index]
+                body.entity.set_pose(to_pose(described.position, described.quaternion))
 
     def _describe_body(self, i: int, record: BodyRecord, entry: dict[str, Any]) -> Body:
         # Only moving bodies state a centre of mass; the others keep the point their poses follow.

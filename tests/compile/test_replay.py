@@ -198,3 +198,15 @@ def test_tilted_gravity_cannot_be_emitted(tmp_path: Path) -> None:
     scene, program, _ = CASES["marbles"]
     with pytest.raises(ValueError, match="Z component only"):
         written(tmp_path, replace(scene, gravity=(0.0, 1.0, -9.0)), program)
+
+
+def test_tilted_principal_axes_survive_exactly(tmp_path: Path) -> None:
+    """A tensor whose diagonalization has a free choice of signs: still bit for bit the program."""
+    car = scenes.box("car", (0.0, 0.0, 0.8), (2.0, 0.9, 0.6), 1400.0, -1.57, wheeled=True)
+    tensor = ((495.0128150641395, 0.0, 10.843414748729213), (0.0, 2479.916701051688, 0.0),
+              (10.843414748729213, 0.0, 2699.949065249593))  # fmt: skip
+    scene = SimScene("tilted", (replace(car, inertia=tensor),))
+    program = Program((SetVelocity("car", 0.1, (3.0, 1.0, 2.0), (1.0, -2.0, 0.5)),), 2.0)
+    replayed, rollout = both(tmp_path, scene, program)
+    assert np.array_equal(replayed.rollout.position[0, 1:], rollout.position[0, 1:])
+    assert np.array_equal(replayed.rollout.quaternion[0, 1:], rollout.quaternion[0, 1:])
