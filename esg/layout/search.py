@@ -126,7 +126,7 @@ def _warp() -> tuple[Any, Any]:
     """Warp and the kernels; silent, because standard output belongs to the caller."""
     import warp as wp
 
-    wp.config.quiet = True
+    wp.config.log_level = wp.LOG_WARNING
     from esg.layout import kernels
 
     return wp, kernels

@@ -383,3 +383,16 @@ def test_world_pose_composition_is_rigid() -> None:
     assert world.pose["mug_1"][:2] == pytest.approx((90.0, 80.0))
     assert world.pose["mug_1"][2] == pytest.approx(math.pi / 2 + 0.3)
     assert penetrations(problem, world) == []
+
+
+def test_search_is_silent_on_standard_output() -> None:
+    """Callers print one JSON document on standard output and nothing else."""
+    import subprocess
+    import sys
+
+    code = (
+        "from tests.layout import builders as b; from esg.layout import solve;"
+        "solve(b.document({'a': b.box('a', 5, 5, 5)}, {'x': 'a'}))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout == ""
