@@ -42,7 +42,7 @@ def expand(scene: Scene, prompt: str, restricted: bool) -> list[str]:
         for i, e in entities.items():
             if e.noun.kind == "billiard" and i not in scene.supported_by:
                 scene.supported_by[i] = table
-            elif e.noun.kind == "ball" and i not in scene.supported_by and e.noun.name == "ball":
+            elif e.noun.name == "ball" and scene.supported_by.get(i, table) == table:
                 scene.supported_by[i] = table
                 e.noun = lex.nouns()["billiard ball"]
         _rename_regions(scene, table)
