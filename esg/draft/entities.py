@@ -192,7 +192,9 @@ class Registry:
             for a in adjectives
             if a in lex.COLORS or a in FRONT or a in REAR or a in ORDINALS or a in ("left", "right")
         ]
-        stem = slug(" ".join([*naming, head]))
+        stem = slug(" ".join([*naming, head])) or "object"
+        if stem[0].isdigit():
+            stem = f"{slug(noun.name)}_{stem}"  # ids become identifiers of emitted code
         if letter:
             name = slug(f"{head}_{letter}")
             name = name if name not in self.entities else self._new_id(name)
