@@ -25,7 +25,7 @@ def _merged(
     """Vertices [m], triangles and colour of the asset, parts of one colour together."""
     groups: dict[tuple[float, ...], list[Any]] = {}
     for node in build_mesh(config).dump():
-        material = node.visual.material
+        material = getattr(node.visual, "material", None)
         factor = getattr(material, "baseColorFactor", None)
         if factor is None:
             factor = getattr(material, "main_color", [160, 160, 160, 255])
