@@ -37,7 +37,7 @@ STARTUP_TIMEOUT_S = 90.0
 _QUIET = {
     "DO_NOT_TRACK": "1",
     "PREFECT_SERVER_ANALYTICS_ENABLED": "false",
-    "PREFECT_LOGGING_LEVEL": "ERROR",
+    "PREFECT_LOGGING_LEVEL": "CRITICAL",
     "PREFECT_LOGGING_TO_API_ENABLED": "false",
     "PREFECT_RESULTS_PERSIST_BY_DEFAULT": "false",
 }
@@ -92,6 +92,9 @@ class EmbeddedServer:
             stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL,
             stderr=(self._folder / "server.log").open("wb"),
+            # Ctrl-C in a terminal reaches the whole process group: the API has to outlive the
+            # command's last words to it, or the command waits for a server that is gone.
+            start_new_session=True,
             preexec_fn=_die_with_parent if sys.platform == "linux" else None,
         )
         os.environ["PREFECT_API_URL"] = f"http://127.0.0.1:{self._port}/api"
