@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import permutations
 import math
 
 import numpy as np
@@ -196,15 +197,23 @@ def cylinder_vertices(shape: Shape, sides: int = CYLINDER_SIDES) -> Floats:
 def principal_axes(inertia: Floats) -> tuple[Floats, Floats]:
     """Principal moments, shape [3], and the quaternion (x, y, z, w) of their axes, shape [4].
 
-    An inertia that is diagonal already keeps its axes, whatever their order.
+    An inertia that is diagonal already keeps its axes, whatever their order. Otherwise each axis is
+    the one nearest to a body axis, pointing the same way: a tensor rebuilt from its own moments and
+    axes gives the same answer again, whoever rebuilds it.
     """
     inertia = 0.5 * (inertia + inertia.T)
     off = np.abs(inertia - np.diag(np.diag(inertia))).max()
     if off <= 1e-9 * np.abs(inertia).max():
         return np.diag(inertia).copy(), np.array([0.0, 0.0, 0.0, 1.0])
     moments, axes = np.linalg.eigh(inertia)
+    best = max(
+        permutations(range(3)), key=lambda order: float(np.abs(np.diag(axes[:, order])).sum())
+    )
+    moments, axes = moments[list(best)], axes[:, list(best)]
+    axes = axes * np.where(np.diag(axes) < 0.0, -1.0, 1.0)
     if np.linalg.det(axes) < 0.0:
-        axes[:, 0] = -axes[:, 0]
+        weakest = int(np.argmin(np.abs(np.diag(axes))))
+        axes[:, weakest] = -axes[:, weakest]
     return moments, _quat_from_matrix(axes)
 
 

@@ -261,3 +261,21 @@ def test_thread_number_must_be_positive(monkeypatch):
     monkeypatch.setenv("ESG_THREADS", "many")
     with pytest.raises(UserError, match="ESG_THREADS"):
         get_engine("newton")
+
+
+def test_principal_axes_are_stable_under_rebuilding() -> None:
+    """Moments and axes of a rebuilt tensor are the same again, and nearest to the body's axes."""
+    from esg.engines.worlds import principal_axes
+    from esg.units import quat_rotate
+
+    rng = np.random.default_rng(4)
+    for _ in range(50):
+        a = rng.normal(size=(3, 3))
+        inertia = a @ a.T + np.eye(3)
+        moments, quaternion = principal_axes(inertia)
+        axes = quat_rotate(quaternion, np.eye(3)).T
+        rebuilt = axes @ np.diag(moments) @ axes.T
+        assert np.allclose(rebuilt, inertia, rtol=1e-9)
+        again, quaternion_again = principal_axes(rebuilt * (1.0 + 1e-14))
+        assert np.allclose(again, moments)
+        assert abs(abs(float(quaternion @ quaternion_again)) - 1.0) < 1e-9
