@@ -14,6 +14,7 @@ import multiprocessing
 import os
 import queue
 import threading
+import time
 from typing import Any, TypeVar
 
 T = TypeVar("T")
@@ -90,7 +91,9 @@ class _Slot:
             # because the processes already share the cores.
             os.environ.setdefault("OMP_NUM_THREADS", "1")
             context = multiprocessing.get_context("spawn")
-            self._executor = ProcessPoolExecutor(1, mp_context=context)
+            self._executor = ProcessPoolExecutor(
+                1, mp_context=context, initializer=_end_with_parent, initargs=(os.getpid(),)
+            )
             self._calls = 0
         return self._executor.submit(function, *args)
 
@@ -113,6 +116,20 @@ class _Slot:
         if self._executor is not None:
             self._executor.shutdown(wait=True, cancel_futures=True)
             self._executor = None
+
+
+def _end_with_parent(parent: int) -> None:
+    """In a worker: ends the process soon after the command is gone, even if it was killed.
+
+    Linux's parent-death signal would not do: it follows the thread that started the worker.
+    """
+
+    def watch() -> None:
+        while os.getppid() == parent:
+            time.sleep(1.0)
+        os._exit(1)
+
+    threading.Thread(target=watch, daemon=True).start()
 
 
 def default_processes(n_scenes: int) -> int:

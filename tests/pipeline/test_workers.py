@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
+import subprocess
+import sys
+import time
 
 import pytest
 
@@ -54,6 +57,33 @@ def test_a_deadly_call_is_told_apart_from_bad_luck(tmp_path: Path) -> None:
         with pytest.raises(WorkerDied, match="die"):
             pool.run(die)
         assert pool.run(process_id) != os.getpid()
+
+
+def test_workers_end_when_the_command_is_killed() -> None:
+    code = (
+        "import os, sys, signal\n"
+        "from esg.workers import WorkerPool\n"
+        "if __name__ == '__main__':\n"
+        "    print(WorkerPool(1).run(os.getpid), flush=True)\n"
+        "    os.kill(os.getpid(), signal.SIGKILL)\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=False
+    )
+    worker = int(done.stdout)
+    deadline = time.monotonic() + 20
+    while time.monotonic() < deadline:
+        try:
+            os.kill(worker, 0)
+        except ProcessLookupError:
+            return
+        if (
+            Path(f"/proc/{worker}/stat").exists()
+            and " Z " in Path(f"/proc/{worker}/stat").read_text()
+        ):
+            return
+        time.sleep(0.1)
+    pytest.fail("the worker outlived its command")
 
 
 def test_few_scenes_need_no_processes() -> None:
