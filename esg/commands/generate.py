@@ -106,6 +106,8 @@ def summarize(state: SceneState, folder: Path) -> dict[str, Any]:
 
     path = folder / "metrics.json"
     metrics = json.loads(path.read_bytes()) if path.exists() else None
+    document = folder / "esg.json"
+    coverage = json.loads(document.read_bytes()).get("coverage", {}) if document.exists() else {}
     assert state.outcome is not None
     return {
         "scene_id": folder.name,
@@ -118,6 +120,12 @@ def summarize(state: SceneState, folder: Path) -> dict[str, Any]:
         "verified": bool(metrics and metrics["verified"]),
         "proof": metrics["proof"] if metrics else None,
         "metrics": metrics["verdict"] if metrics else None,
+        "coverage": {
+            "warnings": coverage.get("warnings", []),
+            "not_understood": [
+                i["text"] for i in coverage.get("items", []) if i["status"] == "not_understood"
+            ],
+        },
         "cached_stages": state.cached_stages,
         "stages": [
             {k: e[k] for k in ("stage", "cached", "seconds", "error") if k in e} for e in state.log
@@ -135,6 +143,7 @@ def describe(summary: dict[str, Any]) -> str:
         lines.append(f"  {summary['reason']}")
     if summary["outcome"] != "solved":
         lines.append(f"  {summary['advice']}")
+    lines += [f"  warning: {w}" for w in summary["coverage"]["warnings"]]
     metrics = summary["metrics"]
     if metrics:
         for event in metrics["events"]:

@@ -98,3 +98,20 @@ def test_draft_of_a_static_scene_has_no_timeline(tmp_path: Path) -> None:
     assert document["esg"].get("timeline_system") is None
     assert document["violations"] == []
     assert list(tmp_path.iterdir()) == []
+
+
+def test_generate_says_what_it_did_not_understand() -> None:
+    """A word outside the lexicon is a visible warning, never silence."""
+    from esg.commands.generate import describe
+
+    summary = {
+        "outcome": "solved",
+        "folder": "runs/x",
+        "reason": "",
+        "advice": "",
+        "metrics": None,
+        "coverage": {"warnings": ['"zorple" is not in the lexicon'], "not_understood": ["zorple"]},
+        "stages": [],
+        "cached_stages": 0,
+    }
+    assert 'warning: "zorple" is not in the lexicon' in describe(summary)
