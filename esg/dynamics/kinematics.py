@@ -127,3 +127,8 @@ def ballistic_velocity(offset: np.ndarray, duration: float, damping: float = 0.0
 def half_along(length: float, width: float, relative: float) -> float:
     """Half extent of an l x w rectangle along a direction at angle `relative` to its length."""
     return 0.5 * (abs(math.cos(relative)) * length + abs(math.sin(relative)) * width)
+
+
+def wrap_angle(angle: float) -> float:
+    """The angle [rad] within [-pi, pi)."""
+    return (angle + math.pi) % (2.0 * math.pi) - math.pi

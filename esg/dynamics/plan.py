@@ -15,9 +15,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.dynamics.aim import aim_heading, aim_point
-from esg.dynamics.choreography import REACH_BRAKE_DAMPING, choreograph, turn_of
-from esg.dynamics.kinematics import ballistic_velocity
-from esg.dynamics.story import Phase, Story, bounds, middle, read_story
+from esg.dynamics.choreography import choreograph
+from esg.dynamics.kinematics import ballistic_velocity, wrap_angle
+from esg.dynamics.story import (
+    REACH_BRAKE_DAMPING,
+    Phase,
+    Story,
+    bounds,
+    middle,
+    read_story,
+    turn_of,
+)
 from esg.engines.program import (
     AdjustProperties,
     HoldVelocity,
@@ -514,7 +522,7 @@ class _Planner:
         if target is None or (self._drives(actor) and first.end.event is NodeEvent.MISS):
             return yaw
         heading = aim_heading(self.scene, self.story, body, first, target)
-        if self._drives(actor) and abs(_wrap(heading - yaw)) > math.radians(12.0):
+        if self._drives(actor) and abs(wrap_angle(heading - yaw)) > math.radians(12.0):
             return yaw
         return heading
 
@@ -675,7 +683,3 @@ class _Planner:
 
 def _vec(v: NDArray[np.float64]) -> tuple[float, float, float]:
     return (float(v[0]), float(v[1]), float(v[2]))
-
-
-def _wrap(angle: float) -> float:
-    return (angle + math.pi) % (2.0 * math.pi) - math.pi

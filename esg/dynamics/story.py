@@ -24,6 +24,8 @@ OWN_POWER = (
 )
 CONTROLLED = (NodeEvent.SCENE_START, NodeEvent.TRIGGER, NodeEvent.HEADING_REACHED)
 """Node events whose time the program sets; all others are outcomes of physics."""
+REACH_BRAKE_DAMPING = 9.0
+"""Linear damping [1/s] with which a body stops that reaches a place without a hit."""
 
 
 @dataclass(frozen=True)
@@ -158,3 +160,12 @@ def bounds(value: Quantity | None, default: tuple[float, float]) -> tuple[float,
 def middle(low: float, high: float) -> float:
     """A plausible value of an interval: the geometric mean where both ends are positive."""
     return math.sqrt(low * high) if low > 0.0 else 0.5 * (low + high)
+
+
+def turn_of(phase: Phase) -> tuple[float, float]:
+    """Degrees and sign (left = +1) of a Turn phase, from the edge or its end node."""
+    params, node = phase.edge.params, phase.end
+    low, high, _ = bounds(params.turn_degrees, (90.0, 90.0))
+    degrees = 0.5 * (low + high) if params.turn_degrees is not None else (node.turn_degrees or 90.0)
+    side = params.turn_direction or node.turn_direction or "left"
+    return degrees, 1.0 if side == "left" else -1.0

@@ -1,0 +1,126 @@
+"""What the actors do on their own: timed segments, turns, stops and falls."""
+
+from __future__ import annotations
+
+import math
+
+from esg.dynamics.kinematics import Frame, braking_distance, stopping_damping
+from esg.dynamics.stage import Stage
+from esg.dynamics.stagecraft import coasting_drag
+from esg.dynamics.story import Phase, bounds, middle, turn_of
+from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
+
+
+def controlled(stage: Stage, node: TimelineNode) -> None:
+    """Trigger: its time is the prescribed one, or that of a short run."""
+    prescribed = stage.prescribed_time(node)
+    arrived: list[float] = []
+    for actor, phase in stage.incoming(node):
+        track = stage.tracks[actor]
+        if prescribed is not None:
+            duration = max(0.2, prescribed - track.time)
+        else:
+            duration = float(stage.rng.uniform(1.2, 1.8)) * stage.tight
+        _advance(stage, actor, phase, duration)
+        arrived.append(track.time)
+    if not arrived:
+        low, high = node.window or (1.0, 1.0)
+        arrived = [prescribed if prescribed is not None else max(low, min(high, low + 0.5))]
+    stage.time[node.id] = max(arrived)
+    stage.nominal[f"{node.id}/time"] = stage.time[node.id]
+
+
+def turned(stage: Stage, node: TimelineNode) -> None:
+    """HeadingReached: an arc at a plausible turn rate."""
+    for actor, phase in stage.incoming(node):
+        track = stage.tracks[actor]
+        speed = stage.speed(actor, phase) if phase.edge.params.speed else track.speed
+        track.speed = speed or stage.speed(actor, phase)
+        stage.nominal[f"{phase.edge.id}/speed"] = track.speed
+        low, high, fixed = bounds(phase.edge.params.turn_rate_deg_s, (25.0, 70.0))
+        rate = math.radians(low if fixed else min(max(45.0, low), high))
+        degrees, sign = turn_of(phase)
+        stage.nominal[f"{phase.edge.id}/turn_rate"] = rate
+        track.arc(sign * math.radians(degrees), rate)
+    times = [stage.tracks[a].time for a in stage.tracks if a in node.participants]
+    stage.time[node.id] = max(times, default=1.0)
+
+
+def plain(stage: Stage, node: TimelineNode) -> None:
+    """Stop, Topple, Fall, PositionAt: what remains of the actors' motion, nothing to place."""
+    prescribed = stage.prescribed_time(node)
+    for actor, phase in stage.incoming(node):
+        track = stage.tracks[actor]
+        duration = _stop_time(node) if node.event is NodeEvent.STOP else 2.0
+        if prescribed is not None:
+            duration = max(0.3, prescribed - track.time)
+        _advance(stage, actor, phase, duration)
+    times = [stage.tracks[p].time for p in node.participants if p in stage.tracks]
+    before = [stage.time.get(b, 0.0) for b in stage.story.before.get(node.id, ())]
+    stage.time[node.id] = prescribed or max([*times, *(t + 0.5 for t in before)], default=1.0)
+    if node.event is NodeEvent.FALL:
+        _place_for_fall(stage, node)
+
+
+def _advance(stage: Stage, actor: str, phase: Phase, duration: float) -> None:
+    """Moves an actor through a phase whose end is set by time."""
+    track, edge = stage.tracks[actor], phase.edge
+    if edge.event is EdgeEvent.BRAKE:
+        speed = track.speed or stage.speed(actor, phase)
+        low, high, fixed = bounds(edge.params.damping, (0.3, 8.0))
+        stop = phase.end.event is NodeEvent.STOP
+        if stop:
+            damping = stopping_damping(speed, duration, coasting_drag(stage.prop(actor)))
+        else:
+            damping = -math.log(0.4) / duration
+        damping = low if fixed else min(max(damping, low), high)
+        stage.nominal[f"{edge.id}/damping"] = damping
+        distance = braking_distance(speed, damping, duration)
+        track.straight(distance, duration, speed * math.exp(-damping * duration))
+        return
+    speed = stage.speed(actor, phase)
+    if edge.event is EdgeEvent.ACCELERATED_MOTION:
+        low, high, fixed = bounds(edge.params.acceleration, (100.0, 400.0))
+        rate = (low if fixed else middle(low, high) if low > 0 else 0.5 * (low + high)) / 100.0
+        start = track.speed if track.time > 0 else (speed if edge.params.speed is not None else 0.5)
+        stage.nominal[f"{edge.id}/acceleration"] = rate
+        stage.nominal[f"{edge.id}/speed"] = start
+        end = max(0.0, start + rate * duration)
+        track.straight(0.5 * (start + end) * duration, duration, end)
+        return
+    stage.nominal[f"{edge.id}/speed"] = speed
+    track.straight(speed * duration, duration, speed)
+
+
+def _stop_time(node: TimelineNode) -> float:
+    """Prescribed or usual duration of a stop [s]."""
+    for c in node.constraints:
+        if c.quantity == "time_to_stop":
+            low, high, _ = bounds(c.value, (2.0, 2.0))
+            return 0.5 * (low + high)
+    return 2.0
+
+
+def _place_for_fall(stage: Stage, node: TimelineNode) -> None:
+    """What shall fall off its support starts near the edge that its motion leads to."""
+    if stage.anchor is None or not node.participants:
+        return
+    name = stage.key(node.participants[0])
+    config = stage.doc.asset_configurations[
+        stage.doc.spatial_relation_graph.nodes[stage.anchor].asset_id
+    ]
+    if name not in stage.places or not config.support_surfaces:
+        return
+    surface = config.support_surfaces[0]
+    across = surface.half_extents_cm[1] < surface.half_extents_cm[0]
+    edge = surface.half_extents_cm[1 if across else 0] / 100.0
+    x, y, _ = stage.places[name]
+    angle = math.pi / 2 if across else 0.0
+    shift = edge - 0.6 * stage.prop(name).half_length - 0.05 - x
+    moved = {k: (px + shift, py - y, yaw) for k, (px, py, yaw) in stage.places.items()}
+    turn = Frame(angle=angle)
+    for key, (px, py, yaw) in moved.items():
+        cx, cy = surface.center_cm[0] / 100.0, surface.center_cm[1] / 100.0
+        tx, ty = turn.apply(px, py)
+        stage.places[key] = (cx + tx, cy + ty, None if yaw is None else yaw + angle)
+    stage.frames = {a: Frame(*stage.places[a][:2], stage.places[a][2] or 0.0) for a in stage.frames}

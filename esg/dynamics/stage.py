@@ -1,0 +1,189 @@
+"""One constellation being choreographed: what is known so far of starts, paths and times."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+import math
+
+import numpy as np
+
+from esg.dynamics.kinematics import Frame, Track, wrap_angle
+from esg.dynamics.stagecraft import Prop, default_speed, prop, support_of
+from esg.dynamics.story import Phase, Story, bounds
+from esg.graph.models import EsgDocument, ForceDirection, TimelineNode
+from esg.layout.hints import Constellation, Corridor, Placement
+
+CLEARANCE_M = 0.35
+RUN_OUT_M = 1.0
+
+
+class Stage:
+    """Participants whose motions touch each other; metres and radians, in a frame of their own.
+
+    The handlers of the events (`moves`, `meetings`, `pockets`) fill it in the story's order.
+
+    Attributes:
+        nominal: Control parameters found so far ("edge id/speed" -> SI value).
+        time: Time of each event told so far, by node id [s].
+        places: Start position [m] and yaw [rad] (None: any) by key; see `key`.
+        heights: Height of the bottom at the start [m], of those that do not start on a support.
+        tracks: Path of each active body, in the body's own frame.
+        frames: From an active body's own frame to the constellation's, once known.
+        moving: Path of each passive body that was set in motion, in the constellation's frame.
+        tight: Factor on free distances and times; below 1 where space is short.
+        anchor: The table or shelf it all takes place on, None for the ground.
+    """
+
+    def __init__(
+        self,
+        doc: EsgDocument,
+        story: Story,
+        names: set[str],
+        rng: np.random.Generator,
+        tight: float = 1.0,
+    ) -> None:
+        self.doc, self.story, self.names, self.rng = doc, story, names, rng
+        self.nominal: dict[str, float] = {}
+        self.time: dict[str, float] = {}
+        self.places: dict[str, tuple[float, float, float | None]] = {}
+        self.heights: dict[str, float] = {}
+        self.tracks = {a: Track() for a in story.phases if a in names}
+        self.frames: dict[str, Frame] = {}
+        self.moving: dict[str, Track] = {}
+        self._next_phase = {a: 0 for a in self.tracks}
+        self.tight = tight
+        actors = sorted(
+            self.tracks, key=lambda a: list(story.nodes).index(story.phases[a][0].start.id)
+        )
+        self.anchor = support_of(doc, actors[0])
+        if self.anchor and story.force[actors[0]] is ForceDirection.ANY_3D:
+            self.anchor = None
+
+    def tighter(self) -> Stage:
+        """An empty stage for the same participants with less room, drawing on from this one's."""
+        return Stage(self.doc, self.story, self.names, self.rng, self.tight * 0.7)
+
+    # -- who is who --------------------------------------------------------------------------
+
+    def key(self, name: str) -> str:
+        """What is placed for a node: the node, or "group:name" for a pattern it belongs to."""
+        group = self.story.group_of.get(name)
+        patterned = group and self.doc.spatial_relation_graph.nodes[name].group_pattern
+        return f"group:{group}" if group and patterned else name
+
+    def member(self, key: str) -> str:
+        """One node of what is placed under a key."""
+        return self.story.groups[key[6:]][0] if key.startswith("group:") else key
+
+    def prop(self, key: str) -> Prop:
+        found = prop(self.doc, self.member(key))
+        return replace(found, grouped=True) if key.startswith("group:") else found
+
+    def concerns(self, node: TimelineNode) -> bool:
+        """Whether an event has a participant on this stage."""
+        return bool(set(node.participants) & self.names)
+
+    # -- phases, speeds and times ------------------------------------------------------------
+
+    def incoming(self, node: TimelineNode) -> list[tuple[str, Phase]]:
+        """Actors and phases that end in this event; phases that already ended are passed over."""
+        out: list[tuple[str, Phase]] = []
+        for actor in self.tracks:
+            phases = self.story.phases[actor]
+            k = self._next_phase[actor]
+            while k < len(phases) and phases[k].end.id != node.id and phases[k].end.id in self.time:
+                k += 1
+            if k < len(phases) and phases[k].end.id == node.id:
+                self._next_phase[actor] = k + 1
+                track = self.tracks[actor]
+                track.time = max(track.time, self.time.get(phases[k].start.id, 0.0))
+                out.append((actor, phases[k]))
+        return out
+
+    def speed(self, actor: str, phase: Phase, least: float = 0.0) -> float:
+        """A plausible speed [m/s] of at least `least` within the segment's bounds."""
+        preferred = max(default_speed(self.prop(actor)), least)
+        if phase.edge.params.speed is None:
+            return self.tracks[actor].speed or preferred
+        low, high, fixed = bounds(phase.edge.params.speed, (100.0, 1000.0))
+        if fixed:
+            return low / 100.0
+        inner = 0.1 * (high - low)
+        return min(max(preferred, (low + inner) / 100.0), (high - inner) / 100.0)
+
+    def prescribed_time(self, node: TimelineNode) -> float | None:
+        """Absolute time [s] the prompt asks for, or None."""
+        for c in node.constraints:
+            if c.quantity == "time_since" and c.since in self.time:
+                low, high, _ = bounds(c.value, (1.0, 1.0))
+                return self.time[c.since] + 0.5 * (low + high)
+        if node.time_is_prescribed and node.timestamp is not None:
+            return node.timestamp
+        if node.time_is_prescribed and node.window is not None:
+            return 0.5 * (node.window[0] + node.window[1])
+        return None
+
+    # -- room --------------------------------------------------------------------------------
+
+    def reverse_yaw(self, actor: str) -> float:
+        """Yaw added for a body that drives backwards."""
+        low = self.story.phases[actor][0].edge.params.speed
+        return math.pi if isinstance(low, (int, float)) and low < 0 else 0.0
+
+    def free_frame(self) -> Frame:
+        """A start beside everything placed so far, for an unrelated second path."""
+        return Frame(0.0, max(y for _, y, _ in self.places.values()) + 4.0, 0.0)
+
+    def free_heading(self, x: float, y: float) -> float:
+        """An approach direction towards (x, y) far from those already in use."""
+        used = [
+            math.atan2(y - f.apply(0, 0)[1], x - f.apply(0, 0)[0]) for f in self.frames.values()
+        ]
+        used += [t.heading for t in self.moving.values()]
+        used += [t.heading + math.pi for t in self.moving.values()]
+        options = [math.pi, math.pi / 2, -math.pi / 2, 0.75 * math.pi, -0.75 * math.pi, 0.0]
+        return max(options, key=lambda o: min([abs(wrap_angle(o - u)) for u in used], default=1.0))
+
+    def enter_beside(self, actor: str) -> None:
+        """Places an actor that meets nobody beside everything placed so far."""
+        frame = Frame() if not self.places else self.free_frame()
+        self.frames[actor] = frame
+        x, y = frame.apply(0.0, 0.0)
+        self.places[actor] = (x, y, frame.angle)
+        if self.story.force[actor] is ForceDirection.ANY_3D:
+            self.heights[actor] = 1.0
+
+    # -- result ------------------------------------------------------------------------------
+
+    def constellation(self) -> Constellation:
+        """Placements and the corridors to keep free, in centimetres and degrees."""
+        placements = tuple(
+            Placement(
+                node=key,
+                x_cm=100.0 * x,
+                y_cm=100.0 * y,
+                yaw_deg=None if yaw is None else math.degrees(yaw),
+                z_cm=100.0 * self.heights[key] if key in self.heights else None,
+            )
+            for key, (x, y, yaw) in self.places.items()
+        )
+        everyone = tuple(self.places)
+        corridors: list[Corridor] = []
+        for name, track in {**self.tracks, **self.moving}.items():
+            frame = self.frames.get(name, Frame()) if name in self.tracks else Frame()
+            points = [frame.apply(*p) for p in track.points]
+            end = track.heading + frame.angle
+            run_out = RUN_OUT_M * self.tight
+            points.append(
+                (points[-1][0] + run_out * math.cos(end), points[-1][1] + run_out * math.sin(end))
+            )
+            width = self.prop(name).half_width + CLEARANCE_M * self.tight
+            corridors.append(
+                Corridor(tuple((100.0 * x, 100.0 * y) for x, y in points), 100.0 * width, everyone)
+            )
+        return Constellation(placements, tuple(corridors), anchor=self.anchor)
+
+
+def speed_is_fixed(phase: Phase) -> bool:
+    """Whether the document leaves no choice of the segment's speed."""
+    return bounds(phase.edge.params.speed, (1.0, 2.0))[2]
