@@ -1,0 +1,284 @@
+"""Per type of event: when it happened in each world, and how far from happening it was.
+
+A measure returns the time of the event [s] (inf where it did not happen) and a distance-like loss,
+both of shape [W]; terms that shape the search further go through `add(name, value [W])`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from esg.dynamics.gap import surface_gap
+from esg.dynamics.recording import Bools, Floats, Recording
+from esg.graph.models import NodeEvent, TimelineNode
+from esg.units import quat_rotate, yaw_from_quat
+
+AddTerm = Callable[[str, Floats], None]
+
+HIT_LIMIT_S = 15.0
+MIN_IMPULSE_NS = 0.1
+SAFE_IMPULSE_NS = 0.25
+MAX_DEPTH_M = 0.05
+SAFE_DEPTH_M = 0.035
+MAX_RECHECK_M = 0.02
+RECHECK_S = 0.2
+STOP_SPEED_MPS = 0.1
+DISTANCE_SCALE_M = 0.3
+
+
+def collision(
+    rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm
+) -> tuple[Floats, Floats]:
+    a, b = rec.members(node.participants[0]), rec.members(node.participants[-1])
+    time, impulse, depth, recheck, struck = _first_hit(rec, a, b, earliest)
+    hit = np.isfinite(time) & (time <= HIT_LIMIT_S)
+    good = hit & (impulse > MIN_IMPULSE_NS) & (depth < MAX_DEPTH_M) & (recheck <= MAX_RECHECK_M)
+    unsound = 0.5 + np.maximum(depth - MAX_DEPTH_M, 0.0) / 0.02
+    unsound += np.maximum(recheck - MAX_RECHECK_M, 0.0) / 0.02
+    unsound += np.maximum(MIN_IMPULSE_NS - impulse, 0.0) / MIN_IMPULSE_NS
+    missed = (_miss_distance(rec, a, b, hit, earliest) / DISTANCE_SCALE_M) ** 2
+    far = np.where(hit, np.minimum(unsound, 8.0), missed)
+    soft = np.maximum(SAFE_IMPULSE_NS - impulse, 0.0) / SAFE_IMPULSE_NS
+    soft = soft + np.maximum(depth - SAFE_DEPTH_M, 0.0) / 0.02
+    add(f"{node.id}/weak", np.where(good, soft, 0.0))
+    add(f"{node.id}/glance", np.where(good, 0.3 * struck, 0.0))
+    return np.where(good, time, np.inf), far
+
+
+def _first_hit(
+    rec: Recording, a: list[int], b: list[int], earliest: Floats
+) -> tuple[Floats, Floats, Floats, Floats, Floats]:
+    """Time, impulse, depth, depth 0.2 s later and glancing measure of the first hit."""
+    log = rec.r.contacts
+    pair = (np.isin(log.a, a) & np.isin(log.b, b)) | (np.isin(log.a, b) & np.isin(log.b, a))
+    rows = np.flatnonzero(pair)
+    time = np.full(rec.n, np.inf)
+    late = rows[log.time[rows] >= earliest[log.world[rows]] - 1e-9]
+    np.minimum.at(time, log.world[late], log.time[late])
+    # A touch that began before the earliest time and goes on is not a new hit; one that began
+    # in time but is re-examined 0.2 s later must have separated or rest lightly.
+    impulse, depth = np.zeros(rec.n), np.zeros(rec.n)
+    recheck, glance = np.zeros(rec.n), np.zeros(rec.n)
+    start = time[log.world[rows]]
+    after = log.time[rows] - start
+    burst = rows[(after >= -1e-9) & (after < 0.05)]
+    np.add.at(impulse, log.world[burst], log.impulse[burst])
+    first = rows[(after >= -1e-9) & (after < 1.5 / rec.fps)]
+    np.maximum.at(depth, log.world[first], log.depth[first])
+    later = rows[np.abs(after - RECHECK_S) < 0.75 / rec.fps]
+    np.maximum.at(recheck, log.world[later], log.depth[later])
+    for row in first[::-1]:
+        w = log.world[row]
+        frame = max(int(log.frame[row]) - 1, 0)
+        va = rec.r.linear_velocity[w, frame, log.a[row]].astype(float)
+        vb = rec.r.linear_velocity[w, frame, log.b[row]].astype(float)
+        relative = va - vb
+        size = float(np.linalg.norm(relative))
+        if size > 1e-6:
+            glance[w] = 1.0 - abs(float(relative @ log.normal[row])) / size
+    return time, impulse, depth, recheck, glance
+
+
+def _miss_distance(
+    rec: Recording, a: list[int], b: list[int], hit: Bools, earliest: Floats
+) -> Floats:
+    """Smallest surface distance of worlds without a hit [m], shape [W]."""
+    out = np.zeros(rec.n)
+    worlds = np.flatnonzero(~hit & np.isfinite(earliest))
+    if not len(worlds):
+        return out
+    best = np.full(len(worlds), np.inf)
+    for i in a:
+        for j in b:
+            best = np.minimum(best, _closest(rec, i, j, worlds, earliest[worlds]))
+    out[worlds] = np.maximum(best, 0.0)
+    return out
+
+
+def _closest(rec: Recording, i: int, j: int, worlds: NDArray[np.int64], earliest: Floats) -> Floats:
+    """Surface distance around the closest approach of the centres [m], shape [len(worlds)]."""
+    p, q = rec.r.position.astype(float), rec.r.quaternion.astype(float)
+    centres = np.linalg.norm(p[worlds, :, i] - p[worlds, :, j], axis=-1)
+    centres = np.where(rec.t[None, :] >= earliest[:, None], centres, np.inf)
+    nearest = np.argmin(centres, axis=1)
+    frames = np.clip(nearest[:, None] + np.arange(-6, 7), 0, len(rec.t) - 1)
+    w = worlds[:, None]
+    bodies = rec.scene.bodies
+    if not bodies[i].shapes or not bodies[j].shapes:
+        return centres[np.arange(len(worlds)), nearest]
+    gap = surface_gap(
+        bodies[i], bodies[j], p[w, frames, i], q[w, frames, i], p[w, frames, j], q[w, frames, j]
+    )
+    return np.nan_to_num(gap, nan=100.0).min(axis=1)
+
+
+def reach(
+    rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm
+) -> tuple[Floats, Floats]:
+    a, b = rec.members(node.participants[0]), rec.members(node.participants[-1])
+    near = _gap_over_time(rec, a, b) <= 0.25
+    near &= rec.t[None, :] >= earliest[:, None]
+    time = rec.first(near)
+    none = ~np.isfinite(time)
+    far = (_miss_distance(rec, a, b, ~none, earliest) / DISTANCE_SCALE_M) ** 2
+    hit = np.isfinite(_first_hit(rec, a, b, earliest)[0])
+    add(f"{node.id}/touch", np.where(hit, 0.5, 0.0))
+    return time, far
+
+
+def miss(
+    rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm
+) -> tuple[Floats, Floats]:
+    a, b = rec.members(node.participants[0]), rec.members(node.participants[-1])
+    hit = np.isfinite(_first_hit(rec, a, b, np.zeros(rec.n))[0])
+    gap = _gap_over_time(rec, a, b)
+    time = rec.t[np.argmin(gap, axis=1)]
+    add(f"{node.id}/near", np.minimum((np.maximum(gap.min(axis=1) - 0.5, 0) / 1.0) ** 2, 4))
+    ok = ~hit & np.isfinite(earliest)
+    return np.where(ok, time, np.inf), np.full(rec.n, 1.0)
+
+
+def _gap_over_time(rec: Recording, a: list[int], b: list[int]) -> Floats:
+    """Surface distance [m], shape [W, T]."""
+    p, q = rec.r.position.astype(float), rec.r.quaternion.astype(float)
+    out = np.full(p.shape[:2], np.inf)
+    for i in a:
+        for j in b:
+            x, y = rec.scene.bodies[i], rec.scene.bodies[j]
+            if x.shapes and y.shapes:
+                gap = surface_gap(x, y, p[:, :, i], q[:, :, i], p[:, :, j], q[:, :, j])
+                out = np.minimum(out, gap)
+    return out
+
+
+def enter(
+    rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm
+) -> tuple[Floats, Floats]:
+    region = next((r for r in rec.scene.regions if r.name == node.region), None)
+    if region is None:
+        return np.full(rec.n, np.inf), np.full(rec.n, 25.0)
+    body, parent = rec.scene.index(node.participants[0]), rec.scene.index(region.parent)
+    p, q = rec.r.position.astype(float), rec.r.quaternion.astype(float)
+    inverse = q[:, :, parent] * np.array([-1.0, -1.0, -1.0, 1.0])
+    local = quat_rotate(inverse, p[:, :, body] - p[:, :, parent]) - np.array(region.center)
+    half = np.array(region.half_extents)
+    outside = np.linalg.norm(np.maximum(np.abs(local) - half, 0.0), axis=-1)
+    late = rec.t[None, :] >= earliest[:, None]
+    inside = (outside <= 0.0) & late
+    hold = max(1, round(0.2 * rec.fps))
+    stays = inside.copy()
+    for k in range(1, hold + 1):
+        stays[:, :-k] &= inside[:, k:]
+        stays[:, -k:] &= inside[:, -1:]
+    below = (local[..., 2] < -half[2]) & (np.abs(local[..., :2]) < 1.5 * half[:2]).all(-1)
+    time = rec.first(
+        stays | (inside & np.flip(np.maximum.accumulate(np.flip(below & late, 1), 1), 1))
+    )
+    planar = np.linalg.norm(local[..., :2], axis=-1)
+    planar = np.where(late, planar, np.inf).min(axis=1)
+    scale = max(DISTANCE_SCALE_M * 0.3, float(half[:2].max()))
+    add(
+        f"{node.id}/centre",
+        np.where(
+            np.isfinite(time), 0.5 * np.minimum(planar / float(half[:2].min()), 2.0) ** 2, 0.0
+        ),
+    )
+    nearest = np.where(late, outside, np.inf).min(axis=1)
+    return time, (
+        np.nan_to_num(np.minimum(nearest + planar, 50.0), posinf=50.0) / scale
+    ) ** 2 * 0.25
+
+
+def stop(rec: Recording, node: TimelineNode, earliest: Floats, _: AddTerm) -> tuple[Floats, Floats]:
+    body = rec.scene.index(node.participants[0])
+    speed = rec.speed[:, :, body]
+    moved = np.maximum.accumulate(speed > 2.0 * STOP_SPEED_MPS, axis=1)
+    slow = (speed < STOP_SPEED_MPS) & moved & (rec.t[None, :] >= earliest[:, None])
+    still = slow.copy()
+    for k in range(1, max(1, round(0.2 * rec.fps)) + 1):
+        still[:, :-k] &= slow[:, k:]
+        still[:, -k:] = False
+    return rec.first(still), np.minimum(speed[:, -1], 5.0)
+
+
+def topple(
+    rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm
+) -> tuple[Floats, Floats]:
+    body = rec.scene.index(node.participants[0])
+    q = rec.r.quaternion[:, :, body].astype(float)
+    start = quat_rotate(q[:, :1] * np.array([-1.0, -1.0, -1.0, 1.0]), np.array([0.0, 0.0, 1.0]))
+    up = quat_rotate(q, np.broadcast_to(start, (*q.shape[:2], 3)))[..., 2]
+    tilt = np.degrees(np.arccos(np.clip(up, -1.0, 1.0)))
+    late = rec.t[None, :] >= earliest[:, None]
+    most = np.where(late, tilt, 0.0).max(axis=1)
+    add(f"{node.id}/weak", np.maximum(70.0 - most, 0.0) / 70.0 * 0.3)
+    return rec.first((tilt > 47.0) & late), ((47.0 - np.minimum(most, 47.0)) / 15.0) ** 2
+
+
+def fall(rec: Recording, node: TimelineNode, earliest: Floats, _: AddTerm) -> tuple[Floats, Floats]:
+    body = rec.scene.index(node.participants[0])
+    z = rec.r.position[:, :, body, 2].astype(float)
+    need = 1.05 * rec.scene.bodies[body].half_extents[2]
+    drop = z[:, :1] - z
+    late = rec.t[None, :] >= earliest[:, None]
+    most = np.where(late, drop, 0.0).max(axis=1)
+    # Without a drop the way to the edge of the support still tells good from bad.
+    moved = np.linalg.norm(
+        rec.r.position[:, -1, body, :2] - rec.r.position[:, 0, body, :2], axis=-1
+    )
+    return rec.first((drop > need) & late), 4.0 * np.maximum(need - most, 0) / need + 1 / (
+        1 + moved
+    )
+
+
+def heading(
+    rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm
+) -> tuple[Floats, Floats]:
+    name = node.participants[0]
+    body = rec.scene.index(name)
+    planned = rec.program_time(node)
+    v = rec.r.linear_velocity[:, :, body].astype(float)
+    yaw = np.unwrap(yaw_from_quat(rec.r.quaternion[:, :, body]), axis=1)
+    if rec.scene.bodies[body].roll_radius > 0.0:
+        yaw = np.unwrap(np.arctan2(v[..., 1], v[..., 0]), axis=1)
+    begin = np.array([t.get(f"{node.id}/begin", 0.0) for t in rec.times])
+    sign = 1.0 if (node.turn_direction or "left") == "left" else -1.0
+    asked = math.radians(node.turn_degrees or 90.0)
+    turned = sign * (rec.at(yaw, planned + 0.05) - rec.at(yaw, begin))
+    error = np.abs(turned - asked)
+    ok = (error < math.radians(15.0)) & np.isfinite(earliest)
+    add(f"{node.id}/heading", np.minimum((error / math.radians(10.0)) ** 2, 9.0) * 0.1)
+    return np.where(ok, planned, np.inf), np.minimum((error / 0.3) ** 2, 20.0)
+
+
+def position(
+    rec: Recording, node: TimelineNode, earliest: Floats, _: AddTerm
+) -> tuple[Floats, Floats]:
+    body = rec.scene.index(node.participants[0])
+    if node.position_cm is None:
+        return np.where(np.isfinite(earliest), earliest, np.inf), np.zeros(rec.n)
+    goal = np.array(node.position_cm) / 100.0
+    away = np.linalg.norm(rec.r.position[:, :, body].astype(float) - goal, axis=-1)
+    time = node.timestamp if node.timestamp is not None else None
+    if time is not None:
+        d = rec.at(away, np.full(rec.n, time))
+        return np.where(d < DISTANCE_SCALE_M, time, np.inf), (d / DISTANCE_SCALE_M) ** 2
+    near = (away < DISTANCE_SCALE_M) & (rec.t[None, :] >= earliest[:, None])
+    return rec.first(near), (away.min(axis=1) / DISTANCE_SCALE_M) ** 2
+
+
+MEASURES = {
+    NodeEvent.COLLISION: collision,
+    NodeEvent.REACH: reach,
+    NodeEvent.MISS: miss,
+    NodeEvent.ENTER_REGION: enter,
+    NodeEvent.STOP: stop,
+    NodeEvent.TOPPLE: topple,
+    NodeEvent.FALL: fall,
+    NodeEvent.HEADING_REACHED: heading,
+    NodeEvent.POSITION_AT: position,
+}
