@@ -27,6 +27,8 @@ from esg.outcomes import UserError
 
 PROMPTS = Path(__file__).resolve().parents[1] / "data" / "prompts"
 BANDS = ("single", "quantified", "chain", "multi_phase")
+FILES = (*BANDS, "varied")
+"""`varied` holds further prompts of all four bands, for development only."""
 PAPER = {"single-shot": 76.5, "without validation": 88.5, "hierarchical + validation": 99.0}
 RELATIVE_TOLERANCE = 0.02
 
@@ -78,8 +80,8 @@ class Score:
 def load(split: str | None) -> list[dict[str, Any]]:
     """The corpus, or one split of it."""
     rows: list[dict[str, Any]] = []
-    for band in BANDS:
-        for line in (PROMPTS / f"{band}.jsonl").read_text(encoding="utf-8").splitlines():
+    for name in FILES:
+        for line in (PROMPTS / f"{name}.jsonl").read_text(encoding="utf-8").splitlines():
             row = json.loads(line)
             if split in (None, "all", row["split"]):
                 rows.append(row)

@@ -212,8 +212,8 @@ class Acts(Core):
                     self._go_into(f, actor, others, p, time)
                 elif p.prep in ("against",):
                     self._hit(f, [actor], [other], time)
-                elif (p.prep in ("off", "from", "out of", "over") and p.prep != "from") or (
-                    p.prep == "from" and f.verb.sense in ("fall", "slide", "drop")
+                elif p.prep in ("off", "over") or (
+                    p.prep in ("from", "out of") and f.verb.sense in ("fall", "slide", "drop")
                 ):
                     if self._elevated(other) and (p.prep != "over" or p.mention.part):
                         self.place([actor], [other], "on")
@@ -308,7 +308,7 @@ class Acts(Core):
         targets = self._representatives(targets, movers)
         for mover in movers:
             for target in targets:
-                if mover == target or mover not in self.world.entities:
+                if mover == target or mover not in self.world.entities or self.structural(target):
                     continue
                 if not self.movable(mover):
                     mover, target = target, mover
@@ -408,6 +408,10 @@ class Acts(Core):
         if "over" in f.adverbs or "down" in f.adverbs or "upside down" in words:
             for b in self._representatives(bodies, []):
                 self.event(NodeEvent.TOPPLE, (b,), f, None)
+        elif f.adverbs and f.adverbs[-1] == "off" and f.verb.sense in ("knock", "launch", "cause"):
+            for b in self._representatives(bodies, []):
+                if b in self.scene.supported_by:
+                    self.event(NodeEvent.FALL, (b,), f, None)
 
     def _struck_before(self, f: Frame, body: str) -> None:
         """ "thrown at a bottle, which falls": the fall implies the hit."""

@@ -7,6 +7,7 @@ import re
 from typing import Any
 
 from esg.draft import lexicon as lex
+from esg.draft.entities import ORDINALS
 from esg.draft.scene import Relation, Scene
 from esg.draft.world import Entity, slug
 from esg.graph.models import (
@@ -120,7 +121,13 @@ def requirement(e: Entity) -> AssetRequirement:
     material = next(
         (lex.MATERIALS[a][0] for a in e.adjectives if a in lex.MATERIALS), e.noun.material
     )
-    modifiers = [a for a in e.adjectives if not a.startswith("@") and a not in ("same", "other")]
+    modifiers = [
+        a
+        for a in e.adjectives
+        if not a.startswith("@")
+        and a not in ("same", "other")
+        and not (e.in_group and a in {*ORDINALS, "last", "final"})
+    ]
     words = [*modifiers, e.head]
     description = f"{' '.join(dict.fromkeys(words))}: {e.noun.description}"
     synonyms = [s for s in e.noun.synonyms if s != e.head][:4]
@@ -301,19 +308,15 @@ class DocumentBuilder:
                 is_structural=structural,
                 label=e.label,
                 mentioned=e.mentioned,
-                group=e.group if not e.letter and not e.place else None,
+                group=e.group if e.in_group else None,
                 group_pattern=self._pattern(e),
                 is_static=bool(fixed & e.noun.traits) and not e.freed,
             )
 
     def _pattern(self, e: Entity) -> Any:
-        if e.group is None or e.letter or e.place:
+        if not e.in_group:
             return None
-        members = [
-            x
-            for x in self.world.entities.values()
-            if x.group == e.group and not x.letter and not x.place
-        ]
+        members = [x for x in self.world.entities.values() if x.group == e.group and x.in_group]
         return e.pattern if len(members) > 1 else None
 
     # -- relations -------------------------------------------------------------------------------

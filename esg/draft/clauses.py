@@ -35,6 +35,8 @@ class ClauseBuilder:
         self.sentence = 0
         self.nominal: list[Verb] = []
         """Gerunds that name a time span or a means."""
+        self._told: set[int] = set()
+        """Quantities that a property beside its noun has taken."""
         self._quantified: Mention | None = None
         """Noun that the last quantity was a property of."""
 
@@ -55,10 +57,8 @@ class ClauseBuilder:
         self._flush(s)
         for k, f in enumerate(self.frames):
             self._hand_over(f)
-            if f.subject is None and f.verb.form == "ing" and f.link.startswith("sub:"):
-                # "After hitting a cone, the car ...": the subject is still to come
-                following = (g for g in self.frames[k + 1 :] if g.sentence == f.sentence)
-                f.subject = next((g.subject for g in following if g.subject is not None), None)
+            self._takes_time(f, self.frames[k + 1 : k + 2])
+            self._fronted(f, [g for g in self.frames[k + 1 :] if g.sentence == f.sentence])
         self.frames = in_order(background_first(self.frames))
 
     @staticmethod
@@ -70,6 +70,30 @@ class ClauseBuilder:
             if p.amount is not None and p.amount.dimension in ("speed", "time"):
                 f.phrases.remove(p)
                 f.parent.phrases.append(p)
+
+    @staticmethod
+    def _fronted(f: Frame, following: list[Frame]) -> None:
+        """ "After hitting a cone, the car ...", "Struck by a car, the bin ...": subject to come."""
+        if f.subject is not None:
+            return
+        main = next((g for g in following if g.subject is not None), None)
+        if main is None or main.subject is None or main.subject.start < f.verb.start:
+            return
+        agent = f.phrase("by")
+        participle = f.verb.form in ("pp", "past") and agent is not None and f.object is None
+        if f.verb.form == "ing" or participle or (f.verb.passive and f.link.startswith("sub:")):
+            f.subject = main.subject
+            f.verb.passive = f.verb.passive or participle
+
+    @staticmethod
+    def _takes_time(f: Frame, following: list[Frame]) -> None:
+        """ "needs 5 seconds to stop", "takes 2 s to reach the door": the time of what follows."""
+        if f.verb.lemma not in _TAKING or not following or following[0].link != "purpose":
+            return
+        for p in list(f.phrases):
+            if p.amount is not None and p.amount.dimension == "time":
+                f.phrases.remove(p)
+                following[0].phrases.append(p)
 
     # -- words -----------------------------------------------------------------------------------
 
@@ -109,6 +133,8 @@ class ClauseBuilder:
                     s.frame.adverbs.append(w.low)  # a particle: "knocking them over"
                 return s
             s.prep = w.low
+            return s
+        if id(w) in self._told:
             return s
         if w.kind == "qty" and w.amount is not None and self._belongs_to_noun(s, w, i):
             return s
@@ -229,9 +255,11 @@ class ClauseBuilder:
         m.after_prep = s.prep
         prep, s.prep = s.prep, ""
         previous = self.elements[i - 1] if i else None
+        if self._stated_beside(m, i):
+            return
         coordinated = (
             isinstance(previous, Word)
-            and (previous.kind == "conj" or previous.low == ",")
+            and (previous.kind == "conj" or previous.low in (",", "then"))
             and s.last is not None
             and isinstance(self.elements[i - 2] if i >= 2 else None, (Mention, Word))
         )
@@ -295,6 +323,24 @@ class ClauseBuilder:
         elif frame.object2 is None:
             frame.object2 = m
         s.last, s.last_after_prep = m, False
+
+    def _stated_beside(self, m: Mention, i: int) -> bool:
+        """ "the red sphere (mass 2 kg)": the property belongs to the noun before."""
+        els = self.elements
+        if not m.attribute or i < 2 or i + 1 >= len(els):
+            return False
+        owner, mark, value = els[i - 2], els[i - 1], els[i + 1]
+        if not (isinstance(owner, Mention) and isinstance(mark, Word) and isinstance(value, Word)):
+            return False
+        if mark.low not in "(,–—-" or value.amount is None or owner.pronoun or owner.attribute:
+            return False
+        if value.amount.dimension not in ("mass", "length") or m.head not in _PROPERTIES:
+            return False
+        owner.amounts.append(value.amount)
+        if value.amount.dimension == "length":
+            owner.adjectives.append(f"@{value.amount.start}:{m.head}")
+        self._told.add(id(value))
+        return True
 
     def _absolute(self, s: State, m: Mention, i: int) -> None:
         """ "..., one in front of the other": a subject that a participle or phrase may follow."""
@@ -526,6 +572,7 @@ class ClauseBuilder:
             frame.subject = self._agent(previous)
             frame.link = "purpose"
             frame.parent = previous
+            frame.verb.negated = frame.verb.negated or previous.verb.lemma in _FAILING
 
     def _participle(self, s: State, frame: Frame, previous: Frame) -> None:
         v = frame.verb
@@ -576,6 +623,8 @@ class ClauseBuilder:
         s.loose = []
 
 
+_TAKING = frozenset({"need", "needs", "needed", "take", "takes", "took", "require", "requires"})
+_FAILING = frozenset({"fail", "fails", "failed", "refuse", "refuses", "refused", "failing"})
 _PROPERTIES = frozenset(
     {"mass", "weight", "height", "length", "width", "diameter", "radius", "size"}
 )

@@ -368,6 +368,9 @@ class Core:
             if event is NodeEvent.FALL and f.verb.sense == "fall":
                 self.event(event, (name,), f, time)
                 continue
+            if event in (NodeEvent.COLLISION, NodeEvent.ENTER_REGION) and other is not None:
+                self._land_aim(f, name, other, kind, target, time)
+                continue
             replaced = kind in (
                 NodeEvent.COLLISION,
                 NodeEvent.ENTER_REGION,
@@ -379,6 +382,35 @@ class Core:
                 continue
             participants = (name,) if other is None else (name, other)
             self.event(event, participants, f, time)
+
+    def _land_aim(
+        self,
+        f: Frame,
+        name: str,
+        other: str,
+        kind: NodeEvent | None,
+        target: str | None,
+        time: Time | None,
+    ) -> None:
+        """What was thrown at something hits it, unless it does something else with it instead."""
+        group = self.e(other).group
+        same = target == other or (
+            target is not None and group is not None and self.e(target).group == group
+        )
+        if kind in (NodeEvent.MISS, NodeEvent.ENTER_REGION) or same:
+            return
+        track = self.tl.tracks.get(name)
+        if track is None or track.motion is None or track.closed:
+            return
+        if self._enterable(other):
+            self.enter(f, name, other, None, time)
+        else:
+            self.event(NodeEvent.COLLISION, (name, other), f, time)
+            self.last_hit = (name, other)
+
+    def _enterable(self, node: str) -> bool:
+        noun = self.e(node).noun
+        return noun.kind in ("region", "goal", "hole", "hoop", "water") or "goal" in noun.traits
 
     def _precedes(self, a: Amount) -> bool:
         """Whether a time says how long before the next event: "2 seconds before B hits"."""

@@ -28,6 +28,15 @@ ORDINALS = {
 }
 FRONT = frozenset({"front", "lead", "leading", "foremost"})
 REAR = frozenset({"rear", "back", "trailing", "following", "hindmost", "rearmost"})
+_COMPARED = (
+    frozenset({"lighter", "heavier"}),
+    frozenset({"smaller", "larger"}),
+    frozenset({"smaller", "bigger"}),
+    frozenset({"slower", "faster"}),
+    frozenset({"shorter", "taller"}),
+    frozenset({"shorter", "longer"}),
+)
+"""Comparatives that tell two objects of one kind apart."""
 OTHER = frozenset({"other", "remaining", "another", "next", "opposite"})
 _HYPERNYMS: dict[str, frozenset[str]] = {
     "vehicle": frozenset({"vehicle", "cart", "robot", "toyvehicle"}),
@@ -106,6 +115,14 @@ class Entity:
     """front, rear, left, right or an ordinal, once known."""
     origin: int = -1
     """Offset of the first mention, for coverage."""
+
+    @property
+    def in_group(self) -> bool:
+        """Whether it stands in its plural's arrangement: members named by their place in a row do."""
+        if self.group is None or self.letter:
+            return False
+        in_row = self.pattern in ("row", "stack") and self.noun.kind != "vehicle"
+        return not self.place or (in_row and self.place in {*ORDINALS, "last", "final"})
 
     @property
     def movable(self) -> bool:
@@ -343,7 +360,10 @@ class Registry:
         noun = m.noun or unknown_noun(m.head)
         if noun.name == "net" and m.after_prep in ("into", "in"):
             noun = lex.nouns()["goal"]
-        elif noun.name == "hoop" and m.after_prep in ("through", "into", "in"):
+        elif noun.name == "hoop" and (
+            m.after_prep in ("through", "into", "in")
+            or any(e.noun.name == "basketball" for e in self.entities.values())
+        ):
             noun = lex.nouns()["basketball hoop"]
         if "structural" in noun.traits and "decal" not in noun.traits:
             return ["ground_1"] if "ground_1" in self.entities else self._ground(noun, m)
@@ -447,6 +467,10 @@ class Registry:
                 return False
             if a in lex.WEIGHTS and any(
                 b in lex.WEIGHTS and lex.WEIGHTS[b] != lex.WEIGHTS[a] for b in e.adjectives
+            ):
+                return False
+            if any(
+                a in pair and b in pair and a != b for b in e.adjectives for pair in _COMPARED
             ):
                 return False
             if a in FRONT and e.place == "rear":

@@ -9,7 +9,7 @@ from esg.draft.frames import Frame, Phrase
 from esg.draft.scene import Scene
 from esg.draft.senses_motion import MotionSenses
 from esg.draft.syntax import Mention
-from esg.graph.models import EventConstraint
+from esg.graph.models import EventConstraint, NodeEvent
 
 _THINGS_DO = frozenset({"hit", "enter", "land", "bounce", "miss", "scatter", "fall"})
 
@@ -206,6 +206,11 @@ class Interpreter(MotionSenses):
             subject = moving
         if sense in _ACTED_ON:
             objects = [i for i in objects if self._aimable(i)]
+        self._settle_aims(f)
+        subject = self._struck_one(f, subject)
+        speed = self.quantity(f, "speed")
+        if sense == "noop" and subject and speed is not None:
+            self.stated[subject[0]] = speed[1]  # "a lorry doing 60 mph"
         for _, a in self.amounts(f):
             if a.dimension == "mass" and subject:
                 owner = objects[0] if objects and sense not in ("weigh", "be") else subject[0]
@@ -242,6 +247,30 @@ class Interpreter(MotionSenses):
         for _, a in self.amounts(f):
             if a.dimension == "time" and self._precedes(a):
                 self.gap = a
+
+    def _settle_aims(self, f: Frame) -> None:
+        """What was thrown at something hits it before the prompt turns to other things."""
+        mentions = [f.subject, f.object, f.object2, *[p.mention for p in f.phrases]]
+        about = {i for m in mentions if m is not None for i in m.entities}
+        about |= {t for m in mentions if m is not None for t in self.thrown.get(id(m), [])}
+        for actor, (kind, g, target, _) in list(self.pending.items()):
+            aimed = kind in (NodeEvent.COLLISION, NodeEvent.ENTER_REGION)
+            if aimed and g.sentence < f.sentence and about and not about & {actor, target}:
+                self._settle(actor, None)
+
+    def _struck_one(self, f: Frame, subject: list[str]) -> list[str]:
+        """ "two balls collide and one of them rolls away": the one that was hit."""
+        m = f.subject
+        if m is None or self.last_hit is None or len(subject) != 1 or m.adjectives:
+            return subject
+        unnamed = (m.pronoun == "one" and not m.determiner) or (
+            m.pronoun in ("them", "these", "those") and m.count == 1
+        )
+        mates = self.world.groups.get(self.e(subject[0]).group or "", [])
+        if unnamed and set(self.last_hit) <= set(mates) and self._moved_by_others(self.last_hit[1]):
+            m.entities = [self.last_hit[1]]
+            return list(m.entities)
+        return subject
 
     def _guess_kind(self, node: str, lemma: str) -> None:
         """An unknown noun is what its verb says: what gallops is an animal."""

@@ -182,9 +182,9 @@ class NounPhrases(NounHeads):
                 j += 1
                 continue
             noun = self._match_noun(j)
+            ends_in_s = noun is not None and noun[2]
             if (
-                noun is not None
-                and noun[2]
+                (ends_in_s or lex.singular(token.low)[0] in lex.ATTRIBUTES)
                 and m.determiner in ("a", "an")
                 and m.adjectives
                 and not self._known_adjective(m.adjectives[-1])

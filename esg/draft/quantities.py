@@ -118,11 +118,11 @@ _APPROX = (
 )
 _BOUND = (
     r"(?:(?P<bound>at least|no less than|not less than|more than|greater than|faster than|over"
-    r"|above|at most|no more than|not more than|less than|fewer than|slower than|under|below|up to"
+    r"|above|no faster than|not faster than|no slower than|not slower than|a maximum of|a minimum of|at most|no more than|not more than|less than|fewer than|slower than|under|below|up to"
     r"|within|in under|in less than|exceeding)\s+)?"
 )
 _PATTERN = re.compile(
-    rf"{_BOUND}{_APPROX}(?P<between>between\s+|from\s+)?"
+    rf"(?:\bt(?:ime)?\s*=\s*)?{_BOUND}{_APPROX}(?P<between>between\s+|from\s+)?"
     rf"(?P<lo>{_NUMBER})"
     rf"(?:{_GAP}(?P<unit1>{_UNIT})?(?:{_TO}|(?(between)\s*and\s*|(?!)))(?P<hi>{_NUMBER}))?"
     rf"(?:{_GAP}(?P<unit>{_UNIT}))(?![a-z0-9])"
@@ -133,7 +133,10 @@ _TOLERANCE_FIRST = re.compile(
     rf"(?P<lo>{_DIGITS})\s*(?:±|\+/-|\+-)\s*(?P<tol>{_DIGITS})\s*(?P<unit>{_UNIT})(?![a-z0-9])",
     re.IGNORECASE,
 )
-_LOW_BOUNDS = ("at least", "no less", "not less", "more than", "greater", "faster", "over", "above")
+_LOW_BOUNDS = (
+    "at least", "no less", "not less", "no slower", "not slower", "a minimum",
+    "more than", "greater", "faster", "over", "above",
+)  # fmt: skip
 
 
 @dataclass(frozen=True)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from esg.draft import lexicon as lex
 from esg.draft.core import Time
 from esg.draft.frames import Frame
+from esg.draft.scene import SELF_POWERED
 from esg.draft.senses_launch import LaunchSenses
 from esg.graph.models import EventConstraint, NodeEvent
 
@@ -25,7 +26,10 @@ class ContactSenses(LaunchSenses):
                     a for a, t in self.tl.tracks.items() if t.motion is not None and a not in s
                 ][-1:]
             if not movers and s:
-                self._motion(f, s, None)  # "a cue ball is struck at 3 m/s"
+                if self.quantity(f, "angle") is not None:
+                    self._motion_of_things(f, s, "throw")
+                else:
+                    self._motion(f, s, None)  # "a cue ball is struck at 3 m/s"
                 return
             targets = s
         else:
@@ -132,7 +136,8 @@ class ContactSenses(LaunchSenses):
             if (t := self.tl.tracks.get(m)) is not None and (t.motion is not None or t.hit)
         ]
         if not moving:
-            for m in (a, b):
+            driven = any(self.kind(m) in SELF_POWERED for m in (a, b))
+            for m in (a, b) if driven else (a,):
                 if self.movable(m):
                     self._start_motion(f, [m], None, b if m == a else a)
         self._hit(f, [a], [b], time)

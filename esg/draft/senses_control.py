@@ -213,13 +213,9 @@ class ControlSenses(ContactSenses):
             if (p.mention is not None and p.mention.attribute) or (p.mention and p.mention.part):
                 words += [p.mention.head, p.mention.part]
         span = self.text[f.verb.start : f.verb.end + 40].lower()
-        direction = (
-            "left"
-            if "left" in words or "anticlockwise" in words or "counterclockwise" in words
-            else "right"
-            if "right" in words or "clockwise" in words
-            else ""
-        )
+        sides = {"left": "left", "anticlockwise": "left", "counterclockwise": "left"}
+        sides |= {"right": "right", "clockwise": "right"}
+        direction = next((sides[w] for w in words if w in sides), "")
         if not direction:
             direction = "right" if " right" in span.split(".")[0] else "left"
         degrees = 180.0 if f.verb.extra.get("dir") in ("u", "around", "back") else 90.0
@@ -231,9 +227,25 @@ class ControlSenses(ContactSenses):
         if not actors:
             actors = [a for a, t in self.tl.tracks.items() if t.motion is not None][-1:]
         self._turn(f, actors, direction, degrees, NodeEvent.HEADING_REACHED)
+        self._further_turns(f, actors, degrees)
         cross = f.phrase("at", "into", "onto", "down")
         if cross is not None:
             self.use(f, "turn")
+
+    def _further_turns(self, f: Frame, actors: list[str], degrees: float) -> None:
+        """ "turns right, then left": the turns after the first, each with its own angle."""
+        sides = [x for x in f.adverbs if x in ("left", "right")]
+        sides += [
+            p.mention.head
+            for p in f.phrases
+            if p.mention is not None and p.mention.head in ("left", "right")
+        ]
+        angles = [a for _, a in self.amounts(f) if a.dimension == "angle"]
+        for k, side in enumerate(sides[1:], 1):
+            if k < len(angles):
+                degrees = max(1.0, min(720.0, abs(angles[k].middle)))
+                self.use(angles[k], "turn angle")
+            self._turn(f, actors, side, degrees, NodeEvent.HEADING_REACHED)
 
     def _turn(
         self, f: Frame, actors: list[str], direction: str, degrees: float, kind: NodeEvent

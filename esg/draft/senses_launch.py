@@ -65,6 +65,12 @@ class LaunchSenses(StateSenses):
             self._knock_on(f, things)
             self._consequence(f, things)
             return
+        if agents and self.kind(things[0]) == "person" and mode in ("slide", "roll"):
+            # one person pushes another: contact, not a throw
+            self._hit(f, agents[:1], things[:1], self._time(f))
+            self._knock_on(f, things)
+            self._consequence(f, things)
+            return
         if agents:
             self.place(agents, things, "near")
         for agent in agents:
@@ -112,10 +118,25 @@ class LaunchSenses(StateSenses):
             self.thrown[id(m)] = moved
         self._outcomes(f, moved)
         self._consequence(f, moved)
+        self._aim_at(f, moved, aim)
         if aim is not None:
             for t in moved:
                 self.world.note([aim])
                 self.world.note([t], subject=f.verb.passive)
+
+    def _aim_at(self, f: Frame, moved: list[str], aim: str | None) -> None:
+        """ "throws a ball at a wall" ends at the wall, unless the prompt says otherwise later."""
+        p = f.phrase("at", "toward", "towards")
+        if p is None or aim is None or p.mention is None or aim not in p.mention.entities:
+            return
+        if p.prep != "at" and self.kind(aim) == "person":
+            return  # "throws a ball toward a child": to catch it
+        for t in moved:
+            track = self.tl.tracks.get(t)
+            if track is not None and track.motion is not None and not track.closed:
+                goal = self._enterable(aim)
+                event = NodeEvent.ENTER_REGION if goal else NodeEvent.COLLISION
+                self.pending[t] = (event, f, aim, self._time(f))
 
     def _heights(self, f: Frame, things: list[str]) -> None:
         for p, a in self.amounts(f):
@@ -276,6 +297,7 @@ class LaunchSenses(StateSenses):
 
     def _do_land(self, f: Frame, s: list[str], o: list[str]) -> None:
         for actor in s:
+            self._struck_before(f, actor)
             if actor not in self.tl.tracks:
                 self._start_motion(f, [actor], "drop")
         if not self._landing(f, s):

@@ -37,6 +37,8 @@ class MotionSenses(ControlSenses):
             and self.kind(actors[0]) == "person"
         ):
             actors = list(dict.fromkeys(mounted))  # "a man on a bicycle rides"
+            if f.subject is not None:
+                self.mounts[id(f.subject)] = actors
         actors = [a for a in actors if self.movable(a)]
         sides = [x for x in f.adverbs if x in ("left", "right")]
         if (

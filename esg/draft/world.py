@@ -238,7 +238,9 @@ class World(Registry):
             taken = [e for e in pool if e.place in ("", "first")]
             if ordinal == "first" and taken:
                 return [taken[0].id]
-            return []
+            alike = [e for e in pool if e.head == m.head and e.place in ("", "first")]
+            k = ORDINALS[ordinal]
+            return [alike[k].id] if 0 < k < len(alike) else []
         if 0 <= k < len(pool):
             e = pool[k]
             if not e.letter and len(grouped) <= 6:
@@ -286,12 +288,13 @@ class World(Registry):
             "several",
         ):
             pool = self.subjects if subject and p not in ("both",) else self.salience
+            keep = 1 if m.count == 1 else None  # "one of them"
             for ids in reversed(pool):
                 if len(ids) > 1 and (subject or not set(ids) <= set(avoid)):
-                    return list(ids)
+                    return list(ids)[:keep]
             for ids in reversed(self.salience):
                 if len(ids) > 1:
-                    return list(ids)
+                    return list(ids)[:keep]
             recent: list[str] = []
             for ids in reversed(self.salience):
                 for i in ids:
@@ -301,6 +304,10 @@ class World(Registry):
                     return recent[:2][::-1]
             return recent
         if p in ("one", "another", "other"):
+            named = next((a for a in m.adjectives if a in ORDINALS), None)
+            told = [e.id for e in self.entities.values() if named and e.place == named]
+            if named and told:
+                return told[-1:]  # "a third car hits the second"
             return self._one_of(m, avoid)
         # it, itself, this, that
         pools = [self.subjects, self.salience] if subject else [self.salience]
