@@ -26,9 +26,11 @@ from esg.dynamics.stagecraft import (
     target_yaw,
 )
 from esg.dynamics.story import REACH_BRAKE_DAMPING, Phase, bounds
-from esg.graph.models import EdgeEvent, ForceDirection, NodeEvent, TimelineNode
+from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
 
 MAX_APPROACH_M = 45.0
+LOB_S, LOB_SPEED_MPS = 1.15, 1.6
+"""Flight time and horizontal speed of a throw into an open container."""
 
 
 def collision(stage: Stage, node: TimelineNode) -> None:
@@ -95,7 +97,8 @@ def _impact(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
 def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) -> None:
     """An active body runs, rolls or flies at a target that waits."""
     track, pa, pb = stage.tracks[a], stage.prop(a), stage.prop(b)
-    if phase.edge.event is EdgeEvent.TOWARD and bounds(phase.edge.params.speed, (1, 1))[1] <= 1.0:
+    let_go = phase.edge.event is EdgeEvent.TOWARD and phase.edge.params.speed is not None
+    if let_go and bounds(phase.edge.params.speed, (0.0, 0.0))[1] <= 1.0:
         _drop(stage, node, a, b)
         return
     prescribed = stage.prescribed_time(node)
@@ -112,11 +115,17 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
         speed, distance, duration, left = slide(pa, speed, wait, stage.rng, adjustable=free)
         stage.nominal[f"{phase.edge.id}/speed"] = speed
     else:
-        duration = (
-            max(0.15, prescribed - track.time)
-            if prescribed is not None
-            else approach_distance(pa, speed, stage.rng) * stage.tight / speed
-        )
+        run = approach_distance(pa, speed, stage.rng) * stage.tight
+        run = max(run, descent(stage, b))
+        lob = node.event is NodeEvent.ENTER_REGION and stage.flies(a)
+        if prescribed is not None:
+            duration = max(0.15, prescribed - track.time)
+        elif lob:
+            # Steep enough to come down through an opening that looks up.
+            duration = LOB_S
+            speed = min(speed, LOB_SPEED_MPS)
+        else:
+            duration = run / speed
         distance = speed * duration
         left = speed
         if distance > MAX_APPROACH_M and not speed_is_fixed(phase):
@@ -124,16 +133,25 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
             distance = MAX_APPROACH_M
         stage.nominal[f"{phase.edge.id}/speed"] = speed
     track.straight(distance, duration, left)
-    if stage.story.force[a] is ForceDirection.ANY_3D:
+    if stage.flies(a):
         stage.heights[a] = release_height(pa, pb)
         stage.nominal[f"{phase.edge.id}/flight_time"] = duration
     _join(stage, a, b, node)
 
 
+def descent(stage: Stage, b: str) -> float:
+    """Least run [m] on a support whose target waits on the ground: past the support's end."""
+    if stage.anchor is None or support_of(stage.doc, stage.member(b)) == stage.anchor:
+        return 0.0
+    if stage.member(b) == stage.anchor:
+        return 0.0
+    return stage.prop(stage.anchor).length + 0.4
+
+
 def _slides(stage: Stage, actor: str, phase: Phase) -> bool:
     """Pushed or slid along the ground, so that friction takes its speed."""
     body = stage.prop(actor)
-    flat = stage.story.force[actor] is not ForceDirection.ANY_3D
+    flat = not stage.flies(actor)
     return phase.edge.event is EdgeEvent.TOWARD and flat and not (body.rolls or body.wheeled)
 
 
@@ -221,6 +239,9 @@ def _chain(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
         return
     pa, pb = stage.prop(a), stage.prop(b)
     gap = _coasting_gap(stage, pa, track.speed) * stage.tight
+    if pa.height > 2.5 * pa.length and not pa.rolls:
+        # Tall and thin: it topples onto the next one, which stands within its reach.
+        gap = min(gap, 0.5 * pa.height)
     prescribed = stage.prescribed_time(node)
     if prescribed is not None:
         gap = max(0.1, track.speed * (prescribed - track.time))
@@ -316,8 +337,13 @@ def _drop(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
     pb = stage.prop(b)
     stage.places.setdefault(b, (0.0, 0.0, 0.0))
     x, y, _ = stage.places[b]
+    stated = [c for n in (node, *stage.story.nodes.values()) for c in n.constraints]
     height = next(
-        (bounds(c.value, (1, 1))[0] / 100 for c in node.constraints if c.quantity == "height"),
+        (
+            sum(bounds(c.value, (1, 1))[:2]) / 200.0
+            for c in stated
+            if c.quantity == "height" and c.object == stage.member(a)
+        ),
         1.0,
     )
     stage.places[a] = (x, y, 0.0)

@@ -14,7 +14,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.dynamics.aim import aim_heading, aim_point
+from esg.dynamics.aim import aim_heading, aim_point, region_center
 from esg.dynamics.choreography import choreograph
 from esg.dynamics.kinematics import ballistic_velocity, wrap_angle
 from esg.dynamics.story import (
@@ -244,6 +244,8 @@ class _Planner:
     def _declare_phase(self, actor: str, body: Body, phase: Phase) -> None:
         edge, params = phase.edge, phase.edge.params
         nominal = self.nominal
+        if self._coasts(phase):
+            return
         if edge.event is EdgeEvent.TOWARD and self._flies(actor, phase):
             self._declare_throw(actor, body, phase)
         elif edge.event in (
@@ -424,7 +426,7 @@ class _Planner:
             )
             return
         target = self._target(phase)
-        offset = aim_point(body, self.scene.body(target), self.scene) if target else None
+        offset = self._throw_goal(actor, phase)
         flight = self.nominal.get(f"{edge.id}/flight_time", 1.0)
         if offset is not None:
             span = float(np.linalg.norm(offset[:2] - np.array(body.position)[:2]))
@@ -470,6 +472,22 @@ class _Planner:
             "rad",
             fixed=e_fixed,
         )
+
+    def _throw_goal(self, actor: str, phase: Phase) -> NDArray[np.float64] | None:
+        """The point a throw is aimed at: the region to enter, or the target's broadest part."""
+        if phase.end.region:
+            center = region_center(self.scene, phase.end.region)
+            if center is not None:
+                return center
+        target = self._target(phase)
+        body = self.scene.body(actor)
+        return aim_point(body, self.scene.body(target), self.scene) if target else None
+
+    def _coasts(self, phase: Phase) -> bool:
+        """A launched body that is already on its way: nothing new is done to it."""
+        nothing = phase.edge.params.speed is None and phase.edge.params.elevation_deg is None
+        first = self.story.phases[phase.edge.actor][0]
+        return phase.edge.event is EdgeEvent.TOWARD and nothing and phase is not first
 
     def _shall_topple(self, name: str | None) -> bool:
         """Whether the story tips a body over: it is then hit above its middle."""
@@ -558,6 +576,8 @@ class _Planner:
             start = max(clock, self._node_time(phase.start, v, clock))
             end = self._phase_end(phase, v, start, duration)
             last = k + 1 == len(phases)
+            if self._coasts(phase):
+                continue
             if edge.event is EdgeEvent.TOWARD:
                 out.append(self._launch(actor, body, phase, v, start, heading))
                 clock = start
@@ -644,9 +664,8 @@ class _Planner:
             heading = v[f"{edge.id}/heading"] + v[f"{actor}/aim"]
         flat = np.array([math.cos(heading), math.sin(heading), 0.0])
         if f"{edge.id}/flight_time" in v:
-            target = self._target(phase)
-            assert target is not None
-            goal = aim_point(body, self.scene.body(target), self.scene)
+            goal = self._throw_goal(actor, phase)
+            assert goal is not None
             goal = goal + np.array([0.0, 0.0, v[f"{edge.id}/aim_height"]])
             offset = goal - np.array(body.position)
             flat_offset = float(np.hypot(offset[0], offset[1])) * flat

@@ -55,13 +55,32 @@ class Stage:
         actors = sorted(
             self.tracks, key=lambda a: list(story.nodes).index(story.phases[a][0].start.id)
         )
-        self.anchor = support_of(doc, actors[0])
-        if self.anchor and story.force[actors[0]] is ForceDirection.ANY_3D:
-            self.anchor = None
+        self.lead = actors[0]
+        self.anchor = None if self.flies(self.lead) else support_of(doc, self.lead)
 
     def tighter(self) -> Stage:
         """An empty stage for the same participants with less room, drawing on from this one's."""
         return Stage(self.doc, self.story, self.names, self.rng, self.tight * 0.7)
+
+    def leaves_its_support(self) -> bool:
+        """Whether what starts on the anchor shall meet something that stands elsewhere."""
+        members = [self.member(k) for k in self.places]
+        return any(m != self.anchor and support_of(self.doc, m) != self.anchor for m in members)
+
+    def start_at_edge(self) -> None:
+        """Moves everything so that the lead starts at the anchor's edge, heading off it."""
+        assert self.anchor is not None
+        nodes = self.doc.spatial_relation_graph.nodes
+        config = self.doc.asset_configurations[nodes[self.anchor].asset_id]
+        surface = max(config.support_surfaces, key=lambda s: s.center_cm[2])
+        inset = 0.6 * self.prop(self.lead).half_length + 0.05
+        edge = (surface.center_cm[0] + surface.half_extents_cm[0]) / 100.0 - inset
+        x, y, _ = self.places[self.lead]
+        dx, dy = edge - x, surface.center_cm[1] / 100.0 - y
+        self.places = {k: (px + dx, py + dy, yaw) for k, (px, py, yaw) in self.places.items()}
+        self.frames = {a: Frame(f.x + dx, f.y + dy, f.angle) for a, f in self.frames.items()}
+        for track in self.moving.values():
+            track.points = [(px + dx, py + dy) for px, py in track.points]
 
     # -- who is who --------------------------------------------------------------------------
 
@@ -99,6 +118,10 @@ class Stage:
                 track.time = max(track.time, self.time.get(phases[k].start.id, 0.0))
                 out.append((actor, phases[k]))
         return out
+
+    def flies(self, actor: str) -> bool:
+        """Thrown or dropped: it starts in the air."""
+        return self.story.force[actor] is ForceDirection.ANY_3D
 
     def speed(self, actor: str, phase: Phase, least: float = 0.0) -> float:
         """A plausible speed [m/s] of at least `least` within the segment's bounds."""
@@ -150,7 +173,7 @@ class Stage:
         self.frames[actor] = frame
         x, y = frame.apply(0.0, 0.0)
         self.places[actor] = (x, y, frame.angle)
-        if self.story.force[actor] is ForceDirection.ANY_3D:
+        if self.flies(actor):
             self.heights[actor] = 1.0
 
     # -- result ------------------------------------------------------------------------------

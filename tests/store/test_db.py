@@ -368,7 +368,7 @@ def test_two_ingests_at_once_lose_nothing(tmp_path):
     for worker in workers:
         worker.start()
     for worker in workers:
-        worker.join(60)
+        worker.join(180)
     assert [w.exitcode for w in workers] == [0, 0, 0]
     assert counts(tmp_path / "x.duckdb")["runs"] == 3
 
@@ -391,11 +391,11 @@ def _die_in_ingest(path: str, folder: str) -> None:
 
 def test_a_killed_ingest_leaves_the_old_database(db, parts):
     before = db.read_bytes()
-    worker = multiprocessing.get_context("fork").Process(
+    worker = multiprocessing.get_context("spawn").Process(
         target=_die_in_ingest, args=(str(db), str(parts))
     )
     worker.start()
-    worker.join(60)
+    worker.join(180)
     assert worker.exitcode == -9
     assert db.read_bytes() == before
     assert ingest(db, [parts], force=True).files == 7
