@@ -113,6 +113,7 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
         wait = None if prescribed is None else max(0.15, prescribed - track.time)
         free = not speed_is_fixed(phase)
         speed, distance, duration, left = slide(pa, speed, wait, stage.rng, adjustable=free)
+        distance = max(distance, descent(stage, b))
         stage.nominal[f"{phase.edge.id}/speed"] = speed
     else:
         run = approach_distance(pa, speed, stage.rng) * stage.tight
