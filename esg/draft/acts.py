@@ -13,6 +13,9 @@ from esg.graph.models import ForceDirection, NodeEvent, Quantity
 _AIRBORNE = frozenset({"projectile", "tool", "tableware", "book", "rock"})
 
 
+_PUSHING = frozenset({"push", "shove", "nudge", "prod"})
+
+
 class Acts(Core):
     """Motions and collisions."""
 
@@ -27,6 +30,9 @@ class Acts(Core):
         if found is not None:
             self.use(found[1], "speed")
             a = found[1]
+            falling = f.verb.sense in ("brake", "slow", "stop")
+            if falling and a.low < a.high and a.text.lower().startswith("from"):
+                return a.high, True  # "brakes from 15 m/s to 5 m/s"
             if a.bound == "min":
                 return (a.low, 2.0 * a.low), True
             if a.bound == "max":
@@ -314,11 +320,38 @@ class Acts(Core):
                     mover, target = target, mover
                     if not self.movable(mover):
                         continue
+                self._share_support(f, mover, target)
                 self._ensure_mover(f, mover, target)
                 out.append(self.event(NodeEvent.COLLISION, (mover, target), f, time))
                 self.last_hit = (mover, target)
                 time = None
         return out
+
+    def _share_support(self, f: Frame, mover: str, target: str) -> None:
+        """What rolls across a table and hits a cup there, or pushes it, stands on the same table."""
+        hosts = self.scene.supported_by
+        for one, other in ((mover, target), (target, mover)):
+            host = hosts.get(one)
+            if host is None or other in hosts or other in self.scene.inside_of or other == host:
+                continue
+            if not self._fits_on(other, host) or self._airborne(mover):
+                continue
+            fell = any(n.event is NodeEvent.FALL and one in n.participants for n in self.tl.nodes)
+            pushed = f.verb.lemma in _PUSHING or mover in self.rolling
+            if self.aim.get(mover) == host:
+                continue
+            if not fell and (one == mover or pushed):
+                self.place([other], [host], "on")
+
+    def _fits_on(self, node: str, host: str) -> bool:
+        """Whether something movable can share a table top or shelf."""
+        top = self.e(host).noun
+        if "support" not in top.traits or "incline" in top.traits or not self.movable(node):
+            return False
+        if self.kind(node) in ("person", "vehicle") or self.structural(node):
+            return False
+        size = self.e(node).dimensions_cm or self.e(node).noun.dimensions_cm
+        return max(size) <= 0.5 * max(top.dimensions_cm[:2])
 
     def _kinematics(self, f: Frame, movers: list[str], targets: list[str]) -> None:
         """A stated speed belongs to the mover ("hits the wall at 5 m/s": just before it)."""
@@ -367,6 +400,8 @@ class Acts(Core):
                         and (p.prep != "over" or p.mention.part)
                     ):
                         self.place([body], [others[0]], "on")
+                        if self.last_hit is not None and self.last_hit[1] == body:
+                            self._share_support(f, *self.last_hit)
                         self.event(NodeEvent.FALL, (body,), f, None)
 
     def _down(self, f: Frame, body: str) -> None:

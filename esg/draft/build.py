@@ -291,6 +291,19 @@ class DocumentBuilder:
             )
         return name
 
+    def _face_of(self, wall: str) -> str:
+        """The vertical face that pictures hang on."""
+        name = f"{wall}_face"
+        self.regions.setdefault(
+            name,
+            SemanticRegion(
+                region_description=f"face of the {self.world.entities[wall].head}",
+                region_type=RegionType.ATTACHED_VERTICAL,
+                parent_object=wall,
+            ),
+        )
+        return name
+
     def _regions_and_nodes(self) -> None:
         fixed = {"fixed"}
         for e in self.world.entities.values():
@@ -298,7 +311,10 @@ class DocumentBuilder:
             region = None
             if not structural:
                 host = self.scene.supported_by.get(e.id)
-                if host is not None and host in self.world.entities:
+                wall = self.scene.attached.get(e.id)
+                if wall is not None and wall in self.world.entities:
+                    region = self._face_of(wall)
+                elif host is not None and host in self.world.entities:
                     region = self._region(host, e.id in self.scene.inside_of)
                 else:
                     region = self._region(GROUND)

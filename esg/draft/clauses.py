@@ -74,9 +74,14 @@ class ClauseBuilder:
     @staticmethod
     def _fronted(f: Frame, following: list[Frame]) -> None:
         """ "After hitting a cone, the car ...", "Struck by a car, the bin ...": subject to come."""
+        main = next((g for g in following if g.subject is not None), None)
+        for p in [p for p in f.phrases if p.prep == _UNTIL_MAIN]:
+            p.prep = "after"
+            if following:
+                f.phrases.remove(p)
+                following[0].phrases.append(p)
         if f.subject is not None:
             return
-        main = next((g for g in following if g.subject is not None), None)
         if main is None or main.subject is None or main.subject.start < f.verb.start:
             return
         agent = f.phrase("by")
@@ -263,6 +268,10 @@ class ClauseBuilder:
             and s.last is not None
             and isinstance(self.elements[i - 2] if i >= 2 else None, (Mention, Word))
         )
+        if coordinated and not prep and m.attribute and m.head in _PROPERTIES and s.frame is None:
+            if s.last is not None and not s.last.attribute and m.possessor is None:
+                self.attachments.append((s.last, Phrase("with", m)))  # "radius 10 cm and mass 2 kg"
+                return
         new_clause = s.boundary and not prep and finite_ahead(self.elements, i + 1)
         if s.relative is not None and s.boundary and s.boundary_kind in ("rel", "whose"):
             # object relative: "the box that the ball hits"
@@ -350,6 +359,10 @@ class ClauseBuilder:
 
     def _attach(self, s: State, phrase: Phrase, i: int) -> None:
         previous = s.last
+        aimed = phrase.prep in ("at", "against") and not s.boundary
+        if aimed and s.frame is not None and s.frame.verb.sense == "launch":
+            s.frame.phrases.append(phrase)  # "throws a ball at a wall": not a ball at a wall
+            return
         if phrase.prep == "by" and s.frame is not None and s.frame.verb.passive:
             s.frame.phrases.append(phrase)
             return
@@ -399,6 +412,11 @@ class ClauseBuilder:
             s.frame.phrases.append(phrase)
             return
         if s.frame is None:
+            owner = s.subject
+            if owner is not None and owner.attribute and owner.head in _OWNED:
+                if phrase.prep == "of" and phrase.mention is not None and owner.possessor is None:
+                    owner.possessor = phrase.mention  # "the speed of the car"
+                    return
             if s.subject is not None and noun_attached and not s.boundary:
                 self.attachments.append((s.last or s.subject, phrase))
             elif s.boundary or s.subject is None:
@@ -453,6 +471,8 @@ class ClauseBuilder:
             s.prep = ""
             return
         v.negated = v.negated or after_prep == "without"
+        if after_prep in ("after", "before") and s.frame is None and not s.sub:
+            s.sub, s.prep = after_prep, ""  # "after being kicked"
         frame = Frame(v, sentence=self.sentence, link=s.link)
         previous = s.frame
         s.link = "then"
@@ -602,6 +622,9 @@ class ClauseBuilder:
             s.sub = ""
         for item in s.loose:
             if isinstance(item, Phrase):
+                late = item.amount is not None and item.amount.dimension == "time"
+                if late and frame.subordinate == "after" and not item.prep:
+                    item.prep = _UNTIL_MAIN  # "half a second after being kicked, the ball ..."
                 frame.phrases.append(item)
             elif isinstance(item, str):
                 frame.adverbs.append(item)
@@ -624,8 +647,10 @@ class ClauseBuilder:
 
 
 _TAKING = frozenset({"need", "needs", "needed", "take", "takes", "took", "require", "requires"})
+_UNTIL_MAIN = "until main clause"
 _FAILING = frozenset({"fail", "fails", "failed", "refuse", "refuses", "refused", "failing"})
 _PROPERTIES = frozenset(
     {"mass", "weight", "height", "length", "width", "diameter", "radius", "size"}
 )
+_OWNED = _PROPERTIES | {"speed", "velocity"}
 _SIZES = frozenset({"tall", "high", "wide", "long", "thick", "deep", "diameter", "in diameter"})

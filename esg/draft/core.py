@@ -76,6 +76,8 @@ class Core:
         """Sentence and subject of the last description of a state."""
         self.own_speed: dict[str, Amount] = {}
         """Speeds stated one for each ("two trains at 20 m/s and 30 m/s")."""
+        self.rolling: set[str] = set()
+        """What the prompt says rolls or slides."""
         self.gap: Amount | None = None
         """Time until the next event ("brakes 2 seconds before ...")."""
         self.mounts: dict[int, list[str]] = {}
@@ -191,6 +193,12 @@ class Core:
                 kind = "on" if "support" in self.e(other).noun.traits else "near"
             if kind == "on" and self.kind(other) in ("ball", "billiard"):
                 kind = "near"
+            if self._towers(t) and kind in ("above", "on", "under"):
+                continue  # "on the wall above the sofa": what hangs there is above, not the wall
+            if kind == "on" and self.kind(t) == "wallhung" and self._towers(other):
+                self.scene.attached[t] = other
+                self.scene.relations.append(Relation(t, other, "attached_vertical"))
+                continue
             if kind == "between" and len(others) < 2 and len(things) >= 1:
                 kind = "near"
             if kind == "between":
@@ -206,6 +214,10 @@ class Core:
                 self.scene.supported_by[t] = other
                 self.scene.inside_of[t] = other
             self.scene.relations.append(Relation(t, other, kind, distance))
+
+    def _towers(self, node: str) -> bool:
+        """Walls and buildings: fixed, and taller than things are stacked."""
+        return self.kind(node) in ("wall", "building") and not self.movable(node)
 
     def _rests_on(self, a: str, b: str) -> bool:
         seen: set[str] = set()
@@ -234,6 +246,9 @@ class Core:
                 "statue",
                 "barrel",
                 "appliance",
+                "cart",
+                "furniture",
+                "seat",
             )
         )
 
@@ -397,7 +412,8 @@ class Core:
         same = target == other or (
             target is not None and group is not None and self.e(target).group == group
         )
-        if kind in (NodeEvent.MISS, NodeEvent.ENTER_REGION) or same:
+        blocked = self._enterable(other) and kind is not None
+        if kind in (NodeEvent.MISS, NodeEvent.ENTER_REGION) or same or blocked:
             return
         track = self.tl.tracks.get(name)
         if track is None or track.motion is None or track.closed:

@@ -170,6 +170,8 @@ class Registry:
     def __init__(self) -> None:
         self.entities: dict[str, Entity] = {}
         self.groups: dict[str, list[str]] = {}
+        self.group_words: dict[str, str] = {}
+        """"tower" of "a tower of cups", by group."""
         self.collective: set[str] = set()
         """Groups that "it" can mean ("a tower of blocks")."""
         self.salience: list[list[str]] = []
@@ -413,6 +415,7 @@ class Registry:
         self.groups[group] = ids
         if m.group_word and m.group_word not in ("pair", "couple", "number", "lot", "dozen"):
             self.collective.add(group)
+            self.group_words[group] = m.group_word
         if self.file_of_two and count == 2:
             self.file_of_two = False
             for i, place in zip(list(ids), ("front", "rear"), strict=True):

@@ -12,7 +12,7 @@ from esg.draft.syntax import Mention
 from esg.graph.models import EventConstraint, NodeEvent
 
 _THINGS_DO = frozenset({"hit", "enter", "land", "bounce", "miss", "scatter", "fall"})
-
+_THINGS_DO_TO = frozenset({"knock", "topple", "scatter"})
 """Senses that, after "the boy throws a ball and ...", are about the ball."""
 _STATES = frozenset(
     {"be", "posture", "have", "weigh", "measure", "contain", "face", "surround", "park", "noop"}
@@ -162,6 +162,10 @@ class Interpreter(MotionSenses):
         aimed = f.phrase("at", "toward", "towards", "against")
         if f.verb.sense in ("launch", "hit") and aimed is not None and aimed.mention is not None:
             objects = aimed.mention.entities or objects  # "throws a stone at a can and it falls"
+        speed = self.quantity(f, "speed")
+        if f.verb.sense == "be" and f.subject is not None and f.subject.attribute:
+            if speed is not None and len(subject) == 1:
+                self.stated[subject[0]] = speed[1]  # "the speed of the car is 12 m/s"
         self._patient = objects or self._patient
         self._last_subject = subject or self._last_subject
         if f.verb.sense == "be" and subject:
@@ -223,7 +227,8 @@ class Interpreter(MotionSenses):
         elif f.verb.negated and sense not in ("be", "posture", "miss"):
             self.scene.ignored[(f.verb.start, f.verb.end)] = "negated"
             return
-        if f.subject is not None and sense in _THINGS_DO and f.subject.start < f.verb.start:
+        things_do = sense in _THINGS_DO or (sense in _THINGS_DO_TO and objects)
+        if f.subject is not None and things_do and f.subject.start < f.verb.start:
             flying = self.thrown.get(id(f.subject))
             if (
                 flying

@@ -10,6 +10,9 @@ from esg.draft.verbgroups import VerbGroups
 from esg.draft.verbphrases import verb_readings
 
 
+_MEASURES = frozenset({"mass", "weight", "radius", "diameter", "height", "width", "length"})
+
+
 class NounHeads(VerbGroups):
     """Reads the head of a noun phrase whose modifiers have been read."""
 
@@ -270,7 +273,7 @@ class NounHeads(VerbGroups):
         return j
 
     def _is_attribute_start(self, j: int) -> bool:
-        if self._low(j) in ("mass", "weight") and self._tok(j + 1) is not None:
+        if self._low(j) in _MEASURES and self._tok(j + 1) is not None:
             return self.tokens[j + 1].kind == "qty" or self._low(j + 1) == "of"
         if self._low(j) in ("time", "motion", "place", "reverse", "times", "line", "advance"):
             return self._low(j - 1) in ("in", "three", "two", "several", "of", "into", "times")

@@ -147,6 +147,8 @@ class NounPhrases(NounHeads):
                     nxt = self._low(k)
                 if not (self._noun_at_or_after(k)):
                     break
+                if j == i and self._finite_after_of(i, k):
+                    break
                 m.amounts.append(token.amount)
                 j = k
                 if nxt in (
@@ -342,6 +344,11 @@ class NounPhrases(NounHeads):
             m.count = int(value)
             return j + 1
         return j
+
+    def _finite_after_of(self, i: int, k: int) -> bool:
+        """ "with a mass of 25 kg slides": the noun after the quantity is the verb."""
+        finite = any(r.form in ("s", "past") for r in verb_readings(self._low(k)))
+        return finite and self._low(i - 1) in ("of", "weighing", "is", "mass", "weight")
 
     def _noun_at_or_after(self, k: int) -> bool:
         for j in range(k, min(k + 5, len(self.tokens))):

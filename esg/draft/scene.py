@@ -33,6 +33,8 @@ class Scene:
     """Implied supports: (kind of need, node id)."""
     supported_by: dict[str, str] = field(default_factory=dict)
     inside_of: dict[str, str] = field(default_factory=dict)
+    attached: dict[str, str] = field(default_factory=dict)
+    """What hangs on a vertical face: node -> wall."""
     heights: dict[str, Quantity] = field(default_factory=dict)
     facing: dict[str, str] = field(default_factory=dict)
     travel: dict[str, Amount] = field(default_factory=dict)

@@ -123,6 +123,11 @@ class ContactSenses(LaunchSenses):
     def _mutual(self, f: Frame, movers: list[str], time: Time | None) -> None:
         """ "Two cars collide": who moves, who is hit."""
         a, b = movers[0], movers[1]
+        latest = self.tl.node(self.tl.last_event or "")
+        if latest is not None and latest.event is NodeEvent.COLLISION:
+            if set(latest.participants) == {a, b} and time is None:
+                self.use(f, latest.id)  # "they meet and collide"
+                return
         ta, tb = self.tl.tracks.get(a), self.tl.tracks.get(b)
         if (
             self.e(a).place == "front"
@@ -157,8 +162,22 @@ class ContactSenses(LaunchSenses):
         elif s:
             self._kinematics(f, s, o)
             self._hit(f, s, o, self._time(f))
+        self._topples_too(f, s, o)
         self._knock_on(f, o)
         self._consequence(f, o)
+
+    def _topples_too(self, f: Frame, s: list[str], o: list[str]) -> None:
+        """A member of a row that knocks over the next one falls over itself."""
+        for a in s[:1]:
+            group = self.e(a).group
+            fallen = any(
+                n.event is NodeEvent.TOPPLE and a in n.participants for n in self.tl.nodes
+            )
+            upright = self.kind(a) in ("domino", "pin") or "topples" in self.e(a).noun.traits
+            if group is None or fallen or not upright or not self._moved_by_others(a):
+                continue
+            if any(self.e(b).group == group for b in o):
+                self.event(NodeEvent.TOPPLE, (a,), f, None)
 
     def _do_cause(self, f: Frame, s: list[str], o: list[str]) -> None:
         self.use(f, "consequence")
@@ -212,6 +231,7 @@ class ContactSenses(LaunchSenses):
             movers = [m for m in s if self.kind(m) != "person"] or s
             if movers and not self._already_hit(f, movers, o):
                 self._hit(f, movers[:1], o, self._time(f))
+            self._topples_too(f, s, bodies)
         else:
             bodies = self._representatives(s, []) if not f.verb.passive else []
         for b in bodies:

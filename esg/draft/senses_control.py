@@ -171,6 +171,9 @@ class ControlSenses(ContactSenses):
             if not self.movable(actor):
                 continue
             time = self._time(f)
+            rest = f.phrase("against")
+            if rest is not None and rest.mention is not None:
+                self._hit(f, [actor], [i for i in rest.mention.entities if i != actor][:1])
             self._stop(f, actor, time)
         self._places_loosely(f, actors)
 

@@ -160,7 +160,9 @@ class LaunchSenses(StateSenses):
         self._drop(f, things)
 
     def _drop(self, f: Frame, things: list[str]) -> None:
-        moved = [t for t in things if self.movable(t)]
+        many = len(things) > 2
+        moved = self._representatives(things, []) if many else things
+        moved = [t for t in moved if self.movable(t)]
         source = f.phrase("off", "from")
         if source is not None and source.mention is not None:
             host = [i for i in source.mention.entities if self._elevated(i)]
@@ -204,6 +206,11 @@ class LaunchSenses(StateSenses):
         return True
 
     def _do_fall(self, f: Frame, s: list[str], o: list[str]) -> None:
+        slope = f.phrase("down")
+        if slope is not None and slope.mention is not None and f.verb.lemma == "tumble":
+            if any("incline" in self.e(i).noun.traits for i in slope.mention.entities):
+                self._read_as("roll", f, s, [])
+                return
         self._free([x for x in s if self.kind(x) in ("post", "plant", "wall", "street")])
         actors = self._representatives(s, [])
         fresh = [a for a in actors if a not in self.tl.tracks]

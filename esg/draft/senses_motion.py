@@ -119,6 +119,7 @@ class MotionSenses(ControlSenses):
         if self._pushes(f, s, o):
             return
         actors = o if o and (not s or self.kind(s[0]) == "person") else s
+        self.rolling.update(actors)
         if f.subject is not None and actors == o:
             self.thrown[id(f.subject)] = list(o)
         if actors and self.kind(actors[0]) in SELF_POWERED and not o:
@@ -138,6 +139,7 @@ class MotionSenses(ControlSenses):
         if self._pushes(f, s, o):
             return
         actors = o if o and (not s or self.kind(s[0]) == "person") else s
+        self.rolling.update(actors)
         if actors and self.kind(actors[0]) in SELF_POWERED - {"person", "cart"} and not o:
             self._motion(f, actors, "own")
             return
@@ -184,6 +186,10 @@ class MotionSenses(ControlSenses):
                 elif track is None:
                     self._ensure_drop(f, actor)
                 self.use(f, "rebound")
+        for q in f.phrases:
+            if q is not p and q.prep in ("off", "against") and q.mention is not None:
+                others = [i for i in q.mention.entities if i not in s and not self.structural(i)]
+                self._hit(f, s, others[:1])
         into = f.phrase("into")
         if into is not None and p is not into:
             for actor in s:

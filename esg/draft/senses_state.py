@@ -160,6 +160,13 @@ class StateSenses(Acts):
             if p.mention is None or p.mention.attribute:
                 continue
             others = p.mention.entities
+            if f.verb.lemma == "hang" and p.prep in ("on", "against") and others:
+                hung = [t for t in things if self._towers(others[0]) and not self.structural(t)]
+                for t in hung:
+                    self.scene.attached[t] = others[0]
+                    self.scene.relations.append(Relation(t, others[0], "attached_vertical"))
+                if hung:
+                    continue
             if p.prep == "with" and f.verb.lemma in ("cover", "load", "fill", "stack", "set"):
                 for t in things[:1]:
                     self.attachment_with([t], others)

@@ -147,7 +147,7 @@ class Chunker(NounPhrases):
         used = self._multiword(i)
         if used:
             return i + used
-        if self._verb_here(i):
+        if self._verb_here(i) or self._verb_after_amount(i):
             j = self._verb_group(i)
             if j is not None:
                 return j
@@ -186,6 +186,15 @@ class Chunker(NounPhrases):
             return i + 1
         self.elements.append(Word(token.start, token.end, "unknown", low))
         return i + 1
+
+    def _verb_after_amount(self, i: int) -> bool:
+        """ "with a mass of 25 kg slides": a noun cannot follow a quantity that "of" introduces."""
+        previous = self._previous()
+        return (
+            isinstance(previous, Word)
+            and previous.amount is not None
+            and self._finite_after_of(i - 1, i)
+        )
 
     def _multiword(self, i: int) -> int:
         for words, kind, low in _MULTI:

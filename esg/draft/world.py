@@ -40,6 +40,10 @@ class World(Registry):
             whole = next(reversed(list(self.groups.values())), None)  # "the stack collapses"
             if whole is not None:
                 return list(whole)
+        if m.determiner in ("the", "this", "that") and not m.adjectives and not m.letters:
+            named = [g for g, word in self.group_words.items() if word == m.head]
+            if named and all(e.head != m.head for e in self.entities.values()):
+                return list(self.groups[named[-1]])  # "a tower of cups ... the tower"
         if m.attribute or (not m.head and not m.pronoun):
             if m.possessor is not None:
                 return self.resolve(m.possessor)
@@ -369,8 +373,10 @@ class World(Registry):
             ):
                 return [last_group[-1]]
             if ordinal is not None:
-                k = len(last_group) - 1 if ordinal == "last" else ORDINALS[ordinal]
-                return [last_group[k]] if k < len(last_group) else []
+                model = self.entities[last_group[0]]
+                return self._ordinal(
+                    Mention(m.start, m.end, head=model.head, noun=model.noun), ordinal
+                )
             if "other" in m.adjectives and set(last_group) <= set(avoid):
                 return [last_group[-1]]
             if "other" in m.adjectives or m.pronoun in ("other", "another"):
