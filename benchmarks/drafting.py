@@ -2,6 +2,7 @@
 
     python -m benchmarks.drafting                  # the test third, rules drafter
     python -m benchmarks.drafting --split dev --show
+    python -m benchmarks.drafting --ablation       # and the language-model variants, scripted
 
 Expectations in `data/prompts/*.jsonl` were written from the prompts alone. The paper's row is its
 ablation of draft construction (usability of single-shot, without validation, full).
@@ -353,6 +354,11 @@ def main(argv: list[str] | None = None) -> int:
     parser.add_argument("--split", choices=("test", "dev", "all"), default="test")
     parser.add_argument("--drafter", choices=("rules", "llm"), default="rules")
     parser.add_argument("--show", action="store_true", help="list every miss")
+    parser.add_argument(
+        "--ablation",
+        action="store_true",
+        help="also the three variants of the language-model drafter with a scripted model",
+    )
     parser.add_argument("--json", metavar="FILE", help="write the numbers here")
     args = parser.parse_args(argv)
     draft("A ball hits a box.")
@@ -363,6 +369,13 @@ def main(argv: list[str] | None = None) -> int:
         print(f"{band:<12}" + "".join(f"{v:>17}" for v in score.row().values()))
     print(f"\n{1000.0 * seconds:.1f} ms a prompt (draft, verify, score), split {args.split}")
     print("paper, usability: " + ", ".join(f"{k} {v}" for k, v in PAPER.items()))
+    table = None
+    if args.ablation:
+        from benchmarks.drafting_ablation import ablation, show
+
+        prompts = [row["prompt"] for row in load(args.split)]
+        table = ablation(prompts)
+        print("\n" + show(table, len(prompts)))
     if args.show:
         for line in scores["total"].problems:
             print("  " + line)
@@ -373,6 +386,7 @@ def main(argv: list[str] | None = None) -> int:
             "split": args.split,
             "drafter": args.drafter,
             "bands": {b: s.row() for b, s in scores.items()},
+            "scripted_ablation": table,
         }
         Path(args.json).write_text(json.dumps(data, indent=2) + "\n", encoding="utf-8")
     return 0

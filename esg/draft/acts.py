@@ -320,6 +320,9 @@ class Acts(Core):
                     mover, target = target, mover
                     if not self.movable(mover):
                         continue
+                aimed = self.pending.get(target)
+                if aimed is not None and aimed[0] in (NodeEvent.COLLISION, NodeEvent.ENTER_REGION):
+                    mover, target = target, mover  # "a keeper blocks the shot": the ball arrives
                 self._share_support(f, mover, target)
                 self._ensure_mover(f, mover, target)
                 out.append(self.event(NodeEvent.COLLISION, (mover, target), f, time))

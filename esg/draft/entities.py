@@ -472,9 +472,7 @@ class Registry:
                 b in lex.WEIGHTS and lex.WEIGHTS[b] != lex.WEIGHTS[a] for b in e.adjectives
             ):
                 return False
-            if any(
-                a in pair and b in pair and a != b for b in e.adjectives for pair in _COMPARED
-            ):
+            if any(a in pair and b in pair and a != b for b in e.adjectives for pair in _COMPARED):
                 return False
             if a in FRONT and e.place == "rear":
                 return False

@@ -9,7 +9,6 @@ from esg.draft.elements import Mention
 from esg.draft.verbgroups import VerbGroups
 from esg.draft.verbphrases import verb_readings
 
-
 _MEASURES = frozenset({"mass", "weight", "radius", "diameter", "height", "width", "length"})
 
 

@@ -55,7 +55,7 @@ _unit(
 _unit("mass", 1e-3, "g", "gram", "grams", "gr", "gramme", "grammes")
 _unit("mass", 0.45359237, "lb", "lbs", "pound", "pounds")
 _unit("mass", 0.028349523, "oz", "ounce", "ounces")
-_unit("mass", 1000.0, "ton", "tons", "tonne", "tonnes", "metric ton", "metric tons")
+_unit("mass", 1000.0, "ton", "tons", "tonne", "tonnes", "metric ton", "metric tons", "t")
 _unit("length", 0.1, "mm", "millimeter", "millimeters", "millimetre", "millimetres")
 _unit("length", 1.0, "cm", "cms", "centimeter", "centimeters", "centimetre", "centimetres")
 _unit("length", 100.0, "m", "meter", "meters", "metre", "metres")
@@ -269,6 +269,8 @@ def _amount(m: re.Match[str]) -> Amount | None:
     if unit is None or low is None:
         return None
     dimension, factor = unit
+    if groups["unit"].lower() == "t" and re.match(r"T|t[-']", m.string[m.start("unit") :]):
+        return None  # "2 T-shirts"
     start = m.start()
     lo_word = groups["lo"].strip().lower()
     if lo_word in ("a", "an") and not _article_counts(m, groups["unit"], dimension):

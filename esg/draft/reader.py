@@ -37,6 +37,8 @@ class Reader:
                 if candidate in table:
                     if candidate == phrase and single != phrase and single in table:
                         continue
+                    if n > 1 and is_plural and self._subject_and_verb(i, words):
+                        continue
                     return table[candidate], n, is_plural or words[-1] == "billiards", candidate
             dashed = "-".join(words)
             if n > 1 and dashed in table:
@@ -46,6 +48,16 @@ class Reader:
             if last in table:
                 return table[last], 1, plural, last
         return None
+
+    def _subject_and_verb(self, i: int, words: list[str]) -> bool:
+        """ "The bus stops at the crossing": a subject with its verb, not several bus stops."""
+        if i == 0 or self._low(i - 1) not in ("a", "an", "the", "this", "that", "each", "every"):
+            return False
+        if " ".join(words[:-1]) not in lex.nouns():
+            return False
+        nxt = self._low(i + len(words))
+        plural_verb = nxt in lex.MODALS or nxt in ("are", "were", "have", "that", "which", "of")
+        return not plural_verb and any(r.form == "s" for r in verb_readings(words[-1]))
 
     def _previous(self) -> Element | None:
         return self.elements[-1] if self.elements else None

@@ -9,6 +9,8 @@ from esg.draft.scene import SELF_POWERED
 from esg.draft.senses_launch import LaunchSenses
 from esg.graph.models import EventConstraint, NodeEvent
 
+_CATCHING = frozenset({"catch", "block", "intercept", "parry", "deflect"})
+
 
 class ContactSenses(LaunchSenses):
     """Collisions and what follows from them."""
@@ -34,6 +36,8 @@ class ContactSenses(LaunchSenses):
             targets = s
         else:
             movers, targets = s, self._hit_targets(f, s, o)
+            if f.verb.lemma in _CATCHING and not set(targets) & set(self.pending):
+                targets = list(self.pending)[-1:] or targets  # "but the keeper catches it"
             if not s and o and f.subject is None:
                 # imperative "hit the ball into the goal": a launch
                 self._do_launch(f, s, o)
@@ -170,9 +174,7 @@ class ContactSenses(LaunchSenses):
         """A member of a row that knocks over the next one falls over itself."""
         for a in s[:1]:
             group = self.e(a).group
-            fallen = any(
-                n.event is NodeEvent.TOPPLE and a in n.participants for n in self.tl.nodes
-            )
+            fallen = any(n.event is NodeEvent.TOPPLE and a in n.participants for n in self.tl.nodes)
             upright = self.kind(a) in ("domino", "pin") or "topples" in self.e(a).noun.traits
             if group is None or fallen or not upright or not self._moved_by_others(a):
                 continue

@@ -7,7 +7,7 @@ from itertools import pairwise
 from esg.draft.acts import Acts
 from esg.draft.core import RELATION_PREPS
 from esg.draft.frames import Frame, Phrase
-from esg.draft.scene import Relation
+from esg.draft.scene import SELF_POWERED, Relation
 from esg.draft.syntax import Mention
 
 
@@ -169,7 +169,10 @@ class StateSenses(Acts):
                     continue
             if p.prep == "with" and f.verb.lemma in ("cover", "load", "fill", "stack", "set"):
                 for t in things[:1]:
-                    self.attachment_with([t], others)
+                    if f.verb.lemma == "load" and self.kind(t) in SELF_POWERED:
+                        self.place(others, [t], "on")  # "a truck loaded with barrels"
+                    else:
+                        self.attachment_with([t], others)
                 continue
             if p.prep in RELATION_PREPS:
                 fixed = None
