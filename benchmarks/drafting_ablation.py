@@ -1,8 +1,9 @@
 """Usability of the language-model drafter's three variants with a scripted model.
 
 The scripted model answers with the rules drafter's documents and spoils a fixed share of its
-answers. It shows that hierarchy, repair and feedback order the variants as in the paper's ablation;
-its rates are chosen, not measured, so the figures say nothing about any real model.
+answers. It shows what repair and feedback are worth against such faults. Its rates are chosen, not
+measured, and every fault breaks the document: the figures say nothing about any real model, and the
+order of the two variants without validation depends on the prompts.
 """
 
 from __future__ import annotations
@@ -61,6 +62,7 @@ def show(table: dict[str, dict[str, Any]], prompts: int) -> str:
     for variant, row in table.items():
         lines.append(f"{variant:<16}{row['usability']:>11}{row['rounds']:>9}{row['paper']:>8}")
     lines.append(
-        "The scripted model only orders the variants; its figures say nothing about a real model."
+        "Scripted faults only order the variants (validated or not); they say nothing about a real "
+        "model."
     )
     return "\n".join(lines)

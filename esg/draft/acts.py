@@ -331,7 +331,7 @@ class Acts(Core):
         return out
 
     def _share_support(self, f: Frame, mover: str, target: str) -> None:
-        """What rolls across a table and hits a cup there, or pushes it, stands on the same table."""
+        """What rolls across a table and hits a cup there, or pushes it, shares its table."""
         hosts = self.scene.supported_by
         for one, other in ((mover, target), (target, mover)):
             host = hosts.get(one)

@@ -148,6 +148,15 @@ class ClauseBuilder:
             nxt = self.elements[i + 1] if i + 1 < len(self.elements) else None
             if isinstance(nxt, Word) and nxt.low in ("later", "afterwards", "afterward"):
                 phrase.prep = "after"
+                rest = self.elements[i + 2 : i + 4]
+                if (
+                    s.boundary
+                    and isinstance(rest[0] if rest else None, Word)
+                    and rest[0].low == ","
+                ):
+                    s.loose.append(phrase)  # "and, 1.5 s later, crashes"
+                    s.prep = ""
+                    return s
             pair = i >= 2 and isinstance(self.elements[i - 2], Word)
             pair = pair and getattr(self.elements[i - 2], "amount", None) is not None
             if s.frame is not None and (
@@ -270,7 +279,7 @@ class ClauseBuilder:
         )
         if coordinated and not prep and m.attribute and m.head in _PROPERTIES and s.frame is None:
             if s.last is not None and not s.last.attribute and m.possessor is None:
-                self.attachments.append((s.last, Phrase("with", m)))  # "radius 10 cm and mass 2 kg"
+                self.attachments.append((s.last, Phrase("with", m)))  # "radius 9 cm and mass 2 kg"
                 return
         new_clause = s.boundary and not prep and finite_ahead(self.elements, i + 1)
         if s.relative is not None and s.boundary and s.boundary_kind in ("rel", "whose"):

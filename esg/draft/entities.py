@@ -118,7 +118,7 @@ class Entity:
 
     @property
     def in_group(self) -> bool:
-        """Whether it stands in its plural's arrangement: members named by their place in a row do."""
+        """Whether it stands in its plural's arrangement; a row keeps members named by place."""
         if self.group is None or self.letter:
             return False
         in_row = self.pattern in ("row", "stack") and self.noun.kind != "vehicle"

@@ -213,6 +213,8 @@ class Interpreter(MotionSenses):
         self._settle_aims(f)
         subject = self._struck_one(f, subject)
         speed = self.quantity(f, "speed")
+        if f.verb.lemma in ("happen", "occur"):
+            self._happens(f)
         if sense == "noop" and subject and speed is not None:
             self.stated[subject[0]] = speed[1]  # "a lorry doing 60 mph"
         for _, a in self.amounts(f):
@@ -262,6 +264,14 @@ class Interpreter(MotionSenses):
             aimed = kind in (NodeEvent.COLLISION, NodeEvent.ENTER_REGION)
             if aimed and g.sentence < f.sentence and about and not about & {actor, target}:
                 self._settle(actor, None)
+
+    def _happens(self, f: Frame) -> None:
+        """ "The crash happens after 3 seconds": the time of the event told last."""
+        time, last = self._time(f), self.tl.node(self.tl.last_event or "")
+        if time is not None and last is not None and last.time is None and not last.constraints:
+            if len(self.tl.nodes) == 1 or time[2] == "at":
+                last.time, last.time_prescribed = time[0], True
+                self.use(time[1], f"time of {last.id}")
 
     def _struck_one(self, f: Frame, subject: list[str]) -> list[str]:
         """ "two balls collide and one of them rolls away": the one that was hit."""
