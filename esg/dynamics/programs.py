@@ -1,0 +1,159 @@
+"""What an actor does: its phases and the values of theta as primitives of the control program."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from esg.dynamics.aim import aim_heading
+from esg.dynamics.cast import Cast
+from esg.dynamics.kinematics import ballistic_velocity, wrap_angle
+from esg.dynamics.story import REACH_BRAKE_DAMPING, Phase, turn_of
+from esg.engines.program import AdjustProperties, HoldVelocity, Primitive, SetVelocity
+from esg.engines.scene import Body
+from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
+from esg.units import quat_from_euler_deg, yaw_from_quat
+
+AFTER_HIT_DAMPING = 4.0
+"""Linear damping [1/s] of a driver who brakes after the hit that was asked for."""
+
+Values = dict[str, float]
+
+
+class Composer(Cast):
+    """Turns phases and values into primitives and start poses."""
+
+    def base_heading(self, actor: str) -> float:
+        body = self.scene.body(actor)
+        first = self.story.phases[actor][0]
+        target = self.target(first)
+        straight = first.end.event not in (NodeEvent.TRIGGER, NodeEvent.HEADING_REACHED)
+        yaw = float(yaw_from_quat(body.quaternion))
+        if self.drives(actor) and not straight:
+            return yaw
+        if target is not None and straight and not self.look_ahead:
+            offset = np.array(self.scene.body(target).position) - np.array(body.position)
+            return math.atan2(offset[1], offset[0])
+        if target is None or (self.drives(actor) and first.end.event is NodeEvent.MISS):
+            return yaw
+        heading = aim_heading(self.scene, self.story, body, first, target)
+        if self.drives(actor) and abs(wrap_angle(heading - yaw)) > math.radians(12.0):
+            return yaw
+        return heading
+
+    def start_pose(self, actor: str, v: Values) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Start pose of a driven body: turned by its aim and shifted sideways."""
+        body = self.scene.body(actor)
+        heading = self.base_heading(actor) + v[f"{actor}/aim"]
+        side = np.array([-math.sin(heading), math.cos(heading), 0.0])
+        yaw = heading + (math.pi if self.reverses(actor) else 0.0)
+        return (
+            np.array(body.position) + v[f"{actor}/lateral"] * side,
+            quat_from_euler_deg(math.degrees(yaw)),
+        )
+
+    def node_time(self, node: TimelineNode, v: Values, clock: float) -> float:
+        if node.event is NodeEvent.SCENE_START:
+            return 0.0
+        return v.get(f"{node.id}/time", node.timestamp if node.timestamp is not None else clock)
+
+    def primitives(
+        self, actor: str, phases: tuple[Phase, ...], v: Values, duration: float
+    ) -> list[Primitive]:
+        body = self.scene.body(actor)
+        heading = self.base_heading(actor) + v[f"{actor}/aim"]
+        speed, clock = 0.0, 0.0
+        out: list[Primitive] = []
+        for k, phase in enumerate(phases):
+            edge = phase.edge
+            start = max(clock, self.node_time(phase.start, v, clock))
+            end = self.phase_end(phase, v, start, duration)
+            last = k + 1 == len(phases)
+            if self.coasts(phase):
+                continue
+            if edge.event is EdgeEvent.TOWARD:
+                out.append(self.launch(actor, body, phase, v, start, heading))
+                clock = start
+                continue
+            if edge.event is EdgeEvent.BRAKE:
+                damping = v[f"{edge.id}/damping"]
+                out.append(AdjustProperties(actor, start, linear_damping=damping))
+                speed *= math.exp(-damping * max(end - start, 0.0))
+                clock = end
+                if not last:
+                    out.append(AdjustProperties(actor, end, linear_damping=body.linear_damping))
+                continue
+            speed = v.get(f"{edge.id}/speed", speed)
+            rate, turn_end = 0.0, end
+            if edge.event is EdgeEvent.TURN:
+                degrees, sign = turn_of(phase)
+                rate = sign * v[f"{edge.id}/turn_rate"]
+                turn_end = start + math.radians(degrees) / abs(rate)
+                end = turn_end
+            acceleration = v.get(f"{edge.id}/acceleration", 0.0)
+            until = self.contacts(phase)
+            out.append(
+                HoldVelocity(
+                    actor,
+                    start,
+                    end,
+                    speed=abs(speed),
+                    heading=heading,
+                    acceleration=acceleration,
+                    turn_rate=rate,
+                    roll_radius=body.roll_radius,
+                    until_contact=until,
+                )
+            )
+            heading += rate * (end - start) if edge.event is EdgeEvent.TURN else 0.0
+            speed = max(0.0, speed + acceleration * (min(end, duration) - start))
+            clock = end
+            if last and self.leaves_to_others(actor, phase):
+                hit = self.nominal.get(f"{phase.end.id}/event_time", duration)
+                out.append(AdjustProperties(actor, hit, linear_damping=AFTER_HIT_DAMPING))
+            if last and phase.end.event in (NodeEvent.REACH, NodeEvent.STOP):
+                out.append(AdjustProperties(actor, end, linear_damping=REACH_BRAKE_DAMPING))
+        return out
+
+    def phase_end(self, phase: Phase, v: Values, start: float, duration: float) -> float:
+        name = f"{phase.end.id}/time"
+        if phase.end.event is NodeEvent.TRIGGER and name in v:
+            return max(start + 0.05, v[name])
+        if phase.end.event in (NodeEvent.REACH, NodeEvent.STOP) and name in v:
+            return max(start + 0.05, v[name])
+        if phase.end.event is NodeEvent.POSITION_AT and phase.end.timestamp is not None:
+            return max(start + 0.05, phase.end.timestamp)
+        return duration + 1.0
+
+    def launch(
+        self, actor: str, body: Body, phase: Phase, v: Values, time: float, heading: float
+    ) -> SetVelocity:
+        edge = phase.edge
+        if f"{edge.id}/heading" in v:
+            heading = v[f"{edge.id}/heading"] + v[f"{actor}/aim"]
+        flat = np.array([math.cos(heading), math.sin(heading), 0.0])
+        if f"{edge.id}/flight_time" in v:
+            goal = self.throw_goal(actor, phase)
+            assert goal is not None
+            goal = goal + np.array([0.0, 0.0, v[f"{edge.id}/aim_height"]])
+            offset = goal - np.array(body.position)
+            flat_offset = float(np.hypot(offset[0], offset[1])) * flat
+            velocity = ballistic_velocity(
+                np.array([flat_offset[0], flat_offset[1], offset[2]]),
+                v[f"{edge.id}/flight_time"],
+                body.linear_damping,
+            )
+            return SetVelocity(actor, time, _vec(velocity), (0.0, 0.0, 0.0))
+        speed = v[f"{edge.id}/speed"]
+        elevation = v.get(f"{edge.id}/elevation", 0.0)
+        velocity = speed * (math.cos(elevation) * flat + np.array([0, 0, math.sin(elevation)]))
+        spin = None
+        if body.roll_radius > 0.0 and not self.flies(actor, phase) and edge.params.spin != "slide":
+            spin = (-velocity[1] / body.roll_radius, velocity[0] / body.roll_radius, 0.0)
+        return SetVelocity(actor, time, _vec(velocity), spin)
+
+
+def _vec(v: NDArray[np.float64]) -> tuple[float, float, float]:
+    return (float(v[0]), float(v[1]), float(v[2]))
