@@ -119,7 +119,8 @@ _APPROX = (
 _BOUND = (
     r"(?:(?P<bound>at least|no less than|not less than|more than|greater than|faster than|over"
     r"|above|no faster than|not faster than"
-    r"|no slower than|not slower than|a maximum of|a minimum of|at most|no more than|not more than|less than|fewer than|slower than|under|below|up to"
+    r"|no slower than|not slower than|a maximum of|a minimum of|at most"
+    r"|no more than|not more than|less than|fewer than|slower than|under|below|up to"
     r"|within|in under|in less than|exceeding)\s+)?"
 )
 _PATTERN = re.compile(
