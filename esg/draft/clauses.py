@@ -277,10 +277,18 @@ class ClauseBuilder:
             and s.last is not None
             and isinstance(self.elements[i - 2] if i >= 2 else None, (Mention, Word))
         )
-        if coordinated and not prep and m.attribute and m.head in _PROPERTIES and s.frame is None:
-            if s.last is not None and not s.last.attribute and m.possessor is None:
-                self.attachments.append((s.last, Phrase("with", m)))  # "radius 9 cm and mass 2 kg"
-                return
+        if (
+            coordinated
+            and not prep
+            and m.attribute
+            and m.head in _PROPERTIES
+            and s.frame is None
+            and s.last is not None
+            and not s.last.attribute
+            and m.possessor is None
+        ):
+            self.attachments.append((s.last, Phrase("with", m)))  # "radius 9 cm and mass 2 kg"
+            return
         new_clause = s.boundary and not prep and finite_ahead(self.elements, i + 1)
         if s.relative is not None and s.boundary and s.boundary_kind in ("rel", "whose"):
             # object relative: "the box that the ball hits"
@@ -422,10 +430,16 @@ class ClauseBuilder:
             return
         if s.frame is None:
             owner = s.subject
-            if owner is not None and owner.attribute and owner.head in _OWNED:
-                if phrase.prep == "of" and phrase.mention is not None and owner.possessor is None:
-                    owner.possessor = phrase.mention  # "the speed of the car"
-                    return
+            if (
+                owner is not None
+                and owner.attribute
+                and owner.head in _OWNED
+                and phrase.prep == "of"
+                and phrase.mention is not None
+                and owner.possessor is None
+            ):
+                owner.possessor = phrase.mention  # "the speed of the car"
+                return
             if s.subject is not None and noun_attached and not s.boundary:
                 self.attachments.append((s.last or s.subject, phrase))
             elif s.boundary or s.subject is None:

@@ -163,9 +163,14 @@ class Interpreter(MotionSenses):
         if f.verb.sense in ("launch", "hit") and aimed is not None and aimed.mention is not None:
             objects = aimed.mention.entities or objects  # "throws a stone at a can and it falls"
         speed = self.quantity(f, "speed")
-        if f.verb.sense == "be" and f.subject is not None and f.subject.attribute:
-            if speed is not None and len(subject) == 1:
-                self.stated[subject[0]] = speed[1]  # "the speed of the car is 12 m/s"
+        if (
+            f.verb.sense == "be"
+            and f.subject is not None
+            and f.subject.attribute
+            and speed is not None
+            and len(subject) == 1
+        ):
+            self.stated[subject[0]] = speed[1]  # "the speed of the car is 12 m/s"
         self._patient = objects or self._patient
         self._last_subject = subject or self._last_subject
         if f.verb.sense == "be" and subject:
@@ -268,10 +273,15 @@ class Interpreter(MotionSenses):
     def _happens(self, f: Frame) -> None:
         """ "The crash happens after 3 seconds": the time of the event told last."""
         time, last = self._time(f), self.tl.node(self.tl.last_event or "")
-        if time is not None and last is not None and last.time is None and not last.constraints:
-            if len(self.tl.nodes) == 1 or time[2] == "at":
-                last.time, last.time_prescribed = time[0], True
-                self.use(time[1], f"time of {last.id}")
+        if (
+            time is not None
+            and last is not None
+            and last.time is None
+            and not last.constraints
+            and (len(self.tl.nodes) == 1 or time[2] == "at")
+        ):
+            last.time, last.time_prescribed = time[0], True
+            self.use(time[1], f"time of {last.id}")
 
     def _struck_one(self, f: Frame, subject: list[str]) -> list[str]:
         """ "two balls collide and one of them rolls away": the one that was hit."""

@@ -128,10 +128,14 @@ class ContactSenses(LaunchSenses):
         """ "Two cars collide": who moves, who is hit."""
         a, b = movers[0], movers[1]
         latest = self.tl.node(self.tl.last_event or "")
-        if latest is not None and latest.event is NodeEvent.COLLISION:
-            if set(latest.participants) == {a, b} and time is None:
-                self.use(f, latest.id)  # "they meet and collide"
-                return
+        if (
+            latest is not None
+            and latest.event is NodeEvent.COLLISION
+            and set(latest.participants) == {a, b}
+            and time is None
+        ):
+            self.use(f, latest.id)  # "they meet and collide"
+            return
         ta, tb = self.tl.tracks.get(a), self.tl.tracks.get(b)
         if (
             self.e(a).place == "front"

@@ -207,10 +207,14 @@ class LaunchSenses(StateSenses):
 
     def _do_fall(self, f: Frame, s: list[str], o: list[str]) -> None:
         slope = f.phrase("down")
-        if slope is not None and slope.mention is not None and f.verb.lemma == "tumble":
-            if any("incline" in self.e(i).noun.traits for i in slope.mention.entities):
-                self._read_as("roll", f, s, [])
-                return
+        if (
+            slope is not None
+            and slope.mention is not None
+            and f.verb.lemma == "tumble"
+            and any("incline" in self.e(i).noun.traits for i in slope.mention.entities)
+        ):
+            self._read_as("roll", f, s, [])
+            return
         self._free([x for x in s if self.kind(x) in ("post", "plant", "wall", "street")])
         actors = self._representatives(s, [])
         fresh = [a for a in actors if a not in self.tl.tracks]
