@@ -14,14 +14,18 @@ from esg.engines.program import Program, batch_programs
 from esg.engines.scene import Rollout, SimScene, Variation
 
 START_SHIFT_M = 1e-7
+SHIFTS = 8
 
 
 def sensitivity(scene: SimScene, program: Program, rollout: Rollout) -> float:
-    """How far the program's own result moves [m] when its start moves by 0.1 micrometres."""
-    start = np.array([b.position for b in scene.bodies])[None]
-    shift = np.random.default_rng(0).normal(size=start.shape) * START_SHIFT_M
-    batch = batch_programs([program], scene.names)
-    moved = get_engine("physx").rollout(scene, batch, variation=Variation(start + shift))
+    """How far the program's own result moves [m] when its start moves by 0.1 micrometres.
+
+    The largest of several shifts: a chaotic scene answers only some directions.
+    """
+    start = np.array([b.position for b in scene.bodies])
+    shifts = np.random.default_rng(0).normal(size=(SHIFTS, *start.shape)) * START_SHIFT_M
+    batch = batch_programs([program] * SHIFTS, scene.names)
+    moved = get_engine("physx").rollout(scene, batch, variation=Variation(start + shifts))
     return float(np.abs(moved.position - rollout.position).max())
 
 
@@ -38,7 +42,7 @@ def compare(root: Path, seeds: range) -> None:
         late = [abs(times[p] - others[p]) for p in times]
         assert max(late, default=0.0) <= one.dt * 1.0001, seed
         apart = np.abs(one.position - two.position).max()
-        assert apart <= 1e-3 or apart <= 10 * sensitivity(scene, program, two), seed
+        assert apart <= 1e-3 or apart <= 3 * sensitivity(scene, program, two), seed
         assert one.valid.all() == two.valid.all()
 
 
