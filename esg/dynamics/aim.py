@@ -39,13 +39,12 @@ def body_bounds(body: Body) -> tuple[Floats, Floats]:
     return np.min([b[0] for b in boxes], axis=0), np.max([b[1] for b in boxes], axis=0)
 
 
-def aim_point(mover: Body, target: Body, scene: SimScene) -> Floats:
+def aim_point(mover: Body, target: Body) -> Floats:
     """A point on the target that the mover can meet: its broadest solid part at the mover's height.
 
     Args:
         mover: The body that moves.
         target: The body it shall meet.
-        scene: Regions of the target (a goal, a pocket) are aimed at through their centre.
 
     Returns:
         World point [m], shape [3].
@@ -72,7 +71,6 @@ def aim_point(mover: Body, target: Body, scene: SimScene) -> Floats:
             score = float(np.prod(b - a) ** (1 / 3)) + 0.2 * lateral
         if score > best_score:
             best, best_score = center, score
-    _ = scene
     return best
 
 
@@ -94,7 +92,7 @@ def aim_heading(scene: SimScene, story: Story, mover: Body, phase: Phase, target
     """
     position = np.array(mover.position)[:2]
     body = scene.body(target)
-    goal = aim_point(mover, body, scene)[:2]
+    goal = aim_point(mover, body)[:2]
     if phase.end.region:
         center = region_center(scene, phase.end.region)
         goal = goal if center is None else center[:2]

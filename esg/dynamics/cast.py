@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from esg.dynamics.aim import aim_point, region_center
 from esg.dynamics.story import Phase, Story, read_story
 from esg.engines.scene import SimScene
-from esg.graph.models import EdgeEvent, EsgDocument, ForceDirection, NodeEvent
+from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent
 
 
 class Cast:
@@ -33,10 +33,6 @@ class Cast:
         first = self.story.phases[actor][0].edge.event
         return first is not EdgeEvent.TOWARD and self.scene.body(actor).roll_radius == 0.0
 
-    def flies(self, actor: str, phase: Phase) -> bool:
-        _ = phase
-        return self.story.force[actor] is ForceDirection.ANY_3D
-
     def target(self, phase: Phase) -> str | None:
         """The body a phase is directed at."""
         names = [p for p in phase.end.participants if p != phase.edge.actor]
@@ -54,7 +50,7 @@ class Cast:
                 return center
         target = self.target(phase)
         body = self.scene.body(actor)
-        return aim_point(body, self.scene.body(target), self.scene) if target else None
+        return aim_point(body, self.scene.body(target)) if target else None
 
     def coasts(self, phase: Phase) -> bool:
         """A launched body that is already on its way: nothing new is done to it."""
@@ -69,10 +65,6 @@ class Cast:
             for n in self.story.nodes.values()
         )
 
-    def reverses(self, actor: str) -> bool:
-        speed = self.story.phases[actor][0].edge.params.speed
-        return isinstance(speed, (int, float)) and speed < 0
-
     def leaves_to_others(self, actor: str, phase: Phase) -> bool:
         """A driven body whose part ends with a hit that others carry on brakes there.
 
@@ -81,7 +73,7 @@ class Cast:
         """
         if phase.end.event is not NodeEvent.COLLISION or self.scene.body(actor).roll_radius:
             return False
-        after = [n for n in self.story.nodes.values() if phase.end.id in self.story.ancestors(n.id)]
+        after = self.story.after(phase.end.id)
         return bool(after) and not any(actor in n.participants for n in after)
 
     def contacts(self, phase: Phase) -> tuple[str, ...]:

@@ -118,7 +118,7 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
     else:
         run = approach_distance(pa, speed, stage.rng) * stage.tight
         run = max(run, descent(stage, b))
-        lob = node.event is NodeEvent.ENTER_REGION and stage.flies(a)
+        lob = node.event is NodeEvent.ENTER_REGION and stage.story.flies(a)
         if prescribed is not None:
             duration = max(0.15, prescribed - track.time)
         elif lob:
@@ -134,7 +134,7 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
             distance = MAX_APPROACH_M
         stage.nominal[f"{phase.edge.id}/speed"] = speed
     track.straight(distance, duration, left)
-    if stage.flies(a):
+    if stage.story.flies(a):
         stage.heights[a] = release_height(pa, pb)
         stage.nominal[f"{phase.edge.id}/flight_time"] = duration
     _join(stage, a, b, node)
@@ -152,13 +152,13 @@ def descent(stage: Stage, b: str) -> float:
 def _slides(stage: Stage, actor: str, phase: Phase) -> bool:
     """Pushed or slid along the ground, so that friction takes its speed."""
     body = stage.prop(actor)
-    flat = not stage.flies(actor)
+    flat = not stage.story.flies(actor)
     return phase.edge.event is EdgeEvent.TOWARD and flat and not (body.rolls or body.wheeled)
 
 
 def _goes_on(stage: Stage, node: TimelineNode, b: str) -> bool:
     """Whether more is said of the target after this hit."""
-    later = [n for n in stage.story.nodes.values() if node.id in stage.story.ancestors(n.id)]
+    later = stage.story.after(node.id)
     return any(b in map(stage.key, n.participants) for n in later)
 
 

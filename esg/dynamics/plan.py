@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 import math
 
 import numpy as np
@@ -57,22 +57,6 @@ class Plan:
 
     def free(self) -> NDArray[np.bool_]:
         return np.array([not v.fixed for v in self.variables], bool)
-
-    def with_starts(self, theta: NDArray[np.float64]) -> SimScene:
-        """The scene with re-aimed actors at their start poses."""
-        starts = self.starts(theta)
-
-        bodies = tuple(
-            replace(
-                b,
-                position=tuple(map(float, starts[b.name][0])),
-                quaternion=tuple(map(float, starts[b.name][1])),
-            )
-            if b.name in starts
-            else b
-            for b in self.scene.bodies
-        )
-        return self.scene.with_bodies(bodies)
 
 
 def make_plan(doc: EsgDocument, scene: SimScene, *, seed: int = 0, look_ahead: bool = True) -> Plan:

@@ -48,7 +48,7 @@ class Composer(Cast):
         body = self.scene.body(actor)
         heading = self.base_heading(actor) + v[f"{actor}/aim"]
         side = np.array([-math.sin(heading), math.cos(heading), 0.0])
-        yaw = heading + (math.pi if self.reverses(actor) else 0.0)
+        yaw = heading + (math.pi if self.story.reverses(actor) else 0.0)
         return (
             np.array(body.position) + v[f"{actor}/lateral"] * side,
             quat_from_euler_deg(math.degrees(yaw)),
@@ -150,7 +150,7 @@ class Composer(Cast):
         elevation = v.get(f"{edge.id}/elevation", 0.0)
         velocity = speed * (math.cos(elevation) * flat + np.array([0, 0, math.sin(elevation)]))
         spin = None
-        if body.roll_radius > 0.0 and not self.flies(actor, phase) and edge.params.spin != "slide":
+        if body.roll_radius > 0.0 and not self.story.flies(actor) and edge.params.spin != "slide":
             spin = (-velocity[1] / body.roll_radius, velocity[0] / body.roll_radius, 0.0)
         return SetVelocity(actor, time, _vec(velocity), spin)
 

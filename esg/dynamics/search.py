@@ -19,7 +19,7 @@ from esg.dynamics.build import build_scene
 from esg.dynamics.gradient import descend
 from esg.dynamics.losses import MISSED, TOLERANCE, Assessment
 from esg.dynamics.plan import Plan, make_plan
-from esg.dynamics.simulate import ENSEMBLE, NOMINAL, Perturbation, Simulator
+from esg.dynamics.simulate import ENSEMBLE, Simulator
 from esg.engines.base import get_engine
 from esg.engines.program import Program, program_to_json
 from esg.graph.canonical import document_hash
@@ -347,6 +347,3 @@ def _write(doc: EsgDocument, result: DynamicsResult, seed: int, strategy: str) -
     return doc.model_copy(
         update={"dynamics_result": result, "provenance": (*doc.provenance, provenance)}
     )
-
-
-__all__ = ["NOMINAL", "STRATEGIES", "Perturbation", "optimize"]

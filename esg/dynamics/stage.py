@@ -10,7 +10,7 @@ import numpy as np
 from esg.dynamics.kinematics import Frame, Track, wrap_angle
 from esg.dynamics.stagecraft import Prop, default_speed, prop, support_of
 from esg.dynamics.story import Phase, Story, bounds
-from esg.graph.models import EsgDocument, ForceDirection, TimelineNode
+from esg.graph.models import EsgDocument, TimelineNode
 from esg.layout.hints import Constellation, Corridor, Placement
 
 CLEARANCE_M = 0.35
@@ -56,7 +56,7 @@ class Stage:
             self.tracks, key=lambda a: list(story.nodes).index(story.phases[a][0].start.id)
         )
         self.lead = actors[0]
-        self.anchor = None if self.flies(self.lead) else support_of(doc, self.lead)
+        self.anchor = None if self.story.flies(self.lead) else support_of(doc, self.lead)
 
     def tighter(self) -> Stage:
         """An empty stage for the same participants with less room, drawing on from this one's."""
@@ -119,10 +119,6 @@ class Stage:
                 out.append((actor, phases[k]))
         return out
 
-    def flies(self, actor: str) -> bool:
-        """Thrown or dropped: it starts in the air."""
-        return self.story.force[actor] is ForceDirection.ANY_3D
-
     def speed(self, actor: str, phase: Phase, least: float = 0.0) -> float:
         """A plausible speed [m/s] of at least `least` within the segment's bounds."""
         preferred = max(default_speed(self.prop(actor)), least)
@@ -150,8 +146,7 @@ class Stage:
 
     def reverse_yaw(self, actor: str) -> float:
         """Yaw added for a body that drives backwards."""
-        low = self.story.phases[actor][0].edge.params.speed
-        return math.pi if isinstance(low, (int, float)) and low < 0 else 0.0
+        return math.pi if self.story.reverses(actor) else 0.0
 
     def free_frame(self) -> Frame:
         """A start beside everything placed so far, for an unrelated second path."""
@@ -173,7 +168,7 @@ class Stage:
         self.frames[actor] = frame
         x, y = frame.apply(0.0, 0.0)
         self.places[actor] = (x, y, frame.angle)
-        if self.flies(actor):
+        if self.story.flies(actor):
             self.heights[actor] = 1.0
 
     # -- result ------------------------------------------------------------------------------

@@ -71,6 +71,19 @@ class Story:
     def is_active(self, name: str) -> bool:
         return name in self.phases
 
+    def flies(self, actor: str) -> bool:
+        """Thrown or dropped: it starts in the air."""
+        return self.force[actor] is ForceDirection.ANY_3D
+
+    def reverses(self, actor: str) -> bool:
+        """Whether an actor starts by driving backwards."""
+        speed = self.phases[actor][0].edge.params.speed
+        return isinstance(speed, (int, float)) and speed < 0
+
+    def after(self, node_id: str) -> list[TimelineNode]:
+        """All events that this one leads to, in causal order."""
+        return [n for n in self.nodes.values() if node_id in self.ancestors(n.id)]
+
     def ancestors(self, node_id: str) -> set[str]:
         """All events that lead to this one."""
         seen: set[str] = set()

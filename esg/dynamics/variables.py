@@ -120,7 +120,7 @@ class Declarations(Cast):
         nominal = self.nominal
         if self.coasts(phase):
             return
-        if edge.event is EdgeEvent.TOWARD and self.flies(actor, phase):
+        if edge.event is EdgeEvent.TOWARD and self.story.flies(actor):
             self.declare_throw(actor, body, phase)
         elif edge.event in (
             EdgeEvent.UNIFORM_MOTION,
@@ -353,7 +353,7 @@ class Declarations(Cast):
         body = self.scene.body(actor)
         if target is None:
             return math.radians(20.0)
-        d = aim_point(body, self.scene.body(target), self.scene) - np.array(body.position)
+        d = aim_point(body, self.scene.body(target)) - np.array(body.position)
         x, z, g = float(np.hypot(d[0], d[1])), float(d[2]), GRAVITY_MPS2
         if speed < 0.5 or x < 0.05:
             return math.radians(-90.0) if x < 0.05 else 0.0
