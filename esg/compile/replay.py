@@ -314,7 +314,7 @@ class _Run:
         if engine == "physx":
             from esg.engines import physx_engine
 
-            with physx_engine._scene_config(physx_engine.physx_module(), self.scene):
+            with physx_engine.scene_config(physx_engine.physx_module(), self.scene):
                 self._world = physx_engine.PhysxWorld(self.scene, values, 0, grid.dt)
                 self._state_mass_frames(physx_engine.to_pose)
                 return self._simulate(engine, values, grid, ground)

@@ -6,14 +6,15 @@ Warp kernel of the Newton engine is tested against it.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 import math
 from typing import Any, Protocol
 
 import numpy as np
 
 from esg.engines.program import ProgramBatch
-from esg.engines.worlds import MAX_SPEED_MPS, ContactRecorder, Frames
+from esg.engines.scene import ContactLog
+from esg.engines.worlds import MAX_SPEED_MPS, ContactRecorder, Frames, Start, join_logs
 
 SET_VELOCITY, APPLY_IMPULSE, ADJUST, HOLD = range(4)
 """Indices into `esg.engines.program.KINDS`."""
@@ -108,6 +109,27 @@ class Executor:
         if not self._done[k] and row[0] <= now:
             self._active[k] = True
         return self._active[k] and not self._done[k]
+
+
+def play_all(start: Start, world: Callable[[int], World], ground_contacts: bool) -> ContactLog:
+    """Steps every sound world of a rollout, one after the other.
+
+    Args:
+        start: Arrays of the rollout; states and validity are written.
+        world: Makes the world of a number.
+        ground_contacts: Whether the log includes contacts with the ground.
+    """
+    logs: list[ContactLog] = []
+    for w in range(start.batch.n_worlds):
+        if not start.valid[w]:
+            continue
+        recorder = ContactRecorder(w, start.frames)
+        program = Executor(start.batch, w)
+        start.valid[w] = play(
+            world(w), program, start.frames, start.states, recorder, ground_contacts
+        )
+        logs.append(recorder.log())
+    return join_logs(logs)
 
 
 def play(

@@ -16,15 +16,7 @@ from esg.engines.base import VERIFY_DT_S
 from esg.engines.newton_model import ITERATIONS, NewtonModel, quiet_warp, structure_key
 from esg.engines.program import ProgramBatch
 from esg.engines.scene import ContactLog, Rollout, SimScene, Variation
-from esg.engines.worlds import (
-    MAX_SPEED_MPS,
-    Frames,
-    Values,
-    check,
-    join_logs,
-    rest_states,
-    world_values,
-)
+from esg.engines.worlds import MAX_SPEED_MPS, Frames, Start, Values, join_logs
 from esg.outcomes import UserError
 
 MAX_MODELS = 12
@@ -79,21 +71,16 @@ class NewtonEngine:
         """Simulates all worlds of the batch at once (`Engine.rollout`)."""
         import newton
 
-        check(scene, batch)
-        frames = Frames.of(batch.duration if duration is None else duration, dt, record_every)
-        values = world_values(scene, variation, batch.n_worlds)
-        states = rest_states(values, frames)
-        sound = np.isfinite(values.position).all((1, 2)) & np.isfinite(values.quaternion).all(
-            (1, 2)
+        start = Start.of(
+            scene, batch, dt=dt, record_every=record_every, duration=duration, variation=variation
         )
-        valid = sound.copy()
         logs: list[ContactLog] = []
-        order = np.nonzero(sound)[0]
+        order = np.nonzero(start.valid)[0]
         most = MAX_WORLDS_CUDA
         if self.device == "cpu":
             share = -(-len(order) // self.threads)
             most = int(np.clip(share, MIN_WORLDS_PER_THREAD, MAX_WORLDS_CPU))
-        job = _Job(scene, batch, values, frames, ground_contacts, states, valid, self.device)
+        job = _Job(start, ground_contacts, self.device)
         parts = [order[k : k + most] for k in range(0, len(order), most)]
         # Models are shared by all callers in the process, and one model serves one batch at a time.
         with _lock:
@@ -101,36 +88,22 @@ class NewtonEngine:
                 logs += job.run(parts[k : k + self.threads])
         log = join_logs(logs)
         keep = np.lexsort((log.b, log.a, log.frame, log.world))
-        return Rollout(
-            engine=self.name,
-            dt=dt,
-            time=frames.time,
-            position=states[0],
-            quaternion=states[1],
-            linear_velocity=states[2],
-            angular_velocity=states[3],
-            contacts=ContactLog(**{n: getattr(log, n)[keep] for n in log.__dataclass_fields__}),
-            valid=valid,
-            extra={
-                "version": newton.__version__,
-                "solver": "Steel",
-                "iterations": ITERATIONS,
-                "device": self.device,
-            },
-        )
+        extra = {
+            "version": newton.__version__,
+            "solver": "Steel",
+            "iterations": ITERATIONS,
+            "device": self.device,
+        }
+        ordered = ContactLog(**{n: getattr(log, n)[keep] for n in log.__dataclass_fields__})
+        return start.rollout(self.name, ordered, extra)
 
 
 @dataclass(frozen=True)
 class _Job:
-    """One rollout; `states` and `valid` are written in place."""
+    """One rollout; the arrays of its start are written in place."""
 
-    scene: SimScene
-    batch: ProgramBatch
-    values: Values
-    frames: Frames
+    start: Start
     ground_contacts: bool
-    states: tuple[Any, Any, Any, Any]
-    valid: NDArray[np.bool_]
     device: str
 
     def run(self, parts: list[NDArray[np.int64]]) -> list[ContactLog]:
@@ -138,7 +111,8 @@ class _Job:
 
         Warp's kernels are serial on the CPU but release the interpreter's lock.
         """
-        growth = _growth.get(structure_key(self.scene), 1)
+        structure = structure_key(self.start.scene)
+        growth = _growth.get(structure, 1)
         while True:
             models = [self._load(worlds, k, growth) for k, worlds in enumerate(parts)]
             if len(parts) == 1:
@@ -150,46 +124,46 @@ class _Job:
                 return [log for part in logs for log in part]
             # Contacts were dropped: simulate again with more room, and remember it.
             growth *= 2
-            _growth[structure_key(self.scene)] = growth
+            _growth[structure] = growth
 
     def _load(self, worlds: NDArray[np.int64], part: int, growth: int) -> NewtonModel:
-        model = _model(self.scene, len(worlds), self.device, part, growth)
+        start, b = self.start, self.start.batch
+        model = _model(start.scene, len(worlds), self.device, part, growth)
         # Surplus worlds of the bucket repeat the first one.
         slots = np.concatenate([worlds, np.full(model.n_worlds - len(worlds), worlds[0])])
-        b = self.batch
         model.load(
-            self.scene,
-            Values(**{n: getattr(self.values, n)[slots] for n in Values.__dataclass_fields__}),
+            start.scene,
+            Values(**{n: getattr(start.values, n)[slots] for n in Values.__dataclass_fields__}),
             ProgramBatch(b.kind, b.body, b.until, b.table[slots], b.duration),
-            self.frames.dt,
-            self.frames.record_every,
+            start.frames.dt,
+            start.frames.record_every,
             self.ground_contacts,
         )
         model.prepare()
         return model
 
     def _play(self, model: NewtonModel, worlds: NDArray[np.int64]) -> list[ContactLog]:
-        w, moving, frames = len(worlds), model.moving, self.frames
+        w, moving, frames = len(worlds), model.moving, self.start.frames
         ends = np.full(w, frames.n_frames)
         logs: list[ContactLog] = []
         if len(moving) == 0:
             return logs
-        position, quaternion, linear, angular = self.states
-        for start in range(0, frames.n_frames - 1, model.chunk_frames):
-            n = min(model.chunk_frames, frames.n_frames - 1 - start)
-            chunk = model.run_chunk(start, n)
+        position, quaternion, linear, angular = self.start.states
+        for first in range(0, frames.n_frames - 1, model.chunk_frames):
+            n = min(model.chunk_frames, frames.n_frames - 1 - first)
+            chunk = model.run_chunk(first, n)
             pose = chunk["pose"][:, :w].swapaxes(0, 1)
             velocity = chunk["velocity"][:, :w].swapaxes(0, 1)
-            rows = np.ix_(worlds, np.arange(start + 1, start + 1 + n), moving)
+            rows = np.ix_(worlds, np.arange(first + 1, first + 1 + n), moving)
             position[rows], quaternion[rows] = pose[..., :3], pose[..., 3:]
             linear[rows], angular[rows] = velocity[..., :3], velocity[..., 3:]
             bad = _bad(pose, velocity)
-            first_bad = np.where(bad.any(1), start + 1 + bad.argmax(1), frames.n_frames)
+            first_bad = np.where(bad.any(1), first + 1 + bad.argmax(1), frames.n_frames)
             ends = np.minimum(ends, first_bad)
-            logs.append(_log(chunk, model, frames, start, worlds, ends))
-        self.valid[worlds] = ends >= frames.n_frames
+            logs.append(_log(chunk, model, frames, first, worlds, ends))
+        self.start.valid[worlds] = ends >= frames.n_frames
         for k in np.nonzero(ends < frames.n_frames)[0]:
-            for array in self.states:
+            for array in self.start.states:
                 array[worlds[k], ends[k] :] = array[worlds[k], ends[k] - 1]
         return logs
 

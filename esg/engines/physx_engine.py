@@ -14,21 +14,10 @@ from typing import Any
 import numpy as np
 
 from esg.engines.base import VERIFY_DT_S
-from esg.engines.executor import Executor, Touch, Vec, play
+from esg.engines.executor import Touch, Vec, play_all
 from esg.engines.program import ProgramBatch
-from esg.engines.scene import ContactLog, Rollout, Shape, SimScene, Variation
-from esg.engines.worlds import (
-    ContactRecorder,
-    Frames,
-    Values,
-    check,
-    cylinder_vertices,
-    join_logs,
-    moving,
-    principal_axes,
-    rest_states,
-    world_values,
-)
+from esg.engines.scene import Rollout, Shape, SimScene, Variation
+from esg.engines.worlds import Start, Values, cylinder_vertices, moving, principal_axes
 from esg.units import quat_multiply
 
 BOUNCE_THRESHOLD_MPS = 0.2
@@ -63,38 +52,21 @@ class PhysxEngine:
         ground_contacts: bool = False,
     ) -> Rollout:
         """Simulates every world of the batch (`Engine.rollout`)."""
-        check(scene, batch)
         px = physx_module()
-        frames = Frames.of(batch.duration if duration is None else duration, dt, record_every)
-        values = world_values(scene, variation, batch.n_worlds)
-        states = rest_states(values, frames)
-        valid = np.ones(batch.n_worlds, bool)
-        logs: list[ContactLog] = []
-        with _scene_config(px, scene):
-            for w in range(batch.n_worlds):
-                world = PhysxWorld(scene, values, w, dt)
-                recorder = ContactRecorder(w, frames)
-                valid[w] = world.finite and play(
-                    world, Executor(batch, w), frames, states, recorder, ground_contacts
-                )
-                logs.append(recorder.log())
-        return Rollout(
-            engine=self.name,
-            dt=dt,
-            time=frames.time,
-            position=states[0],
-            quaternion=states[1],
-            linear_velocity=states[2],
-            angular_velocity=states[3],
-            contacts=join_logs(logs),
-            valid=valid,
-            extra={
-                "version": px.version(),
-                "solver": "TGS",
-                "bounce_threshold_mps": BOUNCE_THRESHOLD_MPS,
-                "iterations": [POSITION_ITERATIONS, VELOCITY_ITERATIONS],
-            },
+        start = Start.of(
+            scene, batch, dt=dt, record_every=record_every, duration=duration, variation=variation
         )
+        with scene_config(px, scene):
+            contacts = play_all(
+                start, lambda w: PhysxWorld(scene, start.values, w, dt), ground_contacts
+            )
+        extra = {
+            "version": px.version(),
+            "solver": "TGS",
+            "bounce_threshold_mps": BOUNCE_THRESHOLD_MPS,
+            "iterations": [POSITION_ITERATIONS, VELOCITY_ITERATIONS],
+        }
+        return start.rollout(self.name, contacts, extra)
 
 
 def physx_module() -> Any:
@@ -111,7 +83,7 @@ _config_lock = RLock()
 
 
 @contextmanager
-def _scene_config(px: Any, scene: SimScene) -> Iterator[None]:
+def scene_config(px: Any, scene: SimScene) -> Iterator[None]:
     """Sets SAPIEN's process-wide configuration for the scenes made inside, and puts it back.
 
     Only one thread at a time is inside, because the configuration is shared by all of them.
@@ -170,12 +142,7 @@ class PhysxWorld:
         self._materials: list[Any] = []
         self.bodies: list[Any] = []
         self._index: dict[int, int] = {}
-        self.finite = bool(
-            np.isfinite(values.position[w]).all() and np.isfinite(values.quaternion[w]).all()
-        )
-        self.moving: list[int] = []
-        if not self.finite:
-            return
+        self.moving: list[int] = np.nonzero(moving(scene))[0].tolist()
         ground_mu, vehicle_mu, ground_e = (float(v) for v in values.ground[w])
         self._add_ground(ground_mu, ground_e, _GROUND, _BODY)
         self._add_ground(vehicle_mu, ground_e, _VEHICLE_GROUND, _WHEELED)
@@ -205,7 +172,6 @@ class PhysxWorld:
             self._add(component, body.name, to_pose(values.position[w, i], values.quaternion[w, i]))
             self._index[component._physx_pointer] = i
             self.bodies.append(component)
-        self.moving = np.nonzero(moving(scene))[0].tolist()
 
     def _add(self, component: Any, name: str, pose: Any) -> None:
         import sapien

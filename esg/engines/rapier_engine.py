@@ -9,20 +9,10 @@ from typing import Any
 import numpy as np
 
 from esg.engines.base import VERIFY_DT_S
-from esg.engines.executor import Executor, Touch, Vec, play
+from esg.engines.executor import Touch, Vec, play_all
 from esg.engines.program import ProgramBatch
-from esg.engines.scene import ContactLog, Rollout, Shape, SimScene, Variation
-from esg.engines.worlds import (
-    ContactRecorder,
-    Frames,
-    Values,
-    check,
-    join_logs,
-    moving,
-    principal_axes,
-    rest_states,
-    world_values,
-)
+from esg.engines.scene import Rollout, Shape, SimScene, Variation
+from esg.engines.worlds import Start, Values, moving, principal_axes
 from esg.units import quat_multiply
 
 PREDICTION_M = 0.25
@@ -52,38 +42,13 @@ class RapierEngine:
         """Simulates every world of the batch, one after the other (`Engine.rollout`)."""
         import rapier3d
 
-        check(scene, batch)
-        frames = Frames.of(batch.duration if duration is None else duration, dt, record_every)
-        values = world_values(scene, variation, batch.n_worlds)
-        states = rest_states(values, frames)
-        valid = np.ones(batch.n_worlds, bool)
-        logs: list[ContactLog] = []
-        for w in range(batch.n_worlds):
-            recorder = ContactRecorder(w, frames)
-            finite = (
-                np.isfinite(values.position[w]).all() and np.isfinite(values.quaternion[w]).all()
-            )
-            valid[w] = bool(finite) and play(
-                RapierWorld(rapier3d, scene, values, w, dt),
-                Executor(batch, w),
-                frames,
-                states,
-                recorder,
-                ground_contacts,
-            )
-            logs.append(recorder.log())
-        return Rollout(
-            engine=self.name,
-            dt=dt,
-            time=frames.time,
-            position=states[0],
-            quaternion=states[1],
-            linear_velocity=states[2],
-            angular_velocity=states[3],
-            contacts=join_logs(logs),
-            valid=valid,
-            extra={"version": rapier3d.__version__},
+        start = Start.of(
+            scene, batch, dt=dt, record_every=record_every, duration=duration, variation=variation
         )
+        contacts = play_all(
+            start, lambda w: RapierWorld(rapier3d, scene, start.values, w, dt), ground_contacts
+        )
+        return start.rollout(self.name, contacts, {"version": rapier3d.__version__})
 
 
 class RapierWorld:

@@ -5,12 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 from itertools import permutations
 import math
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from esg.engines.program import KINDS, ProgramBatch
-from esg.engines.scene import GROUND, ContactLog, Floats, Shape, SimScene, Variation
+from esg.engines.scene import GROUND, ContactLog, Floats, Rollout, Shape, SimScene, Variation
 
 MAX_SPEED_MPS = 500.0
 """A body faster than this means that the world diverged."""
@@ -322,3 +323,69 @@ def join_logs(logs: list[ContactLog]) -> ContactLog:
         return ContactLog.empty()
     names = ContactLog.__dataclass_fields__
     return ContactLog(**{n: np.concatenate([getattr(log, n) for log in logs]) for n in names})
+
+
+@dataclass(frozen=True)
+class Start:
+    """What a rollout of W worlds starts from and fills, the same in every engine.
+
+    Args:
+        scene: B bodies.
+        batch: W programs.
+        frames: The time grid.
+        values: Initial states and materials.
+        states: Arrays of the rollout, filled in place (`rest_states`).
+        valid: Worlds with finite start poses, shape [W]; engines clear those that diverge.
+    """
+
+    scene: SimScene
+    batch: ProgramBatch
+    frames: Frames
+    values: Values
+    states: tuple[Any, Any, Any, Any]
+    valid: NDArray[np.bool_]
+
+    @staticmethod
+    def of(
+        scene: SimScene,
+        batch: ProgramBatch,
+        *,
+        dt: float,
+        record_every: int,
+        duration: float | None,
+        variation: Variation | None,
+    ) -> Start:
+        """Checks the arguments of `Engine.rollout` and prepares its arrays.
+
+        Raises:
+            ValueError: For a scene that no engine can simulate, or a broken grid or variation.
+        """
+        check(scene, batch)
+        frames = Frames.of(batch.duration if duration is None else duration, dt, record_every)
+        values = world_values(scene, variation, batch.n_worlds)
+        finite = np.isfinite(values.position).all((1, 2)) & np.isfinite(values.quaternion).all(
+            (1, 2)
+        )
+        return Start(scene, batch, frames, values, rest_states(values, frames), finite)
+
+    def rollout(self, engine: str, contacts: ContactLog, extra: dict[str, Any]) -> Rollout:
+        """The rollout after an engine has filled the arrays.
+
+        Args:
+            engine: Its name.
+            contacts: The log of all worlds.
+            extra: What the engine says about itself.
+        """
+        position, quaternion, linear, angular = self.states
+        return Rollout(
+            engine=engine,
+            dt=self.frames.dt,
+            time=self.frames.time,
+            position=position,
+            quaternion=quaternion,
+            linear_velocity=linear,
+            angular_velocity=angular,
+            contacts=contacts,
+            valid=self.valid,
+            extra=extra,
+        )
