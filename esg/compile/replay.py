@@ -8,41 +8,24 @@ Unreal's API, not Unreal: Chaos, its solver and its asset import are not exercis
 
 from __future__ import annotations
 
-from collections.abc import Callable
-import ctypes as C
 from dataclasses import dataclass
 import json
 from pathlib import Path
+import re
 import threading
 from typing import Any, Literal
 
-import numpy as np
-
-from esg.compile import build, frames
+from esg.compile import build
+from esg.compile.class_run import ClassRun
 from esg.compile.emit import IMPORTS_FORMAT, IMPORTS_VERSION
-from esg.compile.penetration import PenetrationProbe
-from esg.compile.records import (
-    CUBE_ASSET,
-    CUBE_HALF_CM,
-    BodyRecord,
-    ReplayError,
-    body_of,
-    ground_for_wheels,
-    grown,
-    record_pose,
-    shape_of,
-)
+from esg.compile.records import ReplayError
 from esg.engines.base import VERIFY_DT_S
-from esg.engines.executor import BodyAccess, play
-from esg.engines.scene import GROUND, Body, Rollout, Shape, SimScene
-from esg.engines.worlds import ContactRecorder, Frames, Values, rest_states, world_values
+from esg.engines.scene import Rollout, SimScene
+from esg.engines.worlds import Frames
 from esg.outcomes import UserError
-from esg.units import quat_rotate
 
 _ONE_AT_A_TIME = threading.Lock()
 """Classes of one library share the shim's state, and PhysX's configuration is the process's."""
-
-_BOX, _SPHERE, _CAPSULE = 0, 1, 2
 
 
 @dataclass(frozen=True)
@@ -110,7 +93,7 @@ def replay_class(
         duration = scene_duration(files.header)
     grid = Frames.of(duration, dt, record_every)
     with _ONE_AT_A_TIME:
-        run = _Run(library, imports)
+        run = ClassRun(library, imports)
         try:
             rollout = run.play(engine, grid, ground_contacts)
         finally:
@@ -135,341 +118,10 @@ def load_imports(path: Path) -> dict[str, Any]:
 
 def scene_duration(header: str) -> float:
     """The default of the class's SceneDuration property [s]."""
-    import re
-
     found = re.search(r"double SceneDuration = ([0-9.e+-]+);", header)
     if not found:
         raise ReplayError("the class has no SceneDuration")
     return float(found.group(1))
 
 
-_D = C.POINTER(C.c_double)
-_CALLBACKS = {
-    "asset": C.CFUNCTYPE(C.c_int, C.c_char_p, _D),
-    "log": C.CFUNCTYPE(None, C.c_char_p, C.c_char_p, C.c_char_p),
-    "get_pose": C.CFUNCTYPE(None, C.c_int, _D, _D),
-    "get_velocity": C.CFUNCTYPE(None, C.c_int, _D, _D),
-    "set_velocity": C.CFUNCTYPE(None, C.c_int, _D),
-    "set_spin": C.CFUNCTYPE(None, C.c_int, _D),
-    "impulse": C.CFUNCTYPE(None, C.c_int, _D),
-    "set_damping": C.CFUNCTYPE(None, C.c_int, C.c_double, C.c_double),
-    "set_material": C.CFUNCTYPE(None, C.c_int, C.c_double, C.c_double),
-    "penetration": C.CFUNCTYPE(C.c_double, C.c_int, C.c_int, _D, _D, _D),
-}
-
-
-class _Backend(C.Structure):
-    _fields_ = list(_CALLBACKS.items())
-
-
-class _Run:
-    """One life of one class: construct, begin play, tick, destroy."""
-
-    def __init__(self, library: build.Library, imports: dict[str, Any]) -> None:
-        self._name = str(imports["class"])
-        self._dll = C.CDLL(str(library.path))
-        self._library = library
-        self._assets = {a["path"]: a for a in imports["assets"]}
-        self._components = imports["components"]
-        self.log: list[str] = []
-        self.scene: SimScene
-        self._error: BaseException | None = None
-        self._world: Any = None
-        self._probe = PenetrationProbe()
-        self._records: list[BodyRecord] = []
-        self._shapes: dict[int, tuple[Shape, ...]] = {}
-        self._offset: dict[int, np.ndarray] = {}
-        self._body_of: dict[int, int] = {}
-        self._component_of: dict[int, int] = {}
-        self._plane: dict[bool, int] = {}
-        self._backend = _Backend()
-        self._keep: list[Any] = []
-        for name, kind in _CALLBACKS.items():
-            callback = kind(self._guarded(getattr(self, f"_{name}"), name))
-            self._keep.append(callback)
-            setattr(self._backend, name, callback)
-
-    # Host functions --------------------------------------------------------------------------
-
-    def _guarded(self, function: Callable[..., Any], name: str) -> Callable[..., Any]:
-        """An exception must not cross the C frames below: keep it and raise it after the call."""
-        returns = _CALLBACKS[name]._restype_ is not None  # type: ignore[attr-defined]
-
-        def call(*args: Any) -> Any:
-            try:
-                result = function(*args)
-            except Exception as error:
-                self._error = self._error or error
-                return 0 if returns else None
-            return result if returns else None
-
-        return call
-
-    def _asset(self, path: bytes, bounds: Any) -> int:
-        name = path.decode()
-        if name == CUBE_ASSET:
-            half, center = (CUBE_HALF_CM,) * 3, (0.0, 0.0, 0.0)
-        elif name in self._assets:
-            half = tuple(self._assets[name]["half_extents_cm"])
-            center = (0.0, 0.0, half[2])
-            for shape in self._assets[name]["collision"]:
-                half, center = grown(half, center, shape)
-        else:
-            return 0
-        _fill(bounds, [*half, *center])
-        return 1
-
-    def _log(self, category: bytes, verbosity: bytes, text: bytes) -> None:
-        self.log.append(f"{verbosity.decode()}: {text.decode(errors='replace')}")
-
-    def _get_pose(self, component: int, location: Any, rotation: Any) -> None:
-        position, quaternion = self._origin_pose(component)
-        _fill(location, frames.vector_to_unreal(position))
-        _fill(rotation, frames.quaternion_to_unreal(quaternion))
-
-    def _origin_pose(self, component: int) -> tuple[np.ndarray, np.ndarray]:
-        position, rotation, _, _ = self._world.read(self._body_of[component])
-        quaternion = np.array([float(v) for v in rotation])
-        return np.array(position, float) + quat_rotate(
-            quaternion, self._offset[component]
-        ), quaternion
-
-    def _get_velocity(self, component: int, linear: Any, angular: Any) -> None:
-        _, _, velocity, spin = self._world.read(self._body_of[component])
-        _fill(linear, frames.vector_to_unreal(velocity))
-        _fill(angular, frames.angular_to_unreal(spin))
-
-    def _set_velocity(self, component: int, linear: Any) -> None:
-        v = frames.vector_from_unreal(linear[0:3])
-        self._world.set_linear(self._body_of[component], tuple(v.tolist()))
-
-    def _set_spin(self, component: int, angular: Any) -> None:
-        w = frames.angular_from_unreal(angular[0:3])
-        self._world.set_angular(self._body_of[component], tuple(w.tolist()))
-
-    def _impulse(self, component: int, impulse: Any) -> None:
-        body = self._body_of[component]
-        j = frames.vector_from_unreal(impulse[0:3]) / self._world.mass(body)
-        v = np.array(self._world.linear(body)) + j
-        self._world.set_linear(body, tuple(v.tolist()))
-
-    def _set_damping(self, component: int, linear: float, angular: float) -> None:
-        self._world.set_linear_damping(self._body_of[component], linear)
-        self._world.set_angular_damping(self._body_of[component], angular)
-
-    def _set_material(self, component: int, friction: float, restitution: float) -> None:
-        body = self._body_of.get(component)
-        if body is None:
-            raise ReplayError("the ground's material changes during play, which is not replayed")
-        if abs(restitution - self.scene.bodies[body].restitution) > 1e-6:
-            raise ReplayError("a restitution changes during play, which is not replayed")
-        self._world.set_friction(body, friction)
-
-    def _penetration(
-        self, component: int, kind: int, size: Any, location: Any, rotation: Any
-    ) -> float:
-        if component not in self._shapes:
-            return 0.0
-        scale = 1.0 / frames.CM_PER_M
-        probe = Shape(
-            kind={_BOX: "box", _SPHERE: "sphere", _CAPSULE: "capsule"}[kind],  # type: ignore[arg-type]
-            size=(size[0] * scale, size[1] * scale, size[2] * scale),
-        )
-        where = (
-            frames.vector_from_unreal(location[0:3]),
-            frames.quaternion_to_unreal(rotation[0:4]),
-        )
-        record = self._records[component]
-        if self._world is not None and record.simulates:
-            pose = self._origin_pose(component)
-        else:
-            pose = record_pose(record)
-        depth = self._probe.depth(component, self._shapes[component], pose, probe, where)
-        return depth * frames.CM_PER_M
-
-    # Life of the class -----------------------------------------------------------------------
-
-    def _entry(self, name: str, restype: Any = C.c_int, *argtypes: Any) -> Any:
-        function = getattr(self._dll, f"esg_{name}")
-        function.restype, function.argtypes = restype, list(argtypes)
-        return function
-
-    def _check(self, failed: int) -> None:
-        if self._error is not None:
-            raise self._error
-        if failed:
-            raise ReplayError(self._entry("error", C.c_char_p)().decode())
-
-    def play(self, engine: str, grid: Frames, ground: bool) -> Rollout:
-        """Runs the class from construction to the end of the scene."""
-        construct = self._entry("construct", C.c_int, C.POINTER(_Backend), C.c_void_p)
-        create = C.cast(getattr(self._dll, self._library.create), C.c_void_p)
-        self._check(construct(C.byref(self._backend), create))
-        self._describe()
-        self._load_shapes()
-        self._check(self._entry("begin_play")())
-        self._describe()
-        self.scene = self._described_scene()
-        values = world_values(self.scene, None, 1)
-        if engine == "physx":
-            from esg.engines import physx_engine
-
-            with physx_engine.scene_config(physx_engine.physx_module(), self.scene):
-                self._world = physx_engine.PhysxWorld(self.scene, values, 0, grid.dt)
-                self._state_mass_frames(physx_engine.to_pose)
-                return self._simulate(engine, values, grid, ground)
-        import rapier3d
-
-        from esg.engines.rapier_engine import RapierWorld
-
-        self._world = RapierWorld(rapier3d, self.scene, values, 0, grid.dt)
-        return self._simulate(engine, values, grid, ground)
-
-    def _describe(self) -> None:
-        describe = self._entry("describe", C.c_int, C.c_int, C.POINTER(BodyRecord))
-        self._records = []
-        for i in range(self._entry("body_count")()):
-            record = BodyRecord()
-            self._check(describe(i, C.byref(record)))
-            self._records.append(record)
-
-    def _load_shapes(self) -> None:
-        for i, record in enumerate(self._records):
-            asset = self._assets.get(record.asset.decode())
-            if asset is not None and record.collides:
-                self._shapes[i] = tuple(shape_of(p) for p in asset["collision"])
-
-    def _described_scene(self) -> SimScene:
-        bodies: dict[int, Body] = {}
-        grounds: dict[bool, BodyRecord] = {}
-        for i, record in enumerate(self._records):
-            name = record.name.decode()
-            if record.asset.decode() == CUBE_ASSET:
-                for_wheels = ground_for_wheels(record)
-                if for_wheels in grounds:
-                    raise ReplayError(f"{name} is a second ground of the same kind")
-                grounds[for_wheels], self._plane[for_wheels] = record, i
-                continue
-            if name not in self._components:
-                raise ReplayError(f"component {name} is not in the import manifest")
-            entry = self._components[name]
-            self._body_of[i], self._component_of[entry["index"]] = entry["index"], i
-            bodies[entry["index"]] = self._describe_body(i, record, entry)
-        missing = sorted(set(range(len(self._components))) - set(bodies))
-        if missing or set(grounds) != {False, True}:
-            raise ReplayError(f"the class lacks bodies {missing} or one of its two grounds")
-        normal, wheels = grounds[False], grounds[True]
-        if normal.restitution != wheels.restitution:
-            raise ReplayError("the two grounds differ in restitution")
-        gravity = self._entry("gravity", C.c_double)()
-        return SimScene(
-            scene_id=self._name,
-            bodies=tuple(bodies[i] for i in range(len(bodies))),
-            gravity=(0.0, 0.0, gravity / frames.CM_PER_M),
-            ground_friction=normal.friction,
-            ground_restitution=normal.restitution,
-            vehicle_ground_friction=wheels.friction,
-        )
-
-    def _state_mass_frames(self, to_pose: Callable[[Any, Any], Any]) -> None:
-        """Gives every moving body the very principal axes the class states.
-
-        The engine diagonalizes the tensor again, which may find the same axes with other signs: no
-        other physics, but another rounding, which is enough to part two chaotic motions.
-        """
-        for component, index in self._body_of.items():
-            record = self._records[component]
-            if record.simulates:
-                body = self._world.bodies[index]
-                axes = frames.quaternion_to_unreal(record.mass_rotation[0:4])
-                moments = np.array(record.inertia[0:3]) / frames.CM2_PER_M2
-                body.cmass_local_pose = to_pose((0.0, 0.0, 0.0), axes)
-                body.inertia = moments.astype(np.float32)
-                # The pose is stated again because PhysX keeps that of the mass frame.
-                described = self.scene.bodies[index]
-                body.entity.set_pose(to_pose(described.position, described.quaternion))
-
-    def _describe_body(self, i: int, record: BodyRecord, entry: dict[str, Any]) -> Body:
-        # Only moving bodies state a centre of mass; the others keep the point their poses follow.
-        followed = record.center_of_mass if record.simulates else entry["center_of_mass_cm"]
-        self._offset[i] = -frames.vector_from_unreal(followed[0:3])
-        return body_of(record, entry["body"], self._shapes.get(i, ()), self._offset[i])
-
-    def _simulate(self, engine: str, values: Values, grid: Frames, ground: bool) -> Rollout:
-        states = rest_states(values, grid)
-        self._entry("live", None)()
-        recorder = ContactRecorder(0, grid)
-        driver: Any = _Driver(self)
-        valid = play(self._world, driver, grid, states, recorder, ground)
-        self._check(0)
-        return Rollout(
-            engine=engine,
-            dt=grid.dt,
-            time=grid.time,
-            position=states[0],
-            quaternion=states[1],
-            linear_velocity=states[2],
-            angular_velocity=states[3],
-            contacts=recorder.log(),
-            valid=np.array([valid]),
-            extra={"proof": "class", "log": list(self.log)},
-        )
-
-    def close(self) -> None:
-        """Destroys the actor and unloads the library: batches must not grow with every class."""
-        import _ctypes
-
-        self._entry("destroy", None)()
-        self._world = None
-        _ctypes.dlclose(self._dll._handle)
-
-
-class _Driver:
-    """Stands where an engine has its program: ticks the class, reports its hits."""
-
-    def __init__(self, run: _Run) -> None:
-        self._run = run
-        self._tick = run._entry("tick", C.c_int, C.c_double)
-        self._hit = run._entry("hit", C.c_int, C.c_int, C.c_int, _D, _D, _D, C.c_double)
-
-    def before_step(self, t: float, dt: float, touched: Any, world: BodyAccess) -> None:
-        """Reports the hits of the last step, then ticks (see `Executor.before_step`)."""
-        if t > 0.0:
-            self._report(world)
-        self._run._check(self._tick(dt))
-
-    def _report(self, world: Any) -> None:
-        notifies = self._run._records
-        for a, b, impulse, depth, point, normal in world.contacts(True):
-            first, second = self._component(a, b), self._component(b, a)
-            if not (notifies[first].notifies or notifies[second].notifies):
-                continue
-            push = frames.vector_to_unreal(np.asarray(normal, float) * impulse)
-            self._run._check(
-                self._hit(
-                    first,
-                    second,
-                    _doubles(push),
-                    _doubles(frames.vector_to_unreal(point)),
-                    _doubles(frames.vector_to_unreal(normal) / frames.CM_PER_M),
-                    depth * frames.CM_PER_M,
-                )
-            )
-
-    def _component(self, body: int, other: int) -> int:
-        if body >= 0:
-            return self._run._component_of[body]
-        return self._run._plane[self._run.scene.bodies[other].wheeled]
-
-
-def _fill(pointer: Any, values: Any) -> None:
-    """Writes numbers behind a C pointer."""
-    for i, value in enumerate(values):
-        pointer[i] = float(value)
-
-
-def _doubles(values: Any) -> Any:
-    return (C.c_double * 3)(*(float(v) for v in values))
-
-
-__all__ = ["GROUND", "ClassReplay", "ReplayError", "replay_class"]
+__all__ = ["ClassReplay", "ReplayError", "load_imports", "replay_class", "scene_duration"]

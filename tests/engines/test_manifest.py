@@ -13,9 +13,9 @@ from esg.engines.manifest import (
     load_manifest,
     manifest_bytes,
     manifest_from_json,
-    manifest_schema,
     manifest_to_json,
 )
+from esg.engines.manifest_model import manifest_schema
 from esg.engines.program import HoldVelocity, Program
 from esg.engines.scene import Region, SimScene
 from esg.outcomes import UserError
