@@ -1,0 +1,229 @@
+"""Noun phrases of a clause: subject, object, or part of a prepositional phrase."""
+
+from __future__ import annotations
+
+from esg.draft.clause_words import OWNED, PROPERTIES, ClauseWords
+from esg.draft.frames import Phrase, State, finite_ahead, next_verb
+from esg.draft.syntax import Mention, Verb, Word
+
+
+class ClauseNouns(ClauseWords):
+    """Gives each noun phrase its place in the clause."""
+
+    def _mention(self, s: State, m: Mention, i: int) -> None:
+        m.after_prep = s.prep
+        prep, s.prep = s.prep, ""
+        previous = self.elements[i - 1] if i else None
+        if self._stated_beside(m, i):
+            return
+        coordinated = (
+            isinstance(previous, Word)
+            and (previous.kind == "conj" or previous.low in (",", "then"))
+            and s.last is not None
+            and isinstance(self.elements[i - 2] if i >= 2 else None, (Mention, Word))
+        )
+        if (
+            coordinated
+            and not prep
+            and m.attribute
+            and m.head in PROPERTIES
+            and s.frame is None
+            and s.last is not None
+            and not s.last.attribute
+            and m.possessor is None
+        ):
+            self.attachments.append((s.last, Phrase("with", m)))  # "radius 9 cm and mass 2 kg"
+            return
+        new_clause = s.boundary and not prep and finite_ahead(self.elements, i + 1)
+        if s.relative is not None and s.boundary and s.boundary_kind in ("rel", "whose"):
+            # object relative: "the box that the ball hits"
+            s.subject = m
+            s.last = m
+            s.boundary = False
+            s.boundary_kind = "objrel" if s.boundary_kind == "rel" else ""
+            return
+        if prep:
+            if s.sub and s.frame is None:
+                pass
+            phrase = Phrase(prep, m)
+            self._attach(s, phrase, i)
+            if not m.attribute:
+                s.last, s.last_after_prep = m, True
+            if not s.boundary or s.boundary_kind != "comma" or s.frame is not None:
+                s.boundary = s.boundary and s.frame is None
+            return
+        if coordinated and s.last is not None and not new_clause and s.last is not s.relative:
+            s.last.coordinated.append(m)
+            if s.frame is None and s.subject is None:
+                s.subject = s.last
+            return
+        if (
+            coordinated
+            and s.frame is None
+            and s.subject is not None
+            and new_clause
+            and s.boundary_kind in ("conj", "comma")
+        ):
+            # "a car and a truck drive": one subject
+            s.subject.coordinated.append(m)
+            s.boundary = False
+            return
+        if s.boundary or s.frame is None:
+            if s.subject is not None and s.frame is None and not s.boundary:
+                s.last = m
+                return
+            if not new_clause and s.frame is not None and s.boundary:
+                verb = next_verb(self.elements, i + 1)
+                if verb is None or not isinstance(
+                    self.elements[min(i + 1, len(self.elements) - 1)], (Verb, Word)
+                ):
+                    s.last = m
+                    self._absolute(s, m, i)
+                    return
+                s.last = m
+                self._absolute(s, m, i)
+                return
+            s.subject = m
+            s.frame = None
+            s.boundary = False
+            s.last, s.last_after_prep = m, False
+            return
+        frame = s.frame
+        if frame.object is None and not frame.verb.passive:
+            frame.object = m
+        elif frame.object2 is None:
+            frame.object2 = m
+        s.last, s.last_after_prep = m, False
+
+    def _stated_beside(self, m: Mention, i: int) -> bool:
+        """ "the red sphere (mass 2 kg)": the property belongs to the noun before."""
+        els = self.elements
+        if not m.attribute or i < 2 or i + 1 >= len(els):
+            return False
+        owner, mark, value = els[i - 2], els[i - 1], els[i + 1]
+        if not (isinstance(owner, Mention) and isinstance(mark, Word) and isinstance(value, Word)):
+            return False
+        if mark.low not in "(,–—-" or value.amount is None or owner.pronoun or owner.attribute:
+            return False
+        if value.amount.dimension not in ("mass", "length") or m.head not in PROPERTIES:
+            return False
+        owner.amounts.append(value.amount)
+        if value.amount.dimension == "length":
+            owner.adjectives.append(f"@{value.amount.start}:{m.head}")
+        self._told.add(id(value))
+        return True
+
+    def _absolute(self, s: State, m: Mention, i: int) -> None:
+        """ "..., one in front of the other": a subject that a participle or phrase may follow."""
+        s.subject = m
+        s.boundary = False
+        s.frame = None
+
+    def _attach(self, s: State, phrase: Phrase, i: int) -> None:
+        previous = s.last
+        aimed = phrase.prep in ("at", "against") and not s.boundary
+        if aimed and s.frame is not None and s.frame.verb.sense == "launch":
+            s.frame.phrases.append(phrase)  # "throws a ball at a wall": not a ball at a wall
+            return
+        if phrase.prep == "by" and s.frame is not None and s.frame.verb.passive:
+            s.frame.phrases.append(phrase)
+            return
+        noun_attached = phrase.prep in (
+            "with",
+            "of",
+            "on",
+            "in",
+            "near",
+            "beside",
+            "next to",
+            "under",
+            "behind",
+            "in front of",
+            "left of",
+            "right of",
+            "inside",
+            "above",
+            "between",
+            "by",
+            "at",
+            "around",
+            "against",
+            "in the middle of",
+            "far from",
+            "opposite",
+            "below",
+            "along",
+            "underneath",
+            "outside",
+            "without",
+            "from",
+        )
+        if (
+            s.frame is not None
+            and phrase.mention is not None
+            and phrase.mention.attribute
+            and not (
+                phrase.prep == "of"
+                or (
+                    phrase.prep == "with"
+                    and phrase.mention.head in PROPERTIES
+                    and s.last is not s.frame.subject
+                )
+            )
+        ):
+            s.frame.phrases.append(phrase)
+            return
+        if s.frame is None:
+            owner = s.subject
+            if (
+                owner is not None
+                and owner.attribute
+                and owner.head in OWNED
+                and phrase.prep == "of"
+                and phrase.mention is not None
+                and owner.possessor is None
+            ):
+                owner.possessor = phrase.mention  # "the speed of the car"
+                return
+            if s.subject is not None and noun_attached and not s.boundary:
+                self.attachments.append((s.last or s.subject, phrase))
+            elif s.boundary or s.subject is None:
+                s.loose.append(phrase)
+            else:
+                self.attachments.append((s.subject, phrase))
+            return
+        if s.boundary and s.boundary_kind == "comma" and finite_ahead(self.elements, i + 1):
+            s.loose.append(phrase)
+            return
+        if (
+            previous is not None
+            and noun_attached
+            and phrase.prep != "of"
+            and isinstance(self.elements[i - 2] if i >= 2 else None, Mention)
+            and (s.frame.object is previous or s.last_after_prep)
+        ):
+            self.attachments.append((previous, phrase))
+            if s.frame.verb.sense in (
+                "posture",
+                "be",
+                "launch",
+                "drop",
+                "hit",
+                "own",
+                "roll",
+                "slide",
+                "pocket",
+                "cause",
+                "knock",
+            ):
+                s.frame.phrases.append(phrase)
+            return
+        if (
+            phrase.prep == "of"
+            and previous is not None
+            and phrase.mention is not None
+            and not previous.attribute
+        ):
+            self.attachments.append((previous, phrase))
+            return
+        s.frame.phrases.append(phrase)

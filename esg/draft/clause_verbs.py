@@ -1,0 +1,192 @@
+"""Verbs of a clause: a frame each, with its subject and its link to the frames before."""
+
+from __future__ import annotations
+
+from esg.draft.clause_nouns import ClauseNouns
+from esg.draft.frames import Frame, Phrase, State
+from esg.draft.syntax import Mention, Verb, Word
+
+CAUSE_SENSES = frozenset({"cause", "knock", "launch", "drop", "lead", "give", "pocket", "scatter"})
+UNTIL_MAIN = "until main clause"
+_FAILING = frozenset({"fail", "fails", "failed", "refuse", "refuses", "refused", "failing"})
+
+
+class ClauseVerbs(ClauseNouns):
+    """Opens a frame for every verb."""
+
+    def _verb(self, s: State, v: Verb, i: int) -> None:
+        before = self.elements[i - 1] if i else None
+        after_prep = before.low if isinstance(before, Word) and before.kind == "prep" else ""
+        if v.form == "ing" and after_prep in ("of", "for") and s.frame is not None:
+            s.frame.adverbs.append(v.lemma)  # "after 6 seconds of braking"
+            self.nominal.append(v)
+            s.prep = ""
+            return
+        v.negated = v.negated or after_prep == "without"
+        if after_prep in ("after", "before") and s.frame is None and not s.sub:
+            s.sub, s.prep = after_prep, ""  # "after being kicked"
+        frame = Frame(v, sentence=self.sentence, link=s.link)
+        previous = s.frame
+        s.link = "then"
+        if s.boundary_kind == "objrel":
+            frame.subject = s.subject
+            frame.object = s.relative
+            s.boundary_kind = ""
+            frame.reduced = True
+        elif s.boundary and s.boundary_kind == "rel":
+            frame.subject = s.relative
+            frame.reduced = frame.relative = True
+            frame.parent = previous
+        elif v.form == "ing" and after_prep in ("without", "by", "from") and previous is not None:
+            frame.subject, frame.parent = self._agent(previous), previous
+            frame.link = "then"
+        elif v.infinitive and previous is not None:
+            self._infinitive(s, frame, previous)
+        elif previous is None:
+            self._first(s, frame, i)
+        elif s.sub:
+            # "while rolling", "after hitting": shares the main subject
+            frame.subject = (
+                s.subject if s.subject is not None and not s.boundary else self._agent(previous)
+            )
+        elif v.form == "ing" and not v.auxiliary:
+            self._participle(s, frame, previous)
+        elif (
+            not s.boundary
+            and previous.object is not None
+            and s.last is previous.object
+            and v.form in ("base", "pp")
+            and previous.verb.sense in ("cause", "noop")
+        ):
+            frame.subject = previous.object
+            frame.causer = previous
+            frame.link = "cause"
+        elif not s.boundary and v.form in ("pp", "past") and not v.auxiliary and s.last is not None:
+            # reduced relative on the last noun: "a bicycle stopped in the road"
+            frame.subject, frame.reduced, frame.parent = s.last, True, previous
+            if v.sense not in ("posture", "park", "stop", "hit", "topple", "fall"):
+                v.passive = True
+        elif (
+            previous.relative
+            and s.boundary_kind == "conj"
+            and v.form != "ing"
+            and previous.verb.sense
+            not in ("be", "posture", "park", "weigh", "measure", "have", "contain")
+        ):
+            # ", which rolls away and hits C": the relative clause goes on
+            frame.subject, frame.relative, frame.reduced = previous.subject, True, True
+            frame.parent = previous.parent
+        else:
+            frame.subject = self._agent(previous)
+            frame.parent = previous
+        self._finish(s, frame)
+
+    def _agent(self, frame: Frame) -> Mention | None:
+        """Who carries on after this frame: the subject; the thing thrown for an imperative."""
+        if frame.reduced and frame.parent is not None:
+            return self._agent(frame.parent)
+        if frame.subject is None:
+            return frame.object
+        return frame.subject
+
+    def _first(self, s: State, frame: Frame, i: int) -> None:
+        v = frame.verb
+        frame.subject = s.subject
+        if s.subject is None and s.boundary and s.main is not None and v.form in ("pp",):
+            frame.subject = None
+        if (
+            s.subject is not None
+            and v.form in ("pp", "past", "ing")
+            and not v.auxiliary
+            and self._main_verb_follows(i)
+        ):
+            # "a ball thrown at the wall bounces", "a car parked by the road is hit"
+            frame.reduced = True
+            if v.form != "ing" and v.sense not in (
+                "posture",
+                "park",
+                "stop",
+                "fall",
+                "topple",
+                "roll",
+                "slide",
+            ):
+                v.passive = True
+            frame.subject = s.subject
+        elif s.subject is not None and v.form == "pp" and not v.auxiliary and not v.passive:
+            v.passive = v.sense in ("launch", "drop", "pass", "posture")
+
+    def _main_verb_follows(self, i: int) -> bool:
+        for e in self.elements[i + 1 :]:
+            if (
+                isinstance(e, Verb)
+                and not e.infinitive
+                and not (e.form == "ing" and not e.auxiliary)
+            ):
+                return True
+            if isinstance(e, Word) and (
+                (e.kind == "punct" and e.low in ".;:!?,")
+                or e.kind in ("conj", "sub", "rel")
+                or e.low == "then"
+            ):
+                return False
+        return False
+
+    def _infinitive(self, s: State, frame: Frame, previous: Frame) -> None:
+        if previous.verb.sense in CAUSE_SENSES | {"hit"} and previous.object is not None:
+            frame.subject = previous.object
+            frame.causer = previous
+            frame.link = "cause"
+        elif previous.verb.sense in CAUSE_SENSES and previous.verb.passive:
+            frame.subject = previous.subject
+            frame.causer = previous
+        else:
+            frame.subject = self._agent(previous)
+            frame.link = "purpose"
+            frame.parent = previous
+            frame.verb.negated = frame.verb.negated or previous.verb.lemma in _FAILING
+
+    def _participle(self, s: State, frame: Frame, previous: Frame) -> None:
+        v = frame.verb
+        if previous.verb.sense == "cause" and previous.object is not None and not s.boundary:
+            frame.subject, frame.link, frame.causer = previous.object, "cause", previous
+        elif v.sense in ("weigh", "measure", "have", "contain") and s.last is not None:
+            frame.subject, frame.reduced, frame.parent = s.last, True, previous
+        elif v.sense in CAUSE_SENSES or v.extra.get("transitive"):
+            frame.subject = self._agent(previous)
+            frame.link = "cause"
+            frame.causer = previous
+        elif s.boundary or s.last is None or s.last is previous.subject:
+            frame.subject = self._agent(previous)
+            frame.link = (
+                "then" if v.sense in ("hit", "stop", "topple", "enter", "land", "miss") else "while"
+            )
+            frame.parent = previous
+        else:
+            frame.subject, frame.reduced = s.last, True
+            frame.link = "while"
+            frame.parent = previous
+
+    def _finish(self, s: State, frame: Frame) -> None:
+        if s.sub:
+            frame.link = f"sub:{s.sub}"
+            frame.subordinate = s.sub
+            s.sub = ""
+        for item in s.loose:
+            if isinstance(item, Phrase):
+                late = item.amount is not None and item.amount.dimension == "time"
+                if late and frame.subordinate == "after" and not item.prep:
+                    item.prep = UNTIL_MAIN  # "half a second after being kicked, the ball ..."
+                frame.phrases.append(item)
+            elif isinstance(item, str):
+                frame.adverbs.append(item)
+        s.loose = []
+        self.frames.append(frame)
+        if frame.reduced and s.frame is None:
+            # the main verb is still to come; collect arguments for the participle meanwhile
+            frame.parent = None
+        s.frame = frame
+        if s.main is None or not frame.reduced:
+            s.main = frame
+        s.boundary, s.boundary_kind = False, ""
+        s.prep = ""

@@ -1,0 +1,199 @@
+"""Small words and quantities between the nouns and verbs of a clause."""
+
+from __future__ import annotations
+
+from esg.draft.frames import Frame, Phrase, State, finite_ahead
+from esg.draft.quantities import Amount
+from esg.draft.syntax import Element, Mention, Verb, Word
+
+PROPERTIES = frozenset(
+    {"mass", "weight", "height", "length", "width", "diameter", "radius", "size"}
+)
+OWNED = PROPERTIES | {"speed", "velocity"}
+_SIZES = frozenset({"tall", "high", "wide", "long", "thick", "deep", "diameter", "in diameter"})
+
+
+class ClauseWords:
+    """Elements read so far as frames, and what prepositions, adverbs and quantities say."""
+
+    def __init__(self, elements: list[Element]) -> None:
+        self.elements = elements
+        self.frames: list[Frame] = []
+        self.mentions: list[Mention] = []
+        self.attachments: list[tuple[Mention, Phrase]] = []
+        """Noun phrase + prepositional phrase outside any verb ("a table with bottles on it")."""
+        self.loose: list[tuple[int, Amount]] = []
+        self.sentence = 0
+        self.nominal: list[Verb] = []
+        """Gerunds that name a time span or a means."""
+        self._told: set[int] = set()
+        """Quantities that a property beside its noun has taken."""
+        self._quantified: Mention | None = None
+        """Noun that the last quantity was a property of."""
+
+    def _word(self, s: State, w: Word, i: int) -> State:
+        if w.kind == "punct":
+            if w.low in ".;!?\n":
+                self._flush(s)
+                self.sentence += 1
+                new = State(main=s.main)
+                return new
+            if w.low in ",:-–—()":
+                s.boundary, s.boundary_kind = True, "comma"
+                s.prep = ""
+            return s
+        if w.kind == "conj":
+            s.boundary, s.boundary_kind = True, "conj"
+            if not (s.prep and s.last is None):
+                s.prep = s.prep if s.prep and not isinstance(self.elements[i - 1], Mention) else ""
+            return s
+        if w.kind == "rel":
+            s.relative = s.last
+            s.boundary, s.boundary_kind = True, "rel"
+            if w.low == "whose":
+                s.boundary_kind = "whose"
+            return s
+        if w.kind == "sub":
+            s.sub = w.low
+            s.boundary, s.boundary_kind = True, "sub"
+            s.prep = ""
+            return s
+        if w.kind in ("prep", "to"):
+            nxt = self.elements[i + 1] if i + 1 < len(self.elements) else None
+            if nxt is None or (
+                isinstance(nxt, Word) and nxt.kind in ("punct", "conj", "sub", "rel")
+            ):
+                if s.frame is not None:
+                    s.frame.adverbs.append(w.low)  # a particle: "knocking them over"
+                return s
+            s.prep = w.low
+            return s
+        if id(w) in self._told:
+            return s
+        if w.kind == "qty" and w.amount is not None and self._belongs_to_noun(s, w, i):
+            return s
+        if w.kind == "qty" and w.amount is not None:
+            phrase = Phrase(s.prep, None, w.amount)
+            nxt = self.elements[i + 1] if i + 1 < len(self.elements) else None
+            if isinstance(nxt, Word) and nxt.low in ("later", "afterwards", "afterward"):
+                phrase.prep = "after"
+                rest = self.elements[i + 2 : i + 4]
+                if (
+                    s.boundary
+                    and isinstance(rest[0] if rest else None, Word)
+                    and rest[0].low == ","
+                ):
+                    s.loose.append(phrase)  # "and, 1.5 s later, crashes"
+                    s.prep = ""
+                    return s
+            pair = i >= 2 and isinstance(self.elements[i - 2], Word)
+            pair = pair and getattr(self.elements[i - 2], "amount", None) is not None
+            if s.frame is not None and (
+                pair or not (s.boundary and finite_ahead(self.elements, i + 1) and not s.prep)
+            ):
+                if s.boundary and s.boundary_kind == "comma" and finite_ahead(self.elements, i + 1):
+                    s.loose.append(phrase)
+                else:
+                    s.frame.phrases.append(phrase)
+            else:
+                s.loose.append(phrase)
+            s.prep = ""
+            return s
+        if (
+            w.kind == "unknown"
+            and s.frame is not None
+            and s.frame.verb.sense == "be"
+            and not s.boundary
+        ):
+            s.frame.adverbs.append(w.low)
+            return s
+        if w.kind == "unknown" and w.low in ("suppose", "imagine", "picture", "consider"):
+            return s
+        if w.kind == "adv":
+            if w.low in ("then", "next", "simultaneously", "meanwhile") and w.low != "next":
+                s.link = "simultaneously" if w.low in ("simultaneously", "meanwhile") else "then"
+                if w.low == "then" and s.boundary_kind != "rel":
+                    s.boundary, s.boundary_kind = (
+                        True,
+                        "conj" if s.boundary_kind != "comma" else "comma",
+                    )
+                if (
+                    s.frame is not None
+                    and w.low == "simultaneously"
+                    and not finite_ahead(self.elements, i + 1)
+                ):
+                    s.frame.adverbs.append(w.low)
+                    s.frame.link = "simultaneously"
+                return s
+            side = w.low in ("left", "right")
+            if s.frame is not None and (
+                side or not (s.boundary and finite_ahead(self.elements, i + 1))
+            ):
+                s.frame.adverbs.append(w.low)
+            else:
+                s.loose.append(w.low)
+            return s
+        return s
+
+    def _belongs_to_noun(self, s: State, w: Word, i: int) -> bool:
+        """ "a ball of 2 kg", "the van (3 tons)": a property of the noun before."""
+        assert w.amount is not None
+        previous = self.elements[i - 1] if i else None
+        before = self.elements[i - 2] if i >= 2 else None
+        if (
+            isinstance(previous, Word)
+            and previous.kind == "conj"
+            and isinstance(before, Word)
+            and before.amount is not None
+            and self._quantified is not None
+            and before.amount in self._quantified.amounts
+        ):
+            self._quantified.amounts.append(w.amount)
+            return True
+        noun = (
+            before
+            if isinstance(previous, Word) and previous.low in ("of", "at", ",", "(", "about")
+            else previous
+        )
+        if not isinstance(noun, Mention) or noun.pronoun:
+            return False
+        if noun.attribute:
+            if noun.possessor is not None:
+                return False
+            noun.amounts.append(w.amount)
+            s.prep = ""
+            return True
+        if w.amount.dimension not in ("mass", "length") or (
+            isinstance(previous, Word) and previous.low == "at"
+        ):
+            return False
+        after = self.elements[i + 1] if i + 1 < len(self.elements) else None
+        if (
+            w.amount.dimension == "length"
+            and not (isinstance(previous, Word) and previous.low == "of")
+            and not (
+                isinstance(after, (Word, Mention))
+                and getattr(after, "low", getattr(after, "head", "")) in _SIZES
+            )
+        ):
+            return False
+        if (
+            s.frame is not None
+            and s.frame.verb.sense in ("weigh", "measure", "be", "have")
+            and noun is s.frame.subject
+        ):
+            return False
+        if isinstance(after, (Word, Mention)):
+            word = getattr(after, "low", "") or getattr(after, "head", "")
+            if word in _SIZES:
+                noun.adjectives.append(f"@{w.amount.start}:{word}")
+        noun.amounts.append(w.amount)
+        self._quantified = noun
+        s.prep = ""
+        return True
+
+    def _flush(self, s: State) -> None:
+        for item in s.loose:
+            if isinstance(item, Phrase) and item.amount is not None and s.frame is not None:
+                s.frame.phrases.append(item)
+        s.loose = []
