@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from esg.draft import lexicon as lex
 from esg.draft.elements import Mention
-from esg.draft.entities import FRONT, ORDINALS, OTHER, REAR, Entity, Registry, slug
+from esg.draft.entities import FRONT, ORDINALS, OTHER, REAR, Entity, slug
+from esg.draft.registry import Registry
 
 
 class World(Registry):

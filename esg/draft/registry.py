@@ -1,0 +1,414 @@
+"""The objects of a scene by node id: creation, counts, groups, stated properties."""
+
+from __future__ import annotations
+
+from esg.draft import lexicon as lex
+from esg.draft.elements import Mention
+from esg.draft.entities import FRONT, ORDINALS, REAR, Entity, plural, slug, unknown_noun
+from esg.draft.quantities import Amount
+
+_COMPARED = (
+    frozenset({"lighter", "heavier"}),
+    frozenset({"smaller", "larger"}),
+    frozenset({"smaller", "bigger"}),
+    frozenset({"slower", "faster"}),
+    frozenset({"shorter", "taller"}),
+    frozenset({"shorter", "longer"}),
+)
+"""Comparatives that tell two objects of one kind apart."""
+_HYPERNYMS: dict[str, frozenset[str]] = {
+    "vehicle": frozenset({"vehicle", "cart", "robot", "toyvehicle"}),
+    "animal": frozenset({"animal"}),
+    "toy": frozenset({"toy", "toyvehicle", "block", "game"}),
+    "container": frozenset({"container", "box", "barrel", "bottle"}),
+    "furniture": frozenset({"furniture", "table", "seat"}),
+    "fruit": frozenset({"food"}),
+    "projectile": frozenset({"ball", "rock", "projectile"}),
+    "person": frozenset({"person"}),
+    "child": frozenset({"person"}),
+}
+_NUMBERS = frozenset(
+    [
+        "eight",
+        "nine",
+        "seven",
+        "six",
+        "five",
+        "four",
+        "three",
+        "two",
+        "one",
+        "8",
+        "9",
+        "7",
+        "6",
+        "5",
+        "4",
+        "3",
+        "2",
+        "1",
+    ]
+)
+_DISTINCT = frozenset({"person", "animal", "food", "tool", "plant", "tableware", "ground", "book"})
+"""Kinds whose synonyms name different things (man and woman, lemon and orange)."""
+_ANYTHING = frozenset({"object", "thing", "item", "body", "prop", "entity", "projectile"})
+_NAMED_GROUPS = frozenset({"tower", "pyramid", "pile", "heap", "convoy"})
+
+MAX_COUNT = 40
+"""Most members of one plural."""
+
+
+class Registry:
+    """Entities and groups in order of mention."""
+
+    def __init__(self) -> None:
+        self.entities: dict[str, Entity] = {}
+        self.groups: dict[str, list[str]] = {}
+        self.group_words: dict[str, str] = {}
+        """"tower" of "a tower of cups", by group."""
+        self.collective: set[str] = set()
+        """Groups that "it" can mean ("a tower of blocks")."""
+        self.salience: list[list[str]] = []
+        """Referent sets, most recent last."""
+        self.subjects: list[list[str]] = []
+        self.resolved: dict[int, list[str]] = {}
+        self.warnings: list[str] = []
+        self.conflicts: list[str] = []
+        """Two values stated for one property."""
+        self.file_of_two = False
+        """The prompt says "one in front of the other"."""
+
+    def _new_id(self, stem: str) -> str:
+        n = 1
+        while f"{stem}_{n}" in self.entities:
+            n += 1
+        return f"{stem}_{n}"
+
+    def add(
+        self,
+        noun: lex.Noun,
+        head: str,
+        *,
+        adjectives: list[str] | None = None,
+        letter: str = "",
+        label: str = "",
+        group: str | None = None,
+        pattern: str | None = None,
+        mentioned: bool = True,
+        known: bool = True,
+        origin: int = -1,
+    ) -> Entity:
+        """Creates one entity with a readable node id."""
+        adjectives = list(adjectives or [])
+        naming = [
+            a
+            for a in adjectives
+            if a in lex.COLORS or a in FRONT or a in REAR or a in ORDINALS or a in ("left", "right")
+        ]
+        stem = slug(" ".join([*naming, head])) or "object"
+        if stem[0].isdigit():
+            stem = f"{slug(noun.name)}_{stem}"  # ids become identifiers of emitted code
+        if letter:
+            name = slug(f"{head}_{letter}")
+            name = name if name not in self.entities else self._new_id(name)
+        else:
+            name = self._new_id(stem)
+        entity = Entity(
+            name,
+            noun,
+            head,
+            label or head,
+            adjectives,
+            letter,
+            group,
+            pattern,
+            mentioned,
+            known,
+            origin=origin,
+        )
+        for adjective in adjectives:
+            self._place(entity, adjective)
+        self.entities[name] = entity
+        return entity
+
+    @staticmethod
+    def _place(entity: Entity, adjective: str) -> None:
+        if adjective in FRONT:
+            entity.place = "front"
+        elif adjective in REAR:
+            entity.place = "rear"
+        elif adjective in ORDINALS:
+            entity.place = adjective
+        elif adjective in ("left", "right", "leftmost", "rightmost"):
+            entity.place = adjective[:5].removesuffix("m")
+
+    def note(self, ids: list[str], subject: bool = False) -> None:
+        """Makes a referent set the most salient one."""
+        if ids and self.entities[ids[0]].noun.kind != "region":
+            self.salience.append(ids)
+            if subject:
+                self.subjects.append(ids)
+
+    def _rename(self, e: Entity, name: str) -> None:
+        if name in self.entities:
+            return
+        old = e.id
+        self.entities = {(name if k == old else k): v for k, v in self.entities.items()}
+        e.id = name
+
+        def swap(ids: list[str]) -> list[str]:
+            return [name if i == old else i for i in ids]
+
+        self.groups = {g: swap(ids) for g, ids in self.groups.items()}
+        for ids in [*self.salience, *self.subjects, *self.resolved.values()]:
+            ids[:] = swap(ids)
+
+    def _count(self, m: Mention, noun: lex.Noun) -> int:
+        if m.count is not None:
+            if m.count > MAX_COUNT:
+                self.warnings.append(
+                    f'"{m.text}": {MAX_COUNT} of {m.count} are placed, the most a scene holds.'
+                )
+            return max(1, min(m.count, MAX_COUNT))
+        if not m.plural and m.pattern is None:
+            return 1
+        if noun.kind == "pin":
+            return 10
+        if noun.kind == "domino":
+            return 8
+        return {"row": 5, "stack": 3, "rack": 6, "queue": 3, "pins": 10}.get(
+            m.pattern or "", 4 if m.pattern else 3
+        )
+
+    @staticmethod
+    def _pattern(m: Mention, noun: lex.Noun, count: int) -> str | None:
+        if count <= 1:
+            return None
+        if noun.kind == "pin" and m.pattern in (None, "scatter", "pins", "rack"):
+            return "pins"
+        if noun.kind == "domino" and m.pattern is None:
+            return "row"
+        if m.pattern:
+            return m.pattern
+        if noun.kind in ("vehicle",):
+            return "queue" if count <= 3 else "row"
+        if count <= 4 and noun.kind in ("ball", "billiard", "box", "block", "barrel"):
+            return "scatter"
+        return "scatter"
+
+    def _enrich(self, m: Mention, ids: list[str]) -> None:
+        for i in ids:
+            e = self.entities[i]
+            self._amounts(m, e)
+            if e.group is None:
+                for a in m.adjectives:
+                    if a in lex.COLORS and e.color is None:
+                        e.adjectives.append(a)
+
+    def _amounts(self, m: Mention, e: Entity) -> None:
+        for amount in m.amounts:
+            word = next(
+                (a.split(":")[1] for a in m.adjectives if a.startswith(f"@{amount.start}:")), ""
+            )
+            self.apply_amount(e, amount, word)
+
+    def apply_amount(self, e: Entity, amount: Amount, word: str = "") -> str:
+        """Applies a mass or size to an entity; returns the field it set or ""."""
+        if amount.dimension == "mass":
+            if (
+                e.mass_prescribed
+                and e.mass_kg is not None
+                and abs(e.mass_kg - amount.middle) > 1e-6
+            ):
+                self.conflicts.append(f"{e.label} weighs {e.mass_kg:g} kg and {amount.middle:g} kg")
+            e.mass_kg, e.mass_prescribed = amount.middle, True
+            return "expected_mass_kg"
+        if amount.dimension == "length":
+            dims = e.dimensions_cm or list(e.noun.dimensions_cm)
+            x = amount.middle
+            if word in ("tall", "high", "deep", "height"):
+                dims[2] = x
+            elif word in ("wide", "width"):
+                dims[1] = x
+            elif word in ("long", "length"):
+                dims[0] = x
+            elif word in ("diameter", "radius", "thick", "in diameter"):
+                x = 2.0 * x if word == "radius" else x
+                if e.noun.shape == "sphere":
+                    dims = [x, x, x]
+                else:
+                    dims[0] = dims[1] = x
+            else:
+                largest = max(dims)
+                dims = [d * x / largest for d in dims]
+            if e.noun.shape == "sphere":
+                dims = [x, x, x]
+            e.dimensions_cm, e.dimensions_prescribed = dims, True
+            return "expected_dimensions_cm"
+        return ""
+
+    def _ground(self, noun: lex.Noun, m: Mention) -> list[str]:
+        e = Entity("ground_1", noun, m.head, m.text or m.head, list(m.adjectives), origin=m.start)
+        self.entities["ground_1"] = e
+        return ["ground_1"]
+
+    def _create(self, m: Mention) -> list[str]:
+        noun = m.noun or unknown_noun(m.head)
+        if noun.name == "net" and m.after_prep in ("into", "in"):
+            noun = lex.nouns()["goal"]
+        elif noun.name == "hoop" and (
+            m.after_prep in ("through", "into", "in")
+            or any(e.noun.name == "basketball" for e in self.entities.values())
+        ):
+            noun = lex.nouns()["basketball hoop"]
+        if "structural" in noun.traits and "decal" not in noun.traits:
+            return ["ground_1"] if "ground_1" in self.entities else self._ground(noun, m)
+        plain = [a for a in m.adjectives if not a.startswith("@")]
+        if m.letters:
+            return [self._letter(m, x) for x in m.letters]
+        count = self._count(m, noun)
+        pattern = self._pattern(m, noun, count)
+        if "structural" in noun.traits:
+            count = 1
+        if count <= 1:
+            e = self.add(
+                noun,
+                m.head,
+                adjectives=plain,
+                label=m.text or m.head,
+                known=m.noun is not None,
+                origin=m.start,
+            )
+            self._amounts(m, e)
+            return [e.id]
+        group = slug(" ".join([*[a for a in plain if a in lex.COLORS], plural(m.head)]))
+        base = group
+        n = 2
+        masses = [a for a in m.amounts if a.dimension == "mass"]
+        while group in self.groups:
+            group, n = f"{base}_{n}", n + 1
+        ids: list[str] = []
+        for _ in range(count):
+            label = (
+                f"{m.group_word} of {plural(m.head)}" if m.group_word in _NAMED_GROUPS else m.head
+            )
+            e = self.add(
+                noun,
+                m.head,
+                adjectives=plain,
+                label=label,
+                group=group,
+                pattern=pattern,
+                known=m.noun is not None,
+                origin=m.start,
+            )
+            self._amounts(m, e)
+            if len(masses) == count:
+                self.apply_amount(e, masses[len(ids)])
+            ids.append(e.id)
+        self.groups[group] = ids
+        if m.group_word and m.group_word not in ("pair", "couple", "number", "lot", "dozen"):
+            self.collective.add(group)
+            self.group_words[group] = m.group_word
+        if self.file_of_two and count == 2:
+            self.file_of_two = False
+            for i, place in zip(list(ids), ("front", "rear"), strict=True):
+                e = self.entities[i]
+                e.place, e.label = place, f"{place} {m.head}"
+                e.adjectives.append(place)
+                self._rename(e, self._new_id(slug(e.label)))
+        return list(self.groups[group])
+
+    def _letter(self, m: Mention, letter: str) -> str:
+        """Names a member of a plural, or creates the individual."""
+        pool = [
+            e
+            for e in self.entities.values()
+            if e.group and not e.letter and self._same_kind(m, e) and not e.place
+        ]
+        if pool:
+            e = pool[0]
+            self._rename(e, slug(f"{m.head}_{letter}"))
+            e.letter = letter
+            e.label = f"{m.head} {letter}"
+            return e.id
+        noun = m.noun or unknown_noun(m.head)
+        plain = [a for a in m.adjectives if not a.startswith("@")]
+        entity = self.add(
+            noun,
+            m.head,
+            adjectives=plain,
+            letter=letter,
+            label=f"{m.head} {letter}",
+            known=m.noun is not None,
+            origin=m.start,
+        )
+        self._amounts(m, entity)
+        return entity.id
+
+    def _matches(self, m: Mention, e: Entity) -> bool:
+        if m.letters:
+            return e.letter in m.letters and (m.head == "@" or self._same_kind(m, e))
+        if not self._same_kind(m, e):
+            return False
+        for a in m.adjectives:
+            if a in lex.COLORS and e.color is not None and lex.COLORS[a] != e.color:
+                return False
+            if a in lex.COLORS and e.color is None and (e.group is None or e.letter):
+                return False
+            if a in lex.MATERIALS and a not in e.adjectives and a not in e.head.split():
+                return False
+            if a in lex.SIZES and any(
+                b in lex.SIZES and lex.SIZES[b] != lex.SIZES[a] for b in e.adjectives
+            ):
+                return False
+            if a in lex.WEIGHTS and any(
+                b in lex.WEIGHTS and lex.WEIGHTS[b] != lex.WEIGHTS[a] for b in e.adjectives
+            ):
+                return False
+            if any(a in pair and b in pair and a != b for b in e.adjectives for pair in _COMPARED):
+                return False
+            if a in FRONT and e.place == "rear":
+                return False
+            if a in REAR and e.place == "front":
+                return False
+            if a in ORDINALS and (e.place != a):
+                return False
+            if (
+                a in ("left", "right", "leftmost", "rightmost")
+                and e.place
+                and not a.startswith(e.place)
+            ):
+                return False
+        return True
+
+    @staticmethod
+    def _same_kind(m: Mention, e: Entity) -> bool:
+        if m.head in _ANYTHING:
+            return "structural" not in e.noun.traits
+        if m.head in _HYPERNYMS and e.noun.kind in _HYPERNYMS[m.head]:
+            return True
+        if m.noun is not None and e.known:
+            if m.noun.name == e.noun.name:
+                if m.head == e.head:
+                    return True
+                numbered = {
+                    *m.head.replace("-", " ").split(),
+                    *e.head.replace("-", " ").split(),
+                } & _NUMBERS
+                if numbered or m.noun.kind in _DISTINCT:
+                    return m.head == m.noun.name and not numbered
+                return True
+            words, own = m.head.split(), e.noun.name.split() + e.head.split()
+            if (
+                len(words) == 1
+                and words[0] in own
+                and (e.noun.name.split()[-1] == words[0] or e.head.split()[-1] == words[0])
+            ):
+                return True
+            return bool(
+                m.head == "ball"
+                and "round" in e.noun.traits
+                and e.noun.kind in ("ball", "billiard")
+            )
+        return m.head == e.head
