@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from esg.draft.core import Core, Time
+from esg.draft.core import Time
+from esg.draft.events import Events
 from esg.draft.frames import Frame, Phrase
 from esg.draft.scene import SELF_POWERED, SPEEDS, Relation
 from esg.draft.timeline import LAUNCHES, Motion
@@ -16,7 +17,7 @@ _AIRBORNE = frozenset({"projectile", "tool", "tableware", "book", "rock"})
 _PUSHING = frozenset({"push", "shove", "nudge", "prod"})
 
 
-class Acts(Core):
+class Acts(Events):
     """Motions and collisions."""
 
     def _speed(self, f: Frame, actors: list[str], mode: str) -> tuple[Quantity | None, bool]:

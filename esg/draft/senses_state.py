@@ -5,8 +5,8 @@ from __future__ import annotations
 from itertools import pairwise
 
 from esg.draft.acts import Acts
-from esg.draft.core import RELATION_PREPS
 from esg.draft.frames import Frame, Phrase
+from esg.draft.places import RELATION_PREPS
 from esg.draft.scene import SELF_POWERED, Relation
 from esg.draft.syntax import Mention
 

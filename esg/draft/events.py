@@ -1,0 +1,250 @@
+"""Point events with their stated times, and events that a later one may replace."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from esg.draft.core import Time
+from esg.draft.frames import Frame
+from esg.draft.places import Places
+from esg.draft.quantities import Amount
+from esg.draft.scene import pocket_name
+from esg.draft.syntax import Mention
+from esg.draft.timeline import START
+from esg.graph.models import EventConstraint, NodeEvent, Quantity, Role
+
+
+class Events(Places):
+    """Adds events to the timeline."""
+
+    def _representatives(self, targets: list[str], movers: list[str]) -> list[str]:
+        """A plural counts as one target: its first member."""
+        out: list[str] = []
+        seen: set[str] = set()
+        for t in targets:
+            group = self.e(t).group
+            if t in movers:
+                continue
+            if group is not None and not self.e(t).letter and not self.e(t).place:
+                if group in seen:
+                    continue
+                seen.add(group)
+            out.append(t)
+        return out
+
+    def _time(self, f: Frame) -> Time | None:
+        for p, a in self.amounts(f):
+            if a.dimension == "time" and self._precedes(a):
+                continue
+            if a.dimension == "time" and p in (
+                "after",
+                "in",
+                "within",
+                "at",
+                "by",
+                "",
+                "exactly",
+                "about",
+                "around",
+                "before",
+                "later",
+            ):
+                value: Quantity = a.value
+                if p == "within" or a.bound == "max" or p == "before":
+                    value = (0.05 * a.high, a.high)
+                elif a.bound == "min":
+                    value = (a.low, 2.0 * a.low + 1.0)
+                mode = "at" if p == "at" else "after"
+                return value, a, mode
+        return None
+
+    def event(
+        self,
+        kind: NodeEvent,
+        participants: tuple[str, ...],
+        f: Frame,
+        time: Time | None,
+        **extra: Any,
+    ) -> str:
+        """Adds a point event with the stated time, absolute or relative."""
+        mover = participants[0]
+        if extra.get("stem") != "brake":
+            self._settle(mover, kind, participants[1] if len(participants) > 1 else None)
+        stop_timed = kind is NodeEvent.STOP
+        previous = self.tl.last_event
+        node_id = ""
+        if time is not None and (time[1].start, time[1].end) in self.scene.used:
+            time = None
+        if time is not None and (previous is None or time[2] == "at") and not stop_timed:
+            node_id = self.tl.event(
+                kind, participants, self.describe(f), time=time[0], prescribed=True, **extra
+            )
+        else:
+            node_id = self.tl.event(kind, participants, self.describe(f), **extra)
+        draft = self.tl.node(node_id)
+        assert draft is not None
+        if time is not None:
+            self.use(time[1], f"time of {node_id}")
+            if stop_timed:
+                braked = any(e.to == node_id and e.event.value == "Brake" for e in self.tl.edges)
+                if braked:
+                    draft.constraints.append(
+                        EventConstraint(quantity="time_to_stop", object=mover, value=time[0])
+                    )
+                elif previous is None:
+                    draft.time, draft.time_prescribed = time[0], True
+                else:
+                    draft.constraints.append(
+                        EventConstraint(
+                            quantity="time_since",
+                            object=mover,
+                            value=time[0],
+                            since=previous,
+                        )
+                    )
+            elif previous is not None and time[2] != "at":
+                draft.constraints.append(
+                    EventConstraint(
+                        quantity="time_since", object=mover, value=time[0], since=previous
+                    )
+                )
+        if self.gap is not None and previous is not None and kind is not NodeEvent.TRIGGER:
+            draft.constraints.append(
+                EventConstraint(
+                    quantity="time_since", object=mover, value=self.gap.value, since=previous
+                )
+            )
+            self.use(self.gap, f"time of {node_id}")
+            self.gap = None
+        lasting = next(
+            (
+                e.params.duration
+                for e in self.tl.edges
+                if e.to == node_id and e.from_ == START and e.actor == mover and e.params.duration
+            ),
+            None,
+        )
+        if lasting is not None and draft.time is None and kind is not NodeEvent.STOP:
+            draft.time, draft.time_prescribed = lasting, True  # "rolls for 2 s and then hits"
+        travelled = self.scene.travel.pop(mover, None)
+        if travelled is not None:
+            draft.constraints.append(
+                EventConstraint(quantity="distance", object=mover, value=travelled.value)
+            )
+        self.use(f, node_id)
+        return node_id
+
+    def _settle(self, actor: str | None, kind: NodeEvent | None, target: str | None = None) -> None:
+        """Turns a pending arrival or landing into an event, unless a stronger event replaces it."""
+        for name in list(self.pending):
+            if actor is not None and name != actor:
+                continue
+            event, f, other, time = self.pending.pop(name)
+            if event is NodeEvent.FALL and f.verb.sense == "fall":
+                self.event(event, (name,), f, time)
+                continue
+            if event in (NodeEvent.COLLISION, NodeEvent.ENTER_REGION) and other is not None:
+                self._land_aim(f, name, other, kind, target, time)
+                continue
+            replaced = kind in (
+                NodeEvent.COLLISION,
+                NodeEvent.ENTER_REGION,
+                NodeEvent.REACH,
+                NodeEvent.TOPPLE,
+                NodeEvent.FALL,
+            ) and (event is NodeEvent.FALL or target in (other, None))
+            if replaced or (event is NodeEvent.REACH and kind is NodeEvent.STOP):
+                continue
+            participants = (name,) if other is None else (name, other)
+            self.event(event, participants, f, time)
+
+    def _land_aim(
+        self,
+        f: Frame,
+        name: str,
+        other: str,
+        kind: NodeEvent | None,
+        target: str | None,
+        time: Time | None,
+    ) -> None:
+        """What was thrown at something hits it, unless it does something else with it instead."""
+        group = self.e(other).group
+        same = target == other or (
+            target is not None and group is not None and self.e(target).group == group
+        )
+        blocked = self._enterable(other) and kind is not None
+        if kind in (NodeEvent.MISS, NodeEvent.ENTER_REGION) or same or blocked:
+            return
+        track = self.tl.tracks.get(name)
+        if track is None or track.motion is None or track.closed:
+            return
+        if self._enterable(other):
+            self.enter(f, name, other, None, time)
+        else:
+            self.event(NodeEvent.COLLISION, (name, other), f, time)
+            self.last_hit = (name, other)
+
+    def _enterable(self, node: str) -> bool:
+        noun = self.e(node).noun
+        return noun.kind in ("region", "goal", "hole", "hoop", "water") or "goal" in noun.traits
+
+    def _precedes(self, a: Amount) -> bool:
+        """Whether a time says how long before the next event: "2 seconds before B hits"."""
+        return self.text[a.end : a.end + 8].lower().startswith(" before ")
+
+    def _read_as(self, sense: str, f: Frame, s: list[str], o: list[str]) -> None:
+        """Reads the frame as if its verb had another sense."""
+        getattr(self, f"_do_{sense}")(f, s, o)
+
+    def _start_height(self, things: list[str], a: Amount) -> None:
+        """Things start this high above the ground."""
+        for t in things:
+            self.scene.heights[t] = a.value
+            self.tl.start_constraints.append(
+                EventConstraint(quantity="height", object=t, value=a.value)
+            )
+        self.use(a, "start height")
+
+    def _speed_after(self, body: str, a: Amount) -> bool:
+        for draft in reversed(self.tl.nodes):
+            if draft.event is NodeEvent.COLLISION and body in draft.participants:
+                draft.constraints.append(
+                    EventConstraint(quantity="speed_after", object=body, value=a.value)
+                )
+                self.use(a, f"speed after {draft.id}")
+                return True
+        return False
+
+    def _moved_by_others(self, actor: str) -> bool:
+        track = self.tl.tracks.get(actor)
+        return track is not None and track.hit and track.role is Role.PASSIVE
+
+    def _airborne(self, actor: str) -> bool:
+        track = self.tl.tracks.get(actor)
+        if track is None:
+            return False
+        if track.motion is not None and track.motion.mode in ("throw", "drop", "fly"):
+            return True
+        return any(e.actor == actor and e.params.elevation_deg is not None for e in self.tl.edges)
+
+    def enter(
+        self,
+        f: Frame,
+        actor: str,
+        other: str,
+        m: Mention | None,
+        time: Time | None,
+    ) -> None:
+        noun = self.e(other).noun
+        if noun.kind == "region":
+            host = next(
+                (i for i, e in self.world.entities.items() if e.noun.kind == "billiardtable"), ""
+            )
+            region = f"{host or 'billiard_table_1'}/{pocket_name(self.e(other).adjectives)}"
+            self.scene.needs.append(("billiard_table", actor))
+        else:
+            region = f"{other}/inside"
+        node = self.event(NodeEvent.ENTER_REGION, (actor,), f, time, region=region)
+        draft = self.tl.node(node)
+        if draft is not None:
+            draft.extra["region"] = region

@@ -1,0 +1,154 @@
+"""Where things are with respect to each other."""
+
+from __future__ import annotations
+
+from esg.draft.core import Core
+from esg.draft.scene import Relation
+from esg.graph.models import Quantity
+
+RELATION_PREPS: dict[str, str] = {
+    "on": "on",
+    "onto": "on",
+    "upon": "on",
+    "atop": "on",
+    "under": "under",
+    "beneath": "under",
+    "below": "under",
+    "underneath": "under",
+    "in front of": "in_front_of",
+    "behind": "behind",
+    "left of": "left_of",
+    "right of": "right_of",
+    "near": "near",
+    "beside": "adjacent",
+    "next to": "adjacent",
+    "by": "near",
+    "alongside": "adjacent",
+    "far from": "far_from",
+    "above": "above",
+    "over": "above",
+    "inside": "inside_of",
+    "in": "inside_of",
+    "within": "inside_of",
+    "against": "adjacent",
+    "around": "near",
+    "at": "near",
+    "in the middle of": "center_of",
+    "opposite": "near",
+    "between": "between",
+    "among": "near",
+    "across": "near",
+    "outside": "near",
+    "along": "near",
+    "close": "near",
+}
+
+
+class Places(Core):
+    """Relations and supports, and what can support, hold or carry what."""
+
+    def place(
+        self,
+        things: list[str],
+        others: list[str],
+        prep: str,
+        part: str = "",
+        distance: Quantity | None = None,
+    ) -> None:
+        """Records where things are with respect to others."""
+        kind = RELATION_PREPS.get(prep)
+        if kind is None or not others:
+            return
+        if part:
+            words = part.split()
+            if (
+                words[-1] in ("edge", "corner", "rim", "end")
+                and "support" in self.e(others[0]).noun.traits
+            ):
+                kind = "on"
+            elif words[-1] in ("middle", "center", "centre"):
+                kind = "center_of"
+            elif words[-1] in ("side", "front", "back", "end", "left", "right") and kind in (
+                "on",
+                "near",
+                "inside_of",
+            ):
+                kind = {"front": "in_front_of", "back": "behind"}.get(words[-1], "adjacent")
+            elif words[-1] in ("bottom", "foot", "base") and kind != "on":
+                kind = "near"
+        other = others[0]
+        for t in things:
+            if t == other or t not in self.world.entities:
+                continue
+            if self.structural(t):
+                continue
+            if self.structural(other):
+                self.scene.relations.append(Relation(t, other, "structural", text=prep))
+                continue
+            if kind == "inside_of" and not self._holds(other):
+                kind = "on" if "support" in self.e(other).noun.traits else "near"
+            if kind == "on" and self.kind(other) in ("ball", "billiard"):
+                kind = "near"
+            if self._towers(t) and kind in ("above", "on", "under"):
+                continue  # "on the wall above the sofa": what hangs there is above, not the wall
+            if kind == "on" and self.kind(t) == "wallhung" and self._towers(other):
+                self.scene.attached[t] = other
+                self.scene.relations.append(Relation(t, other, "attached_vertical"))
+                continue
+            if kind == "between" and len(others) < 2 and len(things) >= 1:
+                kind = "near"
+            if kind == "between":
+                self.scene.relations.append(Relation(t, others[0], "between", text=others[1]))
+                continue
+            if kind == "on":
+                if t in self.scene.supported_by or self._rests_on(other, t):
+                    continue
+                self.scene.supported_by[t] = other
+            elif kind == "inside_of":
+                if t in self.scene.supported_by or self._rests_on(other, t):
+                    continue
+                self.scene.supported_by[t] = other
+                self.scene.inside_of[t] = other
+            self.scene.relations.append(Relation(t, other, kind, distance))
+
+    def _towers(self, node: str) -> bool:
+        """Walls and buildings: fixed, and taller than things are stacked."""
+        return self.kind(node) in ("wall", "building") and not self.movable(node)
+
+    def _rests_on(self, a: str, b: str) -> bool:
+        seen: set[str] = set()
+        while a in self.scene.supported_by and a not in seen:
+            seen.add(a)
+            a = self.scene.supported_by[a]
+            if a == b:
+                return True
+        return a == b
+
+    def _holds(self, node: str) -> bool:
+        return bool({"container", "goal"} & self.e(node).noun.traits)
+
+    def _elevated(self, node: str) -> bool:
+        noun = self.e(node).noun
+        return not self.structural(node) and (
+            "support" in noun.traits
+            or noun.kind
+            in (
+                "box",
+                "building",
+                "wall",
+                "plant",
+                "block",
+                "vehicle",
+                "statue",
+                "barrel",
+                "appliance",
+                "cart",
+                "furniture",
+                "seat",
+            )
+        )
+
+    def _free(self, nodes: list[str]) -> None:
+        for node in nodes:
+            if not self.structural(node):
+                self.e(node).freed = True
