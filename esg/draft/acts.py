@@ -1,210 +1,21 @@
-"""Acts that the readings of verbs are made of: start a motion, hit, go into, knock on."""
+"""Acts that the readings of verbs are made of: hit, go into, knock on, and consequences."""
 
 from __future__ import annotations
 
 from typing import Any
 
 from esg.draft.core import Time
-from esg.draft.events import Events
 from esg.draft.frames import Frame, Phrase
-from esg.draft.scene import SELF_POWERED, SPEEDS, Relation
-from esg.draft.timeline import LAUNCHES, Motion
-from esg.graph.models import ForceDirection, NodeEvent, Quantity
-
-_AIRBORNE = frozenset({"projectile", "tool", "tableware", "book", "rock"})
-
+from esg.draft.motions import Motions
+from esg.graph.models import NodeEvent
 
 _PUSHING = frozenset({"push", "shove", "nudge", "prod"})
 
 
-class Acts(Events):
-    """Motions and collisions."""
+class Acts(Motions):
+    """Collisions, entries and what they cause."""
 
-    def _speed(self, f: Frame, actors: list[str], mode: str) -> tuple[Quantity | None, bool]:
-        found = self.quantity(f, "speed")
-        own = next((self.own_speed[x] for x in actors if x in self.own_speed), None)
-        if own is not None:
-            found = ("at", own)
-        stated = next((self.stated[x] for x in actors if x in self.stated), None)
-        if found is None and stated is not None:
-            found = ("at", stated)
-        if found is not None:
-            self.use(found[1], "speed")
-            a = found[1]
-            falling = f.verb.sense in ("brake", "slow", "stop")
-            if falling and a.low < a.high and a.text.lower().startswith("from"):
-                return a.high, True  # "brakes from 15 m/s to 5 m/s"
-            if a.bound == "min":
-                return (a.low, 2.0 * a.low), True
-            if a.bound == "max":
-                return (0.3 * a.high, a.high), True
-            return a.value, True
-        kind = self.kind(actors[0]) if actors else "ball"
-        if mode in LAUNCHES:
-            if kind in ("billiard", "projectile"):
-                return SPEEDS[kind], False
-            return SPEEDS[mode], False
-        return SPEEDS.get(kind, (50.0, 600.0)), False
-
-    def _direction(self, actor: str, mode: str) -> ForceDirection:
-        if mode in ("throw", "drop", "fly") or self.kind(actor) == "flyer":
-            return ForceDirection.ANY_3D
-        if mode in LAUNCHES:
-            return ForceDirection.HORIZONTAL_PLANE
-        return ForceDirection.ALONG_FORWARD_ONLY
-
-    def _launch(
-        self,
-        actor: str,
-        mode: str,
-        speed: Quantity | None,
-        prescribed: bool,
-        target: str | None = None,
-    ) -> None:
-        params: dict[str, object] = {}
-        if mode == "throw" or mode == "fly":
-            params = {"elevation_deg": (-10.0, 60.0), "spin": "none"}
-        elif mode == "drop":
-            params, speed = {"elevation_deg": -90.0, "spin": "none"}, 0.0
-        elif mode == "roll":
-            params = {"spin": "roll" if "round" in self.e(actor).noun.traits else "slide"}
-        elif mode == "slide":
-            params = {"spin": "slide"}
-        self.tl.move(
-            actor, Motion(mode, speed, prescribed, target, params), self._direction(actor, mode)
-        )
-
-    def _own(
-        self, actor: str, speed: Quantity | None, prescribed: bool, target: str | None = None
-    ) -> None:
-        self.tl.move(actor, Motion("own", speed, prescribed, target), self._direction(actor, "own"))
-
-    def _start_motion(
-        self, f: Frame, actors: list[str], mode: str | None = None, target: str | None = None
-    ) -> None:
-        for actor in actors:
-            if not self.movable(actor):
-                continue
-            chosen = mode or self._natural(actor)
-            speed, prescribed = self._speed(f, [actor], chosen)
-            if chosen in LAUNCHES:
-                self._launch(actor, chosen, speed, prescribed, target)
-            else:
-                self._own(actor, speed, prescribed, target)
-
-    def _natural(self, actor: str) -> str:
-        kind = self.kind(actor)
-        if kind in SELF_POWERED:
-            return "own"
-        if kind in _AIRBORNE:
-            return "throw"
-        return "roll" if "round" in self.e(actor).noun.traits else "slide"
-
-    def _target(self, f: Frame, avoid: list[str]) -> list[str]:
-        p = f.phrase(
-            "towards", "toward", "at", "to", "into", "onto", "against", "after", "on", "in"
-        )
-        if p is None or p.mention is None:
-            return []
-        return [i for i in p.mention.entities if i not in avoid]
-
-    def _motion(self, f: Frame, actors: list[str], mode: str | None) -> None:
-        """Common part of all self motion: speed, target, and what the phrases say happens."""
-        mounted = [self.scene.supported_by.get(a, "") for a in actors]
-        riding = all(m and self.kind(m) in SELF_POWERED | {"sliding"} for m in mounted)
-        if actors and riding and self.kind(actors[0]) == "person":
-            actors = list(dict.fromkeys(mounted))  # "a man on a bicycle rides"
-            if f.subject is not None:
-                self.mounts[id(f.subject)] = actors
-        speeds = [a for _, a in self.amounts(f) if a.dimension == "speed"]
-        if len(speeds) == len(actors) > 1:
-            self.own_speed = dict(zip(actors, speeds, strict=True))
-        if not actors:
-            self.scene.warnings.append(
-                f'It is not clear what "{self.text[f.verb.start : f.verb.end]}" moves.'
-            )
-            return
-        target = self._target(f, actors)
-        aim = next((t for t in target if self._aimable(t)), None)
-        for actor in actors:
-            if aim is not None:
-                self.aim[actor] = aim
-            if self._moved_by_others(actor) and (
-                mode != "own" or self.kind(actor) not in SELF_POWERED
-            ):
-                continue
-            track = self.tl.tracks.get(actor)
-            if (
-                track is not None
-                and track.launched
-                and track.motion is not None
-                and mode in (None, *LAUNCHES)
-            ):
-                stated = self.quantity(f, "speed")
-                if stated is not None and not track.closed:
-                    track.motion.speed, track.motion.prescribed = self._speed(
-                        f, [actor], track.motion.mode
-                    )
-                if aim is not None and not track.closed:
-                    track.motion.target = aim
-                continue
-            if f.verb.extra.get("continue") and track is not None and track.motion is not None:
-                continue
-            self._start_motion(f, [actor], mode, aim)
-        found = self.quantity(f, "speed")
-        if found is not None and actors and all(self._moved_by_others(a) for a in actors):
-            self._speed_after(actors[0], found[1])
-        self._order_of(f, actors)
-        self.use(f, "motion")
-        self._distance(f, actors, aim)
-        if "off" in f.adverbs:
-            for actor in actors:
-                if actor in self.scene.supported_by:
-                    self.event(NodeEvent.FALL, (actor,), f, self._time(f))
-        duration = next(
-            (a for p, a in self.amounts(f) if a.dimension == "time" and p == "for"), None
-        )
-        if duration is not None:
-            for actor in actors:
-                track = self.tl.tracks.get(actor)
-                if track is not None and track.motion is not None:
-                    track.motion.duration = duration.value
-            self.use(duration, "duration")
-        self._outcomes(f, actors)
-
-    def _order_of(self, f: Frame, actors: list[str]) -> None:
-        """ "a bus and a taxi drive with the taxi ahead"."""
-        p = f.phrase("with")
-        if p is None or p.mention is None or len(actors) < 2:
-            return
-        for side, kind in (
-            ("ahead", "in_front_of"),
-            ("behind", "behind"),
-            ("in front", "in_front_of"),
-        ):
-            if side in f.adverbs:
-                for one in p.mention.entities:
-                    for other in actors:
-                        if other != one:
-                            self.scene.relations.append(Relation(one, other, kind))
-
-    def _distance(self, f: Frame, actors: list[str], aim: str | None) -> None:
-        """ "toward a bench 6 m away": how far the target is at the start."""
-        for _, a in self.amounts(f):
-            if a.dimension != "length" or (a.start, a.end) in self.scene.used:
-                continue
-            after = self.text[a.end : a.end + 8].strip().lower()
-            if after.startswith(("away", "apart", "ahead")) and aim is not None:
-                for actor in actors:
-                    self.scene.relations.append(Relation(actor, aim, "near", a.value))
-                self.use(a, "distance at the start")
-            elif f.verb.sense in ("own", "roll", "slide", "fly", "launch") and actors:
-                track = self.tl.tracks.get(actors[0])
-                if track is not None and (track.motion is not None or track.hit):
-                    self.scene.travel[actors[0]] = a
-                    self.use(a, "distance travelled")
-
-    def _outcomes(self, f: Frame, actors: list[str], movers_hit: bool = False) -> None:
+    def _outcomes(self, f: Frame, actors: list[str]) -> None:
         """Events that a motion's prepositional phrases state: into, off, onto, against, past."""
         time = self._time(f)
         for p in f.phrases:
@@ -461,15 +272,3 @@ class Acts(Events):
             if aimed == body and track is not None and not track.closed:
                 self._hit(f, [mover], [body])
                 return
-
-    def _reverse(self, actors: list[str]) -> None:
-        for actor in actors:
-            if not self.movable(actor):
-                continue
-            track = self.tl.track(actor)
-            if track.motion is None:
-                self._own(
-                    actor, SPEEDS.get(self.kind(actor), (50.0, 400.0)), False, self.aim.get(actor)
-                )
-            if track.direction in (None, ForceDirection.ALONG_FORWARD_ONLY):
-                track.direction = ForceDirection.ALONG_FORWARD_OR_BACKWARD
