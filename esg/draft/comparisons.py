@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import re
 
-from esg.draft import build
 from esg.draft.elements import Mention
 from esg.draft.entities import Entity
 from esg.draft.quantities import parse_number
+from esg.draft.requirements import requirement
 from esg.draft.scene import Scene
 
 _PATTERN = re.compile(
@@ -46,7 +46,7 @@ def compare(text: str, mentions: list[Mention], scene: Scene) -> None:
             continue
         factor = factor_of(match)
         kind = (match["same"] or match["noun"] or match["more"]).lower()
-        required = build.requirement(right)
+        required = requirement(right)
         if kind in _MASS:
             if not left.mass_prescribed:
                 left.mass_kg = factor * required.expected_mass_kg
@@ -54,7 +54,7 @@ def compare(text: str, mentions: list[Mention], scene: Scene) -> None:
             continue
         size = [factor * x for x in required.expected_dimensions_cm]
         if kind in ("tall", "high", "height", "taller"):
-            size = [*build.requirement(left).expected_dimensions_cm[:2], size[2]]
+            size = [*requirement(left).expected_dimensions_cm[:2], size[2]]
         if not left.dimensions_prescribed:
             left.dimensions_cm = size
             left.dimensions_prescribed = right.dimensions_prescribed

@@ -5,60 +5,16 @@ from __future__ import annotations
 from esg.draft import lexicon as lex
 from esg.draft.elements import Mention
 from esg.draft.entities import FRONT, ORDINALS, REAR, Entity, plural, slug, unknown_noun
+from esg.draft.matching import Matching
 from esg.draft.quantities import Amount
 
-_COMPARED = (
-    frozenset({"lighter", "heavier"}),
-    frozenset({"smaller", "larger"}),
-    frozenset({"smaller", "bigger"}),
-    frozenset({"slower", "faster"}),
-    frozenset({"shorter", "taller"}),
-    frozenset({"shorter", "longer"}),
-)
-"""Comparatives that tell two objects of one kind apart."""
-_HYPERNYMS: dict[str, frozenset[str]] = {
-    "vehicle": frozenset({"vehicle", "cart", "robot", "toyvehicle"}),
-    "animal": frozenset({"animal"}),
-    "toy": frozenset({"toy", "toyvehicle", "block", "game"}),
-    "container": frozenset({"container", "box", "barrel", "bottle"}),
-    "furniture": frozenset({"furniture", "table", "seat"}),
-    "fruit": frozenset({"food"}),
-    "projectile": frozenset({"ball", "rock", "projectile"}),
-    "person": frozenset({"person"}),
-    "child": frozenset({"person"}),
-}
-_NUMBERS = frozenset(
-    [
-        "eight",
-        "nine",
-        "seven",
-        "six",
-        "five",
-        "four",
-        "three",
-        "two",
-        "one",
-        "8",
-        "9",
-        "7",
-        "6",
-        "5",
-        "4",
-        "3",
-        "2",
-        "1",
-    ]
-)
-_DISTINCT = frozenset({"person", "animal", "food", "tool", "plant", "tableware", "ground", "book"})
-"""Kinds whose synonyms name different things (man and woman, lemon and orange)."""
-_ANYTHING = frozenset({"object", "thing", "item", "body", "prop", "entity", "projectile"})
 _NAMED_GROUPS = frozenset({"tower", "pyramid", "pile", "heap", "convoy"})
 
 MAX_COUNT = 40
 """Most members of one plural."""
 
 
-class Registry:
+class Registry(Matching):
     """Entities and groups in order of mention."""
 
     def __init__(self) -> None:
@@ -345,70 +301,3 @@ class Registry:
         )
         self._amounts(m, entity)
         return entity.id
-
-    def _matches(self, m: Mention, e: Entity) -> bool:
-        if m.letters:
-            return e.letter in m.letters and (m.head == "@" or self._same_kind(m, e))
-        if not self._same_kind(m, e):
-            return False
-        for a in m.adjectives:
-            if a in lex.COLORS and e.color is not None and lex.COLORS[a] != e.color:
-                return False
-            if a in lex.COLORS and e.color is None and (e.group is None or e.letter):
-                return False
-            if a in lex.MATERIALS and a not in e.adjectives and a not in e.head.split():
-                return False
-            if a in lex.SIZES and any(
-                b in lex.SIZES and lex.SIZES[b] != lex.SIZES[a] for b in e.adjectives
-            ):
-                return False
-            if a in lex.WEIGHTS and any(
-                b in lex.WEIGHTS and lex.WEIGHTS[b] != lex.WEIGHTS[a] for b in e.adjectives
-            ):
-                return False
-            if any(a in pair and b in pair and a != b for b in e.adjectives for pair in _COMPARED):
-                return False
-            if a in FRONT and e.place == "rear":
-                return False
-            if a in REAR and e.place == "front":
-                return False
-            if a in ORDINALS and (e.place != a):
-                return False
-            if (
-                a in ("left", "right", "leftmost", "rightmost")
-                and e.place
-                and not a.startswith(e.place)
-            ):
-                return False
-        return True
-
-    @staticmethod
-    def _same_kind(m: Mention, e: Entity) -> bool:
-        if m.head in _ANYTHING:
-            return "structural" not in e.noun.traits
-        if m.head in _HYPERNYMS and e.noun.kind in _HYPERNYMS[m.head]:
-            return True
-        if m.noun is not None and e.known:
-            if m.noun.name == e.noun.name:
-                if m.head == e.head:
-                    return True
-                numbered = {
-                    *m.head.replace("-", " ").split(),
-                    *e.head.replace("-", " ").split(),
-                } & _NUMBERS
-                if numbered or m.noun.kind in _DISTINCT:
-                    return m.head == m.noun.name and not numbered
-                return True
-            words, own = m.head.split(), e.noun.name.split() + e.head.split()
-            if (
-                len(words) == 1
-                and words[0] in own
-                and (e.noun.name.split()[-1] == words[0] or e.head.split()[-1] == words[0])
-            ):
-                return True
-            return bool(
-                m.head == "ball"
-                and "round" in e.noun.traits
-                and e.noun.kind in ("ball", "billiard")
-            )
-        return m.head == e.head

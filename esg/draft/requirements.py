@@ -1,0 +1,131 @@
+"""What each object needs: environment, size, mass, and the asset requirement."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from esg.draft import lexicon as lex
+from esg.draft.entities import ORDINALS
+from esg.draft.scene import Scene
+from esg.draft.world import Entity, slug
+from esg.graph.models import AssetRequirement
+
+GROUND = "ground_1"
+_INDOOR_KINDS = frozenset(
+    {
+        "table",
+        "seat",
+        "furniture",
+        "appliance",
+        "electronics",
+        "billiard",
+        "billiardtable",
+        "pin",
+        "tableware",
+    }
+)
+_OUTDOOR_KINDS = frozenset(
+    {"vehicle", "street", "post", "plant", "building", "structure", "watercraft"}
+)
+GROUND_SIZE_CM = (12000.0, 12000.0, 2.0)
+_MAX_SIZE_CM, _MIN_SIZE_CM = 9000.0, 0.1
+
+
+def environment(scene: Scene) -> tuple[str, str]:
+    """(indoor or outdoor, named preset) from what is in the scene."""
+    entities = [e for e in scene.world.entities.values()]
+    kinds = [e.noun.kind for e in entities]
+    heads = {e.head for e in entities} | {e.noun.name for e in entities}
+    if "pin" in kinds or "bowling lane" in heads:
+        return "indoor", "bowling_alley"
+    if "billiard" in kinds or "billiardtable" in kinds:
+        return "indoor", "billiard_hall"
+    ground = scene.world.entities.get(GROUND)
+    if ground is not None:
+        indoor = "indoor" in ground.noun.traits
+        if indoor:
+            return "indoor", slug(ground.head)
+        if ground.head not in ("ground", "earth", "land", "terrain"):
+            return "outdoor", slug(ground.head)
+    if "picnic table" in heads and "vehicle" not in kinds:
+        return "outdoor", "park"
+    if "vehicle" in kinds or "road" in heads:
+        return "outdoor", "street"
+    if any("desk" in h or "office" in h for h in heads):
+        return "indoor", "office"
+    if any(k in _OUTDOOR_KINDS for k in kinds):
+        return "outdoor", "street"
+    if any(k in _INDOOR_KINDS for k in kinds):
+        return "indoor", "room"
+    if "goal" in kinds:
+        return "outdoor", "soccer_field"
+    return "outdoor", "generic"
+
+
+def _dimensions(e: Entity) -> tuple[float, float, float]:
+    if e.dimensions_cm is not None:
+        d = list(e.dimensions_cm)
+    else:
+        d = list(e.noun.dimensions_cm)
+        for a in e.adjectives:
+            if a in lex.SIZES:
+                d = [x * lex.SIZES[a] for x in d]
+            elif a in lex.STRETCHES and e.noun.shape != "sphere":
+                d = [x * s for x, s in zip(d, lex.STRETCHES[a], strict=True)]
+    limit = 1e5 if "structural" in e.noun.traits else _MAX_SIZE_CM
+    low = max(_MIN_SIZE_CM, 0.11)
+    return tuple(round(min(max(x, low), limit), 3) for x in d)  # type: ignore[return-value]
+
+
+def _mass(e: Entity, size: tuple[float, float, float]) -> float:
+    if e.mass_kg is not None:
+        return e.mass_kg
+    base = e.noun.dimensions_cm
+    ratio = (size[0] * size[1] * size[2]) / (base[0] * base[1] * base[2])
+    mass = e.noun.mass_kg * ratio
+    material = next((a for a in e.adjectives if a in lex.MATERIALS), None)
+    if material is not None:
+        own = next((d for n, d in lex.MATERIALS.values() if n == e.noun.material), 900.0)
+        mass *= min(max(lex.MATERIALS[material][1] / own, 0.05), 15.0)
+    for a in e.adjectives:
+        mass *= lex.WEIGHTS.get(a, 1.0)
+    volume = size[0] * size[1] * size[2] * 1e-6
+    mass = min(max(mass * e.mass_factor, volume * 1.5), volume * 20_000.0)
+    return round(min(max(mass, 0.0011), 99_000.0), 5)
+
+
+def requirement(e: Entity) -> AssetRequirement:
+    """What a node needs: category, description, size, mass."""
+    size = _dimensions(e)
+    structural = "structural" in e.noun.traits
+    movable = e.movable
+    material = next(
+        (lex.MATERIALS[a][0] for a in e.adjectives if a in lex.MATERIALS), e.noun.material
+    )
+    modifiers = [
+        a
+        for a in e.adjectives
+        if not a.startswith("@")
+        and a not in ("same", "other")
+        and not (e.in_group and a in {*ORDINALS, "last", "final"})
+    ]
+    words = [*modifiers, e.head]
+    description = f"{' '.join(dict.fromkeys(words))}: {e.noun.description}"
+    synonyms = [s for s in e.noun.synonyms if s != e.head][:4]
+    if synonyms:
+        description += f" ({', '.join(synonyms)})"
+    if material:
+        description += f", {material}"
+    shape: Any = e.noun.shape or None
+    return AssetRequirement(
+        asset_category=e.noun.category if e.known else slug(e.head),
+        asset_description=description,
+        expected_dimensions_cm=size,
+        expected_mass_kg=_mass(e, size) if not structural else e.noun.mass_kg,
+        is_movable=movable,
+        mass_is_prescribed=e.mass_prescribed,
+        dimensions_are_prescribed=e.dimensions_prescribed,
+        material=material or None,
+        color=e.color,
+        shape=shape,
+    )
