@@ -63,6 +63,21 @@ def quiet_warp() -> Any:
     return wp
 
 
+@cache
+def _share_kernels() -> None:
+    """Lets all models of a process share Newton's narrow-phase kernels.
+
+    Newton writes these two kernels anew for every collision pipeline, although they depend on a
+    few switches only. Generating and hashing them again takes longer than simulating a scene.
+    """
+    from newton._src.geometry import narrow_phase
+
+    for name in ("create_narrow_phase_primitive_kernel", "create_narrow_phase_kernel_gjk_mpr"):
+        factory = getattr(narrow_phase, name, None)
+        if factory is not None:
+            setattr(narrow_phase, name, cache(factory))
+
+
 class NewtonModel:
     """One compiled model.
 
@@ -78,6 +93,7 @@ class NewtonModel:
         self.wp = wp = quiet_warp()
         import newton
 
+        _share_kernels()
         self.n_worlds = n_worlds
         self.device = device
         self.n_bodies = len(scene.bodies)
