@@ -27,7 +27,7 @@ from esg.compile.records import (
 )
 from esg.engines.executor import BodyAccess, play
 from esg.engines.scene import Body, Rollout, Shape, SimScene
-from esg.engines.worlds import ContactRecorder, Frames, Values, rest_states, world_values
+from esg.engines.worlds import ContactRecorder, Frames, Principal, Values, rest_states, world_values
 from esg.units import quat_rotate
 
 _BOX, _SPHERE, _CAPSULE = 0, 1, 2
@@ -211,14 +211,15 @@ class ClassRun:
             from esg.engines import physx_engine
 
             with physx_engine.scene_config(physx_engine.physx_module(), self.scene):
-                self._world = physx_engine.PhysxWorld(self.scene, values, 0, grid.dt)
-                self._state_mass_frames(physx_engine.to_pose)
+                self._world = physx_engine.PhysxWorld(
+                    self.scene, values, 0, grid.dt, self._mass_frames()
+                )
                 return self._simulate(engine, values, grid, ground)
         import rapier3d
 
         from esg.engines.rapier_engine import RapierWorld
 
-        self._world = RapierWorld(rapier3d, self.scene, values, 0, grid.dt)
+        self._world = RapierWorld(rapier3d, self.scene, values, 0, grid.dt, self._mass_frames())
         return self._simulate(engine, values, grid, ground)
 
     def _describe(self) -> None:
@@ -267,23 +268,19 @@ class ClassRun:
             vehicle_ground_friction=wheels.friction,
         )
 
-    def _state_mass_frames(self, to_pose: Callable[[Any, Any], Any]) -> None:
-        """Gives every moving body the very principal axes the class states.
+    def _mass_frames(self) -> Principal:
+        """The very principal axes that the class states, by body.
 
-        The engine diagonalizes the tensor again, which may find the same axes with other signs: no
-        other physics, but another rounding, which is enough to part two chaotic motions.
+        An engine would diagonalize the tensor again and round otherwise, which is no other physics
+        but enough to part two chaotic motions.
         """
+        out: Principal = {}
         for component, index in self._body_of.items():
             record = self._records[component]
             if record.simulates:
-                body = self._world.bodies[index]
                 axes = frames.quaternion_to_unreal(record.mass_rotation[0:4])
-                moments = np.array(record.inertia[0:3]) / frames.CM2_PER_M2
-                body.cmass_local_pose = to_pose((0.0, 0.0, 0.0), axes)
-                body.inertia = moments.astype(np.float32)
-                # The pose is stated again because PhysX keeps that of the mass frame.
-                described = self.scene.bodies[index]
-                body.entity.set_pose(to_pose(described.position, described.quaternion))
+                out[index] = np.array(record.inertia[0:3]) / frames.CM2_PER_M2, axes
+        return out
 
     def _describe_body(self, i: int, record: BodyRecord, entry: dict[str, Any]) -> Body:
         # Only moving bodies state a centre of mass; the others keep the point their poses follow.

@@ -17,7 +17,7 @@ from esg.engines.base import VERIFY_DT_S
 from esg.engines.executor import Touch, Vec, play_all
 from esg.engines.program import ProgramBatch
 from esg.engines.scene import Rollout, Shape, SimScene, Variation
-from esg.engines.worlds import Start, Values, cylinder_vertices, moving, principal_axes
+from esg.engines.worlds import Principal, Start, Values, cylinder_vertices, moving, principal_axes
 from esg.units import quat_multiply
 
 BOUNCE_THRESHOLD_MPS = 0.2
@@ -128,9 +128,18 @@ class PhysxWorld:
         values: Initial states and materials of W worlds.
         w: Which of them.
         dt: Physics step [s].
+        principal: Principal moments and axes of bodies that state them; those of the others come
+            from their inertia.
     """
 
-    def __init__(self, scene: SimScene, values: Values, w: int, dt: float) -> None:
+    def __init__(
+        self,
+        scene: SimScene,
+        values: Values,
+        w: int,
+        dt: float,
+        principal: Principal | None = None,
+    ) -> None:
         import sapien
 
         self._px = px = physx_module()
@@ -162,7 +171,7 @@ class PhysxWorld:
                 collider.set_collision_groups([group, _BODY | _WHEELED, 0, 0])
                 component.attach(collider)
             if not body.static:
-                moments, axes = principal_axes(values.inertia[w, i])
+                moments, axes = (principal or {}).get(i) or principal_axes(values.inertia[w, i])
                 component.mass = float(values.mass[w, i])
                 component.cmass_local_pose = to_pose((0.0, 0.0, 0.0), axes)
                 component.inertia = moments.astype(np.float32)

@@ -12,7 +12,7 @@ from esg.engines.base import VERIFY_DT_S
 from esg.engines.executor import Touch, Vec, play_all
 from esg.engines.program import ProgramBatch
 from esg.engines.scene import Rollout, Shape, SimScene, Variation
-from esg.engines.worlds import Start, Values, moving, principal_axes
+from esg.engines.worlds import Principal, Start, Values, moving, principal_axes
 from esg.units import quat_multiply
 
 PREDICTION_M = 0.25
@@ -60,9 +60,19 @@ class RapierWorld:
         values: Initial states and materials of W worlds.
         w: Which of them.
         dt: Physics step [s].
+        principal: Principal moments and axes of bodies that state them; those of the others come
+            from their inertia.
     """
 
-    def __init__(self, r: Any, scene: SimScene, values: Values, w: int, dt: float) -> None:
+    def __init__(
+        self,
+        r: Any,
+        scene: SimScene,
+        values: Values,
+        w: int,
+        dt: float,
+        principal: Principal | None = None,
+    ) -> None:
         self._world = world = r.PhysicsWorld(gravity=tuple(scene.gravity))
         world.set_num_threads(1)
         world.integration_parameters.dt = dt
@@ -95,7 +105,7 @@ class RapierWorld:
             builder = r.RigidBody.fixed() if body.static else r.RigidBody.dynamic()
             builder = builder.position(_pose(r, values.position[w, i], values.quaternion[w, i]))
             if not body.static:
-                moments, axes = principal_axes(values.inertia[w, i])
+                moments, axes = (principal or {}).get(i) or principal_axes(values.inertia[w, i])
                 properties = r.MassProperties(
                     local_com=(0.0, 0.0, 0.0),
                     mass=float(values.mass[w, i]),

@@ -17,6 +17,10 @@ MAX_SPEED_MPS = 500.0
 """A body faster than this means that the world diverged."""
 
 CYLINDER_SIDES = 32
+
+Principal = dict[int, tuple[Floats, Floats]]
+"""Principal moments [kg m^2], shape [3], and axes, a quaternion, by body index."""
+
 _ADJUST = [c.kind for c in KINDS].index("AdjustProperties")
 
 
