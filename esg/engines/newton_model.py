@@ -20,7 +20,7 @@ from esg.engines.scene import Floats, Shape, SimScene
 from esg.engines.worlds import Values, moving
 from esg.units import quat_multiply, quat_rotate
 
-STEPS_PER_GRAPH = 8
+STEPS_PER_GRAPH = 4
 """Even, so that the two states are back in place after one launch of the graph."""
 
 ITERATIONS = 6
