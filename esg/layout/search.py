@@ -1,8 +1,8 @@
-"""Runs the search kernel over a batch of scenes and starts."""
+"""Runs the search kernels over a batch of scenes and starts."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 import os
@@ -11,7 +11,15 @@ from typing import Any
 import numpy as np
 
 from esg.layout.config import LayoutConfig
+from esg.layout.join import PLAIN, Arrays, join
 from esg.layout.problem import LayoutProblem
+
+LANES = 8
+"""Threads that share the candidates of a unit and the terms of an energy on a GPU."""
+SCRATCH = 1 << 26
+"""Poses that the gradients of one launch may copy: starts times units times nodes."""
+COMPACT_EVERY = 10
+"""Steps after which finished starts are taken out of the launches on a GPU."""
 
 
 @dataclass(frozen=True)
@@ -31,95 +39,32 @@ class SearchResult:
     steps: np.ndarray
 
 
-def _csr(
-    parts: Sequence[Sequence[Sequence[int]]], bases: Sequence[int]
-) -> tuple[np.ndarray, np.ndarray]:
-    flat: list[int] = []
-    off = [0]
-    for part, base in zip(parts, bases, strict=True):
-        for row in part:
-            flat += [base + v for v in row]
-            off.append(len(flat))
-    return np.asarray(off, np.int32), np.asarray(flat or [0], np.int32)
+@dataclass(frozen=True)
+class Searched:
+    """What a search of joined scenes found; scene by scene, within a scene start by start.
 
-
-def concatenate(problems: Sequence[LayoutProblem]) -> dict[str, np.ndarray]:
-    """Joins scenes into one set of arrays with global indices."""
-
-    def base(counts: list[int]) -> list[int]:
-        return [0, *np.cumsum(counts).tolist()]
-
-    nodes = base([len(p.node_unit) for p in problems])
-    units = base([len(p.units) for p in problems])
-    edges = base([len(p.edge_kind) for p in problems])
-    pairs = base([len(p.pair) for p in problems])
-    prims = base([len(p.prim_kind) for p in problems])
-
-    def cat(name: str, width: int = 0) -> np.ndarray:
-        out = np.concatenate([getattr(p, name) for p in problems])
-        if len(out) == 0:  # Warp dislikes empty arrays
-            out = np.zeros((1, width) if width else (1,), out.dtype)
-        return out
-
-    def shift(name: str, by: list[int], width: int = 0) -> np.ndarray:
-        rows = [
-            np.where(getattr(p, name) >= 0, getattr(p, name) + o, -1)
-            for p, o in zip(problems, by, strict=False)
-        ]
-        out = np.concatenate(rows).astype(np.int32)
-        if len(out) == 0:
-            out = np.zeros((1, width) if width else (1,), np.int32)
-        return out
-
-    data = {k: cat(k) for k in ("node_z", "node_round", "node_height", "node_radius", "unit_step")}
-    data |= {k: cat(k, 2) for k in ("node_half", "prim_half", "prim_z", "unit_center")}
-    data |= {k: cat(k, 3) for k in ("node_rel", "prim_pose", "unit_free", "unit_pose")}
-    data |= {k: cat(k, 4) for k in ("unit_box", "unit_anchor")}
-    data |= {k: cat(k) for k in ("prim_kind", "edge_kind", "edge_w", "pair_margin", "pair_avoid")}
-    data["edge_p"] = cat("edge_p", 6)
-    data["node_unit"] = shift("node_unit", units)
-    data["unit_parent"] = shift("unit_parent", nodes)
-    data["edge_node"] = shift("edge_node", nodes, 3)
-    data["pair"] = shift("pair", nodes, 2)
-    data["prim_off"] = np.concatenate(
-        [[0], *[p.prim_off[1:] + o for p, o in zip(problems, prims, strict=False)]]
-    ).astype(np.int32)
-    data["aff_off"], data["aff"] = _csr([p.aff for p in problems], nodes[:-1])
-    data["ue_off"], data["ue"] = _csr([p.unit_edges for p in problems], edges[:-1])
-    data["up_off"], data["up"] = _csr([p.unit_pairs for p in problems], pairs[:-1])
-    for key, value in (("node", nodes), ("unit", units), ("edge", edges), ("pair", pairs)):
-        data[f"scene_{key}"] = np.asarray(value, np.int32)
-    return data
-
-
-LARGE_SHAPES = 8
-"""Objects with more collision shapes count as large in the hybrid mode."""
-
-
-def pair_modes(problem: LayoutProblem, collision: str) -> np.ndarray:
-    """Collision term of every pair: the runtime partition of the supplementary, shape [pairs].
-
-    Corridors are always tested against proxies; a container's box does not exclude its content.
+    Args:
+        units: Unit poses, shape [starts x units, 3].
+        energy: Relation, collision and region energy, shape [scenes x starts, 3].
+        initial: The same before refinement.
+        steps: Adam steps used, shape [scenes x starts].
     """
-    names = problem.names
-    large = [len(problem.shape[n].prims) > LARGE_SHAPES for n in names]
-    out = np.zeros(len(problem.pair), np.int32)
-    if collision == "proxy":
+
+    units: np.ndarray
+    energy: np.ndarray
+    initial: np.ndarray
+    steps: np.ndarray
+
+    def split(self, unit_count: Sequence[int], starts: int) -> list[SearchResult]:
+        """One result per scene, given every scene's number of units."""
+        out = []
+        at = 0
+        for i, n in enumerate(unit_count):
+            rows = slice(i * starts, (i + 1) * starts)
+            units = self.units[at : at + starts * n].reshape(starts, n, 3).astype(float)
+            at += starts * n
+            out.append(SearchResult(units, self.energy[rows], self.initial[rows], self.steps[rows]))
         return out
-    for k, (a, b) in enumerate(problem.pair.tolist()):
-        if b >= len(names):
-            continue
-        la, lb = large[a], large[b]
-        carried = names[a] in problem.supports.chain(names[b]) or names[
-            b
-        ] in problem.supports.chain(names[a])
-        if collision == "aabb" or (collision == "hybrid" and la and lb):
-            out[k] = 0 if carried else 1
-        elif collision == "sdf" or carried or not (la or lb):
-            out[k] = 2
-        else:
-            out[k] = 3 if la else 4
-    return out
 
 
 def _warp() -> tuple[Any, Any]:
@@ -132,27 +77,26 @@ def _warp() -> tuple[Any, Any]:
     return wp, kernels
 
 
-def _upload(
-    problems: Sequence[LayoutProblem], config: LayoutConfig
-) -> tuple[Any, dict[str, np.ndarray]]:
-    """Copies a batch to the device: the kernel's struct and the arrays on the host."""
-    wp, kernels = _warp()
-    device = config.device
-    data = concatenate(problems)
-    data["pair_mode"] = np.concatenate([pair_modes(p, config.collision) for p in problems] or [[]])
-    if len(data["pair_mode"]) == 0:
-        data["pair_mode"] = np.zeros(1, np.int32)
-    vectors: dict[str, Any] = {
-        "unit_center": wp.vec2,
-        "node_half": wp.vec2, "prim_half": wp.vec2, "prim_z": wp.vec2, "node_rel": wp.vec3,
-        "prim_pose": wp.vec3, "unit_free": wp.vec3, "unit_pose": wp.vec3, "unit_anchor": wp.vec4,
-        "unit_box": wp.vec4, "edge_node": wp.vec3i, "pair": wp.vec2i,
-    }  # fmt: skip
-    problem = kernels.Problem()
+VECTORS = {"edge_node": 3, "pair": 2}
+
+
+def _upload(data: Arrays, device: str) -> Any:
+    """Copies joined scenes to the device, as the kernels' struct."""
+    wp, _ = _warp()
+    from esg.layout.planar import Problem
+
+    floats = {2: wp.vec2, 3: wp.vec3, 4: wp.vec4}
+    ints = {2: wp.vec2i, 3: wp.vec3i}
+    problem = Problem()
     for key, value in data.items():
-        dtype = vectors.get(key, wp.int32 if value.dtype == np.int32 else wp.float32)
+        width = PLAIN.get(key, VECTORS.get(key, 0))
+        if len(value) == 0:  # Warp dislikes empty arrays
+            value = np.zeros((1, width) if width else (1,), value.dtype)
+        is_int = value.dtype == np.int32
+        scalar = wp.int32 if is_int else wp.float32
+        dtype = scalar if key == "edge_p" else (ints if is_int else floats).get(width, scalar)
         setattr(problem, key, wp.array(value, dtype=dtype, device=device))
-    return problem, data
+    return problem
 
 
 def evaluate(
@@ -168,14 +112,20 @@ def evaluate(
     Returns:
         Relation, collision and region energy, shape [scenes, 3].
     """
+    return evaluate_arrays(join(problems, config.collision), np.concatenate(units), config)
+
+
+def evaluate_arrays(data: Arrays, units: np.ndarray, config: LayoutConfig) -> np.ndarray:
+    """`evaluate` for joined scenes; unit poses of shape [units, 3]."""
     wp, kernels = _warp()
-    problem, data = _upload(problems, config)
-    x = wp.array(np.concatenate(units).astype(np.float32), dtype=wp.vec3, device=config.device)
+    problem = _upload(data, config.device)
+    scenes = len(data["scene_node"]) - 1
+    x = wp.array(units.astype(np.float32), dtype=wp.vec3, device=config.device)
     w = wp.zeros(int(data["scene_node"][-1]), dtype=wp.vec3, device=config.device)
-    energy = wp.zeros(len(problems), dtype=wp.vec3, device=config.device)
+    energy = wp.zeros(scenes, dtype=wp.vec3, device=config.device)
     wp.launch(
         kernels.evaluate,
-        dim=len(problems),
+        dim=scenes,
         inputs=[problem, config.alignment_weight, x, w, energy],
         device=config.device,
     )
@@ -185,7 +135,7 @@ def evaluate(
 def run_search(
     problems: Sequence[LayoutProblem], seeds: Sequence[int], config: LayoutConfig
 ) -> list[SearchResult]:
-    """Searches all scenes with `config.starts` starts each in one launch.
+    """Searches all scenes with `config.starts` starts each.
 
     Args:
         problems: Scenes.
@@ -195,9 +145,43 @@ def run_search(
     Returns:
         One result per scene.
     """
+    out: list[SearchResult] = []
+    seeds = list(seeds)
+    for part in batches([len(p.units) * len(p.node_unit) * config.starts for p in problems]):
+        found = search_arrays(
+            join(problems[part], config.collision), np.asarray(seeds[part]), config
+        )
+        out += found.split([len(p.units) for p in problems[part]], config.starts)
+    return out
+
+
+def batches(sizes: Sequence[int]) -> Iterator[slice]:
+    """Cuts scenes into runs whose gradients together copy at most `SCRATCH` poses."""
+    first, total = 0, 0
+    for i, size in enumerate(sizes):
+        if total + size > SCRATCH and i > first:
+            yield slice(first, i)
+            first, total = i, 0
+        total += size
+    if first < len(sizes):
+        yield slice(first, len(sizes))
+
+
+def search_arrays(
+    data: Arrays, seeds: np.ndarray, config: LayoutConfig, staged: bool | None = None
+) -> Searched:
+    """`run_search` for joined scenes, in one batch.
+
+    Args:
+        data: Joined scenes (`esg.layout.join`).
+        seeds: Shape [scenes].
+        config: Settings.
+        staged: Whether many threads share a start; None does on a GPU.
+
+    Returns:
+        What all starts found.
+    """
     wp, kernels = _warp()
-    device = config.device
-    problem, data = _upload(problems, config)
     settings = kernels.Settings()
     settings.candidates = config.candidates
     settings.iterations = config.iterations if config.refine else 0
@@ -205,44 +189,52 @@ def run_search(
     settings.tolerance = config.tolerance
     settings.soft = config.alignment_weight
     settings.preference = config.preference_weight if config.preference else 0.0
-
     k = config.starts
-    node_count = np.diff(data["scene_node"])
-    unit_count = np.diff(data["scene_unit"])
-    scene = np.repeat(np.arange(len(problems)), k)
-    node_off = np.concatenate([[0], np.cumsum(node_count[scene])])
-    unit_off = np.concatenate([[0], np.cumsum(unit_count[scene])])
-    seed = np.concatenate(
-        [(np.int64(s % 2**31) * 65537 + np.arange(k) * 101 + 1) % (2**30) for s in seeds]
-    )
-    threads = len(scene)
+    scene = np.repeat(np.arange(len(seeds)), k)
+    node_off = np.concatenate([[0], np.cumsum(np.diff(data["scene_node"])[scene])])
+    unit_off = np.concatenate([[0], np.cumsum(np.diff(data["scene_unit"])[scene])])
+    seed = (np.asarray(seeds, np.int64)[:, None] % 2**31) * 65537 + np.arange(k) * 101 + 1
+    where = [scene, (seed % 2**30).ravel(), node_off, unit_off]
+    if staged is None:
+        staged = wp.get_device(config.device).is_cuda
+    problem = _upload(data, config.device)
+    if staged:
+        return _staged(problem, data, settings, where, config.device)
+    return _sequential(problem, settings, where, config)
 
-    def array(values: np.ndarray) -> Any:
-        return wp.array(values.astype(np.int32), dtype=wp.int32, device=device)
+
+def _sequential(
+    problem: Any, settings: Any, where: list[np.ndarray], config: LayoutConfig
+) -> Searched:
+    """One thread searches one start; starts are shared between the threads of a CPU."""
+    wp, kernels = _warp()
+    device = config.device
+    threads = len(where[0])
+    nodes, units = int(where[2][-1]), int(where[3][-1])
 
     def vec(n: int) -> Any:
-        return wp.zeros(max(1, int(n)), dtype=wp.vec3, device=device)
+        return wp.zeros(max(1, n), dtype=wp.vec3, device=device)
 
-    x = vec(unit_off[-1])
-    energy, initial = vec(threads), vec(threads)
+    scene, seed, node, unit = (
+        wp.array(v[:threads].astype(np.int32), dtype=wp.int32, device=device) for v in where
+    )
+    x, w, energy, initial = vec(units), vec(nodes), vec(threads), vec(threads)
     steps = wp.zeros(threads, dtype=wp.int32, device=device)
-    where = [array(scene), array(seed), array(node_off[:-1]), array(unit_off[:-1])]
-    w = vec(node_off[-1])
-    memory = [vec(unit_off[-1]) for _ in range(4)]
+    memory = [vec(units) for _ in range(4)]
     wp.load_module(kernels, device=device)
 
     def launch(first: int, count: int) -> None:
         wp.launch(
             kernels.initialize,
             dim=count,
-            inputs=[first, problem, settings, *where],
+            inputs=[first, problem, settings, scene, seed, node, unit],
             outputs=[x, w],
             device=device,
         )
         wp.launch(
             kernels.refine,
             dim=count,
-            inputs=[first, problem, settings, where[0], *where[2:]],
+            inputs=[first, problem, settings, scene, node, unit],
             outputs=[x, *memory, w, energy, initial, steps],
             device=device,
         )
@@ -255,11 +247,79 @@ def run_search(
             list(pool.map(launch, cuts[:-1], np.diff(cuts).tolist()))
     else:
         launch(0, threads)
-    x_np, e_np, i_np, s_np = x.numpy(), energy.numpy(), initial.numpy(), steps.numpy()
-    out = []
-    for i, p in enumerate(problems):
-        rows = slice(i * k, (i + 1) * k)
-        n = len(p.units)
-        units = x_np[unit_off[i * k] : unit_off[(i + 1) * k]].reshape(k, n, 3)
-        out.append(SearchResult(units.astype(float), e_np[rows], i_np[rows], s_np[rows]))
-    return out
+    return Searched(
+        x.numpy()[:units], energy.numpy()[:threads], initial.numpy()[:threads], steps.numpy()
+    )
+
+
+def _staged(
+    problem: Any,
+    data: Arrays,
+    settings: Any,
+    where: list[np.ndarray],
+    device: str,
+    lanes: int = LANES,
+) -> Searched:
+    """Many threads share a start: a few small launches per unit and per step."""
+    wp, _ = _warp()
+    from esg.layout import stages
+
+    threads = len(where[0])
+    nodes, units = int(where[2][-1]), int(where[3][-1])
+    n = np.diff(data["scene_node"])[where[0]].astype(np.int64)
+    u = np.diff(data["scene_unit"])[where[0]].astype(np.int64)
+    most = int(u.max(initial=0))
+    scratch_w, scratch_x = np.cumsum(n * u) - n * u, np.cumsum(u * u) - u * u
+
+    def vec(count: int) -> Any:
+        return wp.zeros(max(1, count), dtype=wp.vec3, device=device)
+
+    def number(values: np.ndarray) -> Any:
+        return wp.array(values[:threads].astype(np.int32), dtype=wp.int32, device=device)
+
+    a = stages.Starts()
+    a.scene, a.seed, a.node, a.unit = (number(v) for v in where)
+    a.scratch_w, a.scratch_x = number(scratch_w), number(scratch_x)
+    a.lowest = wp.zeros(threads, dtype=wp.float32, device=device)
+    a.mark = wp.zeros(threads, dtype=wp.float32, device=device)
+    a.done = wp.zeros(threads, dtype=wp.int32, device=device)
+    a.steps = wp.zeros(threads, dtype=wp.int32, device=device)
+    a.energy, a.initial, a.w = vec(threads), vec(threads), vec(nodes)
+    a.x, a.best, a.m1, a.m2, a.grad = (vec(units) for _ in range(5))
+
+    def launch(kernel: Any, dim: int, *inputs: Any) -> None:
+        wp.launch(kernel, dim=dim, inputs=[problem, settings, a, *inputs], device=device)
+
+    wp.load_module(stages, device=device)
+    size = (2, threads * lanes)
+    found = [
+        wp.zeros(size, dtype=wp.float32, device=device),
+        wp.zeros(size, dtype=wp.int32, device=device),
+        wp.zeros(size, dtype=wp.vec3, device=device),
+    ]
+    own = [vec(units * lanes), vec(nodes * lanes)]
+    for i in range(most + 1):
+        launch(stages.place, threads * lanes, i, lanes, *own, *found)
+    del own, found
+
+    xs, ws = vec(int((u * u).sum())), vec(int((n * u).sum()))
+    part = wp.zeros((lanes, threads), dtype=wp.vec3, device=device)
+    alive = np.arange(threads)
+    active = number(alive)
+    for it in range(settings.iterations + 1):
+        count = len(alive)
+        if it > 0:
+            launch(stages.slope, count * most, active, count, xs, ws)
+            launch(stages.step, count, active, it - 1)
+        launch(stages.measure, count * lanes, active, count, lanes, part)
+        launch(stages.assess, count, active, lanes, part, it)
+        if it % COMPACT_EVERY == 0:
+            done = a.done.numpy()
+            alive = alive[done[alive] == 0]
+            if len(alive) == 0:
+                break
+            active = number(alive)
+    return Searched(
+        a.best.numpy()[:units], a.energy.numpy()[:threads], a.initial.numpy()[:threads],
+        a.steps.numpy()[:threads],
+    )  # fmt: skip
