@@ -9,6 +9,8 @@ from esg.engines.scene import Rollout, SimScene, Variation
 from esg.outcomes import UserError
 
 ENGINES = ("newton", "physx", "rapier")
+SURROGATE = "surrogate"
+"""For searches only: it takes no part in verification, so `ENGINES` does not name it."""
 VERIFY_DT_S = 1.0 / 240.0
 
 
@@ -68,4 +70,8 @@ def get_engine(name: str, device: str = "cpu") -> Engine:
         from esg.engines.rapier_engine import RapierEngine
 
         return RapierEngine()
+    if name == SURROGATE:
+        from esg.engines.surrogate import SurrogateEngine
+
+        return SurrogateEngine(device=device)
     raise UserError(f"unknown engine {name!r}; choose one of {', '.join(ENGINES)}")

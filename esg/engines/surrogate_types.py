@@ -1,0 +1,125 @@
+"""Arrays of the fused surrogate, in the form its kernels take them.
+
+W worlds, B bodies, S shapes, P primitives of the program, C contacts a world. Everything is SI, in
+the world frame unless it says otherwise. Body b owns the shapes first[b] .. first[b + 1] - 1.
+"""
+
+from __future__ import annotations
+
+# pyright: basic, reportGeneralTypeIssues=false, reportInvalidTypeForm=false
+import warp as wp
+
+GROUND_BODY = wp.constant(-1)
+"""Second body of a contact with the ground."""
+
+
+@wp.struct
+class Model:
+    """What does not change during a rollout."""
+
+    n_bodies: int
+    n_primitives: int
+    n_worlds: int
+    gravity: wp.vec3
+    # Shapes, [S]; `scale` and `mesh` in the convention of Newton's support maps.
+    first: wp.array(dtype=int)
+    kind: wp.array(dtype=int)
+    scale: wp.array(dtype=wp.vec3)
+    mesh: wp.array(dtype=wp.vec3)
+    position: wp.array(dtype=wp.vec3)
+    rotation: wp.array(dtype=wp.quat)
+    half: wp.array(dtype=wp.vec3)
+    radius: wp.array(dtype=float)
+    # Bodies, [B]; `reach` is the radius around the centre of mass that holds all shapes.
+    reach: wp.array(dtype=float)
+    dynamic: wp.array(dtype=int)
+    wheeled: wp.array(dtype=int)
+    inertia: wp.array(dtype=wp.mat33)
+    inverse_inertia: wp.array(dtype=wp.mat33)
+    # Worlds, [W] and [W, B]; `factor` scales the inertia.
+    mass: wp.array2d(dtype=float)
+    factor: wp.array2d(dtype=float)
+    restitution: wp.array2d(dtype=float)
+    ground: wp.array(dtype=wp.vec3)
+    friction_scale: wp.array(dtype=float)
+    # Program, [P], [P, B] and [W, P, FIELDS].
+    action: wp.array(dtype=int)
+    target: wp.array(dtype=int)
+    until: wp.array2d(dtype=int)
+    table: wp.array3d(dtype=wp.float64)
+
+
+@wp.struct
+class State:
+    """What a step changes, [W, B] unless stated otherwise."""
+
+    x: wp.array2d(dtype=wp.vec3)
+    r: wp.array2d(dtype=wp.quat)
+    v: wp.array2d(dtype=wp.vec3)
+    o: wp.array2d(dtype=wp.vec3)
+    friction: wp.array2d(dtype=float)
+    damping: wp.array2d(dtype=wp.vec2)
+    awake: wp.array2d(dtype=int)
+    idle: wp.array2d(dtype=int)
+    inverse: wp.array2d(dtype=wp.mat33)
+    """Inverse inertia in world axes."""
+    late_x: wp.array2d(dtype=wp.vec3)
+    late_r: wp.array2d(dtype=wp.vec3)
+    """What the step's motion lacks because impulses act from the time of touch on."""
+    touched: wp.array3d(dtype=int)
+    """Step after the last one in which two bodies touched, [W, B, B]."""
+    done: wp.array2d(dtype=int)
+    active: wp.array2d(dtype=int)
+    """Of every primitive, [W, P]."""
+
+
+@wp.struct
+class Contacts:
+    """The contacts of the current step, [W, C]; `impulse` is (normal, tangent 1, tangent 2)."""
+
+    base: int
+    """0, or if a trace is kept the number of slots of a step."""
+    count: wp.array2d(dtype=int)
+    """[W, 1], or [W, steps] with a trace."""
+    dropped: wp.array(dtype=int)
+    a: wp.array2d(dtype=int)
+    b: wp.array2d(dtype=int)
+    shape_a: wp.array2d(dtype=int)
+    shape_b: wp.array2d(dtype=int)
+    normal: wp.array2d(dtype=wp.vec3)
+    arm_a: wp.array2d(dtype=wp.vec3)
+    arm_b: wp.array2d(dtype=wp.vec3)
+    gap: wp.array2d(dtype=float)
+    friction: wp.array2d(dtype=float)
+    wanted: wp.array2d(dtype=float)
+    delay: wp.array2d(dtype=float)
+    share: wp.array2d(dtype=wp.vec3)
+    impulse: wp.array2d(dtype=wp.vec3)
+
+
+@wp.struct
+class Raw:
+    """Contact points of one pair of shapes as the narrow phase finds them, [W, 8]."""
+
+    world: int
+    count: wp.array(dtype=int)
+    point: wp.array2d(dtype=wp.vec3)
+    normal: wp.array2d(dtype=wp.vec3)
+    distance: wp.array2d(dtype=float)
+
+
+@wp.struct
+class Log:
+    """Rows of the contact log, [W, R]; `row` is the last one of each pair, [W, B + 1, B + 1]."""
+
+    ground: int
+    count: wp.array(dtype=int)
+    row: wp.array3d(dtype=int)
+    frame: wp.array2d(dtype=int)
+    a: wp.array2d(dtype=int)
+    b: wp.array2d(dtype=int)
+    step: wp.array2d(dtype=int)
+    impulse: wp.array2d(dtype=float)
+    depth: wp.array2d(dtype=float)
+    point: wp.array2d(dtype=wp.vec3)
+    normal: wp.array2d(dtype=wp.vec3)
