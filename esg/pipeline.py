@@ -22,6 +22,7 @@ import traceback
 from typing import TYPE_CHECKING, Any
 
 from esg.outcomes import Outcome, UserError
+from esg.progress import StageEvent, emit
 
 if TYPE_CHECKING:
     from esg.store.artifacts import ArtifactStore
@@ -121,24 +122,31 @@ class SceneState:
 
 
 _store_root: Path | None = None
+_durable = True
 
 
 def artifact_store() -> ArtifactStore:
     """The store that stages read and write."""
     from esg.store.artifacts import ArtifactStore
 
-    return ArtifactStore(_store_root)
+    return ArtifactStore(_store_root, durable=_durable)
 
 
 @contextlib.contextmanager
-def scratch_store(root: Path) -> Iterator[None]:
-    """Makes this process use another store for the body: nothing is found, nothing is kept."""
-    global _store_root
-    before, _store_root = _store_root, root
+def scratch_store(root: Path, *, durable: bool = True) -> Iterator[None]:
+    """Makes this process use another store for the body: nothing of the usual one is found.
+
+    Args:
+        root: Folder of the store.
+        durable: As of `esg.store.artifacts.ArtifactStore`.
+    """
+    global _store_root, _durable
+    before = _store_root, _durable
+    _store_root, _durable = root, durable
     try:
         yield
     finally:
-        _store_root = before
+        _store_root, _durable = before
 
 
 def content_hash(folder: Path) -> str:
@@ -180,6 +188,8 @@ def run_stage(stage: str, state: SceneState) -> SceneState:
         return state
     start = time.perf_counter()
     entry: dict[str, Any] = {"stage": stage, "cached": False}
+    emit(StageEvent(state.request.name or state.request.prompt, stage, "started",
+                    state.request.seed))  # fmt: skip
     try:
         key = stage_key(stage, state)
         store = artifact_store()
@@ -204,7 +214,24 @@ def run_stage(stage: str, state: SceneState) -> SceneState:
     entry["seconds"] = round(time.perf_counter() - start, 4)
     if state.outcome is not None:
         entry["outcome"] = state.outcome.value
-    return replace(state, log=(*state.log, entry))
+    state = replace(state, log=(*state.log, entry))
+    emit(finished_event(state))
+    return state
+
+
+def finished_event(state: SceneState) -> StageEvent:
+    """The event of the last stage in a scene's log."""
+    entry = state.log[-1]
+    return StageEvent(
+        scene=state.request.name or state.request.prompt,
+        stage=entry["stage"],
+        status="finished",
+        seed=state.request.seed,
+        seconds=float(entry["seconds"]),
+        cached=bool(entry["cached"]),
+        outcome=state.outcome.value if state.outcome else "",
+        reason=state.reason,
+    )
 
 
 def _quiet_libraries(stage: str) -> None:

@@ -10,17 +10,24 @@ from __future__ import annotations
 from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
+import contextlib
 import multiprocessing
 import os
+from pathlib import Path
 import queue
 import threading
 import time
 from typing import Any, TypeVar
 
+from esg.progress import forward_to, relay
+
 T = TypeVar("T")
 
 RECYCLE_AFTER = 400
 """Calls after which a worker process is replaced, so that memory stays flat."""
+
+MAX_MEMORY_BYTES = 3 * 2**30
+"""Resident memory beyond which a worker process is replaced after its call."""
 
 
 class WorkerDied(RuntimeError):
@@ -33,13 +40,19 @@ class WorkerPool:
     Args:
         processes: Number of processes; 0 runs every call in this process, one at a time.
         recycle_after: Calls after which a process is replaced.
+        max_memory_bytes: A process that has grown beyond this after a call is replaced too.
     """
 
-    def __init__(self, processes: int, recycle_after: int = RECYCLE_AFTER) -> None:
+    def __init__(
+        self,
+        processes: int,
+        recycle_after: int = RECYCLE_AFTER,
+        max_memory_bytes: int = MAX_MEMORY_BYTES,
+    ) -> None:
         self.processes = processes
         self._recycle_after = recycle_after
         self._slots: queue.SimpleQueue[_Slot] = queue.SimpleQueue()
-        self._all = [_Slot() for _ in range(processes)]
+        self._all = [_Slot(max_memory_bytes) for _ in range(processes)]
         self._local = threading.Lock()
         for slot in self._all:
             self._slots.put(slot)
@@ -81,9 +94,10 @@ class WorkerPool:
 
 
 class _Slot:
-    def __init__(self) -> None:
+    def __init__(self, max_memory_bytes: int) -> None:
         self._executor: ProcessPoolExecutor | None = None
         self._calls = 0
+        self._max_memory = max_memory_bytes
 
     def submit(self, function: Callable[..., T], args: tuple[Any, ...]) -> Any:
         if self._executor is None:
@@ -91,14 +105,20 @@ class _Slot:
             # because the processes already share the cores.
             os.environ.setdefault("OMP_NUM_THREADS", "1")
             context = multiprocessing.get_context("spawn")
+            events, tell = context.Pipe(duplex=False)
             self._executor = ProcessPoolExecutor(
-                1, mp_context=context, initializer=_end_with_parent, initargs=(os.getpid(),)
+                1, mp_context=context, initializer=_begin, initargs=(os.getpid(), tell)
             )
             self._calls = 0
+            future = self._executor.submit(function, *args)
+            # The process has its own copy: with ours closed, its death ends the pipe.
+            tell.close()
+            relay(events)
+            return future
         return self._executor.submit(function, *args)
 
     def run(self, function: Callable[..., T], args: tuple[Any, ...], recycle_after: int) -> T:
-        if self._calls >= recycle_after:
+        if self._calls >= recycle_after or self._memory() > self._max_memory:
             self.close()
         for _ in range(2):
             try:
@@ -112,10 +132,26 @@ class _Slot:
             "a crash in native code or not enough memory"
         )
 
+    def _memory(self) -> int:
+        """Resident memory of the process [bytes]; 0 where the system does not tell."""
+        if self._executor is None:
+            return 0
+        total = 0
+        for process in tuple((self._executor._processes or {}).values()):
+            with contextlib.suppress(OSError, ValueError, IndexError):
+                pages = Path(f"/proc/{process.pid}/statm").read_text().split()[1]
+                total += int(pages) * os.sysconf("SC_PAGE_SIZE")
+        return total
+
     def close(self) -> None:
         if self._executor is not None:
             self._executor.shutdown(wait=True, cancel_futures=True)
             self._executor = None
+
+
+def _begin(parent: int, tell: Any) -> None:
+    forward_to(tell)
+    _end_with_parent(parent)
 
 
 def _end_with_parent(parent: int) -> None:

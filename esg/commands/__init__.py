@@ -4,6 +4,11 @@ COMMANDS: dict[str, tuple[str, str]] = {
     "draft": ("esg.commands.draft:draft", "Draft the scene graph of a prompt (stage 1 only)."),
     "generate": ("esg.commands.generate:generate", "Generate and prove one scene from a prompt."),
     "bench": ("esg.commands.bench:bench", "Run a benchmark suite over several seeds."),
+    "dataset": (
+        "esg.commands.dataset:dataset",
+        "Make a dataset of proven scenes, from prompts or sampled.",
+    ),
+    "report": ("esg.commands.report:report", "Write one page about a run that opens from disk."),
     "sql": ("esg.commands.sql:sql", "Query the results of all runs with SQL."),
     "replay": ("esg.commands.replay:replay", "Replay a finished scene in an engine of choice."),
     "export": ("esg.commands.export:export", "Write a scene for another program."),

@@ -7,11 +7,12 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from esg.store.artifacts import ArtifactStore, artifact_key
+    from esg.store.assembling import assemble
     from esg.store.db import QueryResult, migrate, query, snapshot
     from esg.store.ingesting import IngestReport, ingest, rebuild
     from esg.store.mcap_log import write_mcap
     from esg.store.records import RunInfo, SceneRecord, prompt_family, record_of, split_of
-    from esg.store.tables import assemble, read_table, write_tables
+    from esg.store.tables import read_table, write_tables
 
 _HOME = {
     "ArtifactStore": "artifacts",
@@ -29,7 +30,7 @@ _HOME = {
     "prompt_family": "records",
     "record_of": "records",
     "split_of": "records",
-    "assemble": "tables",
+    "assemble": "assembling",
     "read_table": "tables",
     "write_tables": "tables",
 }

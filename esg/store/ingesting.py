@@ -10,12 +10,17 @@ from typing import TYPE_CHECKING
 
 from esg.outcomes import UserError
 from esg.store.db import apply_migrations, first_line, writing
-from esg.store.tables import COLUMNS, KEYS, part_files, read_table, table_of
+from esg.store.tables import ADDED_COLUMNS, COLUMNS, KEYS, part_files, read_table, table_of
 
 if TYPE_CHECKING:
     from duckdb import DuckDBPyConnection
 
-_ARRAYS = {name for name, kind in COLUMNS["trajectories"].items() if kind.startswith("list<")}
+_IN_PARQUET = {
+    "trajectories": {n for n, k in COLUMNS["trajectories"].items() if k.startswith("list<")}
+    - {"bodies"},
+    "scenes": {"expectation", "manifest"},
+}
+"""Columns too heavy for the database: they stay in the Parquet files."""
 
 
 @dataclass(frozen=True)
@@ -139,7 +144,8 @@ def _ingest(
 
 def _upsert(connection: DuckDBPyConnection, files: Sequence[Path], table: str) -> int:
     """Replaces the rows of all keys that the files hold; the last row of a key wins."""
-    skipped = _ARRAYS - {"bodies"} if table == "trajectories" else set()
+    present = _columns_of(connection, files)
+    skipped = _IN_PARQUET.get(table, set()) | set(ADDED_COLUMNS.get(table, ())) - present
     columns = {c: kind for c, kind in COLUMNS[table].items() if c not in skipped}
     # The database keeps plain UTC: time zone types need a package that readers may lack.
     read = ", ".join(
@@ -154,7 +160,9 @@ def _upsert(connection: DuckDBPyConnection, files: Sequence[Path], table: str) -
         f"""
         CREATE OR REPLACE TEMP TABLE staging AS
         SELECT {read}, listed AS file_place, file_row_number AS row_place
-        FROM read_parquet($files, filename = true, file_row_number = true)
+        FROM read_parquet(
+            $files, filename = true, file_row_number = true, union_by_name = true
+        )
         JOIN (
             SELECT unnest($files) AS filename, unnest(range(len($files))) AS listed
         ) USING (filename)
@@ -177,6 +185,13 @@ def _upsert(connection: DuckDBPyConnection, files: Sequence[Path], table: str) -
     ).fetchone()
     connection.execute("DROP TABLE staging")
     return int(done[0]) if done else 0
+
+
+def _columns_of(connection: DuckDBPyConnection, files: Sequence[Path]) -> set[str]:
+    found = connection.execute(
+        "SELECT name FROM parquet_schema($files)", {"files": [str(f) for f in files]}
+    )
+    return {row[0] for row in found.fetchall()}
 
 
 def _blame(files: dict[str, list[Path]], error: BaseException) -> str:

@@ -106,6 +106,7 @@ def make_record(
     stages: tuple[Mapping[str, Any], ...] = (),
     split: str | None = None,
     family: str | None = None,
+    extra: Mapping[str, Any] | None = None,
 ) -> SceneRecord:
     """All rows of one scene run.
 
@@ -126,6 +127,7 @@ def make_record(
         stages: Log entries of the stages: stage, seconds, cached, outcome.
         split: Overrides the split of the prompt family.
         family: Overrides the prompt family (counterfactual pairs keep one).
+        extra: Further columns of the scene's row, such as rule, pair and manifest.
     """
     key = scene_key(run.run_id, run.suite, scene_id, seed)
     common = {
@@ -169,6 +171,7 @@ def make_record(
         **texts,
         "esg_sha256": hashlib.sha256(last).hexdigest() if last else None,
         "artifacts": json.dumps(dict(artifacts or {}), sort_keys=True),
+        **(extra or {}),
     }
     rows: dict[str, list[dict[str, Any]]] = {"runs": [run.row()], "scenes": [scene]}
     rows["metrics"] = [
@@ -203,6 +206,10 @@ def record_of(
     scene_id: str = "",
     level: str = "",
     trajectories: bool = True,
+    fps: float | None = None,
+    split: str | None = None,
+    family: str | None = None,
+    extra: Mapping[str, Any] | None = None,
 ) -> SceneRecord:
     """The record of a scene that the pipeline has ended, read from its artifacts.
 
@@ -212,6 +219,8 @@ def record_of(
         scene_id: Id in the suite; default the suite scene's, else the document's.
         level: Difficulty label.
         trajectories: Whether to include the replay's trajectories.
+        fps: Frames a second of the trajectories at most; default all.
+        split, family, extra: As of `make_record`.
     """
     request = state.request
     documents = {
@@ -242,7 +251,7 @@ def record_of(
         from esg.engines.rollout_file import load_rollout
 
         rollout = load_rollout(state.artifact("replay") / "rollout.npz")
-        rollouts[rollout.engine] = rollout
+        rollouts[rollout.engine] = rollout if fps is None else thinned(rollout, fps)
         bodies = load_manifest(state.artifact("compile") / "manifest.json").scene.names
     return make_record(
         run,
@@ -261,6 +270,35 @@ def record_of(
         rollouts=rollouts,
         bodies=bodies,
         stages=state.log,
+        split=split,
+        family=family,
+        extra=extra,
+    )
+
+
+def thinned(rollout: Rollout, fps: float) -> Rollout:
+    """The rollout with every k-th frame, at `fps` frames a second or somewhat more.
+
+    The contact log keeps every contact and its time; its frame numbers follow the frames kept.
+    """
+    import dataclasses
+
+    import numpy as np
+
+    if len(rollout.time) < 2:
+        return rollout
+    step = max(1, int(1.0 / (fps * float(np.median(np.diff(rollout.time)))) + 1e-6))
+    if step == 1:
+        return rollout
+    contacts = dataclasses.replace(rollout.contacts, frame=rollout.contacts.frame // step)
+    return dataclasses.replace(
+        rollout,
+        time=rollout.time[::step],
+        position=rollout.position[:, ::step],
+        quaternion=rollout.quaternion[:, ::step],
+        linear_velocity=rollout.linear_velocity[:, ::step],
+        angular_velocity=rollout.angular_velocity[:, ::step],
+        contacts=contacts,
     )
 
 

@@ -1,31 +1,26 @@
 """Parquet tables with fixed schemas: written as parts, assembled into split files.
 
-Workers write parts (`<folder>/<table>/<name>.parquet`), each complete or absent. `assemble` merges
-parts, in order of their keys, into `<table>/{split}-{i:05d}-of-{n:05d}.parquet` with a dataset
-card and `meta/info.json`. The same records give the same bytes, whatever parts they came in.
+Workers write parts (`<folder>/<table>/<name>.parquet`), each complete or absent;
+`esg.store.assembling` merges them into the files of a dataset.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cache
-import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from esg.outcomes import UserError
-from esg.store.files import atomic_file, atomic_write
+from esg.store.files import atomic_write
 
 if TYPE_CHECKING:
     import pyarrow as pa
 
     from esg.store.records import SceneRecord
 
-FORMAT_VERSION = "1.0.0"
+FORMAT_VERSION = "1.1.0"
 ROW_GROUP_SCENES = 100
-MAX_FILE_BYTES = 200 * 2**20
-PART_PATTERN = "{split}-{index:05d}-of-{count:05d}.parquet"
-SPLITS = ("train", "validation", "test")
 COMPRESSION = "zstd"
 
 KEYS: dict[str, tuple[str, ...]] = {
@@ -57,6 +52,8 @@ COLUMNS: dict[str, dict[str, str]] = {
         "ppa_lenient": "float64", "seconds": "float64", "cached_stages": "int32",
         "esg_draft": "string", "esg_resolve": "string", "esg_layout": "string",
         "esg_optimize": "string", "esg_sha256": "string", "artifacts": "string",
+        "rule": "string", "pair": "string", "changed": "string", "parameters": "string",
+        "expectation": "string", "manifest": "string",
     },
     "trajectories": {
         **_SCENE, "split": "string", "engine": "string", "dt_s": "float64", "fps": "float64",
@@ -89,6 +86,11 @@ COLUMNS: dict[str, dict[str, str]] = {
     },
 }  # fmt: skip
 """Column name to type of every table."""
+
+ADDED_COLUMNS: dict[str, tuple[str, ...]] = {
+    "scenes": ("rule", "pair", "changed", "parameters", "expectation", "manifest"),
+}
+"""Columns that files of format 1.0 lack: they read as null."""
 
 TABLES = tuple(COLUMNS)
 
@@ -175,12 +177,13 @@ def write_tables(folder: Path, records: Iterable[SceneRecord], *, name: str) -> 
     for table, found in rows.items():
         if found:
             path = Path(folder) / table / f"{name}.parquet"
-            write_part(to_table(table, found), path, row_group=_row_group(table))
+            write_part(to_table(table, found), path, row_group=row_group_rows(table))
             out[table] = path
     return out
 
 
-def _row_group(table: str) -> int:
+def row_group_rows(table: str) -> int:
+    """Rows a row group of a table."""
     return ROW_GROUP_SCENES if table in ("scenes", "trajectories") else 100 * ROW_GROUP_SCENES
 
 
@@ -211,8 +214,12 @@ def table_of(path: Path) -> str:
     return table
 
 
-def read_table(path: Path) -> pa.Table:
+def read_table(path: Path, columns: Sequence[str] | None = None) -> pa.Table:
     """Reads and checks one Parquet file of this project.
+
+    Args:
+        path: The file.
+        columns: Only these, which every version of the table has; default all.
 
     Raises:
         UserError: If it is damaged, of another format or lacks columns.
@@ -222,172 +229,32 @@ def read_table(path: Path) -> pa.Table:
 
     table = table_of(path)
     try:
-        data = pq.read_table(path)
+        data = pq.read_table(path, columns=None if columns is None else list(columns))
     except (pa.ArrowInvalid, OSError) as error:
         raise UserError(
             f"{path} is damaged ({str(error).splitlines()[0]}); delete it and run again"
         ) from None
+    if columns is not None:
+        return data
     missing = [c for c in COLUMNS[table] if c not in data.column_names]
-    if missing:
+    if missing_columns(table, data.column_names):
         raise UserError(f"{path} lacks the columns {', '.join(missing)} of table {table!r}")
+    for column in missing:
+        kind = arrow_schema(table).field(column).type
+        data = data.append_column(column, pa.nulls(data.num_rows, kind))
     return data.select(list(COLUMNS[table])).cast(arrow_schema(table))
+
+
+def missing_columns(table: str, found: Sequence[str]) -> list[str]:
+    """Columns of a table that a file must have and lacks; later additions may be absent."""
+    added = ADDED_COLUMNS.get(table, ())
+    return [c for c in COLUMNS[table] if c not in found and c not in added]
 
 
 def part_files(folder: Path, table: str | None = None) -> list[Path]:
     """Finished Parquet files below a folder, in name order; temporary ones are not looked at."""
     pattern = f"{table}/*.parquet" if table else "*/*.parquet"
     return sorted(p for p in Path(folder).glob(pattern) if not p.name.startswith("."))
-
-
-def assemble(
-    parts: Path,
-    out: Path,
-    *,
-    title: str = "dynamic scenes",
-    tables: Sequence[str] = TABLES,
-    max_bytes: int = MAX_FILE_BYTES,
-    scenes_per_file: int | None = None,
-) -> dict[str, int]:
-    """Merges parts into the split files of a dataset, with card and `meta/info.json`.
-
-    A scene's rows of all tables go to the split of its prompt family. The result depends on the
-    records only, not on how they were dealt to parts.
-
-    Args:
-        parts: Folder that `write_tables` filled.
-        out: Dataset folder.
-        title: For the card.
-        tables: Which tables to include.
-        max_bytes: Size a file aims to stay under [bytes, uncompressed in memory].
-        scenes_per_file: Fixed number of rows a file instead.
-
-    Returns:
-        Rows by table.
-
-    Raises:
-        UserError: If a part is damaged, with its path.
-    """
-    splits = _scene_splits(parts)
-    counts: dict[str, int] = {}
-    per_split: dict[str, int] = dict.fromkeys(SPLITS, 0)
-    for table in tables:
-        files = part_files(parts, table)
-        if not files:
-            continue
-        if table == "runs":
-            rows = {r["run_id"]: r for f in files for r in read_table(f).to_pylist()}
-            data = to_table("runs", list(rows.values()))
-            write_part(data, out / "runs" / "runs.parquet")
-            counts["runs"] = data.num_rows
-            continue
-        counts[table] = 0
-        for split in SPLITS:
-            data = _merged(table, files, splits, split)
-            counts[table] += data.num_rows
-            if table == "scenes":
-                per_split[split] = data.num_rows
-            _write_split(data, table, split, out, max_bytes, scenes_per_file)
-    _write_info(out, title, counts, per_split)
-    return counts
-
-
-def _scene_splits(parts: Path) -> dict[str, str]:
-    out: dict[str, str] = {}
-    for path in part_files(parts, "scenes"):
-        data = read_table(path).select(["scene_key", "split"])
-        pairs = zip(data["scene_key"].to_pylist(), data["split"].to_pylist(), strict=True)
-        out.update(pairs)
-    return out
-
-
-def _merged(table: str, files: list[Path], splits: Mapping[str, str], split: str) -> pa.Table:
-    """All rows of one split, sorted by key, the last part winning where a key repeats."""
-    import pyarrow as pa
-
-    wanted = {k for k, s in splits.items() if s == split}
-    pieces = []
-    for path in files:
-        data = read_table(path)
-        keep = [key in wanted for key in data["scene_key"].to_pylist()]
-        pieces.append(data.filter(pa.array(keep, pa.bool_())))
-    data = pa.concat_tables(pieces) if pieces else arrow_schema(table).empty_table()
-    keys = [data[k].to_pylist() for k in KEYS[table]]
-    last = {key: i for i, key in enumerate(zip(*keys, strict=True))}
-    return data.take(pa.array([last[k] for k in sorted(last)], pa.int64())).combine_chunks()
-
-
-def _write_split(
-    data: pa.Table, table: str, split: str, out: Path, max_bytes: int, fixed: int | None
-) -> None:
-    folder = out / table
-    for old in folder.glob(f"{split}-*-of-*.parquet"):
-        old.unlink()
-    if not data.num_rows:
-        return
-    if fixed is not None:
-        count = -(-data.num_rows // max(1, fixed))
-    else:
-        count = max(1, -(-data.nbytes // max_bytes))
-    bounds = [data.num_rows * i // count for i in range(count + 1)]
-    for i in range(count):
-        name = PART_PATTERN.format(split=split, index=i, count=count)
-        piece = data.slice(bounds[i], bounds[i + 1] - bounds[i])
-        write_part(piece, folder / name, row_group=_row_group(table))
-
-
-def _write_info(out: Path, title: str, counts: dict[str, int], per_split: dict[str, int]) -> None:
-    info = {
-        "format": "esg-scenes",
-        "format_version": FORMAT_VERSION,
-        "title": title,
-        "rows": counts,
-        "scenes_per_split": per_split,
-        "path_template": "{table}/" + PART_PATTERN,
-        "compression": COMPRESSION,
-        "row_group_scenes": ROW_GROUP_SCENES,
-        "tables": COLUMNS,
-        "keys": {t: list(k) for t, k in KEYS.items()},
-        "units": "SI: m, kg, s, N s, rad; columns carry theirs in the name",
-        "trajectory_layout": "flat arrays of shape [frame, body, component], C order; bodies in "
-        "the order of `bodies`; contact bodies are indices into it, -1 is the ground",
-    }
-    with atomic_file(out / "meta" / "info.json") as file:
-        file.write((json.dumps(info, indent=2, sort_keys=True) + "\n").encode())
-    with atomic_file(out / "README.md") as file:
-        file.write(dataset_card(title, counts, per_split).encode())
-
-
-def dataset_card(title: str, counts: Mapping[str, int], per_split: Mapping[str, int]) -> str:
-    """The dataset card: a header that `datasets.load_dataset` reads, then what is inside."""
-    lines = ["---", f"pretty_name: {json.dumps(title)}", "license: apache-2.0", "configs:"]
-    for table in (t for t in counts if t != "runs"):
-        lines += [f"- config_name: {table}", "  data_files:"]
-        for split in SPLITS:
-            if per_split.get(split):
-                lines += [f"  - split: {split}", f"    path: {table}/{split}-*.parquet"]
-        if table == "scenes":
-            lines.append("  default: true")
-    lines += ["---", "", f"# {title}", ""]
-    lines += ["| table | rows | one row is |", "| --- | ---: | --- |"]
-    what = {
-        "runs": "a run",
-        "scenes": "a scene of a run",
-        "trajectories": "a scene's replay in one engine",
-        "metrics": "an event of a scene's replay",
-        "constraints": "a prompt-specified parameter of a scene's replay",
-        "coverage": "a noun, event or quantity of a prompt",
-        "timings": "a pipeline stage of a scene",
-    }
-    lines += [f"| {t} | {n} | {what[t]} |" for t, n in counts.items()]
-    lines += ["", "| split | scenes |", "| --- | ---: |"]
-    lines += [f"| {s} | {n} |" for s, n in per_split.items()]
-    lines += [
-        "",
-        "Splits are by prompt family (the prompt without its numbers), so that no family is in "
-        "two splits. Columns, keys and array layouts: `meta/info.json`.",
-        "",
-    ]
-    return "\n".join(lines)
 
 
 def iter_rows(paths: Iterable[Path]) -> Iterator[dict[str, Any]]:

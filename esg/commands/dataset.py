@@ -1,0 +1,277 @@
+"""`esg dataset`: many scenes, from prompts or from the scene grammar, as Parquet."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+from cyclopts import Parameter
+
+if TYPE_CHECKING:
+    from esg.dataset.batch import BatchJob, BatchResult
+    from esg.dataset.folder import DatasetFolder
+    from esg.dataset.plan import DatasetSpec, Prompt
+
+STAGE_LIMIT_S = 900.0
+"""A stage that takes longer than this hangs."""
+
+
+def dataset(
+    *,
+    out: Path,
+    prompts: Path | None = None,
+    sample: int | None = None,
+    shard: str = "1/1",
+    resume: Annotated[bool, Parameter(negative="")] = False,
+    seed: int = 0,
+    distribution: Path | None = None,
+    counterfactual: Annotated[bool, Parameter(negative="")] = False,
+    runner: Literal["process", "dask", "ray"] = "process",
+    workers: int | None = None,
+    mcap: Literal["all", "failed", "sample", "none"] = "none",
+    previews: Literal["all", "sample", "none"] = "sample",
+    drafter: Literal["rules", "llm"] = "rules",
+    strategy: Literal["batched", "hybrid", "fd", "ad", "none"] = "batched",
+    engine: Literal["physx", "rapier", "newton"] = "physx",
+    device: str = "cpu",
+    json: Annotated[bool, Parameter(negative="")] = False,
+) -> int:
+    """Make a dataset of proven scenes: Parquet tables, splits, a dataset card.
+
+    Give --prompts or --sample. A folder that holds an unfinished dataset is continued with
+    --resume: finished scenes are kept, the rest is made. A failing scene never stops the others;
+    failures.jsonl says which failed and why, and the exit code is 3.
+
+    Args:
+        out: Folder of the dataset.
+        prompts: A prompt a line (.txt), JSON Lines (prompt, seed, family, expect) or a suite.
+        sample: Number of scenes drawn from the scene grammar.
+        shard: i/n makes the i-th of n parts; whoever finishes last puts the dataset together.
+        resume: Go on with the dataset in --out.
+        seed: Of every random choice.
+        distribution: YAML file with the shares of what is sampled (docs/dataset.md).
+        counterfactual: Sample pairs of scenes that differ in one parameter.
+        runner: Where batches run: worker processes, a Dask or a Ray cluster.
+        workers: Batches at once; default one a core.
+        mcap: Which scenes get an MCAP recording; sample means every 50th.
+        previews: Which scenes get a picture.
+        drafter: rules needs nothing; llm needs an OpenAI-compatible endpoint.
+        strategy: How the physics is searched; none keeps the first guess.
+        engine: Engine of the replay: physx runs the emitted class.
+        device: cpu or cuda:N.
+        json: Print one JSON document with counts and paths.
+    """
+    from esg.commands.console import emit, progress
+    from esg.commands.inputs import check_device
+    from esg.dataset.folder import DatasetFolder
+    from esg.dataset.plan import DatasetSpec, Shard
+    from esg.outcomes import UserError
+    from esg.scenefolder import check_writable
+
+    part = Shard.parse(shard)
+    folder = DatasetFolder(out)
+    if workers is not None and not 1 <= workers <= 256:
+        raise UserError(f"--workers {workers}: choose 1 to 256")
+    if prompts is None and sample is None and resume and (found := folder.spec()) is not None:
+        spec, texts = found, folder.prompts()
+    else:
+        texts, source = _source(prompts, sample, counterfactual, distribution)
+        options: dict[str, Any] = {
+            "seed": _seed(seed), "counterfactual": counterfactual, "drafter": drafter,
+            "strategy": strategy, "engine": engine, "mcap": mcap, "previews": previews,
+            "device": check_device(device),
+        }  # fmt: skip
+        spec = DatasetSpec(**source, **options)
+    check_writable(out)
+    with folder.locked(part), progress(spec.n, "starting") as bar:
+        run = folder.begin(spec, texts, resume=resume)
+        summary = _build(folder, spec, texts, run, part.batches(spec), runner, workers, bar)
+    if json:
+        emit(summary)
+    else:
+        print(describe(summary))
+    return 3 if summary["failed"] else 0
+
+
+def _source(
+    prompts: Path | None, sample: int | None, counterfactual: bool, distribution: Path | None
+) -> tuple[list[Prompt], dict[str, Any]]:
+    """The prompts of a file, and what the specification says about the source."""
+    import hashlib
+
+    from esg.commands.inputs import existing_file
+    from esg.dataset.grammar import Distribution, load_distribution
+    from esg.dataset.plan import MAX_SCENES, prompts_text, read_prompts
+    from esg.outcomes import UserError
+
+    if (prompts is None) == (sample is None):
+        raise UserError("give either --prompts FILE or --sample N")
+    if prompts is not None:
+        for given, name in ((counterfactual, "--counterfactual"), (distribution, "--distribution")):
+            if given:
+                raise UserError(f"{name} belongs to --sample; a prompts file says it all itself")
+        texts = read_prompts(prompts)
+        digest = hashlib.sha256(prompts_text(texts).encode()).hexdigest()
+        return texts, {"source": "prompts", "n": len(texts), "prompts_sha256": digest}
+    assert sample is not None
+    if not 1 <= sample <= MAX_SCENES:
+        raise UserError(f"--sample {sample}: choose 1 to {MAX_SCENES}")
+    mix = Distribution()
+    if distribution is not None:
+        path = existing_file(distribution, "--distribution")
+        mix = load_distribution(path.read_text("utf-8"), str(path))
+    return [], {"source": "sample", "n": sample, "distribution": mix}
+
+
+def _seed(seed: int) -> int:
+    from esg.outcomes import UserError
+
+    if not 0 <= seed < 2**31:
+        raise UserError(f"--seed {seed}: choose 0 to {2**31 - 1}")
+    return seed
+
+
+def _build(
+    folder: DatasetFolder,
+    spec: DatasetSpec,
+    texts: Sequence[Prompt],
+    run: Any,
+    numbers: list[int],
+    runner: str,
+    workers: int | None,
+    bar: Any,
+) -> dict[str, Any]:
+    from esg.dataset.finish import clean, finish
+    from esg.dataset.folder import finish_lock
+    from esg.outcomes import UserError
+
+    if folder.finished():
+        clean(folder.path)
+        return _summary(folder, spec, {})
+    done = folder.done(numbers)
+    bar.step(f"{sum(r.scenes for r in done.values())} made before", _scenes(done.values()))
+    left = [n for n in numbers if n not in done]
+    if left:
+        jobs = _jobs(folder, spec, texts, run, left)
+        try:
+            for result in _make(jobs, runner, workers, bar):
+                done[result.number] = result
+        except OSError as error:
+            raise UserError(
+                f"{error.filename or folder.path}: {error.strerror or error}; finished batches are "
+                "kept, run the same command with --resume to go on",
+                exit_code=1,
+            ) from None
+    everything = folder.done(range(spec.n_batches))
+    if len(everything) == spec.n_batches:
+        bar.show("putting together")
+        with finish_lock(folder.path):
+            if not folder.finished():
+                finish(folder, spec, everything)
+        return _summary(folder, spec, {})
+    return _summary(folder, spec, done)
+
+
+def _scenes(results: Any) -> int:
+    return sum(r.scenes for r in results)
+
+
+def _jobs(
+    folder: DatasetFolder, spec: DatasetSpec, texts: Sequence[Prompt], run: Any, left: list[int]
+) -> list[BatchJob]:
+    from esg.dataset.batch import BatchJob, batch_name
+    from esg.dataset.plan import plan_scenes
+
+    scenes = plan_scenes(spec, texts)
+    size, out = spec.batch_size, folder.path.resolve()
+    return [
+        BatchJob(
+            number=n,
+            spec=spec,
+            run=run,
+            scenes=tuple(scenes[n * size : (n + 1) * size]),
+            out=out,
+            work=out / "work" / batch_name(n),
+            stage_limit_s=STAGE_LIMIT_S,
+        )
+        for n in left
+    ]
+
+
+def _make(jobs: list[BatchJob], runner: str, workers: int | None, bar: Any) -> list[BatchResult]:
+    from esg.progress import StageEvent, listening
+    from esg.workers import default_processes
+    from flows.session import session
+
+    count = default_processes(sum(len(j.scenes) for j in jobs)) if workers is None else workers
+    count = max(1, min(count, len(jobs)))
+
+    def show(event: StageEvent) -> None:
+        if event.status == "finished":
+            bar.show(f"{event.scene} {event.stage}")
+
+    def batch_done(result: BatchResult) -> None:
+        bar.step(f"batch {result.number}", result.scenes)
+
+    with listening(show), session(count if runner == "process" else 0) as call:
+        from flows.dataset import with_runner
+
+        return call(with_runner(runner, count), jobs, batch_done)  # type: ignore[arg-type]  # checked by cyclopts
+
+
+def _summary(
+    folder: DatasetFolder, spec: DatasetSpec, done: dict[int, BatchResult]
+) -> dict[str, Any]:
+    """What `--json` prints: of the whole dataset, or of this shard while others are missing."""
+    import json
+
+    from esg.dataset.folder import INFO
+
+    base = {
+        "dataset": spec.name(),
+        "folder": str(folder.path),
+        "planned": spec.n,
+        "complete": folder.finished(),
+    }
+    if folder.finished():
+        info = json.loads((folder.path / INFO).read_bytes())
+        facts = info["statistics"]
+        failed = sum(row["scenes"] for row in facts["failures"])
+        return {
+            **base,
+            "scenes": facts["scenes"],
+            "verified": facts["verified"],
+            "failed": failed,
+            "outcomes": facts["outcomes"],
+            "splits": info["scenes_per_split"],
+            "failures": str(folder.path / "failures.jsonl") if failed else None,
+        }
+    outcomes: dict[str, int] = {}
+    for result in done.values():
+        for name, n in result.outcomes.items():
+            outcomes[name] = outcomes.get(name, 0) + n
+    return {
+        **base,
+        "scenes": _scenes(done.values()),
+        "verified": sum(r.verified for r in done.values()),
+        "failed": sum(len(r.failures) for r in done.values()),
+        "outcomes": dict(sorted(outcomes.items())),
+        "splits": None,
+        "failures": None,
+    }
+
+
+def describe(summary: dict[str, Any]) -> str:
+    """The same for people."""
+    state = "complete" if summary["complete"] else "other shards are missing"
+    lines = [
+        f"{summary['scenes']} of {summary['planned']} scenes in {summary['folder']} ({state})",
+        f"  {summary['verified']} verified, {summary['failed']} failed",
+        "  " + ", ".join(f"{k} {v}" for k, v in summary["outcomes"].items()),
+    ]
+    if summary["splits"]:
+        lines.append("  " + ", ".join(f"{k} {v}" for k, v in summary["splits"].items()))
+    if summary["failures"]:
+        lines.append(f"  why: {summary['failures']}")
+    return "\n".join(lines)

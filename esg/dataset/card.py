@@ -1,0 +1,219 @@
+"""The dataset card: what is inside, how it was drawn, how scenes ended and why some failed.
+
+Everything here follows from the tables, so the card of a dataset is always the same.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+import re
+from typing import TYPE_CHECKING, Any
+
+from esg.dataset.plan import DatasetSpec
+from esg.store.assembling import Counts, card_header, card_tables
+
+if TYPE_CHECKING:
+    import pyarrow as pa
+
+_SCENE_COLUMNS = [
+    "scene_key", "prompt", "family", "level", "rule", "pair", "changed", "outcome", "verified",
+    "slr", "n_events", "n_completed", "ppa",
+]  # fmt: skip
+_MAX_FAILURES = 20
+
+
+def statistics(out: Path, spec: DatasetSpec, failed: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
+    """Numbers of a dataset whose split files are written.
+
+    Args:
+        out: Folder of the dataset.
+        spec: Its specification.
+        failed: Rows of `failures.jsonl`.
+    """
+    scenes = list(_rows(out, "scenes", _SCENE_COLUMNS))
+    events = Counter(r["event_type"] for r in _rows(out, "metrics", ["event_type"]))
+    done = Counter(
+        r["event_type"]
+        for r in _rows(out, "metrics", ["event_type", "completed"])
+        if r["completed"]
+    )
+    stated: dict[str, list[float]] = {}
+    for row in _rows(out, "constraints", ["quantity", "target_low", "score"]):
+        stated.setdefault(row["quantity"], []).append(row["score"])
+    return {
+        "scenes": len(scenes),
+        "verified": sum(bool(s["verified"]) for s in scenes),
+        "distinct_prompts": len({s["prompt"] for s in scenes}),
+        "families": len({s["family"] for s in scenes}),
+        "outcomes": _counted(s["outcome"] for s in scenes),
+        "levels": _by(scenes, "level"),
+        "rules": _by(scenes, "rule"),
+        "events": {
+            kind: {"stated": n, "completed": done[kind]} for kind, n in sorted(events.items())
+        },
+        "constraints": {
+            q: {"stated": len(scores), "mean_score": round(sum(scores) / len(scores), 4)}
+            for q, scores in sorted(stated.items())
+        },
+        "pairs": _pairs(scenes),
+        "failures": failure_table(failed),
+    }
+
+
+def _rows(out: Path, table: str, columns: Sequence[str]) -> Iterable[dict[str, Any]]:
+    from esg.store.tables import part_files, read_table
+
+    for path in part_files(out, table):
+        data: pa.Table = read_table(path).select(list(columns))
+        yield from data.to_pylist()
+
+
+def _counted(values: Iterable[Any]) -> dict[str, int]:
+    return dict(sorted(Counter(str(v) for v in values).items()))
+
+
+def _by(scenes: Sequence[Mapping[str, Any]], column: str) -> dict[str, dict[str, int]]:
+    all_of = Counter(s[column] or "" for s in scenes)
+    good = Counter(s[column] or "" for s in scenes if s["verified"])
+    return {k: {"scenes": all_of[k], "verified": good[k]} for k in sorted(all_of) if k}
+
+
+def _pairs(scenes: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
+    """Counterfactual pairs: how many, what they change, how many are verified on both sides."""
+    sides: dict[str, list[bool]] = {}
+    for s in scenes:
+        if s["pair"]:
+            sides.setdefault(s["pair"], []).append(bool(s["verified"]))
+    whole = [v for v in sides.values() if len(v) == 2]
+    return {
+        "pairs": len(whole),
+        "both_verified": sum(all(v) for v in whole),
+        "changed": _counted(s["changed"] for s in scenes if s["changed"]),
+    }
+
+
+def failure_table(failed: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:
+    """Failures by outcome and cause, most frequent first; numbers in the cause are left out."""
+    groups: dict[tuple[str, str, str], list[str]] = {}
+    for row in failed:
+        key = (str(row["outcome"]), str(row["stage"]), cause(str(row["reason"])))
+        groups.setdefault(key, []).append(str(row["scene"]))
+    ordered = sorted(groups.items(), key=lambda item: (-len(item[1]), item[0]))
+    return [
+        {"outcome": o, "stage": s, "cause": c, "scenes": len(names), "example": min(names)}
+        for (o, s, c), names in ordered
+    ]
+
+
+def cause(reason: str) -> str:
+    """A reason without what differs from scene to scene: names of bodies and numbers."""
+    text = reason.split("; ")[0]
+    text = re.sub(r"\b[a-z0-9_]*[a-z]_\d+(?:_[a-z0-9_]*)?\b", "…", text)
+    text = re.sub(r"\be\d+\b", "…", text)
+    text = re.sub(r"-?\d+(?:\.\d+)?", "#", text)
+    return text[:120] or "none given"
+
+
+def card(spec: DatasetSpec, counts: Counts, facts: Mapping[str, Any]) -> str:
+    """Text of `README.md`."""
+    title = _title(spec)
+    n, good = facts["scenes"], facts["verified"]
+    lines = [*card_header(title, counts), f"# {title}", "", _about(spec, n, good), ""]
+    lines += [*card_tables(counts), ""]
+    lines += [
+        "Splits are by hash of the prompt family: of a sampled scene its rule and its mover, else "
+        "the prompt without case, articles and numbers. No family, and so no counterfactual pair, "
+        "is in two splits. Columns, keys and array layouts: `meta/info.json`.",
+        "",
+        "## Read it",
+        "",
+        "```python",
+        "from datasets import load_dataset",
+        'scenes = load_dataset("PATH", "scenes", split="train")',
+        'moves = load_dataset("PATH", "trajectories", split="train")  # join by scene_key',
+        "```",
+        "```sql",
+        "SELECT rule, avg(verified::INTEGER) FROM 'PATH/scenes/*.parquet' GROUP BY rule -- DuckDB",
+        "```",
+        "```python",
+        'import polars as pl; pl.scan_parquet("PATH/scenes/*.parquet")',
+        "```",
+        "",
+    ]
+    lines += _share_table("How scenes end", "outcome", facts["outcomes"], n)
+    if facts["levels"]:
+        lines += _rate_table("By difficulty", "level", facts["levels"], "scenes", "verified")
+    if facts["rules"]:
+        lines += _rate_table("By rule", "rule", facts["rules"], "scenes", "verified")
+    if facts["events"]:
+        lines += _rate_table("Events", "event", facts["events"], "stated", "completed")
+    if facts["constraints"]:
+        lines += ["## Stated numbers", "", "| quantity | stated | mean score (PPA) |"]
+        lines += ["| --- | ---: | ---: |"]
+        for q, c in facts["constraints"].items():
+            lines.append(f"| {q} | {c['stated']} | {c['mean_score']:.3f} |")
+        lines.append("")
+    if facts["pairs"]["pairs"]:
+        p = facts["pairs"]
+        changes = ", ".join(f"{k}: {v}" for k, v in p["changed"].items())
+        lines += ["## Counterfactual pairs", ""]
+        lines += [
+            f"{p['pairs']} pairs, {p['both_verified']} verified on both sides. {changes}.",
+            "",
+        ]
+    return "\n".join([*lines, *_failure_lines(facts["failures"]), ""])
+
+
+def _title(spec: DatasetSpec) -> str:
+    what = "sampled dynamic scenes" if spec.source == "sample" else "dynamic scenes from prompts"
+    return f"{spec.n} {what}, seed {spec.seed}"
+
+
+def _about(spec: DatasetSpec, n: int, good: int) -> str:
+    share = f"{100 * good / n:.1f}%" if n else "none"
+    proof = {
+        "physx": "the emitted class, compiled and run in PhysX 5 at 240 Hz",
+        "rapier": "the control program, run in Rapier at 240 Hz",
+        "newton": "the control program, run in Newton at 240 Hz",
+    }[spec.engine]
+    return (
+        f"{n} scenes, {good} of them ({share}) *verified*: a valid layout, and every expected "
+        f"event happens in the replay ({proof}). Scenes that are not verified are kept and say why "
+        "(`verified`, `outcome`, `reason`): filter them as you need. Of sampled scenes, the "
+        "expectation is what their sentence says (`expectation`), not what was read into it."
+    )
+
+
+def _share_table(title: str, name: str, counts: Mapping[str, int], n: int) -> list[str]:
+    lines = [f"## {title}", "", f"| {name} | scenes | share |", "| --- | ---: | ---: |"]
+    ordered = sorted(counts.items(), key=lambda item: (-item[1], item[0]))
+    return [*lines, *(f"| {k} | {v} | {100 * v / max(1, n):.1f}% |" for k, v in ordered), ""]
+
+
+def _rate_table(
+    title: str, name: str, rows: Mapping[str, Mapping[str, int]], whole: str, part: str
+) -> list[str]:
+    lines = [f"## {title}", "", f"| {name} | {whole} | {part} | share |"]
+    lines.append("| --- | ---: | ---: | ---: |")
+    for key, row in rows.items():
+        share = 100 * row[part] / max(1, row[whole])
+        lines.append(f"| {key} | {row[whole]} | {row[part]} | {share:.1f}% |")
+    return [*lines, ""]
+
+
+def _failure_lines(table: Sequence[Mapping[str, Any]]) -> list[str]:
+    if not table:
+        return ["## Failures", "", "None."]
+    lines = ["## Failures", "", "One line a cause; every scene is in `failures.jsonl`.", ""]
+    lines += ["| scenes | outcome | stage | cause | example |", "| ---: | --- | --- | --- | --- |"]
+    for row in table[:_MAX_FAILURES]:
+        why = row["cause"].replace("|", "\\|")
+        lines.append(
+            f"| {row['scenes']} | {row['outcome']} | {row['stage']} | {why} | {row['example']} |"
+        )
+    if len(table) > _MAX_FAILURES:
+        rest = sum(r["scenes"] for r in table[_MAX_FAILURES:])
+        lines.append(f"| {rest} | other | | {len(table) - _MAX_FAILURES} further causes | |")
+    return lines

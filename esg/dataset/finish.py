@@ -1,0 +1,99 @@
+"""Putting a dataset together once all its batches are done."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+import json
+from pathlib import Path
+import shutil
+from typing import Any
+
+from esg.dataset.batch import BatchResult
+from esg.dataset.folder import INFO, DatasetFolder
+from esg.dataset.plan import DatasetSpec
+from esg.store.files import atomic_file
+
+SCAFFOLD = ("parts", "marks", "locks", "work")
+"""Folders that only an unfinished dataset has."""
+
+
+def finish(folder: DatasetFolder, spec: DatasetSpec, results: Mapping[int, BatchResult]) -> None:
+    """Writes the split files, `failures.jsonl`, the card and `meta/`; then removes the scaffold.
+
+    `meta/info.json` comes last: a dataset that has it is complete. A process killed before that
+    begins again from the parts, one killed after it has only the scaffold left to remove.
+
+    Args:
+        folder: With all batches done.
+        spec: Of the dataset.
+        results: Of all batches.
+
+    Raises:
+        UserError: If a part is damaged, with its path.
+        OSError: If the dataset cannot be written.
+    """
+    from esg.dataset.card import card, statistics
+    from esg.store.assembling import assemble_tables, sweep_temporary, write_info
+    from esg.store.tables import to_table, write_part
+
+    out = folder.path
+    write_part(to_table("runs", [folder.run().row()]), out / "parts" / "runs" / "run.parquet")
+    counts = assemble_tables(out / "parts", out)
+    failed = [dict(row) for n in sorted(results) for row in results[n].failures]
+    write_lines(out / "failures.jsonl", failed)
+    write_lines(
+        out / "meta" / "crashes.jsonl",
+        [
+            {"scene": scene, "traceback": text}
+            for n in sorted(results)
+            for scene, text in results[n].crashes.items()
+        ],
+    )
+    write_json(out / "meta" / "timings.json", timings(results))
+    facts = statistics(out, spec, failed)
+    with atomic_file(out / "README.md") as file:
+        file.write(card(spec, counts, facts).encode())
+    for name in ("mcap", "previews"):
+        sweep_temporary(out / name)
+    write_info(out, spec.name(), counts, {"statistics": facts})
+    clean(out)
+
+
+def clean(out: Path) -> None:
+    """Removes the scaffold of a finished dataset; does nothing to an unfinished one."""
+    if (out / INFO).is_file():
+        for name in SCAFFOLD:
+            shutil.rmtree(out / name, ignore_errors=True)
+
+
+def timings(results: Mapping[int, BatchResult]) -> dict[str, Any]:
+    """Seconds of work by stage, in all and a scene; `overhead` is everything but stages."""
+    scenes = sum(r.scenes for r in results.values())
+    total: dict[str, float] = {}
+    for result in results.values():
+        for name, seconds in result.seconds.items():
+            total[name] = total.get(name, 0.0) + seconds
+    whole = total.pop("batch", 0.0)
+    total["overhead"] = whole - sum(total.values())
+    return {
+        "scenes": scenes,
+        "seconds": {k: round(v, 2) for k, v in total.items()},
+        "seconds_per_scene": {k: round(v / max(1, scenes), 4) for k, v in total.items()},
+        "share": {k: round(v / whole, 4) if whole else 0.0 for k, v in total.items()},
+    }
+
+
+def write_lines(path: Path, rows: list[dict[str, Any]]) -> None:
+    """Writes JSON Lines; without rows there is no file."""
+    if not rows:
+        path.unlink(missing_ok=True)
+        return
+    with atomic_file(path) as file:
+        for row in rows:
+            file.write((json.dumps(row, sort_keys=True, ensure_ascii=False) + "\n").encode())
+
+
+def write_json(path: Path, value: Any) -> None:
+    """Writes a JSON document."""
+    with atomic_file(path) as file:
+        file.write((json.dumps(value, indent=2, sort_keys=True) + "\n").encode())

@@ -1,0 +1,295 @@
+"""Parts into a dataset: split files in order of their keys, a card and `meta/info.json`.
+
+Files are `<table>/{split}-{i:05d}-of-{n:05d}.parquet`. The same records give the same bytes,
+whatever parts they came in. One output file is in memory at a time, beside one part.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+import contextlib
+from dataclasses import dataclass
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from esg.store.files import atomic_file
+from esg.store.tables import (
+    COLUMNS,
+    COMPRESSION,
+    FORMAT_VERSION,
+    KEYS,
+    ROW_GROUP_SCENES,
+    TABLES,
+    arrow_schema,
+    part_files,
+    read_table,
+    row_group_rows,
+    to_table,
+    write_part,
+)
+
+if TYPE_CHECKING:
+    import pyarrow as pa
+
+MAX_FILE_BYTES = 200 * 2**20
+PART_PATTERN = "{split}-{index:05d}-of-{count:05d}.parquet"
+SPLITS = ("train", "validation", "test")
+
+Counts = dict[str, dict[str, int]]
+"""Rows by table and split."""
+
+
+def assemble(
+    parts: Path,
+    out: Path,
+    *,
+    title: str = "dynamic scenes",
+    tables: Sequence[str] = TABLES,
+    max_bytes: int = MAX_FILE_BYTES,
+    scenes_per_file: int | None = None,
+) -> dict[str, int]:
+    """Merges parts into the split files of a dataset, with card and `meta/info.json`.
+
+    A scene's rows of all tables go to the split of its prompt family.
+
+    Args:
+        parts: Folder that `write_tables` filled.
+        out: Dataset folder.
+        title: For the card.
+        tables: Which tables to include.
+        max_bytes: Size a file aims to stay under [bytes, uncompressed values].
+        scenes_per_file: Fixed number of rows a file instead.
+
+    Returns:
+        Rows by table.
+
+    Raises:
+        UserError: If a part is damaged, with its path.
+    """
+    counts = assemble_tables(
+        parts, out, tables=tables, max_bytes=max_bytes, scenes_per_file=scenes_per_file
+    )
+    with atomic_file(out / "README.md") as file:
+        file.write(dataset_card(title, counts).encode())
+    write_info(out, title, counts)
+    return totals(counts)
+
+
+def assemble_tables(
+    parts: Path,
+    out: Path,
+    *,
+    tables: Sequence[str] = TABLES,
+    max_bytes: int = MAX_FILE_BYTES,
+    scenes_per_file: int | None = None,
+) -> Counts:
+    """The split files alone (`assemble`); returns rows by table and split.
+
+    Raises:
+        UserError: If a part is damaged, with its path.
+    """
+    splits = _scene_splits(parts)
+    counts: Counts = {}
+    for table in tables:
+        files = part_files(parts, table)
+        if not files:
+            continue
+        if table == "runs":
+            rows = {r["run_id"]: r for f in files for r in read_table(f).to_pylist()}
+            data = to_table("runs", list(rows.values()))
+            write_part(data, out / "runs" / "runs.parquet")
+            counts["runs"] = {"": data.num_rows}
+            continue
+        counts[table] = {}
+        for split, places in _in_order(table, files, splits).items():
+            _write_split(table, split, files, places, out, max_bytes, scenes_per_file)
+            counts[table][split] = len(places)
+    return counts
+
+
+def totals(counts: Counts) -> dict[str, int]:
+    """Rows by table."""
+    return {table: sum(by_split.values()) for table, by_split in counts.items()}
+
+
+@dataclass(frozen=True)
+class _Place:
+    """Where a row is: which part, which row of it, and how large it is [bytes]."""
+
+    file: int
+    row: int
+    size: int
+
+
+def _scene_splits(parts: Path) -> dict[str, str]:
+    out: dict[str, str] = {}
+    for path in part_files(parts, "scenes"):
+        data = read_table(path, ["scene_key", "split"])
+        pairs = zip(data["scene_key"].to_pylist(), data["split"].to_pylist(), strict=True)
+        out.update(pairs)
+    return out
+
+
+def _in_order(
+    table: str, files: Sequence[Path], splits: Mapping[str, str]
+) -> dict[str, list[_Place]]:
+    """Places of all rows by split, sorted by key, the last part winning where a key repeats."""
+    found: dict[str, dict[tuple[Any, ...], _Place]] = {split: {} for split in SPLITS}
+    for number, path in enumerate(files):
+        data = read_table(path)
+        sizes = _row_sizes(data)
+        keys = zip(*(data[k].to_pylist() for k in KEYS[table]), strict=True)
+        scenes = data["scene_key"].to_pylist()
+        for row, (key, scene) in enumerate(zip(keys, scenes, strict=True)):
+            split = splits.get(scene)
+            if split is not None:
+                found[split][key] = _Place(number, row, sizes[row])
+    return {split: [rows[key] for key in sorted(rows)] for split, rows in found.items()}
+
+
+def _row_sizes(data: pa.Table) -> list[int]:
+    """Size of every row's values [bytes]: how rows are dealt to parts makes no difference."""
+    import pyarrow as pa
+    import pyarrow.compute as pc
+
+    total = pa.array([0] * data.num_rows, pa.int64())
+    for column in data.columns:
+        kind = column.type
+        if pa.types.is_string(kind):
+            size = pc.cast(pc.binary_length(column), pa.int64())
+        elif pa.types.is_list(kind):
+            # Lists of names are short: a guess of their length will do.
+            width = 16 if pa.types.is_string(kind.value_type) else kind.value_type.bit_width // 8
+            size = pc.multiply(pc.cast(pc.list_value_length(column), pa.int64()), width)
+        else:
+            continue
+        total = pc.add(total, pc.fill_null(size, 0))
+    fixed = 8 * sum(not (pa.types.is_string(t) or pa.types.is_list(t)) for t in data.schema.types)
+    return [size + fixed for size in pc.cast(total, pa.int64()).to_pylist()]
+
+
+def _write_split(
+    table: str,
+    split: str,
+    files: Sequence[Path],
+    places: list[_Place],
+    out: Path,
+    max_bytes: int,
+    fixed: int | None,
+) -> None:
+    folder = out / table
+    for old in folder.glob(f"{split}-*-of-*.parquet"):
+        old.unlink()
+    if not places:
+        return
+    if fixed is not None:
+        count = -(-len(places) // max(1, fixed))
+    else:
+        count = max(1, -(-sum(p.size for p in places) // max_bytes))
+    bounds = [len(places) * i // count for i in range(count + 1)]
+    for i in range(count):
+        name = PART_PATTERN.format(split=split, index=i, count=count)
+        data = _gather(table, files, places[bounds[i] : bounds[i + 1]])
+        write_part(data, folder / name, row_group=row_group_rows(table))
+
+
+def _gather(table: str, files: Sequence[Path], places: Sequence[_Place]) -> pa.Table:
+    """The rows at some places, in their order."""
+    import pyarrow as pa
+
+    wanted: dict[int, list[tuple[int, int]]] = {}
+    for target, place in enumerate(places):
+        wanted.setdefault(place.file, []).append((place.row, target))
+    pieces = [arrow_schema(table).empty_table()]
+    targets: list[int] = []
+    for number, rows in sorted(wanted.items()):
+        pieces.append(read_table(files[number]).take(pa.array([r for r, _ in rows], pa.int64())))
+        targets += [target for _, target in rows]
+    order = sorted(range(len(targets)), key=targets.__getitem__)
+    data = pa.concat_tables(pieces)
+    if order != list(range(len(order))):
+        data = data.take(pa.array(order, pa.int64()))
+    return data.combine_chunks()
+
+
+def write_info(
+    out: Path, title: str, counts: Counts, more: Mapping[str, Any] | None = None
+) -> None:
+    """Writes `meta/info.json`: format, rows, schemas, how to read the arrays."""
+    scenes = counts.get("scenes", {})
+    info = {
+        "format": "esg-scenes",
+        "format_version": FORMAT_VERSION,
+        "title": title,
+        "rows": totals(counts),
+        "scenes_per_split": {s: scenes.get(s, 0) for s in SPLITS},
+        "path_template": "{table}/" + PART_PATTERN,
+        "compression": COMPRESSION,
+        "row_group_scenes": ROW_GROUP_SCENES,
+        "tables": COLUMNS,
+        "keys": {t: list(k) for t, k in KEYS.items()},
+        "units": "SI: m, kg, s, N s, rad; columns carry theirs in the name",
+        "trajectory_layout": "flat arrays of shape [frame, body, component], C order; bodies in "
+        "the order of `bodies`; contact bodies are indices into it, -1 is the ground",
+        **(more or {}),
+    }
+    with atomic_file(out / "meta" / "info.json") as file:
+        file.write((json.dumps(info, indent=2, sort_keys=True) + "\n").encode())
+
+
+_ONE_ROW = {
+    "runs": "a run",
+    "scenes": "a scene of a run",
+    "trajectories": "a scene's replay in one engine",
+    "metrics": "an event of a scene's replay",
+    "constraints": "a prompt-specified parameter of a scene's replay",
+    "coverage": "a noun, event or quantity of a prompt",
+    "timings": "a pipeline stage of a scene",
+}
+
+
+def card_header(title: str, counts: Counts, license_id: str = "apache-2.0") -> list[str]:
+    """The header of a card: which files belong to which table and split (`load_dataset`)."""
+    lines = ["---", f"pretty_name: {json.dumps(title)}", f"license: {license_id}", "configs:"]
+    for table, by_split in counts.items():
+        if table == "runs":
+            continue
+        lines += [f"- config_name: {table}", "  data_files:"]
+        for split in SPLITS:
+            if by_split.get(split):
+                lines += [f"  - split: {split}", f"    path: {table}/{split}-*.parquet"]
+        if table == "scenes":
+            lines.append("  default: true")
+    return [*lines, "---", ""]
+
+
+def card_tables(counts: Counts) -> list[str]:
+    """The tables of a card and their rows, and the scenes of every split."""
+    lines = ["| table | rows | one row is |", "| --- | ---: | --- |"]
+    lines += [f"| {t} | {n} | {_ONE_ROW[t]} |" for t, n in totals(counts).items()]
+    lines += ["", "| split | scenes |", "| --- | ---: |"]
+    return [*lines, *(f"| {s} | {counts.get('scenes', {}).get(s, 0)} |" for s in SPLITS)]
+
+
+def dataset_card(title: str, counts: Counts) -> str:
+    """The dataset card: a header that `datasets.load_dataset` reads, then what is inside."""
+    return "\n".join(
+        [
+            *card_header(title, counts),
+            f"# {title}",
+            "",
+            *card_tables(counts),
+            "",
+            "Splits are by prompt family (the prompt without its numbers), so that no family is in "
+            "two splits. Columns, keys and array layouts: `meta/info.json`.",
+            "",
+        ]
+    )
+
+
+def sweep_temporary(folder: Path) -> None:
+    """Deletes temporary files that a killed writer left anywhere below a folder."""
+    for path in folder.rglob(".*.tmp"):
+        with contextlib.suppress(OSError):
+            path.unlink()

@@ -1,0 +1,103 @@
+"""The `dataset` flow: batches of scenes, in any number of processes or machines."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+import contextlib
+from typing import Any, Literal
+
+from prefect import flow
+from prefect.task_runners import ThreadPoolTaskRunner
+
+from esg.dataset.batch import BatchJob, BatchResult
+from esg.outcomes import UserError
+from tasks.dataset import dataset_batch
+
+Runner = Literal["process", "dask", "ray"]
+Done = Callable[[BatchResult], None]
+
+
+@flow(name="dataset", validate_parameters=False)
+def dataset(jobs: Sequence[BatchJob], on_batch: Done | None = None) -> list[BatchResult]:
+    """Makes all batches of a shard that are not done yet.
+
+    Args:
+        jobs: Batches.
+        on_batch: Called with every result as soon as it is there.
+
+    Returns:
+        Results in the order of the jobs.
+
+    Raises:
+        BaseException: The first error of a batch that could not be written; the other batches are
+            made first.
+    """
+    from prefect.futures import as_completed
+
+    futures = [dataset_batch.submit(job) for job in jobs]
+    numbers = {future.task_run_id: job.number for future, job in zip(futures, jobs, strict=True)}
+    results: dict[int, BatchResult] = {}
+    errors: dict[int, BaseException] = {}
+    for future in as_completed(futures):
+        number = numbers[future.task_run_id]
+        try:
+            results[number] = future.result()
+        except Exception as error:
+            errors[number] = error
+            continue
+        if on_batch is not None:
+            with contextlib.suppress(Exception):
+                on_batch(results[number])
+    if errors:
+        raise errors[min(errors)]
+    return [results[job.number] for job in jobs]
+
+
+def with_runner(runner: Runner, workers: int) -> Any:
+    """The flow with a task runner.
+
+    Args:
+        runner: process (worker processes of this command), dask or ray.
+        workers: Batches at once.
+
+    Raises:
+        UserError: If the runner's package is not installed.
+    """
+    if runner == "process":
+        return dataset.with_options(task_runner=ThreadPoolTaskRunner(max_workers=max(1, workers)))
+    if runner == "dask":
+        try:
+            from prefect_dask import DaskTaskRunner
+        except ImportError:
+            raise UserError(
+                '--runner dask needs its package: pip install "esg-scenes[dask]"'
+            ) from None
+        return dataset.with_options(task_runner=_dask(DaskTaskRunner, workers))
+    try:
+        from prefect_ray import RayTaskRunner
+    except ImportError:
+        raise UserError('--runner ray needs its package: pip install "esg-scenes[ray]"') from None
+    return dataset.with_options(task_runner=_ray(RayTaskRunner, workers))
+
+
+def _dask(runner: Any, workers: int) -> Any:
+    """A running scheduler (`ESG_DASK_ADDRESS`), else a cluster of processes on this machine."""
+    import os
+
+    address = os.environ.get("ESG_DASK_ADDRESS")
+    if address:
+        return runner(address=address)
+    # One thread each: engines hold state of their process.
+    cluster = {"n_workers": max(1, workers), "threads_per_worker": 1, "processes": True,
+               "dashboard_address": None}  # fmt: skip
+    return runner(cluster_kwargs=cluster)
+
+
+def _ray(runner: Any, workers: int) -> Any:
+    """A running cluster (`RAY_ADDRESS`), else one on this machine."""
+    import os
+
+    address = os.environ.get("RAY_ADDRESS")
+    if address:
+        return runner(address=address)
+    return runner(init_kwargs={"num_cpus": max(1, workers), "include_dashboard": False})
