@@ -18,26 +18,28 @@ def export(
     """Write a scene folder for another program.
 
     Args:
-        scene: Scene folder, or id of one below ./runs.
+        scene: Scene folder, id of one below ./runs, or key of a scene in the run database.
         to: unreal a plugin folder; usd physics and baked animation; mjcf MuJoCo XML; glb animated
             glTF; mcap a log for Foxglove.
-        out: Folder to write into; default the scene folder.
+        out: Folder to write into; default the scene folder. Needed for scenes of the database.
         json: Print one JSON document: the files written.
     """
     from esg.commands.console import emit
-    from esg.commands.inputs import find_scene
+    from esg.commands.stored import is_stored, open_scene
     from esg.outcomes import UserError
     from esg.scenefolder import check_writable
 
-    folder = find_scene(scene)
-    target = folder if out is None else out
-    check_writable(target)
-    try:
-        files = _mcap(folder, target) if to == "mcap" else _export(folder, to, target)
-    except OSError as error:
-        raise UserError(f"cannot write {target}: {error.strerror}", exit_code=1) from None
+    with open_scene(scene, meshes=True) as folder:
+        if out is None and is_stored(folder):
+            raise UserError(f"{scene} is in the run database, not in a folder: give --out")
+        target = folder if out is None else out
+        check_writable(target)
+        try:
+            files = _mcap(folder, target) if to == "mcap" else _export(folder, to, target)
+        except OSError as error:
+            raise UserError(f"cannot write {target}: {error.strerror}", exit_code=1) from None
     if json:
-        emit({"scene": str(folder), "to": to, "files": [str(f) for f in files]})
+        emit({"scene": scene, "to": to, "files": [str(f) for f in files]})
     else:
         for file in files:
             print(file)
@@ -51,15 +53,34 @@ def _export(folder: Path, to: Literal["unreal", "usd", "mjcf", "glb"], target: P
 
 
 def _mcap(folder: Path, target: Path) -> list[Path]:
+    """The scene's log: as written by its run, else from its stored trajectory, else replayed."""
     import shutil
 
+    from esg.commands.stored import is_stored, stored_key, stored_rollout
+    from esg.compile.transfer import replay_scene
+    from esg.engines.manifest import load_manifest
+    from esg.graph import load_document
+    from esg.metrics import expectations_from_timeline, judge
     from esg.outcomes import UserError
+    from esg.store.mcap_log import write_mcap
 
     source = folder / "rollout.mcap"
-    if not source.exists():
-        raise UserError(f"{folder} holds no rollout.mcap; its log.jsonl says why")
     path = target / source.name
-    if path.resolve() != source.resolve():
-        target.mkdir(parents=True, exist_ok=True)
-        shutil.copyfile(source, path)
+    if source.exists():
+        if path.resolve() != source.resolve():
+            target.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(source, path)
+        return [path]
+    if not (folder / "manifest.json").exists():
+        raise UserError(f"{folder} holds no compiled scene; its log.jsonl says why")
+    manifest, doc = load_manifest(folder / "manifest.json"), load_document(folder / "esg.json")
+    rollout = stored_rollout(stored_key(folder)) if is_stored(folder) else None
+    # A stored trajectory may be thinned, which the judge must not see: only a replay is judged.
+    verdict = None
+    if rollout is None:
+        rollout, _ = replay_scene(folder, manifest, "physx", manifest.dt)
+        expected = expectations_from_timeline(doc)
+        verdict = judge(manifest.scene, manifest.program, rollout, expected)
+    target.mkdir(parents=True, exist_ok=True)
+    write_mcap(path, manifest.scene, manifest.program, rollout, verdict, doc)
     return [path]

@@ -1,86 +1,226 @@
-"""`esg replay`: a finished scene again, in an engine of choice."""
+"""`esg replay`: a finished scene again, in an engine of choice or in all of them."""
 
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from cyclopts import Parameter
+
+if TYPE_CHECKING:
+    from esg.compile.transfer import TransferRun
+    from esg.metrics.models import SuiteScene
+
+MIN_RATE_HZ, MAX_RATE_HZ = 30, 4000
+DEFAULT_RATE_HZ = 240
 
 
 def replay(
     scene: str,
     *,
-    engine: Literal["physx", "rapier", "newton"] = "physx",
-    hz: int = 240,
+    engine: Literal["physx", "rapier", "newton"] | None = None,
+    hz: int | None = None,
+    dt: float | None = None,
+    compare: Annotated[bool, Parameter(negative="")] = False,
+    suite: Path | None = None,
     json: Annotated[bool, Parameter(negative="")] = False,
 ) -> int:
-    """Replay a scene folder and judge it against its own timeline.
+    """Replay a stored scene and judge it.
 
     Args:
-        scene: Scene folder, or id of one below ./runs.
-        engine: physx runs the emitted class; rapier and newton run its control program.
-        hz: Physics steps a second.
-        json: Print one JSON document: the verdict.
+        scene: Scene folder, id of one below ./runs, or key of a scene in the run database.
+        engine: physx (default) runs the emitted class; rapier and newton run its control program.
+        hz: Physics steps a second; default 240.
+        dt: Physics step in seconds, instead of --hz.
+        compare: Replay in every engine at 120, 240 and 480 Hz and compare with PhysX at 240 Hz.
+        suite: Suite file to judge against, its scene found by prompt; default the scene's own
+            timeline.
+        json: Print one JSON document: the verdict, or the matrix.
     """
     from esg.commands.console import emit
-    from esg.commands.inputs import find_scene
+    from esg.commands.stored import open_scene
     from esg.outcomes import UserError
 
-    if not 30 <= hz <= 4000:
-        raise UserError(f"--hz {hz}: choose 30 to 4000 steps a second")
-    folder = find_scene(scene)
-    result = run(folder, engine, 1.0 / hz)
+    if compare and not (engine is None and hz is None and dt is None):
+        raise UserError("--compare runs every engine and step: leave out --engine, --hz and --dt")
+    step = step_of(hz, dt)
+    with open_scene(scene) as folder:
+        expected, against = expectation(folder, suite)
+        if compare:
+            result = matrix(folder, expected, against) | {"scene": scene}
+        else:
+            result = run(folder, engine or "physx", step, expected, against) | {"scene": scene}
     if json:
         emit(result)
+    elif compare:
+        print(matrix_table(result))
     else:
-        print(f"{folder}: {result['engine']} at {hz} Hz, proof: {result['proof']}")
-        for event in result["verdict"]["events"]:
-            mark = "done" if event["completed"] else "NOT DONE"
-            when = f"at {event['time_s']:.2f} s" if event["time_s"] is not None else ""
-            bodies = ", ".join(event["bodies"])
-            line = f"  {mark:8} {event['id']} {event['type']} {bodies} {when} {event['reason']}"
-            print(line.rstrip())
-        print(f"  layout {'valid' if result['verdict']['slr'] else 'INVALID'}")
-    return 0 if result["verdict"]["verified"] else 3
+        print(verdict_table(result))
+    return 0 if result["verified"] else 3
 
 
-def run(folder: Path, engine: str, dt: float) -> dict[str, Any]:
+def step_of(hz: int | None, dt: float | None) -> float:
+    """The physics step [s] of --hz or --dt, default 1/240.
+
+    Raises:
+        UserError: If the two contradict each other or the step is out of range.
+    """
+    from esg.outcomes import UserError
+
+    if dt is not None and hz is not None and abs(dt * hz - 1.0) > 1e-3:
+        raise UserError(f"--hz {hz} and --dt {dt} contradict each other; give one of them")
+    if hz is not None and not MIN_RATE_HZ <= hz <= MAX_RATE_HZ:
+        raise UserError(f"--hz {hz}: choose {MIN_RATE_HZ} to {MAX_RATE_HZ} steps a second")
+    if dt is not None and not 1 / MAX_RATE_HZ <= dt <= 1 / MIN_RATE_HZ:
+        raise UserError(
+            f"--dt {dt}: choose {1 / MAX_RATE_HZ} to {1 / MIN_RATE_HZ:.4f} seconds a step"
+        )
+    if hz is not None:
+        return 1.0 / hz
+    return 1.0 / DEFAULT_RATE_HZ if dt is None else dt
+
+
+def expectation(folder: Path, suite: Path | None) -> tuple[SuiteScene, str]:
+    """What must happen in a scene, and where that is written.
+
+    Args:
+        folder: Scene folder.
+        suite: Suite file, or None for the scene's own timeline.
+
+    Raises:
+        UserError: If the folder holds no compiled scene or the suite does not hold its prompt.
+    """
+    from esg.graph import load_document
+    from esg.metrics import expectations_from_timeline, load_suite
+    from esg.outcomes import UserError
+
+    if not (folder / "manifest.json").exists():
+        raise UserError(f"{folder} holds no compiled scene; its log.jsonl says why")
+    doc = load_document(folder / "esg.json")
+    if suite is None:
+        return expectations_from_timeline(doc), "timeline"
+    loaded = load_suite(suite)
+    prompt = " ".join(doc.scene_definition.original_description.split())
+    for scene in loaded.scenes:
+        if " ".join(scene.prompt.split()) == prompt:
+            return scene, f"{loaded.suite} {scene.id}"
+    raise UserError(f"--suite {suite} has no scene with the prompt of {folder}: {prompt[:80]!r}")
+
+
+def run(folder: Path, engine: str, dt: float, expected: SuiteScene, against: str) -> dict[str, Any]:
     """Replays and judges one scene folder.
 
     Args:
         folder: Scene folder.
         engine: physx, rapier or newton.
         dt: Physics step [s].
+        expected: What must happen.
+        against: Where that is written.
 
     Raises:
         UserError: If the folder holds no compiled scene.
     """
-    from esg.engines.base import get_engine
+    from esg.compile.transfer import replay_scene
     from esg.engines.manifest import load_manifest
-    from esg.engines.program import batch_programs
-    from esg.graph import load_document
-    from esg.metrics import expectations_from_timeline, judge
-    from esg.outcomes import UserError
-    from esg.stages import proof_kind
+    from esg.metrics import judge
 
-    if not (folder / "manifest.json").exists():
-        raise UserError(f"{folder} holds no compiled scene; its log.jsonl says why")
     manifest = load_manifest(folder / "manifest.json")
-    proof = proof_kind(engine)
-    if proof == "class":
-        from esg.compile import replay_class
-
-        rollout = replay_class(folder, dt=dt).rollout
-    else:
-        batch = batch_programs([manifest.program], manifest.scene.names)
-        rollout = get_engine(engine).rollout(manifest.scene, batch, dt=dt)
-    expected = expectations_from_timeline(load_document(folder / "esg.json"))
+    rollout, proof = replay_scene(folder, manifest, engine, dt)
     verdict = judge(manifest.scene, manifest.program, rollout, expected)
     return {
         "scene": str(folder),
         "engine": engine,
         "dt": dt,
         "proof": proof,
+        "judged_against": against,
+        "verified": verdict.verified,
         "verdict": verdict.to_json(),
     }
+
+
+def matrix(folder: Path, expected: SuiteScene, against: str) -> dict[str, Any]:
+    """The engine x step matrix of one scene folder (`--compare --json`).
+
+    Args:
+        folder: Scene folder.
+        expected: What must happen.
+        against: Where that is written.
+    """
+    from esg.compile.transfer import REFERENCE, transfer_matrix
+
+    runs: list[TransferRun] = transfer_matrix(folder, expected)
+    return {
+        "scene": str(folder),
+        "judged_against": against,
+        "reference": {"engine": REFERENCE[0], "hz": REFERENCE[1]},
+        "verified": all(r.verdict.verified for r in runs),
+        "runs": [r.to_json() for r in runs],
+    }
+
+
+def verdict_table(result: dict[str, Any]) -> str:
+    """The judge's table of one replay."""
+    from esg.commands.console import table
+
+    verdict = result["verdict"]
+    rows = [
+        [
+            "done" if event["completed"] else "NOT DONE",
+            event["id"],
+            event["type"],
+            ", ".join(event["bodies"]),
+            "" if event["time_s"] is None else f"{event['time_s']:.3f} s",
+            event["reason"],
+        ]
+        for event in verdict["events"]
+    ]
+    head = (
+        f"{result['scene']}: {result['engine']} at {1 / result['dt']:.0f} Hz, "
+        f"proof: {result['proof']}, judged against {_source(result)}"
+    )
+    tail = f"layout {'valid' if verdict['slr'] else 'INVALID'}, "
+    tail += f"{verdict['completed']} of {verdict['n_events']} events"
+    if verdict["ppa"]["standard"] is not None:
+        tail += f", PPA {100 * verdict['ppa']['standard']:.0f}%"
+    if not rows:
+        return f"{head}\n{tail}"
+    columns = ["", "event", "type", "bodies", "time", "reason"]
+    return f"{table(columns, rows, head)}\n{tail}"
+
+
+def matrix_table(result: dict[str, Any]) -> str:
+    """The matrix as text: one line per engine and rate."""
+    from esg.commands.console import table
+
+    events = [e["id"] for e in result["runs"][0]["events"]]
+    scored = any(r["ppa"]["standard"] is not None for r in result["runs"])
+    columns = ["engine", "Hz", "proof", "SLR", "events", *(["PPA"] if scored else [])]
+    columns += [*events, "apart at end"]
+    rows = []
+    for r in result["runs"]:
+        row = [r["engine"], str(r["hz"]), r["proof"], "valid" if r["slr"] else "INVALID"]
+        row.append(f"{r['completed']}/{r['n_events']}")
+        if scored:
+            ppa = r["ppa"]["standard"]
+            row.append("" if ppa is None else f"{100 * ppa:.0f}%")
+        row += [_event(e) for e in r["events"]]
+        row.append(f"{r['apart_m']:.3f} m" if r["sound"] else "diverged")
+        rows.append(row)
+    reference = result["reference"]
+    title = (
+        f"{result['scene']}: judged against {_source(result)}; differences to "
+        f"{reference['engine']} at {reference['hz']} Hz"
+    )
+    return table(columns, rows, title)
+
+
+def _event(event: dict[str, Any]) -> str:
+    if not event["completed"]:
+        return "NOT DONE"
+    late = "" if not event["late_s"] else f" ({1000 * event['late_s']:+.0f} ms)"
+    return f"{event['time_s']:.3f} s{late}" if event["time_s"] is not None else "done"
+
+
+def _source(result: dict[str, Any]) -> str:
+    against = result["judged_against"]
+    return "its own timeline" if against == "timeline" else str(against)
