@@ -27,6 +27,8 @@ class LayoutConfig:
             lateral alignment, upper range) against what makes it true.
         threads: CPU threads that share the starts; the result does not depend on it.
         device: Warp device of the search.
+        processes: Processes that build and judge the scenes of a batch beside the search; the
+            result does not depend on it.
     """
 
     starts: int = 16
@@ -42,9 +44,10 @@ class LayoutConfig:
     alignment_weight: float = 1.0
     threads: int = 2
     device: str = "cpu"
+    processes: int = 1
 
     def to_json(self) -> dict[str, Any]:
         """Returns the settings that can change a result, as plain values for provenance."""
         data = asdict(self)
-        del data["device"], data["threads"]
+        del data["device"], data["threads"], data["processes"]
         return data

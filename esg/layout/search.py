@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from esg.layout.config import LayoutConfig
-from esg.layout.join import PLAIN, Arrays, join
+from esg.layout.join import PLAIN, Arrays, join, merge
 from esg.layout.problem import LayoutProblem
 
 LANES = 8
@@ -67,14 +67,80 @@ class Searched:
         return out
 
 
-def _warp() -> tuple[Any, Any]:
-    """Warp and the kernels; silent, because standard output belongs to the caller."""
+def _warp() -> Any:
+    """Warp, silent, because standard output belongs to the caller."""
     import warp as wp
 
     wp.config.log_level = wp.LOG_WARNING
-    from esg.layout import kernels
+    return wp
 
-    return wp, kernels
+
+@dataclass(frozen=True)
+class SearchRequest:
+    """Joined scenes to search.
+
+    Args:
+        data: Scenes (`esg.layout.join`).
+        seeds: One per scene.
+        unit_count: Units of every scene.
+        config: Settings.
+    """
+
+    data: Arrays
+    seeds: np.ndarray
+    unit_count: tuple[int, ...]
+    config: LayoutConfig
+
+
+@dataclass(frozen=True)
+class EvaluateRequest:
+    """Joined scenes whose energies are wanted at given unit poses, shape [units, 3]."""
+
+    data: Arrays
+    units: np.ndarray
+    config: LayoutConfig
+
+
+Request = SearchRequest | EvaluateRequest
+
+
+def answer(requests: Sequence[Request]) -> list[Any]:
+    """Serves requests; searches with equal settings share their launches.
+
+    Returns:
+        `Searched` or energies of shape [scenes, 3], in the order of the requests.
+    """
+    out: list[Any] = [None] * len(requests)
+    groups: dict[LayoutConfig, list[int]] = {}
+    for i, r in enumerate(requests):
+        if isinstance(r, EvaluateRequest):
+            out[i] = evaluate_arrays(r.data, r.units, r.config)
+        else:
+            groups.setdefault(r.config, []).append(i)
+    for config, members in groups.items():
+        rs = [requests[i] for i in members]
+        sizes = [
+            int((np.diff(r.data["scene_node"]) * np.diff(r.data["scene_unit"])).sum())
+            * config.starts
+            for r in rs
+        ]
+        for part in batches(sizes):
+            found = search_arrays(
+                merge([r.data for r in rs[part]]),
+                np.concatenate([r.seeds for r in rs[part]]),  # type: ignore[union-attr]  # searches
+                config,
+            )
+            unit = row = 0
+            for i in members[part]:
+                r = requests[i]
+                assert isinstance(r, SearchRequest)
+                units = slice(unit, unit + sum(r.unit_count) * config.starts)
+                rows = slice(row, row + len(r.unit_count) * config.starts)
+                unit, row = units.stop, rows.stop
+                out[i] = Searched(
+                    found.units[units], found.energy[rows], found.initial[rows], found.steps[rows]
+                )
+    return out
 
 
 VECTORS = {"edge_node": 3, "pair": 2}
@@ -82,7 +148,7 @@ VECTORS = {"edge_node": 3, "pair": 2}
 
 def _upload(data: Arrays, device: str) -> Any:
     """Copies joined scenes to the device, as the kernels' struct."""
-    wp, _ = _warp()
+    wp = _warp()
     from esg.layout.planar import Problem
 
     floats = {2: wp.vec2, 3: wp.vec3, 4: wp.vec4}
@@ -117,14 +183,16 @@ def evaluate(
 
 def evaluate_arrays(data: Arrays, units: np.ndarray, config: LayoutConfig) -> np.ndarray:
     """`evaluate` for joined scenes; unit poses of shape [units, 3]."""
-    wp, kernels = _warp()
+    wp = _warp()
+    from esg.layout import evaluation
+
     problem = _upload(data, config.device)
     scenes = len(data["scene_node"]) - 1
     x = wp.array(units.astype(np.float32), dtype=wp.vec3, device=config.device)
     w = wp.zeros(int(data["scene_node"][-1]), dtype=wp.vec3, device=config.device)
     energy = wp.zeros(scenes, dtype=wp.vec3, device=config.device)
     wp.launch(
-        kernels.evaluate,
+        evaluation.evaluate,
         dim=scenes,
         inputs=[problem, config.alignment_weight, x, w, energy],
         device=config.device,
@@ -181,8 +249,10 @@ def search_arrays(
     Returns:
         What all starts found.
     """
-    wp, kernels = _warp()
-    settings = kernels.Settings()
+    wp = _warp()
+    from esg.layout.proposals import Settings
+
+    settings = Settings()
     settings.candidates = config.candidates
     settings.iterations = config.iterations if config.refine else 0
     settings.sample = int(config.sample_init)
@@ -207,7 +277,9 @@ def _sequential(
     problem: Any, settings: Any, where: list[np.ndarray], config: LayoutConfig
 ) -> Searched:
     """One thread searches one start; starts are shared between the threads of a CPU."""
-    wp, kernels = _warp()
+    wp = _warp()
+    from esg.layout import kernels
+
     device = config.device
     threads = len(where[0])
     nodes, units = int(where[2][-1]), int(where[3][-1])
@@ -261,7 +333,7 @@ def _staged(
     lanes: int = LANES,
 ) -> Searched:
     """Many threads share a start: a few small launches per unit and per step."""
-    wp, _ = _warp()
+    wp = _warp()
     from esg.layout import stages
 
     threads = len(where[0])

@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Generator, Sequence
 from dataclasses import dataclass, replace
 import math
+from typing import Any
 
 import numpy as np
 
 from esg.graph.models import EsgDocument, LayoutResult, Pose, Provenance
 from esg.layout.check import World, intrusions, penetrations, relation_reports, world_poses
+from esg.layout.clock import Clock
 from esg.layout.config import LayoutConfig
 from esg.layout.hints import StartHints
+from esg.layout.join import join
 from esg.layout.problem import LayoutProblem, build_problem
-from esg.layout.search import SearchResult, evaluate, run_search
+from esg.layout.search import EvaluateRequest, Request, SearchRequest, SearchResult, answer, batches
 from esg.outcomes import UserError
 
 VERSION = "1"
@@ -64,23 +67,87 @@ def solve_batch(
     hints: Sequence[StartHints | None] | None = None,
     *,
     config: LayoutConfig | None = None,
+    clock: Clock | None = None,
 ) -> list[EsgDocument]:
-    """Lays out many scenes together; see `solve`."""
+    """Lays out many scenes together; see `solve`.
+
+    Args:
+        docs: Resolved documents.
+        seeds: One per document; None takes 0 for all.
+        hints: Planned starts per document.
+        config: Search settings; with `processes` above 1, processes share what surrounds the
+            search, and results stay the same.
+        clock: Is told the processor seconds of every stage.
+
+    Returns:
+        The documents with their layouts, in order.
+
+    Raises:
+        UserError: A node has no asset configuration.
+    """
     config = config or LayoutConfig()
+    clock = clock or Clock()
     seeds = list(seeds) if seeds is not None else [0] * len(docs)
     plans = list(hints) if hints is not None else [None] * len(docs)
     for doc in docs:
-        missing = sorted(
-            {n.asset_id for n in doc.spatial_relation_graph.nodes.values()}
-            - set(doc.asset_configurations)
+        missing = {n.asset_id for n in doc.spatial_relation_graph.nodes.values()}.difference(
+            doc.asset_configurations
         )
         if missing:
             raise UserError(
-                f"{doc.scene_definition.scene_id}: no asset configuration for {missing}; "
+                f"{doc.scene_definition.scene_id}: no asset configuration for {sorted(missing)}; "
                 "resolve the assets before the layout"
             )
     if not docs:
         return []
+    if config.processes > 1 and len(docs) > 1:
+        from esg.layout.farm import solve_in_processes
+
+        results = solve_in_processes(docs, seeds, plans, config, clock)
+    else:
+        steps = solve_steps(docs, seeds, plans, config, clock)
+        reply: Any = None
+        try:
+            while True:
+                request = steps.send(reply)
+                clock.start()
+                reply = answer([request])[0]
+                clock.lap("search")
+        except StopIteration as end:
+            results = end.value
+    settings = config.to_json()
+    return [
+        doc.model_copy(
+            update={
+                "layout_result": result,
+                "provenance": (
+                    *doc.provenance,
+                    Provenance(stage="layout", version=VERSION, seed=seed, config=settings),
+                ),
+            }
+        )
+        for doc, seed, result in zip(docs, seeds, results, strict=True)
+    ]
+
+
+def solve_steps(
+    docs: Sequence[EsgDocument],
+    seeds: Sequence[int],
+    plans: Sequence[StartHints | None],
+    config: LayoutConfig,
+    clock: Clock,
+) -> Generator[Request, Any, list[LayoutResult]]:
+    """Everything but the search: yields what is to be searched and is sent what was found.
+
+    So the same code runs beside the search or in a process of its own.
+
+    Yields:
+        Joined scenes to search or to evaluate (`esg.layout.search.answer` serves them).
+
+    Returns:
+        One result per document.
+    """
+    clock.start()
     problems = [build_problem(d, s, h) for d, s, h in zip(docs, seeds, plans, strict=True)]
     plain = list(problems)
     best: list[Found | None] = [None] * len(docs)
@@ -96,53 +163,66 @@ def solve_batch(
             )
             for i in open_:
                 problems[i] = _emphasize(docs[i], problems[i], best[i])
-        results = _search_by_size(problems, seeds, open_, round_, settings)
         again = []
-        for i, result in zip(open_, results, strict=True):
-            found = _choose(docs[i], problems[i], result)
-            current = best[i]
-            if current is None or found.score < current.score:
-                best[i] = found
-            if sum(best[i].score[:2]) > 0 and not _is_hopeless(plain[i]):  # type: ignore[union-attr]  # set above
-                again.append(i)
-        open_ = again
+        for members, request in _requests(problems, seeds, open_, round_, settings):
+            clock.lap("build")
+            searched = yield request
+            clock.start()
+            results = searched.split(request.unit_count, request.config.starts)
+            for i, result in zip(members, results, strict=True):
+                found = _choose(docs[i], problems[i], result)
+                current = best[i]
+                if current is None or found.score < current.score:
+                    best[i] = found
+                if sum(best[i].score[:2]) > 0 and not _is_hopeless(plain[i]):  # type: ignore[union-attr]  # set above
+                    again.append(i)
+            clock.lap("judge")
+        open_ = sorted(again)
         if not open_:
             break
     # reported energies have the weights of the document, whatever a retry emphasized
     retried = [i for i, p in enumerate(problems) if p is not plain[i]]
     if retried:
         poses = [best[i].result.units[best[i].start] for i in retried]  # type: ignore[union-attr]
-        fresh = evaluate([plain[i] for i in retried], poses, config)
+        data = join([plain[i] for i in retried], config.collision)
+        clock.lap("build")
+        fresh = yield EvaluateRequest(data, np.concatenate(poses), config)
+        clock.start()
         for i, e in zip(retried, fresh, strict=True):
             best[i] = replace(best[i], energy=tuple(float(v) for v in e))  # type: ignore[type-var]
     out = []
-    for doc, problem, seed, found in zip(docs, plain, seeds, best, strict=True):
+    for doc, problem, found in zip(docs, plain, best, strict=True):
         assert found is not None
-        out.append(_write(doc, problem, found, seed, config))
+        out.append(_result(doc, problem, found))
+    clock.lap("write")
     return out
 
 
-def _search_by_size(
+def _requests(
     problems: list[LayoutProblem],
     seeds: Sequence[int],
     which: list[int],
     round_: int,
     config: LayoutConfig,
-) -> list[SearchResult]:
-    """One launch per number of starts; a scene's number follows from its own size alone."""
+) -> Generator[tuple[list[int], SearchRequest]]:
+    """One search per number of starts; a scene's number follows from its own size alone."""
     groups: dict[int, list[int]] = {}
     for i in which:
         size = len(problems[i].pair) + len(problems[i].edge_kind) + 1
         groups.setdefault(min(config.starts, max(2, WORK // size)), []).append(i)
-    found: dict[int, SearchResult] = {}
-    for starts, members in sorted(groups.items()):
-        results = run_search(
-            [problems[i] for i in members],
-            [seeds[i] + 7907 * round_ for i in members],
-            replace(config, starts=starts),
-        )
-        found |= dict(zip(members, results, strict=True))
-    return [found[i] for i in which]
+    for starts, group in sorted(groups.items()):
+        sizes = [starts * len(problems[i].units) * len(problems[i].node_unit) for i in group]
+        for part in batches(sizes):
+            members = group[part]
+            yield (
+                members,
+                SearchRequest(
+                    join([problems[i] for i in members], config.collision),
+                    np.array([seeds[i] + 7907 * round_ for i in members], np.int64),
+                    tuple(len(problems[i].units) for i in members),
+                    replace(config, starts=starts),
+                ),
+            )
 
 
 def _is_hopeless(problem: LayoutProblem) -> bool:
@@ -226,13 +306,8 @@ def _reason(
     return "; ".join([*parts, *hard])
 
 
-def _write(
-    doc: EsgDocument,
-    problem: LayoutProblem,
-    found: Found,
-    seed: int,
-    config: LayoutConfig,
-) -> EsgDocument:
+def _result(doc: EsgDocument, problem: LayoutProblem, found: Found) -> LayoutResult:
+    """What the document says about its layout."""
     world, result, k = found.world, found.result, found.start
     deep = penetrations(problem, world)
     reports = relation_reports(doc, problem, world)
@@ -265,7 +340,7 @@ def _write(
         for n in problem.names
     }  # fmt: skip
     relation, collision, region = found.energy
-    out = LayoutResult(
+    return LayoutResult(
         poses=poses,
         energy=round(relation + collision + region, 4),
         energy_terms={
@@ -278,13 +353,4 @@ def _write(
         max_penetration_cm=round(deep[0][0] if deep else 0.0, 4),
         feasible=feasible,
         reason="; ".join(p for p in (reason, notes) if p),
-    )
-    return doc.model_copy(
-        update={
-            "layout_result": out,
-            "provenance": (
-                *doc.provenance,
-                Provenance(stage="layout", version=VERSION, seed=seed, config=config.to_json()),
-            ),
-        }
     )

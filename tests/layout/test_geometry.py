@@ -53,7 +53,7 @@ def test_kernel_separation_agrees_with_the_check() -> None:
     """The search and the judge measure the same distance."""
     import warp as wp
 
-    from esg.layout import kernels
+    from esg.layout import evaluation
 
     rng = np.random.default_rng(1)
     n = 64
@@ -62,7 +62,7 @@ def test_kernel_separation_agrees_with_the_check() -> None:
     halves = rng.uniform(1, 6, (n, 2, 2)).astype(np.float32)
     out = wp.zeros(n, dtype=wp.float32, device="cpu")
     wp.launch(
-        kernels.separations,
+        evaluation.separations,
         dim=n,
         inputs=[
             wp.array(kinds, dtype=wp.vec2i, device="cpu"),
