@@ -9,6 +9,11 @@ from esg.draft.frames import Frame, Phrase
 from esg.draft.motions import Motions
 from esg.graph.models import NodeEvent
 
+_GOING = frozenset(
+    {"go", "drop", "fall", "roll", "bounce", "sink", "fly", "run", "slide", "trickle"}
+)
+_EDGES = frozenset({"edge", "end", "side", "rim", "lip"})
+_JUMPING = frozenset({"jump", "leap", "hop", "fly", "soar", "sail", "bounce", "vault", "clear"})
 _PUSHING = frozenset({"push", "shove", "nudge", "prod"})
 
 
@@ -18,8 +23,16 @@ class Acts(Motions):
     def _outcomes(self, f: Frame, actors: list[str]) -> None:
         """Events that a motion's prepositional phrases state: into, off, onto, against, past."""
         time = self._time(f)
+        fallen: set[str] = set()
+        if "in" in f.adverbs and f.verb.lemma in _GOING:
+            self._goes_in(f, actors, time)
         for p in f.phrases:
-            if p.mention is None or (p.mention.attribute and not p.mention.entities):
+            if p.mention is None:
+                continue
+            if self._off_the_edge(f, p, actors, time):
+                fallen.update(actors)
+                continue
+            if p.mention.attribute and not p.mention.entities:
                 continue
             others = [i for i in p.mention.entities if i not in actors]
             if not others:
@@ -27,7 +40,10 @@ class Acts(Motions):
             other = others[0]
             for actor in actors:
                 if p.prep in ("into", "in", "inside", "through"):
-                    self._go_into(f, actor, others, p, time)
+                    if actor in fallen and self._holds(other):
+                        self.enter(f, actor, other, p.mention, time)
+                    else:
+                        self._go_into(f, actor, others, p, time)
                 elif p.prep in ("against",):
                     self._hit(f, [actor], [other], time)
                 elif p.prep in ("off", "over") or (
@@ -36,6 +52,9 @@ class Acts(Motions):
                     if self._elevated(other) and (p.prep != "over" or p.mention.part):
                         self.place([actor], [other], "on")
                         self.event(NodeEvent.FALL, (actor,), f, time)
+                        fallen.add(actor)
+                    elif p.prep == "over" and self._passes_over(f, actor, other):
+                        self.event(NodeEvent.MISS, (actor, other), f, time)
                 elif p.prep == "onto" and not self.structural(other):
                     self._hit(f, [actor], [other], time)
                 elif p.prep in ("down", "up") and "incline" in self.e(other).noun.traits:
@@ -46,6 +65,41 @@ class Acts(Motions):
                     self.event(NodeEvent.MISS, (actor, other), f, time)
                 elif p.prep == "to" and not self.structural(other) and not p.mention.attribute:
                     self.pending[actor] = (NodeEvent.REACH, f, other, time)
+
+    def _goes_in(self, f: Frame, actors: list[str], time: Time | None) -> None:
+        """ "bounces off the rim and goes in": into the goal, hoop or hole named before."""
+        named = [i for ids in reversed(self.world.salience) for i in ids]
+        for actor in actors:
+            goal = next(
+                (i for i in named if i in self.world.entities and self._enterable(i)),
+                self.aim.get(actor, ""),
+            )
+            if goal and (self._enterable(goal) or self._holds(goal)):
+                self._ensure_mover(f, actor, goal)
+                self.enter(f, actor, goal, None, time)
+
+    def _off_the_edge(self, f: Frame, p: Phrase, actors: list[str], time: Time | None) -> bool:
+        """ "falls off the end", "over its edge": of the support it moves on."""
+        m = p.mention
+        if m is None or p.prep not in ("off", "over") or m.part not in _EDGES:
+            return False
+        hosts = [i for i in m.entities if i not in actors]
+        if hosts and not self._elevated(hosts[0]):
+            return False
+        for actor in actors:
+            if hosts:
+                self.place([actor], hosts[:1], "on")
+            if not hosts and actor not in self.scene.supported_by:
+                return False
+            self.event(NodeEvent.FALL, (actor,), f, time)
+        return bool(actors)
+
+    def _passes_over(self, f: Frame, actor: str, other: str) -> bool:
+        """Whether it goes over something in the air ("jumps over a barrel") without touching it."""
+        flat = {"street", "soft", "water", "ground", "structure"}
+        if self.structural(other) or self.kind(other) in flat or actor == other:
+            return False
+        return f.verb.sense in ("fly", "launch", "pass") or f.verb.lemma in _JUMPING
 
     def _go_into(
         self,
@@ -58,6 +112,14 @@ class Acts(Motions):
         other = others[0]
         noun = self.e(other).noun
         if self.structural(other):
+            return
+        breaks = p.prep == "through" and noun.kind in ("wall", "street") and not p.mention_plural
+        if (
+            breaks
+            and noun.name not in ("door", "window")
+            and f.verb.sense not in ("noop", "be", "posture")
+        ):
+            self._hit(f, [actor], others, time)
             return
         if (
             p.prep in ("in", "inside", "through")
@@ -124,6 +186,8 @@ class Acts(Motions):
         """Collision events of movers with targets (one for a plural of things in a group)."""
         out: list[str] = []
         targets = self._representatives(targets, movers)
+        if len(movers) > 3 or any(self.e(m).group in self.world.vague for m in movers):
+            movers = self._representatives(movers, [])  # "darts hit the board"
         for mover in movers:
             for target in targets:
                 if mover == target or mover not in self.world.entities or self.structural(target):
@@ -201,7 +265,7 @@ class Acts(Motions):
                 for body in bodies:
                     self._down(f, body)
                 continue
-            if p.prep in ("into", "onto", "in", "against", "off", "out of", "over"):
+            if p.prep in ("into", "onto", "in", "against", "off", "out of", "over", "from"):
                 for body in bodies:
                     if not others:
                         continue
@@ -210,7 +274,7 @@ class Acts(Motions):
                     elif p.prep in ("onto", "against") and not self.structural(others[0]):
                         self._hit(f, [body], others, None)
                     elif (
-                        p.prep in ("off", "out of", "over")
+                        p.prep in ("off", "out of", "over", "from")
                         and self._elevated(others[0])
                         and (p.prep != "over" or p.mention.part)
                     ):

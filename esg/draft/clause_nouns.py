@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from esg.draft.clause_words import OWNED, PROPERTIES, ClauseWords
+from esg.draft.entities import BODY_PARTS, OWN_PARTS
 from esg.draft.frames import Phrase, State, finite_ahead, next_verb
 from esg.draft.syntax import Mention, Verb, Word
 
@@ -14,7 +15,7 @@ class ClauseNouns(ClauseWords):
         m.after_prep = s.prep
         prep, s.prep = s.prep, ""
         previous = self.elements[i - 1] if i else None
-        if self._stated_beside(m, i):
+        if id(m) in self._told or self._stated_beside(m, i):
             return
         coordinated = (
             isinstance(previous, Word)
@@ -217,6 +218,10 @@ class ClauseNouns(ClauseWords):
                 "knock",
             ):
                 s.frame.phrases.append(phrase)
+            return
+        part = previous is not None and previous.head in BODY_PARTS | OWN_PARTS
+        if part and previous is not None and phrase.prep == "of" and phrase.mention is not None:
+            previous.possessor = previous.possessor or phrase.mention
             return
         if (
             phrase.prep == "of"

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from esg.draft.clause_nouns import ClauseNouns
 from esg.draft.frames import Frame, Phrase, State
+from esg.draft.quantities import Amount
 from esg.draft.syntax import Mention, Verb, Word
 
 CAUSE_SENSES = frozenset({"cause", "knock", "launch", "drop", "lead", "give", "pocket", "scatter"})
 UNTIL_MAIN = "until main clause"
+_UNCHANGED = frozenset({"hit", "let", "put", "set", "cut", "burst", "upset"})
+"""Verbs whose past is spelled like the infinitive."""
 _FAILING = frozenset({"fail", "fails", "failed", "refuse", "refuses", "refused", "failing"})
 
 
@@ -61,6 +64,9 @@ class ClauseVerbs(ClauseNouns):
             frame.subject = previous.object
             frame.causer = previous
             frame.link = "cause"
+        elif self._awaits_main(previous, v) or self._serial(previous, v, s):
+            frame.subject = self._agent(previous)
+            frame.parent = previous
         elif not s.boundary and v.form in ("pp", "past") and not v.auxiliary and s.last is not None:
             # reduced relative on the last noun: "a bicycle stopped in the road"
             frame.subject, frame.reduced, frame.parent = s.last, True, previous
@@ -81,6 +87,23 @@ class ClauseVerbs(ClauseNouns):
             frame.parent = previous
         self._finish(s, frame)
 
+    @staticmethod
+    def _awaits_main(previous: Frame, v: Verb) -> bool:
+        """ "Darts thrown by a man hit the board": the participle's subject has no verb yet."""
+        if not previous.reduced or previous.parent is not None or v.form == "ing":
+            return False
+        return previous.opening and v.sense not in ("posture", "park", "contain")
+
+    @staticmethod
+    def _serial(previous: Frame, v: Verb, s: State) -> bool:
+        """ "marble go down ramp hit cup": bare verbs in a row have one subject."""
+        bare = previous.verb.form == "base" and not previous.verb.infinitive
+        if not bare or previous.verb.auxiliary or previous.subject is None or s.boundary:
+            return False
+        if previous.subject.plural or previous.subject.coordinated or previous.subject.pronoun:
+            return False
+        return v.form in ("past", "base") and v.lemma in _UNCHANGED
+
     def _agent(self, frame: Frame) -> Mention | None:
         """Who carries on after this frame: the subject; the thing thrown for an imperative."""
         if frame.reduced and frame.parent is not None:
@@ -98,10 +121,10 @@ class ClauseVerbs(ClauseNouns):
             s.subject is not None
             and v.form in ("pp", "past", "ing")
             and not v.auxiliary
-            and self._main_verb_follows(i)
+            and (self._main_verb_follows(i) or self._parenthetical(i))
         ):
             # "a ball thrown at the wall bounces", "a car parked by the road is hit"
-            frame.reduced = True
+            frame.reduced = frame.opening = True
             if v.form != "ing" and v.sense not in (
                 "posture",
                 "park",
@@ -115,6 +138,22 @@ class ClauseVerbs(ClauseNouns):
             frame.subject = s.subject
         elif s.subject is not None and v.form == "pp" and not v.auxiliary and not v.passive:
             v.passive = v.sense in ("launch", "drop", "pass", "posture")
+
+    def _parenthetical(self, i: int) -> bool:
+        """ "the puck, sliding at 5 m/s, hits": a participle between commas."""
+        before = self.elements[i - 1] if i else None
+        if not (isinstance(before, Word) and before.low == ","):
+            return False
+        for k in range(i + 1, len(self.elements)):
+            e = self.elements[k]
+            if isinstance(e, Verb):
+                return False
+            if isinstance(e, Word) and e.kind in ("punct", "conj", "sub", "rel"):
+                rest = [x for x in self.elements[k + 1 : k + 3] if getattr(x, "kind", "") != "adv"]
+                nxt = rest[0] if rest else None
+                finite = isinstance(nxt, Verb) and not nxt.infinitive and nxt.form != "ing"
+                return e.low == "," and finite
+        return False
 
     def _main_verb_follows(self, i: int) -> bool:
         for e in self.elements[i + 1 :]:
@@ -142,6 +181,9 @@ class ClauseVerbs(ClauseNouns):
             frame.causer = previous
         else:
             frame.subject = self._agent(previous)
+            it = previous.subject is not None and previous.subject.pronoun == "it"
+            if it and previous.verb.lemma == "take" and previous.object is not None:
+                frame.subject = previous.object  # "it takes the tram 6 s to stop"
             frame.link = "purpose"
             frame.parent = previous
             frame.verb.negated = frame.verb.negated or previous.verb.lemma in _FAILING
@@ -172,15 +214,20 @@ class ClauseVerbs(ClauseNouns):
             frame.link = f"sub:{s.sub}"
             frame.subordinate = s.sub
             s.sub = ""
+        waiting: list[Phrase | Amount | str] = []
         for item in s.loose:
             if isinstance(item, Phrase):
+                timed = item.amount is not None and item.amount.dimension == "time"
+                if timed and frame.opening and not frame.subordinate:
+                    waiting.append(item)  # "Two seconds later the puck, sliding, hits ..."
+                    continue
                 late = item.amount is not None and item.amount.dimension == "time"
                 if late and frame.subordinate == "after" and not item.prep:
                     item.prep = UNTIL_MAIN  # "half a second after being kicked, the ball ..."
                 frame.phrases.append(item)
             elif isinstance(item, str):
                 frame.adverbs.append(item)
-        s.loose = []
+        s.loose = waiting
         self.frames.append(frame)
         if frame.reduced and s.frame is None:
             # the main verb is still to come; collect arguments for the participle meanwhile

@@ -10,6 +10,7 @@ PROPERTIES = frozenset(
     {"mass", "weight", "height", "length", "width", "diameter", "radius", "size"}
 )
 OWNED = PROPERTIES | {"speed", "velocity"}
+_PARTICLES = frozenset({"off", "over", "down", "up", "away", "out", "back"})
 _SIZES = frozenset({"tall", "high", "wide", "long", "thick", "deep", "diameter", "in diameter"})
 
 
@@ -58,6 +59,8 @@ class ClauseWords:
             s.boundary, s.boundary_kind = True, "sub"
             s.prep = ""
             return s
+        if id(w) in self._told:
+            return s
         if w.kind in ("prep", "to"):
             nxt = self.elements[i + 1] if i + 1 < len(self.elements) else None
             if nxt is None or (
@@ -65,6 +68,10 @@ class ClauseWords:
             ):
                 if s.frame is not None:
                     s.frame.adverbs.append(w.low)  # a particle: "knocking them over"
+                return s
+            if w.low in _PARTICLES and isinstance(nxt, Word) and nxt.kind in ("prep", "to"):
+                if s.frame is not None and nxt.amount is None:
+                    s.frame.adverbs.append(w.low)  # "slides off onto the road"
                 return s
             s.prep = w.low
             return s
@@ -81,7 +88,7 @@ class ClauseWords:
                 if (
                     s.boundary
                     and isinstance(rest[0] if rest else None, Word)
-                    and rest[0].low == ","
+                    and getattr(rest[0], "low", "") == ","
                 ):
                     s.loose.append(phrase)  # "and, 1.5 s later, crashes"
                     s.prep = ""
@@ -135,9 +142,36 @@ class ClauseWords:
             return s
         return s
 
+    def _in_list(self, s: State, w: Word, i: int) -> bool:
+        """ "a crate weighing 40 kg, 1 m wide, ...": one more property of the same noun."""
+        assert w.amount is not None
+        before = self.elements[i - 2] if i >= 2 else None
+        listed = isinstance(before, Word) and before.amount is not None
+        if not listed or s.frame is None or s.frame.verb.sense not in ("weigh", "measure", "have"):
+            return False
+        owner, size = s.frame.subject, self._size_word(i)
+        if owner is None or not size or w.amount.dimension != "length":
+            return False
+        owner.adjectives.append(f"@{w.amount.start}:{size}")
+        owner.amounts.append(w.amount)
+        return True
+
+    def _size_word(self, i: int) -> str:
+        """ "wide" of "1 m wide", "diameter" of "2 cm in diameter"."""
+        after = self.elements[i + 1] if i + 1 < len(self.elements) else None
+        if isinstance(after, Word) and after.low in ("in", "of") and i + 2 < len(self.elements):
+            measure = self.elements[i + 2]
+            if isinstance(measure, Mention) and measure.attribute and measure.head in PROPERTIES:
+                self._told.update((id(after), id(measure)))
+                return measure.head
+        word = getattr(after, "low", "") or getattr(after, "head", "")
+        return word if word in _SIZES else ""
+
     def _belongs_to_noun(self, s: State, w: Word, i: int) -> bool:
         """ "a ball of 2 kg", "the van (3 tons)": a property of the noun before."""
         assert w.amount is not None
+        if self._in_list(s, w, i):
+            return True
         previous = self.elements[i - 1] if i else None
         before = self.elements[i - 2] if i >= 2 else None
         if (
@@ -167,15 +201,9 @@ class ClauseWords:
             isinstance(previous, Word) and previous.low == "at"
         ):
             return False
-        after = self.elements[i + 1] if i + 1 < len(self.elements) else None
-        if (
-            w.amount.dimension == "length"
-            and not (isinstance(previous, Word) and previous.low == "of")
-            and not (
-                isinstance(after, (Word, Mention))
-                and getattr(after, "low", getattr(after, "head", "")) in _SIZES
-            )
-        ):
+        size = self._size_word(i) if w.amount.dimension == "length" else ""
+        of = isinstance(previous, Word) and previous.low == "of"
+        if w.amount.dimension == "length" and not of and not size:
             return False
         if (
             s.frame is not None
@@ -183,10 +211,8 @@ class ClauseWords:
             and noun is s.frame.subject
         ):
             return False
-        if isinstance(after, (Word, Mention)):
-            word = getattr(after, "low", "") or getattr(after, "head", "")
-            if word in _SIZES:
-                noun.adjectives.append(f"@{w.amount.start}:{word}")
+        if size:
+            noun.adjectives.append(f"@{w.amount.start}:{size}")
         noun.amounts.append(w.amount)
         self._quantified = noun
         s.prep = ""

@@ -42,6 +42,8 @@ class Core:
         """What the prompt says rolls or slides."""
         self.gap: Amount | None = None
         """Time until the next event ("brakes 2 seconds before ...")."""
+        self.each: set[str] = set()
+        """Members of a plural that the current clause names one by one ("both bricks")."""
         self.mounts: dict[int, list[str]] = {}
         """What the person of a subject phrase rides or drives."""
         self.thrown: dict[int, list[str]] = {}

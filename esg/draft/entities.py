@@ -26,6 +26,17 @@ ORDINALS = {
 }
 FRONT = frozenset({"front", "lead", "leading", "foremost"})
 REAR = frozenset({"rear", "back", "trailing", "following", "hindmost", "rearmost"})
+BODY_PARTS = frozenset(
+    {"arm", "hand", "fist", "finger", "foot", "leg", "head", "tail", "paw", "hoof", "nose"}
+    | {"elbow", "shoulder", "knee", "hip", "chest", "trunk", "horn", "beak", "wing", "mouth"}
+    | {"jaw", "ear", "hair", "belly", "stomach", "toe", "heel", "wrist", "ankle", "thumb", "back"}
+)
+OWN_PARTS = frozenset(
+    {"roof", "hood", "bonnet", "bumper", "windscreen", "windshield", "tailgate", "wheel", "tire"}
+    | {"tyre", "door", "mirror", "headlight", "fender", "side", "front", "rear", "lid", "handle"}
+    | {"base", "top", "leg"}
+)
+"""Parts that belong to a thing and are hit when the thing is."""
 OTHER = frozenset({"other", "remaining", "another", "next", "opposite"})
 UNKNOWN_MASS_KG = 5.0
 

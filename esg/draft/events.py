@@ -25,6 +25,9 @@ class Events(Places):
             group = self.e(t).group
             if t in movers:
                 continue
+            if t in self.each:
+                out.append(t)
+                continue
             if group is not None and not self.e(t).letter and not self.e(t).place:
                 if group in seen:
                     continue

@@ -16,6 +16,11 @@ class Phrase:
     mention: Mention | None = None
     amount: Amount | None = None
 
+    @property
+    def mention_plural(self) -> bool:
+        """Whether it names several things."""
+        return self.mention is not None and (self.mention.plural or (self.mention.count or 1) > 1)
+
 
 @dataclass
 class Frame:
@@ -41,6 +46,8 @@ class Frame:
     relative: bool = False
     subordinate: str = ""
     """The conjunction it came with: when, after, because."""
+    opening: bool = False
+    """A participle of the subject whose main verb is still to come."""
     causer: Frame | None = None
     parent: Frame | None = None
 
@@ -71,8 +78,12 @@ class State:
 def finite_ahead(elements: list[Element], i: int) -> bool:
     """Whether a finite verb follows before the next boundary, so that a clause starts at i."""
     depth = 0
+    relative = False
     for e in elements[i:]:
         if isinstance(e, Verb):
+            if relative and not e.infinitive:
+                relative = False
+                continue
             if e.infinitive or e.form == "ing":
                 if e.auxiliary and not e.infinitive:
                     return True
@@ -83,7 +94,8 @@ def finite_ahead(elements: list[Element], i: int) -> bool:
             return True
         if isinstance(e, Word):
             if e.kind == "rel":
-                return False
+                relative = True  # "a ball that lies there rolls": its own verb comes first
+                continue
             if e.kind == "punct" and e.low in ".;,:!?":
                 return False
             if e.kind in ("sub",):

@@ -207,6 +207,7 @@ class Interpreter(MotionSenses):
         if f.object2 is not None:
             objects += [i for i in f.object2.entities if i not in objects]
         objects = [i for i in objects if self.kind(i) != "region"]
+        self.each = self._one_by_one(f)
         if sense not in _STATES:
             moving = [i for i in subject if self._aimable(i)]
             if subject and not moving and not f.verb.passive:
@@ -259,6 +260,17 @@ class Interpreter(MotionSenses):
         for _, a in self.amounts(f):
             if a.dimension == "time" and self._precedes(a):
                 self.gap = a
+
+    @staticmethod
+    def _one_by_one(f: Frame) -> set[str]:
+        """Few things that "both" or "each" distributes over; "all" of a row stays one chain."""
+        out: set[str] = set()
+        for m in (f.subject, f.object, *[p.mention for p in f.phrases]):
+            if m is None or not (2 <= len(m.entities) <= 3):
+                continue
+            if {"both", "each"} & {m.determiner, m.pronoun} or m.count == 2 == len(m.entities):
+                out |= set(m.entities)
+        return out
 
     def _settle_aims(self, f: Frame) -> None:
         """What was thrown at something hits it before the prompt turns to other things."""

@@ -6,6 +6,7 @@ import re
 
 from esg.draft import lexicon as lex
 from esg.draft.elements import Mention
+from esg.draft.entities import BODY_PARTS
 from esg.draft.verbgroups import VerbGroups
 from esg.draft.verbphrases import verb_readings
 
@@ -127,6 +128,12 @@ class NounHeads(VerbGroups):
                     m.adjectives.append(m.head)
                     m.head, m.noun, m.plural, m.known = single, None, is_plural, False
                     j += 1
+        elif low in BODY_PARTS and (
+            self._low(i - 1) == "'s" or m.determiner in ("his", "her", "its", "their")
+        ):
+            m.head = low
+            m.attribute = False
+            j += 1
         elif (
             low
             and (low in lex.PARTS or lex.singular(low)[0] in lex.PARTS)
@@ -184,7 +191,9 @@ class NounHeads(VerbGroups):
             and j == i + 1
         ):
             m.pronoun = m.determiner
-        elif low in ("one", "ones", "other", "others") and (m.determiner or m.adjectives):
+        elif low in ("one", "ones", "other", "others") and (
+            m.determiner or m.adjectives or (m.count is not None and low == "others")
+        ):
             m.pronoun = "ones" if low in ("ones", "others") else "one"
             if low.startswith("other"):
                 m.adjectives.append("other")
@@ -232,7 +241,10 @@ class NounHeads(VerbGroups):
                 m.adjectives.append(self._low(k))
                 k += 1
             nxt = self._match_noun(k + 1) if k + 1 < len(tokens) else None
-            if nxt is not None and not verb_readings(self._low(k + 1)) and tokens[k].text != "'s":
+            clear = nxt is not None and (
+                not verb_readings(self._low(k + 1)) or self._noun_not_verb(k + 1, m)
+            )
+            if clear and tokens[k].text != "'s":
                 m.adjectives.append(self._low(k))
                 return self._head(i, k + 1, m)
             m.head, m.plural = lex.singular(self._low(k))
@@ -271,7 +283,17 @@ class NounHeads(VerbGroups):
         self.elements.append(m)
         return j
 
+    def _noun_not_verb(self, k: int, m: Mention) -> bool:
+        """ "a cereal bowl off the chair": a bare verb does not follow a singular noun phrase."""
+        readings = verb_readings(self._low(k))
+        bare = all(r.form == "base" for r in readings)
+        nxt = self._low(k + 1)
+        one = m.determiner in ("a", "an", "this", "that", "each", "every", "another")
+        return bare and one and nxt not in lex.DETERMINERS and nxt not in lex.PRONOUNS
+
     def _is_attribute_start(self, j: int) -> bool:
+        if self._low(j) in _MEASURES and self._low(j - 1) == "in":
+            return True  # "2 cm in diameter"
         if self._low(j) in _MEASURES and self._tok(j + 1) is not None:
             return self.tokens[j + 1].kind == "qty" or self._low(j + 1) == "of"
         if self._low(j) in ("time", "motion", "place", "reverse", "times", "line", "advance"):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from esg.draft import lexicon as lex
-from esg.draft.elements import Mention
+from esg.draft.elements import Mention, Verb, Word
 from esg.draft.nounheads import NounHeads
 from esg.draft.quantities import parse_number
 from esg.draft.verbphrases import verb_readings
@@ -280,7 +280,12 @@ class NounPhrases(NounHeads):
             return False
         known = {x for e in self.elements if isinstance(e, Mention) for x in e.letters}
         if token.text not in known:
-            return False
+            follows = known and ord(token.text) == ord(max(known)) + 1
+            previous = self.elements[-1] if self.elements else None
+            after_verb = isinstance(previous, Verb) or (
+                isinstance(previous, Word) and previous.kind in ("prep", "conj")
+            )
+            return bool(follows) and after_verb
         nxt = self._low(j + 1)
         if token.text != "A":
             return True

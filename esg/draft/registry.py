@@ -10,6 +10,7 @@ from esg.draft.quantities import Amount
 
 _NAMED_GROUPS = frozenset({"tower", "pyramid", "pile", "heap", "convoy"})
 
+_AT_A_BAR = frozenset({"along", "on", "at", "across", "off", "behind", "down", "onto", "from"})
 MAX_COUNT = 40
 """Most members of one plural."""
 
@@ -22,6 +23,8 @@ class Registry(Matching):
         self.groups: dict[str, list[str]] = {}
         self.group_words: dict[str, str] = {}
         """"tower" of "a tower of cups", by group."""
+        self.vague: set[str] = set()
+        """Groups whose number the prompt does not say."""
         self.collective: set[str] = set()
         """Groups that "it" can mean ("a tower of blocks")."""
         self.salience: list[list[str]] = []
@@ -212,6 +215,8 @@ class Registry(Matching):
         noun = m.noun or unknown_noun(m.head)
         if noun.name == "net" and m.after_prep in ("into", "in"):
             noun = lex.nouns()["goal"]
+        elif noun.name == "gold bar" and m.head == "bar" and m.after_prep in _AT_A_BAR:
+            noun = lex.nouns()["counter"]
         elif noun.name == "hoop" and (
             m.after_prep in ("through", "into", "in")
             or any(e.noun.name == "basketball" for e in self.entities.values())
@@ -219,6 +224,10 @@ class Registry(Matching):
             noun = lex.nouns()["basketball hoop"]
         if "structural" in noun.traits and "decal" not in noun.traits:
             return ["ground_1"] if "ground_1" in self.entities else self._ground(noun, m)
+        if m.determiner == "another" or "other" in m.adjectives:
+            like = [e for e in self.entities.values() if e.head.split()[-1] == m.head and e.known]
+            if like and like[-1].head != m.head:
+                noun, m.head = like[-1].noun, like[-1].head  # "a curling stone ... another stone"
         plain = [a for a in m.adjectives if not a.startswith("@")]
         if m.letters:
             return [self._letter(m, x) for x in m.letters]
@@ -263,6 +272,8 @@ class Registry(Matching):
                 self.apply_amount(e, masses[len(ids)])
             ids.append(e.id)
         self.groups[group] = ids
+        if m.count is None or m.vague:
+            self.vague.add(group)
         if m.group_word and m.group_word not in ("pair", "couple", "number", "lot", "dozen"):
             self.collective.add(group)
             self.group_words[group] = m.group_word
@@ -288,6 +299,10 @@ class Registry(Matching):
             e.letter = letter
             e.label = f"{m.head} {letter}"
             return e.id
+        if m.head == "@":
+            like = [e for e in self.entities.values() if e.letter]
+            if like:
+                m.noun, m.head = like[-1].noun, like[-1].head  # "ball A hits ball B; B hits C"
         noun = m.noun or unknown_noun(m.head)
         plain = [a for a in m.adjectives if not a.startswith("@")]
         entity = self.add(

@@ -10,6 +10,7 @@ from esg.draft.comparisons import compare
 from esg.draft.coverage import account
 from esg.draft.expand import expand
 from esg.draft.interpret import Interpreter
+from esg.draft.nominals import verbalize
 from esg.draft.screening import contradictions, nothing_to_draw, screen
 from esg.draft.syntax import Chunker, pos_tags, tokenize
 from esg.draft.world import World
@@ -37,7 +38,7 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     """
     text = screen(prompt)
     tokens = tokenize(text, pos_tags(text))
-    elements = Chunker(text, tokens).run()
+    elements = verbalize(Chunker(text, tokens).run())
     clauses = ClauseBuilder(elements)
     clauses.run()
     world = World()

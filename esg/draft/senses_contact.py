@@ -9,6 +9,7 @@ from esg.draft.scene import SELF_POWERED
 from esg.draft.senses_launch import LaunchSenses
 from esg.graph.models import EventConstraint, NodeEvent
 
+_STUMBLING = frozenset({"trip", "stumble"})
 _CATCHING = frozenset({"catch", "block", "intercept", "parry", "deflect"})
 
 
@@ -19,6 +20,9 @@ class ContactSenses(LaunchSenses):
         time = self._time(f)
         if f.object is not None and f.object.attribute and not o:
             o = []
+        if f.verb.passive and f.verb.extra.get("motion") and f.phrase("by") is None:
+            f.verb.passive = False  # "is reversed into a lamp post"
+            o = [i for i in o if i not in s]
         if f.verb.passive:
             by = f.phrase("by")
             by = by or f.phrase("with")
@@ -64,6 +68,9 @@ class ContactSenses(LaunchSenses):
         if not targets and len(movers) >= 2:
             self._mutual(f, movers, time)
             return
+        if not targets and f.verb.lemma in _STUMBLING:
+            self.use(f, "stumbles")
+            return
         if not targets and movers:
             aimed = self.aim.get(movers[0])
             if aimed is not None and aimed != movers[0]:
@@ -105,6 +112,8 @@ class ContactSenses(LaunchSenses):
         if o:
             return o
         p = f.phrase("with", "through", "into", "against", "at", "on", "onto", "to", "in")
+        if f.verb.lemma in _STUMBLING:
+            p = f.phrase("over", "on", "into", "against") or p
         if p is not None and p.mention is not None and not (p.prep == "in" and p.mention.attribute):
             found = [i for i in p.mention.entities if i not in s]
             if found:
@@ -323,6 +332,14 @@ class ContactSenses(LaunchSenses):
             for other in targets[:1]:
                 if other != actor:
                     self.event(NodeEvent.MISS, (actor, other), f, self._time(f))
+
+    def _do_clear(self, f: Frame, s: list[str], o: list[str]) -> None:
+        """ "clears the fence": goes over it without touching it."""
+        moving = [a for a in s if self.movable(a) and self.kind(a) != "person"] or s
+        if moving and o and self.tl.tracks.get(moving[0]) is not None:
+            self._do_avoid(f, moving, o)
+        else:
+            self.scene.ignored[(f.verb.start, f.verb.end)] = "clearing away is not simulated"
 
     def _do_avoid(self, f: Frame, s: list[str], o: list[str]) -> None:
         for actor in s:

@@ -8,6 +8,9 @@ from esg.draft.scene import SELF_POWERED
 from esg.draft.senses_state import StateSenses
 from esg.graph.models import NodeEvent
 
+_UPRIGHT = frozenset({"domino", "plant", "post", "wall", "building", "structure"})
+_THROWN = frozenset({"ball", "billiard", "sliding", "projectile", "rock"})
+
 
 class LaunchSenses(StateSenses):
     """Bodies that are set in motion once."""
@@ -19,6 +22,10 @@ class LaunchSenses(StateSenses):
             things = s
         else:
             agents, things = (s, o) if o else ([], s)
+            if not o and s and all(self.kind(x) == "person" for x in s):
+                ball = self._at_hand(s)
+                if ball and f.verb.lemma not in ("push", "shove"):
+                    agents, things = s, [ball]  # "he shoots again"
         if not things:
             p = f.phrase("against", "on", "at")
             if p is not None and p.mention is not None and agents:
@@ -26,10 +33,20 @@ class LaunchSenses(StateSenses):
             return
         self._launch_by(f, agents, things)
 
+    def _at_hand(self, agents: list[str]) -> str:
+        """The ball or stone that was spoken of last."""
+        for ids in reversed(self.world.salience):
+            for i in ids:
+                if i in self.world.entities and i not in agents and self.kind(i) in _THROWN:
+                    return i
+        return ""
+
     def _do_pass(self, f: Frame, s: list[str], o: list[str]) -> None:
         """A person passes a ball on; a vehicle passes another one, or just passes."""
         thing = bool(o) and self.kind(o[0]) in ("ball", "billiard", "sliding", "projectile")
-        if s and self.kind(s[0]) in SELF_POWERED and not (self.kind(s[0]) == "person" and thing):
+        handed = bool(s) and self.kind(s[0]) == "person" and (thing or not o)
+        by = bool(s) and (self.kind(s[0]) in SELF_POWERED or (bool(o) and not f.verb.passive))
+        if s and by and not handed:
             self._start_motion(f, [x for x in s if self.movable(x)])
             for other in o[:1]:
                 self.place(s, [other], "behind")
@@ -142,6 +159,10 @@ class LaunchSenses(StateSenses):
         for p, a in self.amounts(f):
             if self.text[a.end : a.end + 5].strip().startswith("away"):
                 continue
+            drop = f.verb.sense in ("fall", "drop") and p == ""
+            if a.dimension == "length" and drop:
+                self._start_height(things, a)  # "falls 2 m onto a bucket"
+                continue
             if a.dimension == "length" and (
                 p in ("from", "at", "of", "above", "")
                 and (
@@ -157,6 +178,9 @@ class LaunchSenses(StateSenses):
         agents = [x for x in s if x not in things]
         if agents:
             self.place(agents, things, "near")
+        if self.quantity(f, "speed") is not None and f.verb.lemma == "release":
+            self._motion_of_things(f, things, self._natural(things[0]) if things else "roll")
+            return
         self._drop(f, things)
 
     def _drop(self, f: Frame, things: list[str]) -> None:
@@ -173,6 +197,7 @@ class LaunchSenses(StateSenses):
                     self.event(NodeEvent.FALL, (t,), f, self._time(f))
                 self._landing(f, moved)
                 return
+        flying = {t for t in moved if self._airborne(t) and t not in self.scene.supported_by}
         for t in moved:
             if not self._moved_by_others(t):
                 track = self.tl.tracks.get(t)
@@ -182,6 +207,8 @@ class LaunchSenses(StateSenses):
         self.use(f, "drop")
         if not self._landing(f, moved):
             for t in moved:
+                if t in flying:
+                    continue  # "drops behind the net" after a throw: it leaves no support
                 self.pending[t] = (NodeEvent.FALL, f, None, self._time(f))
 
     def _landing(self, f: Frame, moved: list[str]) -> bool:
@@ -219,10 +246,13 @@ class LaunchSenses(StateSenses):
         actors = self._representatives(s, [])
         fresh = [a for a in actors if a not in self.tl.tracks]
         upright = [
-            a
-            for a in actors
-            if "topples" in self.e(a).noun.traits or self.kind(a) in ("domino", "plant", "post")
+            a for a in actors if "topples" in self.e(a).noun.traits or self.kind(a) in _UPRIGHT
         ]
+        self._on_what_was_hit(f, fresh)
+        edge = f.phrase("off", "over", "from")
+        if edge is not None and self._off_the_edge(f, edge, actors, self._time(f)):
+            self._landing(f, actors)
+            return
         if (
             upright
             and f.phrase("off", "from", "over", "down", "onto", "on", "into", "in") is None
@@ -305,6 +335,18 @@ class LaunchSenses(StateSenses):
             and not self.structural(landing.mention.entities[0])
         ):
             self._landing(f, actors)
+
+    def _on_what_was_hit(self, f: Frame, things: list[str]) -> None:
+        """ "pushed into a shelf, causing three jars to fall down": they stood on the shelf."""
+        if self.last_hit is None or not (
+            {"down", "off"} & {*f.adverbs, f.verb.extra.get("particle", "")}
+        ):
+            return
+        host = self.last_hit[1]
+        for t in things:
+            fits = host in self.world.entities and self._fits_on(t, host)
+            if fits and t not in self.scene.supported_by and t not in self.last_hit:
+                self.place([t], [host], "on")
 
     def _do_land(self, f: Frame, s: list[str], o: list[str]) -> None:
         for actor in s:

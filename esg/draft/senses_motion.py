@@ -67,6 +67,8 @@ class MotionSenses(ControlSenses):
         elif actors and self.kind(actors[0]) in SELF_POWERED:
             mode = "own"
         self._motion(f, actors, mode)
+        if f.verb.lemma in ("charge", "lunge"):
+            self._aim_at(f, actors, next(iter(self._target(f, actors)), None))
 
     def _do_approach(self, f: Frame, s: list[str], o: list[str]) -> None:
         self._motion(f, s, None)
@@ -84,6 +86,7 @@ class MotionSenses(ControlSenses):
         self._motion(f, s, None)
         for actor in s:
             if o:
+                self.aim.setdefault(actor, o[0])
                 self.place([actor], o, "behind")
                 track = self.tl.tracks.get(o[0])
                 if (track is None and self.movable(o[0])) or (

@@ -10,6 +10,8 @@ from esg.draft.places import RELATION_PREPS
 from esg.draft.scene import SELF_POWERED, Relation
 from esg.draft.syntax import Mention
 
+_RESTING = frozenset({"rest", "lie", "settle", "lodge"})
+
 
 class StateSenses(Acts):
     """Descriptions of how things are at the start."""
@@ -60,8 +62,11 @@ class StateSenses(Acts):
             things = o
         if o and s and f.object is not None and f.object.attribute is False:
             self.use(f, "copula")
+        self._hovering(f, things)
         self._places(f, things)
         for _, a in self.amounts(f):
+            if (a.start, a.end) in self.scene.used:
+                continue
             if a.dimension == "length":
                 word = next((x for x in f.adverbs), "")
                 after = self.text[a.end : a.end + 12].strip().split(" ")[0].strip(".,;")
@@ -71,7 +76,30 @@ class StateSenses(Acts):
                     self.use(a, word or after)
         self.use(f, "state")
 
-    _do_posture = _do_be
+    def _hovering(self, f: Frame, things: list[str]) -> None:
+        """ "hovers 3 m above the ground": a height at the start."""
+        grounded = f.phrase("above", "over", "off")
+        others = grounded.mention.entities if grounded and grounded.mention else []
+        for _, a in self.amounts(f):
+            above = self.text[a.end : a.end + 7].strip().startswith(("above", "up", "high", "off"))
+            tall = f.verb.sense == "posture" and all(map(self.structural, others))
+            if a.dimension == "length" and above and tall:
+                self._start_height(things, a)
+
+    def _do_posture(self, f: Frame, s: list[str], o: list[str]) -> None:
+        """A state; of what has moved before, where it ends ("and at the end rests on a towel")."""
+        moved = s and not f.reduced and f.link == "then" and f.verb.lemma in _RESTING
+        if moved and not f.verb.passive and self._at_end(f, s[0]):
+            self._read_as("land", f, s, o)
+            return
+        self._do_be(f, s, o)
+
+    def _at_end(self, f: Frame, actor: str) -> bool:
+        track = self.tl.tracks.get(actor)
+        if track is None or (track.motion is None and not track.hit):
+            return False
+        on = f.phrase("on", "in", "against", "onto", "upon")
+        return on is not None and on.mention is not None and bool(on.mention.entities)
 
     def _do_unknown(self, f: Frame, s: list[str], o: list[str]) -> None:
         """An unknown verb is a motion if its phrases are; it is reported either way."""

@@ -141,6 +141,10 @@ class Chunker(NounPhrases):
         ):
             self.elements.append(Word(token.start, token.end, "rel", low))
             return i + 1
+        degree = {self._low(i - 2), self._low(i - 3)} & {"so", "such"}
+        if low == "that" and degree and self._verb_soon(i + 1):
+            self.elements.append(Word(token.start, token.end, "sub", "so"))
+            return i + 1
         if low in ("and", "or", "but", "plus", "nor"):
             self.elements.append(Word(token.start, token.end, "conj", low))
             return i + 1
@@ -209,6 +213,9 @@ class Chunker(NounPhrases):
                 self.elements.append(Word(start, end, kind, low))
                 return len(words)
         return 0
+
+    def _verb_soon(self, i: int) -> bool:
+        return any(verb_readings(self._low(k)) for k in range(i, min(i + 6, len(self.tokens))))
 
     def _previous_is_turn(self) -> bool:
         p = self._previous()

@@ -7,6 +7,11 @@ from esg.draft.elements import Verb
 from esg.draft.reader import Reader
 from esg.draft.verbphrases import PHRASES, verb_readings
 
+_NEGATED_MODALS = frozenset(
+    {"don't", "doesn't", "didn't", "won't", "wouldn't", "couldn't", "shouldn't", "mustn't"}
+)
+_NEGATED_BE = frozenset({"isn't", "aren't", "wasn't", "weren't"})
+
 
 class VerbGroups(Reader):
     """Reads verb groups."""
@@ -47,16 +52,12 @@ class VerbGroups(Reader):
                 "not",
                 "never",
                 "n't",
-                "doesn't",
-                "don't",
-                "didn't",
-                "isn't",
-                "wasn't",
-                "won't",
-                "cannot",
-                "aren't",
             ):
                 negated = True
+            elif low in _NEGATED_MODALS:
+                modal, aux, negated = True, low, True
+            elif low in _NEGATED_BE:
+                be, aux, negated = True, low, True
             elif (
                 low in lex.ADVERBS
                 and (be or have or modal)

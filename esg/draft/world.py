@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from esg.draft import lexicon as lex
 from esg.draft.elements import Mention
-from esg.draft.entities import FRONT, ORDINALS, OTHER, REAR, Entity, slug
-from esg.draft.registry import Registry
+from esg.draft.entities import BODY_PARTS, FRONT, ORDINALS, OTHER, OWN_PARTS, REAR, Entity, slug
+from esg.draft.pronouns import Pronouns
 
 
-class World(Registry):
+class World(Pronouns):
     """Entities in order of mention, and the references between them."""
 
     def resolve(
@@ -45,6 +45,9 @@ class World(Registry):
             named = [g for g, word in self.group_words.items() if word == m.head]
             if named and all(e.head != m.head for e in self.entities.values()):
                 return list(self.groups[named[-1]])  # "a tower of cups ... the tower"
+        whole = self._whole(m, subject, avoid)
+        if whole:
+            return whole
         if m.attribute or (not m.head and not m.pronoun):
             if m.possessor is not None:
                 return self.resolve(m.possessor)
@@ -66,11 +69,36 @@ class World(Registry):
                 return self.resolve(m.possessor)
             if driven and m.determiner != "a":
                 return driven[0]
+        if m.possessor is not None and not m.attribute and self._owns(m.possessor):
+            self.resolve(m.possessor)  # "the man's hat": the man is there too
         found = self._existing(m, avoid)
         if found:
             self._enrich(m, found)
             return found
         return self._create(m)
+
+    def _whole(self, m: Mention, subject: bool, avoid: list[str]) -> list[str]:
+        """What a part belongs to: "the dog's tail", "the open door of a car", "its roof"."""
+        owner = m.possessor
+        body = m.head in BODY_PARTS
+        if owner is not None:
+            ids = self.resolve(owner) if self._owns(owner) else []
+            kinds = {self.entities[i].noun.kind for i in ids}
+            if body and kinds & {"person", "animal", "robot"}:
+                return ids
+            own = m.head in OWN_PARTS and not subject
+            return ids if own and kinds & {"vehicle", "cart", "watercraft", "flyer"} else []
+        if m.determiner in ("his", "her", "its", "their") and (
+            body or (m.head in OWN_PARTS and not subject)
+        ):
+            word = {"his": "he", "her": "she", "its": "it", "their": "they"}[m.determiner]
+            return self._pronoun(Mention(m.start, m.end, pronoun=word), subject, avoid)
+        return []
+
+    @staticmethod
+    def _owns(m: Mention) -> bool:
+        """Whether a possessor is an object of the scene ("the man's hat", not "today's race")."""
+        return not m.pronoun and m.noun is not None and "structural" not in m.noun.traits
 
     def _existing(self, m: Mention, avoid: list[str]) -> list[str]:
         if (
@@ -229,165 +257,6 @@ class World(Registry):
                 o.label = f"{o.place} {o.head}"
                 o.adjectives.append(o.place)
                 self._rename(o, self._new_id(slug(o.label)))
-
-    def _ordinal(self, m: Mention, ordinal: str) -> list[str]:
-        names = [e for e in self.entities.values() if self._same_kind(m, e)]
-        exact = [e for e in names if e.place == ordinal]
-        if exact:
-            return [exact[0].id]
-        grouped = [e for e in names if e.group]
-        pool = grouped or names
-        k = len(pool) - 1 if ordinal in ("last", "final") else ORDINALS[ordinal]
-        if ordinal in ORDINALS and not grouped:
-            # "a ball ... the second ball": the first is the one already there
-            taken = [e for e in pool if e.place in ("", "first")]
-            if ordinal == "first" and taken:
-                return [taken[0].id]
-            alike = [e for e in pool if e.head == m.head and e.place in ("", "first")]
-            k = ORDINALS[ordinal]
-            return [alike[k].id] if 0 < k < len(alike) else []
-        if 0 <= k < len(pool):
-            e = pool[k]
-            if not e.letter and len(grouped) <= 6:
-                e.place = ordinal
-                e.label = f"{ordinal} {m.head}"
-                e.adjectives.append(ordinal)
-                self._rename(e, self._new_id(slug(f"{ordinal} {m.head}")))
-            return [e.id]
-        return []
-
-    def _pronoun(self, m: Mention, subject: bool, avoid: list[str]) -> list[str]:
-        p = m.pronoun
-        if p in ("he", "she", "him", "her", "himself", "herself", "someone", "everyone"):
-            for ids in reversed(self.salience):
-                if len(ids) == 1 and self.entities[ids[0]].noun.kind == "person":
-                    return ids
-            return []
-        if p in ("i", "we", "you", "something", "everything"):
-            return []
-        if p == "another" and not self.groups:
-            solid = (self.entities[i] for i in avoid)
-            model = next((e for e in solid if "structural" not in e.noun.traits), None)
-            if model is not None:
-                other = self.add(
-                    model.noun,
-                    model.head,
-                    adjectives=["second"],
-                    label=f"second {model.head}",
-                    known=model.known,
-                    origin=m.start,
-                )
-                return [other.id]
-        if p in (
-            "they",
-            "them",
-            "themselves",
-            "these",
-            "those",
-            "both",
-            "ones",
-            "all",
-            "each",
-            "some",
-            "many",
-            "several",
-        ):
-            pool = self.subjects if subject and p not in ("both",) else self.salience
-            keep = 1 if m.count == 1 else None  # "one of them"
-            for ids in reversed(pool):
-                if len(ids) > 1 and (subject or not set(ids) <= set(avoid)):
-                    return list(ids)[:keep]
-            for ids in reversed(self.salience):
-                if len(ids) > 1:
-                    return list(ids)[:keep]
-            recent: list[str] = []
-            for ids in reversed(self.salience):
-                for i in ids:
-                    if i not in recent and "structural" not in self.entities[i].noun.traits:
-                        recent.append(i)
-                if len(recent) >= 2:
-                    return recent[:2][::-1]
-            return recent
-        if p in ("one", "another", "other"):
-            named = next((a for a in m.adjectives if a in ORDINALS), None)
-            told = [e.id for e in self.entities.values() if named and e.place == named]
-            if named and told:
-                return told[-1:]  # "a third car hits the second"
-            return self._one_of(m, avoid)
-        # it, itself, this, that
-        pools = [self.subjects, self.salience] if subject else [self.salience]
-        for pool in pools:
-            for ids in reversed(pool):
-                fits = [
-                    i
-                    for i in ids
-                    if i not in avoid
-                    and "structural" not in self.entities[i].noun.traits
-                    and self.entities[i].noun.kind != "person"
-                ]
-                if len(ids) == 1 and fits:
-                    return fits
-                whole = self.entities[ids[0]].group in self.collective
-                if fits and len(ids) > 1 and whole and not (subject and pool is self.salience):
-                    return list(ids)
-        for ids in reversed(self.salience):
-            if ids and not set(ids) <= set(avoid):
-                return list(ids)
-        return []
-
-    def _one_of(self, m: Mention, avoid: list[str]) -> list[str]:
-        for a in m.adjectives:
-            for group in reversed(list(self.groups.values())):
-                for i in group:
-                    e = self.entities[i]
-                    if (a in lex.COLORS and e.color == lex.COLORS[a]) or e.place == a:
-                        return [i]
-        for a in m.adjectives:
-            if a in lex.COLORS:
-                for e in reversed(list(self.entities.values())):
-                    if e.color == lex.COLORS[a]:
-                        return [e.id]
-        last_group = next(reversed(list(self.groups.values())), None)
-        colors = [a for a in m.adjectives if a in lex.COLORS]
-        if colors and last_group:
-            plain = [
-                self.entities[i]
-                for i in last_group
-                if self.entities[i].color is None and i not in avoid
-            ]
-            if plain:
-                chosen = plain[0]
-                chosen.adjectives.append(colors[0])
-                chosen.label = f"{colors[0]} {chosen.head}"
-                chosen.place = chosen.place or colors[0]
-                self._rename(chosen, self._new_id(slug(chosen.label)))
-                return [chosen.id]
-        ordinal = next((a for a in m.adjectives if a in ORDINALS or a == "last"), None)
-        if last_group and "next" in m.adjectives:
-            return last_group[1:2]
-        if last_group:
-            if (
-                m.pronoun == "one"
-                and m.determiner == "the"
-                and "other" in m.adjectives
-                and not avoid
-            ):
-                return [last_group[-1]]
-            if ordinal is not None:
-                model = self.entities[last_group[0]]
-                return self._ordinal(
-                    Mention(m.start, m.end, head=model.head, noun=model.noun), ordinal
-                )
-            if "other" in m.adjectives and set(last_group) <= set(avoid):
-                return [last_group[-1]]
-            if "other" in m.adjectives or m.pronoun in ("other", "another"):
-                used = avoid or (self.salience[-1] if self.salience else [])
-                rest = [i for i in last_group if i not in used]
-                return rest[:1]
-            if m.pronoun == "one":
-                return [last_group[0]]
-        recent = [i for ids in reversed(self.salience) for i in reversed(ids) if i not in avoid]
-        return recent[:1]
 
 
 __all__ = ["Entity", "World", "slug"]

@@ -1,0 +1,219 @@
+"""What pronouns, ordinals and "one" mean."""
+
+from __future__ import annotations
+
+from esg.draft import lexicon as lex
+from esg.draft.elements import Mention
+from esg.draft.entities import ORDINALS, slug
+from esg.draft.registry import Registry
+
+
+class Pronouns(Registry):
+    """Referents of phrases without a noun of their own."""
+
+    def _pronoun(self, m: Mention, subject: bool, avoid: list[str]) -> list[str]:
+        p = m.pronoun
+        if p in ("he", "she", "him", "her", "himself", "herself", "someone", "everyone"):
+            for ids in reversed(self.salience):
+                if len(ids) == 1 and self.entities[ids[0]].noun.kind == "person":
+                    return ids
+            return []
+        if p in ("i", "we", "you", "something", "everything"):
+            return []
+        if p == "another" and not self.groups:
+            solid = (self.entities[i] for i in avoid)
+            model = next((e for e in solid if "structural" not in e.noun.traits), None)
+            if model is not None:
+                other = self.add(
+                    model.noun,
+                    model.head,
+                    adjectives=["second"],
+                    label=f"second {model.head}",
+                    known=model.known,
+                    origin=m.start,
+                )
+                return [other.id]
+        if p == "ones" and m.count and m.count > 1 and "other" in m.adjectives and avoid:
+            known = self.groups.get(self.entities[avoid[0]].group or "", [])
+            if not known and "structural" not in self.entities[avoid[0]].noun.traits:
+                like = self.entities[avoid[0]]
+                return self._create(
+                    Mention(
+                        m.start, m.end, head=like.head, noun=like.noun, count=m.count, plural=True
+                    )
+                )
+        if p in (
+            "they",
+            "them",
+            "themselves",
+            "these",
+            "those",
+            "both",
+            "ones",
+            "all",
+            "each",
+            "some",
+            "many",
+            "several",
+        ):
+            pool = self.subjects if subject and p not in ("both",) else self.salience
+            keep = 1 if m.count == 1 else None  # "one of them"
+            for ids in reversed(pool):
+                if len(ids) > 1 and (subject or not set(ids) <= set(avoid)):
+                    return list(ids)[:keep]
+            for ids in reversed(self.salience):
+                if len(ids) > 1:
+                    return list(ids)[:keep]
+            for ids in reversed(self.salience) if p not in ("both", "each") else ():
+                group = self.groups.get(self.entities[ids[0]].group or "", [])
+                if len(ids) == 1 and len(group) > 1:
+                    return list(group)  # "the first domino ... they all topple"
+            recent: list[str] = []
+            for ids in reversed(self.salience):
+                for i in ids:
+                    if i not in recent and "structural" not in self.entities[i].noun.traits:
+                        recent.append(i)
+                if len(recent) >= 2:
+                    return recent[:2][::-1]
+            return recent
+        if p in ("one", "another", "other"):
+            named = next((a for a in m.adjectives if a in ORDINALS), None)
+            told = [e.id for e in self.entities.values() if named and e.place == named]
+            if named and told:
+                return told[-1:]  # "a third car hits the second"
+            return self._one_of(m, avoid)
+        # it, itself, this, that
+        pools = [self.subjects, self.salience] if subject else [self.salience]
+        for pool in pools:
+            for ids in reversed(pool):
+                fits = [
+                    i
+                    for i in ids
+                    if i not in avoid
+                    and "structural" not in self.entities[i].noun.traits
+                    and self.entities[i].noun.kind != "person"
+                ]
+                if len(ids) == 1 and fits:
+                    return fits
+                whole = self.entities[ids[0]].group in self.collective
+                if fits and len(ids) > 1 and whole and not (subject and pool is self.salience):
+                    return list(ids)
+        for ids in reversed(self.salience):
+            if ids and not set(ids) <= set(avoid):
+                return list(ids)
+        return []
+
+    def _another_like(self, m: Mention, avoid: list[str]) -> list[str]:
+        """ "The first runner falls, the second ...", "a blue car ... the red one", "the yellow"."""
+        colors = [a for a in m.adjectives if a in lex.COLORS]
+        ordinal = next((a for a in m.adjectives if a in ORDINALS), None)
+        solid = [
+            e for e in reversed(list(self.entities.values())) if "structural" not in e.noun.traits
+        ]
+        model = None
+        if colors and not any(e.group and e.color is None for e in solid):
+            balls = [e for e in solid if e.noun.kind == "billiard"]
+            tinted = [e for e in solid if e.color is not None]
+            model = next(iter(balls or tinted), None)
+            if model is not None and model.noun.kind == "billiard":
+                label = f"{colors[0]} ball"
+                ball = lex.nouns()["billiard ball"]
+                return [self.add(ball, "ball", adjectives=colors, label=label, origin=m.start).id]
+        elif ordinal is not None and not any(e.group for e in solid):
+            model = next((e for e in solid if e.place in ORDINALS and e.place != ordinal), None)
+        if model is None or (model.id in avoid and not ordinal):
+            return []
+        named = [ordinal] if ordinal else colors
+        label = " ".join([*[x for x in named if x], model.head])
+        e = self.add(
+            model.noun,
+            model.head,
+            adjectives=[x for x in named if x],
+            label=label,
+            known=model.known,
+            origin=m.start,
+        )
+        return [e.id]
+
+    def _one_of(self, m: Mention, avoid: list[str]) -> list[str]:
+        for a in m.adjectives:
+            for group in reversed(list(self.groups.values())):
+                for i in group:
+                    e = self.entities[i]
+                    if (a in lex.COLORS and e.color == lex.COLORS[a]) or e.place == a:
+                        return [i]
+        for a in m.adjectives:
+            if a in lex.COLORS:
+                for e in reversed(list(self.entities.values())):
+                    if e.color == lex.COLORS[a]:
+                        return [e.id]
+        fresh = self._another_like(m, avoid)
+        if fresh:
+            return fresh
+        last_group = next(reversed(list(self.groups.values())), None)
+        colors = [a for a in m.adjectives if a in lex.COLORS]
+        if colors and last_group:
+            plain = [
+                self.entities[i]
+                for i in last_group
+                if self.entities[i].color is None and i not in avoid
+            ]
+            if plain:
+                chosen = plain[0]
+                chosen.adjectives.append(colors[0])
+                chosen.label = f"{colors[0]} {chosen.head}"
+                chosen.place = chosen.place or colors[0]
+                self._rename(chosen, self._new_id(slug(chosen.label)))
+                return [chosen.id]
+        ordinal = next((a for a in m.adjectives if a in ORDINALS or a == "last"), None)
+        if last_group and "next" in m.adjectives:
+            return last_group[1:2]
+        if last_group:
+            if (
+                m.pronoun == "one"
+                and m.determiner == "the"
+                and "other" in m.adjectives
+                and not avoid
+            ):
+                return [last_group[-1]]
+            if ordinal is not None:
+                model = self.entities[last_group[0]]
+                return self._ordinal(
+                    Mention(m.start, m.end, head=model.head, noun=model.noun), ordinal
+                )
+            if "other" in m.adjectives and set(last_group) <= set(avoid):
+                return [last_group[-1]]
+            if "other" in m.adjectives or m.pronoun in ("other", "another"):
+                used = avoid or (self.salience[-1] if self.salience else [])
+                rest = [i for i in last_group if i not in used]
+                return rest[:1]
+            if m.pronoun == "one":
+                return [last_group[0]]
+        recent = [i for ids in reversed(self.salience) for i in reversed(ids) if i not in avoid]
+        return recent[:1]
+
+    def _ordinal(self, m: Mention, ordinal: str) -> list[str]:
+        names = [e for e in self.entities.values() if self._same_kind(m, e)]
+        exact = [e for e in names if e.place == ordinal]
+        if exact:
+            return [exact[0].id]
+        grouped = [e for e in names if e.group]
+        pool = grouped or names
+        k = len(pool) - 1 if ordinal in ("last", "final") else ORDINALS[ordinal]
+        if ordinal in ORDINALS and not grouped:
+            # "a ball ... the second ball": the first is the one already there
+            taken = [e for e in pool if e.place in ("", "first")]
+            if ordinal == "first" and taken:
+                return [taken[0].id]
+            alike = [e for e in pool if e.head == m.head and e.place in ("", "first")]
+            k = ORDINALS[ordinal]
+            return [alike[k].id] if 0 < k < len(alike) else []
+        if 0 <= k < len(pool):
+            e = pool[k]
+            if not e.letter and len(grouped) <= 6:
+                e.place = ordinal
+                e.label = f"{ordinal} {m.head}"
+                e.adjectives.append(ordinal)
+                self._rename(e, self._new_id(slug(f"{ordinal} {m.head}")))
+            return [e.id]
+        return []
