@@ -52,7 +52,8 @@ class WorkerPool:
         self.processes = processes
         self._recycle_after = recycle_after
         self._slots: queue.SimpleQueue[_Slot] = queue.SimpleQueue()
-        self._all = [_Slot(max_memory_bytes) for _ in range(processes)]
+        # Processes share the cores: one engine thread each, unless there is but one process.
+        self._all = [_Slot(max_memory_bytes, processes > 1) for _ in range(processes)]
         self._local = threading.Lock()
         for slot in self._all:
             self._slots.put(slot)
@@ -94,7 +95,8 @@ class WorkerPool:
 
 
 class _Slot:
-    def __init__(self, max_memory_bytes: int) -> None:
+    def __init__(self, max_memory_bytes: int, sharing: bool) -> None:
+        self._sharing = sharing
         self._executor: ProcessPoolExecutor | None = None
         self._calls = 0
         self._max_memory = max_memory_bytes
@@ -107,7 +109,10 @@ class _Slot:
             context = multiprocessing.get_context("spawn")
             events, tell = context.Pipe(duplex=False)
             self._executor = ProcessPoolExecutor(
-                1, mp_context=context, initializer=_begin, initargs=(os.getpid(), tell)
+                1,
+                mp_context=context,
+                initializer=_begin,
+                initargs=(os.getpid(), tell, self._sharing),
             )
             self._calls = 0
             future = self._executor.submit(function, *args)
@@ -149,7 +154,9 @@ class _Slot:
             self._executor = None
 
 
-def _begin(parent: int, tell: Any) -> None:
+def _begin(parent: int, tell: Any, sharing: bool) -> None:
+    if sharing:
+        os.environ.setdefault("ESG_THREADS", "1")
     forward_to(tell)
     _end_with_parent(parent)
 

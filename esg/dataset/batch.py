@@ -304,12 +304,18 @@ def _columns(scene: PlannedScene, state: SceneState) -> dict[str, Any]:
 def _failures(
     job: BatchJob, states: Sequence[SceneState], verified: Sequence[bool]
 ) -> list[dict[str, Any]]:
-    """Scenes that did not end well, and those that ended well but not as their sentence says."""
-    bad = {row["scene"]: row for row in failures(states)}
+    """Scenes that are not verified, and why.
+
+    The expectation decides: a scene that replays as its sentence says is no failure, whatever the
+    optimizer thought of it; one that ended well but not as its sentence says is.
+    """
+    told = {row["scene"]: row for row in failures(states)}
     out: list[dict[str, Any]] = []
     for scene, state, good in zip(job.scenes, states, verified, strict=True):
-        row = bad.get(scene.scene_id)
-        if row is None and not good:
+        if good:
+            continue
+        row = told.get(scene.scene_id)
+        if row is None:
             row = {
                 "scene": scene.scene_id,
                 "prompt": state.request.prompt,
@@ -318,8 +324,7 @@ def _failures(
                 "reason": unmet(state),
                 "stage": "judge",
             }
-        if row is not None:
-            out.append({**row, "index": scene.index, "rule": scene.rule, "level": scene.level})
+        out.append({**row, "index": scene.index, "rule": scene.rule, "level": scene.level})
     return out
 
 
