@@ -11,7 +11,7 @@ import tempfile
 
 from esg.outcomes import UserError
 from esg.pipeline import SceneState
-from esg.stages import DOCUMENT
+from esg.stages import DOCUMENT, ROLLOUT
 
 _DOCUMENT_STAGES = ("draft", "resolve", "layout", "optimize")
 _MARKS = ("prompt.txt", "log.jsonl")
@@ -92,6 +92,7 @@ def _fill(state: SceneState, folder: Path) -> None:
             _copy(state.artifact(stage), folder)
     if "replay" in state.artifacts:
         shutil.copyfile(state.artifact("replay") / "replay.json", stages / "6-replay.json")
+        shutil.copyfile(state.artifact("replay") / ROLLOUT, folder / ROLLOUT)
     with (folder / "log.jsonl").open("w", encoding="utf-8") as log:
         for entry in state.log:
             log.write(json.dumps(entry, ensure_ascii=False) + "\n")

@@ -45,6 +45,7 @@ def bench(
     from esg.metrics import comparison_table, load_suite
     from esg.outcomes import UserError
     from esg.pipeline import STAGES, recall
+    from esg.report.run import RUN_FILE
     from esg.requests import bench_requests
     from esg.scenefolder import check_writable, publish
     from esg.workers import default_processes
@@ -83,8 +84,10 @@ def bench(
             publish(state, out)
         report_failures(states, out)
         bar.show("ingesting")
-        record_run(states, "bench", suite=loaded.suite, seeds=runs)
-    result = results(loaded, states, runs, seed, strategy, engine)
+        run_id = record_run(states, "bench", suite=loaded.suite, seeds=runs)
+        result = results(loaded, states, runs, seed, strategy, engine)
+        # What `esg report` shows beside the scenes.
+        write_json(out / RUN_FILE, {"run_id": run_id, **result})
     if json is not None:
         write_json(json, result)
     print(comparison_table(result), end="")

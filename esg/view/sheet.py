@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+import json
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +20,8 @@ ALARM = (176, 42, 30)
 TRAIL = (255, 196, 0)
 GAP = 12
 CAPTION_PX = 40
+PANELS = "esg-panels"
+"""Key of the PNG text that says where the panels are."""
 
 
 @dataclass(frozen=True)
@@ -78,6 +81,7 @@ def write_sheet(
         footnotes: Lines below the panels, e.g. what did not happen.
     """
     from PIL import Image, ImageDraw
+    from PIL.PngImagePlugin import PngInfo
 
     height, width = panels[0].image.shape[:2]
     columns = 2 if len(panels) in (2, 4) else min(3, len(panels))
@@ -98,10 +102,12 @@ def write_sheet(
     for line in notes:
         draw.text((GAP, y), line, fill=FAINT, font=_font(13))
         y += 18
+    boxes: list[list[int]] = []
     for k, panel in enumerate(panels):
         x = GAP + (k % columns) * (width + GAP)
         y = top + (k // columns) * (height + CAPTION_PX + GAP)
         sheet.paste(Image.fromarray(panel.image), (x, y))
+        boxes.append([x, y, x + width, y + height])
         draw.text((x, y + height + 3), _fit(panel.title, 14, width), fill=INK, font=_font(14))
         draw.text((x, y + height + 21), _fit(panel.caption, 13, width), fill=FAINT, font=_font(13))
     y = top + rows * (height + CAPTION_PX + GAP)
@@ -109,8 +115,23 @@ def write_sheet(
         draw.text((GAP, y), line, fill=ALARM, font=_font(13))
         y += 18
     path.parent.mkdir(parents=True, exist_ok=True)
-    sheet.save(path, optimize=False, compress_level=6)
+    info = PngInfo()
+    info.add_text(PANELS, json.dumps(boxes))
+    sheet.save(path, optimize=False, compress_level=6, pnginfo=info)
     return path
+
+
+def panel_boxes(image: Any) -> list[tuple[int, int, int, int]]:
+    """Where the panels are on a sheet that `write_sheet` wrote: left, top, right, bottom [px].
+
+    Args:
+        image: The opened PNG; of any other picture nothing is known and the list is empty.
+    """
+    try:
+        boxes = json.loads(image.info.get(PANELS, "[]"))
+        return [(int(a), int(b), int(c), int(d)) for a, b, c, d in boxes]
+    except (TypeError, ValueError):
+        return []
 
 
 def _font(size: int) -> Any:

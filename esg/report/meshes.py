@@ -1,0 +1,68 @@
+"""Meshes of scene folders, small enough to travel inside a page."""
+
+from __future__ import annotations
+
+import hashlib
+from pathlib import Path
+
+import numpy as np
+
+from esg.compile.glb import GltfMeshes, mesh_of
+from esg.engines.scene import Body
+from esg.report.binary import Chunk
+
+
+class MeshLibrary:
+    """Every mesh once, however many scenes use it: keys are hashes of the files' contents."""
+
+    def __init__(self) -> None:
+        self.chunks: dict[str, str] = {}
+        self._keys: dict[tuple[str, str], str] = {}
+
+    def add(self, body: Body, folder: Path) -> str:
+        """Key of a body's mesh, empty if it has none.
+
+        Args:
+            body: Its collision shapes stand in for a missing file.
+            folder: The scene folder.
+        """
+        known = self._keys.get((str(folder), body.mesh)) if body.mesh else None
+        if known:
+            return known
+        source, data = mesh_of(body, folder)
+        if data is None:
+            return ""
+        key = hashlib.sha256(data).hexdigest()[:16]
+        if key not in self.chunks:
+            self.chunks[key] = mesh_chunk(data)
+        if source == body.mesh:
+            self._keys[str(folder), body.mesh] = key
+        return key
+
+
+def mesh_chunk(data: bytes) -> str:
+    """A GLB as a chunk: parts of one colour merged, vertices welded, in the asset's frame [m].
+
+    Args:
+        data: A binary glTF file.
+    """
+    by_color: dict[tuple[float, ...], list[tuple[np.ndarray, np.ndarray]]] = {}
+    for vertices, faces, color in GltfMeshes(data).parts():
+        key = tuple(round(float(c), 3) for c in color)
+        by_color.setdefault(key, []).append((vertices, faces))
+    colors, vertices, faces, counts, start = [], [], [], [], 0
+    for color, parts in by_color.items():
+        total = 0
+        for points, triangles in parts:
+            welded, index = np.unique(np.round(points, 5), axis=0, return_inverse=True)
+            vertices.append(welded)
+            faces.append(index.reshape(-1)[triangles] + start)
+            start += len(welded)
+            total += 3 * len(triangles)
+        colors.append(list(color))
+        counts.append(total)
+    chunk = Chunk({"colors": colors, "counts": counts})
+    chunk.quantized("vertices", np.concatenate(vertices) if vertices else np.zeros((0, 3)))
+    index = np.concatenate(faces).reshape(-1) if faces else np.zeros(0, int)
+    chunk.integers("index", index, "u2" if start < 65536 else "u4")
+    return chunk.text()

@@ -1,0 +1,146 @@
+"""The page itself: one HTML file with data, styles and scripts inside.
+
+Nothing of a scene is ever written as markup: data travel as JSON with `<` escaped, or as base64,
+and the script only sets text. A content security policy allows the page's own script and style and
+no address at all.
+"""
+
+from __future__ import annotations
+
+import base64
+from collections.abc import Callable, Iterable, Iterator, Sequence
+import hashlib
+import html
+import json
+import os
+from pathlib import Path
+from typing import Any
+
+from esg.outcomes import UserError
+from esg.report.meshes import MeshLibrary
+from esg.report.payload import index_entry, scene_chunk, thumbnail
+from esg.report.replays import replays_of
+from esg.report.run import Run, SceneEntry
+
+STATIC = Path(__file__).parent / "static"
+
+
+def write_report(
+    run: Run,
+    path: Path,
+    *,
+    engines: Sequence[str] = (),
+    title: str = "",
+    on_scene: Callable[[SceneEntry], None] = lambda _: None,
+) -> Path:
+    """Writes the report of a run.
+
+    Args:
+        run: The run.
+        path: Of the HTML file; it appears complete or not at all.
+        engines: Engines whose replays are set beside the recorded ones.
+        title: Of the page; default the name of the folder.
+        on_scene: Called after every scene.
+
+    Raises:
+        UserError: If the file cannot be written.
+    """
+    from esg import __version__
+
+    title = title or run.folder.resolve().name
+    index = {
+        "title": title,
+        "single": run.single,
+        "version": __version__,
+        "facts": run.facts,
+        "totals": run.totals,
+        "rows": run.rows,
+        "before": _plain(run.before),
+        "paper": run.paper,
+        "files": _relative(run, path),
+        "scenes": [index_entry(s, n) for n, s in enumerate(run.scenes)],
+    }
+    partial = path.with_name(f".{path.name}.{os.getpid()}.tmp")
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with partial.open("w", encoding="utf-8", newline="\n") as file:
+            for piece in page(title, index, _chunks(run.scenes, engines, on_scene)):
+                file.write(piece)
+        partial.replace(path)
+    except OSError as error:
+        partial.unlink(missing_ok=True)
+        raise UserError(f"cannot write {path}: {error.strerror}") from None
+    except BaseException:
+        partial.unlink(missing_ok=True)
+        raise
+    return path
+
+
+def page(title: str, index: dict[str, Any], chunks: Iterable[tuple[str, str]]) -> Iterator[str]:
+    """The pieces of the HTML file.
+
+    Args:
+        title: Plain text.
+        index: What the list needs; JSON.
+        chunks: Element ids and base64 texts.
+    """
+    script = (STATIC / "report.js").read_text(encoding="utf-8")
+    style = (STATIC / "report.css").read_text(encoding="utf-8")
+    notices = (STATIC / "LICENSES.txt").read_text(encoding="utf-8")
+    policy = (
+        f"default-src 'none'; script-src '{_digest(script)}'; style-src 'unsafe-inline'; "
+        "img-src blob: data:; base-uri 'none'; form-action 'none'"
+    )
+    yield (
+        '<!doctype html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
+        f'<meta http-equiv="Content-Security-Policy" content="{html.escape(policy)}">\n'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
+        '<meta name="color-scheme" content="light dark">\n'
+        '<link rel="icon" href="data:,">\n'
+        f"<title>{html.escape(title)}</title>\n<style>{style}</style>\n</head>\n<body>\n"
+        '<div id="app"><noscript>This page needs JavaScript to show its data.</noscript></div>\n'
+        f'<script type="application/json" id="index">{embed_json(index)}</script>\n'
+    )
+    for key, text in chunks:
+        yield f'<script type="text/plain" id="{html.escape(key)}">{text}</script>\n'
+    yield (
+        f'<script type="text/plain" id="licenses">{embed_json(notices)}</script>\n'
+        f"<script>{script}</script>\n</body>\n</html>\n"
+    )
+
+
+def embed_json(value: Any) -> str:
+    """JSON that is safe between script tags."""
+    text = json.dumps(value, separators=(",", ":"), ensure_ascii=True, allow_nan=False)
+    return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
+
+
+def _digest(script: str) -> str:
+    return "sha256-" + base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
+
+
+def _chunks(
+    scenes: Sequence[SceneEntry], engines: Sequence[str], on_scene: Callable[[SceneEntry], None]
+) -> Iterator[tuple[str, str]]:
+    meshes = MeshLibrary()
+    for number, scene in enumerate(scenes):
+        thumb = thumbnail(scene.folder)
+        if thumb:
+            yield f"thumb-{number}", thumb
+        replays = replays_of(scene.folder, scene.metrics, engines)
+        yield f"scene-{number}", scene_chunk(scene, replays, meshes)
+        on_scene(scene)
+    for key, text in meshes.chunks.items():
+        yield f"mesh-{key}", text
+
+
+def _plain(row: dict[str, Any]) -> dict[str, Any]:
+    return {k: v for k, v in row.items() if isinstance(v, (int, float, str)) or v is None}
+
+
+def _relative(run: Run, path: Path) -> str:
+    """Where the scene folders are, seen from the page; empty if it lies elsewhere."""
+    here, there = path.resolve().parent, run.folder.resolve()
+    if not there.is_relative_to(here):
+        return ""
+    return there.relative_to(here).as_posix()

@@ -1,0 +1,266 @@
+"""One scene as data for the page: what moves, what happened, what was asked."""
+
+from __future__ import annotations
+
+import base64
+from collections.abc import Sequence
+import io
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from esg.engines.scene import Rollout, SimScene
+from esg.report.binary import Chunk
+from esg.report.meshes import MeshLibrary
+from esg.report.replays import Replayed
+from esg.report.run import SceneEntry
+
+FPS = 60.0
+"""Frames a second that a page keeps of a replay."""
+MAX_CONTACTS = 400
+MIN_IMPULSE_NS = 0.01
+THUMB_PX = (320, 214)
+SHEET_PX = 1100
+_MOVED_M, _TURNED = 1e-4, 1e-4
+
+
+def index_entry(scene: SceneEntry, number: int) -> dict[str, Any]:
+    """What lists, filters and cards need to know of a scene.
+
+    Args:
+        scene: The scene.
+        number: Its place in the run.
+    """
+    verdict, coverage = scene.verdict, scene.document.get("coverage", {})
+    items = coverage.get("items", [])
+    constraints = verdict.get("constraints", [])
+    return {
+        "n": number,
+        "id": scene.name,
+        "group": scene.group,
+        "seed": scene.seed,
+        "prompt": scene.prompt,
+        "outcome": scene.outcome,
+        "reason": scene.reason,
+        "advice": scene.metrics.get("advice", ""),
+        "proof": scene.metrics.get("proof", ""),
+        "judged_against": scene.metrics.get("judged_against", ""),
+        "verified": bool(scene.metrics.get("verified")),
+        "events": [
+            {k: e.get(k) for k in ("id", "type", "completed", "time_s", "bodies", "reason")}
+            for e in verdict.get("events", [])
+        ],
+        "completed": verdict.get("completed", 0),
+        "n_events": verdict.get("n_events", 0),
+        "slr": verdict.get("slr"),
+        "ppa": _mean([c["score"] for c in constraints]),
+        "constraints": len(constraints),
+        "used": sum(i["status"] == "used" for i in items),
+        "items": len(items),
+        "not_understood": [i["text"] for i in items if i["status"] == "not_understood"],
+        "warnings": coverage.get("warnings", []),
+        "objects": len(scene.document.get("spatial_relation_graph", {}).get("nodes", {})),
+        "seconds": round(scene.seconds, 2),
+    }
+
+
+def _mean(values: Sequence[float]) -> float | None:
+    return sum(values) / len(values) if values else None
+
+
+def scene_chunk(scene: SceneEntry, replays: Sequence[Replayed], meshes: MeshLibrary) -> str:
+    """Everything the page of one scene shows.
+
+    Args:
+        scene: The scene.
+        replays: Its replays, the recorded one first; none if it never came to one.
+        meshes: Receives the meshes.
+    """
+    chunk = Chunk(
+        {
+            "document": scene.document,
+            "metrics": scene.metrics,
+            "log": list(scene.log),
+            "files": files_of(scene.folder),
+            "texts": texts_of(scene.folder),
+            "sheet": picture(scene.folder / "preview.png", SHEET_PX, quality=62),
+            "bodies": [],
+            "replays": [],
+        }
+    )
+    if replays:
+        chunk.head["bodies"] = _bodies(replays[0].scene, scene.folder, meshes)
+        chunk.head["regions"] = _regions(replays[0].scene)
+    for number, replay in enumerate(replays):
+        chunk.head["replays"].append(_replay(chunk, number, replay))
+    return chunk.text()
+
+
+def _bodies(sim: SimScene, folder: Path, meshes: MeshLibrary) -> list[dict[str, Any]]:
+    return [
+        {
+            "name": b.name,
+            "label": b.label or b.name.replace("_", " "),
+            "category": b.category,
+            "static": b.static,
+            "mass": b.mass,
+            "color": list(b.color),
+            "half": list(b.half_extents),
+            "offset": list(b.origin_offset),
+            "collides": b.collides,
+            "mesh": meshes.add(b, folder),
+        }
+        for b in sim.bodies
+    ]
+
+
+def _regions(sim: SimScene) -> list[dict[str, Any]]:
+    names = sim.names
+    return [
+        {
+            "name": r.name,
+            "body": names.index(r.parent),
+            "center": list(r.center),
+            "half": list(r.half_extents),
+        }
+        for r in sim.regions
+        if r.parent in names
+    ]
+
+
+def _replay(chunk: Chunk, number: int, replay: Replayed) -> dict[str, Any]:
+    rollout = replay.rollout
+    frames = frames_at(rollout.time, FPS)
+    position = rollout.position[0, frames].astype(float)
+    quaternion = continuous(rollout.quaternion[0, frames].astype(float))
+    moving = [
+        i
+        for i in range(position.shape[1])
+        if np.ptp(position[:, i], axis=0).max() > _MOVED_M
+        or np.ptp(quaternion[:, i], axis=0).max() > _TURNED
+    ]
+    speed = np.linalg.norm(rollout.linear_velocity[0, frames][:, moving].astype(float), axis=2)
+    chunk.quantized(f"time{number}", rollout.time[frames][:, None], delta=True)
+    chunk.quantized(f"position{number}", position[:, moving].reshape(len(frames), -1), delta=True)
+    chunk.quantized(f"turn{number}", quaternion[:, moving].reshape(len(frames), -1), delta=True)
+    chunk.quantized(f"speed{number}", speed, delta=True)
+    return {
+        "engine": rollout.engine,
+        "hz": round(1 / rollout.dt),
+        "proof": replay.proof,
+        "valid": bool(rollout.valid[0]),
+        "moving": moving,
+        "start": [
+            [*map(float, p), *map(float, q)]
+            for p, q in zip(position[0], quaternion[0], strict=True)
+        ],
+        "events": replay.events,
+        "completed": sum(bool(e.get("completed")) for e in replay.events),
+        "contacts": contacts_of(rollout),
+    }
+
+
+def frames_at(time: Any, fps: float) -> list[int]:
+    """Indices of the frames nearest to every 1/fps, and of the last."""
+    time = np.asarray(time, float)
+    count = int(np.floor(time[-1] * fps + 1e-6)) + 1
+    wanted = np.arange(count) / fps
+    right = np.clip(np.searchsorted(time, wanted), 0, len(time) - 1)
+    left = np.maximum(right - 1, 0)
+    index = np.where(wanted - time[left] < time[right] - wanted, left, right)
+    return sorted({*index.tolist(), len(time) - 1})
+
+
+def continuous(q: Any) -> Any:
+    """Quaternions whose sign does not jump from frame to frame, shape [T, B, 4]."""
+    flips = np.sign(np.einsum("tbi,tbi->tb", q[1:], q[:-1]))
+    flips[flips == 0] = 1
+    return q * np.concatenate([np.ones((1, q.shape[1])), np.cumprod(flips, axis=0)])[..., None]
+
+
+def contacts_of(rollout: Rollout) -> list[list[float]]:
+    """Contacts worth drawing, by time: time, a, b, impulse [N s], point [m], normal.
+
+    Blows win over resting contact: of every pair the strongest contact of each twentieth of a
+    second is kept, of all of them the strongest few hundred.
+    """
+    c = rollout.contacts.select(0)
+    best: dict[tuple[int, int, int], int] = {}
+    for row in range(len(c.time)):
+        if c.impulse[row] < MIN_IMPULSE_NS or c.b[row] < 0:
+            continue
+        key = (int(c.a[row]), int(c.b[row]), int(c.time[row] / 0.05))
+        if key not in best or c.impulse[row] > c.impulse[best[key]]:
+            best[key] = row
+    rows = sorted(best.values(), key=lambda r: -float(c.impulse[r]))[:MAX_CONTACTS]
+    return [
+        [
+            round(float(c.time[r]), 4),
+            int(c.a[r]),
+            int(c.b[r]),
+            float(f"{float(c.impulse[r]):.4g}"),
+            *(round(float(v), 4) for v in c.point[r]),
+            *(round(float(v), 3) for v in c.normal[r]),
+        ]
+        for r in sorted(rows, key=lambda r: (float(c.time[r]), r))
+        if np.isfinite(c.point[r]).all() and np.isfinite(c.normal[r]).all()
+    ]
+
+
+_SHOWN = frozenset(
+    [".json", ".jsonl", ".h", ".cpp", ".usda", ".mcap", ".glb", ".png", ".webp", ".npz", ".txt"]
+)
+
+
+def files_of(folder: Path) -> list[list[Any]]:
+    """Files of the scene folder that one may want to open: path and size [bytes]."""
+    found = [p for p in sorted(folder.rglob("*")) if p.is_file() and p.suffix in _SHOWN]
+    return [
+        [p.relative_to(folder).as_posix(), p.stat().st_size]
+        for p in found
+        if p.relative_to(folder).parts[0] not in ("stages", "meshes")
+    ]
+
+
+def texts_of(folder: Path) -> dict[str, str]:
+    """The emitted class and the manifest, in full."""
+    paths = [*sorted((folder / "unreal").glob("*.h")), *sorted((folder / "unreal").glob("*.cpp"))]
+    texts = [*paths, folder / "manifest.json", folder / "violations.json"]
+    return {p.name: p.read_text(encoding="utf-8", errors="replace") for p in texts if p.is_file()}
+
+
+def thumbnail(folder: Path) -> str:
+    """A card's picture as base64 (WebP), empty if there is none: the sheet's middle panel."""
+    path = folder / "preview.png"
+    if not path.is_file():
+        return ""
+    from PIL import Image
+
+    from esg.view.sheet import panel_boxes
+
+    with Image.open(path) as image:
+        boxes = panel_boxes(image)
+        crop = image.convert("RGB").crop(boxes[min(1, len(boxes) - 1)]) if boxes else image
+        return _webp(crop.convert("RGB"), THUMB_PX, 60)
+
+
+def picture(path: Path, width: int, *, quality: int) -> str:
+    """A picture as base64 (WebP), at most `width` pixels wide; empty if it is missing."""
+    if not path.is_file():
+        return ""
+    from PIL import Image
+
+    with Image.open(path) as image:
+        height = max(1, round(image.height * min(1.0, width / image.width)))
+        return _webp(image.convert("RGB"), (width, height), quality)
+
+
+def _webp(image: Any, size: tuple[int, int], quality: int) -> str:
+    from PIL import Image
+
+    if image.width > size[0] or image.height > size[1]:
+        image.thumbnail(size, Image.Resampling.LANCZOS)
+    out = io.BytesIO()
+    image.save(out, "WEBP", quality=quality, method=4)
+    return base64.b64encode(out.getvalue()).decode("ascii")

@@ -1,0 +1,257 @@
+"""Data inside the page: quantization, contacts, meshes, escaping, determinism."""
+
+from __future__ import annotations
+
+import base64
+from dataclasses import replace
+import gzip
+import hashlib
+from html.parser import HTMLParser
+import json
+from pathlib import Path
+import re
+import struct
+from typing import Any
+
+import numpy as np
+import pytest
+
+from esg.report.binary import Chunk
+from esg.report.meshes import MeshLibrary, mesh_chunk
+from esg.report.page import STATIC, embed_json, write_report
+from esg.report.payload import contacts_of, continuous, frames_at, scene_chunk
+from esg.report.replays import Replayed, replays_of
+from esg.report.run import load_run, read_scene
+from tests.report import folders
+
+ROOT = Path(__file__).parents[2]
+
+
+def decode(text: str) -> dict[str, Any]:
+    """What the page's script does, in Python."""
+    raw = gzip.decompress(base64.b64decode(text))
+    (length,) = struct.unpack_from("<I", raw)
+    head = json.loads(raw[4 : 4 + length])
+    head["data"] = {}
+    for entry in head["arrays"]:
+        dtype = {"u2": "<u2", "u4": "<u4"}[entry["type"]]
+        count = int(np.prod(entry["shape"]))
+        array = np.frombuffer(raw, dtype, count, 4 + length + entry["offset"])
+        if "low" in entry:
+            codes = array.reshape(entry["shape"][::-1]).T.astype(np.int64)
+            if entry["delta"]:
+                codes = np.cumsum(codes, axis=0) & 0xFFFF
+            array = np.array(entry["low"]) + np.array(entry["step"]) * codes
+        head["data"][entry["name"]] = array
+    return head
+
+
+@pytest.mark.parametrize("delta", [False, True])
+def test_quantized_values_come_back_within_half_a_step(delta: bool) -> None:
+    """Over 60 m the error stays under a millimetre, falling values and constants included."""
+    rng = np.random.default_rng(1)
+    values = np.column_stack(
+        [rng.uniform(-30, 30, 500), np.linspace(5, -7, 500), np.full(500, 3.25)]
+    )
+    chunk = Chunk()
+    chunk.quantized("x", values, delta=delta)
+    back = decode(chunk.text())["data"]["x"]
+    half = np.ptp(values, axis=0) / 65535 / 2
+    assert (np.abs(back - values) <= half + 1e-9).all()
+
+
+def test_arrays_start_at_multiples_of_four() -> None:
+    """A browser's typed arrays need it."""
+    chunk = Chunk({"text": "é" * 3})
+    chunk.integers("a", np.arange(3), "u2")
+    chunk.integers("b", np.arange(5), "u4")
+    raw = gzip.decompress(base64.b64decode(chunk.text()))
+    (length,) = struct.unpack_from("<I", raw)
+    assert (4 + length) % 4 == 0
+    found = decode(chunk.text())
+    assert [a["offset"] % 4 for a in found["arrays"]] == [0, 0]
+    assert found["data"]["b"].tolist() == [0, 1, 2, 3, 4]
+
+
+def test_frames_are_the_nearest_to_a_steady_rate() -> None:
+    """240 steps a second give every fourth; a slow recording keeps every frame; the last stays."""
+    assert frames_at(np.arange(241) / 240, 60.0) == list(range(0, 241, 4))
+    assert frames_at(np.arange(11) / 10, 60.0) == list(range(11))
+    assert frames_at(np.array([0.0, 0.1, 0.105]), 10.0) == [0, 1, 2]
+
+
+def test_quaternions_never_jump_to_their_opposite() -> None:
+    """q and -q are one turn: interpolating between them must not spin the body."""
+    q = np.tile([0.0, 0.0, 0.6, 0.8], (4, 1, 1)).reshape(4, 1, 4)
+    q[1::2] *= -1
+    assert np.allclose(continuous(q), q[0])
+
+
+def test_the_strongest_contacts_are_kept_and_the_ground_is_not() -> None:
+    """Within a twentieth of a second one contact a pair is enough."""
+    rollout = folders.rollout()
+    c = rollout.contacts
+    n = 4
+    log = replace(
+        c,
+        world=np.zeros(n, np.int32),
+        frame=np.arange(n, dtype=np.int32),
+        a=np.zeros(n, np.int32),
+        b=np.array([1, 1, -1, 1], np.int32),
+        time=np.array([0.501, 0.502, 0.503, 0.8]),
+        impulse=np.array([1.0, 3.0, 9.0, 1e-4]),
+        depth=np.zeros(n),
+        point=np.zeros((n, 3)),
+        normal=np.tile([0.0, 0.0, 1.0], (n, 1)),
+    )
+    found = contacts_of(replace(rollout, contacts=log))
+    assert [(c[0], c[3]) for c in found] == [(0.502, 3.0)]
+
+
+def test_a_scene_chunk_carries_motion_events_and_sources(tmp_path: Path) -> None:
+    """Position, speed and clock of what moves; start poses of what does not."""
+    scene = read_scene(folders.write_scene(tmp_path / "drop"))
+    chunk = decode(scene_chunk(scene, replays_of(scene.folder, scene.metrics), MeshLibrary()))
+    (replay,) = chunk["replays"]
+    assert replay["moving"] == [0]
+    assert replay["engine"] == "physx"
+    rollout = folders.rollout()
+    frames = frames_at(rollout.time, 60.0)
+    height = chunk["data"]["position0"][:, 2]
+    assert np.allclose(height, rollout.position[0, frames, 0, 2], atol=1e-4)
+    speed = np.abs(rollout.linear_velocity[0, frames, 0, 2])
+    assert np.allclose(chunk["data"]["speed0"][:, 0], speed, atol=1e-3)
+    assert replay["contacts"][0][3] == 4.9
+    assert "class AScene" in chunk["texts"]["EsgScene.h"]
+    assert chunk["document"]["dynamics_result"]["history"] == [1.0, 0.1, 0.01]
+
+
+def test_equal_meshes_travel_once(tmp_path: Path) -> None:
+    """Two scenes with the same box share its chunk."""
+    library = MeshLibrary()
+    for name in ("a", "b"):
+        library.add(folders.scene().bodies[1], tmp_path / name)
+    assert len(library.chunks) == 1
+
+
+def test_a_mesh_keeps_its_shape_and_colours() -> None:
+    """A unit cube of a known colour: eight corners, twelve triangles, its box."""
+    import trimesh
+    from trimesh.visual import TextureVisuals
+    from trimesh.visual.material import PBRMaterial
+
+    cube = trimesh.creation.box(extents=(1, 2, 3))
+    material = PBRMaterial(baseColorFactor=[255, 0, 51, 255])
+    cube.visual = TextureVisuals(material=material)
+    data = trimesh.Scene(cube).export(file_type="glb")
+    mesh = decode(mesh_chunk(data))
+    assert mesh["colors"] == [[1.0, 0.0, 0.2, 1.0]]
+    assert mesh["counts"] == [36]
+    assert len(mesh["data"]["vertices"]) == 8
+    # glTF is Y up; the page is Z up again: (x, -z, y).
+    assert np.allclose(np.ptp(mesh["data"]["vertices"], axis=0), [1, 3, 2], atol=1e-4)
+
+
+HOSTILE = [
+    "</script><script>document.title='owned'</script>",
+    "<img src=x onerror=\"document.title='owned'\">",
+    "\"quotes\" 'and' `ticks` & &lt;entities&gt; <!-- comment",
+    "line\u2028separator and \u202eright to left and 🎳",
+]
+
+
+PAGE_ELEMENTS = set(
+    ["html", "head", "meta", "link", "title", "style", "body", "div", "noscript", "script"]
+)
+
+
+class Elements(HTMLParser):
+    """Which elements a parser sees, and whether any carries an event handler."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.tags: list[str] = []
+        self.handlers: list[str] = []
+        self.title = ""
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.tags.append(tag)
+        self.handlers += [name for name, _ in attrs if name.startswith("on")]
+
+    def handle_data(self, data: str) -> None:
+        if self.tags[-1:] == ["title"]:
+            self.title += data.removesuffix("\n") if not self.title else ""
+
+
+@pytest.mark.parametrize("prompt", HOSTILE)
+def test_no_text_of_a_scene_becomes_markup(tmp_path: Path, prompt: str) -> None:
+    """Nothing of a prompt, a reason or a title stands in the file as it was typed."""
+    folders.write_scene(tmp_path / "run" / "s", prompt, reason=prompt, label=prompt)
+    page = write_report(load_run(tmp_path / "run"), tmp_path / "r.html", title=prompt)
+    text = page.read_text(encoding="utf-8")
+    found = Elements()
+    found.feed(text)
+    assert found.title == prompt
+    assert set(found.tags) == PAGE_ELEMENTS
+    assert found.handlers == []
+    index = re.search(r'id="index">(.*?)</script>', text)
+    assert index
+    assert json.loads(index[1])["scenes"][0]["prompt"] == prompt
+
+
+def test_json_between_script_tags_cannot_end_them() -> None:
+    """No angle bracket and no ampersand survives, and the value does."""
+    value = {"a": "</script><!--&\u2028"}
+    text = embed_json(value)
+    assert not set("<>&\u2028") & set(text)
+    assert json.loads(text) == value
+
+
+def test_the_same_run_gives_the_same_bytes(tmp_path: Path) -> None:
+    """No clock, no order of a set, no compression date."""
+    folders.write_scene(tmp_path / "run" / "a")
+    folders.write_scene(tmp_path / "run" / "b", outcome="invalid_draft")
+    run = load_run(tmp_path / "run")
+    first = write_report(run, tmp_path / "1.html").read_bytes()
+    assert write_report(run, tmp_path / "2.html").read_bytes() == first
+
+
+def test_overlays_of_other_engines_follow_the_recorded_replay(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The recorded engine is not run again; others are run and judged."""
+    scene = read_scene(folders.write_scene(tmp_path / "drop"))
+    asked = []
+
+    def fake(folder: Path, manifest: Any, engine: str) -> Replayed:
+        asked.append(engine)
+        return Replayed(manifest.scene, folders.rollout(engine=engine), "program")
+
+    monkeypatch.setattr("esg.report.replays._replay", fake)
+    monkeypatch.setattr("esg.report.replays._judged", lambda _, replay: replay)
+    found = replays_of(scene.folder, scene.metrics, ("physx", "rapier", "newton"))
+    assert asked == ["rapier", "newton"]
+    assert [r.rollout.engine for r in found] == ["physx", "rapier", "newton"]
+
+
+def test_the_bundle_is_made_from_the_sources_in_the_repository() -> None:
+    """A change of web/ without a new build is caught; no address is in the lock file."""
+    web = ROOT / "web"
+    if not web.is_dir():
+        pytest.skip("installed without the sources of the bundle")
+    names = ["build.mjs", "package-lock.json", "package.json"]
+    names += [f"src/{p.name}" for p in sorted((web / "src").iterdir())]
+    digest = hashlib.sha256()
+    for name in names:
+        digest.update(name.encode() + b"\0" + (web / name).read_bytes())
+    stored = (STATIC / "SOURCES.sha256.txt").read_text().strip()
+    assert digest.hexdigest() == stored, "run `npm ci --ignore-scripts && npm run build` in web/"
+    assert "resolved" not in (web / "package-lock.json").read_text()
+
+
+def test_licenses_of_every_bundled_library_are_kept() -> None:
+    """Name, version and full text."""
+    text = (STATIC / "LICENSES.txt").read_text()
+    for name in ("three", "@dagrejs/dagre"):
+        assert re.search(rf"^{name} \d+\.\d+\.\d+ \(MIT\)$", text, re.M)
+    assert text.count("Permission is hereby granted") == 2
