@@ -136,7 +136,9 @@ class _Document:
         return [r + base for r in roots]
 
     def glb(self) -> bytes:
-        self.data["buffers"] = [{"byteLength": len(self.binary)}]
+        """The file; a scene without bodies has neither buffer nor binary chunk."""
+        if self.binary:
+            self.data["buffers"] = [{"byteLength": len(self.binary)}]
         if self.extensions:
             self.data["extensionsUsed"] = sorted(self.extensions)
         if self.required:
@@ -144,12 +146,11 @@ class _Document:
         text = json.dumps(self.data, separators=(",", ":"), ensure_ascii=True).encode()
         text += b" " * (-len(text) % 4)
         binary = bytes(self.binary) + b"\0" * (-len(self.binary) % 4)
-        length = 12 + 8 + len(text) + 8 + len(binary)
-        head = struct.pack("<III", _MAGIC, 2, length)
-        return b"".join(
-            [head, struct.pack("<II", len(text), _JSON), text,
-             struct.pack("<II", len(binary), _BIN), binary]
-        )  # fmt: skip
+        chunks = [struct.pack("<II", len(text), _JSON), text]
+        if binary:
+            chunks += [struct.pack("<II", len(binary), _BIN), binary]
+        length = 12 + sum(map(len, chunks))
+        return b"".join([struct.pack("<III", _MAGIC, 2, length), *chunks])
 
 
 def _say_use(document: dict[str, Any], accessors: Any, use: int, first_view: int) -> None:
