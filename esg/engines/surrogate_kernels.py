@@ -6,7 +6,7 @@ from __future__ import annotations
 import warp as wp
 
 from esg.engines.surrogate_solver import find_contacts, move, prepare_bodies, solve, wake
-from esg.engines.surrogate_types import Contacts, Log, Model, Raw, State
+from esg.engines.surrogate_types import Contacts, Log, Model, Raw, State, Trace
 
 wp.set_module_options({"enable_backward": False})
 
@@ -71,7 +71,7 @@ def _hold(model: Model, state: State, w: int, k: int, t: wp.float64):
 
 
 @wp.func
-def run_program(model: Model, state: State, w: int, step: int, dt: wp.float64):
+def run_program(model: Model, state: State, trace: Trace, w: int, step: int, dt: wp.float64):
     """What the program does before a step (`esg.engines.program`)."""
     t = wp.float64(step) * dt
     now = t + wp.float64(0.5) * dt
@@ -89,9 +89,13 @@ def run_program(model: Model, state: State, w: int, step: int, dt: wp.float64):
             if state.done[w, k] == 0 and model.table[w, k, 0] <= now:
                 state.active[w, k] = 1
                 _hold(model, state, w, k, t)
+                if trace.steps > 0:
+                    trace.fired[w, step, k] = wp.where(now + dt > model.table[w, k, 1], 2, 1)
         elif model.table[w, k, 0] <= now:
             state.done[w, k] = 1
             _fire(model, state, w, k)
+            if trace.steps > 0:
+                trace.fired[w, step, k] = 1
 
 
 @wp.func
@@ -165,7 +169,7 @@ def roll(
     n_steps: int,
     record_every: int,
     first_world: int,
-    sweeps: wp.array2d(dtype=int),
+    trace: Trace,
     deepest: wp.array(dtype=float),
     end: wp.array(dtype=int),
     out_x: wp.array3d(dtype=wp.vec3),
@@ -186,13 +190,15 @@ def roll(
     raw.normal = raw_normal
     raw.distance = raw_distance
     for step in range(n_steps):
-        run_program(model, state, w, step, dt)
+        run_program(model, state, trace, w, step, dt)
         prepare_bodies(model, state, w, h)
         wake(model, state, w, h)
         find_contacts(model, state, raw, con, w, step, h)
         n = solve(model, state, con, w, step)
-        if sweeps.shape[1] > 1:
-            sweeps[w, step] = n
+        if trace.steps > 0:
+            trace.sweeps[w, step] = n
+            for i in range(model.n_bodies):
+                trace.awake[w, step, i] = state.awake[w, i]
         write_log(state, con, log, w, step, step / record_every + 1)
         at = wp.min(step, con.count.shape[1] - 1)
         for k in range(con.count[w, at]):

@@ -161,7 +161,6 @@ class Worlds:
         )
         damping = np.array([(x.linear_damping, x.angular_damping) for x in scene.bodies])
         dynamic = moving(scene)
-        # Bodies that stand where they were put fall asleep soon.
         self.state = _fill(
             types.State(),
             {
@@ -174,8 +173,9 @@ class Worlds:
                 "awake": to(np.tile(dynamic, (w, 1)), int),
                 "idle": self._zeros((w, b), int),
                 "inverse": self._zeros((w, b), wp.mat33),
-                "late_x": self._zeros((w, b), wp.vec3),
-                "late_r": self._zeros((w, b), wp.vec3),
+                "before_v": self._zeros((w, b), wp.vec3),
+                "before_o": self._zeros((w, b), wp.vec3),
+                "delay": self._zeros((w, b), wp.vec2),
                 "touched": wp.full((w, b, b), -1, dtype=int, device=device),
                 "done": self._zeros((w, max(1, p)), int),
                 "active": self._zeros((w, max(1, p)), int),
@@ -183,7 +183,7 @@ class Worlds:
         )
         slots = room.contacts * (frames.n_steps if trace else 1)
         con: dict[str, Any] = {
-            name: self._zeros((w, slots), int) for name in ("a", "b", "shape_a", "shape_b")
+            name: self._zeros((w, slots), int) for name in ("a", "b", "shape_a", "shape_b", "used")
         }
         con |= {n: self._zeros((w, slots), float) for n in ("gap", "friction", "wanted", "delay")}
         vectors = ("normal", "arm_a", "arm_b", "share", "impulse")
@@ -206,13 +206,25 @@ class Worlds:
             self._zeros((w, _POINTS), float),
             self._zeros((w,), int),
         )
-        self.sweeps = self._zeros((w, frames.n_steps if trace else 1), int)
+        steps = frames.n_steps if trace else 0
+        self.trace = _fill(
+            types.Trace(),
+            {
+                "steps": steps,
+                "awake": self._zeros((w, max(1, steps), b), int),
+                "fired": self._zeros((w, max(1, steps), max(1, p)), int),
+                "sweeps": self._zeros((w, max(1, steps)), int),
+            },
+        )
         self.deepest = self._zeros((w,), float)
         self.end = self._zeros((w,), int)
         shape = (w, frames.n_frames, b)
+        # Static bodies are never written; a trace reads them too.
+        kept = trace and [np.repeat(v[:, None], frames.n_frames, axis=1)
+                          for v in (values.position, values.quaternion)]  # fmt: skip
         self.out = (
-            self._zeros(shape, wp.vec3),
-            self._zeros(shape, wp.quat),
+            to(kept[0], wp.vec3) if kept else self._zeros(shape, wp.vec3),
+            to(kept[1], wp.quat) if kept else self._zeros(shape, wp.quat),
             self._zeros(shape, wp.vec3),
             self._zeros(shape, wp.vec3),
         )
@@ -230,7 +242,7 @@ class Worlds:
             dim=count,
             inputs=[
                 self.model, self.state, *self.raw, self.contacts, self.log, f.dt, f.n_steps,
-                f.record_every, first, self.sweeps, self.deepest, self.end, *self.out,
+                f.record_every, first, self.trace, self.deepest, self.end, *self.out,
             ],
             device=self.device,
             block_dim=64,

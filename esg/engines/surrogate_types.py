@@ -63,9 +63,11 @@ class State:
     idle: wp.array2d(dtype=int)
     inverse: wp.array2d(dtype=wp.mat33)
     """Inverse inertia in world axes."""
-    late_x: wp.array2d(dtype=wp.vec3)
-    late_r: wp.array2d(dtype=wp.vec3)
-    """What the step's motion lacks because impulses act from the time of touch on."""
+    before_v: wp.array2d(dtype=wp.vec3)
+    before_o: wp.array2d(dtype=wp.vec3)
+    """Velocities before the contacts act."""
+    delay: wp.array2d(dtype=wp.vec2)
+    """Normal impulses on a body, times the delay of each contact, and their sum."""
     touched: wp.array3d(dtype=int)
     """Step after the last one in which two bodies touched, [W, B, B]."""
     done: wp.array2d(dtype=int)
@@ -95,6 +97,23 @@ class Contacts:
     delay: wp.array2d(dtype=float)
     share: wp.array2d(dtype=wp.vec3)
     impulse: wp.array2d(dtype=wp.vec3)
+    used: wp.array2d(dtype=int)
+    """Whether the contact pressed in any sweep."""
+
+
+@wp.struct
+class Trace:
+    """Decisions of every step, for the replay that is differentiated; all empty without a trace."""
+
+    steps: int
+    """0 without a trace."""
+    awake: wp.array3d(dtype=int)
+    """[W, steps, B]"""
+    fired: wp.array3d(dtype=int)
+    """1 for a primitive that acts in a step, 2 for the last step of a hold that ends by its time,
+    [W, steps, P]."""
+    sweeps: wp.array2d(dtype=int)
+    """[W, steps]"""
 
 
 @wp.struct

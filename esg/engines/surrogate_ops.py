@@ -1,0 +1,334 @@
+"""From the trace of a rollout to a list of arithmetic operations with a place for every result.
+
+Reverse-mode differentiation needs every intermediate value. Here each change of a velocity or pose
+gets a new place ("version") in a flat array, and all decisions (which contacts press, how many
+sweeps, what the program does) are read from the trace, so that the replay is plain arithmetic.
+"""
+
+from __future__ import annotations
+
+# pyright: basic, reportGeneralTypeIssues=false, reportInvalidTypeForm=false
+import warp as wp
+
+from esg.engines.surrogate_geometry import BOX, CAPSULE, CYLINDER, SPHERE
+from esg.engines.surrogate_types import Contacts, Model, Trace
+
+wp.set_module_options({"enable_backward": False})
+
+ACT = wp.constant(0)
+FORCES = wp.constant(1)
+PREPARE = wp.constant(2)
+SOLVE = wp.constant(3)
+DELAY = wp.constant(4)
+MOVE = wp.constant(5)
+
+FROZEN_IN_A = wp.constant(1)
+BETWEEN = wp.constant(2)
+FROZEN_IN_B = wp.constant(0)
+"""How a contact's normal follows the bodies: it turns with one, or leads from core to core."""
+
+_FACE = wp.constant(0.9995)
+_SIDE = wp.constant(0.003)
+
+
+@wp.struct
+class Ops:
+    """Operations of all worlds, flat; world w owns first[w] .. first[w + 1] - 1."""
+
+    first: wp.array(dtype=int)
+    kind: wp.array(dtype=int)
+    step: wp.array(dtype=int)
+    a: wp.array(dtype=int)
+    b: wp.array(dtype=int)
+    """Bodies; for ACT `b` is the primitive. A body that impulses do not move is -1."""
+    in_a: wp.array(dtype=int)
+    in_b: wp.array(dtype=int)
+    out_a: wp.array(dtype=int)
+    out_b: wp.array(dtype=int)
+    """Versions of velocities."""
+    pose_a: wp.array(dtype=int)
+    pose_b: wp.array(dtype=int)
+    """Versions of poses; MOVE writes `pose_b`."""
+    contact: wp.array(dtype=int)
+    """Of a contact; for ACT 1 in its first step, plus 2 in the last step of a hold that ends by its
+    time; for FORCES the primitive that set the angular damping."""
+    impulse_in: wp.array(dtype=int)
+    impulse_out: wp.array(dtype=int)
+
+
+@wp.struct
+class Features:
+    """Where used contacts sit on their bodies, flat; world w starts at first[w]."""
+
+    first: wp.array(dtype=int)
+    world: wp.array(dtype=int)
+    step: wp.array(dtype=int)
+    body_a: wp.array(dtype=int)
+    body_b: wp.array(dtype=int)
+    mode: wp.array(dtype=int)
+    core_a: wp.array(dtype=wp.vec3)
+    core_b: wp.array(dtype=wp.vec3)
+    radius: wp.array(dtype=wp.vec2)
+    normal: wp.array(dtype=wp.vec3)
+    friction: wp.array(dtype=float)
+
+
+@wp.struct
+class Versions:
+    """First version of each world and the current ones while linking."""
+
+    velocity: wp.array(dtype=int)
+    pose: wp.array(dtype=int)
+    impulse: wp.array(dtype=int)
+    now_v: wp.array2d(dtype=int)
+    now_x: wp.array2d(dtype=int)
+    free_v: wp.array2d(dtype=int)
+    """Of the velocity before the contacts of the step, [W, B]."""
+    last_i: wp.array2d(dtype=int)
+    """Latest impulse version of a contact of the step, [W, C]."""
+    number: wp.array2d(dtype=int)
+    """Flat index of a contact of the step, [W, C]."""
+    acted: wp.array2d(dtype=int)
+    velocity_at: wp.array3d(dtype=int)
+    pose_at: wp.array3d(dtype=int)
+    """Versions at the start of every step, [W, steps + 1, B]."""
+
+
+@wp.func
+def _feature(model: Model, s: int, point: wp.vec3, n: wp.vec3):
+    """Core point, radius and whether a flat face touches; `point` and `n` in the shape's frame."""
+    kind = model.kind[s]
+    size = model.scale[s]
+    core = point
+    radius = float(0.0)  # noqa: UP018
+    face = int(0)  # noqa: RUF046
+    if kind == SPHERE:
+        core = wp.vec3(0.0, 0.0, 0.0)
+        radius = size[0]
+    elif kind == CAPSULE:
+        core = wp.vec3(0.0, 0.0, wp.clamp(point[2], -size[1], size[1]))
+        radius = size[0]
+    elif kind == CYLINDER:
+        if wp.abs(n[2]) > _FACE:
+            face = 1
+        elif wp.abs(n[2]) < _SIDE:
+            core = wp.vec3(0.0, 0.0, point[2])
+            radius = size[0]
+    elif kind == BOX and wp.max(wp.abs(n[0]), wp.max(wp.abs(n[1]), wp.abs(n[2]))) > _FACE:
+        face = 1
+    return core, radius, face
+
+
+@wp.func
+def _describe(
+    model: Model,
+    con: Contacts,
+    feat: Features,
+    w: int,
+    slot: int,
+    c: int,
+    step: int,
+    out_x: wp.array3d(dtype=wp.vec3),
+    out_r: wp.array3d(dtype=wp.quat),
+):
+    a = con.a[w, slot]
+    b = con.b[w, slot]
+    n = con.normal[w, slot]
+    feat.world[c] = w
+    feat.step[c] = step
+    feat.body_a[c] = a
+    feat.body_b[c] = b
+    feat.friction[c] = con.friction[w, slot]
+    sa = con.shape_a[w, slot]
+    ra = out_r[w, step, a]
+    frame = ra * model.rotation[sa]
+    local = wp.quat_rotate_inv(ra, con.arm_a[w, slot]) - model.position[sa]
+    point = wp.quat_rotate_inv(model.rotation[sa], local)
+    core, radius_a, face_a = _feature(model, sa, point, wp.quat_rotate_inv(frame, n))
+    feat.core_a[c] = model.position[sa] + wp.quat_rotate(model.rotation[sa], core)
+    mode = FROZEN_IN_B
+    normal = n
+    radius_b = float(0.0)  # noqa: UP018
+    if b < 0:
+        feat.core_b[c] = con.arm_b[w, slot]
+    else:
+        sb = con.shape_b[w, slot]
+        rb = out_r[w, step, b]
+        frame_b = rb * model.rotation[sb]
+        local_b = wp.quat_rotate_inv(rb, con.arm_b[w, slot]) - model.position[sb]
+        point_b = wp.quat_rotate_inv(model.rotation[sb], local_b)
+        core_b, r_b, face_b = _feature(model, sb, point_b, wp.quat_rotate_inv(frame_b, n))
+        radius_b = r_b
+        feat.core_b[c] = model.position[sb] + wp.quat_rotate(model.rotation[sb], core_b)
+        normal = wp.quat_rotate_inv(rb, n)
+        if face_b == 0 and face_a == 1:
+            mode = FROZEN_IN_A
+            normal = wp.quat_rotate_inv(ra, n)
+        elif face_b == 0 and radius_a + radius_b > 0.0:
+            mode = BETWEEN
+    feat.mode[c] = mode
+    feat.radius[c] = wp.vec2(radius_a, radius_b)
+    feat.normal[c] = normal
+
+
+@wp.kernel(enable_backward=False)
+def link(
+    model: Model,
+    con: Contacts,
+    trace: Trace,
+    steps: wp.array(dtype=int),
+    out_x: wp.array3d(dtype=wp.vec3),
+    out_r: wp.array3d(dtype=wp.quat),
+    ops: Ops,
+    feat: Features,
+    ver: Versions,
+):
+    """Writes the operations of one world per thread, up to step `steps[w]`."""
+    w = wp.tid()
+    q = ops.first[w]
+    c = feat.first[w]
+    zero_v = ver.velocity[w]
+    next_v = zero_v + 1 + model.n_bodies
+    next_x = ver.pose[w] + model.n_bodies
+    zero_i = ver.impulse[w]
+    next_i = zero_i + 1
+    for i in range(model.n_bodies):
+        ver.now_v[w, i] = zero_v + 1 + i
+        ver.now_x[w, i] = ver.pose[w] + i
+        ver.velocity_at[w, 0, i] = ver.now_v[w, i]
+        ver.pose_at[w, 0, i] = ver.now_x[w, i]
+    for step in range(steps[w]):
+        for k in range(model.n_primitives):
+            how = trace.fired[w, step, k]
+            if how == 0:
+                continue
+            i = model.target[k]
+            ops.kind[q] = ACT
+            ops.step[q] = step
+            ops.a[q] = i
+            ops.b[q] = k
+            ops.in_a[q] = ver.now_v[w, i]
+            ops.out_a[q] = next_v
+            ops.pose_a[q] = ver.now_x[w, i]
+            ops.contact[q] = wp.where(how == 2, 2, 0) + wp.where(ver.acted[w, k] == 0, 1, 0)
+            ver.acted[w, k] = 1
+            ver.now_v[w, i] = next_v
+            next_v += 1
+            q += 1
+        for i in range(model.n_bodies):
+            if model.dynamic[i] == 0 or trace.awake[w, step, i] == 0:
+                continue
+            damper = int(-1)  # noqa: RUF046
+            spin_damper = int(-1)  # noqa: RUF046
+            for k in range(model.n_primitives):
+                if model.action[k] == 2 and model.target[k] == i and ver.acted[w, k] != 0:
+                    if not wp.isnan(model.table[w, k, 2]):
+                        damper = k
+                    if not wp.isnan(model.table[w, k, 3]):
+                        spin_damper = k
+            ops.kind[q] = FORCES
+            ops.step[q] = step
+            ops.a[q] = i
+            ops.b[q] = damper
+            ops.contact[q] = spin_damper
+            ops.in_a[q] = ver.now_v[w, i]
+            ops.out_a[q] = next_v
+            ops.pose_a[q] = ver.now_x[w, i]
+            ver.now_v[w, i] = next_v
+            ver.free_v[w, i] = next_v
+            next_v += 1
+            q += 1
+        n_contacts = con.count[w, step]
+        for k in range(n_contacts):
+            slot = con.base * step + k
+            if con.used[w, slot] == 0:
+                continue
+            _describe(model, con, feat, w, slot, c, step, out_x, out_r)
+            ver.number[w, k] = c
+            ver.last_i[w, k] = zero_i
+            _contact_op(model, con, trace, ops, ver, w, step, slot, k, q, PREPARE)
+            q += 1
+            c += 1
+        for _sweep in range(trace.sweeps[w, step]):
+            for k in range(n_contacts):
+                slot = con.base * step + k
+                if con.used[w, slot] == 0:
+                    continue
+                _contact_op(model, con, trace, ops, ver, w, step, slot, k, q, SOLVE)
+                ops.impulse_in[q] = ver.last_i[w, k]
+                ops.impulse_out[q] = next_i
+                ver.last_i[w, k] = next_i
+                next_i += 1
+                if ops.a[q] >= 0:
+                    ops.out_a[q] = next_v
+                    ver.now_v[w, ops.a[q]] = next_v
+                    next_v += 1
+                if ops.b[q] >= 0:
+                    ops.out_b[q] = next_v
+                    ver.now_v[w, ops.b[q]] = next_v
+                    next_v += 1
+                q += 1
+        for k in range(n_contacts):
+            slot = con.base * step + k
+            if con.used[w, slot] == 0:
+                continue
+            _contact_op(model, con, trace, ops, ver, w, step, slot, k, q, DELAY)
+            ops.impulse_in[q] = ver.last_i[w, k]
+            q += 1
+        for i in range(model.n_bodies):
+            if model.dynamic[i] != 0 and trace.awake[w, step, i] != 0:
+                ops.kind[q] = MOVE
+                ops.step[q] = step
+                ops.a[q] = i
+                ops.in_a[q] = ver.now_v[w, i]
+                ops.in_b[q] = ver.free_v[w, i]
+                ops.out_a[q] = next_v
+                ops.pose_a[q] = ver.now_x[w, i]
+                ops.pose_b[q] = next_x
+                ver.now_v[w, i] = next_v
+                ver.now_x[w, i] = next_x
+                next_v += 1
+                next_x += 1
+                q += 1
+        for i in range(model.n_bodies):
+            if step + 1 < trace.awake.shape[1]:
+                rests = trace.awake[w, step + 1, i] == 0
+                if model.dynamic[i] != 0 and rests:
+                    ver.now_v[w, i] = zero_v
+            ver.velocity_at[w, step + 1, i] = ver.now_v[w, i]
+            ver.pose_at[w, step + 1, i] = ver.now_x[w, i]
+
+
+@wp.func
+def _contact_op(
+    model: Model,
+    con: Contacts,
+    trace: Trace,
+    ops: Ops,
+    ver: Versions,
+    w: int,
+    step: int,
+    slot: int,
+    k: int,
+    q: int,
+    kind: int,
+):
+    a = con.a[w, slot]
+    b = con.b[w, slot]
+    ops.kind[q] = kind
+    ops.step[q] = step
+    ops.contact[q] = ver.number[w, k]
+    ops.a[q] = -1
+    ops.b[q] = -1
+    ops.in_a[q] = ver.velocity[w]
+    ops.in_b[q] = ver.velocity[w]
+    ops.pose_a[q] = ver.now_x[w, a]
+    ops.pose_b[q] = -1
+    if model.dynamic[a] != 0 and trace.awake[w, step, a] != 0:
+        ops.a[q] = a
+        ops.in_a[q] = ver.now_v[w, a]
+    if b >= 0:
+        ops.pose_b[q] = ver.now_x[w, b]
+        if model.dynamic[b] != 0 and trace.awake[w, step, b] != 0:
+            ops.b[q] = b
+            ops.in_b[q] = ver.now_v[w, b]

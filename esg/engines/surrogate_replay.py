@@ -1,0 +1,375 @@
+"""The replay that is differentiated: one kernel of plain arithmetic, recorded by `wp.Tape`.
+
+Every function mirrors one of `esg.engines.surrogate_solver` with the decisions of the trace. Where
+an action snaps to the time step, a term of value zero carries the derivative of its true time
+("shift"), so that gradients with respect to times are those of the continuous motion.
+"""
+
+from __future__ import annotations
+
+# pyright: basic, reportGeneralTypeIssues=false, reportInvalidTypeForm=false
+import warp as wp
+
+from esg.engines.surrogate_ops import Features, Ops
+from esg.engines.surrogate_types import Model
+
+wp.set_module_options({"enable_backward": True})
+
+_RESTITUTION_THRESHOLD = wp.constant(0.2)
+_SLOP = wp.constant(0.0005)
+_PUSH = wp.constant(0.1)
+_PUSH_MPS = wp.constant(0.5)
+
+
+@wp.func
+def _turned(inertia: wp.mat33, r: wp.quat) -> wp.mat33:
+    m = wp.quat_to_matrix(r)
+    return m @ inertia @ wp.transpose(m)
+
+
+@wp.func
+def _tangent(n: wp.vec3) -> wp.vec3:
+    steep = wp.abs(n[0]) > 0.7
+    t = wp.where(steep, wp.vec3(n[1], -n[0], 0.0), wp.vec3(0.0, -n[2], n[1]))
+    return wp.normalize(t)
+
+
+@wp.func
+def _act(
+    model: Model,
+    w: int,
+    k: int,
+    i: int,
+    step: int,
+    how: int,
+    dt: wp.float64,
+    table: wp.array3d(dtype=wp.float64),
+    frozen: wp.array3d(dtype=wp.float64),
+    vin: int,
+    vout: int,
+    pose: int,
+    V: wp.array(dtype=wp.vec3),
+    O: wp.array(dtype=wp.vec3),  # noqa: E741
+    shift: wp.array(dtype=wp.vec3),
+):
+    kind = model.action[k]
+    late = table[w, k, 0] - frozen[w, k, 0]
+    v = V[vin]
+    o = O[vin]
+    if kind == 2:
+        more = table[w, k, 2]
+        gain = wp.float64(0.0)
+        if not wp.isnan(more):
+            gain = frozen[w, k, 2] * late
+        V[vout] = v * (1.0 + float(gain))
+        O[vout] = o
+    elif kind == 3:
+        s = wp.float64(step) * dt - table[w, k, 0]
+        if how >= 2:
+            s = s + table[w, k, 1] - frozen[w, k, 1]
+        speed = wp.max(wp.float64(0.0), table[w, k, 2] + table[w, k, 4] * s)
+        if table[w, k, 4] > wp.float64(0.0):
+            speed = wp.min(speed, table[w, k, 5])
+        heading = table[w, k, 3] + table[w, k, 6] * s
+        vx = float(speed * wp.cos(heading))
+        vy = float(speed * wp.sin(heading))
+        radius = float(table[w, k, 7])
+        new = wp.vec3(vx, vy, v[2])
+        V[vout] = new
+        if radius != 0.0:
+            O[vout] = wp.vec3(-vy / radius, vx / radius, 0.0)
+        else:
+            O[vout] = wp.vec3(0.0, 0.0, float(table[w, k, 6]))
+        if how == 1 or how == 3:
+            wp.atomic_add(shift, pose, (v - new) * float(late))
+    else:
+        a = wp.vec3(float(table[w, k, 2]), float(table[w, k, 3]), float(table[w, k, 4]))
+        if kind == 0:
+            V[vout] = a
+            if wp.isnan(frozen[w, k, 5]):
+                O[vout] = o
+            else:
+                O[vout] = wp.vec3(
+                    float(table[w, k, 5]), float(table[w, k, 6]), float(table[w, k, 7])
+                )
+            wp.atomic_add(shift, pose, (v - a) * float(late))
+        else:
+            V[vout] = v + a / model.mass[w, i]
+            wp.atomic_add(shift, pose, a * (-float(late) / model.mass[w, i]))
+
+
+@wp.func
+def _forces(
+    model: Model,
+    w: int,
+    i: int,
+    damper: int,
+    spin_damper: int,
+    dt: float,
+    table: wp.array3d(dtype=wp.float64),
+    damping: wp.array2d(dtype=wp.vec2),
+    vin: int,
+    vout: int,
+    pose: int,
+    V: wp.array(dtype=wp.vec3),
+    O: wp.array(dtype=wp.vec3),  # noqa: E741
+    R: wp.array(dtype=wp.quat),
+    inverse: wp.array(dtype=wp.mat33),
+):
+    if damper >= 0:
+        V[vout] = (V[vin] + model.gravity * dt) * wp.max(0.0, 1.0 - float(table[w, damper, 2]) * dt)
+    else:
+        V[vout] = (V[vin] + model.gravity * dt) * wp.max(0.0, 1.0 - damping[w, i][0] * dt)
+    if spin_damper >= 0:
+        O[vout] = O[vin] * wp.max(0.0, 1.0 - float(table[w, spin_damper, 3]) * dt)
+    else:
+        O[vout] = O[vin] * wp.max(0.0, 1.0 - damping[w, i][1] * dt)
+    inverse[pose] = _turned(model.inverse_inertia[i] * (1.0 / model.factor[w, i]), R[pose])
+
+
+@wp.func
+def _yields(mass: float, inverse: wp.mat33, arm: wp.vec3, n: wp.vec3) -> float:
+    c = wp.cross(arm, n)
+    return 1.0 / mass + wp.dot(c, inverse @ c)
+
+
+@wp.func
+def _prepare(
+    model: Model,
+    feat: Features,
+    w: int,
+    c: int,
+    a: int,
+    b: int,
+    va: int,
+    vb: int,
+    pa: int,
+    pb: int,
+    dt: float,
+    V: wp.array(dtype=wp.vec3),
+    O: wp.array(dtype=wp.vec3),  # noqa: E741
+    X: wp.array(dtype=wp.vec3),
+    R: wp.array(dtype=wp.quat),
+    inverse: wp.array(dtype=wp.mat33),
+    normal: wp.array(dtype=wp.vec3),
+    arm_a: wp.array(dtype=wp.vec3),
+    arm_b: wp.array(dtype=wp.vec3),
+    wanted: wp.array(dtype=float),
+    delay: wp.array(dtype=float),
+    share: wp.array(dtype=wp.vec3),
+):
+    radius = feat.radius[c]
+    core_a = wp.quat_rotate(R[pa], feat.core_a[c])
+    at_a = X[pa] + core_a
+    core_b = feat.core_b[c]
+    at_b = feat.core_b[c]
+    n = feat.normal[c]
+    body_b = feat.body_b[c]
+    restitution = model.ground[w][2]
+    if body_b >= 0:
+        restitution = model.restitution[w, body_b]
+        core_b = wp.quat_rotate(R[pb], feat.core_b[c])
+        at_b = X[pb] + core_b
+        if feat.mode[c] == 0:
+            n = wp.quat_rotate(R[pb], feat.normal[c])
+        elif feat.mode[c] == 1:
+            n = wp.quat_rotate(R[pa], feat.normal[c])
+        else:
+            n = wp.normalize(at_a - at_b)
+    restitution = 0.5 * (restitution + model.restitution[w, feat.body_a[c]])
+    gap = wp.dot(n, at_a - at_b) - radius[0] - radius[1]
+    one = core_a - n * radius[0]
+    two = core_b + n * radius[1]
+    u = V[va] + wp.cross(O[va], one) - V[vb] - wp.cross(O[vb], two)
+    approach = wp.dot(n, u)
+    normal[c] = n
+    arm_a[c] = one
+    arm_b[c] = two
+    if approach < -_RESTITUTION_THRESHOLD and gap + approach * dt < 0.0:
+        if gap > 0.0:
+            wanted[c] = -restitution * approach
+            delay[c] = -gap / approach
+        else:
+            push = wp.min(_PUSH * wp.max(-gap - _SLOP, 0.0) / dt, _PUSH_MPS)
+            wanted[c] = wp.max(-restitution * approach, push)
+    elif gap < 0.0:
+        wanted[c] = wp.min(_PUSH * wp.max(-gap - _SLOP, 0.0) / dt, _PUSH_MPS)
+    else:
+        wanted[c] = -gap / dt
+    t1 = _tangent(n)
+    t2 = wp.cross(n, t1)
+    if a >= 0 and b >= 0:
+        share[c] = wp.vec3(
+            1.0 / (_yields(model.mass[w, a], inverse[pa], one, n)
+                   + _yields(model.mass[w, b], inverse[pb], two, n)),
+            1.0 / (_yields(model.mass[w, a], inverse[pa], one, t1)
+                   + _yields(model.mass[w, b], inverse[pb], two, t1)),
+            1.0 / (_yields(model.mass[w, a], inverse[pa], one, t2)
+                   + _yields(model.mass[w, b], inverse[pb], two, t2)),
+        )  # fmt: skip
+    elif a >= 0:
+        share[c] = wp.vec3(
+            1.0 / _yields(model.mass[w, a], inverse[pa], one, n),
+            1.0 / _yields(model.mass[w, a], inverse[pa], one, t1),
+            1.0 / _yields(model.mass[w, a], inverse[pa], one, t2),
+        )
+    else:
+        share[c] = wp.vec3(
+            1.0 / _yields(model.mass[w, b], inverse[pb], two, n),
+            1.0 / _yields(model.mass[w, b], inverse[pb], two, t1),
+            1.0 / _yields(model.mass[w, b], inverse[pb], two, t2),
+        )
+
+
+@wp.func
+def _solve(
+    model: Model,
+    feat: Features,
+    w: int,
+    c: int,
+    a: int,
+    b: int,
+    va: int,
+    vb: int,
+    out_a: int,
+    out_b: int,
+    pa: int,
+    pb: int,
+    jin: int,
+    jout: int,
+    V: wp.array(dtype=wp.vec3),
+    O: wp.array(dtype=wp.vec3),  # noqa: E741
+    J: wp.array(dtype=wp.vec3),
+    inverse: wp.array(dtype=wp.mat33),
+    normal: wp.array(dtype=wp.vec3),
+    arm_a: wp.array(dtype=wp.vec3),
+    arm_b: wp.array(dtype=wp.vec3),
+    wanted: wp.array(dtype=float),
+    share: wp.array(dtype=wp.vec3),
+):
+    n = normal[c]
+    one = arm_a[c]
+    two = arm_b[c]
+    part = share[c]
+    old = J[jin]
+    u = V[va] + wp.cross(O[va], one) - V[vb] - wp.cross(O[vb], two)
+    t1 = _tangent(n)
+    t2 = wp.cross(n, t1)
+    along = wp.max(0.0, old[0] + part[0] * (wanted[c] - wp.dot(n, u)))
+    p1 = old[1] - part[1] * wp.dot(t1, u)
+    p2 = old[2] - part[2] * wp.dot(t2, u)
+    most = feat.friction[c] * along
+    size2 = p1 * p1 + p2 * p2
+    if size2 > most * most:
+        scale = most / wp.sqrt(size2)
+        J[jout] = wp.vec3(along, p1 * scale, p2 * scale)
+    else:
+        J[jout] = wp.vec3(along, p1, p2)
+    d = J[jout] - old
+    p = n * d[0] + t1 * d[1] + t2 * d[2]
+    if a >= 0:
+        V[out_a] = V[va] + p / model.mass[w, a]
+        O[out_a] = O[va] + inverse[pa] @ wp.cross(one, p)
+    if b >= 0:
+        V[out_b] = V[vb] - p / model.mass[w, b]
+        O[out_b] = O[vb] - inverse[pb] @ wp.cross(two, p)
+
+
+@wp.func
+def _move(
+    model: Model,
+    i: int,
+    dt: float,
+    vend: int,
+    vfree: int,
+    vout: int,
+    pin: int,
+    pout: int,
+    V: wp.array(dtype=wp.vec3),
+    O: wp.array(dtype=wp.vec3),  # noqa: E741
+    X: wp.array(dtype=wp.vec3),
+    R: wp.array(dtype=wp.quat),
+    late: wp.array(dtype=wp.vec2),
+    shift: wp.array(dtype=wp.vec3),
+):
+    sums = late[pin]
+    wait = wp.where(sums[1] > 0.0, sums[0] / wp.max(sums[1], 1.0e-20), 0.0)
+    X[pout] = X[pin] + V[vend] * (dt - wait) + V[vfree] * wait + shift[pin]
+    V[vout] = V[vend]
+    turn = O[vend] * (dt - wait) + O[vfree] * wait
+    angle2 = wp.dot(turn, turn)
+    if angle2 > 1.0e-12:
+        angle = wp.sqrt(angle2)
+        part = wp.sin(0.5 * angle) / angle
+        q = wp.quat(turn[0] * part, turn[1] * part, turn[2] * part, wp.cos(0.5 * angle))
+        R[pout] = wp.normalize(q * R[pin])
+    else:
+        q0 = wp.quat(0.5 * turn[0], 0.5 * turn[1], 0.5 * turn[2], 1.0)
+        R[pout] = wp.normalize(q0 * R[pin])
+    spin = _turned(model.inertia[i], R[pin]) @ O[vend]
+    O[vout] = _turned(model.inverse_inertia[i], R[pout]) @ spin
+
+
+@wp.kernel
+def replay(
+    model: Model,
+    ops: Ops,
+    feat: Features,
+    dt: wp.float64,
+    table: wp.array3d(dtype=wp.float64),
+    frozen: wp.array3d(dtype=wp.float64),
+    damping: wp.array2d(dtype=wp.vec2),
+    V: wp.array(dtype=wp.vec3),
+    O: wp.array(dtype=wp.vec3),  # noqa: E741
+    X: wp.array(dtype=wp.vec3),
+    R: wp.array(dtype=wp.quat),
+    J: wp.array(dtype=wp.vec3),
+    inverse: wp.array(dtype=wp.mat33),
+    late: wp.array(dtype=wp.vec2),
+    shift: wp.array(dtype=wp.vec3),
+    normal: wp.array(dtype=wp.vec3),
+    arm_a: wp.array(dtype=wp.vec3),
+    arm_b: wp.array(dtype=wp.vec3),
+    wanted: wp.array(dtype=float),
+    delay: wp.array(dtype=float),
+    share: wp.array(dtype=wp.vec3),
+):
+    """Executes the operations of one world per thread."""
+    w = wp.tid()
+    h = float(dt)
+    for q in range(ops.first[w], ops.first[w + 1]):
+        kind = ops.kind[q]
+        a = ops.a[q]
+        b = ops.b[q]
+        c = ops.contact[q]
+        va = ops.in_a[q]
+        vb = ops.in_b[q]
+        pa = ops.pose_a[q]
+        pb = ops.pose_b[q]
+        if kind == 3:
+            _solve(
+                model, feat, w, c, a, b, va, vb, ops.out_a[q], ops.out_b[q], pa, pb,
+                ops.impulse_in[q], ops.impulse_out[q], V, O, J, inverse, normal, arm_a, arm_b,
+                wanted, share,
+            )  # fmt: skip
+        elif kind == 5:
+            _move(model, a, h, va, vb, ops.out_a[q], pa, pb, V, O, X, R, late, shift)
+        elif kind == 1:
+            _forces(model, w, a, b, c, h, table, damping, va, ops.out_a[q], pa, V, O, R, inverse)
+        elif kind == 2:
+            _prepare(
+                model, feat, w, c, a, b, va, vb, pa, pb, h, V, O, X, R, inverse, normal, arm_a,
+                arm_b, wanted, delay, share,
+            )  # fmt: skip
+        elif kind == 4:
+            push = J[ops.impulse_in[q]][0]
+            weight = wp.vec2(push * delay[c], push)
+            if a >= 0:
+                wp.atomic_add(late, pa, weight)
+            if b >= 0:
+                wp.atomic_add(late, pb, weight)
+        else:
+            _act(
+                model, w, b, a, ops.step[q], c, dt, table, frozen, va, ops.out_a[q], pa, V, O,
+                shift,
+            )  # fmt: skip
