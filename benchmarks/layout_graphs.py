@@ -253,7 +253,7 @@ def generate(seed: int, count: int | None = None, density: float = 1.2) -> EsgDo
     true = [
         e
         for k, e in enumerate(pool)
-        if binary_violation(trial, problem, world, base + k, e)[0] <= 0
+        if binary_violation(problem, world, base + k, e)[0] <= 0
     ]
     # rare relations (near, adjacent, face) count as much as the common directional ones
     kinds = sorted({e.relation_type.value for e in true})

@@ -19,7 +19,6 @@ from esg.layout import terms
 from esg.layout.edges import AXES, CARDINAL
 from esg.layout.problem import LayoutProblem
 from esg.layout.shapes import CIRCLE, Footprint
-from esg.layout.supports import ground_nodes
 from esg.layout.units import Pose2, compose, inverse
 
 TOUCH_CM = 0.05
@@ -209,8 +208,23 @@ def _rests(problem: LayoutProblem, world: World, a: str, b: str) -> float:
     return max(x0 + hx - x, x - hx * -1 - x1, y0 + hy - y, y + hy - y1, 0.0)
 
 
+def held_by_support(problem: LayoutProblem, e: BinaryRelation) -> tuple[float, str] | None:
+    """Violation and note of a support relation where they do not depend on poses, else None."""
+    s = problem.supports.of[e.from_]
+    if any(u.z_cm and e.from_ in u.z_cm for u in problem.units):
+        return 0.0, "starts in the air as planned"
+    if s.parent is None and s.kind == "ground" and s.rect is None:
+        if e.to in problem.ground:
+            return 0.0, ""
+        return math.inf, f"does not rest on {e.to}"
+    on_chain = s.parent is None or s.parent == e.to or e.to in problem.supports.chain(e.from_)
+    if not on_chain and e.to in problem.ground:
+        return 0.0, ""
+    return None
+
+
 def binary_violation(
-    doc: EsgDocument, problem: LayoutProblem, world: World, k: int, e: BinaryRelation
+    problem: LayoutProblem, world: World, k: int, e: BinaryRelation
 ) -> tuple[float, str]:
     """How far a relation is from holding (0 holds), and a note; unit cm, or degrees for face."""
     if e.from_ not in problem.shape or e.to not in problem.shape:
@@ -218,28 +232,15 @@ def binary_violation(
     if e.from_ == e.to:
         return math.inf, "relates an object to itself"
     kind = e.relation_type
-    if kind not in HARD and e.cardinal is None and {e.from_, e.to} & set(ground_nodes(doc)):
+    if kind not in HARD and e.cardinal is None and {e.from_, e.to} & problem.ground:
         return 0.0, "the ground is everywhere"
     pa, pb = world.pose[e.from_], world.pose[e.to]
-    mine = [t for t in problem.terms if t.source == f"b{k}"]
-    if kind in (RelationType.ON, RelationType.INSIDE_OF, RelationType.ATTACHED_VERTICAL,
-                RelationType.ATTACHED_HORIZONTAL):  # fmt: skip
-        s = problem.supports.of[e.from_]
-        airborne = any(e.from_ in u.z_cm for u in problem.units)
-        if airborne:
-            return 0.0, "starts in the air as planned"
-        ground = s.parent is None and s.kind == "ground"
-        if ground and problem.shape[e.to].config is not None and s.rect is None:
-            if e.to in ground_nodes(doc):
-                return 0.0, ""
-            return math.inf, f"does not rest on {e.to}"
-        if (
-            s.parent is not None
-            and s.parent != e.to
-            and e.to not in problem.supports.chain(e.from_)
-        ) and e.to in ground_nodes(doc):
-            return 0.0, ""
-        return _rests(problem, world, e.from_, e.to), s.note
+    mine = problem.terms_of.get(f"b{k}", [])
+    if kind in HARD:
+        held = held_by_support(problem, e)
+        if held is not None:
+            return held
+        return _rests(problem, world, e.from_, e.to), problem.supports.of[e.from_].note
     if kind in AXES:
         axis, sign = AXES[kind]
         d = sign * (pa[axis] - pb[axis])
@@ -291,9 +292,7 @@ def multi_violation(
     unknown = [n for n in (*m.subjects, *m.targets) if n not in problem.shape]
     if unknown:
         return math.inf, f"names unknown objects {unknown}"
-    for t in problem.terms:
-        if t.source != f"m{k}":
-            continue
+    for t in problem.terms_of.get(f"m{k}", []):
         a = world.pose[t.nodes[0]]
         b = world.pose[t.nodes[1]] if t.nodes[1] is not None else (0.0, 0.0, 0.0)
         if t.kind == terms.SLOT:
@@ -318,6 +317,14 @@ def _is_planned(problem: LayoutProblem, a: str, b: str) -> bool:
     return any(u.is_planned and a in u.members and b in u.members for u in problem.units)
 
 
+def edge_names(edge: BinaryRelation | MultiRelation) -> tuple[str, str]:
+    """An edge as text, and its relation."""
+    kind = edge.relation_type.value
+    if isinstance(edge, BinaryRelation):
+        return f"{edge.from_} {kind} {edge.to}", kind
+    return f"{','.join(edge.subjects)} {kind} {','.join(edge.targets)}".strip(), kind
+
+
 def relation_reports(
     doc: EsgDocument, problem: LayoutProblem, world: World
 ) -> tuple[RelationReport, ...]:
@@ -325,20 +332,17 @@ def relation_reports(
     edges = doc.spatial_relation_graph.edges
     out = []
     for k, e in enumerate(edges.binary_relations):
-        v, note = binary_violation(doc, problem, world, k, e)
+        v, note = binary_violation(problem, world, k, e)
         if v > 0 and _is_planned(problem, e.from_, e.to):
             note = f"{note}; held by the planned start".removeprefix("; ")
-        out.append(
-            _report(f"{e.from_} {e.relation_type.value} {e.to}", e.relation_type.value, v, note)
-        )
+        out.append(report(*edge_names(e), v, note))
     for k, m in enumerate(edges.multi_relations):
-        v, note = multi_violation(problem, world, k, m)
-        name = f"{','.join(m.subjects)} {m.relation_type.value} {','.join(m.targets)}".strip()
-        out.append(_report(name, m.relation_type.value, v, note))
+        out.append(report(*edge_names(m), *multi_violation(problem, world, k, m)))
     return tuple(out)
 
 
-def _report(edge: str, kind: str, violation: float, note: str) -> RelationReport:
+def report(edge: str, kind: str, violation: float, note: str) -> RelationReport:
+    """How one relation came out; a violation of infinity is reported as 10^9."""
     finite = min(violation, 1e9)
     return RelationReport(
         edge=edge,

@@ -115,8 +115,10 @@ def unit_domains(
         ]  # fmt: skip
         middle = int(np.argmax(sizes)) if sizes and max(sizes) > 0 else -1
     box, anchor, centre, free, pose, step = [], [], [], [], [], []
+    facing = {t.nodes[0] for t in rel_terms if t.kind == terms.FACE}
     for u, unit in enumerate(units):
         first = next(iter(unit.members))
+        related = any(rel_terms[k].source for k in unit_edges[u])
         single = len(unit.members) == 1
         s = supports.of[first]
         rect = s.rect if (unit.parent is not None or s.parent is None) else None
@@ -150,7 +152,7 @@ def unit_domains(
         else:
             # unconstrained objects spread out instead of crowding in the middle
             ax, ay = rng.uniform(-0.6, 0.6, 2)
-            if unit.parent is None and any(rel_terms[k].source for k in unit_edges[u]):
+            if unit.parent is None and related:
                 ax, ay = 0.25 * ax, 0.25 * ay
             anchor.append((cx + ax * hx, cy + ay * hy, 0.3, 10.0))
         if not unit.is_planned and unit.parent is None:
@@ -159,17 +161,17 @@ def unit_domains(
 
         if single and s.yaw_fixed:
             f[2] = False
-        turns = any(t.kind == terms.FACE and t.nodes[0] in unit.members for t in rel_terms)
+        turns = not facing.isdisjoint(unit.members)
         if single and shape[first].is_round and not turns:
             f[2] = False
-        related = any(rel_terms[k].source for k in unit_edges[u])
         if first in ground or (single and shape[first].is_decal and not related):
             f, p = [False, False, False], [0.0, 0.0, 0.0]
         centre.append(middle_at)
         free.append(f)
         pose.append(p)
         sizes = [min(shape[n].hx, shape[n].hy) for n in unit.members]
-        step.append(min(max(0.1 * float(np.mean(sizes)), 0.3), 8.0))
+        size = float(np.mean(sizes)) if len(sizes) > 1 else sizes[0]
+        step.append(min(max(0.1 * size, 0.3), 8.0))
     return Domains(
         np.asarray(box, np.float32).reshape(-1, 4),
         np.asarray(anchor, np.float32).reshape(-1, 4),

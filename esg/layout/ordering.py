@@ -63,16 +63,21 @@ def implied_faces(doc: EsgDocument) -> list[tuple[str, str]]:
     graph = doc.spatial_relation_graph
     facing = {e.from_ for e in graph.edges.binary_relations if e.relation_type is RelationType.FACE}
 
-    def words(n: str) -> set[str]:
-        c = doc.asset_configurations[graph.nodes[n].asset_id]
-        return set(f"{c.category} {n}".lower().replace("_", " ").replace("-", " ").split())
+    seats, faced = set(), set()
+    for n, node in graph.nodes.items():
+        c = doc.asset_configurations[node.asset_id]
+        words = set(f"{c.category} {n}".lower().replace("_", " ").replace("-", " ").split())
+        if words & set(SEATS):
+            seats.add(n)
+        elif words & set(FACED):
+            faced.add(n)
 
     out = []
     for e in graph.edges.binary_relations:
         for a, b in ((e.from_, e.to), (e.to, e.from_)):
             if a not in graph.nodes or b not in graph.nodes or a in facing:
                 continue
-            if words(a) & set(SEATS) and words(b) & set(FACED) and not words(b) & set(SEATS):
+            if a in seats and b in faced:
                 facing.add(a)
                 out.append((a, b))
     return out

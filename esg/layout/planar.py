@@ -3,7 +3,6 @@
 Arrays of all scenes of a batch are concatenated; node, unit, edge and pair indices are global.
 """
 
-
 from __future__ import annotations
 
 import warp as wp

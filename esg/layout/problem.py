@@ -28,7 +28,8 @@ class LayoutProblem:
     """Arrays of one scene (lengths in cm, angles in rad).
 
     `names` lists the real nodes; nodes beyond them are corridors of planned motion. Units are in
-    placement order (parents and what others depend on first); node indices are local.
+    placement order (parents and what others depend on first); node indices are local. `ground` are
+    the nodes that are the ground itself, `terms_of` the terms of each relation.
     """
 
     names: tuple[str, ...]
@@ -38,6 +39,8 @@ class LayoutProblem:
     terms: tuple[Term, ...]
     obstacles: tuple[Obstacle, ...]
     notes: tuple[str, ...]
+    ground: frozenset[str]
+    terms_of: dict[str, list[Term]]
     node_unit: np.ndarray
     node_rel: np.ndarray
     node_z: np.ndarray
@@ -77,12 +80,11 @@ def build_problem(doc: EsgDocument, seed: int, hints: StartHints | None) -> Layo
         seed: Seeds scatter patterns only.
         hints: Planned starts.
     """
-    rng = np.random.default_rng([seed, 77])
     graph = doc.spatial_relation_graph
     names = list(graph.nodes)
     shape = shapes(doc)
     supports = find_supports(doc, shape)
-    builder = UnitBuilder(doc, shape, supports, hints, rng)
+    builder = UnitBuilder(doc, shape, supports, hints, seed)
     units = builder.build()
     notes = list(builder.notes) + [f"{k}: {v}" for k, v in supports.notes.items()]
     z = heights(doc, builder, supports, shape)
@@ -230,6 +232,10 @@ def _arrays(
         ground,
         np.random.default_rng([seed, 78]),
     )
+    terms_of: dict[str, list[Term]] = {}
+    for t in rel_terms:
+        if t.source:
+            terms_of.setdefault(t.source, []).append(t)
     flat = [p for ps in prims for p in ps]
     table = np.asarray(flat, np.float32).reshape(-1, 8)
     return LayoutProblem(
@@ -240,6 +246,8 @@ def _arrays(
         terms=tuple(rel_terms),
         obstacles=tuple(blocked),
         notes=tuple(notes),
+        ground=frozenset(ground),
+        terms_of=terms_of,
         node_unit=np.asarray(node_unit, np.int32),
         node_rel=np.asarray(node_rel, np.float32).reshape(-1, 3),
         node_z=np.asarray(node_z, np.float32),

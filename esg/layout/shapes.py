@@ -13,6 +13,7 @@ import numpy as np
 from esg.graph.models import AssetConfiguration, Proxy, ProxyKind
 
 CIRCLE, RECTANGLE = 0, 1
+UPRIGHT = (0.0, 0.0, 0.0, 1.0)
 
 
 @dataclass(frozen=True)
@@ -50,6 +51,8 @@ def footprint(proxy: Proxy) -> Footprint:
     sx, sy, sz = proxy.size_cm
     if proxy.kind is ProxyKind.SPHERE:
         return Footprint(CIRCLE, px, py, 0.0, sx, sx, pz - sx, pz + sx, True)
+    if proxy.kind is ProxyKind.BOX and proxy.orientation_xyzw == UPRIGHT:
+        return Footprint(RECTANGLE, px, py, 0.0, sx, sy, pz - sz, pz + sz)
     rot = rotation(proxy.orientation_xyzw)
     upright = abs(rot[2, 2]) > 0.9999
     if proxy.kind in (ProxyKind.CYLINDER, ProxyKind.CAPSULE):
@@ -96,16 +99,17 @@ def footprints(config: AssetConfiguration) -> tuple[Footprint, ...]:
     return tuple(footprint(p) for p in config.proxies)
 
 
-def bounds(config: AssetConfiguration) -> tuple[float, float, float, bool]:
+def bounds(
+    config: AssetConfiguration, shapes: tuple[Footprint, ...]
+) -> tuple[float, float, float, bool]:
     """Returns (half x, half y, height, is round) of an asset's footprint about its origin [cm]."""
     hx, hy, height = (
         max(0.05, 0.5 * config.dimensions_cm[0]),
         max(0.05, 0.5 * config.dimensions_cm[1]),
         max(0.0, config.dimensions_cm[2]),
     )
-    shapes = footprints(config)
     for s in shapes:
-        c, n = abs(np.cos(s.yaw)), abs(np.sin(s.yaw))
+        c, n = (abs(np.cos(s.yaw)), abs(np.sin(s.yaw))) if s.yaw else (1.0, 0.0)
         ex, ey = (s.hx, s.hx) if s.kind == CIRCLE else (s.hx * c + s.hy * n, s.hx * n + s.hy * c)
         hx, hy = max(hx, abs(s.x) + ex), max(hy, abs(s.y) + ey)
     is_round = (

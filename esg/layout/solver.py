@@ -9,13 +9,14 @@ from typing import Any
 
 import numpy as np
 
-from esg.graph.models import EsgDocument, LayoutResult, Pose, Provenance
+from esg.graph.models import EsgDocument, LayoutResult, Pose, Provenance, RelationReport
 from esg.layout.check import World, intrusions, penetrations, relation_reports, world_poses
 from esg.layout.clock import Clock
 from esg.layout.config import LayoutConfig
 from esg.layout.hints import StartHints
 from esg.layout.join import join
 from esg.layout.problem import LayoutProblem, build_problem
+from esg.layout.screen import Screen, build_screen, passing
 from esg.layout.search import EvaluateRequest, Request, SearchRequest, SearchResult, answer, batches
 from esg.outcomes import UserError
 
@@ -35,6 +36,8 @@ class Found:
     result: SearchResult
     start: int
     energy: tuple[float, ...]
+    reports: tuple[RelationReport, ...] | None = None
+    """Of a layout without any fault; None leaves them to the detailed check."""
 
 
 def solve(
@@ -169,8 +172,8 @@ def solve_steps(
             searched = yield request
             clock.start()
             results = searched.split(request.unit_count, request.config.starts)
-            for i, result in zip(members, results, strict=True):
-                found = _choose(docs[i], problems[i], result)
+            chosen = _choose_all(docs, problems, members, results)
+            for i, found in zip(members, chosen, strict=True):
                 current = best[i]
                 if current is None or found.score < current.score:
                     best[i] = found
@@ -258,6 +261,37 @@ def _emphasize(doc: EsgDocument, problem: LayoutProblem, found: Found | None) ->
     return replace(problem, edge_w=weight.astype(np.float32))
 
 
+def _choose_all(
+    docs: Sequence[EsgDocument],
+    problems: list[LayoutProblem],
+    members: list[int],
+    results: list[SearchResult],
+) -> list[Found]:
+    """The best start of every scene: the lowest one where it has no fault, else see `_choose`."""
+    out: list[Found | None] = [None] * len(members)
+    screens: list[Screen] = []
+    firsts: list[tuple[int, Found]] = []
+    for k, (i, result) in enumerate(zip(members, results, strict=True)):
+        screen = build_screen(docs[i], problems[i])
+        if screen is None:
+            continue
+        total = result.energy.sum(1)
+        start = int(np.argmin(np.where(np.isfinite(total), total, np.inf)))
+        world = world_poses(problems[i], result.units[start])
+        energy = tuple(result.energy[start].tolist())
+        score = (0.0, 0.0, float(total[start]))
+        screens.append(screen)
+        firsts.append((k, Found(score, world, result, start, energy, screen.reports)))
+    poses = [np.array([f.world.pose[n] for n in problems[members[k]].names]) for k, f in firsts]
+    for (k, found), good in zip(firsts, passing(screens, poses).tolist(), strict=True):
+        if good:
+            out[k] = found
+    return [
+        found if found is not None else _choose(docs[i], problems[i], result)
+        for found, i, result in zip(out, members, results, strict=True)
+    ]
+
+
 def _choose(doc: EsgDocument, problem: LayoutProblem, result: SearchResult) -> Found:
     """The best start: fewest hard faults, then most relations, then least energy."""
     total = result.energy.sum(1)
@@ -309,8 +343,9 @@ def _reason(
 def _result(doc: EsgDocument, problem: LayoutProblem, found: Found) -> LayoutResult:
     """What the document says about its layout."""
     world, result, k = found.world, found.result, found.start
-    deep = penetrations(problem, world)
-    reports = relation_reports(doc, problem, world)
+    fine = found.reports is not None
+    deep = [] if fine else penetrations(problem, world)
+    reports = found.reports if fine else relation_reports(doc, problem, world)
     hard = [
         f"{r.edge} does not hold{': ' + r.note if r.note else ''}"
         for r in reports
@@ -318,7 +353,8 @@ def _result(doc: EsgDocument, problem: LayoutProblem, found: Found) -> LayoutRes
     ]
     bad = [d for d in deep if d[0] >= MAX_PENETRATION_CM]
     supports = [f"{n} {s.note}" for n, s in problem.supports.of.items() if s.note]
-    blocked = [f"{n} stands in {label}" for _, n, label in intrusions(problem, world)]
+    blocked = [] if fine else intrusions(problem, world)
+    blocked = [f"{n} stands in {label}" for _, n, label in blocked]
     feasible = not bad and not hard and not supports and not blocked
     reason = _reason(doc, problem, bad, [*hard, *supports, *blocked])
     (x0, y0, _), (x1, y1, _) = doc.scene_definition.coordinate_system.world_bounds_cm

@@ -65,7 +65,7 @@ class Shape:
 def shape_of(config: AssetConfiguration) -> Shape:
     """Measures an asset once."""
     prims = footprints(config)
-    hx, hy, height, is_round = bounds(config)
+    hx, hy, height, is_round = bounds(config, prims)
     return Shape(config, prims, hx, hy, height, is_round, min((p.z0 for p in prims), default=0.0))
 
 

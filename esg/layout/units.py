@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cached_property
 import itertools
 import math
 
@@ -74,12 +75,12 @@ class UnitBuilder:
         shape: dict[str, Shape],
         supports: SupportMap,
         hints: StartHints | None,
-        rng: np.random.Generator,
+        seed: int,
     ) -> None:
         self.doc = doc
         self.shape = shape
         self.supports = supports
-        self.rng = rng
+        self.seed = seed
         self.hints = hints or StartHints()
         self.groups = group_members(doc)
         self.nodes = doc.spatial_relation_graph.nodes
@@ -87,6 +88,11 @@ class UnitBuilder:
         self.units: list[Unit] = []
         self.notes: list[str] = []
         self.stacked: dict[str, str] = {}
+
+    @cached_property
+    def rng(self) -> np.random.Generator:
+        """Source of scatter patterns, which few scenes have."""
+        return np.random.default_rng([self.seed, 77])
 
     def build(self) -> list[Unit]:
         """Returns all units; ground nodes are fixed at the origin."""
