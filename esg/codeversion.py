@@ -17,7 +17,7 @@ _SIMULATION = ("engines", "dynamics")
 
 SOURCES: dict[str, tuple[str, ...]] = {
     "draft": ("draft",),
-    "resolve": ("assets",),
+    "resolve": ("assets", "dynamics"),
     "layout": ("layout", "dynamics", "assets"),
     "optimize": (*_SIMULATION, "layout"),
     "compile": ("compile", "engines", "dynamics", "assets", "metrics"),

@@ -130,8 +130,9 @@ def _draft(state: SceneState, folder: Path) -> None:
 
 def _resolve(state: SceneState, folder: Path) -> None:
     from esg.assets import resolve
+    from esg.dynamics import fit_assets
 
-    _write_doc(resolve(load_doc(state, "draft"), seed=state.request.seed), folder)
+    _write_doc(fit_assets(resolve(load_doc(state, "draft"), seed=state.request.seed)), folder)
 
 
 def _layout(state: SceneState, folder: Path) -> None:

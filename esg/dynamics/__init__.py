@@ -17,6 +17,16 @@ def build_scene(doc: EsgDocument) -> SimScene:
     return run(doc)
 
 
+def fit_assets(doc: EsgDocument) -> EsgDocument:
+    """Assets adapted to what the timeline needs, as far as the prompt leaves them open.
+
+    Part of stage 2 (esg.dynamics.casting).
+    """
+    from esg.dynamics.casting import fit_assets as run
+
+    return run(doc)
+
+
 def start_hints(doc: EsgDocument, *, seed: int = 0) -> StartHints:
     """Start constellations of the timeline's participants (esg.dynamics.choreography)."""
     from esg.dynamics.choreography import start_hints as run

@@ -58,12 +58,18 @@ class Cast:
         first = self.story.phases[phase.edge.actor][0]
         return phase.edge.event is EdgeEvent.TOWARD and nothing and phase is not first
 
+    def tips(self, phase: Phase) -> bool:
+        """Whether a phase tips its own actor over where it stands."""
+        return (
+            phase.end.event is NodeEvent.TOPPLE
+            and phase.edge.actor in phase.end.participants
+            and phase.edge.event is EdgeEvent.TOWARD
+            and not self.story.flies(phase.edge.actor)
+        )
+
     def shall_topple(self, name: str | None) -> bool:
         """Whether the story tips a body over: it is then hit above its middle."""
-        return any(
-            n.event is NodeEvent.TOPPLE and name in n.participants
-            for n in self.story.nodes.values()
-        )
+        return name is not None and self.story.topples(name)
 
     def leaves_to_others(self, actor: str, phase: Phase) -> bool:
         """A driven body whose part ends with a hit that others carry on brakes there.

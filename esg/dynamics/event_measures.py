@@ -205,21 +205,27 @@ def stop(rec: Recording, node: TimelineNode, earliest: Floats, _: AddTerm) -> tu
     return rec.first(still), np.minimum(speed[:, -1], 5.0)
 
 
-def topple(
-    rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm
-) -> tuple[Floats, Floats]:
-    body = rec.scene.index(node.participants[0])
+def _tilt(rec: Recording, body: int) -> Floats:
+    """Angle between a body's first and present upright direction [deg], shape [W, T]."""
     q = rec.r.quaternion[:, :, body].astype(float)
     start = quat_rotate(q[:, :1] * np.array([-1.0, -1.0, -1.0, 1.0]), np.array([0.0, 0.0, 1.0]))
     up = quat_rotate(q, np.broadcast_to(start, (*q.shape[:2], 3)))[..., 2]
-    tilt = np.degrees(np.arccos(np.clip(up, -1.0, 1.0)))
+    return np.degrees(np.arccos(np.clip(up, -1.0, 1.0)))
+
+
+def topple(
+    rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm
+) -> tuple[Floats, Floats]:
+    tilt = np.max([_tilt(rec, body) for body in rec.members(node.participants[0])], axis=0)
     late = rec.t[None, :] >= earliest[:, None]
     most = np.where(late, tilt, 0.0).max(axis=1)
     add(f"{node.id}/weak", np.maximum(70.0 - most, 0.0) / 70.0 * 0.3)
     return rec.first((tilt > 47.0) & late), ((47.0 - np.minimum(most, 47.0)) / 15.0) ** 2
 
 
-def fall(rec: Recording, node: TimelineNode, earliest: Floats, _: AddTerm) -> tuple[Floats, Floats]:
+def fall(
+    rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm
+) -> tuple[Floats, Floats]:
     body = rec.scene.index(node.participants[0])
     z = rec.r.position[:, :, body, 2].astype(float)
     need = 1.05 * rec.scene.bodies[body].half_extents[2]
@@ -230,9 +236,11 @@ def fall(rec: Recording, node: TimelineNode, earliest: Floats, _: AddTerm) -> tu
     moved = np.linalg.norm(
         rec.r.position[:, -1, body, :2] - rec.r.position[:, 0, body, :2], axis=-1
     )
-    return rec.first((drop > need) & late), 4.0 * np.maximum(need - most, 0) / need + 1 / (
-        1 + moved
-    )
+    time = rec.first((drop > need) & late)
+    # What crawls over the edge long after it was struck stays on top in another engine.
+    wait = np.where(np.isfinite(time) & (earliest > 0.0), time - earliest - 1.0, 0.0)
+    add(f"{node.id}/slow", 0.2 * np.clip(wait, 0.0, 3.0))
+    return time, 4.0 * np.maximum(need - most, 0) / need + 1 / (1 + moved)
 
 
 def heading(

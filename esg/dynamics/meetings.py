@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from esg.dynamics.falls import can_land, land, tip_onto
 from esg.dynamics.kinematics import (
     Frame,
     Track,
@@ -24,6 +25,7 @@ from esg.dynamics.stagecraft import (
     slide,
     support_of,
     target_yaw,
+    topple_speed,
 )
 from esg.dynamics.story import REACH_BRAKE_DAMPING, Phase, bounds
 from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
@@ -96,6 +98,12 @@ def _impact(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
 
 def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) -> None:
     """An active body runs, rolls or flies at a target that waits."""
+    if can_land(stage, a, b):
+        land(stage, node, a, b)
+        return
+    if a in stage.tipped:
+        tip_onto(stage, node, a, b)
+        return
     track, pa, pb = stage.tracks[a], stage.prop(a), stage.prop(b)
     let_go = phase.edge.event is EdgeEvent.TOWARD and phase.edge.params.speed is not None
     if let_go and bounds(phase.edge.params.speed, (0.0, 0.0))[1] <= 1.0:
@@ -105,7 +113,12 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
     least = min_hit_speed(pa, pb)
     if _goes_on(stage, node, b):
         least = max(least, push_speed(pa, pb))
+    if stage.story.topples(stage.member(b)):
+        least = max(least, topple_speed(pa, pb, flies=stage.story.flies(a)))
     speed = stage.speed(a, phase, least)
+    asked = _asked_distance(stage, node, a)
+    if asked is not None and not speed_is_fixed(phase):
+        speed = asked / max(0.15, prescribed - track.time) if prescribed is not None else speed
     if phase.edge.event is EdgeEvent.BRAKE:
         speed = track.speed or speed
         distance, duration, left = _brake_into(stage, phase, speed, prescribed, track.time)
@@ -126,8 +139,8 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
             duration = LOB_S
             speed = min(speed, LOB_SPEED_MPS)
         else:
-            duration = run / speed
-        distance = speed * duration
+            duration = (asked or run) / speed
+        distance = asked or speed * duration
         left = speed
         if distance > MAX_APPROACH_M and not speed_is_fixed(phase):
             speed = left = MAX_APPROACH_M / duration
@@ -138,6 +151,15 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
         stage.heights[a] = release_height(pa, pb)
         stage.nominal[f"{phase.edge.id}/flight_time"] = duration
     _join(stage, a, b, node)
+
+
+def _asked_distance(stage: Stage, node: TimelineNode, a: str) -> float | None:
+    """Distance [m] the prompt has `a` cover until the event, or None."""
+    for c in node.constraints:
+        if c.quantity == "distance" and c.object == stage.member(a):
+            low, high, _ = bounds(c.value, (100.0, 100.0))
+            return max(0.005 * (low + high), 0.1)
+    return None
 
 
 def descent(stage: Stage, b: str) -> float:
@@ -228,6 +250,9 @@ def _bring_support(stage: Stage, b: str, x: float, y: float, heading: float) -> 
     inset = max(
         0.0, half_along(ps.length, ps.width, yaw - heading) - stage.prop(b).half_length - 0.08
     )
+    if any(n.event is NodeEvent.FALL and b in n.participants for n in stage.story.nodes.values()):
+        # What shall be knocked off stands at the far edge.
+        inset = -inset
     stage.places[support] = (x + inset * math.cos(heading), y + inset * math.sin(heading), yaw)
 
 

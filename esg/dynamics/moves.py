@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from esg.dynamics.falls import goes_over_edge, over_edge, tip_over, tips_itself
 from esg.dynamics.kinematics import Frame, braking_distance, stopping_damping
 from esg.dynamics.stage import Stage
 from esg.dynamics.stagecraft import coasting_drag
@@ -49,12 +50,23 @@ def turned(stage: Stage, node: TimelineNode) -> None:
 def plain(stage: Stage, node: TimelineNode) -> None:
     """Stop, Topple, Fall, PositionAt: what remains of the actors' motion, nothing to place."""
     prescribed = stage.prescribed_time(node)
+    told = False
     for actor, phase in stage.incoming(node):
+        if goes_over_edge(stage, actor, node):
+            over_edge(stage, actor, phase, node)
+            told = True
+            continue
+        if tips_itself(stage, actor, phase):
+            tip_over(stage, actor, phase, node)
+            told = True
+            continue
         track = stage.tracks[actor]
         duration = _stop_time(node) if node.event is NodeEvent.STOP else 2.0
         if prescribed is not None:
             duration = max(0.3, prescribed - track.time)
         _advance(stage, actor, phase, duration)
+    if told:
+        return
     times = [stage.tracks[p].time for p in node.participants if p in stage.tracks]
     before = [stage.time.get(b, 0.0) for b in stage.story.before.get(node.id, ())]
     stage.time[node.id] = prescribed or max([*times, *(t + 0.5 for t in before)], default=1.0)

@@ -121,7 +121,7 @@ class Composer(Cast):
         name = f"{phase.end.id}/time"
         if phase.end.event is NodeEvent.TRIGGER and name in v:
             return max(start + 0.05, v[name])
-        if phase.end.event in (NodeEvent.REACH, NodeEvent.STOP) and name in v:
+        if phase.end.event in (NodeEvent.REACH, NodeEvent.STOP, NodeEvent.MISS) and name in v:
             return max(start + 0.05, v[name])
         if phase.end.event is NodeEvent.POSITION_AT and phase.end.timestamp is not None:
             return max(start + 0.05, phase.end.timestamp)
@@ -150,6 +150,15 @@ class Composer(Cast):
         elevation = v.get(f"{edge.id}/elevation", 0.0)
         velocity = speed * (math.cos(elevation) * flat + np.array([0, 0, math.sin(elevation)]))
         spin = None
+        if self.tips(phase):
+            # It turns about its lower front edge: the centre moves at omega times its height.
+            turn = speed / max(body.half_extents[2], 1e-3)
+            return SetVelocity(
+                actor,
+                time,
+                _vec(speed * flat),
+                (-turn * float(flat[1]), turn * float(flat[0]), 0.0),
+            )
         if body.roll_radius > 0.0 and not self.story.flies(actor) and edge.params.spin != "slide":
             spin = (-velocity[1] / body.roll_radius, velocity[0] / body.roll_radius, 0.0)
         return SetVelocity(actor, time, _vec(velocity), spin)

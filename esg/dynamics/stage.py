@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 import math
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -13,8 +14,13 @@ from esg.dynamics.story import Phase, Story, bounds
 from esg.graph.models import EsgDocument, TimelineNode
 from esg.layout.hints import Constellation, Corridor, Placement
 
+if TYPE_CHECKING:
+    from esg.dynamics.falls import Flight
+
 CLEARANCE_M = 0.35
 RUN_OUT_M = 1.0
+FASTEST_MPS = 22.0
+"""A guessed speed is raised up to here where an event needs it."""
 
 
 class Stage:
@@ -32,6 +38,10 @@ class Stage:
         moving: Path of each passive body that was set in motion, in the constellation's frame.
         tight: Factor on free distances and times; below 1 where space is short.
         anchor: The table or shelf it all takes place on, None for the ground.
+        airborne: Actors that left their support (`falls.Flight`).
+        tipped: Actors that fell over where they stood.
+        edge_run: Distance [m] from the lead's start to the anchor's edge, None if it does not
+            matter.
     """
 
     def __init__(
@@ -50,6 +60,9 @@ class Stage:
         self.tracks = {a: Track() for a in story.phases if a in names}
         self.frames: dict[str, Frame] = {}
         self.moving: dict[str, Track] = {}
+        self.airborne: dict[str, Flight] = {}
+        self.tipped: set[str] = set()
+        self.edge_run: float | None = None
         self._next_phase = {a: 0 for a in self.tracks}
         self.tight = tight
         actors = sorted(
@@ -64,6 +77,8 @@ class Stage:
 
     def leaves_its_support(self) -> bool:
         """Whether what starts on the anchor shall meet something that stands elsewhere."""
+        if self.airborne:
+            return True
         members = [self.member(k) for k in self.places]
         return any(m != self.anchor and support_of(self.doc, m) != self.anchor for m in members)
 
@@ -73,7 +88,7 @@ class Stage:
         nodes = self.doc.spatial_relation_graph.nodes
         config = self.doc.asset_configurations[nodes[self.anchor].asset_id]
         surface = max(config.support_surfaces, key=lambda s: s.center_cm[2])
-        inset = 0.6 * self.prop(self.lead).half_length + 0.05
+        inset = self.edge_run or 0.6 * self.prop(self.lead).half_length + 0.05
         edge = (surface.center_cm[0] + surface.half_extents_cm[0]) / 100.0 - inset
         x, y, _ = self.places[self.lead]
         dx, dy = edge - x, surface.center_cm[1] / 100.0 - y
@@ -128,7 +143,10 @@ class Stage:
         if fixed:
             return low / 100.0
         inner = 0.1 * (high - low)
-        return min(max(preferred, (low + inner) / 100.0), (high - inner) / 100.0)
+        speed = min(max(preferred, (low + inner) / 100.0), (high - inner) / 100.0)
+        if not phase.edge.speed_is_prescribed:
+            speed = max(speed, min(least, FASTEST_MPS))
+        return speed
 
     def prescribed_time(self, node: TimelineNode) -> float | None:
         """Absolute time [s] the prompt asks for, or None."""

@@ -82,6 +82,25 @@ def min_hit_speed(mover: Prop, target: Prop) -> float:
     return 0.5 / (mass * (1.0 + 0.5 * (mover.restitution + target.restitution)))
 
 
+def topple_speed(mover: Prop, target: Prop, *, flies: bool) -> float:
+    """Speed [m/s] of a hit that tips a resting box over its far edge, with a margin of 30%.
+
+    Energy to bring the centre over the edge gives the turning rate omega of the box about the edge
+    (I = m (w^2 + h^2) / 3); the hit at height z passes the impulse J = I omega / z, and the box
+    answers it like a mass I / z^2.
+    """
+    if target.fixed or target.rolls:
+        return 0.0
+    width, height = min(target.length, target.width), max(target.height, 1e-3)
+    rise = 0.5 * (math.hypot(width, height) - height)
+    inertia = target.mass * (width * width + height * height) / 3.0
+    omega = math.sqrt(2.0 * target.mass * GRAVITY_MPS2 * rise / max(inertia, 1e-9))
+    z = 0.7 * height if flies else min(0.5 * mover.height, 0.8 * height)
+    answer = 1.0 / mover.mass + z * z / inertia
+    gain = 1.0 + 0.5 * (mover.restitution + target.restitution)
+    return 1.3 * inertia * omega / z * answer / gain
+
+
 def coasting_drag(body: Prop) -> float:
     """Deceleration [m/s^2] of a body that coasts: tyres roll on the low-friction vehicle ground."""
     if body.rolls:

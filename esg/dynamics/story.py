@@ -80,6 +80,12 @@ class Story:
         speed = self.phases[actor][0].edge.params.speed
         return isinstance(speed, (int, float)) and speed < 0
 
+    def topples(self, name: str) -> bool:
+        """Whether the story tips an object over."""
+        return any(
+            n.event is NodeEvent.TOPPLE and name in n.participants for n in self.nodes.values()
+        )
+
     def after(self, node_id: str) -> list[TimelineNode]:
         """All events that this one leads to, in causal order."""
         return [n for n in self.nodes.values() if node_id in self.ancestors(n.id)]

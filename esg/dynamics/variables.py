@@ -19,6 +19,9 @@ from esg.engines.scene import Body, SimScene
 from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, TimelineNode
 from esg.units import GRAVITY_MPS2
 
+FASTEST_THROW_CM_S = 2500.0
+"""A hard kick or throw; guessed speeds stay below it."""
+
 
 @dataclass(frozen=True)
 class Variable:
@@ -176,7 +179,11 @@ class Declarations(Cast):
     def declare_time(self, phase: Phase, node: TimelineNode) -> None:
         """Times the program sets: triggers, and starts of phases that follow an outcome."""
         name = f"{node.id}/time"
-        starts_here = any(p.start.id == node.id for ps in self.story.phases.values() for p in ps)
+        starts_here = any(
+            p.start.id == node.id and not self.coasts(p)
+            for ps in self.story.phases.values()
+            for p in ps
+        )
         controlled = node.event is NodeEvent.TRIGGER
         brakes_at_reach = node.event is NodeEvent.REACH and phase.end.id == node.id
         plain_stop = (
@@ -215,6 +222,11 @@ class Declarations(Cast):
         name = f"{edge.id}/speed"
         low, high, fixed = bounds(params.speed, (50.0, 1500.0))
         nominal = self.nominal.get(name, middle(low, high) / 100.0)
+        if not (fixed or edge.speed_is_prescribed):
+            # A guessed interval gives way to what the choreography needs.
+            low, high = min(low, 60.0 * nominal), max(high, 160.0 * nominal)
+        if self.tips(phase):
+            low, high = 50.0 * nominal, 400.0 * nominal
         tie = self.same_speed_as(phase)
         if tie is not None:
             self.tied[name] = tie
@@ -274,7 +286,9 @@ class Declarations(Cast):
 
     def declare_throw(self, actor: str, body: Body, phase: Phase) -> None:
         edge, params = phase.edge, phase.edge.params
-        low, high, fixed = bounds(params.speed, (100.0, 2500.0))
+        low, high, fixed = bounds(params.speed, (100.0, FASTEST_THROW_CM_S))
+        if not (fixed or edge.speed_is_prescribed):
+            high = max(high, FASTEST_THROW_CM_S)
         if fixed:
             self.add(
                 f"{edge.id}/speed",

@@ -1,0 +1,117 @@
+"""Casting: which of several plausible bodies an action needs.
+
+A prompt that has a football knock over a crate means a crate that a football can knock over. Where
+the prompt leaves a mass open, the lightest plausible body is still that kind of thing (an empty
+crate); where an event sets a thing in motion, it is not screwed to the floor.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from esg.dynamics.stage import FASTEST_MPS
+from esg.dynamics.stagecraft import Prop, prop, topple_speed
+from esg.dynamics.story import Story, bounds, read_story
+from esg.graph.models import AssetConfiguration, EdgeEvent, EsgDocument, NodeEvent
+
+LIGHTEST = 0.3
+"""Least share of the usual mass: an empty crate against a loaded one."""
+MOVES = (NodeEvent.TOPPLE, NodeEvent.FALL, NodeEvent.STOP)
+
+
+def fit_assets(doc: EsgDocument) -> EsgDocument:
+    """Adapts what the prompt leaves open of the assets to what the timeline needs.
+
+    Args:
+        doc: A document with assets resolved.
+
+    Returns:
+        The document; only `asset_configurations` may differ.
+    """
+    if doc.timeline_system is None:
+        return doc
+    story = read_story(doc)
+    changed: dict[str, AssetConfiguration] = {}
+    nodes = doc.spatial_relation_graph.nodes
+    for name in _set_in_motion(doc, story):
+        config = doc.asset_configurations[nodes[name].asset_id]
+        if not config.is_movable:
+            changed[nodes[name].asset_id] = config.model_copy(update={"is_movable": True})
+    doc = _with(doc, changed)
+    lighter = {nodes[b].asset_id: f for b, f in _mass_factors(doc, story).items() if f < 1.0}
+    return _with(doc, {k: _scaled(doc.asset_configurations[k], f) for k, f in lighter.items()})
+
+
+def _with(doc: EsgDocument, changed: dict[str, AssetConfiguration]) -> EsgDocument:
+    if not changed:
+        return doc
+    return doc.model_copy(update={"asset_configurations": {**doc.asset_configurations, **changed}})
+
+
+def _set_in_motion(doc: EsgDocument, story: Story) -> list[str]:
+    """Objects that the timeline moves, in the graph's order."""
+    assert doc.timeline_system is not None
+    names = {e.actor for e in doc.timeline_system.sequence_graph.edges}
+    for node in story.nodes.values():
+        if node.event in MOVES and node.participants:
+            names.update(story.expand(node.participants[0]))
+    return [
+        n
+        for n, v in doc.spatial_relation_graph.nodes.items()
+        if n in names and not (v.is_structural or v.is_static)
+    ]
+
+
+def _mass_factors(doc: EsgDocument, story: Story) -> dict[str, float]:
+    """Share of the usual mass at which what is struck can be tipped over, by target."""
+    nodes = doc.spatial_relation_graph.nodes
+    out: dict[str, float] = {}
+    for node in story.nodes.values():
+        if node.event is not NodeEvent.COLLISION or len(node.participants) < 2:
+            continue
+        a, b = node.participants[:2]
+        if story.is_active(b) and not story.is_active(a):
+            a, b = b, a
+        if not story.topples(b) or a not in nodes or b not in nodes or story.is_active(b):
+            continue
+        requirement = doc.asset_requirement[nodes[b].asset_id]
+        if requirement.mass_is_prescribed or nodes[a].asset_id == nodes[b].asset_id:
+            continue
+        limit = _fastest(story, a, node.id)
+        flies = story.is_active(a) and story.flies(a)
+        mover, target = prop(doc, a), prop(doc, b)
+        needed = topple_speed(mover, target, flies=flies)
+        if needed <= limit:
+            continue
+        # The speed is p M + q: p from the mover's own mass, q from turning the target.
+        half = topple_speed(mover, _lighter(target, 0.5), flies=flies)
+        slope, least = 2.0 * (needed - half), 2.0 * half - needed
+        factor = (limit - least) / slope if slope > 0.0 else 1.0
+        out[b] = min(max(factor, LIGHTEST), 1.0)
+    return out
+
+
+def _lighter(body: Prop, factor: float) -> Prop:
+    return replace(body, mass=body.mass * factor)
+
+
+def _fastest(story: Story, actor: str, node_id: str) -> float:
+    """Speed [m/s] at which an actor may arrive."""
+    for phase in story.phases.get(actor, ()):
+        if phase.end.id != node_id or phase.edge.params.speed is None:
+            continue
+        low, high, _ = bounds(phase.edge.params.speed, (0.0, 100.0 * FASTEST_MPS))
+        if phase.edge.speed_is_prescribed:
+            return 0.9 * max(low, high) / 100.0
+        thrown = phase.edge.event is EdgeEvent.TOWARD
+        return 0.6 * FASTEST_MPS if thrown else max(high / 100.0, 8.0)
+    return 3.0
+
+
+def _scaled(config: AssetConfiguration, factor: float) -> AssetConfiguration:
+    return config.model_copy(
+        update={
+            "mass_kg": config.mass_kg * factor,
+            "inertia_kg_cm2": tuple(v * factor for v in config.inertia_kg_cm2),
+        }
+    )
