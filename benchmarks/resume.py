@@ -35,6 +35,8 @@ def main() -> int:
     parser.add_argument("--shortest", type=float, default=8.0, help="earliest kill [s]")
     parser.add_argument("--longest", type=float, default=30.0, help="latest kill [s]")
     parser.add_argument("--out", type=Path, help="keep the two datasets here")
+    parser.add_argument("--kill-seed", type=int, default=0, help="of moments and victims")
+    parser.add_argument("--no-finish", action="store_true", help="stop after the kills")
     args = parser.parse_args()
     with contextlib.ExitStack() as stack:
         folder = args.out or Path(stack.enter_context(tempfile.TemporaryDirectory()))
@@ -45,6 +47,8 @@ def main() -> int:
         ]
         killed = folder / "killed"
         made = interrupted(command, killed, args)
+        if args.no_finish:
+            return 0
         print(f"{made} kills, then finished", flush=True)
         whole = folder / "whole"
         if not (whole / "meta" / "info.json").exists():
@@ -63,9 +67,9 @@ def interrupted(command: list[str], out: Path, args: argparse.Namespace) -> int:
     Whoever is killed before the first scene of a start-up proves little: a kill comes at the
     earliest after `--shortest` seconds, if the run has not ended by then.
     """
-    rng = random.Random(args.seed)
+    rng = random.Random(args.kill_seed)
     kills = 0
-    while True:
+    while not (args.no_finish and kills >= args.kills):
         process = subprocess.Popen(
             [*command, "--out", str(out), "--resume"], stdout=subprocess.PIPE, text=True
         )
@@ -81,6 +85,7 @@ def interrupted(command: list[str], out: Path, args: argparse.Namespace) -> int:
             done = len(list((out / "marks").glob("*.json"))) if out.exists() else 0
             print(f"kill {kills:2}: {victim} after {after:.1f} s, {done} batches done", flush=True)
             kill(process, victim, rng)
+    return kills
 
 
 def kill(process: subprocess.Popen[str], victim: str, rng: random.Random) -> None:

@@ -57,7 +57,10 @@ def test_every_meaning_is_a_valid_suite_scene() -> None:
 
     found = scenes(300, 2)
     data = [
-        {**json.loads(s.expectation.model_dump_json(by_alias=True, exclude_none=True)), "id": f"s{i}"}
+        {
+            **json.loads(s.expectation.model_dump_json(by_alias=True, exclude_none=True)),
+            "id": f"s{i}",
+        }
         for i, s in enumerate(found)
     ]
     for item in data:
@@ -92,7 +95,9 @@ def test_sentences_have_articles_and_end() -> None:
     for scene in scenes(400, 7):
         assert scene.prompt[0].isupper()
         assert scene.prompt.endswith(".")
-        assert not re.search(r"\b[Aa] (?=[aeio]|8 kg)|\b[Aa]n (?=[^aeio8])", scene.prompt), scene.prompt
+        assert not re.search(r"\b[Aa] (?=[aeio]|8 kg)|\b[Aa]n (?=[^aeio8])", scene.prompt), (
+            scene.prompt
+        )
         assert "  " not in scene.prompt
 
 

@@ -1,0 +1,140 @@
+"""Stages that take no time: the prompt says what becomes of a scene.
+
+A prompt with `bug` crashes in layout, `busy` meets an error that passes at the second try, `user`
+is refused by resolve, `bad` is drafted with a violation, `wrong` replays with its second event
+missing. All others replay two balls that hit a third.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+import json
+import os
+from pathlib import Path
+
+from esg import stages
+from esg.engines.manifest import manifest_bytes, manifest_to_json
+from esg.engines.rollout_file import save_rollout
+from esg.metrics import SuiteScene
+from esg.outcomes import UserError
+from esg.pipeline import SceneState
+from esg.stages import Spec
+from tests.metrics.test_events import CHAIN, chain
+from tests.metrics.worlds import DT
+
+STAGES = ("draft", "resolve", "layout", "optimize", "compile", "replay", "judge")
+_CALLS = "ESG_TEST_CALLS"
+"""Environment variable with a file that every stage run is noted in."""
+
+
+def note_calls(path: Path) -> None:
+    os.environ[_CALLS] = str(path)
+
+
+def calls() -> list[str]:
+    """`stage prompt` of every stage that really ran."""
+    path = Path(os.environ[_CALLS])
+    return path.read_text().splitlines() if path.exists() else []
+
+
+def install() -> None:
+    """Replaces the stages of this process."""
+    for name, run in _RUNS.items():
+        inputs = stages.SPECS[name].inputs
+        stages.SPECS[name] = Spec(_noted(name, run), inputs, stages.SPECS[name].options)
+    stages.conclude = _conclude  # type: ignore[assignment]  # same signature
+
+
+def _noted(
+    name: str, run: Callable[[SceneState, Path], None]
+) -> Callable[[SceneState, Path], None]:
+    def noted(state: SceneState, folder: Path) -> None:
+        path = os.environ.get(_CALLS)
+        if path:
+            with open(path, "a") as file:
+                file.write(f"{name} {state.request.prompt}\n")
+        run(state, folder)
+
+    return noted
+
+
+def _world(state: SceneState):
+    return chain(0.4, 99.0 if "wrong" in state.request.prompt else 0.8)
+
+
+def _document(state: SceneState, folder: Path) -> None:
+    text = {"scene_definition": {"scene_id": "fake"}, "prompt": state.request.prompt,
+            "coverage": {"items": []}}  # fmt: skip
+    (folder / "esg.json").write_text(json.dumps(text))
+
+
+def _draft(state: SceneState, folder: Path) -> None:
+    _document(state, folder)
+    found = [{"code": "CYCLE", "message": "a cycle"}] if "bad" in state.request.prompt else []
+    (folder / "violations.json").write_text(json.dumps(found))
+
+
+def _resolve(state: SceneState, folder: Path) -> None:
+    if "user" in state.request.prompt:
+        raise UserError("no such asset")
+    _document(state, folder)
+
+
+def _layout(state: SceneState, folder: Path) -> None:
+    prompt = state.request.prompt
+    if "bug" in prompt:
+        raise ZeroDivisionError("a defect")
+    if "deadly" in prompt:
+        os._exit(9)
+    if "busy" in prompt and calls().count(f"layout {prompt}") < 2:
+        raise ConnectionResetError("try again")
+    _document(state, folder)
+
+
+def _compile(state: SceneState, folder: Path) -> None:
+    world = _world(state)
+    data = manifest_to_json(
+        world.scene, world.program, dt=DT, extra={"prompt": state.request.prompt}
+    )
+    (folder / "manifest.json").write_bytes(manifest_bytes(data))
+
+
+def _replay(state: SceneState, folder: Path) -> None:
+    save_rollout(_world(state).rollout(), folder / "rollout.npz")
+
+
+def _judge(state: SceneState, folder: Path) -> None:
+    request = state.request
+    events = CHAIN
+    if request.suite_scene:
+        events = list(SuiteScene.model_validate_json(request.suite_scene).events) or CHAIN
+        events = CHAIN if events[0].a not in ("ball 1", "ball 2") else events
+    verdict = _world(state).judge(events)
+    verdict = verdict.model_copy(update={"engine": "physx"})
+    (folder / "metrics.json").write_text(
+        json.dumps({"verdict": verdict.to_json(), "proof": "class"})
+    )
+
+
+def _conclude(stage: str, state: SceneState):
+    from esg.outcomes import Outcome
+
+    if stage == "draft" and "bad" in state.request.prompt:
+        return Outcome.INVALID_DRAFT, "CYCLE: a cycle"
+    return (Outcome.SOLVED, "") if stage == "judge" else (None, "")
+
+
+def write_mcap(path: Path, *_: object) -> None:
+    """A recording: its name."""
+    path.write_text(path.name)
+
+
+_RUNS = {
+    "draft": _draft,
+    "resolve": _resolve,
+    "layout": _layout,
+    "optimize": _document,
+    "compile": _compile,
+    "replay": _replay,
+    "judge": _judge,
+}

@@ -1,0 +1,313 @@
+"""Batches: what they leave, what fails in them, resuming, and putting a dataset together."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+import json
+from pathlib import Path
+import shutil
+
+import pyarrow.parquet as pq
+import pytest
+
+from esg import pipeline, stages
+from esg.dataset import batch as module
+from esg.dataset.batch import BatchJob, make_batch, mark_dead, run_scenes
+from esg.dataset.finish import clean, finish
+from esg.dataset.folder import DatasetFolder, read_mark
+from esg.dataset.plan import DatasetSpec, Prompt, Shard, plan_scenes
+from esg.outcomes import UserError
+from esg.store.tables import part_files, read_table
+from tests.dataset import fakes
+
+
+@pytest.fixture(autouse=True)
+def quick(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    """Fake stages, no waiting; everything is put back."""
+    for name in fakes.STAGES:
+        monkeypatch.setitem(stages.SPECS, name, stages.SPECS[name])
+    monkeypatch.setattr(stages, "conclude", stages.conclude)
+    monkeypatch.setenv("ESG_TEST_CALLS", str(tmp_path / "calls"))
+    monkeypatch.setattr(module, "_BACKOFF_S", 0.0)
+    monkeypatch.setattr(module, "_compile_together", lambda states: None)
+    monkeypatch.setattr(stages, "load_doc", lambda state: None)
+    monkeypatch.setattr("esg.store.mcap_log.write_mcap", fakes.write_mcap)
+    fakes.install()
+    yield
+
+
+GOOD = [f"balls {k}" for k in range(10)]
+
+
+def dataset(out: Path, texts: list[str], **more: object) -> list[BatchJob]:
+    """The jobs of a dataset of prompts, four scenes a batch."""
+    prompts = [Prompt(prompt=t) for t in texts]
+    values = {"previews": "none", "batch": 4, **more}
+    spec = DatasetSpec(source="prompts", n=len(texts), **values)  # type: ignore[arg-type]
+    folder = DatasetFolder(out)
+    run = folder.begin(spec, prompts, resume=True)
+    scenes = plan_scenes(spec, prompts)
+    return [
+        BatchJob(n, spec, run, tuple(scenes[4 * n : 4 * n + 4]), out, out / "work" / str(n))
+        for n in range(spec.n_batches)
+    ]
+
+
+def build(out: Path, texts: list[str], **more: object) -> None:
+    jobs = dataset(out, texts, **more)
+    results = {job.number: make_batch(job) for job in jobs}
+    finish(DatasetFolder(out), jobs[0].spec, results)
+
+
+def below(out: Path) -> dict[str, bytes]:
+    """Everything but times."""
+    times = ("timings/", "runs/", "meta/run.json", "meta/timings.json")
+    return {
+        name: p.read_bytes()
+        for p in sorted(out.rglob("*"))
+        if p.is_file() and not (name := p.relative_to(out).as_posix()).startswith((*times, ".lock"))
+    }
+
+
+def scenes(out: Path) -> list[dict[str, object]]:
+    rows = [r for p in part_files(out, "scenes") for r in read_table(p).to_pylist()]
+    return sorted(rows, key=lambda r: r["scene_id"])
+
+
+def test_a_dataset_holds_every_scene_and_nothing_else(tmp_path: Path) -> None:
+    build(tmp_path / "a", GOOD, mcap="failed")
+    rows = scenes(tmp_path / "a")
+    assert [r["prompt"] for r in rows] == GOOD
+    assert all(r["verified"] and r["outcome"] == "solved" and r["manifest"] for r in rows)
+    top = sorted(p.name for p in (tmp_path / "a").iterdir() if not p.name.startswith("."))
+    assert top == ["README.md", "meta", "metrics", "runs", "scenes", "timings", "trajectories"]
+    assert sorted(p.name for p in (tmp_path / "a" / "meta").iterdir()) == [
+        "info.json", "plan.json", "prompts.jsonl", "run.json", "timings.json",
+    ]  # fmt: skip
+
+
+def test_trajectories_are_thinned_and_contacts_kept(tmp_path: Path) -> None:
+    build(tmp_path / "a", GOOD[:1], fps=60.0)
+    row = read_table(part_files(tmp_path / "a", "trajectories")[0]).to_pylist()[0]
+    assert row["fps"] == pytest.approx(60.0)
+    assert row["n_frames"] == 181
+    assert len(row["position_m"]) == 181 * 3 * 3
+    assert row["contact_time_s"] == pytest.approx([0.4, 0.8])
+
+
+def test_failures_leave_their_reason_and_stop_nobody(tmp_path: Path) -> None:
+    texts = ["balls", "a bug", "busy", "user error", "bad draft", "wrong"]
+    build(tmp_path / "a", texts)
+    rows = scenes(tmp_path / "a")
+    assert [r["outcome"] for r in rows] == [
+        "solved", "crashed", "solved", "invalid_draft", "invalid_draft", "solved",
+    ]  # fmt: skip
+    failed = [json.loads(t) for t in (tmp_path / "a" / "failures.jsonl").read_text().splitlines()]
+    found = {f["prompt"]: (f["outcome"], f["stage"]) for f in failed}
+    assert found == {
+        "a bug": ("crashed", "layout"),
+        "user error": ("invalid_draft", "resolve"),
+        "bad draft": ("invalid_draft", "draft"),
+        "wrong": ("not_as_stated", "judge"),
+    }
+    assert all(f["reason"] for f in failed)
+    crash = json.loads((tmp_path / "a" / "meta" / "crashes.jsonl").read_text())
+    assert "ZeroDivisionError" in crash["traceback"]
+    card = (tmp_path / "a" / "README.md").read_text()
+    assert "ZeroDivisionError: a defect" in card
+    assert "6 scenes, 2 of them (33.3%)" in card
+
+
+def test_errors_that_pass_are_retried_and_others_are_not(tmp_path: Path) -> None:
+    build(tmp_path / "a", ["busy", "a bug"])
+    assert fakes.calls().count("layout busy") == 2
+    assert fakes.calls().count("layout a bug") == 1
+
+
+def test_a_finished_batch_is_never_made_again(tmp_path: Path) -> None:
+    first, *_ = dataset(tmp_path / "a", GOOD)
+    result = make_batch(first)
+    before = len(fakes.calls())
+    assert make_batch(first) == result
+    assert len(fakes.calls()) == before
+    assert not first.work.exists()
+
+
+@pytest.mark.parametrize("stage", fakes.STAGES)
+def test_a_killed_batch_keeps_its_finished_stages(
+    tmp_path: Path, stage: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Cut off at any stage of the second scene, resuming runs every stage of a scene once."""
+    first, *_ = dataset(tmp_path / "a", GOOD)
+    real = pipeline.run_stage
+
+    def cut(name: str, state: pipeline.SceneState) -> pipeline.SceneState:
+        if name == stage and state.request.prompt == GOOD[1]:
+            raise KeyboardInterrupt
+        return real(name, state)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(module, "run_stage", cut)
+        with pytest.raises(KeyboardInterrupt):
+            make_batch(first)
+    assert read_mark(first.out, first.number) is None
+    make_batch(first)
+    assert sorted(fakes.calls()) == sorted(f"{s} {p}" for s in fakes.STAGES for p in GOOD[:4])
+
+
+@pytest.mark.parametrize("moment", ["write_tables", "write_mark", "finish", "info"])
+def test_a_dataset_killed_while_writing_equals_an_uninterrupted_one(
+    tmp_path: Path, moment: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    build(tmp_path / "whole", [*GOOD, "a bug"], mcap="all")
+    jobs = dataset(tmp_path / "cut", [*GOOD, "a bug"], mcap="all")
+
+    def stop(*_: object, **__: object) -> None:
+        raise KeyboardInterrupt
+
+    where = {
+        "write_tables": "esg.store.tables.write_tables",
+        "write_mark": "esg.dataset.folder.write_mark",
+        "finish": "esg.dataset.card.card",
+        "info": "esg.store.assembling.write_info",
+    }[moment]
+    with monkeypatch.context() as patch:
+        patch.setattr(where, stop)
+        with pytest.raises(KeyboardInterrupt):
+            build(tmp_path / "cut", [*GOOD, "a bug"], mcap="all")
+    # What a SIGKILL in the middle of a write leaves behind.
+    (tmp_path / "cut" / "parts" / "scenes").mkdir(parents=True, exist_ok=True)
+    (tmp_path / "cut" / "parts" / "scenes" / ".x.parquet.1-ab.tmp").write_bytes(b"half")
+    assert not DatasetFolder(tmp_path / "cut").finished()
+    results = {job.number: make_batch(job) for job in jobs}
+    finish(DatasetFolder(tmp_path / "cut"), jobs[0].spec, results)
+    whole, cut = below(tmp_path / "whole"), below(tmp_path / "cut")
+    assert whole.keys() == cut.keys()
+    assert whole == cut
+
+
+def test_a_dataset_killed_while_cleaning_up_is_complete(tmp_path: Path) -> None:
+    build(tmp_path / "a", GOOD)
+    shutil.copytree(tmp_path / "a" / "scenes", tmp_path / "a" / "parts" / "scenes")
+    assert DatasetFolder(tmp_path / "a").finished()
+    clean(tmp_path / "a")
+    assert not (tmp_path / "a" / "parts").exists()
+
+
+def test_the_order_of_batches_makes_no_difference(tmp_path: Path) -> None:
+    build(tmp_path / "a", GOOD)
+    jobs = dataset(tmp_path / "b", GOOD)
+    results = {job.number: make_batch(job) for job in reversed(jobs)}
+    finish(DatasetFolder(tmp_path / "b"), jobs[0].spec, results)
+    assert below(tmp_path / "a") == below(tmp_path / "b")
+
+
+def test_a_missing_or_damaged_part_is_made_again(tmp_path: Path) -> None:
+    first, *_ = dataset(tmp_path / "a", GOOD)
+    make_batch(first)
+    part = part_files(first.out / "parts", "trajectories")[0]
+    whole = part.read_bytes()
+    for damage in (lambda: part.unlink(), lambda: part.write_bytes(whole[:100])):
+        damage()
+        assert read_mark(first.out, 0) is None
+        make_batch(first)
+        assert part.read_bytes() == whole
+
+
+def test_a_damaged_part_of_right_size_is_named(tmp_path: Path) -> None:
+    jobs = dataset(tmp_path / "a", GOOD)
+    results = {job.number: make_batch(job) for job in jobs}
+    part = part_files(tmp_path / "a" / "parts", "scenes")[1]
+    part.write_bytes(bytes(len(part.read_bytes())))
+    with pytest.raises(UserError, match=r"batch-000001\.parquet is damaged"):
+        finish(DatasetFolder(tmp_path / "a"), jobs[0].spec, results)
+    assert not DatasetFolder(tmp_path / "a").finished()
+
+
+def test_deadly_scenes_are_left_out(tmp_path: Path) -> None:
+    first, *_ = dataset(tmp_path / "a", ["balls", "deadly", "balls 2"])
+    mark_dead(first, 1, "the worker process ended twice")
+    result = make_batch(first)
+    assert result.outcomes == {"solved": 2, "crashed": 1}
+    assert result.failures[0]["prompt"] == "deadly"
+    assert "ended twice" in result.failures[0]["reason"]
+
+
+def test_full_disk_is_told_and_keeps_what_is_done(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    import errno
+
+    first, second, *_ = dataset(tmp_path / "a", GOOD)
+    make_batch(first)
+
+    def full(path: Path) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device", str(path))
+
+    with monkeypatch.context() as patch:
+        patch.setattr("esg.store.files.sync_file", full)
+        with pytest.raises(OSError, match="free some space"):
+            make_batch(second)
+    assert read_mark(first.out, 0) is not None
+    assert read_mark(first.out, 1) is None
+    before = len(fakes.calls())
+    make_batch(second)
+    assert len(fakes.calls()) == before
+
+
+def test_folders_of_others_and_other_settings_are_refused(tmp_path: Path) -> None:
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "mine" / "thesis.txt").write_text("")
+    spec = DatasetSpec(source="sample", n=4)
+    with pytest.raises(UserError, match="holds files but no dataset"):
+        DatasetFolder(tmp_path / "mine").begin(spec, [], resume=True)
+    folder = DatasetFolder(tmp_path / "a")
+    folder.begin(spec, [], resume=False)
+    with pytest.raises(UserError, match="add --resume"):
+        folder.begin(spec, [], resume=False)
+    with pytest.raises(UserError, match="seed: 1, not 0"):
+        folder.begin(spec.model_copy(update={"seed": 1}), [], resume=True)
+    assert folder.begin(spec, [], resume=True).run_id == spec.name()
+    (tmp_path / "a" / "meta" / "plan.json").write_text("{")
+    with pytest.raises(UserError, match=r"plan\.json is damaged"):
+        folder.begin(spec, [], resume=True)
+
+
+def test_another_version_does_not_go_on_with_a_dataset(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    spec = DatasetSpec(source="sample", n=4)
+    DatasetFolder(tmp_path / "a").begin(spec, [], resume=False)
+    monkeypatch.setattr("esg.codeversion.code_version", lambda stage: "other")
+    with pytest.raises(UserError, match="scenes of two versions do not mix"):
+        DatasetFolder(tmp_path / "a").begin(spec, [], resume=True)
+
+
+def test_two_runs_on_one_shard_are_refused(tmp_path: Path) -> None:
+    one, other = DatasetFolder(tmp_path), DatasetFolder(tmp_path)
+    with one.locked(Shard(1, 2)):
+        with (
+            pytest.raises(UserError, match="another process is working"),
+            other.locked(Shard(1, 2)),
+        ):
+            pass
+        with other.locked(Shard(2, 2)):
+            pass
+    with other.locked(Shard(1, 2)):
+        pass
+
+
+def test_stages_run_in_order_for_the_whole_batch(tmp_path: Path) -> None:
+    first, *_ = dataset(tmp_path / "a", GOOD)
+    with pipeline.scratch_store(tmp_path / "store"):
+        run_scenes(replace(first, scenes=first.scenes[:2]))
+    stages_seen = [c.split()[0] for c in fakes.calls()]
+    assert stages_seen == [s for s in fakes.STAGES for _ in range(2)]
+
+
+def test_file_metadata_name_table_and_format(tmp_path: Path) -> None:
+    build(tmp_path / "a", GOOD)
+    for path in part_files(tmp_path / "a"):
+        with pq.ParquetFile(path) as file:
+            assert file.schema_arrow.metadata[b"esg.table"].decode() == path.parent.name
