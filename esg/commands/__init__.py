@@ -9,6 +9,7 @@ COMMANDS: dict[str, tuple[str, str]] = {
         "Make a dataset of proven scenes, from prompts or sampled.",
     ),
     "report": ("esg.commands.report:report", "Write one page about a run that opens from disk."),
+    "view": ("esg.commands.view:view", "Show the player of one scene in the browser."),
     "sql": ("esg.commands.sql:sql", "Query the results of all runs with SQL."),
     "replay": ("esg.commands.replay:replay", "Replay a finished scene in an engine of choice."),
     "export": ("esg.commands.export:export", "Write a scene for another program."),

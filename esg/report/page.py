@@ -31,6 +31,7 @@ def write_report(
     *,
     engines: Sequence[str] = (),
     title: str = "",
+    files: str | None = None,
     on_scene: Callable[[SceneEntry], None] = lambda _: None,
 ) -> Path:
     """Writes the report of a run.
@@ -40,6 +41,7 @@ def write_report(
         path: Of the HTML file; it appears complete or not at all.
         engines: Engines whose replays are set beside the recorded ones.
         title: Of the page; default the name of the folder.
+        files: Where the scene folders are, seen from the page; default found out.
         on_scene: Called after every scene.
 
     Raises:
@@ -57,7 +59,7 @@ def write_report(
         "rows": run.rows,
         "before": _plain(run.before),
         "paper": run.paper,
-        "files": _relative(run, path),
+        "files": _relative(run, path) if files is None else files,
         "scenes": [index_entry(s, n) for n, s in enumerate(run.scenes)],
     }
     partial = path.with_name(f".{path.name}.{os.getpid()}.tmp")
@@ -141,6 +143,4 @@ def _plain(row: dict[str, Any]) -> dict[str, Any]:
 def _relative(run: Run, path: Path) -> str:
     """Where the scene folders are, seen from the page; empty if it lies elsewhere."""
     here, there = path.resolve().parent, run.folder.resolve()
-    if not there.is_relative_to(here):
-        return ""
-    return there.relative_to(here).as_posix()
+    return there.relative_to(here).as_posix() if there.is_relative_to(here) else ""

@@ -87,13 +87,14 @@ function safeDecode(text) {
 
 document.addEventListener("keydown", (e) => {
   if (e.ctrlKey || e.metaKey || e.altKey) return;
-  const typing = /^(INPUT|SELECT|TEXTAREA)$/.test(e.target.tagName) && e.target.type !== "range" && e.target.type !== "checkbox";
+  const select = e.target.tagName === "SELECT";
+  const typing = select || (e.target.tagName === "INPUT" && e.target.type === "search");
   if (e.key === "Escape") {
     if (typing) e.target.blur();
     else if (open && !only) location.hash = "#/";
     return;
   }
-  if (typing) return;
+  if (typing && !(select && e.key === "/")) return;
   if (e.key === "/") {
     const search = document.getElementById("search");
     if (search) {

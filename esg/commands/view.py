@@ -1,0 +1,65 @@
+"""`esg view`: the player of one scene, served on this machine."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+from cyclopts import Parameter
+
+
+def view(
+    scene: str,
+    *,
+    port: int = 8765,
+    engines: str = "",
+    once: Annotated[bool, Parameter(negative="")] = False,
+    seconds: float | None = None,
+) -> int:
+    """Serve the player of a finished scene on this machine, until interrupted.
+
+    Args:
+        scene: Scene folder, or id of one below ./runs.
+        port: Of the address; 0 takes a free one.
+        engines: Further engines to replay and overlay, with commas, or all.
+        once: Start, answer, and stop at once: a test that everything is in place.
+        seconds: Stop after so many seconds.
+    """
+    from esg.commands.inputs import find_scene
+    from esg.commands.report import engine_names
+    from esg.outcomes import UserError
+    from esg.report.run import load_run
+    from esg.report.serve import serve
+
+    if not 0 <= port <= 65535:
+        raise UserError(f"--port {port}: choose 0 to 65535")
+    if seconds is not None and not 0 < seconds < 1e7:
+        raise UserError(f"--seconds {seconds}: choose a positive time")
+    folder = find_scene(scene)
+    page = _page(load_run(folder), engine_names(engines))
+
+    def ready(address: str) -> None:
+        print(address, flush=True)
+        if once:
+            import urllib.request
+
+            opener = urllib.request.build_opener(urllib.request.ProxyHandler({}))
+            with opener.open(address, timeout=30) as answer:
+                assert answer.read() == page
+
+    try:
+        serve(page, Path(folder), port, ready, seconds=0.0 if once else seconds)
+    except KeyboardInterrupt:
+        print()
+    return 0
+
+
+def _page(run: object, engines: tuple[str, ...]) -> bytes:
+    import tempfile
+
+    from esg.report import Run, write_report
+
+    assert isinstance(run, Run)
+    with tempfile.TemporaryDirectory() as work:
+        path = write_report(run, Path(work) / "view.html", engines=engines, files="files")
+        return path.read_bytes()

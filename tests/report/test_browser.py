@@ -1,0 +1,265 @@
+"""The page in a real browser: filters, keys, player, colours, escaping, no complaints."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from esg.report.page import write_report
+from esg.report.run import load_run
+from tests.report import browser as chrome
+from tests.report.folders import write_scene
+
+pytestmark = [
+    pytest.mark.browser,
+    pytest.mark.skipif(bool(chrome.missing()), reason=chrome.missing() or "a browser is here"),
+]
+
+EVIL = "</script><script>document.title='owned'</script><b onclick=\"x\">'bold'</b>"
+
+
+@pytest.fixture(scope="module")
+def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A run of four scenes: good, failed, hostile, and one without a draft."""
+    run = tmp_path_factory.mktemp("run")
+    write_scene(run / "S1-run0", seconds=9.0)
+    write_scene(
+        run / "S2-run0",
+        "A ball misses a box.",
+        outcome="not_converged",
+        reason="the replay disagrees",
+        completed=False,
+    )
+    write_scene(run / "S10-run0", EVIL, reason=EVIL, label=EVIL, seconds=1.0)
+    write_scene(run / "S11-run0", "", outcome="invalid_draft", reason="E_EMPTY: no objects")
+    return write_report(load_run(run), run / "report.html", title=EVIL)
+
+
+@pytest.fixture(scope="module")
+def driver() -> Iterator[Any]:
+    with chrome.browser() as found:
+        yield found
+
+
+@pytest.fixture
+def opened(driver: Any, page: Path) -> Any:
+    driver.get("about:blank")
+    chrome.open_page(driver, page)
+    return driver
+
+
+def shown(driver: Any) -> list[str]:
+    """Names of the visible cards, in order."""
+    return driver.execute_script(
+        "return [...document.querySelectorAll('#cards li:not([hidden]) strong')]"
+        ".map((e) => e.textContent)"
+    )
+
+
+def choose(driver: Any, element: str, value: str) -> None:
+    from selenium.webdriver.common.by import By
+    from selenium.webdriver.support.ui import Select
+
+    Select(driver.find_element(By.ID, element)).select_by_value(value)
+
+
+def keys(driver: Any, *pressed: str) -> None:
+    from selenium.webdriver.common.action_chains import ActionChains
+
+    for key in pressed:
+        ActionChains(driver).send_keys(key).perform()
+
+
+def wait(driver: Any, script: str) -> Any:
+    """The first true value of a script."""
+    from selenium.webdriver.support.ui import WebDriverWait
+
+    return WebDriverWait(driver, 60).until(lambda d: d.execute_script(script))
+
+
+def open_scene(driver: Any, name: str) -> None:
+    driver.execute_script("location.hash = '#/scene/' + arguments[0]", name)
+    wait(driver, f"return document.querySelector('h1')?.textContent.startsWith('{name}')")
+
+
+PAINTED = """
+const canvas = document.querySelector('.stage canvas');
+if (!canvas) return 0;
+const copy = document.createElement('canvas');
+copy.width = 720; copy.height = 480;
+const draw = copy.getContext('2d', {willReadFrequently: true});
+draw.drawImage(canvas, 0, 0, 720, 480);
+const data = draw.getImageData(0, 0, 720, 480).data;
+let red = 0;
+for (let i = 0; i < data.length; i += 4)
+  if (data[i] > 1.6 * data[i + 1] && data[i] > 1.6 * data[i + 2] && data[i] > 60) red++;
+return red;
+"""
+
+
+MARKS = PAINTED.replace(
+    "data[i] > 1.6 * data[i + 1] && data[i] > 1.6 * data[i + 2] && data[i] > 60",
+    "data[i] > 240 && Math.abs(data[i + 1] - 59) < 24 && Math.abs(data[i + 2] - 31) < 24",
+)
+"""Pixels in the colour of a contact mark, which no light changes."""
+
+
+def test_cards_filter_sort_and_search(opened: Any) -> None:
+    """By outcome, by problem, by text; sorted either way."""
+    every = ["S1-run0", "S2-run0", "S10-run0", "S11-run0"]
+    assert shown(opened) == every
+    choose(opened, "filter-outcome", "not_converged")
+    assert shown(opened) == ["S2-run0"]
+    choose(opened, "filter-outcome", "")
+    choose(opened, "filter-problem", "events")
+    assert shown(opened) == ["S2-run0"]
+    choose(opened, "filter-problem", "")
+    choose(opened, "filter-event", "collision")
+    assert shown(opened) == every[:3]
+    choose(opened, "filter-event", "")
+    choose(opened, "filter-sort", "seconds")
+    assert shown(opened)[0] == "S10-run0"
+    opened.execute_script("document.getElementById('direction').click()")
+    assert shown(opened)[0] == "S1-run0"
+    opened.execute_script("document.getElementById('direction').click()")
+    choose(opened, "filter-sort", "order")
+    keys(opened, "/", *"misses")
+    assert shown(opened) == ["S2-run0"]
+    count = opened.execute_script("return document.getElementById('count').textContent")
+    assert count == "1 of 4 scenes"
+    assert chrome.complaints(opened) == []
+
+
+def test_everything_can_be_reached_with_the_keyboard(opened: Any) -> None:
+    """Tab to a card, Enter opens it, keys play and step, brackets go on, Escape returns."""
+    from selenium.webdriver.common.keys import Keys
+
+    opened.execute_script("document.querySelector('#cards a').focus()")
+    keys(opened, Keys.ENTER)
+    wait(opened, "return document.querySelector('h1')?.textContent.startsWith('S1-run0')")
+    wait(opened, "return document.querySelector('.stage canvas') !== null")
+    clock = "return parseFloat(document.getElementById('clock').textContent)"
+    keys(opened, "n")
+    assert opened.execute_script(clock) == 0.5
+    keys(opened, ".", ".")
+    assert opened.execute_script(clock) == pytest.approx(0.53, abs=0.011)
+    keys(opened, "p", "p")
+    assert opened.execute_script(clock) == 0.0
+    keys(opened, " ")
+    wait(opened, clock + " > 0.2")
+    keys(opened, " ")
+    keys(opened, "]")
+    wait(opened, "return document.querySelector('h1')?.textContent.startsWith('S2-run0')")
+    keys(opened, Keys.ESCAPE)
+    wait(opened, "return document.getElementById('cards') !== null")
+    assert chrome.complaints(opened) == []
+
+
+def test_the_player_draws_what_the_replay_says(opened: Any) -> None:
+    """The red ball is in the picture; contacts add red marks at the time of the hit only."""
+    open_scene(opened, "S1-run0")
+    wait(opened, PAINTED.replace("return red;", "return red > 300;"))
+    seek = (
+        "const r = document.getElementById('scrub'); r.value = arguments[0];"
+        "r.dispatchEvent(new Event('input'));"
+    )
+    settle = "return await new Promise((r) => setTimeout(() => r(true), 400))"
+    opened.execute_script(seek, 0.51)
+    opened.execute_script(settle)
+    assert opened.execute_script(MARKS) > 20
+    opened.execute_script("document.getElementById('show-contacts').click()")
+    opened.execute_script(settle)
+    assert opened.execute_script(MARKS) == 0
+    assert opened.execute_script(PAINTED) > 300
+    assert chrome.complaints(opened) == []
+
+
+def test_plots_graph_history_class_and_downloads_are_there(opened: Any) -> None:
+    """Every part of the scene's page has its content."""
+    open_scene(opened, "S1-run0")
+    counts = opened.execute_script(
+        "document.querySelectorAll('details').forEach((d) => d.open = true);"
+        "const n = (q) => document.querySelectorAll(q).length;"
+        "return {lines: n('.plot path.line'), bands: n('.plot .band'), nodes: n('g.node'),"
+        " edges: n('path.edge'), code: n('pre.code'), links: n('a[download]')}"
+    )
+    assert counts["lines"] == 3  # speed, distance, loss
+    assert counts["bands"] == 3  # the prescribed speed, and the window of time in both plots
+    assert counts["nodes"] == 4
+    assert counts["edges"] == 2
+    assert counts["code"] == 1
+    assert counts["links"] >= 5
+    text = opened.execute_script("return document.querySelector('.detail').textContent")
+    for words in (
+        "Events: 1 of 1",
+        "4.9 N s",
+        "speed ball @hit = 5 m/s",
+        "class AScene",
+        "64 roll",
+    ):
+        assert words in text
+    link = "return document.querySelector('a[download=\"esg.json\"]').href"
+    assert opened.execute_script(link).startswith("blob:")
+    assert chrome.complaints(opened) == []
+
+
+def test_hostile_text_stays_text(opened: Any) -> None:
+    """A prompt made of markup is shown letter by letter and runs nothing."""
+    assert opened.title == EVIL
+    open_scene(opened, "S10-run0")
+    wait(opened, "return document.querySelector('.stage canvas') !== null")
+    opened.execute_script("document.querySelectorAll('details').forEach((d) => d.open = true)")
+    opened.execute_script("document.getElementById('show-names').click()")
+    prompt = "return document.querySelector('.prompt.large').textContent"
+    assert opened.execute_script(prompt) == EVIL
+    assert opened.execute_script("return document.querySelectorAll('b, [onclick]').length") == 0
+    assert "owned" not in opened.title.replace(EVIL, "")
+    assert chrome.complaints(opened) == []
+
+
+def test_a_scene_without_a_replay_says_so(opened: Any) -> None:
+    """No player, no error."""
+    open_scene(opened, "S11-run0")
+    text = opened.execute_script("return document.querySelector('.detail').textContent")
+    assert "never replayed" in text
+    assert "E_EMPTY" in text
+    assert chrome.complaints(opened) == []
+
+
+CONTRAST = """
+const lum = (c) => {
+  const v = c.match(/[\\d.]+/g).slice(0, 3).map((x) => x / 255)
+    .map((x) => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4));
+  return 0.2126 * v[0] + 0.7152 * v[1] + 0.0722 * v[2];
+};
+const back = (e) => {
+  for (; e; e = e.parentElement) {
+    const c = getComputedStyle(e).backgroundColor;
+    if (!c.endsWith(', 0)')) return c;
+  }
+  return 'rgb(255, 255, 255)';
+};
+let worst = 99;
+for (const e of document.querySelectorAll('h1, h2, p, td, th, a, label, button, select, .badge')) {
+  if (!e.textContent.trim() || !e.checkVisibility()) continue;
+  const a = lum(getComputedStyle(e).color), b = lum(back(e));
+  worst = Math.min(worst, (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05));
+}
+return worst;
+"""
+
+
+@pytest.mark.parametrize("dark", [False, True])
+def test_text_is_readable_in_light_and_dark(page: Path, dark: bool) -> None:
+    """Contrast of all text is at least 4.5 to 1 (WCAG AA), and the page follows the system."""
+    with chrome.browser(dark=dark) as driver:
+        chrome.open_page(driver, page)
+        matches = "return matchMedia('(prefers-color-scheme: dark)').matches"
+        assert driver.execute_script(matches) is dark
+        assert driver.execute_script(CONTRAST) >= 4.5
+        open_scene(driver, "S2-run0")
+        assert driver.execute_script(CONTRAST) >= 4.5
+        assert chrome.complaints(driver) == []
