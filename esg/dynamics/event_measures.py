@@ -120,7 +120,7 @@ def reach(
     rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm
 ) -> tuple[Floats, Floats]:
     a, b = rec.members(node.participants[0]), rec.members(node.participants[-1])
-    near = _gap_over_time(rec, a, b) <= 0.25
+    near = gap_over_time(rec, a, b) <= 0.25
     near &= rec.t[None, :] >= earliest[:, None]
     time = rec.first(near)
     none = ~np.isfinite(time)
@@ -135,14 +135,14 @@ def miss(
 ) -> tuple[Floats, Floats]:
     a, b = rec.members(node.participants[0]), rec.members(node.participants[-1])
     hit = np.isfinite(_first_hit(rec, a, b, np.zeros(rec.n))[0])
-    gap = _gap_over_time(rec, a, b)
+    gap = gap_over_time(rec, a, b)
     time = rec.t[np.argmin(gap, axis=1)]
     add(f"{node.id}/near", np.minimum((np.maximum(gap.min(axis=1) - 0.5, 0) / 1.0) ** 2, 4))
     ok = ~hit & np.isfinite(earliest)
     return np.where(ok, time, np.inf), np.full(rec.n, 1.0)
 
 
-def _gap_over_time(rec: Recording, a: list[int], b: list[int]) -> Floats:
+def gap_over_time(rec: Recording, a: list[int], b: list[int]) -> Floats:
     """Surface distance [m], shape [W, T]."""
     p, q = rec.r.position.astype(float), rec.r.quaternion.astype(float)
     out = np.full(p.shape[:2], np.inf)

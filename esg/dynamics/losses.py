@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from esg.dynamics.event_measures import DISTANCE_SCALE_M, MEASURES
+from esg.dynamics.event_measures import DISTANCE_SCALE_M, MEASURES, gap_over_time
 from esg.dynamics.recording import Bools, Floats, Recording
 from esg.dynamics.story import Story, bounds
 from esg.engines.scene import Rollout, SimScene
@@ -191,6 +191,9 @@ class _Assessor:
         if c.quantity == "angle":
             yaw = np.unwrap(yaw_from_quat(self.rec.r.quaternion[:, :, body]), axis=1)
             return np.degrees(np.abs(self.rec.at(yaw, time) - yaw[:, 0])), 5.0
+        if node.event in (NodeEvent.MISS, NodeEvent.REACH):
+            a, b = (self.rec.members(p) for p in (node.participants[0], node.participants[-1]))
+            return gap_over_time(self.rec, a, b).min(axis=1), DISTANCE_SCALE_M
         start = self.rec.r.position[:, :1, body].astype(float)
         moved = np.linalg.norm(self.rec.r.position[:, :, body].astype(float) - start, axis=-1)
         return self.rec.at(moved, time), DISTANCE_SCALE_M

@@ -31,6 +31,7 @@ from esg.dynamics.story import REACH_BRAKE_DAMPING, Phase, bounds
 from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
 
 MAX_APPROACH_M = 45.0
+GAPPED = (NodeEvent.MISS, NodeEvent.REACH)
 LOB_S, LOB_SPEED_MPS = 1.15, 1.6
 """Flight time and horizontal speed of a throw into an open container."""
 
@@ -116,7 +117,7 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
     if stage.story.topples(stage.member(b)):
         least = max(least, topple_speed(pa, pb, flies=stage.story.flies(a)))
     speed = stage.speed(a, phase, least)
-    asked = _asked_distance(stage, node, a)
+    asked = _asked_distance(stage, node, a) if node.event not in GAPPED else None
     if asked is not None and not speed_is_fixed(phase):
         speed = asked / max(0.15, prescribed - track.time) if prescribed is not None else speed
     if phase.edge.event is EdgeEvent.BRAKE:
@@ -154,7 +155,10 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
 
 
 def _asked_distance(stage: Stage, node: TimelineNode, a: str) -> float | None:
-    """Distance [m] the prompt has `a` cover until the event, or None."""
+    """Distance [m] the prompt has `a` cover until the event, or None.
+
+    At an event without a hit it is the gap that is left between the two.
+    """
     for c in node.constraints:
         if c.quantity == "distance" and c.object == stage.member(a):
             low, high, _ = bounds(c.value, (100.0, 100.0))
@@ -228,7 +232,8 @@ def _place_target(
     )
     front = pa.half_length + half_along(pb.length, pb.width, yaw - heading)
     if node.event is NodeEvent.MISS:
-        lateral = pa.half_width + pb.half_lateral(yaw - heading) + 0.25
+        gap = _asked_distance(stage, node, a) or 0.25
+        lateral = pa.half_width + pb.half_lateral(yaw - heading) + gap
         front = 0.0
     if node.event is NodeEvent.REACH:
         # Room to come to rest after the hold ends.
