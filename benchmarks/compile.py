@@ -1,9 +1,12 @@
 """How fast emitted classes are written, compiled and replayed.
 
     python -m benchmarks.compile [--classes 64] [--bodies 8] [--jobs 2] [--json FILE]
+    python -m benchmarks.compile --suite RUN [--json FILE]
 
-Prints classes per minute one by one and batched, on an empty cache each, with the processor time
-beside the wall time, because the wall time of a shared machine says little.
+The first form prints classes per minute one by one and batched, on an empty cache each, with the
+processor time beside the wall time, because the wall time of a shared machine says little. The
+second checks class and exports of the finished scenes below a folder, such as a run of `esg bench`
+(see benchmarks/exports.py).
 """
 
 from __future__ import annotations
@@ -132,13 +135,27 @@ def run(classes: int, bodies: int, jobs: int) -> list[Measurement]:
     return out
 
 
+def check_suite(run: Path, out: Path | None) -> None:
+    """Class and exports of the finished scenes below a folder."""
+    from benchmarks.exports import check_scenes, text
+
+    result = check_scenes(run)
+    print(text(result))
+    if out:
+        out.write_text(json.dumps(result, indent=1) + "\n", "utf-8")
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--classes", type=int, default=64)
     parser.add_argument("--bodies", type=int, default=8)
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--json", type=Path)
+    parser.add_argument("--suite", type=Path, metavar="RUN", help="check these scenes instead")
     options = parser.parse_args()
+    if options.suite is not None:
+        check_suite(options.suite, options.json)
+        return
     if min(options.classes, options.jobs) < 1 or options.bodies < 2:
         parser.error("need at least one class, one job and two bodies")
     results = run(options.classes, options.bodies, options.jobs)

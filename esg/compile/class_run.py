@@ -22,6 +22,7 @@ from esg.compile.records import (
     body_of,
     ground_for_wheels,
     grown,
+    of_single,
     record_pose,
     shape_of,
 )
@@ -150,8 +151,8 @@ class ClassRun:
         self._world.set_linear(body, tuple(v.tolist()))
 
     def _set_damping(self, component: int, linear: float, angular: float) -> None:
-        self._world.set_linear_damping(self._body_of[component], linear)
-        self._world.set_angular_damping(self._body_of[component], angular)
+        self._world.set_linear_damping(self._body_of[component], of_single(linear))
+        self._world.set_angular_damping(self._body_of[component], of_single(angular))
 
     def _set_material(self, component: int, friction: float, restitution: float) -> None:
         body = self._body_of.get(component)
@@ -159,7 +160,7 @@ class ClassRun:
             raise ReplayError("the ground's material changes during play, which is not replayed")
         if abs(restitution - self.scene.bodies[body].restitution) > 1e-6:
             raise ReplayError("a restitution changes during play, which is not replayed")
-        self._world.set_friction(body, friction)
+        self._world.set_friction(body, of_single(friction))
 
     def _penetration(
         self, component: int, kind: int, size: Any, location: Any, rotation: Any
@@ -263,9 +264,9 @@ class ClassRun:
             scene_id=self._name,
             bodies=tuple(bodies[i] for i in range(len(bodies))),
             gravity=(0.0, 0.0, gravity / frames.CM_PER_M),
-            ground_friction=normal.friction,
-            ground_restitution=normal.restitution,
-            vehicle_ground_friction=wheels.friction,
+            ground_friction=of_single(normal.friction),
+            ground_restitution=of_single(normal.restitution),
+            vehicle_ground_friction=of_single(wheels.friction),
         )
 
     def _mass_frames(self) -> Principal:

@@ -16,7 +16,7 @@ import numpy as np
 
 from esg.compile import names
 from esg.engines.manifest import Manifest
-from esg.engines.program import HoldVelocity, Program, SetVelocity
+from esg.engines.program import ApplyImpulse, HoldVelocity, SetVelocity
 from esg.engines.scene import Body, Shape, SimScene
 from esg.engines.worlds import cylinder_vertices, principal_axes
 from esg.units import quat_rotate
@@ -58,7 +58,7 @@ def scene_mjcf(manifest: Manifest) -> str:
     custom = ET.SubElement(root, "custom")
     qpos: list[float] = []
     qvel: list[float] = []
-    start = start_velocities(manifest.program, manifest.dt)
+    start = start_velocities(manifest)
     for body in scene.bodies:
         name = idents[body.name]
         element = ET.SubElement(
@@ -89,15 +89,19 @@ def scene_mjcf(manifest: Manifest) -> str:
     return '<?xml version="1.0" encoding="utf-8"?>\n' + ET.tostring(root, "unicode") + "\n"
 
 
-def start_velocities(program: Program, dt: float) -> dict[str, tuple[Any, Any]]:
+def start_velocities(manifest: Manifest) -> dict[str, tuple[Any, Any]]:
     """Linear [m/s] and angular [rad/s] velocity of each body that the first step is given."""
     out: dict[str, tuple[Any, Any]] = {}
-    for p in program.primitives:
-        if p.time > dt / 2:
+    mass = {b.name: b.mass for b in manifest.scene.bodies}
+    for p in manifest.program.primitives:
+        if p.time > manifest.dt / 2:
             continue
         linear, angular = out.get(p.body, ((0.0,) * 3, (0.0,) * 3))
         if isinstance(p, SetVelocity):
             out[p.body] = (p.linear, angular if p.angular is None else p.angular)
+        elif isinstance(p, ApplyImpulse):
+            pushed = (v + j / mass[p.body] for v, j in zip(linear, p.impulse, strict=True))
+            out[p.body] = (tuple(pushed), angular)
         elif isinstance(p, HoldVelocity):
             speed = max(0.0, p.speed)
             vx, vy = speed * math.cos(p.heading), speed * math.sin(p.heading)

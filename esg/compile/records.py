@@ -65,6 +65,14 @@ def snapped(values: Any) -> tuple[float, float, float]:
     return x + 0.0, y + 0.0, z + 0.0
 
 
+def of_single(value: float) -> float:
+    """The shortest decimal of a single precision value: the class's 0.1f is meant as 0.1.
+
+    An engine that computes such a value in double precision then starts from the program's own.
+    """
+    return float(str(np.float32(value)))
+
+
 def shape_of(data: dict[str, Any]) -> Shape:
     """A collision primitive of an import manifest, in the asset's frame [m]."""
     vertices = frames.vector_from_unreal(np.reshape(data.get("vertices_cm", []), (-1, 3)))
@@ -183,7 +191,7 @@ def body_of(record: BodyRecord, name: str, shapes: tuple[Shape, ...], offset: An
     return Body(
         name=name,
         static=not moves,
-        mass=record.mass if moves else 0.0,
+        mass=of_single(record.mass) if moves else 0.0,
         inertia=inertia_of(record),
         shapes=tuple(
             Shape(s.kind, s.size, snapped(np.array(s.position) + offset), s.quaternion, s.vertices)
@@ -191,10 +199,10 @@ def body_of(record: BodyRecord, name: str, shapes: tuple[Shape, ...], offset: An
         ),
         position=snapped(origin - quat_rotate(quaternion, offset)),
         quaternion=(x, y, z, w),
-        friction=record.friction,
-        restitution=record.restitution,
-        linear_damping=record.linear_damping if moves else 0.0,
-        angular_damping=record.angular_damping if moves else 0.0,
+        friction=of_single(record.friction),
+        restitution=of_single(record.restitution),
+        linear_damping=of_single(record.linear_damping) if moves else 0.0,
+        angular_damping=of_single(record.angular_damping) if moves else 0.0,
         wheeled=on_wheels(record, name),
         origin_offset=snapped(offset),
     )

@@ -67,18 +67,22 @@ def _physics_layer(manifest: Manifest, folder: Path) -> str:
     wheeled = [idents[b.name] for b in moving if b.wheeled]
     normal = [idents[b.name] for b in moving if not b.wheeled]
     _ground(stage, manifest, normal, wheeled)
-    start = start_velocities(manifest.program, manifest.dt)
+    start = start_velocities(manifest)
     library: dict[str, str] = {}
     UsdGeom.Scope.Define(stage, "/World/Looks")
     for body in scene.bodies:
         path = f"/World/{idents[body.name]}"
         prim = _body(stage, path, body)
         _visual(stage, prim, body, folder, library)
-        linear, angular = start.get(body.name, ((0.0,) * 3, (0.0,) * 3))
         if body.collides and not body.static:
+            # UsdPhysics states velocities in the space of the body's own xform, angles in degrees.
+            x, y, z, w = body.quaternion
+            linear, angular = (
+                quat_rotate((-x, -y, -z, w), v)
+                for v in start.get(body.name, ((0.0,) * 3, (0.0,) * 3))
+            )
             rigid = UsdPhysics.RigidBodyAPI(prim)
             rigid.CreateVelocityAttr(Gf.Vec3f(*map(float, linear)))
-            # UsdPhysics states angular velocity in degrees per second in the world's frame.
             rigid.CreateAngularVelocityAttr(Gf.Vec3f(*(float(v) * _RAD_TO_DEG for v in angular)))
     layer = stage.GetRootLayer()
     assert isinstance(layer, Sdf.Layer)

@@ -18,7 +18,7 @@ from esg.compile import replay_class
 from esg.compile.export import export
 from esg.compile.glb import read_glb
 from esg.engines.manifest import load_manifest, manifest_bytes, manifest_to_json
-from esg.engines.program import Program, SetVelocity
+from esg.engines.program import ApplyImpulse, Program, SetVelocity
 from esg.engines.scene import Rollout, SimScene
 from esg.outcomes import UserError
 from esg.units import quat_rotate
@@ -233,6 +233,40 @@ def test_usd_passes_the_checker(folder: Path, tmp_path: Path) -> None:
             e.GetMessage() for e in errors if e.GetType() == UsdValidation.ValidationErrorType.Error
         ]
         assert bad == []
+
+
+def test_start_velocities_arrive_in_the_frames_the_formats_ask_for(tmp_path: Path) -> None:
+    """UsdPhysics: the body's own space, degrees. MuJoCo: linear in the world, angular in the body.
+
+    An impulse at time 0 is a velocity too.
+    """
+    import mujoco
+    from pxr import Usd, UsdPhysics
+
+    crate = scenes.box("crate", (0.0, 0.0, 2.0), (0.3, 0.2, 0.1), 4.0, 1.1)
+    crate = replace(crate, quaternion=(0.2, -0.1, 0.5, (1 - 0.3) ** 0.5))
+    linear, angular, impulse = (3.0, -1.0, 2.0), (0.5, 1.0, -2.0), (4.0, 8.0, -2.0)
+    total = np.array(linear) + np.array(impulse) / 4.0
+    program = Program(
+        (SetVelocity("crate", 0.0, linear, angular), ApplyImpulse("crate", 0.0, impulse)), 0.5
+    )
+    folder = folder_of(tmp_path, SimScene("spin", (crate,)), program)
+    stage = Usd.Stage.Open(str(export(folder, "usd")[0]))
+    rigid = UsdPhysics.RigidBodyAPI(stage.GetPrimAtPath("/World/Crate"))
+    here = np.array(rigid.GetVelocityAttr().Get())
+    np.testing.assert_allclose(quat_rotate(crate.quaternion, here), total, atol=1e-5)
+    spin = np.radians(rigid.GetAngularVelocityAttr().Get())
+    np.testing.assert_allclose(quat_rotate(crate.quaternion, spin), angular, atol=1e-5)
+    model = mujoco.MjModel.from_xml_path(str(export(folder, "mjcf")[0]))
+    data = mujoco.MjData(model)
+    mujoco.mj_resetDataKeyframe(model, data, 0)
+    mujoco.mj_forward(model, data)
+    found = np.zeros(6)
+    mujoco.mj_objectVelocity(
+        model, data, mujoco.mjtObj.mjOBJ_BODY, model.body("Crate").id, found, 0
+    )
+    np.testing.assert_allclose(found[3:], total, atol=1e-9)
+    np.testing.assert_allclose(found[:3], angular, atol=1e-9)
 
 
 def test_usd_animation_plays_the_replay(folder: Path, tmp_path: Path) -> None:
