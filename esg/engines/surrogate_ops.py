@@ -48,7 +48,9 @@ class Ops:
     """Versions of velocities."""
     pose_a: wp.array(dtype=int)
     pose_b: wp.array(dtype=int)
-    """Versions of poses; MOVE writes `pose_b`."""
+    """Versions of poses; MOVE writes `pose_b`. After a hit in the step before, its `b` is the pose
+    of that step, and `contact`, `impulse_in`, `out_b` are the velocities at the start of that step,
+    of the one before it, and of this one."""
     contact: wp.array(dtype=int)
     """Of a contact; for ACT 1 in its first step, plus 2 in the last step of a hold that ends by its
     time; for FORCES the primitive that set the angular damping."""
@@ -71,6 +73,9 @@ class Features:
     radius: wp.array(dtype=wp.vec2)
     normal: wp.array(dtype=wp.vec3)
     friction: wp.array(dtype=float)
+    delay: wp.array(dtype=float)
+    speeding: wp.array(dtype=wp.vec4i)
+    """Velocity versions of a at this and the last step, then of b: their acceleration."""
 
 
 @wp.struct
@@ -89,7 +94,11 @@ class Versions:
     number: wp.array2d(dtype=int)
     """Flat index of a contact of the step, [W, C]."""
     acted: wp.array2d(dtype=int)
+    kick: wp.array2d(dtype=int)
+    """Pose version of a body that was hit within the last step, else -1, [W, B]."""
     velocity_at: wp.array3d(dtype=int)
+    late: wp.array(dtype=float)
+    """By pose version, the mean delay of the impulses of the step from there."""
     pose_at: wp.array3d(dtype=int)
     """Versions at the start of every step, [W, steps + 1, B]."""
 
@@ -101,7 +110,7 @@ def _feature(model: Model, s: int, point: wp.vec3, n: wp.vec3):
     size = model.scale[s]
     core = point
     radius = float(0.0)  # noqa: UP018
-    face = int(0)  # noqa: RUF046
+    face = int(0)  # noqa: RUF046, UP018  # a variable to Warp
     if kind == SPHERE:
         core = wp.vec3(0.0, 0.0, 0.0)
         radius = size[0]
@@ -139,6 +148,7 @@ def _describe(
     feat.body_a[c] = a
     feat.body_b[c] = b
     feat.friction[c] = con.friction[w, slot]
+    feat.delay[c] = con.delay[w, slot]
     sa = con.shape_a[w, slot]
     ra = out_r[w, step, a]
     frame = ra * model.rotation[sa]
@@ -171,6 +181,60 @@ def _describe(
     feat.normal[c] = normal
 
 
+@wp.func
+def _acts(model: Model, trace: Trace, w: int, step: int, i: int, holds: int) -> bool:
+    """Whether the program sets a body's velocity in a step; `holds` 1 counts holds too."""
+    for k in range(model.n_primitives):
+        sets = model.action[k] < 2 or (holds == 1 and model.action[k] == 3)
+        if model.target[k] == i and sets and trace.fired[w, step, k] != 0:
+            return True
+    return False
+
+
+@wp.func
+def _steady(model: Model, trace: Trace, w: int, step: int, i: int) -> bool:
+    """Whether a body's velocity did not jump from the last step to this one by program."""
+    if step == 0:
+        return False
+    if trace.awake[w, step - 1, i] == 0:
+        return False
+    return not _acts(model, trace, w, step, i, 0) and not _acts(model, trace, w, step - 1, i, 0)
+
+
+@wp.func
+def _speeding(
+    model: Model, trace: Trace, ver: Versions, w: int, step: int, a: int, b: int
+) -> wp.vec4i:
+    zero = ver.velocity[w]
+    out = wp.vec4i(zero, zero, zero, zero)
+    if _steady(model, trace, w, step, a):
+        out[0] = ver.velocity_at[w, step, a]
+        out[1] = ver.velocity_at[w, step - 1, a]
+    if b < 0:
+        return out
+    if _steady(model, trace, w, step, b):
+        out[2] = ver.velocity_at[w, step, b]
+        out[3] = ver.velocity_at[w, step - 1, b]
+    return out
+
+
+@wp.func
+def _kicks(model: Model, con: Contacts, trace: Trace, ver: Versions, w: int, step: int, i: int):
+    """Whether a body is hit within the step; its mean delay goes to `late`."""
+    weight = float(0.0)  # noqa: UP018
+    total = float(0.0)  # noqa: UP018
+    for k in range(con.count[w, step]):
+        slot = con.base * step + k
+        if con.a[w, slot] == i or con.b[w, slot] == i:
+            push = con.impulse[w, slot][0]
+            weight += push * con.delay[w, slot]
+            total += push
+    if weight > 0.0 and trace.awake[w, step, i] != 0:
+        ver.late[ver.now_x[w, i]] = weight / total
+        return True
+    return False
+
+
 @wp.kernel(enable_backward=False)
 def link(
     model: Model,
@@ -195,6 +259,7 @@ def link(
     for i in range(model.n_bodies):
         ver.now_v[w, i] = zero_v + 1 + i
         ver.now_x[w, i] = ver.pose[w] + i
+        ver.kick[w, i] = -1
         ver.velocity_at[w, 0, i] = ver.now_v[w, i]
         ver.pose_at[w, 0, i] = ver.now_x[w, i]
     for step in range(steps[w]):
@@ -218,8 +283,8 @@ def link(
         for i in range(model.n_bodies):
             if model.dynamic[i] == 0 or trace.awake[w, step, i] == 0:
                 continue
-            damper = int(-1)  # noqa: RUF046
-            spin_damper = int(-1)  # noqa: RUF046
+            damper = int(-1)  # noqa: RUF046, UP018  # a variable to Warp
+            spin_damper = int(-1)  # noqa: RUF046, UP018  # a variable to Warp
             for k in range(model.n_primitives):
                 if model.action[k] == 2 and model.target[k] == i and ver.acted[w, k] != 0:
                     if not wp.isnan(model.table[w, k, 2]):
@@ -244,6 +309,7 @@ def link(
             if con.used[w, slot] == 0:
                 continue
             _describe(model, con, feat, w, slot, c, step, out_x, out_r)
+            feat.speeding[c] = _speeding(model, trace, ver, w, step, con.a[w, slot], con.b[w, slot])
             ver.number[w, k] = c
             ver.last_i[w, k] = zero_i
             _contact_op(model, con, trace, ops, ver, w, step, slot, k, q, PREPARE)
@@ -285,6 +351,17 @@ def link(
                 ops.out_a[q] = next_v
                 ops.pose_a[q] = ver.now_x[w, i]
                 ops.pose_b[q] = next_x
+                hit = _kicks(model, con, trace, ver, w, step, i)
+                ops.b[q] = -1
+                if ver.kick[w, i] >= 0 and not hit and not _acts(model, trace, w, step, i, 1):
+                    ops.b[q] = ver.kick[w, i]
+                    ops.contact[q] = ver.velocity_at[w, step - 1, i]
+                    ops.impulse_in[q] = ver.velocity_at[w, wp.max(step - 2, 0), i]
+                    ops.out_b[q] = ver.velocity_at[w, step, i]
+                ver.kick[w, i] = -1
+                if hit and not _acts(model, trace, w, step, i, 0) and step > 0:
+                    if not _acts(model, trace, w, step - 1, i, 0):
+                        ver.kick[w, i] = ver.now_x[w, i]
                 ver.now_v[w, i] = next_v
                 ver.now_x[w, i] = next_x
                 next_v += 1

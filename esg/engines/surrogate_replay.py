@@ -187,8 +187,13 @@ def _prepare(
     arm_b[c] = two
     if approach < -_RESTITUTION_THRESHOLD and gap + approach * dt < 0.0:
         if gap > 0.0:
-            wanted[c] = -restitution * approach
-            delay[c] = -gap / approach
+            late = -gap / approach
+            # What is hit later has been accelerated for longer: zero, but for its derivative.
+            pace = feat.speeding[c]
+            gained = V[pace[0]] - V[pace[1]] - V[pace[2]] + V[pace[3]]
+            more = wp.dot(n, gained) * ((late - feat.delay[c]) / dt)
+            wanted[c] = -restitution * approach - (1.0 + restitution) * more
+            delay[c] = late
         else:
             push = wp.min(_PUSH * wp.max(-gap - _SLOP, 0.0) / dt, _PUSH_MPS)
             wanted[c] = wp.max(-restitution * approach, push)
@@ -291,11 +296,22 @@ def _move(
     R: wp.array(dtype=wp.quat),
     late: wp.array(dtype=wp.vec2),
     shift: wp.array(dtype=wp.vec3),
+    kick: int,
+    now: int,
+    was: int,
+    start: int,
+    frozen_late: wp.array(dtype=float),
 ):
     sums = late[pin]
     wait = wp.where(sums[1] > 0.0, sums[0] / wp.max(sums[1], 1.0e-20), 0.0)
     X[pout] = X[pin] + V[vend] * (dt - wait) + V[vfree] * wait + shift[pin]
-    V[vout] = V[vend]
+    if kick >= 0:
+        # The new acceleration acts from the hit on, the old one up to it: zero, but for its
+        # derivative by the time of the hit in the step before.
+        more = (late[kick][0] / wp.max(late[kick][1], 1.0e-20) - frozen_late[kick]) / dt
+        V[vout] = V[vend] + (V[now] - V[was] - V[vend] + V[start]) * more
+    else:
+        V[vout] = V[vend]
     turn = O[vend] * (dt - wait) + O[vfree] * wait
     angle2 = wp.dot(turn, turn)
     if angle2 > 1.0e-12:
@@ -307,7 +323,12 @@ def _move(
         q0 = wp.quat(0.5 * turn[0], 0.5 * turn[1], 0.5 * turn[2], 1.0)
         R[pout] = wp.normalize(q0 * R[pin])
     spin = _turned(model.inertia[i], R[pin]) @ O[vend]
-    O[vout] = _turned(model.inverse_inertia[i], R[pout]) @ spin
+    if kick >= 0:
+        extra = (late[kick][0] / wp.max(late[kick][1], 1.0e-20) - frozen_late[kick]) / dt
+        gained = O[now] - O[was] - O[vend] + O[start]
+        O[vout] = _turned(model.inverse_inertia[i], R[pout]) @ spin + gained * extra
+    else:
+        O[vout] = _turned(model.inverse_inertia[i], R[pout]) @ spin
 
 
 @wp.kernel
@@ -327,6 +348,7 @@ def replay(
     inverse: wp.array(dtype=wp.mat33),
     late: wp.array(dtype=wp.vec2),
     shift: wp.array(dtype=wp.vec3),
+    frozen_late: wp.array(dtype=float),
     normal: wp.array(dtype=wp.vec3),
     arm_a: wp.array(dtype=wp.vec3),
     arm_b: wp.array(dtype=wp.vec3),
@@ -353,7 +375,10 @@ def replay(
                 wanted, share,
             )  # fmt: skip
         elif kind == 5:
-            _move(model, a, h, va, vb, ops.out_a[q], pa, pb, V, O, X, R, late, shift)
+            _move(
+                model, a, h, va, vb, ops.out_a[q], pa, pb, V, O, X, R, late, shift, b, c,
+                ops.impulse_in[q], ops.out_b[q], frozen_late,
+            )  # fmt: skip
         elif kind == 1:
             _forces(model, w, a, b, c, h, table, damping, va, ops.out_a[q], pa, V, O, R, inverse)
         elif kind == 2:

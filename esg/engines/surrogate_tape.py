@@ -133,6 +133,11 @@ class TapedRollout:
             out.append(Touch(step, step * self.frames.dt + late, flat))
         return out
 
+    @property
+    def n_contacts(self) -> int:
+        """Contacts in the flat order of the replay."""
+        return int(self._used.sum())
+
     def _flat(self, w: int, step: int, slot: int) -> int:
         """Number of a contact in the flat order of the replay."""
         before = int(self._used[:w, : self._used.shape[1]].sum()) if w else 0
@@ -197,15 +202,18 @@ class Replay:
             setattr(self.feat, name, wp.zeros(n_c, dtype=wp.vec3, device=device))
         self.feat.radius = wp.zeros(n_c, dtype=wp.vec2, device=device)
         self.feat.friction = wp.zeros(n_c, dtype=float, device=device)
+        self.feat.delay = wp.zeros(n_c, dtype=float, device=device)
+        self.feat.speeding = wp.zeros(n_c, dtype=wp.vec4i, device=device)
         ver = so.Versions()
         ver.velocity, ver.pose, ver.impulse = up(self.first_v), up(self.first_x), up(first_j)
-        for name in ("now_v", "now_x", "free_v"):
+        for name in ("now_v", "now_x", "free_v", "kick"):
             setattr(ver, name, wp.zeros((w, b), dtype=int, device=device))
         for name in ("last_i", "number"):
             setattr(ver, name, wp.zeros((w, run.room.contacts), dtype=int, device=device))
         ver.acted = wp.zeros(run.state.done.shape, dtype=int, device=device)
         for name in ("velocity_at", "pose_at"):
             setattr(ver, name, wp.zeros((w, n + 1, b), dtype=int, device=device))
+        self.frozen_late = ver.late = wp.zeros(int(n_x.sum()), dtype=float, device=device)
         wp.launch(
             so.link, dim=w, device=device,
             inputs=[run.model, run.contacts, trace, up(steps), run.out[0], run.out[1], self.ops,
@@ -254,7 +262,7 @@ class Replay:
                 replay, dim=t.run.n_worlds, device=t.device,
                 inputs=[t.run.model, self.ops, self.feat, t.frames.dt, self.table, self.frozen,
                         self.damping, self.V, self.O, self.X, self.R, self.J, self.inverse,
-                        self.late, self.shift, *self.contact],
+                        self.late, self.shift, self.frozen_late, *self.contact],
             )  # fmt: skip
         return tape
 
