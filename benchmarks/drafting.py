@@ -28,8 +28,8 @@ from esg.outcomes import UserError
 
 PROMPTS = Path(__file__).resolve().parents[1] / "data" / "prompts"
 BANDS = ("single", "quantified", "chain", "multi_phase")
-FILES = (*BANDS, "varied")
-"""`varied` holds further prompts of all four bands, for development only."""
+FILES = (*BANDS, "varied", "cold")
+"""`varied` and `cold` hold further prompts of all four bands, for development only."""
 PAPER = {"single-shot": 76.5, "without validation": 88.5, "hierarchical + validation": 99.0}
 RELATIVE_TOLERANCE = 0.02
 

@@ -54,7 +54,7 @@ class Acts(Motions):
                         self.event(NodeEvent.FALL, (actor,), f, time)
                         fallen.add(actor)
                     elif p.prep == "over" and self._passes_over(f, actor, other):
-                        self.event(NodeEvent.MISS, (actor, other), f, time)
+                        self.pending.setdefault(actor, (NodeEvent.MISS, f, other, time))
                 elif p.prep == "onto" and not self.structural(other):
                     self._hit(f, [actor], [other], time)
                 elif p.prep in ("down", "up") and "incline" in self.e(other).noun.traits:
@@ -240,6 +240,8 @@ class Acts(Motions):
         speed, prescribed = self._speed(f, movers, self._natural(movers[0]))
         for mover in movers:
             track = self.tl.tracks.get(mover)
+            if track is not None and track.motion is not None and track.motion.mode == "brake":
+                continue
             if track is not None and track.motion is not None and not track.closed:
                 track.motion.speed, track.motion.prescribed = speed, prescribed
             elif not self._moved_by_others(mover):
@@ -330,6 +332,11 @@ class Acts(Motions):
     def _struck_before(self, f: Frame, body: str) -> None:
         """ "thrown at a bottle, which falls": the fall implies the hit."""
         if body in self.tl.tracks:
+            return
+        last = self.last_hit
+        group = self.e(body).group
+        if body in self.each and last is not None and group and self.e(last[1]).group == group:
+            self._hit(f, [last[0]], [body])  # "hits two boxes and both fall"
             return
         for mover, aimed in self.aim.items():
             track = self.tl.tracks.get(mover)

@@ -27,7 +27,7 @@ class ClauseNouns(ClauseWords):
             coordinated
             and not prep
             and m.attribute
-            and m.head in PROPERTIES
+            and m.head in OWNED
             and s.frame is None
             and s.last is not None
             and not s.last.attribute

@@ -75,6 +75,7 @@ class ClauseVerbs(ClauseNouns):
         elif (
             previous.relative
             and s.boundary_kind == "conj"
+            and not self._after_comma(i)
             and v.form != "ing"
             and previous.verb.sense
             not in ("be", "posture", "park", "weigh", "measure", "have", "contain")
@@ -138,6 +139,11 @@ class ClauseVerbs(ClauseNouns):
             frame.subject = s.subject
         elif s.subject is not None and v.form == "pp" and not v.auxiliary and not v.passive:
             v.passive = v.sense in ("launch", "drop", "pass", "posture")
+
+    def _after_comma(self, i: int) -> bool:
+        """ "..., which lands on a drum, and falls": back to the main clause."""
+        conj, comma = self.elements[i - 1 : i] or [None], self.elements[i - 2 : i - 1] or [None]
+        return getattr(conj[0], "kind", "") == "conj" and getattr(comma[0], "low", "") == ","
 
     def _parenthetical(self, i: int) -> bool:
         """ "the puck, sliding at 5 m/s, hits": a participle between commas."""

@@ -147,6 +147,12 @@ class ClauseWords:
         assert w.amount is not None
         before = self.elements[i - 2] if i >= 2 else None
         listed = isinstance(before, Word) and before.amount is not None
+        if listed and self._quantified is not None and before.amount in self._quantified.amounts:
+            size = self._size_word(i)
+            if size and w.amount.dimension == "length":
+                self._quantified.adjectives.append(f"@{w.amount.start}:{size}")
+                self._quantified.amounts.append(w.amount)
+                return True
         if not listed or s.frame is None or s.frame.verb.sense not in ("weigh", "measure", "have"):
             return False
         owner, size = s.frame.subject, self._size_word(i)

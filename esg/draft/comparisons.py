@@ -1,4 +1,4 @@
-"""Comparisons of masses and sizes: "twice as heavy as the other", "three times heavier than B"."""
+"""Comparisons of mass, size and speed: "twice as heavy as the other", "faster than B"."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def factor_of(match: re.Match[str]) -> float:
         return value if isinstance(value, float) and value > 0.0 else 1.0
     if word:
         return {"twice": 2.0, "double": 2.0, "half": 0.5}[word]
-    return 2.0 if match["more"] else 1.0
+    return 2.0 if match.groupdict().get("more") else 1.0
 
 
 def compare(text: str, mentions: list[Mention], scene: Scene) -> None:
@@ -72,3 +72,38 @@ def _nearest(mentions: list[Mention], scene: Scene, at: int, *, before: bool) ->
         elif not before and m.start >= at - 1:
             return scene.world.entities[ids[0]]
     return found if before else None
+
+
+_SPEED = re.compile(
+    r"\b(?:(?P<word>twice|half|double|(?:\w+|\d+(?:\.\d+)?)\s+times)\s+)?"
+    r"(?:as\s+(?:fast|quickly|quick)\s+as|(?P<more>faster|quicker)\s+than|(?P<less>slower)\s+than"
+    r"|(?:at\s+)?the\s+(?P<same>same\s+)?speed\s+(?:of|as))\b",
+    re.IGNORECASE,
+)
+
+
+def compare_speeds(text: str, mentions: list[Mention], scene: Scene) -> None:
+    """Applies "twice as fast as", "three times faster than", "at the same speed as".
+
+    A ratio of a prescribed speed is prescribed too; "faster than" without a ratio leaves an
+    interval above the other speed.
+    """
+    for match in _SPEED.finditer(text):
+        bare = not (match["word"] or match["more"] or match["less"] or match["same"])
+        if bare and not match.group().lower().startswith("as"):
+            continue
+        left = _nearest(mentions, scene, match.start(), before=True)
+        right = _nearest(mentions, scene, match.end(), before=False)
+        if left is None or right is None or left is right:
+            continue
+        known = scene.timeline.stated_speed(right.id)
+        if known is None or scene.timeline.stated_speed(left.id) is not None:
+            continue
+        low, high = known if isinstance(known, tuple) else (known, known)
+        ratio = factor_of(match) if match["word"] else 1.0
+        if match["word"] or not (match["more"] or match["less"]):
+            a, b = ratio * low, ratio * high
+        else:
+            a, b = (1.05 * high, 2.0 * high) if match["more"] else (0.4 * low, 0.95 * low)
+        exact = bool(match["word"]) or not (match["more"] or match["less"])
+        scene.timeline.set_speed(left.id, a if a == b else (a, b), prescribed=exact)

@@ -32,6 +32,10 @@ class Core:
         """Arrivals ("walks to the door") and falls that a later event may replace."""
         self._patient: list[str] = []
         self._last_subject: list[str] = []
+        self._launched: list[str] = []
+        """What the clause before throws, kicks or drops."""
+        self._lead: dict[int, str] = {}
+        """By sentence, the one thing it tells to move; "" if it tells of more."""
         self.stated: dict[str, Amount] = {}
         """Speeds stated with the noun ("a car at 50 km/h")."""
         self._topic: tuple[int, list[str]] | None = None
@@ -42,6 +46,8 @@ class Core:
         """What the prompt says rolls or slides."""
         self.gap: Amount | None = None
         """Time until the next event ("brakes 2 seconds before ...")."""
+        self.waiting: dict[str, Amount] = {}
+        """How long an actor waits before it moves (on)."""
         self.each: set[str] = set()
         """Members of a plural that the current clause names one by one ("both bricks")."""
         self.mounts: dict[int, list[str]] = {}

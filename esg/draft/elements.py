@@ -44,6 +44,8 @@ class Mention:
     part: str = ""
     pattern: str | None = None
     group_word: str = ""
+    single: bool = False
+    """ "one of the three eggs": a single member."""
     pick: str = ""
     """Which member is meant: "first" in "the first of two barrels"."""
     pronoun: str = ""

@@ -33,8 +33,7 @@ BODY_PARTS = frozenset(
 )
 OWN_PARTS = frozenset(
     {"roof", "hood", "bonnet", "bumper", "windscreen", "windshield", "tailgate", "wheel", "tire"}
-    | {"tyre", "door", "mirror", "headlight", "fender", "side", "front", "rear", "lid", "handle"}
-    | {"base", "top", "leg"}
+    | {"tyre", "door", "mirror", "headlight", "fender", "lid", "handle", "leg"}
 )
 """Parts that belong to a thing and are hit when the thing is."""
 OTHER = frozenset({"other", "remaining", "another", "next", "opposite"})

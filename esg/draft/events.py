@@ -143,6 +143,8 @@ class Events(Places):
             if actor is not None and name != actor:
                 continue
             event, f, other, time = self.pending.pop(name)
+            if event is NodeEvent.MISS and kind is not None:
+                continue  # "thrown over the wall lands on a car": where it lands says enough
             if event is NodeEvent.FALL and f.verb.sense == "fall":
                 self.event(event, (name,), f, time)
                 continue

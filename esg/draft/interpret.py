@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from esg.draft import lexicon as lex
 from esg.draft.frames import Frame, Phrase
-from esg.draft.scene import Scene
+from esg.draft.scene import Relation, Scene
 from esg.draft.senses_motion import MotionSenses
 from esg.draft.syntax import Mention
 from esg.graph.models import EventConstraint, NodeEvent
@@ -14,6 +14,8 @@ from esg.graph.models import EventConstraint, NodeEvent
 _THINGS_DO = frozenset({"hit", "enter", "land", "bounce", "miss", "scatter", "fall"})
 _THINGS_DO_TO = frozenset({"knock", "topple", "scatter"})
 """Senses that, after "the boy throws a ball and ...", are about the ball."""
+_FLYING_ON = frozenset({"bounce", "roll", "slide", "fly", "enter", "spin"})
+"""Senses of "it" after a throw that are about the thing thrown."""
 _STATES = frozenset(
     {"be", "posture", "have", "weigh", "measure", "contain", "face", "surround", "park", "noop"}
 )
@@ -133,6 +135,17 @@ class Interpreter(MotionSenses):
                 and id(m) not in self.world.resolved
             ):
                 self.world.resolved[id(m)] = m.entities = list(self._last_subject)
+            # "A log rolls off a truck. The car behind swerves to avoid it.": the log
+            if (
+                m is not None
+                and m.pronoun == "it"
+                and id(m) not in self.world.resolved
+                and self._lead.get(f.sentence - 1)
+                and self._lead[f.sentence - 1] not in subject
+                and f.subject is not None
+                and not f.subject.pronoun
+            ):
+                self.world.resolved[id(m)] = m.entities = [self._lead[f.sentence - 1]]
             # "A vase stands on a table. A ball hits it.": the vase
             if (
                 m is not None
@@ -159,6 +172,8 @@ class Interpreter(MotionSenses):
         for p in f.phrases:
             if p.mention is not None:
                 self.ids(p.mention, avoid=subject + objects)
+        struck = f.verb.sense in ("launch", "drop") and not f.verb.passive
+        self._launched = list(objects) if struck else []
         aimed = f.phrase("at", "toward", "towards", "against")
         if f.verb.sense in ("launch", "hit") and aimed is not None and aimed.mention is not None:
             objects = aimed.mention.entities or objects  # "throws a stone at a can and it falls"
@@ -183,6 +198,11 @@ class Interpreter(MotionSenses):
                 ):
                     for node in subject:
                         self.e(node).adjectives.append(word)
+        moving = f.verb.sense not in _STATES and f.subject is not None and not f.subject.pronoun
+        lone = len(subject) == 1 and self.kind(subject[0]) != "person"
+        if moving and not f.reduced and f.sentence not in self._lead:
+            single = not objects and lone and self._aimable(subject[0])
+            self._lead[f.sentence] = subject[0] if single else ""
         if f.verb.sense in ("be", "posture", "have", "park") and (subject or objects):
             self._topic = (f.sentence, subject or objects)
 
@@ -198,6 +218,14 @@ class Interpreter(MotionSenses):
             and (m.pronoun == "it") == (len(self._patient) == 1)
         ):
             self.world.resolved[id(m)] = m.entities = list(self._patient)
+        if (
+            m is not None
+            and m.pronoun == "it"
+            and id(m) not in self.world.resolved
+            and f.verb.sense in _FLYING_ON
+            and len(self._launched) == 1
+        ):
+            self.world.resolved[id(m)] = m.entities = list(self._launched)
         return self.ids(m, subject=True)
 
     def frame(self, f: Frame) -> None:
@@ -257,6 +285,7 @@ class Interpreter(MotionSenses):
             self.scene.ignored[(f.verb.start, f.verb.end)] = "no physical meaning"
             return
         handler(f, subject, objects)
+        self._far_away(f, subject)
         for _, a in self.amounts(f):
             if a.dimension == "time" and self._precedes(a):
                 self.gap = a
@@ -268,9 +297,28 @@ class Interpreter(MotionSenses):
         for m in (f.subject, f.object, *[p.mention for p in f.phrases]):
             if m is None or not (2 <= len(m.entities) <= 3):
                 continue
-            if {"both", "each"} & {m.determiner, m.pronoun} or m.count == 2 == len(m.entities):
+            if {"both", "each"} & {m.determiner, m.pronoun}:
                 out |= set(m.entities)
         return out
+
+    def _far_away(self, f: Frame, subject: list[str]) -> None:
+        """ "lands in a bucket 5 m away": how far things are from each other at the start."""
+        for _, a in self.amounts(f):
+            after = self.text[a.end : a.end + 8].strip().lower()
+            if a.dimension != "length" or (a.start, a.end) in self.scene.used:
+                continue
+            if not after.startswith(("away", "ahead", "further")):
+                continue
+            near = [
+                m
+                for m in (f.object, *[p.mention for p in f.phrases])
+                if m is not None and m.entities and m.end <= a.start
+            ]
+            others = [i for i in near[-1].entities if i not in subject] if near else []
+            if others and subject and not self.structural(others[0]):
+                for node in subject[:1]:
+                    self.scene.relations.append(Relation(node, others[0], "near", a.value))
+                self.use(a, "distance at the start")
 
     def _settle_aims(self, f: Frame) -> None:
         """What was thrown at something hits it before the prompt turns to other things."""

@@ -116,6 +116,8 @@ class Matching:
                 and (e.noun.name.split()[-1] == words[0] or e.head.split()[-1] == words[0])
             ):
                 return True
+            if len(m.head) >= 3 and e.head.endswith(m.head) and " " not in e.head:
+                return m.determiner in ("the", "this", "that")  # "a signpost ... the post"
             return bool(
                 m.head == "ball"
                 and "round" in e.noun.traits

@@ -5,8 +5,8 @@ from __future__ import annotations
 from esg.draft.events import Events
 from esg.draft.frames import Frame
 from esg.draft.scene import SELF_POWERED, SPEEDS, Relation
-from esg.draft.timeline import LAUNCHES, Motion
-from esg.graph.models import ForceDirection, NodeEvent, Quantity
+from esg.draft.timeline import LAUNCHES, START, Motion
+from esg.graph.models import EventConstraint, ForceDirection, NodeEvent, Quantity
 
 _AIRBORNE = frozenset({"projectile", "tool", "tableware", "book", "rock"})
 
@@ -71,9 +71,33 @@ class Motions(Events):
             actor, Motion(mode, speed, prescribed, target, params), self._direction(actor, mode)
         )
 
+    def _wait(self, actor: str) -> None:
+        """Stands still for the stated time before the motion that is about to start."""
+        amount = self.waiting.pop(actor, None)
+        track = self.tl.track(actor)
+        if amount is None or (track.motion is not None and not track.closed):
+            return
+        since = track.at
+        if since != START and self.tl.node(since) is None:
+            return
+        self.tl.move(actor, Motion("own", 0.0), self._direction(actor, "own"))
+        node = self.tl.trigger(actor, f"{actor} has waited {amount.text}")
+        draft = self.tl.node(node)
+        assert draft is not None
+        if since == START:
+            draft.time, draft.time_prescribed = amount.value, True
+        else:
+            draft.constraints.append(
+                EventConstraint(
+                    quantity="time_since", object=actor, value=amount.value, since=since
+                )
+            )
+        self.use(amount, f"time of {node}")
+
     def _own(
         self, actor: str, speed: Quantity | None, prescribed: bool, target: str | None = None
     ) -> None:
+        self._wait(actor)
         self.tl.move(actor, Motion("own", speed, prescribed, target), self._direction(actor, "own"))
 
     def _start_motion(
@@ -156,7 +180,7 @@ class Motions(Events):
         self._distance(f, actors, aim)
         if "off" in f.adverbs:
             for actor in actors:
-                if actor in self.scene.supported_by:
+                if actor in self.scene.supported_by or self.e(actor).pattern == "stack":
                     self.event(NodeEvent.FALL, (actor,), f, self._time(f))
         duration = next(
             (a for p, a in self.amounts(f) if a.dimension == "time" and p == "for"), None

@@ -46,6 +46,7 @@ class NounPhrases(NounHeads):
         ):
             if low in ("one", "each"):
                 m.count = 1
+            m.single = low == "one"
             j += 2
         elif low in ("all", "both") and self._low(j + 1) in lex.DETERMINERS:
             j += 1

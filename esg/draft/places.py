@@ -134,6 +134,7 @@ class Places(Core):
             or noun.kind
             in (
                 "box",
+                "generic",
                 "building",
                 "wall",
                 "plant",

@@ -115,7 +115,7 @@ class Pronouns(Registry):
             balls = [e for e in solid if e.noun.kind == "billiard"]
             tinted = [e for e in solid if e.color is not None]
             model = next(iter(balls or tinted), None)
-            if model is not None and model.noun.kind == "billiard":
+            if self.billiards or (model is not None and model.noun.kind == "billiard"):
                 label = f"{colors[0]} ball"
                 ball = lex.nouns()["billiard ball"]
                 return [self.add(ball, "ball", adjectives=colors, label=label, origin=m.start).id]
@@ -166,6 +166,8 @@ class Pronouns(Registry):
                 self._rename(chosen, self._new_id(slug(chosen.label)))
                 return [chosen.id]
         ordinal = next((a for a in m.adjectives if a in ORDINALS or a == "last"), None)
+        if last_group and {"top", "upper", "topmost"} & set(m.adjectives):
+            return last_group[-1:]
         if last_group and "next" in m.adjectives:
             return last_group[1:2]
         if last_group:

@@ -34,6 +34,8 @@ class Registry(Matching):
         self.warnings: list[str] = []
         self.conflicts: list[str] = []
         """Two values stated for one property."""
+        self.billiards = False
+        """The prompt is about billiards: "the black" is a ball."""
         self.file_of_two = False
         """The prompt says "one in front of the other"."""
 

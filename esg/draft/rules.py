@@ -6,7 +6,7 @@ import re
 
 from esg.draft.build import DocumentBuilder, is_restricted
 from esg.draft.clauses import ClauseBuilder
-from esg.draft.comparisons import compare
+from esg.draft.comparisons import compare, compare_speeds
 from esg.draft.coverage import account
 from esg.draft.expand import expand
 from esg.draft.interpret import Interpreter
@@ -19,6 +19,12 @@ from esg.graph.models import EsgDocument
 _ONE_AFTER_OTHER = re.compile(
     r"\bone\s+(?:\w+\s+)?(?:in front of|behind|ahead of|following|after|trailing|leading)\s+"
     r"(?:the other|another)\b",
+    re.IGNORECASE,
+)
+
+
+_BILLIARDS = re.compile(
+    r"\b(?:snooker|billiards?|pool (?:table|ball|player|cue)|cue ball|pots|potted|pocket)\b",
     re.IGNORECASE,
 )
 
@@ -43,12 +49,14 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     clauses.run()
     world = World()
     world.file_of_two = _ONE_AFTER_OTHER.search(text) is not None
+    world.billiards = _BILLIARDS.search(text) is not None
     interpreter = Interpreter(world, text)
     interpreter.mentions = clauses.mentions
     scene = interpreter.run(clauses.frames, clauses.attachments)
     scene.text = text
     scene.ignored.update({(v.start, v.end): "gerund" for v in clauses.nominal})
     compare(text, clauses.mentions, scene)
+    compare_speeds(text, clauses.mentions, scene)
     contradictions(text, scene)
     nothing_to_draw(scene)
     restricted = is_restricted(text)

@@ -85,7 +85,9 @@ class ContactSenses(LaunchSenses):
         self._kinematics(f, movers, targets)
         if f.verb.extra.get("motion") == "reverse":
             self._reverse(movers)
+        slowing = [m for m in movers if self._brakes_now(m)]
         nodes = self._hit(f, movers, targets, time)
+        self._speed_at_hit(f, nodes, slowing)
         self._after_hit(f, nodes, targets)
         if not o and not f.verb.passive:
             seen = list(targets)
@@ -107,6 +109,23 @@ class ContactSenses(LaunchSenses):
             self._outcomes(f, targets[:1])
         elif o and f.phrase("into", "onto", "toward", "towards") is not None and nodes:
             self._knock_on(f, targets[:1])
+
+    def _brakes_now(self, actor: str) -> bool:
+        track = self.tl.tracks.get(actor)
+        return track is not None and track.motion is not None and track.motion.mode == "brake"
+
+    def _speed_at_hit(self, f: Frame, nodes: list[str], slowing: list[str]) -> None:
+        """ "brakes and hits the barrier at 4 m/s": the speed left, not the one driven before."""
+        found = self.quantity(f, "speed")
+        draft = self.tl.node(nodes[0]) if nodes else None
+        if found is None or draft is None or draft.participants[0] not in slowing:
+            return
+        draft.constraints.append(
+            EventConstraint(
+                quantity="speed_before", object=draft.participants[0], value=found[1].value
+            )
+        )
+        self.use(found[1], f"speed before {draft.id}")
 
     def _hit_targets(self, f: Frame, s: list[str], o: list[str]) -> list[str]:
         if o:
@@ -229,6 +248,13 @@ class ContactSenses(LaunchSenses):
         self.use(f, "speed after the collision")
 
     def _do_topple(self, f: Frame, s: list[str], o: list[str]) -> None:
+        if f.verb.extra.get("down") and not any(map(self._upright, s)):
+            self._motion(f, s, None)  # what goes down need not topple
+            return
+        off = f.phrase("off", "out of")
+        if off is not None and not o and s and not f.verb.passive:
+            self._read_as("fall", f, s, o)  # "a pallet tips off a forklift"
+            return
         self._free(o or s)
         if (
             f.subject is not None
@@ -259,6 +285,10 @@ class ContactSenses(LaunchSenses):
                 self._start_motion(f, [b], "slide")
             self.event(NodeEvent.TOPPLE, (b,), f, self._time(f))
         self._knock_on(f, bodies)
+
+    def _upright(self, node: str) -> bool:
+        traits = self.e(node).noun.traits
+        return "topples" in traits or self.kind(node) in ("domino", "pin", "plant", "post", "wall")
 
     def _do_scatter(self, f: Frame, s: list[str], o: list[str]) -> None:
         bodies = o or s

@@ -24,6 +24,7 @@ class ControlSenses(ContactSenses):
         speeds = [(p, a) for p, a in self.amounts(f) if a.dimension == "speed"]
         rate = self.quantity(f, "acceleration")
         for actor in actors:
+            self._wait(actor)
             track = self.tl.track(actor)
             if track.motion is not None and not track.closed and track.motion.mode == "own":
                 time = self._time(f)
@@ -155,6 +156,9 @@ class ControlSenses(ContactSenses):
         self.use(f, "slowing")
 
     def _do_stop(self, f: Frame, s: list[str], o: list[str]) -> None:
+        if s and o and not f.verb.passive and s[0] != o[0] and self._under_way(o[0]):
+            self._hit(f, o[:1], s[:1], self._time(f))  # "the goalie stops the puck"
+            return
         actors = s or o
         if f.reduced or (f.verb.passive and not any(a in self.tl.tracks for a in actors)):
             moving = [
@@ -175,7 +179,19 @@ class ControlSenses(ContactSenses):
             if rest is not None and rest.mention is not None:
                 self._hit(f, [actor], [i for i in rest.mention.entities if i != actor][:1])
             self._stop(f, actor, time)
+            self._pauses(f, actor)
         self._places_loosely(f, actors)
+
+    def _under_way(self, body: str) -> bool:
+        track = self.tl.tracks.get(body)
+        return track is not None and (track.launched or track.hit) and body not in SELF_POWERED
+
+    def _pauses(self, f: Frame, actor: str) -> None:
+        """ "stops for 3 s": the time until it moves on."""
+        pause = next((a for p, a in self.amounts(f) if a.dimension == "time" and p == "for"), None)
+        if pause is not None and self.kind(actor) in SELF_POWERED:
+            self.waiting[actor] = pause
+            self.use(pause, "waiting time")
 
     def _places_loosely(self, f: Frame, actors: list[str]) -> None:
         self.use(f, "stop")

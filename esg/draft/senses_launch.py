@@ -220,6 +220,12 @@ class LaunchSenses(StateSenses):
             if t == other:
                 continue
             if self.structural(other):
+                if (
+                    self._airborne(t)
+                    and t not in self.scene.supported_by
+                    and f.verb.sense == "land"
+                ):
+                    continue
                 if not any(
                     n.event is NodeEvent.FALL and t in n.participants for n in self.tl.nodes
                 ):
@@ -269,7 +275,7 @@ class LaunchSenses(StateSenses):
         into = f.phrase("into", "in", "through")
         if (
             source is None
-            and not fresh
+            and len(fresh) < len(actors)
             and into is not None
             and into.mention is not None
             and into.mention.entities
@@ -278,6 +284,10 @@ class LaunchSenses(StateSenses):
         onto = f.phrase("on", "onto", "against")
         if upright and onto is not None and onto.mention is not None and source is None:
             struck = [i for i in onto.mention.entities if i not in actors and self.movable(i)]
+            flat = onto.mention.entities and all(map(self.structural, onto.mention.entities))
+            if flat and a_rests_low(self, upright[0]) and self.kind(upright[0]) in _UPRIGHT:
+                self._read_as("topple", f, s, [])
+                return
             if struck and a_rests_low(self, upright[0]) and self.kind(upright[0]) != "bottle":
                 self._read_as("topple", f, s, [])
                 self._hit(f, upright[:1], struck[:1])
@@ -335,6 +345,14 @@ class LaunchSenses(StateSenses):
             and not self.structural(landing.mention.entities[0])
         ):
             self._landing(f, actors)
+
+    def _thrown_up(self, body: str) -> bool:
+        """In flight after a throw, so that it leaves no support when it lands."""
+        track = self.tl.tracks.get(body)
+        flights = [e.params.elevation_deg for e in self.tl.edges if e.actor == body]
+        if track is not None and track.motion is not None and track.motion.mode != "coast":
+            return track.motion.mode in ("throw", "fly")
+        return any(x not in (None, -90.0) for x in flights)
 
     def _on_what_was_hit(self, f: Frame, things: list[str]) -> None:
         """ "pushed into a shelf, causing three jars to fall down": they stood on the shelf."""

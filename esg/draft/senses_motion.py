@@ -7,11 +7,16 @@ from esg.draft.scene import SELF_POWERED
 from esg.draft.senses_control import ControlSenses
 from esg.graph.models import NodeEvent
 
+_STRUCK = frozenset({"ball", "billiard", "projectile"})
+
 
 class MotionSenses(ControlSenses):
     """Motions and where they lead."""
 
     def _do_own(self, f: Frame, s: list[str], o: list[str]) -> None:
+        if s and o and self.kind(s[0]) == "person" and self.kind(o[0]) in _STRUCK:
+            self._launch_by(f, s, o)  # "the batsman drives the ball past the bowler"
+            return
         by = f.phrase("by")
         actors = list(s)
         if f.verb.passive and by is not None:

@@ -10,6 +10,7 @@ from esg.draft.places import RELATION_PREPS
 from esg.draft.scene import SELF_POWERED, Relation
 from esg.draft.syntax import Mention
 
+_WAITING = frozenset({"wait", "pause", "stay", "remain", "stand", "sit", "idle", "queue", "rest"})
 _RESTING = frozenset({"rest", "lie", "settle", "lodge"})
 
 
@@ -29,7 +30,8 @@ class StateSenses(Acts):
         if p.mention is None:
             return
         if p.mention.attribute:
-            for a in p.mention.amounts:
+            listed = [p.mention, *[c for c in p.mention.coordinated if c.attribute]]
+            for a in [a for c in listed for a in c.amounts]:
                 for o in owners:
                     if a.dimension == "speed":
                         self.stated[o] = a
@@ -88,6 +90,12 @@ class StateSenses(Acts):
 
     def _do_posture(self, f: Frame, s: list[str], o: list[str]) -> None:
         """A state; of what has moved before, where it ends ("and at the end rests on a towel")."""
+        lasting = next((a for _, a in self.amounts(f) if a.dimension == "time"), None)
+        if lasting is not None and f.verb.lemma in _WAITING and not f.reduced:
+            for actor in s:
+                if self.kind(actor) in SELF_POWERED:
+                    self.waiting[actor] = lasting
+                    self.use(lasting, "waiting time")
         moved = s and not f.reduced and f.link == "then" and f.verb.lemma in _RESTING
         if moved and not f.verb.passive and self._at_end(f, s[0]):
             self._read_as("land", f, s, o)

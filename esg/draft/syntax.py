@@ -87,6 +87,24 @@ _MULTI: tuple[tuple[tuple[str, ...], Literal["prep", "adv", "sub"], str], ...] =
     (("at", "rest"), "adv", "at rest"),
     (("no", "longer"), "adv", "not"),
     (("once", "more"), "adv", "again"),
+    (("at", "the", "start"), "adv", "first"),
+    (("at", "the", "beginning"), "adv", "first"),
+    (("in", "the", "beginning"), "adv", "first"),
+    (("to", "begin", "with"), "adv", "first"),
+    (("at", "the", "end"), "adv", "finally"),
+    (("in", "the", "end"), "adv", "finally"),
+    (("at", "the", "last", "moment"), "adv", "finally"),
+    (("at", "the", "last", "second"), "adv", "finally"),
+    (("in", "the", "process"), "adv", "thereby"),
+    (("on", "the", "way"), "adv", "meanwhile"),
+    (("because", "of", "that"), "adv", "thereby"),
+    (("because", "of", "this"), "adv", "thereby"),
+    (("as", "a", "result"), "adv", "thereby"),
+    (("as", "a", "consequence"), "adv", "thereby"),
+    (("at", "that", "moment"), "adv", "then"),
+    (("at", "this", "moment"), "adv", "then"),
+    (("at", "that", "point"), "adv", "then"),
+    (("a", "moment", "later"), "adv", "then"),
     (("of", "course"), "adv", "indeed"),
     (("at", "once"), "adv", "immediately"),
     (("all", "at", "once"), "adv", "suddenly"),
@@ -95,6 +113,7 @@ _MULTI: tuple[tuple[tuple[str, ...], Literal["prep", "adv", "sub"], str], ...] =
     (("by", "accident"), "adv", "accidentally"),
     (("in", "motion"), "adv", "in motion"),
 )
+_MULTI = tuple(sorted(_MULTI, key=lambda m: -len(m[0])))
 
 
 class Chunker(NounPhrases):
@@ -205,6 +224,8 @@ class Chunker(NounPhrases):
             if all(self._low(i + k) == w for k, w in enumerate(words)):
                 if words[0] in ("left", "right") and self._previous_is_turn():
                     continue
+                if words[0] in ("at", "in", "on") and self._low(i + len(words)) in ("of", "to"):
+                    continue  # "at the end of the ramp", "on the way to the door"
                 if words == ("down", "to") and verb_readings(self._low(i + 2)):
                     continue
                 if words in (("on", "to"), ("in", "to")) and verb_readings(self._low(i + 2)):

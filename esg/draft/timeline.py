@@ -256,6 +256,31 @@ class TimelineBuilder:
             names.get(motion.mode, motion.mode),
         )
 
+    def stated_speed(self, actor: str) -> Quantity | None:
+        """The speed that the prompt gives an actor at first, if it does."""
+        for e in self.edges:
+            if e.actor == actor and e.speed_is_prescribed and e.params.speed is not None:
+                return e.params.speed
+        track = self.tracks.get(actor)
+        if track is not None and track.motion is not None and track.motion.prescribed:
+            return track.motion.speed
+        return None
+
+    def set_speed(self, actor: str, speed: Quantity, *, prescribed: bool) -> None:
+        """Gives every launch and drive of an actor this speed [cm/s]."""
+        for k, e in enumerate(self.edges):
+            driven = e.event in (EdgeEvent.UNIFORM_MOTION, EdgeEvent.TOWARD)
+            if e.actor == actor and driven and e.params.speed not in (None, 0.0):
+                self.edges[k] = e.model_copy(
+                    update={
+                        "params": e.params.model_copy(update={"speed": speed}),
+                        "speed_is_prescribed": prescribed,
+                    }
+                )
+        track = self.tracks.get(actor)
+        if track is not None and track.motion is not None and track.motion.mode != "coast":
+            track.motion.speed, track.motion.prescribed = speed, prescribed
+
     def finish(self) -> None:
         """Leads every motion that no event closed to a Trigger (the end of the action)."""
         for actor, track in list(self.tracks.items()):

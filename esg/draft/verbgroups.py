@@ -10,6 +10,8 @@ from esg.draft.verbphrases import PHRASES, verb_readings
 _NEGATED_MODALS = frozenset(
     {"don't", "doesn't", "didn't", "won't", "wouldn't", "couldn't", "shouldn't", "mustn't"}
 )
+_FOLLOWING = frozenset({"following", "leading", "trailing", "approaching"})
+"""Adjectives that are verbs after "is" ("is following car 2")."""
 _NEGATED_BE = frozenset({"isn't", "aren't", "wasn't", "weren't"})
 
 
@@ -99,6 +101,7 @@ class VerbGroups(Reader):
                 main = forms.get("pp") or forms.get("ing")
                 if (
                     main is not None
+                    and self._low(j) not in _FOLLOWING
                     and self._is_adjective(j)
                     and self._noun_soon(j + 1)
                     and aux in ("is", "are", "was", "were")

@@ -14,6 +14,8 @@ def _phrase(lemma: str, rest: str, sense: str, **extra: str) -> None:
     PHRASES.setdefault(lemma, []).append((pattern, sense, extra))
 
 
+_NO_OBJECT = r"(?!\s+(?:an?|the|its|his|her|their|some)\b)"
+_NO_EDGE = r"(?!\s+(?:an?|the|its|their)\s+(?:\w+\s+)?(?:edge|side|end|rim|lip|brink|cliff)\b)"
 _ADJ = r"(?:(?:[a-z-]+)\s+)?"
 for _v in ("slam", "hit", "apply", "press", "step", "stamp", "stand", "use", "tap", "push", "pull"):
     _phrase(
@@ -60,7 +62,9 @@ _phrase("reverse", r"into", "hit", motion="reverse")
 _phrase("move", r"backwards?", "reverse")
 _phrase("drive", r"backwards?", "reverse")
 _phrase("go", r"backwards?", "reverse")
-_phrase("pull", r"over", "stop", via="pull")
+_phrase("pull", rf"over{_NO_OBJECT}", "stop", via="pull")
+_phrase("pull", r"(?:over|down)(?=\s+(?:an?|the|its)\b)", "topple", transitive="1", contact="1")
+
 _phrase("take", r"off", "own")
 _phrase("set", r"off", "own")
 _phrase("set", r"out", "own")
@@ -73,13 +77,13 @@ _phrase("knock", r"(?:over|down)", "topple", transitive="1", contact="1")
 _phrase("kick", r"(?:over|down)", "topple", transitive="1", contact="1")
 _phrase("push", r"over", "topple", transitive="1", contact="1")
 _phrase("bowl", r"over", "topple", transitive="1", contact="1")
-_phrase("tip", r"(?:over|onto)", "topple")
-_phrase("fall", r"(?:over|down\s+flat|onto\s+(?:its|their)\s+side)", "topple")
-_phrase("topple", r"(?:over|down)", "topple")
-_phrase("turn", r"over", "topple")
-_phrase("roll", r"over", "topple")
+_phrase("tip", rf"(?:over{_NO_EDGE}|onto)", "topple")
+_phrase("fall", rf"(?:over{_NO_OBJECT}|down\s+flat|onto\s+(?:its|their)\s+side)", "topple")
+_phrase("topple", rf"(?:over{_NO_EDGE}|down)", "topple")
+_phrase("turn", rf"over{_NO_OBJECT}", "topple")
+_phrase("roll", rf"over{_NO_OBJECT}", "topple")
 _phrase("keel", r"over", "topple")
-_phrase("flip", r"over", "topple")
+_phrase("flip", rf"over{_NO_EDGE}", "topple")
 _phrase("fall", r"down(?!\s+(?:the|a|an|from|onto|on|into))", "fall", particle="down")
 _phrase("make", rf"(?:an?\s+){_ADJ}(?P<dir>left|right|u)(?:-hand)?[- ]?turn", "turn")
 _phrase("make", r"(?:an?\s+)(?P<dir>left|right)", "turn")
@@ -115,7 +119,14 @@ _phrase("speed", r"past", "overtake")
 _phrase("pass", r"by", "overtake")
 _phrase("smash", r"into", "hit")
 _phrase("cut", r"(?:in|across|off|through|in front of)", "own")
-_phrase("go", r"off(?!\s+(?:the|a|an|its|his|her|their|towards?|to|down|into|with|at)\b)", "noop")
+_phrase("go", r"off(?!\s+(?:the|an?|its|his|her|their|towards?|to|down|into|with|at)\b)", "noop")
+_phrase(
+    "go",
+    r"(?:down|over)(?=\s*(?:[.,;!]|$|\s+(?:and|like|one by one|in turn)\b))",
+    "topple",
+    down="1",
+)
+_phrase("hold", r"hands", "noop")
 _phrase("let", r"go(?!\s+of\b)", "noop")
 _phrase(
     "lose", r"(?:control|traction|grip|(?:its|his|her|their)\s+(?:grip|balance|footing))", "noop"

@@ -28,6 +28,8 @@ class World(Pronouns):
             ids = self._one(m, subject, avoid or [])
             if m.pick and len(ids) > 1:
                 ids = self._picked(m, ids)
+            elif m.single and len(ids) > 1:
+                ids = ids[:1]
             for other in m.coordinated:
                 extra = self.resolve(other, avoid=avoid)
                 ids = ids + [e for e in extra if e not in ids]
