@@ -228,22 +228,29 @@ def _requests(
             )
 
 
+def _level(problem: LayoutProblem, name: str) -> float:
+    """Height in its parent of the surface that carries an object [cm]: one shelf of several."""
+    return round(problem.supports.of[name].z_cm + problem.shape[name].bottom, 1)
+
+
 def _is_hopeless(problem: LayoutProblem) -> bool:
     """Whether a surface is smaller than what must stand on it: more search cannot help."""
-    need: dict[str, float] = {}
-    room: dict[str, float] = {}
+    need: dict[tuple[str, float], float] = {}
+    room: dict[tuple[str, float], float] = {}
+    count: dict[tuple[str, float], int] = {}
     for n, s in problem.supports.of.items():
         if s.parent is None or s.rect is None or s.kind not in ("on", "inside"):
             continue
         shape = problem.shape[n]
         if not shape.is_decal:
-            need[s.parent] = need.get(s.parent, 0.0) + (
+            at = (s.parent, _level(problem, n))
+            need[at] = need.get(at, 0.0) + (
                 math.pi * shape.hx**2 if shape.is_round else 4 * shape.hx * shape.hy
             )
             area = (s.rect[2] - s.rect[0]) * (s.rect[3] - s.rect[1])
-            room[s.parent] = max(room.get(s.parent, 0.0), area)
-    single = {p for p in need if sum(s.parent == p for s in problem.supports.of.values()) == 1}
-    return any(need[p] > room[p] for p in need if p not in single)
+            room[at] = max(room.get(at, 0.0), area)
+            count[at] = count.get(at, 0) + 1
+    return any(need[at] > room[at] for at in need if count[at] > 1)
 
 
 def _emphasize(doc: EsgDocument, problem: LayoutProblem, found: Found | None) -> LayoutProblem:
@@ -330,7 +337,11 @@ def _reason(
         if parent is None:
             parts += [f"{a} and {b} overlap" for _, a, b in deep if {a, b} <= set(members)]
             continue
-        on = [n for n in problem.names if problem.supports.of[n].parent == parent]
+        level = problem.supports.of[members[0]].rect, _level(problem, members[0])
+        on = [
+            n for n, s in problem.supports.of.items()
+            if s.parent == parent and (s.rect, _level(problem, n)) == level
+        ]  # fmt: skip
         area = sum(4 * problem.shape[n].hx * problem.shape[n].hy for n in on) / 1e4
         rect = problem.supports.of[on[0]].rect
         room = (rect[2] - rect[0]) * (rect[3] - rect[1]) / 1e4 if rect else math.inf

@@ -17,6 +17,8 @@ from esg.layout.shapes import Footprint, bounds, footprints
 REST_GAP_CM = 0.01
 """Gap between an object and its support: far below what a settling step can notice."""
 CEILING_CM = 260.0
+SHELF_THICKNESS_CM = 4.0
+"""Room that a shelf and the air below it take from what stands on the next lower one."""
 GROUND_WORDS = ("ground", "floor", "terrain")
 
 Rect = tuple[float, float, float, float]
@@ -97,20 +99,61 @@ def ground_nodes(doc: EsgDocument) -> tuple[str, ...]:
     return tuple(out[:1])
 
 
-def surface_for(shape: Shape) -> SupportSurface:
-    """The surface that `on` means: the highest among the large ones, else the top of the box."""
+def surfaces_of(shape: Shape) -> list[SupportSurface]:
+    """The large surfaces of an object, the highest first, else the top of its box."""
     surfaces = shape.config.support_surfaces
     if shape.is_decal:
-        return SupportSurface(
+        return [SupportSurface(
             name="decal", center_cm=(0.0, 0.0, 0.0), half_extents_cm=(shape.hx, shape.hy)
-        )
+        )]  # fmt: skip
     if not surfaces:
-        return SupportSurface(
+        return [SupportSurface(
             name="top", center_cm=(0.0, 0.0, shape.height), half_extents_cm=(shape.hx, shape.hy)
-        )
+        )]  # fmt: skip
     area = [4 * s.half_extents_cm[0] * s.half_extents_cm[1] for s in surfaces]
     large = [s for s, a in zip(surfaces, area, strict=True) if a >= 0.6 * max(area)]
-    return max(large, key=lambda s: s.center_cm[2])
+    return sorted(large, key=lambda s: -s.center_cm[2])
+
+
+def surface_for(shape: Shape) -> SupportSurface:
+    """The surface that `on` means: the highest among the large ones, else the top of the box."""
+    return surfaces_of(shape)[0]
+
+
+FULL = 0.5
+"""Share of a surface that objects cover before the next ones go to the shelf below."""
+
+
+def share_shelves(parent: Shape, children: dict[str, Shape]) -> dict[str, SupportSurface]:
+    """Which surface carries which child, for an object with several large surfaces.
+
+    The highest is filled first, to half its area; then the next lower one on which the object fits
+    below the shelf above. What fits nowhere goes to the highest.
+
+    Args:
+        parent: What carries.
+        children: Names and shapes, in the order in which they are set down.
+
+    Returns:
+        Surfaces of those that do not stand on the highest.
+    """
+    shelves = surfaces_of(parent)
+    out: dict[str, SupportSurface] = {}
+    if len(shelves) < 2:
+        return out
+    used = [0.0] * len(shelves)
+    for name, child in children.items():
+        need = 4 * child.hx * child.hy
+        for k, shelf in enumerate(shelves):
+            room = 4 * shelf.half_extents_cm[0] * shelf.half_extents_cm[1]
+            gap = shelves[k - 1].center_cm[2] - shelf.center_cm[2] if k else float("inf")
+            under = SHELF_THICKNESS_CM if k else 0.0
+            if child.height < gap - under and (used[k] == 0 or used[k] + need <= FULL * room):
+                used[k] += need
+                if k:
+                    out[name] = shelf
+                break
+    return out
 
 
 def flat_top(shape: Shape, surface: SupportSurface) -> float:
@@ -155,9 +198,15 @@ def _rect(surface: SupportSurface, bounds_cm: object = None) -> Rect:
     return rect
 
 
-def stand_on(child: Shape, parent_name: str, parent: Shape, bounds_cm: object = None) -> Support:
+def stand_on(
+    child: Shape,
+    parent_name: str,
+    parent: Shape,
+    bounds_cm: object = None,
+    surface: SupportSurface | None = None,
+) -> Support:
     """Support of a child that stands on a parent's surface, or on a part of it."""
-    surface = surface_for(parent)
+    surface = surface or surface_for(parent)
     z = flat_top(parent, surface)
     gap = 0.0 if child.is_decal else REST_GAP_CM
     return Support(parent_name, "on", _rect(surface, bounds_cm), z + gap - child.bottom)
@@ -276,6 +325,14 @@ def find_supports(doc: EsgDocument, shape: dict[str, Shape]) -> SupportMap:
             parent_of[name] = wish[1]
             break
 
+    on_it: dict[str, dict[str, Shape]] = {}
+    for name, (kind, parent, limits) in chosen.items():
+        if kind == "on" and limits is None and not shape[name].is_decal:
+            on_it.setdefault(parent, {})[name] = shape[name]
+    shelf: dict[str, SupportSurface] = {}
+    for parent, children in on_it.items():
+        if len(children) > 1:
+            shelf |= share_shelves(shape[parent], children)
     height: dict[str, float] = {}
 
     def resolve(name: str) -> None:
@@ -308,7 +365,7 @@ def find_supports(doc: EsgDocument, shape: dict[str, Shape]) -> SupportMap:
             s = stand_on(child, parent, shape[parent])
             out.of[name] = Support(parent, "above", s.rect, s.z_cm + 0.5 * child.height)
         else:
-            out.of[name] = stand_on(child, parent, shape[parent], limits)
+            out.of[name] = stand_on(child, parent, shape[parent], limits, shelf.get(name))
         height[name] = height[parent] + out.of[name].z_cm
 
     for name in graph.nodes:

@@ -11,7 +11,7 @@ import numpy as np
 
 from esg.graph.models import EsgDocument, RelationType
 from esg.layout.hints import Constellation, Corridor, StartHints
-from esg.layout.patterns import Pose2, arrange
+from esg.layout.patterns import Pose2, arrange, is_domino_like
 from esg.layout.supports import Shape, SupportMap, ground_nodes
 
 RIGID_PATTERNS = ("pins", "rack", "row", "column", "queue", "stack")
@@ -27,6 +27,18 @@ def inverse(p: Pose2) -> Pose2:
     """Returns the inverse of a planar pose."""
     c, s = math.cos(p[2]), math.sin(p[2])
     return (-c * p[0] - s * p[1], s * p[0] - c * p[1], -p[2])
+
+
+def distance_to_path(points: tuple[tuple[float, float], ...], x: float, y: float) -> float:
+    """Distance of a point to a polyline [cm]; infinite for less than two points."""
+    least = math.inf
+    for (x0, y0), (x1, y1) in itertools.pairwise(points):
+        dx, dy = x1 - x0, y1 - y0
+        square = dx * dx + dy * dy
+        t = ((x - x0) * dx + (y - y0) * dy) / square if square > 0 else 0.0
+        t = min(max(t, 0.0), 1.0)
+        least = min(least, math.hypot(x - x0 - t * dx, y - y0 - t * dy))
+    return least
 
 
 @dataclass
@@ -104,13 +116,25 @@ class UnitBuilder:
             rest = [m for m in members if m not in self.taken]
             if len(rest) == len(members):
                 self._group(name, members)
-        for unit in list(self.units):
-            if unit.is_planned:
-                self._lay_decals(unit)
+            elif rest:
+                self._complete(name, members, rest)
+        planned = [u for u in self.units if u.is_planned]
+        # without planned motion, a queue of vehicles stands along its road
+        queues = [u for u in self.units if len(u.members) > 1 and self._is_queue(u)]
+        for unit in planned or queues[:1]:
+            self._lay_decals(unit)
         for name in self.nodes:
             if name not in self.taken:
                 self._add(Unit({name: (0.0, 0.0, 0.0)}, parent=self.supports.of[name].parent))
         return self.units
+
+    def _is_queue(self, unit: Unit) -> bool:
+        group = self.nodes[next(iter(unit.members))].group
+        return (
+            group is not None
+            and self.pattern_of(group) in ("queue", "column")
+            and all(self.shape[n].config.is_wheeled for n in unit.members)
+        )
 
     def _add(self, unit: Unit) -> None:
         self.units.append(unit)
@@ -257,6 +281,39 @@ class UnitBuilder:
         poses = {n: (p[0] - float(mid[0]), p[1] - float(mid[1]), p[2]) for n, p in poses.items()}
         base = next(iter(bases)) if bases else None
         self._add(Unit(poses, parent=base))
+
+    def _complete(self, name: str, members: list[str], rest: list[str]) -> None:
+        """Sets the members of a pattern that no motion plans beside the one that has a start.
+
+        The first domino of a row is pushed, the others belong where the row continues. Not done
+        where several starts say otherwise, where what carries them differs, or where a planned path
+        would run into them, unless they are there to be run into, as dominoes are.
+        """
+        started = [m for m in members if m in self.taken]
+        unit = self.taken[started[0]]
+        pattern = self.pattern_of(name)
+        if pattern not in RIGID_PATTERNS or pattern == "stack" or started[0] in unit.z_cm:
+            return
+        if len({self.supports.of[m].parent for m in members}) > 1:
+            return
+        local = self._arrange(name, members)
+        frame = compose(unit.members[started[0]], inverse(local[started[0]]))
+        poses = {m: compose(frame, local[m]) for m in members}
+        for m in started[1:]:
+            if self.taken[m] is not unit or math.dist(poses[m][:2], unit.members[m][:2]) > 1.0:
+                return
+        reach = {m: math.hypot(self.shape[m].hx, self.shape[m].hy) for m in rest}
+        allowed = {f"group:{name}", *rest}
+        topple = all(is_domino_like(*_size(self.shape[m])) for m in members)
+        for c in () if topple else unit.corridors:
+            if not allowed & set(c.participants) and any(
+                distance_to_path(c.points_cm, *poses[m][:2]) < c.half_width_cm + reach[m]
+                for m in rest
+            ):
+                return
+        for m in rest:
+            unit.members[m] = poses[m]
+            self.taken[m] = unit
 
     def _lay_decals(self, unit: Unit) -> None:
         from esg.layout.decals import lay_decals  # decals need units and obstacles
