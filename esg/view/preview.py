@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 import itertools
 import math
+import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -16,13 +18,18 @@ from esg.engines.scene import Rollout, SimScene
 from esg.graph.models import EsgDocument, RelationType
 from esg.units import CM_PER_M
 from esg.view.camera import Camera, box_corners, frame_points
-from esg.view.render import Part, Renderer
-from esg.view.sheet import Panel, draw_trail, write_sheet
+from esg.view.render import SAMPLES, Part, Renderer
+from esg.view.sheet import Panel, draw_trail, write_loop, write_sheet
 
 if TYPE_CHECKING:
     from esg.metrics.models import EventVerdict, SceneVerdict
 
 PANEL_PX = (480, 320)
+LOOP_PX = (240, 160)
+LOOP_FPS = 10
+LOOP_FRAMES = 20
+LOOP_LEAD_S = 0.8
+"""The loop starts so long before the first event."""
 MAX_EVENTS = 7
 REACH = 4.5
 """Company joins the picture if it widens it by at most this factor."""
@@ -30,6 +37,16 @@ _UNITS = {"mps": "m/s", "m": "m", "s": "s", "deg": "deg", "ns": "N s", "kg": "kg
 GROUND_HALF_EXTENT_M = 45.0
 """A surface without collision at least this wide is the ground."""
 GROUND_RGB = {"indoor": (0.47, 0.41, 0.35), "outdoor": (0.36, 0.38, 0.36)}
+
+
+@dataclass(frozen=True)
+class Shot:
+    """One picture to take: frame of the rollout, camera, size [px] and rays a pixel."""
+
+    frame: int
+    camera: Camera
+    size: tuple[int, int] = PANEL_PX
+    samples: int = SAMPLES
 
 
 @dataclass(frozen=True)
@@ -53,33 +70,43 @@ def preview(
     folder: Path,
     *,
     note: str = "",
+    loop: bool = True,
 ) -> Path:
-    """Writes `preview.png`: the scene before, at every completed event and after.
+    """Writes `preview.png`, the scene before, at every completed event and after, and a loop of it.
 
     Args:
         scene: The bodies.
         rollout: The replay; its first world is drawn.
         verdict: Events with their times; None or no events draws before and after only.
         doc: Asset configurations (meshes) and the prompt.
-        folder: Where the file goes.
+        folder: Where the files go.
         note: A line under the prompt, e.g. the outcome.
+        loop: Also write `preview.webp`, the same action as a short animation.
 
     Returns:
-        Path of the picture.
+        Path of the sheet.
     """
     moments = _moments(scene, rollout, verdict, doc)
-    renderer = Renderer(_parts(scene, rollout, doc), len(scene.bodies), *PANEL_PX)
-    view = _viewpoint(scene, rollout, moments, renderer)
-    panels: list[Panel] = []
-    since = 0.0
+    parts = _parts(scene, rollout, doc)
+    renderers = [Renderer(parts, len(scene.bodies), *PANEL_PX) for _ in range(_threads())]
+    view = _viewpoint(scene, rollout, moments, renderers[0])
+    for renderer in renderers:
+        renderer.light(view[0])
+    shots: list[Shot] = []
     for moment in moments:
         frame = _frame(rollout, moment.time)
-        _pose(renderer, rollout, frame)
-        camera = _camera(scene, rollout, moment, frame, *view)
-        image = renderer.color(camera)
-        image = draw_trail(image, camera, _trails(rollout, moment.focus, since, moment.time))
+        shots.append(Shot(frame, _camera(scene, rollout, moment, frame, *view)))
+    film = loop_shots(scene, rollout, moments, view) if loop else []
+    images = _render(renderers, rollout, [*shots, *film])
+    panels: list[Panel] = []
+    since = 0.0
+    for moment, shot, image in zip(moments, shots, images[: len(shots)], strict=True):
+        trails = _trails(rollout, moment.focus, since, moment.time)
+        image = draw_trail(image, shot.camera, trails)
         panels.append(Panel(image, moment.title, moment.caption))
         since = moment.time
+    if loop:
+        write_loop(folder / "preview.webp", images[len(shots) :], round(1000 / LOOP_FPS))
     return write_sheet(
         folder / "preview.png",
         panels,
@@ -87,6 +114,65 @@ def preview(
         note=note,
         footnotes=_failures(verdict),
     )
+
+
+def _threads() -> int:
+    """Pictures drawn at once: the tracer runs on one core, so two draw where two are free."""
+    limit = os.environ.get("OMP_NUM_THREADS", "")
+    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else 1
+    return max(1, min(2, cores, int(limit) if limit.isdigit() else 2))
+
+
+def _render(
+    renderers: Sequence[Renderer], rollout: Rollout, shots: Sequence[Shot]
+) -> list[NDArray[np.uint8]]:
+    """One picture a shot, dealt out to the renderers; which one draws makes no difference."""
+
+    def draw(k: int) -> list[NDArray[np.uint8]]:
+        out: list[NDArray[np.uint8]] = []
+        for shot in shots[k :: len(renderers)]:
+            _pose(renderers[k], rollout, shot.frame)
+            out.append(renderers[k].color(shot.camera, shot.size, shot.samples))
+        return out
+
+    if len(renderers) == 1:
+        return draw(0)
+    # Kernels are compiled at their first launch: not by two threads at once.
+    first = shots[0]
+    _pose(renderers[0], rollout, first.frame)
+    renderers[0].color(first.camera, (8, 8), first.samples)
+    with ThreadPoolExecutor(len(renderers)) as pool:
+        dealt = list(pool.map(draw, range(len(renderers))))
+    return [dealt[i % len(renderers)][i // len(renderers)] for i in range(len(shots))]
+
+
+def loop_shots(
+    scene: SimScene, rollout: Rollout, moments: Sequence[_Moment], view: tuple[float, float]
+) -> list[Shot]:
+    """Frames of the loop: from shortly before the first event to shortly after the last.
+
+    The camera goes smoothly from one moment's framing to the next.
+    """
+    start, end = moments[0].time, moments[-1].time
+    if len(moments) > 2:
+        start = max(start, moments[1].time - LOOP_LEAD_S)
+    count = int(min(LOOP_FRAMES, max(2, round((end - start) * LOOP_FPS))))
+    times = np.linspace(start, end, count)
+    stops = moments[1:] if len(moments) > 2 else moments
+    cameras = [_camera(scene, rollout, m, _frame(rollout, m.time), *view) for m in stops]
+    marks = np.array([m.time for m in stops])
+    shots: list[Shot] = []
+    for time in times:
+        eye, target = (
+            tuple(
+                float(np.interp(time, marks, [getattr(c, key)[axis] for c in cameras]))
+                for axis in range(3)
+            )
+            for key in ("eye", "target")
+        )
+        camera = Camera(eye, target)  # type: ignore[arg-type]  # three floats each
+        shots.append(Shot(_frame(rollout, float(time)), camera, LOOP_PX, 2))
+    return shots
 
 
 def _moments(
@@ -410,21 +496,19 @@ def _ground(rollout: Rollout, color: tuple[float, float, float]) -> list[Part]:
     stop = np.ceil((high + margin) / tile).astype(int)
     if int(np.max(stop - start)) > 240:  # a runaway body: tiles around the origin only
         start, stop = np.array([-120, -120]), np.array([120, 120])
-    cells = [
-        (i, j)
-        for i in range(start[0], stop[0])
-        for j in range(start[1], stop[1])
-        if (i + j) % 2 == 0
-    ]
     corner = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], float)
-    corners = (np.array(cells, float)[:, None, :] + corner) * tile
-    vertices = np.concatenate([corners.reshape(-1, 2), np.full((4 * len(cells), 1), -0.002)], 1)
-    offsets = 4 * np.arange(len(cells))[:, None, None]
-    faces = (np.array([[0, 1, 2], [0, 2, 3]])[None] + offsets).reshape(-1, 3)
+    i, j = np.meshgrid(np.arange(start[0], stop[0]), np.arange(start[1], stop[1]), indexing="ij")
+    cells = np.stack([i.ravel(), j.ravel()], axis=1)
     lighter = tuple(min(1.0, 1.1 * c) for c in color)
+    # The tiles are the ground, exactly at z = 0; the plane below is seen only beyond them.
+    tiles: list[Part] = []
+    for parity, shade in enumerate((lighter, color)):
+        mine = cells[cells.sum(axis=1) % 2 == parity]
+        corners = (mine[:, None, :] + corner) * tile
+        flat = np.concatenate([corners.reshape(-1, 2), np.zeros((4 * len(mine), 1))], 1)
+        offsets = 4 * np.arange(len(mine))[:, None, None]
+        faces = (np.array([[0, 1, 2], [0, 2, 3]])[None] + offsets).reshape(-1, 3)
+        tiles.append(Part(-1, flat, faces, shade))  # type: ignore[arg-type]  # three floats
     middle = 0.5 * (low + high)
     big = np.concatenate([(corner - 0.5) * 900 + middle, np.full((4, 1), -0.005)], axis=1)
-    return [
-        Part(-1, big, np.array([[0, 1, 2], [0, 2, 3]]), color),
-        Part(-1, vertices, faces, lighter),  # type: ignore[arg-type]  # three floats
-    ]
+    return [Part(-1, big, np.array([[0, 1, 2], [0, 2, 3]]), color), *tiles]

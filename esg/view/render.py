@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+import math
 from typing import Any
 
 import numpy as np
@@ -14,7 +15,7 @@ from esg.view.camera import Camera
 SKY = (205, 219, 235)
 """RGB of everything the rays miss."""
 SAMPLES = 4
-"""Rays a pixel."""
+"""Rays a pixel. What they hit is shaded once a pixel and surface (MSAA)."""
 
 
 @dataclass(frozen=True)
@@ -34,11 +35,28 @@ class Part:
     color: tuple[float, float, float]
 
 
+def merged(parts: Sequence[Part]) -> list[Part]:
+    """The same picture from fewer meshes: those of one body and colour become one.
+
+    Every mesh costs the tracer a search of its own; a car of forty pieces in six colours is six.
+    """
+    groups: dict[tuple[int, tuple[float, float, float]], list[Part]] = {}
+    for part in parts:
+        groups.setdefault((part.body, part.color), []).append(part)
+    out: list[Part] = []
+    for (body, color), members in groups.items():
+        starts = np.cumsum([0, *(len(m.vertices) for m in members[:-1])])
+        faces = [m.faces + start for m, start in zip(members, starts, strict=True)]
+        vertices = np.concatenate([m.vertices for m in members])
+        out.append(Part(body, vertices, np.concatenate(faces), color))
+    return out
+
+
 class Renderer:
     """Renders one set of parts in many poses from many cameras.
 
     Args:
-        parts: Meshes; every part keeps its position in this list as its shape index.
+        parts: Meshes.
         n_bodies: Number of bodies that `Part.body` refers to.
         width, height: Of the picture [px].
     """
@@ -52,6 +70,7 @@ class Renderer:
 
         self.width, self.height = width, height
         self._wp = wp
+        parts = merged(parts)
         builder = newton.ModelBuilder(gravity=(0.0, 0.0, 0.0))
         inertia = wp.mat33(np.eye(3).flatten())
         for _ in range(n_bodies):
@@ -67,21 +86,30 @@ class Renderer:
         self._state = self._model.state()
         self._part_bodies = np.array([p.body for p in parts])
         config = SensorCamera.RenderConfig(
-            enable_shadows=True, anti_aliasing=SensorCamera.AntiAliasing.SSAA
+            enable_shadows=True, anti_aliasing=SensorCamera.AntiAliasing.MSAA
         )
         probe = SensorCamera.RenderConfig()
         red, green, blue = SKY
         self._clear = SensorCamera.ClearData(clear_color=red | green << 8 | blue << 16)
         self._config, self._probe_config = config, probe
         self._camera: Any = SensorCamera(self._model, default_render_config=config)
-        light = np.array([-0.45, -0.5, -0.9])
-        self._camera.create_default_light(
-            enable_shadows=True,
-            direction=wp.vec3f(*(light / np.linalg.norm(light))),
-            color=(0.8, 0.78, 0.74),
-        )
+        self.light(math.radians(90))
         self._camera.set_ambient_light((0.34, 0.36, 0.4), (0.16, 0.15, 0.14))
         self._rays: dict[tuple[int, int, float, int], Any] = {}
+
+    def light(self, azimuth: float) -> None:
+        """Puts the sun behind the viewer's right shoulder, so that what one sees is lit.
+
+        Args:
+            azimuth: Direction from the scene to the viewer, counter-clockwise from +X [rad].
+        """
+        toward = azimuth - math.radians(42)
+        direction = np.array([-0.67 * math.cos(toward), -0.67 * math.sin(toward), -0.9])
+        self._camera.create_default_light(
+            enable_shadows=True,
+            direction=self._wp.vec3f(*(direction / np.linalg.norm(direction))),
+            color=(0.8, 0.78, 0.74),
+        )
 
     def pose(self, position: NDArray[Any], quaternion: NDArray[Any]) -> None:
         """Moves the bodies.
@@ -94,17 +122,26 @@ class Renderer:
         self._state.body_q.assign(poses)
         self._model.bvh_refit_shapes(self._state)
 
-    def color(self, camera: Camera) -> NDArray[np.uint8]:
-        """The picture from `camera`, shape [height, width, 3]."""
-        image = self._camera.allocate_image_color(1, self.width, self.height)
+    def color(
+        self, camera: Camera, size: tuple[int, int] | None = None, samples: int = SAMPLES
+    ) -> NDArray[np.uint8]:
+        """The picture from `camera`, shape [height, width, 3].
+
+        Args:
+            camera: Where to look from.
+            size: Width and height [px]; default those of the renderer.
+            samples: Rays a pixel.
+        """
+        width, height = size or (self.width, self.height)
+        image = self._camera.allocate_image_color(1, width, height)
         self._camera.update(
             self._state,
             self._transform(camera),
-            self._ray_bundle(self.width, self.height, camera.fov, SAMPLES),
+            self._ray_bundle(width, height, camera.fov, samples),
             color_image=image,
             clear_data=self._clear,
         )
-        packed = image.numpy().reshape(self.height, self.width)
+        packed = image.numpy().reshape(height, width)
         return np.stack([packed & 255, packed >> 8 & 255, packed >> 16 & 255], -1).astype(np.uint8)
 
     def visible(self, camera: Camera, bodies: Iterable[int], width: int = 96) -> dict[int, int]:

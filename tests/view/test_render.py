@@ -10,8 +10,8 @@ import pytest
 import trimesh
 
 from esg.view.camera import Camera
-from esg.view.render import SKY, Part, Renderer
-from esg.view.sheet import CAPTION_PX, GAP, Panel, write_sheet
+from esg.view.render import SKY, Part, Renderer, merged
+from esg.view.sheet import CAPTION_PX, GAP, Panel, panel_boxes, write_loop, write_sheet
 
 BOX = trimesh.creation.box((1.0, 1.0, 1.0))
 RED, GREEN = (0.9, 0.05, 0.05), (0.05, 0.9, 0.05)
@@ -62,3 +62,54 @@ def test_sheet_has_room_for_all_panels(tmp_path: Path) -> None:
     with Image.open(path) as sheet:
         assert sheet.width == 3 * 400 + 4 * GAP
         assert sheet.height > 2 * (40 + CAPTION_PX)
+
+
+def test_merged_parts_give_the_same_picture() -> None:
+    """Pieces of one body and colour are one mesh; other bodies and colours stay apart."""
+    vertices, faces = np.asarray(BOX.vertices), np.asarray(BOX.faces)
+    pieces = [
+        Part(0, vertices + np.array([dx, 0, 0]), faces, color)
+        for dx, color in ((-2.0, RED), (0.0, GREEN), (2.0, RED))
+    ]
+    one = merged(pieces)
+    assert [(p.body, p.color, len(p.faces)) for p in one] == [(0, RED, 24), (0, GREEN, 12)]
+    assert np.allclose(one[0].vertices[12 - 4 :], vertices + np.array([2.0, 0, 0]))
+    assert one[0].faces[12:].min() == 8
+    assert len(merged([*pieces, Part(1, vertices, faces, RED)])) == 3
+
+
+def test_the_sun_stands_behind_the_viewer() -> None:
+    """The side one looks at is bright from every side; the sun's side throws no shadow on it."""
+    parts = [Part(0, np.asarray(BOX.vertices), np.asarray(BOX.faces), (0.6, 0.6, 0.6))]
+    renderer = Renderer(parts, 1, 48, 32)
+    renderer.pose(np.zeros((1, 3)), np.array([[0.0, 0.0, 0.0, 1.0]]))
+    seen = []
+    for azimuth in np.radians([0, 90, 180, 270]):
+        renderer.light(azimuth)
+        camera = Camera((6 * np.cos(azimuth), 6 * np.sin(azimuth), 0.0), (0.0, 0.0, 0.0))
+        seen.append(float(renderer.color(camera)[16, 24].mean()))
+    assert np.ptp(seen) < 3
+    renderer.light(np.pi)
+    assert renderer.color(Camera((6.0, 0.0, 0.0), (0.0, 0.0, 0.0)))[16, 24].mean() < seen[0] - 30
+
+
+def test_a_loop_plays_forever_and_rests_at_its_end(tmp_path: Path) -> None:
+    """Every frame is kept, in order."""
+    frames = [np.full((40, 60, 3), 30 + 60 * k, np.uint8) for k in range(4)]
+    with Image.open(write_loop(tmp_path / "l.webp", frames, 100)) as loop:
+        assert (loop.n_frames, loop.info["loop"], loop.size) == (4, 0, (60, 40))
+        for k in range(4):
+            loop.seek(k)
+            assert abs(int(np.asarray(loop.convert("RGB"))[20, 30, 0]) - (30 + 60 * k)) < 6
+
+
+def test_panels_of_a_sheet_are_found_again(tmp_path: Path) -> None:
+    """Cropping a box gives the panel's picture; other pictures have none."""
+    panels = [Panel(np.full((40, 400, 3), 50 * k, np.uint8), "t", "c") for k in range(1, 5)]
+    path = write_sheet(tmp_path / "p.png", panels, title="t")
+    with Image.open(path) as sheet:
+        boxes = panel_boxes(sheet)
+        assert len(boxes) == 4
+        for k, box in enumerate(boxes, 1):
+            assert (np.asarray(sheet.crop(box)) == 50 * k).all()
+    assert panel_boxes(Image.new("RGB", (9, 9))) == []
