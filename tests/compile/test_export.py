@@ -11,14 +11,16 @@ from xml.etree import ElementTree as ET
 from helpers import first_touches, written
 import numpy as np
 import pytest
+from random_scenes import random_scene
 import scenes
 from test_emit import HOSTILE
 
 from esg.compile import replay_class
 from esg.compile.export import export
 from esg.compile.glb import read_glb
+from esg.engines.executor import Executor
 from esg.engines.manifest import load_manifest, manifest_bytes, manifest_to_json
-from esg.engines.program import ApplyImpulse, Program, SetVelocity
+from esg.engines.program import ApplyImpulse, Program, SetVelocity, batch_programs
 from esg.engines.scene import Rollout, SimScene
 from esg.outcomes import UserError
 from esg.units import quat_rotate
@@ -392,19 +394,94 @@ def test_usd_runs_in_newton(tmp_path: Path, name: str) -> None:
 
 
 def test_the_documented_reader_needs_nothing_of_ours(folder: Path) -> None:
-    """docs/read_manifest.py plays the manifest alone; its first contacts are the class's."""
-    script = Path(__file__).parents[2] / "docs" / "read_manifest.py"
-    assert "esg" not in script.read_text().replace("nothing of this project", "")
+    """docs/play_manifest.py plays the manifest alone; its first contacts are the class's."""
+    docs = Path(__file__).parents[2] / "docs"
+    for name in ("read_manifest.py", "play_manifest.py"):
+        assert "esg" not in (docs / name).read_text().replace("nothing of this project", "")
+    assert len((docs / "read_manifest.py").read_text().splitlines()) <= 50
     done = subprocess.run(
-        [sys.executable, str(script), str(folder / "manifest.json")],
+        [sys.executable, str(docs / "play_manifest.py"), str(folder / "manifest.json")],
         capture_output=True, text=True, check=True, cwd=folder,
     )  # fmt: skip
     told = {}
     for line in done.stdout.splitlines():
         time, rest = line.split(" s  ", 1)
         told[frozenset(rest.rsplit("  ", 1)[0].split(" hits "))] = float(time)
-    replay = replay_class(folder)
+    replay = replay_class(folder, engine="rapier")
     names = [b.name for b in replay.scene.bodies]
     ours = {frozenset(names[i] for i in p): t for p, t in first_touches(replay.rollout).items()}
     first = min(ours, key=lambda pair: ours[pair])
     assert told[first] == pytest.approx(ours[first], abs=1.5 / 240)
+
+
+def test_the_documented_program_does_what_the_executor_does() -> None:
+    """docs/read_manifest.py against the reference executor on random programs, without physics."""
+    import importlib.util
+
+    path = Path(__file__).parents[2] / "docs" / "read_manifest.py"
+    spec = importlib.util.spec_from_file_location("read_manifest", path)
+    assert spec is not None and spec.loader is not None
+    reader = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(reader)
+    for seed in range(20):
+        scene, program, _ = random_scene(seed)
+        theirs = {b.name: Bodies.Body(b.mass) for b in scene.bodies}
+        ours = Bodies([b.mass for b in scene.bodies])
+        played = reader.Program(manifest_to_json(scene, program, dt=1 / 240))
+        executor = Executor(batch_programs([program], scene.names), 0)
+        rng = np.random.default_rng(seed)
+
+        def set_friction(name: str, value: float, theirs: dict = theirs) -> None:
+            theirs[name].friction = value
+
+        touched: list[tuple[int, int]] = []
+        for step in range(round(program.duration * 240)):
+            pairs = [{scene.names[a], scene.names[b]} for a, b in touched]
+            played.before_step(step / 240, 1 / 240, theirs.__getitem__, pairs, set_friction)
+            executor.before_step(step / 240, 1 / 240, touched, ours)
+            for i, name in enumerate(scene.names):
+                one, two = theirs[name], ours.bodies[i]
+                np.testing.assert_allclose(one.linvel, two.linvel, atol=1e-12)
+                np.testing.assert_allclose(one.angvel, two.angvel, atol=1e-12)
+                for item in ("linear_damping", "angular_damping", "friction"):
+                    assert getattr(one, item) == getattr(two, item)
+            hit = rng.random() < 0.1 and len(scene.names) > 1
+            touched = (
+                [tuple(sorted(rng.choice(len(scene.names), 2, replace=False).tolist()))]
+                if hit
+                else []
+            )  # type: ignore[misc]
+
+
+class Bodies:
+    """Bodies that only remember what a program set; access as the executor wants it."""
+
+    class Body:
+        def __init__(self, mass: float) -> None:
+            self.mass = mass
+            self.linvel = self.angvel = (0.0, 0.0, 0.0)
+            self.linear_damping = self.angular_damping = self.friction = 0.0
+
+    def __init__(self, masses: list[float]) -> None:
+        self.bodies = [Bodies.Body(m) for m in masses]
+
+    def linear(self, body: int) -> tuple[float, float, float]:
+        return self.bodies[body].linvel
+
+    def mass(self, body: int) -> float:
+        return self.bodies[body].mass
+
+    def set_linear(self, body: int, velocity: tuple[float, float, float]) -> None:
+        self.bodies[body].linvel = velocity
+
+    def set_angular(self, body: int, velocity: tuple[float, float, float]) -> None:
+        self.bodies[body].angvel = velocity
+
+    def set_linear_damping(self, body: int, damping: float) -> None:
+        self.bodies[body].linear_damping = damping
+
+    def set_angular_damping(self, body: int, damping: float) -> None:
+        self.bodies[body].angular_damping = damping
+
+    def set_friction(self, body: int, friction: float) -> None:
+        self.bodies[body].friction = friction
