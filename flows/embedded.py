@@ -29,10 +29,13 @@ import sys
 import tempfile
 import time
 
+from esg.leftovers import owned_folder, sweep_leftovers
 from esg.outcomes import UserError
 from esg.paths import cache_dir
 
 STARTUP_TIMEOUT_S = 90.0
+PREFIX = "esg-prefect-"
+"""Of the folders of private APIs."""
 
 _QUIET = {
     "DO_NOT_TRACK": "1",
@@ -64,9 +67,14 @@ def configure() -> None:
 
 
 class EmbeddedServer:
-    """The private API process of one command."""
+    """The private API process of one command.
 
-    def __init__(self) -> None:
+    Args:
+        services: Whether to run the background services that schedules need.
+    """
+
+    def __init__(self, *, services: bool = False) -> None:
+        self._services = services
         self._process: subprocess.Popen[bytes] | None = None
         self._folder: Path | None = None
         self._port = 0
@@ -76,7 +84,8 @@ class EmbeddedServer:
         configure()
         if os.environ.get("PREFECT_API_URL") or self._process is not None:
             return
-        self._folder = Path(tempfile.mkdtemp(prefix="esg-prefect-"))
+        sweep_leftovers(PREFIX)
+        self._folder = owned_folder(PREFIX)
         database = self._folder / "prefect.db"
         with contextlib.suppress(OSError):  # an unwritable cache: migrate the private copy instead
             shutil.copyfile(prepare_template(), database)
@@ -88,7 +97,9 @@ class EmbeddedServer:
                 *("--host", "127.0.0.1", "--port", str(self._port)),
                 *("--log-level", "critical", "--timeout-keep-alive", "30"),
             ],
-            env=_server_environment(database, migrate=not database.exists()),
+            env=_server_environment(
+                database, migrate=not database.exists(), services=self._services
+            ),
             stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL,
             stderr=(self._folder / "server.log").open("wb"),
@@ -158,9 +169,13 @@ class EmbeddedServer:
 
 
 @contextlib.contextmanager
-def prefect_api() -> Iterator[EmbeddedServer]:
-    """A running or starting API for the body; call `wait()` before the first flow."""
-    server = EmbeddedServer()
+def prefect_api(*, services: bool = False) -> Iterator[EmbeddedServer]:
+    """A running or starting API for the body; call `wait()` before the first flow.
+
+    Args:
+        services: Whether it runs the background services that schedules need.
+    """
+    server = EmbeddedServer(services=services)
     server.start()
     try:
         yield server
@@ -200,7 +215,7 @@ def prepare_template() -> Path:
     return template
 
 
-def _server_environment(database: Path, migrate: bool) -> dict[str, str]:
+def _server_environment(database: Path, migrate: bool, services: bool = False) -> dict[str, str]:
     env = dict(os.environ)
     env.update(
         PREFECT_HOME=str(database.parent),
@@ -213,7 +228,7 @@ def _server_environment(database: Path, migrate: bool) -> dict[str, str]:
         OMP_NUM_THREADS="1",
     )
     env.pop("PREFECT_API_URL", None)
-    for service in _UNUSED_SERVICES:
+    for service in () if services else _UNUSED_SERVICES:
         env[f"PREFECT_SERVER_SERVICES_{service}_ENABLED"] = "false"
     return env
 

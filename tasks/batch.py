@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 from prefect import task
@@ -12,7 +13,7 @@ from prefect.runtime import task_run
 from prefect.states import Completed
 from prefect.tasks import Task, exponential_backoff
 
-from esg.pipeline import SceneState, crashed, may_pass, run_stage
+from esg.pipeline import SceneState, crashed, may_pass, run_stage, scratch_store
 from esg.workers import WorkerDied
 from tasks.context import current
 
@@ -54,6 +55,14 @@ def make_stage_task(stage: str) -> Callable[[list[SceneState]], list[SceneState]
     return run
 
 
+def _run(store: Path | None, stage: str, state: SceneState) -> SceneState:
+    """One stage of one scene, wherever the pool runs it."""
+    if store is None:
+        return run_stage(stage, state)
+    with scratch_store(store):
+        return run_stage(stage, state)
+
+
 def run_batch(stage: str, states: list[SceneState], last_attempt: bool) -> list[SceneState]:
     """Runs one stage for every scene of a batch.
 
@@ -71,7 +80,7 @@ def run_batch(stage: str, states: list[SceneState], last_attempt: bool) -> list[
     busy: BaseException | None = None
     for state in states:
         try:
-            done = context.pool.run(run_stage, stage, state)
+            done = context.pool.run(_run, context.store, stage, state)
         except WorkerDied as error:
             done = crashed(state, error, stage)
         except OSError as error:

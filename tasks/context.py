@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 import contextlib
 from dataclasses import dataclass
+from pathlib import Path
 
 from esg.pipeline import SceneState
 from esg.workers import WorkerPool
@@ -19,8 +20,17 @@ def _ignore(stage: str, state: SceneState) -> None:
 
 @dataclass(frozen=True)
 class RunContext:
+    """What tasks find.
+
+    Args:
+        pool: Where work is done.
+        watch: Called after every stage of every scene (esg.progress tells more).
+        store: Artifact store of the run; None is the usual one.
+    """
+
     pool: WorkerPool
     watch: Watcher = _ignore
+    store: Path | None = None
 
 
 _current = RunContext(WorkerPool(0))
@@ -32,11 +42,13 @@ def current() -> RunContext:
 
 
 @contextlib.contextmanager
-def run_context(pool: WorkerPool, watch: Watcher | None = None) -> Iterator[RunContext]:
+def run_context(
+    pool: WorkerPool, watch: Watcher | None = None, store: Path | None = None
+) -> Iterator[RunContext]:
     """Makes a pool and a watcher current for all threads (a context variable would not be)."""
     global _current
     before = _current
-    _current = RunContext(pool, watch or _ignore)
+    _current = RunContext(pool, watch or _ignore, store)
     try:
         yield _current
     finally:

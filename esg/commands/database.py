@@ -16,7 +16,12 @@ def database_path() -> Path:
 
 
 def record_run(
-    states: list[SceneState], kind: str, *, suite: str = "", seeds: int = 1
+    states: list[SceneState],
+    kind: str,
+    *,
+    suite: str = "",
+    seeds: int = 1,
+    database: Path | None = None,
 ) -> str | None:
     """Writes the Parquet part of a run and ingests it.
 
@@ -28,6 +33,7 @@ def record_run(
         kind: generate or bench.
         suite: Name of the suite.
         seeds: Seeds a scene.
+        database: Default `database_path()`.
 
     Returns:
         Id of the run, None if it could not be recorded.
@@ -60,7 +66,7 @@ def record_run(
         code_version=hashlib.sha256(versions.encode()).hexdigest()[:16],
         machine=f"{platform.machine()}, {os.cpu_count()} cores, {request.device}",
     )
-    db = database_path()
+    db = database or database_path()
     try:
         records = [record_of(state, run) for state in states]
         parts = write_tables(db.parent / "parts", records, name=run.run_id)

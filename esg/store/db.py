@@ -221,7 +221,7 @@ def snapshot(db: Path, target: Path) -> Path:
     Raises:
         UserError: If there is no database or the copy cannot be written.
     """
-    _must_exist(db)
+    must_exist(db)
     work = temporary_name(target)
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
@@ -234,7 +234,12 @@ def snapshot(db: Path, target: Path) -> Path:
     return target
 
 
-def _must_exist(db: Path) -> None:
+def must_exist(db: Path) -> None:
+    """Checks that there is a database.
+
+    Raises:
+        UserError: If not.
+    """
     if not db.is_file():
         raise UserError(
             f"there is no database {db}; a benchmark or dataset run makes it, or rebuild it from "
@@ -267,7 +272,7 @@ def query(
             statements, the time limit, a missing or locked database.
     """
     db = Path(db)
-    _must_exist(db)
+    must_exist(db)
     if not read_only:
         with writing(db) as connection:
             return _run(connection, sql, timeout_s, max_rows)
