@@ -185,9 +185,13 @@ class Worlds:
         con: dict[str, Any] = {
             name: self._zeros((w, slots), int) for name in ("a", "b", "shape_a", "shape_b", "used")
         }
-        con |= {n: self._zeros((w, slots), float) for n in ("gap", "friction", "wanted", "delay")}
+        con |= {
+            n: self._zeros((w, slots), float)
+            for n in ("gap", "friction", "wanted", "delay", "early")
+        }
         vectors = ("normal", "arm_a", "arm_b", "share", "impulse")
         con |= {n: self._zeros((w, slots), wp.vec3) for n in vectors}
+        con |= {n: self._zeros((w, slots), wp.quat) for n in ("turn_a", "turn_b")}
         con["base"] = room.contacts if trace else 0
         con["count"] = self._zeros((w, frames.n_steps if trace else 1), int)
         con["dropped"] = self._zeros((w,), int)

@@ -74,6 +74,7 @@ class Features:
     normal: wp.array(dtype=wp.vec3)
     friction: wp.array(dtype=float)
     delay: wp.array(dtype=float)
+    early: wp.array(dtype=float)
     speeding: wp.array(dtype=wp.vec4i)
     """Velocity versions of a at this and the last step, then of b: their acceleration."""
 
@@ -96,6 +97,8 @@ class Versions:
     acted: wp.array2d(dtype=int)
     kick: wp.array2d(dtype=int)
     """Pose version of a body that was hit within the last step, else -1, [W, B]."""
+    hit: wp.array2d(dtype=int)
+    """Number of the step after a body's last hit, [W, B]."""
     velocity_at: wp.array3d(dtype=int)
     late: wp.array(dtype=float)
     """By pose version, the mean delay of the impulses of the step from there."""
@@ -137,8 +140,6 @@ def _describe(
     slot: int,
     c: int,
     step: int,
-    out_x: wp.array3d(dtype=wp.vec3),
-    out_r: wp.array3d(dtype=wp.quat),
 ):
     a = con.a[w, slot]
     b = con.b[w, slot]
@@ -149,8 +150,9 @@ def _describe(
     feat.body_b[c] = b
     feat.friction[c] = con.friction[w, slot]
     feat.delay[c] = con.delay[w, slot]
+    feat.early[c] = con.early[w, slot]
     sa = con.shape_a[w, slot]
-    ra = out_r[w, step, a]
+    ra = con.turn_a[w, slot]
     frame = ra * model.rotation[sa]
     local = wp.quat_rotate_inv(ra, con.arm_a[w, slot]) - model.position[sa]
     point = wp.quat_rotate_inv(model.rotation[sa], local)
@@ -163,7 +165,7 @@ def _describe(
         feat.core_b[c] = con.arm_b[w, slot]
     else:
         sb = con.shape_b[w, slot]
-        rb = out_r[w, step, b]
+        rb = con.turn_b[w, slot]
         frame_b = rb * model.rotation[sb]
         local_b = wp.quat_rotate_inv(rb, con.arm_b[w, slot]) - model.position[sb]
         point_b = wp.quat_rotate_inv(model.rotation[sb], local_b)
@@ -192,11 +194,11 @@ def _acts(model: Model, trace: Trace, w: int, step: int, i: int, holds: int) -> 
 
 
 @wp.func
-def _steady(model: Model, trace: Trace, w: int, step: int, i: int) -> bool:
+def _steady(model: Model, trace: Trace, ver: Versions, w: int, step: int, i: int) -> bool:
     """Whether a body's velocity did not jump from the last step to this one by program."""
     if step == 0:
         return False
-    if trace.awake[w, step - 1, i] == 0:
+    if trace.awake[w, step - 1, i] == 0 or ver.hit[w, i] == step:
         return False
     return not _acts(model, trace, w, step, i, 0) and not _acts(model, trace, w, step - 1, i, 0)
 
@@ -207,12 +209,12 @@ def _speeding(
 ) -> wp.vec4i:
     zero = ver.velocity[w]
     out = wp.vec4i(zero, zero, zero, zero)
-    if _steady(model, trace, w, step, a):
+    if _steady(model, trace, ver, w, step, a):
         out[0] = ver.velocity_at[w, step, a]
         out[1] = ver.velocity_at[w, step - 1, a]
     if b < 0:
         return out
-    if _steady(model, trace, w, step, b):
+    if _steady(model, trace, ver, w, step, b):
         out[2] = ver.velocity_at[w, step, b]
         out[3] = ver.velocity_at[w, step - 1, b]
     return out
@@ -241,8 +243,6 @@ def link(
     con: Contacts,
     trace: Trace,
     steps: wp.array(dtype=int),
-    out_x: wp.array3d(dtype=wp.vec3),
-    out_r: wp.array3d(dtype=wp.quat),
     ops: Ops,
     feat: Features,
     ver: Versions,
@@ -253,7 +253,8 @@ def link(
     c = feat.first[w]
     zero_v = ver.velocity[w]
     next_v = zero_v + 1 + model.n_bodies
-    next_x = ver.pose[w] + model.n_bodies
+    # The pose after those of the bodies is the ground's.
+    next_x = ver.pose[w] + model.n_bodies + 1
     zero_i = ver.impulse[w]
     next_i = zero_i + 1
     for i in range(model.n_bodies):
@@ -308,7 +309,7 @@ def link(
             slot = con.base * step + k
             if con.used[w, slot] == 0:
                 continue
-            _describe(model, con, feat, w, slot, c, step, out_x, out_r)
+            _describe(model, con, feat, w, slot, c, step)
             feat.speeding[c] = _speeding(model, trace, ver, w, step, con.a[w, slot], con.b[w, slot])
             ver.number[w, k] = c
             ver.last_i[w, k] = zero_i
@@ -359,9 +360,11 @@ def link(
                     ops.impulse_in[q] = ver.velocity_at[w, wp.max(step - 2, 0), i]
                     ops.out_b[q] = ver.velocity_at[w, step, i]
                 ver.kick[w, i] = -1
-                if hit and not _acts(model, trace, w, step, i, 0) and step > 0:
-                    if not _acts(model, trace, w, step - 1, i, 0):
+                if hit and step > 0 and not _acts(model, trace, w, step, i, 0):
+                    if not _acts(model, trace, w, step - 1, i, 0) and ver.hit[w, i] != step:
                         ver.kick[w, i] = ver.now_x[w, i]
+                if hit:
+                    ver.hit[w, i] = step + 1
                 ver.now_v[w, i] = next_v
                 ver.now_x[w, i] = next_x
                 next_v += 1
@@ -400,7 +403,7 @@ def _contact_op(
     ops.in_a[q] = ver.velocity[w]
     ops.in_b[q] = ver.velocity[w]
     ops.pose_a[q] = ver.now_x[w, a]
-    ops.pose_b[q] = -1
+    ops.pose_b[q] = ver.pose[w] + model.n_bodies
     if model.dynamic[a] != 0 and trace.awake[w, step, a] != 0:
         ops.a[q] = a
         ops.in_a[q] = ver.now_v[w, a]

@@ -134,6 +134,36 @@ def _yields(mass: float, inverse: wp.mat33, arm: wp.vec3, n: wp.vec3) -> float:
 
 
 @wp.func
+def _ahead(r: wp.quat, turn: wp.vec3) -> wp.quat:
+    """An orientation after a small turn."""
+    angle2 = wp.dot(turn, turn)
+    half = float(0.5)  # noqa: UP018
+    cosine = float(1.0)  # noqa: UP018
+    if angle2 > 1.0e-12:
+        angle = wp.sqrt(angle2)
+        half = wp.sin(0.5 * angle) / angle
+        cosine = wp.cos(0.5 * angle)
+    return wp.normalize(wp.quat(turn[0] * half, turn[1] * half, turn[2] * half, cosine) * r)
+
+
+@wp.func
+def _measure(feat: Features, c: int, xa: wp.vec3, ra: wp.quat, xb: wp.vec3, rb: wp.quat) -> wp.vec4:
+    """Normal and gap of a contact at two poses."""
+    at_a = xa + wp.quat_rotate(ra, feat.core_a[c])
+    at_b = xb + wp.quat_rotate(rb, feat.core_b[c])
+    radius = feat.radius[c]
+    n = feat.normal[c]
+    if feat.mode[c] == 2:
+        n = wp.normalize(at_a - at_b)
+    elif feat.mode[c] == 1:
+        n = wp.quat_rotate(ra, feat.normal[c])
+    elif feat.body_b[c] >= 0:
+        n = wp.quat_rotate(rb, feat.normal[c])
+    gap = wp.dot(n, at_a - at_b) - radius[0] - radius[1]
+    return wp.vec4(n[0], n[1], n[2], gap)
+
+
+@wp.func
 def _prepare(
     model: Model,
     feat: Features,
@@ -158,45 +188,44 @@ def _prepare(
     delay: wp.array(dtype=float),
     share: wp.array(dtype=wp.vec3),
 ):
+    # Contacts that hit within the step are measured where they touch: first estimate when.
+    before = _measure(feat, c, X[pa], R[pa], X[pb], R[pb])
+    first = wp.quat_rotate(R[pa], feat.core_a[c])
+    other = wp.quat_rotate(R[pb], feat.core_b[c])
+    closing = wp.vec3(before[0], before[1], before[2])
+    u0 = V[va] + wp.cross(O[va], first) - V[vb] - wp.cross(O[vb], other)
+    ahead = feat.early[c]
+    if feat.early[c] > 0.0 and feat.delay[c] > 0.0:
+        ahead = -before[3] / wp.dot(closing, u0)
+    ra = _ahead(R[pa], O[va] * ahead)
+    rb = _ahead(R[pb], O[vb] * ahead)
+    found = _measure(feat, c, X[pa] + V[va] * ahead, ra, X[pb] + V[vb] * ahead, rb)
+    n = wp.vec3(found[0], found[1], found[2])
+    gap = found[3]
     radius = feat.radius[c]
-    core_a = wp.quat_rotate(R[pa], feat.core_a[c])
-    at_a = X[pa] + core_a
-    core_b = feat.core_b[c]
-    at_b = feat.core_b[c]
-    n = feat.normal[c]
-    body_b = feat.body_b[c]
-    restitution = model.ground[w][2]
-    if body_b >= 0:
-        restitution = model.restitution[w, body_b]
-        core_b = wp.quat_rotate(R[pb], feat.core_b[c])
-        at_b = X[pb] + core_b
-        if feat.mode[c] == 0:
-            n = wp.quat_rotate(R[pb], feat.normal[c])
-        elif feat.mode[c] == 1:
-            n = wp.quat_rotate(R[pa], feat.normal[c])
-        else:
-            n = wp.normalize(at_a - at_b)
-    restitution = 0.5 * (restitution + model.restitution[w, feat.body_a[c]])
-    gap = wp.dot(n, at_a - at_b) - radius[0] - radius[1]
-    one = core_a - n * radius[0]
-    two = core_b + n * radius[1]
+    one = wp.quat_rotate(ra, feat.core_a[c]) - n * radius[0]
+    two = wp.quat_rotate(rb, feat.core_b[c]) + n * radius[1]
+    restitution = model.restitution[w, feat.body_a[c]]
+    if feat.body_b[c] >= 0:
+        restitution = 0.5 * (restitution + model.restitution[w, feat.body_b[c]])
+    else:
+        restitution = 0.5 * (restitution + model.ground[w][2])
     u = V[va] + wp.cross(O[va], one) - V[vb] - wp.cross(O[vb], two)
     approach = wp.dot(n, u)
     normal[c] = n
     arm_a[c] = one
     arm_b[c] = two
-    if approach < -_RESTITUTION_THRESHOLD and gap + approach * dt < 0.0:
-        if gap > 0.0:
-            late = -gap / approach
-            # What is hit later has been accelerated for longer: zero, but for its derivative.
-            pace = feat.speeding[c]
-            gained = V[pace[0]] - V[pace[1]] - V[pace[2]] + V[pace[3]]
-            more = wp.dot(n, gained) * ((late - feat.delay[c]) / dt)
-            wanted[c] = -restitution * approach - (1.0 + restitution) * more
-            delay[c] = late
-        else:
-            push = wp.min(_PUSH * wp.max(-gap - _SLOP, 0.0) / dt, _PUSH_MPS)
-            wanted[c] = wp.max(-restitution * approach, push)
+    if feat.delay[c] > 0.0:
+        late = ahead - gap / approach
+        # What is hit later has been accelerated for longer: zero, but for its derivative.
+        pace = feat.speeding[c]
+        gained = V[pace[0]] - V[pace[1]] - V[pace[2]] + V[pace[3]]
+        more = wp.dot(n, gained) * ((late - feat.delay[c]) / dt)
+        wanted[c] = -restitution * approach - (1.0 + restitution) * more
+        delay[c] = late
+    elif approach < -_RESTITUTION_THRESHOLD and gap + approach * (dt - ahead) < 0.0:
+        push = wp.min(_PUSH * wp.max(-gap - _SLOP, 0.0) / dt, _PUSH_MPS)
+        wanted[c] = wp.max(-restitution * approach, push)
     elif gap < 0.0:
         wanted[c] = wp.min(_PUSH * wp.max(-gap - _SLOP, 0.0) / dt, _PUSH_MPS)
     else:
@@ -313,15 +342,7 @@ def _move(
     else:
         V[vout] = V[vend]
     turn = O[vend] * (dt - wait) + O[vfree] * wait
-    angle2 = wp.dot(turn, turn)
-    if angle2 > 1.0e-12:
-        angle = wp.sqrt(angle2)
-        part = wp.sin(0.5 * angle) / angle
-        q = wp.quat(turn[0] * part, turn[1] * part, turn[2] * part, wp.cos(0.5 * angle))
-        R[pout] = wp.normalize(q * R[pin])
-    else:
-        q0 = wp.quat(0.5 * turn[0], 0.5 * turn[1], 0.5 * turn[2], 1.0)
-        R[pout] = wp.normalize(q0 * R[pin])
+    R[pout] = _ahead(R[pin], turn)
     spin = _turned(model.inertia[i], R[pin]) @ O[vend]
     if kick >= 0:
         extra = (late[kick][0] / wp.max(late[kick][1], 1.0e-20) - frozen_late[kick]) / dt

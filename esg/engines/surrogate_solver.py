@@ -144,6 +144,72 @@ def _push(model: Model, state: State, w: int, i: int, arm: wp.vec3, impulse: wp.
 
 
 @wp.func
+def _place(state: State, w: int, i: int, ahead: float) -> wp.vec3:
+    """Where a body's centre is some time into the step."""
+    return state.x[w, i] + state.v[w, i] * ahead
+
+
+@wp.func
+def facing(state: State, w: int, i: int, ahead: float) -> wp.quat:
+    """A body's orientation some time into the step."""
+    turn = state.o[w, i] * ahead
+    angle = wp.length(turn)
+    if angle < 1.0e-9:
+        return state.r[w, i]
+    return wp.normalize(wp.quat_from_axis_angle(turn / angle, angle) * state.r[w, i])
+
+
+@wp.func
+def _first_touch(state: State, raw: Raw, w: int, a: int, b: int, dt: float) -> float:
+    """When within the step the first of the points in `raw` closes at speed; 0 if none does."""
+    first = float(1.0e6)  # noqa: UP018  # a variable to Warp, not a constant
+    for k in range(raw.count[w]):
+        n = -raw.normal[w, k]
+        gap = raw.distance[w, k]
+        arm_a = raw.point[w, k] - state.x[w, a]
+        arm_b = raw.point[w, k] - state.x[w, b]
+        u = point_velocity(state, w, a, arm_a) - point_velocity(state, w, b, arm_b)
+        approach = wp.dot(n, u)
+        closes = gap > 0.0 and gap + approach * dt < 0.0
+        if closes and approach < -RESTITUTION_THRESHOLD_MPS:
+            first = wp.min(first, -gap / approach)
+    if first > dt:
+        return 0.0
+    return first
+
+
+@wp.func
+def _pair(
+    model: Model,
+    state: State,
+    raw: Raw,
+    con: Contacts,
+    w: int,
+    step: int,
+    i: int,
+    j: int,
+    s: int,
+    q: int,
+    margin: float,
+    dt: float,
+):
+    """Contacts of two shapes, measured at the moment of touch if they hit within the step."""
+    early = float(0.0)  # noqa: UP018  # a variable to Warp, not a constant
+    for attempt in range(2):
+        ri = facing(state, w, i, early)
+        rj = facing(state, w, j, early)
+        xs = _place(state, w, i, early) + wp.quat_rotate(ri, model.position[s])
+        xq = _place(state, w, j, early) + wp.quat_rotate(rj, model.position[q])
+        collide_shapes(model, raw, s, xs, ri * model.rotation[s], q, xq, rj * model.rotation[q],
+                       margin)  # fmt: skip
+        if attempt == 0:
+            early = _first_touch(state, raw, w, i, j, dt)
+            if early <= 0.0:
+                break
+    _add_contacts(model, state, raw, con, w, step, i, j, s, q, margin, early, dt)
+
+
+@wp.func
 def _add_contacts(
     model: Model,
     state: State,
@@ -156,6 +222,7 @@ def _add_contacts(
     shape_a: int,
     shape_b: int,
     margin: float,
+    early: float,
     dt: float,
 ):
     """Turns the points in `raw` into contacts if they touch or will touch within the step."""
@@ -167,14 +234,14 @@ def _add_contacts(
     for k in range(raw.count[w]):
         n = -raw.normal[w, k]
         gap = raw.distance[w, k]
-        arm_a = raw.point[w, k] + n * (0.5 * gap) - state.x[w, a]
+        arm_a = raw.point[w, k] + n * (0.5 * gap) - _place(state, w, a, early)
         arm_b = raw.point[w, k] - n * (0.5 * gap)
         if b >= 0:
-            arm_b = arm_b - state.x[w, b]
+            arm_b = arm_b - _place(state, w, b, early)
         approach = wp.dot(
             n, point_velocity(state, w, a, arm_a) - point_velocity(state, w, b, arm_b)
         )
-        if gap > margin and gap + wp.min(approach, 0.0) * dt > GAP_M:
+        if gap > margin and gap + wp.min(approach, 0.0) * (dt - early) > GAP_M:
             continue
         slot = con.base * row + con.count[w, row]
         if slot >= room:
@@ -194,11 +261,11 @@ def _add_contacts(
         delay = float(0.0)  # noqa: UP018  # a variable to Warp, not a constant
         if gap < 0.0:
             wanted = wp.min(PUSH * wp.max(-gap - SLOP_M, 0.0) / dt, PUSH_MPS)
-        if approach < -RESTITUTION_THRESHOLD_MPS and gap + approach * dt < 0.0:
+        if approach < -RESTITUTION_THRESHOLD_MPS and gap + approach * (dt - early) < 0.0:
             wanted = wp.max(-restitution * approach, wp.min(wanted, PUSH_MPS))
-            if gap > 0.0:
+            if gap > 0.0 or early > 0.0:
                 wanted = -restitution * approach
-                delay = -gap / approach
+                delay = wp.max(early - gap / approach, 1.0e-6)
         t1 = tangent(n)
         t2 = wp.cross(n, t1)
         share = wp.vec3()
@@ -225,6 +292,10 @@ def _add_contacts(
         con.share[w, slot] = share
         con.impulse[w, slot] = wp.vec3()
         con.used[w, slot] = 0
+        con.early[w, slot] = early
+        con.turn_a[w, slot] = facing(state, w, a, early)
+        if b >= 0:
+            con.turn_b[w, slot] = facing(state, w, b, early)
 
 
 @wp.func
@@ -248,7 +319,7 @@ def find_contacts(
                     xs = state.x[w, i] + wp.quat_rotate(state.r[w, i], model.position[s])
                     if xs[2] < model.radius[s] + margin:
                         collide_ground(model, raw, s, xs, rs, margin)
-                        _add_contacts(model, state, raw, con, w, step, i, -1, s, -1, 0.0, dt)
+                        _add_contacts(model, state, raw, con, w, step, i, -1, s, -1, 0.0, 0.0, dt)
         for j in range(i + 1, model.n_bodies):
             other = model.dynamic[j] != 0 and state.awake[w, j] != 0
             if not moves and not other:
@@ -265,8 +336,7 @@ def find_contacts(
                     rq = state.r[w, j] * model.rotation[q]
                     xq = state.x[w, j] + wp.quat_rotate(state.r[w, j], model.position[q])
                     if near(model, s, xs, rs, q, xq, rq, margin):
-                        collide_shapes(model, raw, s, xs, rs, q, xq, rq, margin)
-                        _add_contacts(model, state, raw, con, w, step, i, j, s, q, margin, dt)
+                        _pair(model, state, raw, con, w, step, i, j, s, q, margin, dt)
 
 
 @wp.func

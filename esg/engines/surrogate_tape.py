@@ -180,7 +180,7 @@ class Replay:
         moves, solves = awake.sum(-1), sweeps * used
         self.n_ops = (fired + 2 * moves + 2 * used + solves).sum(1)
         n_v = 1 + b + (fired + 2 * moves + 2 * solves).sum(1)
-        n_x = b + moves.sum(1)
+        n_x = b + 1 + moves.sum(1)
         n_j = 1 + solves.sum(1)
         # The flat number of a contact counts all contacts of earlier worlds, inside or not.
         self.contact_first = _starts(taped._used.sum((1, 2)))
@@ -203,10 +203,11 @@ class Replay:
         self.feat.radius = wp.zeros(n_c, dtype=wp.vec2, device=device)
         self.feat.friction = wp.zeros(n_c, dtype=float, device=device)
         self.feat.delay = wp.zeros(n_c, dtype=float, device=device)
+        self.feat.early = wp.zeros(n_c, dtype=float, device=device)
         self.feat.speeding = wp.zeros(n_c, dtype=wp.vec4i, device=device)
         ver = so.Versions()
         ver.velocity, ver.pose, ver.impulse = up(self.first_v), up(self.first_x), up(first_j)
-        for name in ("now_v", "now_x", "free_v", "kick"):
+        for name in ("now_v", "now_x", "free_v", "kick", "hit"):
             setattr(ver, name, wp.zeros((w, b), dtype=int, device=device))
         for name in ("last_i", "number"):
             setattr(ver, name, wp.zeros((w, run.room.contacts), dtype=int, device=device))
@@ -216,7 +217,7 @@ class Replay:
         self.frozen_late = ver.late = wp.zeros(int(n_x.sum()), dtype=float, device=device)
         wp.launch(
             so.link, dim=w, device=device,
-            inputs=[run.model, run.contacts, trace, up(steps), run.out[0], run.out[1], self.ops,
+            inputs=[run.model, run.contacts, trace, up(steps), self.ops,
                     self.feat, ver],
         )  # fmt: skip
         self.pose_at, self.velocity_at = ver.pose_at.numpy(), ver.velocity_at.numpy()
@@ -235,6 +236,7 @@ class Replay:
         x, r = np.zeros((n_x, 3), np.float32), np.zeros((n_x, 4), np.float32)
         x[self.pose_at[:, 0]] = t._values.position
         r[self.pose_at[:, 0]] = t._values.quaternion
+        r[self.first_x + t.run.n_bodies, 3] = 1.0
         self.X.assign(x)
         self.R.assign(r)
         table = t.batch.table if t.batch.table.shape[1] else np.zeros((t.run.n_worlds, 1, 1))

@@ -99,6 +99,10 @@ class Contacts:
     impulse: wp.array2d(dtype=wp.vec3)
     used: wp.array2d(dtype=int)
     """Whether the contact pressed in any sweep."""
+    early: wp.array2d(dtype=float)
+    turn_a: wp.array2d(dtype=wp.quat)
+    turn_b: wp.array2d(dtype=wp.quat)
+    """Time into the step at which normal and arms are measured, and the orientations then."""
 
 
 @wp.struct
