@@ -41,6 +41,25 @@ def test_one_bad_class_does_not_fail_its_neighbours(tmp_path: Path) -> None:
     assert "Stop" in str(error) and str(folders[2]) in str(error)
 
 
+def test_a_folder_without_a_class_does_not_fail_its_neighbours(tmp_path: Path) -> None:
+    good = written(tmp_path / "good", *ball_scene("good", 0.7))
+    (tmp_path / "empty").mkdir()
+    results = compile_many([tmp_path / "empty", good, tmp_path / "none"], jobs=1)
+    assert [isinstance(r, Library) for r in results] == [False, True, False]
+    for result, name in ((results[0], "empty"), (results[2], "none")):
+        assert isinstance(result, ClassError)
+        assert name in str(result) and "no compiled scene" in str(result)
+
+
+def test_a_batch_serves_folders_that_move_afterwards(tmp_path: Path) -> None:
+    """The cache goes by content: compiled in a work folder, replayed from the published one."""
+    folders = [written(tmp_path / f"work{i}", *ball_scene(f"move{i}", 0.2 * i)) for i in range(3)]
+    compile_many(folders, jobs=1)
+    for i, folder in enumerate(folders):
+        replayed = replay_class(folder.rename(tmp_path / f"published{i}"))
+        assert replayed.compile_seconds == 0.0
+
+
 def test_cache_follows_the_content(tmp_path: Path) -> None:
     folder = written(tmp_path, *ball_scene("cached", 7.0))
     first = compile_class(read_classes([folder])[0])
