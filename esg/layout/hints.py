@@ -21,7 +21,6 @@ class Placement:
         yaw_deg: Heading in the constellation's frame; None leaves it to the layout.
         z_cm: Height of the asset origin above the ground for bodies that start in the air (a throw,
             a drop); None rests the body on its support.
-        tolerance_cm: The layout may move the node this far to satisfy relations.
     """
 
     node: str
@@ -29,7 +28,6 @@ class Placement:
     y_cm: float
     yaw_deg: float | None = 0.0
     z_cm: float | None = None
-    tolerance_cm: float = 0.0
 
 
 @dataclass(frozen=True)

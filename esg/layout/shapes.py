@@ -1,12 +1,14 @@
 """Footprints of collision proxies: circle or rectangle in plan, an interval in height.
 
 Objects only turn about Z in a layout, so every proxy sweeps a prism; a sphere is bounded by its
-cylinder during the search and treated exactly in the final check (`esg.layout.check`).
+cylinder during the search and treated exactly in the final check (`esg.layout.check`). A slope
+(tilted box, wedge) is sliced into several prisms.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+import itertools
 
 import numpy as np
 
@@ -94,9 +96,85 @@ def _box(x: float, y: float, z: float, half: np.ndarray) -> Footprint:
     )
 
 
+SLICES = 6
+"""Prisms that stand for one slope."""
+SLOPE_CM = 8.0
+"""Lower slopes are bounded by one box."""
+SLOPE_VERTICES = 12
+"""Rounder hulls are bounded by one box: they have a slope on every side."""
+
+
+def slope_vertices(proxy: Proxy) -> np.ndarray | None:
+    """Corners of a tilted box or of a simple hull (a wedge), shape [n, 3] [cm]; else None."""
+    if proxy.kind is ProxyKind.BOX:
+        rot = rotation(proxy.orientation_xyzw)
+        if abs(rot[2, 2]) > 0.9999:
+            return None
+        signs = np.array([(i, j, k) for i in (-1, 1) for j in (-1, 1) for k in (-1, 1)])
+        points = signs * np.asarray(proxy.size_cm)
+    elif proxy.vertices_cm and len(proxy.vertices_cm) <= SLOPE_VERTICES:
+        rot = rotation(proxy.orientation_xyzw)
+        points = np.asarray(proxy.vertices_cm)
+    else:
+        return None
+    points = points @ rot.T + np.asarray(proxy.position_cm)
+    return points if np.ptp(points[:, 2]) > SLOPE_CM else None
+
+
+def slope(points: np.ndarray) -> tuple[Footprint, ...]:
+    """Slices a convex solid across its slope; every slice is bounded by an upright prism.
+
+    So a ball may lie at the foot of a ramp, and something low may stand under its upper end.
+
+    Args:
+        points: Corners, shape [n, 3] [cm].
+    """
+    flat = points[:, :2] - points[:, :2].mean(0)
+    # the direction in plan along which the solid is longest
+    _, _, axes = np.linalg.svd(flat, full_matrices=False)
+    yaw = float(np.arctan2(axes[0, 1], axes[0, 0]))
+    c, s = np.cos(yaw), np.sin(yaw)
+    turned = np.column_stack(
+        [c * points[:, 0] + s * points[:, 1], -s * points[:, 0] + c * points[:, 1], points[:, 2]]
+    )
+    i, j = np.triu_indices(len(turned), 1)
+    a, b = turned[i], turned[j]
+    cuts = np.linspace(turned[:, 0].min(), turned[:, 0].max(), SLICES + 1)
+    out: list[Footprint] = []
+    for x0, x1 in itertools.pairwise(cuts):
+        inside = [turned[(turned[:, 0] >= x0) & (turned[:, 0] <= x1)]]
+        for x in (x0, x1):
+            cross = (a[:, 0] - x) * (b[:, 0] - x) < 0
+            t = (x - a[cross, 0]) / (b[cross, 0] - a[cross, 0])
+            inside.append(a[cross] + t[:, None] * (b[cross] - a[cross]))
+        part = np.concatenate(inside)
+        low, high = part.min(0), part.max(0)
+        mx, my = 0.5 * (x0 + x1), 0.5 * (low[1] + high[1])
+        out.append(
+            Footprint(
+                RECTANGLE,
+                float(c * mx - s * my),
+                float(s * mx + c * my),
+                yaw,
+                float(0.5 * (x1 - x0)),
+                float(0.5 * (high[1] - low[1])),
+                float(low[2]),
+                float(high[2]),
+            )
+        )
+    return tuple(out)
+
+
 def footprints(config: AssetConfiguration) -> tuple[Footprint, ...]:
     """Returns the prisms of an asset; empty for a decal."""
-    return tuple(footprint(p) for p in config.proxies)
+    out: list[Footprint] = []
+    for proxy in config.proxies:
+        points = slope_vertices(proxy)
+        if points is None:
+            out.append(footprint(proxy))
+        else:
+            out += slope(points)
+    return tuple(out)
 
 
 def bounds(

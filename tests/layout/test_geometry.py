@@ -10,9 +10,10 @@ import shapely
 import shapely.affinity
 
 from esg.graph.models import Proxy, ProxyKind
+from esg.layout import solve
 from esg.layout.check import plan_separation, prim_penetration
 from esg.layout.edges import near_band
-from esg.layout.shapes import Footprint, footprint
+from esg.layout.shapes import Footprint, footprint, footprints, rotation
 from esg.layout.supports import shape_of
 from tests.layout import builders as b
 
@@ -113,3 +114,59 @@ def test_near_band_follows_the_paper() -> None:
     tiny = shape_of(b.box("tiny", 4, 4, 4))
     assert near_band(tiny, tiny, 3000) == pytest.approx((6, 10))
     assert near_band(cube, cube, 200) == pytest.approx((16, 24))
+
+
+def test_a_slope_is_sliced_and_its_slices_hold_it() -> None:
+    # a plank of 120 x 60 x 4 cm, raised by 20 degrees and turned by 35 degrees
+    pitch, yaw = math.radians(-20.0), math.radians(35.0)
+    cy, sy, cz, sz = math.cos(pitch / 2), math.sin(pitch / 2), math.cos(yaw / 2), math.sin(yaw / 2)
+    plank = Proxy(
+        kind=ProxyKind.BOX,
+        size_cm=(60, 30, 2),
+        position_cm=(0, 0, 23),
+        orientation_xyzw=(-sz * sy, cz * sy, sz * cy, cz * cy),
+    )
+    config = b.asset("plank", (plank,), (120, 60, 46))
+    prisms = footprints(config)
+    whole = footprint(plank)
+    assert len(prisms) == 6
+    rng = np.random.default_rng(0)
+    local = rng.uniform(-1, 1, (2000, 3)) * np.array(plank.size_cm)
+    solid = local @ rotation(plank.orientation_xyzw).T + np.array(plank.position_cm)
+    covered = np.zeros(len(solid), bool)
+    for f in prisms:
+        dx, dy = solid[:, 0] - f.x, solid[:, 1] - f.y
+        x = math.cos(f.yaw) * dx + math.sin(f.yaw) * dy
+        y = -math.sin(f.yaw) * dx + math.cos(f.yaw) * dy
+        covered |= (
+            (np.abs(x) <= f.hx + 1e-6) & (np.abs(y) <= f.hy + 1e-6)
+            & (solid[:, 2] >= f.z0 - 1e-6) & (solid[:, 2] <= f.z1 + 1e-6)
+        )  # fmt: skip
+    assert covered.all()
+
+    def volume(fs: tuple[Footprint, ...]) -> float:
+        return sum(4 * f.hx * f.hy * (f.z1 - f.z0) for f in fs)
+
+    assert volume(prisms) < 0.4 * volume((whole,))
+    # heights rise along the slope
+    middle = [0.5 * (f.z0 + f.z1) for f in prisms]
+    assert middle == sorted(middle) or middle == sorted(middle, reverse=True)
+
+
+def test_something_low_stands_under_the_upper_end_of_a_ramp() -> None:
+    pitch = math.radians(-25.0)
+    plank = Proxy(
+        kind=ProxyKind.BOX,
+        size_cm=(100, 40, 2),
+        position_cm=(0, 0, 46),
+        orientation_xyzw=(0.0, math.sin(pitch / 2), 0.0, math.cos(pitch / 2)),
+    )
+    ramp = b.asset("ramp", (plank,), (182, 80, 92))
+    doc = b.document(
+        {"ramp": ramp, "cube": b.box("cube", 20, 20, 20)},
+        {"ramp_1": "ramp", "cube_1": "cube"},
+        [("cube_1", "under", "ramp_1")],
+    )
+    out = solve(doc).layout_result
+    assert out is not None and out.feasible and all(r.satisfied for r in out.relations)
+    assert out.max_penetration_cm < 0.05
