@@ -49,6 +49,13 @@ _ROWS = (
     ("glass", 2500, 0.35, 0.55, f"{_TOOLBOX}: glass on glass 0.4; soda-lime 2500 kg/m3"),
     ("ceramic", 2400, 0.40, 0.45, f"{_TOOLBOX}: porcelain 2300-2500 kg/m3"),
     ("stone", 2600, 0.60, 0.30, f"{_TOOLBOX}: stone on stone 0.6-0.7; granite 2650"),
+    (
+        "stone_polished",
+        2700,
+        0.15,
+        0.35,
+        "polished granite: 0.1-0.4 dry, 0.01 on pebbled ice (Nyberg)",
+    ),
     ("marble_stone", 2700, 0.45, 0.40, f"{_TOOLBOX}: marble 2700 kg/m3"),
     ("concrete", 2400, 0.65, 0.25, f"{_TOOLBOX}: rubber on concrete 0.6-0.85; 2400 kg/m3"),
     ("brick", 1900, 0.62, 0.25, f"{_TOOLBOX}: brick on wood 0.6; 1900 kg/m3"),
@@ -89,6 +96,7 @@ _ROWS = (
     ("wicker", 300, 0.45, 0.25, "as wood; rattan 300-400 kg/m3"),
     ("wax", 900, 0.40, 0.20, f"{_TOOLBOX}: paraffin 900 kg/m3"),
     ("ice", 917, 0.05, 0.30, f"{_TOOLBOX}: ice on ice 0.02-0.09; 917 kg/m3"),
+    ("flesh", 985, 0.50, 0.20, "human body density 985 kg/m3; skin friction 0.3-0.7 (Derler)"),
     ("fruit", 850, 0.45, 0.25, "produce handling tables: apple 750-900 kg/m3"),
     ("car_body", 150, 0.30, 0.20, "bumper impacts: e 0.1-0.3 (Kolisnyk, crash test reviews)"),
 )

@@ -15,6 +15,8 @@ _NEAR = 1.12
 """Ratios up to this are the same size: the library's sourced figures then win."""
 _MISFIT = 2.2
 """Extents that differ by more than this after scaling are another shape."""
+_NAMED_MISFIT = 3.0
+"""The same for an entry that the noun names: a lamp post may or may not have its arm counted."""
 _DENSITY = (2e-6, 0.022)
 """Plausible mass per volume of the bounding box [kg/cm^3]: a balloon, a gold bar."""
 
@@ -24,17 +26,26 @@ def is_own_name(entry: Entry, requirement: AssetRequirement) -> bool:
     return normalize(entry.name) == normalize(requirement.asset_category)
 
 
-def misfit(entry: Entry, requirement: AssetRequirement) -> bool:
+def _residual(entry: Entry, requirement: AssetRequirement) -> float:
+    """Largest ratio of extents, whichever way round, left after scaling as a whole."""
+    own, wanted = sorted(entry.dimensions_cm), sorted(requirement.expected_dimensions_cm)
+    factor = math.prod(b / a for a, b in zip(own, wanted, strict=True)) ** (1 / 3)
+    return max(max(b / (a * factor), a * factor / b) for a, b in zip(own, wanted, strict=True))
+
+
+def misfit(entry: Entry, requirement: AssetRequirement, *, named: bool = False) -> bool:
     """Whether the entry, scaled as a whole, cannot pass for what is required.
 
     Builders that take any extents always fit.
+
+    Args:
+        entry: Candidate.
+        requirement: What is needed.
+        named: Whether the noun is one of the entry's names, not only near in meaning.
     """
     if policy(entry) == "free" and entry.library == "parametric":
         return False
-    own, wanted = sorted(entry.dimensions_cm), sorted(requirement.expected_dimensions_cm)
-    factor = math.prod(b / a for a, b in zip(own, wanted, strict=True)) ** (1 / 3)
-    residual = max(max(b / (a * factor), a * factor / b) for a, b in zip(own, wanted, strict=True))
-    if residual <= _MISFIT:
+    if _residual(entry, requirement) <= (_NAMED_MISFIT if named else _MISFIT):
         return False
     heavier = requirement.expected_mass_kg / entry.mass_kg
     return not is_own_name(entry, requirement) or not 1 / 8 <= heavier <= 8
@@ -78,6 +89,9 @@ def choose_dimensions(entry: Entry, requirement: AssetRequirement) -> Vec3:
     if free and plausible:
         return wanted
     factor = math.prod(ratios) ** (1 / 3)
+    if not strict and _residual(entry, requirement) > _MISFIT:
+        # One extent was counted differently (with or without an arm, a base): follow the others.
+        factor = sorted(ratios)[1]
     if not plausible and not low <= factor <= high:
         factor = 1.0
     if 1 / _NEAR <= factor <= _NEAR:

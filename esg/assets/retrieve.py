@@ -256,7 +256,7 @@ def decide(requirement: AssetRequirement) -> Decision:
     if found is None and sure >= GATE:
         best = candidates[0].asset_name
         found = next(e for e in active_index().entries if _qualified(e) == best)
-    if found is not None and misfit(found, requirement):
+    if found is not None and misfit(found, requirement, named=exact(text) is found):
         found, sure = None, min(sure, GATE)
     shape = None if found is not None else _plain(requirement)
     return Decision(found, sure, tuple(candidates), shape)

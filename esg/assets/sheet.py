@@ -17,6 +17,8 @@ from esg.assets.mesh import build_mesh
 from esg.graph.models import AssetConfiguration
 
 _FOV = 0.55
+_SUPERSAMPLE = 3
+"""Rays a pixel along each axis: thin rods would break up otherwise."""
 
 
 def _merged(
@@ -26,10 +28,7 @@ def _merged(
     groups: dict[tuple[float, ...], list[Any]] = {}
     for node in build_mesh(config).dump():
         material = getattr(node.visual, "material", None)
-        factor = getattr(material, "baseColorFactor", None)
-        if factor is None:
-            factor = getattr(material, "main_color", [160, 160, 160, 255])
-        color = tuple(round(float(c) / 255.0, 4) for c in factor[:3])
+        color = _color(material)
         groups.setdefault(color, []).append(node)
     out = []
     for color, meshes in groups.items():
@@ -40,6 +39,19 @@ def _merged(
             base += len(mesh.vertices)
         out.append((np.concatenate(vertices), np.concatenate(faces), color))
     return out
+
+
+def _color(material: Any) -> tuple[float, ...]:
+    """One colour for a material: its texture's mean where it has one."""
+    for name in ("image", "baseColorTexture"):
+        image = getattr(material, name, None)
+        if image is not None:
+            pixels = np.asarray(image.convert("RGB").resize((16, 16)), float)
+            return tuple(round(float(c) / 255.0, 4) for c in pixels.reshape(-1, 3).mean(0))
+    factor = getattr(material, "baseColorFactor", None)
+    if factor is None:
+        factor = getattr(material, "main_color", [160, 160, 160, 255])
+    return tuple(round(float(c) / 255.0, 4) for c in factor[:3])
 
 
 def _look(eye: Any, target: Any) -> Any:
@@ -56,8 +68,27 @@ def _look(eye: Any, target: Any) -> Any:
     return wp.transform(wp.vec3(*eye), wp.quat(q[1], q[2], q[3], q[0]))
 
 
+FRONT_LEFT = (0.78, 0.5, 0.42)
+
+
 def render(config: AssetConfiguration, size: int = 160) -> NDArray[np.uint8]:
     """One asset from its front left, shape [size, size, 3]."""
+    return render_views(config, [FRONT_LEFT], size)[0]
+
+
+def render_views(
+    config: AssetConfiguration, directions: Sequence[Any], size: int
+) -> NDArray[np.uint8]:
+    """One asset from several directions.
+
+    Args:
+        config: The asset.
+        directions: From the asset's middle towards each camera, shape [n, 3].
+        size: Pixels along each side.
+
+    Returns:
+        Images, shape [n, size, size, 3].
+    """
     import newton
     from newton.sensors import SensorCamera
     import warp as wp
@@ -65,13 +96,13 @@ def render(config: AssetConfiguration, size: int = 160) -> NDArray[np.uint8]:
     wp.config.quiet = True
     builder = newton.ModelBuilder()
     low, high = np.full(3, np.inf), np.full(3, -np.inf)
-    body = builder.add_body(mass=1.0, inertia=wp.mat33(*np.eye(3).flatten().tolist()))
+    # A fixed shape: nothing is simulated, so no mass is needed.
     for vertices, faces, color in _merged(config):
         low, high = np.minimum(low, vertices.min(0)), np.maximum(high, vertices.max(0))
         mesh = newton.Mesh(
             vertices.astype(np.float32), faces.flatten().astype(np.int32), compute_inertia=False
         )
-        builder.add_shape_mesh(body, mesh=mesh, color=color)
+        builder.add_shape_mesh(-1, mesh=mesh, color=color)
     span = float(np.linalg.norm(high - low))
     plate = newton.Mesh(
         np.array(
@@ -81,7 +112,7 @@ def render(config: AssetConfiguration, size: int = 160) -> NDArray[np.uint8]:
         np.array([0, 1, 2, 0, 2, 3], np.int32),
         compute_inertia=False,
     )
-    builder.add_shape_mesh(body, mesh=plate, color=(0.86, 0.87, 0.88))
+    builder.add_shape_mesh(-1, mesh=plate, color=(0.86, 0.87, 0.88))
     model = builder.finalize(device="cpu")
     camera = SensorCamera(model)
     camera.create_default_light()
@@ -90,13 +121,16 @@ def render(config: AssetConfiguration, size: int = 160) -> NDArray[np.uint8]:
     )
     target = (low + high) / 2
     distance = 0.56 * span / math.tan(_FOV / 2)
-    direction = np.array([0.78, 0.5, 0.42])
-    eye = target + direction / np.linalg.norm(direction) * distance
-    pose = wp.array([_look(eye.tolist(), target)], dtype=wp.transformf, device="cpu")
-    image = camera.allocate_image_color(1, size, size)
-    camera.update(model.state(), pose, rays, color_image=image)
-    packed = image.numpy().reshape(size, size)
-    return np.stack([packed & 255, (packed >> 8) & 255, (packed >> 16) & 255], -1).astype(np.uint8)
+    state = model.state()
+    images = []
+    for direction in np.asarray(directions, float):
+        eye = target + direction / np.linalg.norm(direction) * distance
+        pose = wp.array([_look(eye.tolist(), target)], dtype=wp.transformf, device="cpu")
+        image = camera.allocate_image_color(1, size, size)
+        camera.update(state, pose, rays, color_image=image)
+        packed = image.numpy().reshape(size, size)
+        images.append(np.stack([packed & 255, (packed >> 8) & 255, (packed >> 16) & 255], -1))
+    return np.stack(images).astype(np.uint8)
 
 
 def contact_sheet(
@@ -111,6 +145,7 @@ def contact_sheet(
     draw = ImageDraw.Draw(sheet)
     for i, config in enumerate(configs):
         x, y = (i % columns) * size, (i // columns) * (size + label)
-        sheet.paste(Image.fromarray(render(config, size)), (x, y))
+        tile = Image.fromarray(render(config, size * _SUPERSAMPLE))
+        sheet.paste(tile.resize((size, size), Image.Resampling.BOX), (x, y))
         draw.text((x + 3, y + size), config.asset_name.split("/")[-1][: size // 6], fill="black")
     sheet.quantize(128).save(path, optimize=True)

@@ -16,13 +16,21 @@ POLICIES: dict[str, Policy] = {}
 DRAWN: dict[str, tuple[float, float, float]] = {}
 """Extents [cm] of what a builder draws, where several sizes of entry share it."""
 _MODULES = (
+    "animals",
     "balls",
     "containers",
+    "craft",
+    "creatures",
     "electronics",
+    "figures",
     "fittings",
+    "foods",
     "furniture",
+    "gear",
+    "goods",
     "household",
     "kitchen",
+    "landmarks",
     "outdoors",
     "playground",
     "pool",
@@ -30,6 +38,7 @@ _MODULES = (
     "sports",
     "street",
     "structures",
+    "transport",
     "vehicles",
     "wheels",
 )
@@ -48,6 +57,8 @@ def builder(
     """
 
     def register(function: Callable[..., None]) -> Callable[..., None]:
+        if name in BUILDERS and BUILDERS[name].__module__ != function.__module__:
+            raise ValueError(f"two modules register the builder {name!r}")
         BUILDERS[name] = function
         POLICIES[name] = policy
         if drawn:

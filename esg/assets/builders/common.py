@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
-from esg.assets.sketch import Color
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import Any
+
+from esg.assets.lazy import shapes
+from esg.assets.sketch import Color, Sketch
+from esg.graph.models import Vec3
 
 Span = tuple[float, float]
 
@@ -20,3 +26,67 @@ def mirrored(sign: int, low: float, high: float) -> Span:
 def edge(sign: int, extent: float, thickness: float) -> Span:
     """The outermost `thickness` of a centred extent, on the side of `sign`."""
     return mirrored(sign, extent / 2 - thickness, extent / 2)
+
+
+def bone(
+    s: Sketch,
+    a: Vec3,
+    ra: float,
+    b: Vec3,
+    rb: float,
+    c: Color,
+    *,
+    rough: float = 0.85,
+    metal: float = 0.0,
+    detail: int = 2,
+) -> None:
+    """Draws the hull of two balls: limbs, necks, horns, petals."""
+    blob(s, [(a, ra), (b, rb)], c, rough=rough, metal=metal, detail=detail)
+
+
+def blob(
+    s: Sketch,
+    balls: Sequence[tuple[Vec3, float]],
+    c: Color,
+    *,
+    rough: float = 0.85,
+    metal: float = 0.0,
+    detail: int = 2,
+) -> None:
+    """Draws the hull of some balls."""
+
+    def make() -> Any:
+        import numpy as np
+
+        points = [shapes.ball(r, p, detail=detail).vertices for p, r in balls]
+        return shapes.hull(np.concatenate(points))
+
+    s.add(make, c, rough, metal)
+
+
+def prism(
+    s: Sketch, points: Sequence[Vec3], c: Color, *, rough: float = 0.6, metal: float = 0.0
+) -> None:
+    """Draws the convex hull of corner points."""
+    s.add(lambda: shapes.hull(points), c, rough, metal)
+
+
+def shift(s: Sketch, dx: float = 0.0, dy: float = 0.0, dz: float = 0.0) -> None:
+    """Moves everything drawn so far."""
+    offset = (dx, dy, dz)
+
+    def moved(make: Callable[[], Any]) -> Callable[[], Any]:
+        def mesh() -> Any:
+            out = make()
+            out.apply_translation(offset)
+            return out
+
+        return mesh
+
+    def at(v: Vec3) -> Vec3:
+        return (v[0] + dx, v[1] + dy, v[2] + dz)
+
+    s.parts[:] = [replace(p, mesh=moved(p.mesh)) for p in s.parts]
+    s.proxies[:] = [p.model_copy(update={"position_cm": at(p.position_cm)}) for p in s.proxies]
+    s.surfaces[:] = [p.model_copy(update={"center_cm": at(p.center_cm)}) for p in s.surfaces]
+    s.regions[:] = [p.model_copy(update={"center_cm": at(p.center_cm)}) for p in s.regions]
