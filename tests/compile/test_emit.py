@@ -30,6 +30,22 @@ def test_golden(name: str) -> None:
     assert (golden.FOLDER / name).read_text("utf-8") == golden.files()[name]
 
 
+def test_the_docs_read_the_golden_class_aloud() -> None:
+    """Every C++ excerpt in docs/unreal.md stands in the golden files, `...` aside."""
+    text = (Path(__file__).parents[2] / "docs" / "unreal.md").read_text("utf-8")
+    excerpts = re.findall(r"```cpp\n(.*?)```", text, re.DOTALL)
+    assert len(excerpts) >= 10
+    emitted = golden.emitted()
+    lines = [line.strip() for line in (emitted.header + emitted.source).splitlines()]
+    for excerpt in excerpts:
+        at = 0
+        for line in filter(None, map(str.strip, excerpt.splitlines())):
+            if line != "...":
+                assert line in lines[at:], line
+                at = lines.index(line, at) + 1
+        assert at > 0
+
+
 def test_every_number_of_the_class_is_named() -> None:
     """Function bodies hold no bare numbers other than 0, 1, 2 and indices."""
     source = golden.emitted().source

@@ -75,6 +75,10 @@ FAULTS = {
         "h", "class ESGSCENES_API AEsgScene_S6 :", "class ESGSCENES_API AEsgScene_S5 :",
         ClassError, "does not match its file",
     ),
+    "body handle taken by const reference": Fault(
+        "cpp", "[&](FPhysicsActorHandle& Actor)", "[&](const FPhysicsActorHandle& Actor)",
+        ClassError, "SetMassSpaceInertiaTensor_AssumesLocked",
+    ),
     "unit Unreal does not know": Fault("h", 'Units = "kg"', 'Units = "stone"', ClassError, "stone"),
     "empty range": Fault(
         "h", 'ClampMin = "0", ClampMax = "1"', 'ClampMin = "1", ClampMax = "0"', ClassError, "range",

@@ -521,6 +521,7 @@ struct FPhysicsActorHandle
 class FBodyInstance
 {
 public:
+	FPhysicsActorHandle& GetPhysicsActorHandle() { return Handle; }
 	const FPhysicsActorHandle& GetPhysicsActorHandle() const { return Handle; }
 	void SetInertiaConditioningEnabled(bool bEnabled) { ShimConditioning = bEnabled; }
 
@@ -532,7 +533,7 @@ public:
 
 struct FPhysicsCommand
 {
-	template <class F> static bool ExecuteWrite(const FPhysicsActorHandle& Handle, F&& Function)
+	template <class F> static bool ExecuteWrite(FPhysicsActorHandle& Handle, F&& Function)
 	{
 		Handle.Body->ShimWriting = true;
 		Function(Handle);
@@ -549,7 +550,8 @@ struct FPhysicsInterface
 		Handle.Body->ShimFrame = Pose;
 		Handle.Body->ShimHasFrame = true;
 	}
-	static void SetMassSpaceInertiaTensor_AssumesLocked(const FPhysicsActorHandle& Handle, const FVector& Inertia)
+	// Not const, as in Unreal 5: a lambda that takes the handle by const reference does not compile.
+	static void SetMassSpaceInertiaTensor_AssumesLocked(FPhysicsActorHandle& Handle, const FVector& Inertia)
 	{
 		Locked(Handle);
 		if (!(Inertia.X > 0.0 && Inertia.Y > 0.0 && Inertia.Z > 0.0))

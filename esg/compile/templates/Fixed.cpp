@@ -117,7 +117,7 @@ void A@CLASS@::ApplyMassProperties(UStaticMeshComponent* Body, const F@CLASS@Bod
 	}
 	const FTransform MassFrame(Settings.PrincipalAxes, Settings.CenterOfMass);
 	Instance->SetInertiaConditioningEnabled(false);
-	FPhysicsCommand::ExecuteWrite(Instance->GetPhysicsActorHandle(), [&](const FPhysicsActorHandle& Actor)
+	FPhysicsCommand::ExecuteWrite(Instance->GetPhysicsActorHandle(), [&](FPhysicsActorHandle& Actor)
 	{
 		FPhysicsInterface::SetComLocalPose_AssumesLocked(Actor, MassFrame);
 		FPhysicsInterface::SetMassSpaceInertiaTensor_AssumesLocked(Actor, Settings.Inertia);

@@ -433,7 +433,7 @@ void AEsgScene_S6::ApplyMassProperties(UStaticMeshComponent* Body, const FEsgSce
 	}
 	const FTransform MassFrame(Settings.PrincipalAxes, Settings.CenterOfMass);
 	Instance->SetInertiaConditioningEnabled(false);
-	FPhysicsCommand::ExecuteWrite(Instance->GetPhysicsActorHandle(), [&](const FPhysicsActorHandle& Actor)
+	FPhysicsCommand::ExecuteWrite(Instance->GetPhysicsActorHandle(), [&](FPhysicsActorHandle& Actor)
 	{
 		FPhysicsInterface::SetComLocalPose_AssumesLocked(Actor, MassFrame);
 		FPhysicsInterface::SetMassSpaceInertiaTensor_AssumesLocked(Actor, Settings.Inertia);
