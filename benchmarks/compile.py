@@ -137,12 +137,12 @@ def run(classes: int, bodies: int, jobs: int) -> list[Measurement]:
 
 def check_suite(run: Path, out: Path | None) -> None:
     """Class and exports of the finished scenes below a folder."""
-    from benchmarks.exports import check_scenes, text
+    from benchmarks.exports import as_json, check_scenes, text
 
     result = check_scenes(run)
     print(text(result))
     if out:
-        out.write_text(json.dumps(result, indent=1) + "\n", "utf-8")
+        out.write_text(as_json(result), "utf-8")
 
 
 def main() -> None:

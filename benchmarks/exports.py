@@ -98,7 +98,8 @@ def _check(folder: Path, library: Library | Exception, out: Path) -> Report:
         one, two = first_touches(replayed), first_touches(program)
         late = max((abs(one[p] - two[p]) for p in one.keys() & two.keys()), default=0.0)
         report.same_contacts[engine] = one.keys() == two.keys() and late <= replayed.dt * 1.0001
-        report.apart_m[engine] = float(np.abs(replayed.position - program.position).max())
+        apart = float(np.abs(replayed.position - program.position).max())
+        report.apart_m[engine] = round(apart, 9)
         if rollout is None:
             rollout = replayed
             report.runs = bool(replayed.valid.all())
@@ -297,3 +298,10 @@ def text(result: dict[str, Any]) -> str:
         if scene["newton_first"] == "missed" or str(scene["newton_first"]).endswith(" s"):
             lines.append(f"{scene['scene']}: first collision in Newton: {scene['newton_first']}")
     return "\n".join(lines)
+
+
+def as_json(result: dict[str, Any]) -> str:
+    """JSON with one line per scene."""
+    head = json.dumps({k: v for k, v in result.items() if k != "scenes"}, indent=1)[:-2]
+    scenes = ",\n".join(f"  {json.dumps(scene)}" for scene in result["scenes"])
+    return f'{head},\n "scenes": [\n{scenes}\n ]\n}}\n'

@@ -132,6 +132,31 @@ def report(result: dict[str, Any]) -> str:
     return "\n".join(lines)
 
 
+def compact(result: dict[str, Any]) -> str:
+    """JSON with one line per total and per run, numbers to a microsecond or micrometre."""
+
+    def rounded(value: Any) -> Any:
+        if isinstance(value, float):
+            return round(value, 6)
+        if isinstance(value, dict):
+            return {k: rounded(v) for k, v in value.items()}
+        return [rounded(v) for v in value] if isinstance(value, list) else value
+
+    def lines(items: list[Any], indent: str) -> str:
+        inner = ",\n".join(f"{indent} {json.dumps(rounded(i))}" for i in items)
+        return f"[\n{inner}\n{indent}]"
+
+    head = {k: v for k, v in result.items() if k not in ("totals", "scenes")}
+    scenes = ",\n".join(
+        f'  {json.dumps(name)}: {{"judged_against": {json.dumps(s["judged_against"])}, '
+        f'"runs": {lines(s["runs"], "  ")}}}'
+        for name, s in result["scenes"].items()
+    )
+    text = json.dumps(head, indent=1)[:-2]
+    totals_text = lines(result["totals"], " ")
+    return f'{text},\n "totals": {totals_text},\n "scenes": {{\n{scenes}\n }}\n}}\n'
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("run", type=Path, help="folder of scene folders")
@@ -145,7 +170,7 @@ def main() -> None:
     result = measure(options.run, options.suite, options.engines, options.rates)
     print(report(result))
     if options.json:
-        options.json.write_text(json.dumps(result, indent=1) + "\n", "utf-8")
+        options.json.write_text(compact(result), "utf-8")
 
 
 if __name__ == "__main__":
