@@ -29,16 +29,16 @@ def inverse(p: Pose2) -> Pose2:
     return (-c * p[0] - s * p[1], s * p[0] - c * p[1], -p[2])
 
 
-def distance_to_path(points: tuple[tuple[float, float], ...], x: float, y: float) -> float:
-    """Distance of a point to a polyline [cm]; infinite for less than two points."""
+def in_the_way(corridor: Corridor, x: float, y: float, radius: float) -> bool:
+    """Whether a disc touches a swept path."""
     least = math.inf
-    for (x0, y0), (x1, y1) in itertools.pairwise(points):
+    for (x0, y0), (x1, y1) in itertools.pairwise(corridor.points_cm):
         dx, dy = x1 - x0, y1 - y0
         square = dx * dx + dy * dy
         t = ((x - x0) * dx + (y - y0) * dy) / square if square > 0 else 0.0
         t = min(max(t, 0.0), 1.0)
         least = min(least, math.hypot(x - x0 - t * dx, y - y0 - t * dy))
-    return least
+    return least < corridor.half_width_cm + radius
 
 
 @dataclass
@@ -297,23 +297,30 @@ class UnitBuilder:
         if len({self.supports.of[m].parent for m in members}) > 1:
             return
         local = self._arrange(name, members)
-        frame = compose(unit.members[started[0]], inverse(local[started[0]]))
-        poses = {m: compose(frame, local[m]) for m in members}
-        for m in started[1:]:
-            if self.taken[m] is not unit or math.dist(poses[m][:2], unit.members[m][:2]) > 1.0:
-                return
-        reach = {m: math.hypot(self.shape[m].hx, self.shape[m].hy) for m in rest}
-        allowed = {f"group:{name}", *rest}
         topple = all(is_domino_like(*_size(self.shape[m])) for m in members)
-        for c in () if topple else unit.corridors:
-            if not allowed & set(c.participants) and any(
-                distance_to_path(c.points_cm, *poses[m][:2]) < c.half_width_cm + reach[m]
-                for m in rest
-            ):
+        first = unit.members[started[0]]
+        paths = [c for c in unit.corridors if not {f"group:{name}", *rest} & set(c.participants)]
+
+        def is_clear(c: Corridor, m: str, at: Pose2) -> bool:
+            if not topple:
+                return not in_the_way(c, *at[:2], math.hypot(self.shape[m].hx, self.shape[m].hy))
+            # whoever comes must meet the one that has a start before the others
+            dx, dy = first[0] - c.points_cm[0][0], first[1] - c.points_cm[0][1]
+            return (at[0] - first[0]) * dx + (at[1] - first[1]) * dy > -1.0
+
+        for sign in (1.0, -1.0):  # a row may also continue to the other side
+            turned = {m: (sign * x, sign * y, yaw) for m, (x, y, yaw) in local.items()}
+            frame = compose(first, inverse(turned[started[0]]))
+            poses = {m: compose(frame, turned[m]) for m in members}
+            agrees = all(
+                self.taken[m] is unit and math.dist(poses[m][:2], unit.members[m][:2]) <= 1.0
+                for m in started
+            )
+            if agrees and all(is_clear(c, m, poses[m]) for m in rest for c in paths):
+                for m in rest:
+                    unit.members[m] = poses[m]
+                    self.taken[m] = unit
                 return
-        for m in rest:
-            unit.members[m] = poses[m]
-            self.taken[m] = unit
 
     def _lay_decals(self, unit: Unit) -> None:
         from esg.layout.decals import lay_decals  # decals need units and obstacles

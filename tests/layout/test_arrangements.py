@@ -41,6 +41,26 @@ def test_the_row_of_a_pushed_domino_continues_at_toppling_distance() -> None:
     assert abs(math.remainder(ahead - heading, 2 * math.pi)) < 0.01
 
 
+@pytest.mark.parametrize("heading", [0.0, 180.0])
+def test_a_row_continues_behind_the_domino_that_is_hit(heading: float) -> None:
+    slabs = _slabs(8)
+    marble = ball("marble", 1.0)
+    doc = document(
+        {**slabs.asset_configurations, "marble": marble},
+        {n: (v.asset_id, {"group": v.group, "group_pattern": v.group_pattern})
+         for n, v in slabs.spatial_relation_graph.nodes.items() if n != "ground_1"}
+        | {"marble_1": "marble"},
+    )  # fmt: skip
+    path = Corridor(((0.0, 0.0), (90.0, 0.0)), 2.0, ("marble_1", "slab_0"))
+    starts = (Placement("marble_1", 0.0, 0.0), Placement("slab_0", 91.5, 0.0, heading))
+    out = solve(doc, hints=StartHints((Constellation(starts, (path,)),)))
+    at = _poses(out)
+    assert out.layout_result is not None and out.layout_result.feasible
+    far = [math.dist(at["marble_1"][:2], at[f"slab_{k}"][:2]) for k in range(8)]
+    assert far == sorted(far)
+    assert 0.4 * 4.8 <= far[1] - far[0] <= 0.6 * 4.8
+
+
 def test_a_row_never_continues_into_a_planned_path() -> None:
     # crates are not there to be run into: they stand aside
     out = solve(_slabs(4, x=40, y=40, z=40), hints=_push("slab_0"))
