@@ -74,12 +74,15 @@ class GradientCheck:
         tape, differences: Shape [n], in loss per spread of each variable.
         cosine: Of the angle between them; 1 if both vanish.
         error: Norm of the difference over the norm of `differences`.
+        smooth: Whether the same events happen at all points of the difference; where they do not,
+            the loss jumps and `differences` is no derivative.
     """
 
     tape: Floats
     differences: Floats
     cosine: float
     error: float
+    smooth: bool
 
 
 def regimes(plan: Plan) -> dict[str, Regime]:
@@ -178,7 +181,8 @@ def check_gradient(
         probes[2 * k, i] += half[i]
         probes[2 * k + 1, i] -= half[i]
     found = gradient(plan, np.asarray(theta, float)[None], device=device, dt=dt)
-    losses = gradient(plan, probes, device=device, dt=dt, with_gradient=False).loss
+    probed = gradient(plan, probes, device=device, dt=dt, with_gradient=False)
+    losses = probed.loss
     differences = np.zeros(len(theta))
     differences[free] = (losses[0::2] - losses[1::2]) / (2.0 * half[free]) * spread[free]
     tape = np.where(plan.free(), found.gradient[0] * spread, 0.0)
@@ -186,7 +190,8 @@ def check_gradient(
     both = one > 1e-9 and two > 1e-9
     cosine = float(tape @ differences) / (one * two) if both else float(one < 1e-6 and two < 1e-6)
     error = float(np.linalg.norm(tape - differences)) / max(two, 1e-9)
-    return GradientCheck(tape, differences, cosine, error)
+    smooth = all((d == found.done[k][0]).all() for k, d in probed.done.items())
+    return GradientCheck(tape, differences, cosine, error, bool(smooth and probed.valid.all()))
 
 
 def _times(plan: Plan) -> NDArray[np.int64]:
@@ -211,6 +216,9 @@ def _pull_back(plan: Plan, thetas: Floats, taped: TapedRollout, losses: EventLos
         total = (change * pulled.table).sum(axis=(1, 2))
         total += ((poses[0][0] - poses[1][0]) * pulled.position).sum(axis=(1, 2))
         total += ((poses[0][1] - poses[1][1]) * pulled.quaternion).sum(axis=(1, 2))
+        for (w, node), slope in losses.clock.items():
+            later, sooner = (program_times(plan, e[w]).get(node, 0.0) for e in ends)
+            total[w] += slope * (later - sooner)
         out[:, i] = total / (2.0 * half)
     return out
 

@@ -77,6 +77,7 @@ class EventLosses:
         done: Per event, whether it happened, shape [W].
         seeds: Derivatives of `loss`.
         horizon: Last step any of them refers to, shape [W].
+        clock: Derivatives of `loss` by the program's own times, per (world, node id).
     """
 
     def __init__(self, plan: Plan, taped: TapedRollout, times: list[dict[str, float]]) -> None:
@@ -95,6 +96,8 @@ class EventLosses:
         self._seeds = [np.zeros_like(s) for s in self.states]
         self._delay: dict[int, float] = {}
         self.horizon = np.zeros(w, int)
+        self.clock: dict[tuple[int, str], float] = {}
+        self._movers: dict[tuple[int, str], Callable[[float], None]] = {}
         for node in plan.story.nodes.values():
             if node.event in (NodeEvent.SCENE_START, NodeEvent.TRIGGER, NodeEvent.HEADING_REACHED):
                 self._time[node.id] = np.array([t.get(node.id, 0.0) for t in times])
@@ -209,6 +212,7 @@ class EventLosses:
         """Window and constraints of an event; `move_time` takes a derivative by its time."""
         self.done[node.id][w] = True
         self._time[node.id][w] = time
+        self._movers[w, node.id] = move_time
         if node.timestamp is not None or node.window is not None:
             low, high = node.window or (node.timestamp or 0.0, node.timestamp or 0.0)
             shape = _outside(low, high, TIME_SCALE_S)
@@ -231,7 +235,9 @@ class EventLosses:
         name = f"{node.id}/{c.quantity}/{c.object}"
         if c.quantity == "time_since":
             since = float(np.nan_to_num(self._time[c.since or ""][w])) if c.since else 0.0
-            move_time(self._term(name, w, time - since, _inside(low, high, TIME_SCALE_S)))
+            slope = self._term(name, w, time - since, _inside(low, high, TIME_SCALE_S))
+            move_time(slope)
+            self._move(w, c.since, -slope)
             return
         if c.object not in self.plan.scene.names:
             return
@@ -323,6 +329,16 @@ class EventLosses:
         low, high = max(near - _COARSE, first), min(near + _COARSE, self.n_steps)
         fine = signal.value(self._at(w, slice(low, high + 1)))
         return low + int(np.argmin(fine)), float(fine.min())
+
+    def _move(self, w: int, node_id: str | None, slope: float) -> None:
+        """Takes a derivative by the time of an earlier event, whoever sets it."""
+        if node_id is None:
+            return
+        mover = self._movers.get((w, node_id))
+        if mover is not None:
+            mover(slope)
+        elif node_id in self.times[w]:
+            self.clock[w, node_id] = self.clock.get((w, node_id), 0.0) + slope
 
     # -- derivatives -------------------------------------------------------------------------
 

@@ -50,7 +50,7 @@ class Ops:
     pose_b: wp.array(dtype=int)
     """Versions of poses; MOVE writes `pose_b`. After a hit in the step before, its `b` is the pose
     of that step, and `contact`, `impulse_in`, `out_b` are the velocities at the start of that step,
-    of the one before it, and of this one."""
+    of the one before it, and of this one. After a change of control `b` is -2 - its number."""
     contact: wp.array(dtype=int)
     """Of a contact; for ACT 1 in its first step, plus 2 in the last step of a hold that ends by its
     time; for FORCES the primitive that set the angular damping."""
@@ -221,6 +221,24 @@ def _speeding(
 
 
 @wp.func
+def _control_change(model: Model, trace: Trace, w: int, step: int, i: int) -> int:
+    """Primitive that changes a body's acceleration from this step on, or -1.
+
+    2 k stands for new damping by primitive k, 2 k + 1 for the end of hold k by its time.
+    """
+    out = int(-1)  # noqa: RUF046, UP018  # a variable to Warp
+    if step == 0 or _acts(model, trace, w, step, i, 1):
+        return out
+    for k in range(model.n_primitives):
+        if model.target[k] == i:
+            if model.action[k] == 2 and trace.fired[w, step, k] != 0 and out < 0:
+                out = 2 * k
+            if model.action[k] == 3 and trace.fired[w, step - 1, k] == 2:
+                out = 2 * k + 1
+    return out
+
+
+@wp.func
 def _kicks(model: Model, con: Contacts, trace: Trace, ver: Versions, w: int, step: int, i: int):
     """Whether a body is hit within the step; its mean delay goes to `late`."""
     weight = float(0.0)  # noqa: UP018
@@ -358,6 +376,12 @@ def link(
                     ops.b[q] = ver.kick[w, i]
                     ops.contact[q] = ver.velocity_at[w, step - 1, i]
                     ops.impulse_in[q] = ver.velocity_at[w, wp.max(step - 2, 0), i]
+                    ops.out_b[q] = ver.velocity_at[w, step, i]
+                change = _control_change(model, trace, w, step, i)
+                if ops.b[q] == -1 and change >= 0 and not hit:
+                    ops.b[q] = -2 - change
+                    ops.contact[q] = ver.velocity_at[w, step, i]
+                    ops.impulse_in[q] = ver.velocity_at[w, step - 1, i]
                     ops.out_b[q] = ver.velocity_at[w, step, i]
                 ver.kick[w, i] = -1
                 if hit and step > 0 and not _acts(model, trace, w, step, i, 0):

@@ -57,11 +57,7 @@ def _act(
     v = V[vin]
     o = O[vin]
     if kind == 2:
-        more = table[w, k, 2]
-        gain = wp.float64(0.0)
-        if not wp.isnan(more):
-            gain = frozen[w, k, 2] * late
-        V[vout] = v * (1.0 + float(gain))
+        V[vout] = v
         O[vout] = o
     elif kind == 3:
         s = wp.float64(step) * dt - table[w, k, 0]
@@ -330,15 +326,26 @@ def _move(
     was: int,
     start: int,
     frozen_late: wp.array(dtype=float),
+    w: int,
+    table: wp.array3d(dtype=wp.float64),
+    frozen: wp.array3d(dtype=wp.float64),
 ):
     sums = late[pin]
     wait = wp.where(sums[1] > 0.0, sums[0] / wp.max(sums[1], 1.0e-20), 0.0)
     X[pout] = X[pin] + V[vend] * (dt - wait) + V[vfree] * wait + shift[pin]
+    # After a hit in the step before, or a change of control, the new acceleration acts from the true
+    # moment on and the old one up to it: zero, but for the derivative by that moment.
     if kick >= 0:
-        # The new acceleration acts from the hit on, the old one up to it: zero, but for its
-        # derivative by the time of the hit in the step before.
         more = (late[kick][0] / wp.max(late[kick][1], 1.0e-20) - frozen_late[kick]) / dt
         V[vout] = V[vend] + (V[now] - V[was] - V[vend] + V[start]) * more
+    elif kick <= -2:
+        k = (-2 - kick) / 2
+        column = (-2 - kick) % 2
+        moved = float(table[w, k, column] - frozen[w, k, column]) / dt
+        if column == 0:
+            V[vout] = V[vend] + (V[now] - V[was] - V[vend] + V[start]) * moved
+        else:
+            V[vout] = V[vend] + (V[start] - V[vend]) * moved
     else:
         V[vout] = V[vend]
     turn = O[vend] * (dt - wait) + O[vfree] * wait
@@ -398,7 +405,7 @@ def replay(
         elif kind == 5:
             _move(
                 model, a, h, va, vb, ops.out_a[q], pa, pb, V, O, X, R, late, shift, b, c,
-                ops.impulse_in[q], ops.out_b[q], frozen_late,
+                ops.impulse_in[q], ops.out_b[q], frozen_late, w, table, frozen,
             )  # fmt: skip
         elif kind == 1:
             _forces(model, w, a, b, c, h, table, damping, va, ops.out_a[q], pa, V, O, R, inverse)
