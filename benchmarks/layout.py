@@ -187,12 +187,36 @@ def batch(count: int, device: str) -> list[dict[str, Any]]:
     return rows
 
 
-def pictures(count: int, out: Path) -> None:
-    """One sheet of layouts seen from above."""
-    from benchmarks.layout_pictures import sheet
+PROMPTS = (
+    "Six chairs surround a dining table and face it.",
+    "A bowling ball rolls down the lane and hits ten pins standing in a triangle.",
+    "A queue of five cars waits in a lane.",
+    "Twenty dominoes stand in a row on the floor and topple one after another.",
+    "A stack of five books lies on a desk.",
+    "A laptop stands on a desk and faces a chair in front of the desk.",
+    "A picture hangs on the wall above a sofa.",
+    "A cup stands on a book that lies on a box on a table.",
+    "A bookshelf holds six books and two vases, with a chair next to it.",
+    "Twelve laptops stand on a small table.",
+)
 
-    docs = [solve(generate(k), seed=k) for k in range(count)]
-    sheet(docs, out)
+
+def pictures(count: int, out: Path) -> None:
+    """Two sheets of layouts, from above and in perspective: everyday prompts, then graphs."""
+    from benchmarks.layout_pictures import perspective, sheet, top_down
+    from esg.assets import resolve
+    from esg.draft import draft
+    from esg.dynamics import start_hints
+
+    docs = []
+    for prompt in PROMPTS[:count]:
+        doc = resolve(draft(prompt), seed=0)
+        doc = solve(doc, seed=0, hints=start_hints(doc, seed=0))
+        head = doc.scene_definition.model_copy(update={"scene_id": prompt})
+        docs.append(doc.model_copy(update={"scene_definition": head}))
+    docs += [solve(generate(k), seed=k) for k in range(count - len(docs))]
+    for name, picture in (("top", top_down), ("perspective", perspective)):
+        sheet(docs, out.with_name(f"{out.stem}_{name}{out.suffix}"), picture=picture)
 
 
 def main() -> None:

@@ -1,8 +1,10 @@
-"""Sheets of layouts seen from above and in isometric perspective, drawn from the proxies."""
+"""Sheets of layouts seen from above and in perspective, drawn from the proxies."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 import colorsys
+import itertools
 import math
 from pathlib import Path
 
@@ -14,6 +16,7 @@ from esg.layout.shapes import CIRCLE, footprints
 TILE = 240
 MARGIN = 16
 Point = tuple[float, float]
+Picture = Callable[[EsgDocument], Image.Image]
 
 
 def _outline(kind: int, x: float, y: float, yaw: float, hx: float, hy: float) -> list[Point]:
@@ -91,48 +94,69 @@ def top_down(doc: EsgDocument) -> Image.Image:
 
 
 def perspective(doc: EsgDocument) -> Image.Image:
-    """Isometric view from the front, painted from the back."""
+    """Seen by the viewer: from +Y, 30 degrees above the horizon, painted from far to near."""
     image = Image.new("RGB", (TILE, TILE), (244, 244, 240))
     draw = ImageDraw.Draw(image)
-
-    def project(x: float, y: float, z: float) -> Point:
-        return (-(x + 0.35 * y), 0.5 * y - 0.15 * x - 0.85 * z)
-
     items = prisms(doc)
     if not items:
         return image
-    flat = [project(x, y, z) for _, o, lo, hi in items for x, y in o for z in (lo, hi)]
-    scale, cx, cy = _fit(flat)
+    points = [(x, y, z) for _, o, lo, hi in items for x, y in o for z in (lo, hi)]
+    middle = [0.5 * (min(p[k] for p in points) + max(p[k] for p in points)) for k in range(3)]
+    radius = max(math.dist(p, middle) for p in points)
+    azimuth, elevation = math.radians(70.0), math.radians(30.0)
+    back = (
+        math.cos(elevation) * math.cos(azimuth),
+        math.cos(elevation) * math.sin(azimuth),
+        math.sin(elevation),
+    )
+    right = (-math.sin(azimuth), math.cos(azimuth), 0.0)
+    up = (
+        -math.sin(elevation) * math.cos(azimuth),
+        -math.sin(elevation) * math.sin(azimuth),
+        math.cos(elevation),
+    )
+    away = 2.6 * radius
+
+    def view(x: float, y: float, z: float) -> tuple[float, float, float]:
+        d = (x - middle[0], y - middle[1], z - middle[2])
+        u, v, w = (sum(a * b for a, b in zip(d, axis, strict=True)) for axis in (right, up, back))
+        return u / (away - w), -v / (away - w), away - w
+
+    scale, cx, cy = _fit([view(*p)[:2] for p in points])
 
     def screen(x: float, y: float, z: float) -> Point:
-        u, v = project(x, y, z)
+        u, v, _ = view(x, y, z)
         return TILE / 2 + scale * (u - cx), TILE / 2 + scale * (v - cy)
 
     nodes = doc.spatial_relation_graph.nodes
-    order = sorted(items, key=lambda t: (sum(p[1] for p in t[1]) / len(t[1]) + 0.6 * t[2], t[2]))
-    for name, outline, low, high in order:
+    faces = []
+    for name, outline, low, high in items:
         kind = nodes[name].asset_id
-        count = len(outline)
-        sides = sorted(range(count), key=lambda k: outline[k][1] + outline[(k + 1) % count][1])
-        for k in sides:
-            (x0, y0), (x1, y1) = outline[k], outline[(k + 1) % count]
-            quad = [(x0, y0, low), (x1, y1, low), (x1, y1, high), (x0, y0, high)]
+        for (x0, y0), (x1, y1) in itertools.pairwise([*outline, outline[0]]):
+            # outlines run counter-clockwise: the outside is on the right
+            if (y1 - y0) * (middle[0] + away * back[0] - x0) < (x1 - x0) * (
+                middle[1] + away * back[1] - y0
+            ):
+                continue
             shade = 0.35 + 0.12 * abs(math.cos(math.atan2(y1 - y0, x1 - x0)))
-            draw.polygon([screen(*q) for q in quad], fill=_color(kind, shade))
-        draw.polygon(
-            [screen(x, y, high) for x, y in outline], fill=_color(kind, 0.68), outline=(60, 60, 60)
-        )
+            quad = [(x0, y0, low), (x1, y1, low), (x1, y1, high), (x0, y0, high)]
+            faces.append((quad, _color(kind, shade), None))
+        faces.append(([(x, y, high) for x, y in outline], _color(kind, 0.68), (60, 60, 60)))
+    faces.sort(key=lambda f: -sum(view(*p)[2] for p in f[0]) / len(f[0]))
+    for corners, fill, line in faces:
+        draw.polygon([screen(*p) for p in corners], fill=fill, outline=line)
     return image
 
 
-def sheet(docs: list[EsgDocument], path: Path, columns: int = 5) -> None:
-    """Writes pairs of top-down and perspective views."""
+def sheet(
+    docs: list[EsgDocument], path: Path, columns: int = 5, picture: Picture = top_down
+) -> None:
+    """Writes one picture of every layout on one sheet."""
     rows = math.ceil(len(docs) / columns)
-    image = Image.new("RGB", (columns * TILE, rows * 2 * TILE), "white")
+    image = Image.new("RGB", (columns * TILE, rows * TILE), "white")
     draw = ImageDraw.Draw(image)
     for k, doc in enumerate(docs):
-        x, y = (k % columns) * TILE, (k // columns) * 2 * TILE
-        image.paste(top_down(doc), (x, y))
-        image.paste(perspective(doc), (x, y + TILE))
-        draw.text((x + 6, y + 6), doc.scene_definition.scene_id, fill="black")
+        x, y = (k % columns) * TILE, (k // columns) * TILE
+        image.paste(picture(doc), (x, y))
+        draw.text((x + 6, y + 6), doc.scene_definition.scene_id[:38], fill="black")
     image.save(path)
