@@ -10,6 +10,7 @@ COMMANDS: dict[str, tuple[str, str]] = {
     ),
     "serve": ("esg.commands.serve:serve", "Run suites every night and compare with history."),
     "report": ("esg.commands.report:report", "Write one page about a run that opens from disk."),
+    "render": ("esg.commands.render:render", "Render ground-truth pictures of a finished scene."),
     "view": ("esg.commands.view:view", "Show the player of one scene in the browser."),
     "sql": ("esg.commands.sql:sql", "Query the results of all runs with SQL."),
     "db": ("esg.commands.db:app", "Rebuild, fill, prune and look after the run database."),

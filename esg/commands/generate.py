@@ -9,6 +9,7 @@ from cyclopts import Parameter
 
 if TYPE_CHECKING:
     from esg.pipeline import SceneState
+    from esg.view.capture import Settings
 
 Strategy = Literal["batched", "hybrid", "fd", "ad", "none"]
 
@@ -21,6 +22,7 @@ def generate(
     drafter: Literal["rules", "llm"] = "rules",
     strategy: Strategy = "batched",
     device: str = "cpu",
+    render: str = "",
     json: Annotated[bool, Parameter(negative="")] = False,
 ) -> int:
     """Generate one scene and prove it by replaying what was emitted.
@@ -32,6 +34,8 @@ def generate(
         drafter: rules needs nothing; llm needs an OpenAI-compatible endpoint.
         strategy: How the physics is searched; none keeps the first guess.
         device: cpu or cuda:N.
+        render: Ground-truth channels to render into the scene folder at 256x256 and 24 frames a
+            second, with commas, or all; esg render has further options.
         json: Print one JSON document with outcome, metrics and paths.
     """
     from esg.commands.console import emit, progress
@@ -45,6 +49,7 @@ def generate(
     prompt = clean_prompt(prompt)
     check_writable(out)
     device = check_device(device)
+    pictures = _pictures(render, device, seed) if render else None
     with progress(len(STAGES), "starting") as bar:
 
         def watch(stage: str, state: SceneState) -> None:
@@ -70,11 +75,21 @@ def generate(
         bar.show("ingesting")
         record_run([state], "generate")
     summary = summarize(state, folder)
+    if pictures is not None and summary["metrics"] is not None:
+        from esg.commands.render import run as run_render
+
+        summary["render"] = run_render(folder, folder / "render", pictures)
     if json:
         emit(summary)
     else:
         print(describe(summary))
     return exit_code([state])
+
+
+def _pictures(channels: str, device: str, seed: int) -> Settings:
+    from esg.commands.render import settings
+
+    return settings(channels, "256x256", 24.0, 1, "png", device, seed)
 
 
 def exit_code(states: list[SceneState]) -> int:
@@ -161,6 +176,9 @@ def describe(summary: dict[str, Any]) -> str:
         }[summary["proof"]]
         rate = round(1 / metrics["dt_s"])
         lines.append(f"  layout {layout}; proof: {proof}, {rate} steps a second")
+    if "render" in summary:
+        rendered = summary["render"]
+        lines.append(f"  {rendered['pictures']} pictures in {rendered['folder']}")
     ran = [f"{s['stage']} {s['seconds']:.1f}" for s in summary["stages"] if not s["cached"]]
     if ran:
         lines.append(f"  seconds: {', '.join(ran)}")

@@ -9,16 +9,16 @@ import itertools
 import math
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from esg.engines.scene import Rollout, SimScene
 from esg.graph.models import EsgDocument, RelationType
-from esg.units import CM_PER_M
 from esg.view.camera import Camera, box_corners, frame_points
-from esg.view.render import SAMPLES, Part, Renderer
+from esg.view.parts import scene_parts
+from esg.view.render import SAMPLES, Renderer
 from esg.view.sheet import Panel, draw_trail, write_loop, write_sheet
 
 if TYPE_CHECKING:
@@ -34,9 +34,6 @@ MAX_EVENTS = 7
 REACH = 4.5
 """Company joins the picture if it widens it by at most this factor."""
 _UNITS = {"mps": "m/s", "m": "m", "s": "s", "deg": "deg", "ns": "N s", "kg": "kg"}
-GROUND_HALF_EXTENT_M = 45.0
-"""A surface without collision at least this wide is the ground."""
-GROUND_RGB = {"indoor": (0.47, 0.41, 0.35), "outdoor": (0.36, 0.38, 0.36)}
 
 
 @dataclass(frozen=True)
@@ -87,7 +84,7 @@ def preview(
         Path of the sheet.
     """
     moments = _moments(scene, rollout, verdict, doc)
-    parts = _parts(scene, rollout, doc)
+    parts = scene_parts(scene, rollout, doc)
     renderers = [Renderer(parts, len(scene.bodies), *PANEL_PX) for _ in range(_threads())]
     view = _viewpoint(scene, rollout, moments, renderers[0])
     for renderer in renderers:
@@ -353,10 +350,7 @@ def _viewpoint(
     The natural place is beside the motion, on the viewer's (+Y) side; other directions compete by
     how much of every framed body is visible at every moment.
     """
-    along = _motion_direction(scene, rollout, moments)
-    side = math.atan2(along[1], along[0]) + math.pi / 2
-    if math.sin(side) < -1e-6:
-        side += math.pi
+    side = _beside(_motion_direction(scene, rollout, moments))
     best, best_score = (side, math.radians(24)), -math.inf
     # First, last and the middle moment stand for all: this is half of the work otherwise.
     moments = [moments[k] for k in sorted({0, len(moments) // 2, len(moments) - 1})]
@@ -414,6 +408,46 @@ def _motion_direction(
     return np.array([1.0, 0.0])
 
 
+def action_points(
+    scene: SimScene,
+    rollout: Rollout,
+    verdict: SceneVerdict | None,
+    doc: EsgDocument,
+    steps: int,
+) -> NDArray[np.float64]:
+    """Corners of what the scene is about at `steps` instants from its start to its last event.
+
+    Args:
+        scene: The bodies.
+        rollout: Their motion.
+        verdict: Events, whose participants count.
+        doc: Relations, for what the participants stand on.
+        steps: Number of instants.
+
+    Returns:
+        World points [m], shape [n, 3].
+    """
+    moments = _moments(scene, rollout, verdict, doc)
+    first, last = moments[0], moments[-1]
+    points = [
+        _frame_set(scene, rollout, replace(first, time=float(time)), _frame(rollout, float(time)))
+        for time in np.linspace(first.time, last.time, steps)
+    ]
+    return np.concatenate(points)
+
+
+def facing_side(
+    scene: SimScene, rollout: Rollout, verdict: SceneVerdict | None, doc: EsgDocument
+) -> float:
+    """Azimuth beside the motion, on the viewer's (+Y) side [rad]."""
+    return _beside(_motion_direction(scene, rollout, _moments(scene, rollout, verdict, doc)))
+
+
+def _beside(along: NDArray[np.float64]) -> float:
+    side = math.atan2(along[1], along[0]) + math.pi / 2
+    return side + math.pi if math.sin(side) < -1e-6 else side
+
+
 def _trails(
     rollout: Rollout, bodies: Sequence[int], start: float, end: float
 ) -> list[NDArray[np.float64]]:
@@ -424,91 +458,3 @@ def _trails(
         if len(path) > 1 and float(np.linalg.norm(path[-1] - path[0])) > 0.15:
             trails.append(path)
     return trails
-
-
-def _parts(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> list[Part]:
-    from esg.assets import build_mesh
-
-    parts: list[Part] = []
-    meshes: dict[str, Any] = {}
-    ground = GROUND_RGB[doc.scene_definition.scene_parameters.scene_type]
-    decals: list[tuple[float, list[Part]]] = []
-    for index, body in enumerate(scene.bodies):
-        node = doc.spatial_relation_graph.nodes.get(body.name)
-        if node is None:
-            continue
-        flat = not body.collides
-        if flat and max(body.half_extents[:2]) > GROUND_HALF_EXTENT_M:
-            # The ground itself: drawn as an endless plane in its colour.
-            ground = body.color
-            continue
-        if node.asset_id not in meshes:
-            meshes[node.asset_id] = build_mesh(doc.asset_configurations[node.asset_id])
-        own = [
-            Part(index, vertices / CM_PER_M + np.asarray(body.origin_offset), faces, color)
-            for vertices, faces, color in _geometries(meshes[node.asset_id], body.color)
-        ]
-        if flat:
-            decals.append((body.half_extents[0] * body.half_extents[1], own))
-        else:
-            parts += own
-    # Roads and markings lie on the ground, the smaller on the larger: a few millimetres apart.
-    for layer, (_, own) in enumerate(sorted(decals, key=lambda d: -d[0]), 1):
-        lift = np.array([0.0, 0.0, 0.004 * layer])
-        parts += [replace(p, vertices=p.vertices + lift) for p in own]
-    return parts + _ground(rollout, ground)
-
-
-def _geometries(mesh: Any, fallback: tuple[float, float, float]) -> list[Any]:
-    """Vertices in the asset's frame [cm], faces and colour of every geometry of a trimesh scene."""
-    out = []
-    for name in sorted(mesh.graph.nodes_geometry):
-        transform, geometry_name = mesh.graph[name]
-        geometry = mesh.geometry[geometry_name]
-        if not len(getattr(geometry, "faces", ())):
-            continue
-        vertices = np.asarray(geometry.vertices, float) @ transform[:3, :3].T + transform[:3, 3]
-        out.append((vertices, np.asarray(geometry.faces), _color(geometry, fallback)))
-    return out
-
-
-def _color(geometry: Any, fallback: tuple[float, float, float]) -> tuple[float, float, float]:
-    visual = getattr(geometry, "visual", None)
-    material = getattr(visual, "material", None)
-    rgba = getattr(material, "main_color", None) if material is not None else None
-    if rgba is None and visual is not None and getattr(visual, "defined", False):
-        rgba = getattr(visual, "main_color", None)
-    if rgba is None:
-        return fallback
-    red, green, blue = (float(c) / 255.0 for c in np.asarray(rgba)[:3])
-    return red, green, blue
-
-
-def _ground(rollout: Rollout, color: tuple[float, float, float]) -> list[Part]:
-    """A plane and, as a sense of scale, a faint checkerboard of 1 m (or 0.25 m) tiles."""
-    span = rollout.position[0, :, :, :2].reshape(-1, 2)
-    span = span[np.isfinite(span).all(axis=1)]
-    low, high = np.percentile(span, 2, axis=0), np.percentile(span, 98, axis=0)
-    extent = float(np.max(high - low))
-    tile = 0.25 if extent < 3 else 1.0
-    margin = 14 * tile + 0.25 * extent
-    start = np.floor((low - margin) / tile).astype(int)
-    stop = np.ceil((high + margin) / tile).astype(int)
-    if int(np.max(stop - start)) > 240:  # a runaway body: tiles around the origin only
-        start, stop = np.array([-120, -120]), np.array([120, 120])
-    corner = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], float)
-    i, j = np.meshgrid(np.arange(start[0], stop[0]), np.arange(start[1], stop[1]), indexing="ij")
-    cells = np.stack([i.ravel(), j.ravel()], axis=1)
-    lighter = tuple(min(1.0, 1.1 * c) for c in color)
-    # The tiles are the ground, exactly at z = 0; the plane below is seen only beyond them.
-    tiles: list[Part] = []
-    for parity, shade in enumerate((lighter, color)):
-        mine = cells[cells.sum(axis=1) % 2 == parity]
-        corners = (mine[:, None, :] + corner) * tile
-        flat = np.concatenate([corners.reshape(-1, 2), np.zeros((4 * len(mine), 1))], 1)
-        offsets = 4 * np.arange(len(mine))[:, None, None]
-        faces = (np.array([[0, 1, 2], [0, 2, 3]])[None] + offsets).reshape(-1, 3)
-        tiles.append(Part(-1, flat, faces, shade))  # type: ignore[arg-type]  # three floats
-    middle = 0.5 * (low + high)
-    big = np.concatenate([(corner - 0.5) * 900 + middle, np.full((4, 1), -0.005)], axis=1)
-    return [Part(-1, big, np.array([[0, 1, 2], [0, 2, 3]]), color), *tiles]

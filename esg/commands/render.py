@@ -1,0 +1,129 @@
+"""`esg render`: ground-truth pictures of a finished scene, for learning."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+from cyclopts import Parameter
+
+if TYPE_CHECKING:
+    from esg.view.capture import Settings
+
+MAX_CAMERAS = 8
+
+
+def render(
+    scene: str,
+    *,
+    channels: str = "rgb,depth,segmentation",
+    size: str = "256x256",
+    fps: float = 24.0,
+    cameras: int = 1,
+    format: Literal["png", "parquet"] = "png",
+    device: str = "cpu",
+    seed: int = 0,
+    out: Path | None = None,
+    json: Annotated[bool, Parameter(negative="")] = False,
+) -> int:
+    """Render a finished scene with exact depth, normals, masks, flow, boxes and tracks.
+
+    Args:
+        scene: Scene folder, or id of one below ./runs.
+        channels: Of rgb, depth, normal, segmentation, flow, boxes2d, boxes3d, tracks; or all.
+        size: Width x height in pixels.
+        fps: Frames a second.
+        cameras: How many stand around the action, 1 to 8.
+        format: png writes files, parquet shards of rows.
+        device: cpu or cuda:N.
+        seed: Of the points that tracks follow.
+        out: Folder to write; default render in the scene folder.
+        json: Print one JSON document: the folder and what is in it.
+    """
+    from esg.commands.console import emit
+    from esg.commands.inputs import check_device, find_scene
+
+    chosen = settings(channels, size, fps, cameras, format, device, seed)
+    check_device(device)
+    folder = find_scene(scene)
+    result = run(folder, out or folder / "render", chosen)
+    if json:
+        emit(result)
+    else:
+        print(f"{result['folder']}: {result['pictures']} pictures of {', '.join(chosen.channels)}")
+    return 0
+
+
+def settings(
+    channels: str, size: str, fps: float, cameras: int, format: str, device: str, seed: int
+) -> Settings:
+    """Checked settings.
+
+    Raises:
+        UserError: Naming the option and what it takes.
+    """
+    from esg.outcomes import UserError
+    from esg.view.capture import Settings, parse_channels, parse_size
+
+    if not 0.1 <= fps <= 1000:
+        raise UserError(f"--fps {fps}: choose 0.1 to 1000")
+    if not 1 <= cameras <= MAX_CAMERAS:
+        raise UserError(f"--cameras {cameras}: choose 1 to {MAX_CAMERAS}")
+    if not 0 <= seed < 2**63:
+        raise UserError(f"--seed {seed}: choose a number from 0")
+    assert format in ("png", "parquet")
+    return Settings(parse_channels(channels), parse_size(size), fps, cameras, format, device, seed)
+
+
+def run(folder: Path, out: Path, chosen: Settings) -> dict[str, Any]:
+    """Renders one scene folder.
+
+    Args:
+        folder: Scene folder.
+        out: The capture's folder.
+        chosen: What to render.
+
+    Raises:
+        UserError: If the folder holds no replayed scene.
+    """
+    import json
+
+    from esg.commands.console import progress
+    from esg.graph import load_document
+    from esg.metrics import SceneVerdict
+    from esg.outcomes import UserError
+    from esg.report.replays import replays_of
+    from esg.report.run import read_scene
+    from esg.view.capture import capture, frame_indices
+    from esg.view.truth_sheet import truth_sheet
+
+    entry = read_scene(folder)
+    replays = replays_of(folder, entry.metrics)
+    if not replays:
+        raise UserError(f"{folder} was never replayed; its log.jsonl says why")
+    found = {k: v for k, v in entry.verdict.items() if k in SceneVerdict.model_fields}
+    verdict = SceneVerdict.model_validate(found)
+    scene, rollout = replays[0].scene, replays[0].rollout
+    total = len(frame_indices(rollout, chosen.fps)) * chosen.cameras
+    with progress(total, "rendering") as bar:
+        path = capture(
+            scene,
+            rollout,
+            verdict,
+            load_document(folder / "esg.json"),
+            out,
+            chosen,
+            on_frames=lambda n: bar.step("rendering", n),
+        )
+    events = [e.time_s for e in verdict.events if e.completed and e.time_s is not None]
+    truth_sheet(path, path / "sheet.png", min(events, default=0.0))
+    manifest = json.loads((path / "manifest.json").read_bytes())
+    return {
+        "scene": str(folder),
+        "folder": str(path),
+        "pictures": total,
+        "cameras": chosen.cameras,
+        "frames": manifest["frames"],
+        "channels": list(chosen.channels),
+        "format": chosen.container,
+    }

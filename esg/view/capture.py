@@ -1,0 +1,380 @@
+"""Ground truth of a scene on disk: pictures, depth, normals, masks, flow, boxes, tracks.
+
+Every picture is a PNG, in a folder a camera or inside sharded Parquet; `manifest.json` says how to
+read them, and holds intrinsics and extrinsics of every camera and the id of every body.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+import json
+import math
+import os
+from pathlib import Path
+import shutil
+import tempfile
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+
+from esg.engines.scene import Rollout, SimScene
+from esg.outcomes import UserError
+from esg.view import png16, truth
+from esg.view.camera import Camera
+from esg.view.cameras import action_cameras
+from esg.view.containers import PICTURES, FileSink, ParquetSink
+from esg.view.truth import Pinhole
+from esg.view.worlds import Views, WorldRenderer
+
+if TYPE_CHECKING:
+    from esg.graph.models import EsgDocument
+    from esg.metrics.models import SceneVerdict
+
+FORMAT_VERSION = "1.0"
+CHANNELS = (*PICTURES, "boxes2d", "boxes3d", "tracks")
+DEPTH_UNIT_M = 0.001
+FLOW_SCALE, FLOW_ZERO = 64.0, 32768
+BATCH = 24
+"""Frames drawn in one launch."""
+ENCODINGS = {
+    "rgb": "8-bit RGB",
+    "depth": "16-bit: distance along the camera's axis [mm]; 0 nothing, 65535 farther than 65.5 m",
+    "normal": "16-bit RGB: (n + 1) / 2 * 65534, world frame; black nothing",
+    "segmentation": "16-bit: 0 nothing, 1 ground, else the id of a body",
+    "flow": "16-bit RGB as of KITTI: (u, v) = (R - 32768, G - 32768) / 64 px to the next frame; "
+    "B is 1 where it is known (0 in the last frame and beyond 511 px)",
+    "boxes2d": "tight box of what is visible: x0, y0, x1, y1 [px], ends exclusive",
+    "boxes3d": "oriented bounding box in the world [m] and its corners [px]",
+    "tracks": "pixels of points fixed on the bodies, and whether they are visible",
+}
+
+
+@dataclass(frozen=True)
+class Settings:
+    """What to render.
+
+    Args:
+        channels: Of `CHANNELS`.
+        size: Width and height [px].
+        fps: Frames a second.
+        cameras: How many, 1 to 8.
+        container: png writes files, parquet shards of rows.
+        device: cpu or cuda:N.
+        seed: Of the points that are tracked.
+    """
+
+    channels: tuple[str, ...] = ("rgb", "depth", "segmentation")
+    size: tuple[int, int] = (256, 256)
+    fps: float = 24.0
+    cameras: int = 1
+    container: Literal["png", "parquet"] = "png"
+    device: str = "cpu"
+    seed: int = 0
+
+
+def parse_channels(text: str) -> tuple[str, ...]:
+    """Channels of a comma-separated list, `all` for all.
+
+    Raises:
+        UserError: Naming every unknown one.
+    """
+    if text.strip() == "all":
+        return CHANNELS
+    names = tuple(dict.fromkeys(n.strip() for n in text.split(",") if n.strip()))
+    unknown = [n for n in names if n not in CHANNELS]
+    if unknown or not names:
+        what = f"unknown channel {', '.join(map(repr, unknown))}" if unknown else "no channel"
+        raise UserError(f"{what}: choose from {', '.join(CHANNELS)}, with commas, or all")
+    return names
+
+
+def parse_size(text: str) -> tuple[int, int]:
+    """Width and height of e.g. `256x192`.
+
+    Raises:
+        UserError: If it is none, or not between 16 and 4096.
+    """
+    parts = text.lower().replace("×", "x").split("x")
+    if len(parts) == 2 and all(p.strip().isdigit() for p in parts):
+        width, height = (int(p) for p in parts)
+        if 16 <= width <= 4096 and 16 <= height <= 4096:
+            return width, height
+    raise UserError(f"--size {text!r}: give width x height in pixels, e.g. 256x256 (16 to 4096)")
+
+
+def capture(
+    scene: SimScene,
+    rollout: Rollout,
+    verdict: SceneVerdict | None,
+    doc: EsgDocument,
+    folder: Path,
+    settings: Settings,
+    *,
+    cameras: Sequence[Camera] | None = None,
+    on_frames: Callable[[int], None] = lambda _: None,
+) -> Path:
+    """Writes the ground truth of a replay.
+
+    Args:
+        scene: The bodies.
+        rollout: The replay; its first world.
+        verdict: Events, for the cameras.
+        doc: Asset configurations (meshes) and the prompt.
+        folder: Appears complete or not at all; an older capture is replaced.
+        settings: What to render.
+        cameras: Fixed cameras; default some that see the action.
+        on_frames: Called with the number of finished pictures.
+
+    Returns:
+        The folder.
+
+    Raises:
+        UserError: If the folder exists and is no capture, or cannot be written.
+    """
+    if folder.exists() and not is_capture(folder):
+        raise UserError(f"{folder} exists and holds no capture; move it or choose another --out")
+    try:
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        work = Path(tempfile.mkdtemp(prefix=f".{folder.name}.", suffix=".tmp", dir=folder.parent))
+    except OSError as error:
+        raise UserError(f"cannot write to {folder}: {error.strerror}") from None
+    try:
+        views = list(cameras or ())
+        aspect = settings.size[0] / settings.size[1]
+        views = views or action_cameras(scene, rollout, verdict, doc, settings.cameras, aspect)
+        _write(scene, rollout, doc, views, work, settings, on_frames)
+        work.chmod(0o755)
+        if folder.exists():
+            shutil.rmtree(folder)
+        os.replace(work, folder)
+    except BaseException:
+        shutil.rmtree(work, ignore_errors=True)
+        raise
+    return folder
+
+
+def is_capture(folder: Path) -> bool:
+    """Whether `capture` wrote this folder."""
+    try:
+        return "esg_capture" in json.loads((folder / "manifest.json").read_bytes())
+    except (OSError, ValueError):
+        return False
+
+
+def frame_indices(rollout: Rollout, fps: float) -> list[int]:
+    """Frames of the rollout nearest to every 1/fps, the first included."""
+    time = np.asarray(rollout.time, float)
+    wanted = np.arange(math.floor(time[-1] * fps + 1e-6) + 1) / fps
+    right = np.clip(np.searchsorted(time, wanted), 0, len(time) - 1)
+    left = np.maximum(right - 1, 0)
+    return np.where(wanted - time[left] <= time[right] - wanted, left, right).tolist()
+
+
+def _write(
+    scene: SimScene,
+    rollout: Rollout,
+    doc: EsgDocument,
+    cameras: list[Camera],
+    folder: Path,
+    settings: Settings,
+    on_frames: Callable[[int], None],
+) -> None:
+    from esg.view.parts import scene_parts
+
+    parts = scene_parts(scene, rollout, doc)
+    frames = frame_indices(rollout, settings.fps)
+    points, owner = _tracked(parts, len(scene.bodies), settings)
+    manifest = _manifest(scene, rollout, doc, cameras, frames, settings, points, owner)
+    sink: Any = ParquetSink(folder) if settings.container == "parquet" else FileSink(folder)
+    direction = np.subtract(cameras[0].eye, cameras[0].target)
+    batch = min(BATCH, len(frames))
+    renderer = WorldRenderer(
+        parts,
+        len(scene.bodies),
+        batch,
+        settings.size,
+        device=settings.device,
+        sun=math.atan2(direction[1], direction[0]),
+    )
+    for number, camera in enumerate(cameras):
+        pinhole = Pinhole.of(camera, settings.size)
+        for first in range(0, len(frames), batch):
+            shown = frames[first : first + batch]
+            # A last batch that is not full draws its last frame several times.
+            filled = shown + shown[-1:] * (batch - len(shown))
+            renderer.pose(rollout.position[0, filled], rollout.quaternion[0, filled])
+            renderer.draw([camera] * batch, rgb="rgb" in settings.channels)
+            views = renderer.read(rgb="rgb" in settings.channels)
+            for k in range(len(shown)):
+                row = _row(
+                    views, k, pinhole, scene, rollout, frames, first + k, settings, points, owner
+                )
+                sink.add(number, first + k, float(rollout.time[shown[k]]), row)
+            on_frames(len(shown))
+    manifest["shards"] = sink.close()
+    text = json.dumps(manifest, indent=2, ensure_ascii=False, allow_nan=False)
+    (folder / "manifest.json").write_text(text + "\n", encoding="utf-8")
+
+
+def _row(
+    views: Views,
+    k: int,
+    pinhole: Pinhole,
+    scene: SimScene,
+    rollout: Rollout,
+    frames: list[int],
+    at: int,
+    settings: Settings,
+    points: Any,
+    owner: Any,
+) -> dict[str, Any]:
+    """Encoded channels of one picture."""
+    wanted = settings.channels
+    depth, body = views.depth[k], views.body[k]
+    f = frames[at]
+    position = rollout.position[0, f].astype(float)
+    quaternion = rollout.quaternion[0, f].astype(float)
+    row: dict[str, Any] = {}
+    if views.rgb is not None:
+        row["rgb"] = png16.encode(views.rgb[k])
+    if "depth" in wanted:
+        row["depth"] = png16.encode(encode_depth(depth))
+    if "normal" in wanted:
+        row["normal"] = png16.encode(encode_normal(views.normal[k]))
+    if "segmentation" in wanted:
+        row["segmentation"] = png16.encode(truth.segment_ids(body))
+    if "flow" in wanted:
+        shift = None
+        if at + 1 < len(frames):
+            g = frames[at + 1]
+            later = rollout.position[0, g].astype(float), rollout.quaternion[0, g].astype(float)
+            shift = truth.flow(pinhole, depth, body, (position, quaternion), later)
+        row["flow"] = png16.encode(encode_flow(shift, depth.shape))
+    if "boxes2d" in wanted:
+        row["boxes2d"] = [_identified(b) for b in truth.boxes_2d(body)]
+    if "boxes3d" in wanted:
+        half = np.array([b.half_extents for b in scene.bodies])
+        offset = np.array([b.origin_offset for b in scene.bodies])
+        found = truth.boxes_3d(pinhole, half, offset, position, quaternion)
+        row["boxes3d"] = [_identified(b) for b in found]
+    if "tracks" in wanted:
+        pixels, seen = truth.track(pinhole, depth, body, owner, points, position, quaternion)
+        row["tracks"] = {
+            "xy_px": np.round(pixels, 3).tolist(),
+            "visible": [bool(v) for v in seen],
+        }
+    return row
+
+
+def _identified(box: dict[str, Any]) -> dict[str, Any]:
+    return {"id": box["body"] + 2, **{k: v for k, v in box.items() if k != "body"}}
+
+
+def encode_depth(depth: Any) -> Any:
+    """Millimetres as uint16, shape [H, L]; see `ENCODINGS`."""
+    return np.clip(np.rint(np.asarray(depth, float) / DEPTH_UNIT_M), 0, 65535).astype(np.uint16)
+
+
+def encode_normal(normal: Any) -> Any:
+    """Components as uint16, shape [H, L, 3]; see `ENCODINGS`."""
+    hit = np.abs(normal).sum(axis=-1, keepdims=True) > 0
+    codes = np.rint((np.clip(normal, -1, 1) + 1) / 2 * 65534)
+    return np.where(hit, codes, 0).astype(np.uint16)
+
+
+def encode_flow(shift: Any, shape: tuple[int, ...]) -> Any:
+    """Shifts as uint16, shape [H, L, 3]; None where there is no next frame; see `ENCODINGS`."""
+    out = np.zeros((*shape, 3), np.uint16)
+    if shift is None:
+        return out
+    codes = np.rint(np.asarray(shift, float) * FLOW_SCALE) + FLOW_ZERO
+    known = ((codes >= 0) & (codes <= 65535)).all(axis=-1)
+    out[..., :2] = np.where(known[..., None], codes, 0).astype(np.uint16)
+    out[..., 2] = known
+    return out
+
+
+def decode_flow(image: Any) -> tuple[Any, Any]:
+    """Shifts [px], shape [H, L, 2], and where they are known, shape [H, L]."""
+    return (image[..., :2].astype(float) - FLOW_ZERO) / FLOW_SCALE, image[..., 2] == 1
+
+
+def _tracked(parts: Any, n_bodies: int, settings: Settings) -> tuple[Any, Any]:
+    """Points fixed on the bodies, shape [n, 3], and the body of each, shape [n]."""
+    if "tracks" not in settings.channels:
+        return np.zeros((0, 3)), np.zeros(0, np.int64)
+    points, owner = [], []
+    for body in range(n_bodies):
+        mine = [p for p in parts if p.body == body]
+        if not mine:
+            continue
+        starts = np.cumsum([0, *(len(p.vertices) for p in mine[:-1])])
+        vertices = np.concatenate([p.vertices for p in mine])
+        faces = np.concatenate([p.faces + s for p, s in zip(mine, starts, strict=True)])
+        rng = np.random.default_rng([settings.seed, body])
+        points.append(truth.sample_points(vertices, faces, truth.TRACKS_PER_BODY, rng))
+        owner += [body] * truth.TRACKS_PER_BODY
+    if not points:
+        return np.zeros((0, 3)), np.zeros(0, np.int64)
+    return np.concatenate(points), np.array(owner)
+
+
+def _manifest(
+    scene: SimScene,
+    rollout: Rollout,
+    doc: EsgDocument,
+    cameras: list[Camera],
+    frames: list[int],
+    settings: Settings,
+    points: Any,
+    owner: Any,
+) -> dict[str, Any]:
+    width, height = settings.size
+    out: dict[str, Any] = {
+        "esg_capture": FORMAT_VERSION,
+        "scene_id": scene.scene_id,
+        "prompt": doc.scene_definition.original_description,
+        "engine": rollout.engine,
+        "dt_s": float(rollout.dt),
+        "width_px": width,
+        "height_px": height,
+        "fps": settings.fps,
+        "frames": len(frames),
+        "time_s": [round(float(rollout.time[f]), 6) for f in frames],
+        "channels": {name: ENCODINGS[name] for name in settings.channels},
+        "container": settings.container,
+        "conventions": {
+            "world": "right-handed, Z up, metres",
+            "camera": "x right, y down, z ahead (OpenCV)",
+            "pixels": "x right, y down, centre of the first pixel at (0.5, 0.5)",
+            "quaternion": "x, y, z, w",
+        },
+        "cameras": [],
+        "bodies": [
+            {
+                "id": k + 2,
+                "name": b.name,
+                "label": b.label,
+                "category": b.category,
+                "static": b.static,
+            }
+            for k, b in enumerate(scene.bodies)
+        ],
+    }
+    for number, camera in enumerate(cameras):
+        pinhole = Pinhole.of(camera, settings.size)
+        out["cameras"].append(
+            {
+                "name": f"camera_{number}",
+                "intrinsics_px": pinhole.matrix.tolist(),
+                "world_to_camera": pinhole.world_to_camera.tolist(),
+                "vertical_fov_deg": math.degrees(camera.fov),
+            }
+        )
+    if "tracks" in settings.channels:
+        out["track_points"] = {
+            "id": (owner + 2).tolist(),
+            "point_m": np.round(points, 5).tolist(),
+        }
+    return out

@@ -1,0 +1,211 @@
+"""Exact answers to what a picture shows: flow, boxes and tracks, from poses and depth.
+
+Pixels are counted as in the pictures: x right, y down, the centre of the first pixel at
+(0.5, 0.5). A camera's own frame is that of OpenCV: x right, y down, z ahead.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+import math
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from esg.units import quat_rotate
+from esg.view.camera import Camera, box_corners
+from esg.view.worlds import GROUND, NOTHING
+
+Floats = NDArray[np.float64]
+TRACKS_PER_BODY = 16
+
+
+@dataclass(frozen=True)
+class Pinhole:
+    """Intrinsics [px] and extrinsics of a camera for pictures of one size.
+
+    Args:
+        matrix: K, shape [3, 3].
+        world_to_camera: Rigid transform into the camera's frame (OpenCV axes) [m], shape [4, 4].
+        size: Width and height [px].
+    """
+
+    matrix: Floats
+    world_to_camera: Floats
+    size: tuple[int, int]
+
+    @staticmethod
+    def of(camera: Camera, size: tuple[int, int]) -> Pinhole:
+        """Of a camera and a picture size."""
+        width, height = size
+        focal = 0.5 * height / math.tan(camera.fov / 2)
+        k = np.array([[focal, 0, width / 2], [0, focal, height / 2], [0, 0, 1.0]])
+        rotation = camera.axes.T * np.array([[1.0], [-1.0], [-1.0]])
+        pose = np.eye(4)
+        pose[:3, :3] = rotation
+        pose[:3, 3] = -rotation @ np.asarray(camera.eye)
+        return Pinhole(k, pose, size)
+
+    def project(self, points: Floats) -> tuple[Floats, Floats]:
+        """Pixels, shape [..., 2], and depths [m], shape [...], of world points, shape [..., 3]."""
+        local = points @ self.world_to_camera[:3, :3].T + self.world_to_camera[:3, 3]
+        depth = local[..., 2]
+        safe = np.where(np.abs(depth) > 1e-9, depth, 1e-9)
+        focal = np.array([self.matrix[0, 0], self.matrix[1, 1]])
+        center = self.matrix[:2, 2]
+        return local[..., :2] / safe[..., None] * focal + center, depth
+
+    def unproject(self, depth: NDArray[Any]) -> Floats:
+        """World points [m] of all pixel centres at their depths, shape [H, L, 3]."""
+        width, height = self.size
+        x, y = np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5)
+        local = np.stack(
+            [
+                (x - self.matrix[0, 2]) / self.matrix[0, 0] * depth,
+                (y - self.matrix[1, 2]) / self.matrix[1, 1] * depth,
+                np.asarray(depth, float),
+            ],
+            axis=-1,
+        )
+        return (local - self.world_to_camera[:3, 3]) @ self.world_to_camera[:3, :3]
+
+
+def flow(
+    camera: Pinhole,
+    depth: NDArray[Any],
+    body: NDArray[Any],
+    now: tuple[Floats, Floats],
+    later: tuple[Floats, Floats],
+) -> NDArray[np.float32]:
+    """Where each pixel's surface will be in the next picture, as a shift [px], shape [H, L, 2].
+
+    Args:
+        camera: Stands still.
+        depth: Of the first picture [m], shape [H, L].
+        body: Bodies of the first picture, shape [H, L].
+        now: Positions [m] and quaternions of all bodies, shapes [B, 3] and [B, 4].
+        later: The same at the next picture.
+
+    Returns:
+        Zero where nothing was hit and on the ground.
+    """
+    out = np.zeros((*depth.shape, 2), np.float32)
+    mask = body >= 0
+    if not mask.any():
+        return out
+    index = body[mask]
+    points = camera.unproject(depth)[mask]
+    inverse = now[1][index] * np.array([-1.0, -1.0, -1.0, 1.0])
+    local = quat_rotate(inverse, points - now[0][index])
+    moved = quat_rotate(later[1][index], local) + later[0][index]
+    before, _ = camera.project(points)
+    after, ahead = camera.project(moved)
+    out[mask] = np.where(ahead[:, None] > 0, after - before, 0.0)
+    return out
+
+
+def boxes_2d(body: NDArray[Any]) -> list[dict[str, Any]]:
+    """Tight boxes around what is visible of each body: x0, y0, x1, y1 [px], ends exclusive.
+
+    Args:
+        body: Bodies of a picture, shape [H, L].
+    """
+    out: list[dict[str, Any]] = []
+    for index in np.unique(body[body >= 0]):
+        y, x = np.nonzero(body == index)
+        box = [int(x.min()), int(y.min()), int(x.max()) + 1, int(y.max()) + 1]
+        out.append({"body": int(index), "box_px": box, "visible_px": len(x)})
+    return out
+
+
+def boxes_3d(
+    camera: Pinhole,
+    half_extents: Floats,
+    offsets: Floats,
+    position: Floats,
+    quaternion: Floats,
+) -> list[dict[str, Any]]:
+    """The oriented bounding box of every body, in the world and as seen.
+
+    Args:
+        camera: For the corners' pixels.
+        half_extents: Of the assets' boxes [m], shape [B, 3].
+        offsets: From centres of mass to bottom centres, body axes [m], shape [B, 3].
+        position: Centres of mass [m], shape [B, 3].
+        quaternion: (x, y, z, w), shape [B, 4].
+    """
+    out: list[dict[str, Any]] = []
+    for index, (half, offset) in enumerate(zip(half_extents, offsets, strict=True)):
+        center = offset + np.array([0.0, 0.0, half[2]])
+        corners = box_corners(position[index], quaternion[index], tuple(half), offset)
+        pixels, depth = camera.project(corners)
+        world = position[index] + quat_rotate(quaternion[index], center)
+        out.append(
+            {
+                "body": index,
+                "center_m": _list(world),
+                "half_extents_m": _list(half),
+                "quaternion_xyzw": _list(quaternion[index]),
+                "corners_px": [_list(p, 2) for p in pixels] if (depth > 0).all() else [],
+            }
+        )
+    return out
+
+
+def sample_points(
+    vertices: Floats, faces: NDArray[Any], count: int, rng: np.random.Generator
+) -> Floats:
+    """Points spread over a surface by area, shape [count, 3]."""
+    corners = vertices[faces]
+    area = np.linalg.norm(
+        np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1
+    )
+    if not area.sum() > 0:
+        return np.repeat(vertices[:1], count, axis=0)
+    chosen = corners[rng.choice(len(faces), count, p=area / area.sum())]
+    u, v = rng.random((2, count, 1))
+    flip = u + v > 1
+    u, v = np.where(flip, 1 - u, u), np.where(flip, 1 - v, v)
+    return chosen[:, 0] + u * (chosen[:, 1] - chosen[:, 0]) + v * (chosen[:, 2] - chosen[:, 0])
+
+
+def track(
+    camera: Pinhole,
+    depth: NDArray[Any],
+    body: NDArray[Any],
+    owner: NDArray[Any],
+    points: Floats,
+    position: Floats,
+    quaternion: Floats,
+) -> tuple[Floats, NDArray[np.bool_]]:
+    """Pixels of points on the bodies, shape [n, 2], and whether each is visible, shape [n].
+
+    Args:
+        camera: That took the picture.
+        depth: Of the picture [m], shape [H, L].
+        body: Bodies of the picture, shape [H, L].
+        owner: Body of each point, shape [n].
+        points: In body axes from the centre of mass [m], shape [n, 3].
+        position: Centres of mass [m], shape [B, 3].
+        quaternion: (x, y, z, w), shape [B, 4].
+    """
+    world = quat_rotate(quaternion[owner], points) + position[owner]
+    pixels, ahead = camera.project(world)
+    width, height = camera.size
+    x, y = np.floor(pixels).astype(np.int64).T
+    inside = (ahead > 0) & (x >= 0) & (y >= 0) & (x < width) & (y < height)
+    x, y = np.where(inside, x, 0), np.where(inside, y, 0)
+    # A pixel's centre lies up to half a pixel from the point: on a slope its depth differs.
+    slack = 0.01 + 0.01 * ahead
+    near = np.abs(depth[y, x] - ahead) < slack
+    return pixels, inside & near & (body[y, x] == owner)
+
+
+def segment_ids(body: NDArray[Any]) -> NDArray[np.uint16]:
+    """Ids for a mask: 0 nothing, 1 the ground, body k is k + 2."""
+    return np.where(body == NOTHING, 0, np.where(body == GROUND, 1, body + 2)).astype(np.uint16)
+
+
+def _list(values: Any, digits: int = 5) -> list[float]:
+    return [round(float(v), digits) for v in values]
