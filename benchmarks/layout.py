@@ -241,6 +241,10 @@ def main() -> None:
         result = batch(args.count, args.device)
     else:
         result = scaling(args.device)
+        if args.out:
+            from benchmarks.layout_pictures import curve
+
+            curve(result, args.out.with_suffix(".png"))
     text = json.dumps(result, indent=1)
     if args.out:
         args.out.write_text(text + "\n")

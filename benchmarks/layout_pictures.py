@@ -160,3 +160,34 @@ def sheet(
         image.paste(picture(doc), (x, y))
         draw.text((x + 6, y + 6), doc.scene_definition.scene_id[:38], fill="black")
     image.save(path)
+
+
+def curve(rows: list[dict[str, float]], path: Path) -> None:
+    """Plots processor seconds over objects, a line per number of starts, axes logarithmic."""
+    width, height, left, bottom = 640, 420, 70, 50
+    image = Image.new("RGB", (width, height), "white")
+    draw = ImageDraw.Draw(image)
+    counts = sorted({r["objects"] for r in rows})
+    low = math.floor(math.log10(min(r["cpu_seconds"] for r in rows)))
+    high = math.ceil(math.log10(max(r["cpu_seconds"] for r in rows)))
+    span = math.log(counts[-1] / counts[0])
+
+    def at(objects: float, seconds: float) -> Point:
+        x = left + (width - left - 110) * math.log(objects / counts[0]) / span
+        share = (math.log10(max(seconds, 10.0**low)) - low) / (high - low)
+        return x, height - bottom - (height - bottom - 30) * share
+
+    for k in range(low, high + 1):
+        y = at(counts[0], 10.0**k)[1]
+        draw.line([(left, y), (width - 110, y)], fill=(220, 220, 220))
+        draw.text((8, y - 6), f"{10.0**k:g} s", fill="black")
+    for n in counts:
+        draw.text((at(n, 1.0)[0] - 6, height - bottom + 8), f"{n:g}", fill="black")
+    draw.text((width / 2 - 60, height - 20), "objects", fill="black")
+    draw.text((8, 8), "processor seconds of the search, one CPU core", fill="black")
+    for k, starts in enumerate(sorted({r["starts"] for r in rows})):
+        line = [at(r["objects"], r["cpu_seconds"]) for r in rows if r["starts"] == starts]
+        color = ((31, 119, 180), (214, 120, 20), (44, 130, 44))[k % 3]
+        draw.line(line, fill=color, width=2)
+        draw.text((line[-1][0] + 8, line[-1][1] - 6), f"{starts:g} starts", fill=color)
+    image.save(path)
