@@ -8,7 +8,7 @@ import script writes into the static mesh.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from pathlib import PurePosixPath
+from pathlib import Path, PurePosixPath
 from typing import Any
 
 import numpy as np
@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from esg.compile import frames, names
 from esg.engines.scene import Body, Shape, SimScene
+from esg.outcomes import UserError
 
 Floats = NDArray[np.float64]
 
@@ -70,12 +71,27 @@ def safe_source(mesh: str) -> str:
     """`mesh` if it stays inside the scene folder.
 
     Raises:
-        ValueError: For an absolute path or one that climbs out.
+        UserError: For an absolute path or one that climbs out.
     """
     path = PurePosixPath(mesh.replace("\\", "/"))
-    if path.is_absolute() or ".." in path.parts or ":" in mesh:
-        raise ValueError(f"mesh path {mesh!r} leaves the scene folder")
+    if path.is_absolute() or ".." in path.parts or ":" in mesh or "\0" in mesh:
+        raise UserError(f"mesh path {mesh!r} leaves the scene folder; meshes must lie below it")
     return "" if str(path) == "." else str(path)
+
+
+def mesh_file(folder: Path, mesh: str) -> Path | None:
+    """The file of a mesh in a scene folder, None if there is none.
+
+    Raises:
+        UserError: If the path leaves the folder, be it through a symbolic link.
+    """
+    source = safe_source(mesh)
+    path = folder / source
+    if not source or not path.is_file():
+        return None
+    if not path.resolve().is_relative_to(folder.resolve()):
+        raise UserError(f"mesh path {mesh!r} leaves the scene folder through a symbolic link")
+    return path
 
 
 def mesh_assets(scene: SimScene, root: str) -> tuple[MeshAsset, ...]:

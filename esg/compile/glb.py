@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.compile.assets import safe_source
+from esg.compile.assets import mesh_file
 from esg.engines.scene import Body, Rollout, Shape, SimScene
 from esg.units import quat_rotate
 
@@ -272,15 +272,15 @@ def _unit32(q: Floats) -> NDArray[np.float32]:
 
 def mesh_of(body: Body, folder: Path) -> tuple[str, bytes | None]:
     """Key and GLB of a body's mesh; its collision shapes where the file is missing or broken."""
-    source = safe_source(body.mesh)
-    if source and (folder / source).is_file():
-        data = (folder / source).read_bytes()
+    path = mesh_file(folder, body.mesh)
+    if path is not None:
+        data = path.read_bytes()
         try:
             read_glb(data)
         except ValueError:
             pass
         else:
-            return source, data
+            return body.mesh, data
     if not body.shapes:
         return "", None
     return f"shapes of {body.name}", _shapes_glb(body)

@@ -11,7 +11,7 @@ import json
 from pathlib import Path
 import shutil
 
-from esg.compile.assets import safe_source
+from esg.compile.assets import mesh_file
 from esg.compile.build import ClassFiles
 from esg.compile.replay import load_imports
 from esg.outcomes import UserError
@@ -56,11 +56,11 @@ def write_plugin(folder: Path, out: Path) -> list[Path]:
         path.write_text(text, "utf-8", newline="\n")
     written = list(texts)
     for asset in imports["assets"]:
-        mesh = safe_source(asset["source"])
-        if mesh and (folder / mesh).is_file():
-            target = root / "Resources" / files.name / mesh
+        mesh = mesh_file(folder, asset["source"])
+        if mesh is not None:
+            target = root / "Resources" / files.name / mesh.relative_to(folder)
             target.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copyfile(folder / mesh, target)
+            shutil.copyfile(mesh, target)
             written.append(target)
     return sorted(set(written))
 

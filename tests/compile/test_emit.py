@@ -16,6 +16,7 @@ from esg.compile import WatchedEvent, compile_many, emit_class, replay_class
 from esg.compile.build import Library, read_classes
 from esg.engines.program import HoldVelocity, Program, SetVelocity
 from esg.engines.scene import SimScene
+from esg.outcomes import UserError
 
 HOSTILE = (
     "class", "int", "None", "Ground", "3 balls", "ball A", "ball_a", "Ball-A", "漢字", "é*/ clair",
@@ -122,7 +123,7 @@ def test_bodies_with_equal_mesh_and_collision_share_an_asset() -> None:
 )
 def test_mesh_paths_cannot_leave_the_folder(mesh: str) -> None:
     body = scenes.box("a", (0.0, 0.0, 1.0), (1.0, 1.0, 1.0), 1.0, mesh=mesh)
-    with pytest.raises(ValueError, match="leaves the scene folder"):
+    with pytest.raises(UserError, match="leaves the scene folder"):
         emit_class(SimScene("x", (body,)), Program((), 1.0))
 
 

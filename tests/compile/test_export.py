@@ -322,8 +322,28 @@ def test_plugin_refuses_meshes_outside_the_folder(tmp_path: Path) -> None:
     data = json.loads(path.read_text())
     data["assets"][0]["source"] = "../secret.glb"
     path.write_text(json.dumps(data))
-    with pytest.raises((UserError, ValueError), match="leaves the scene folder"):
+    with pytest.raises(UserError, match="leaves the scene folder"):
         export(folder, "unreal", tmp_path / "out")
+
+
+@pytest.mark.parametrize("to", ["glb", "usd"])
+@pytest.mark.parametrize("how", ["climbs", "absolute", "link"])
+def test_a_manifest_cannot_read_files_outside_its_folder(tmp_path: Path, to: str, how: str) -> None:
+    """A scene folder from elsewhere: its manifest may name any path, or hold a link."""
+    folder = folder_of(tmp_path / "scene", *scenes.marbles())
+    rollout = replayed(folder)
+    secret = tmp_path / "secret.glb"
+    secret.write_bytes(b"secret")
+    mesh = {"climbs": "../secret.glb", "absolute": str(secret), "link": "meshes/link.glb"}[how]
+    if how == "link":
+        (folder / "meshes").mkdir()
+        (folder / "meshes" / "link.glb").symlink_to(secret)
+    data = json.loads((folder / "manifest.json").read_text())
+    data["bodies"][0]["mesh"] = mesh
+    (folder / "manifest.json").write_text(json.dumps(data))
+    with pytest.raises(UserError, match="leaves the scene folder"):
+        export(folder, to, tmp_path / "out", rollout=rollout)  # type: ignore[arg-type]
+    assert not any(p.is_file() for p in (tmp_path / "out").rglob("*"))
 
 
 def test_a_stored_rollout_gives_the_same_animation(folder: Path, tmp_path: Path) -> None:

@@ -1,7 +1,9 @@
 from __future__ import annotations
 
+from dataclasses import replace
 import json
 from pathlib import Path
+import re
 
 from helpers import first_touches
 import pytest
@@ -158,3 +160,43 @@ def test_a_static_scene_plays_and_nothing_moves(tmp_path: Path) -> None:
     assert rollout.time[-1] == pytest.approx(2.0)
     assert abs(rollout.position[0, -1, 0] - rollout.position[0, 0, 0]).max() < 1e-3
     assert json.loads((tmp_path / "manifest.json").read_text())["program"]["primitives"] == []
+
+
+HOSTILE_PROMPT = (
+    'A "ball" */ rolls.\n#include <evil.h>\r\nint main() { system("rm"); } // \\ ??/ %s {0} \u202e'
+    " TEXT(x)"
+)
+
+
+def test_nothing_of_a_prompt_reaches_code_unescaped(tmp_path: Path) -> None:
+    """Prompt, labels and descriptions with quotes, newlines, comment ends and directives."""
+    scene, program = scenes.marbles()
+    bodies = tuple(
+        replace(b, label=HOSTILE_PROMPT, description=HOSTILE_PROMPT, category=HOSTILE_PROMPT)
+        for b in scene.bodies
+    )
+    nodes = {b.name: Node(asset_id=b.name, label=HOSTILE_PROMPT) for b in bodies}
+    event = (HOSTILE_PROMPT, NodeEvent.COLLISION, ("ball_a", "ball_b"))
+    doc = document(nodes, (START, event), (("start", HOSTILE_PROMPT),))
+    definition = doc.scene_definition.model_copy(
+        update={"scene_id": HOSTILE_PROMPT, "original_description": HOSTILE_PROMPT}
+    )
+    doc = doc.model_copy(update={"scene_definition": definition})
+    hostile = SimScene(HOSTILE_PROMPT, bodies)
+    compile_scene(doc, tmp_path, scene=hostile, program=program)
+    for path in (tmp_path / "unreal").glob("EsgScene_*"):
+        text = path.read_text("utf-8")
+        assert text.isascii() and "??/" not in text
+        code = re.sub(r'"(?:[^"\\\n]|\\.)*"', '""', text)
+        # A one-line comment stays one line: no backslash at its end, no way out of a block.
+        for comment in re.findall(r"//[^\n]*", code):
+            assert not set(comment[2:]) & set("\\*#\r") and '""' not in comment
+        code = re.sub(r"//[^\n]*|/\*.*?\*/", "", code, flags=re.DOTALL)
+        assert not {"system", "main", "rm", "evil"} & set(re.findall(r"\w+", code))
+        directives = re.findall(r"^\s*#.*$", code, re.MULTILINE)
+        assert all(re.fullmatch(r'\s*#(pragma once|include "")', d) for d in directives), directives
+    replayed = replay_class(tmp_path)
+    hits = [e for e in replayed.events() if e["event"] == "EVENT_HIT"]
+    assert len(hits) == 1
+    manifest = load_manifest(tmp_path / "manifest.json")
+    assert manifest.scene.bodies[0].label == HOSTILE_PROMPT
