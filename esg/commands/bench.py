@@ -38,10 +38,10 @@ def bench(
         out: Folder of the scene folders; default runs/bench-SUITE-STRATEGY-ENGINE.
         workers: Worker processes; default one a core.
     """
-    from esg.commands.console import progress
     from esg.commands.database import record_run
     from esg.commands.generate import exit_code, report_failures
     from esg.commands.inputs import check_device
+    from esg.commands.live import live
     from esg.metrics import comparison_table, load_suite
     from esg.outcomes import UserError
     from esg.pipeline import STAGES, recall
@@ -62,20 +62,14 @@ def bench(
     device = check_device(device)
     total = len(loaded.scenes) * runs
     processes = default_processes(total) if workers is None else workers
-    with progress(total * len(STAGES), "starting") as bar:
-
-        def watch(stage: str, state: SceneState) -> None:
-            bar.step(f"{state.request.name} {stage}")
-            if stage == STAGES[-1]:
-                bar.note(_line(state))
-
+    with live(total) as bar:
         arguments = (str(suite), runs, seed, strategy, engine, device)
         known = [recall(request) for request in bench_requests(*arguments)]
         states = [state for state in known if state is not None]
         if len(states) < total:
             from flows.session import session
 
-            with session(processes, watch) as call:
+            with session(processes) as call:
                 from flows.benchmark import benchmark as flow
 
                 states = call(flow, *arguments)
@@ -159,9 +153,3 @@ def write_json(path: Path, document: dict[str, Any]) -> None:
     partial = path.with_name(f".{path.name}.{os.getpid()}.tmp")
     partial.write_text(json.dumps(document, indent=2, ensure_ascii=False) + "\n", encoding="utf-8")
     partial.replace(path)
-
-
-def _line(state: SceneState) -> str:
-    outcome = state.outcome.value if state.outcome else "unfinished"
-    reason = f"  {state.reason}" if state.reason and outcome != "solved" else ""
-    return f"{state.request.name:12} {outcome:17} {state.seconds:6.1f} s{reason}"

@@ -38,11 +38,12 @@ def generate(
             second, with commas, or all; esg render has further options.
         json: Print one JSON document with outcome, metrics and paths.
     """
-    from esg.commands.console import emit, progress
+    from esg.commands.console import emit
     from esg.commands.database import record_run
     from esg.commands.inputs import check_device, clean_prompt
+    from esg.commands.live import live
     from esg.outcomes import UserError
-    from esg.pipeline import STAGES, recall
+    from esg.pipeline import recall
     from esg.requests import generate_requests
     from esg.scenefolder import check_writable, publish
 
@@ -50,22 +51,16 @@ def generate(
     check_writable(out)
     device = check_device(device)
     pictures = _pictures(render, device, seed) if render else None
-    with progress(len(STAGES), "starting") as bar:
-
-        def watch(stage: str, state: SceneState) -> None:
-            following = STAGES[STAGES.index(stage) + 1 :]
-            bar.step(following[0] if following and not state.ended else "finishing")
-
+    with live(1) as bar:
         # A scene that is already in the store needs no scheduler: the answer comes at once.
         request = generate_requests([prompt], seed, drafter, strategy, device)[0]
         state = recall(request)
         if state is None:
             from flows.session import session
 
-            with session(processes=0, watch=watch) as call:
+            with session(processes=0) as call:
                 from flows.generate import generate as flow
 
-                bar.show("draft")
                 state = call(flow, [prompt], seed, drafter, strategy, device)[0]
         if state.user_error:
             raise UserError(state.reason)
