@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from prefect import flow
 
-from esg.pipeline import SceneState
+from esg.pipeline import SceneState, failures
 from esg.requests import bench_requests
+from flows import artifacts
 from flows.scenes import run_all, task_runner
 
 
@@ -31,4 +34,17 @@ def benchmark(
     Returns:
         Final states, all runs of the first scene first.
     """
-    return run_all(bench_requests(suite, runs, seed, strategy, engine, device))
+    states = run_all(bench_requests(suite, runs, seed, strategy, engine, device))
+    name = f"bench-{Path(suite).stem}"
+    artifacts.table(name, [_row(s) for s in states], f"{suite}, {runs} runs, {strategy}, {engine}")
+    artifacts.failures(name, failures(states))
+    return states
+
+
+def _row(state: SceneState) -> dict[str, object]:
+    return {
+        "scene": state.request.name,
+        "seed": state.request.seed,
+        "outcome": state.outcome.value if state.outcome else "unfinished",
+        "seconds": round(state.seconds, 2),
+    }

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Sequence
 import contextlib
+import os
 from typing import Any, Literal
 
 from prefect import flow
@@ -11,6 +13,7 @@ from prefect.task_runners import ThreadPoolTaskRunner
 
 from esg.dataset.batch import BatchJob, BatchResult
 from esg.outcomes import UserError
+from flows import artifacts
 from tasks.dataset import dataset_batch
 
 Runner = Literal["process", "dask", "ray"]
@@ -48,9 +51,21 @@ def dataset(jobs: Sequence[BatchJob], on_batch: Done | None = None) -> list[Batc
         if on_batch is not None:
             with contextlib.suppress(Exception):
                 on_batch(results[number])
+    _show(list(results.values()))
     if errors:
         raise errors[min(errors)]
     return [results[job.number] for job in jobs]
+
+
+def _show(results: Sequence[BatchResult]) -> None:
+    """What Prefect's UI shows of the run."""
+    outcomes: Counter[str] = Counter()
+    for result in results:
+        outcomes.update(result.outcomes)
+    rows = [{"outcome": name, "scenes": n} for name, n in sorted(outcomes.items())]
+    verified = sum(r.verified for r in results)
+    artifacts.table("dataset", rows, f"{verified} of {outcomes.total()} scenes verified")
+    artifacts.failures("dataset", [row for r in results for row in r.failures])
 
 
 def with_runner(runner: Runner, workers: int) -> Any:
@@ -65,6 +80,9 @@ def with_runner(runner: Runner, workers: int) -> Any:
     """
     if runner == "process":
         return dataset.with_options(task_runner=ThreadPoolTaskRunner(max_workers=max(1, workers)))
+    # For the processes of a cluster that starts on this machine: they share its cores.
+    os.environ.setdefault("OMP_NUM_THREADS", "1")
+    os.environ.setdefault("ESG_THREADS", "1")
     if runner == "dask":
         try:
             from prefect_dask import DaskTaskRunner
@@ -82,8 +100,6 @@ def with_runner(runner: Runner, workers: int) -> Any:
 
 def _dask(runner: Any, workers: int) -> Any:
     """A running scheduler (`ESG_DASK_ADDRESS`), else a cluster of processes on this machine."""
-    import os
-
     address = os.environ.get("ESG_DASK_ADDRESS")
     if address:
         return runner(address=address)
@@ -95,8 +111,6 @@ def _dask(runner: Any, workers: int) -> Any:
 
 def _ray(runner: Any, workers: int) -> Any:
     """A running cluster (`RAY_ADDRESS`), else one on this machine."""
-    import os
-
     address = os.environ.get("RAY_ADDRESS")
     if address:
         return runner(address=address)

@@ -140,6 +140,7 @@ class EmbeddedServer:
         if process is None:
             return
         os.environ.pop("PREFECT_API_URL", None)
+        _drain_events()
         process.terminate()
         try:
             process.wait(timeout=5)
@@ -181,6 +182,17 @@ def prefect_api(*, services: bool = False) -> Iterator[EmbeddedServer]:
         yield server
     finally:
         server.stop()
+
+
+def _drain_events() -> None:
+    """Sends what Prefect still has to say while there is somebody to listen.
+
+    Otherwise its threads try to reach an API that is gone, and the command waits for them.
+    """
+    worker = sys.modules.get("prefect.events.worker")
+    if worker is not None:
+        with contextlib.suppress(Exception):
+            worker.EventsWorker.drain_all(timeout=5.0)
 
 
 def prepare_template() -> Path:

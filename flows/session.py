@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 import contextlib
+import os
 import threading
 from typing import Any, TypeVar
 
@@ -34,12 +35,19 @@ def session(processes: int, watch: Watcher | None = None) -> Iterator[Callable[.
         else:
             threading.Thread(target=warm_up, daemon=True).start()
         # Prefect reads its environment when first imported: after `prefect_api` has set it.
-        from prefect.settings import PREFECT_FLOWS_HEARTBEAT_FREQUENCY, temporary_settings
+        from prefect.settings import (
+            PREFECT_API_URL,
+            PREFECT_FLOWS_HEARTBEAT_FREQUENCY,
+            temporary_settings,
+        )
+
+        # Prefect keeps what it read at import: an earlier session's API, if there was one.
+        url = {PREFECT_API_URL: os.environ["PREFECT_API_URL"]}
 
         def call(flow: Callable[..., T], *args: Any, **kwargs: Any) -> T:
             api.wait()
             # The heartbeat thread costs a second at the end of every flow run.
-            with temporary_settings({PREFECT_FLOWS_HEARTBEAT_FREQUENCY: None}):
+            with temporary_settings({PREFECT_FLOWS_HEARTBEAT_FREQUENCY: None, **url}):
                 return flow(*args, **kwargs)
 
         yield call

@@ -265,7 +265,7 @@ def _write(job: BatchJob, states: Sequence[SceneState]) -> BatchResult:
         )
         rows = {t: r for t, r in record.rows.items() if t != "runs"}
         # Everything but `timings` is the same whenever and however often a scene is made.
-        row = {**rows["scenes"][0], "seconds": None, "cached_stages": None}
+        row = {**rows["scenes"][0], "seconds": None, "cached_stages": None, "artifacts": None}
         verified.append(bool(row["verified"]))
         records.append(SceneRecord({**rows, "scenes": [row]}))
     written = list(write_tables(job.out / "parts", records, name=job.name).values())

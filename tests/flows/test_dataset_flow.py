@@ -1,0 +1,112 @@
+"""The dataset flow against the private API: retries, deadly scenes, cached batches, artifacts."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from esg import stages
+from esg.dataset import batch as module
+from esg.dataset.batch import BatchJob, dead_scenes, make_batch
+from esg.workers import WorkerDied, WorkerPool
+from flows.session import session
+from tasks.context import run_context
+from tests.dataset import fakes
+from tests.dataset.test_batch import dataset as make_jobs
+
+
+@pytest.fixture(autouse=True)
+def quick(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    monkeypatch.delenv("PREFECT_API_URL", raising=False)
+    for name in fakes.STAGES:
+        monkeypatch.setitem(stages.SPECS, name, stages.SPECS[name])
+    monkeypatch.setattr(stages, "conclude", stages.conclude)
+    monkeypatch.setenv("ESG_TEST_CALLS", str(tmp_path / "calls"))
+    monkeypatch.setattr(module, "_compile_together", lambda states: None)
+    fakes.install()
+    yield
+
+
+class DyingPool(WorkerPool):
+    """A pool whose worker dies whenever a deadly scene is run that nobody has marked yet."""
+
+    def __init__(self) -> None:
+        super().__init__(0)
+        self.calls: list[str] = []
+
+    def run(self, function: Callable[..., Any], *args: Any) -> Any:
+        self.calls.append(function.__name__)
+        job: BatchJob = args[0]
+        scenes = job.scenes if len(args) == 1 else (job.scenes[args[1]],)
+        dead = dead_scenes(job)
+        if any("deadly" in s.request.prompt and s.index not in dead for s in scenes):
+            raise WorkerDied("the worker process ended twice")
+        return super().run(function, *args)
+
+
+def test_a_dataset_survives_deadly_scenes_and_passing_errors(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Three batches: one with a deadly scene, one that cannot be written at first, one done."""
+    texts = ["a", "deadly b", "c", "d", "e", "f", "g", "h", "i"]
+    jobs = make_jobs(tmp_path / "set", texts)
+    make_batch(jobs[2])
+    real, failed = make_batch, []
+
+    def flaky(job: BatchJob) -> Any:
+        if job.number == 1 and not failed:
+            failed.append(job.number)
+            raise TimeoutError("the file server does not answer")
+        return real(job)
+
+    shown: dict[str, Any] = {}
+    heard: list[int] = []
+    with session(0) as call:
+        from flows import artifacts
+        from flows.dataset import with_runner
+        from prefect.client.orchestration import get_client
+        from tasks import dataset as task_module
+
+        flaky.__name__ = "make_batch"
+        monkeypatch.setattr(task_module, "make_batch", flaky)
+        monkeypatch.setattr(artifacts, "table", lambda n, rows, d: shown.update({n: (rows, d)}))
+        pool = DyingPool()
+        with run_context(pool):
+            results = call(with_runner("process", 2), jobs, lambda r: heard.append(r.number))
+        with get_client(sync_client=True) as client:
+            runs = client.read_task_runs()
+    assert [r.number for r in results] == [0, 1, 2]
+    assert sorted(heard) == [0, 1, 2]
+    assert failed == [1]
+    assert results[0].outcomes == {"solved": 3, "crashed": 1}
+    assert "ended twice" in results[0].failures[0]["reason"]
+    assert results[1].outcomes == {"solved": 4}
+    assert pool.calls.count("try_scene") == 4
+    assert sorted(r.state_name for r in runs) == ["Cached", "Completed", "Completed"]
+    rows, description = shown["dataset"]
+    assert rows == [{"outcome": "crashed", "scenes": 1}, {"outcome": "solved", "scenes": 8}]
+    assert description == "8 of 9 scenes verified"
+
+
+def test_a_batch_that_cannot_be_written_does_not_stop_the_others(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    jobs = make_jobs(tmp_path / "set", list("abcdefgh"))
+    real = make_batch
+
+    def full(job: BatchJob) -> Any:
+        if job.number == 0:
+            raise OSError(28, "No space left on device", str(job.out))
+        return real(job)
+
+    with session(0) as call:
+        from flows.dataset import with_runner
+        from tasks import dataset as task_module
+
+        monkeypatch.setattr(task_module, "make_batch", full)
+        with pytest.raises(OSError, match="No space left"):
+            call(with_runner("process", 1), jobs)
+    assert [p.name for p in (tmp_path / "set" / "marks").iterdir()] == ["batch-000001.json"]
