@@ -132,7 +132,7 @@ def gradient(
     aims = [i for i, v in enumerate(plan.variables) if v.name.endswith("/aim")]
     for w, member in enumerate(members):
         moved[w, aims] += member.aim
-    position, quaternion = _starts(plan, moved)
+    position, quaternion = starts(plan, moved)
     taped = TapedRollout(
         plan.scene,
         batch_programs([plan.compile(t) for t in moved], plan.scene.names),
@@ -212,7 +212,7 @@ def _pull_back(plan: Plan, thetas: Floats, taped: TapedRollout, losses: EventLos
         ]
         with np.errstate(invalid="ignore"):
             change = np.nan_to_num(tables[0] - tables[1], nan=0.0, posinf=0.0, neginf=0.0)
-        poses = [_starts(plan, e) for e in ends]
+        poses = [starts(plan, e) for e in ends]
         total = (change * pulled.table).sum(axis=(1, 2))
         total += ((poses[0][0] - poses[1][0]) * pulled.position).sum(axis=(1, 2))
         total += ((poses[0][1] - poses[1][1]) * pulled.quaternion).sum(axis=(1, 2))
@@ -223,7 +223,7 @@ def _pull_back(plan: Plan, thetas: Floats, taped: TapedRollout, losses: EventLos
     return out
 
 
-def _starts(plan: Plan, thetas: Floats) -> tuple[Floats, Floats]:
+def starts(plan: Plan, thetas: Floats) -> tuple[Floats, Floats]:
     """Start poses of all bodies, shapes [W, B, 3] and [W, B, 4]."""
     bodies = plan.scene.bodies
     position = np.tile(np.array([b.position for b in bodies]), (len(thetas), 1, 1))

@@ -62,6 +62,17 @@ class Assessment:
     error: dict[str, Floats] = field(default_factory=dict)
     terms: dict[str, Floats] = field(default_factory=dict)
 
+    def worlds(self, span: slice) -> Assessment:
+        """The assessment of some of the worlds."""
+        return Assessment(
+            self.total[span],
+            {k: v[span] for k, v in self.completed.items()},
+            {k: v[span] for k, v in self.time.items()},
+            {k: v[span] for k, v in self.measured.items()},
+            {k: v[span] for k, v in self.error.items()},
+            {k: v[span] for k, v in self.terms.items()},
+        )
+
     def all_completed(self) -> Bools:
         """Worlds in which every event happened, shape [W]."""
         out = np.ones(len(self.total), bool)
@@ -78,7 +89,11 @@ class Assessment:
 
 
 def assess(
-    scene: SimScene, story: Story, rollout: Rollout, times: list[dict[str, float]]
+    scene: SimScene,
+    story: Story,
+    rollout: Rollout,
+    times: list[dict[str, float]],
+    bias: dict[str, float] | None = None,
 ) -> Assessment:
     """Measures a rollout against the timeline.
 
@@ -87,15 +102,16 @@ def assess(
         story: The timeline.
         rollout: W worlds.
         times: Per world, the program's own times of triggers and heading changes by node id [s].
+        bias: By constraint, what this engine measures too much [SI]; targets move by as much.
     """
-    return _Assessor(Recording(scene, story, rollout, times)).run()
+    return _Assessor(Recording(scene, story, rollout, times), bias or {}).run()
 
 
 class _Assessor:
     """Adds up the terms of all events, in the story's order."""
 
-    def __init__(self, recording: Recording) -> None:
-        self.rec = recording
+    def __init__(self, recording: Recording, bias: dict[str, float]) -> None:
+        self.rec, self.bias = recording, bias
         self.result = Assessment(np.zeros(recording.n))
 
     def run(self) -> Assessment:
@@ -149,8 +165,9 @@ class _Assessor:
                 f"{node.id}/window", np.where(done, 0.02 * (miss / (beta * width)) ** 2, 0.0)
             )
             return
-        error = np.maximum(time - high, 0.0) - np.maximum(low - time, 0.0)
         name = f"{node.id}/time/{node.id}"
+        low, high = low + self.bias.get(name, 0.0), high + self.bias.get(name, 0.0)
+        error = np.maximum(time - high, 0.0) - np.maximum(low - time, 0.0)
         self.result.measured[name] = np.where(done, time, np.nan)
         self.result.error[name] = np.where(done, error, np.inf)
         self._term(f"{node.id}/window", np.where(done, _bowl(error / TIME_SCALE_S), UNMET))
@@ -160,11 +177,12 @@ class _Assessor:
         low, high, _ = bounds(c.value, (0.0, 0.0))
         factor = 1.0 if c.quantity in ("time_since", "time_to_stop", "angle") else 0.01
         low, high = low * factor, high * factor
+        name = f"{node.id}/{c.quantity}/{c.object}"
+        low, high = low + self.bias.get(name, 0.0), high + self.bias.get(name, 0.0)
         inner = 0.15 * (high - low)
         error = np.maximum(value - high, 0.0) - np.maximum(low - value, 0.0)
         # Aim at the inside of an interval: a value on its edge does not survive another engine.
         push = np.maximum(value - (high - inner), 0.0) + np.maximum(low + inner - value, 0.0)
-        name = f"{node.id}/{c.quantity}/{c.object}"
         known = done & np.isfinite(value)
         self.result.measured[name] = np.where(known, value, np.nan)
         self.result.error[name] = np.where(known, error, np.inf)

@@ -114,9 +114,9 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
     least = min_hit_speed(pa, pb)
     if _goes_on(stage, node, b):
         least = max(least, push_speed(pa, pb))
-    if stage.story.topples(stage.member(b)):
-        least = max(least, topple_speed(pa, pb, flies=stage.story.flies(a)))
-    speed = stage.speed(a, phase, least)
+    topples = stage.story.topples(stage.member(b))
+    needed = topple_speed(pa, pb, flies=stage.story.flies(a)) if topples else 0.0
+    speed = stage.speed(a, phase, max(least, needed), needed)
     asked = _asked_distance(stage, node, a) if node.event not in GAPPED else None
     if asked is not None and not speed_is_fixed(phase):
         speed = asked / max(0.15, prescribed - track.time) if prescribed is not None else speed

@@ -52,8 +52,10 @@ ENSEMBLE = (
 class Simulator:
     """Runs a plan's candidates in one engine and counts what that costs."""
 
-    def __init__(self, plan: Plan, engine: Engine, *, dt: float) -> None:
-        self.plan, self.engine, self.dt = plan, engine, dt
+    def __init__(
+        self, plan: Plan, engine: Engine, *, dt: float, bias: dict[str, float] | None = None
+    ) -> None:
+        self.plan, self.engine, self.dt, self.bias = plan, engine, dt, bias
         self.evaluations = 0
         self._actors = [plan.scene.index(a) for a in plan.story.phases]
         self._aims = [i for i, v in enumerate(plan.variables) if v.name.endswith("/aim")]
@@ -84,7 +86,7 @@ class Simulator:
         )
         self.evaluations += len(thetas)
         times = [program_times(self.plan, theta) for theta in moved]
-        return assess(self.plan.scene, self.plan.story, rollout, times)
+        return assess(self.plan.scene, self.plan.story, rollout, times, self.bias)
 
     def _variation(self, thetas: NDArray[np.float64], members: list[Perturbation]) -> Variation:
         bodies = self.plan.scene.bodies

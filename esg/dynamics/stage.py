@@ -134,8 +134,11 @@ class Stage:
                 out.append((actor, phases[k]))
         return out
 
-    def speed(self, actor: str, phase: Phase, least: float = 0.0) -> float:
-        """A plausible speed [m/s] of at least `least` within the segment's bounds."""
+    def speed(self, actor: str, phase: Phase, least: float = 0.0, needed: float = 0.0) -> float:
+        """A plausible speed [m/s] of at least `least` within the segment's bounds.
+
+        Guessed bounds give way to `needed`, without which an event cannot happen.
+        """
         preferred = max(default_speed(self.prop(actor)), least)
         if phase.edge.params.speed is None:
             return self.tracks[actor].speed or preferred
@@ -145,7 +148,7 @@ class Stage:
         inner = 0.1 * (high - low)
         speed = min(max(preferred, (low + inner) / 100.0), (high - inner) / 100.0)
         if not phase.edge.speed_is_prescribed:
-            speed = max(speed, min(least, FASTEST_MPS))
+            speed = max(speed, min(needed, FASTEST_MPS))
         return speed
 
     def prescribed_time(self, node: TimelineNode) -> float | None:

@@ -465,6 +465,33 @@ class RelaxedConstraint(Model):
     unit: str
 
 
+class SearchStep(Model):
+    """One batch of candidates of a search.
+
+    `phase`: start, explore, confirm, polish, coarse, descend or sample; `engine`: who played them;
+    `best`: the best loss known after it.
+    """
+
+    phase: str
+    engine: str
+    candidates: int
+    best: float
+
+
+class ClosedLoop(Model):
+    """What feeding back the verify engine's outcome changed (only on request).
+
+    `open` and `closed` hold, for theta before and after, the share of completed events and the
+    largest error of a prescribed quantity in units of its tolerance, in the verify engine.
+    """
+
+    engine: str
+    dt_s: float
+    rounds: int
+    open: dict[str, float]
+    closed: dict[str, float]
+
+
 class DynamicsResult(Model):
     """Stage 4: theta, the control program it compiles to (SI), and why the search stopped."""
 
@@ -483,6 +510,13 @@ class DynamicsResult(Model):
     relaxed: tuple[RelaxedConstraint, ...] = ()
     evaluations: int = 0
     history: tuple[float, ...] = ()
+    """Best loss after each batch of candidates."""
+    steps: tuple[SearchStep, ...] = ()
+    stopped: str = ""
+    """Why the search ended: robust, no progress, rounds spent, converged, budget spent."""
+    explored: int = 0
+    """Rollouts of the surrogate; `evaluations` counts those of the reference engine."""
+    closed_loop: ClosedLoop | None = None
     engine: str = ""
     dt_s: float = 0.0
 

@@ -7,7 +7,9 @@ import pytest
 
 from esg.dynamics.build import build_scene
 from esg.dynamics.plan import make_plan
-from esg.dynamics.search import REFERENCE_DT_S, _search, optimize
+from esg.dynamics.batched import search
+from esg.dynamics.panel import REFERENCE_DT_S, Panel
+from esg.dynamics.search import optimize
 from esg.dynamics.simulate import Simulator
 from esg.engines.base import get_engine
 from esg.engines.program import batch_programs, program_from_json
@@ -18,10 +20,11 @@ from tests.dynamics.stage import lay_out
 
 
 def _solve(doc: EsgDocument, seed: int = 0):
-    """The search in PhysX, which starts faster than the reference engine."""
     plan = make_plan(doc, build_scene(doc), seed=seed)
-    simulator = Simulator(plan, get_engine("physx"), dt=REFERENCE_DT_S)
-    return plan, simulator, _search(plan, simulator, np.random.default_rng(seed), 8)
+    panel = Panel(plan, "cpu", dt=REFERENCE_DT_S)
+    found, stopped = search(plan, panel, np.random.default_rng(seed), 8)
+    assert stopped and panel.steps
+    return plan, panel, found
 
 
 @pytest.mark.parametrize("story", stories.EVERY, ids=lambda s: s.__name__)
@@ -109,23 +112,3 @@ def test_static_scene_needs_no_search() -> None:
     result = optimize(doc).dynamics_result
     assert result is not None and result.outcome == "solved"
     assert result.program["primitives"] == []
-
-
-def test_finite_differences_find_a_prescribed_time() -> None:
-    """Adam on finite differences starts from the coarse sample and meets the asked time."""
-    from esg.dynamics.gradient import descend
-
-    doc = lay_out(stories.throw_hits_table_at_1s())
-    plan = make_plan(doc, build_scene(doc), seed=0)
-    simulator = Simulator(plan, get_engine("physx"), dt=REFERENCE_DT_S)
-    descent = descend(plan, simulator, np.random.default_rng(0), max_steps=12)
-    assessed = simulator.assess(descent.theta[None])
-    assert assessed.all_completed().all() and assessed.within_tolerance().all()
-    assert list(descent.history) == sorted(descent.history, reverse=True)
-
-
-@pytest.mark.parametrize("strategy", ["ad", "hybrid"])
-def test_planned_strategies_say_what_they_need(strategy: str) -> None:
-    """The paper's gradient strategies are named, not pretended."""
-    with pytest.raises(UserError, match="surrogate"):
-        optimize(lay_out(stories.three_balls()), strategy=strategy)

@@ -1,0 +1,137 @@
+"""Who judges candidates during the search: the surrogate explores, the reference engine decides.
+
+Both play the same ensemble of perturbations. The surrogate adds two members that the reference
+engine would have to be built anew for: half the step, and round sides replaced by facets.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from esg.dynamics.facets import faceted
+from esg.dynamics.losses import Assessment
+from esg.dynamics.plan import Plan
+from esg.dynamics.simulate import ENSEMBLE, Simulator
+from esg.engines.base import get_engine
+from esg.graph.models import SearchStep
+
+Floats = NDArray[np.float64]
+
+REFERENCE_DT_S = 1.0 / 240.0
+GOOD_LOSS = 0.35
+"""Worst-case loss at which the search stops: all events happen, residuals are small."""
+CENTRED_LOSS = 0.15
+WORST_SHARE = 0.7
+"""Weight of the worst member of the ensemble; the rest goes to the mean."""
+
+
+@dataclass(frozen=True)
+class Found:
+    """A theta and how it fared in the reference engine.
+
+    Args:
+        theta: Shape [n].
+        worst: Worst-case loss (see `robust_value`).
+        nominal: Of the unperturbed scene, one world.
+        ensemble: Of all members.
+    """
+
+    theta: Floats
+    worst: float
+    nominal: Assessment
+    ensemble: Assessment
+
+    def good(self) -> bool:
+        """A small worst case; or everything holds in all members and the nominal is centred.
+
+        The perturbations themselves move a prescribed speed or time, so that some worst cases
+        cannot become small.
+        """
+        if self.worst < GOOD_LOSS:
+            return True
+        holds = self.ensemble.all_completed().all() and self.ensemble.within_tolerance().all()
+        return bool(holds) and float(self.nominal.total[0]) < CENTRED_LOSS
+
+
+class Panel:
+    """The engines of a search and the record of what they were asked.
+
+    Args:
+        plan: What is searched.
+        device: Where the engines run.
+        dt: Step of both engines [s].
+    """
+
+    def __init__(self, plan: Plan, device: str, *, dt: float) -> None:
+        engine = get_engine("surrogate", device)
+        self.plan, self.device = plan, device
+        self.reference = Simulator(plan, get_engine("newton", device), dt=dt)
+        self.surrogate = Simulator(plan, engine, dt=dt)
+        self._others = [Simulator(plan, engine, dt=0.5 * dt)]
+        scene = faceted(plan.scene)
+        if scene is not plan.scene:
+            self._others.append(Simulator(replace(plan, scene=scene), engine, dt=dt))
+        self.steps: list[SearchStep] = []
+
+    def rebias(self, bias: dict[str, float]) -> None:
+        """Shifts the targets of all engines (`losses.assess`)."""
+        for simulator in (self.reference, self.surrogate, *self._others):
+            simulator.bias = dict(bias)
+
+    @property
+    def evaluations(self) -> int:
+        """Rollouts of the reference engine."""
+        return self.reference.evaluations
+
+    @property
+    def explored(self) -> int:
+        """Rollouts of the surrogate."""
+        return self.surrogate.evaluations + sum(s.evaluations for s in self._others)
+
+    def note(self, phase: str, engine: str, candidates: int, best: float) -> None:
+        """Adds a line to the record of the search."""
+        self.steps.append(
+            SearchStep(phase=phase, engine=engine, candidates=candidates, best=rounded(best))
+        )
+
+    def preview(self, thetas: Floats) -> Floats:
+        """Worst-case losses in the surrogate, shape [K]."""
+        tables = [_table(self.surrogate, thetas)[1]]
+        tables += [s.assess(thetas).total[:, None] for s in self._others]
+        return robust_value(np.concatenate(tables, axis=1)) + prior(self.plan, thetas)
+
+    def judge(self, thetas: Floats, phase: str = "confirm") -> Found:
+        """Plays thetas under the ensemble in the reference engine and keeps the most robust."""
+        assessed, table = _table(self.reference, thetas)
+        value = robust_value(table) + prior(self.plan, thetas)
+        k = int(np.argmin(value))
+        ensemble = assessed.worlds(slice(k * len(ENSEMBLE), (k + 1) * len(ENSEMBLE)))
+        self.note(phase, "newton", len(thetas), float(value[k]))
+        return Found(thetas[k], float(value[k]), ensemble.worlds(slice(0, 1)), ensemble)
+
+
+def _table(simulator: Simulator, thetas: Floats) -> tuple[Assessment, Floats]:
+    """All members of the ensemble for each theta: the assessment and losses [K, members]."""
+    members = [m for _ in thetas for m in ENSEMBLE]
+    assessed = simulator.assess(np.repeat(thetas, len(ENSEMBLE), axis=0), members)
+    return assessed, assessed.total.reshape(len(thetas), len(ENSEMBLE))
+
+
+def robust_value(losses: Floats) -> Floats:
+    """Worst case and mean over the members, [K, members] -> [K]."""
+    return WORST_SHARE * losses.max(axis=1) + (1.0 - WORST_SHARE) * losses.mean(axis=1)
+
+
+def prior(plan: Plan, thetas: Floats) -> Floats:
+    """Normalized l2 distance from the initial theta (paper, L_p), at a small weight."""
+    spread = np.array([max(v.spread, 1e-9) for v in plan.variables])
+    deviation = np.where(plan.free(), (thetas - plan.initial()) / (6.0 * spread), 0.0)
+    return 0.01 * (deviation**2).sum(axis=1)
+
+
+def rounded(value: float) -> float:
+    """A finite number with nine decimals, as documents store it."""
+    return float(np.round(np.nan_to_num(value, nan=0.0, posinf=1e9, neginf=-1e9), 9))

@@ -1,0 +1,102 @@
+"""What the choreography and the casting make possible before anything is searched."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from esg.assets import resolve
+from esg.draft import draft
+from esg.dynamics import fit_assets, start_hints
+from esg.dynamics.facets import faceted
+from esg.dynamics.falls import tipping_speed
+from esg.dynamics.stagecraft import Prop, topple_speed
+from esg.engines.scene import Body, Shape, SimScene
+
+UNIT = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+
+
+def _prop(**changes: float) -> Prop:
+    values = {
+        "length": 0.5, "width": 0.5, "height": 1.0, "mass": 10.0, "friction": 0.5,
+        "restitution": 0.0, "rolls": False, "wheeled": False, "fixed": False,
+    }  # fmt: skip
+    return Prop(**{**values, **changes})  # type: ignore[arg-type]
+
+
+def test_topple_speed_grows_with_the_targets_mass() -> None:
+    """Linear in the target's mass for a light mover, and zero for what cannot fall."""
+    ball = _prop(length=0.22, width=0.22, height=0.22, mass=0.43, rolls=True)
+    light, heavy = (topple_speed(ball, _prop(mass=m), flies=True) for m in (5.0, 10.0))
+    assert light < heavy < 2.0 * light
+    assert topple_speed(ball, _prop(fixed=True), flies=True) == 0.0
+
+
+def test_tipping_speed_is_the_energy_over_the_edge() -> None:
+    """A thin plate of height h tips with almost no speed; a cube needs much more."""
+    assert tipping_speed(0.01, 1.0) < 0.1 < tipping_speed(1.0, 1.0)
+    rise = 0.5 * (math.sqrt(2.0) - 1.0)
+    omega = math.sqrt(2.0 * 9.81 * rise * 3.0 / 2.0)
+    assert tipping_speed(1.0, 1.0) == pytest.approx(1.33 * omega * 0.5, rel=0.01)
+
+
+def test_a_light_ball_gets_a_crate_it_can_knock_over() -> None:
+    """The mass is open, so the crate is an empty one; a stated mass is never touched."""
+    free = resolve(draft("A soccer ball is kicked at a wooden crate and knocks it over."))
+    stated = resolve(
+        draft("A soccer ball is kicked at a wooden crate weighing 15 kg and knocks it over.")
+    )
+
+    def mass(doc) -> float:
+        node = next(n for n in doc.spatial_relation_graph.nodes if "crate" in n)
+        asset = doc.spatial_relation_graph.nodes[node].asset_id
+        return doc.asset_configurations[asset].mass_kg
+
+    assert 0.3 * mass(free) <= mass(fit_assets(free)) < mass(free)
+    assert mass(fit_assets(stated)) == mass(stated) == 15.0
+
+
+def test_what_shall_fall_over_is_not_fixed_to_the_ground() -> None:
+    """A fence that a tire knocks down can move; one that is only hit stays fixed."""
+
+    def movable(prompt: str) -> bool:
+        doc = fit_assets(resolve(draft(prompt)))
+        node = next(n for n in doc.spatial_relation_graph.nodes if "fence" in n)
+        asset = doc.spatial_relation_graph.nodes[node].asset_id
+        return doc.asset_configurations[asset].is_movable
+
+    assert movable("A tire rolls along and knocks down a fence.")
+    assert not movable("A car crashes into a fence.")
+
+
+@pytest.mark.parametrize(
+    ("prompt", "mover", "target"),
+    [
+        ("A marble rolls off the table and falls into a mug on the floor.", "marble", "mug"),
+        ("A brick falls from a shelf and lands on a laptop.", "brick", "laptop"),
+    ],
+)
+def test_what_leaves_a_table_comes_down_on_its_target(prompt: str, mover: str, target: str) -> None:
+    """The target waits where free fall from the edge leads, clear of the support."""
+    doc = fit_assets(resolve(draft(prompt)))
+    hints = start_hints(doc)
+    stage = next(c for c in hints.constellations if c.anchor)
+    places = {p.node.split("_")[0]: p for p in stage.placements}
+    assert mover in places and target in places
+    gap = places[target].x_cm - places[mover].x_cm
+    assert 5.0 < gap < 150.0
+    assert abs(places[target].y_cm - places[mover].y_cm) < 5.0
+
+
+def test_facets_replace_cylinders_only() -> None:
+    """Prisms have the cylinder's radius at their corners; scenes without cylinders are kept."""
+    round_ = Body("can", False, 1.0, UNIT, (Shape("cylinder", (0.1, 0.1, 0.2)),), (0, 0, 0.2))
+    box = Body("box", False, 1.0, UNIT, (Shape("box", (0.1, 0.1, 0.2)),), (1, 0, 0.2))
+    scene = SimScene("s", (round_, box))
+    other = faceted(scene)
+    prism = other.bodies[0].shapes[0]
+    assert prism.kind == "convex" and len(prism.vertices) == 32
+    assert all(math.hypot(x, y) == pytest.approx(0.1) for x, y, _ in prism.vertices)
+    assert other.bodies[1] == box
+    assert faceted(SimScene("s", (box,))).bodies[0] is box
