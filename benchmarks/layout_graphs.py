@@ -250,11 +250,7 @@ def generate(seed: int, count: int | None = None, density: float = 1.2) -> EsgDo
     z = {n: float(problem.node_z[i]) for i, n in enumerate(problem.names)}
     world = World(pose, z)
     base = len(edges)
-    true = [
-        e
-        for k, e in enumerate(pool)
-        if binary_violation(problem, world, base + k, e)[0] <= 0
-    ]
+    true = [e for k, e in enumerate(pool) if binary_violation(problem, world, base + k, e)[0] <= 0]
     # rare relations (near, adjacent, face) count as much as the common directional ones
     kinds = sorted({e.relation_type.value for e in true})
     chosen: list[BinaryRelation] = []

@@ -356,7 +356,7 @@ def _result(doc: EsgDocument, problem: LayoutProblem, found: Found) -> LayoutRes
     world, result, k = found.world, found.result, found.start
     fine = found.reports is not None
     deep = [] if fine else penetrations(problem, world)
-    reports = found.reports if fine else relation_reports(doc, problem, world)
+    reports = found.reports or relation_reports(doc, problem, world)
     hard = [
         f"{r.edge} does not hold{': ' + r.note if r.note else ''}"
         for r in reports
