@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Generator
 import contextlib
 from pathlib import Path
 from typing import Any
@@ -11,7 +11,7 @@ _KEY_FILE = ".scene_key"
 
 
 @contextlib.contextmanager
-def open_scene(scene: str, *, meshes: bool = False) -> Iterator[Path]:
+def open_scene(scene: str, *, meshes: bool = False) -> Generator[Path]:
     """Folder of a scene.
 
     A scene of the database is compiled again from its stored document, into a folder that is gone

@@ -6,7 +6,7 @@ worlds and repeats are bit-identical. Damping is PhysX's own, which is v *= max(
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from contextlib import contextmanager
 from threading import RLock
 from typing import Any
@@ -83,7 +83,7 @@ _config_lock = RLock()
 
 
 @contextmanager
-def scene_config(px: Any, scene: SimScene) -> Iterator[None]:
+def scene_config(px: Any, scene: SimScene) -> Generator[None]:
     """Sets SAPIEN's process-wide configuration for the scenes made inside, and puts it back.
 
     Only one thread at a time is inside, because the configuration is shared by all of them.

@@ -55,7 +55,7 @@ class Frames:
             raise ValueError(f"duration is {duration}; it must be a positive number of seconds")
         # The tolerance keeps 4 s at 1/240 s at 960 steps in spite of rounding.
         n_frames = max(1, math.ceil(duration / dt / record_every - 1e-6))
-        time = np.arange(n_frames + 1) * (dt * record_every)
+        time = np.asarray(np.arange(n_frames + 1) * (dt * record_every), np.float64)
         return Frames(dt, record_every, n_frames * record_every, time)
 
     @property
@@ -367,9 +367,8 @@ class Start:
         check(scene, batch)
         frames = Frames.of(batch.duration if duration is None else duration, dt, record_every)
         values = world_values(scene, variation, batch.n_worlds)
-        finite = np.isfinite(values.position).all((1, 2)) & np.isfinite(values.quaternion).all(
-            (1, 2)
-        )
+        start = np.concatenate([values.position, values.quaternion], axis=2)
+        finite = np.asarray(np.isfinite(start).all((1, 2)), np.bool_)
         return Start(scene, batch, frames, values, rest_states(values, frames), finite)
 
     def rollout(self, engine: str, contacts: ContactLog, extra: dict[str, Any]) -> Rollout:
