@@ -55,6 +55,7 @@ class SceneRequest:
         suite_scene: JSON of the suite's scene to judge against; empty judges against the scene's
             own timeline.
         name: Folder name of the scene; empty takes the document's scene id.
+        close_loop: Whether the verify engine's outcome error is fed back to the search.
     """
 
     prompt: str
@@ -65,6 +66,7 @@ class SceneRequest:
     engine: str = "physx"
     suite_scene: str = ""
     name: str = ""
+    close_loop: bool = False
 
     @property
     def choreographed(self) -> bool:

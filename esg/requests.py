@@ -8,14 +8,27 @@ from esg.pipeline import SceneRequest
 
 
 def generate_requests(
-    prompts: Sequence[str], seed: int, drafter: str, strategy: str, device: str
+    prompts: Sequence[str],
+    seed: int,
+    drafter: str,
+    strategy: str,
+    device: str,
+    close_loop: bool = False,
 ) -> list[SceneRequest]:
     """The scenes of a `generate` run; arguments as of `flows.generate`."""
-    return [SceneRequest(p, seed, drafter, strategy, device) for p in prompts]
+    return [
+        SceneRequest(p, seed, drafter, strategy, device, close_loop=close_loop) for p in prompts
+    ]
 
 
 def bench_requests(
-    suite: str, runs: int, seed: int, strategy: str, engine: str, device: str
+    suite: str,
+    runs: int,
+    seed: int,
+    strategy: str,
+    engine: str,
+    device: str,
+    close_loop: bool = False,
 ) -> list[SceneRequest]:
     """The scene runs of a benchmark; arguments as of `flows.benchmark`."""
     from esg.metrics import load_suite
@@ -29,6 +42,7 @@ def bench_requests(
             device=device,
             suite_scene=scene.model_dump_json(by_alias=True),
             name=f"{scene.id}-run{run}",
+            close_loop=close_loop,
         )
         for scene in load_suite(suite).scenes
         for run in range(runs)

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 DOCUMENT = "esg.json"
 ROLLOUT = "rollout.npz"
 REPLAY_RATE_HZ = 240
+CLOSED_ROUNDS = 3
+"""Most rounds of the closed loop, where it is asked for."""
 
 
 @dataclass(frozen=True)
@@ -152,7 +154,13 @@ def _optimize(state: SceneState, folder: Path) -> None:
     doc = load_doc(state, "layout")
     request = state.request
     if doc.timeline_system is not None:
-        doc = optimize(doc, seed=request.seed, strategy=request.strategy, device=request.device)
+        doc = optimize(
+            doc,
+            seed=request.seed,
+            strategy=request.strategy,
+            device=request.device,
+            rounds_closed=CLOSED_ROUNDS if request.close_loop else 0,
+        )
     _write_doc(doc, folder)
 
 
@@ -276,7 +284,7 @@ SPECS: dict[str, Spec] = {
     "draft": Spec(_draft, (), ("prompt", "seed", "drafter")),
     "resolve": Spec(_resolve, ("draft",), ("seed",)),
     "layout": Spec(_layout, ("resolve",), ("seed", "choreographed")),
-    "optimize": Spec(_optimize, ("layout",), ("seed", "strategy", "device")),
+    "optimize": Spec(_optimize, ("layout",), ("seed", "strategy", "device", "close_loop")),
     "compile": Spec(_compile, ("optimize",)),
     "replay": Spec(_replay, ("compile",), ("engine",)),
     "judge": Spec(_judge, ("optimize", "compile", "replay"), ("suite_scene",)),

@@ -20,6 +20,7 @@ def benchmark(
     strategy: str = "batched",
     engine: str = "physx",
     device: str = "cpu",
+    close_loop: bool = False,
 ) -> list[SceneState]:
     """Runs a suite.
 
@@ -30,11 +31,12 @@ def benchmark(
         strategy: Search strategy of the optimize stage.
         engine: Engine of the replay.
         device: cpu or cuda:N.
+        close_loop: Whether the verify engine's outcome error is fed back to the search.
 
     Returns:
         Final states, all runs of the first scene first.
     """
-    states = run_all(bench_requests(suite, runs, seed, strategy, engine, device))
+    states = run_all(bench_requests(suite, runs, seed, strategy, engine, device, close_loop))
     name = f"bench-{Path(suite).stem}"
     artifacts.table(name, [_row(s) for s in states], f"{suite}, {runs} runs, {strategy}, {engine}")
     artifacts.failures(name, failures(states))

@@ -18,6 +18,7 @@ def generate(
     drafter: str = "rules",
     strategy: str = "batched",
     device: str = "cpu",
+    close_loop: bool = False,
 ) -> list[SceneState]:
     """Generates one scene a prompt.
 
@@ -27,8 +28,9 @@ def generate(
         drafter: rules or llm.
         strategy: Search strategy of the optimize stage.
         device: cpu or cuda:N.
+        close_loop: Whether the verify engine's outcome error is fed back to the search.
 
     Returns:
         Final states in the order of the prompts.
     """
-    return run_all(generate_requests(prompts, seed, drafter, strategy, device))
+    return run_all(generate_requests(prompts, seed, drafter, strategy, device, close_loop))

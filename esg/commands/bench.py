@@ -22,6 +22,7 @@ def bench(
     strategy: Literal["batched", "hybrid", "fd", "ad", "none"] = "batched",
     engine: Literal["physx", "rapier", "newton"] = "physx",
     device: str = "cpu",
+    close_loop: Annotated[bool, Parameter(negative="")] = False,
     out: Path | None = None,
     json: Annotated[Path | None, Parameter(help="Write the results to this JSON file.")] = None,
     workers: int | None = None,
@@ -35,6 +36,8 @@ def bench(
         strategy: How the physics is searched; none keeps the first guess.
         engine: Engine of the replay: physx runs the emitted class.
         device: cpu or cuda:N.
+        close_loop: Feed the verify engine's outcome error back to the search, three rounds at most;
+            the figures of the open loop are reported too.
         out: Folder of the scene folders; default runs/bench-SUITE-STRATEGY-ENGINE.
         workers: Worker processes; default one a core.
     """
@@ -55,7 +58,7 @@ def bench(
     if workers is not None and not 0 <= workers <= 256:
         raise UserError(f"--workers {workers}: choose 0 to 256")
     loaded = load_suite(suite)
-    out = out or Path("runs") / f"bench-{loaded.suite}-{strategy}-{engine}"
+    out = out or Path("runs") / _folder(loaded.suite, strategy, engine, close_loop)
     check_writable(out)
     if json is not None:
         check_json_target(json)
@@ -63,7 +66,7 @@ def bench(
     total = len(loaded.scenes) * runs
     processes = default_processes(total) if workers is None else workers
     with live(total) as bar:
-        arguments = (str(suite), runs, seed, strategy, engine, device)
+        arguments = (str(suite), runs, seed, strategy, engine, device, close_loop)
         known = [recall(request) for request in bench_requests(*arguments)]
         states = [state for state in known if state is not None]
         if len(states) < total:
@@ -80,14 +83,51 @@ def bench(
         bar.show("ingesting")
         run_id = record_run(states, "bench", suite=loaded.suite, seeds=runs)
         result = results(loaded, states, runs, seed, strategy, engine)
+        if close_loop:
+            result["closed_loop"] = closed_loop(states)
         # What `esg report` shows beside the scenes.
         write_json(out / RUN_FILE, {"run_id": run_id, **result})
     if json is not None:
         write_json(json, result)
     print(comparison_table(result), end="")
+    if close_loop:
+        before, after = result["closed_loop"]["open"], result["closed_loop"]["closed"]
+        print(
+            f"closed loop: own events {before['completed']:.1%} -> {after['completed']:.1%}, largest "
+            f"error {before['largest_error']:.2f} -> {after['largest_error']:.2f} tolerances"
+        )
     cached = sum(s.cached_stages for s in states)
     print(f"{cached} of {total * len(STAGES)} stages from cache; scenes in {out}")
     return exit_code(states)
+
+
+def _folder(suite: str, strategy: str, engine: str, close_loop: bool) -> str:
+    return f"bench-{suite}-{strategy}-{engine}" + ("-closed" if close_loop else "")
+
+
+def closed_loop(states: list[SceneState]) -> dict[str, Any]:
+    """What the closed loop changed in the verify engine, by the scenes' own timelines.
+
+    Mean share of completed events and largest error (in tolerances) of any prescribed quantity,
+    for theta before (`open`) and after (`closed`).
+    """
+    from esg.stages import load_doc
+
+    loops = [
+        r.closed_loop
+        for s in states
+        if "optimize" in s.artifacts
+        and (r := load_doc(s).dynamics_result) is not None
+        and r.closed_loop is not None
+    ]
+    out: dict[str, Any] = {"scenes": len(loops), "rounds": [x.rounds for x in loops]}
+    for name in ("open", "closed"):
+        values = [getattr(x, name) for x in loops]
+        out[name] = {
+            "completed": sum(v["completed"] for v in values) / max(len(values), 1),
+            "largest_error": max((v["largest_error"] for v in values), default=0.0),
+        }
+    return out
 
 
 def results(

@@ -22,6 +22,7 @@ def generate(
     drafter: Literal["rules", "llm"] = "rules",
     strategy: Strategy = "batched",
     device: str = "cpu",
+    close_loop: Annotated[bool, Parameter(negative="")] = False,
     render: str = "",
     json: Annotated[bool, Parameter(negative="")] = False,
 ) -> int:
@@ -34,6 +35,7 @@ def generate(
         drafter: rules needs nothing; llm needs an OpenAI-compatible endpoint.
         strategy: How the physics is searched; none keeps the first guess.
         device: cpu or cuda:N.
+        close_loop: Feed the verify engine's outcome error back to the search, three rounds at most.
         render: Ground-truth channels to render into the scene folder at 256x256 and 24 frames a
             second, with commas, or all; esg render has further options.
         json: Print one JSON document with outcome, metrics and paths.
@@ -53,7 +55,7 @@ def generate(
     pictures = _pictures(render, device, seed) if render else None
     with live(1) as bar:
         # A scene that is already in the store needs no scheduler: the answer comes at once.
-        request = generate_requests([prompt], seed, drafter, strategy, device)[0]
+        request = generate_requests([prompt], seed, drafter, strategy, device, close_loop)[0]
         state = recall(request)
         if state is None:
             from flows.session import session
@@ -61,7 +63,7 @@ def generate(
             with session(processes=0) as call:
                 from flows.generate import generate as flow
 
-                state = call(flow, [prompt], seed, drafter, strategy, device)[0]
+                state = call(flow, [prompt], seed, drafter, strategy, device, close_loop)[0]
         if state.user_error:
             raise UserError(state.reason)
         bar.show("writing")

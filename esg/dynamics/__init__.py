@@ -35,9 +35,14 @@ def start_hints(doc: EsgDocument, *, seed: int = 0) -> StartHints:
 
 
 def optimize(
-    doc: EsgDocument, *, seed: int = 0, strategy: str = "batched", device: str = "cpu"
+    doc: EsgDocument,
+    *,
+    seed: int = 0,
+    strategy: str = "batched",
+    device: str = "cpu",
+    rounds_closed: int = 0,
 ) -> EsgDocument:
     """Fills `dynamics_result` (esg.dynamics.search)."""
     from esg.dynamics.search import optimize as run
 
-    return run(doc, seed=seed, strategy=strategy, device=device)
+    return run(doc, seed=seed, strategy=strategy, device=device, rounds_closed=rounds_closed)

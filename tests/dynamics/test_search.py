@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from esg.dynamics.build import build_scene
-from esg.dynamics.plan import make_plan
 from esg.dynamics.batched import search
+from esg.dynamics.build import build_scene
 from esg.dynamics.panel import REFERENCE_DT_S, Panel
+from esg.dynamics.plan import make_plan
 from esg.dynamics.search import optimize
 from esg.dynamics.simulate import Simulator
 from esg.engines.base import get_engine
