@@ -128,7 +128,7 @@ class EventLosses:
                 earliest = earliest + CHAIN_GAP_S
         touches: list[Touch | None] = [None] * w
         if node.event in (NodeEvent.COLLISION, NodeEvent.MISS):
-            touches = self.taped.touches(*self._members(node), earliest)
+            touches = self.taped.touches(*self.members(node), earliest)
         for k in range(w):
             if not self.taped.valid[k]:
                 continue
@@ -268,7 +268,8 @@ class EventLosses:
 
     # -- signals -----------------------------------------------------------------------------
 
-    def _members(self, node: TimelineNode) -> tuple[list[int], list[int]]:
+    def members(self, node: TimelineNode) -> tuple[list[int], list[int]]:
+        """Body indices of an event's first and last participant, plurals expanded."""
         names, expand = self.plan.scene.names, self.plan.story.expand
         one, two = (
             [names.index(m) for m in expand(p) if m in names]
@@ -278,7 +279,7 @@ class EventLosses:
 
     def _gap(self, node: TimelineNode) -> Signal:
         """Surface distance of the nearest members of an event's two participants [m]."""
-        one, two = self._members(node)
+        one, two = self.members(node)
         bodies = self.plan.scene.bodies
         pairs = [(i, j) for i in one for j in two if bodies[i].shapes and bodies[j].shapes]
 

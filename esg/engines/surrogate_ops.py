@@ -29,6 +29,7 @@ FROZEN_IN_B = wp.constant(0)
 
 _FACE = wp.constant(0.9995)
 _SIDE = wp.constant(0.003)
+_EDGE = wp.constant(0.001)
 
 
 @wp.struct
@@ -72,6 +73,8 @@ class Features:
     core_b: wp.array(dtype=wp.vec3)
     radius: wp.array(dtype=wp.vec2)
     normal: wp.array(dtype=wp.vec3)
+    along: wp.array(dtype=wp.vec3)
+    """With BETWEEN, a line (in b's frame) along which the cores slide freely, or zero."""
     friction: wp.array(dtype=float)
     delay: wp.array(dtype=float)
     early: wp.array(dtype=float)
@@ -108,10 +111,15 @@ class Versions:
 
 @wp.func
 def _feature(model: Model, s: int, point: wp.vec3, n: wp.vec3):
-    """Core point, radius and whether a flat face touches; `point` and `n` in the shape's frame."""
+    """Core point, radius, whether a flat face touches, and the line along which the core may slide.
+
+    `point` and `n` are in the shape's frame. The line is a cylinder's or capsule's axis or a box's
+    edge; it is zero for points.
+    """
     kind = model.kind[s]
     size = model.scale[s]
     core = point
+    along = wp.vec3(0.0, 0.0, 0.0)
     radius = float(0.0)  # noqa: UP018
     face = int(0)  # noqa: RUF046, UP018  # a variable to Warp
     if kind == SPHERE:
@@ -120,15 +128,24 @@ def _feature(model: Model, s: int, point: wp.vec3, n: wp.vec3):
     elif kind == CAPSULE:
         core = wp.vec3(0.0, 0.0, wp.clamp(point[2], -size[1], size[1]))
         radius = size[0]
+        if wp.abs(point[2]) < size[1]:
+            along = wp.vec3(0.0, 0.0, 1.0)
     elif kind == CYLINDER:
         if wp.abs(n[2]) > _FACE:
             face = 1
         elif wp.abs(n[2]) < _SIDE:
             core = wp.vec3(0.0, 0.0, point[2])
             radius = size[0]
-    elif kind == BOX and wp.max(wp.abs(n[0]), wp.max(wp.abs(n[1]), wp.abs(n[2]))) > _FACE:
-        face = 1
-    return core, radius, face
+            along = wp.vec3(0.0, 0.0, 1.0)
+    elif kind == BOX:
+        if wp.max(wp.abs(n[0]), wp.max(wp.abs(n[1]), wp.abs(n[2]))) > _FACE:
+            face = 1
+        else:
+            for k in range(3):
+                # Across an edge the normal has no part along it.
+                if wp.abs(n[k]) < _EDGE:
+                    along[k] = 1.0
+    return core, radius, face, along
 
 
 @wp.func
@@ -156,7 +173,8 @@ def _describe(
     frame = ra * model.rotation[sa]
     local = wp.quat_rotate_inv(ra, con.arm_a[w, slot]) - model.position[sa]
     point = wp.quat_rotate_inv(model.rotation[sa], local)
-    core, radius_a, face_a = _feature(model, sa, point, wp.quat_rotate_inv(frame, n))
+    core, radius_a, face_a, line_a = _feature(model, sa, point, wp.quat_rotate_inv(frame, n))
+    along = wp.quat_rotate(frame, line_a)
     feat.core_a[c] = model.position[sa] + wp.quat_rotate(model.rotation[sa], core)
     mode = FROZEN_IN_B
     normal = n
@@ -169,7 +187,7 @@ def _describe(
         frame_b = rb * model.rotation[sb]
         local_b = wp.quat_rotate_inv(rb, con.arm_b[w, slot]) - model.position[sb]
         point_b = wp.quat_rotate_inv(model.rotation[sb], local_b)
-        core_b, r_b, face_b = _feature(model, sb, point_b, wp.quat_rotate_inv(frame_b, n))
+        core_b, r_b, face_b, line_b = _feature(model, sb, point_b, wp.quat_rotate_inv(frame_b, n))
         radius_b = r_b
         feat.core_b[c] = model.position[sb] + wp.quat_rotate(model.rotation[sb], core_b)
         normal = wp.quat_rotate_inv(rb, n)
@@ -178,6 +196,11 @@ def _describe(
             normal = wp.quat_rotate_inv(ra, n)
         elif face_b == 0 and radius_a + radius_b > 0.0:
             mode = BETWEEN
+            # Of two lines only one can be followed; parallel ones are the common case.
+            if wp.length_sq(line_b) > 0.0:
+                along = wp.quat_rotate(frame_b, line_b)
+            along = wp.quat_rotate_inv(rb, along)
+    feat.along[c] = along
     feat.mode[c] = mode
     feat.radius[c] = wp.vec2(radius_a, radius_b)
     feat.normal[c] = normal

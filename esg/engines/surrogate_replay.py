@@ -150,7 +150,9 @@ def _measure(feat: Features, c: int, xa: wp.vec3, ra: wp.quat, xb: wp.vec3, rb: 
     radius = feat.radius[c]
     n = feat.normal[c]
     if feat.mode[c] == 2:
-        n = wp.normalize(at_a - at_b)
+        line = wp.quat_rotate(rb, feat.along[c])
+        across = at_a - at_b
+        n = wp.normalize(across - line * wp.dot(line, across))
     elif feat.mode[c] == 1:
         n = wp.quat_rotate(ra, feat.normal[c])
     elif feat.body_b[c] >= 0:
@@ -184,15 +186,19 @@ def _prepare(
     delay: wp.array(dtype=float),
     share: wp.array(dtype=wp.vec3),
 ):
-    # Contacts that hit within the step are measured where they touch: first estimate when.
-    before = _measure(feat, c, X[pa], R[pa], X[pb], R[pb])
-    first = wp.quat_rotate(R[pa], feat.core_a[c])
-    other = wp.quat_rotate(R[pb], feat.core_b[c])
+    # Contacts that hit within the step are measured where they touch. When that is follows from the
+    # gap at the moment the rollout found, which is nearly zero, and the speed of closing.
+    early = feat.early[c]
+    era = _ahead(R[pa], O[va] * early)
+    erb = _ahead(R[pb], O[vb] * early)
+    before = _measure(feat, c, X[pa] + V[va] * early, era, X[pb] + V[vb] * early, erb)
     closing = wp.vec3(before[0], before[1], before[2])
+    first = wp.quat_rotate(era, feat.core_a[c])
+    other = wp.quat_rotate(erb, feat.core_b[c])
     u0 = V[va] + wp.cross(O[va], first) - V[vb] - wp.cross(O[vb], other)
     ahead = feat.early[c]
     if feat.early[c] > 0.0 and feat.delay[c] > 0.0:
-        ahead = -before[3] / wp.dot(closing, u0)
+        ahead = early - before[3] / wp.min(wp.dot(closing, u0), -0.1)
     ra = _ahead(R[pa], O[va] * ahead)
     rb = _ahead(R[pb], O[vb] * ahead)
     found = _measure(feat, c, X[pa] + V[va] * ahead, ra, X[pb] + V[vb] * ahead, rb)
@@ -333,8 +339,8 @@ def _move(
     sums = late[pin]
     wait = wp.where(sums[1] > 0.0, sums[0] / wp.max(sums[1], 1.0e-20), 0.0)
     X[pout] = X[pin] + V[vend] * (dt - wait) + V[vfree] * wait + shift[pin]
-    # After a hit in the step before, or a change of control, the new acceleration acts from the true
-    # moment on and the old one up to it: zero, but for the derivative by that moment.
+    # After a hit in the step before, or a change of control, the new acceleration acts from the
+    # true moment on and the old one up to it: zero, but for the derivative by that moment.
     if kick >= 0:
         more = (late[kick][0] / wp.max(late[kick][1], 1.0e-20) - frozen_late[kick]) / dt
         V[vout] = V[vend] + (V[now] - V[was] - V[vend] + V[start]) * more

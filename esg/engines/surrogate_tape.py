@@ -133,6 +133,16 @@ class TapedRollout:
             out.append(Touch(step, step * self.frames.dt + late, flat))
         return out
 
+    def hits(self, horizon: NDArray[np.int64]) -> list[set[tuple[int, int]]]:
+        """Pairs of bodies that hit each other at speed before a step, per world; ground is -1."""
+        hit = self._used & (self._read["delay"] > 0.0) & (self._read["impulse"][..., 0] > 0.0)
+        hit &= (np.arange(hit.shape[1]) < horizon[:, None])[..., None]
+        out: list[set[tuple[int, int]]] = [set() for _ in horizon]
+        for w, step, slot in zip(*np.nonzero(hit), strict=True):
+            a, b = int(self._read["a"][w, step, slot]), int(self._read["b"][w, step, slot])
+            out[w].add((min(a, b), max(a, b)))
+        return out
+
     @property
     def n_contacts(self) -> int:
         """Contacts in the flat order of the replay."""
@@ -198,7 +208,7 @@ class Replay:
         self.feat.first = up(self.contact_first)
         for name in ("world", "step", "body_a", "body_b", "mode"):
             setattr(self.feat, name, ints(n_c))
-        for name in ("core_a", "core_b", "normal"):
+        for name in ("core_a", "core_b", "normal", "along"):
             setattr(self.feat, name, wp.zeros(n_c, dtype=wp.vec3, device=device))
         self.feat.radius = wp.zeros(n_c, dtype=wp.vec2, device=device)
         self.feat.friction = wp.zeros(n_c, dtype=float, device=device)
