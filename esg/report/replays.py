@@ -56,7 +56,9 @@ def replays_of(
         first = Replayed(manifest.scene, load_rollout(path), metrics["proof"])
     else:
         first = _replay(folder, manifest, recorded)
-    first = Replayed(first.scene, first.rollout, first.proof, metrics["verdict"]["events"])
+    # Engines are compared by the scene's own timeline, which is what the others are judged by.
+    own = metrics.get("own_timeline", metrics["verdict"])
+    first = Replayed(first.scene, first.rollout, first.proof, own["events"])
     others = [_judged(folder, _replay(folder, manifest, e)) for e in engines if e != recorded]
     return (first, *others)
 
