@@ -126,8 +126,8 @@ def _import_one(source: Source, folder: Path, report: ImportReport, convex: bool
         data["source_hash"] = key
         glb = data.pop("glb")
         mesh = folder / "meshes" / f"{data['mesh_sha256']}.glb"
-        _write(mesh, glb)
-        _write(record, json.dumps(data, indent=1).encode())
+        write_file(mesh, glb)
+        write_file(record, json.dumps(data, indent=1).encode())
         report.imported.append(source.key)
     except FileNotFoundError:
         report.problems.append((source.key, f"model file {source.path.name} is missing"))
@@ -135,7 +135,8 @@ def _import_one(source: Source, folder: Path, report: ImportReport, convex: bool
         report.problems.append((source.key, f"{type(error).__name__}: {error}"))
 
 
-def _write(path: Path, data: bytes) -> None:
+def write_file(path: Path, data: bytes) -> None:
+    """Writes under a temporary name and renames, so that no reader sees half a file."""
     partial = path.with_suffix(path.suffix + ".part")
     partial.write_bytes(data)
     partial.replace(path)

@@ -91,4 +91,19 @@ def write_meshes(doc: EsgDocument, folder: Path) -> dict[str, str]:
                 f"cannot write {path}: {error.strerror}; choose another folder"
             ) from None
         hashes[key] = hashlib.sha256(data).hexdigest()
+    _write_attribution(doc, Path(folder))
     return hashes
+
+
+def _write_attribution(doc: EsgDocument, folder: Path) -> None:
+    """Names creator and licence of every borrowed mesh beside the meshes, as their licences ask."""
+    lines = [
+        f"{config.mesh_path}: {config.attribution or config.asset_name} [{config.license}]\n"
+        for _, config in sorted(doc.asset_configurations.items())
+        if config.source in ("library", "generated")
+    ]
+    path = folder / "meshes" / "ATTRIBUTION.txt"
+    if lines:
+        path.write_text("".join(lines), encoding="utf-8")
+    elif path.is_file():
+        path.unlink()

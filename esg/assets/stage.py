@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from typing import TYPE_CHECKING, Any
 
 from esg.assets.colors import find_color
 from esg.assets.library import Entry, build_sketch, entries_by_name, uniform_factor
@@ -21,6 +22,9 @@ from esg.graph.models import (
     Vec3,
 )
 
+if TYPE_CHECKING:
+    from esg.assets.providers import Generator
+
 VERSION = "1"
 WHEELED_FRICTION = 0.1
 """Averages with the vehicle ground's 0 to a rolling resistance of 0.05."""
@@ -32,15 +36,24 @@ def resolve(doc: EsgDocument, *, seed: int = 0) -> EsgDocument:
 
     Args:
         doc: A drafted document.
-        seed: Recorded; the stage draws no random numbers.
+        seed: Recorded, and given to a generator; the stage itself draws no random numbers.
 
     Returns:
-        The document with configurations and one more provenance entry.
+        The document with configurations and one more provenance entry, which names the generator
+        and what it failed at (those requirements get a plain body).
     """
+    from esg.assets.providers import chosen_generator
+
+    generator = chosen_generator()
+    failures: dict[str, str] = {}
     configurations = {
-        key: configure(key, requirement) for key, requirement in doc.asset_requirement.items()
+        key: configure(key, requirement, generator=generator, seed=seed, failures=failures)
+        for key, requirement in doc.asset_requirement.items()
     }
-    entry = Provenance(stage="resolve", version=VERSION, seed=seed, config=_library_state())
+    state: dict[str, Any] = _library_state()
+    if generator is not None:
+        state |= {"generator": generator.name, "generator_failures": failures}
+    entry = Provenance(stage="resolve", version=VERSION, seed=seed, config=state)
     return doc.model_copy(
         update={
             "asset_configurations": configurations,
@@ -55,14 +68,34 @@ def _library_state() -> dict[str, str]:
     return {"library": active_index().fingerprint}
 
 
-def configure(key: str, requirement: AssetRequirement) -> AssetConfiguration:
+def configure(
+    key: str,
+    requirement: AssetRequirement,
+    *,
+    generator: Generator | None = None,
+    seed: int = 0,
+    failures: dict[str, str] | None = None,
+) -> AssetConfiguration:
     """The configuration of one requirement.
 
     Args:
         key: Asset id in the document; names the mesh file.
         requirement: What is needed.
+        generator: Asked where the library holds nothing.
+        seed: Given to the generator.
+        failures: Receives why the generator gave nothing, by asset id.
     """
-    return build_configuration(key, requirement, decide(requirement))
+    decision = decide(requirement)
+    if decision.entry is None and generator is not None:
+        from esg.assets.generated import generate_asset
+        from esg.assets.providers import GenerationError
+
+        try:
+            return generate_asset(key, requirement, decision, generator, seed)
+        except GenerationError as error:
+            if failures is not None:
+                failures[key] = str(error)
+    return build_configuration(key, requirement, decision)
 
 
 def build_configuration(
