@@ -3,6 +3,7 @@
     python -m benchmarks.drafting                  # the test third, rules drafter
     python -m benchmarks.drafting --split dev --show
     python -m benchmarks.drafting --ablation       # and the language-model variants, scripted
+    python -m benchmarks.drafting --soak 100000    # memory and CPU time over many prompts
 
 Expectations in `data/prompts/*.jsonl` were written from the prompts alone. The paper's row is its
 ablation of draft construction (usability of single-shot, without validation, full).
@@ -348,6 +349,65 @@ def run(split: str, drafter: Callable[[str], EsgDocument]) -> tuple[dict[str, Sc
     return scores, (time.perf_counter() - began) / max(1, len(rows))
 
 
+@dataclass(frozen=True)
+class Soak:
+    """Memory and CPU time of many drafts in one process.
+
+    Args:
+        prompts: Drafts made.
+        refused: Of them, refused with a message.
+        cpu_ms: CPU time of a draft, mean [ms].
+        rss_mib: Resident memory after each twentieth of the run [MiB].
+        growth_kib: Slope of resident memory over the last three quarters [KiB per 1000 prompts].
+    """
+
+    prompts: int
+    refused: int
+    cpu_ms: float
+    rss_mib: tuple[float, ...]
+    growth_kib: float
+
+
+def resident_mib() -> float:
+    """Resident memory of this process [MiB] (Linux; elsewhere its maximum so far)."""
+    try:
+        pages = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[1])
+    except OSError:
+        import resource
+
+        return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024.0
+    return pages * 4096 / 2**20
+
+
+def soak(count: int, seed: int = 0) -> Soak:
+    """Drafts prompts made of one to three random development prompts, no two alike."""
+    import random
+
+    import numpy as np
+
+    rng = random.Random(seed)
+    texts = [row["prompt"] for row in load("dev")]
+    draft(texts[0])
+    marks: list[tuple[int, float]] = []
+    refused = 0
+    step = max(1, count // 20)
+    began = time.process_time()
+    for k in range(count):
+        prompt = " ".join(rng.choice(texts) for _ in range(rng.choice((1, 1, 1, 2, 3))))
+        prompt = re.sub(r"\b[2-9]\b", lambda _: str(rng.randint(2, 9)), prompt)
+        try:
+            draft(prompt, seed=k)
+        except UserError:
+            refused += 1
+        if (k + 1) % step == 0:
+            marks.append((k + 1, resident_mib()))
+    cpu = time.process_time() - began
+    late = marks[len(marks) // 4 :]
+    x, y = np.array(late, dtype=float).T
+    slope = float(np.polyfit(x / 1000.0, 1024.0 * y, 1)[0]) if len(late) > 1 else 0.0
+    return Soak(count, refused, 1000.0 * cpu / count, tuple(round(m, 1) for _, m in marks), slope)
+
+
 def main(argv: list[str] | None = None) -> int:
     """Prints the table; returns the exit code."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
@@ -360,7 +420,15 @@ def main(argv: list[str] | None = None) -> int:
         help="also the three variants of the language-model drafter with a scripted model",
     )
     parser.add_argument("--json", metavar="FILE", help="write the numbers here")
+    parser.add_argument("--soak", type=int, metavar="N", help="draft N prompts, watch the memory")
     args = parser.parse_args(argv)
+    if args.soak:
+        result = soak(args.soak)
+        print(f"{result.prompts:,} drafts, {result.refused} refused")
+        print(f"{result.cpu_ms:.2f} ms CPU a prompt (one to three corpus prompts each)")
+        print("resident memory [MiB]: " + " ".join(f"{m:.0f}" for m in result.rss_mib))
+        print(f"{result.growth_kib:+.1f} KiB per 1,000 prompts over the last three quarters")
+        return 0
     draft("A ball hits a box.")
     scores, seconds = run(args.split, lambda p: draft(p, drafter=args.drafter))
     columns = list(scores["total"].row())

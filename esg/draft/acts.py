@@ -24,7 +24,7 @@ class Acts(Motions):
         """Events that a motion's prepositional phrases state: into, off, onto, against, past."""
         time = self._time(f)
         fallen: set[str] = set()
-        if "in" in f.adverbs and f.verb.lemma in _GOING:
+        if "in" in f.adverbs and f.verb.lemma in _GOING and f.phrase("into", "in") is None:
             self._goes_in(f, actors, time)
         for p in f.phrases:
             if p.mention is None:
@@ -53,6 +53,8 @@ class Acts(Motions):
                         self.place([actor], [other], "on")
                         self.event(NodeEvent.FALL, (actor,), f, time)
                         fallen.add(actor)
+                    elif p.prep == "off" and {self.kind(actor), self.kind(other)} == {"billiard"}:
+                        self._hit(f, [actor], [other], time)  # "goes in off the blue"
                     elif p.prep == "over" and self._passes_over(f, actor, other):
                         self.pending.setdefault(actor, (NodeEvent.MISS, f, other, time))
                 elif p.prep == "onto" and not self.structural(other):

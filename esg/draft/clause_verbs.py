@@ -74,8 +74,10 @@ class ClauseVerbs(ClauseNouns):
                 v.passive = True
         elif (
             previous.relative
-            and s.boundary_kind == "conj"
-            and not self._after_comma(i)
+            and (
+                (s.boundary_kind == "conj" and not self._after_comma(i))
+                or (s.boundary_kind == "comma" and self._listed(previous, i))
+            )
             and v.form != "ing"
             and previous.verb.sense
             not in ("be", "posture", "park", "weigh", "measure", "have", "contain")
@@ -139,6 +141,19 @@ class ClauseVerbs(ClauseNouns):
             frame.subject = s.subject
         elif s.subject is not None and v.form == "pp" and not v.auxiliary and not v.passive:
             v.passive = v.sense in ("launch", "drop", "pass", "posture")
+
+    def _listed(self, previous: Frame, i: int) -> bool:
+        """ ", which brakes, skids and rams it": a list of verbs of one relative clause."""
+        if previous.parent is None or not (self.elements[i - 1 : i] or [None])[0]:
+            return False
+        if getattr(self.elements[i - 1], "low", "") != ",":
+            return False
+        for e in self.elements[i + 1 :]:
+            if isinstance(e, Word) and e.kind == "conj" and e.low == "and":
+                return True
+            if isinstance(e, Verb) or (isinstance(e, Word) and e.low in ".;,"):
+                return False
+        return False
 
     def _after_comma(self, i: int) -> bool:
         """ "..., which lands on a drum, and falls": back to the main clause."""

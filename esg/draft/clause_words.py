@@ -147,7 +147,8 @@ class ClauseWords:
         assert w.amount is not None
         before = self.elements[i - 2] if i >= 2 else None
         listed = isinstance(before, Word) and before.amount is not None
-        if listed and self._quantified is not None and before.amount in self._quantified.amounts:
+        known = self._quantified.amounts if self._quantified is not None else []
+        if isinstance(before, Word) and self._quantified is not None and before.amount in known:
             size = self._size_word(i)
             if size and w.amount.dimension == "length":
                 self._quantified.adjectives.append(f"@{w.amount.start}:{size}")

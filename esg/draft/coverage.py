@@ -80,6 +80,12 @@ def account(
             add(a.start, a.end, "quantity", "not_understood")
             warnings.append(f'The quantity "{a.text}" was not understood.')
     for e in elements:
+        if (
+            isinstance(e, Word)
+            and e.kind in ("prep", "adv", "sub")
+            and " " in text[e.start : e.end]
+        ):
+            add(e.start, e.end, "modifier", "used", note=f'read as "{e.low}"')
         if isinstance(e, Verb):
             key = (e.start, e.end)
             if key in scene.used:

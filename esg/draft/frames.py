@@ -143,7 +143,7 @@ def background_first(frames: list[Frame]) -> list[Frame]:
         if (
             f.reduced
             and (
-                (progressive and f.verb.sense in _MOVING)
+                (progressive and (f.verb.sense in _MOVING or f.verb.lemma == "do"))
                 or (f.verb.passive and f.verb.sense in ("launch", "drop"))
             )
             and out

@@ -20,6 +20,7 @@ from esg.draft.llm_stages import (
     TimelineReply,
     UnreadableReply,
     WholeReply,
+    bounded,
     read_reply,
     schema_of,
 )
@@ -263,7 +264,7 @@ class Session:
             model=(settings.vision_model if images else None) or settings.model or "",
             instructions=instructions(stage),
             messages=messages,
-            schema=schema_of(stage),
+            schema=bounded(schema_of(stage), settings.max_items, settings.max_text),
             seed=self.seed,
             temperature=settings.temperature,
             max_tokens=settings.max_tokens,

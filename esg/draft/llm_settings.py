@@ -39,6 +39,10 @@ class LlmSettings(BaseSettings):
     """Scenes of a batch in work at a time."""
     max_tokens: int = Field(8192, ge=64)
     """Longest reply."""
+    max_items: int | None = Field(None, ge=1)
+    """Longest list of a reply (maxItems of its schema): small local models ramble without it."""
+    max_text: int | None = Field(None, ge=20)
+    """Longest free text of a reply [characters]."""
     max_reply_bytes: int = Field(4_000_000, ge=1000)
     temperature: float | None = 0.0
     """None sends none, for models that accept only their own."""

@@ -8,6 +8,7 @@ from esg.draft.entities import BODY_PARTS
 from esg.draft.letters import Letters
 from esg.draft.verbphrases import verb_readings
 
+_PIECES = frozenset({"roll", "piece", "slice", "sheet", "lump", "chunk", "coil", "reel", "spool"})
 _MEASURES = frozenset({"mass", "weight", "radius", "diameter", "height", "width", "length"})
 
 
@@ -126,6 +127,8 @@ class NounHeads(Letters):
                     m.adjectives.append(m.head)
                     m.head, m.noun, m.plural, m.known = single, None, is_plural, False
                     j += 1
+        elif low in _PIECES and self._low(j + 1) == "of" and (inner := self._inner(j + 2, m)):
+            return inner
         elif low in BODY_PARTS and (
             self._low(i - 1) == "'s" or m.determiner in ("his", "her", "its", "their")
         ):
@@ -287,6 +290,21 @@ class NounHeads(Letters):
         low = self._low(j)
         many = m.determiner in ("both", "all", "some", "many", "several") and not m.adjectives
         return many and lex.singular(low)[0] == low and bool(verb_readings(low))
+
+    def _inner(self, j: int, m: Mention) -> int | None:
+        """ "a roll of tape": the thing itself, from the start of the whole phrase."""
+        size = len(self.elements)
+        end = self._noun_phrase(j)
+        if end is None or len(self.elements) != size + 1:
+            del self.elements[size:]
+            return None
+        thing = self.elements[-1]
+        if not isinstance(thing, Mention):
+            del self.elements[size:]
+            return None
+        thing.start, thing.determiner = m.start, m.determiner or thing.determiner
+        thing.count, thing.plural = m.count or 1, False
+        return end
 
     def _noun_not_verb(self, k: int, m: Mention) -> bool:
         """ "a cereal bowl off the chair": a bare verb does not follow a singular noun phrase."""

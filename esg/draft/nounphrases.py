@@ -281,12 +281,13 @@ class NounPhrases(NounHeads):
             return False
         known = {x for e in self.elements if isinstance(e, Mention) for x in e.letters}
         if token.text not in known:
-            follows = known and ord(token.text) == ord(max(known)) + 1
+            capitals = [x for x in known if len(x) == 1 and x.isalpha()]
+            follows = bool(capitals) and ord(token.text) == ord(max(capitals)) + 1
             previous = self.elements[-1] if self.elements else None
             after_verb = isinstance(previous, Verb) or (
                 isinstance(previous, Word) and previous.kind in ("prep", "conj")
             )
-            return bool(follows) and after_verb
+            return follows and after_verb
         nxt = self._low(j + 1)
         if token.text != "A":
             return True

@@ -17,6 +17,9 @@ class Pronouns(Registry):
             for ids in reversed(self.salience):
                 if len(ids) == 1 and self.entities[ids[0]].noun.kind == "person":
                     return ids
+            if p in ("he", "she", "someone") and subject:
+                person = lex.nouns()["person"]
+                return [self.add(person, "person", label=p, origin=m.start).id]
             return []
         if p in ("i", "we", "you", "something", "everything"):
             return []
@@ -166,6 +169,10 @@ class Pronouns(Registry):
                 self._rename(chosen, self._new_id(slug(chosen.label)))
                 return [chosen.id]
         ordinal = next((a for a in m.adjectives if a in ORDINALS or a == "last"), None)
+        if last_group and avoid and any(a.endswith("er") for a in m.adjectives):
+            mates = [i for i in last_group if i not in avoid]
+            if mates and "other" not in m.adjectives:
+                return mates[:1]  # "the heavier crate ... the lighter one"
         if last_group and {"top", "upper", "topmost"} & set(m.adjectives):
             return last_group[-1:]
         if last_group and "next" in m.adjectives:

@@ -68,6 +68,9 @@ class ContactSenses(LaunchSenses):
         if not targets and len(movers) >= 2:
             self._mutual(f, movers, time)
             return
+        if not targets and movers and f.object is None and self._names_something(f):
+            self.scene.ignored[(f.verb.start, f.verb.end)] = "what is hit was not understood"
+            return
         if not targets and f.verb.lemma in _STUMBLING:
             self.use(f, "stumbles")
             return
@@ -109,6 +112,11 @@ class ContactSenses(LaunchSenses):
             self._outcomes(f, targets[:1])
         elif o and f.phrase("into", "onto", "toward", "towards") is not None and nodes:
             self._knock_on(f, targets[:1])
+
+    def _names_something(self, f: Frame) -> bool:
+        """Whether an article follows the verb, so that there is an object that was not read."""
+        after = self.text[f.verb.end : f.verb.end + 12].lower().split()
+        return bool(after) and after[0] in ("a", "an", "the", "its", "his", "her")
 
     def _brakes_now(self, actor: str) -> bool:
         track = self.tl.tracks.get(actor)

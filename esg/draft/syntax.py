@@ -113,7 +113,7 @@ _MULTI: tuple[tuple[tuple[str, ...], Literal["prep", "adv", "sub"], str], ...] =
     (("by", "accident"), "adv", "accidentally"),
     (("in", "motion"), "adv", "in motion"),
 )
-_MULTI = tuple(sorted(_MULTI, key=lambda m: -len(m[0])))
+_LONGEST_FIRST = tuple(sorted(_MULTI, key=lambda m: -len(m[0])))
 
 
 class Chunker(NounPhrases):
@@ -220,7 +220,7 @@ class Chunker(NounPhrases):
         )
 
     def _multiword(self, i: int) -> int:
-        for words, kind, low in _MULTI:
+        for words, kind, low in _LONGEST_FIRST:
             if all(self._low(i + k) == w for k, w in enumerate(words)):
                 if words[0] in ("left", "right") and self._previous_is_turn():
                     continue
