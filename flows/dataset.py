@@ -84,6 +84,7 @@ def with_runner(runner: Runner, workers: int) -> Any:
     os.environ.setdefault("OMP_NUM_THREADS", "1")
     os.environ.setdefault("ESG_THREADS", "1")
     if runner == "dask":
+        os.environ.setdefault("DASK_LOGGING__DISTRIBUTED", "error")
         try:
             from prefect_dask import DaskTaskRunner
         except ImportError:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
+import shutil
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from cyclopts import Parameter
@@ -12,6 +13,7 @@ if TYPE_CHECKING:
     from esg.dataset.batch import BatchJob, BatchResult
     from esg.dataset.folder import DatasetFolder
     from esg.dataset.plan import DatasetSpec, Prompt
+    from esg.dataset.remote import Remote
 
 STAGE_LIMIT_S = 900.0
 """A stage that takes longer than this hangs."""
@@ -19,7 +21,7 @@ STAGE_LIMIT_S = 900.0
 
 def dataset(
     *,
-    out: Path,
+    out: str,
     prompts: Path | None = None,
     sample: int | None = None,
     shard: str = "1/1",
@@ -44,7 +46,7 @@ def dataset(
     failures.jsonl says which failed and why, and the exit code is 3.
 
     Args:
-        out: Folder of the dataset.
+        out: Folder of the dataset, or a URL such as s3://bucket/name.
         prompts: A prompt a line (.txt), JSON Lines (prompt, seed, family, expect) or a suite.
         sample: Number of scenes drawn from the scene grammar.
         shard: i/n makes the i-th of n parts; whoever finishes last puts the dataset together.
@@ -66,13 +68,17 @@ def dataset(
     from esg.commands.inputs import check_device
     from esg.dataset.folder import DatasetFolder
     from esg.dataset.plan import DatasetSpec, Shard
+    from esg.dataset.remote import Remote, is_url, staging_folder
     from esg.outcomes import UserError
     from esg.scenefolder import check_writable
 
     part = Shard.parse(shard)
-    folder = DatasetFolder(out)
+    remote = Remote(out) if is_url(out) else None
+    folder = DatasetFolder(staging_folder(out) if remote else Path(out), out)
     if workers is not None and not 1 <= workers <= 256:
         raise UserError(f"--workers {workers}: choose 1 to 256")
+    if remote is not None:
+        remote.pull_beginning(folder.path)
     if prompts is None and sample is None and resume and (found := folder.spec()) is not None:
         spec, texts = found, folder.prompts()
     else:
@@ -83,10 +89,13 @@ def dataset(
             "device": check_device(device),
         }  # fmt: skip
         spec = DatasetSpec(**source, **options)
-    check_writable(out)
+    check_writable(folder.path)
     with folder.locked(part), progress(spec.n, "starting") as bar:
         run = folder.begin(spec, texts, resume=resume)
-        summary = _build(folder, spec, texts, run, part.batches(spec), runner, workers, bar)
+        if remote is not None and not folder.finished():
+            remote.push_beginning(folder.path)
+        options = {"runner": runner, "workers": workers, "bar": bar, "remote": remote}
+        summary = _build(folder, spec, texts, run, part.batches(spec), **options)
     if json:
         emit(summary)
     else:
@@ -141,6 +150,7 @@ def _build(
     runner: str,
     workers: int | None,
     bar: Any,
+    remote: Remote | None,
 ) -> dict[str, Any]:
     from esg.dataset.finish import clean, finish
     from esg.dataset.folder import finish_lock
@@ -148,12 +158,12 @@ def _build(
 
     if folder.finished():
         clean(folder.path)
-        return _summary(folder, spec, {})
-    done = folder.done(numbers)
+        return _summary(folder, spec, {}, remote)
+    done = folder.done(numbers, remote)
     bar.step(f"{sum(r.scenes for r in done.values())} made before", _scenes(done.values()))
     left = [n for n in numbers if n not in done]
     if left:
-        jobs = _jobs(folder, spec, texts, run, left)
+        jobs = _jobs(folder, spec, texts, run, left, remote)
         try:
             for result in _make(jobs, runner, workers, bar):
                 done[result.number] = result
@@ -163,14 +173,20 @@ def _build(
                 "kept, run the same command with --resume to go on",
                 exit_code=1,
             ) from None
-    everything = folder.done(range(spec.n_batches))
-    if len(everything) == spec.n_batches:
-        bar.show("putting together")
-        with finish_lock(folder.path):
-            if not folder.finished():
-                finish(folder, spec, everything)
-        return _summary(folder, spec, {})
-    return _summary(folder, spec, done)
+    everything = folder.done(range(spec.n_batches), remote)
+    if len(everything) < spec.n_batches:
+        return _summary(folder, spec, done, remote)
+    bar.show("putting together")
+    with finish_lock(folder.path):
+        if remote is not None:
+            remote.pull(folder.path, [f for r in everything.values() for f in r.files])
+        if not folder.finished():
+            finish(folder, spec, everything)
+        summary = _summary(folder, spec, {}, remote)
+        if remote is not None:
+            remote.push_dataset(folder.path)
+            shutil.rmtree(folder.path, ignore_errors=True)
+    return summary
 
 
 def _scenes(results: Any) -> int:
@@ -178,7 +194,12 @@ def _scenes(results: Any) -> int:
 
 
 def _jobs(
-    folder: DatasetFolder, spec: DatasetSpec, texts: Sequence[Prompt], run: Any, left: list[int]
+    folder: DatasetFolder,
+    spec: DatasetSpec,
+    texts: Sequence[Prompt],
+    run: Any,
+    left: list[int],
+    remote: Remote | None,
 ) -> list[BatchJob]:
     from esg.dataset.batch import BatchJob, batch_name
     from esg.dataset.plan import plan_scenes
@@ -194,6 +215,7 @@ def _jobs(
             out=out,
             work=out / "work" / batch_name(n),
             stage_limit_s=STAGE_LIMIT_S,
+            url=remote.url if remote else "",
         )
         for n in left
     ]
@@ -221,16 +243,20 @@ def _make(jobs: list[BatchJob], runner: str, workers: int | None, bar: Any) -> l
 
 
 def _summary(
-    folder: DatasetFolder, spec: DatasetSpec, done: dict[int, BatchResult]
+    folder: DatasetFolder,
+    spec: DatasetSpec,
+    done: dict[int, BatchResult],
+    remote: Remote | None,
 ) -> dict[str, Any]:
     """What `--json` prints: of the whole dataset, or of this shard while others are missing."""
     import json
 
     from esg.dataset.folder import INFO
 
+    place = remote.url if remote else str(folder.path)
     base = {
         "dataset": spec.name(),
-        "folder": str(folder.path),
+        "folder": place,
         "planned": spec.n,
         "complete": folder.finished(),
     }
@@ -245,7 +271,7 @@ def _summary(
             "failed": failed,
             "outcomes": facts["outcomes"],
             "splits": info["scenes_per_split"],
-            "failures": str(folder.path / "failures.jsonl") if failed else None,
+            "failures": f"{place}/failures.jsonl" if failed else None,
         }
     outcomes: dict[str, int] = {}
     for result in done.values():

@@ -46,6 +46,7 @@ class BatchJob:
         work: Local folder for the stages of this batch; deleted when it is done.
         stage_limit_s: A stage that runs longer ends the worker; 0: no limit.
         keep_work: Whether to leave the stages' results in `work`.
+        url: Where finished batches go (esg.dataset.remote); empty: they stay in `out`.
     """
 
     number: int
@@ -56,6 +57,7 @@ class BatchJob:
     work: Path
     stage_limit_s: float = 0.0
     keep_work: bool = False
+    url: str = ""
 
     @property
     def name(self) -> str:
@@ -122,7 +124,20 @@ def make_batch(job: BatchJob) -> BatchResult:
 
     with batch_lock(job.out, job.number):
         done = read_mark(job.out, job.number)
-        return _make(job) if done is None else done
+        result = _make(job) if done is None else done
+        if job.url:
+            _deliver(job, result)
+        return result
+
+
+def _deliver(job: BatchJob, result: BatchResult) -> None:
+    """Brings a batch to where the dataset is, its mark last."""
+    from esg.dataset.folder import mark_name
+    from esg.dataset.remote import Remote
+
+    remote, mark = Remote(job.url), mark_name(job.number)
+    if not remote.has(mark):
+        remote.push(job.out, [*result.files, mark])
 
 
 def _make(job: BatchJob) -> BatchResult:

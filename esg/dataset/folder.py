@@ -29,6 +29,7 @@ from esg.outcomes import UserError
 from esg.store.files import atomic_file
 
 if TYPE_CHECKING:
+    from esg.dataset.remote import Remote
     from esg.store.records import RunInfo
 
 PLAN = Path("meta") / "plan.json"
@@ -42,10 +43,12 @@ class DatasetFolder:
 
     Args:
         path: The folder; need not exist.
+        label: What messages call it; default the path.
     """
 
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Path, label: str = "") -> None:
         self.path = path
+        self.label = label or str(path)
 
     def begin(self, spec: DatasetSpec, prompts: Sequence[Prompt], *, resume: bool) -> RunInfo:
         """Makes the folder, or checks that it holds this very dataset.
@@ -66,20 +69,20 @@ class DatasetFolder:
             if not resume:
                 state = "is complete" if self.finished() else "was begun"
                 raise UserError(
-                    f"{self.path} holds a dataset that {state}; add --resume to go on with it "
+                    f"{self.label} holds a dataset that {state}; add --resume to go on with it "
                     "(finished scenes are kept), or choose another --out"
                 )
             differences = spec.differences(found)
             if differences:
                 lines = "\n".join(f"  {d}" for d in differences)
                 raise UserError(
-                    f"{self.path} was begun with other settings; repeat those, or choose another "
+                    f"{self.label} was begun with other settings; repeat those, or choose another "
                     f"--out:\n{lines}"
                 )
         elif self.path.exists() and any(
             p for p in self.path.iterdir() if not p.name.startswith(".")
         ):
-            raise UserError(f"{self.path} holds files but no dataset; choose another --out")
+            raise UserError(f"{self.label} holds files but no dataset; choose another --out")
         run = self._run(spec)
         if found is None:
             if prompts:
@@ -117,9 +120,21 @@ class DatasetFolder:
         """Whether the dataset has been put together."""
         return (self.path / INFO).is_file()
 
-    def done(self, numbers: Sequence[int]) -> dict[int, BatchResult]:
-        """Results of the finished ones among some batches."""
-        found = ((n, read_mark(self.path, n)) for n in numbers)
+    def done(self, numbers: Sequence[int], remote: Remote | None = None) -> dict[int, BatchResult]:
+        """Results of the finished ones among some batches.
+
+        Args:
+            numbers: Of the batches.
+            remote: Where the dataset is, if it is elsewhere: the marks there count, and those here
+                of batches that have not arrived do not.
+        """
+        if remote is None:
+            found = ((n, read_mark(self.path, n)) for n in numbers)
+            return {n: result for n, result in found if result is not None}
+        there = set(remote.names("marks"))
+        wanted = [n for n in numbers if mark_name(n) in there]
+        remote.pull(self.path, [mark_name(n) for n in wanted])
+        found = ((n, read_mark(self.path, n, parts=False)) for n in wanted)
         return {n: result for n, result in found if result is not None}
 
     def run(self) -> RunInfo:
@@ -149,7 +164,7 @@ class DatasetFolder:
             return now
         if run.code_version != now.code_version and not self.finished():
             raise UserError(
-                f"{self.path} was begun with version {run.version} (code {run.code_version}) of "
+                f"{self.label} was begun with version {run.version} (code {run.code_version}) of "
                 f"this software; this is {now.version} (code {now.code_version}), and scenes of "
                 "two versions do not mix: finish it with the former, or choose another --out"
             )
@@ -161,7 +176,7 @@ class DatasetFolder:
                 file.write(f"{text.rstrip()}\n".encode())
         except OSError as error:
             raise UserError(
-                f"cannot write to --out {self.path}: {error.strerror or error}"
+                f"cannot write to --out {self.label}: {error.strerror or error}"
             ) from None
 
     @contextlib.contextmanager
@@ -178,7 +193,7 @@ class DatasetFolder:
             self.path.mkdir(parents=True, exist_ok=True)
             file = (self.path / name).open("a")
         except OSError as error:
-            raise UserError(f"cannot write to --out {self.path}: {error.strerror}") from None
+            raise UserError(f"cannot write to --out {self.label}: {error.strerror}") from None
         with file:
             try:
                 fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
@@ -186,7 +201,7 @@ class DatasetFolder:
                 if error.errno not in (errno.EAGAIN, errno.EACCES):
                     raise
                 raise UserError(
-                    f"another process is working on {self.path}; wait for it, give each its own "
+                    f"another process is working on {self.label}; wait for it, give each its own "
                     "--shard, or choose another --out"
                 ) from None
             yield
@@ -240,18 +255,29 @@ def current_run(spec: DatasetSpec) -> RunInfo:
 
 def write_mark(out: Path, result: BatchResult) -> None:
     """Says that a batch is done; its files are complete by then."""
-    with atomic_file(out / "marks" / f"{batch_name(result.number)}.json") as file:
+    with atomic_file(out / mark_name(result.number)) as file:
         file.write(result.to_json().encode())
 
 
-def read_mark(out: Path, number: int) -> BatchResult | None:
-    """What came of a finished batch; None if it is not finished or a file of it is missing."""
-    path = out / "marks" / f"{batch_name(number)}.json"
+def mark_name(number: int) -> str:
+    """Where a batch's mark is in the dataset's folder."""
+    return f"marks/{batch_name(number)}.json"
+
+
+def read_mark(out: Path, number: int, *, parts: bool = True) -> BatchResult | None:
+    """What came of a finished batch; None if it is not finished or a file of it is missing.
+
+    Args:
+        out: Folder of the dataset.
+        number: Of the batch.
+        parts: Whether its files must be there.
+    """
+    path = out / mark_name(number)
     try:
         result = BatchResult.from_json(path.read_text("utf-8"))
     except (OSError, ValueError, TypeError):
         return None
-    if (out / INFO).is_file():
+    if not parts or (out / INFO).is_file():
         return result  # the parts have become the dataset
     for name, size in result.files.items():
         try:
