@@ -5,8 +5,6 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from esg.engines.scene import Rollout, SimScene
 from esg.view.camera import Camera, frame_points
 
@@ -42,13 +40,7 @@ def action_cameras(
 
     points = action_points(scene, rollout, verdict, doc, _STEPS)
     side = facing_side(scene, rollout, verdict, doc)
-    low, high = points.min(axis=0), points.max(axis=0)
-    pad = 0.04 * float(np.max(high - low))
-    low = np.array([low[0] - pad, low[1] - pad, max(0.0, low[2] - pad)])
-    high = high + pad
-    corners = np.array([[x, y, z] for x in (low[0], high[0]) for y in (low[1], high[1])
-                        for z in (low[2], high[2])])  # fmt: skip
     return [
-        frame_points(corners, side + math.radians(turn), math.radians(elevation), aspect)
+        frame_points(points, side + math.radians(turn), math.radians(elevation), aspect)
         for turn, elevation in list(zip(TURNS_DEG, ELEVATIONS_DEG, strict=True))[:count]
     ]

@@ -30,6 +30,8 @@ LOOP_FPS = 10
 LOOP_FRAMES = 20
 LOOP_LEAD_S = 0.8
 """The loop starts so long before the first event."""
+ACTION_LEAD_S, ACTION_TAIL_S = 0.6, 0.4
+"""Fixed cameras keep in view what happens so long before the first event and after the last."""
 MAX_EVENTS = 7
 REACH = 4.5
 """Company joins the picture if it widens it by at most this factor."""
@@ -415,7 +417,9 @@ def action_points(
     doc: EsgDocument,
     steps: int,
 ) -> NDArray[np.float64]:
-    """Corners of what the scene is about at `steps` instants from its start to its last event.
+    """Corners of what the scene is about at `steps` instants around its events.
+
+    Without events, from the start to the end.
 
     Args:
         scene: The bodies.
@@ -428,10 +432,13 @@ def action_points(
         World points [m], shape [n, 3].
     """
     moments = _moments(scene, rollout, verdict, doc)
-    first, last = moments[0], moments[-1]
+    first, start, end = moments[0], moments[0].time, moments[-1].time
+    if len(moments) > 2:
+        start = max(start, moments[1].time - ACTION_LEAD_S)
+        end = min(end, moments[-2].time + ACTION_TAIL_S)
     points = [
         _frame_set(scene, rollout, replace(first, time=float(time)), _frame(rollout, float(time)))
-        for time in np.linspace(first.time, last.time, steps)
+        for time in np.linspace(start, end, steps)
     ]
     return np.concatenate(points)
 
