@@ -51,7 +51,8 @@ class Ops:
     pose_b: wp.array(dtype=int)
     """Versions of poses; MOVE writes `pose_b`. After a hit in the step before, its `b` is the pose
     of that step, and `contact`, `impulse_in`, `out_b` are the velocities at the start of that step,
-    of the one before it, and of this one. After a change of control `b` is -2 - its number."""
+    of the one before it, and of this one. After a change of control `b` is -2 - its number
+    and `impulse_out` the velocity after it."""
     contact: wp.array(dtype=int)
     """Of a contact; for ACT 1 in its first step, plus 2 in the last step of a hold that ends by its
     time; for FORCES the primitive that set the angular damping."""
@@ -93,6 +94,8 @@ class Versions:
     now_x: wp.array2d(dtype=int)
     free_v: wp.array2d(dtype=int)
     """Of the velocity before the contacts of the step, [W, B]."""
+    set_v: wp.array2d(dtype=int)
+    """Of the velocity after the program's actions of the step, [W, B]."""
     last_i: wp.array2d(dtype=int)
     """Latest impulse version of a contact of the step, [W, C]."""
     number: wp.array2d(dtype=int)
@@ -247,17 +250,23 @@ def _speeding(
 def _control_change(model: Model, trace: Trace, w: int, step: int, i: int) -> int:
     """Primitive that changes a body's acceleration from this step on, or -1.
 
-    2 k stands for new damping by primitive k, 2 k + 1 for the end of hold k by its time.
+    3 k stands for new damping or an impulse by primitive k, 3 k + 1 for the end of hold k by its
+    time, 3 k + 2 for a velocity set by k.
     """
     out = int(-1)  # noqa: RUF046, UP018  # a variable to Warp
-    if step == 0 or _acts(model, trace, w, step, i, 1):
+    if step == 0:
         return out
     for k in range(model.n_primitives):
         if model.target[k] == i:
-            if model.action[k] == 2 and trace.fired[w, step, k] != 0 and out < 0:
-                out = 2 * k
-            if model.action[k] == 3 and trace.fired[w, step - 1, k] == 2:
-                out = 2 * k + 1
+            kind = model.action[k]
+            if kind == 3 and trace.fired[w, step, k] != 0:
+                return -1
+            if kind == 3 and trace.fired[w, step - 1, k] == 2:
+                out = 3 * k + 1
+            if kind == 0 and trace.fired[w, step, k] != 0:
+                out = 3 * k + 2
+            if kind != 3 and kind != 0 and trace.fired[w, step, k] != 0 and out < 0:
+                out = 3 * k
     return out
 
 
@@ -323,6 +332,7 @@ def link(
             next_v += 1
             q += 1
         for i in range(model.n_bodies):
+            ver.set_v[w, i] = ver.now_v[w, i]
             if model.dynamic[i] == 0 or trace.awake[w, step, i] == 0:
                 continue
             damper = int(-1)  # noqa: RUF046, UP018  # a variable to Warp
@@ -405,7 +415,7 @@ def link(
                     ops.b[q] = -2 - change
                     ops.contact[q] = ver.velocity_at[w, step, i]
                     ops.impulse_in[q] = ver.velocity_at[w, step - 1, i]
-                    ops.out_b[q] = ver.velocity_at[w, step, i]
+                    ops.impulse_out[q] = ver.set_v[w, i]
                 ver.kick[w, i] = -1
                 if hit and step > 0 and not _acts(model, trace, w, step, i, 0):
                     if not _acts(model, trace, w, step - 1, i, 0) and ver.hit[w, i] != step:

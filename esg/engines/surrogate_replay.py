@@ -331,6 +331,7 @@ def _move(
     now: int,
     was: int,
     start: int,
+    after: int,
     frozen_late: wp.array(dtype=float),
     w: int,
     table: wp.array3d(dtype=wp.float64),
@@ -345,13 +346,15 @@ def _move(
         more = (late[kick][0] / wp.max(late[kick][1], 1.0e-20) - frozen_late[kick]) / dt
         V[vout] = V[vend] + (V[now] - V[was] - V[vend] + V[start]) * more
     elif kick <= -2:
-        k = (-2 - kick) / 2
-        column = (-2 - kick) % 2
+        k = (-2 - kick) / 3
+        what = (-2 - kick) % 3
+        column = wp.where(what == 1, 1, 0)
         moved = float(table[w, k, column] - frozen[w, k, column]) / dt
-        if column == 0:
-            V[vout] = V[vend] + (V[now] - V[was] - V[vend] + V[start]) * moved
+        # The velocity that the program set is `after`; what it was before counts only if it was kept.
+        if what == 0:
+            V[vout] = V[vend] + (V[now] - V[was] - V[vend] + V[after]) * moved
         else:
-            V[vout] = V[vend] + (V[start] - V[vend]) * moved
+            V[vout] = V[vend] + (V[after] - V[vend]) * moved
     else:
         V[vout] = V[vend]
     turn = O[vend] * (dt - wait) + O[vfree] * wait
@@ -411,7 +414,7 @@ def replay(
         elif kind == 5:
             _move(
                 model, a, h, va, vb, ops.out_a[q], pa, pb, V, O, X, R, late, shift, b, c,
-                ops.impulse_in[q], ops.out_b[q], frozen_late, w, table, frozen,
+                ops.impulse_in[q], ops.out_b[q], ops.impulse_out[q], frozen_late, w, table, frozen,
             )  # fmt: skip
         elif kind == 1:
             _forces(model, w, a, b, c, h, table, damping, va, ops.out_a[q], pa, V, O, R, inverse)

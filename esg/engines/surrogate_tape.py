@@ -217,7 +217,7 @@ class Replay:
         self.feat.speeding = wp.zeros(n_c, dtype=wp.vec4i, device=device)
         ver = so.Versions()
         ver.velocity, ver.pose, ver.impulse = up(self.first_v), up(self.first_x), up(first_j)
-        for name in ("now_v", "now_x", "free_v", "kick", "hit"):
+        for name in ("now_v", "now_x", "free_v", "kick", "hit", "set_v"):
             setattr(ver, name, wp.zeros((w, b), dtype=int, device=device))
         for name in ("last_i", "number"):
             setattr(ver, name, wp.zeros((w, run.room.contacts), dtype=int, device=device))
