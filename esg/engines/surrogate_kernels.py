@@ -5,7 +5,8 @@ from __future__ import annotations
 # pyright: basic, reportGeneralTypeIssues=false, reportInvalidTypeForm=false
 import warp as wp
 
-from esg.engines.surrogate_solver import find_contacts, move, prepare_bodies, solve, wake
+from esg.engines.surrogate_contacts import find_contacts, prepare_bodies, wake
+from esg.engines.surrogate_solver import move, solve
 from esg.engines.surrogate_types import Contacts, Log, Model, Raw, State, Trace
 
 wp.set_module_options({"enable_backward": False})

@@ -176,6 +176,7 @@ class Replay:
 
     def __init__(self, taped: TapedRollout, steps: NDArray[np.int64]) -> None:
         from esg.engines import surrogate_ops as so
+        from esg.engines.surrogate_features import Features
 
         self.taped, self.wp = taped, taped.wp
         wp, run, device = self.wp, taped.run, taped.device
@@ -203,7 +204,7 @@ class Replay:
         for name in ("kind", "step", "a", "b", "in_a", "in_b", "out_a", "out_b", "pose_a", "pose_b",
                      "contact", "impulse_in", "impulse_out"):  # fmt: skip
             setattr(self.ops, name, ints(total))
-        self.feat = so.Features()
+        self.feat = Features()
         n_c = max(1, int(taped._used.sum()))
         self.feat.first = up(self.contact_first)
         for name in ("world", "step", "body_a", "body_b", "mode"):

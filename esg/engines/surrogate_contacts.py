@@ -1,0 +1,324 @@
+"""Forces, waking and contacts of one step of the fused surrogate, as Warp functions.
+
+A contact that closes within the step is measured at the moment of touch.
+"""
+
+from __future__ import annotations
+
+# pyright: basic, reportGeneralTypeIssues=false, reportInvalidTypeForm=false
+import warp as wp
+
+from esg.engines.surrogate_geometry import collide_ground, collide_shapes, near
+from esg.engines.surrogate_types import Contacts, Model, Raw, State
+
+wp.set_module_options({"enable_backward": False})
+
+RESTITUTION_THRESHOLD_MPS = wp.constant(0.2)
+GAP_M = wp.constant(0.002)
+"""Contacts this close are kept even if they do not close."""
+LOOK_AHEAD_M = wp.constant(0.25)
+SLOP_M = wp.constant(0.0005)
+PUSH = wp.constant(0.1)
+"""Share of the overlap beyond the slop that a step removes."""
+PUSH_MPS = wp.constant(0.5)
+
+
+@wp.func
+def turned(inertia: wp.mat33, r: wp.quat) -> wp.mat33:
+    """A tensor in body axes, in world axes."""
+    m = wp.quat_to_matrix(r)
+    return m @ inertia @ wp.transpose(m)
+
+
+@wp.func
+def tangent(n: wp.vec3) -> wp.vec3:
+    """A unit vector orthogonal to `n`."""
+    t = wp.vec3(0.0, -n[2], n[1])
+    if wp.abs(n[0]) > 0.7:
+        t = wp.vec3(n[1], -n[0], 0.0)
+    return wp.normalize(t)
+
+
+@wp.func
+def prepare_bodies(model: Model, state: State, w: int, dt: float):
+    """Gravity, damping and inertia in world axes of everything that is awake."""
+    for i in range(model.n_bodies):
+        state.delay[w, i] = wp.vec2()
+        if model.dynamic[i] != 0 and state.awake[w, i] != 0:
+            damping = state.damping[w, i]
+            v = state.v[w, i] + model.gravity * dt
+            state.v[w, i] = v * wp.max(0.0, 1.0 - damping[0] * dt)
+            state.o[w, i] = state.o[w, i] * wp.max(0.0, 1.0 - damping[1] * dt)
+            state.inverse[w, i] = turned(
+                model.inverse_inertia[i] * (1.0 / model.factor[w, i]), state.r[w, i]
+            )
+
+
+@wp.func
+def _margin(model: Model, state: State, w: int, i: int, j: int, dt: float) -> float:
+    # Not the relative speed: a third body may stop one of the two within the step.
+    fast = wp.length(state.v[w, i]) + wp.length(state.v[w, j])
+    fast = fast + wp.length(state.o[w, i]) * model.reach[i]
+    fast = fast + wp.length(state.o[w, j]) * model.reach[j]
+    return wp.min(GAP_M + fast * dt, LOOK_AHEAD_M)
+
+
+@wp.func
+def _bodies_near(model: Model, state: State, w: int, i: int, j: int, margin: float) -> bool:
+    limit = model.reach[i] + model.reach[j] + margin
+    return wp.length_sq(state.x[w, i] - state.x[w, j]) < limit * limit
+
+
+@wp.func
+def _shapes_near(model: Model, state: State, w: int, i: int, j: int, margin: float) -> bool:
+    for s in range(model.first[i], model.first[i + 1]):
+        rs = state.r[w, i] * model.rotation[s]
+        xs = state.x[w, i] + wp.quat_rotate(state.r[w, i], model.position[s])
+        for q in range(model.first[j], model.first[j + 1]):
+            rq = state.r[w, j] * model.rotation[q]
+            xq = state.x[w, j] + wp.quat_rotate(state.r[w, j], model.position[q])
+            if near(model, s, xs, rs, q, xq, rq, margin):
+                return True
+    return False
+
+
+@wp.func
+def wake(model: Model, state: State, w: int, dt: float):
+    """Wakes sleeping bodies that something awake comes close to."""
+    for i in range(model.n_bodies):
+        if model.dynamic[i] != 0 and state.awake[w, i] != 0 and state.idle[w, i] == 0:
+            for j in range(model.n_bodies):
+                if model.dynamic[j] == 0 or state.awake[w, j] != 0:
+                    continue
+                margin = _margin(model, state, w, i, j, dt)
+                if not _bodies_near(model, state, w, i, j, margin):
+                    continue
+                if _shapes_near(model, state, w, i, j, margin):
+                    state.awake[w, j] = 1
+                    state.idle[w, j] = 0
+                    state.inverse[w, j] = turned(
+                        model.inverse_inertia[j] * (1.0 / model.factor[w, j]), state.r[w, j]
+                    )
+                    drag = wp.max(0.0, 1.0 - state.damping[w, j][0] * dt)
+                    state.v[w, j] = model.gravity * dt * drag
+
+
+@wp.func
+def point_velocity(state: State, w: int, i: int, arm: wp.vec3) -> wp.vec3:
+    """Velocity of a point of a body; the ground rests."""
+    if i < 0:
+        return wp.vec3()
+    return state.v[w, i] + wp.cross(state.o[w, i], arm)
+
+
+@wp.func
+def free(model: Model, state: State, w: int, i: int) -> bool:
+    """Whether impulses move a body: it is neither the ground nor static nor asleep."""
+    if i < 0:
+        return False
+    return model.dynamic[i] != 0 and state.awake[w, i] != 0
+
+
+@wp.func
+def _yields(model: Model, state: State, w: int, i: int, arm: wp.vec3, n: wp.vec3) -> float:
+    """How much a unit impulse along `n` changes the velocity of a point along `n` [1/kg]."""
+    if not free(model, state, w, i):
+        return 0.0
+    c = wp.cross(arm, n)
+    return 1.0 / model.mass[w, i] + wp.dot(c, state.inverse[w, i] @ c)
+
+
+@wp.func
+def _place(state: State, w: int, i: int, ahead: float) -> wp.vec3:
+    """Where a body's centre is some time into the step."""
+    return state.x[w, i] + state.v[w, i] * ahead
+
+
+@wp.func
+def facing(state: State, w: int, i: int, ahead: float) -> wp.quat:
+    """A body's orientation some time into the step."""
+    turn = state.o[w, i] * ahead
+    angle = wp.length(turn)
+    if angle < 1.0e-9:
+        return state.r[w, i]
+    return wp.normalize(wp.quat_from_axis_angle(turn / angle, angle) * state.r[w, i])
+
+
+@wp.func
+def _first_touch(state: State, raw: Raw, w: int, a: int, b: int, dt: float) -> float:
+    """When within the step the first of the points in `raw` closes at speed; 0 if none does."""
+    first = float(1.0e6)  # noqa: UP018  # a variable to Warp, not a constant
+    for k in range(raw.count[w]):
+        n = -raw.normal[w, k]
+        gap = raw.distance[w, k]
+        arm_a = raw.point[w, k] - state.x[w, a]
+        arm_b = raw.point[w, k] - state.x[w, b]
+        u = point_velocity(state, w, a, arm_a) - point_velocity(state, w, b, arm_b)
+        approach = wp.dot(n, u)
+        closes = gap > 0.0 and gap + approach * dt < 0.0
+        if closes and approach < -RESTITUTION_THRESHOLD_MPS:
+            first = wp.min(first, -gap / approach)
+    if first > dt:
+        return 0.0
+    return first
+
+
+@wp.func
+def _pair(
+    model: Model,
+    state: State,
+    raw: Raw,
+    con: Contacts,
+    w: int,
+    step: int,
+    i: int,
+    j: int,
+    s: int,
+    q: int,
+    margin: float,
+    dt: float,
+):
+    """Contacts of two shapes, measured at the moment of touch if they hit within the step."""
+    early = float(0.0)  # noqa: UP018  # a variable to Warp, not a constant
+    for attempt in range(2):
+        ri = facing(state, w, i, early)
+        rj = facing(state, w, j, early)
+        xs = _place(state, w, i, early) + wp.quat_rotate(ri, model.position[s])
+        xq = _place(state, w, j, early) + wp.quat_rotate(rj, model.position[q])
+        collide_shapes(model, raw, s, xs, ri * model.rotation[s], q, xq, rj * model.rotation[q],
+                       margin)  # fmt: skip
+        if attempt == 0:
+            early = _first_touch(state, raw, w, i, j, dt)
+            if early <= 0.0:
+                break
+    _add_contacts(model, state, raw, con, w, step, i, j, s, q, margin, early, dt)
+
+
+@wp.func
+def _add_contacts(
+    model: Model,
+    state: State,
+    raw: Raw,
+    con: Contacts,
+    w: int,
+    step: int,
+    a: int,
+    b: int,
+    shape_a: int,
+    shape_b: int,
+    margin: float,
+    early: float,
+    dt: float,
+):
+    """Turns the points in `raw` into contacts if they touch or will touch within the step."""
+    row = wp.min(step, con.count.shape[1] - 1)
+    limit = con.a.shape[1]
+    room = limit
+    if con.base > 0:
+        room = wp.min(limit, con.base * (row + 1))
+    for k in range(raw.count[w]):
+        n = -raw.normal[w, k]
+        gap = raw.distance[w, k]
+        arm_a = raw.point[w, k] + n * (0.5 * gap) - _place(state, w, a, early)
+        arm_b = raw.point[w, k] - n * (0.5 * gap)
+        if b >= 0:
+            arm_b = arm_b - _place(state, w, b, early)
+        approach = wp.dot(
+            n, point_velocity(state, w, a, arm_a) - point_velocity(state, w, b, arm_b)
+        )
+        if gap > margin and gap + wp.min(approach, 0.0) * (dt - early) > GAP_M:
+            continue
+        slot = con.base * row + con.count[w, row]
+        if slot >= room:
+            con.dropped[w] = con.dropped[w] + 1
+            continue
+        con.count[w, row] = con.count[w, row] + 1
+        restitution = model.restitution[w, a]
+        if b >= 0:
+            restitution = 0.5 * (restitution + model.restitution[w, b])
+            con.friction[w, slot] = 0.5 * (state.friction[w, a] + state.friction[w, b])
+        else:
+            restitution = 0.5 * (restitution + model.ground[w][2])
+            con.friction[w, slot] = 0.5 * (
+                state.friction[w, a] + model.ground[w][wp.min(1, model.wheeled[a])]
+            )
+        wanted = -gap / dt
+        delay = float(0.0)  # noqa: UP018  # a variable to Warp, not a constant
+        if gap < 0.0:
+            wanted = wp.min(PUSH * wp.max(-gap - SLOP_M, 0.0) / dt, PUSH_MPS)
+        if approach < -RESTITUTION_THRESHOLD_MPS and gap + approach * (dt - early) < 0.0:
+            wanted = wp.max(-restitution * approach, wp.min(wanted, PUSH_MPS))
+            if gap > 0.0 or early > 0.0:
+                wanted = -restitution * approach
+                delay = wp.max(early - gap / approach, 1.0e-6)
+        t1 = tangent(n)
+        t2 = wp.cross(n, t1)
+        share = wp.vec3()
+        for d in range(3):
+            direction = n
+            if d == 1:
+                direction = t1
+            if d == 2:
+                direction = t2
+            share[d] = 1.0 / (
+                _yields(model, state, w, a, arm_a, direction)
+                + _yields(model, state, w, b, arm_b, direction)
+            )
+        con.a[w, slot] = a
+        con.b[w, slot] = b
+        con.shape_a[w, slot] = shape_a
+        con.shape_b[w, slot] = shape_b
+        con.normal[w, slot] = n
+        con.arm_a[w, slot] = arm_a
+        con.arm_b[w, slot] = arm_b
+        con.gap[w, slot] = gap
+        con.wanted[w, slot] = wanted
+        con.delay[w, slot] = delay
+        con.share[w, slot] = share
+        con.impulse[w, slot] = wp.vec3()
+        con.used[w, slot] = 0
+        con.early[w, slot] = early
+        con.turn_a[w, slot] = facing(state, w, a, early)
+        if b >= 0:
+            con.turn_b[w, slot] = facing(state, w, b, early)
+
+
+@wp.func
+def find_contacts(
+    model: Model, state: State, raw: Raw, con: Contacts, w: int, step: int, dt: float
+):
+    """Collects the contacts of the step that starts now."""
+    for i in range(model.n_bodies):
+        state.before_v[w, i] = state.v[w, i]
+        state.before_o[w, i] = state.o[w, i]
+    con.count[w, wp.min(step, con.count.shape[1] - 1)] = 0
+    for i in range(model.n_bodies):
+        moves = model.dynamic[i] != 0 and state.awake[w, i] != 0
+        if moves:
+            margin = (
+                GAP_M + (wp.length(state.v[w, i]) + wp.length(state.o[w, i]) * model.reach[i]) * dt
+            )
+            if state.x[w, i][2] < model.reach[i] + margin:
+                for s in range(model.first[i], model.first[i + 1]):
+                    rs = state.r[w, i] * model.rotation[s]
+                    xs = state.x[w, i] + wp.quat_rotate(state.r[w, i], model.position[s])
+                    if xs[2] < model.radius[s] + margin:
+                        collide_ground(model, raw, s, xs, rs, margin)
+                        _add_contacts(model, state, raw, con, w, step, i, -1, s, -1, 0.0, 0.0, dt)
+        for j in range(i + 1, model.n_bodies):
+            other = model.dynamic[j] != 0 and state.awake[w, j] != 0
+            if not moves and not other:
+                continue
+            if model.first[i] == model.first[i + 1] or model.first[j] == model.first[j + 1]:
+                continue
+            margin = _margin(model, state, w, i, j, dt)
+            if not _bodies_near(model, state, w, i, j, margin):
+                continue
+            for s in range(model.first[i], model.first[i + 1]):
+                rs = state.r[w, i] * model.rotation[s]
+                xs = state.x[w, i] + wp.quat_rotate(state.r[w, i], model.position[s])
+                for q in range(model.first[j], model.first[j + 1]):
+                    rq = state.r[w, j] * model.rotation[q]
+                    xq = state.x[w, j] + wp.quat_rotate(state.r[w, j], model.position[q])
+                    if near(model, s, xs, rs, q, xq, rq, margin):
+                        _pair(model, state, raw, con, w, step, i, j, s, q, margin, dt)
