@@ -1,0 +1,75 @@
+"""Nights: verdicts against history, folders, the command's checks."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from esg.commands.serve import check_cron, describe, serve
+from esg.nightly import history_row, verdict
+from esg.outcomes import UserError
+from esg.store import ingest, write_tables
+from tests.store.samples import record, run_info
+
+
+def night(folder: Path, day: int, complete: bool) -> str:
+    run = run_info(f"night-{day}", day=day)
+    records = [record(run, "S1", seed, complete=complete) for seed in (0, 1)]
+    ingest(folder / "x.duckdb", write_tables(folder / "parts", records, name=run.run_id).values())
+    return run.run_id
+
+
+def test_a_worse_night_is_a_regression_until_it_is_good_again(tmp_path: Path) -> None:
+    db = tmp_path / "x.duckdb"
+    first, second, third, fourth = (
+        night(tmp_path, day, good) for day, good in ((1, True), (2, False), (3, False), (4, True))
+    )
+    assert "nothing to compare" in verdict(history_row(db, first))
+    for bad in (second, third):
+        row = history_row(db, bad)
+        assert (row["regressed"], row["last_good"]) == (True, first)
+        assert verdict(row).startswith("REGRESSED: events -1")
+    row = history_row(db, fourth)
+    assert (row["regressed"], verdict(row).split(":")[0]) == (False, "no worse")
+
+
+def test_runs_that_are_not_recorded_are_said_to_be(tmp_path: Path) -> None:
+    night(tmp_path, 1, True)
+    assert history_row(tmp_path / "x.duckdb", "it's none") == {}
+    assert verdict({}) == "not recorded, so not compared"
+
+
+@pytest.mark.parametrize("text", ["0 3 * * *", "*/15 0-6,22 1 1-12/2 1-5", "5 4 * * mon-fri"])
+def test_cron_expressions(text: str) -> None:
+    check_cron(text)
+
+
+@pytest.mark.parametrize(
+    "text", ["", "3", "* * * *", "60 3 * * *", "0 24 * * *", "0 3 0 * *", "a b c d e", "5-1 * * * *",
+             "mon * * * *", "*/0 * * * *", "0 3 * * * *"],
+)  # fmt: skip
+def test_what_is_no_cron_expression_is_refused(text: str) -> None:
+    with pytest.raises(UserError, match="--cron"):
+        check_cron(text)
+
+
+def test_mistakes_are_told_before_any_work(tmp_path: Path) -> None:
+    with pytest.raises(UserError, match="either --cron"):
+        serve()
+    with pytest.raises(UserError, match="either --cron"):
+        serve(once=True, cron="0 3 * * *")
+    with pytest.raises(UserError, match="does not exist"):
+        serve(once=True, suite=[tmp_path / "no.yaml"])
+    with pytest.raises(UserError, match="--runs 0"):
+        serve(once=True, runs=0)
+
+
+def test_description_names_folder_and_verdict() -> None:
+    summary = {"events": 18, "ecr_mean": 17.5}
+    text = describe([
+        {"suite": "paper", "verdict": "no worse", "summary": summary, "failed": 1,
+         "folder": "runs/x", "report": "runs/x/report.html"},
+    ])  # fmt: skip
+    assert "events 17.50 of 18" in text
+    assert "runs/x/report.html" in text
