@@ -85,6 +85,12 @@ def configure(
         seed: Given to the generator.
         failures: Receives why the generator gave nothing, by asset id.
     """
+    from esg.assets.wording import restated
+
+    said = restated(requirement)
+    if said is not requirement:
+        made = build_configuration(key, said, decide(said))
+        return made.model_copy(update={"category": _category(requirement)})
     decision = decide(requirement)
     if decision.entry is None and generator is not None:
         from esg.assets.generated import generate_asset
@@ -191,7 +197,7 @@ def finish(
     return AssetConfiguration(
         asset_name=entry.name if entry.library == "parametric" else f"{entry.library}/{entry.name}",
         source=source,  # type: ignore[arg-type]
-        category="_".join(re.findall(r"[a-z0-9]+", requirement.asset_category.lower())),
+        category=_category(requirement),
         mesh_path=mesh_path(key),
         dimensions_cm=dimensions,
         scale=(factor, factor, factor),
@@ -214,6 +220,10 @@ def finish(
         confidence=decision.confidence,
         runners_up=decision.runners_up,
     )
+
+
+def _category(requirement: AssetRequirement) -> str:
+    return "_".join(re.findall(r"[a-z0-9]+", requirement.asset_category.lower()))
 
 
 _SHAPE_BUILDERS = {"sphere": "sphere", "box": "box", "cylinder": "cylinder", "capsule": "capsule"}

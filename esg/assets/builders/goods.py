@@ -240,7 +240,7 @@ def umbrella_folded(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     )
     s.rod(0.6, (-34, 0, 4.0), (44, 0, 4.0), STEEL, sections=10)
     s.pipe(
-        1.1, [(-30, 0, 4.0), (-38, 0, 4.0), (-43, 3, 4.0), (-43, 8, 4.0), (-39, 10.4, 4.0)], WOOD
+        1.1, [(-30, 0, 4.0), (-39, 0, 4.0), (-43, 2.4, 4.0), (-43, 6, 4.0), (-40, 7.6, 4.0)], WOOD
     )
     s.lathe(
         [(3.7, -8), (4.0, -8), (3.9, -5.6), (3.6, -5.6), (3.7, -8)],
@@ -250,8 +250,8 @@ def umbrella_folded(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     )
     s.proxy_slab((-22, 32), (-2.6, 2.6), (0, 7.4))
     s.proxy_slab((-44, -22), (-1, 1), (2.8, 5.2), 0.6)
-    s.proxy_slab((-44, -38), (-1, 11), (2.8, 5.2), 0.4)
-    shift(s, 0, -3.5)
+    s.proxy_slab((-44, -38), (-1, 8.4), (2.8, 5.2), 0.4)
+    shift(s, 0, -2.3)
 
 
 @builder("fan")

@@ -1,0 +1,57 @@
+"""What was said, where a requirement's category stands for more than one noun.
+
+A drafter that knows fewer nouns than the library files a wolf under foxes and a wheelie bin under
+trash bins, and keeps the words themselves before the colon of the description. Where those words
+name an entry of the library, that entry is meant.
+"""
+
+from __future__ import annotations
+
+import math
+
+from esg.assets.library import Entry, normalize, policy
+from esg.assets.retrieve import exact, head_match
+from esg.graph.models import AssetRequirement
+
+_SAME_SIZE = 1.5
+"""Up to this factor a category's expectation says nothing about the size of the noun itself."""
+
+
+def said_entry(requirement: AssetRequirement) -> Entry | None:
+    """The entry that the words name, if it is another and no broader one than the category's."""
+    words, colon, _ = requirement.asset_description.partition(":")
+    if not colon:
+        return None
+    said, filed = head_match(words), exact(requirement.asset_category.replace("_", " "))
+    if said is None or said is filed or "decal" in said.flags:
+        return None
+    if filed is not None and (said.name in filed.parents or "decal" in filed.flags):
+        return None
+    return said if normalize(words) != normalize(requirement.asset_category) else None
+
+
+def restated(requirement: AssetRequirement) -> AssetRequirement:
+    """The requirement for the entry that the words name; unchanged if they name no other.
+
+    Size and mass that are not prescribed become those of the entry, larger or smaller as the
+    expectation was than what its category usually is ("giant wolf").
+    """
+    said = said_entry(requirement)
+    if said is None:
+        return requirement
+    filed = exact(requirement.asset_category.replace("_", " "))
+    if filed is not None and filed.name in said.parents and policy(said) == "free":
+        # A kind of the category that takes any size ("brick wall"): the expectation holds.
+        return requirement.model_copy(update={"asset_category": said.name})
+    factor = 1.0
+    if filed is not None:
+        ratio = math.prod(requirement.expected_dimensions_cm) / math.prod(filed.dimensions_cm)
+        factor = ratio ** (1 / 3)
+        if 1 / _SAME_SIZE <= factor <= _SAME_SIZE:
+            factor = 1.0
+    update: dict[str, object] = {"asset_category": said.name, "shape": None}
+    if not requirement.dimensions_are_prescribed:
+        update["expected_dimensions_cm"] = tuple(factor * d for d in said.dimensions_cm)
+    if not requirement.mass_is_prescribed:
+        update["expected_mass_kg"] = said.mass_kg * factor**3
+    return requirement.model_copy(update=update)
