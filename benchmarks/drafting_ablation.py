@@ -62,7 +62,7 @@ def show(table: dict[str, dict[str, Any]], prompts: int) -> str:
     for variant, row in table.items():
         lines.append(f"{variant:<16}{row['usability']:>11}{row['rounds']:>9}{row['paper']:>8}")
     lines.append(
-        "Scripted faults only order the variants (validated or not); they say nothing about a real "
+        "Scripted faults show what validation mends; rates and order say nothing about a real "
         "model."
     )
     return "\n".join(lines)

@@ -135,6 +135,7 @@ _TOLERANCE_FIRST = re.compile(
     rf"(?P<lo>{_DIGITS})\s*(?:±|\+/-|\+-)\s*(?P<tol>{_DIGITS})\s*(?P<unit>{_UNIT})(?![a-z0-9])",
     re.IGNORECASE,
 )
+_SPEEDING = re.compile(r"\b(?:speed|speeds|sped|speeding|goes|going|accelerat\w+)\s+$", re.I)
 _LOW_BOUNDS = (
     "at least", "no less", "not less", "no slower", "not slower", "a minimum",
     "more than", "greater", "faster", "over", "above",
@@ -297,6 +298,8 @@ def _amount(m: re.Match[str]) -> Amount | None:
         start = m.start("lo")  # a lone "from" is a preposition
     bound: Literal["min", "max"] | None = None
     word = (groups.get("bound") or "").lower()
+    if word == "up to" and _SPEEDING.search(m.string[: m.start()]):
+        start, word = m.start("lo"), ""  # "speeds up to 14 m/s": reaches it
     if word and not groups.get("hi"):
         bound = "min" if word.startswith(_LOW_BOUNDS) or word == "exceeding" else "max"
     return Amount(dimension, low_a, low_b, start, m.end(), m.string[start : m.end()].strip(), bound)

@@ -109,6 +109,11 @@ class ControlSenses(ContactSenses):
         actors = s or [a for a, t in self.tl.tracks.items() if t.motion is not None][-1:]
         for actor in actors:
             self._brake(f, actor, self._time(f))
+        lasting = next(
+            (a for p, a in self.amounts(f) if a.dimension == "time" and p == "for"), None
+        )
+        if lasting is not None and actors:
+            self.gap = lasting  # "brakes for 2 s and then hits"
         found = self.quantity(f, "speed")
         if found is not None and f.phrase("from") is None:
             self.use(found[1], "speed")
@@ -178,7 +183,16 @@ class ControlSenses(ContactSenses):
             rest = f.phrase("against")
             if rest is not None and rest.mention is not None:
                 self._hit(f, [actor], [i for i in rest.mention.entities if i != actor][:1])
+            way = next(
+                (a for p, a in self.amounts(f) if a.dimension == "length" and p == "after"), None
+            )
             self._stop(f, actor, time)
+            end = self.tl.node(self.tl.last_event or "")
+            if way is not None and end is not None:  # "stops after 30 m"
+                end.constraints.append(
+                    EventConstraint(quantity="distance", object=actor, value=way.value)
+                )
+                self.use(way, "distance travelled")
             self._pauses(f, actor)
         self._places_loosely(f, actors)
 

