@@ -23,6 +23,7 @@ def setup() -> int:
 
     _step("scheduler database", _prefect)
     _step("engine kernels", lambda: warmup(progress=_line))
+    _step("surrogate kernels", _surrogate)
     with tempfile.TemporaryDirectory(prefix="esg-setup-") as folder:
         for number, prompt in enumerate(SAMPLES, 1):
             name = f"sample scene {number} of {len(SAMPLES)}"
@@ -53,6 +54,12 @@ def _prefect() -> None:
     from flows.embedded import prepare_template
 
     prepare_template()
+
+
+def _surrogate() -> None:
+    from esg.engines.surrogate_tape import warmup
+
+    warmup()
 
 
 def _sample(prompt: str, root: object) -> None:

@@ -309,3 +309,16 @@ class Replay:
 def _starts(counts: NDArray[Any]) -> NDArray[np.int32]:
     """Where each part begins if parts of these sizes follow each other."""
     return np.concatenate([[0], np.cumsum(counts)[:-1]]).astype(np.int32)
+
+
+def warmup(device: str = "cpu") -> None:
+    """Compiles the surrogate's kernels and those of its derivatives (once per machine)."""
+    from esg.engines.program import Program, SetVelocity, batch_programs
+    from esg.engines.scene import Body, Shape
+
+    unit = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+    ball = Body("ball", False, 1.0, unit, (Shape("sphere", (0.1, 0.1, 0.1)),), (0.0, 0.0, 0.1))
+    scene = SimScene("warmup", (ball,))
+    program = Program((SetVelocity("ball", 0.0, (1.0, 0.0, 0.0)),), 0.05)
+    taped = TapedRollout(scene, batch_programs([program], scene.names), dt=1 / 240, device=device)
+    taped.pull(Seeds(position=np.ones_like(taped.position, float)))
