@@ -11,9 +11,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.dynamics.facets import faceted
 from esg.dynamics.losses import Assessment
 from esg.dynamics.plan import Plan
+from esg.dynamics.proxies import faceted
 from esg.dynamics.simulate import ENSEMBLE, Simulator
 from esg.engines.base import get_engine
 from esg.graph.models import SearchStep

@@ -74,7 +74,7 @@ def optimize(
     def run(judges: Panel, round_: int) -> tuple[Found, str]:
         entropy = [seed, zlib.crc32(text), *([round_] if round_ else [])]
         rng = np.random.default_rng(entropy)
-        return _run(plan, judges, rng, strategy, max_rounds, rollouts)
+        return run_strategy(plan, judges, rng, strategy, max_rounds=max_rounds, rollouts=rollouts)
 
     found, stopped = run(panel, 0)
     closed: ClosedLoop | None = None
@@ -92,14 +92,27 @@ def optimize(
     return _write(doc, result, seed, strategy)
 
 
-def _run(
+def run_strategy(
     plan: Plan,
     panel: Panel,
     rng: np.random.Generator,
     strategy: str,
-    max_rounds: int,
-    rollouts: int,
+    *,
+    max_rounds: int = MAX_ROUNDS,
+    rollouts: int = BASELINE_ROLLOUTS,
+    steps: int | None = None,
 ) -> tuple[Found, str]:
+    """The theta a strategy finds, judged by the ensemble, and why it stopped.
+
+    Args:
+        plan: Variables, scene and timeline.
+        panel: Engines.
+        rng: Source of all draws.
+        strategy: As of `optimize`.
+        max_rounds: Batches of candidates.
+        rollouts: Budget of a baseline.
+        steps: Most gradient steps of a kind; three a round if None.
+    """
     if strategy == "batched":
         return search(plan, panel, rng, max_rounds)
     if strategy == "none":
@@ -110,7 +123,8 @@ def _run(
     if strategy in BASELINES:
         theta = minimize(plan, panel, rng, strategy, rollouts)
         return panel.judge(theta[None]), "budget spent"
-    descent = descend(plan, panel, rng, strategy, STEPS_PER_ROUND * max_rounds)
+    most = STEPS_PER_ROUND * max_rounds if steps is None else steps
+    descent = descend(plan, panel, rng, strategy, most)
     return panel.judge(descent.theta[None]), descent.stopped
 
 

@@ -9,8 +9,8 @@ import pytest
 from esg.assets import resolve
 from esg.draft import draft
 from esg.dynamics import fit_assets, start_hints
-from esg.dynamics.facets import faceted
 from esg.dynamics.falls import tipping_speed
+from esg.dynamics.proxies import coarse, faceted
 from esg.dynamics.stagecraft import Prop, topple_speed
 from esg.engines.scene import Body, Shape, SimScene
 
@@ -100,3 +100,19 @@ def test_facets_replace_cylinders_only() -> None:
     assert all(math.hypot(x, y) == pytest.approx(0.1) for x, y, _ in prism.vertices)
     assert other.bodies[1] == box
     assert faceted(SimScene("s", (box,))).bodies[0] is box
+
+
+def test_simple_proxies_stand_on_the_ground() -> None:
+    """One sphere or box a body, as wide as the body, its lowest point where the body's is."""
+    compact = Body(
+        "bin", False, 1.0, UNIT, (Shape("cylinder", (0.3, 0.3, 0.4)),), (0, 0, 0.4),
+        origin_offset=(0.0, 0.0, -0.4), half_extents=(0.3, 0.3, 0.4),
+    )  # fmt: skip
+    long = Body(
+        "car", False, 1.0, UNIT, (Shape("box", (2.0, 0.9, 0.7)),), (5, 0, 0.7),
+        origin_offset=(0.0, 0.0, -0.5), half_extents=(2.0, 0.9, 0.7),
+    )  # fmt: skip
+    sphere, box = (b.shapes[0] for b in coarse(SimScene("s", (compact, long))).bodies)
+    assert sphere.kind == "sphere" and sphere.size[0] == 0.3
+    assert sphere.position[2] - sphere.size[0] == pytest.approx(-0.4)
+    assert box.kind == "box" and box.position[2] - box.size[2] == pytest.approx(-0.5)
