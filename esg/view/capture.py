@@ -289,7 +289,7 @@ def encode_flow(shift: Any, shape: tuple[int, ...]) -> Any:
     if shift is None:
         return out
     codes = np.rint(np.asarray(shift, float) * FLOW_SCALE) + FLOW_ZERO
-    known = ((codes >= 0) & (codes <= 65535)).all(axis=-1)
+    known = np.all((codes >= 0) & (codes <= 65535), axis=-1)
     out[..., :2] = np.where(known[..., None], codes, 0).astype(np.uint16)
     out[..., 2] = known
     return out

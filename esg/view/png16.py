@@ -23,7 +23,7 @@ def encode(image: NDArray[Any], level: int = 4) -> bytes:
     Raises:
         ValueError: If shape or type are others.
     """
-    if image.dtype not in (np.uint8, np.uint16) or image.shape[2:] not in ((), (3,)):
+    if image.dtype.str[1:] not in ("u1", "u2") or image.shape[2:] not in ((), (3,)):
         raise ValueError(f"cannot write {image.dtype} of shape {image.shape} as PNG")
     height, width = image.shape[:2]
     bits = 8 * image.dtype.itemsize

@@ -33,8 +33,11 @@ LOOP_LEAD_S = 0.8
 ACTION_LEAD_S, ACTION_TAIL_S = 0.6, 0.4
 """Fixed cameras keep in view what happens so long before the first event and after the last."""
 MAX_EVENTS = 7
-REACH = 4.5
-"""Company joins the picture if it widens it by at most this factor."""
+REACH, FAR_REACH = 4.5, 14.0
+"""Company joins the picture of an event, or the first and the last one, if that makes the picture at
+most so many times as wide as what must be seen."""
+ROOM_ALONE = 0.9
+"""Room on every side of a single body, in its own sizes."""
 _UNITS = {"mps": "m/s", "m": "m", "s": "s", "deg": "deg", "ns": "N s", "kg": "kg"}
 
 
@@ -59,6 +62,7 @@ class _Moment:
     """Bodies that are seen if they do not widen the picture too much."""
     title: str
     caption: str
+    reach: float = REACH
 
 
 def preview(
@@ -185,10 +189,10 @@ def _moments(
     if events:
         # A moment after the last event, not the end of a long tail in which everything is still.
         end = min(end, (events[-1].time_s or 0.0) + 1.0)
-    moments = [_Moment(0.0, cast, company, "start", "before anything moves")]
+    moments = [_Moment(0.0, cast, company, "start", "before anything moves", FAR_REACH)]
     for number, event in enumerate(events, 1):
         bodies = tuple(scene.index(b) for b in event.bodies if b in scene.names) or cast
-        mates = tuple(i for i in company if _same_group(scene, i, bodies))
+        mates = tuple(i for i in company if len(bodies) < 2 or _same_group(scene, i, bodies))
         moments.append(
             _Moment(
                 event.time_s or 0.0,
@@ -198,7 +202,7 @@ def _moments(
                 _measurements(event),
             )
         )
-    moments.append(_Moment(end, cast, company, "after", f"t = {end:.2f} s"))
+    moments.append(_Moment(end, cast, company, "after", f"t = {end:.2f} s", FAR_REACH))
     return moments
 
 
@@ -208,7 +212,10 @@ def _same_group(scene: SimScene, body: int, others: Sequence[int]) -> bool:
 
 
 def _company(scene: SimScene, doc: EsgDocument, cast: tuple[int, ...]) -> tuple[int, ...]:
-    """Who belongs to the cast: members of its groups, and what it stands on unless that is flat."""
+    """Who belongs to the cast: its groups, what it stands on, what else the prompt names.
+
+    What is flat belongs to nobody.
+    """
     names = {scene.bodies[i].name for i in cast}
     nodes = doc.spatial_relation_graph.nodes
     regions = doc.spatial_relation_graph.semantic_regions
@@ -223,7 +230,9 @@ def _company(scene: SimScene, doc: EsgDocument, cast: tuple[int, ...]) -> tuple[
     return tuple(
         i
         for i, b in enumerate(scene.bodies)
-        if i not in cast and b.collides and (_same_group(scene, i, cast) or b.name in supports)
+        if i not in cast
+        and b.collides
+        and (b.mentioned or _same_group(scene, i, cast) or b.name in supports)
     )
 
 
@@ -318,9 +327,10 @@ def _frame_set(
     order = nearest_first(moment.focus)
     keep = order if len(order) <= 4 else order[:2]
     points = np.concatenate([boxes[i] for i in keep])
+    limit = moment.reach * float(np.ptp(points, axis=0).max())
     for i in [*(j for j in order if j not in keep), *nearest_first(moment.company)]:
         wider = np.concatenate([points, boxes[i]])
-        if float(np.ptp(wider, axis=0).max()) <= REACH * float(np.ptp(points, axis=0).max()):
+        if float(np.ptp(wider, axis=0).max()) <= limit:
             points = wider
     return points
 
@@ -337,7 +347,7 @@ def _camera(
     span = float(np.ptp(points, axis=0).max())
     # A little room around the action, so that one sees where it happens.
     low, high = points.min(axis=0), points.max(axis=0)
-    pad = 0.06 * span
+    pad = (ROOM_ALONE if len(points) == 8 else 0.06) * span
     low = np.array([low[0] - pad, low[1] - pad, max(0.0, low[2] - pad)])
     high = high + np.array([pad, pad, 0.0])
     corners = np.array(list(itertools.product(*zip(low, high, strict=True))))
@@ -437,7 +447,7 @@ def action_points(
         start = max(start, moments[1].time - ACTION_LEAD_S)
         end = min(end, moments[-2].time + ACTION_TAIL_S)
     points = [
-        _frame_set(scene, rollout, replace(first, time=float(time)), _frame(rollout, float(time)))
+        _frame_set(scene, rollout, replace(first, reach=REACH), _frame(rollout, float(time)))
         for time in np.linspace(start, end, steps)
     ]
     return np.concatenate(points)
