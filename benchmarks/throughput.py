@@ -97,12 +97,11 @@ def make(out: Path, spec: DatasetSpec) -> list[BatchResult]:
     folder = DatasetFolder(out)
     run = folder.begin(spec, [], resume=False)
     scenes, size = plan_scenes(spec), spec.batch_size
-    results = [
-        make_batch(
-            BatchJob(n, spec, run, tuple(scenes[n * size : (n + 1) * size]), out, out / f"work{n}")
-        )
-        for n in range(spec.n_batches)
-    ]
+    results: list[BatchResult] = []
+    for n in range(spec.n_batches):
+        chosen = tuple(scenes[n * size : (n + 1) * size])
+        results.append(make_batch(BatchJob(n, spec, run, chosen, out, out / f"work{n}")))
+        print(f"{(n + 1) * size} scenes, resident memory {memory_mib():.0f} MiB", flush=True)
     finish(folder, spec, {r.number: r for r in results})
     return results
 

@@ -76,7 +76,8 @@ class BatchResult:
         outcomes: Number of scenes by outcome.
         failures: Rows of `failures.jsonl`.
         crashes: Traceback by scene id.
-        seconds: Time spent [s], by stage and for `batch` in all; no part of the dataset.
+        seconds: Time spent [s], by stage, for `recordings` and for the `batch` in all; no part of
+            the dataset.
         files: Size in bytes of every file written, by path below the dataset's folder.
     """
 
@@ -145,12 +146,14 @@ def _make(job: BatchJob) -> BatchResult:
 
     start = time.perf_counter()
     with scratch_store(job.work / "artifacts", durable=False):
-        states = run_scenes(job)
-        result = _write(job, states)
+        states, together_s = run_scenes(job)
+        result, recordings_s = _write(job, states)
     spent = {s: 0.0 for s in SCENE_STAGES}
     for state in states:
         for entry in state.log:
             spent[entry["stage"]] += float(entry["seconds"])
+    spent["replay"] += together_s
+    spent["recordings"] = recordings_s
     spent["batch"] = time.perf_counter() - start
     result = replace(result, seconds={k: round(v, 4) for k, v in spent.items()})
     write_mark(job.out, result)
@@ -159,8 +162,13 @@ def _make(job: BatchJob) -> BatchResult:
     return result
 
 
-def run_scenes(job: BatchJob) -> list[SceneState]:
-    """All stages of all scenes; stage by stage, so that classes compile together."""
+def run_scenes(job: BatchJob) -> tuple[list[SceneState], float]:
+    """All stages of all scenes; stage by stage, so that classes compile together.
+
+    Returns:
+        Final states, and the time it took to compile the classes [s].
+    """
+    together_s = 0.0
     states = [SceneState(s.request) for s in job.scenes]
     dead = dead_scenes(job)
     for i, scene in enumerate(job.scenes):
@@ -169,10 +177,12 @@ def run_scenes(job: BatchJob) -> list[SceneState]:
             states[i] = crashed(states[i], RuntimeError(reason), stage)
     for stage in SCENE_STAGES:
         if stage == "replay":
+            start = time.perf_counter()
             _compile_together(states)
+            together_s = time.perf_counter() - start
         for i, scene in enumerate(job.scenes):
             states[i] = _stage(job, stage, states[i], scene.index)
-    return states
+    return states, together_s
 
 
 def _stage(job: BatchJob, stage: str, state: SceneState, index: int) -> SceneState:
@@ -261,7 +271,8 @@ def _limited(job: BatchJob, stage: str, index: int) -> Iterator[None]:
 # What a batch leaves.
 
 
-def _write(job: BatchJob, states: Sequence[SceneState]) -> BatchResult:
+def _write(job: BatchJob, states: Sequence[SceneState]) -> tuple[BatchResult, float]:
+    """Writes all files of a batch; returns its result and the time the recordings took [s]."""
     from esg.store.records import SceneRecord, record_of
     from esg.store.tables import write_tables
 
@@ -284,9 +295,11 @@ def _write(job: BatchJob, states: Sequence[SceneState]) -> BatchResult:
         verified.append(bool(row["verified"]))
         records.append(SceneRecord({**rows, "scenes": [row]}))
     written = list(write_tables(job.out / "parts", records, name=job.name).values())
+    start = time.perf_counter()
     for scene, state, good in zip(job.scenes, states, verified, strict=True):
         written += _recordings(job, scene, state, good)
-    return BatchResult(
+    recordings_s = time.perf_counter() - start
+    result = BatchResult(
         number=job.number,
         scenes=len(states),
         verified=sum(verified),
@@ -300,6 +313,7 @@ def _write(job: BatchJob, states: Sequence[SceneState]) -> BatchResult:
         },
         files={p.relative_to(job.out).as_posix(): p.stat().st_size for p in written},
     )
+    return result, recordings_s
 
 
 def _columns(scene: PlannedScene, state: SceneState) -> dict[str, Any]:
