@@ -198,6 +198,9 @@ class Acts(Motions):
                     mover, target = target, mover
                     if not self.movable(mover):
                         continue
+                if (id(f), mover, target) in self.told_hits:
+                    continue  # one clause tells one collision of a pair
+                self.told_hits.add((id(f), mover, target))
                 aimed = self.pending.get(target)
                 if aimed is not None and aimed[0] in (NodeEvent.COLLISION, NodeEvent.ENTER_REGION):
                     mover, target = target, mover  # "a keeper blocks the shot": the ball arrives

@@ -48,6 +48,8 @@ class Core:
         """Time until the next event ("brakes 2 seconds before ...")."""
         self.waiting: dict[str, Amount] = {}
         """How long an actor waits before it moves (on)."""
+        self.told_hits: set[tuple[int, str, str]] = set()
+        """Collisions by the clause that tells them."""
         self.each: set[str] = set()
         """Members of a plural that the current clause names one by one ("both bricks")."""
         self.mounts: dict[int, list[str]] = {}

@@ -141,6 +141,7 @@ class Interpreter(MotionSenses):
                 and m.pronoun == "it"
                 and id(m) not in self.world.resolved
                 and self._lead.get(f.sentence - 1)
+                and not self._named_between(f.subject, m)
                 and self._lead[f.sentence - 1] not in subject
                 and f.subject is not None
                 and not f.subject.pronoun
@@ -205,6 +206,14 @@ class Interpreter(MotionSenses):
             self._lead[f.sentence] = subject[0] if single else ""
         if f.verb.sense in ("be", "posture", "have", "park") and (subject or objects):
             self._topic = (f.sentence, subject or objects)
+
+    def _named_between(self, subject: Mention | None, m: Mention) -> bool:
+        """Whether the clause names something else before a pronoun ("hits the nine and pots it")."""
+        if subject is None:
+            return False
+        start, end = subject.end, m.start
+        between = [x for x in self.mentions if start <= x.start < end and not x.pronoun]
+        return any(x.entities and not self.structural(x.entities[0]) for x in between)
 
     def _subject(self, f: Frame) -> list[str]:
         """Referents of the subject; what falls after a push is the thing pushed."""

@@ -68,6 +68,12 @@ class ContactSenses(LaunchSenses):
         if not targets and len(movers) >= 2:
             self._mutual(f, movers, time)
             return
+        rim = f.object is not None and f.object.head in ("cushion", "rail") and f.object.attribute
+        if rim and not targets:
+            for mover in movers:
+                self._ensure_mover(f, mover, None)
+            self.scene.ignored[(f.verb.start, f.verb.end)] = "a part that every ball touches"
+            return
         if not targets and movers and f.object is None and self._names_something(f):
             self.scene.ignored[(f.verb.start, f.verb.end)] = "what is hit was not understood"
             return

@@ -318,6 +318,10 @@ class LaunchSenses(StateSenses):
         for actor in actors:
             if not self.movable(actor):
                 continue
+            lands = source is None and actor not in self.scene.supported_by
+            if lands and self._thrown_up(actor):
+                self.use(f, "end of the flight")
+                continue
             if source is not None and source.mention is not None and source.mention.entities:
                 host = source.mention.entities[0]
                 if host != actor and self._elevated(host):

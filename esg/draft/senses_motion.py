@@ -176,6 +176,9 @@ class MotionSenses(ControlSenses):
         p = f.phrase("off", "against", "on", "from", "into", "onto")
         self._kinematics(f, s, [])
         for actor in s:
+            if p is not None and p.mention is not None and p.mention.attribute:
+                self.use(f, "rebound")
+                continue
             if p is not None and p.mention is not None and p.mention.entities:
                 other = p.mention.entities[0]
                 if self.structural(other):

@@ -47,6 +47,9 @@ class World(Pronouns):
             named = [g for g, word in self.group_words.items() if word == m.head]
             if named and all(e.head != m.head for e in self.entities.values()):
                 return list(self.groups[named[-1]])  # "a tower of cups ... the tower"
+        if self.billiards and m.head in ("cushion", "rail"):
+            m.attribute = True  # of the billiard table, which every ball touches anyway
+            return []
         whole = self._whole(m, subject, avoid)
         if whole:
             return whole
