@@ -208,7 +208,7 @@ class Interpreter(MotionSenses):
             self._topic = (f.sentence, subject or objects)
 
     def _named_between(self, subject: Mention | None, m: Mention) -> bool:
-        """Whether the clause names something else before a pronoun ("hits the nine and pots it")."""
+        """Whether the clause names something before a pronoun ("hits the nine and pots it")."""
         if subject is None:
             return False
         start, end = subject.end, m.start
