@@ -34,7 +34,7 @@ ACTION_LEAD_S, ACTION_TAIL_S = 0.6, 0.4
 """Fixed cameras keep in view what happens so long before the first event and after the last."""
 MAX_EVENTS = 7
 REACH, FAR_REACH = 4.5, 14.0
-"""Company joins the picture of an event, or the first and the last one, if that makes the picture at
+"""Company joins the picture of an event, or the first and the last one, if the picture is then at
 most so many times as wide as what must be seen."""
 ROOM_ALONE = 0.9
 """Room on every side of a single body, in its own sizes."""

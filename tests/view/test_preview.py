@@ -1,0 +1,172 @@
+"""Framing: who is in the picture, from where, and that a whole sheet and loop come out."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+import os
+from pathlib import Path
+
+import numpy as np
+from PIL import Image
+import pytest
+import trimesh
+
+from esg.graph.models import (
+    EsgDocument,
+    Node,
+    SceneDefinition,
+    SceneParameters,
+    SpatialRelationGraph,
+)
+from esg.metrics.models import EventVerdict, LayoutVerdict, SceneVerdict
+from esg.view import preview as previews
+from esg.view.camera import box_corners
+from esg.view.cameras import action_cameras
+from esg.view.render import Part
+from tests.report.folders import HIT_S, rollout, scene
+
+DOC = EsgDocument(
+    scene_definition=SceneDefinition(
+        scene_id="drop",
+        original_description="A red ball falls onto a box.",
+        scene_parameters=SceneParameters(is_dynamic=True, scene_type="indoor"),
+    ),
+    spatial_relation_graph=SpatialRelationGraph(
+        nodes={n: Node(asset_id=f"{n}_a") for n in ("ball_1", "box_1")}
+    ),
+)
+EVENT = EventVerdict(
+    id="e1",
+    type="collision",
+    completed=True,
+    time_s=HIT_S,
+    bodies=("ball_1", "box_1"),
+    measured={"impulse_ns": 4.9, "depth_m": 0.0},
+)
+
+
+def verdict(*events: EventVerdict) -> SceneVerdict:
+    """A verdict about these events."""
+    return SceneVerdict(
+        scene_id="drop",
+        suite_scene="drop",
+        engine="physx",
+        dt_s=1 / 240,
+        events=events,
+        constraints=(),
+        layout=LayoutVerdict(valid=True),
+    )
+
+
+@pytest.mark.parametrize("count", [1, 3, 8])
+@pytest.mark.parametrize("aspect", [1.0, 1.5, 0.6])
+def test_fixed_cameras_keep_the_action_in_view(count: int, aspect: float) -> None:
+    """Both bodies, at every instant around the hit, from every camera; none from below."""
+    cameras = action_cameras(scene(), rollout(), verdict(EVENT), DOC, count, aspect)
+    assert len(cameras) == count
+    size = (round(600 * aspect), 600)
+    motion = rollout()
+    for camera in cameras:
+        assert camera.eye[2] > 0.3
+        for time in np.linspace(0.0, HIT_S + 0.3, 9):
+            frame = int(np.argmin(np.abs(motion.time - time)))
+            for k, body in enumerate(scene().bodies):
+                corners = box_corners(
+                    motion.position[0, frame, k],
+                    motion.quaternion[0, frame, k],
+                    body.half_extents,
+                    np.asarray(body.origin_offset),
+                )
+                pixels, ahead = camera.project(corners, *size)
+                assert ahead.all()
+                assert (pixels > -0.5).all()
+                assert (pixels < np.array(size) + 0.5).all()
+
+
+def test_cameras_stand_at_different_places() -> None:
+    """Eight cameras, eight views."""
+    cameras = action_cameras(scene(), rollout(), verdict(EVENT), DOC, 8, 1.0)
+    eyes = np.array([c.eye for c in cameras])
+    apart = np.linalg.norm(eyes[:, None] - eyes[None], axis=-1) + 9 * np.eye(8)
+    assert apart.min() > 0.5
+
+
+def test_moments_are_before_every_event_and_after() -> None:
+    """Captions give time and what was measured; zeros say nothing."""
+    found = previews._moments(scene(), rollout(), verdict(EVENT), DOC)
+    assert [m.title for m in found] == ["start", "1  collision: red ball x box", "after"]
+    assert found[1].caption == "t = 0.50 s   impulse 4.9 N s"
+    assert found[2].time == 1.0
+
+
+def test_a_single_body_keeps_room_around_it() -> None:
+    """It takes no more than half of the picture's height."""
+    alone = EVENT.model_copy(update={"type": "moves", "bodies": ("ball_1",), "time_s": 0.1})
+    far = scene()
+    far = far.with_bodies((far.bodies[0], replace(far.bodies[1], mentioned=False)))
+    moment = previews._moments(far, rollout(), verdict(alone), DOC)[1]
+    assert moment.focus == (0,)
+    frame = previews._frame(rollout(), moment.time)
+    camera = previews._camera(far, rollout(), moment, frame, 1.0, 0.4)
+    pixels, _ = camera.project(previews._corners(far, rollout(), frame, 0), 480, 320)
+    assert np.ptp(pixels[:, 1]) < 160
+
+
+def test_what_else_the_prompt_names_is_in_the_first_picture() -> None:
+    """A box that takes part in no event still shows where the ball is, if it is not too far."""
+    alone = EVENT.model_copy(update={"type": "moves", "bodies": ("ball_1",)})
+    start = previews._moments(scene(), rollout(), verdict(alone), DOC)[0]
+    assert start.company == (1,)
+    points = previews._frame_set(scene(), rollout(), start, 0)
+    assert len(points) == 16
+    close = previews._frame_set(scene(), rollout(), replace(start, reach=2.0), 0)
+    assert len(close) == 8
+
+
+@pytest.fixture
+def simple(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Plain meshes instead of assets."""
+    ball = trimesh.creation.icosphere(subdivisions=2, radius=0.2)
+    box = trimesh.creation.box((1.0, 1.0, 0.5))
+    floor = np.array([[-9, -9, 0], [9, -9, 0], [9, 9, 0], [-9, 9, 0.0]])
+    parts = [
+        Part(0, np.asarray(ball.vertices), np.asarray(ball.faces), (0.9, 0.1, 0.1)),
+        Part(1, np.asarray(box.vertices), np.asarray(box.faces), (0.2, 0.3, 0.9)),
+        Part(-1, floor, np.array([[0, 1, 2], [0, 2, 3]]), (0.5, 0.5, 0.5)),
+    ]
+    monkeypatch.setattr(previews, "scene_parts", lambda *_: parts)
+    monkeypatch.setattr(previews, "PANEL_PX", (96, 64))
+    monkeypatch.setattr(previews, "LOOP_PX", (60, 40))
+
+
+@pytest.mark.usefixtures("simple")
+def test_sheet_and_loop_are_the_same_with_one_thread_and_two(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Which thread draws a picture makes no difference; the loop shows the whole action."""
+    made = []
+    for threads in (1, 2):
+        monkeypatch.setattr(previews, "_threads", lambda n=threads: n)
+        folder = tmp_path / str(threads)
+        folder.mkdir()
+        previews.preview(scene(), rollout(), verdict(EVENT), DOC, folder)
+        made.append({p.name: p.read_bytes() for p in folder.iterdir()})
+    assert made[0].keys() == {"preview.png", "preview.webp"}
+    assert made[0] == made[1]
+    with Image.open(tmp_path / "1" / "preview.webp") as loop:
+        assert loop.size == (60, 40)
+        # One second at ten frames a second; what rests is one long frame.
+        assert 3 <= loop.n_frames <= 10
+    with Image.open(tmp_path / "1" / "preview.png") as sheet:
+        picture = np.asarray(sheet.convert("RGB")).astype(int)
+    red = (picture[..., 0] > 1.6 * picture[..., 1]) & (picture[..., 0] > 1.6 * picture[..., 2])
+    assert red.sum() > 30
+
+
+def test_workers_draw_with_one_thread(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where every core has its own scene, a scene takes one core."""
+    monkeypatch.setitem(os.environ, "OMP_NUM_THREADS", "1")
+    assert previews._threads() == 1
+    monkeypatch.setitem(os.environ, "OMP_NUM_THREADS", "")
+    monkeypatch.setattr(os, "sched_getaffinity", lambda _: {0, 1, 2, 3}, raising=False)
+    assert previews._threads() == 2
