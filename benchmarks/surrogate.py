@@ -174,7 +174,7 @@ def speed(newton_worlds: int) -> None:
                       flush=True)  # fmt: skip
 
 
-# -- agreement and gradients ------------------------------------------------------------------------
+# -- agreement and gradients ---------------------------------------------------------------------
 
 
 def documents(folder: Path | None) -> Iterator[tuple[str, EsgDocument]]:
@@ -280,14 +280,17 @@ def agreement(folder: Path | None, n: int, spread: float, out: str | None) -> No
             "happened": np.isfinite(t[0]).mean(axis=0).tolist(),
         }
         rows.append(row)
-        show = lambda key, k: row[key][k] if k < len(pairs) else None  # noqa: B023, E731
-        percent = lambda x: "–" if x is None else f"{x:.0%}"  # noqa: E731
-        pair = lambda x, f: "–" if x is None or math.isnan(x[0]) else f.format(*x)  # noqa: E731
-        print(f"| {name} | {len(pairs)} | {percent(show('agrees', 0))} | "
-              f"{percent(show('agrees', 1))} | {pair(show('ms', 0), '{:.0f} / {:.0f}')} | "
-              f"{pair(show('ms', 1), '{:.0f} / {:.0f}')} | "
-              f"{pair(show('speed', 0), '{:.2f} / {:.2f}')} | "
-              f"{', '.join(f'{x:.0%}' for x in row['agrees'][2:]) or '–'} |", flush=True)  # fmt: skip
+        second = len(pairs) > 1
+        later = ", ".join(f"{x:.0%}" for x in same.mean(axis=0)[2:]) or "–"
+        cells = [
+            f"{same[:, 0].mean():.0%}",
+            f"{same[:, 1].mean():.0%}" if second else "–",
+            _show(late[:, 0], 0),
+            _show(late[:, 1], 0) if second else "–",
+            _show(fast[:, 0], 2),
+            later,
+        ]
+        print(f"| {name} | {len(pairs)} | {' | '.join(cells)} |", flush=True)
     for k, label in ((0, "first"), (1, "second")):
         values = [r["agrees"][k] for r in rows if r["collisions"] > k]
         if values:
@@ -296,6 +299,11 @@ def agreement(folder: Path | None, n: int, spread: float, out: str | None) -> No
             )
     if out:
         Path(out).write_text(json.dumps(rows, indent=1))
+
+
+def _show(x: np.ndarray, digits: int) -> str:
+    median, most = _pair(x)
+    return "–" if math.isnan(median) else f"{median:.{digits}f} / {most:.{digits}f}"
 
 
 def _pair(x: np.ndarray) -> tuple[float, float]:
@@ -317,8 +325,17 @@ def gradients(folder: Path | None, n: int, spread: float, width: float, out: str
         for theta in draw(plan, n, np.random.default_rng(6), spread):
             check = check_gradient(plan, theta, width=width)
             size = float(np.linalg.norm(check.differences))
-            rows.append({"scene": name, "regime": worst.value, "cosine": check.cosine,
-                         "error": check.error, "trusted": check.trusted, "smooth": check.smooth, "size": size})  # fmt: skip
+            rows.append(
+                {
+                    "scene": name,
+                    "regime": worst.value,
+                    "cosine": check.cosine,
+                    "error": check.error,
+                    "trusted": check.trusted,
+                    "smooth": check.smooth,
+                    "size": size,
+                }
+            )
             if not check.trusted:
                 label = f"{worst.value}, something else is hit before"
                 found.setdefault(label, []).append((check.cosine, check.error))

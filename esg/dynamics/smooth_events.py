@@ -111,7 +111,8 @@ class EventLosses:
         delay = np.zeros(max(1, self.taped.n_contacts))
         for contact, value in self._delay.items():
             delay[contact] = value
-        return Seeds(*self._seeds, delay)
+        position, quaternion, velocity = self._seeds
+        return Seeds(position, quaternion, velocity, delay)
 
     # -- events ------------------------------------------------------------------------------
 
@@ -355,13 +356,12 @@ class EventLosses:
         for which in range(3 if signal.moving else 2):
             width = self.states[which].shape[-1]
             for body in signal.bodies:
-                copies = tuple(
-                    np.repeat(s, 2 * width, axis=0) for s in self._at(w, slice(step, step + 1))
-                )
+                p, q, v = self._at(w, slice(step, step + 1))
+                copies = tuple(np.repeat(s, 2 * width, axis=0) for s in (p, q, v))
                 for k in range(width):
                     copies[which][2 * k, body, k] += _STEP
                     copies[which][2 * k + 1, body, k] -= _STEP
-                value = signal.value(copies)
+                value = signal.value((copies[0], copies[1], copies[2]))
                 out.append((which, body, (value[0::2] - value[1::2]) / (2.0 * _STEP)))
         return out
 

@@ -196,8 +196,13 @@ class Replay:
         # The flat number of a contact counts all contacts of earlier worlds, inside or not.
         self.contact_first = _starts(taped._used.sum((1, 2)))
         self.first_v, self.first_x, first_j = _starts(n_v), _starts(n_x), _starts(n_j)
-        ints = lambda k: wp.zeros(max(1, int(k)), dtype=int, device=device)  # noqa: E731
-        up = lambda x: wp.array(np.asarray(x, np.int32), dtype=int, device=device)  # noqa: E731
+
+        def ints(count: int) -> Any:
+            return wp.zeros(max(1, count), dtype=int, device=device)
+
+        def up(values: Any) -> Any:
+            return wp.array(np.asarray(values, np.int32), dtype=int, device=device)
+
         self.ops = so.Ops()
         total = int(self.n_ops.sum())
         self.ops.first = up(np.append(_starts(self.n_ops), total))
@@ -239,9 +244,10 @@ class Replay:
 
     def _arrays(self, n_v: int, n_x: int, n_j: int, n_c: int) -> None:
         wp, t = self.wp, self.taped
-        make = lambda n, dtype: wp.zeros(  # noqa: E731
-            n, dtype=dtype, device=t.device, requires_grad=True
-        )
+
+        def make(count: int, dtype: Any) -> Any:
+            return wp.zeros(count, dtype=dtype, device=t.device, requires_grad=True)
+
         self.V, self.O = make(n_v, wp.vec3), make(n_v, wp.vec3)
         self.X, self.R = make(n_x, wp.vec3), make(n_x, wp.quat)
         x, r = np.zeros((n_x, 3), np.float32), np.zeros((n_x, 4), np.float32)
