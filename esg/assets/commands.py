@@ -33,6 +33,43 @@ def list_assets(library: str | None = None) -> list[dict[str, Any]]:
     ]
 
 
+def search_assets(text: str, count: int = 5) -> dict[str, Any]:
+    """The assets nearest in meaning to a text, and what a scene that names it would get."""
+    from esg.assets import catalogue
+    from esg.assets.retrieve import GATE, confidence, exact, rank
+
+    entries = {_name(e): e for e in catalogue()}
+    found = exact(text)
+    candidates = rank(text, k=max(count, 5))
+    sure = 1.0 if found else confidence(text, candidates[0])
+    names = ([_name(found)] if found else []) + [c.asset_name for c in candidates]
+    scores = {c.asset_name: c for c in candidates}
+    results = []
+    for name in list(dict.fromkeys(names))[:count]:
+        entry, candidate = entries[name], scores.get(name)
+        results.append(
+            {
+                "name": name,
+                "asset_name": name,
+                "library": entry.library,
+                "category": entry.parents[0] if entry.parents else "",
+                "dimensions_cm": list(entry.dimensions_cm),
+                "mass_kg": entry.mass_kg,
+                "license": entry.license,
+                "description": entry.description,
+                "score": candidate.score if candidate else 1.0,
+                "semantic": candidate.semantic if candidate else 1.0,
+            }
+        )
+    if found:
+        verdict = f'"{text}" names {_name(found)}: a scene gets it at once'
+    elif sure >= GATE:
+        verdict = f"a scene gets {results[0]['name']} (confidence {sure:.2f}, gate {GATE})"
+    else:
+        verdict = f"a scene gets a plain body (confidence {sure:.2f} is below the gate, {GATE})"
+    return {"query": text, "confidence": sure, "gate": GATE, "verdict": verdict, "results": results}
+
+
 def show(name: str) -> dict[str, Any]:
     """Everything known about one asset, with the configuration it gives by default.
 

@@ -9,10 +9,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import lru_cache
 from importlib.resources import files
+import os
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+
+from esg.outcomes import UserError
 
 DIMENSION = 384
 _MAX_TOKENS = 64
@@ -58,7 +61,29 @@ def _embed_one(text: str) -> NDArray[np.float32]:
 
 
 def embed(texts: Sequence[str]) -> NDArray[np.float32]:
-    """Unit embeddings of texts, shape [n, 384]."""
+    """Unit embeddings of texts, shape [n, 384] (with CLIP: the width of its model)."""
     if not texts:
         return np.zeros((0, DIMENSION), np.float32)
+    if embedder() == "clip":
+        from esg.assets.clip import embed_texts
+
+        return embed_texts(texts)
     return np.stack([_embed_one(t) for t in texts])
+
+
+def embedder() -> str:
+    """Which embedder the environment asks for: minilm (default) or clip.
+
+    Raises:
+        UserError: For another one.
+    """
+    chosen = os.environ.get("ESG_EMBEDDER", "").strip().lower() or "minilm"
+    if chosen not in ("minilm", "clip"):
+        raise UserError(f"ESG_EMBEDDER={chosen!r}: choose minilm or clip")
+    return chosen
+
+
+def pieces(word: str) -> int:
+    """Word pieces into which the tokenizer cuts a word: 1 for a common English one."""
+    _, tokenizer = _model()
+    return len(tokenizer.encode(word, add_special_tokens=False).ids)

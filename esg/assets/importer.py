@@ -171,7 +171,7 @@ def convert(
     from esg.assets.describe import describe
     from esg.assets.mesh import GLTF_FROM_LOCAL
 
-    notes: list[str] = []
+    notes = [f"texture {name} is missing" for name in missing_textures(source.path)]
     scene = trimesh.load_scene(source.path, process=False)
     meshes = [m for m in scene.dump() if isinstance(m, trimesh.Trimesh) and len(m.faces)]
     if not meshes:
@@ -212,6 +212,30 @@ def convert(
     record["mesh_sha256"] = hashlib.sha256(glb).hexdigest()
     record["glb"] = glb
     return record, notes
+
+
+def missing_textures(path: Path) -> list[str]:
+    """Material files and textures that a Wavefront model names and that are not there."""
+    if path.suffix.lower() != ".obj":
+        return []
+
+    def named(file: Path, keyword: str) -> list[str]:
+        lines = file.read_text(encoding="utf-8", errors="replace").splitlines()
+        words = [line.split(None, 1) for line in lines]
+        return [w[1].strip() for w in words if len(w) == 2 and w[0].lower() == keyword]
+
+    missing: list[str] = []
+    for library in named(path, "mtllib"):
+        file = path.parent / library
+        if not file.is_file():
+            missing.append(library)
+            continue
+        for texture in named(file, "map_kd"):
+            # Options may precede the name ("-s 2 2 1 wood.jpg").
+            name = texture.split()[-1].replace("\\", "/")
+            if not (file.parent / texture).is_file() and not (file.parent / name).is_file():
+                missing.append(name)
+    return sorted(set(missing))
 
 
 def _bounds(meshes: list[Any], matrix: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

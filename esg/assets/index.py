@@ -28,8 +28,14 @@ def texts_of(entry: Entry) -> tuple[str, ...]:
 
 
 def texts_hash(entries: tuple[Entry, ...]) -> str:
-    """Content hash of all texts in order."""
+    """Content hash of all texts in order, and of the embedder if it is not the default one."""
+    from esg.assets.embed import embedder
+
     digest = hashlib.sha256()
+    if embedder() == "clip":
+        from esg.assets.clip import clip_name
+
+        digest.update(clip_name().encode())
     for entry in entries:
         digest.update("\n".join(texts_of(entry)).encode() + b"\0")
     return digest.hexdigest()

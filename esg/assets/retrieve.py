@@ -31,6 +31,8 @@ GATE = 0.65
 _SIBLING_MARGIN = 0.15
 _MODIFIER_PENALTY = 0.2
 """For a text that is only the first part of a compound ("cannon" of "cannon ball")."""
+_FOREIGN_PENALTY = 0.3
+"""For words that are not English: the embedding knows English, and finds some neighbour for all."""
 _KEEP = 5
 
 
@@ -52,7 +54,8 @@ class Decision:
 
 
 _TAIL = re.compile(
-    r"\b(of|for|with|without|in|on|from|to|at|by|used|thrown|made|that|which|into|over|under)\b"
+    r"\b(of|for|with|without|in|on|from|to|at|by|used|thrown|made(?= (?:of|from|out|with|by))"
+    r"|that|which|into|over|under)\b"
 )
 _AMBIGUOUS_HEADS = frozenset(
     [
@@ -218,9 +221,10 @@ def confidence(text: str, best: RetrievalCandidate, index: Index | None = None) 
     i = next(k for k, e in enumerate(index.entries) if _qualified(e) == best.asset_name)
     if any(normalize(name) == normalize(text) for name in texts_of(index.entries[i])):
         return 1.0
-    if best.category >= 0.8:
+    if best.category >= 0.8 and not is_foreign(text):
         return round(0.6 + 0.4 * max(best.semantic, 0.0), 6)
     words = normalize(text)
+    foreign = _FOREIGN_PENALTY if is_foreign(text) else 0.0
     head = head_phrase(text).split()[-1:] or [words]
     whole = embed([words])[0]
     alone = embed(head)[0]
@@ -231,7 +235,43 @@ def confidence(text: str, best: RetrievalCandidate, index: Index | None = None) 
     nearest = normalize(texts[int(index.scores_of(i, whole).argmax())])
     if nearest.startswith(words) and nearest != words:
         value -= _MODIFIER_PENALTY
-    return round(min(max(value, 0.0), 1.0), 6)
+    return round(min(max(value - foreign, 0.0), 1.0), 6)
+
+
+_FOREIGN_WORDS = frozenset(
+    """
+    der die das ein eine einen und mit auf von aus dem den im le la les un une des du et avec sur
+    sous pour de el los las una y con del para por il lo gli uno di da e su os um uma do het een van
+    op
+    """.split()
+)
+"""Articles and prepositions of neighbouring languages that are no English nouns."""
+
+
+def is_foreign(text: str) -> bool:
+    """Whether a phrase looks like another language than English.
+
+    Letters outside the Latin alphabet or with diacritics; a foreign article or preposition; or
+    words that the tokenizer cuts into three or more pieces on average (four for a word alone) and
+    of which the library knows none.
+    """
+    if any(ch.isalpha() and not ch.isascii() for ch in text):
+        return True
+    words = re.findall(r"[a-z]+", text.lower())
+    if not words:
+        return bool(text.strip()) and not any(ch.isdigit() for ch in text)
+    if len(words) > 1 and (words[0] in _FOREIGN_WORDS or set(words[1:-1]) & _FOREIGN_WORDS):
+        return True
+    if set(words) & _library_words():
+        return False
+    from esg.assets.embed import pieces
+
+    return sum(pieces(w) for w in words) / len(words) >= (3.0 if len(words) > 1 else 4.0)
+
+
+@lru_cache(maxsize=1)
+def _library_words() -> frozenset[str]:
+    return frozenset(w for phrase in lexicon() for w in phrase.split())
 
 
 def _qualified(entry: Entry) -> str:

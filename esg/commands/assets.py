@@ -43,7 +43,7 @@ def search(text: str, *, count: int = 5, json: Json = False) -> int:
         count: How many to show.
         json: Print one JSON document.
     """
-    from esg.assets import search as run
+    from esg.assets.commands import search_assets
     from esg.commands.console import emit, table
     from esg.outcomes import UserError
 
@@ -51,11 +51,23 @@ def search(text: str, *, count: int = 5, json: Json = False) -> int:
         raise UserError("say what to search for")
     if not 1 <= count <= 1000:
         raise UserError(f"--count {count}: choose 1 to 1000")
-    found = run(text, count)
+    found = search_assets(text, count)
     if json:
-        emit([c.model_dump(mode="json") for c in found])
-    else:
-        print(table(["asset", "score"], [[c.asset_name, f"{c.score:.3f}"] for c in found]))
+        emit(found)
+        return 0
+    rows = [
+        [
+            r["name"],
+            r["category"],
+            _size(r["dimensions_cm"]),
+            f"{r['mass_kg']:g}",
+            f"{r['score']:.2f}",
+            r["description"][:56],
+        ]
+        for r in found["results"]
+    ]
+    print(table(["asset", "kind", "size cm", "mass kg", "score", "what it is"], rows))
+    print(f"\n{found['verdict']}")
     return 0
 
 

@@ -158,3 +158,19 @@ def test_frames_are_rotations() -> None:
 def test_properties_with_escapes() -> None:
     text = "# comment\na\\ b=1\nname#1=caf\\u00e9 \\\n   noir\n"
     assert parse_properties(text) == {"a\\ b": "1", "name#1": "café noir"}
+
+
+def test_missing_textures_are_reported_and_the_model_goes_in(tmp_path: Path) -> None:
+    source = tmp_path / "painted"
+    source.mkdir()
+    box = trimesh.exchange.obj.export_obj(trimesh.creation.box(extents=(1, 1, 1)))
+    (source / "cube.obj").write_text("mtllib cube.mtl\n" + box)
+    (source / "cube.mtl").write_text("newmtl a\nKd 1 0 0\nmap_Kd -s 2 2 1 lost.jpg\n")
+    (source / "bare.obj").write_text("mtllib gone.mtl\n" + box)
+    report = import_folder(source)
+    assert sorted(report.imported) == ["bare", "cube"]
+    problems = dict(p for p in report.problems if "missing" in p[1])
+    assert problems == {
+        "cube": "warning: texture lost.jpg is missing",
+        "bare": "warning: texture gone.mtl is missing",
+    }

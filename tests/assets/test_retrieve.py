@@ -13,7 +13,7 @@ from esg.assets import search
 from esg.assets.embed import embed
 from esg.assets.index import INDEX_FILE, texts_hash, unpack
 from esg.assets.library import catalogue, entries_by_name, lexicon, singular
-from esg.assets.retrieve import GATE, confidence, exact, head_match, rank
+from esg.assets.retrieve import GATE, confidence, exact, head_match, is_foreign, rank
 
 DATA = Path(__file__).parents[2] / "data"
 
@@ -90,3 +90,27 @@ def test_retrieval_benchmark_holds() -> None:
     assert first / total >= 0.85
     assert third / total >= 0.96
     assert auc >= 0.93
+
+
+@pytest.mark.parametrize(
+    ("text", "foreign"),
+    [
+        ("rote mülltonne", True),
+        ("le petit chien", True),
+        ("mesa de madera", True),
+        ("schreibtischstuhl", True),
+        ("красный мяч", True),
+        ("a red wheelie bin", False),
+        ("orangutan", False),
+        ("van", False),
+        ("bottle of wine", False),
+        ("x-ray machine", False),
+    ],
+)
+def test_other_languages_are_told_apart(text: str, foreign: bool) -> None:
+    assert is_foreign(text) is foreign
+
+
+def test_other_languages_do_not_open_the_gate() -> None:
+    for text in ("rote mülltonne", "mesa de madera", "le petit chien", "bottiglia di vino"):
+        assert confidence(text, rank(text)[0]) < GATE, text
