@@ -1,0 +1,348 @@
+"""Kernels that simulate worlds of different scenes side by side.
+
+The surrogate's functions are those of single scenes; here a thread first picks the arrays of its
+scene. The Newton kernels are those of `esg.engines.newton_kernels` with per-world indices.
+"""
+
+from __future__ import annotations
+
+# pyright: basic, reportGeneralTypeIssues=false, reportInvalidTypeForm=false
+import warp as wp
+
+from esg.engines.newton_kernels import _set_angular, _set_linear
+from esg.engines.surrogate_kernels import _sound, run_program, write_log
+from esg.engines.surrogate_contacts import find_contacts, prepare_bodies, wake
+from esg.engines.surrogate_solver import move, solve
+from esg.engines.surrogate_types import Contacts, Log, Model, Raw, State, Trace
+
+wp.set_module_options({"enable_backward": False})
+
+
+@wp.struct
+class Out:
+    """What a rollout of W worlds leaves: states of moving bodies, [W, T, D], and per world [W]."""
+
+    x: wp.array3d(dtype=wp.vec3)
+    r: wp.array3d(dtype=wp.quat)
+    v: wp.array3d(dtype=wp.vec3)
+    o: wp.array3d(dtype=wp.vec3)
+    deepest: wp.array(dtype=float)
+    end: wp.array(dtype=int)
+
+
+@wp.kernel(enable_backward=False)
+def roll_many(
+    models: wp.array(dtype=Model),
+    states: wp.array(dtype=State),
+    raws: wp.array(dtype=Raw),
+    cons: wp.array(dtype=Contacts),
+    logs: wp.array(dtype=Log),
+    outs: wp.array(dtype=Out),
+    trace: Trace,
+    scene_of: wp.array(dtype=int),
+    world_of: wp.array(dtype=int),
+    dts: wp.array(dtype=wp.float64),
+    steps: wp.array(dtype=int),
+    every: wp.array(dtype=int),
+    first: int,
+):
+    """Simulates one world per thread; `out.x` begins with frame 1."""
+    i = wp.tid() + first
+    s = scene_of[i]
+    w = world_of[i]
+    model = models[s]
+    state = states[s]
+    raw = raws[s]
+    con = cons[s]
+    log = logs[s]
+    out = outs[s]
+    raw.world = w
+    dt = dts[s]
+    h = float(dt)
+    record_every = every[s]
+    for step in range(steps[s]):
+        run_program(model, state, trace, w, step, dt)
+        prepare_bodies(model, state, w, h)
+        wake(model, state, w, h)
+        find_contacts(model, state, raw, con, w, step, h)
+        solve(model, state, con, w, step)
+        write_log(state, con, log, w, step, step / record_every + 1)
+        for k in range(con.count[w, 0]):
+            out.deepest[w] = wp.max(out.deepest[w], -con.gap[w, k])
+        move(model, state, con, w, step, h, log.ground == 0)
+        if (step + 1) % record_every == 0:
+            frame = (step + 1) / record_every
+            if not _sound(model, state, w):
+                out.end[w] = frame
+                return
+            slot = int(0)  # noqa: UP018  # a variable to Warp, not a constant
+            for b in range(model.n_bodies):
+                if model.dynamic[b] != 0:
+                    out.x[w, frame - 1, slot] = state.x[w, b]
+                    out.r[w, frame - 1, slot] = state.r[w, b]
+                    out.v[w, frame - 1, slot] = state.v[w, b]
+                    out.o[w, frame - 1, slot] = state.o[w, b]
+                    slot = slot + 1
+    out.end[w] = out.x.shape[1] + 1
+
+
+@wp.kernel(enable_backward=False)
+def count_rows(
+    cons: wp.array(dtype=Contacts),
+    logs: wp.array(dtype=Log),
+    scene_of: wp.array(dtype=int),
+    world_of: wp.array(dtype=int),
+    counts: wp.array2d(dtype=int),
+):
+    """Rows of every world's log, and contacts that found no room."""
+    i = wp.tid()
+    w = world_of[i]
+    counts[0, i] = logs[scene_of[i]].count[w]
+    counts[1, i] = cons[scene_of[i]].dropped[w]
+
+
+@wp.kernel(enable_backward=False)
+def pack_logs(
+    logs: wp.array(dtype=Log),
+    scene_of: wp.array(dtype=int),
+    world_of: wp.array(dtype=int),
+    offset: wp.array(dtype=int),
+    ints: wp.array2d(dtype=int),
+    floats: wp.array2d(dtype=float),
+):
+    """Gathers the used rows of all logs; `offset` says where a world's rows go."""
+    i = wp.tid()
+    log = logs[scene_of[i]]
+    w = world_of[i]
+    at = offset[i]
+    for row in range(offset[i + 1] - at):
+        ints[at + row, 0] = log.frame[w, row]
+        ints[at + row, 1] = log.a[w, row]
+        ints[at + row, 2] = log.b[w, row]
+        ints[at + row, 3] = log.step[w, row]
+        floats[at + row, 0] = log.impulse[w, row]
+        floats[at + row, 1] = log.depth[w, row]
+        for k in range(3):
+            floats[at + row, 2 + k] = log.point[w, row][k]
+            floats[at + row, 5 + k] = log.normal[w, row][k]
+
+
+# -- the reference engine: worlds of different scenes in one model ----------------------------------
+
+
+@wp.kernel(enable_backward=False)
+def run_programs(
+    clock: wp.array(dtype=int),
+    grid: wp.array(dtype=wp.float64),
+    primitives: wp.array(dtype=int),
+    kind: wp.array2d(dtype=int),
+    body: wp.array2d(dtype=int),
+    until: wp.array3d(dtype=int),
+    table: wp.array3d(dtype=wp.float64),
+    dynamic: wp.array2d(dtype=int),
+    first_shape: wp.array(dtype=int),
+    shape_body: wp.array(dtype=int),
+    friction_scale: wp.array(dtype=float),
+    touched: wp.array3d(dtype=int),
+    done: wp.array2d(dtype=int),
+    active: wp.array2d(dtype=int),
+    body_mass: wp.array(dtype=float),
+    linear_damping: wp.array(dtype=float),
+    angular_damping: wp.array(dtype=float),
+    shape_mu: wp.array(dtype=float),
+    body_qd: wp.array(dtype=wp.spatial_vector),
+    joint_qd: wp.array(dtype=float),
+):
+    """One thread per world executes its program before a step (`esg.engines.program`)."""
+    world = wp.tid()
+    step = clock[0]
+    dt = grid[0]
+    t = wp.float64(step) * dt
+    now = t + wp.float64(0.5) * dt
+    for k in range(primitives[world]):
+        if done[world, k] != 0:
+            continue
+        b = body[world, k]
+        target = dynamic[world, b]
+        start = table[world, k, 0]
+        if kind[world, k] == 3:
+            if active[world, k] != 0:
+                for other in range(until.shape[2]):
+                    if until[world, k, other] != 0 and touched[world, b, other] == step:
+                        done[world, k] = 1
+            if now > table[world, k, 1]:
+                done[world, k] = 1
+            if done[world, k] == 0 and start <= now:
+                active[world, k] = 1
+                s = t - start
+                speed = wp.max(wp.float64(0.0), table[world, k, 2] + table[world, k, 4] * s)
+                if table[world, k, 4] > wp.float64(0.0):
+                    speed = wp.min(speed, table[world, k, 5])
+                heading = table[world, k, 3] + table[world, k, 6] * s
+                vx = float(speed * wp.cos(heading))
+                vy = float(speed * wp.sin(heading))
+                vz = wp.spatial_top(body_qd[target])[2]
+                _set_linear(target, wp.vec3(vx, vy, vz), body_qd, joint_qd)
+                r = float(table[world, k, 7])
+                omega = wp.vec3(0.0, 0.0, float(table[world, k, 6]))
+                if r != 0.0:
+                    omega = wp.vec3(-vy / r, vx / r, 0.0)
+                _set_angular(target, omega, body_qd, joint_qd)
+        elif start <= now:
+            done[world, k] = 1
+            a = wp.vec3(
+                float(table[world, k, 2]), float(table[world, k, 3]), float(table[world, k, 4])
+            )
+            if kind[world, k] == 0:
+                _set_linear(target, a, body_qd, joint_qd)
+                if not wp.isnan(table[world, k, 5]):
+                    omega = wp.vec3(
+                        float(table[world, k, 5]),
+                        float(table[world, k, 6]),
+                        float(table[world, k, 7]),
+                    )
+                    _set_angular(target, omega, body_qd, joint_qd)
+            elif kind[world, k] == 1:
+                v = wp.spatial_top(body_qd[target]) + a / body_mass[target]
+                _set_linear(target, v, body_qd, joint_qd)
+            else:
+                if target >= 0:
+                    if not wp.isnan(table[world, k, 2]):
+                        linear_damping[target] = a[0]
+                    if not wp.isnan(table[world, k, 3]):
+                        angular_damping[target] = a[1]
+                if not wp.isnan(table[world, k, 4]):
+                    for shape in range(first_shape[world], first_shape[world + 1]):
+                        if shape_body[shape] == b:
+                            shape_mu[shape] = a[2] * friction_scale[world]
+
+
+@wp.kernel(enable_backward=False)
+def accumulate_many(
+    clock: wp.array(dtype=int),
+    grid: wp.array(dtype=wp.float64),
+    count: wp.array(dtype=int),
+    shape0: wp.array(dtype=int),
+    shape1: wp.array(dtype=int),
+    point0: wp.array(dtype=wp.vec3),
+    point1: wp.array(dtype=wp.vec3),
+    normal: wp.array(dtype=wp.vec3),
+    margin0: wp.array(dtype=float),
+    margin1: wp.array(dtype=float),
+    force: wp.array(dtype=wp.spatial_vector),
+    model_shape_body: wp.array(dtype=int),
+    body_q: wp.array(dtype=wp.transform),
+    shape_world: wp.array(dtype=int),
+    shape_body: wp.array(dtype=int),
+    first_pair: wp.array(dtype=int),
+    pair: wp.array3d(dtype=int),
+    touched: wp.array3d(dtype=int),
+    impulse: wp.array2d(dtype=wp.int64),
+    first: wp.array2d(dtype=int),
+    depth: wp.array2d(dtype=float),
+    moments: wp.array3d(dtype=wp.int64),
+):
+    """One thread per contact point adds the step's normal impulse to its pair of bodies."""
+    i = wp.tid()
+    if i >= count[0]:
+        return
+    s0 = shape0[i]
+    s1 = shape1[i]
+    if s0 < 0 or s1 < 0:
+        return
+    n = normal[i]
+    # Newton reports the force on shape 0; the normal points from shape 0 to shape 1.
+    magnitude = -wp.dot(wp.spatial_top(force[i]), n) * float(grid[0])
+    if not (magnitude > 0.0) or not wp.isfinite(magnitude):
+        return
+    world = shape_world[s0]
+    a = shape_body[s0]
+    b = shape_body[s1]
+    step = clock[0]
+    if a >= 0 and b >= 0:
+        touched[world, a, b] = step + 1
+        touched[world, b, a] = step + 1
+    p = pair[world, a + 1, b + 1]
+    slot = step / clock[1] - clock[2]
+    if p < 0 or slot < 0 or slot >= clock[3]:
+        return
+    p = p + first_pair[world]
+    x0 = point0[i]
+    x1 = point1[i]
+    body0 = model_shape_body[s0]
+    body1 = model_shape_body[s1]
+    if body0 >= 0:
+        x0 = wp.transform_point(body_q[body0], x0)
+    if body1 >= 0:
+        x1 = wp.transform_point(body_q[body1], x1)
+    gap = wp.dot(n, x1 - x0) - (margin0[i] + margin1[i])
+    x = 0.5 * (x0 + n * margin0[i] + x1 - n * margin1[i])
+    # The log's normal points from the pair's second body to its first.
+    direction = -n
+    if (b >= 0 and b < a) or a < 0:
+        direction = n
+    weight = wp.float64(magnitude) * wp.float64(1.0e9)
+    wp.atomic_add(impulse, slot, p, wp.int64(weight))
+    wp.atomic_min(first, slot, p, step)
+    wp.atomic_max(depth, slot, p, -gap)
+    for k in range(3):
+        wp.atomic_add(moments, slot, p, k, wp.int64(weight * wp.float64(x[k])))
+        wp.atomic_add(moments, slot, p, 3 + k, wp.int64(weight * wp.float64(direction[k])))
+
+
+@wp.kernel(enable_backward=False)
+def pack_pairs(
+    frame: int,
+    impulse: wp.array2d(dtype=wp.int64),
+    first: wp.array2d(dtype=int),
+    depth: wp.array2d(dtype=float),
+    moments: wp.array3d(dtype=wp.int64),
+    count: wp.array(dtype=int),
+    ints: wp.array2d(dtype=int),
+    depths: wp.array(dtype=float),
+    sums: wp.array2d(dtype=wp.int64),
+):
+    """Appends the pairs that touched in a chunk to a list, in any order, and clears the chunk."""
+    slot, p = wp.tid()
+    weight = impulse[slot, p]
+    if weight > wp.int64(0):
+        row = wp.atomic_add(count, 0, 1)
+        if row < depths.shape[0]:
+            ints[row, 0] = frame + slot
+            ints[row, 1] = p
+            ints[row, 2] = first[slot, p]
+            depths[row] = depth[slot, p]
+            sums[row, 0] = weight
+            for k in range(6):
+                sums[row, 1 + k] = moments[slot, p, k]
+    impulse[slot, p] = wp.int64(0)
+    first[slot, p] = 2147483647
+    depth[slot, p] = 0.0
+    for k in range(6):
+        moments[slot, p, k] = wp.int64(0)
+
+
+@wp.kernel(enable_backward=False)
+def record_frame(
+    clock: wp.array(dtype=int),
+    body_q: wp.array(dtype=wp.transform),
+    body_qd: wp.array(dtype=wp.spatial_vector),
+    out_q: wp.array2d(dtype=wp.transform),
+    out_qd: wp.array2d(dtype=wp.spatial_vector),
+):
+    """One thread per body stores the state after a step that ends a frame."""
+    i = wp.tid()
+    after = clock[0] + 1
+    if after % clock[1] != 0:
+        return
+    slot = after / clock[1] - 1
+    if slot < out_q.shape[0]:
+        out_q[slot, i] = body_q[i]
+        out_qd[slot, i] = body_qd[i]
+
+
+@wp.kernel(enable_backward=False)
+def begin_chunk(clock: wp.array(dtype=int), first: int, frames: int):
+    """Tells the kernels of a step which frames the sums of pairs are for."""
+    clock[2] = first
+    clock[3] = frames
