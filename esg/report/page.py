@@ -60,7 +60,7 @@ def write_report(
         "before": _plain(run.before),
         "paper": run.paper,
         "files": _relative(run, path) if files is None else files,
-        "scenes": [index_entry(s, n) for n, s in enumerate(run.scenes)],
+        "scenes": [index_entry(s, n, _key(run, s)) for n, s in enumerate(run.scenes)],
     }
     partial = path.with_name(f".{path.name}.{os.getpid()}.tmp")
     try:
@@ -134,6 +134,11 @@ def _chunks(
         on_scene(scene)
     for key, text in meshes.chunks.items():
         yield f"mesh-{key}", text
+
+
+def _key(run: Run, scene: SceneEntry) -> str:
+    """Name of a scene in the page: where its folder is in the run's."""
+    return scene.name if run.single else scene.folder.relative_to(run.folder).as_posix()
 
 
 def _plain(row: dict[str, Any]) -> dict[str, Any]:

@@ -25,19 +25,20 @@ SHEET_PX = 1100
 _MOVED_M, _TURNED = 1e-4, 1e-4
 
 
-def index_entry(scene: SceneEntry, number: int) -> dict[str, Any]:
+def index_entry(scene: SceneEntry, number: int, key: str) -> dict[str, Any]:
     """What lists, filters and cards need to know of a scene.
 
     Args:
         scene: The scene.
         number: Its place in the run.
+        key: Its folder, seen from the run's.
     """
     verdict, coverage = scene.verdict, scene.document.get("coverage", {})
     items = coverage.get("items", [])
     constraints = verdict.get("constraints", [])
     return {
         "n": number,
-        "id": scene.name,
+        "id": key,
         "group": scene.group,
         "seed": scene.seed,
         "prompt": scene.prompt,
@@ -132,8 +133,9 @@ def _regions(sim: SimScene) -> list[dict[str, Any]]:
 def _replay(chunk: Chunk, number: int, replay: Replayed) -> dict[str, Any]:
     rollout = replay.rollout
     frames = frames_at(rollout.time, FPS)
-    position = rollout.position[0, frames].astype(float)
-    quaternion = continuous(rollout.quaternion[0, frames].astype(float))
+    # What diverged is shown as far as it went: not a number is no place to draw at.
+    position = np.nan_to_num(rollout.position[0, frames].astype(float), posinf=0.0, neginf=0.0)
+    quaternion = continuous(np.nan_to_num(rollout.quaternion[0, frames].astype(float)))
     moving = [
         i
         for i in range(position.shape[1])
@@ -188,7 +190,7 @@ def contacts_of(rollout: Rollout) -> list[list[float]]:
     c = rollout.contacts.select(0)
     best: dict[tuple[int, int, int], int] = {}
     for row in range(len(c.time)):
-        if c.impulse[row] < MIN_IMPULSE_NS or c.b[row] < 0:
+        if not c.impulse[row] >= MIN_IMPULSE_NS or c.b[row] < 0:
             continue
         key = (int(c.a[row]), int(c.b[row]), int(c.time[row] / 0.05))
         if key not in best or c.impulse[row] > c.impulse[best[key]]:
@@ -204,7 +206,7 @@ def contacts_of(rollout: Rollout) -> list[list[float]]:
             *(round(float(v), 3) for v in c.normal[r]),
         ]
         for r in sorted(rows, key=lambda r: (float(c.time[r]), r))
-        if np.isfinite(c.point[r]).all() and np.isfinite(c.normal[r]).all()
+        if np.isfinite([c.impulse[r], *c.point[r], *c.normal[r]]).all()
     ]
 
 

@@ -54,7 +54,7 @@ def browser(*, dark: bool = False, network: bool = False) -> Iterator[Any]:
 
     Args:
         dark: Prefer dark colours.
-        network: Let it reach anything but files; without, every address is refused.
+        network: Let it reach anything but this machine; without, every address is refused.
     """
     from selenium import webdriver
     from selenium.webdriver.chrome.service import Service
@@ -64,7 +64,7 @@ def browser(*, dark: bool = False, network: bool = False) -> Iterator[Any]:
     for flag in FLAGS:
         options.add_argument(flag)
     if not network:
-        options.add_argument("--host-resolver-rules=MAP * ~NOTFOUND")
+        options.add_argument("--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1")
     if dark:
         options.add_argument("--force-dark-mode")
         options.add_argument("--blink-settings=preferredColorScheme=0")

@@ -263,3 +263,68 @@ def test_text_is_readable_in_light_and_dark(page: Path, dark: bool) -> None:
         open_scene(driver, "S2-run0")
         assert driver.execute_script(CONTRAST) >= 4.5
         assert chrome.complaints(driver) == []
+
+
+def test_view_plays_the_scene_and_offers_its_files(driver: Any, tmp_path: Path) -> None:
+    """The served page is the scene's own, and its download links answer."""
+    import threading
+
+    from esg.report.serve import serve
+
+    folder = write_scene(tmp_path / "drop")
+    run = load_run(folder)
+    path = write_report(run, tmp_path / "view.html", files="files")
+    found: list[str] = []
+    there = threading.Event()
+
+    def ready(address: str) -> None:
+        found.append(address)
+        there.set()
+
+    arguments = (path.read_bytes(), folder, 0, ready)
+    server = threading.Thread(target=serve, args=arguments, kwargs={"seconds": 30.0}, daemon=True)
+    server.start()
+    assert there.wait(10)
+    chrome.open_page(driver, found[0])
+    wait(driver, PAINTED.replace("return red;", "return red > 300;"))
+    links = driver.execute_script(
+        "return [...document.querySelectorAll('a[download]')].map((a) => a.href)"
+    )
+    wanted = [link for link in links if link.endswith("rollout.npz")]
+    assert wanted == [found[0] + "files/rollout.npz"]
+    import urllib.request
+
+    opener = urllib.request.build_opener(urllib.request.ProxyHandler({}))
+    with opener.open(wanted[0], timeout=10) as answer:
+        assert answer.read() == (folder / "rollout.npz").read_bytes()
+    assert chrome.complaints(driver) == []
+
+
+def test_engines_are_laid_over_each_other(
+    driver: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A second engine has a switch, a column of its own, and its bodies are drawn when asked."""
+    from esg.report.replays import Replayed
+    from tests.report import folders
+
+    def fake(_: Path, manifest: Any, engine: str) -> Replayed:
+        moved = folders.rollout(engine=engine)
+        moved.position[0, :, 0, 0] += 0.6
+        return Replayed(manifest.scene, moved, "program", [folders.event()])
+
+    monkeypatch.setattr("esg.report.replays._replay", fake)
+    monkeypatch.setattr("esg.report.replays._judged", lambda _, replay: replay)
+    write_scene(tmp_path / "run" / "drop")
+    page = write_report(load_run(tmp_path / "run"), tmp_path / "e.html", engines=("rapier",))
+    chrome.open_page(driver, page)
+    wait(driver, PAINTED.replace("return red;", "return red > 300;"))
+    text = driver.execute_script("return document.querySelector('.detail').textContent")
+    assert "rapier (program)" in text
+    blue = PAINTED.replace(
+        "data[i] > 1.6 * data[i + 1] && data[i] > 1.6 * data[i + 2] && data[i] > 60",
+        "data[i + 2] > data[i] + 30",
+    )
+    before = driver.execute_script(blue)
+    driver.execute_script("document.getElementById('engine-rapier').click()")
+    wait(driver, blue.replace("return red;", f"return red > {before} + 100;"))
+    assert chrome.complaints(driver) == []

@@ -126,6 +126,33 @@ def test_a_scene_chunk_carries_motion_events_and_sources(tmp_path: Path) -> None
     assert chunk["document"]["dynamics_result"]["history"] == [1.0, 0.1, 0.01]
 
 
+def test_a_replay_that_diverged_is_shown_as_far_as_it_went(tmp_path: Path) -> None:
+    """Positions, turns, speeds and impulses that are no numbers break nothing."""
+    scene = read_scene(folders.write_scene(tmp_path / "drop"))
+    rollout = folders.rollout()
+    for array in (rollout.position, rollout.quaternion, rollout.linear_velocity):
+        array[0, 100:] = np.nan
+    rollout.position[0, 200:] = np.inf
+    contacts = replace(rollout.contacts, impulse=np.array([np.nan]))
+    broken = replace(rollout, contacts=contacts, valid=np.array([False]))
+    replay = Replayed(folders.scene(), broken, "program")
+    chunk = decode(scene_chunk(scene, [replay], MeshLibrary()))
+    assert chunk["replays"][0]["valid"] is False
+    assert chunk["replays"][0]["contacts"] == []
+    assert np.isfinite(chunk["data"]["position0"]).all()
+    assert chunk["data"]["position0"][0, 2] == pytest.approx(2.0, abs=1e-3)
+
+
+def test_scenes_of_several_folders_keep_their_place(tmp_path: Path) -> None:
+    """Equal names in different folders stay apart: each is known by its path."""
+    for suite in ("a", "b"):
+        folders.write_scene(tmp_path / suite / "S1-run0")
+    page = write_report(load_run(tmp_path), tmp_path / "r.html").read_text(encoding="utf-8")
+    index = re.search(r'id="index">(.*?)</script>', page)
+    assert index
+    assert [s["id"] for s in json.loads(index[1])["scenes"]] == ["a/S1-run0", "b/S1-run0"]
+
+
 def test_equal_meshes_travel_once(tmp_path: Path) -> None:
     """Two scenes with the same box share its chunk."""
     library = MeshLibrary()
