@@ -239,11 +239,12 @@ def confidence(text: str, best: RetrievalCandidate, index: Index | None = None) 
 
 
 _FOREIGN_WORDS = frozenset(
-    """
-    der die das ein eine einen und mit auf von aus dem den im le la les un une des du et avec sur
-    sous pour de el los las una y con del para por il lo gli uno di da e su os um uma do het een van
-    op
-    """.split()
+    re.findall(
+        r"\w+",
+        "der die das ein eine einen und mit auf von aus dem den im le la les un une des du et avec "
+        "sur sous pour de el los las una y con del para por il lo gli uno di da e su os um uma do "
+        "het een van op",
+    )
 )
 """Articles and prepositions of neighbouring languages that are no English nouns."""
 
