@@ -4,7 +4,7 @@
     python benchmarks/assets.py import FOLDER [--seconds S] [--json FILE]
 
 `resolve` times twenty warm objects (ten named by the library, ten by other words) in CPU time.
-`import` imports FOLDER into `$ESG_ASSET_LIBRARY`, stopping after S seconds as if it had been killed;
+`import` imports FOLDER into `$ESG_ASSET_LIBRARY`, stopping after S seconds as if it were killed;
 run it again to resume, and the file adds up the runs: CPU and wall time, peak memory, problems.
 """
 

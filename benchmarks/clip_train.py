@@ -16,6 +16,7 @@ from __future__ import annotations
 
 import argparse
 import hashlib
+import itertools
 import json
 import math
 from pathlib import Path
@@ -135,7 +136,7 @@ def _tower() -> Any:
 
     widths = (3, 48, 96, 160, 240)
     layers: list[Any] = []
-    for before, after in zip(widths, widths[1:], strict=False):
+    for before, after in itertools.pairwise(widths):
         layers += stage(before, after)
     head = [
         nn.AdaptiveAvgPool2d(1),

@@ -7,6 +7,7 @@ surface "back", so that something can ride on it.
 from __future__ import annotations
 
 from dataclasses import dataclass
+import itertools
 
 from esg.assets.builders import builder
 from esg.assets.builders.common import bone, mirrored, shade, shift
@@ -45,47 +46,203 @@ def _kind(*values: object, marks: str = "") -> Beast:
 
 
 BEASTS: dict[str, Beast] = {
-    "dog": _kind((-26, 22, 8, 5.5, 3), (43, 44, 9.5, 11.5), (38, 62, 8, 6.5), (8.6, 12, -3, 4.6),
-                 ("flop", 11), (30, -0.5, 3, 1.2), -1.6, marks="collar"),
-    "cat": _kind((-13, 12, 4.4, 3.1, 1.7), (18, 18.5, 5.4, 5.6), (21, 25, 4, 4.2), (5.4, 4, -1.2, 2.6),
-                 ("point", 5), (26, -0.8, 1.7, 1.1), -1.1, marks="whiskers"),
-    "horse": _kind((-62, 56, 18, 15, 6.5), (112, 114, 26, 27), (96, 172, 25, 13), (13.5, 36, -20, 9),
-                   ("point", 13), (62, 0.95, 7, 9), -16, marks="mane hooves forelock"),
-    "zebra": _kind((-56, 50, 17, 13, 6), (98, 100, 24, 25), (88, 148, 23, 12), (12.5, 32, -18, 8),
-                   ("point", 15), (50, 0.95, 5, 7), -15, marks="mane hooves stripes"),
-    "cow": _kind((-66, 60, 21, 14, 7), (96, 97, 32, 33), (104, 124, 26, 18), (17, 27, -15, 11),
-                 ("flop", 16), (64, 0.97, 5, 4), -21.7, marks="horns hooves patches udder"),
-    "sheep": _kind((-30, 27, 12, 6, 3.2), (52, 53, 20, 21), (50, 72, 12, 8), (8.6, 13, -6, 5.4),
-                   ("flop", 10), (12, 0.6, 5, 4), -5, marks="wool"),
-    "pig": _kind((-36, 34, 13, 9, 5), (42, 42, 23, 24), (66, 48, 20, 15), (15, 16, -4, 7),
-                 ("point", 13), (13, -0.3, 2, 1), -11, marks="snout"),
-    "deer": _kind((-42, 38, 11, 9, 3.2), (88, 90, 16, 18), (62, 126, 12, 7.5), (9, 17, -6, 4.6),
-                  ("point", 14), (13, 0.4, 5, 3), -8, marks="antlers"),
-    "elephant": _kind((-105, 92, 48, 40, 30), (178, 190, 84, 88), (190, 232, 70, 56),
-                      (56, 34, -30, 26), ("fan", 86), (110, 0.97, 8, 4), -47.8, marks="trunk"),
-    "rabbit": _kind((-9, 9, 4.6, 4.4, 2), (11, 11, 8, 6), (13, 19.5, 4.6, 4.4), (4.8, 3.4, -1, 2.8),
-                    ("long", 8), (2, 0, 3, 3), 1),
-    "bear": _kind((-58, 52, 24, 20, 13), (72, 76, 36, 36), (92, 92, 28, 22), (22, 20, -6, 10),
-                  ("round", 8), (8, 0.2, 6, 5), -13),
-    "fox": _kind((-22, 20, 6, 4, 2), (32, 32, 7, 8), (33, 42, 6, 5), (6.6, 12, -3.5, 2.2),
-                 ("point", 9), (36, 0.25, 4, 6.5), 9, marks="socks tip"),
-    "wolf": _kind((-32, 28, 8, 5.5, 3), (52, 53, 11, 13), (46, 66, 10, 8), (9.6, 15, -5, 4),
-                  ("point", 10), (42, 0.7, 4, 4.5), -4),
-    "lion": _kind((-66, 58, 18, 13, 8), (72, 74, 20, 24), (92, 92, 18, 15), (16, 18, -6, 9),
-                  ("round", 6), (80, 0.75, 4, 3), -6, marks="ruff tuft"),
-    "tiger": _kind((-66, 58, 18, 13, 8), (70, 72, 20, 23), (92, 86, 17, 14), (16, 17, -5, 9),
-                   ("round", 6), (84, 0.35, 4, 3.5), 11.6, marks="bands"),
-    "giraffe": _kind((-62, 52, 24, 17, 8), (196, 220, 34, 38), (124, 420, 32, 13), (15, 36, -12, 9),
-                     ("point", 18), (80, 0.97, 5, 4), -36, marks="spots ossicones hooves"),
-    "camel": _kind((-70, 58, 20, 16, 9), (124, 126, 32, 34), (132, 190, 17, 12), (13, 26, -6, 9),
-                   ("round", 8), (54, 0.95, 4, 4), -32, marks="hump"),
-    "mouse": _kind((-3.4, 3, 1.5, 1.2, 0.5), (2.6, 2.5, 2.4, 2.0), (5.2, 3.0, 1.7, 1.4), (1.7, 2.1, -0.4, 0.5),
-                   ("disc", 1.7), (8, 0.05, 0.5, 0.2), 3.2),
-    "crocodile": _kind((-62, 46, 26, 10, 7), (25, 25, 17, 19), (86, 26, 15, 14), (14, 58, -8, 8),
-                       ("none", 0), (150, 0.08, 15, 2.5), 32.7, marks="scutes sprawl"),
-    "rhino": _kind((-100, 86, 34, 28, 18), (108, 112, 54, 56), (146, 112, 44, 34), (34, 36, -22, 20),
-                   ("point", 24), (60, 0.95, 5, 3), -20, marks="nose_horn"),
-}  # fmt: skip
+    "dog": _kind(
+        (-26, 22, 8, 5.5, 3),
+        (43, 44, 9.5, 11.5),
+        (38, 62, 8, 6.5),
+        (8.6, 12, -3, 4.6),
+        ("flop", 11),
+        (30, -0.5, 3, 1.2),
+        -1.6,
+        marks="collar",
+    ),
+    "cat": _kind(
+        (-13, 12, 4.4, 3.1, 1.7),
+        (18, 18.5, 5.4, 5.6),
+        (21, 25, 4, 4.2),
+        (5.4, 4, -1.2, 2.6),
+        ("point", 5),
+        (26, -0.8, 1.7, 1.1),
+        -1.1,
+        marks="whiskers",
+    ),
+    "horse": _kind(
+        (-62, 56, 18, 15, 6.5),
+        (112, 114, 26, 27),
+        (96, 172, 25, 13),
+        (13.5, 36, -20, 9),
+        ("point", 13),
+        (62, 0.95, 7, 9),
+        -16,
+        marks="mane hooves forelock",
+    ),
+    "zebra": _kind(
+        (-56, 50, 17, 13, 6),
+        (98, 100, 24, 25),
+        (88, 148, 23, 12),
+        (12.5, 32, -18, 8),
+        ("point", 15),
+        (50, 0.95, 5, 7),
+        -15,
+        marks="mane hooves stripes",
+    ),
+    "cow": _kind(
+        (-66, 60, 21, 14, 7),
+        (96, 97, 32, 33),
+        (104, 124, 26, 18),
+        (17, 27, -15, 11),
+        ("flop", 16),
+        (64, 0.97, 5, 4),
+        -21.7,
+        marks="horns hooves patches udder",
+    ),
+    "sheep": _kind(
+        (-30, 27, 12, 6, 3.2),
+        (52, 53, 20, 21),
+        (50, 72, 12, 8),
+        (8.6, 13, -6, 5.4),
+        ("flop", 10),
+        (12, 0.6, 5, 4),
+        -5,
+        marks="wool",
+    ),
+    "pig": _kind(
+        (-36, 34, 13, 9, 5),
+        (42, 42, 23, 24),
+        (66, 48, 20, 15),
+        (15, 16, -4, 7),
+        ("point", 13),
+        (13, -0.3, 2, 1),
+        -11,
+        marks="snout",
+    ),
+    "deer": _kind(
+        (-42, 38, 11, 9, 3.2),
+        (88, 90, 16, 18),
+        (62, 126, 12, 7.5),
+        (9, 17, -6, 4.6),
+        ("point", 14),
+        (13, 0.4, 5, 3),
+        -8,
+        marks="antlers",
+    ),
+    "elephant": _kind(
+        (-105, 92, 48, 40, 30),
+        (178, 190, 84, 88),
+        (190, 232, 70, 56),
+        (56, 34, -30, 26),
+        ("fan", 86),
+        (110, 0.97, 8, 4),
+        -47.8,
+        marks="trunk",
+    ),
+    "rabbit": _kind(
+        (-9, 9, 4.6, 4.4, 2),
+        (11, 11, 8, 6),
+        (13, 19.5, 4.6, 4.4),
+        (4.8, 3.4, -1, 2.8),
+        ("long", 8),
+        (2, 0, 3, 3),
+        1,
+    ),
+    "bear": _kind(
+        (-58, 52, 24, 20, 13),
+        (72, 76, 36, 36),
+        (92, 92, 28, 22),
+        (22, 20, -6, 10),
+        ("round", 8),
+        (8, 0.2, 6, 5),
+        -13,
+    ),
+    "fox": _kind(
+        (-22, 20, 6, 4, 2),
+        (32, 32, 7, 8),
+        (33, 42, 6, 5),
+        (6.6, 12, -3.5, 2.2),
+        ("point", 9),
+        (36, 0.25, 4, 6.5),
+        9,
+        marks="socks tip",
+    ),
+    "wolf": _kind(
+        (-32, 28, 8, 5.5, 3),
+        (52, 53, 11, 13),
+        (46, 66, 10, 8),
+        (9.6, 15, -5, 4),
+        ("point", 10),
+        (42, 0.7, 4, 4.5),
+        -4,
+    ),
+    "lion": _kind(
+        (-66, 58, 18, 13, 8),
+        (72, 74, 20, 24),
+        (92, 92, 18, 15),
+        (16, 18, -6, 9),
+        ("round", 6),
+        (80, 0.75, 4, 3),
+        -6,
+        marks="ruff tuft",
+    ),
+    "tiger": _kind(
+        (-66, 58, 18, 13, 8),
+        (70, 72, 20, 23),
+        (92, 86, 17, 14),
+        (16, 17, -5, 9),
+        ("round", 6),
+        (84, 0.35, 4, 3.5),
+        11.6,
+        marks="bands",
+    ),
+    "giraffe": _kind(
+        (-62, 52, 24, 17, 8),
+        (196, 220, 34, 38),
+        (124, 420, 32, 13),
+        (15, 36, -12, 9),
+        ("point", 18),
+        (80, 0.97, 5, 4),
+        -36,
+        marks="spots ossicones hooves",
+    ),
+    "camel": _kind(
+        (-70, 58, 20, 16, 9),
+        (124, 126, 32, 34),
+        (132, 190, 17, 12),
+        (13, 26, -6, 9),
+        ("round", 8),
+        (54, 0.95, 4, 4),
+        -32,
+        marks="hump",
+    ),
+    "mouse": _kind(
+        (-3.4, 3, 1.5, 1.2, 0.5),
+        (2.6, 2.5, 2.4, 2.0),
+        (5.2, 3.0, 1.7, 1.4),
+        (1.7, 2.1, -0.4, 0.5),
+        ("disc", 1.7),
+        (8, 0.05, 0.5, 0.2),
+        3.2,
+    ),
+    "crocodile": _kind(
+        (-62, 46, 26, 10, 7),
+        (25, 25, 17, 19),
+        (86, 26, 15, 14),
+        (14, 58, -8, 8),
+        ("none", 0),
+        (150, 0.08, 15, 2.5),
+        32.7,
+        marks="scutes sprawl",
+    ),
+    "rhino": _kind(
+        (-100, 86, 34, 28, 18),
+        (108, 112, 54, 56),
+        (146, 112, 44, 34),
+        (34, 36, -22, 20),
+        ("point", 24),
+        (60, 0.95, 5, 3),
+        -20,
+        marks="nose_horn",
+    ),
+}
 
 
 def _legs(s: Sketch, b: Beast, c: Color) -> None:
@@ -130,9 +287,11 @@ def _ears(s: Sketch, b: Beast, c: Color) -> None:
             )
         elif kind == "disc":
             s.ball(
-                1, (root[0], root[1] * 1.2, root[2] + 0.4 * length), shade(c, 1.2),
+                1,
+                (root[0], root[1] * 1.2, root[2] + 0.4 * length),
+                shade(c, 1.2),
                 scale=(0.25 * length, 0.6 * length, 0.7 * length),
-            )  # fmt: skip
+            )
         elif kind == "round":
             s.ball(length, root, shade(c, 0.85), detail=2)
 
@@ -156,8 +315,14 @@ def _horns(s: Sketch, b: Beast) -> None:
             bone(s, a, 1.6, m, 1.4, _IVORY)
             bone(s, m, 1.4, t, 0.7, _IVORY)
             bone(s, m, 1.2, (m[0] + 14, m[1] + side * 2, m[2] + 12), 0.6, _IVORY)
-            bone(s, (m[0] + 5, m[1] + side * 3, m[2] + 11), 1.1,
-                 (m[0] - 6, m[1] + side * 8, m[2] + 24), 0.5, _IVORY)  # fmt: skip
+            bone(
+                s,
+                (m[0] + 5, m[1] + side * 3, m[2] + 11),
+                1.1,
+                (m[0] - 6, m[1] + side * 8, m[2] + 24),
+                0.5,
+                _IVORY,
+            )
     if "nose_horn" in b.marks:
         tip = (x + b.head[1], 0.0, z + b.head[2])
         bone(s, (tip[0] + 6, 0, tip[2] + 12), 8, (tip[0] + 20, 0, tip[2] + 62), 1.5, _IVORY)
@@ -181,8 +346,13 @@ def _marks(s: Sketch, b: Beast, c: Color) -> None:
         s.rod(0.99 * b.neck[2], p, q, rgb(178, 34, 40), sections=24)
     if "whiskers" in marks:
         for side in (-1, 1):
-            s.rod(0.12, (x + 6, side * 1.5, z - 2), (x + 6, side * 7, z - 1), rgb(240, 240, 235),
-                  sections=6)  # fmt: skip
+            s.rod(
+                0.12,
+                (x + 6, side * 1.5, z - 2),
+                (x + 6, side * 7, z - 1),
+                rgb(240, 240, 235),
+                sections=6,
+            )
     if "patches" in marks:
         for px, pz, pr in ((-48, 10, 20), (2, -2, 24), (46, 12, 18)):
             for side in (-1, 1):
@@ -208,7 +378,7 @@ def _marks(s: Sketch, b: Beast, c: Color) -> None:
             ((x + 68, 0, z - 140), 13.0),
             ((x + 84, 0, z - 186), 9.0),
         ]
-        for (p, pr), (q, qr) in zip(path, path[1:], strict=False):
+        for (p, pr), (q, qr) in itertools.pairwise(path):
             bone(s, p, pr, q, qr, c)
         for side in (-1, 1):
             bone(s, (x + 34, side * 24, z - 44), 7, (x + 92, side * 30, z - 76), 2.5, _IVORY)
@@ -260,8 +430,13 @@ def _body(s: Sketch, b: Beast, c: Color) -> None:
     bone(s, (rear, 0, zr), rr, (front, 0, zf), rf, c, detail=3)
     bone(s, (front, 0, zf + 0.3 * (rf - thick)), thick, (x - 0.3 * r, 0, z), thin, c)
     bone(s, (x, 0, z), r, (x + reach, 0, z + drop), muzzle, c, detail=3)
-    s.ball(1, (x + reach + 0.75 * muzzle, 0, z + drop + 0.3 * muzzle), DARK,
-           scale=(0.34 * muzzle, 0.5 * muzzle, 0.34 * muzzle), detail=2)  # fmt: skip
+    s.ball(
+        1,
+        (x + reach + 0.75 * muzzle, 0, z + drop + 0.3 * muzzle),
+        DARK,
+        scale=(0.34 * muzzle, 0.5 * muzzle, 0.34 * muzzle),
+        detail=2,
+    )
     for side in (-1, 1):
         s.ball(0.13 * r, (x + 0.5 * r, side * 0.78 * r, z + 0.42 * r), DARK, rough=0.15, detail=2)
 
@@ -289,9 +464,11 @@ def _proxies(s: Sketch, b: Beast) -> None:
     face = min(low if z - 1.2 * r < high else high, z - 0.9 * r)
     near = max(back[1], x - 0.9 * r)
     s.proxy_slab(
-        (near, max(x + reach + 0.8 * muzzle, near + r)), (-0.75 * r, 0.75 * r),
-        (max(face, z + drop - 1.2 * muzzle), top_z), 0.7,
-    )  # fmt: skip
+        (near, max(x + reach + 0.8 * muzzle, near + r)),
+        (-0.75 * r, 0.75 * r),
+        (max(face, z + drop - 1.2 * muzzle), top_z),
+        0.7,
+    )
     if top_z - 1.8 * r > high:
         s.proxy_slab((front - 0.4 * rf, x + 0.6 * r), (-0.6 * r, 0.6 * r), (high, top_z), 0.4)
     s.surface(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 
 from esg.assets.builders import builder
@@ -24,9 +25,14 @@ from esg.graph.models import ProxyKind
 
 
 def _wing(
-    s: Sketch, root: tuple[float, float], tip: tuple[float, float], y: tuple[float, float],
-    z: tuple[float, float], thick: float, c: Color,
-) -> None:  # fmt: skip
+    s: Sketch,
+    root: tuple[float, float],
+    tip: tuple[float, float],
+    y: tuple[float, float],
+    z: tuple[float, float],
+    thick: float,
+    c: Color,
+) -> None:
     """A wing half between root and tip chords (x pairs) at two distances across."""
     points = [
         (x, yy, zz + d)
@@ -71,8 +77,12 @@ def airplane(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "lig
                 30,
                 shade(c, 0.85),
             )
-            s.lathe([(0, -190), (60, -180), (105, 0), (108, 150), (90, 170), (0, 160)], STEEL,
-                    center=(300, side * 580, 250), axis="x")  # fmt: skip
+            s.lathe(
+                [(0, -190), (60, -180), (105, 0), (108, 150), (90, 170), (0, 160)],
+                STEEL,
+                center=(300, side * 580, 250),
+                axis="x",
+            )
             for k in range(22):
                 x = -1150 + 110 * k
                 s.slab((x, x + 34), mirrored(side, 192, 200.5), (460, 505), GLASS)
@@ -128,10 +138,34 @@ def toy_plane(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "mo
     """Folded paper plane, 24 cm, or a balsa glider."""
     if kind == "paper":
         for side in (-1, 1):
-            prism(s, [(12, 0, 3.0), (12, 0, 3.2), (-12, side * 0.4, 3.0), (-12, side * 0.4, 3.2),
-                      (-12, side * 7.5, 4.2), (-12, side * 7.5, 4.4)], c, rough=0.9)  # fmt: skip
-            prism(s, [(12, 0, 3), (12, side * 0.3, 3), (-12, side * 0.4, 3.1), (-12, side * 0.7, 3.1),
-                      (-11, 0, 0), (-11, side * 0.2, 0), (4, 0, 0.6), (4, side * 0.2, 0.6)], c, rough=0.9)  # fmt: skip
+            prism(
+                s,
+                [
+                    (12, 0, 3.0),
+                    (12, 0, 3.2),
+                    (-12, side * 0.4, 3.0),
+                    (-12, side * 0.4, 3.2),
+                    (-12, side * 7.5, 4.2),
+                    (-12, side * 7.5, 4.4),
+                ],
+                c,
+                rough=0.9,
+            )
+            prism(
+                s,
+                [
+                    (12, 0, 3),
+                    (12, side * 0.3, 3),
+                    (-12, side * 0.4, 3.1),
+                    (-12, side * 0.7, 3.1),
+                    (-11, 0, 0),
+                    (-11, side * 0.2, 0),
+                    (4, 0, 0.6),
+                    (4, side * 0.2, 0.6),
+                ],
+                c,
+                rough=0.9,
+            )
         s.proxy_hull(
             [
                 (12, 0, 3),
@@ -198,8 +232,13 @@ def drone(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
             s.rod(1.5, (x, y, 7.6), (x, y, 11.2), DARK, sections=16)
             s.rod(8, (x, y, 11.2), (x, y, 11.5), shade(STEEL, 0.8), alpha=0.4)
             a = math.radians(35 if x * y > 0 else -35)
-            s.rod(0.45, (x - 7.8 * math.cos(a), y - 7.8 * math.sin(a), 11.7),
-                  (x + 7.8 * math.cos(a), y + 7.8 * math.sin(a), 11.7), DARK, sections=8)  # fmt: skip
+            s.rod(
+                0.45,
+                (x - 7.8 * math.cos(a), y - 7.8 * math.sin(a), 11.7),
+                (x + 7.8 * math.cos(a), y + 7.8 * math.sin(a), 11.7),
+                DARK,
+                sections=8,
+            )
     for y in (-7, 7):
         s.pipe(0.5, [(-7, y, 0.5), (7, y, 0.5)], DARK)
         for x in (-5, 5):
@@ -240,8 +279,14 @@ def rocket(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 @builder("missile")
 def missile(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Missile or torpedo lying along +X, 180 cm."""
-    s.lathe([(0, -88), (9, -88), (11, -78), (11, 60), (8, 78), (0, 92)], c, center=(0, 0, 14), axis="x",
-            smooth=50, rough=0.3)  # fmt: skip
+    s.lathe(
+        [(0, -88), (9, -88), (11, -78), (11, 60), (8, 78), (0, 92)],
+        c,
+        center=(0, 0, 14),
+        axis="x",
+        smooth=50,
+        rough=0.3,
+    )
     s.lathe(
         [(11.1, 46), (11.3, 46), (11.3, 52), (11.1, 52), (11.1, 46)],
         RED,
@@ -309,7 +354,7 @@ def hot_air_balloon(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         a = 2 * math.pi * k / 12
         tone = shade(tones[1], 1.0)
         pts = [(p[0] * 1.02, p[1]) for p in profile[1:-1]]
-        for (r0, z0), (r1, z1) in zip(pts, pts[1:], strict=False):
+        for (r0, z0), (r1, z1) in itertools.pairwise(pts):
             s.rod(
                 9,
                 (r0 * math.cos(a), r0 * math.sin(a), z0),
@@ -338,8 +383,15 @@ def _hull(
             b = beam * f - inset
             stern, bow = -half * (0.86 + 0.14 * f) + inset, half * (0.8 + 0.2 * f) - inset * 2
             tail = 0.3 if not blunt else 0.85
-            return [(stern, -b * tail, z), (stern, b * tail, z), (-half * 0.35, -b, z), (-half * 0.35, b, z),
-                    (half * 0.3, -b * 0.9, z), (half * 0.3, b * 0.9, z), (bow, 0, z)]  # fmt: skip
+            return [
+                (stern, -b * tail, z),
+                (stern, b * tail, z),
+                (-half * 0.35, -b, z),
+                (-half * 0.35, b, z),
+                (half * 0.3, -b * 0.9, z),
+                (half * 0.3, b * 0.9, z),
+                (bow, 0, z),
+            ]
 
         outer = ring(0, 0.55, 0) + ring(depth * 0.3, 0.84, 0) + ring(depth, 1.0, 0)
         inner = (
@@ -428,8 +480,15 @@ def ship(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Coastal ship with a bridge and funnel, 20 m."""
 
     def ring(z: float, f: float) -> list[tuple[float, float, float]]:
-        return [(-960 * (0.9 + 0.1 * f), -230 * f, z), (-960 * (0.9 + 0.1 * f), 230 * f, z), (450, -250 * f, z),
-                (450, 250 * f, z), (820 + 180 * f, 0, z), (700, -150 * f, z), (700, 150 * f, z)]  # fmt: skip
+        return [
+            (-960 * (0.9 + 0.1 * f), -230 * f, z),
+            (-960 * (0.9 + 0.1 * f), 230 * f, z),
+            (450, -250 * f, z),
+            (450, 250 * f, z),
+            (820 + 180 * f, 0, z),
+            (700, -150 * f, z),
+            (700, 150 * f, z),
+        ]
 
     prism(s, ring(0, 0.72) + ring(120, 0.9), rgb(150, 40, 36), rough=0.5)
     prism(s, ring(118, 0.9) + ring(300, 1.0), c, rough=0.4)
@@ -457,8 +516,23 @@ def ship(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 @builder("submarine")
 def submarine(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Small submarine, 12 m."""
-    s.lathe([(0, -600), (30, -590), (100, -420), (150, -200), (155, 250), (130, 480), (70, 580), (0, 600)], c,
-            center=(0, 0, 165), axis="x", smooth=50, rough=0.4)  # fmt: skip
+    s.lathe(
+        [
+            (0, -600),
+            (30, -590),
+            (100, -420),
+            (150, -200),
+            (155, 250),
+            (130, 480),
+            (70, 580),
+            (0, 600),
+        ],
+        c,
+        center=(0, 0, 165),
+        axis="x",
+        smooth=50,
+        rough=0.4,
+    )
     s.extrude([(-20, 290), (-10, 430), (120, 430), (150, 290)], (-45, 45), c, soft=8)
     s.rod(5, (60, 0, 428), (60, 0, 500), DARK)
     s.slab((-560, -460), (-170, 170), (160, 172), shade(c, 0.8))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 
 from esg.assets.builders import builder
@@ -52,14 +53,24 @@ def bird(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "songbir
         rough=0.9,
     )
     for side in (-1, 1):
-        s.ball(1, (-1.2 * k, side * 3.5 * k, z + 0.5 * k), shade(c, 0.8),
-               scale=(5.2 * k, 1.1 * k, 2.7 * k), rough=0.9)  # fmt: skip
+        s.ball(
+            1,
+            (-1.2 * k, side * 3.5 * k, z + 0.5 * k),
+            shade(c, 0.8),
+            scale=(5.2 * k, 1.1 * k, 2.7 * k),
+            rough=0.9,
+        )
         _foot(s, side * 1.7 * k, z - 2.5 * k, 2.7 * k, _BEAK)
     _eyes(s, head[0] + 0.9 * k, 1.85 * k, head[2] + 0.6 * k, 0.42 * k)
     if hen:
         for j in range(3):
-            s.ball(1, (head[0] + (1.2 - 1.2 * j) * k, 0, head[2] + 2.4 * k), RED,
-                   scale=(0.8 * k, 0.4 * k, 1.1 * k), detail=2)  # fmt: skip
+            s.ball(
+                1,
+                (head[0] + (1.2 - 1.2 * j) * k, 0, head[2] + 2.4 * k),
+                RED,
+                scale=(0.8 * k, 0.4 * k, 1.1 * k),
+                detail=2,
+            )
         s.ball(1, (head[0] + 2.2 * k, 0, head[2] - 1.9 * k), RED, scale=(0.6 * k, 0.4 * k, 1.1 * k))
     s.proxy_slab((-3.4 * k, 4.2 * k), (-3 * k, 3 * k), (0, z - 2.4 * k), 0.6)
     s.proxy_slab((-5.4 * k, 5.4 * k), (-3.4 * k, 3.4 * k), (z - 2.4 * k, z + 2.8 * k), 1.0)
@@ -91,8 +102,12 @@ def penguin(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 def turtle(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Tortoise with a domed shell, 30 cm long."""
     skin = shade(c, 1.35)
-    s.lathe([(0, 4), (11, 4), (11.6, 5.6), (9.6, 9.6), (5, 12.6), (0, 13.6)], rgb(104, 82, 44),
-            smooth=24, sections=8)  # fmt: skip
+    s.lathe(
+        [(0, 4), (11, 4), (11.6, 5.6), (9.6, 9.6), (5, 12.6), (0, 13.6)],
+        rgb(104, 82, 44),
+        smooth=24,
+        sections=8,
+    )
     s.lathe([(0, 3), (12, 3.6), (12.2, 5), (0, 6)], rgb(142, 116, 62), sections=32)
     bone(s, (9, 0, 5.4), 2.4, (15, 0, 8.4), 2.9, skin)
     _eyes(s, 16.6, 2.2, 9.6, 0.5)
@@ -136,10 +151,28 @@ def fish(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "trout")
     )
     s.extrude([(3.6, 8.6), (-1.6, 13.0 if shark else 12.4), (-4.4, 8.8)], (-0.35, 0.35), fin)
     for side in (-1, 1):
-        prism(s, [(5, side * 2.0, 3.6), (1.6, side * 2.0, 3.2), (0.6, side * 5.2, 0.5),
-                  (-1.4, side * 5.0, 0.5), (3, side * 2.2, 4.2)], fin)  # fmt: skip
-        prism(s, [(-4, side * 1.2, 2.0), (-6.5, side * 1.0, 2.2), (-7.4, side * 2.6, 0.0),
-                  (-5.6, side * 2.4, 0.0), (-5, side * 1.4, 2.6)], fin)  # fmt: skip
+        prism(
+            s,
+            [
+                (5, side * 2.0, 3.6),
+                (1.6, side * 2.0, 3.2),
+                (0.6, side * 5.2, 0.5),
+                (-1.4, side * 5.0, 0.5),
+                (3, side * 2.2, 4.2),
+            ],
+            fin,
+        )
+        prism(
+            s,
+            [
+                (-4, side * 1.2, 2.0),
+                (-6.5, side * 1.0, 2.2),
+                (-7.4, side * 2.6, 0.0),
+                (-5.6, side * 2.4, 0.0),
+                (-5, side * 1.4, 2.6),
+            ],
+            fin,
+        )
     _eyes(s, 9.4, 2.1, 6.4, 0.6)
     s.proxy_slab((-11, 11), (-2.6, 2.6), (0, 9.2))
     s.proxy_slab((-4, 3), (-0.6, 0.6), (9.2, 12.2), 0.2)
@@ -155,7 +188,7 @@ def snake(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         t = k / n
         r = 0.8 + 2.2 * math.sin(math.pi * min(1.0, 0.12 + 0.9 * t)) ** 0.7
         path.append(((-70 + 124 * t, 11 * math.sin(4.2 * math.pi * t), r), r))
-    for k, ((p, pr), (q, qr)) in enumerate(zip(path, path[1:], strict=False)):
+    for k, ((p, pr), (q, qr)) in enumerate(itertools.pairwise(path)):
         bone(s, p, pr, q, qr, shade(c, 1.0 if k % 4 < 2 else 0.6))
     end = (path[-1][0][0], path[-1][0][1], 1.9)
     neck = (end[0] + 8, end[1], 12.0)

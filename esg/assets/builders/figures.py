@@ -51,8 +51,25 @@ def statue(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "stand
     if kind == "trophy":
         s.slab((-6, 6), (-6, 6), (0, 6), DARK)
         s.slab((5.9, 6.2), (-4, 4), (1.5, 4.5), c)
-        s.lathe([(0, 6), (4, 6), (1.4, 8), (1.2, 13), (2.4, 14), (6, 18), (8, 28), (8.6, 31), (7.6, 31), (6.8, 27), (0, 17)],
-                c, smooth=0, rough=0.2, metal=0.9)  # fmt: skip
+        s.lathe(
+            [
+                (0, 6),
+                (4, 6),
+                (1.4, 8),
+                (1.2, 13),
+                (2.4, 14),
+                (6, 18),
+                (8, 28),
+                (8.6, 31),
+                (7.6, 31),
+                (6.8, 27),
+                (0, 17),
+            ],
+            c,
+            smooth=0,
+            rough=0.2,
+            metal=0.9,
+        )
         for side in (-1, 1):
             s.pipe(
                 0.7,
@@ -167,9 +184,19 @@ def robot_vacuum(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.lathe([(0, 0.8), (15.5, 0.8), (17, 2), (17, 7.4), (16, 8.4), (0, 8.6)], c, rough=0.35)
     s.lathe([(0, 8.5), (4.6, 8.5), (4.4, 9.6), (0, 9.7)], shade(c, 1.8), center=(-6, 0, 0))
     s.slab((4, 8), (-2, 2), (8.5, 8.9), CHROME)
-    s.extrude([(17.0 * math.cos(math.radians(a)), 17.0 * math.sin(math.radians(a))) for a in range(-80, 81, 10)]
-              + [(17.6 * math.cos(math.radians(a)), 17.6 * math.sin(math.radians(a))) for a in range(80, -81, -10)],
-              (2.4, 6.8), DARK, plane="xy")  # fmt: skip
+    s.extrude(
+        [
+            (17.0 * math.cos(math.radians(a)), 17.0 * math.sin(math.radians(a)))
+            for a in range(-80, 81, 10)
+        ]
+        + [
+            (17.6 * math.cos(math.radians(a)), 17.6 * math.sin(math.radians(a)))
+            for a in range(80, -81, -10)
+        ],
+        (2.4, 6.8),
+        DARK,
+        plane="xy",
+    )
     for side in (-1, 1):
         s.rod(3, (0, side * 11, 3), (0, side * 13, 3), RUBBER, sections=20)
     s.proxy_cylinder(17.2, (0, 8.6), 1.0)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 
 from esg.assets.builders import builder
@@ -20,7 +21,7 @@ def banana(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         a = math.radians(-62 + 15.5 * k)
         t = abs(k - 4) / 4
         path.append(((12 * math.cos(a) - 9.6, 10.6 * math.sin(a), 1.75), 1.75 - 0.75 * t**2))
-    for (p, pr), (q, qr) in zip(path, path[1:], strict=False):
+    for (p, pr), (q, qr) in itertools.pairwise(path):
         bone(s, p, pr, q, qr, c)
     tip = path[-1][0]
     bone(s, tip, 0.6, (tip[0] - 1.6, tip[1] + 1.0, 1.75), 0.5, DARK_WOOD)
@@ -77,9 +78,19 @@ def round_food(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "c
             for a in range(-25, 26, 5)
         ]
         s.extrude(wedge, (0, 8), c, plane="xy", rough=0.5)
-        s.extrude([(15.8 * math.cos(math.radians(a)), 15.8 * math.sin(math.radians(a))) for a in range(-25, 26, 5)]
-                  + [(16.4 * math.cos(math.radians(a)), 16.4 * math.sin(math.radians(a))) for a in range(25, -26, -5)],
-                  (0, 8), shade(c, 0.75), plane="xy")  # fmt: skip
+        s.extrude(
+            [
+                (15.8 * math.cos(math.radians(a)), 15.8 * math.sin(math.radians(a)))
+                for a in range(-25, 26, 5)
+            ]
+            + [
+                (16.4 * math.cos(math.radians(a)), 16.4 * math.sin(math.radians(a)))
+                for a in range(25, -26, -5)
+            ],
+            (0, 8),
+            shade(c, 0.75),
+            plane="xy",
+        )
         for x, y, r in ((11, 1.6, 1.1), (8, -1.6, 0.8), (13, -3, 1.0), (6, 0.6, 0.6)):
             s.rod(r, (x, y, 7.98), (x, y, 8.02), shade(c, 0.7), sections=18)
         s.proxy_hull(
@@ -125,8 +136,24 @@ def round_food(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "c
 def long_food(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "bread") -> None:
     """Food that lies along X: loaf, hot dog, carrot, cucumber, corn."""
     if kind == "bread":
-        s.extrude([(-5.6, 0), (5.6, 0), (5.6, 5), (6.6, 7), (5.4, 10), (0, 11.4), (-5.4, 10), (-6.6, 7), (-5.6, 5)],
-                  (-13, 13), c, plane="yz", soft=1.0, rough=0.95)  # fmt: skip
+        s.extrude(
+            [
+                (-5.6, 0),
+                (5.6, 0),
+                (5.6, 5),
+                (6.6, 7),
+                (5.4, 10),
+                (0, 11.4),
+                (-5.4, 10),
+                (-6.6, 7),
+                (-5.6, 5),
+            ],
+            (-13, 13),
+            c,
+            plane="yz",
+            soft=1.0,
+            rough=0.95,
+        )
         for x in (-8, 0, 8):
             s.box((0.8, 6, 0.8), (x, 0, 11.0), shade(c, 1.3))
         s.proxy_slab((-13, 13), (-6, 6), (0, 10.8))

@@ -47,8 +47,23 @@ def golf_club(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Golf club lying flat, head to +X; 100 cm."""
     s.lathe([(0, -50), (1.4, -50), (1.0, -22), (0, -22)], DARK, center=(0, 0, 1.4), axis="x")
     s.rod(0.6, (-24, 0, 1.4), (46, 0, 1.4), CHROME, metal=0.9, sections=14)
-    prism(s, [(44, 0.8, 0.2), (44, -0.8, 0.2), (44, 0.8, 2.4), (50, -1, 0), (52, 10, 0), (48, 10, 0), (46, 10, 3.4), (48.5, 10.4, 3.4), (50, 0, 3)],
-          CHROME, rough=0.3, metal=0.8)  # fmt: skip
+    prism(
+        s,
+        [
+            (44, 0.8, 0.2),
+            (44, -0.8, 0.2),
+            (44, 0.8, 2.4),
+            (50, -1, 0),
+            (52, 10, 0),
+            (48, 10, 0),
+            (46, 10, 3.4),
+            (48.5, 10.4, 3.4),
+            (50, 0, 3),
+        ],
+        CHROME,
+        rough=0.3,
+        metal=0.8,
+    )
     s.proxy_slab((-50, 46), (-1.2, 1.2), (0, 2.6), 1.0)
     s.proxy_slab((45, 51.5), (-1, 10), (0, 3.4), 3.0)
     shift(s, -1, -4.5)
@@ -202,8 +217,18 @@ def shuttlecock(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
             WHITE,
             sections=6,
         )
-    s.proxy_hull([(-4.2, 3.2 * math.cos(math.pi * k / 4 + math.pi / 8), z + 3.2 * math.sin(math.pi * k / 4 + math.pi / 8) * 1.0) for k in range(8)]
-                 + [(-4.2, -1.2, 0.0), (-4.2, 1.2, 0.0), (1.8, -0.6, 0.0), (1.8, 0.6, 0.0)] + [(4.2, 0, z), (3.4, 0, z + 1.2)])  # fmt: skip
+    s.proxy_hull(
+        [
+            (
+                -4.2,
+                3.2 * math.cos(math.pi * k / 4 + math.pi / 8),
+                z + 3.2 * math.sin(math.pi * k / 4 + math.pi / 8) * 1.0,
+            )
+            for k in range(8)
+        ]
+        + [(-4.2, -1.2, 0.0), (-4.2, 1.2, 0.0), (1.8, -0.6, 0.0), (1.8, 0.6, 0.0)]
+        + [(4.2, 0, z), (3.4, 0, z + 1.2)]
+    )
 
 
 @builder("barbell")
@@ -220,8 +245,26 @@ def barbell(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "kett
         s.proxy_cylinder(10, (3, 16), 1.0)
         s.proxy_slab((-1.7, 1.7), (-8, 8), (16, 28), 0.7)
         return
-    s.extrude([(-13, 0), (13, 0), (13, 4), (7, 7), (6, 14), (14, 19), (16, 26), (-16, 26), (-16, 20), (-6, 15), (-7, 7), (-13, 4)],
-              (-6.5, 6.5), c, rough=0.5, metal=0.6)  # fmt: skip
+    s.extrude(
+        [
+            (-13, 0),
+            (13, 0),
+            (13, 4),
+            (7, 7),
+            (6, 14),
+            (14, 19),
+            (16, 26),
+            (-16, 26),
+            (-16, 20),
+            (-6, 15),
+            (-7, 7),
+            (-13, 4),
+        ],
+        (-6.5, 6.5),
+        c,
+        rough=0.5,
+        metal=0.6,
+    )
     bone(s, (15, 0, 22), 4, (33, 0, 24.6), 1.2, c, metal=0.6)
     s.proxy_slab((-13, 13), (-9, 9), (0, 5), 1.0)
     s.proxy_slab((-7, 7), (-6.5, 6.5), (5, 16), 1.0)
@@ -377,8 +420,24 @@ def pommel_horse(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 @builder("boomerang")
 def boomerang(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Boomerang lying flat, 36 cm across."""
-    s.extrude([(10, 0), (4, 6), (-10, 18), (-13.5, 16), (-12, 12.5), (3.5, 0), (-12, -12.5), (-13.5, -16), (-10, -18), (4, -6)],
-              (0, 0.9), c, plane="xy", soft=0.6)  # fmt: skip
+    s.extrude(
+        [
+            (10, 0),
+            (4, 6),
+            (-10, 18),
+            (-13.5, 16),
+            (-12, 12.5),
+            (3.5, 0),
+            (-12, -12.5),
+            (-13.5, -16),
+            (-10, -18),
+            (4, -6),
+        ],
+        (0, 0.9),
+        c,
+        plane="xy",
+        soft=0.6,
+    )
     for side in (-1, 1):
         s.proxy_box((9.6, 2.2, 0.45), (-2.6, side * 8.6, 0.45), 1.0, turn("z", -45 * side))
     shift(s, 1.75)
@@ -535,8 +594,26 @@ def trumpet(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 @builder("bell")
 def bell(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Bronze bell standing on its rim, 44 cm."""
-    s.lathe([(15, 0), (20, 0), (19, 3), (14, 12), (11.6, 28), (8, 35), (0, 36), (0, 33), (7, 32), (10, 26), (12.4, 11), (15, 0)],
-            c, smooth=0, rough=0.3, metal=0.8)  # fmt: skip
+    s.lathe(
+        [
+            (15, 0),
+            (20, 0),
+            (19, 3),
+            (14, 12),
+            (11.6, 28),
+            (8, 35),
+            (0, 36),
+            (0, 33),
+            (7, 32),
+            (10, 26),
+            (12.4, 11),
+            (15, 0),
+        ],
+        c,
+        smooth=0,
+        rough=0.3,
+        metal=0.8,
+    )
     s.torus(4, 1.4, (0, 0, 39.6), c, axis="y", metal=0.8)
     s.rod(0.8, (0, 0, 33), (0, 0, 8), STEEL, sections=10)
     s.ball(2.6, (0, 0, 7), STEEL, metal=0.7)
@@ -562,8 +639,23 @@ def microphone(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 def ice_skate(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "shoe") -> None:
     """A shoe, a boot, or a roller skate; toe to +X, 29 cm."""
     sole = 4.6 if kind == "skate" else 0.0
-    s.extrude([(-14, -3.4), (-14, 3.4), (-4, 3.6), (6, 5), (12, 4.4), (14.4, 0), (12, -4.4), (6, -5), (-4, -3.6)],
-              (sole, sole + 2.2), RUBBER if kind != "shoe" else WHITE, plane="xy", soft=1)  # fmt: skip
+    s.extrude(
+        [
+            (-14, -3.4),
+            (-14, 3.4),
+            (-4, 3.6),
+            (6, 5),
+            (12, 4.4),
+            (14.4, 0),
+            (12, -4.4),
+            (6, -5),
+            (-4, -3.6),
+        ],
+        (sole, sole + 2.2),
+        RUBBER if kind != "shoe" else WHITE,
+        plane="xy",
+        soft=1,
+    )
     high = 22.0 if kind == "boot" else 13.0 if kind == "skate" else 8.6
     blob(
         s,

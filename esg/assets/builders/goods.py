@@ -53,8 +53,13 @@ def long_tool(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "sh
         shift(s, 9)
     elif kind == "broom":
         s.box((9, 30, 4), (half - 20, 0, z), c)
-        prism(s, [(half - 16, y, z + d) for y in (-14, 14) for d in (-1.6, 1.6)]
-              + [(half - 2, y, zz) for y in (-18, 18) for zz in (0, 8)], YELLOW, rough=1.0)  # fmt: skip
+        prism(
+            s,
+            [(half - 16, y, z + d) for y in (-14, 14) for d in (-1.6, 1.6)]
+            + [(half - 2, y, zz) for y in (-18, 18) for zz in (0, 8)],
+            YELLOW,
+            rough=1.0,
+        )
         s.proxy_slab((-half, half - 24), (-1.5, 1.5), (z - 1.5, z + 1.5), 1.0)
         s.proxy_slab((half - 24, half - 2), (-16, 16), (0, 8), 0.3)
         s.proxy_slab((-half, -half + 3), (-1.5, 1.5), (0, z - 1.5), 0.3)
@@ -377,7 +382,7 @@ def mirror(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "mirro
     s.extrude(
         [
             (
-                26 * math.cos(math.pi * k / 12) * (1 if k < 12 else 1),
+                26 * math.cos(math.pi * k / 12),
                 88 + 72 * math.sin(math.pi * k / 12),
             )
             for k in range(24)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 
 from esg.assets.builders import builder
@@ -101,7 +102,7 @@ def plant_form(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "s
         return
     if kind == "palm":
         path = [(0, 0, 22), (6, 0, 150), (18, 0, 290), (38, 0, 420)]
-        for k, (p, q) in enumerate(zip(path, path[1:], strict=False)):
+        for k, (p, q) in enumerate(itertools.pairwise(path)):
             bone(s, p, 22 - 3 * k if k else 22, q, 18 - 3 * k, c)
         for k in range(9):
             a = 2 * math.pi * k / 9
@@ -333,8 +334,21 @@ def bridge(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     outline = [(600, 0), (600, 60), (430, 180), (-430, 180), (-600, 60), (-600, 0), *arch[::-1]]
     s.extrude(outline, (-200, 200), c, rough=0.95)
     for side in (-1, 1):
-        s.extrude([(600, 60), (600, 120), (430, 240), (-430, 240), (-600, 120), (-600, 60), (-430, 180), (430, 180)],
-                  mirrored(side, 180, 200), shade(c, 0.88), rough=0.95)  # fmt: skip
+        s.extrude(
+            [
+                (600, 60),
+                (600, 120),
+                (430, 240),
+                (-430, 240),
+                (-600, 120),
+                (-600, 60),
+                (-430, 180),
+                (430, 180),
+            ],
+            mirrored(side, 180, 200),
+            shade(c, 0.88),
+            rough=0.95,
+        )
     s.slab((-430, 430), (-178, 178), (180, 182), rgb(92, 92, 96))
     s.proxy_slab((-430, 430), (-200, 200), (150, 180), 1.0)
     for side in (-1, 1):

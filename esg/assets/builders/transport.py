@@ -46,10 +46,21 @@ def train(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "engine
     floor = 35.0 if tram else 110.0
     nose = 60.0 if tram else 110.0
     s.extrude(
-        [(-half + nose * 0.5, floor), (half - 8, floor), (half, floor + 70), (half - nose, top - 20),
-         (half - nose - 30, top - 12), (-half + nose, top - 12), (-half, floor + 70), (-half + 8, floor)],
-        (-w, w), c, soft=6, rough=0.3,
-    )  # fmt: skip
+        [
+            (-half + nose * 0.5, floor),
+            (half - 8, floor),
+            (half, floor + 70),
+            (half - nose, top - 20),
+            (half - nose - 30, top - 12),
+            (-half + nose, top - 12),
+            (-half, floor + 70),
+            (-half + 8, floor),
+        ],
+        (-w, w),
+        c,
+        soft=6,
+        rough=0.3,
+    )
     s.slab((-half + nose, half - nose - 30), (-w * 0.8, w * 0.8), (top - 12, top), shade(c, 0.6))
     s.slab((-half + 12, half - 12), (-w - 1, w + 1), (floor + 62, floor + 82), (0.92, 0.9, 0.84))
     band = (floor + 110, floor + 205)
@@ -63,12 +74,20 @@ def train(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "engine
         s.slab((half - nose - 56, half - nose - 26), y, (floor + 8, floor + 205), shade(c, 0.7))
     for end in (-1, 1):
         lo, hi = half - 4 - nose * 0.36, half - nose * 0.94
-        prism(s, [(end * (lo + d), y, floor + 118) for d in (0, 5) for y in (-w * 0.8, w * 0.8)]
-              + [(end * (hi + d), y, top - 48) for d in (0, 7) for y in (-w * 0.72, w * 0.72)],
-              GLASS, rough=0.1)  # fmt: skip
+        prism(
+            s,
+            [(end * (lo + d), y, floor + 118) for d in (0, 5) for y in (-w * 0.8, w * 0.8)]
+            + [(end * (hi + d), y, top - 48) for d in (0, 7) for y in (-w * 0.72, w * 0.72)],
+            GLASS,
+            rough=0.1,
+        )
         for side in (-1, 1):
-            s.rod(11, (end * (half - 12), side * w * 0.62, floor + 52),
-                  (end * (half - 2), side * w * 0.62, floor + 52), _LAMP)  # fmt: skip
+            s.rod(
+                11,
+                (end * (half - 12), side * w * 0.62, floor + 52),
+                (end * (half - 2), side * w * 0.62, floor + 52),
+                _LAMP,
+            )
     r = 30.0 if tram else 46.0
     for bogie in (-0.62, 0.62):
         s.slab(
@@ -173,11 +192,21 @@ def forklift(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 def _track(s: Sketch, x: tuple[float, float], y: float, r: float, width: float) -> None:
     lo, hi = x
     s.extrude(
-        [(lo, r * 2)] + [(lo - r * math.sin(math.pi * k / 8), r + r * math.cos(math.pi * k / 8)) for k in range(1, 8)]
-        + [(lo, 0), (hi, 0)] + [(hi + r * math.sin(math.pi * k / 8), r - r * math.cos(math.pi * k / 8)) for k in range(1, 8)]
+        [(lo, r * 2)]
+        + [
+            (lo - r * math.sin(math.pi * k / 8), r + r * math.cos(math.pi * k / 8))
+            for k in range(1, 8)
+        ]
+        + [(lo, 0), (hi, 0)]
+        + [
+            (hi + r * math.sin(math.pi * k / 8), r - r * math.cos(math.pi * k / 8))
+            for k in range(1, 8)
+        ]
         + [(hi, r * 2)],
-        (y - width / 2, y + width / 2), DARK, rough=0.9,
-    )  # fmt: skip
+        (y - width / 2, y + width / 2),
+        DARK,
+        rough=0.9,
+    )
     n = 5
     for k in range(n):
         px = lo + (hi - lo) * k / (n - 1)
@@ -193,8 +222,12 @@ def tracked(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "tank
         s.extrude(
             [(-320, 70), (-310, 128), (250, 128), (330, 96), (290, 62)], (-160, 160), c, soft=4
         )
-        prism(s, [(x, y, 128) for x in (-130, 140) for y in (-112, 112)]
-              + [(x, y, 205) for x in (-110, 70) for y in (-84, 84)], c)  # fmt: skip
+        prism(
+            s,
+            [(x, y, 128) for x in (-130, 140) for y in (-112, 112)]
+            + [(x, y, 205) for x in (-110, 70) for y in (-84, 84)],
+            c,
+        )
         s.rod(9, (90, 0, 168), (470, 0, 174), shade(c, 0.85), sections=20)
         s.rod(13, (430, 0, 173.4), (470, 0, 174), shade(c, 0.7), sections=20)
         s.rod(30, (-30, 30, 204), (-30, 30, 222), shade(c, 0.8), sections=24)
@@ -216,8 +249,12 @@ def tracked(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "tank
                 s.slab((x - 5, x + 5), (y - 5, y + 5), (170, 272), c)
         s.rod(6, (90, 30, 150), (90, 30, 230), DARK, sections=14)
         arc = [(214 + 20 * math.cos(a), 65 - 65 * math.sin(a)) for a in (-1.5, -0.8, 0.0, 0.8, 1.5)]
-        s.extrude([(p[0] - 10, max(p[1], 0)) for p in arc] + [(p[0] + 4, max(p[1], 0)) for p in arc[::-1]],
-                  (-150, 150), YELLOW)  # fmt: skip
+        s.extrude(
+            [(p[0] - 10, max(p[1], 0)) for p in arc]
+            + [(p[0] + 4, max(p[1], 0)) for p in arc[::-1]],
+            (-150, 150),
+            YELLOW,
+        )
         for side in (-1, 1):
             bone(s, (0, side * 132, 44), 8, (206, side * 132, 50), 8, shade(c, 0.8))
         s.proxy_slab((-182, 182), (-128, 128), (0, 88), 1.0)
@@ -235,8 +272,12 @@ def tracked(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "tank
     bone(s, (230, -30, 370), 20, elbow, 15, c)
     bone(s, elbow, 15, wrist, 12, c)
     s.rod(6, (90, -30, 150), (210, -30, 300), CHROME, sections=14, metal=0.8)
-    s.extrude([(424, 158), (438, 96), (400, 50), (356, 44), (372, 80), (398, 100), (404, 150)],
-              (-76, 16), DARK, rough=0.7)  # fmt: skip
+    s.extrude(
+        [(424, 158), (438, 96), (400, 50), (356, 44), (372, 80), (398, 100), (404, 150)],
+        (-76, 16),
+        DARK,
+        rough=0.7,
+    )
     s.proxy_slab((-182, 182), (-128, 128), (0, 92), 1.0)
     s.proxy_slab((-170, 84), (-110, 110), (92, 190), 1.0)
     s.proxy_slab((-10, 84), (8, 108), (190, 280), 0.1)
@@ -270,8 +311,13 @@ def go_kart(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 @builder("trailer")
 def trailer(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Caravan with a drawbar towards +X, 4.8 m."""
-    s.extrude([(-200, 40), (-206, 130), (-180, 225), (120, 232), (178, 200), (190, 100), (180, 40)],
-              (-105, 105), c, soft=14, rough=0.35)  # fmt: skip
+    s.extrude(
+        [(-200, 40), (-206, 130), (-180, 225), (120, 232), (178, 200), (190, 100), (180, 40)],
+        (-105, 105),
+        c,
+        soft=14,
+        rough=0.35,
+    )
     s.slab((-204, 188), (-106, 106), (88, 104), RED)
     for side in (-1, 1):
         y = mirrored(side, 104, 106)
@@ -279,8 +325,20 @@ def trailer(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         s.slab((30, 120), y, (120, 180), GLASS, rough=0.1)
         _wheel(s, -10, side * 94, 33, 20)
     s.slab((-52, 12), (105, 107), (50, 200), shade(c, 0.85))
-    prism(s, [(180, -40, 40), (180, 40, 40), (180, -40, 48), (180, 40, 48), (262, -4, 44), (262, 4, 44),
-              (262, -4, 50), (262, 4, 50)], DARK)  # fmt: skip
+    prism(
+        s,
+        [
+            (180, -40, 40),
+            (180, 40, 40),
+            (180, -40, 48),
+            (180, 40, 48),
+            (262, -4, 44),
+            (262, 4, 44),
+            (262, -4, 50),
+            (262, 4, 50),
+        ],
+        DARK,
+    )
     s.rod(4, (240, 0, 0), (240, 0, 60), STEEL, sections=14)
     s.proxy_slab((-204, 188), (-105, 105), (0, 120), 1.0)
     s.proxy_slab((-190, 170), (-105, 105), (120, 231), 0.4)
@@ -459,8 +517,11 @@ def sled(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "sled") 
         shift(s, -2)
         return
     for side in (-1, 1):
-        s.extrude([(-58, 0), (40, 0), (56, 12), (56, 24), (52, 24), (51, 14), (38, 4), (-58, 4)],
-                  mirrored(side, 18, 21), STEEL)  # fmt: skip
+        s.extrude(
+            [(-58, 0), (40, 0), (56, 12), (56, 24), (52, 24), (51, 14), (38, 4), (-58, 4)],
+            mirrored(side, 18, 21),
+            STEEL,
+        )
         for x in (-44, -4, 34):
             s.slab((x - 2, x + 2), mirrored(side, 18, 21), (4, 19), WOOD)
     for y in (-19, -9.5, 0, 9.5, 19):
@@ -484,8 +545,23 @@ def carriage(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         s.rod(2.4, (76, side * 32, 40), (176, side * 36, 52), WOOD, sections=12)
     s.rod(3, (-62, -66, 48), (-62, 66, 48), DARK)
     s.rod(3, (56, -62, 36), (56, 62, 36), DARK)
-    s.extrude([(-110, 66), (-120, 118), (-96, 118), (-84, 88), (-30, 84), (-14, 110), (0, 110), (-4, 52), (-90, 50)],
-              (-54, 54), c, soft=3, rough=0.3)  # fmt: skip
+    s.extrude(
+        [
+            (-110, 66),
+            (-120, 118),
+            (-96, 118),
+            (-84, 88),
+            (-30, 84),
+            (-14, 110),
+            (0, 110),
+            (-4, 52),
+            (-90, 50),
+        ],
+        (-54, 54),
+        c,
+        soft=3,
+        rough=0.3,
+    )
     s.slab((0, 84), (-34, 34), (48, 56), shade(c, 0.7))
     s.slab((34, 70), (-34, 34), (84, 96), RED)
     s.slab((38, 66), (-30, 30), (56, 84), shade(c, 0.8))
