@@ -68,22 +68,23 @@ def measure(
 ) -> dict[str, Any]:
     """Times one batch: the last `WARM_UP` documents compile the kernels first."""
     begin = time.perf_counter()
-    optimize_many(docs[-WARM_UP:], seeds[-WARM_UP:], device=device, processes=processes)
+    clock = Clock(progress=lambda launch: print(json.dumps(launch), flush=True))
+    optimize_many(
+        docs[-WARM_UP:], seeds[-WARM_UP:], device=device, processes=processes, clock=clock
+    )
     report: dict[str, Any] = {
         "first_batch_with_kernel_compile_s": round(time.perf_counter() - begin, 2),
         "runs": [],
     }
     docs, seeds = docs[:-WARM_UP], seeds[:-WARM_UP]
     for _ in range(repeats):
-        clock = Clock()
+        clock = Clock(progress=lambda launch: print(json.dumps(launch), flush=True))
         begin = time.perf_counter()
         results = optimize_many(docs, seeds, device=device, processes=processes, clock=clock)
         seconds = time.perf_counter() - begin
         report["runs"].append(_row(results, seconds, clock))
         short = {k: v for k, v in report["runs"][-1].items() if k != "launches"}
         print(json.dumps(short), flush=True)
-        for launch in clock.launches:
-            print(json.dumps(launch), flush=True)
     return report
 
 

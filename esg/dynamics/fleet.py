@@ -10,6 +10,7 @@ confirm. Python's share (plans, programs, losses) is spread over processes.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 import mmap
 import multiprocessing
@@ -18,20 +19,13 @@ from threading import Condition, Event, Lock, Thread
 import time
 import traceback
 from typing import Any
-import zlib
 
 import numpy as np
 from numpy.typing import NDArray
 
 from esg.dynamics.baselines import BASELINES
-from esg.dynamics.build import build_scene
-from esg.dynamics.facets import faceted
-from esg.dynamics.panel import REFERENCE_DT_S, Panel
-from esg.dynamics.plan import make_plan
-from esg.dynamics.results import static_result, write_result
-from esg.dynamics.search import BASELINE_ROLLOUTS, MAX_ROUNDS, _run, _write
-from esg.dynamics.simulate import Simulator
-from esg.engines.base import SURROGATE
+from esg.dynamics.search import MAX_ROUNDS, optimize
+from esg.engines.base import SURROGATE, VERIFY_DT_S
 from esg.engines.fleet_jobs import Job, Played, SceneShapes, make_job, read
 from esg.engines.program import ProgramBatch
 from esg.engines.scene import Rollout, SimScene, Variation
@@ -40,6 +34,8 @@ from esg.outcomes import UserError
 
 STRATEGIES = ("batched", "fd", "none", *BASELINES)
 BUFFER_BYTES = {"cpu": 1_000_000_000, "cuda": 16_000_000_000}
+MAX_VARIANTS = 64
+"""Of one document's scene: their keys are this far apart."""
 STATE_BYTES = 56
 """Of one body in one frame of a result."""
 
@@ -53,12 +49,14 @@ class Clock:
             wait (for the processes beside it).
         processor: Seconds of the other processes by part: plans, jobs, results, and search
             (programs, losses and decisions).
-        launches: Rollouts and launches by engine.
+        launches: Engine, scenes, worlds and seconds of every launch.
+        progress: Is told of every launch.
     """
 
     seconds: dict[str, float] = field(default_factory=dict)
     processor: dict[str, float] = field(default_factory=dict)
-    launches: list[dict[str, float]] = field(default_factory=list)
+    launches: list[dict[str, Any]] = field(default_factory=list)
+    progress: Callable[[dict[str, Any]], None] | None = None
 
     def add(self, part: str, seconds: float) -> None:
         self.seconds[part] = self.seconds.get(part, 0.0) + seconds
@@ -142,19 +140,34 @@ class _Ticket:
         self.played: Played | None = None
 
 
+class _Scenes:
+    """The physical scenes of one document (as it is, with other proxies) and their keys."""
+
+    def __init__(self, index: int) -> None:
+        self._index = index
+        self._known: dict[int, tuple[SimScene, int, SceneShapes]] = {}
+
+    def of(self, scene: SimScene) -> tuple[int, SceneShapes]:
+        if id(scene) not in self._known:
+            # Keeping the scene keeps its id from being given to another.
+            key = self._index * MAX_VARIANTS + len(self._known)
+            self._known[id(scene)] = (scene, key, SceneShapes.of(scene))
+        return self._known[id(scene)][1:]
+
+
 class _FleetEngine:
     """An engine whose rollouts are played together with those of other scenes."""
 
-    def __init__(self, name: str, crew: _Crew, keys: dict[int, tuple[int, SceneShapes]]) -> None:
+    def __init__(self, name: str, crew: _Crew, scenes: _Scenes) -> None:
         self.name = name
-        self._crew, self._keys = crew, keys
+        self._crew, self._scenes = crew, scenes
 
     def rollout(
         self,
         scene: SimScene,
         batch: ProgramBatch,
         *,
-        dt: float = REFERENCE_DT_S,
+        dt: float = VERIFY_DT_S,
         record_every: int = 1,
         duration: float | None = None,
         variation: Variation | None = None,
@@ -164,7 +177,7 @@ class _FleetEngine:
         if duration is not None or ground_contacts:
             raise ValueError("searches ask for whole programs and no contacts with the ground")
         begin = time.process_time()
-        key, shapes = self._keys[id(scene)]
+        key, shapes = self._scenes.of(scene)
         job, start = make_job(
             self.name, key, scene, shapes, batch,
             dt=dt, record_every=record_every, variation=variation,
@@ -178,43 +191,15 @@ class _FleetEngine:
         return rollout
 
 
-class _FleetPanel(Panel):
-    """The panel of a single scene, with engines that are shared."""
-
-    def __init__(self, plan: Any, crew: _Crew, index: int) -> None:
-        scenes = [plan.scene]
-        other = faceted(plan.scene)
-        if other is not plan.scene:
-            scenes.append(other)
-        keys = {id(s): (2 * index + k, SceneShapes.of(s)) for k, s in enumerate(scenes)}
-        surrogate = _FleetEngine(SURROGATE, crew, keys)
-        dt = REFERENCE_DT_S
-        self.plan, self.device = plan, "fleet"
-        self.reference = Simulator(plan, _FleetEngine("newton", crew, keys), dt=dt)
-        self.surrogate = Simulator(plan, surrogate, dt=dt)
-        self._others = [Simulator(plan, surrogate, dt=0.5 * dt)]
-        if other is not plan.scene:
-            self._others.append(Simulator(replace(plan, scene=other), surrogate, dt=dt))
-        self.steps = []
-
-
 def _optimize(task: _Task, index: int, crew: _Crew) -> EsgDocument:
-    """As `esg.dynamics.search.optimize`, without the closed loop."""
-    doc, seed, strategy = task.docs[index], task.seeds[index], task.strategy
-    begin = time.process_time()
-    scene = build_scene(doc)
-    if doc.timeline_system is None:
-        return _write(doc, static_result(strategy), seed, strategy)
-    plan = make_plan(doc, scene, seed=seed, look_ahead=strategy != "none")
-    crew.spent("plans", time.process_time() - begin)
-    if not plan.variables:
-        return _write(doc, static_result(strategy), seed, strategy)
-    panel = _FleetPanel(plan, crew, index)
-    text = doc.scene_definition.original_description.encode()
-    rng = np.random.default_rng([seed, zlib.crc32(text)])
-    found, stopped = _run(plan, panel, rng, strategy, task.max_rounds, BASELINE_ROLLOUTS)
-    result = write_result(doc, plan, panel, found, strategy=strategy, stopped=stopped, closed=None)
-    return _write(doc, result, seed, strategy)
+    scenes = _Scenes(index)
+    return optimize(
+        task.docs[index],
+        seed=task.seeds[index],
+        strategy=task.strategy,
+        max_rounds=task.max_rounds,
+        engines=lambda name, _: _FleetEngine(name, crew, scenes),
+    )
 
 
 # -- the scenes of a process -----------------------------------------------------------------------
@@ -348,10 +333,8 @@ class _Remote:
         self.pipe.send({n: _located(p, self.memory) for n, p in played.items()})
 
     def close(self) -> None:
-        try:
+        with suppress(OSError):
             self.pipe.send(None)
-        except OSError:
-            pass
         self.process.join(5.0)
         if self.process.is_alive():
             self.process.terminate()
@@ -471,15 +454,16 @@ class _Server:
         played = self._engine(name).play(jobs, shapes, Buffer(self.memory))
         seconds = time.perf_counter() - begin
         self.clock.add(name, seconds)
-        self.clock.launches.append(
-            {
-                "engine": name,  # pyright: ignore[reportArgumentType]
-                "scenes": len(jobs),
-                "worlds": sum(j.n_worlds for j in jobs),
-                "longest_s": max(j.frames.n_steps * j.frames.dt for j in jobs),
-                "seconds": round(seconds, 3),
-            }
-        )
+        launch = {
+            "engine": name,
+            "scenes": len(jobs),
+            "worlds": sum(j.n_worlds for j in jobs),
+            "longest_s": max(j.frames.n_steps * j.frames.dt for j in jobs),
+            "seconds": round(seconds, 3),
+        }
+        self.clock.launches.append(launch)
+        if self.clock.progress is not None:
+            self.clock.progress(launch)
         return played
 
     def _engine(self, name: str) -> Any:

@@ -6,6 +6,7 @@ engine would have to be built anew for: half the step, and round sides replaced 
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -15,7 +16,7 @@ from esg.dynamics.losses import Assessment
 from esg.dynamics.plan import Plan
 from esg.dynamics.proxies import faceted
 from esg.dynamics.simulate import ENSEMBLE, Simulator
-from esg.engines.base import get_engine
+from esg.engines.base import Engine, get_engine
 from esg.graph.models import SearchStep
 
 Floats = NDArray[np.float64]
@@ -63,12 +64,20 @@ class Panel:
         plan: What is searched.
         device: Where the engines run.
         dt: Step of both engines [s].
+        engines: Name and device -> engine.
     """
 
-    def __init__(self, plan: Plan, device: str, *, dt: float) -> None:
-        engine = get_engine("surrogate", device)
+    def __init__(
+        self,
+        plan: Plan,
+        device: str,
+        *,
+        dt: float,
+        engines: Callable[[str, str], Engine] = get_engine,
+    ) -> None:
+        engine = engines("surrogate", device)
         self.plan, self.device = plan, device
-        self.reference = Simulator(plan, get_engine("newton", device), dt=dt)
+        self.reference = Simulator(plan, engines("newton", device), dt=dt)
         self.surrogate = Simulator(plan, engine, dt=dt)
         self._others = [Simulator(plan, engine, dt=0.5 * dt)]
         scene = faceted(plan.scene)

@@ -8,6 +8,7 @@ fixed number of rollouts (`baselines`).
 
 from __future__ import annotations
 
+from collections.abc import Callable
 import zlib
 
 import numpy as np
@@ -20,6 +21,7 @@ from esg.dynamics.gradient import descend
 from esg.dynamics.panel import REFERENCE_DT_S, Found, Panel
 from esg.dynamics.plan import Plan, make_plan
 from esg.dynamics.results import static_result, write_result
+from esg.engines.base import Engine, get_engine
 from esg.graph.canonical import document_hash
 from esg.graph.models import ClosedLoop, DynamicsResult, EsgDocument, Provenance
 from esg.outcomes import UserError
@@ -41,6 +43,7 @@ def optimize(
     max_rounds: int = MAX_ROUNDS,
     rounds_closed: int = 0,
     rollouts: int = BASELINE_ROLLOUTS,
+    engines: Callable[[str, str], Engine] = get_engine,
 ) -> EsgDocument:
     """Grounds the timeline: finds theta and writes `dynamics_result`.
 
@@ -52,6 +55,7 @@ def optimize(
         max_rounds: Batches of candidates after which the search gives up.
         rounds_closed: Rounds of the closed loop through the verify engine; 0 for none.
         rollouts: Budget of a baseline.
+        engines: Name and device -> engine.
 
     Returns:
         The document with `dynamics_result` and provenance; never raises for a timeline it cannot
@@ -69,7 +73,7 @@ def optimize(
     if not plan.variables:
         return _write(doc, static_result(strategy), seed, strategy)
     text = doc.scene_definition.original_description.encode()
-    panel = Panel(plan, device, dt=REFERENCE_DT_S)
+    panel = Panel(plan, device, dt=REFERENCE_DT_S, engines=engines)
 
     def run(judges: Panel, round_: int) -> tuple[Found, str]:
         entropy = [seed, zlib.crc32(text), *([round_] if round_ else [])]
