@@ -67,14 +67,9 @@ def configure() -> None:
 
 
 class EmbeddedServer:
-    """The private API process of one command.
+    """The private API process of one command."""
 
-    Args:
-        services: Whether to run the background services that schedules need.
-    """
-
-    def __init__(self, *, services: bool = False) -> None:
-        self._services = services
+    def __init__(self) -> None:
         self._process: subprocess.Popen[bytes] | None = None
         self._folder: Path | None = None
         self._port = 0
@@ -97,9 +92,7 @@ class EmbeddedServer:
                 *("--host", "127.0.0.1", "--port", str(self._port)),
                 *("--log-level", "critical", "--timeout-keep-alive", "30"),
             ],
-            env=_server_environment(
-                database, migrate=not database.exists(), services=self._services
-            ),
+            env=_server_environment(database, migrate=not database.exists()),
             stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL,
             stderr=(self._folder / "server.log").open("wb"),
@@ -170,13 +163,9 @@ class EmbeddedServer:
 
 
 @contextlib.contextmanager
-def prefect_api(*, services: bool = False) -> Iterator[EmbeddedServer]:
-    """A running or starting API for the body; call `wait()` before the first flow.
-
-    Args:
-        services: Whether it runs the background services that schedules need.
-    """
-    server = EmbeddedServer(services=services)
+def prefect_api() -> Iterator[EmbeddedServer]:
+    """A running or starting API for the body; call `wait()` before the first flow."""
+    server = EmbeddedServer()
     server.start()
     try:
         yield server
@@ -240,7 +229,7 @@ def _server_environment(database: Path, migrate: bool, services: bool = False) -
         OMP_NUM_THREADS="1",
     )
     env.pop("PREFECT_API_URL", None)
-    for service in () if services else _UNUSED_SERVICES:
+    for service in _UNUSED_SERVICES:
         env[f"PREFECT_SERVER_SERVICES_{service}_ENABLED"] = "false"
     return env
 

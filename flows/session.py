@@ -53,14 +53,6 @@ def session(processes: int, watch: Watcher | None = None) -> Iterator[Callable[.
         yield call
 
 
-@contextlib.contextmanager
-def serving() -> Iterator[None]:
-    """An API that keeps schedules, for the body; with `PREFECT_API_URL` set, that server."""
-    with prefect_api(services=True) as api:
-        api.wait()
-        yield
-
-
 def warm_up() -> None:
     """Imports what scenes need and silences it; results do not depend on it."""
     with contextlib.suppress(Exception):  # a missing library is reported by the stage that needs it

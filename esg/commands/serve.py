@@ -3,11 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+import datetime
 from pathlib import Path
-import re
-from typing import Annotated, Any, Literal
+import subprocess
+import sys
+import time
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from cyclopts import Parameter
+
+if TYPE_CHECKING:
+    from esg.cron import Cron
 
 DEFAULT_SUITE = Path("data") / "suites" / "paper.yaml"
 
@@ -31,7 +37,7 @@ def serve(
     """Run suites on a schedule or once: ingest, compare with the last good run, write reports.
 
     With --once the exit code is 3 if a suite is worse than its last good run. With --cron the
-    command serves the schedule until it is interrupted; a night that regressed is shown as failed.
+    command serves the schedule until it is interrupted.
 
     Args:
         cron: When, e.g. "0 3 * * *" (minute, hour, day of month, month, day of week).
@@ -84,41 +90,22 @@ def serve(
     return 3 if any(n["regressed"] for n in nights) else 0
 
 
-def check_cron(text: str) -> None:
-    """Checks a cron expression.
+def check_cron(text: str) -> Cron:
+    """Reads a cron expression.
 
     Raises:
         UserError: If it is none.
     """
+    from esg.cron import Cron
     from esg.outcomes import UserError
 
-    fields = text.split()
-    good = len(fields) == len(_CRON_RANGES) and all(
-        _cron_field(field, *limits) for field, limits in zip(fields, _CRON_RANGES, strict=True)
-    )
-    if not good:
+    try:
+        return Cron.parse(text)
+    except ValueError as error:
         raise UserError(
-            f"--cron {text!r} is no cron expression; give minute, hour, day of month, month and "
-            'day of week, e.g. "0 3 * * *" for every night at three (UTC)'
-        )
-
-
-_CRON_RANGES = ((0, 59), (0, 23), (1, 31), (1, 12), (0, 7))
-_CRON_ITEM = re.compile(r"(?:\*|(\d+)(?:-(\d+))?)(?:/([1-9]\d*))?")
-
-
-def _cron_field(field: str, low: int, high: int) -> bool:
-    """Whether a field is a list of numbers, ranges and steps; names of days pass as they are."""
-    if re.fullmatch(r"[A-Za-z]{3}(?:[,-][A-Za-z]{3})*", field):
-        return high in (7, 12)
-    for item in field.split(","):
-        found = _CRON_ITEM.fullmatch(item)
-        if found is None:
-            return False
-        numbers = [int(n) for n in found.groups()[:2] if n]
-        if any(not low <= n <= high for n in numbers) or numbers != sorted(numbers):
-            return False
-    return True
+            f"--cron {text!r}: {error}; give minute, hour, day of month, month and day of week, "
+            'e.g. "0 3 * * *" for every night at three (UTC)'
+        ) from None
 
 
 def _once(options: dict[str, Any]) -> list[dict[str, Any]]:
@@ -143,19 +130,54 @@ def _once(options: dict[str, Any]) -> list[dict[str, Any]]:
 
 
 def _serve(cron: str, options: dict[str, Any]) -> int:
-    from flows.session import serving
+    """Serves the schedule: on the user's Prefect server if there is one, else by itself."""
+    import os
 
-    with serving():
-        from flows.nightly import nightly
+    if os.environ.get("PREFECT_API_URL"):
+        return _serve_on_server(cron, options)
+    command = [sys.executable, "-m", "esg.cli", "serve", "--once", *arguments(options)]
+    while True:
+        following = check_cron(cron).following(datetime.datetime.now(datetime.UTC))
+        print(f"next run at {following:%Y-%m-%d %H:%M} UTC", flush=True)
+        # In short steps: a clock that is set, or a machine that sleeps, must not lose a night.
+        while datetime.datetime.now(datetime.UTC) < following:
+            time.sleep(min(20.0, _seconds_until(following)))
+        # A process a night: nothing of the last one is left in memory.
+        code = subprocess.run(command, check=False).returncode
+        print(f"ended with exit code {code}", flush=True)
 
-        nightly.serve(
-            name="nightly",
-            cron=cron,
-            parameters=options,
-            limit=1,
-            pause_on_shutdown=False,
-            print_starting_message=False,
-        )
+
+def _seconds_until(moment: datetime.datetime) -> float:
+    return max(0.1, (moment - datetime.datetime.now(datetime.UTC)).total_seconds())
+
+
+def arguments(options: dict[str, Any]) -> list[str]:
+    """The command-line arguments of a night that runs now."""
+    out: list[str] = []
+    for suite in options["suites"]:
+        out += ["--suite", suite]
+    for name in ("runs", "seed", "strategy", "engine", "device", "out"):
+        out += [f"--{name}", str(options[name])]
+    out += ["--db", options["database"]]
+    if options["workers"] >= 0:
+        out += ["--workers", str(options["workers"])]
+    return [*out, "--cached"] if options["cached"] else out
+
+
+def _serve_on_server(cron: str, options: dict[str, Any]) -> int:
+    from flows.embedded import configure
+
+    configure()
+    from flows.nightly import nightly
+
+    nightly.serve(
+        name="nightly",
+        cron=cron,
+        parameters=options,
+        limit=1,
+        pause_on_shutdown=False,
+        print_starting_message=False,
+    )
     return 0
 
 

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import datetime
 from pathlib import Path
 
 import pytest
 
-from esg.commands.serve import check_cron, describe, serve
+from esg.commands.serve import arguments, check_cron, describe, serve
 from esg.nightly import history_row, verdict
 from esg.outcomes import UserError
 from esg.store import ingest, write_tables
@@ -47,11 +48,44 @@ def test_cron_expressions(text: str) -> None:
 
 @pytest.mark.parametrize(
     "text", ["", "3", "* * * *", "60 3 * * *", "0 24 * * *", "0 3 0 * *", "a b c d e", "5-1 * * * *",
-             "mon * * * *", "*/0 * * * *", "0 3 * * * *"],
+             "mon * * * *", "*/0 * * * *", "0 3 * * * *", "0 3 30 2 *"],
 )  # fmt: skip
 def test_what_is_no_cron_expression_is_refused(text: str) -> None:
     with pytest.raises(UserError, match="--cron"):
         check_cron(text)
+
+
+def following(text: str, moment: str) -> str:
+    start = datetime.datetime.fromisoformat(f"{moment}:00+00:00")
+    return check_cron(text).following(start).strftime("%Y-%m-%dT%H:%M")
+
+
+@pytest.mark.parametrize(
+    ("text", "moment", "expected"),
+    [
+        ("0 3 * * *", "2026-11-21T02:59", "2026-11-21T03:00"),
+        ("0 3 * * *", "2026-11-21T03:00", "2026-11-22T03:00"),
+        ("*/20 * * * *", "2026-12-31T23:45", "2027-01-01T00:00"),
+        ("30 4 * * mon", "2026-11-21T00:00", "2026-11-23T04:30"),
+        ("0 0 29 2 *", "2026-03-01T00:00", "2028-02-29T00:00"),
+        ("0 0 1 * 7", "2026-11-21T00:00", "2026-11-22T00:00"),
+        ("5 1-3/2,6 * jan *", "2026-11-21T00:00", "2027-01-01T01:05"),
+    ],
+)
+def test_when_an_expression_fires_next(text: str, moment: str, expected: str) -> None:
+    assert following(text, moment) == expected
+
+
+def test_a_scheduled_night_runs_with_the_same_options() -> None:
+    options = {
+        "suites": ["a.yaml", "b.yaml"], "out": "o", "database": "d", "runs": 3, "seed": 1,
+        "strategy": "fd", "engine": "rapier", "device": "cpu", "workers": 2, "cached": True,
+    }  # fmt: skip
+    text = " ".join(arguments(options))
+    assert text == (
+        "--suite a.yaml --suite b.yaml --runs 3 --seed 1 --strategy fd --engine rapier "
+        "--device cpu --out o --db d --workers 2 --cached"
+    )
 
 
 def test_mistakes_are_told_before_any_work(tmp_path: Path) -> None:
