@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from esg.dynamics.aim import aim_point, region_center
 from esg.dynamics.story import Phase, Story, read_story
 from esg.engines.scene import SimScene
-from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent
+from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, TimelineNode
 
 
 class Cast:
@@ -70,6 +70,15 @@ class Cast:
     def shall_topple(self, name: str | None) -> bool:
         """Whether the story tips a body over: it is then hit above its middle."""
         return name is not None and self.story.topples(name)
+
+    def pushes_off(self, actor: str, phase: Phase) -> TimelineNode | None:
+        """The fall of what a driven body pushes over an edge: it keeps pushing until then."""
+        if phase.end.event is not NodeEvent.COLLISION or not self.drives(actor):
+            return None
+        target = self.target(phase)
+        after = self.story.after(phase.end.id)
+        falls = (n for n in after if n.event is NodeEvent.FALL and target in n.participants)
+        return next(falls, None)
 
     def leaves_to_others(self, actor: str, phase: Phase) -> bool:
         """A driven body whose part ends with a hit that others carry on brakes there.

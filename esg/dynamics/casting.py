@@ -8,14 +8,20 @@ crate); where an event sets a thing in motion, it is not screwed to the floor.
 from __future__ import annotations
 
 from dataclasses import replace
+import math
 
 from esg.dynamics.stage import FASTEST_MPS
 from esg.dynamics.stagecraft import Prop, prop, topple_speed
 from esg.dynamics.story import Story, bounds, read_story
 from esg.graph.models import AssetConfiguration, EdgeEvent, EsgDocument, NodeEvent
+from esg.units import GRAVITY_MPS2
 
 LIGHTEST = 0.3
 """Least share of the usual mass: an empty crate against a loaded one."""
+TIPPING_IMPULSE_NS = 0.4
+"""Impulse a tipping body shall pass on: well over the 0.1 N s that counts as a hit."""
+LARGEST = 5.0
+"""Most that anything is enlarged."""
 MOVES = (NodeEvent.TOPPLE, NodeEvent.FALL, NodeEvent.STOP)
 
 
@@ -37,9 +43,51 @@ def fit_assets(doc: EsgDocument) -> EsgDocument:
         config = doc.asset_configurations[nodes[name].asset_id]
         if not config.is_movable:
             changed[nodes[name].asset_id] = config.model_copy(update={"is_movable": True})
-    doc = _with(doc, changed)
+    doc = _with(doc, {**changed, **_grown(doc, story)})
     lighter = {nodes[b].asset_id: f for b, f in _mass_factors(doc, story).items() if f < 1.0}
     return _with(doc, {k: _scaled(doc.asset_configurations[k], f) for k, f in lighter.items()})
+
+
+def _grown(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]:
+    """Dominoes and the like large enough that their hits are hits.
+
+    A body that tips onto its equal passes on about 0.35 m sqrt(g h). Of toy dominoes that is a
+    hundredth of what counts as a collision, so that the chain is built of garden dominoes where
+    the prompt leaves the size open.
+    """
+    from esg.assets.stage import configure
+
+    nodes = doc.spatial_relation_graph.nodes
+    out: dict[str, AssetConfiguration] = {}
+    for node in story.nodes.values():
+        if node.event is not NodeEvent.COLLISION or len(node.participants) < 2:
+            continue
+        a, b = node.participants[:2]
+        if a not in nodes or b not in nodes or not story.topples(a):
+            continue
+        keys = {nodes[a].asset_id, nodes[b].asset_id}
+        first, second = (doc.asset_configurations[nodes[n].asset_id] for n in (a, b))
+        wanted = [doc.asset_requirement[k] for k in sorted(keys)]
+        if first.category != second.category or any(
+            r.mass_is_prescribed or r.dimensions_are_prescribed for r in wanted
+        ):
+            continue
+        passed = 0.35 * first.mass_kg * math.sqrt(GRAVITY_MPS2 * first.dimensions_cm[2] / 100.0)
+        factor = (TIPPING_IMPULSE_NS / max(passed, 1e-9)) ** (1.0 / 3.5)
+        if not 1.0 < factor <= LARGEST:
+            continue
+        for key in sorted(keys):
+            config = doc.asset_configurations[key]
+            larger = doc.asset_requirement[key].model_copy(
+                update={
+                    "expected_dimensions_cm": tuple(factor * d for d in config.dimensions_cm),
+                    "expected_mass_kg": factor**3 * config.mass_kg,
+                    "dimensions_are_prescribed": True,
+                    "mass_is_prescribed": True,
+                }
+            )
+            out[key] = configure(key, larger)
+    return out
 
 
 def _with(doc: EsgDocument, changed: dict[str, AssetConfiguration]) -> EsgDocument:

@@ -33,7 +33,7 @@ HANDLERS = {
     NodeEvent.ENTER_REGION: enters,
 }
 """How each event is told; all others are told by `plain`."""
-ATTEMPTS = 8
+ATTEMPTS = 12
 """How often a choreography that does not fit on its table is told again with less room."""
 
 

@@ -52,6 +52,7 @@ def collision(stage: Stage, node: TimelineNode) -> None:
     else:
         _chain(stage, node, a, b)
     _impact(stage, node, a, b)
+    stage.met[a] = b
 
 
 def enters(stage: Stage, node: TimelineNode) -> None:
@@ -127,7 +128,7 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
         wait = None if prescribed is None else max(0.15, prescribed - track.time)
         free = not speed_is_fixed(phase)
         speed, distance, duration, left = slide(pa, speed, wait, stage.rng, adjustable=free)
-        distance = max(distance, descent(stage, b))
+        distance = max(distance, descent(stage, b), _room_after(stage, a, b))
         stage.nominal[f"{phase.edge.id}/speed"] = speed
     else:
         run = approach_distance(pa, speed, stage.rng) * stage.tight
@@ -142,6 +143,9 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
         else:
             duration = (asked or run) / speed
         distance = asked or speed * duration
+        if prescribed is None:
+            distance = max(distance, _room_after(stage, a, b))
+            duration = distance / speed
         left = speed
         if distance > MAX_APPROACH_M and not speed_is_fixed(phase):
             speed = left = MAX_APPROACH_M / duration
@@ -152,6 +156,16 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
         stage.heights[a] = release_height(pa, pb)
         stage.nominal[f"{phase.edge.id}/flight_time"] = duration
     _join(stage, a, b, node)
+
+
+def _room_after(stage: Stage, a: str, b: str) -> float:
+    """Least way [m] from one target to the next: past the first, which may lie there."""
+    before = stage.met.get(a)
+    if before is None or before == b:
+        return 0.0
+    first, second = stage.prop(before), stage.prop(b)
+    fallen = first.height if stage.story.topples(stage.member(before)) else 0.0
+    return max(first.length, first.width, 0.8 * fallen) + 0.5 * second.half_length + 0.3
 
 
 def _asked_distance(stage: Stage, node: TimelineNode, a: str) -> float | None:

@@ -115,7 +115,7 @@ def _stop_time(node: TimelineNode) -> float:
 
 def _place_for_fall(stage: Stage, node: TimelineNode) -> None:
     """What shall fall off its support starts near the edge that its motion leads to."""
-    if stage.anchor is None or not node.participants:
+    if stage.anchor is None or stage.lifted or not node.participants:
         return
     name = stage.key(node.participants[0])
     config = stage.doc.asset_configurations[

@@ -94,6 +94,9 @@ class Composer(Cast):
                 end = turn_end
             acceleration = v.get(f"{edge.id}/acceleration", 0.0)
             until = self.contacts(phase)
+            pushed = self.pushes_off(actor, phase) if last else None
+            if pushed is not None:
+                end, until = self.nominal.get(f"{pushed.id}/event_time", duration) + 0.3, ()
             out.append(
                 HoldVelocity(
                     actor,
@@ -112,6 +115,7 @@ class Composer(Cast):
             clock = end
             if last and self.leaves_to_others(actor, phase):
                 hit = self.nominal.get(f"{phase.end.id}/event_time", duration)
+                hit = end if pushed is not None else hit
                 out.append(AdjustProperties(actor, hit, linear_damping=AFTER_HIT_DAMPING))
             if last and phase.end.event in (NodeEvent.REACH, NodeEvent.STOP):
                 out.append(AdjustProperties(actor, end, linear_damping=REACH_BRAKE_DAMPING))

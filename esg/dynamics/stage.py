@@ -40,6 +40,8 @@ class Stage:
         anchor: The table or shelf it all takes place on, None for the ground.
         airborne: Actors that left their support (`falls.Flight`).
         tipped: Actors that fell over where they stood.
+        met: What each actor met last.
+        lifted: An actor without a place of its own that starts on the anchor beside its target.
         edge_run: Distance [m] from the lead's start to the anchor's edge, None if it does not
             matter.
     """
@@ -63,13 +65,37 @@ class Stage:
         self.airborne: dict[str, Flight] = {}
         self.tipped: set[str] = set()
         self.edge_run: float | None = None
+        self.met: dict[str, str] = {}
         self._next_phase = {a: 0 for a in self.tracks}
         self.tight = tight
         actors = sorted(
             self.tracks, key=lambda a: list(story.nodes).index(story.phases[a][0].start.id)
         )
         self.lead = actors[0]
+        self.lifted: str | None = None
         self.anchor = None if self.story.flies(self.lead) else support_of(doc, self.lead)
+        if self.anchor is None and not self.story.flies(self.lead):
+            self._climb()
+
+    def _climb(self) -> None:
+        """Puts the lead where its first target stands, if that is out of its reach from below.
+
+        A cat that knocks a glass off a shelf is on the shelf.
+        """
+        end = self.story.phases[self.lead][0].end
+        body = self.prop(self.lead)
+        for name in end.participants:
+            support = None if name == self.lead else support_of(self.doc, name)
+            if support is None or body.length > 1.2:
+                continue
+            nodes = self.doc.spatial_relation_graph.nodes
+            config = self.doc.asset_configurations[nodes[support].asset_id]
+            surface = max(config.support_surfaces, key=lambda s: s.center_cm[2])
+            height = surface.center_cm[2] / 100.0
+            room = max(surface.half_extents_cm[:2]) / 50.0
+            if height > body.height and body.length < 0.7 * room:
+                self.anchor, self.lifted = support, self.lead
+                self.heights[self.lead] = height
 
     def tighter(self) -> Stage:
         """An empty stage for the same participants with less room, drawing on from this one's."""
@@ -80,7 +106,8 @@ class Stage:
         if self.airborne:
             return True
         members = [self.member(k) for k in self.places]
-        return any(m != self.anchor and support_of(self.doc, m) != self.anchor for m in members)
+        own = {self.anchor, self.lifted}
+        return any(m not in own and support_of(self.doc, m) != self.anchor for m in members)
 
     def start_at_edge(self) -> None:
         """Moves everything so that the lead starts at the anchor's edge, heading off it."""
