@@ -203,7 +203,19 @@ def write_scene(
                 "score_strict": 1.0,
                 "score_lenient": 1.0,
                 "reason": "",
-            }
+            },
+            {
+                "constraint": "time_since e1 since start = 0.6 s",
+                "kind": "outcome",
+                "quantity": "time_since",
+                "unit": "s",
+                "measured": 0.5,
+                "target": 0.6,
+                "score": 1.0,
+                "score_strict": 1.0,
+                "score_lenient": 1.0,
+                "reason": "",
+            },
         ],
     }
     metrics = {

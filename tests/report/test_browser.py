@@ -187,7 +187,7 @@ def test_plots_graph_history_class_and_downloads_are_there(opened: Any) -> None:
         " edges: n('path.edge'), code: n('pre.code'), links: n('a[download]')}"
     )
     assert counts["lines"] == 3  # speed, distance, loss
-    assert counts["bands"] == 3  # the prescribed speed, and the window of time in both plots
+    assert counts["bands"] == 5  # the prescribed speed, and two windows of time in both plots
     assert counts["nodes"] == 4
     assert counts["edges"] == 2
     assert counts["code"] == 1

@@ -118,6 +118,12 @@ function windowsOf(data) {
     if (c.quantity.startsWith("speed")) out.speed.push(band);
     else if (c.quantity === "distance") out.distance.push(band);
     else if (c.quantity === "time") out.time.push(band);
+    else if (c.quantity === "time_since") {
+      // Counted from an event: shown from where that event was.
+      const since = /\bsince (\S+)/.exec(c.constraint)?.[1];
+      const from = since === "start" ? 0 : data.metrics.verdict.events.find((e) => e.id === since)?.time_s;
+      if (from !== null && from !== undefined) out.time.push({ ...band, low: from + low, high: from + high });
+    }
   }
   const nodes = data.document.timeline_system?.sequence_graph?.nodes ?? [];
   for (const n of nodes) {
