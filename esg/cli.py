@@ -20,6 +20,7 @@ def build_app():  # the return type would import cyclopts for nothing
         version=__version__,
         help="Text to physically consistent dynamic 3D scenes, at dataset scale.",
         help_format="plaintext",
+        suppress_keyboard_interrupt=False,  # `main` says what is kept
     )
     for name, (where, help_line) in COMMANDS.items():
         app.command(where, name=name, help=help_line)
