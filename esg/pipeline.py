@@ -10,7 +10,7 @@ schedulers: `tasks/` calls `run_stage` for batches of scenes.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Generator, Sequence
 import contextlib
 from dataclasses import dataclass, field, replace
 import errno
@@ -135,7 +135,7 @@ def artifact_store() -> ArtifactStore:
 
 
 @contextlib.contextmanager
-def scratch_store(root: Path, *, durable: bool = True) -> Iterator[None]:
+def scratch_store(root: Path, *, durable: bool = True) -> Generator[None]:
     """Makes this process use another store for the body: nothing of the usual one is found.
 
     Args:

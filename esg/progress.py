@@ -19,7 +19,7 @@ and must not raise: what one raises is dropped, because a display is no reason t
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator
 import contextlib
 from dataclasses import dataclass
 import pickle
@@ -62,7 +62,7 @@ _pipe: Any = None
 
 
 @contextlib.contextmanager
-def listening(listener: Listener) -> Iterator[None]:
+def listening(listener: Listener) -> Generator[None]:
     """Calls `listener` with every event of all threads and workers while the body runs."""
     _listeners.append(listener)
     try:

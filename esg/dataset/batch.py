@@ -8,7 +8,7 @@ Its mark is written last; a batch with a mark is never made again.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Generator, Mapping, Sequence
 import contextlib
 from dataclasses import dataclass, field, replace
 import json
@@ -247,7 +247,7 @@ def _write_dead(job: BatchJob, dead: Mapping[int, tuple[str, str]]) -> None:
 
 
 @contextlib.contextmanager
-def _limited(job: BatchJob, stage: str, index: int) -> Iterator[None]:
+def _limited(job: BatchJob, stage: str, index: int) -> Generator[None]:
     """Ends this process if a stage runs too long: native code cannot be interrupted otherwise."""
     if job.stage_limit_s <= 0:
         yield

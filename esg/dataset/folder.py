@@ -149,8 +149,8 @@ class DatasetFolder:
         path = self.path / RUN
         try:
             data = json.loads(path.read_text("utf-8"))
-            start = datetime.datetime.fromisoformat(data["started_at"])
-            return RunInfo(**{**data, "started_at": start})
+            data["started_at"] = datetime.datetime.fromisoformat(data["started_at"])
+            return RunInfo(**data)
         except (ValueError, KeyError, TypeError):
             raise UserError(f"{path} is damaged; choose another --out") from None
 

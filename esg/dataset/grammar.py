@@ -55,12 +55,12 @@ class Distribution(BaseModel):
         default_factory=lambda: {"single": 0.5, "chain": 0.3, "multi_phase": 0.2}
     )
     rules: dict[str, float] = Field(default_factory=dict)
-    quantified: float = Field(0.4, ge=0.0, le=1.0)
+    quantified: float = Field(default=0.4, ge=0.0, le=1.0)
     speeds: dict[str, float] = Field(
         default_factory=lambda: {"slow": 1.0, "medium": 1.0, "fast": 1.0}
     )
     movers: tuple[str, ...] = ()
-    max_count: int = Field(10, ge=3, le=20)
+    max_count: int = Field(default=10, ge=3, le=20)
 
     @model_validator(mode="after")
     def _names_are_known(self) -> Distribution:

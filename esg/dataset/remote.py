@@ -7,7 +7,7 @@ or not at all, which is what object stores promise of a put.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Generator, Iterable
 import contextlib
 import hashlib
 from pathlib import Path
@@ -165,7 +165,7 @@ class Remote:
         return f"{self._base.rstrip('/')}/{name}".rstrip("/")
 
     @contextlib.contextmanager
-    def _explained(self) -> Iterator[None]:
+    def _explained(self) -> Generator[None]:
         import pyarrow as pa
 
         try:

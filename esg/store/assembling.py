@@ -151,8 +151,9 @@ def _in_order(
 def _row_sizes(data: pa.Table) -> list[int]:
     """Size of every row's values [bytes]: how rows are dealt to parts makes no difference."""
     import pyarrow as pa
-    import pyarrow.compute as pc
+    import pyarrow.compute
 
+    pc: Any = pyarrow.compute  # its functions are made at run time
     total = pa.array([0] * data.num_rows, pa.int64())
     for column in data.columns:
         kind = column.type
