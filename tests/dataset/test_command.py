@@ -1,0 +1,52 @@
+"""`esg dataset`: mistakes are told before any work, in one message, with exit code 2."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from esg.commands.dataset import dataset, describe
+from esg.outcomes import UserError
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({}, "either --prompts FILE or --sample N"),
+        ({"sample": 3, "prompts": Path("p.txt")}, "either --prompts FILE or --sample N"),
+        ({"sample": 0}, "--sample 0"),
+        ({"sample": 3, "shard": "3/2"}, "--shard '3/2'"),
+        ({"sample": 3, "seed": -1}, "--seed -1"),
+        ({"sample": 3, "workers": 0}, "--workers 0"),
+        ({"prompts": Path("nope.txt")}, "nope.txt does not exist"),
+        ({"prompts": Path("nope.txt"), "counterfactual": True}, "--counterfactual belongs to"),
+        ({"sample": 3, "distribution": Path("nope.yaml")}, "nope.yaml does not exist"),
+        ({"sample": 3, "device": "tpu"}, "--device 'tpu'"),
+        ({"resume": True}, "either --prompts FILE or --sample N"),
+    ],
+)
+def test_mistakes_leave_nothing_behind(
+    tmp_path: Path, options: dict[str, Any], message: str
+) -> None:
+    with pytest.raises(UserError, match=message) as error:
+        dataset(out=str(tmp_path / "set"), **options)
+    assert error.value.exit_code == 2
+    assert not (tmp_path / "set").exists()
+
+
+def test_a_place_that_cannot_be_written_is_told(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+    with pytest.raises(UserError, match="not a folder"):
+        dataset(out=str(tmp_path / "file" / "set"), sample=2)
+
+
+def test_people_are_told_counts_splits_and_where_failures_are() -> None:
+    text = describe({
+        "scenes": 10, "planned": 10, "folder": "x", "complete": True, "verified": 9, "failed": 1,
+        "outcomes": {"solved": 9, "crashed": 1}, "splits": {"train": 10},
+        "failures": "x/failures.jsonl",
+    })  # fmt: skip
+    assert "9 verified, 1 failed" in text
+    assert "x/failures.jsonl" in text
