@@ -8,35 +8,23 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any, Literal
 
 from esg.dataset import vocabulary as words
+from esg.dataset.slots import (
+    Slot,
+    Values,
+    adjective_slot,
+    choice_slot,
+    count_slot,
+    mass_slot,
+    mover_slot,
+    noun_slot,
+    speed_slot,
+    time_slot,
+)
 from esg.dataset.vocabulary import Noun
 from esg.metrics.models import SuiteConstraint, SuiteEvent
-
-if TYPE_CHECKING:
-    import numpy as np
-
-    from esg.dataset.grammar import Distribution
-
-Values = dict[str, Any]
-
-
-@dataclass(frozen=True)
-class Slot:
-    """A place to fill.
-
-    Args:
-        name: mover, target, speed, mass, time, count or wording.
-        draw: Value for the values drawn before it, None if nothing fits.
-        other: A different value for a finished scene, None if there is none.
-        optional: Whether sentences may leave it out.
-    """
-
-    name: str
-    draw: Callable[[np.random.Generator, Values, Distribution], Any]
-    other: Callable[[np.random.Generator, Values], Any]
-    optional: bool = False
 
 
 @dataclass(frozen=True)
@@ -67,105 +55,6 @@ class Rule:
     render: Callable[[Values], Rendered]
     movers: tuple[Noun, ...]
     weight: float = 1.0
-
-
-# Slots.
-
-
-def _pick(rng: np.random.Generator, items: Any) -> Any:
-    return items[int(rng.integers(len(items)))]
-
-
-def _mover(nouns: tuple[Noun, ...]) -> Slot:
-    def draw(rng: np.random.Generator, values: Values, given: Distribution) -> Noun:
-        allowed = [n for n in nouns if not given.movers or n.name in given.movers]
-        return _pick(rng, allowed)
-
-    return Slot("mover", draw, lambda rng, values: None)
-
-
-def _noun(name: str, nouns: tuple[Noun, ...]) -> Slot:
-    """A noun that shares no head with the nouns before it: two crates could not be told apart."""
-
-    def fitting(values: Values) -> list[Noun]:
-        taken = {v.name.split()[-1] for k, v in values.items() if isinstance(v, Noun) and k != name}
-        return [n for n in nouns if n.name.split()[-1] not in taken]
-
-    def other(rng: np.random.Generator, values: Values) -> Noun | None:
-        left = [n for n in fitting(values) if n != values[name]]
-        return _pick(rng, left) if left else None
-
-    return Slot(name, lambda rng, values, given: _pick(rng, fitting(values)), other)
-
-
-def _noun_free(name: str, nouns: tuple[Noun, ...]) -> Slot:
-    """A noun whose adjective tells it apart: balls of other colours."""
-
-    def other(rng: np.random.Generator, values: Values) -> Noun | None:
-        return _pick(rng, [n for n in nouns if n != values[name]])
-
-    return Slot(name, lambda rng, values, given: _pick(rng, nouns), other)
-
-
-def _speed(optional: bool = True) -> Slot:
-    def draw(rng: np.random.Generator, values: Values, given: Distribution) -> float | None:
-        limits = values["mover"].speeds_mps
-        if limits is None:
-            return None
-        thirds = ("slow", "medium", "fast")
-        shares = [given.speeds.get(t, 0.0) for t in thirds]
-        third = int(rng.choice(3, p=[s / sum(shares) for s in shares]))
-        low, high = limits
-        return _half(low + (high - low) * (third + rng.random()) / 3)
-
-    def other(rng: np.random.Generator, values: Values) -> float | None:
-        """A speed at least a third of the range away."""
-        low, high = values["mover"].speeds_mps
-        now, step = values["speed"], (high - low) / 3
-        options = [
-            v for v in (0.5 * k for k in range(round(2 * low), round(2 * high) + 1))
-            if abs(v - now) >= step
-        ]  # fmt: skip
-        return _pick(rng, options) if options else None
-
-    return Slot("speed", draw, other, optional)
-
-
-def _mass() -> Slot:
-    def draw(rng: np.random.Generator, values: Values, given: Distribution) -> float | None:
-        masses = values["mover"].masses_kg
-        return _pick(rng, masses) if masses else None
-
-    def other(rng: np.random.Generator, values: Values) -> float | None:
-        left = [m for m in values["mover"].masses_kg if m != values["mass"]]
-        return _pick(rng, left) if left else None
-
-    return Slot("mass", draw, other, optional=True)
-
-
-def _time(low: float, high: float, optional: bool = True) -> Slot:
-    """A time in half seconds, or tenths if the range is short."""
-    step = 0.5 if high - low >= 1.0 else 0.1
-
-    def draw(rng: np.random.Generator, values: Values, given: Distribution) -> float:
-        return round(low + step * int(rng.integers(round((high - low) / step) + 1)), 3)
-
-    return Slot("time", draw, lambda rng, values: None, optional)
-
-
-def _one_of(name: str, *options: Any) -> Slot:
-    return Slot(name, lambda rng, values, given: _pick(rng, options), lambda rng, values: None)
-
-
-def _count(*options: int) -> Slot:
-    def draw(rng: np.random.Generator, values: Values, given: Distribution) -> int:
-        return _pick(rng, [n for n in options if n <= given.max_count] or options[:1])
-
-    return Slot("count", draw, lambda rng, values: None)
-
-
-def _half(value: float) -> float:
-    return round(2 * value) / 2
 
 
 # Words.
@@ -457,121 +346,127 @@ _OVER_WORDINGS = (
 )
 _LIGHT = ("cardboard box", "wooden box", "bucket", "suitcase")
 """Floor targets that a bowling ball pushes along."""
-_COLOR = _one_of("color", *words.VEHICLE_COLORS)
+_COLOR = choice_slot("color", *words.VEHICLE_COLORS)
 
 RULES: tuple[Rule, ...] = (
     Rule(
         "drive_into", "single",
-        (_mover(words.VEHICLES), _noun("target", words.STREET_TARGETS), _COLOR,
-         _one_of("verb", *_HIT_VERBS), _speed(), _time(1.0, 3.0)),
+        (mover_slot(words.VEHICLES), noun_slot("target", words.STREET_TARGETS), _COLOR,
+         choice_slot("verb", *_HIT_VERBS), speed_slot(), time_slot(1.0, 3.0)),
         _drive_into, words.VEHICLES, 3.0,
     ),
     Rule(
         "roll_into", "single",
-        (_mover(words.BALLS), _noun("target", words.FLOOR_TARGETS),
-         _one_of("verb", "rolls into", "runs into", "bumps into"), _mass(), _speed(),
-         _time(1.0, 2.0)),
+        (mover_slot(words.BALLS), noun_slot("target", words.FLOOR_TARGETS),
+         choice_slot("verb", "rolls into", "runs into", "bumps into"), mass_slot(), speed_slot(),
+         time_slot(1.0, 2.0)),
         _roll_into, words.BALLS, 3.0,
     ),
     Rule(
         "throw_at", "single",
-        (_mover(words.THROWN), _noun("target", words.THROW_TARGETS), _mass(), _time(0.6, 1.0)),
+        (mover_slot(words.THROWN), noun_slot("target", words.THROW_TARGETS), mass_slot(),
+         time_slot(0.6, 1.0)),
         _throw_at, words.THROWN, 1.5,
     ),
     Rule(
         "slide_into", "single",
-        (_mover(words.SLIDERS), _noun("target", words.SLIDE_TARGETS),
-         _one_of("verb", "hits", "bumps into"), _mass(), _speed()),
+        (mover_slot(words.SLIDERS), noun_slot("target", words.SLIDE_TARGETS),
+         choice_slot("verb", "hits", "bumps into"), mass_slot(), speed_slot()),
         _slide_into, words.SLIDERS, 1.5,
     ),
     Rule(
         "drop_onto", "single",
-        (_mover(words.DROPPED), _noun("target", words.DROP_TARGETS),
-         _one_of("verb", "is dropped onto", "falls onto")),
+        (mover_slot(words.DROPPED), noun_slot("target", words.DROP_TARGETS),
+         choice_slot("verb", "is dropped onto", "falls onto")),
         _drop_onto, words.DROPPED,
     ),
     Rule(
         "bowl", "single",
-        (_mover(tuple(n for n in words.BALLS if n.name == "bowling ball")),
-         _count(3, 4, 5, 6, 10), _mass(), _speed(optional=False)),
+        (mover_slot(tuple(n for n in words.BALLS if n.name == "bowling ball")),
+         count_slot(3, 4, 5, 6, 10), mass_slot(), speed_slot(optional=False)),
         _bowl, tuple(n for n in words.BALLS if n.name == "bowling ball"), 0.7,
     ),
     Rule(
         "drive", "single",
-        (_mover(words.VEHICLES), _COLOR, _one_of("verb", "drives", "moves"),
-         _one_of("place", "down the street", "along the road"), _speed(optional=False)),
+        (mover_slot(words.VEHICLES), _COLOR, choice_slot("verb", "drives", "moves"),
+         choice_slot("place", "down the street", "along the road"), speed_slot(optional=False)),
         _drive, words.VEHICLES, 0.7,
     ),
     Rule(
         "roll_off", "single",
-        (_mover(words.ROLL_OFF), _noun("target", words.ROLL_OFF_SUPPORTS)),
+        (mover_slot(words.ROLL_OFF), noun_slot("target", words.ROLL_OFF_SUPPORTS)),
         _roll_off, words.ROLL_OFF, 0.6,
     ),
     Rule(
         "head_on", "single",
-        (_mover(words.VEHICLES), _one_of("verb", "drive", "move"), _speed(optional=False),
-         _time(1.0, 2.0)),
+        (mover_slot(words.VEHICLES), choice_slot("verb", "drive", "move"),
+         speed_slot(optional=False),
+         time_slot(1.0, 2.0)),
         _head_on, words.VEHICLES, 0.7,
     ),
     Rule(
         "street_chain", "chain",
-        (_mover(words.VEHICLES), _noun("middle", words.STREET_MOVABLES),
-         _noun("target", words.STREET_ENDS), _one_of("wording", *_CHAIN_WORDINGS), _speed()),
+        (mover_slot(words.VEHICLES), noun_slot("middle", words.STREET_MOVABLES),
+         noun_slot("target", words.STREET_ENDS), choice_slot("wording", *_CHAIN_WORDINGS),
+         speed_slot()),
         _street_chain, words.VEHICLES, 3.0,
     ),
     Rule(
         "floor_chain", "chain",
-        (_mover(words.TOPPLERS[1:2]),
-         _noun("middle", tuple(n for n in words.FLOOR_TARGETS if n.name in _LIGHT)),
-         _noun("target", tuple(n for n in words.FLOOR_TARGETS if n.name not in _LIGHT)),
-         _one_of("wording", *_CHAIN_WORDINGS), _speed()),
+        (mover_slot(words.TOPPLERS[1:2]),
+         noun_slot("middle", tuple(n for n in words.FLOOR_TARGETS if n.name in _LIGHT)),
+         noun_slot("target", tuple(n for n in words.FLOOR_TARGETS if n.name not in _LIGHT)),
+         choice_slot("wording", *_CHAIN_WORDINGS), speed_slot()),
         _floor_chain, words.TOPPLERS[1:2],
     ),
     Rule(
         "ball_chain", "chain",
-        (_mover(words.BALLS[:1]), _count(3, 3, 4), _one_of("named", "letters", "colors"),
-         _one_of("first_color", *range(7)), _speed()),
+        (mover_slot(words.BALLS[:1]), count_slot(3, 3, 4), choice_slot("named", "letters",
+         "colors"),
+         choice_slot("first_color", *range(7)), speed_slot()),
         _ball_chain, words.BALLS[:1], 2.0,
     ),
     Rule(
         "knock_off", "chain",
-        (_mover(words.TABLE_BALLS), _noun("item", words.TABLE_ITEMS),
-         _noun("target", words.ROLL_OFF_SUPPORTS)),
+        (mover_slot(words.TABLE_BALLS), noun_slot("item", words.TABLE_ITEMS),
+         noun_slot("target", words.ROLL_OFF_SUPPORTS)),
         _knock_off, words.TABLE_BALLS,
     ),
     Rule(
         "knock_over", "chain",
-        (_mover(words.TOPPLERS), _noun("target", words.TOPPLED),
-         _one_of("wording", *_OVER_WORDINGS), _speed()),
+        (mover_slot(words.TOPPLERS), noun_slot("target", words.TOPPLED),
+         choice_slot("wording", *_OVER_WORDINGS), speed_slot()),
         _knock_over, words.TOPPLERS, 2.0,
     ),
     Rule(
         "pocket", "chain",
-        (_mover((Noun("cue ball"),)), _noun_free("target", words.POOL_BALLS),
-         _one_of("verb", "strikes", "hits"),
-         _one_of("pocket", "a corner pocket", "the bottom pocket", "the corner pocket")),
+        (mover_slot((Noun("cue ball"),)), adjective_slot("target", words.POOL_BALLS),
+         choice_slot("verb", "strikes", "hits"),
+         choice_slot("pocket", "a corner pocket", "the bottom pocket", "the corner pocket")),
         _pocket, (Noun("cue ball"),), 1.0,
     ),
     Rule(
         "brake_to_stop", "multi_phase",
-        (_mover(words.VEHICLES), _COLOR, _speed(optional=False),
-         _time(2.5, 4.0, optional=False)),  # tyres brake with 7 m/s² at most
+        (mover_slot(words.VEHICLES), _COLOR, speed_slot(optional=False),
+         time_slot(2.5, 4.0, optional=False)),  # tyres brake with 7 m/s² at most
         _brake_to_stop, words.VEHICLES, 2.0,
     ),
     Rule(
         "turn_and_hit", "multi_phase",
-        (_mover(words.VEHICLES), _noun("target", words.STREET_TARGETS),
-         _one_of("side", "left", "right"), _speed()),
+        (mover_slot(words.VEHICLES), noun_slot("target", words.STREET_TARGETS),
+         choice_slot("side", "left", "right"), speed_slot()),
         _turn_and_hit, words.VEHICLES,
     ),
     Rule(
         "rear_end", "multi_phase",
-        (_mover(words.VEHICLES), _speed(optional=False), _time(1.0, 2.0, optional=False)),
+        (mover_slot(words.VEHICLES), speed_slot(optional=False), time_slot(1.0, 2.0,
+         optional=False)),
         _rear_end, words.VEHICLES,
     ),
     Rule(
         "brake_and_hit", "multi_phase",
-        (_mover(words.VEHICLES), _noun("target", words.STREET_TARGETS), _COLOR, _speed()),
+        (mover_slot(words.VEHICLES), noun_slot("target", words.STREET_TARGETS), _COLOR,
+         speed_slot()),
         _brake_and_hit, words.VEHICLES,
     ),
 )  # fmt: skip
