@@ -190,6 +190,10 @@ class _FleetEngine:
         self._crew.spent("results", time.process_time() - again)
         return rollout
 
+    def together(self, calls: Sequence[Callable[[], Any]]) -> list[Any]:
+        """Results of calls whose rollouts do not depend on each other."""
+        return self._crew.together(calls)
+
 
 def _optimize(task: _Task, index: int, crew: _Crew) -> EsgDocument:
     scenes = _Scenes(index)
@@ -259,6 +263,44 @@ class _Crew:
         self._turn.acquire()
         assert ticket.played is not None
         return ticket.played
+
+    def together(self, calls: Sequence[Callable[[], Any]]) -> list[Any]:
+        """Makes calls that may ask, all of which may wait at the same time."""
+        results: list[Any] = [None] * len(calls)
+        errors: list[Exception] = []
+        left, over = len(calls), Event()
+
+        def make(k: int) -> bool:
+            """Makes a call; true if it was the last one, which goes on in the caller's place."""
+            nonlocal left
+            try:
+                results[k] = calls[k]()
+            except Exception as error:
+                errors.append(error)
+            with self._lock:
+                left -= 1
+                if left:
+                    self._running -= 1
+                    self._lock.notify_all()
+                    return False
+            over.set()
+            return True
+
+        def helper(k: int) -> None:
+            with self._turn:
+                make(k)
+
+        with self._lock:
+            self._running += len(calls) - 1
+        for k in range(1, len(calls)):
+            Thread(target=helper, args=(k,), daemon=True).start()
+        if not make(0):
+            self._turn.release()
+            over.wait()
+            self._turn.acquire()
+        if errors:
+            raise errors[0]
+        return results
 
     def gather(self) -> tuple[list[tuple[int, Job]], list[tuple[int, Any]]]:
         """Waits until every search has asked or ended: new jobs with numbers, and results."""

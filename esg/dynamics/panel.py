@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -83,6 +84,8 @@ class Panel:
         scene = faceted(plan.scene)
         if scene is not plan.scene:
             self._others.append(Simulator(replace(plan, scene=scene), engine, dt=dt))
+        # An engine that is shared by many searches may play several rollouts at once.
+        self._together = getattr(engine, "together", _one_by_one)
         self.steps: list[SearchStep] = []
 
     def rebias(self, bias: dict[str, float]) -> None:
@@ -108,8 +111,12 @@ class Panel:
 
     def preview(self, thetas: Floats) -> Floats:
         """Worst-case losses in the surrogate, shape [K]."""
-        tables = [_table(self.surrogate, thetas)[1]]
-        tables += [s.assess(thetas).total[:, None] for s in self._others]
+        tables = self._together(
+            [
+                lambda: _table(self.surrogate, thetas)[1],
+                *(partial(_column, s, thetas) for s in self._others),
+            ]
+        )
         return robust_value(np.concatenate(tables, axis=1)) + prior(self.plan, thetas)
 
     def judge(self, thetas: Floats, phase: str = "confirm") -> Found:
@@ -120,6 +127,15 @@ class Panel:
         ensemble = assessed.worlds(slice(k * len(ENSEMBLE), (k + 1) * len(ENSEMBLE)))
         self.note(phase, "newton", len(thetas), float(value[k]))
         return Found(thetas[k], float(value[k]), ensemble.worlds(slice(0, 1)), ensemble)
+
+
+def _one_by_one(calls: list[Callable[[], Floats]]) -> list[Floats]:
+    return [call() for call in calls]
+
+
+def _column(simulator: Simulator, thetas: Floats) -> Floats:
+    """Losses of the unperturbed scene, shape [K, 1]."""
+    return simulator.assess(thetas).total[:, None]
 
 
 def _table(simulator: Simulator, thetas: Floats) -> tuple[Assessment, Floats]:

@@ -34,6 +34,15 @@ from esg.engines.worlds import MAX_SPEED_MPS
 from esg.units import quat_multiply, quat_rotate
 
 MAX_WORLDS = {"cpu": 64, "cuda": 16384}
+ENOUGH_WORLDS = 1500
+"""So many worlds keep a GPU busy."""
+LONGER = 1.25
+"""Scenes that last longer than others by this factor wait for a pass of their own."""
+CROWDS = ((4, 6), (4, 12), (12, 32))
+"""Moving bodies and their shapes: the classes of scenes that share a pass."""
+SPARE_SHARE = 0.2
+"""Share of a model's scenes that must be asked for, for it to be used again."""
+MODELS = 3
 CHUNK_FRAMES = 8
 """Frames whose pairs are summed up before they are packed; a multiple of STEPS_PER_GRAPH / 4."""
 _GROUNDS = (-1, -2)
@@ -52,7 +61,7 @@ class FleetNewton:
     def __init__(self, device: str) -> None:
         quiet_warp()
         self.device = device
-        self._model: _Model | None = None
+        self._models: list[_Model] = []
         self._growth: dict[int, int] = {}
         self.seconds = {"build": 0.0, "play": 0.0}
 
@@ -62,18 +71,40 @@ class FleetNewton:
         pending = list(range(len(jobs)))
         most = MAX_WORLDS["cpu" if self.device == "cpu" else "cuda"]
         while pending:
-            # Long scenes with long ones: a pass takes as long as its longest job.
-            pending.sort(key=lambda k: (jobs[k].frames.dt, jobs[k].frames.n_steps, k))
-            part, worlds = [], 0
-            for k in pending:
-                alike = not part or jobs[k].frames.dt == jobs[part[0]].frames.dt
-                worlds += jobs[k].n_worlds
-                if part and (worlds > most or not alike):
-                    break
-                part.append(k)
+            part = self._pass(pending, jobs, shapes, most)
             again = self._play(part, jobs, shapes, buffer, out)
-            pending = again + pending[len(part) :]
+            chosen = set(part)
+            pending = again + [k for k in pending if k not in chosen]
         return [p for p in out if p is not None]
+
+    def _pass(
+        self, pending: list[int], jobs: list[Job], shapes: list[SceneShapes], most: int
+    ) -> list[int]:
+        """The jobs of the next pass.
+
+        A pass takes as long as its longest job, and the solver visits as many contacts of every
+        world as its most crowded one may have: while there are many worlds, like goes with like.
+        """
+        many = sum(jobs[k].n_worlds for k in pending) > 2 * ENOUGH_WORLDS
+        size = {k: _crowd(shapes[k]) if many else 0 for k in pending}
+        order = sorted(
+            pending, key=lambda k: (jobs[k].frames.dt, size[k], jobs[k].frames.n_steps, k)
+        )
+        part: list[int] = []
+        worlds = 0
+        for k in order:
+            j = jobs[k]
+            if part:
+                first = jobs[part[0]].frames
+                alike = j.frames.dt == first.dt and size[k] == size[part[0]]
+                longer = j.frames.n_steps > LONGER * first.n_steps
+                if not alike or worlds + j.n_worlds > most:
+                    break
+                if many and longer and worlds > ENOUGH_WORLDS:
+                    break
+            part.append(k)
+            worlds += j.n_worlds
+        return part
 
     def _play(
         self,
@@ -103,12 +134,22 @@ class FleetNewton:
         return again
 
     def _model_of(self, jobs: list[Job], shapes: list[SceneShapes]) -> _Model:
-        """The last model if it fits, otherwise a new one."""
+        """A model that has these scenes, the last ones used or a new one.
+
+        It may have a few more on a GPU, where building a smaller one takes longer than what
+        they cost.
+        """
         wanted = tuple((j.key, j.n_worlds, self._growth.get(j.key, 1)) for j in jobs)
-        if self._model is None or self._model.wanted != wanted:
-            self._model = None
-            self._model = _Model(wanted, shapes, self.device)
-        return self._model
+        needed, share = set(wanted), 1.0 if self.device == "cpu" else SPARE_SHARE
+        for model in self._models:
+            enough = needed <= set(model.wanted)
+            if enough and len(wanted) >= share * len(model.wanted):
+                self._models.remove(model)
+                break
+        else:
+            model = _Model(wanted, shapes, self.device)
+        self._models = [model, *self._models[: MODELS - 1]]
+        return model
 
 
 class _Model:
@@ -122,6 +163,7 @@ class _Model:
 
         _share_kernels()
         self.wanted, self.shapes, self.device = wanted, shapes, device
+        self.last: dict[int, Job] = {}
         self.graphs: dict[object, Any] = {}
         self.primitives = 0
         self.frames = 0
@@ -178,7 +220,7 @@ class _Model:
             friction_anchor_beta=0.2,
             restitution_velocity_threshold=RESTITUTION_THRESHOLD_MPS,
             # One row along the normal and two for friction.
-            free_body_constraint_max=3 * max(points),
+            free_body_constraint_max=3 * _rounded(max(points)),
             articulation_constraint_max=1,
             warn_constraint_overflow=False,
             deterministic=mode.RUN_TO_RUN if cuda else mode.NOT_GUARANTEED,
@@ -232,14 +274,23 @@ class _Model:
     # -- one pass ----------------------------------------------------------------------------------
 
     def play(self, jobs: list[Job], buffer: Buffer) -> tuple[list[Played], NDArray[np.bool_]]:
-        """Plays one job per scene of the model; also tells whose contacts found no room."""
+        """Plays one job per scene of the model; also tells whose contacts found no room.
+
+        Scenes that nobody asks for play their last job again.
+        """
         frames = max(j.frames.n_frames for j in jobs) - 1
         every = jobs[0].frames.record_every
+        place = {key: k for k, (key, _, _) in enumerate(self.wanted)}
+        for job in jobs:
+            self.last[place[job.key]] = job
+        everything = [self.last[k] for k in range(len(self.wanted))]
         with self.wp.ScopedDevice(self.device):
-            self._load(jobs, frames, every)
+            self._load(everything, frames, every)
             graph = self._graph()
             self._run(graph, frames, every)
-            return self._read(jobs, frames, buffer)
+            played, full = self._read(everything, frames, buffer, {j.key for j in jobs})
+        chosen = [place[j.key] for j in jobs]
+        return [played[k] for k in chosen], full[chosen]
 
     def _load(self, jobs: list[Job], frames: int, every: int) -> None:
         import newton
@@ -392,10 +443,10 @@ class _Model:
         self.solver.notify_model_changed(newton.ModelFlags.SHAPE_PROPERTIES)
 
     def _step(self) -> None:
+        import newton
+
         from esg.engines import fleet_kernels as kernels
         from esg.engines.newton_kernels import advance
-
-        import newton
 
         wp, model, c = self.wp, self.model, self.contacts
         s = self.state
@@ -473,8 +524,8 @@ class _Model:
         self.sums = wp.zeros((n, 7), dtype=wp.int64)
 
     def _read(
-        self, jobs: list[Job], frames: int, buffer: Buffer
-    ) -> tuple[list[Played], NDArray[np.bool_]]:
+        self, jobs: list[Job], frames: int, buffer: Buffer, asked: set[int]
+    ) -> tuple[dict[int, Played], NDArray[np.bool_]]:
         wp = self.wp
         n_bodies = self.model.body_count
         pose_at, pose = buffer.take((frames, n_bodies, 7))
@@ -493,8 +544,13 @@ class _Model:
         world, ints, depths, sums = world[order], ints[order], depths[order], sums[order]
         overflow = self.solver.constraint_overflow.numpy()
         full = np.asarray(overflow[: self.n_worlds], bool) | bool(overflow[self.n_worlds :].any())
-        out, over, at = [], [], 0
+        over = np.zeros(len(jobs), bool)
+        out: dict[int, Played] = {}
+        at = -jobs[0].n_worlds
         for k, job in enumerate(jobs):
+            at += jobs[k - 1].n_worlds if k else jobs[0].n_worlds
+            if job.key not in asked:
+                continue
             w, t = job.n_worlds, job.frames.n_frames - 1
             d = int(self.shapes[k].dynamic.sum())
             columns = slice(self.first_body[at], self.first_body[at + w])
@@ -505,12 +561,9 @@ class _Model:
             rows = slice(begin, stop)
             log = self._log(k, job, world[rows] - at, ints[rows], depths[rows], sums[rows],
                             self.first_pair[world[rows]], end)  # fmt: skip
-            out.append(
-                Played(p[..., :3], p[..., 3:], v[..., :3], v[..., 3:], end,
-                       np.zeros(0, np.float32), log)
-            )  # fmt: skip
-            over.append(bool(full[at : at + w].any()))
-            at += w
+            none = np.zeros(0, np.float32)
+            out[k] = Played(p[..., :3], p[..., 3:], v[..., :3], v[..., 3:], end, none, log)
+            over[k] = full[at : at + w].any()
         if lost:
             # The list of touches was too short: play the pass again with room for all.
             self._reserve_rows(used)
@@ -518,8 +571,8 @@ class _Model:
             buffer.used = pose_at
             self._load(jobs, frames, every)
             self._run(self._graph(), frames, every)
-            return self._read(jobs, frames, buffer)
-        return out, np.array(over, bool)
+            return self._read(jobs, frames, buffer, asked)
+        return out, over
 
     def _log(
         self,
@@ -552,12 +605,27 @@ class _Model:
         )
 
 
+def _crowd(s: SceneShapes) -> int:
+    """The class of a scene: how much the solver has to visit."""
+    bodies, shapes = int(s.dynamic.sum()), int(np.diff(s.first)[s.dynamic].sum())
+    for k, (most_bodies, most_shapes) in enumerate(CROWDS):
+        if bodies <= most_bodies and shapes <= most_shapes:
+            return k
+    return len(CROWDS)
+
+
 def _shape_numbers(s: SceneShapes) -> NDArray[np.int64]:
     """Numbers of the shapes that Newton's worlds hold, in their order."""
     return np.array(
         [i for b in range(s.n_bodies) if s.collides[b] for i in range(s.first[b], s.first[b + 1])],
         int,
     )
+
+
+def _rounded(points: int) -> int:
+    """The next power of two, or three quarters of it: kernels are compiled for every number."""
+    size = 1 << max(4, (points - 1).bit_length())
+    return size * 3 // 4 if points <= size * 3 // 4 else size
 
 
 def _ends(pose: Singles, velocity: Singles, n_frames: int) -> NDArray[np.int64]:

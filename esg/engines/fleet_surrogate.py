@@ -21,6 +21,11 @@ MEMORY_BYTES = {"cpu": 2_000_000_000, "cuda": 40_000_000_000}
 _ALIGN = 64
 _POINTS = 8
 BLOCK = 32
+"""Threads of a block; one number for all kernels of a module, which is compiled for it."""
+THREADS = 131072
+"""Threads that a GPU runs side by side, roughly."""
+CUDA_CONTACTS = 256
+"""Room on a GPU, where memory is plentiful and a second launch is not."""
 
 Numbers = NDArray[np.int64]
 
@@ -132,14 +137,19 @@ class FleetSurrogate:
         }
         self._meshes: dict[bytes, Any] = {}
         self._fields: dict[int, dict[str, NDArray[Any]]] = {}
-        self._room: dict[int, tuple[int, int]] = {}
+        self._contacts: dict[int, int] = {}
+        self._first_room = CONTACTS if device == "cpu" else CUDA_CONTACTS
+        self.repeated = 0
 
     def play(self, jobs: list[Job], shapes: list[SceneShapes], buffer: Buffer) -> list[Played]:
         """Simulates all jobs; `shapes` are their scenes."""
         out: list[Played | None] = [None] * len(jobs)
         limit = MEMORY_BYTES["cpu" if self.device == "cpu" else "cuda"]
         pending = list(range(len(jobs)))
-        rooms = [(CONTACTS, ROWS_PER_FRAME * j.frames.n_frames) for j in jobs]
+        rooms = [
+            (self._contacts.get(j.key, self._first_room), ROWS_PER_FRAME * j.frames.n_frames)
+            for j in jobs
+        ]
         while pending:
             size, count = 0, 0
             for k in pending:
@@ -172,6 +182,7 @@ class FleetSurrogate:
             needed = (contacts * (2 if dropped[i] else 1), max(room, int(rows[i])))
             if needed != rooms[k] and needed[0] <= MAX_CONTACTS:
                 rooms[k] = needed
+                self._contacts[jobs[k].key] = needed[0]
                 again.append(k)
         done = set(part) - set(again)
         for i, played in run.collect(buffer, [i for i, k in enumerate(part) if k in done]):
@@ -241,7 +252,7 @@ class _Launch:
         rooms: list[tuple[int, int]],
     ) -> None:
         self.wp = wp = fleet.wp
-        from esg.engines import fleet_kernels as kernels
+        from esg.engines import fleet_roll as kernels
         from esg.engines import surrogate_types as types
 
         self.device, self.jobs, self.shapes = fleet.device, jobs, shapes
@@ -377,11 +388,14 @@ class _Launch:
 
     def launch(self) -> None:
         """Simulates all worlds to the end."""
-        wp = self.wp
+        wp, n = self.wp, len(self.scene_of)
+        spread = 1
+        if self.device != "cpu":
+            spread = 1 << min(5, max(0, (THREADS // n).bit_length() - 1))
         wp.launch(
             self.kernels.roll_many,
-            dim=len(self.scene_of),
-            inputs=[*self.structs, self.trace, *self.indices, *self.times, 0],
+            dim=spread * n,
+            inputs=[*self.structs, self.trace, *self.indices, *self.times, spread],
             device=self.device,
             block_dim=BLOCK,
         )
@@ -390,6 +404,7 @@ class _Launch:
             dim=len(self.scene_of),
             inputs=[self.structs[3], self.structs[4], *self.indices, self.counts],
             device=self.device,
+            block_dim=BLOCK,
         )
 
     def needs(self) -> tuple[NDArray[np.bool_], Numbers]:
