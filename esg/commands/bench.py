@@ -94,7 +94,8 @@ def bench(
         before, after = result["closed_loop"]["open"], result["closed_loop"]["closed"]
         print(
             f"closed loop: own events {before['completed']:.1%} -> {after['completed']:.1%}, "
-            f"largest error {before['largest_error']:.2f} -> {after['largest_error']:.2f} tolerances"
+            f"largest error {before['largest_error']:.2f} -> {after['largest_error']:.2f} "
+            "tolerances"
         )
     cached = sum(s.cached_stages for s in states)
     print(f"{cached} of {total * len(STAGES)} stages from cache; scenes in {out}")
