@@ -137,9 +137,8 @@ class FleetSurrogate:
         }
         self._meshes: dict[bytes, Any] = {}
         self._fields: dict[int, dict[str, NDArray[Any]]] = {}
-        self._contacts: dict[int, int] = {}
+        self.contacts: dict[int, int] = {}
         self._first_room = CONTACTS if device == "cpu" else CUDA_CONTACTS
-        self.repeated = 0
 
     def play(self, jobs: list[Job], shapes: list[SceneShapes], buffer: Buffer) -> list[Played]:
         """Simulates all jobs; `shapes` are their scenes."""
@@ -147,7 +146,7 @@ class FleetSurrogate:
         limit = MEMORY_BYTES["cpu" if self.device == "cpu" else "cuda"]
         pending = list(range(len(jobs)))
         rooms = [
-            (self._contacts.get(j.key, self._first_room), ROWS_PER_FRAME * j.frames.n_frames)
+            (self.contacts.get(j.key, self._first_room), ROWS_PER_FRAME * j.frames.n_frames)
             for j in jobs
         ]
         while pending:
@@ -182,7 +181,7 @@ class FleetSurrogate:
             needed = (contacts * (2 if dropped[i] else 1), max(room, int(rows[i])))
             if needed != rooms[k] and needed[0] <= MAX_CONTACTS:
                 rooms[k] = needed
-                self._contacts[jobs[k].key] = needed[0]
+                self.contacts[jobs[k].key] = needed[0]
                 again.append(k)
         done = set(part) - set(again)
         for i, played in run.collect(buffer, [i for i, k in enumerate(part) if k in done]):

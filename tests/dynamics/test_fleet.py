@@ -1,0 +1,175 @@
+"""Many scenes at once decide what each of them decides alone, to the last bit."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from esg.dynamics.fleet import Clock, optimize_many
+from esg.dynamics.search import optimize
+from esg.engines.base import get_engine
+from esg.engines.fleet_jobs import SceneShapes, make_job, read
+from esg.engines.fleet_newton import FleetNewton
+from esg.engines.fleet_surrogate import Buffer, FleetSurrogate
+from esg.engines.program import HoldVelocity, Program, SetVelocity, batch_programs
+from esg.engines.scene import Body, Rollout, Shape, SimScene, Variation
+from esg.graph.models import EsgDocument
+from esg.outcomes import UserError
+from tests.dynamics import stories
+from tests.dynamics.stage import lay_out
+
+STORIES = (
+    stories.car_bin_table,
+    stories.three_balls,
+    stories.car_hits_jeep_at_3s,
+    stories.throw_hits_table_at_1s,
+    stories.topple,
+    stories.impossible_transfer,
+)
+
+
+@pytest.fixture(scope="module")
+def documents() -> list[EsgDocument]:
+    return [lay_out(story(), 1) for story in STORIES]
+
+
+@pytest.fixture(scope="module")
+def alone(documents: list[EsgDocument]) -> list[EsgDocument]:
+    return [optimize(d, seed=k, max_rounds=3) for k, d in enumerate(documents)]
+
+
+@pytest.mark.parametrize("processes", [1, 3])
+def test_together_is_as_alone(
+    documents: list[EsgDocument], alone: list[EsgDocument], processes: int
+) -> None:
+    """Outcome, theta, steps and provenance are equal, whatever the number of processes."""
+    clock = Clock()
+    seeds = list(range(len(documents)))
+    together = optimize_many(documents, seeds, max_rounds=3, processes=processes, clock=clock)
+    for one, other in zip(alone, together, strict=True):
+        assert one.model_dump_json() == other.model_dump_json()
+    first = clock.launches[0]
+    assert first["engine"] == "surrogate" and first["scenes"] >= len(documents)
+    confirmed = [row for row in clock.launches if row["engine"] == "newton"]
+    assert confirmed[0]["scenes"] == len(documents), "confirmed together, not one by one"
+    assert set(clock.seconds) >= {"surrogate", "newton", "wait"}
+
+
+def test_none_and_static_documents(documents: list[EsgDocument]) -> None:
+    """Without a search, and without anything to search."""
+    static = documents[0].model_copy(update={"timeline_system": None})
+    docs = [static, documents[2]]
+    together = optimize_many(docs, [0, 0], strategy="none")
+    assert together == [optimize(d, seed=0, strategy="none") for d in docs]
+    assert optimize_many([], []) == []
+
+
+def test_what_cannot_run_together_is_said(documents: list[EsgDocument]) -> None:
+    with pytest.raises(UserError, match="hybrid"):
+        optimize_many(documents, [0] * len(documents), strategy="hybrid")
+    with pytest.raises(UserError, match="seeds"):
+        optimize_many(documents, [0])
+
+
+def test_an_error_in_one_scene_reaches_the_caller(documents: list[EsgDocument]) -> None:
+    """Nothing hangs when a search fails: the others' engines stop waiting for it."""
+    broken = documents[2].model_copy(update={"layout_result": None})
+    errors = []
+    try:
+        optimize(broken)
+    except Exception as error:
+        errors.append(type(error))
+    assert errors, "the document is broken for a single search, too"
+    with pytest.raises(errors[0]):
+        optimize_many([documents[2], broken], [0, 0], max_rounds=1)
+
+
+# -- engines ---------------------------------------------------------------------------------------
+
+UNIT = ((0.1, 0.0, 0.0), (0.0, 0.1, 0.0), (0.0, 0.0, 0.1))
+
+
+def _cloud(n: int) -> tuple[tuple[float, float, float], ...]:
+    points = np.random.default_rng(n).normal(size=(n, 3))
+    points *= 0.2 / np.linalg.norm(points, axis=1, keepdims=True)
+    return tuple((float(x), float(y), float(z)) for x, y, z in points)
+
+
+def _ball_and_hull() -> SimScene:
+    """A ball rolls into a convex body; a table stands by."""
+    ball = Body("ball", False, 1.0, UNIT, (Shape("sphere", (0.2, 0.2, 0.2)),), (0.0, 0.0, 0.2),
+                roll_radius=0.2)  # fmt: skip
+    rock = Body("rock", False, 2.0, UNIT,
+                (Shape("convex", (0.2, 0.2, 0.2), vertices=_cloud(14)),), (0.8, 0.0, 0.21))  # fmt: skip
+    table = Body("table", True, 1.0, UNIT, (Shape("box", (0.3, 0.3, 0.3)),), (2.0, 0.0, 0.3))
+    return SimScene("ball and rock", (table, ball, rock))
+
+
+def _stack() -> SimScene:
+    """Boxes of many shapes that touch at once: more contacts than there is room for at first."""
+    legs = tuple(
+        Shape("box", (0.05, 0.05, 0.1), (x, y, 0.0)) for x in (-0.3, 0.3) for y in (-0.3, 0.0, 0.3)
+    )
+    bodies = [Body(f"box_{k}", False, 1.0, UNIT, legs, (0.0, 0.0, 0.1 + 0.2 * k)) for k in range(4)]
+    puck = Body("puck", False, 0.5, UNIT, (Shape("cylinder", (0.1, 0.1, 0.05)),), (1.0, 0.0, 0.05))
+    return SimScene("stack", (*bodies, puck))
+
+
+def _calls():
+    ball = [
+        Program((HoldVelocity("ball", 0.0, 1.0, 1.5 + 0.2 * k, 0.0, roll_radius=0.2,
+                              until_contact=("rock",)),), 1.0)
+        for k in range(3)
+    ]  # fmt: skip
+    puck = [Program((SetVelocity("puck", 0.1, (-3.0 - k, 0.0, 0.0)),), 0.5) for k in range(2)]
+    blown = [Program((SetVelocity("ball", 0.1, (x, 0.0, 0.0)),), 0.5) for x in (1.0, 700.0)]
+    scenes = (_ball_and_hull(), _stack(), _ball_and_hull())
+    variation = Variation(friction_scale=np.array([0.8, 1.0, 1.2]),
+                          restitution_offset=np.array([0.0, 0.1, -0.1]))  # fmt: skip
+    return [
+        (s, batch_programs(p, s.names), v)
+        for s, p, v in zip(scenes, (ball, puck, blown), (variation, None, None), strict=True)
+    ]
+
+
+def _together(name: str) -> list[Rollout]:
+    engine = {"surrogate": FleetSurrogate, "newton": FleetNewton}[name]("cpu")
+    jobs = [
+        make_job(name, k, s, SceneShapes.of(s), b, dt=1 / 240, record_every=4, variation=v)
+        for k, (s, b, v) in enumerate(_calls())
+    ]
+    shapes = [j.shapes for j, _ in jobs]
+    buffer = Buffer(np.zeros(20_000_000, np.uint8))
+    played = engine.play([j for j, _ in jobs], [s for s in shapes if s is not None], buffer)
+    return [read(j, start, p) for (j, start), p in zip(jobs, played, strict=True)]
+
+
+@pytest.mark.parametrize("name", ["surrogate", "newton"])
+def test_engines_play_different_scenes_as_alone(name: str) -> None:
+    """States, logs and validity of three scenes of different size and length, one diverging."""
+    for (scene, batch, variation), there in zip(_calls(), _together(name), strict=True):
+        here = get_engine(name).rollout(scene, batch, record_every=4, variation=variation)
+        for field in ("time", "position", "quaternion", "linear_velocity", "angular_velocity"):
+            assert np.array_equal(getattr(here, field), getattr(there, field)), field
+        assert np.array_equal(here.valid, there.valid)
+        for column in here.contacts.__dataclass_fields__:
+            a, b = getattr(here.contacts, column), getattr(there.contacts, column)
+            assert np.array_equal(a, b), column
+        assert len(here.contacts.world)
+        for note in ("deepest", "tunnelled"):
+            if note in here.extra:
+                assert np.array_equal(here.extra[note], there.extra[note])
+    assert not there.valid.all(), "the last scene's second world is too fast"
+
+
+def test_surrogate_grants_more_room() -> None:
+    """The stack has more contacts than fit at first; none is lost."""
+    fleet = FleetSurrogate("cpu")
+    scene, batch, _ = _calls()[1]
+    job, _ = make_job(
+        "surrogate", 7, scene, SceneShapes.of(scene), batch, dt=1 / 240, record_every=4,
+        variation=None,
+    )  # fmt: skip
+    assert job.shapes is not None
+    fleet.play([job], [job.shapes], Buffer(np.zeros(20_000_000, np.uint8)))
+    assert fleet.contacts[7] > 48
