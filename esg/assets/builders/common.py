@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+import math
 from typing import Any
 
 from esg.assets.lazy import shapes
-from esg.assets.sketch import Color, Sketch
+from esg.assets.sketch import CHROME, RUBBER, STEEL, Color, Sketch, rgb
 from esg.graph.models import Vec3
 
 Span = tuple[float, float]
+LEAF = rgb(66, 130, 56)
 
 
 def shade(c: Color, factor: float) -> Color:
@@ -90,3 +92,19 @@ def shift(s: Sketch, dx: float = 0.0, dy: float = 0.0, dz: float = 0.0) -> None:
     s.proxies[:] = [p.model_copy(update={"position_cm": at(p.position_cm)}) for p in s.proxies]
     s.surfaces[:] = [p.model_copy(update={"center_cm": at(p.center_cm)}) for p in s.surfaces]
     s.regions[:] = [p.model_copy(update={"center_cm": at(p.center_cm)}) for p in s.regions]
+
+
+def wheel(s: Sketch, x: float, y: float, r: float, width: float, hub: Color = CHROME) -> None:
+    """A wheel about Y whose middle is at `y`."""
+    s.rod(r, (x, y - width / 2, r), (x, y + width / 2, r), RUBBER, rough=0.9, sections=32)
+    s.rod(r * 0.58, (x, y - width * 0.55, r), (x, y + width * 0.55, r), hub, rough=0.4, metal=0.4)
+
+
+def spokes(s: Sketch, x: float, y: float, r: float, c: Color = CHROME) -> None:
+    """A spoked wheel about Y."""
+    s.torus(r - 0.06 * r, 0.06 * r, (x, y, r), RUBBER, axis="y", rough=0.9)
+    s.rod(0.1 * r, (x, y - 0.1 * r, r), (x, y + 0.1 * r, r), STEEL, metal=0.6, sections=14)
+    for k in range(6):
+        a = math.pi * k / 6
+        d = (0.9 * r * math.cos(a), 0.9 * r * math.sin(a))
+        s.rod(0.025 * r, (x - d[0], y, r - d[1]), (x + d[0], y, r + d[1]), c, sections=6)
