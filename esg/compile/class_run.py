@@ -334,7 +334,9 @@ class _Driver:
 
     def _report(self, world: Any) -> None:
         notifies = self._run._records
-        for a, b, impulse, depth, point, normal in world.contacts(True):
+        # The engine lists the shape pairs of two compound bodies in an order that differs between
+        # runs; the class logs the first that passes its threshold.
+        for a, b, impulse, depth, point, normal in sorted(world.contacts(True), key=_order):
             first, second = self._component(a, b), self._component(b, a)
             if not (notifies[first].notifies or notifies[second].notifies):
                 continue
@@ -354,6 +356,12 @@ class _Driver:
         if body >= 0:
             return self._run._component_of[body]
         return self._run._plane[self._run.scene.bodies[other].wheeled]
+
+
+def _order(touch: Any) -> tuple[Any, ...]:
+    """Bodies, then the strongest contact, then its place."""
+    a, b, impulse, depth, point, _ = touch
+    return (a, b, -impulse, depth, *(float(v) for v in point))
 
 
 def _fill(pointer: Any, values: Any) -> None:

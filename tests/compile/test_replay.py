@@ -210,3 +210,20 @@ def test_tilted_principal_axes_survive_exactly(tmp_path: Path) -> None:
     replayed, rollout = both(tmp_path, scene, program)
     assert np.array_equal(replayed.rollout.position[0, 1:], rollout.position[0, 1:])
     assert np.array_equal(replayed.rollout.quaternion[0, 1:], rollout.quaternion[0, 1:])
+
+
+def test_hits_of_one_step_come_in_one_order() -> None:
+    """However the engine lists the shape pairs of a step, the class hears of them alike."""
+    from itertools import permutations
+
+    from esg.compile.class_run import _order
+
+    touches = [
+        (0, 1, 3.0, 0.0, (0.0, 0.1, 0.2), (1.0, 0.0, 0.0)),
+        (0, 1, 40.0, 0.0, (0.0, 0.3, 0.2), (1.0, 0.0, 0.0)),
+        (0, 1, 3.0, 0.0, (0.0, 0.2, 0.2), (1.0, 0.0, 0.0)),
+        (0, -1, 1.0, 0.0, (0.0, 0.0, 0.0), (0.0, 0.0, 1.0)),
+    ]
+    orders = {tuple(sorted(p, key=_order)) for p in permutations(touches)}
+    assert len(orders) == 1
+    assert orders.pop()[1][2] == 40.0
