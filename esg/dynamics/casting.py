@@ -11,7 +11,7 @@ from dataclasses import replace
 import math
 
 from esg.dynamics.stage import FASTEST_MPS
-from esg.dynamics.stagecraft import Prop, prop, topple_speed
+from esg.dynamics.stagecraft import Prop, fall_speed, prop, topple_speed
 from esg.dynamics.story import Story, bounds, read_story
 from esg.graph.models import AssetConfiguration, EdgeEvent, EsgDocument, NodeEvent
 from esg.units import GRAVITY_MPS2
@@ -120,7 +120,9 @@ def _mass_factors(doc: EsgDocument, story: Story) -> dict[str, float]:
         a, b = node.participants[:2]
         if story.is_active(b) and not story.is_active(a):
             a, b = b, a
-        if not story.topples(b) or a not in nodes or b not in nodes or story.is_active(b):
+        if a not in nodes or b not in nodes or story.is_active(b):
+            continue
+        if not (story.topples(b) or story.falls(b)):
             continue
         requirement = doc.asset_requirement[nodes[b].asset_id]
         if requirement.mass_is_prescribed or nodes[a].asset_id == nodes[b].asset_id:
@@ -128,15 +130,30 @@ def _mass_factors(doc: EsgDocument, story: Story) -> dict[str, float]:
         limit = _fastest(story, a, node.id)
         flies = story.is_active(a) and story.flies(a)
         mover, target = prop(doc, a), prop(doc, b)
-        needed = topple_speed(mover, target, flies=flies)
+        pushed = story.falls(b) and _launched(story, a, node.id)
+
+        def needs(body: Prop, mover: Prop = mover, flies: bool = flies, b: str = b,
+                  pushed: bool = pushed) -> float:  # fmt: skip
+            tip = topple_speed(mover, body, flies=flies) if story.topples(b) else 0.0
+            return max(tip, fall_speed(mover, body) if pushed else 0.0)
+
+        needed = needs(target)
         if needed <= limit:
             continue
-        # The speed is p M + q: p from the mover's own mass, q from turning the target.
-        half = topple_speed(mover, _lighter(target, 0.5), flies=flies)
+        # The speed is p M + q: p from the mover's own mass, q from moving the target.
+        half = needs(_lighter(target, 0.5))
         slope, least = 2.0 * (needed - half), 2.0 * half - needed
         factor = (limit - least) / slope if slope > 0.0 else 1.0
         out[b] = min(max(factor, LIGHTEST), 1.0)
     return out
+
+
+def _launched(story: Story, actor: str, node_id: str) -> bool:
+    """Whether an actor meets an event by what a launch gave it, not under its own power."""
+    return any(
+        p.end.id == node_id and p.edge.event is EdgeEvent.TOWARD
+        for p in story.phases.get(actor, ())
+    )
 
 
 def _lighter(body: Prop, factor: float) -> Prop:

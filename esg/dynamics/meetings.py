@@ -19,6 +19,7 @@ from esg.dynamics.stage import Stage, speed_is_fixed
 from esg.dynamics.stagecraft import (
     Prop,
     approach_distance,
+    fall_speed,
     min_hit_speed,
     push_speed,
     release_height,
@@ -117,6 +118,8 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
         least = max(least, push_speed(pa, pb))
     topples = stage.story.topples(stage.member(b))
     needed = topple_speed(pa, pb, flies=stage.story.flies(a)) if topples else 0.0
+    if stage.story.falls(stage.member(b)) and phase.edge.event is EdgeEvent.TOWARD:
+        needed = max(needed, fall_speed(pa, pb))
     speed = stage.speed(a, phase, max(least, needed), needed)
     asked = _asked_distance(stage, node, a) if node.event not in GAPPED else None
     if asked is not None and not speed_is_fixed(phase):
@@ -269,7 +272,7 @@ def _bring_support(stage: Stage, b: str, x: float, y: float, heading: float) -> 
     inset = max(
         0.0, half_along(ps.length, ps.width, yaw - heading) - stage.prop(b).half_length - 0.08
     )
-    if any(n.event is NodeEvent.FALL and b in n.participants for n in stage.story.nodes.values()):
+    if stage.story.falls(b):
         # What shall be knocked off stands at the far edge.
         inset = -inset
     stage.places[support] = (x + inset * math.cos(heading), y + inset * math.sin(heading), yaw)

@@ -11,6 +11,9 @@ from esg.dynamics.kinematics import half_along
 from esg.graph.models import EsgDocument, NamedRegion
 from esg.units import GRAVITY_MPS2
 
+TO_EDGE_M = 0.15
+"""Way of what is knocked off a table to its edge."""
+
 
 @dataclass(frozen=True)
 class Prop:
@@ -80,6 +83,15 @@ def min_hit_speed(mover: Prop, target: Prop) -> float:
     """Speed [m/s] at which a hit passes a clearly measurable impulse (0.5 N s)."""
     mass = mover.mass if target.fixed else mover.mass * target.mass / (mover.mass + target.mass)
     return 0.5 / (mass * (1.0 + 0.5 * (mover.restitution + target.restitution)))
+
+
+def fall_speed(mover: Prop, target: Prop) -> float:
+    """Speed [m/s] of a hit that slides a resting target over the edge it stands beside."""
+    if target.rolls or target.fixed:
+        return 0.0
+    needed = math.sqrt(2.0 * coasting_drag(target) * TO_EDGE_M)
+    gain = (1.0 + 0.5 * (mover.restitution + target.restitution)) * mover.mass
+    return 1.2 * needed * (mover.mass + target.mass) / gain
 
 
 def topple_speed(mover: Prop, target: Prop, *, flies: bool) -> float:

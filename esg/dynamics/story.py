@@ -82,9 +82,14 @@ class Story:
 
     def topples(self, name: str) -> bool:
         """Whether the story tips an object over."""
-        return any(
-            n.event is NodeEvent.TOPPLE and name in n.participants for n in self.nodes.values()
-        )
+        return self._befalls(NodeEvent.TOPPLE, name)
+
+    def falls(self, name: str) -> bool:
+        """Whether the story has an object fall off something."""
+        return self._befalls(NodeEvent.FALL, name)
+
+    def _befalls(self, event: NodeEvent, name: str) -> bool:
+        return any(n.event is event and name in n.participants for n in self.nodes.values())
 
     def after(self, node_id: str) -> list[TimelineNode]:
         """All events that this one leads to, in causal order."""
