@@ -52,6 +52,7 @@ class DocumentBuilder:
         """The document; `restricted` suppresses objects that the prompt does not need."""
         scene_type, preset = environment(self.scene)
         self._base(scene_type)
+        self._hung()
         for e in self.world.entities.values():
             self._asset(e)
         self._regions_and_nodes()
@@ -101,6 +102,15 @@ class DocumentBuilder:
             ground = Entity(GROUND, noun, noun.name, noun.name, mentioned=False)
         self.world.entities = {GROUND: ground, **self.world.entities}
 
+    def _hung(self) -> None:
+        """What hangs at first and then moves is no fixture; circles go round their support."""
+        moved = {a for a, track in self.scene.timeline.tracks.items() if track.motion or track.hit}
+        for e in self.world.entities.values():
+            e.static = e.id in self.scene.attached and e.id not in moved
+            host = self.scene.supported_by.get(e.id)
+            if e.pattern == "ring" and host is not None and e.id not in self.scene.inside_of:
+                self.scene.relations.append(Relation(e.id, host, "surround"))
+
     def _entered(self) -> set[str]:
         """Nodes whose inside something enters."""
         regions = (n.extra.get("region") for n in self.scene.timeline.nodes)
@@ -109,7 +119,7 @@ class DocumentBuilder:
     def _asset(self, e: Entity) -> None:
         required = requirement(e)
         if e.id in self._entered():
-            required = self._opened(e, required)
+            required = self._opened(e, required, self._golf())
         if e.id == GROUND:
             size = (2000.0, 2000.0, 2.0) if "indoor" in e.noun.traits else GROUND_SIZE_CM
             required = required.model_copy(
@@ -124,11 +134,15 @@ class DocumentBuilder:
                 self.asset_of[e.id] = name
                 return
 
+    def _golf(self) -> bool:
+        return any(x.noun.name in ("golf ball", "golf club") for x in self.world.entities.values())
+
     @staticmethod
-    def _opened(e: Entity, required: AssetRequirement) -> AssetRequirement:
+    def _opened(e: Entity, required: AssetRequirement, golf: bool) -> AssetRequirement:
         """Something enters it: an open box instead of a closed one, a rim above the flat ground.
 
-        The ground is a half-space, so a hole is a ring-like opening on it, as wide as stated.
+        The ground is a half-space, so a hole is a ring-like opening on it, as wide as stated; that
+        of golf is a small bowl.
         """
         if e.noun.name == "pot":
             category, text = "bucket", f"{e.head}: open pot without a lid, bucket"
@@ -136,6 +150,8 @@ class DocumentBuilder:
             e.noun.kind in ("box", "bottle", "rock") and e.noun.name not in ("cup", "glass")
         ):
             category, text = "open_box", f"{e.head}: open box without a lid"
+        elif e.noun.kind == "hole" and golf:
+            category, text = "bowl", f"{e.head}: open round bowl that a golf ball drops into"
         elif e.noun.kind in ("hole", "water"):
             category, text = "goal", f"{e.head}: small opening on the ground that a ball rolls into"
         else:
@@ -143,6 +159,8 @@ class DocumentBuilder:
         size = required.expected_dimensions_cm
         if category == "goal" and not e.dimensions_prescribed:
             size = (30.0, 40.0, 30.0) if e.noun.kind == "hole" else (200.0, 300.0, 60.0)
+        elif category == "bowl" and not e.dimensions_prescribed:
+            size = (20.0, 20.0, 8.0)
         return required.model_copy(
             update={
                 "asset_category": category,
@@ -172,13 +190,16 @@ class DocumentBuilder:
         return name
 
     def _face_of(self, wall: str) -> str:
-        """The vertical face that pictures hang on."""
+        """The face that pictures or lamps hang on."""
         name = f"{wall}_face"
+        below = self.world.entities[wall].noun.kind == "ceiling"
         self.regions.setdefault(
             name,
             SemanticRegion(
                 region_description=f"face of the {self.world.entities[wall].head}",
-                region_type=RegionType.ATTACHED_VERTICAL,
+                region_type=RegionType.ATTACHED_HORIZONTAL
+                if below
+                else RegionType.ATTACHED_VERTICAL,
                 parent_object=wall,
             ),
         )
@@ -196,6 +217,8 @@ class DocumentBuilder:
                     region = self._face_of(wall)
                 elif host is not None and host in self.world.entities:
                     region = self._region(host, e.id in self.scene.inside_of)
+                elif (road := self._road_under(e)) is not None:
+                    region = self._region(road)
                 else:
                     region = self._region(GROUND)
             self.nodes[e.id] = Node(
@@ -206,12 +229,33 @@ class DocumentBuilder:
                 mentioned=e.mentioned,
                 group=e.group if e.in_group else None,
                 group_pattern=self._pattern(e),
-                is_static=bool(fixed & e.noun.traits) and not e.freed,
+                is_static=(bool(fixed & e.noun.traits) or e.static) and not e.freed,
             )
+
+    def _road_under(self, e: Entity) -> str | None:
+        """The road or lane that something waits on, if nothing of its plural takes part in events.
+
+        What moves is placed by its motion; the road then lies under it wherever that is.
+        """
+        road = self.scene.marked.get(e.id)
+        if road is None or road not in self.world.entities or road == GROUND:
+            return None
+        members = self.world.groups.get(e.group or "", [e.id])
+        acting = {i for n in self.scene.timeline.nodes for i in n.participants}
+        acting |= {a for a, track in self.scene.timeline.tracks.items() if track.motion}
+        if acting & set(members) or any(self.scene.marked.get(i) != road for i in members):
+            return None
+        length = 1.5 * sum(
+            requirement(self.world.entities[i]).expected_dimensions_cm[0] for i in members
+        )
+        fits = length < requirement(self.world.entities[road]).expected_dimensions_cm[0]
+        return road if fits else None
 
     def _pattern(self, e: Entity) -> Any:
         if not e.in_group:
             return None
+        if e.pattern == "ring":
+            return "scatter"  # the circle is a relation to what carries it
         members = [x for x in self.world.entities.values() if x.group == e.group and x.in_group]
         return e.pattern if len(members) > 1 else None
 

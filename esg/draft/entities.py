@@ -68,6 +68,7 @@ class Entity:
     dimensions_cm: list[float] | None = None
     dimensions_prescribed: bool = False
     static: bool = False
+    """Hung on a wall or below a ceiling, and so fixed until the prompt moves it."""
     freed: bool = False
     """Normally fixed, but the prompt moves it (a fence post that falls over)."""
     place: str = ""
@@ -87,7 +88,9 @@ class Entity:
     def movable(self) -> bool:
         """Whether it can move in the simulation."""
         traits = self.noun.traits
-        return not ({"structural", "decal"} & traits) and (self.freed or "fixed" not in traits)
+        return not ({"structural", "decal"} & traits) and (
+            self.freed or ("fixed" not in traits and not self.static)
+        )
 
     @property
     def color(self) -> str | None:

@@ -243,6 +243,16 @@ GROUP_WORDS: dict[str, str | None] = {
     "flock": "scatter", "team": "scatter", "circle": "scatter", "dozens": "scatter", "dozen": None,
     "half-dozen": None, "trio": None, "load": "scatter", "pack": "scatter",
 }  # fmt: skip
+ARRANGEMENTS: dict[str, str] = {
+    "triangle": "pins", "formation": "pins", "pyramid": "stack", "tower": "stack", "pile": "stack",
+    "stack": "stack", "heap": "stack", "column": "column", "queue": "queue", "rack": "rack",
+    "file": "queue", "line": "row", "row": "row", "circle": "ring", "ring": "ring",
+    "semicircle": "ring", "arc": "ring", "cluster": "scatter", "group": "scatter",
+    "bunch": "scatter",
+}  # fmt: skip
+"""What "standing in a ..." says about a plural."""
+SHAPES_OF_GROUPS = frozenset({"triangle", "formation", "circle", "semicircle", "arc", "line"})
+"""Arrangements that are never objects."""
 VAGUE_COUNTS: dict[str, int] = {
     "several": 4, "many": 6, "few": 3, "multiple": 4, "numerous": 6, "various": 4, "some": 3,
     "couple": 2, "both": 2, "pair": 2, "dozen": 12, "dozens": 12, "lots": 6, "handful": 4,

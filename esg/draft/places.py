@@ -31,7 +31,7 @@ RELATION_PREPS: dict[str, str] = {
     "in": "inside_of",
     "within": "inside_of",
     "against": "adjacent",
-    "around": "near",
+    "around": "surround",
     "at": "near",
     "in the middle of": "center_of",
     "opposite": "near",
@@ -42,6 +42,11 @@ RELATION_PREPS: dict[str, str] = {
     "along": "near",
     "close": "near",
 }
+
+
+_WALL_THINGS = frozenset({"mirror", "clock", "television", "easel", "calendar", "target"})
+"""Upright things that "on the wall" means the face of, not the top."""
+_TABLE_KINDS = frozenset({"tableware", "bottle", "food", "game", "book", "electronics", "domino"})
 
 
 class Places(Core):
@@ -77,12 +82,21 @@ class Places(Core):
             elif words[-1] in ("bottom", "foot", "base") and kind != "on":
                 kind = "near"
         other = others[0]
+        many = len([t for t in things if t != other]) > 1
+        if kind == "surround" and (not many or self.structural(other)):
+            kind = "near"
         for t in things:
             if t == other or t not in self.world.entities:
                 continue
             if self.structural(t):
                 continue
+            if self.kind(other) == "ceiling":
+                if kind in ("on", "near", "adjacent", "under") and not self._towers(t):
+                    self.hang(t, other)
+                continue
             if self.structural(other):
+                if kind in ("on", "inside_of"):
+                    self.scene.marked[t] = other
                 self.scene.relations.append(Relation(t, other, "structural", text=prep))
                 continue
             if kind == "inside_of" and not self._holds(other):
@@ -91,9 +105,13 @@ class Places(Core):
                 kind = "near"
             if self._towers(t) and kind in ("above", "on", "under"):
                 continue  # "on the wall above the sofa": what hangs there is above, not the wall
-            if kind == "on" and self.kind(t) == "wallhung" and self._towers(other):
-                self.scene.attached[t] = other
-                self.scene.relations.append(Relation(t, other, "attached_vertical"))
+            if kind == "on" and self._wall_thing(t) and self._towers(other):
+                self.hang(t, other)
+                continue
+            if kind == "surround":
+                if self._set_on(t, other):
+                    self.scene.supported_by.setdefault(t, other)
+                self.scene.relations.append(Relation(t, other, "surround"))
                 continue
             if kind == "between" and len(others) < 2 and len(things) >= 1:
                 kind = "near"
@@ -110,6 +128,24 @@ class Places(Core):
                 self.scene.supported_by[t] = other
                 self.scene.inside_of[t] = other
             self.scene.relations.append(Relation(t, other, kind, distance))
+
+    def hang(self, thing: str, host: str) -> None:
+        """Fixes a thing to a wall's face or below a ceiling."""
+        kind = "attached_horizontal" if self.kind(host) == "ceiling" else "attached_vertical"
+        self.scene.attached[thing] = host
+        self.scene.relations.append(Relation(thing, host, kind))
+
+    def _wall_thing(self, node: str) -> bool:
+        """What "on the wall" hangs; anything else stands on top of it."""
+        return self.kind(node) == "wallhung" or self.e(node).noun.name in _WALL_THINGS
+
+    def _set_on(self, thing: str, host: str) -> bool:
+        """ "Plates around a table" are on it: small things of the table, not what stands around."""
+        noun = self.e(thing).noun
+        if self.kind(host) != "table" or self.kind(thing) not in _TABLE_KINDS:
+            return False
+        table, size = self.e(host).noun.dimensions_cm, noun.dimensions_cm
+        return max(size[:2]) < 0.5 * min(table[:2]) and size[2] < 60.0
 
     def _towers(self, node: str) -> bool:
         """Walls and buildings: fixed, and taller than things are stacked."""

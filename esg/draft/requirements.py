@@ -22,6 +22,7 @@ _INDOOR_KINDS = frozenset(
         "billiardtable",
         "pin",
         "tableware",
+        "ceiling",
     }
 )
 _OUTDOOR_KINDS = frozenset(

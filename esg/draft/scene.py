@@ -35,6 +35,8 @@ class Scene:
     inside_of: dict[str, str] = field(default_factory=dict)
     attached: dict[str, str] = field(default_factory=dict)
     """What hangs on a vertical face: node -> wall."""
+    marked: dict[str, str] = field(default_factory=dict)
+    """The road or lane that a node is said to be on."""
     heights: dict[str, Quantity] = field(default_factory=dict)
     facing: dict[str, str] = field(default_factory=dict)
     travel: dict[str, Amount] = field(default_factory=dict)

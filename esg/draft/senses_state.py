@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from itertools import pairwise
 
+from esg.draft import lexicon as lex
 from esg.draft.acts import Acts
 from esg.draft.frames import Frame, Phrase
 from esg.draft.places import RELATION_PREPS
@@ -11,6 +12,17 @@ from esg.draft.scene import SELF_POWERED, Relation
 from esg.draft.syntax import Mention
 
 _WAITING = frozenset({"wait", "pause", "stay", "remain", "stand", "sit", "idle", "queue", "rest"})
+_PATTERN_VERBS = {
+    "stack": "stack",
+    "pile": "stack",
+    "heap": "stack",
+    "line": "row",
+    "rack": "rack",
+    "queue": "queue",
+}
+"""Arrangement of a plural by the verb that says how it stands."""
+_HANGING = frozenset({"hang", "suspend", "mount", "attach", "fix", "dangle", "fasten"})
+_HUNG_BY = frozenset({"on", "against", "from", "to", "at", "off"})
 _RESTING = frozenset({"rest", "lie", "settle", "lodge"})
 
 
@@ -30,6 +42,7 @@ class StateSenses(Acts):
         if p.mention is None:
             return
         if p.mention.attribute:
+            self._arrange(owners, p)
             listed = [p.mention, *[c for c in p.mention.coordinated if c.attribute]]
             for a in [a for c in listed for a in c.amounts]:
                 for o in owners:
@@ -181,12 +194,11 @@ class StateSenses(Acts):
             (a for p, a in self.amounts(f) if a.dimension == "length" and p in ("", "at", "about")),
             None,
         )
-        pattern = {"stack": "stack", "line": "row"}.get(f.verb.lemma)
+        pattern = _PATTERN_VERBS.get(f.verb.lemma)
         if "in a row" in f.adverbs:
             pattern = "row"
         for t in things if pattern is not None else []:
-            if self.e(t).group is not None:
-                self.e(t).pattern = pattern
+            self._pattern_of(t, pattern)
         for _, a in self.amounts(f):
             if a.dimension == "length" and self.text[a.end : a.end + 7].strip().startswith("apart"):
                 for one, other in pairwise(things):
@@ -194,13 +206,14 @@ class StateSenses(Acts):
                 self.use(a, "distance")
         for p in f.phrases:
             if p.mention is None or p.mention.attribute:
+                self._arrange(things, p)
                 continue
             others = p.mention.entities
-            if f.verb.lemma == "hang" and p.prep in ("on", "against") and others:
-                hung = [t for t in things if self._towers(others[0]) and not self.structural(t)]
+            if f.verb.lemma in _HANGING and p.prep in _HUNG_BY and others:
+                high = self._towers(others[0]) or self.kind(others[0]) == "ceiling"
+                hung = [t for t in things if high and not self.structural(t)]
                 for t in hung:
-                    self.scene.attached[t] = others[0]
-                    self.scene.relations.append(Relation(t, others[0], "attached_vertical"))
+                    self.hang(t, others[0])
                 if hung:
                     continue
             if p.prep == "with" and f.verb.lemma in ("cover", "load", "fill", "stack", "set"):
@@ -220,6 +233,21 @@ class StateSenses(Acts):
                 for t in things:
                     self.scene.relations.append(Relation(t, others[0], "near", distance.value))
                 self.use(distance, "distance")
+
+    def _arrange(self, things: list[str], p: Phrase) -> None:
+        """ "in a triangle", "in a queue": how a plural stands."""
+        m = p.mention
+        pattern = lex.ARRANGEMENTS.get(m.head) if m is not None else None
+        if m is None or not m.attribute or p.prep not in ("in", "into") or pattern is None:
+            return
+        for t in things:
+            self._pattern_of(t, pattern)
+
+    def _pattern_of(self, thing: str, pattern: str | None) -> None:
+        e = self.e(thing)
+        if e.group is not None and pattern is not None:
+            racked = pattern == "pins" and e.noun.kind == "billiard"
+            e.pattern = "rack" if racked else pattern
 
     def _do_carry(self, f: Frame, s: list[str], o: list[str]) -> None:
         if s and o:

@@ -50,6 +50,9 @@ class World(Pronouns):
         if self.billiards and m.head in ("cushion", "rail"):
             m.attribute = True  # of the billiard table, which every ball touches anyway
             return []
+        if self._arranges(m):
+            m.attribute = True  # "in a triangle": how a plural stands, no object
+            return []
         whole = self._whole(m, subject, avoid)
         if whole:
             return whole
@@ -81,6 +84,18 @@ class World(Pronouns):
             self._enrich(m, found)
             return found
         return self._create(m)
+
+    def _arranges(self, m: Mention) -> bool:
+        """Whether a phrase says how a plural stands ("in a queue") and names nothing itself."""
+        if m.after_prep not in ("in", "into") or m.head not in lex.ARRANGEMENTS or m.group_word:
+            return False
+        if m.determiner not in ("", "a", "an", "one") or m.plural or m.letters:
+            return False
+        last = self.salience[-1] if self.salience else []
+        many = len(last) > 1
+        if m.head == "rack":  # bottles stand in a rack of their own
+            return many and self.entities[last[0]].noun.kind == "billiard"
+        return many or m.head in lex.SHAPES_OF_GROUPS
 
     def _whole(self, m: Mention, subject: bool, avoid: list[str]) -> list[str]:
         """What a part belongs to: "the dog's tail", "the open door of a car", "its roof"."""
