@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from shapely.geometry import MultiPoint, Point
@@ -157,3 +159,14 @@ def test_size_and_mass_agree_with_references(name: str) -> None:
     size, mass = REFERENCE[name]
     assert 0.5 <= entry.mass_kg / mass <= 2.0
     np.testing.assert_allclose(sorted(entry.dimensions_cm), sorted(size), rtol=0.3)
+
+
+def test_every_module_of_builders_is_loaded() -> None:
+    """A module that is missing from the list would leave its kinds without a builder."""
+    from esg.assets import builders
+
+    folder = Path(str(builders.__file__)).parent
+    registering = {p.stem for p in folder.glob("*.py") if "\n@builder(" in p.read_text("utf-8")}
+    assert registering == set(builders._MODULES)
+    builders.load_builders()
+    assert {e.builder for e in ENTRIES} <= set(builders.BUILDERS)
