@@ -141,8 +141,8 @@ class DocumentBuilder:
     def _opened(e: Entity, required: AssetRequirement, golf: bool) -> AssetRequirement:
         """Something enters it: an open box instead of a closed one, a rim above the flat ground.
 
-        The ground is a half-space, so a hole is a ring-like opening on it, as wide as stated; that
-        of golf is a small bowl.
+        The ground is a half-space, so a hole is a low opening on it, as wide as stated: a ball that
+        rolls gets over no rim.
         """
         if e.noun.name == "pot":
             category, text = "bucket", f"{e.head}: open pot without a lid, bucket"
@@ -150,17 +150,17 @@ class DocumentBuilder:
             e.noun.kind in ("box", "bottle", "rock") and e.noun.name not in ("cup", "glass")
         ):
             category, text = "open_box", f"{e.head}: open box without a lid"
-        elif e.noun.kind == "hole" and golf:
-            category, text = "bowl", f"{e.head}: open round bowl that a golf ball drops into"
-        elif e.noun.kind in ("hole", "water"):
+        elif e.noun.kind == "hole":
+            category, text = "tunnel", f"{e.head}: small low tunnel that a ball rolls into"
+        elif e.noun.kind == "water":
             category, text = "goal", f"{e.head}: small opening on the ground that a ball rolls into"
         else:
             return required
         size = required.expected_dimensions_cm
         if category == "goal" and not e.dimensions_prescribed:
-            size = (30.0, 40.0, 30.0) if e.noun.kind == "hole" else (200.0, 300.0, 60.0)
-        elif category == "bowl" and not e.dimensions_prescribed:
-            size = (20.0, 20.0, 8.0)
+            size = (200.0, 300.0, 60.0)
+        elif category == "tunnel" and not e.dimensions_prescribed:
+            size = (30.0, 30.0, 15.0) if golf else (30.0, 40.0, 30.0)
         return required.model_copy(
             update={
                 "asset_category": category,

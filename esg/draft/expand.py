@@ -49,7 +49,6 @@ def expand(scene: Scene, prompt: str, restricted: bool) -> list[str]:
     _fill_targets(scene, reasons)
     _elevated_targets(scene)
     _topple_shots(scene, prompt)
-    _chipped(scene)
     _roll_down(scene, prompt, reasons)
     if not restricted:
         if (
@@ -127,28 +126,6 @@ def _elevated_targets(scene: Scene) -> None:
             and edge.params.spin in ("roll", "slide")
         ):
             params = edge.params.model_copy(update={"spin": "none", "elevation_deg": (-10.0, 60.0)})
-            edges[k] = edge.model_copy(update={"params": params})
-            scene.timeline.tracks[edge.actor].direction = ForceDirection.ANY_3D
-
-
-def _chipped(scene: Scene) -> None:
-    """A golf hole has a rim above the ground: what is played at it to go in flies over the rim."""
-    from esg.graph.models import ForceDirection
-
-    entered = {
-        str(n.extra.get("region")).removesuffix("/inside")
-        for n in scene.timeline.nodes
-        if n.event is NodeEvent.ENTER_REGION
-    }
-    edges = scene.timeline.edges
-    for k, edge in enumerate(edges):
-        target = scene.world.entities.get(edge.target or "")
-        if target is None or target.noun.kind != "hole" or target.id not in entered:
-            continue
-        if scene.world.entities[edge.actor].noun.name != "golf ball":
-            continue
-        if edge.event.value == "Toward" and edge.params.spin in ("roll", "slide"):
-            params = edge.params.model_copy(update={"spin": "none", "elevation_deg": (20.0, 60.0)})
             edges[k] = edge.model_copy(update={"params": params})
             scene.timeline.tracks[edge.actor].direction = ForceDirection.ANY_3D
 
