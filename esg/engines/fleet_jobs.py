@@ -17,7 +17,7 @@ from esg.engines.newton_model import hull
 from esg.engines.program import ProgramBatch
 from esg.engines.scene import ContactLog, Rollout, SimScene, Variation
 from esg.engines.surrogate_model import _dimensions, _rotate
-from esg.engines.worlds import Frames, Start, moving
+from esg.engines.worlds import MAX_SPEED_MPS, Frames, Start, moving
 
 Singles = NDArray[np.float32]
 Ints = NDArray[np.int32]
@@ -159,17 +159,18 @@ class Played:
     Args:
         position, quaternion, linear, angular: Of moving bodies from frame 1 on, in any order of
             axes that `moveaxis` names, shape [W, T - 1, D, 3 or 4].
-        end: First frame that is not sound, or the number of frames, shape [W].
-        deepest: Largest overlap [m], shape [W]; empty if the engine does not tell.
-        log: Columns of the contact log, sorted.
+        end: First frame that is not sound, or the number of frames, shape [W]; None if nobody has
+            looked yet.
+        deepest: Largest overlap [m], shape [W]; None if the engine does not tell.
+        log: The contact log, sorted; without an end it goes on after broken frames.
     """
 
     position: Singles
     quaternion: Singles
     linear: Singles
     angular: Singles
-    end: NDArray[np.int64]
-    deepest: Singles
+    end: NDArray[np.int64] | None
+    deepest: Singles | None
     log: ContactLog
 
 
@@ -221,18 +222,34 @@ def read(job: Job, start: Start, played: Played) -> Rollout:
     """The rollout of a job: states of what stands still filled in, broken worlds frozen."""
     n_frames = start.frames.n_frames
     move = np.nonzero(moving(start.scene))[0]
+    end, log = played.end, played.log
+    if end is None:
+        end = _ends(start.frames.n_frames, played)
+        alive = log.frame < end[log.world]
+        if not alive.all():
+            log = ContactLog(**{n: getattr(log, n)[alive] for n in log.__dataclass_fields__})
     sources = (played.position, played.quaternion, played.linear, played.angular)
     for target, source in zip(start.states, sources, strict=True):
         target[:, 1:, move] = source
-        for k in np.nonzero(played.end < n_frames)[0]:
-            target[k, played.end[k] :] = target[k, played.end[k] - 1]
-    start.valid[:] &= played.end >= n_frames
+        for k in np.nonzero(end < n_frames)[0]:
+            target[k, end[k] :] = target[k, end[k] - 1]
+    start.valid[:] &= end >= n_frames
     extra: dict[str, Any] = {}
-    if len(played.deepest):
+    if played.deepest is not None:
         below = start.states[0][..., 2].min(axis=1) < -TUNNELLED_M
         bodies = start.scene.bodies
         thin = min((min(b.half_extents) for b in bodies if b.collides), default=math.inf)
         deepest = played.deepest.astype(float)
         tunnelled = (below & moving(start.scene)).any(axis=1) | (deepest > thin)
         extra = {"deepest": deepest, "tunnelled": tunnelled}
-    return start.rollout(job.engine, played.log, extra)
+    return start.rollout(job.engine, log, extra)
+
+
+def _ends(n_frames: int, p: Played) -> NDArray[np.int64]:
+    """First frame with a value that is not finite or a speed above 500 m/s, shape [W]."""
+    with np.errstate(invalid="ignore", over="ignore"):
+        bad = (p.linear.astype(float) ** 2).sum(-1) > MAX_SPEED_MPS**2
+    for values in (p.position, p.quaternion, p.linear, p.angular):
+        bad |= ~np.isfinite(values).all(-1)
+    broken = bad.any(-1)
+    return np.where(broken.any(1), 1 + broken.argmax(1), n_frames)

@@ -104,12 +104,14 @@ class _Arena:
         host = np.zeros(max(_ALIGN, self.sizes["data"]), np.uint8)
         for at, array in self.parts:
             host[at : at + array.nbytes] = array.reshape(-1).view(np.uint8)
+        # Elements of 64 bytes: the number of elements of an array is limited.
+        blocks = {k: max(1, n // _ALIGN) for k, n in self.sizes.items()}
         made = {
-            "data": wp.array(host, dtype=wp.uint8, device=self.device),
-            "zero": wp.zeros(max(_ALIGN, self.sizes["zero"]), dtype=wp.uint8, device=self.device),
-            "minus": wp.full(
-                max(_ALIGN, self.sizes["minus"]) // 4, -1, dtype=int, device=self.device
+            "data": wp.array(
+                host.view(np.float32).reshape(-1, 4, 4), dtype=wp.mat44, device=self.device
             ),
+            "zero": wp.zeros(blocks["zero"], dtype=wp.mat44, device=self.device),
+            "minus": wp.full(16 * blocks["minus"], -1, dtype=int, device=self.device),
         }
         for kind, records, name, start in self.patches:
             records[name]["data"] = made[kind].ptr + start
@@ -144,7 +146,9 @@ class FleetSurrogate:
         """Simulates all jobs; `shapes` are their scenes."""
         out: list[Played | None] = [None] * len(jobs)
         limit = MEMORY_BYTES["cpu" if self.device == "cpu" else "cuda"]
-        pending = list(range(len(jobs)))
+        # The longest first: what is left in the end fills the gaps.
+        cost = [j.frames.n_steps * len(s.kind) ** 2 for j, s in zip(jobs, shapes, strict=True)]
+        pending = sorted(range(len(jobs)), key=lambda k: (-cost[k], k))
         rooms = [
             (self.contacts.get(j.key, self._first_room), ROWS_PER_FRAME * j.frames.n_frames)
             for j in jobs
