@@ -30,6 +30,10 @@ def expand(scene: Scene, prompt: str, restricted: bool) -> list[str]:
     reasons: list[str] = []
     _drop_region_entities(scene)
     entities = scene.world.entities
+    if scene.world.billiards and _find(scene, "billiard table") is not None:
+        for i, e in entities.items():
+            if e.noun.name == "ball" and i not in scene.supported_by:
+                e.noun = lex.nouns()["billiard ball"]  # "the red ball" of a pool table
     kinds = {e.noun.kind for e in entities.values()}
     dynamic = bool(scene.timeline.nodes) or any(t.motion for t in scene.timeline.tracks.values())
     if "billiard" in kinds or any(need == "billiard_table" for need, _ in scene.needs):

@@ -138,3 +138,20 @@ def test_a_golf_hole_is_no_goal() -> None:
     assert NodeEvent.ENTER_REGION in events
     launch = doc.timeline_system.sequence_graph.edges[0]
     assert launch.params.spin == "roll"
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "The red ball hits the cushion 1 s later on a billiard table.",
+        "A red ball rolls at 2 m/s on a billiard table. The red ball hits the cushion 1 s later.",
+    ],
+)
+def test_a_cushion_is_part_of_the_table(prompt: str) -> None:
+    """Play on the table with a billiard ball, and make no pillow of its cushion."""
+    doc = clean(prompt)
+    nodes = doc.spatial_relation_graph.nodes
+    ball = doc.asset_requirement[nodes["red_ball_1"].asset_id]
+    assert ball.asset_category == "billiard_ball"
+    assert host(doc, "red_ball_1") == "billiard_table_1"
+    assert not [n for n in nodes if "cushion" in n or "pillow" in n]
