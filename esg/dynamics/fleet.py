@@ -410,12 +410,12 @@ def _located(p: Played, memory: NDArray[np.uint8]) -> Any:
 
 def _rebuild(sent: Any, memory: NDArray[np.uint8]) -> Played:
     places, end, deepest, log = sent
-    states = [
+    x, r, v, o = (
         np.ndarray(shape, np.float32, buffer=memory, offset=at if np.prod(shape) else 0,
                    strides=strides)
         for at, shape, strides in places
-    ]  # fmt: skip
-    return Played(*states, end, deepest, log)
+    )  # fmt: skip
+    return Played(x, r, v, o, end, deepest, log)
 
 
 # -- the simulating process ------------------------------------------------------------------------
@@ -499,7 +499,7 @@ class _Server:
         return pending[:count], pending[count:]
 
     def _play(self, served: list[_Asked]) -> list[Played]:
-        from esg.engines.fleet_surrogate import Buffer
+        from esg.engines.fleet_arena import Buffer
 
         begin = time.perf_counter()
         jobs = [a.job for a in served]

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.engines.fleet_arena import Arena, Buffer
 from esg.engines.fleet_jobs import Job, Played, SceneShapes
 from esg.engines.newton_model import quiet_warp
 from esg.engines.scene import ContactLog
@@ -18,7 +19,6 @@ from esg.engines.surrogate_model import CONTACTS, ROWS_PER_FRAME, _radius
 
 MAX_CONTACTS = 4096
 MEMORY_BYTES = {"cpu": 2_000_000_000, "cuda": 40_000_000_000}
-_ALIGN = 64
 _POINTS = 8
 BLOCK = 32
 """Threads of a block; one number for all kernels of a module, which is compiled for it."""
@@ -28,94 +28,6 @@ CUDA_CONTACTS = 256
 """Room on a GPU, where memory is plentiful and a second launch is not."""
 
 Numbers = NDArray[np.int64]
-
-
-class Buffer:
-    """Memory that results are written to before they are read; simulating again reuses it.
-
-    Args:
-        array: Bytes, shape [n].
-    """
-
-    def __init__(self, array: NDArray[np.uint8]) -> None:
-        self.array = array
-        self.used = 0
-
-    def take(self, shape: tuple[int, ...]) -> tuple[int, NDArray[np.float32]]:
-        """Room for single precision numbers: its offset in bytes and the array itself."""
-        n = 4 * int(np.prod(shape))
-        at = -(-self.used // _ALIGN) * _ALIGN
-        if at + n > len(self.array):
-            raise MemoryError(f"results need more than {len(self.array)} bytes")
-        self.used = at + n
-        return at, self.array[at : at + n].view(np.float32).reshape(shape)
-
-
-class _Arena:
-    """Arrays of one kind of all scenes, in one device buffer, and the structs that name them."""
-
-    def __init__(self, wp: Any, device: str) -> None:
-        self.wp, self.device = wp, device
-        self.sizes: dict[str, int] = {"data": 0, "zero": 0, "minus": 0}
-        self.parts: list[tuple[int, NDArray[Any]]] = []
-        self.patches: list[tuple[str, Any, str, Numbers]] = []
-
-    def _place(self, kind: str, sizes: Numbers) -> Numbers:
-        padded = -(-np.maximum(sizes, 4) // _ALIGN) * _ALIGN
-        ends = np.cumsum(padded)
-        start = self.sizes[kind] + ends - padded
-        self.sizes[kind] += int(ends[-1])
-        return start
-
-    def data(self, records: Any, name: str, arrays: list[NDArray[Any]], inner: int) -> None:
-        """Host arrays, one per scene, whose last `inner` axes make up one element."""
-        sizes = np.array([a.nbytes for a in arrays], np.int64)
-        start = self._place("data", sizes)
-        self.parts += zip(start.tolist(), arrays, strict=True)
-        shapes = np.array([a.shape[: a.ndim - inner] for a in arrays], np.int64)
-        element = arrays[0].itemsize * int(np.prod(arrays[0].shape[arrays[0].ndim - inner :]))
-        self._describe("data", records, name, start, shapes, element)
-
-    def zeros(
-        self, records: Any, name: str, shapes: list[Any], element: int, fill: str = "zero"
-    ) -> None:
-        """Device arrays; `shapes` holds one number or array of numbers per axis."""
-        n = len(records)
-        table = np.stack([np.broadcast_to(np.asarray(s, np.int64), n) for s in shapes], axis=1)
-        start = self._place(fill, table.prod(axis=1) * element)
-        self._describe(fill, records, name, start, table, element)
-
-    def _describe(
-        self, kind: str, records: Any, name: str, start: Numbers, shapes: Numbers, element: int
-    ) -> None:
-        ndim = shapes.shape[1]
-        field = records[name]
-        field["shape"][:, :ndim] = shapes
-        stride = np.full(len(records), element, np.int64)
-        for axis in range(ndim - 1, -1, -1):
-            field["strides"][:, axis] = stride
-            stride = stride * shapes[:, axis]
-        field["ndim"] = ndim
-        self.patches.append((kind, records, name, start))
-
-    def upload(self) -> list[Any]:
-        """Allocates and fills the buffers and completes the structs; returns what to keep."""
-        wp = self.wp
-        host = np.zeros(max(_ALIGN, self.sizes["data"]), np.uint8)
-        for at, array in self.parts:
-            host[at : at + array.nbytes] = array.reshape(-1).view(np.uint8)
-        # Elements of 64 bytes: the number of elements of an array is limited.
-        blocks = {k: max(1, n // _ALIGN) for k, n in self.sizes.items()}
-        made = {
-            "data": wp.array(
-                host.view(np.float32).reshape(-1, 4, 4), dtype=wp.mat44, device=self.device
-            ),
-            "zero": wp.zeros(blocks["zero"], dtype=wp.mat44, device=self.device),
-            "minus": wp.full(16 * blocks["minus"], -1, dtype=int, device=self.device),
-        }
-        for kind, records, name, start in self.patches:
-            records[name]["data"] = made[kind].ptr + start
-        return list(made.values())
 
 
 class FleetSurrogate:
@@ -255,11 +167,14 @@ class _Launch:
         rooms: list[tuple[int, int]],
     ) -> None:
         self.wp = wp = fleet.wp
-        from esg.engines import fleet_roll as kernels
-        from esg.engines import surrogate_types as types
+        from esg.engines import fleet_roll, surrogate_types
+
+        # Warp's structs and kernels carry what a type checker does not know.
+        kernels: Any = fleet_roll
+        types: Any = surrogate_types
 
         self.device, self.jobs, self.shapes = fleet.device, jobs, shapes
-        arena = _Arena(wp, fleet.device)
+        arena = Arena(wp, fleet.device)
         n = len(jobs)
         kept = [fleet.fields(j.key, s) for j, s in zip(jobs, shapes, strict=True)]
         w = np.array([j.n_worlds for j in jobs], np.int64)
@@ -269,7 +184,7 @@ class _Launch:
         frames = np.array([j.frames.n_frames for j in jobs], np.int64)
         contacts, rows = np.array(rooms, np.int64).T
         single, i4 = np.float32, np.int32
-        model = np.zeros(n, types.Model.numpy_dtype())
+        model: Any = np.zeros(n, types.Model.numpy_dtype())
         model["n_bodies"], model["n_worlds"] = b, w
         model["n_primitives"] = [len(j.kind) for j in jobs]
         model["gravity"] = np.array([s.gravity for s in shapes], single)
@@ -297,7 +212,7 @@ class _Launch:
             [np.ascontiguousarray(j.table) if y else np.zeros((j.n_worlds, 1, 1))
              for j, y in zip_], 0,
         )  # fmt: skip
-        state = np.zeros(n, types.State.numpy_dtype())
+        state: Any = np.zeros(n, types.State.numpy_dtype())
         arena.data(state, "x", [j.position for j in jobs], 1)
         arena.data(state, "r", [j.quaternion for j in jobs], 1)
         arena.data(state, "friction", [j.friction for j in jobs], 0)
@@ -317,7 +232,7 @@ class _Launch:
         arena.zeros(state, "touched", [w, b, b], 4, "minus")
         for name in ("done", "active"):
             arena.zeros(state, name, [w, p], 4)
-        con = np.zeros(n, types.Contacts.numpy_dtype())
+        con: Any = np.zeros(n, types.Contacts.numpy_dtype())
         sizes = {"normal": 12, "arm_a": 12, "arm_b": 12, "share": 12, "impulse": 12,
                  "turn_a": 16, "turn_b": 16}  # fmt: skip
         for name in types.Contacts.vars:
@@ -325,19 +240,19 @@ class _Launch:
                 arena.zeros(con, name, [w, contacts], sizes.get(name, 4))
         arena.zeros(con, "count", [w, 1], 4)
         arena.zeros(con, "dropped", [w], 4)
-        log = np.zeros(n, types.Log.numpy_dtype())
+        log: Any = np.zeros(n, types.Log.numpy_dtype())
         for name in ("frame", "a", "b", "step", "impulse", "depth"):
             arena.zeros(log, name, [w, rows], 4)
         for name in ("point", "normal"):
             arena.zeros(log, name, [w, rows], 12)
         arena.zeros(log, "count", [w], 4)
         arena.zeros(log, "row", [w, b + 1, b + 1], 4, "minus")
-        raw = np.zeros(n, types.Raw.numpy_dtype())
+        raw: Any = np.zeros(n, types.Raw.numpy_dtype())
         arena.zeros(raw, "point", [w, _POINTS], 12)
         arena.zeros(raw, "normal", [w, _POINTS], 12)
         arena.zeros(raw, "distance", [w, _POINTS], 4)
         arena.zeros(raw, "count", [w], 4)
-        out = np.zeros(n, kernels.Out.numpy_dtype())
+        out: Any = np.zeros(n, kernels.Out.numpy_dtype())
         self.cells = w * (frames - 1) * d
         first = np.cumsum(self.cells) - self.cells
         total = max(1, int(self.cells.sum()))
@@ -434,9 +349,12 @@ class _Launch:
             job, s = self.jobs[i], self.shapes[i]
             shape = (job.n_worlds, job.frames.n_frames - 1, int(s.dynamic.sum()))
             states = [a[first[i] : first[i + 1]].reshape(*shape, a.shape[1]) for a in flat]
-            span = slice(self.start[i], self.start[i] + self.w[i])
-            log = _columns(columns, self.offset[span.start], self.offset[span.stop], job)
-            out.append((i, Played(*states, end[span].astype(np.int64), deepest[span], log)))
+            span = slice(int(self.start[i]), int(self.start[i] + self.w[i]))
+            begin, stop = int(self.offset[span.start]), int(self.offset[span.stop])
+            log = _columns(columns, begin, stop, job)
+            x, r, v, o = states
+            played = Played(x, r, v, o, end[span].astype(np.int64), deepest[span], log)
+            out.append((i, played))
         return out
 
     def _log(self, end: NDArray[np.int32]) -> dict[str, NDArray[Any]]:

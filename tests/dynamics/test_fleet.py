@@ -11,9 +11,10 @@ import pytest
 from esg.dynamics.fleet import Clock, optimize_many
 from esg.dynamics.search import optimize
 from esg.engines.base import get_engine
+from esg.engines.fleet_arena import Buffer
 from esg.engines.fleet_jobs import SceneShapes, make_job, read
 from esg.engines.fleet_newton import FleetNewton
-from esg.engines.fleet_surrogate import Buffer, FleetSurrogate
+from esg.engines.fleet_surrogate import FleetSurrogate
 from esg.engines.program import HoldVelocity, Program, SetVelocity, batch_programs
 from esg.engines.scene import Body, Rollout, Shape, SimScene, Variation
 from esg.graph.models import EsgDocument
@@ -156,7 +157,8 @@ def _assert_equal(here: Rollout, there: Rollout) -> None:
     assert len(here.contacts.world) or not here.valid.all()
     for note in ("deepest", "tunnelled"):
         if note in here.extra:
-            assert np.array_equal(here.extra[note], there.extra[note])
+            a, b = (np.asarray(r.extra[note]) for r in (here, there))
+            assert np.array_equal(a, b)
 
 
 def _alone(name: str) -> list[Rollout]:
