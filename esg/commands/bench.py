@@ -43,7 +43,7 @@ def bench(
     """
     from esg.commands.database import record_run
     from esg.commands.generate import exit_code, report_failures
-    from esg.commands.inputs import check_device
+    from esg.commands.inputs import check_device, check_seed
     from esg.commands.live import live
     from esg.metrics import comparison_table, load_suite
     from esg.outcomes import UserError
@@ -62,7 +62,7 @@ def bench(
     check_writable(out)
     if json is not None:
         check_json_target(json)
-    device = check_device(device)
+    device, seed = check_device(device), check_seed(seed)
     total = len(loaded.scenes) * runs
     processes = default_processes(total) if workers is None else workers
     with live(total) as bar:

@@ -42,7 +42,7 @@ def generate(
     """
     from esg.commands.console import emit
     from esg.commands.database import record_run
-    from esg.commands.inputs import check_device, clean_prompt
+    from esg.commands.inputs import check_device, check_seed, clean_prompt
     from esg.commands.live import live
     from esg.outcomes import UserError
     from esg.pipeline import recall
@@ -51,7 +51,7 @@ def generate(
 
     prompt = clean_prompt(prompt)
     check_writable(out)
-    device = check_device(device)
+    device, seed = check_device(device), check_seed(seed)
     pictures = _pictures(render, device, seed) if render else None
     with live(1) as bar:
         # A scene that is already in the store needs no scheduler: the answer comes at once.
@@ -119,7 +119,9 @@ def summarize(state: SceneState, folder: Path) -> dict[str, Any]:
     path = folder / "metrics.json"
     metrics = json.loads(path.read_bytes()) if path.exists() else None
     document = folder / "esg.json"
-    coverage = json.loads(document.read_bytes()).get("coverage", {}) if document.exists() else {}
+    doc = json.loads(document.read_bytes()) if document.exists() else {}
+    coverage = doc.get("coverage") or {}
+    relations = (doc.get("layout_result") or {}).get("relations", [])
     assert state.outcome is not None
     return {
         "scene_id": folder.name,
@@ -138,6 +140,7 @@ def summarize(state: SceneState, folder: Path) -> dict[str, Any]:
                 i["text"] for i in coverage.get("items", []) if i["status"] == "not_understood"
             ],
         },
+        "relations_not_met": [r["edge"] for r in relations if not r["satisfied"]],
         "cached_stages": state.cached_stages,
         "stages": [
             {k: e[k] for k in ("stage", "cached", "seconds", "error") if k in e} for e in state.log
@@ -156,6 +159,7 @@ def describe(summary: dict[str, Any]) -> str:
     if summary["outcome"] != "solved":
         lines.append(f"  {summary['advice']}")
     lines += [f"  warning: {w}" for w in summary["coverage"]["warnings"]]
+    lines += [f"  warning: not met: {r}" for r in summary["relations_not_met"]]
     metrics = summary["metrics"]
     if metrics:
         for event in metrics["events"]:

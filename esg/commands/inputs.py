@@ -27,6 +27,17 @@ def clean_prompt(prompt: str) -> str:
     return text
 
 
+def check_seed(seed: int) -> int:
+    """A seed.
+
+    Raises:
+        UserError: If it is negative or larger than a generator takes.
+    """
+    if not 0 <= seed < 2**63:
+        raise UserError(f"--seed {seed}: choose a number from 0")
+    return seed
+
+
 def existing_file(path: Path, what: str) -> Path:
     """The path of a readable file.
 

@@ -62,6 +62,7 @@ def settings(
     Raises:
         UserError: Naming the option and what it takes.
     """
+    from esg.commands.inputs import check_seed
     from esg.outcomes import UserError
     from esg.view.capture import Settings, parse_channels, parse_size
 
@@ -69,8 +70,7 @@ def settings(
         raise UserError(f"--fps {fps}: choose 0.1 to 1000")
     if not 1 <= cameras <= MAX_CAMERAS:
         raise UserError(f"--cameras {cameras}: choose 1 to {MAX_CAMERAS}")
-    if not 0 <= seed < 2**63:
-        raise UserError(f"--seed {seed}: choose a number from 0")
+    check_seed(seed)
     assert format in ("png", "parquet")
     return Settings(parse_channels(channels), parse_size(size), fps, cameras, format, device, seed)
 

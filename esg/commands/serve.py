@@ -57,13 +57,14 @@ def serve(
     from esg.commands.bench import MAX_RUNS
     from esg.commands.console import emit
     from esg.commands.database import database_path
-    from esg.commands.inputs import check_device
+    from esg.commands.inputs import check_device, check_seed
     from esg.metrics import load_suite
     from esg.outcomes import UserError
     from esg.scenefolder import check_writable
 
     if once == (cron is not None):
         raise UserError('give either --cron "0 3 * * *" or --once')
+    check_seed(seed)
     if not 1 <= runs <= MAX_RUNS:
         raise UserError(f"--runs {runs}: choose 1 to {MAX_RUNS}")
     if workers is not None and not 0 <= workers <= 256:

@@ -46,6 +46,8 @@ def test_help_imports_nothing_heavy() -> None:
         (["generate", "a ball", "--strategy", "magic"], "magic"),
         (["generate", "a ball", "--out", "/dev/null/x"], "is not a folder"),
         (["generate", "a ball", "--device", "gpu"], "choose cpu or cuda:N"),
+        (["generate", "a ball", "--seed", "-1"], "--seed -1"),
+        (["draft", "a ball hits a box", "--seed", "-1"], "--seed -1"),
         (["bench", "missing.yaml"], "missing.yaml"),
         (["bench", "missing.yaml", "--runs", "0"], "--runs 0"),
         (["sql", "select 1", "--db", "missing.duckdb"], "missing.duckdb"),
