@@ -238,7 +238,8 @@ def fall(
     )
     time = rec.first((drop > need) & late)
     # What crawls over the edge long after it was struck stays on top in another engine.
-    wait = np.where(np.isfinite(time) & (earliest > 0.0), time - earliest - 1.0, 0.0)
+    struck = np.isfinite(time) & np.isfinite(earliest) & (earliest > 0.0)
+    wait = np.where(struck, time, 1.0) - np.where(struck, earliest, 0.0) - 1.0
     add(f"{node.id}/slow", 0.2 * np.clip(wait, 0.0, 3.0))
     return time, 4.0 * np.maximum(need - most, 0) / need + 1 / (1 + moved)
 

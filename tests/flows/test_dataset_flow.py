@@ -65,9 +65,10 @@ def test_a_dataset_survives_deadly_scenes_and_passing_errors(
     shown: dict[str, Any] = {}
     heard: list[int] = []
     with session(0) as call:
+        from prefect.client.orchestration import get_client
+
         from flows import artifacts
         from flows.dataset import with_runner
-        from prefect.client.orchestration import get_client
         from tasks import dataset as task_module
 
         flaky.__name__ = "make_batch"

@@ -43,7 +43,9 @@ def test_old_runs_go_but_the_standard_stays(db: Path, tmp_path: Path) -> None:
     assert gone.kept_as_standard == ("run-3",)
     for table in TABLES:
         assert runs(db, table) == {"run-3", "run-30"}
-    assert query(db, "SELECT regressed FROM bench_history WHERE run_id = 'run-30'").rows == [(True,)]
+    assert query(db, "SELECT regressed FROM bench_history WHERE run_id = 'run-30'").rows == [
+        (True,)
+    ]
 
 
 def test_a_rebuild_does_not_bring_them_back(db: Path, tmp_path: Path) -> None:
