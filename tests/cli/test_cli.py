@@ -113,7 +113,9 @@ def test_generate_says_what_it_did_not_understand() -> None:
         "advice": "",
         "metrics": None,
         "coverage": {"warnings": ['"zorple" is not in the lexicon'], "not_understood": ["zorple"]},
+        "relations_not_met": ["lamp_1 adjacent book_1"],
         "stages": [],
         "cached_stages": 0,
     }
+    assert "warning: not met: lamp_1 adjacent book_1" in describe(summary)
     assert 'warning: "zorple" is not in the lexicon' in describe(summary)

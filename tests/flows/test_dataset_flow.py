@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from pathlib import Path
+import time
 from typing import Any
 
 import pytest
@@ -78,7 +79,14 @@ def test_a_dataset_survives_deadly_scenes_and_passing_errors(
         with run_context(pool):
             results = call(with_runner("process", 2), jobs, lambda r: heard.append(r.number))
         with get_client(sync_client=True) as client:
-            runs = client.read_task_runs()
+            # The server learns of task runs by events, a little later.
+            end = time.monotonic() + 30.0
+            while len(runs := client.read_task_runs()) < 3 or any(
+                r.state_name not in ("Cached", "Completed") for r in runs
+            ):
+                if time.monotonic() > end:
+                    break
+                time.sleep(0.2)
     assert [r.number for r in results] == [0, 1, 2]
     assert sorted(heard) == [0, 1, 2]
     assert failed == [1]
