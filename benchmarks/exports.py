@@ -186,9 +186,10 @@ def _damping(usd: Path) -> dict[str, tuple[float, float]]:
     from pxr import Usd
 
     keys = ("esg:linear_damping", "esg:angular_damping")
+    stage = Usd.Stage.Open(str(usd))
     return {
         prim.GetName(): tuple(float(prim.GetCustomDataByKey(k) or 0.0) for k in keys)
-        for prim in Usd.Stage.Open(str(usd)).Traverse()
+        for prim in stage.Traverse()
         if prim.GetCustomDataByKey(keys[0]) is not None
     }  # type: ignore[return-value]  # two keys, two numbers
 
