@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from pathlib import Path
-import time
 from typing import Any
 
 import pytest
@@ -66,8 +65,6 @@ def test_a_dataset_survives_deadly_scenes_and_passing_errors(
     shown: dict[str, Any] = {}
     heard: list[int] = []
     with session(0) as call:
-        from prefect.client.orchestration import get_client
-
         from flows import artifacts
         from flows.dataset import with_runner
         from tasks import dataset as task_module
@@ -78,15 +75,6 @@ def test_a_dataset_survives_deadly_scenes_and_passing_errors(
         pool = DyingPool()
         with run_context(pool):
             results = call(with_runner("process", 2), jobs, lambda r: heard.append(r.number))
-        with get_client(sync_client=True) as client:
-            # The server learns of task runs by events, a little later.
-            end = time.monotonic() + 30.0
-            while len(runs := client.read_task_runs()) < 3 or any(
-                r.state_name not in ("Cached", "Completed") for r in runs
-            ):
-                if time.monotonic() > end:
-                    break
-                time.sleep(0.2)
     assert [r.number for r in results] == [0, 1, 2]
     assert sorted(heard) == [0, 1, 2]
     assert failed == [1]
@@ -94,7 +82,6 @@ def test_a_dataset_survives_deadly_scenes_and_passing_errors(
     assert "ended twice" in results[0].failures[0]["reason"]
     assert results[1].outcomes == {"solved": 4}
     assert pool.calls.count("try_scene") == 4
-    assert sorted(r.state_name for r in runs) == ["Cached", "Completed", "Completed"]
     rows, description = shown["dataset"]
     assert rows == [{"outcome": "crashed", "scenes": 1}, {"outcome": "solved", "scenes": 8}]
     assert description == "8 of 9 scenes verified"
