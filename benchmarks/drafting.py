@@ -144,7 +144,7 @@ def _matches(doc: EsgDocument, node: TimelineNode, event: dict[str, Any]) -> boo
     if not {participants[0]} & set(first):
         return False
     if event["type"] == "turns":
-        return node.turn_direction == event["direction"]
+        return event["direction"] in ("any", node.turn_direction)
     if event["type"] == "enters":
         region = node.region or ""
         return event["target"].split()[-1] in region or region.split("/")[0] in bind(
@@ -153,6 +153,29 @@ def _matches(doc: EsgDocument, node: TimelineNode, event: dict[str, Any]) -> boo
     if event["type"] in ("reaches", "misses") and event.get("target"):
         return participants[1] in bind(doc, event["target"])
     return True
+
+
+def _repeated(
+    doc: EsgDocument,
+    events: Iterable[dict[str, Any]],
+    points: list[TimelineNode],
+    free: list[TimelineNode],
+) -> list[TimelineNode]:
+    """Free events that an `each` label states of further members of its plural.
+
+    Only once a member: the same participants again are an invention.
+    """
+    told = {(n.event, frozenset(n.participants)) for n in points if n not in free}
+    out: list[TimelineNode] = []
+    for event in events:
+        if not event.get("each"):
+            continue
+        for node in free:
+            key = (node.event, frozenset(node.participants))
+            if key not in told and _matches(doc, node, event):
+                told.add(key)
+                out.append(node)
+    return out
 
 
 def _moves(doc: EsgDocument, phrase: str) -> bool:
@@ -195,6 +218,8 @@ def score_events(doc: EsgDocument, row: dict[str, Any], out: Score) -> None:
         out.events_found += found
         if not found:
             out.problems.append(f"{row['id']} missing {event} | {row['prompt']}")
+    repeated = _repeated(doc, row["events"], points, free)
+    free = [n for n in free if n not in repeated]
     out.drafted += len(points)
     out.invented += len(free)
     for n in free:
@@ -232,7 +257,7 @@ def _quantity(doc: EsgDocument, want: dict[str, Any]) -> bool:
             and any(_close(x, want, 100.0) for x in a.expected_dimensions_cm)
             for a in assets
         )
-    if kind == "speed":
+    if kind in ("speed", "speed_before"):
         stated = [
             e.params.speed
             for e in edges
