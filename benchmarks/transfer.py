@@ -23,6 +23,7 @@ from typing import Any
 from esg.commands.console import table
 from esg.commands.replay import expectation
 from esg.compile.transfer import MATRIX_ENGINES, MATRIX_RATES_HZ, REFERENCE, transfer_matrix
+from esg.metrics import load_suite
 from esg.scenefolder import is_scene_folder
 
 
@@ -37,12 +38,13 @@ def measure(
         engines: Engines.
         rates_hz: Physics steps a second.
     """
+    loaded = load_suite(suite) if suite else None
     folders = sorted(p for p in run.iterdir() if is_scene_folder(p))
     compiled = [p for p in folders if (p / "manifest.json").exists()]
     scenes: dict[str, Any] = {}
     start = time.process_time()
     for folder in compiled:
-        expected, against = expectation(folder, suite)
+        expected, against = expectation(folder, loaded)
         runs = transfer_matrix(folder, expected, engines=engines, rates_hz=rates_hz)
         scenes[folder.name] = {"judged_against": against, "runs": [r.to_json() for r in runs]}
     return {

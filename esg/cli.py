@@ -20,7 +20,6 @@ def build_app():  # the return type would import cyclopts for nothing
         version=__version__,
         help="Text to physically consistent dynamic 3D scenes, at dataset scale.",
         help_format="plaintext",
-        suppress_keyboard_interrupt=False,  # `main` says what is kept
     )
     for name, (where, help_line) in COMMANDS.items():
         app.command(where, name=name, help=help_line)
@@ -29,26 +28,29 @@ def build_app():  # the return type would import cyclopts for nothing
 
 def main() -> None:
     """Runs one command and exits with its code: 0 good, 1 error, 2 usage, 3 some scenes failed."""
-    from esg.commands.console import emit, quiet_native_output
+    from esg.commands.console import fail, quiet_native_output
+    from esg.commands.parsing import parse
 
     quiet_native_output()
-    as_json = "--json" in sys.argv[1:]
+    arguments = sys.argv[1:]
+    as_json = "--json" in arguments
     try:
-        code = build_app()(result_action="return_value")
+        code = parse(build_app(), arguments)()
         sys.stdout.flush()
     except UserError as error:
-        if as_json:
-            emit({"error": str(error), "exit_code": error.exit_code})
-        print(f"esg: {error}", file=sys.stderr)
-        code = error.exit_code
+        code = fail(str(error), error.exit_code, as_json)
     except KeyboardInterrupt:
-        print("esg: interrupted; finished stages are kept, run the same command again to go on",
-              file=sys.stderr)  # fmt: skip
-        code = 130
+        message = "interrupted; finished stages are kept, run the same command again to go on"
+        code = fail(message, 130, as_json)
     except BrokenPipeError:
         # The reader (head, less) has closed: nothing more to tell it.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         code = 1
+    except Exception as error:
+        if os.environ.get("ESG_DEBUG"):
+            raise
+        what = " ".join(f"{type(error).__name__}: {error}".split())
+        code = fail(f"a defect of this software: {what}; ESG_DEBUG=1 shows where", 1, as_json)
     sys.exit(code if isinstance(code, int) else 0)
 
 

@@ -8,6 +8,7 @@ from typing import Annotated, Any
 from cyclopts import App, Parameter
 
 app = App(name="assets", help="List, search, show and import assets.")
+MAX_COUNT = 1000
 Json = Annotated[bool, Parameter(negative="")]
 
 
@@ -21,8 +22,12 @@ def list_(*, library: str | None = None, json: Json = False) -> int:
     """
     from esg.assets.commands import list_assets
     from esg.commands.console import emit, table
+    from esg.outcomes import UserError
 
     rows = list_assets(library)
+    if not rows:
+        names = ", ".join(sorted({str(r["library"]) for r in list_assets()}))
+        raise UserError(f"--library {library}: there is none of that name; choose one of {names}")
     if json:
         emit(rows)
         return 0
@@ -45,12 +50,9 @@ def search(text: str, *, count: int = 5, json: Json = False) -> int:
     """
     from esg.assets.commands import search_assets
     from esg.commands.console import emit, table
-    from esg.outcomes import UserError
+    from esg.commands.inputs import checked, in_range
 
-    if not text.strip():
-        raise UserError("say what to search for")
-    if not 1 <= count <= 1000:
-        raise UserError(f"--count {count}: choose 1 to 1000")
+    checked(lambda: _said(text), lambda: in_range("--count", count, 1, MAX_COUNT))
     found = search_assets(text, count)
     if json:
         emit(found)
@@ -128,6 +130,13 @@ def import_(
         for item in report["problems"]:
             print(f"  {item['asset']}: {item['problem']}")
     return 3 if any(not p["problem"].startswith("warning") for p in report["problems"]) else 0
+
+
+def _said(text: str) -> None:
+    from esg.outcomes import UserError
+
+    if not text.strip():
+        raise UserError('TEXT is empty; say what to search for, e.g. "thing to sit on"')
 
 
 def _size(dimensions: list[float]) -> str:

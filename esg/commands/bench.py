@@ -43,26 +43,34 @@ def bench(
     """
     from esg.commands.database import record_run
     from esg.commands.generate import exit_code, report_failures
-    from esg.commands.inputs import check_device, check_seed
+    from esg.commands.inputs import (
+        check_device,
+        check_seed,
+        check_target,
+        check_workers,
+        checked,
+        in_range,
+    )
     from esg.commands.live import live
     from esg.metrics import comparison_table, load_suite
-    from esg.outcomes import UserError
     from esg.pipeline import STAGES, recall
     from esg.report.run import RUN_FILE
     from esg.requests import bench_requests
     from esg.scenefolder import check_writable, publish
     from esg.workers import default_processes
 
-    if not 1 <= runs <= MAX_RUNS:
-        raise UserError(f"--runs {runs}: choose 1 to {MAX_RUNS}")
-    if workers is not None and not 0 <= workers <= 256:
-        raise UserError(f"--workers {workers}: choose 0 to 256")
-    loaded = load_suite(suite)
-    out = out or Path("runs") / _folder(loaded.suite, strategy, engine, close_loop)
-    check_writable(out)
-    if json is not None:
-        check_json_target(json)
-    device, seed = check_device(device), check_seed(seed)
+    loaded, device, *_ = checked(
+        lambda: load_suite(suite),
+        lambda: check_device(device),
+        lambda: in_range("--runs", runs, 1, MAX_RUNS),
+        lambda: check_seed(seed),
+        lambda: check_workers(workers),
+        lambda: None if out is None else check_writable(out),
+        lambda: None if json is None else check_target("--json", json, "a JSON file"),
+    )
+    if out is None:
+        out = Path("runs") / _folder(loaded.suite, strategy, engine, close_loop)
+        check_writable(out)
     total = len(loaded.scenes) * runs
     processes = default_processes(total) if workers is None else workers
     with live(total) as bar:
@@ -166,23 +174,6 @@ def verdict_of(state: SceneState) -> Any:
     from esg.stages import load_verdict
 
     return load_verdict(state) if "judge" in state.artifacts else None
-
-
-def check_json_target(path: Path) -> None:
-    """Finds out early whether a result file can be written.
-
-    Raises:
-        UserError: If not.
-    """
-    from esg.outcomes import UserError
-    from esg.scenefolder import check_writable
-
-    if path.is_dir():
-        raise UserError(f"--json {path} is a folder; give a file")
-    try:
-        check_writable(path.absolute().parent)
-    except UserError as error:
-        raise UserError(str(error).replace("--out", "--json")) from None
 
 
 def write_json(path: Path, document: dict[str, Any]) -> None:

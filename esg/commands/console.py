@@ -38,10 +38,22 @@ def emit(document: Any) -> None:
     print(json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False))
 
 
-def say(message: str) -> None:
-    """A line for people on stderr, only on a terminal."""
-    if sys.stderr.isatty():
-        print(message, file=sys.stderr)
+def fail(message: str, exit_code: int, as_json: bool) -> int:
+    """Says what went wrong: on stderr, and with `--json` as the one document on stdout.
+
+    Args:
+        message: For people, one or several lines.
+        exit_code: Of the process.
+        as_json: Whether the command was asked for JSON.
+
+    Returns:
+        The exit code.
+    """
+    if as_json:
+        emit({"error": message, "exit_code": exit_code})
+        sys.stdout.flush()
+    print(f"esg: {message}", file=sys.stderr)
+    return exit_code
 
 
 class Progress:

@@ -65,31 +65,35 @@ def dataset(
         json: Print one JSON document with counts and paths.
     """
     from esg.commands.console import emit, progress
-    from esg.commands.inputs import check_device
+    from esg.commands.inputs import check_device, check_workers, checked
     from esg.dataset.folder import DatasetFolder
     from esg.dataset.plan import DatasetSpec, Shard
     from esg.dataset.remote import Remote, is_url, staging_folder
-    from esg.outcomes import UserError
     from esg.scenefolder import check_writable
 
-    part = Shard.parse(shard)
+    going_on = resume and prompts is None and sample is None
+    part, device, planned, *_ = checked(
+        lambda: Shard.parse(shard),
+        lambda: check_device(device),
+        lambda: None if going_on else _source(prompts, sample, counterfactual, distribution),
+        lambda: _seed(seed),
+        lambda: check_workers(workers, 1),
+        lambda: check_writable(staging_folder(out) if is_url(out) else Path(out)),
+    )
     remote = Remote(out) if is_url(out) else None
     folder = DatasetFolder(staging_folder(out) if remote else Path(out), out)
-    if workers is not None and not 1 <= workers <= 256:
-        raise UserError(f"--workers {workers}: choose 1 to 256")
     if remote is not None:
         remote.pull_beginning(folder.path)
-    if prompts is None and sample is None and resume and (found := folder.spec()) is not None:
+    if going_on and (found := folder.spec()) is not None:
         spec, texts = found, folder.prompts()
     else:
-        texts, source = _source(prompts, sample, counterfactual, distribution)
+        texts, source = planned or _source(prompts, sample, counterfactual, distribution)
         options: dict[str, Any] = {
-            "seed": _seed(seed), "counterfactual": counterfactual, "drafter": drafter,
+            "seed": seed, "counterfactual": counterfactual, "drafter": drafter,
             "strategy": strategy, "engine": engine, "mcap": mcap, "previews": previews,
-            "device": check_device(device),
+            "device": device,
         }  # fmt: skip
         spec = DatasetSpec(**source, **options)
-    check_writable(folder.path)
     with folder.locked(part), progress(spec.n, "starting") as bar:
         run = folder.begin(spec, texts, resume=resume)
         if remote is not None and not folder.finished():

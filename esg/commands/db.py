@@ -90,12 +90,11 @@ def prune(
     """
     from esg.commands.console import emit
     from esg.commands.database import database_path
-    from esg.outcomes import UserError
+    from esg.commands.inputs import in_range
     from esg.store.artifacts import ArtifactStore
     from esg.store.retention import prune_runs
 
-    if not 0 <= keep_days < 1e6:
-        raise UserError(f"--keep-days {keep_days:g}: choose 0 or more")
+    in_range("--keep-days", keep_days, 0, 1e6)
     path = db or database_path()
     gone = prune_runs(path, keep_days, parts=path.parent / "parts", dry_run=dry_run)
     stages = 0

@@ -23,11 +23,12 @@ def draft(
         json: Print one JSON document: esg, coverage, violations.
     """
     from esg.commands.console import emit, table
-    from esg.commands.inputs import check_seed, clean_prompt
+    from esg.commands.inputs import check_seed, checked, clean_prompt
     from esg.draft import draft as run
     from esg.graph import canonical_json, verify
 
-    doc = run(clean_prompt(prompt), seed=check_seed(seed), drafter=drafter)
+    prompt, seed = checked(lambda: clean_prompt(prompt), lambda: check_seed(seed))
+    doc = run(prompt, seed=seed, drafter=drafter)
     violations = verify(doc)
     data = doc.model_dump(mode="json", by_alias=True)
     if json:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from pathlib import Path
 from typing import Annotated, Literal
 
@@ -25,11 +26,16 @@ def export(
         json: Print one JSON document: the files written.
     """
     from esg.commands.console import emit
+    from esg.commands.inputs import checked
     from esg.commands.stored import is_stored, open_scene
     from esg.outcomes import UserError
     from esg.scenefolder import check_writable
 
-    with open_scene(scene, meshes=True) as folder:
+    with contextlib.ExitStack() as stack:
+        folder, _ = checked(
+            lambda: stack.enter_context(open_scene(scene, meshes=True)),
+            lambda: None if out is None else check_writable(out),
+        )
         if out is None and is_stored(folder):
             raise UserError(f"{scene} is in the run database, not in a folder: give --out")
         target = folder if out is None else out

@@ -42,17 +42,20 @@ def generate(
     """
     from esg.commands.console import emit
     from esg.commands.database import record_run
-    from esg.commands.inputs import check_device, check_seed, clean_prompt
+    from esg.commands.inputs import check_device, check_seed, checked, clean_prompt
     from esg.commands.live import live
     from esg.outcomes import UserError
     from esg.pipeline import recall
     from esg.requests import generate_requests
     from esg.scenefolder import check_writable, publish
 
-    prompt = clean_prompt(prompt)
-    check_writable(out)
-    device, seed = check_device(device), check_seed(seed)
-    pictures = _pictures(render, device, seed) if render else None
+    prompt, _, device, seed, pictures = checked(
+        lambda: clean_prompt(prompt),
+        lambda: check_writable(out),
+        lambda: check_device(device),
+        lambda: check_seed(seed),
+        lambda: _pictures(render) if render else None,
+    )
     with live(1) as bar:
         # A scene that is already in the store needs no scheduler: the answer comes at once.
         request = generate_requests([prompt], seed, drafter, strategy, device, close_loop)[0]
@@ -73,8 +76,11 @@ def generate(
         record_run([state], "generate")
     summary = summarize(state, folder)
     if pictures is not None and summary["metrics"] is not None:
+        from dataclasses import replace
+
         from esg.commands.render import run as run_render
 
+        pictures = replace(pictures, device=device, seed=seed)
         summary["render"] = run_render(folder, folder / "render", pictures)
     if json:
         emit(summary)
@@ -83,10 +89,10 @@ def generate(
     return exit_code([state])
 
 
-def _pictures(channels: str, device: str, seed: int) -> Settings:
+def _pictures(channels: str) -> Settings:
     from esg.commands.render import settings
 
-    return settings(channels, "256x256", 24.0, 1, "png", device, seed)
+    return settings(channels, "256x256", 24.0, 1, "png")
 
 
 def exit_code(states: list[SceneState]) -> int:

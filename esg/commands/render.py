@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
@@ -41,12 +42,17 @@ def render(
         json: Print one JSON document: the folder and what is in it.
     """
     from esg.commands.console import emit
-    from esg.commands.inputs import check_device, find_scene
+    from esg.commands.inputs import check_device, check_seed, checked, find_scene
+    from esg.scenefolder import check_writable
 
-    chosen = settings(channels, size, fps, cameras, format, device, seed)
-    check_device(device)
-    folder = find_scene(scene)
-    result = run(folder, out or folder / "render", chosen)
+    chosen, device, seed, folder, _ = checked(
+        lambda: settings(channels, size, fps, cameras, format),
+        lambda: check_device(device),
+        lambda: check_seed(seed),
+        lambda: find_scene(scene),
+        lambda: None if out is None else check_writable(out),
+    )
+    result = run(folder, out or folder / "render", replace(chosen, device=device, seed=seed))
     if json:
         emit(result)
     else:
@@ -55,24 +61,23 @@ def render(
 
 
 def settings(
-    channels: str, size: str, fps: float, cameras: int, format: str, device: str, seed: int
+    channels: str, size: str, fps: float, cameras: int, format: Literal["png", "parquet"]
 ) -> Settings:
-    """Checked settings.
+    """Checked settings, for the CPU and seed 0.
 
     Raises:
-        UserError: Naming the option and what it takes.
+        UserError: Naming the options and what they take.
     """
-    from esg.commands.inputs import check_seed
-    from esg.outcomes import UserError
+    from esg.commands.inputs import checked, in_range
     from esg.view.capture import Settings, parse_channels, parse_size
 
-    if not 0.1 <= fps <= 1000:
-        raise UserError(f"--fps {fps}: choose 0.1 to 1000")
-    if not 1 <= cameras <= MAX_CAMERAS:
-        raise UserError(f"--cameras {cameras}: choose 1 to {MAX_CAMERAS}")
-    check_seed(seed)
-    assert format in ("png", "parquet")
-    return Settings(parse_channels(channels), parse_size(size), fps, cameras, format, device, seed)
+    names, pixels, *_ = checked(
+        lambda: parse_channels(channels),
+        lambda: parse_size(size),
+        lambda: in_range("--fps", fps, 0.1, 1000),
+        lambda: in_range("--cameras", cameras, 1, MAX_CAMERAS),
+    )
+    return Settings(names, pixels, fps, cameras, format)
 
 
 def run(folder: Path, out: Path, chosen: Settings) -> dict[str, Any]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
@@ -9,7 +10,7 @@ from cyclopts import Parameter
 
 if TYPE_CHECKING:
     from esg.compile.transfer import TransferRun
-    from esg.metrics.models import SuiteScene
+    from esg.metrics.models import Suite, SuiteScene
 
 MIN_RATE_HZ, MAX_RATE_HZ = 30, 4000
 DEFAULT_RATE_HZ = 240
@@ -38,14 +39,20 @@ def replay(
         json: Print one JSON document: the verdict, or the matrix.
     """
     from esg.commands.console import emit
+    from esg.commands.inputs import checked
     from esg.commands.stored import open_scene
+    from esg.metrics import load_suite
     from esg.outcomes import UserError
 
     if compare and not (engine is None and hz is None and dt is None):
         raise UserError("--compare runs every engine and step: leave out --engine, --hz and --dt")
-    step = step_of(hz, dt)
-    with open_scene(scene) as folder:
-        expected, against = expectation(folder, suite)
+    with contextlib.ExitStack() as stack:
+        step, loaded, folder = checked(
+            lambda: step_of(hz, dt),
+            lambda: None if suite is None else load_suite(suite),
+            lambda: stack.enter_context(open_scene(scene)),
+        )
+        expected, against = expectation(folder, loaded)
         if compare:
             result = matrix(folder, expected, against) | {"scene": scene}
         else:
@@ -80,18 +87,18 @@ def step_of(hz: int | None, dt: float | None) -> float:
     return 1.0 / DEFAULT_RATE_HZ if dt is None else dt
 
 
-def expectation(folder: Path, suite: Path | None) -> tuple[SuiteScene, str]:
+def expectation(folder: Path, suite: Suite | None) -> tuple[SuiteScene, str]:
     """What must happen in a scene, and where that is written.
 
     Args:
         folder: Scene folder.
-        suite: Suite file, or None for the scene's own timeline.
+        suite: The suite, or None for the scene's own timeline.
 
     Raises:
         UserError: If the folder holds no compiled scene or the suite does not hold its prompt.
     """
     from esg.graph import load_document
-    from esg.metrics import expectations_from_timeline, load_suite
+    from esg.metrics import expectations_from_timeline
     from esg.outcomes import UserError
 
     if not (folder / "manifest.json").exists():
@@ -99,12 +106,13 @@ def expectation(folder: Path, suite: Path | None) -> tuple[SuiteScene, str]:
     doc = load_document(folder / "esg.json")
     if suite is None:
         return expectations_from_timeline(doc), "timeline"
-    loaded = load_suite(suite)
     prompt = " ".join(doc.scene_definition.original_description.split())
-    for scene in loaded.scenes:
+    for scene in suite.scenes:
         if " ".join(scene.prompt.split()) == prompt:
-            return scene, f"{loaded.suite} {scene.id}"
-    raise UserError(f"--suite {suite} has no scene with the prompt of {folder}: {prompt[:80]!r}")
+            return scene, f"{suite.suite} {scene.id}"
+    raise UserError(
+        f"--suite: {suite.suite} has no scene with the prompt of {folder}: {prompt[:80]!r}"
+    )
 
 
 def run(folder: Path, engine: str, dt: float, expected: SuiteScene, against: str) -> dict[str, Any]:

@@ -30,14 +30,15 @@ def report(
     """
     from esg.commands.console import emit, progress
     from esg.commands.database import database_path
-    from esg.outcomes import UserError
+    from esg.commands.inputs import check_target, checked
     from esg.report import load_run, write_report
 
-    loaded = load_run(run, against=against, database=database_path())
     path = out or run / "report.html"
-    if path.is_dir():
-        raise UserError(f"--out {path} is a folder; give an HTML file")
-    chosen = engine_names(engines)
+    chosen, _, loaded = checked(
+        lambda: engine_names(engines),
+        lambda: check_target("--out", path, "an HTML file") if out or run.is_dir() else None,
+        lambda: load_run(run, against=against, database=database_path()),
+    )
     with progress(len(loaded.scenes), "reading scenes") as bar:
         write_report(loaded, path, engines=chosen, title=title, on_scene=lambda s: bar.step(s.name))
     if json:

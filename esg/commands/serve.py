@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 import datetime
+from functools import partial
 from pathlib import Path
 import subprocess
 import sys
@@ -57,28 +58,24 @@ def serve(
     from esg.commands.bench import MAX_RUNS
     from esg.commands.console import emit
     from esg.commands.database import database_path
-    from esg.commands.inputs import check_device, check_seed
+    from esg.commands.inputs import check_device, check_seed, check_workers, checked, in_range
     from esg.metrics import load_suite
-    from esg.outcomes import UserError
     from esg.scenefolder import check_writable
 
-    if once == (cron is not None):
-        raise UserError('give either --cron "0 3 * * *" or --once')
-    check_seed(seed)
-    if not 1 <= runs <= MAX_RUNS:
-        raise UserError(f"--runs {runs}: choose 1 to {MAX_RUNS}")
-    if workers is not None and not 0 <= workers <= 256:
-        raise UserError(f"--workers {workers}: choose 0 to 256")
-    if cron is not None:
-        check_cron(cron)
     suites = suite or [DEFAULT_SUITE]
-    for path in suites:
-        load_suite(path)
-    check_writable(out)
+    device, *_ = checked(
+        lambda: check_device(device),
+        lambda: check_when(cron, once),
+        lambda: check_seed(seed),
+        lambda: in_range("--runs", runs, 1, MAX_RUNS),
+        lambda: check_workers(workers),
+        *(partial(load_suite, path) for path in suites),
+        lambda: check_writable(out),
+    )
     options: dict[str, Any] = {
         "suites": [str(p.resolve()) for p in suites], "out": str(out.resolve()),
         "database": str((db or database_path()).resolve()), "runs": runs, "seed": seed,
-        "strategy": strategy, "engine": engine, "device": check_device(device),
+        "strategy": strategy, "engine": engine, "device": device,
         "workers": -1 if workers is None else workers, "cached": cached,
     }  # fmt: skip
     if cron is not None:
@@ -89,6 +86,20 @@ def serve(
     else:
         print(describe(nights))
     return 3 if any(n["regressed"] for n in nights) else 0
+
+
+def check_when(cron: str | None, once: bool) -> None:
+    """Whether it is clear when to run.
+
+    Raises:
+        UserError: If both or neither of --cron and --once are given, or the expression is none.
+    """
+    from esg.outcomes import UserError
+
+    if once == (cron is not None):
+        raise UserError('give either --cron "0 3 * * *" or --once')
+    if cron is not None:
+        check_cron(cron)
 
 
 def check_cron(text: str) -> Cron:

@@ -25,18 +25,18 @@ def view(
         once: Start, answer, and stop at once: a test that everything is in place.
         seconds: Stop after so many seconds.
     """
-    from esg.commands.inputs import find_scene
+    from esg.commands.inputs import checked, find_scene, in_range
     from esg.commands.report import engine_names
-    from esg.outcomes import UserError
     from esg.report.run import load_run
     from esg.report.serve import serve
 
-    if not 0 <= port <= 65535:
-        raise UserError(f"--port {port}: choose 0 to 65535")
-    if seconds is not None and not 0 < seconds < 1e7:
-        raise UserError(f"--seconds {seconds}: choose a positive time")
-    folder = find_scene(scene)
-    page = _page(load_run(folder), engine_names(engines))
+    folder, names, *_ = checked(
+        lambda: find_scene(scene),
+        lambda: engine_names(engines),
+        lambda: in_range("--port", port, 0, 65535),
+        lambda: None if seconds is None else in_range("--seconds", seconds, 0.001, 1e7),
+    )
+    page = _page(load_run(folder), names)
 
     def ready(address: str) -> None:
         print(address, flush=True)
@@ -48,7 +48,7 @@ def view(
                 assert answer.read() == page
 
     try:
-        serve(page, Path(folder), port, ready, seconds=0.0 if once else seconds)
+        serve(page, folder, port, ready, seconds=0.0 if once else seconds)
     except KeyboardInterrupt:
         print()
     return 0

@@ -42,7 +42,7 @@ def test_help_imports_nothing_heavy() -> None:
     [
         (["generate", ""], "prompt is empty"),
         (["generate", "   "], "prompt is empty"),
-        (["generate", "a\x07ball"], "control characters"),
+        (["generate", "a\x07ball"], "control character"),
         (["generate", "a ball", "--strategy", "magic"], "magic"),
         (["generate", "a ball", "--out", "/dev/null/x"], "is not a folder"),
         (["generate", "a ball", "--device", "gpu"], "choose cpu or cuda:N"),
