@@ -167,6 +167,11 @@ class Acts(Motions):
         **extra: Any,
     ) -> str:
         """Adds a point event; its first participant is set in motion if nothing moves it yet."""
+        told = self._told_before(kind, participants, f, extra.get("region", ""))
+        if told:
+            self._time_of_told(told, time)
+            self.use(f, told)
+            return told
         first = participants[0]
         track = self.tl.tracks.get(first)
         if track is None or (track.motion is None and not track.hit):

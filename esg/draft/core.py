@@ -50,6 +50,8 @@ class Core:
         """How long an actor waits before it moves (on)."""
         self.told_hits: set[tuple[int, str, str]] = set()
         """Collisions by the clause that tells them."""
+        self._rereading: set[tuple[int, str]] = set()
+        """Frames with the senses they have been read as."""
         self.each: set[str] = set()
         """Members of a plural that the current clause names one by one ("both bricks")."""
         self.mounts: dict[int, list[str]] = {}

@@ -76,6 +76,8 @@ class Verb:
     negated: bool = False
     auxiliary: str = ""
     infinitive: bool = False
+    modal: str = ""
+    """would, can, should ... of the verb group."""
     extra: dict[str, str] = field(default_factory=dict)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 from esg.draft.core import Time
@@ -12,6 +13,15 @@ from esg.draft.scene import pocket_name
 from esg.draft.syntax import Mention
 from esg.draft.timeline import START
 from esg.graph.models import EventConstraint, NodeEvent, Quantity, Role
+
+_RETOLD = frozenset(
+    {NodeEvent.COLLISION, NodeEvent.FALL, NodeEvent.TOPPLE, NodeEvent.STOP, NodeEvent.MISS,
+     NodeEvent.ENTER_REGION, NodeEvent.REACH}
+)  # fmt: skip
+_AGAIN = re.compile(
+    r"\b(?:again|twice|second time|two times|three times|once more|another time|repeatedly)\b",
+    re.IGNORECASE,
+)
 
 
 class Events(Places):
@@ -137,6 +147,50 @@ class Events(Places):
         self.use(f, node_id)
         return node_id
 
+    def _told_before(
+        self, kind: NodeEvent, participants: tuple[str, ...], f: Frame, region: str = ""
+    ) -> str:
+        """The event that a clause refers back to ("hit by the apple"), or "" if it is a new one.
+
+        A second telling concerns the same things, and nothing has happened to them in between.
+        """
+        if kind not in _RETOLD or _AGAIN.search(self._sentence(f)):
+            return ""
+        among = set(participants)
+        for node in reversed(self.tl.nodes):
+            if node.event is NodeEvent.TRIGGER or not among & set(node.participants):
+                continue
+            if kind is NodeEvent.FALL and node.event is NodeEvent.TOPPLE:
+                off = f.phrase("off", "from", "out of", "over")
+                leaves = off is not None or participants[0] in self.scene.supported_by
+                return "" if leaves else node.id
+            same = node.event is kind and among == set(node.participants)
+            if not same or (region and node.extra.get("region") != region):
+                return ""
+            return "" if self._set_off_again(participants[0], kind) else node.id
+        return ""
+
+    def _time_of_told(self, told: str, time: Time | None) -> None:
+        """A time stated with the second telling is the time of the event."""
+        node = self.tl.node(told)
+        if node is None or time is None or (time[1].start, time[1].end) in self.scene.used:
+            return
+        if node.time is None and not node.constraints and (time[2] == "at" or not node.after):
+            node.time, node.time_prescribed = time[0], True
+            self.use(time[1], f"time of {told}")
+
+    def _set_off_again(self, actor: str, kind: NodeEvent) -> bool:
+        """Whether the actor has started a new motion since its last event."""
+        track = self.tl.tracks.get(actor)
+        if track is None or track.motion is None or kind in (NodeEvent.TOPPLE, NodeEvent.MISS):
+            return False
+        return not track.closed
+
+    def _sentence(self, f: Frame) -> str:
+        start = max(self.text.rfind(x, 0, f.verb.start) for x in ".;!?")
+        ends = [self.text.find(x, f.verb.end) for x in ".;!?"]
+        return self.text[start + 1 : min([e for e in ends if e >= 0], default=len(self.text))]
+
     def _settle(self, actor: str | None, kind: NodeEvent | None, target: str | None = None) -> None:
         """Turns a pending arrival or landing into an event, unless a stronger event replaces it."""
         for name in list(self.pending):
@@ -198,7 +252,11 @@ class Events(Places):
         return self.text[a.end : a.end + 8].lower().startswith(" before ")
 
     def _read_as(self, sense: str, f: Frame, s: list[str], o: list[str]) -> None:
-        """Reads the frame as if its verb had another sense."""
+        """Reads the frame as if its verb had another sense; never twice as the same one."""
+        if (id(f), sense) in self._rereading:
+            self.use(f, "no event of its own")
+            return
+        self._rereading.add((id(f), sense))
         getattr(self, f"_do_{sense}")(f, s, o)
 
     def _start_height(self, things: list[str], a: Amount) -> None:

@@ -50,6 +50,8 @@ class Frame:
     """A participle of the subject whose main verb is still to come."""
     causer: Frame | None = None
     parent: Frame | None = None
+    unreal: str = ""
+    """Why the prompt names it without saying that it happens."""
 
     def phrase(self, *preps: str) -> Phrase | None:
         """First phrase with one of the prepositions that has a mention; objects before measures."""

@@ -267,6 +267,9 @@ class Interpreter(MotionSenses):
                 for o in owners:
                     self.world.apply_amount(self.e(o), a)
                 self.use(a, owners[0])
+        if f.unreal:
+            self._unreal(f, subject, objects)
+            return
         if f.verb.negated and sense in ("hit", "enter"):
             f.verb.sense = sense = "miss"
         elif f.verb.negated and sense not in ("be", "posture", "miss"):
@@ -298,6 +301,18 @@ class Interpreter(MotionSenses):
         for _, a in self.amounts(f):
             if a.dimension == "time" and self._precedes(a):
                 self.gap = a
+
+    def _unreal(self, f: Frame, subject: list[str], objects: list[str]) -> None:
+        """What does not happen: at most the direction of a motion that is under way."""
+        self.scene.ignored[(f.verb.start, f.verb.end)] = f.unreal
+        for p in f.phrases:
+            if p.amount is not None:
+                self.scene.used.setdefault((p.amount.start, p.amount.end), f.unreal)
+        target = objects[:1] or self._target(f, subject)
+        for actor in subject[:1]:
+            track = self.tl.tracks.get(actor)
+            if target and track is not None and track.motion is not None and not track.closed:
+                self.aim[actor] = target[0]
 
     @staticmethod
     def _one_by_one(f: Frame) -> set[str]:

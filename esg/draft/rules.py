@@ -10,6 +10,7 @@ from esg.draft.comparisons import compare, compare_speeds
 from esg.draft.coverage import account
 from esg.draft.expand import expand
 from esg.draft.interpret import Interpreter
+from esg.draft.modality import mark_unreal
 from esg.draft.nominals import verbalize
 from esg.draft.screening import contradictions, nothing_to_draw, screen
 from esg.draft.syntax import Chunker, pos_tags, tokenize
@@ -47,6 +48,7 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     elements = verbalize(Chunker(text, tokens).run())
     clauses = ClauseBuilder(elements)
     clauses.run()
+    mark_unreal(clauses.frames, text)
     world = World()
     world.file_of_two = _ONE_AFTER_OTHER.search(text) is not None
     world.billiards = _BILLIARDS.search(text) is not None

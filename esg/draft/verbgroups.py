@@ -10,6 +10,7 @@ from esg.draft.verbphrases import PHRASES, verb_readings
 _NEGATED_MODALS = frozenset(
     {"don't", "doesn't", "didn't", "won't", "wouldn't", "couldn't", "shouldn't", "mustn't"}
 )
+_MOODS = frozenset({"would", "could", "should", "can", "may", "might", "must"})
 _FOLLOWING = frozenset({"following", "leading", "trailing", "approaching"})
 """Adjectives that are verbs after "is" ("is following car 2")."""
 _NEGATED_BE = frozenset({"isn't", "aren't", "wasn't", "weren't"})
@@ -22,7 +23,7 @@ class VerbGroups(Reader):
         start = self.tokens[i].start
         j = i
         be = have = modal = negated = False
-        aux = ""
+        aux = mood = ""
         while j < len(self.tokens):
             low = self._low(j)
             if low in ("is", "are", "was", "were", "be", "been", "being", "am", "'s") or (
@@ -48,6 +49,7 @@ class VerbGroups(Reader):
                 "shall",
             ):
                 modal, aux = True, low
+                mood = low if low in _MOODS else mood
             elif low in ("cannot", "can't", "couldn't", "can’t"):
                 modal, aux, negated = True, low, True
             elif low in (
@@ -138,6 +140,7 @@ class VerbGroups(Reader):
         passive = be and main.form == "pp" and not (main.form == "pp" and "ing" in main.form)
         end = self.tokens[j].end
         verb = Verb(start, end, main.lemma, main.sense, main.form, main.note, passive, negated, aux)
+        verb.modal = mood
         k = j + 1
         for pattern, sense, extra in PHRASES.get(main.lemma, []):
             m = pattern.match(self.text, end)
@@ -166,7 +169,10 @@ class VerbGroups(Reader):
                     main2.negated = main2.negated or negated
                     main2.form = verb.form if verb.form != "ing" else "ing"
                     main2.passive = False
+                    main2.modal = mood
                     main2.extra = {**main2.extra, "start": "1"}
+                    if verb.lemma in ("try", "attempt"):
+                        main2.extra["tried"] = "1"
                     return n
         if verb.lemma in ("keep", "continue"):
             follow = k + (1 if self._low(k) == "to" else 0)
