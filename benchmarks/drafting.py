@@ -334,8 +334,9 @@ def score_row(row: dict[str, Any], drafter: Callable[[str], EsgDocument]) -> Sco
     out = Score(prompts=1)
     try:
         doc = drafter(row["prompt"])
-    except UserError as error:
-        out.problems.append(f"{row['id']} refused: {error} | {row['prompt']}")
+    except Exception as error:  # a crash counts like a refusal, and the run goes on
+        how = "refused" if isinstance(error, UserError) else f"crashed: {type(error).__name__}"
+        out.problems.append(f"{row['id']} {how}: {error} | {row['prompt']}")
         out.objects, out.events, out.quantities = (
             len(row["objects"]),
             len(row["events"]),
