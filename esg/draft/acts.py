@@ -10,10 +10,10 @@ from esg.draft.motions import Motions
 from esg.graph.models import NodeEvent
 
 _GOING = frozenset(
-    {"go", "drop", "fall", "roll", "bounce", "sink", "fly", "run", "slide", "trickle"}
+    {"go", "drop", "fall", "roll", "bounce", "sink", "fly", "run", "slide", "trickle", "jump",
+     "leap", "dive", "hop", "plunge", "tumble"}
 )
 _EDGES = frozenset({"edge", "end", "side", "rim", "lip"})
-_JUMPING = frozenset({"jump", "leap", "hop", "fly", "soar", "sail", "bounce", "vault", "clear"})
 _PUSHING = frozenset({"push", "shove", "nudge", "prod"})
 
 
@@ -55,8 +55,6 @@ class Acts(Motions):
                         fallen.add(actor)
                     elif p.prep == "off" and {self.kind(actor), self.kind(other)} == {"billiard"}:
                         self._hit(f, [actor], [other], time)  # "goes in off the blue"
-                    elif p.prep == "over" and self._passes_over(f, actor, other):
-                        self.pending.setdefault(actor, (NodeEvent.MISS, f, other, time))
                 elif p.prep == "onto" and not self.structural(other):
                     self._hit(f, [actor], [other], time)
                 elif p.prep in ("down", "up") and "incline" in self.e(other).noun.traits:
@@ -95,13 +93,6 @@ class Acts(Motions):
                 return False
             self.event(NodeEvent.FALL, (actor,), f, time)
         return bool(actors)
-
-    def _passes_over(self, f: Frame, actor: str, other: str) -> bool:
-        """Whether it goes over something in the air ("jumps over a barrel") without touching it."""
-        flat = {"street", "soft", "water", "ground", "structure"}
-        if self.structural(other) or self.kind(other) in flat or actor == other:
-            return False
-        return f.verb.sense in ("fly", "launch", "pass") or f.verb.lemma in _JUMPING
 
     def _go_into(
         self,

@@ -36,6 +36,16 @@ class ClauseNouns(ClauseWords):
             self.attachments.append((s.last, Phrase("with", m)))  # "radius 9 cm and mass 2 kg"
             return
         new_clause = s.boundary and not prep and finite_ahead(self.elements, i + 1)
+        if (
+            isinstance(previous, Mention)
+            and not prep
+            and not s.boundary
+            and s.frame is not None
+            and s.frame.subordinate
+            and s.frame.start_of_sentence
+            and finite_ahead(self.elements, i + 1)
+        ):
+            s.boundary, s.boundary_kind = True, "comma"  # "After being hit by a truck a cone ..."
         if s.relative is not None and s.boundary and s.boundary_kind in ("rel", "whose"):
             # object relative: "the box that the ball hits"
             s.subject = m

@@ -26,9 +26,12 @@ class ClauseVerbs(ClauseNouns):
             s.prep = ""
             return
         v.negated = v.negated or after_prep == "without"
+        if "perfect" in v.extra and s.frame is None and not s.sub:
+            s.sub = "after"  # "Having hit it, it stops"
         if after_prep in ("after", "before") and s.frame is None and not s.sub:
             s.sub, s.prep = after_prep, ""  # "after being kicked"
         frame = Frame(v, sentence=self.sentence, link=s.link)
+        frame.start_of_sentence = not any(g.sentence == self.sentence for g in self.frames[-1:])
         previous = s.frame
         s.link = "then"
         if s.boundary_kind == "objrel":

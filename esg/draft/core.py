@@ -32,6 +32,8 @@ class Core:
         """Arrivals ("walks to the door") and falls that a later event may replace."""
         self._patient: list[str] = []
         self._last_subject: list[str] = []
+        self._last_moving: list[str] = []
+        """What the prompt last said to move by itself."""
         self._launched: list[str] = []
         """What the clause before throws, kicks or drops."""
         self._lead: dict[int, str] = {}
@@ -52,6 +54,8 @@ class Core:
         """Collisions by the clause that tells them."""
         self._rereading: set[tuple[int, str]] = set()
         """Frames with the senses they have been read as."""
+        self.instead = False
+        """Whether the clause tells what happens in place of what was aimed at."""
         self.each: set[str] = set()
         """Members of a plural that the current clause names one by one ("both bricks")."""
         self.mounts: dict[int, list[str]] = {}

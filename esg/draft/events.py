@@ -167,6 +167,9 @@ class Events(Places):
             same = node.event is kind and among == set(node.participants)
             if not same or (region and node.extra.get("region") != region):
                 return ""
+            turned = kind is NodeEvent.COLLISION and participants[0] != node.participants[0]
+            if turned and not (f.verb.passive or f.reduced or node.extra.get("mutual")):
+                return ""  # "the bag swings back and hits him"
             return "" if self._set_off_again(participants[0], kind) else node.id
         return ""
 
@@ -197,8 +200,6 @@ class Events(Places):
             if actor is not None and name != actor:
                 continue
             event, f, other, time = self.pending.pop(name)
-            if event is NodeEvent.MISS and kind is not None:
-                continue  # "thrown over the wall lands on a car": where it lands says enough
             if event is NodeEvent.FALL and f.verb.sense == "fall":
                 self.event(event, (name,), f, time)
                 continue
@@ -232,11 +233,18 @@ class Events(Places):
             target is not None and group is not None and self.e(target).group == group
         )
         blocked = self._enterable(other) and kind is not None
-        if kind in (NodeEvent.MISS, NodeEvent.ENTER_REGION) or same or blocked:
+        elsewhere = self.instead and kind is NodeEvent.COLLISION
+        if kind in (NodeEvent.MISS, NodeEvent.ENTER_REGION) or same or blocked or elsewhere:
             return
         track = self.tl.tracks.get(name)
         if track is None or track.motion is None or track.closed:
             return
+        mates = self.world.groups.get(self.e(name).group or "", [])
+        if any(
+            n.event is NodeEvent.COLLISION and other in n.participants and set(mates) & {*n.participants}
+            for n in self.tl.nodes
+        ):
+            return  # "throws three stones at it; the last one knocks it off"
         if self._enterable(other):
             self.enter(f, name, other, None, time)
         else:

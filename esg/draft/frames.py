@@ -46,6 +46,8 @@ class Frame:
     relative: bool = False
     subordinate: str = ""
     """The conjunction it came with: when, after, because."""
+    start_of_sentence: bool = False
+    """Whether it is the first verb of its sentence."""
     opening: bool = False
     """A participle of the subject whose main verb is still to come."""
     causer: Frame | None = None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+import re
 
 from esg.draft import lexicon as lex
 from esg.draft.frames import Frame, Phrase
@@ -16,6 +17,9 @@ _THINGS_DO_TO = frozenset({"knock", "topple", "scatter"})
 """Senses that, after "the boy throws a ball and ...", are about the ball."""
 _FLYING_ON = frozenset({"bounce", "roll", "slide", "fly", "enter", "spin"})
 """Senses of "it" after a throw that are about the thing thrown."""
+_BREAKING = frozenset({"break", "shatter", "burst", "splinter", "crack"})
+_HALTING = frozenset({"stop", "catch", "grab", "avoid", "dodge", "intercept", "block", "follow"})
+_MOVING = frozenset({"own", "roll", "slide", "fly", "fall", "drop", "launch", "coast", "leave"})
 _STATES = frozenset(
     {"be", "posture", "have", "weigh", "measure", "contain", "face", "surround", "park", "noop"}
 )
@@ -24,6 +28,8 @@ _ACTED_ON = frozenset(
      "knock", "drop", "cause", "pocket", "scatter", "spin"}
 )  # fmt: skip
 """Senses whose object moves, so that it cannot be the ground."""
+_INSTEAD = re.compile(r"\binstead\b(?! of)", re.IGNORECASE)
+_BUT = re.compile(r"\b(?:but|yet)\b[^.;,]*$", re.IGNORECASE)
 _ANIMAL_VERBS = frozenset(
     {
         "run",
@@ -135,6 +141,19 @@ class Interpreter(MotionSenses):
                 and id(m) not in self.world.resolved
             ):
                 self.world.resolved[id(m)] = m.entities = list(self._last_subject)
+            # "It rolls toward a car, but a man stops it": what was moving
+            if (
+                m is f.object
+                and m is not None
+                and m.pronoun == "it"
+                and id(m) not in self.world.resolved
+                and f.verb.lemma in _HALTING
+                and f.subject is not None
+                and not f.subject.pronoun
+                and len(self._last_moving) == 1
+                and self._last_moving[0] not in subject
+            ):
+                self.world.resolved[id(m)] = m.entities = list(self._last_moving)
             # "A log rolls off a truck. The car behind swerves to avoid it.": the log
             if (
                 m is not None
@@ -188,6 +207,8 @@ class Interpreter(MotionSenses):
         ):
             self.stated[subject[0]] = speed[1]  # "the speed of the car is 12 m/s"
         self._patient = objects or self._patient
+        if f.verb.sense in _MOVING and len(subject) == 1 and self.kind(subject[0]) != "person":
+            self._last_moving = list(subject)
         self._last_subject = subject or self._last_subject
         if f.verb.sense == "be" and subject:
             for word in f.adverbs:  # "the first car is red"
@@ -254,6 +275,9 @@ class Interpreter(MotionSenses):
         if sense in _ACTED_ON:
             objects = [i for i in objects if self._aimable(i)]
         self._settle_aims(f)
+        self.instead = _INSTEAD.search(self._sentence(f)) is not None or (
+            _BUT.search(self.text, max(0, f.verb.start - 30), f.verb.start) is not None
+        )
         subject = self._struck_one(f, subject)
         speed = self.quantity(f, "speed")
         if f.verb.lemma in ("happen", "occur"):
@@ -289,9 +313,12 @@ class Interpreter(MotionSenses):
         if (
             f.subject is not None
             and id(f.subject) in self.mounts
-            and sense not in ("be", "posture", "weigh")
+            and sense not in ("be", "posture", "weigh", "fall", "topple")
         ):
             subject = list(self.mounts[id(f.subject)])
+        against = f.phrase("on", "against", "at")
+        if sense == "noop" and f.verb.lemma in _BREAKING and against is not None and subject:
+            sense = "hit"  # "breaks on a rock"
         handler = getattr(self, f"_do_{sense}", None)
         if handler is None:
             self.scene.ignored[(f.verb.start, f.verb.end)] = "no physical meaning"

@@ -189,6 +189,9 @@ class Motions(Events):
             for actor in actors:
                 track = self.tl.tracks.get(actor)
                 if track is not None and track.motion is not None:
+                    if track.motion.mode == "brake":
+                        self.gap = duration  # "brakes, skids for 2 s and slams into ..."
+                        continue
                     track.motion.duration = duration.value
             self.use(duration, "duration")
         self._outcomes(f, actors)

@@ -6,6 +6,15 @@ from esg.draft.elements import Element, Mention, Verb, Word
 
 _HITS = frozenset({"collision", "impact", "crash", "hit", "strike", "contact", "smash"})
 _BEFORE = frozenset({"before", "after", "until", "upon", "on", "following"})
+RETOLD_NOUNS = frozenset(
+    {"collision", "impact", "crash", "hit", "strike", "contact", "smash", "bump", "bounce", "blow",
+     "kick", "push", "shove", "fall", "accident", "knock", "shock", "landing", "rebound", "touch",
+     "jolt", "incident", "event"}
+)  # fmt: skip
+"""Nouns for an event that the prompt has told before ("after the bounce it hits a cup")."""
+_GOES_ON = frozenset({"with", "of", "against", "into", "between", "on", "off", "from", "to"})
+_BACK = frozenset({"after", "because of", "upon", "following", "on", "by", "with", "from", "in"})
+_HAPPEN = frozenset({"happen", "occur", "take"})
 _SUBORDINATE = {"before": "before", "until": "until"}
 
 
@@ -23,6 +32,11 @@ def verbalize(elements: list[Element]) -> list[Element]:
     i = 0
     while i < len(elements):
         e = elements[i]
+        used = _referred_back(elements, i, out) or _between(elements, i, out)
+        used = used or _avoided(elements, i, out)
+        if used:
+            i += used
+            continue
         if isinstance(e, Mention) and e.attribute and e.head in _HITS and e.part == "":
             link = _word(elements, i + 1)
             previous = out[-1] if out else None
@@ -58,6 +72,70 @@ def verbalize(elements: list[Element]) -> list[Element]:
         out.append(e)
         i += 1
     return out
+
+
+def _referred_back(elements: list[Element], i: int, out: list[Element]) -> int:
+    """ "because of that bump", "3 seconds after this collision", "in falling": told before."""
+    e = elements[i]
+    if not isinstance(e, Word) or e.low not in _BACK or e.kind not in ("prep", "sub"):
+        return 0
+    noun = elements[i + 1] if i + 1 < len(elements) else None
+    after = elements[i + 2] if i + 2 < len(elements) else None
+    if isinstance(noun, Verb) and noun.form == "ing" and e.low in ("in", "on", "by"):
+        starts = not out or (isinstance(out[-1], Word) and out[-1].low in ".;!?")
+        comma = isinstance(after, Word) and after.low == ","
+        if starts and comma and noun.sense in ("fall", "topple", "land", "bounce"):
+            out.append(Word(e.start, noun.end, "adv", "thereby"))
+            return 3
+        return 0
+    if not isinstance(noun, Mention) or noun.head not in RETOLD_NOUNS or noun.noun is not None:
+        return 0
+    if noun.determiner not in ("the", "this", "that", "its") and e.low not in ("upon", "after"):
+        return 0
+    if isinstance(after, Word) and after.kind == "prep" and after.low in _GOES_ON:
+        return 0  # "after the collision with a cow" says whom
+    previous = out[-1] if out else None
+    timed = isinstance(previous, Word) and previous.amount is not None and e.low == "after"
+    if not timed and e.low in ("on", "with", "by", "from", "in") and noun.determiner == "its":
+        return 0
+    out.append(Word(e.start, noun.end, "adv", "later" if timed else "then"))
+    comma = isinstance(after, Word) and after.low == ","
+    return 3 if comma and not timed else 2
+
+
+def _between(elements: list[Element], i: int, out: list[Element]) -> int:
+    """ "The collision between A and B happens at 3 s": A and B collide at 3 s."""
+    parts = elements[i : i + 6]
+    if len(parts) < 6:
+        return 0
+    noun, link, one, conj, other, verb = parts
+    if not (isinstance(noun, Mention) and noun.attribute and noun.head in _HITS):
+        return 0
+    if not (isinstance(link, Word) and link.low == "between" and isinstance(one, Mention)):
+        return 0
+    if not (isinstance(conj, Word) and conj.low == "and" and isinstance(other, Mention)):
+        return 0
+    if not (isinstance(verb, Verb) and verb.lemma in _HAPPEN):
+        return 0
+    out += [one, conj, other, Verb(noun.start, noun.end, "collide", "hit", "s")]
+    place = elements[i + 6] if i + 6 < len(elements) else None
+    return 7 if isinstance(place, Mention) and place.head == "place" else 6
+
+
+def _avoided(elements: list[Element], i: int, out: list[Element]) -> int:
+    """ "avoids a collision with the bus": avoids the bus."""
+    parts = elements[i : i + 4]
+    if len(parts) < 4:
+        return 0
+    verb, noun, link, met = parts
+    if not (isinstance(verb, Verb) and verb.sense == "avoid" and isinstance(noun, Mention)):
+        return 0
+    if noun.head not in _HITS or not (isinstance(link, Word) and link.low == "with"):
+        return 0
+    if not isinstance(met, Mention):
+        return 0
+    out += [verb, met]
+    return 4
 
 
 def _word(elements: list[Element], i: int) -> Word | None:

@@ -34,6 +34,8 @@ class Registry(Matching):
         self.warnings: list[str] = []
         self.conflicts: list[str] = []
         """Two values stated for one property."""
+        self.net_sport = False
+        """The prompt is about a game over a net, which is no goal."""
         self.billiards = False
         """The prompt is about billiards: "the black" is a ball."""
         self.file_of_two = False
@@ -215,7 +217,7 @@ class Registry(Matching):
 
     def _create(self, m: Mention) -> list[str]:
         noun = m.noun or unknown_noun(m.head)
-        if noun.name == "net" and m.after_prep in ("into", "in"):
+        if noun.name == "net" and m.after_prep in ("into", "in") and not self.net_sport:
             noun = lex.nouns()["goal"]
         elif noun.name == "gold bar" and m.head == "bar" and m.after_prep in _AT_A_BAR:
             noun = lex.nouns()["counter"]

@@ -24,6 +24,9 @@ _ONE_AFTER_OTHER = re.compile(
 )
 
 
+_NET_SPORTS = re.compile(
+    r"\b(?:volleyball|tennis|badminton|shuttlecock|ping[- ]pong|serves?|spiked)\b", re.IGNORECASE
+)
 _BILLIARDS = re.compile(
     r"\b(?:snooker|billiards?|pool (?:table|ball|player|cue)|cue ball|pots|potted|pocket)\b",
     re.IGNORECASE,
@@ -51,6 +54,7 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     mark_unreal(clauses.frames, text)
     world = World()
     world.file_of_two = _ONE_AFTER_OTHER.search(text) is not None
+    world.net_sport = _NET_SPORTS.search(text) is not None
     world.billiards = _BILLIARDS.search(text) is not None
     interpreter = Interpreter(world, text)
     interpreter.mentions = clauses.mentions

@@ -165,6 +165,9 @@ class ControlSenses(ContactSenses):
             self._hit(f, o[:1], s[:1], self._time(f))  # "the goalie stops the puck"
             return
         actors = s or o
+        if s and o and not f.verb.passive and set(s) != set(o) and self._halts(f, s, o):
+            actors = o  # "a man stops it"
+        actors = self._representatives(actors, []) if len(actors) > 2 else actors
         if f.reduced or (f.verb.passive and not any(a in self.tl.tracks for a in actors)):
             moving = [
                 a for a in actors if a in self.tl.tracks and self.tl.tracks[a].motion is not None
@@ -195,6 +198,12 @@ class ControlSenses(ContactSenses):
                 self.use(way, "distance travelled")
             self._pauses(f, actor)
         self._places_loosely(f, actors)
+
+    def _halts(self, f: Frame, s: list[str], o: list[str]) -> bool:
+        """Whether the subject brings something else to a stop."""
+        moved = self.tl.tracks.get(s[0])
+        own = moved is not None and moved.motion is not None
+        return f.object is not None and not own and self.movable(o[0])
 
     def _under_way(self, body: str) -> bool:
         track = self.tl.tracks.get(body)
@@ -240,6 +249,10 @@ class ControlSenses(ContactSenses):
     def _do_turn(self, f: Frame, s: list[str], o: list[str]) -> None:
         if s and not any(self.movable(a) for a in s):
             self.scene.ignored[(f.verb.start, f.verb.end)] = "a fixed object does not turn"
+            return
+        own = f.object is not None and f.object.determiner in ("its", "his", "her")
+        if own and f.object is not None and (f.object.part or f.object.possessor or not o):
+            self.scene.ignored[(f.verb.start, f.verb.end)] = "a part turns, not the whole"
             return
         words = [*f.adverbs, f.verb.extra.get("dir", "")]
         for p in f.phrases:
@@ -351,12 +364,9 @@ class ControlSenses(ContactSenses):
         self.use(f, "overtaking")
 
     def _do_merge(self, f: Frame, s: list[str], o: list[str]) -> None:
-        direction = (
-            "right"
-            if "right" in f.adverbs or "right" in self.text[f.verb.start : f.verb.end + 30]
-            else "left"
-        )
-        self._turn(f, s, direction, 15.0, NodeEvent.HEADING_REACHED)
+        """A change of lane keeps the heading: it is motion."""
+        self._motion(f, s, None)
+        self.use(f, "change of lane")
 
     def _do_reverse(self, f: Frame, s: list[str], o: list[str]) -> None:
         actors = s or o

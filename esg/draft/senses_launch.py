@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from esg.draft.acts import Acts
+from esg.draft.entities import BODY_PARTS, OWN_PARTS
 from esg.draft.frames import Frame
 from esg.draft.scene import SELF_POWERED
 from esg.draft.senses_state import StateSenses
 from esg.graph.models import NodeEvent
 
 _UPRIGHT = frozenset({"domino", "plant", "post", "wall", "building", "structure"})
+_BY_HAND = frozenset({"push", "shove", "nudge", "prod"})
 _THROWN = frozenset({"ball", "billiard", "sliding", "projectile", "rock"})
 
 
@@ -82,7 +84,8 @@ class LaunchSenses(StateSenses):
             self._knock_on(f, things)
             self._consequence(f, things)
             return
-        if agents and self.kind(things[0]) == "person" and mode in ("slide", "roll"):
+        pushed = f.verb.lemma in _BY_HAND and self._stands_low(things[0])
+        if agents and (pushed or (self.kind(things[0]) == "person" and mode in ("slide", "roll"))):
             # one person pushes another: contact, not a throw
             self._hit(f, agents[:1], things[:1], self._time(f))
             self._knock_on(f, things)
@@ -94,6 +97,12 @@ class LaunchSenses(StateSenses):
             if agent != things[0]:
                 self.scene.facing.setdefault(agent, things[0])
         self._motion_of_things(f, things, mode)
+
+    def _stands_low(self, thing: str) -> bool:
+        """Whether a person can walk into it: it rests on the ground and is no plaything."""
+        supported = thing in self.scene.supported_by or thing in self.scene.inside_of
+        small = max(self.e(thing).dimensions_cm or self.e(thing).noun.dimensions_cm) < 30.0
+        return self.movable(thing) and not supported and not small
 
     def _motion_of_things(self, f: Frame, things: list[str], mode: str) -> None:
         target = self._target(f, things)
@@ -143,11 +152,9 @@ class LaunchSenses(StateSenses):
 
     def _aim_at(self, f: Frame, moved: list[str], aim: str | None) -> None:
         """ "throws a ball at a wall" ends at the wall, unless the prompt says otherwise later."""
-        p = f.phrase("at", "toward", "towards")
+        p = f.phrase("at")
         if p is None or aim is None or p.mention is None or aim not in p.mention.entities:
             return
-        if p.prep != "at" and self.kind(aim) == "person":
-            return  # "throws a ball toward a child": to catch it
         for t in moved:
             track = self.tl.tracks.get(t)
             if track is not None and track.motion is not None and not track.closed:
@@ -172,6 +179,16 @@ class LaunchSenses(StateSenses):
                 )
             ):
                 self._start_height(things, a)
+
+    def _do_lose(self, f: Frame, s: list[str], o: list[str]) -> None:
+        """ "The truck loses a tyre": it falls off."""
+        things = [x for x in o if self.movable(x) and x not in s and self.e(x).known]
+        if not things or not s:
+            self.scene.ignored[(f.verb.start, f.verb.end)] = "no physical meaning"
+            return
+        self.place(things, s[:1], "on")
+        for t in self._representatives(things, s):
+            self.event(NodeEvent.FALL, (t,), f, self._time(f))
 
     def _do_drop(self, f: Frame, s: list[str], o: list[str]) -> None:
         things = s if f.verb.passive or not o else o
@@ -216,6 +233,10 @@ class LaunchSenses(StateSenses):
         if p is None or p.mention is None or not p.mention.entities:
             return False
         other = p.mention.entities[0]
+        owned = p.mention.determiner in ("its", "his", "her", "their")
+        if owned and p.mention.head in BODY_PARTS | OWN_PARTS:
+            self.use(f, "landing")  # "lands on its wheels"
+            return True
         for t in moved:
             if t == other:
                 continue
@@ -251,22 +272,29 @@ class LaunchSenses(StateSenses):
         self._free([x for x in s if self.kind(x) in ("post", "plant", "wall", "street")])
         actors = self._representatives(s, [])
         fresh = [a for a in actors if a not in self.tl.tracks]
+        if actors and all(map(self._has_toppled, actors)):
+            down = f.phrase("off", "from", "out of", "over")
+            if down is None and self._landing(f, actors):
+                return
         upright = [
-            a for a in actors if "topples" in self.e(a).noun.traits or self.kind(a) in _UPRIGHT
+            a
+            for a in actors
+            if "topples" in self.e(a).noun.traits or self.kind(a) in _UPRIGHT | {"person"}
         ]
         self._on_what_was_hit(f, fresh)
-        edge = f.phrase("off", "over", "from")
+        edge = f.phrase("off", "over", "from", "out of")
         if edge is not None and self._off_the_edge(f, edge, actors, self._time(f)):
             self._landing(f, actors)
             return
         if (
             upright
-            and f.phrase("off", "from", "over", "down", "onto", "on", "into", "in") is None
+            and not {"off", "out"} & set(f.adverbs)
+            and f.phrase("off", "from", "out of", "over", "down", "onto", "on", "into", "in") is None
             and a_rests_low(self, upright[0])
         ):
             self._read_as("topple", f, s, [])
             return
-        source = f.phrase("off", "from", "over", "down")
+        source = f.phrase("off", "from", "out of", "over", "down")
         if source is not None and source.mention is not None and not source.mention.entities:
             source = None
         for actor in fresh:
@@ -349,6 +377,9 @@ class LaunchSenses(StateSenses):
             and not self.structural(landing.mention.entities[0])
         ):
             self._landing(f, actors)
+
+    def _has_toppled(self, body: str) -> bool:
+        return any(n.event is NodeEvent.TOPPLE and body in n.participants for n in self.tl.nodes)
 
     def _thrown_up(self, body: str) -> bool:
         """In flight after a throw, so that it leaves no support when it lands."""

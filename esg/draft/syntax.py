@@ -10,6 +10,7 @@ from typing import Literal
 
 from esg.draft import lexicon as lex
 from esg.draft.elements import Element, Mention, Token, Verb, Word
+from esg.draft.nominals import RETOLD_NOUNS
 from esg.draft.nounphrases import NounPhrases
 from esg.draft.tokens import pos_tags, tokenize
 from esg.draft.verbphrases import verb_readings
@@ -42,6 +43,11 @@ _MULTI: tuple[tuple[tuple[str, ...], Literal["prep", "adv", "sub"], str], ...] =
     (("instead", "of"), "prep", "without"),
     (("because", "of"), "prep", "because of"),
     (("due", "to"), "prep", "because of"),
+    (("as", "a", "result", "of"), "prep", "because of"),
+    (("as", "a", "consequence", "of"), "prep", "because of"),
+    (("thanks", "to"), "prep", "because of"),
+    (("rather", "than"), "prep", "without"),
+    (("full", "of"), "prep", "with"),
     (("along", "with"), "prep", "with"),
     (("together", "with"), "prep", "with"),
     (("in", "the", "middle", "of"), "prep", "in the middle of"),
@@ -113,6 +119,7 @@ _MULTI: tuple[tuple[tuple[str, ...], Literal["prep", "adv", "sub"], str], ...] =
     (("by", "accident"), "adv", "accidentally"),
     (("in", "motion"), "adv", "in motion"),
 )
+_SO_AS_TO = (("in", "order", "to"), ("so", "as", "to"))
 _LONGEST_FIRST = tuple(sorted(_MULTI, key=lambda m: -len(m[0])))
 
 
@@ -140,6 +147,10 @@ class Chunker(NounPhrases):
         used = self._multiword(i) if low == "to" else 0
         if used:
             return i + used
+        if (low, self._low(i + 1), self._low(i + 2)) in _SO_AS_TO and verb_readings(
+            self._low(i + 3)
+        ):
+            return self._step(i + 2)  # "in order to ram it"
         if low == "to":
             nxt = verb_readings(self._low(i + 1))
             base = next((v for v in nxt if v.form == "base"), None)
@@ -177,7 +188,11 @@ class Chunker(NounPhrases):
         if low in ("then", "meanwhile", "simultaneously"):
             self.elements.append(Word(token.start, token.end, "adv", low))
             return i + 1
-        if low in ("after", "before") and self._low(i + 1) in ("that", "this", "which"):
+        if (
+            low in ("after", "before")
+            and self._low(i + 1) in ("that", "this", "which")
+            and self._low(i + 2) not in RETOLD_NOUNS
+        ):
             self.elements.append(Word(token.start, token.end, "adv", "then"))
             return i + 2
         if low in lex.SUBORDINATORS and self._clause_follows(i):
@@ -226,6 +241,8 @@ class Chunker(NounPhrases):
                     continue
                 if words[0] in ("at", "in", "on") and self._low(i + len(words)) in ("of", "to"):
                     continue  # "at the end of the ramp", "on the way to the door"
+                if words[-1] in ("that", "this") and self._low(i + len(words)) in RETOLD_NOUNS:
+                    continue  # "because of that bump"
                 if words == ("down", "to") and verb_readings(self._low(i + 2)):
                     continue
                 if words in (("on", "to"), ("in", "to")) and verb_readings(self._low(i + 2)):

@@ -144,6 +144,10 @@ class VerbGroups(Reader):
         k = j + 1
         for pattern, sense, extra in PHRASES.get(main.lemma, []):
             m = pattern.match(self.text, end)
+            if m and extra.get("only_passive"):
+                if passive:
+                    break  # a path, no particle
+                continue
             if m:
                 verb.sense = sense
                 verb.extra = dict(extra)
@@ -156,6 +160,17 @@ class VerbGroups(Reader):
                 if extra.get("passive"):
                     verb.passive = True
                 break
+        if have and aux == "having" and verb.form == "pp":
+            verb.form, verb.extra["perfect"] = "ing", "1"
+        if verb.sense == "reach" and verb.lemma in ("end", "wind"):
+            inner = verb_readings(self._low(k))
+            if any(r.form == "ing" for r in inner):
+                n = self._verb_group(k)  # "ends up hitting a tent"
+                if n is not None:
+                    main2 = self.elements[-1]
+                    assert isinstance(main2, Verb)
+                    main2.start, main2.form = start, verb.form
+                    return n
         if verb.sense == "start":
             follow = k + (1 if self._low(k) == "to" else 0)
             inner = verb_readings(self._low(follow))

@@ -17,6 +17,8 @@ def _phrase(lemma: str, rest: str, sense: str, **extra: str) -> None:
 _NO_OBJECT = r"(?!\s+(?:an?|the|its|his|her|their|some)\b)"
 _NO_EDGE = r"(?!\s+(?:an?|the|its|their)\s+(?:\w+\s+)?(?:edge|side|end|rim|lip|brink|cliff)\b)"
 _ADJ = r"(?:(?:[a-z-]+)\s+)?"
+for _v in ("kick", "throw", "toss", "hit", "push"):  # "is kicked over the crossbar"
+    _phrase(_v, r"over(?=\s+(?:an?|the|its|his|her|their|some)\b)", "", only_passive="1")
 for _v in ("slam", "hit", "apply", "press", "step", "stamp", "stand", "use", "tap", "push", "pull"):
     _phrase(
         _v,
@@ -105,6 +107,9 @@ _phrase(
 )
 _phrase("fall", r"short\s+of", "miss")
 _phrase("come", r"off", "fall")
+for _v in ("break", "come", "work"):
+    _phrase(_v, r"(?:loose|away|free)(?=\s+(?:from|of)\b)", "fall", particle="down")
+_phrase("get", r"stuck", "hit")
 _phrase("make", r"(?:contact|impact)\s+with", "hit", obj="1")
 _phrase("come", r"into\s+contact\s+with", "hit", obj="1")
 _phrase("get", r"hit", "hit", passive="1")
