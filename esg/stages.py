@@ -126,7 +126,7 @@ def _draft(state: SceneState, folder: Path) -> None:
 
     request = state.request
     doc = draft(request.prompt, seed=request.seed, drafter=request.drafter)
-    _write_doc(doc, folder)
+    write_doc(doc, folder)
     _write_json([v.to_json() for v in verify(doc)], folder / "violations.json")
 
 
@@ -134,7 +134,7 @@ def _resolve(state: SceneState, folder: Path) -> None:
     from esg.assets import resolve
     from esg.dynamics import fit_assets
 
-    _write_doc(fit_assets(resolve(load_doc(state, "draft"), seed=state.request.seed)), folder)
+    write_doc(fit_assets(resolve(load_doc(state, "draft"), seed=state.request.seed)), folder)
 
 
 def _layout(state: SceneState, folder: Path) -> None:
@@ -145,7 +145,7 @@ def _layout(state: SceneState, folder: Path) -> None:
     seed = state.request.seed
     planned = state.request.choreographed and doc.timeline_system is not None
     hints = start_hints(doc, seed=seed) if planned else None
-    _write_doc(solve(doc, seed=seed, hints=hints), folder)
+    write_doc(solve(doc, seed=seed, hints=hints), folder)
 
 
 def _optimize(state: SceneState, folder: Path) -> None:
@@ -161,7 +161,7 @@ def _optimize(state: SceneState, folder: Path) -> None:
             device=request.device,
             rounds_closed=CLOSED_ROUNDS if request.close_loop else 0,
         )
-    _write_doc(doc, folder)
+    write_doc(doc, folder)
 
 
 def _compile(state: SceneState, folder: Path) -> None:
@@ -269,7 +269,8 @@ def _record(state: SceneState, folder: Path) -> None:
     preview(scene, rollout, verdict, doc, folder, note=note)
 
 
-def _write_doc(doc: EsgDocument, folder: Path) -> None:
+def write_doc(doc: EsgDocument, folder: Path) -> None:
+    """Writes a document as a stage leaves it."""
     from esg.graph import canonical_json
 
     (folder / DOCUMENT).write_bytes(canonical_json(doc))

@@ -179,8 +179,12 @@ def default_processes(n_scenes: int) -> int:
     """Worker processes for `n_scenes`: none for a few, else one a core, at most eight."""
     if n_scenes < 3:
         return 0
+    return max(1, min(8, usable_cores(), n_scenes))
+
+
+def usable_cores() -> int:
+    """Cores that this process may use."""
     try:
-        cores = len(os.sched_getaffinity(0))
+        return len(os.sched_getaffinity(0))
     except AttributeError:
-        cores = os.cpu_count() or 1
-    return max(1, min(8, cores, n_scenes))
+        return os.cpu_count() or 1

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+import os
 from pathlib import Path
 import shutil
 from typing import TYPE_CHECKING, Annotated, Any, Literal
@@ -31,6 +32,7 @@ def dataset(
     counterfactual: Annotated[bool, Parameter(negative="")] = False,
     runner: Literal["process", "dask", "ray"] = "process",
     workers: int | None = None,
+    batch: int | None = None,
     mcap: Literal["all", "failed", "sample", "none"] = "none",
     previews: Literal["all", "sample", "none"] = "sample",
     drafter: Literal["rules", "llm"] = "rules",
@@ -56,6 +58,7 @@ def dataset(
         counterfactual: Sample pairs of scenes that differ in one parameter.
         runner: Where batches run: worker processes, a Dask or a Ray cluster.
         workers: Batches at once; default one a core.
+        batch: Scenes a batch; default by the dataset's size, more on a GPU.
         mcap: Which scenes get an MCAP recording; sample means every 50th.
         previews: Which scenes get a picture.
         drafter: rules needs nothing; llm needs an OpenAI-compatible endpoint.
@@ -145,6 +148,19 @@ def _seed(seed: int) -> int:
     return seed
 
 
+def _batch(batch: int | None, counterfactual: bool) -> int:
+    """Scenes a batch, 0 for the usual number."""
+    from esg.outcomes import UserError
+
+    if batch is None:
+        return 0
+    if not 1 <= batch <= 4096:
+        raise UserError(f"--batch {batch}: choose 1 to 4096")
+    if counterfactual and batch % 2:
+        raise UserError(f"--batch {batch}: choose an even number, so that no pair is parted")
+    return batch
+
+
 def _build(
     folder: DatasetFolder,
     spec: DatasetSpec,
@@ -232,6 +248,7 @@ def _make(jobs: list[BatchJob], runner: str, workers: int | None, bar: Any) -> l
 
     count = default_processes(sum(len(j.scenes) for j in jobs)) if workers is None else workers
     count = max(1, min(count, len(jobs)))
+    jobs = [_sharing_cores(job, count) for job in jobs]
 
     def show(event: StageEvent) -> None:
         if event.status == "finished":
@@ -244,6 +261,22 @@ def _make(jobs: list[BatchJob], runner: str, workers: int | None, bar: Any) -> l
         from flows.dataset import with_runner
 
         return call(with_runner(runner, count), jobs, batch_done)  # type: ignore[arg-type]  # checked by cyclopts
+
+
+def _sharing_cores(job: BatchJob, workers: int) -> BatchJob:
+    """A batch whose searches run together has processes beside it: the worker's share of cores.
+
+    `ESG_SEARCH_TOGETHER` asks for it, or for the opposite, whatever the device.
+    """
+    from dataclasses import replace
+
+    from esg.workers import usable_cores
+
+    asked = os.environ.get("ESG_SEARCH_TOGETHER", "")
+    job = replace(job, together=asked != "0" if asked else None)
+    if not job.searches_together:
+        return job
+    return replace(job, processes=max(1, usable_cores() // workers))
 
 
 def _summary(

@@ -23,7 +23,9 @@ from typing import Any
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
 
-from esg.dataset.rules import RULES, Rendered, Rule, Values
+from esg.dataset.rules import RULES, Rule
+from esg.dataset.sentences import Rendered
+from esg.dataset.slots import Values
 from esg.metrics.models import SuiteScene
 from esg.outcomes import UserError
 

@@ -23,6 +23,8 @@ from esg.store.records import prompt_family, split_of
 PLAN_FORMAT = 1
 MAX_SCENES = 10_000_000
 MAX_BATCH = 32
+MAX_GPU_BATCH = 128
+"""On a GPU the scenes of a batch share its launches."""
 MAX_PROMPT_CHARS = 8000
 
 Share = Literal["all", "failed", "sample", "none"]
@@ -91,6 +93,8 @@ class DatasetSpec(BaseModel):
         """Scenes a batch: even, so that no counterfactual pair is parted."""
         if self.batch:
             return self.batch
+        if self.device != "cpu":
+            return max(4, min(MAX_GPU_BATCH, 2 * (self.n // 32)))
         return max(4, min(MAX_BATCH, 2 * (self.n // 64)))
 
     @property

@@ -195,7 +195,13 @@ def _open(db: Path, *, read_only: bool, wait_s: float | None = None) -> DuckDBPy
                 config["enable_external_access"] = "false"
             return duckdb.connect(str(db), read_only=read_only, config=config)
         except duckdb.IOException as error:
-            if "lock" not in str(error).lower():
+            text = str(error).replace(str(db), "").lower()
+            if "not a valid duckdb" in text:
+                raise UserError(
+                    f"{db} is no DuckDB database; check the path, or, if it should be one, make it "
+                    "again from Parquet (esg db rebuild)"
+                ) from None
+            if "lock" not in text:
                 raise UserError(
                     f"{db} cannot be opened: {first_line(error)}", exit_code=1
                 ) from None

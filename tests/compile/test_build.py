@@ -7,7 +7,7 @@ from helpers import written
 import pytest
 import scenes
 
-from esg.compile import ClassError, CompilerMissing, compile_many, replay_class
+from esg.compile import ClassError, CompilerMissing, build, compile_many, replay_class
 from esg.compile.build import Library, cache_dir, compile_class, read_classes
 from esg.engines.program import Program
 from esg.engines.scene import SimScene
@@ -18,8 +18,11 @@ def ball_scene(scene_id: str, x: float) -> tuple[SimScene, Program]:
     return SimScene(scene_id, (body,)), Program((), 0.1)
 
 
-def test_batch_of_one_name_keeps_the_classes_apart(tmp_path: Path) -> None:
+def test_batch_of_one_name_keeps_the_classes_apart(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Ten seeds of one scene share units; each class still runs with its own numbers."""
+    monkeypatch.setattr(build, "CLASSES_PER_UNIT", 8)
     folders = [written(tmp_path / str(i), *ball_scene("seeds", 0.1 * i)) for i in range(10)]
     libraries = compile_many(folders, jobs=1)
     assert all(isinstance(lib, Library) for lib in libraries)

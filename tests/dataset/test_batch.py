@@ -12,11 +12,12 @@ import pyarrow.parquet as pq
 import pytest
 
 from esg import pipeline, stages
-from esg.dataset import batch as module
-from esg.dataset.batch import BatchJob, make_batch, mark_dead, run_scenes
+from esg.dataset import running as module
+from esg.dataset.batch import BatchJob, make_batch
 from esg.dataset.finish import clean, finish
 from esg.dataset.folder import DatasetFolder, read_mark
 from esg.dataset.plan import DatasetSpec, Prompt, Shard, plan_scenes
+from esg.dataset.running import mark_dead, run_scenes
 from esg.outcomes import UserError
 from esg.store.tables import part_files, read_table
 from tests.dataset import fakes

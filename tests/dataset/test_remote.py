@@ -13,7 +13,7 @@ import pytest
 
 from esg import stages
 from esg.commands import dataset as command
-from esg.dataset import batch as module
+from esg.dataset import running as module
 from esg.dataset.batch import make_batch
 from esg.dataset.remote import Remote, is_url, staging_folder
 from esg.outcomes import UserError

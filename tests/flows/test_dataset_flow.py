@@ -9,8 +9,9 @@ from typing import Any
 import pytest
 
 from esg import stages
-from esg.dataset import batch as module
-from esg.dataset.batch import BatchJob, dead_scenes, make_batch
+from esg.dataset import running as module
+from esg.dataset.batch import BatchJob, make_batch
+from esg.dataset.running import dead_scenes
 from esg.workers import WorkerDied, WorkerPool
 from flows.session import session
 from tasks.context import run_context

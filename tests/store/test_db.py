@@ -267,10 +267,14 @@ def test_trusted_callers_may_write(db):
 def test_a_missing_or_foreign_file_is_named(tmp_path):
     with pytest.raises(UserError, match="there is no database"):
         query(tmp_path / "none.duckdb", "SELECT 1")
-    text = tmp_path / "text.duckdb"
+    # `lock` in its name must not be taken for a lock on it.
+    text = tmp_path / "blocked.duckdb"
     text.write_text("hello, this is no database at all" * 100)
-    with pytest.raises(UserError, match=r"text\.duckdb"):
+    start = time.monotonic()
+    with pytest.raises(UserError, match=r"blocked\.duckdb is no DuckDB database; check") as told:
         query(text, "SELECT 1")
+    assert told.value.exit_code == 2
+    assert time.monotonic() - start < 5
     with pytest.raises(UserError, match="no such file"):
         ingest(tmp_path / "x.duckdb", [tmp_path / "nowhere"])
 

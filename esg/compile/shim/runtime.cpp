@@ -1,5 +1,6 @@
 // The runtime that every library of compiled classes links: the shim's state and the C entry points
 // the host calls. Functions that can fail return 0, or set the error text and return 1.
+#define SHIM_RUNTIME
 #include "UEShim.h"
 
 namespace Shim

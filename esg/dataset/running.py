@@ -1,0 +1,227 @@
+"""All stages of a batch's scenes: stage by stage, so that what can be done together is.
+
+Classes compile together, and on a GPU searches run together. A stage that hangs ends its worker; a
+scene that ends its worker is found by running the batch's scenes one by one, and left out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Generator, Mapping, Sequence
+import contextlib
+from dataclasses import replace
+from functools import partial
+import json
+import os
+import threading
+import time
+from typing import TYPE_CHECKING
+
+from esg.pipeline import (
+    STAGES,
+    SceneState,
+    artifact_store,
+    crashed,
+    may_pass,
+    run_stage,
+    scratch_store,
+    stage_key,
+)
+
+if TYPE_CHECKING:
+    from esg.dataset.batch import BatchJob
+    from esg.graph.models import EsgDocument
+
+SCENE_STAGES = STAGES[: STAGES.index("record")]
+"""Datasets keep trajectories, not scene folders: the record stage with its exports is left out."""
+
+RETRIES = 2
+_BACKOFF_S = 0.5
+_DEAD = "dead.json"
+
+
+def run_scenes(job: BatchJob) -> tuple[list[SceneState], float]:
+    """All stages of all scenes; stage by stage, so that classes compile together.
+
+    Returns:
+        Final states, and the time it took to compile the classes [s].
+    """
+    together_s = 0.0
+    states = [SceneState(s.request) for s in job.scenes]
+    dead = dead_scenes(job)
+    for i, scene in enumerate(job.scenes):
+        if scene.index in dead:
+            stage, reason = dead[scene.index]
+            states[i] = crashed(states[i], RuntimeError(reason), stage)
+    for stage in SCENE_STAGES:
+        shares: dict[int, float] = {}
+        if stage == "optimize" and job.searches_together:
+            shares = _search_together(job, states)
+        if stage == "replay":
+            start = time.perf_counter()
+            _compile_together(states)
+            together_s = time.perf_counter() - start
+        for i, scene in enumerate(job.scenes):
+            states[i] = _stage(job, stage, states[i], scene.index)
+            if i in shares:
+                states[i] = _computed(states[i], shares[i])
+    return states, together_s
+
+
+def _stage(job: BatchJob, stage: str, state: SceneState, index: int) -> SceneState:
+    if state.ended:
+        return state
+    for attempt in range(RETRIES + 1):
+        try:
+            with _limited(job, stage, index):
+                return run_stage(stage, state)
+        except OSError as error:
+            if attempt == RETRIES or not may_pass(error):
+                return crashed(state, error, stage)
+            time.sleep(_BACKOFF_S * 2**attempt)
+    raise AssertionError("unreachable")
+
+
+def _search_together(job: BatchJob, states: Sequence[SceneState]) -> dict[int, float]:
+    """Searches all scenes of the batch in shared launches; their stages then find the results.
+
+    All scenes or none: what a launch finds may depend, in the last digits, on who shares it, and a
+    batch that was interrupted must go on as an uninterrupted one. A scene whose search fails is
+    left to its own stage, which says why.
+
+    Returns:
+        Seconds of every scene that was searched, by position: its share of the launches.
+    """
+    from esg.dynamics.fleet import STRATEGIES
+    from esg.stages import load_doc, write_doc
+
+    if job.spec.strategy not in STRATEGIES:
+        return {}
+    docs: dict[int, EsgDocument] = {}
+    keys: dict[int, str] = {}
+    for i, state in enumerate(states):
+        if not state.ended and "layout" in state.artifacts:
+            doc = load_doc(state, "layout")
+            if doc.timeline_system is not None:
+                docs[i], keys[i] = doc, stage_key("optimize", state)
+    store = artifact_store()
+    if all(store.find(key) is not None for key in keys.values()):
+        return {}
+    start = time.perf_counter()
+    with _limited(job, "optimize", None, len(docs)):
+        found = _search_many(job, list(docs.values()), [states[i].request.seed for i in docs])
+    share = (time.perf_counter() - start) / len(docs)
+    done = {i: doc for i, doc in zip(docs, found, strict=True) if doc is not None}
+    for i, doc in done.items():
+        store.create(keys[i], partial(write_doc, doc))
+    return dict.fromkeys(done, share)
+
+
+def _search_many(
+    job: BatchJob, docs: Sequence[EsgDocument], seeds: Sequence[int]
+) -> list[EsgDocument | None]:
+    """`optimize_many`; what fails together (a broken scene, full memory) is tried in halves."""
+    from esg.dynamics.fleet import optimize_many
+    from esg.engines.newton_model import quiet_warp
+
+    quiet_warp()
+    try:
+        return list(
+            optimize_many(
+                docs,
+                seeds,
+                device=job.spec.device,
+                strategy=job.spec.strategy,
+                processes=job.processes,
+            )
+        )
+    except Exception:
+        if len(docs) == 1:
+            return [None]
+        half = len(docs) // 2
+        return [
+            *_search_many(job, docs[:half], seeds[:half]),
+            *_search_many(job, docs[half:], seeds[half:]),
+        ]
+
+
+def _computed(state: SceneState, seconds: float) -> SceneState:
+    """The state with a log that says that its last stage was computed, and how long it took."""
+    entry = {**state.log[-1], "cached": False, "seconds": round(seconds, 4)}
+    return replace(state, log=(*state.log[:-1], entry))
+
+
+def _compile_together(states: Sequence[SceneState]) -> None:
+    """Compiles the batch's classes, several to a unit; replays then find them.
+
+    Whatever is wrong with a class is reported by its own replay.
+    """
+    from esg.compile import CompilerMissing, compile_many
+
+    folders = [s.artifact("compile") for s in states if not s.ended and "compile" in s.artifacts]
+    physx = any(s.request.engine == "physx" for s in states)
+    if folders and physx:
+        with contextlib.suppress(CompilerMissing, OSError, RuntimeError):
+            compile_many(folders, jobs=1)
+
+
+# Scenes that end their worker: found one by one, remembered, left out.
+
+
+def try_scene(job: BatchJob, position: int) -> None:
+    """Runs one scene of a batch alone; if it ends the process, it is the one (`mark_dead`)."""
+    with scratch_store(job.work / "artifacts", durable=False):
+        run_scenes(replace(job, scenes=(job.scenes[position],)))
+
+
+def mark_dead(job: BatchJob, index: int, reason: str) -> None:
+    """Remembers a scene that ends its worker; the batch will count it as crashed."""
+    dead = dead_scenes(job)
+    stage, known = dead.get(index, ("", ""))
+    dead[index] = (stage or "optimize", known or reason)
+    _write_dead(job, dead)
+
+
+def dead_scenes(job: BatchJob) -> dict[int, tuple[str, str]]:
+    """Stage and reason of scenes that end their worker, by index."""
+    try:
+        data = json.loads((job.work / _DEAD).read_bytes())
+        return {int(k): (v[0], v[1]) for k, v in data.items()}
+    except (OSError, ValueError, TypeError, IndexError):
+        return {}
+
+
+def _write_dead(job: BatchJob, dead: Mapping[int, tuple[str, str]]) -> None:
+    job.work.mkdir(parents=True, exist_ok=True)
+    partial = job.work / f"{_DEAD}.{os.getpid()}.tmp"
+    partial.write_text(json.dumps(dead, sort_keys=True))
+    partial.replace(job.work / _DEAD)
+
+
+@contextlib.contextmanager
+def _limited(job: BatchJob, stage: str, index: int | None, scenes: int = 1) -> Generator[None]:
+    """Ends this process if a stage runs too long: native code cannot be interrupted otherwise.
+
+    Args:
+        job: The batch.
+        stage: What runs.
+        index: The scene it runs for; None for several, of which none can be blamed.
+        scenes: How many share the time.
+    """
+    if job.stage_limit_s <= 0:
+        yield
+        return
+
+    def end() -> None:
+        reason = f"{stage} ran longer than its limit of {job.stage_limit_s:g} s"
+        if index is not None:
+            with contextlib.suppress(OSError):
+                _write_dead(job, {**dead_scenes(job), index: (stage, reason)})
+        os._exit(70)
+
+    timer = threading.Timer(job.stage_limit_s * scenes, end)
+    timer.daemon = True
+    timer.start()
+    try:
+        yield
+    finally:
+        timer.cancel()

@@ -1,0 +1,173 @@
+"""What a batch leaves: rows of the tables, recordings, and why scenes failed."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from pathlib import Path
+import shutil
+import time
+from typing import TYPE_CHECKING, Any
+
+from esg.dataset.plan import SAMPLE_EVERY, PlannedScene
+from esg.pipeline import SceneState, failures
+
+if TYPE_CHECKING:
+    from esg.dataset.batch import BatchJob, BatchResult
+
+
+def write_batch(job: BatchJob, states: Sequence[SceneState]) -> tuple[BatchResult, float]:
+    """Writes all files of a batch; returns its result and the time the recordings took [s]."""
+    from esg.dataset.batch import BatchResult
+    from esg.store.records import SceneRecord, record_of
+    from esg.store.tables import write_tables
+
+    records: list[SceneRecord] = []
+    verified: list[bool] = []
+    for scene, state in zip(job.scenes, states, strict=True):
+        record = record_of(
+            state,
+            job.run,
+            scene_id=scene.scene_id,
+            level=scene.level,
+            fps=job.spec.fps,
+            split=scene.split,
+            family=scene.family,
+            extra=_columns(scene, state),
+        )
+        rows = {t: r for t, r in record.rows.items() if t != "runs"}
+        # Everything but `timings` is the same whenever and however often a scene is made.
+        row = {**rows["scenes"][0], "seconds": None, "cached_stages": None, "artifacts": None}
+        verified.append(bool(row["verified"]))
+        records.append(SceneRecord({**rows, "scenes": [row]}))
+    written = list(write_tables(job.out / "parts", records, name=job.name).values())
+    start = time.perf_counter()
+    for scene, state, good in zip(job.scenes, states, verified, strict=True):
+        written += _recordings(job, scene, state, good)
+    recordings_s = time.perf_counter() - start
+    result = BatchResult(
+        number=job.number,
+        scenes=len(states),
+        verified=sum(verified),
+        outcomes=dict(Counter(s.outcome.value if s.outcome else "unfinished" for s in states)),
+        failures=_failures(job, states, verified),
+        crashes={
+            scene.scene_id: entry["traceback"]
+            for scene, state in zip(job.scenes, states, strict=True)
+            for entry in state.log
+            if "traceback" in entry
+        },
+        files={p.relative_to(job.out).as_posix(): p.stat().st_size for p in written},
+    )
+    return result, recordings_s
+
+
+def _columns(scene: PlannedScene, state: SceneState) -> dict[str, Any]:
+    manifest = None
+    if "compile" in state.artifacts:
+        manifest = (state.artifact("compile") / "manifest.json").read_text("utf-8")
+    return {
+        "rule": scene.rule or None,
+        "pair": scene.pair or None,
+        "changed": scene.changed or None,
+        "parameters": scene.parameters or None,
+        "expectation": scene.request.suite_scene or None,
+        "manifest": manifest,
+    }
+
+
+def _failures(
+    job: BatchJob, states: Sequence[SceneState], verified: Sequence[bool]
+) -> list[dict[str, Any]]:
+    """Scenes that are not verified, and why.
+
+    The expectation decides: a scene that replays as its sentence says is no failure, whatever the
+    optimizer thought of it; one that ended well but not as its sentence says is.
+    """
+    told = {row["scene"]: row for row in failures(states)}
+    out: list[dict[str, Any]] = []
+    for scene, state, good in zip(job.scenes, states, verified, strict=True):
+        if good:
+            continue
+        row = told.get(scene.scene_id)
+        if row is None:
+            row = {
+                "scene": scene.scene_id,
+                "prompt": state.request.prompt,
+                "seed": state.request.seed,
+                "outcome": "not_as_stated",
+                "reason": unmet(state),
+                "stage": "judge",
+            }
+        out.append({**row, "index": scene.index, "rule": scene.rule, "level": scene.level})
+    return out
+
+
+def unmet(state: SceneState) -> str:
+    """Which expectations a judged scene does not meet."""
+    from esg.stages import load_verdict
+
+    verdict = load_verdict(state)
+    parts = [f"{e.id} ({e.type}): {e.reason}" for e in verdict.events if not e.completed]
+    parts += [f"missing {m}" for m in verdict.layout.missing]
+    parts += [
+        f"{o.a} and {o.b} overlap by {100 * o.depth_m:.1f} cm" for o in verdict.layout.overlaps
+    ]
+    return "; ".join(parts) or "the layout is invalid"
+
+
+def _recordings(
+    job: BatchJob, scene: PlannedScene, state: SceneState, verified: bool
+) -> list[Path]:
+    """MCAP and picture of a scene, if it is one of those that get them."""
+    if "judge" not in state.artifacts:
+        return []
+    sampled = scene.index % SAMPLE_EVERY == 0
+    mcap = {"all": True, "failed": not verified, "sample": sampled, "none": False}
+    picture = {"all": True, "sample": sampled, "none": False}
+    out: list[Path] = []
+    if not (mcap[job.spec.mcap] or picture[job.spec.previews]):
+        return out
+    from esg.engines.rollout_file import load_rollout
+    from esg.stages import ROLLOUT, load_doc, load_scene, load_verdict
+
+    doc, verdict = load_doc(state), load_verdict(state)
+    physical, program = load_scene(state)
+    rollout = load_rollout(state.artifact("replay") / ROLLOUT)
+    if mcap[job.spec.mcap]:
+        from esg.store.mcap_log import write_mcap
+
+        path = job.out / "mcap" / f"{scene.scene_id}.mcap"
+        path.parent.mkdir(parents=True, exist_ok=True)
+        write_mcap(path, physical, program, rollout, verdict, doc)
+        out.append(path)
+    if picture[job.spec.previews]:
+        out += _preview(job, scene, state, (physical, rollout, verdict, doc))
+    return out
+
+
+def _preview(
+    job: BatchJob, scene: PlannedScene, state: SceneState, parts: tuple[Any, Any, Any, Any]
+) -> list[Path]:
+    from esg.store.files import atomic_write
+    from esg.view.preview import preview
+
+    physical, rollout, verdict, doc = parts
+    folder = job.work / "preview"
+    folder.mkdir(parents=True, exist_ok=True)
+    rate = f"{1 / rollout.dt:.0f} Hz"
+    outcome = state.outcome.value if state.outcome else ""
+    note = f"{outcome}  |  replayed in {rollout.engine} at {rate}"
+    try:
+        preview(physical, rollout, verdict, doc, folder, note=note, loop=False)
+        path = job.out / "previews" / f"{scene.scene_id}.png"
+        atomic_write(path, lambda target: _copy(folder / "preview.png", target))
+        return [path]
+    except OSError:
+        raise
+    except Exception:  # a picture is no reason to fail a scene
+        return []
+
+
+def _copy(source: Path, target: Path) -> None:
+    shutil.copyfile(source, target)
