@@ -173,7 +173,9 @@ def singular(word: str) -> str:
     """Singular of an English noun, by rule."""
     if word in _IRREGULAR:
         return _IRREGULAR[word]
-    if word in _INVARIANT or len(word) < 4 or not word.endswith("s") or word.endswith("ss"):
+    if word in _INVARIANT or len(word) < 4 or not word.endswith("s"):
+        return word
+    if word.endswith(("ss", "us", "is")):  # grass, octopus, tennis
         return word
     if word.endswith("ies"):
         return word[:-3] + "y"

@@ -21,12 +21,40 @@ _DENSITY = (2e-6, 0.022)
 """Plausible mass per volume of the bounding box [kg/cm^3]: a balloon, a gold bar."""
 
 
+_GUESS_CM, _GUESS_KG = 40.0, 5.0
+"""What a drafter expects of a noun that it has never heard of: it says so by repeating the noun."""
+_LONG_MISFIT = 4.0
+"""Beyond this ratio the longest extent alone gives the scale."""
+
+
+def guessed(requirement: AssetRequirement) -> Vec3 | None:
+    """Factors on the size where the expectation is only a stand-in; None where it was meant.
+
+    A noun unknown to the drafter comes as a cube of 40 cm and 5 kg with no description but itself;
+    adjectives ("giant", "heavy") have scaled it.
+    """
+    if requirement.dimensions_are_prescribed or requirement.shape != "box":
+        return None
+    if len(set(requirement.expected_dimensions_cm)) > 1:
+        return None
+    _, colon, told = requirement.asset_description.partition(": ")
+    if not colon or normalize(told.split(",")[0]) != normalize(requirement.asset_category):
+        return None
+    l, w, h = (d / _GUESS_CM for d in requirement.expected_dimensions_cm)  # noqa: E741
+    return (l, w, h)
+
+
+def guessed_mass_factor(requirement: AssetRequirement, factors: Vec3) -> float:
+    """What adjectives ("heavy", "steel") did to the mass besides the size."""
+    return requirement.expected_mass_kg / (_GUESS_KG * math.prod(factors))
+
+
 def is_own_name(entry: Entry, requirement: AssetRequirement) -> bool:
     """Whether the requirement names the entry itself, not something like it."""
     return normalize(entry.name) == normalize(requirement.asset_category)
 
 
-def _residual(entry: Entry, requirement: AssetRequirement) -> float:
+def residual(entry: Entry, requirement: AssetRequirement) -> float:
     """Largest ratio of extents, whichever way round, left after scaling as a whole."""
     own, wanted = sorted(entry.dimensions_cm), sorted(requirement.expected_dimensions_cm)
     factor = math.prod(b / a for a, b in zip(own, wanted, strict=True)) ** (1 / 3)
@@ -45,7 +73,9 @@ def misfit(entry: Entry, requirement: AssetRequirement, *, named: bool = False) 
     """
     if policy(entry) == "free" and entry.library == "parametric":
         return False
-    if _residual(entry, requirement) <= (_NAMED_MISFIT if named else _MISFIT):
+    if guessed(requirement):
+        return False
+    if residual(entry, requirement) <= (_NAMED_MISFIT if named else _MISFIT):
         return False
     heavier = requirement.expected_mass_kg / entry.mass_kg
     return not is_own_name(entry, requirement) or not 1 / 8 <= heavier <= 8
@@ -68,6 +98,13 @@ def choose_dimensions(entry: Entry, requirement: AssetRequirement) -> Vec3:
     walls, lanes) follow theirs at any size.
     """
     usual = entry.dimensions_cm
+    factors = guessed(requirement)
+    if factors:
+        if policy(entry) == "free" and entry.library == "parametric":
+            l, w, h = (d * f for d, f in zip(usual, factors, strict=True))  # noqa: E741
+            return (l, w, h)
+        scale = math.prod(factors) ** (1 / 3)
+        return (usual[0] * scale, usual[1] * scale, usual[2] * scale)
     strict = is_own_name(entry, requirement) and "any_size" not in entry.flags
     low, high = _PLAUSIBLE if strict else _STRETCH
     wanted = _oriented(usual, requirement.expected_dimensions_cm)
@@ -89,9 +126,11 @@ def choose_dimensions(entry: Entry, requirement: AssetRequirement) -> Vec3:
     if free and plausible:
         return wanted
     factor = math.prod(ratios) ** (1 / 3)
-    if not strict and _residual(entry, requirement) > _MISFIT:
+    if not strict and residual(entry, requirement) > _MISFIT:
         # One extent was counted differently (with or without an arm, a base): follow the others.
         factor = sorted(ratios)[1]
+    if not strict and residual(entry, requirement) > _LONG_MISFIT:
+        factor = max(wanted) / max(usual)
     if not plausible and not low <= factor <= high:
         factor = 1.0
     if 1 / _NEAR <= factor <= _NEAR:
@@ -112,6 +151,10 @@ def choose_mass(
     expected = requirement.expected_mass_kg
     if requirement.mass_is_prescribed:
         return expected
+    factors = guessed(requirement)
+    if factors:
+        scale = math.prod(b / a for a, b in zip(entry.dimensions_cm, dimensions, strict=True))
+        return entry.mass_kg * scale * guessed_mass_factor(requirement, factors)
     volume = math.prod(b / a for a, b in zip(entry.dimensions_cm, dimensions, strict=True))
     mass = entry.mass_kg * volume
     bracket = sorted((mass, mass * density_ratio))

@@ -7,8 +7,8 @@ An exact name or synonym decides at once. Otherwise candidates are ranked by
 with the best cosine of MiniLM embeddings over an entry's texts, the agreement of head nouns, and
 the plausibility of size, mass, movability and shape. The confidence of the first candidate mixes
 the cosine of the whole phrase with that of its head noun alone ("bowling shoes" are not bowling
-pins), and the gate accepts it above a threshold; everything else becomes a plain body of the
-wanted size.
+pins), and the gate accepts it above a threshold; for everything else the nearest
+kind stands in (esg/assets/nearest.py), or a plain body of the wanted size.
 """
 
 from __future__ import annotations
@@ -33,6 +33,10 @@ _MODIFIER_PENALTY = 0.2
 """For a text that is only the first part of a compound ("cannon" of "cannon ball")."""
 _FOREIGN_PENALTY = 0.3
 """For words that are not English: the embedding knows English, and finds some neighbour for all."""
+_OTHER_KIND_PENALTY = 0.15
+"""For a noun that WordNet puts under another kind; twice that for another class of things
+("beehive" is near bees and no animal)."""
+_CLASSES = ("animal", "person", "plant", "food")
 _KEEP = 5
 
 
@@ -45,12 +49,14 @@ class Decision:
         confidence: In [0, 1].
         runners_up: Best candidates, the chosen one first if there is one.
         shape: Plain shape to fall back to when there is no entry.
+        reason: Why an entry stands in for a noun that is not its own; None where it does not.
     """
 
     entry: Entry | None
     confidence: float
     runners_up: tuple[RetrievalCandidate, ...]
     shape: str | None = None
+    reason: str | None = None
 
 
 _TAIL = re.compile(
@@ -197,7 +203,7 @@ def rank(
         score = float(np.dot(WEIGHTS, (float(semantic[i]), category, physical)))
         candidates.append(
             RetrievalCandidate(
-                asset_name=_qualified(entry),
+                asset_name=qualified(entry),
                 score=round(score, 6),
                 semantic=round(float(semantic[i]), 6),
                 category=category,
@@ -218,7 +224,7 @@ def confidence(text: str, best: RetrievalCandidate, index: Index | None = None) 
     if exact(text) is not None:
         return 1.0
     index = index or active_index()
-    i = next(k for k, e in enumerate(index.entries) if _qualified(e) == best.asset_name)
+    i = next(k for k, e in enumerate(index.entries) if qualified(e) == best.asset_name)
     if any(normalize(name) == normalize(text) for name in texts_of(index.entries[i])):
         return 1.0
     if best.category >= 0.8 and not is_foreign(text):
@@ -235,7 +241,25 @@ def confidence(text: str, best: RetrievalCandidate, index: Index | None = None) 
     nearest = normalize(texts[int(index.scores_of(i, whole).argmax())])
     if nearest.startswith(words) and nearest != words:
         value -= _MODIFIER_PENALTY
+    value -= _OTHER_KIND_PENALTY * _strangeness(text, index.entries[i])
     return round(min(max(value - foreign, 0.0), 1.0), 6)
+
+
+def _strangeness(text: str, entry: Entry) -> int:
+    """0 where WordNet agrees with an entry or knows nothing, 1 for another kind, 2 for a class."""
+    from esg.assets.hypernyms import kin
+
+    relative = kin(text, whole=True)
+    if relative is None:
+        return 0
+    kind = relative.entry
+    lines = {kind.name, *kind.parents[:1]}, {entry.name, *entry.parents[:1]}
+    if lines[0] & lines[1] or kind.name in entry.parents:
+        return 0
+    classes = [
+        next((c for c in _CLASSES if c == e.name or c in e.parents), "") for e in (kind, entry)
+    ]
+    return 1 if classes[0] == classes[1] else 2
 
 
 _FOREIGN_WORDS = frozenset(
@@ -275,7 +299,7 @@ def _library_words() -> frozenset[str]:
     return frozenset(w for phrase in lexicon() for w in phrase.split())
 
 
-def _qualified(entry: Entry) -> str:
+def qualified(entry: Entry) -> str:
     return entry.name if entry.library == "parametric" else f"{entry.library}/{entry.name}"
 
 
@@ -296,7 +320,7 @@ def decide(requirement: AssetRequirement) -> Decision:
         sure = 1.0 if found is not None else confidence(text, candidates[0])
     if found is None and sure >= GATE:
         best = candidates[0].asset_name
-        found = next(e for e in active_index().entries if _qualified(e) == best)
+        found = next(e for e in active_index().entries if qualified(e) == best)
     if found is not None and misfit(found, requirement, named=exact(text) is found):
         found, sure = None, min(sure, GATE)
     shape = None if found is not None else _plain(requirement)
@@ -306,7 +330,26 @@ def decide(requirement: AssetRequirement) -> Decision:
 def _certain(entry: Entry, requirement: AssetRequirement) -> RetrievalCandidate:
     physical = round(physical_score(entry, requirement), 6)
     return RetrievalCandidate(
-        asset_name=_qualified(entry), score=1.0, semantic=1.0, category=1.0, physical=physical
+        asset_name=qualified(entry), score=1.0, semantic=1.0, category=1.0, physical=physical
+    )
+
+
+def candidate_of(entry: Entry, requirement: AssetRequirement) -> RetrievalCandidate:
+    """An entry as a candidate for a requirement, scored like the others."""
+    from esg.assets.embed import embed
+
+    text = requirement.asset_category.replace("_", " ")
+    index = active_index()
+    i = next(k for k, e in enumerate(index.entries) if qualified(e) == qualified(entry))
+    semantic = float(index.scores_of(i, embed([normalize(text) or text])[0]).max())
+    category = _category_score(entry, exact(text) or head_match(text))
+    physical = physical_score(entry, requirement)
+    return RetrievalCandidate(
+        asset_name=qualified(entry),
+        score=round(float(np.dot(WEIGHTS, (semantic, category, physical))), 6),
+        semantic=round(semantic, 6),
+        category=category,
+        physical=round(physical, 6),
     )
 
 
@@ -320,7 +363,7 @@ def _better_sibling(
             continue
         score = candidate.physical
         if score > best_score:
-            best = next(e for e in active_index().entries if _qualified(e) == candidate.asset_name)
+            best = next(e for e in active_index().entries if qualified(e) == candidate.asset_name)
             best_score = score
     return best
 

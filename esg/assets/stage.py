@@ -85,12 +85,14 @@ def configure(
         seed: Given to the generator.
         failures: Receives why the generator gave nothing, by asset id.
     """
+    from esg.assets.nearest import nearest, usual_size
     from esg.assets.wording import restated
 
     said = restated(requirement)
     if said is not requirement:
         made = build_configuration(key, said, decide(said))
         return made.model_copy(update={"category": _category(requirement)})
+    requirement = usual_size(requirement)
     decision = decide(requirement)
     if decision.entry is None and generator is not None:
         from esg.assets.generated import generate_asset
@@ -101,6 +103,8 @@ def configure(
         except GenerationError as error:
             if failures is not None:
                 failures[key] = str(error)
+    if decision.entry is None:
+        requirement, decision = nearest(requirement, decision) or (requirement, decision)
     return build_configuration(key, requirement, decision)
 
 
@@ -150,8 +154,9 @@ def _parametric(
     mass = choose_mass(entry, requirement, dimensions, ratio)
     color = find_color(requirement.color) or _material_color(requirement, entry)
     sketch = build_sketch(entry, dimensions, color)
+    source = "fallback" if decision.reason else "parametric"
     return finish(
-        key, entry, requirement, sketch, dimensions, mass, material, color, decision, "parametric"
+        key, entry, requirement, sketch, dimensions, mass, material, color, decision, source
     )
 
 
@@ -219,6 +224,7 @@ def finish(
         attribution=entry.attribution,
         confidence=decision.confidence,
         runners_up=decision.runners_up,
+        reason=decision.reason,
     )
 
 

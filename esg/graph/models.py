@@ -241,6 +241,8 @@ class AssetConfiguration(Model):
     attribution: str = ""
     confidence: float = 1.0
     runners_up: tuple[RetrievalCandidate, ...] = ()
+    reason: str | None = None
+    """Why this asset stands in for a noun that the library does not hold."""
 
 
 class SemanticRegion(Model):

@@ -61,7 +61,7 @@ def test_names_and_synonyms_decide_at_once(text: str, name: str) -> None:
 
 def test_unknown_noun_becomes_a_plain_body_of_the_asked_size() -> None:
     config = configure(
-        "x", need("dragon", expected_dimensions_cm=(300, 120, 200), expected_mass_kg=900)
+        "x", need("vorpal", expected_dimensions_cm=(300, 120, 200), expected_mass_kg=900)
     )
     assert config.source == "fallback"
     assert config.dimensions_cm == (300, 120, 200)

@@ -13,6 +13,7 @@ from esg.engines.base import get_engine
 from esg.engines.program import Program, batch_programs
 from esg.engines.scene import Rollout, SimScene
 from esg.graph.models import (
+    AssetConfiguration,
     AssetRequirement,
     EsgDocument,
     Node,
@@ -42,23 +43,27 @@ def requirement(entry: Entry, **changes: object) -> AssetRequirement:
     return AssetRequirement.model_validate(values | changes)
 
 
-def standing(entries: list[Entry]) -> SimScene:
-    """Every entry free to move, on a grid wide enough that none touches another."""
+def standing(configs: list[AssetConfiguration]) -> SimScene:
+    """Every asset free to move, on a grid wide enough that none touches another."""
     bodies = []
-    pitch = max(max(e.dimensions_cm[:2]) for e in entries) * 1.6 + 100
-    columns = math.ceil(math.sqrt(len(entries)))
-    for i, entry in enumerate(entries):
-        config = configure(entry.name, requirement(entry)).model_copy(update={"is_movable": True})
+    pitch = max(max(c.dimensions_cm[:2]) for c in configs) * 1.6 + 100
+    columns = math.ceil(math.sqrt(len(configs)))
+    for i, config in enumerate(configs):
+        config = config.model_copy(update={"is_movable": True})
         pose = Pose(position_cm=(pitch * (i % columns), pitch * (i // columns), 0.0))
-        bodies.append(
-            make_body(EMPTY, entry.name, Node(asset_id=entry.name), config, pose, active=False)
-        )
+        name = f"{i}_{config.asset_name}"
+        bodies.append(make_body(EMPTY, name, Node(asset_id=name), config, pose, active=False))
     return SimScene(scene_id="standing", bodies=tuple(bodies))
 
 
 def settle(engine: str, entries: list[Entry], seconds: float = 2.0) -> Rollout:
-    """Lets them stand."""
-    scene = standing(entries)
+    """Lets entries stand as a drafter that knows them asks for them."""
+    return settle_configs(engine, [configure(e.name, requirement(e)) for e in entries], seconds)
+
+
+def settle_configs(engine: str, configs: list[AssetConfiguration], seconds: float = 2.0) -> Rollout:
+    """Lets assets stand."""
+    scene = standing(configs)
     batch = batch_programs([Program((), seconds)], scene.names)
     return get_engine(engine).rollout(scene, batch, record_every=12)
 
