@@ -1,6 +1,7 @@
 """Stages that take no time: the prompt says what becomes of a scene.
 
-A prompt with `bug` crashes in layout, `busy` meets an error that passes at the second try, `user`
+A prompt with `bug` crashes in layout, `hangs` stays there for a minute
+(`pauses` only the first time), `busy` meets an error that passes at the second try, `user`
 is refused by resolve, `bad` is drafted with a violation, `wrong` replays with its second event
 missing. All others replay two balls that hit a third.
 """
@@ -11,6 +12,8 @@ from collections.abc import Callable
 import json
 import os
 from pathlib import Path
+import time
+from typing import Any
 
 from esg import stages
 from esg.engines.manifest import manifest_bytes, manifest_to_json
@@ -43,6 +46,15 @@ def install() -> None:
         inputs = stages.SPECS[name].inputs
         stages.SPECS[name] = Spec(_noted(name, run), inputs, stages.SPECS[name].options)
     stages.conclude = _conclude  # type: ignore[assignment]  # same signature
+
+
+def in_worker(function: Callable[..., Any], *args: Any) -> Any:
+    """Calls a function in a process that may not have these stages yet."""
+    from esg.dataset import running
+
+    install()
+    running._compile_together = lambda states: None  # type: ignore[assignment]
+    return function(*args)
 
 
 def _noted(
@@ -86,6 +98,10 @@ def _layout(state: SceneState, folder: Path) -> None:
         raise ZeroDivisionError("a defect")
     if "deadly" in prompt:
         os._exit(9)
+    if "pauses" in prompt and calls().count(f"layout {prompt}") < 2:
+        time.sleep(60.0)
+    if "hangs" in prompt:
+        time.sleep(60.0)
     if "busy" in prompt and calls().count(f"layout {prompt}") < 2:
         raise ConnectionResetError("try again")
     _document(state, folder)
