@@ -83,7 +83,7 @@ def measure(
         results = optimize_many(docs, seeds, device=device, processes=processes, clock=clock)
         seconds = time.perf_counter() - begin
         report["runs"].append(_row(results, seconds, clock))
-        short = {k: v for k, v in report["runs"][-1].items() if k != "launches"}
+        short = {k: v for k, v in report["runs"][-1].items() if k not in ("launches", "waits_s")}
         print(json.dumps(short), flush=True)
     return report
 
@@ -102,6 +102,7 @@ def _row(results: list[EsgDocument], seconds: float, clock: Clock) -> dict[str, 
         "surrogate_rollouts": sum(r.explored for r in found if r is not None),
         "wall_s": {k: round(v, 3) for k, v in clock.seconds.items()},
         "processor_s_beside": {k: round(v, 3) for k, v in clock.processor.items()},
+        "waits_s": [round(w, 3) for w in clock.waits],
         "launches": clock.launches,
     }
 

@@ -29,6 +29,8 @@ STRATEGIES = ("batched", "fd", "none", *BASELINES)
 BUFFER_BYTES = {"cpu": 1_000_000_000, "cuda": 16_000_000_000}
 TOUCHED_BYTES = 2_000_000
 """Usual size of the first results of a scene."""
+SHIFT_SCENES = 250
+"""Scenes that begin together: enough to fill a GPU, while others are still planned."""
 
 
 def optimize_many(
@@ -68,19 +70,20 @@ def optimize_many(
         return []
     kind = "cpu" if device == "cpu" else "cuda"
     task = Task(tuple(docs), tuple(seeds), strategy, max_rounds)
-    indices = np.arange(len(docs))
     memory = _memory(BUFFER_BYTES[kind], shared=processes > 1)
+    shifts = np.array_split(np.arange(len(docs)), max(1, round(len(docs) / SHIFT_SCENES)))
+    n = max(1, min(processes, len(docs)))
+    parts = [[shift[k::n] for shift in shifts] for k in range(n)]
     crews: list[Any]
     if processes > 1:
-        parts = [indices[k::processes] for k in range(min(processes, len(docs)))]
         crews = [Remote(task, part, memory) for part in parts]
     else:
-        crews = [Crew(task, indices, memory)]
+        crews = [Crew(task, parts[0], memory)]
     if processes > 1:
         size = min(len(memory), TOUCHED_BYTES * len(docs))
         Thread(target=_touch, args=(memory[:size],), daemon=True).start()
     try:
-        return Server(device, memory, clock or Clock()).run(crews, len(docs))
+        return Server(device, memory, clock or Clock()).run(crews, len(docs), len(shifts))
     finally:
         for crew in crews:
             crew.close()

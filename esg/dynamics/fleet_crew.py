@@ -34,8 +34,8 @@ class Task:
 class _Ticket:
     """A job on its way."""
 
-    def __init__(self, job: Job) -> None:
-        self.job = job
+    def __init__(self, job: Job, shift: int) -> None:
+        self.job, self.shift = job, shift
         self.done = Event()
         self.played: Played | None = None
 
@@ -44,13 +44,13 @@ class _Scenes:
     """The physical scenes of one document (as it is, with other proxies) and their keys."""
 
     def __init__(self, index: int) -> None:
-        self._index = index
+        self.index = index
         self._known: dict[int, tuple[SimScene, int, SceneShapes]] = {}
 
     def of(self, scene: SimScene) -> tuple[int, SceneShapes]:
         if id(scene) not in self._known:
             # Keeping the scene keeps its id from being given to another.
-            key = self._index * MAX_VARIANTS + len(self._known)
+            key = self.index * MAX_VARIANTS + len(self._known)
             self._known[id(scene)] = (scene, key, SceneShapes.of(scene))
         return self._known[id(scene)][1:]
 
@@ -92,7 +92,7 @@ class _FleetEngine:
 
     def together(self, calls: Sequence[Callable[[], Any]]) -> list[Any]:
         """Results of calls whose rollouts do not depend on each other."""
-        return self._crew.together(calls)
+        return self._crew.together(self._scenes.index, calls)
 
 
 def _optimize(task: Task, index: int, crew: Crew) -> EsgDocument:
@@ -109,27 +109,38 @@ def _optimize(task: Task, index: int, crew: Crew) -> EsgDocument:
 class Crew:
     """Searches of some scenes, one thread each, of which one runs at a time.
 
+    They begin in shifts: while the first jobs of a shift are played, the next one plans its scenes.
+
     Args:
         task: All documents.
-        indices: Those of this crew.
+        shifts: Indices of the documents of this crew, by shift.
         memory: Where results are.
     """
 
-    def __init__(self, task: Task, indices: NDArray[np.int64], memory: NDArray[np.uint8]) -> None:
+    def __init__(
+        self, task: Task, shifts: Sequence[NDArray[np.int64]], memory: NDArray[np.uint8]
+    ) -> None:
         self.memory = memory
+        self._task, self._shifts = task, shifts
         self._lock, self._turn = Condition(), Lock()
-        self._running = len(indices)
+        self._shift = {int(i): k for k, part in enumerate(shifts) for i in part}
+        self._begun = 0
+        self._running = [0 for _ in shifts]
         self._asked: list[_Ticket] = []
         self._finished: list[tuple[int, EsgDocument | Exception]] = []
         self._waiting: dict[int, _Ticket] = {}
         self._next = 0
         self._sent: set[int] = set()
         self.parts: dict[str, float] = {}
-        self._threads = [
-            Thread(target=self._search, args=(task, int(i)), daemon=True) for i in indices
-        ]
-        for thread in self._threads:
-            thread.start()
+
+    def _begin(self) -> int:
+        """Starts the searches of the next shift; returns its number."""
+        k = self._begun
+        self._begun += 1
+        self._running[k] = len(self._shifts[k])
+        for index in self._shifts[k]:
+            Thread(target=self._search, args=(self._task, int(index)), daemon=True).start()
+        return k
 
     def _search(self, task: Task, index: int) -> None:
         result: EsgDocument | Exception
@@ -141,7 +152,7 @@ class Crew:
                 result = error
         with self._lock:
             self._finished.append((index, result))
-            self._running -= 1
+            self._running[self._shift[index]] -= 1
             self._lock.notify_all()
 
     def spent(self, part: str, seconds: float) -> None:
@@ -150,10 +161,10 @@ class Crew:
 
     def ask(self, job: Job) -> Played:
         """Hands a job in and waits until it is played; meanwhile other searches run."""
-        ticket = _Ticket(job)
+        ticket = _Ticket(job, self._shift[job.key // MAX_VARIANTS])
         with self._lock:
             self._asked.append(ticket)
-            self._running -= 1
+            self._running[ticket.shift] -= 1
             self._lock.notify_all()
         self._turn.release()
         ticket.done.wait()
@@ -161,8 +172,9 @@ class Crew:
         assert ticket.played is not None
         return ticket.played
 
-    def together(self, calls: Sequence[Callable[[], Any]]) -> list[Any]:
-        """Makes calls that may ask, all of which may wait at the same time."""
+    def together(self, index: int, calls: Sequence[Callable[[], Any]]) -> list[Any]:
+        """Makes calls of a scene that may ask, all of which may wait at the same time."""
+        shift = self._shift[index]
         results: list[Any] = [None] * len(calls)
         errors: list[Exception] = []
         left, over = len(calls), Event()
@@ -177,7 +189,7 @@ class Crew:
             with self._lock:
                 left -= 1
                 if left:
-                    self._running -= 1
+                    self._running[shift] -= 1
                     self._lock.notify_all()
                     return False
             over.set()
@@ -188,7 +200,7 @@ class Crew:
                 make(k)
 
         with self._lock:
-            self._running += len(calls) - 1
+            self._running[shift] += len(calls) - 1
         for k in range(1, len(calls)):
             Thread(target=helper, args=(k,), daemon=True).start()
         if not make(0):
@@ -200,12 +212,18 @@ class Crew:
         return results
 
     def gather(self) -> tuple[list[tuple[int, Job]], list[tuple[int, Any]]]:
-        """Waits until every search has asked or ended: new jobs with numbers, and results."""
+        """Waits until every search has asked or ended: new jobs with numbers, and results.
+
+        The first calls start one shift each and wait for it only.
+        """
+        shift = self._begin() if self._begun < len(self._shifts) else None
         with self._lock:
-            while self._running:
+            while any(self._running if shift is None else self._running[shift : shift + 1]):
                 self._lock.wait()
             jobs: list[tuple[int, Job]] = []
-            for ticket in self._asked:
+            asked = [t for t in self._asked if shift is None or t.shift == shift]
+            self._asked = [t for t in self._asked if t not in asked]
+            for ticket in asked:
                 self._waiting[self._next] = ticket
                 # A scene's shapes travel once.
                 known = ticket.job.key in self._sent
@@ -213,15 +231,16 @@ class Crew:
                 job = replace(ticket.job, shapes=None) if known else ticket.job
                 jobs.append((self._next, job))
                 self._next += 1
-            finished, self._asked, self._finished = self._finished, [], []
+            finished, self._finished = self._finished, []
             return jobs, finished
 
     def answer(self, played: dict[int, Played]) -> None:
         """Lets the searches go on whose jobs have been played."""
+        tickets = [(self._waiting.pop(number), result) for number, result in played.items()]
         with self._lock:
-            self._running += len(played)
-        for number, result in played.items():
-            ticket = self._waiting.pop(number)
+            for ticket, _ in tickets:
+                self._running[ticket.shift] += 1
+        for ticket, result in tickets:
             ticket.played = result
             ticket.done.set()
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from contextlib import suppress
 import multiprocessing
 import os
+from threading import Semaphore, Thread
 import time
 from typing import Any
 
@@ -15,34 +16,51 @@ from esg.dynamics.fleet_crew import Crew, Task
 from esg.engines.fleet_jobs import Job, Played
 
 
-def _crew_process(task: Task, indices: Any, memory: Any, pipe: Any) -> None:
+def _crew_process(task: Task, shifts: Any, memory: Any, pipe: Any) -> None:
+    crew = Crew(task, shifts, memory)
+    begin = time.process_time()
+    answered = Semaphore(0)
+
+    def listen() -> None:
+        try:
+            while (answer := pipe.recv()) is not None:
+                crew.answer({n: _rebuild(p, memory) for n, p in answer.items()})
+                answered.release()
+        finally:
+            # Nothing of the parent's, such as a GPU's context, is to be torn down here.
+            os._exit(0)
+
+    Thread(target=listen, daemon=True).start()
     try:
-        begin = time.process_time()
-        crew = Crew(task, indices, memory)
+        # Shifts hand in without waiting for the answers to those before them.
+        reports = len(shifts)
+        for _ in range(reports):
+            _report(crew, pipe, begin)
         while True:
-            jobs, finished = crew.gather()
-            crew.parts["all"] = time.process_time() - begin
-            pipe.send((jobs, finished, crew.parts))
-            answer = pipe.recv()
-            if answer is None:
-                break
-            crew.answer({n: _rebuild(p, memory) for n, p in answer.items()})
+            for _ in range(reports):
+                answered.acquire()
+            reports = 1
+            _report(crew, pipe, begin)
     finally:
-        pipe.close()
-        # Nothing of the parent's, such as a GPU's context, is to be torn down here.
         os._exit(0)
+
+
+def _report(crew: Crew, pipe: Any, begin: float) -> None:
+    jobs, finished = crew.gather()
+    crew.parts["all"] = time.process_time() - begin
+    pipe.send((jobs, finished, crew.parts))
 
 
 class Remote:
     """A crew in a process of its own."""
 
-    def __init__(self, task: Task, indices: Any, memory: NDArray[np.uint8]) -> None:
+    def __init__(self, task: Task, shifts: Any, memory: NDArray[np.uint8]) -> None:
         context = multiprocessing.get_context("fork")
         self.memory = memory
         self.pipe, there = context.Pipe()
         self.parts: dict[str, float] = {}
         self.process = context.Process(
-            target=_crew_process, args=(task, indices, memory, there), daemon=True
+            target=_crew_process, args=(task, shifts, memory, there), daemon=True
         )
         self.process.start()
         there.close()

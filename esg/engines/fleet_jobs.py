@@ -152,6 +152,15 @@ class Job:
         return len(self.mass)
 
 
+@dataclass(frozen=True)
+class Expected:
+    """A job that is going to be handed in."""
+
+    key: int
+    n_worlds: int
+    frames: Frames
+
+
 @dataclass
 class Played:
     """What a job's simulation gives; arrays may be views of memory that is used again.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from typing import Any
 
 import numpy as np
@@ -9,10 +10,10 @@ from numpy.typing import NDArray
 
 from esg.engines.executor import ADJUST
 from esg.engines.fleet_arena import Buffer
+from esg.engines.fleet_builder import Blueprint, Wanted
 from esg.engines.fleet_jobs import Job, Played, SceneShapes
 from esg.engines.newton_kernels import FIXED_POINT
 from esg.engines.newton_model import (
-    CONTACT_GAP_M,
     ITERATIONS,
     POINTS_PER_SHAPE,
     POINTS_PER_WORLD,
@@ -28,16 +29,22 @@ from esg.units import quat_multiply, quat_rotate
 
 CHUNK_FRAMES = 8
 """Frames whose pairs are summed up before they are packed; a multiple of STEPS_PER_GRAPH / 4."""
-_GROUNDS = (-1, -2)
 
 Singles = NDArray[np.float32]
 
 
 class FleetModel:
-    """Worlds of several scenes, the captured step and its buffers."""
+    """Worlds of several scenes, the captured step and its buffers.
+
+    Args:
+        wanted: Per scene its key, the number of its worlds and the factor on room for contacts.
+        shapes: Of the scenes.
+        blueprint: Of these worlds.
+        device: Warp device.
+    """
 
     def __init__(
-        self, wanted: tuple[tuple[int, int, int], ...], shapes: list[SceneShapes], device: str
+        self, wanted: Wanted, shapes: list[SceneShapes], blueprint: Blueprint, device: str
     ) -> None:
         self.wp = wp = quiet_warp()
         import newton
@@ -50,26 +57,17 @@ class FleetModel:
         self.frames = 0
         self.rows = 0
         with wp.ScopedDevice(device):
-            self._build(newton)
+            self._build(newton, blueprint)
             self._allocate()
 
-    def _build(self, newton: Any) -> None:
+    def _build(self, newton: Any, blueprint: Blueprint) -> None:
         wp, steel = self.wp, newton.solvers.SolverSteel
-        gravity = self.shapes[0].gravity if self.shapes else (0.0, 0.0, -9.81)
-        everything = newton.ModelBuilder(up_axis=newton.Axis.Z, gravity=gravity)
-        steel.register_custom_attributes(everything)
-        config = newton.ModelBuilder.ShapeConfig(density=0.0, gap=CONTACT_GAP_M)
-        meshes: dict[bytes, Any] = {}
-        self.owners: list[NDArray[np.int32]] = []
-        points = []
-        for (_, worlds, growth), s in zip(self.wanted, self.shapes, strict=True):
-            world = newton.ModelBuilder(up_axis=newton.Axis.Z, gravity=s.gravity)
-            steel.register_custom_attributes(world)
-            self.owners.append(_add_scene(newton, wp, world, s, config, meshes))
-            everything.replicate(world, worlds)
-            moving = int(np.diff(s.first)[s.dynamic].sum())
-            points.append(growth * (POINTS_PER_WORLD + POINTS_PER_SHAPE * moving))
-        self.model = model = everything.finalize(device=self.device)
+        self.owners = blueprint.owners
+        points = [
+            growth * (POINTS_PER_WORLD + POINTS_PER_SHAPE * int(np.diff(s.first)[s.dynamic].sum()))
+            for (_, _, growth), s in zip(self.wanted, self.shapes, strict=True)
+        ]
+        self.model = model = blueprint.builder.finalize(device=self.device)
         copies = np.array([w for _, w, _ in self.wanted])
         self.copies = copies
         self.scene_of = np.repeat(np.arange(len(copies)), copies)
@@ -154,24 +152,38 @@ class FleetModel:
 
     # -- one pass ----------------------------------------------------------------------------------
 
-    def play(self, jobs: list[Job], buffer: Buffer) -> tuple[list[Played], NDArray[np.bool_]]:
-        """Plays one job per scene of the model; also tells whose contacts found no room.
+    def play(
+        self, jobs: list[Job], buffer: Buffer, seconds: dict[str, float]
+    ) -> tuple[list[Played], NDArray[np.bool_]]:
+        """Plays jobs of the model's scenes; also tells whose contacts found no room.
 
-        Scenes that nobody asks for play their last job again.
+        Worlds that nobody asks for play their last job again. Wall clock is added to `seconds`.
         """
         frames = max(j.frames.n_frames for j in jobs) - 1
         every = jobs[0].frames.record_every
-        place = {key: k for k, (key, _, _) in enumerate(self.wanted)}
-        for job in jobs:
-            self.last[place[job.key]] = job
+        chosen = self._places(jobs)
+        self.last.update(zip(chosen, jobs, strict=True))
         everything = [self.last[k] for k in range(len(self.wanted))]
+        begin = time.perf_counter()
         with self.wp.ScopedDevice(self.device):
             self._load(everything, frames, every)
             graph = self._graph()
+            loaded = time.perf_counter()
             self._run(graph, frames, every)
-            played, full = self._read(everything, frames, buffer, {j.key for j in jobs})
-        chosen = [place[j.key] for j in jobs]
+            self.wp.synchronize_device()
+            ran = time.perf_counter()
+            played, full = self._read(everything, frames, buffer, set(chosen))
+        seconds["load"] += loaded - begin
+        seconds["run"] += ran - loaded
+        seconds["read"] += time.perf_counter() - ran
         return [played[k] for k in chosen], full[chosen]
+
+    def _places(self, jobs: list[Job]) -> list[int]:
+        """Where in the model jobs are played; a scene may have several places."""
+        free: dict[tuple[int, int], list[int]] = {}
+        for k, (key, worlds, _) in enumerate(self.wanted):
+            free.setdefault((key, worlds), []).append(k)
+        return [free[j.key, j.n_worlds].pop(0) for j in jobs]
 
     def _load(self, jobs: list[Job], frames: int, every: int) -> None:
         import newton
@@ -430,7 +442,7 @@ class FleetModel:
         at = -jobs[0].n_worlds
         for k, job in enumerate(jobs):
             at += jobs[k - 1].n_worlds if k else jobs[0].n_worlds
-            if job.key not in asked:
+            if k not in asked:
                 continue
             w, t = job.n_worlds, job.frames.n_frames - 1
             d = int(self.shapes[k].dynamic.sum())
@@ -493,59 +505,3 @@ def _rounded(points: int) -> int:
     """The next power of two, or three quarters of it: kernels are compiled for every number."""
     size = 1 << max(4, (points - 1).bit_length())
     return size * 3 // 4 if points <= size * 3 // 4 else size
-
-
-def _add_scene(
-    newton: Any, wp: Any, world: Any, s: SceneShapes, config: Any, meshes: dict[bytes, Any]
-) -> NDArray[np.int32]:
-    """Adds grounds, bodies and shapes as `NewtonModel` does; returns the body of every shape."""
-    grounds = [world.add_ground_plane(cfg=config) for _ in range(2)]
-    touches = {False: grounds[1], True: grounds[0]}
-    owners: list[int] = list(_GROUNDS)
-    for b in range(s.n_bodies):
-        if not s.collides[b]:
-            continue
-        owner = -1
-        if not s.static[b]:
-            owner = world.add_body(
-                xform=wp.transform_identity(),
-                mass=float(s.mass[b]),
-                inertia=wp.mat33(s.inertia[b].astype(np.float32).flatten()),
-                lock_inertia=True,
-            )
-        for i in range(s.first[b], s.first[b + 1]):
-            shape = _add_shape(newton, wp, world, owner, s, i, config, meshes)
-            owners.append(b)
-            world.add_shape_collision_filter_pair(shape, touches[bool(s.wheeled[b])])
-    return np.array(owners, np.int32)
-
-
-def _add_shape(
-    newton: Any,
-    wp: Any,
-    world: Any,
-    body: int,
-    s: SceneShapes,
-    i: int,
-    config: Any,
-    meshes: dict[bytes, Any],
-) -> int:
-    pose = wp.transform(wp.vec3(*s.origin[i].tolist()), wp.quat(*s.rotation[i].tolist()))
-    x, y, z = s.size[i].tolist()
-    kind = s.kind[i]
-    if kind == "sphere":
-        return world.add_shape_sphere(body, xform=pose, radius=x, cfg=config)
-    if kind == "box":
-        return world.add_shape_box(body, xform=pose, hx=x, hy=y, hz=z, cfg=config)
-    if kind == "capsule":
-        return world.add_shape_capsule(body, xform=pose, radius=x, half_height=z, cfg=config)
-    if kind == "cylinder":
-        return world.add_shape_cylinder(body, xform=pose, radius=x, half_height=z, cfg=config)
-    hull = s.hulls[i]
-    assert hull is not None
-    vertices, faces = hull[0].astype(np.float32), hull[1].reshape(-1).astype(np.int32)
-    key = vertices.tobytes()
-    if key not in meshes:
-        # Masses and inertias are given; Newton's own would cost a kernel launch per hull.
-        meshes[key] = newton.Mesh(vertices, faces, compute_inertia=False)
-    return world.add_shape_convex_hull(body, xform=pose, mesh=meshes[key], cfg=config)

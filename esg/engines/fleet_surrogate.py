@@ -6,6 +6,8 @@ scene. Those of all scenes lie in a few large buffers; an array of structs tells
 
 from __future__ import annotations
 
+from collections.abc import Callable
+import time
 from typing import Any
 
 import numpy as np
@@ -52,10 +54,25 @@ class FleetSurrogate:
         self._meshes: dict[bytes, Any] = {}
         self._fields: dict[int, dict[str, NDArray[Any]]] = {}
         self.contacts: dict[int, int] = {}
+        self.seconds = {"load": 0.0, "run": 0.0, "read": 0.0}
         self._first_room = CONTACTS if device == "cpu" else CUDA_CONTACTS
 
-    def play(self, jobs: list[Job], shapes: list[SceneShapes], buffer: Buffer) -> list[Played]:
-        """Simulates all jobs; `shapes` are their scenes."""
+    def play(
+        self,
+        jobs: list[Job],
+        shapes: list[SceneShapes],
+        buffer: Buffer,
+        meanwhile: Callable[[], None] | None = None,
+    ) -> list[Played]:
+        """Simulates all jobs.
+
+        Args:
+            jobs: Rollouts.
+            shapes: Their scenes.
+            buffer: Where states are put.
+            meanwhile: Is called once, while a GPU simulates.
+        """
+        self.meanwhile = meanwhile
         out: list[Played | None] = [None] * len(jobs)
         limit = MEMORY_BYTES["cpu" if self.device == "cpu" else "cuda"]
         # The longest first: what is left in the end fills the gaps.
@@ -87,10 +104,16 @@ class FleetSurrogate:
         out: list[Played | None],
     ) -> list[int]:
         """Simulates some of the jobs; returns those that need more room (then granted)."""
+        begin = time.perf_counter()
         run = _Launch(self, [jobs[k] for k in part], [shapes[k] for k in part],
                       [rooms[k] for k in part])  # fmt: skip
+        launched = time.perf_counter()
         run.launch()
+        if self.meanwhile is not None:
+            self.meanwhile()
+            self.meanwhile = None
         dropped, rows = run.needs()
+        ran = time.perf_counter()
         again: list[int] = []
         for i, k in enumerate(part):
             contacts, room = rooms[k]
@@ -102,6 +125,9 @@ class FleetSurrogate:
         done = set(part) - set(again)
         for i, played in run.collect(buffer, [i for i, k in enumerate(part) if k in done]):
             out[part[i]] = played
+        self.seconds["load"] += launched - begin
+        self.seconds["run"] += ran - launched
+        self.seconds["read"] += time.perf_counter() - ran
         return again
 
     def fields(self, key: int, shapes: SceneShapes) -> dict[str, NDArray[Any]]:
