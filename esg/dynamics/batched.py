@@ -8,6 +8,8 @@ engine goes on from there.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -27,6 +29,28 @@ PATIENCE = 3
 """Rounds without progress after which a search gives up on what is still missing."""
 REFERENCE_SHARE = 0.4
 """Rounds of the reference engine as a share of the surrogate's."""
+AGREED = 1.2
+"""Worst cases that differ by less than this factor (or `GOOD_LOSS`) say the same of a theta."""
+
+
+@dataclass(frozen=True)
+class Explored:
+    """What the surrogate found.
+
+    Args:
+        finalists: In order of their worst case, the best first, shape [K, n].
+        worst: Of the best.
+        stalled: Whether more rounds no longer improved it.
+    """
+
+    finalists: Floats
+    worst: float
+    stalled: bool
+
+    @property
+    def reached(self) -> bool:
+        """Whether the best of them is as good as nothing could be that misses an event."""
+        return self.worst < MISSED
 
 
 def search(
@@ -40,28 +64,38 @@ def search(
         rng: Source of all draws.
         max_rounds: Batches of candidates in the surrogate; the reference engine gets 40% of that.
     """
-    finalists, reached = _explore(plan, panel, rng, max_rounds)
+    explored = _explore(plan, panel, rng, max_rounds)
+    finalists = explored.finalists
     best = panel.judge(finalists[:1])
     if best.good():
         return best, "robust"
+    if settled(best, explored):
+        return best, "no progress"
     if len(finalists) > 1:
-        other = panel.judge(finalists[1:FINALISTS])
+        other = panel.judge(finalists[1:])
         best = min((best, other), key=lambda f: f.worst)
         if best.good():
             return best, "robust"
+        if settled(best, explored):
+            return best, "no progress"
     # Where neither engine brings an event about, more of the same seldom does.
-    share = REFERENCE_SHARE if reached or best.worst < MISSED else 0.5 * REFERENCE_SHARE
+    reached = explored.reached or best.worst < MISSED
+    share = REFERENCE_SHARE if reached else 0.5 * REFERENCE_SHARE
     return _polish(plan, panel, rng, best, max(1, round(share * max_rounds)))
 
 
-def _explore(
-    plan: Plan, panel: Panel, rng: np.random.Generator, max_rounds: int
-) -> tuple[Floats, bool]:
-    """Candidates in order of their worst case in the surrogate, the best first.
+def settled(best: Found, explored: Explored) -> bool:
+    """Whether a search in the reference engine has nothing to add.
 
-    The second value tells whether all events happen for the best of them in all its members.
+    It is there for what the engines see differently. Where every event happens in all members,
+    they agree on how well, and the surrogate could not do better, it would only cost time.
     """
-    low, high = plan.lower(), plan.upper()
+    agreed = best.worst < max(AGREED * explored.worst, explored.worst + GOOD_LOSS)
+    return explored.stalled and agreed and bool(best.ensemble.all_completed().all())
+
+
+def _explore(plan: Plan, panel: Panel, rng: np.random.Generator, max_rounds: int) -> Explored:
+    """Searches in the surrogate, unless one of the first candidates is good."""
     scale = spreads(plan)
     first = around(plan, plan.initial(), scale, rng, STARTS)
     worst = panel.preview(first)
@@ -69,23 +103,25 @@ def _explore(
     pool, value = first[order], worst[order]
     panel.note("start", "surrogate", len(first), float(value[0]))
     if value[0] < GOOD_LOSS:
-        return pool[:FINALISTS], True
+        return Explored(pool[:FINALISTS], float(value[0]), False)
     cloud = Cloud(plan, scale)
     history = [float(value[0])]
+    ended = False
     for _ in range(max_rounds):
         thetas = cloud.draw(rng, POPULATION)
         losses = panel.surrogate.assess(thetas).total + prior(plan, thetas)
         elites = cloud.learn(thetas, losses, pool[0] if value[0] < MISSED else None)
         chosen = elites[:FINALISTS]
-        pool = np.concatenate([pool, np.clip(chosen, low, high)])
+        pool = np.concatenate([pool, chosen])
         value = np.concatenate([value, panel.preview(chosen)])
         order = np.argsort(value, kind="stable")[: 2 * FINALISTS]
         pool, value = pool[order], value[order]
         history.append(float(value[0]))
         panel.note("explore", "surrogate", POPULATION, history[-1])
-        if value[0] < GOOD_LOSS or stalled(history, reached=value[0] < MISSED):
+        ended = stalled(history, reached=value[0] < MISSED)
+        if value[0] < GOOD_LOSS or ended:
             break
-    return pool[:FINALISTS], bool(value[0] < MISSED)
+    return Explored(pool[:FINALISTS], float(value[0]), ended)
 
 
 def _polish(
@@ -94,17 +130,23 @@ def _polish(
     """Cross-entropy search in the reference engine around the best theta so far."""
     cloud = Cloud(plan, spreads(plan), center=best.theta)
     history = [best.worst]
-    for _ in range(max_rounds):
+    thetas = cloud.draw(rng, WORLDS)
+    losses = panel.reference.assess(thetas).total
+    for k in range(max_rounds):
+        anchor = best.theta if best.worst < MISSED else None
+        elites = cloud.learn(thetas, losses + prior(plan, thetas), anchor)
+        last = k == max_rounds - 1
+        # The next candidates do not depend on how these fare under the ensemble.
         thetas = cloud.draw(rng, WORLDS)
-        losses = panel.reference.assess(thetas).total + prior(plan, thetas)
-        elites = cloud.learn(thetas, losses, best.theta if best.worst < MISSED else None)
-        found = panel.judge(elites[:FINALISTS], "polish")
+        found, look = panel.judge_while(elites[:FINALISTS], thetas[: 0 if last else WORLDS])
         best = min((best, found), key=lambda f: f.worst)
         history.append(best.worst)
         if best.good():
             return best, "robust"
         if stalled(history, reached=bool(best.nominal.all_completed().all())):
             return best, "no progress"
+        if not last:
+            losses = look()
     return best, "rounds spent"
 
 

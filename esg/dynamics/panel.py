@@ -85,6 +85,7 @@ class Panel:
         if scene is not plan.scene:
             self._others.append(Simulator(replace(plan, scene=scene), engine, dt=dt))
         # An engine that is shared by many searches may play several rollouts at once.
+        self._shared = hasattr(engine, "together")
         self._together = getattr(engine, "together", _one_by_one)
         self.steps: list[SearchStep] = []
 
@@ -127,6 +128,30 @@ class Panel:
         ensemble = assessed.worlds(slice(k * len(ENSEMBLE), (k + 1) * len(ENSEMBLE)))
         self.note(phase, "newton", len(thetas), float(value[k]))
         return Found(thetas[k], float(value[k]), ensemble.worlds(slice(0, 1)), ensemble)
+
+    def judge_while(self, thetas: Floats, candidates: Floats) -> tuple[Found, Callable[[], Floats]]:
+        """Judges thetas, and may play the next candidates at the same time.
+
+        Returns:
+            What `judge` found, and what gives the candidates' losses in the reference engine,
+            shape [K]. They are played when it is called, except by an engine shared by many
+            searches, whose passes take as long with them as without; either way they count as
+            evaluations from that call on.
+        """
+
+        def look() -> Floats:
+            return self.reference.assess(candidates).total
+
+        if not self._shared or not len(candidates):
+            return self.judge(thetas, "polish"), look
+        found, losses = self._together([lambda: self.judge(thetas, "polish"), look])
+        self.reference.evaluations -= len(candidates)
+
+        def known() -> Floats:
+            self.reference.evaluations += len(candidates)
+            return losses
+
+        return found, known
 
 
 def _one_by_one(calls: list[Callable[[], Floats]]) -> list[Floats]:

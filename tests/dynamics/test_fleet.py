@@ -8,11 +8,12 @@ from typing import Any
 import numpy as np
 import pytest
 
+from esg.dynamics import batched, fleet
 from esg.dynamics.fleet import Clock, optimize_many
 from esg.dynamics.search import optimize
 from esg.engines.base import get_engine
 from esg.engines.fleet_arena import Buffer
-from esg.engines.fleet_jobs import SceneShapes, make_job, read
+from esg.engines.fleet_jobs import Expected, SceneShapes, make_job, read
 from esg.engines.fleet_newton import FleetNewton
 from esg.engines.fleet_surrogate import FleetSurrogate
 from esg.engines.program import HoldVelocity, Program, SetVelocity, batch_programs
@@ -42,21 +43,46 @@ def alone(documents: list[EsgDocument]) -> list[EsgDocument]:
     return [optimize(d, seed=k, max_rounds=3) for k, d in enumerate(documents)]
 
 
-@pytest.mark.parametrize("processes", [1, 3])
+@pytest.mark.parametrize(("processes", "shift"), [(1, 250), (3, 250), (1, 2), (3, 2)])
 def test_together_is_as_alone(
-    documents: list[EsgDocument], alone: list[EsgDocument], processes: int
+    documents: list[EsgDocument],
+    alone: list[EsgDocument],
+    processes: int,
+    shift: int,
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """Outcome, theta, steps and provenance are equal, whatever the number of processes."""
+    """Outcome, theta, steps and provenance are equal, whatever the processes and shifts."""
+    monkeypatch.setattr(fleet, "SHIFT_SCENES", shift)
     clock = Clock()
     seeds = list(range(len(documents)))
     together = optimize_many(documents, seeds, max_rounds=3, processes=processes, clock=clock)
     for one, other in zip(alone, together, strict=True):
         assert one.model_dump_json() == other.model_dump_json()
     first = clock.launches[0]
-    assert first["engine"] == "surrogate" and first["scenes"] >= len(documents)
+    assert first["engine"] == "surrogate" and first["scenes"] >= min(shift, len(documents))
+    if shift < len(documents):
+        begun = [row["scenes"] for row in clock.launches[: len(documents) // shift]]
+        assert max(begun) < len(documents) * 2, "each shift has a launch of its own"
     confirmed = [row for row in clock.launches if row["engine"] == "newton"]
     assert confirmed[0]["scenes"] == len(documents), "confirmed together, not one by one"
     assert set(clock.seconds) >= {"surrogate", "newton", "wait"}
+
+
+def test_candidates_are_played_beside_the_finalists_before_them(
+    documents: list[EsgDocument], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Passes of two rounds of polishing overlap; documents, counts included, stay the same."""
+    monkeypatch.setattr(batched, "settled", lambda *_: False)
+    monkeypatch.setattr(batched, "REFERENCE_SHARE", 1.0)
+    doc = documents[STORIES.index(stories.impossible_transfer)]
+    alone = optimize(doc, seed=1, max_rounds=4)
+    assert alone.dynamics_result is not None
+    assert [s.phase for s in alone.dynamics_result.steps].count("polish") == 2
+    clock = Clock()
+    (together,) = optimize_many([doc], [1], max_rounds=4, clock=clock)
+    assert together.model_dump_json() == alone.model_dump_json()
+    worlds = [row["worlds"] for row in clock.launches if row["engine"] == "newton"]
+    assert worlds == [8, 24, 32, 64, 32]
 
 
 def test_none_and_static_documents(documents: list[EsgDocument]) -> None:
@@ -146,6 +172,26 @@ def _fleet(name: str, calls: Sequence[Any]) -> list[Rollout]:
     buffer = Buffer(np.zeros(20_000_000, np.uint8))
     played = engine.play([j for j, _ in jobs], [s for s in shapes if s is not None], buffer)
     return [read(j, start, p) for (j, start), p in zip(jobs, played, strict=True)]
+
+
+def test_newton_uses_what_it_built_ahead() -> None:
+    """Announced jobs are built once, before they come, and play as those that nobody announced."""
+    calls = [_calls()[k] for k in (0, 2)]
+    jobs = [
+        make_job("newton", k, s, SceneShapes.of(s), b, dt=1 / 240, record_every=4, variation=v)
+        for k, (s, b, v) in enumerate(calls)
+    ]
+    shapes = [j.shapes for j, _ in jobs if j.shapes is not None]
+    engine = FleetNewton("cpu", ahead=True)
+    expected = [Expected(j.key, j.n_worlds, j.frames) for j, _ in jobs]
+    engine.expect(expected[:1], shapes[:1], complete=False)
+    assert not engine.drafts.ready
+    engine.expect(expected, shapes, complete=True)
+    assert sorted(*engine.drafts.ready) == [(0, 3, 1), (1, 2, 1)]
+    played = engine.play([j for j, _ in jobs], shapes, Buffer(np.zeros(20_000_000, np.uint8)))
+    assert not engine.drafts.ready
+    for (job, start), result, plain in zip(jobs, played, _fleet("newton", calls), strict=True):
+        _assert_equal(plain, read(job, start, result))
 
 
 def _assert_equal(here: Rollout, there: Rollout) -> None:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
-from esg.dynamics.batched import search
+from esg.dynamics.batched import Explored, search, settled
 from esg.dynamics.build import build_scene
-from esg.dynamics.panel import REFERENCE_DT_S, Panel
+from esg.dynamics.panel import GOOD_LOSS, REFERENCE_DT_S, Panel
 from esg.dynamics.plan import make_plan
 from esg.dynamics.search import optimize
 from esg.dynamics.simulate import Simulator
@@ -42,6 +44,18 @@ def test_search_gets_as_near_as_physics_allows() -> None:
     bound = (1 + 0.7) * 0.45 / (0.45 + 9.0) * 3.0
     assert found.nominal.all_completed().all()
     assert 0.7 * bound < speed <= 1.02 * bound
+
+
+def test_what_the_surrogate_could_not_improve_is_not_polished_where_newton_agrees() -> None:
+    """A search in the reference engine begins only where it sees something else."""
+    plan, panel, found = _solve(lay_out(stories.impossible_transfer()))
+    explored = Explored(found.theta[None], found.worst, True)
+    assert settled(found, explored)
+    assert not settled(found, replace(explored, stalled=False)), "more rounds may still help"
+    assert not settled(found, replace(explored, worst=0.5 * found.worst)), "Newton disagrees"
+    missed = replace(found, ensemble=panel.reference.assess(plan.lower()[None]))
+    assert not missed.ensemble.all_completed().all() and not settled(missed, explored)
+    assert [s.phase for s in panel.steps][-1] == "confirm" and found.worst > GOOD_LOSS
 
 
 def test_the_heuristic_alone_misses_the_prescribed_time() -> None:
