@@ -40,7 +40,9 @@ def publish(state: SceneState, out: Path) -> Path:
         out.mkdir(parents=True, exist_ok=True)
         work = Path(tempfile.mkdtemp(prefix=f".{target.name}.", suffix=".tmp", dir=out))
     except OSError as error:
-        raise UserError(f"cannot write to --out {out}: {error.strerror}") from None
+        from esg.store.files import explained
+
+        raise UserError(f"cannot write to --out {out}: {explained(error, out).strerror}") from None
     try:
         _fill(state, work)
         work.chmod(0o755)
@@ -125,4 +127,7 @@ def check_writable(out: Path) -> None:
         probe = tempfile.mkdtemp(prefix=".esg-probe-", dir=existing)
         os.rmdir(probe)
     except OSError as error:
-        raise UserError(f"cannot write to --out {out}: {error.strerror}") from None
+        from esg.store.files import explained
+
+        why = explained(error, existing).strerror
+        raise UserError(f"cannot write to --out {out}: {why}") from None

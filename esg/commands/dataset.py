@@ -81,6 +81,7 @@ def dataset(
         lambda: None if going_on else _source(prompts, sample, counterfactual, distribution),
         lambda: _seed(seed),
         lambda: check_workers(workers, 1),
+        lambda: _check_batch(batch, counterfactual),
         lambda: check_writable(staging_folder(out) if is_url(out) else Path(out)),
     )
     remote = Remote(out) if is_url(out) else None
@@ -94,7 +95,7 @@ def dataset(
         options: dict[str, Any] = {
             "seed": seed, "counterfactual": counterfactual, "drafter": drafter,
             "strategy": strategy, "engine": engine, "mcap": mcap, "previews": previews,
-            "device": device,
+            "device": device, "batch": batch or 0,
         }  # fmt: skip
         spec = DatasetSpec(**source, **options)
     with folder.locked(part), progress(spec.n, "starting") as bar:
@@ -148,17 +149,13 @@ def _seed(seed: int) -> int:
     return seed
 
 
-def _batch(batch: int | None, counterfactual: bool) -> int:
-    """Scenes a batch, 0 for the usual number."""
+def _check_batch(batch: int | None, counterfactual: bool) -> None:
     from esg.outcomes import UserError
 
-    if batch is None:
-        return 0
-    if not 1 <= batch <= 4096:
+    if batch is not None and not 1 <= batch <= 4096:
         raise UserError(f"--batch {batch}: choose 1 to 4096")
-    if counterfactual and batch % 2:
+    if batch is not None and counterfactual and batch % 2:
         raise UserError(f"--batch {batch}: choose an even number, so that no pair is parted")
-    return batch
 
 
 def _build(

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+import errno
 import json
+import os
 from pathlib import Path
 import shutil
 
@@ -216,6 +218,17 @@ def test_a_missing_or_damaged_part_is_made_again(tmp_path: Path) -> None:
         assert part.read_bytes() == whole
 
 
+def test_a_truncated_recording_is_made_again(tmp_path: Path) -> None:
+    first, *_ = dataset(tmp_path / "a", GOOD, mcap="all")
+    make_batch(first)
+    recording = sorted((first.out / "mcap").iterdir())[0]
+    whole = recording.read_bytes()
+    recording.write_bytes(whole[:3])
+    assert read_mark(first.out, 0) is None
+    make_batch(first)
+    assert recording.read_bytes() == whole
+
+
 def test_a_damaged_part_of_right_size_is_named(tmp_path: Path) -> None:
     jobs = dataset(tmp_path / "a", GOOD)
     results = {job.number: make_batch(job) for job in jobs}
@@ -235,20 +248,21 @@ def test_deadly_scenes_are_left_out(tmp_path: Path) -> None:
     assert "ended twice" in result.failures[0]["reason"]
 
 
-def test_full_disk_is_told_and_keeps_what_is_done(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+@pytest.mark.parametrize(
+    ("number", "remedy"), [(errno.ENOSPC, "free some space"), (errno.EROFS, "disk is read-only")]
+)
+def test_a_full_or_read_only_disk_is_told_and_keeps_what_is_done(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, number: int, remedy: str
 ) -> None:
-    import errno
-
     first, second, *_ = dataset(tmp_path / "a", GOOD)
     make_batch(first)
 
     def full(path: Path) -> None:
-        raise OSError(errno.ENOSPC, "No space left on device", str(path))
+        raise OSError(number, os.strerror(number), str(path))
 
     with monkeypatch.context() as patch:
         patch.setattr("esg.store.files.sync_file", full)
-        with pytest.raises(OSError, match="free some space"):
+        with pytest.raises(OSError, match=remedy):
             make_batch(second)
     assert read_mark(first.out, 0) is not None
     assert read_mark(first.out, 1) is None

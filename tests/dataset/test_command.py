@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +21,8 @@ from esg.outcomes import UserError
         ({"sample": 3, "shard": "3/2"}, "--shard '3/2'"),
         ({"sample": 3, "seed": -1}, "--seed -1"),
         ({"sample": 3, "workers": 0}, "--workers 0"),
+        ({"sample": 3, "batch": 0}, "--batch 0"),
+        ({"sample": 4, "batch": 3, "counterfactual": True}, "no pair is parted"),
         ({"prompts": Path("nope.txt")}, "nope.txt does not exist"),
         ({"prompts": Path("nope.txt"), "counterfactual": True}, "--counterfactual belongs to"),
         ({"sample": 3, "distribution": Path("nope.yaml")}, "nope.yaml does not exist"),
@@ -40,6 +43,19 @@ def test_a_place_that_cannot_be_written_is_told(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
     with pytest.raises(UserError, match="not a folder"):
         dataset(out=str(tmp_path / "file" / "set"), sample=2)
+
+
+def test_a_read_only_disk_is_told_with_its_remedy(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(*_: object, **__: object) -> str:
+        raise OSError(errno.EROFS, "Read-only file system", str(tmp_path))
+
+    monkeypatch.setattr("esg.scenefolder.tempfile.mkdtemp", refuse)
+    with pytest.raises(UserError, match="read-only: choose a folder on another") as error:
+        dataset(out=str(tmp_path / "set"), sample=2)
+    assert error.value.exit_code == 2
+    assert not (tmp_path / "set").exists()
 
 
 def test_people_are_told_counts_splits_and_where_failures_are() -> None:
