@@ -36,6 +36,18 @@ class ClauseNouns(ClauseWords):
             self.attachments.append((s.last, Phrase("with", m)))  # "radius 9 cm and mass 2 kg"
             return
         new_clause = s.boundary and not prep and finite_ahead(self.elements, i + 1)
+        following = self.elements[i + 1] if i + 1 < len(self.elements) else None
+        if (
+            m.pronoun in ("it", "he", "she", "they")
+            and not prep
+            and not s.boundary
+            and s.frame is not None
+            and isinstance(previous, Mention)
+            and isinstance(following, Verb)
+            and not following.infinitive
+            and following.form in ("s", "past")
+        ):
+            s.boundary, s.boundary_kind, new_clause = True, "comma", True
         if (
             isinstance(previous, Mention)
             and not prep

@@ -95,6 +95,12 @@ class ClauseWords:
                     return s
             pair = i >= 2 and isinstance(self.elements[i - 2], Word)
             pair = pair and getattr(self.elements[i - 2], "amount", None) is not None
+            if phrase.prep == "after" and s.frame is not None and s.frame.reduced:
+                main = s.frame.parent or s.main
+                if main is not None and isinstance(nxt, Word) and not self._more_told(i):
+                    main.phrases.append(phrase)  # "hits a block lying there 5 seconds later"
+                    s.prep = ""
+                    return s
             if s.frame is not None and (
                 pair or not (s.boundary and finite_ahead(self.elements, i + 1) and not s.prep)
             ):
@@ -141,6 +147,15 @@ class ClauseWords:
                 s.loose.append(w.low)
             return s
         return s
+
+    def _more_told(self, i: int) -> bool:
+        """Whether a verb follows in the same clause."""
+        for e in self.elements[i + 1 :]:
+            if isinstance(e, Verb):
+                return True
+            if isinstance(e, Word) and (e.kind in ("conj", "sub") or e.low in ".;,!?"):
+                return False
+        return False
 
     def _in_list(self, s: State, w: Word, i: int) -> bool:
         """ "a crate weighing 40 kg, 1 m wide, ...": one more property of the same noun."""

@@ -36,6 +36,7 @@ class Core:
         """What the prompt last said to move by itself."""
         self._launched: list[str] = []
         """What the clause before throws, kicks or drops."""
+        self._dropped = False
         self._lead: dict[int, str] = {}
         """By sentence, the one thing it tells to move; "" if it tells of more."""
         self.stated: dict[str, Amount] = {}
@@ -54,6 +55,10 @@ class Core:
         """Collisions by the clause that tells them."""
         self._rereading: set[tuple[int, str]] = set()
         """Frames with the senses they have been read as."""
+        self.still: dict[str, int] = {}
+        """What is said not to move, and where the prompt says so."""
+        self.pairs: dict[str, str] = {}
+        """ "each ball hits a pin": the object of every subject."""
         self.instead = False
         """Whether the clause tells what happens in place of what was aimed at."""
         self.each: set[str] = set()

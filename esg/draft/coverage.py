@@ -12,6 +12,28 @@ from esg.graph.models import Coverage, CoverageItem
 Kind = Literal["object", "event", "quantity", "relation", "modifier"]
 Status = Literal["used", "ignored", "not_understood"]
 
+_NEXT = "comes after what is told before it"
+_ORDER = {
+    **dict.fromkeys(
+        ("then", "next", "later", "afterwards", "afterward", "subsequently", "eventually",
+         "finally", "thereby", "therefore", "thus", "hence", "consequently", "soon", "shortly",
+         "immediately", "now", "once"),
+        _NEXT,
+    ),
+    **dict.fromkeys(("meanwhile", "simultaneously"), "at the same time as what is told before it"),
+    "first": "comes first",
+    "again": "once more",
+    "not": "negation", "never": "negation", "almost": "it does not happen",
+    "nearly": "it does not happen", "instead": "in place of what was aimed at",
+}  # fmt: skip
+"""Adverbs that order events or deny them, and what they say."""
+_DIRECTIONS = frozenset(
+    {"left", "right", "leftward", "rightward", "leftwards", "rightwards", "forward", "forwards",
+     "backward", "backwards", "up", "down", "upward", "upwards", "downward", "downwards", "off",
+     "over", "away", "out", "in", "on", "back", "apart", "together", "clockwise", "around", "ahead",
+     "anticlockwise", "counterclockwise", "counter-clockwise", "sideways", "head-on"}
+)  # fmt: skip
+
 
 def account(
     text: str, elements: list[Element], mentions: list[Mention], scene: Scene, tokens: list[Token]
@@ -80,7 +102,14 @@ def account(
             add(a.start, a.end, "quantity", "not_understood")
             warnings.append(f'The quantity "{a.text}" was not understood.')
     for e in elements:
-        if (
+        if isinstance(e, Word) and e.kind == "adv" and e.low in _ORDER:
+            add(e.start, e.end, "modifier", "used", note=_ORDER[e.low])
+        elif isinstance(e, Word) and e.kind == "adv" and " " not in text[e.start : e.end]:
+            used = e.low in _DIRECTIONS
+            status: Status = "used" if used else "ignored"
+            note = "direction" if used else "manner is not simulated"
+            add(e.start, e.end, "modifier", status, note=note)
+        elif (
             isinstance(e, Word)
             and e.kind in ("prep", "adv", "sub")
             and " " in text[e.start : e.end]

@@ -10,7 +10,7 @@ from esg.draft.frames import Frame, Phrase
 from esg.draft.scene import Relation, Scene
 from esg.draft.senses_motion import MotionSenses
 from esg.draft.syntax import Mention
-from esg.graph.models import EventConstraint, NodeEvent
+from esg.graph.models import EventConstraint, NodeEvent, Role
 
 _THINGS_DO = frozenset({"hit", "enter", "land", "bounce", "miss", "scatter", "fall"})
 _THINGS_DO_TO = frozenset({"knock", "topple", "scatter"})
@@ -30,6 +30,10 @@ _ACTED_ON = frozenset(
 """Senses whose object moves, so that it cannot be the ground."""
 _INSTEAD = re.compile(r"\binstead\b(?! of)", re.IGNORECASE)
 _BUT = re.compile(r"\b(?:but|yet)\b[^.;,]*$", re.IGNORECASE)
+_AT_FIRST = re.compile(
+    r"\b(?:first|initially|until|till|before|for|after|yet|while|when|at the start|beginning)\b",
+    re.IGNORECASE,
+)
 _ANIMAL_VERBS = frozenset(
     {
         "run",
@@ -82,8 +86,14 @@ class Interpreter(MotionSenses):
         for m, p in attachments:
             self.attachment(m, p)
         for f in frames:
-            self.frame(f)
+            for g in self._one_time_each(f):
+                self.frame(g)
         self._settle(None, None)
+        for actor in self.still:
+            track = self.tl.tracks.get(actor)
+            if track is not None and track.role is Role.ACTIVE and actor in self.world.entities:
+                label = self.e(actor).label
+                self.world.conflicts.append(f'"{label}" is said to move and not to move')
         for actor, amount in list(self.scene.travel.items()):
             track = self.tl.tracks.get(actor)
             if track is not None and track.motion is not None and not track.closed:
@@ -149,7 +159,7 @@ class Interpreter(MotionSenses):
                 and id(m) not in self.world.resolved
                 and f.verb.lemma in _HALTING
                 and f.subject is not None
-                and not f.subject.pronoun
+                and f.subject.pronoun != "it"
                 and len(self._last_moving) == 1
                 and self._last_moving[0] not in subject
             ):
@@ -180,7 +190,8 @@ class Interpreter(MotionSenses):
             ):
                 self.world.resolved[id(m)] = m.entities = list(self._topic[1])
         if f.object is not None and f.subject is not None and f.object.start < f.subject.start:
-            objects = list(f.object.entities) or self.ids(f.object)
+            both = bool(f.object.pronoun and f.subject.pronoun)  # "Having hit it, it stops"
+            objects = list(f.object.entities) or self.ids(f.object, avoid=subject if both else None)
         else:
             for p in f.phrases:  # "heavier than a 1 kg box strikes the box": as the text goes
                 m = p.mention
@@ -188,12 +199,14 @@ class Interpreter(MotionSenses):
                     continue
                 self.ids(m, avoid=subject)
             objects = self.ids(f.object, avoid=subject)
+        objects = self._one_for_each(f, subject, objects)
         self.ids(f.object2, avoid=subject + objects)
         for p in f.phrases:
             if p.mention is not None:
                 self.ids(p.mention, avoid=subject + objects)
         struck = f.verb.sense in ("launch", "drop") and not f.verb.passive
         self._launched = list(objects) if struck else []
+        self._dropped = f.verb.sense == "drop"
         aimed = f.phrase("at", "toward", "towards", "against")
         if f.verb.sense in ("launch", "hit") and aimed is not None and aimed.mention is not None:
             objects = aimed.mention.entities or objects  # "throws a stone at a can and it falls"
@@ -207,7 +220,11 @@ class Interpreter(MotionSenses):
         ):
             self.stated[subject[0]] = speed[1]  # "the speed of the car is 12 m/s"
         self._patient = objects or self._patient
-        if f.verb.sense in _MOVING and len(subject) == 1 and self.kind(subject[0]) != "person":
+        if struck and len(objects) == 1 and self._aimable(objects[0]):
+            self._last_moving = list(objects)
+        elif f.verb.sense in _MOVING and f.object is not None and len(objects) == 1:
+            self._last_moving = list(objects)
+        elif f.verb.sense in _MOVING and len(subject) == 1 and self.kind(subject[0]) != "person":
             self._last_moving = list(subject)
         self._last_subject = subject or self._last_subject
         if f.verb.sense == "be" and subject:
@@ -227,6 +244,31 @@ class Interpreter(MotionSenses):
             self._lead[f.sentence] = subject[0] if single else ""
         if f.verb.sense in ("be", "posture", "have", "park") and (subject or objects):
             self._topic = (f.sentence, subject or objects)
+
+    def _one_for_each(self, f: Frame, subject: list[str], objects: list[str]) -> list[str]:
+        """ "Each ball hits a pin": a pin for every ball."""
+        s, o = f.subject, f.object
+        if s is None or o is None or not 2 <= len(subject) <= 6 or len(objects) != 1:
+            return objects
+        if "each" not in (s.determiner, s.pronoun) and s.determiner != "every":
+            return objects
+        if o.determiner not in ("a", "an") or self.e(objects[0]).origin != o.start:
+            return objects
+        if f.verb.sense not in ("hit", "knock", "topple") or not self._aimable(objects[0]):
+            return objects
+        like = self.e(objects[0])
+        ids = [objects[0]]
+        for _ in subject[1:]:
+            ids.append(
+                self.world.add(
+                    like.noun, like.head, adjectives=list(like.adjectives), label=like.label,
+                    known=like.known, origin=o.start,
+                ).id
+            )  # fmt: skip
+        o.entities = ids
+        self.world.resolved[id(o)] = ids
+        self.pairs.update(zip(subject, ids, strict=True))
+        return ids
 
     def _named_between(self, subject: Mention | None, m: Mention) -> bool:
         """Whether the clause names something before a pronoun ("hits the nine and pots it")."""
@@ -248,11 +290,12 @@ class Interpreter(MotionSenses):
             and (m.pronoun == "it") == (len(self._patient) == 1)
         ):
             self.world.resolved[id(m)] = m.entities = list(self._patient)
+        dropped = f.verb.sense in ("miss", "hit", "land") and self._dropped
         if (
             m is not None
             and m.pronoun == "it"
             and id(m) not in self.world.resolved
-            and f.verb.sense in _FLYING_ON
+            and (f.verb.sense in _FLYING_ON or dropped)
             and len(self._launched) == 1
         ):
             self.world.resolved[id(m)] = m.entities = list(self._launched)
@@ -266,6 +309,16 @@ class Interpreter(MotionSenses):
             objects += [i for i in f.object2.entities if i not in objects]
         objects = [i for i in objects if self.kind(i) != "region"]
         self.each = self._one_by_one(f)
+        if self.pairs and subject and set(subject) <= set(self.pairs) and len(objects) > 1:
+            if set(objects) == set(self.pairs.values()):
+                mine = {**self.pairs}
+                self.pairs = {}
+                for actor in subject:
+                    one = replace(f.subject, entities=[actor]) if f.subject else None
+                    other = replace(f.object, entities=[mine[actor]]) if f.object else None
+                    self.frame(replace(f, subject=one, object=other))
+                self.use(f, "one for each")
+                return
         if sense not in _STATES:
             moving = [i for i in subject if self._aimable(i)]
             if subject and not moving and not f.verb.passive:
@@ -294,10 +347,16 @@ class Interpreter(MotionSenses):
         if f.unreal:
             self._unreal(f, subject, objects)
             return
+        if f.object is None and "neither" in f.adverbs and sense == "hit":
+            self._neither(f, subject)
+            return
         if f.verb.negated and sense in ("hit", "enter"):
             f.verb.sense = sense = "miss"
         elif f.verb.negated and sense not in ("be", "posture", "miss"):
             self.scene.ignored[(f.verb.start, f.verb.end)] = "negated"
+            at_first = _AT_FIRST.search(self._sentence(f)) is not None
+            if f.verb.lemma in ("move", "budge", "stir") and not at_first:
+                self.still.update((i, f.verb.start) for i in subject)
             return
         things_do = sense in _THINGS_DO or (sense in _THINGS_DO_TO and objects)
         if f.subject is not None and things_do and f.subject.start < f.verb.start:
@@ -317,6 +376,8 @@ class Interpreter(MotionSenses):
         ):
             subject = list(self.mounts[id(f.subject)])
         against = f.phrase("on", "against", "at")
+        if f.verb.lemma in ("end", "wind") and sense in ("noop", "reach"):
+            sense = "end"
         if sense == "noop" and f.verb.lemma in _BREAKING and against is not None and subject:
             sense = "hit"  # "breaks on a rock"
         handler = getattr(self, f"_do_{sense}", None)
@@ -329,6 +390,25 @@ class Interpreter(MotionSenses):
             if a.dimension == "time" and self._precedes(a):
                 self.gap = a
 
+    def _one_time_each(self, f: Frame) -> list[Frame]:
+        """ "The cars brake after 2 s and 3 s": a clause for each member, with its own time."""
+        m = f.subject
+        timed = [p for p in f.phrases if p.amount is not None and p.amount.dimension == "time"]
+        at = [p for p in timed if p.prep in ("after", "at", "in", "")]
+        if m is None or len(at) < 2 or len(at) != len(timed):
+            return [f]
+        many = m.plural or bool(m.coordinated) or len(m.entities) > 1
+        if not many or len(m.entities) < len(at) or (len(m.entities) > len(at) and m.count):
+            return [f]
+        prep = at[0].prep or "after"
+        out: list[Frame] = []
+        for k, p in enumerate(at):
+            rest = [q for q in f.phrases if q not in timed]
+            own = replace(m, entities=[m.entities[k]], coordinated=[], amounts=[])
+            start = prep if k == 0 or self.tl.last_event is not None else "at"
+            out.append(replace(f, subject=own, phrases=[*rest, replace(p, prep=start)]))
+        return out
+
     def _unreal(self, f: Frame, subject: list[str], objects: list[str]) -> None:
         """What does not happen: at most the direction of a motion that is under way."""
         self.scene.ignored[(f.verb.start, f.verb.end)] = f.unreal
@@ -340,6 +420,16 @@ class Interpreter(MotionSenses):
             track = self.tl.tracks.get(actor)
             if target and track is not None and track.motion is not None and not track.closed:
                 self.aim[actor] = target[0]
+
+    def _neither(self, f: Frame, subject: list[str]) -> None:
+        """ "It hits neither": it misses the two named last."""
+        named = [i for ids in reversed(self.world.salience) for i in reversed(ids)]
+        fit = [i for i in named if i in self.world.entities and i not in subject]
+        two = list(dict.fromkeys(i for i in fit if self._aimable(i)))[:2]
+        for actor in subject[:1]:
+            for other in reversed(two):
+                self._do_miss(replace(f, object=None), [actor], [other])
+        self.use(f, "misses")
 
     @staticmethod
     def _one_by_one(f: Frame) -> set[str]:

@@ -117,9 +117,12 @@ def _between(elements: list[Element], i: int, out: list[Element]) -> int:
         return 0
     if not (isinstance(verb, Verb) and verb.lemma in _HAPPEN):
         return 0
-    out += [one, conj, other, Verb(noun.start, noun.end, "collide", "hit", "s")]
     place = elements[i + 6] if i + 6 < len(elements) else None
-    return 7 if isinstance(place, Mention) and place.head == "place" else 6
+    taking = isinstance(place, Mention) and place.head == "place"
+    out += [one, conj, other, Verb(noun.start, noun.end, "collide", "hit", "s")]
+    end = place.end if isinstance(place, Mention) and taking else verb.end
+    out.append(Word(verb.start, end, "adv", "indeed"))
+    return 7 if taking else 6
 
 
 def _avoided(elements: list[Element], i: int, out: list[Element]) -> int:
@@ -134,6 +137,7 @@ def _avoided(elements: list[Element], i: int, out: list[Element]) -> int:
         return 0
     if not isinstance(met, Mention):
         return 0
+    verb.end = noun.end
     out += [verb, met]
     return 4
 

@@ -6,6 +6,7 @@ import re
 
 from esg.draft import lexicon as lex
 from esg.draft.elements import Mention, Verb, Word
+from esg.draft.nominals import RETOLD_NOUNS
 from esg.draft.nounheads import NounHeads
 from esg.draft.quantities import parse_number
 from esg.draft.verbphrases import verb_readings
@@ -35,6 +36,14 @@ class NounPhrases(NounHeads):
                 m.end = tokens[j].end
             self.elements.append(m)
             return j + 1
+        previous = self.elements[-1] if self.elements else None
+        retold = isinstance(previous, Word) and previous.kind in ("prep", "sub")
+        if retold and low in ("this", "that") and self._low(j + 1) in RETOLD_NOUNS:
+            m.determiner, m.head, m.attribute = low, self._low(j + 1), True
+            m.end = tokens[j + 1].end
+            m.text = self.text[m.start : m.end]
+            self.elements.append(m)
+            return j + 2
         if low in ("this", "that", "these", "those") and self._verb_next(j + 1):
             m.pronoun, m.text, m.end = low, tokens[j].text, tokens[j].end
             self.elements.append(m)

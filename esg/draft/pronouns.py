@@ -124,7 +124,7 @@ class Pronouns(Registry):
                 return [self.add(ball, "ball", adjectives=colors, label=label, origin=m.start).id]
         elif ordinal is not None and not any(e.group for e in solid):
             model = next((e for e in solid if e.place in ORDINALS and e.place != ordinal), None)
-        if model is None or (model.id in avoid and not ordinal):
+        if model is None or (model.id in avoid and not ordinal and model.color is None):
             return []
         named = [ordinal] if ordinal else colors
         label = " ".join([*[x for x in named if x], model.head])

@@ -37,6 +37,8 @@ class Reader:
                 if candidate in table:
                     if candidate == phrase and single != phrase and single in table:
                         continue
+                    if is_plural and table[candidate].kind == "ground" and self._lands_on(i + n - 1):
+                        return None
                     if n > 1 and is_plural and self._subject_and_verb(i, words):
                         continue
                     return table[candidate], n, is_plural or words[-1] == "billiards", candidate
@@ -48,6 +50,11 @@ class Reader:
             if last in table:
                 return table[last], 1, plural, last
         return None
+
+    def _lands_on(self, i: int) -> bool:
+        """ "The brick lands on a car": a verb, no ground."""
+        verb = any(r.form == "s" for r in verb_readings(self._low(i)))
+        return verb and self._low(i + 1) in lex.PREPOSITIONS
 
     def _subject_and_verb(self, i: int, words: list[str]) -> bool:
         """ "The bus stops at the crossing": a subject with its verb, not several bus stops."""

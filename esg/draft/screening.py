@@ -106,8 +106,8 @@ def nothing_to_draw(scene: Scene) -> None:
 
 
 def contradictions(text: str, scene: Scene) -> None:
-    """Raises UserError if the prompt states two values for one property."""
+    """Raises UserError if the prompt states two values for one property, or motion and rest."""
     del text
     if scene.world.conflicts:
         stated = "; ".join(dict.fromkeys(scene.world.conflicts))
-        raise UserError(f"The prompt contradicts itself: {stated}. State one value.")
+        raise UserError(f"The prompt contradicts itself: {stated}. State one of them.")

@@ -369,6 +369,14 @@ class ContactSenses(LaunchSenses):
 
     def _do_miss(self, f: Frame, s: list[str], o: list[str]) -> None:
         targets = self._hit_targets(f, s, o)
+        if f.verb.lemma in ("catch", "grab") and f.verb.negated:
+            for thing in o:
+                if self.pending.get(thing, (None,))[0] is NodeEvent.REACH:
+                    del self.pending[thing]
+            self.scene.ignored[(f.verb.start, f.verb.end)] = "negated"
+            return
+        if not targets and len(s) > 1:
+            s, targets = s[:1], s[1:2]  # "they nearly collide"
         for actor in s:
             if not targets and actor in self.aim:
                 targets = [self.aim[actor]]

@@ -251,7 +251,7 @@ class ControlSenses(ContactSenses):
             self.scene.ignored[(f.verb.start, f.verb.end)] = "a fixed object does not turn"
             return
         own = f.object is not None and f.object.determiner in ("its", "his", "her")
-        if own and f.object is not None and (f.object.part or f.object.possessor or not o):
+        if own and f.object is not None and (not o or o[:1] != s[:1]):
             self.scene.ignored[(f.verb.start, f.verb.end)] = "a part turns, not the whole"
             return
         words = [*f.adverbs, f.verb.extra.get("dir", "")]

@@ -227,6 +227,27 @@ class MotionSenses(ControlSenses):
             else:
                 self.event(NodeEvent.REACH, (actor, target), f, self._time(f))
 
+    def _do_end(self, f: Frame, s: list[str], o: list[str]) -> None:
+        """ "ends in the pond", "ends up on the floor": where it comes to be."""
+        p = f.phrase("in", "into", "inside", "on", "onto", "against")
+        if p is None or p.mention is None or not p.mention.entities or not s:
+            if f.verb.sense == "reach":
+                self._do_reach(f, s, o)
+            return
+        place = p.mention.entities[0]
+        for actor in [a for a in s if a != place and self.movable(a)]:
+            inner = p.prep in ("in", "into", "inside")
+            if self.structural(place):
+                if p.prep in ("on", "onto") and actor in self.scene.supported_by:
+                    self.event(NodeEvent.FALL, (actor,), f, self._time(f))
+                self.use(f, "end of the motion")
+            elif inner and (self._holds(place) or self._enterable(place)):
+                self._ensure_mover(f, actor, place)
+                self.enter(f, actor, place, p.mention, self._time(f))
+            else:
+                self._ensure_mover(f, actor, place)
+                self._hit(f, [actor], [place], self._time(f))
+
     def _do_swing(self, f: Frame, s: list[str], o: list[str]) -> None:
         target = self._hit_targets(f, s, o)
         if f.phrase("at", "into", "against") is not None and target and s:

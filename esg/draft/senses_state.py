@@ -109,17 +109,21 @@ class StateSenses(Acts):
                 if self.kind(actor) in SELF_POWERED:
                     self.waiting[actor] = lasting
                     self.use(lasting, "waiting time")
+        if f.verb.lemma == "stick" and not f.reduced and s and self._at_end(f, s[0], "at"):
+            p = f.phrase("at", "on", "in", "against", "onto", "upon")
+            self._hit(f, s[:1], p.mention.entities[:1] if p and p.mention else [], self._time(f))
+            return
         moved = s and not f.reduced and f.link == "then" and f.verb.lemma in _RESTING
         if moved and not f.verb.passive and self._at_end(f, s[0]):
             self._read_as("land", f, s, o)
             return
         self._do_be(f, s, o)
 
-    def _at_end(self, f: Frame, actor: str) -> bool:
+    def _at_end(self, f: Frame, actor: str, *preps: str) -> bool:
         track = self.tl.tracks.get(actor)
         if track is None or (track.motion is None and not track.hit):
             return False
-        on = f.phrase("on", "in", "against", "onto", "upon")
+        on = f.phrase("on", "in", "against", "onto", "upon", *preps)
         return on is not None and on.mention is not None and bool(on.mention.entities)
 
     def _do_unknown(self, f: Frame, s: list[str], o: list[str]) -> None:

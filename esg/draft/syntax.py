@@ -48,6 +48,13 @@ _MULTI: tuple[tuple[tuple[str, ...], Literal["prep", "adv", "sub"], str], ...] =
     (("thanks", "to"), "prep", "because of"),
     (("rather", "than"), "prep", "without"),
     (("full", "of"), "prep", "with"),
+    (("except", "for"), "prep", "without"),
+    (("except",), "prep", "without"),
+    *(
+        (("on", "the", k, x), "adv", "first" if k == "first" else "again")
+        for k in ("first", "second", "third", "next", "last")
+        for x in ("try", "attempt", "go", "shot", "throw")
+    ),
     (("along", "with"), "prep", "with"),
     (("together", "with"), "prep", "with"),
     (("in", "the", "middle", "of"), "prep", "in the middle of"),
@@ -150,7 +157,9 @@ class Chunker(NounPhrases):
         if (low, self._low(i + 1), self._low(i + 2)) in _SO_AS_TO and verb_readings(
             self._low(i + 3)
         ):
-            return self._step(i + 2)  # "in order to ram it"
+            j = self._step(i + 2)  # "in order to ram it"
+            self.elements[-1].start = token.start
+            return j
         if low == "to":
             nxt = verb_readings(self._low(i + 1))
             base = next((v for v in nxt if v.form == "base"), None)

@@ -188,7 +188,9 @@ class World(Pronouns):
                 return []
         if not names:
             return []
-        if m.plural or (m.count or 1) > 1:
+        few = 2 <= len(names) <= 6 and len({e.group for e in names}) == 1 and names[0].group
+        every = m.determiner in ("each", "every") and bool(few)
+        if m.plural or (m.count or 1) > 1 or every:
             ids = [e.id for e in names]
             groups = {e.group for e in names if e.group}
             if m.count and len(ids) != m.count and len(groups) > 1:

@@ -29,7 +29,7 @@ def clean(prompt: str) -> EsgDocument:
     [
         ("A kid throws a snowball at a snowman.", ("Collision", "snowball_1", "snowman_1")),
         (
-            "A tennis ball machine launches a ball at 20 m/s toward a tennis racket.",
+            "A tennis ball machine launches a ball at 20 m/s at a tennis racket.",
             ("Collision", "ball_1", "tennis_racket_1"),
         ),
         ("A child kicks a ball at a wall.", ("Collision", "ball_1", "wall_1")),
