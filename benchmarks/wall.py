@@ -121,8 +121,11 @@ class Watch:
     def memory(self, warm: int) -> list[dict[str, Any]]:
         """Resident memory of every worker: over all, and its slope once `warm` scenes are made."""
         out: list[dict[str, Any]] = []
+        # A process that ends gives its memory back bit by bit: that is no trend.
+        end = max((t for t, _ in self.marks.values()), default=float("inf"))
+        samples = [s for s in self.samples if s.time_s <= end]
         for pid in sorted(p for p, role in self.roles.items() if role == "worker"):
-            all_of = [(s.scenes, s.rss[pid]) for s in self.samples if pid in s.rss]
+            all_of = [(s.scenes, s.rss[pid]) for s in samples if pid in s.rss]
             rest = [(n, size) for n, size in all_of if n >= warm]
             sizes = [size for _, size in rest] or [size for _, size in all_of]
             if not sizes:

@@ -8,6 +8,7 @@ import os
 import threading
 from typing import Any, TypeVar
 
+from esg.limits import stage_limits
 from esg.workers import WorkerPool
 from flows.embedded import prefect_api
 from tasks.context import Watcher, run_context
@@ -29,6 +30,7 @@ def session(processes: int, watch: Watcher | None = None) -> Iterator[Callable[.
     Yields:
         A function that calls a flow once the API answers: `call(flow, *args, **kwargs)`.
     """
+    stage_limits()  # a mistake in them is told before anything starts
     with prefect_api() as api, WorkerPool(processes) as pool, run_context(pool, watch):
         if processes:
             pool.warm(warm_up)

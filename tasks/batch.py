@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+import contextlib
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +14,7 @@ from prefect.runtime import task_run
 from prefect.states import Completed
 from prefect.tasks import Task, exponential_backoff
 
+from esg.limits import place_in
 from esg.pipeline import SceneState, crashed, may_pass, run_stage, scratch_store
 from esg.workers import WorkerDied
 from tasks.context import current
@@ -38,6 +40,8 @@ def make_stage_task(stage: str) -> Callable[[list[SceneState]], list[SceneState]
 
     @task(
         name=stage,
+        # For limits of a server: `prefect concurrency-limit create esg-optimize 1`.
+        tags=[f"esg-{stage}"],
         task_run_name=f"{stage} of {{label}}",
         # Prefect's own cache would remember keys whose artifacts may be gone: the store decides.
         cache_policy=NO_CACHE,
@@ -57,9 +61,7 @@ def make_stage_task(stage: str) -> Callable[[list[SceneState]], list[SceneState]
 
 def _run(store: Path | None, stage: str, state: SceneState) -> SceneState:
     """One stage of one scene, wherever the pool runs it."""
-    if store is None:
-        return run_stage(stage, state)
-    with scratch_store(store):
+    with place_in(stage), scratch_store(store) if store else contextlib.nullcontext():
         return run_stage(stage, state)
 
 

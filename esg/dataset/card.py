@@ -9,17 +9,15 @@ from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 import re
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from esg.dataset.grammar import Distribution
 from esg.dataset.plan import DatasetSpec
 from esg.store.assembling import Counts, card_header, card_tables
 
-if TYPE_CHECKING:
-    import pyarrow as pa
-
 _SCENE_COLUMNS = [
     "scene_key", "prompt", "family", "level", "rule", "pair", "changed", "outcome", "verified",
-    "slr", "n_events", "n_completed", "ppa",
+    "slr", "n_events", "n_completed", "ppa", "proof",
 ]  # fmt: skip
 _MAX_FAILURES = 20
 
@@ -50,6 +48,9 @@ def statistics(out: Path, spec: DatasetSpec, failed: Sequence[Mapping[str, Any]]
         "outcomes": _counted(s["outcome"] for s in scenes),
         "levels": _by(scenes, "level"),
         "rules": _by(scenes, "rule"),
+        "proofs": _counted(s["proof"] for s in scenes if s["proof"]),
+        "sizes": _sizes(out, scenes),
+        "examples": _examples(scenes),
         "events": {
             kind: {"stated": n, "completed": done[kind]} for kind, n in sorted(events.items())
         },
@@ -63,11 +64,49 @@ def statistics(out: Path, spec: DatasetSpec, failed: Sequence[Mapping[str, Any]]
 
 
 def _rows(out: Path, table: str, columns: Sequence[str]) -> Iterable[dict[str, Any]]:
-    from esg.store.tables import part_files, read_table
+    """Rows with some columns; the others (documents, trajectories) are not even read."""
+    import pyarrow.parquet as pq
+
+    from esg.store.tables import part_files
 
     for path in part_files(out, table):
-        data: pa.Table = read_table(path).select(list(columns))
-        yield from data.to_pylist()
+        with pq.ParquetFile(path) as file:
+            for batch in file.iter_batches(columns=list(columns)):
+                yield from batch.to_pylist()
+
+
+def _sizes(out: Path, scenes: Sequence[Mapping[str, Any]]) -> dict[str, dict[str, float]]:
+    """How large scenes are: least, median, mean and most of what can be counted in one."""
+    replays = list(_rows(out, "trajectories", ["bodies", "n_frames", "fps"]))
+    stated = Counter(r["scene_key"] for r in _rows(out, "constraints", ["scene_key"]))
+    hits = [len(r["contact_time_s"]) for r in _rows(out, "trajectories", ["contact_time_s"])]
+    counted = {
+        "bodies": [len(r["bodies"]) for r in replays],
+        "expected events": [s["n_events"] for s in scenes if s["n_events"] is not None],
+        "stated numbers": [stated[s["scene_key"]] for s in scenes],
+        "length of the replay [s]": [(r["n_frames"] - 1) / r["fps"] for r in replays],
+        "contacts in the replay": hits,
+    }
+    return {name: _spread(values) for name, values in counted.items() if values}
+
+
+def _spread(values: Sequence[float]) -> dict[str, float]:
+    ordered = sorted(values)
+    middle = len(ordered) // 2
+    median = ordered[middle] if len(ordered) % 2 else (ordered[middle - 1] + ordered[middle]) / 2
+    numbers = (ordered[0], median, sum(ordered) / len(ordered), ordered[-1])
+    return dict(zip(("min", "median", "mean", "max"), (round(v, 2) for v in numbers), strict=True))
+
+
+def _examples(scenes: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:
+    """The first verified and the first other scene of every level."""
+    found: dict[tuple[str, bool], dict[str, Any]] = {}
+    for s in sorted(scenes, key=lambda row: row["scene_key"]):
+        found.setdefault(
+            (s["level"] or "", bool(s["verified"])),
+            {k: s[k] for k in ("level", "prompt", "outcome")} | {"verified": bool(s["verified"])},
+        )
+    return [found[key] for key in sorted(found, key=lambda k: (k[0], not k[1]))]
 
 
 def _counted(values: Iterable[Any]) -> dict[str, int]:
@@ -142,6 +181,9 @@ def card(spec: DatasetSpec, counts: Counts, facts: Mapping[str, Any]) -> str:
         "```",
         "",
     ]
+    lines += ["## Made by", "", "```", command(spec), "```", _made(spec, facts), ""]
+    lines += _example_lines(facts["examples"])
+    lines += _size_lines(facts["sizes"])
     lines += _share_table("How scenes end", "outcome", facts["outcomes"], n)
     if facts["levels"]:
         lines += _rate_table("By difficulty", "level", facts["levels"], "scenes", "verified")
@@ -184,6 +226,56 @@ def _about(spec: DatasetSpec, n: int, good: int) -> str:
         "(`verified`, `outcome`, `reason`): filter them as you need. Of sampled scenes, the "
         "expectation is what their sentence says (`expectation`), not what was read into it."
     )
+
+
+def command(spec: DatasetSpec) -> str:
+    """The command that makes this dataset, without what is default."""
+    usual = DatasetSpec(source=spec.source, n=spec.n)
+    if spec.source == "sample":
+        parts = [f"esg dataset --sample {spec.n}"]
+        if spec.distribution is not None and spec.distribution != Distribution():
+            parts.append("--distribution distribution.yaml")
+    else:
+        parts = ["esg dataset --prompts meta/prompts.jsonl"]
+    for name in ("seed", "drafter", "strategy", "engine", "device", "mcap", "previews", "batch"):
+        if (value := getattr(spec, name)) != getattr(usual, name):
+            parts.append(f"--{name} {value}")
+    if spec.counterfactual:
+        parts.append("--counterfactual")
+    return " ".join([*parts, "--out FOLDER"])
+
+
+def _made(spec: DatasetSpec, facts: Mapping[str, Any]) -> str:
+    from esg import __version__
+
+    text = f"with esg-scenes {__version__}"
+    if "--distribution" in command(spec):
+        text += "; `distribution` in `meta/plan.json` holds the shares (JSON is YAML)"
+    proofs = ", ".join(f"{n} by the {kind}" for kind, n in facts["proofs"].items())
+    return (
+        f"{text}. Replayed: {proofs or 'none'}. {facts['distinct_prompts']} distinct prompts in "
+        f"{facts['families']} families."
+    )
+
+
+def _example_lines(examples: Sequence[Mapping[str, Any]]) -> list[str]:
+    lines = ["## Examples", "", "| level | prompt | outcome | verified |"]
+    lines.append("| --- | --- | --- | --- |")
+    for row in examples:
+        text = " ".join(str(row["prompt"]).split()).replace("|", "\\|")
+        shown = text if len(text) <= 160 else f"{text[:159]}…"
+        good = "yes" if row["verified"] else "no"
+        lines.append(f"| {row['level'] or ''} | {shown} | {row['outcome']} | {good} |")
+    return [*lines, ""]
+
+
+def _size_lines(sizes: Mapping[str, Mapping[str, float]]) -> list[str]:
+    lines = ["## How large scenes are", "", "| in a scene | least | median | mean | most |"]
+    lines.append("| --- | ---: | ---: | ---: | ---: |")
+    for name, row in sizes.items():
+        numbers = " | ".join(f"{row[k]:g}" for k in ("min", "median", "mean", "max"))
+        lines.append(f"| {name} | {numbers} |")
+    return [*lines, ""]
 
 
 def _share_table(title: str, name: str, counts: Mapping[str, int], n: int) -> list[str]:

@@ -16,6 +16,7 @@ import threading
 import time
 from typing import TYPE_CHECKING
 
+from esg.limits import place_in
 from esg.pipeline import (
     STAGES,
     SceneState,
@@ -72,7 +73,7 @@ def _stage(job: BatchJob, stage: str, state: SceneState, index: int) -> SceneSta
         return state
     for attempt in range(RETRIES + 1):
         try:
-            with _limited(job, stage, index):
+            with place_in(stage), _limited(job, stage, index):
                 return run_stage(stage, state)
         except OSError as error:
             if attempt == RETRIES or not may_pass(error):
@@ -107,7 +108,7 @@ def _search_together(job: BatchJob, states: Sequence[SceneState]) -> dict[int, f
     if all(store.find(key) is not None for key in keys.values()):
         return {}
     start = time.perf_counter()
-    with _limited(job, "optimize", None, len(docs)):
+    with place_in("optimize"), _limited(job, "optimize", None, len(docs)):
         found = _search_many(job, list(docs.values()), [states[i].request.seed for i in docs])
     share = (time.perf_counter() - start) / len(docs)
     done = {i: doc for i, doc in zip(docs, found, strict=True) if doc is not None}
