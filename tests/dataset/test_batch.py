@@ -122,6 +122,19 @@ def test_failures_leave_their_reason_and_stop_nobody(tmp_path: Path) -> None:
     assert "6 scenes, 2 of them (33.3%)" in card
 
 
+def test_the_card_says_how_it_was_made_and_what_is_inside(tmp_path: Path) -> None:
+    build(tmp_path / "a", ["two | balls", "wrong"], seed=3, mcap="failed")
+    card = (tmp_path / "a" / "README.md").read_text()
+    assert (
+        "esg dataset --prompts meta/prompts.jsonl --seed 3 --mcap failed --previews none --batch 4 "
+        "--out FOLDER" in card
+    )
+    assert "| two \\| balls | solved | yes |" in card
+    assert "| wrong | solved | no |" in card
+    assert "| bodies | 3 | 3 | 3 | 3 |" in card
+    assert "| length of the replay [s] | 3 | 3 | 3 | 3 |" in card
+
+
 def test_errors_that_pass_are_retried_and_others_are_not(tmp_path: Path) -> None:
     build(tmp_path / "a", ["busy", "a bug"])
     assert fakes.calls().count("layout busy") == 2

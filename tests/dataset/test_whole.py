@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 import subprocess
 import sys
@@ -48,6 +49,19 @@ def test_clusters_give_the_same_bytes(
     )
     assert len(files(small)) > 10
     assert differences(small, other) == []
+
+
+def test_scenes_searched_together_end_as_those_searched_alone(
+    small: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As on a GPU, but on the CPU: outcomes are the same, losses to the last digits."""
+    monkeypatch.setenv("ESG_SEARCH_TOGETHER", "1")
+    other = make(tmp_path / "together", "--sample", "8", "--workers", "2", "--mcap", "sample")
+    assert set(differences(small, other)) <= {
+        f"differs: {name}" for name in files(small) if name.startswith(("scenes/", "mcap/"))
+    }
+    timings = json.loads((other / "meta" / "timings.json").read_bytes())
+    assert timings["seconds"]["optimize"] > 0
 
 
 def test_datasets_reads_every_table_and_split(small: Path) -> None:
