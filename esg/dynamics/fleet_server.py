@@ -85,7 +85,8 @@ class Server:
             n: Number of scenes.
             shifts: Parts in which the scenes begin.
         """
-        self.results, self.pending, left = [None] * n, [], n
+        self.results[:], left = [None] * n, n
+        self.pending.clear()
         everybody = range(len(crews))
         # What a shift got is read while the next one's jobs are played: nothing is written over.
         buffer = Buffer(self.memory)

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -85,8 +86,8 @@ class Panel:
         if scene is not plan.scene:
             self._others.append(Simulator(replace(plan, scene=scene), engine, dt=dt))
         # An engine that is shared by many searches may play several rollouts at once.
-        self._shared = hasattr(engine, "together")
-        self._together = getattr(engine, "together", _one_by_one)
+        self._together: Callable[[list[Callable[[], Any]]], list[Any]] | None
+        self._together = getattr(engine, "together", None)
         self.steps: list[SearchStep] = []
 
     def rebias(self, bias: dict[str, float]) -> None:
@@ -112,12 +113,11 @@ class Panel:
 
     def preview(self, thetas: Floats) -> Floats:
         """Worst-case losses in the surrogate, shape [K]."""
-        tables = self._together(
-            [
-                lambda: _table(self.surrogate, thetas)[1],
-                *(partial(_column, s, thetas) for s in self._others),
-            ]
-        )
+        calls: list[Callable[[], Floats]] = [
+            lambda: _table(self.surrogate, thetas)[1],
+            *(partial(_column, s, thetas) for s in self._others),
+        ]
+        tables = self._together(calls) if self._together else [call() for call in calls]
         return robust_value(np.concatenate(tables, axis=1)) + prior(self.plan, thetas)
 
     def judge(self, thetas: Floats, phase: str = "confirm") -> Found:
@@ -142,9 +142,10 @@ class Panel:
         def look() -> Floats:
             return self.reference.assess(candidates).total
 
-        if not self._shared or not len(candidates):
+        together = self._together
+        if together is None or not len(candidates):
             return self.judge(thetas, "polish"), look
-        found, losses = self._together([lambda: self.judge(thetas, "polish"), look])
+        found, losses = together([lambda: self.judge(thetas, "polish"), look])
         self.reference.evaluations -= len(candidates)
 
         def known() -> Floats:
@@ -152,10 +153,6 @@ class Panel:
             return losses
 
         return found, known
-
-
-def _one_by_one(calls: list[Callable[[], Floats]]) -> list[Floats]:
-    return [call() for call in calls]
 
 
 def _column(simulator: Simulator, thetas: Floats) -> Floats:

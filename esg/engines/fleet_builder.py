@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.engines.fleet_jobs import SceneShapes
-from esg.engines.newton_model import CONTACT_GAP_M, quiet_warp
+from esg.engines.newton_setup import CONTACT_GAP_M, quiet_warp
+from esg.engines.newton_shapes import add_shape
 
 Wanted = tuple[tuple[int, int, int], ...]
 """Per scene of a model: its key, the number of its worlds and the factor on room for contacts."""
@@ -54,7 +55,7 @@ class Drafts:
         newton.solvers.SolverSteel.register_custom_attributes(world)
         config = newton.ModelBuilder.ShapeConfig(density=0.0, gap=CONTACT_GAP_M)
         meshes = self._meshes if self.keep else {}
-        made = (world, _add_scene(newton, wp, world, shapes, config, meshes))
+        made = (world, _add_scene(wp, world, shapes, config, meshes))
         if self.keep:
             self._worlds[key] = made
         return made
@@ -83,7 +84,7 @@ class Drafts:
 
 
 def _add_scene(
-    newton: Any, wp: Any, world: Any, s: SceneShapes, config: Any, meshes: dict[bytes, Any]
+    wp: Any, world: Any, s: SceneShapes, config: Any, meshes: dict[bytes, Any]
 ) -> NDArray[np.int32]:
     """Adds grounds, bodies and shapes as `NewtonModel` does; returns the body of every shape."""
     grounds = [world.add_ground_plane(cfg=config) for _ in range(2)]
@@ -101,38 +102,10 @@ def _add_scene(
                 lock_inertia=True,
             )
         for i in range(s.first[b], s.first[b + 1]):
-            shape = _add_shape(newton, wp, world, owner, s, i, config, meshes)
+            size, origin, turn = s.size[i].tolist(), s.origin[i].tolist(), s.rotation[i].tolist()
+            shape = add_shape(
+                world, owner, s.kind[i], size, origin, turn, s.hulls[i], config, meshes
+            )
             owners.append(b)
             world.add_shape_collision_filter_pair(shape, touches[bool(s.wheeled[b])])
     return np.array(owners, np.int32)
-
-
-def _add_shape(
-    newton: Any,
-    wp: Any,
-    world: Any,
-    body: int,
-    s: SceneShapes,
-    i: int,
-    config: Any,
-    meshes: dict[bytes, Any],
-) -> int:
-    pose = wp.transform(wp.vec3(*s.origin[i].tolist()), wp.quat(*s.rotation[i].tolist()))
-    x, y, z = s.size[i].tolist()
-    kind = s.kind[i]
-    if kind == "sphere":
-        return world.add_shape_sphere(body, xform=pose, radius=x, cfg=config)
-    if kind == "box":
-        return world.add_shape_box(body, xform=pose, hx=x, hy=y, hz=z, cfg=config)
-    if kind == "capsule":
-        return world.add_shape_capsule(body, xform=pose, radius=x, half_height=z, cfg=config)
-    if kind == "cylinder":
-        return world.add_shape_cylinder(body, xform=pose, radius=x, half_height=z, cfg=config)
-    hull = s.hulls[i]
-    assert hull is not None
-    vertices, faces = hull[0].astype(np.float32), hull[1].reshape(-1).astype(np.int32)
-    key = vertices.tobytes()
-    if key not in meshes:
-        # Masses and inertias are given; Newton's own would cost a kernel launch per hull.
-        meshes[key] = newton.Mesh(vertices, faces, compute_inertia=False)
-    return world.add_shape_convex_hull(body, xform=pose, mesh=meshes[key], cfg=config)

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.engines.newton_model import hull
+from esg.engines.newton_shapes import hull
 from esg.engines.program import ProgramBatch
 from esg.engines.scene import ContactLog, Rollout, SimScene, Variation
 from esg.engines.surrogate_model import _dimensions, _rotate

@@ -17,7 +17,7 @@ from esg.engines.fleet_builder import Drafts, Wanted
 from esg.engines.fleet_jobs import Expected, Job, Played, SceneShapes
 from esg.engines.fleet_model import FleetModel
 from esg.engines.newton_engine import MAX_GROWTH
-from esg.engines.newton_model import quiet_warp
+from esg.engines.newton_setup import quiet_warp
 from esg.engines.worlds import Frames
 
 MAX_WORLDS = {"cpu": 64, "cuda": 16384}

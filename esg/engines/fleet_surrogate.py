@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from esg.engines.fleet_arena import Arena, Buffer
 from esg.engines.fleet_jobs import Job, Played, SceneShapes
-from esg.engines.newton_model import quiet_warp
+from esg.engines.newton_setup import quiet_warp
 from esg.engines.scene import ContactLog
 from esg.engines.surrogate_model import CONTACTS, ROWS_PER_FRAME, _radius
 

@@ -13,7 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.engines.base import VERIFY_DT_S
-from esg.engines.newton_model import ITERATIONS, NewtonModel, quiet_warp, structure_key
+from esg.engines.newton_model import NewtonModel, structure_key
+from esg.engines.newton_setup import ITERATIONS, quiet_warp
 from esg.engines.program import ProgramBatch
 from esg.engines.scene import ContactLog, Rollout, SimScene, Variation
 from esg.engines.worlds import MAX_SPEED_MPS, Frames, Start, Values, join_logs

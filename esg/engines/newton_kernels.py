@@ -1,16 +1,16 @@
 """Warp kernels of the Newton engine: program execution, contact accumulation, recording.
 
-All of them are launched inside a captured graph, so everything that changes between calls is read
-from device arrays: `clock` holds (step, steps per frame, first frame of the chunk, frames in the
-chunk, primitives), `grid` the step length [s] in double precision.
+Worlds may be of different scenes: bodies and shapes are numbered through all worlds, pairs of
+bodies from `first_pair` of a world on. All kernels are launched inside a captured graph, so
+everything that changes between calls is read from device arrays: `clock` holds (step, steps per
+frame, first frame of the chunk, frames in the chunk), `grid` the step length [s] in double
+precision.
 """
 
 from __future__ import annotations
 
 # pyright: basic, reportGeneralTypeIssues=false, reportInvalidTypeForm=false
 import warp as wp
-
-STEP, RECORD_EVERY, CHUNK_START, CHUNK_FRAMES, PRIMITIVES = range(5)
 
 FIXED_POINT = 1.0e9
 """Units per N s (and N s m) of the integer sums; integers make atomic sums independent of order."""
@@ -43,17 +43,17 @@ def _set_angular(
 
 
 @wp.kernel(enable_backward=False)
-def run_program(
+def run_programs(
     clock: wp.array(dtype=int),
     grid: wp.array(dtype=wp.float64),
-    kind: wp.array(dtype=int),
-    body: wp.array(dtype=int),
-    until: wp.array2d(dtype=int),
+    primitives: wp.array(dtype=int),
+    kind: wp.array2d(dtype=int),
+    body: wp.array2d(dtype=int),
+    until: wp.array3d(dtype=int),
     table: wp.array3d(dtype=wp.float64),
-    dynamic: wp.array(dtype=int),
-    n_dynamic: int,
+    dynamic: wp.array2d(dtype=int),
+    first_shape: wp.array(dtype=int),
     shape_body: wp.array(dtype=int),
-    n_shapes: int,
     friction_scale: wp.array(dtype=float),
     touched: wp.array3d(dtype=int),
     done: wp.array2d(dtype=int),
@@ -65,22 +65,24 @@ def run_program(
     body_qd: wp.array(dtype=wp.spatial_vector),
     joint_qd: wp.array(dtype=float),
 ):
-    """One thread per world executes the program before a step (`esg.engines.program`)."""
+    """One thread per world executes its program before a step (`esg.engines.program`)."""
     world = wp.tid()
     step = clock[0]
     dt = grid[0]
     t = wp.float64(step) * dt
     now = t + wp.float64(0.5) * dt
-    for k in range(clock[4]):
+    for k in range(primitives[world]):
         if done[world, k] != 0:
             continue
-        b = body[k]
-        target = world * n_dynamic + dynamic[b]
+        b = body[world, k]
+        target = dynamic[world, b]
+        if target < 0 and kind[world, k] != 2:
+            continue
         start = table[world, k, 0]
-        if kind[k] == 3:
+        if kind[world, k] == 3:
             if active[world, k] != 0:
-                for other in range(until.shape[1]):
-                    if until[k, other] != 0 and touched[world, b, other] == step:
+                for other in range(until.shape[2]):
+                    if until[world, k, other] != 0 and touched[world, b, other] == step:
                         done[world, k] = 1
             if now > table[world, k, 1]:
                 done[world, k] = 1
@@ -105,7 +107,7 @@ def run_program(
             a = wp.vec3(
                 float(table[world, k, 2]), float(table[world, k, 3]), float(table[world, k, 4])
             )
-            if kind[k] == 0:
+            if kind[world, k] == 0:
                 _set_linear(target, a, body_qd, joint_qd)
                 if not wp.isnan(table[world, k, 5]):
                     omega = wp.vec3(
@@ -114,19 +116,19 @@ def run_program(
                         float(table[world, k, 7]),
                     )
                     _set_angular(target, omega, body_qd, joint_qd)
-            elif kind[k] == 1:
+            elif kind[world, k] == 1:
                 v = wp.spatial_top(body_qd[target]) + a / body_mass[target]
                 _set_linear(target, v, body_qd, joint_qd)
             else:
-                if dynamic[b] >= 0:
+                if target >= 0:
                     if not wp.isnan(table[world, k, 2]):
                         linear_damping[target] = a[0]
                     if not wp.isnan(table[world, k, 3]):
                         angular_damping[target] = a[1]
                 if not wp.isnan(table[world, k, 4]):
-                    for shape in range(n_shapes):
+                    for shape in range(first_shape[world], first_shape[world + 1]):
                         if shape_body[shape] == b:
-                            shape_mu[world * n_shapes + shape] = a[2] * friction_scale[world]
+                            shape_mu[shape] = a[2] * friction_scale[world]
 
 
 @wp.kernel(enable_backward=False)
@@ -144,14 +146,15 @@ def accumulate_contacts(
     force: wp.array(dtype=wp.spatial_vector),
     model_shape_body: wp.array(dtype=int),
     body_q: wp.array(dtype=wp.transform),
+    shape_world: wp.array(dtype=int),
     shape_body: wp.array(dtype=int),
-    n_shapes: int,
-    pair: wp.array2d(dtype=int),
+    first_pair: wp.array(dtype=int),
+    pair: wp.array3d(dtype=int),
     touched: wp.array3d(dtype=int),
-    impulse: wp.array3d(dtype=wp.int64),
-    first: wp.array3d(dtype=int),
-    depth: wp.array3d(dtype=float),
-    moments: wp.array4d(dtype=wp.int64),
+    impulse: wp.array2d(dtype=wp.int64),
+    first: wp.array2d(dtype=int),
+    depth: wp.array2d(dtype=float),
+    moments: wp.array3d(dtype=wp.int64),
 ):
     """One thread per contact point adds the step's normal impulse to its pair of bodies."""
     i = wp.tid()
@@ -166,17 +169,18 @@ def accumulate_contacts(
     magnitude = -wp.dot(wp.spatial_top(force[i]), n) * float(grid[0])
     if not (magnitude > 0.0) or not wp.isfinite(magnitude):
         return
-    world = s0 / n_shapes
-    a = shape_body[s0 - world * n_shapes]
-    b = shape_body[s1 - world * n_shapes]
+    world = shape_world[s0]
+    a = shape_body[s0]
+    b = shape_body[s1]
     step = clock[0]
     if a >= 0 and b >= 0:
         touched[world, a, b] = step + 1
         touched[world, b, a] = step + 1
-    p = pair[a + 1, b + 1]
+    p = pair[world, a + 1, b + 1]
     slot = step / clock[1] - clock[2]
     if p < 0 or slot < 0 or slot >= clock[3]:
         return
+    p = p + first_pair[world]
     x0 = point0[i]
     x1 = point1[i]
     body0 = model_shape_body[s0]
@@ -192,29 +196,37 @@ def accumulate_contacts(
     if (b >= 0 and b < a) or a < 0:
         direction = n
     weight = wp.float64(magnitude) * wp.float64(1.0e9)
-    wp.atomic_add(impulse, slot, world, p, wp.int64(weight))
-    wp.atomic_min(first, slot, world, p, step)
-    wp.atomic_max(depth, slot, world, p, -gap)
+    wp.atomic_add(impulse, slot, p, wp.int64(weight))
+    wp.atomic_min(first, slot, p, step)
+    wp.atomic_max(depth, slot, p, -gap)
     for k in range(3):
-        wp.atomic_add(moments, slot, world, p, k, wp.int64(weight * wp.float64(x[k])))
-        wp.atomic_add(moments, slot, world, p, 3 + k, wp.int64(weight * wp.float64(direction[k])))
+        wp.atomic_add(moments, slot, p, k, wp.int64(weight * wp.float64(x[k])))
+        wp.atomic_add(moments, slot, p, 3 + k, wp.int64(weight * wp.float64(direction[k])))
 
 
 @wp.kernel(enable_backward=False)
-def record(
+def record_frames(
     clock: wp.array(dtype=int),
     body_q: wp.array(dtype=wp.transform),
     body_qd: wp.array(dtype=wp.spatial_vector),
+    by_chunk: int,
     out_q: wp.array2d(dtype=wp.transform),
     out_qd: wp.array2d(dtype=wp.spatial_vector),
 ):
-    """One thread per body stores the state after a step that ends a frame."""
+    """One thread per body stores the state after a step that ends a frame.
+
+    There is room for one chunk of frames if `by_chunk`, for all frames otherwise.
+    """
     i = wp.tid()
     after = clock[0] + 1
     if after % clock[1] != 0:
         return
-    slot = after / clock[1] - 1 - clock[2]
-    if slot >= 0 and slot < clock[3]:
+    slot = after / clock[1] - 1
+    if by_chunk != 0:
+        slot = slot - clock[2]
+        if slot >= clock[3]:
+            return
+    if slot >= 0 and slot < out_q.shape[0]:
         out_q[slot, i] = body_q[i]
         out_qd[slot, i] = body_qd[i]
 

@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.engines.newton_model import hull, quiet_warp
+from esg.engines.newton_setup import quiet_warp
+from esg.engines.newton_shapes import hull
 from esg.engines.program import ProgramBatch
 from esg.engines.scene import Shape, SimScene
 from esg.engines.worlds import Frames, Values, moving

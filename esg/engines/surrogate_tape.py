@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.engines.newton_model import quiet_warp
+from esg.engines.newton_setup import quiet_warp
 from esg.engines.program import ProgramBatch
 from esg.engines.scene import SimScene, Variation
 from esg.engines.surrogate import scene_arrays, simulate
