@@ -56,6 +56,13 @@ _UNUSED_SERVICES = (
     "TRIGGERS",
 )
 
+_SERVE = (
+    "import gc, runpy\n"
+    "gc.set_threshold(100_000, 20, 20)\n"
+    "runpy.run_module('uvicorn', run_name='__main__', alter_sys=True)\n"
+)
+"""Uvicorn, which searches for garbage less often: a seventh of its start goes into that."""
+
 
 def configure() -> None:
     """Sets what prefect reads at import; values the user has set win."""
@@ -87,7 +94,7 @@ class EmbeddedServer:
         self._port = _free_port()
         self._process = subprocess.Popen(
             [
-                *(sys.executable, "-m", "uvicorn", "--factory"),
+                *(sys.executable, "-c", _SERVE, "--factory"),
                 "prefect.server.api.server:create_app",
                 *("--host", "127.0.0.1", "--port", str(self._port)),
                 *("--log-level", "critical", "--timeout-keep-alive", "30"),

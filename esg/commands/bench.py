@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from esg.pipeline import SceneState
 
 MAX_RUNS = 1000
+MISSED_LINES = 30
 
 
 def bench(
@@ -23,6 +24,7 @@ def bench(
     engine: Literal["physx", "rapier", "newton"] = "physx",
     device: str = "cpu",
     close_loop: Annotated[bool, Parameter(negative="")] = False,
+    collision: Literal["exact", "proxy", "sdf"] = "exact",
     out: Path | None = None,
     json: Annotated[Path | None, Parameter(help="Write the results to this JSON file.")] = None,
     workers: int | None = None,
@@ -38,6 +40,8 @@ def bench(
         device: cpu or cuda:N.
         close_loop: Feed the verify engine's outcome error back to the search, three rounds at most;
             the figures of the open loop are reported too.
+        collision: What bodies collide with during the search: exact (their parts), proxy (one
+            sphere or box each), or sdf (that first, then signed distance fields).
         out: Folder of the scene folders; default runs/bench-SUITE-STRATEGY-ENGINE.
         workers: Worker processes; default one a core.
     """
@@ -69,12 +73,12 @@ def bench(
         lambda: None if json is None else check_target("--json", json, "a JSON file"),
     )
     if out is None:
-        out = Path("runs") / _folder(loaded.suite, strategy, engine, close_loop)
+        out = Path("runs") / _folder(loaded.suite, strategy, engine, close_loop, collision)
         check_writable(out)
     total = len(loaded.scenes) * runs
     processes = default_processes(total) if workers is None else workers
     with live(total) as bar:
-        arguments = (str(suite), runs, seed, strategy, engine, device, close_loop)
+        arguments = (str(suite), runs, seed, strategy, engine, device, close_loop, collision)
         known = [recall(request) for request in bench_requests(*arguments)]
         states = [state for state in known if state is not None]
         if len(states) < total:
@@ -91,6 +95,7 @@ def bench(
         bar.show("ingesting")
         run_id = record_run(states, "bench", suite=loaded.suite, seeds=runs)
         result = results(loaded, states, runs, seed, strategy, engine)
+        result["missed"] = missed(states)
         if close_loop:
             result["closed_loop"] = closed_loop(states)
         # What `esg report` shows beside the scenes.
@@ -98,6 +103,7 @@ def bench(
     if json is not None:
         write_json(json, result)
     print(comparison_table(result), end="")
+    print("".join(f"{line}\n" for line in missed_lines(result["missed"])), end="")
     if close_loop:
         before, after = result["closed_loop"]["open"], result["closed_loop"]["closed"]
         print(
@@ -110,8 +116,9 @@ def bench(
     return exit_code(states)
 
 
-def _folder(suite: str, strategy: str, engine: str, close_loop: bool) -> str:
-    return f"bench-{suite}-{strategy}-{engine}" + ("-closed" if close_loop else "")
+def _folder(suite: str, strategy: str, engine: str, close_loop: bool, collision: str) -> str:
+    name = f"bench-{suite}-{strategy}-{engine}" + ("-closed" if close_loop else "")
+    return name if collision == "exact" else f"{name}-{collision}"
 
 
 def closed_loop(states: list[SceneState]) -> dict[str, Any]:
@@ -167,6 +174,58 @@ def results(
             for run, state in enumerate(states[k * runs : (k + 1) * runs])
         ]
     return bench_json(suite, by_scene, strategy=strategy, engine=engine, dt=1 / REPLAY_RATE_HZ)
+
+
+def missed(states: list[SceneState]) -> list[dict[str, Any]]:
+    """What of the suite did not happen, with the judge's reason, whatever a scene's outcome.
+
+    A scene can be `solved` by its own timeline and miss what the suite asks for.
+    """
+    rows: list[dict[str, Any]] = []
+    for state in states:
+        verdict = verdict_of(state)
+        where = {"scene": state.request.name, "seed": state.request.seed}
+        if verdict is None:
+            rows.append({**where, "what": "all events", "reason": state.reason})
+            continue
+        rows += [
+            {**where, "what": f"{event.id} ({event.type})", "reason": event.reason}
+            for event in verdict.events
+            if not event.completed
+        ]
+        rows += [
+            {**where, "what": c.constraint, "reason": c.reason or _off(c.measured, c.target)}
+            for c in verdict.constraints
+            if c.score == 0.0
+        ]
+        wrong = [f"missing: {m}" for m in verdict.layout.missing]
+        wrong += [
+            f"{o.a} and {o.b} overlap by {100 * o.depth_m:.1f} cm" for o in verdict.layout.overlaps
+        ]
+        if not verdict.slr:
+            rows.append({**where, "what": "layout", "reason": "; ".join(wrong)})
+    return rows
+
+
+def _off(measured: float | None, target: float | tuple[float, float]) -> str:
+    asked = f"{target[0]:g} to {target[1]:g}" if isinstance(target, tuple) else f"{target:g}"
+    return f"asked {asked}, " + ("not measured" if measured is None else f"measured {measured:.3g}")
+
+
+def missed_lines(rows: list[dict[str, Any]]) -> list[str]:
+    """The same for people: one line for what several runs of a scene have in common."""
+    common: dict[tuple[str, str, str], list[str]] = {}
+    for row in rows:
+        scene, _, run = row["scene"].rpartition("-run")
+        common.setdefault((scene, row["what"], row["reason"]), []).append(run)
+    lines = [
+        f"missed  {scene} run {', '.join(found)}: {what}: {reason or 'no reason given'}"
+        for (scene, what, reason), found in common.items()
+    ]
+    if len(lines) > MISSED_LINES:
+        rest = len(lines) - MISSED_LINES
+        lines = [*lines[:MISSED_LINES], f"missed  {rest} more; --json FILE lists all"]
+    return lines
 
 
 def verdict_of(state: SceneState) -> Any:

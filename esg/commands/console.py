@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Generator
 import contextlib
 import json
 import os
@@ -104,7 +104,7 @@ class Progress:
 
 
 @contextlib.contextmanager
-def progress(total: int, title: str) -> Iterator[Progress]:
+def progress(total: int, title: str) -> Generator[Progress]:
     """A progress bar for the body."""
     bar = Progress(total, title)
     try:

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from esg.view.capture import Settings
 
 Strategy = Literal["batched", "hybrid", "fd", "ad", "none"]
+Collision = Literal["exact", "proxy", "sdf"]
 
 
 def generate(
@@ -23,6 +24,7 @@ def generate(
     strategy: Strategy = "batched",
     device: str = "cpu",
     close_loop: Annotated[bool, Parameter(negative="")] = False,
+    collision: Collision = "exact",
     render: str = "",
     json: Annotated[bool, Parameter(negative="")] = False,
 ) -> int:
@@ -36,6 +38,8 @@ def generate(
         strategy: How the physics is searched; none keeps the first guess.
         device: cpu or cuda:N.
         close_loop: Feed the verify engine's outcome error back to the search, three rounds at most.
+        collision: What bodies collide with during the search: exact (their parts), proxy (one
+            sphere or box each), or sdf (that first, then signed distance fields).
         render: Ground-truth channels to render into the scene folder at 256x256 and 24 frames a
             second, with commas, or all; esg render has further options.
         json: Print one JSON document with outcome, metrics and paths.
@@ -58,7 +62,8 @@ def generate(
     )
     with live(1) as bar:
         # A scene that is already in the store needs no scheduler: the answer comes at once.
-        request = generate_requests([prompt], seed, drafter, strategy, device, close_loop)[0]
+        arguments = ([prompt], seed, drafter, strategy, device, close_loop, collision)
+        request = generate_requests(*arguments)[0]
         state = recall(request)
         if state is None:
             from flows.session import session
@@ -66,7 +71,7 @@ def generate(
             with session(processes=0) as call:
                 from flows.generate import generate as flow
 
-                state = call(flow, [prompt], seed, drafter, strategy, device, close_loop)[0]
+                state = call(flow, *arguments)[0]
         if state.user_error:
             raise UserError(state.reason)
         bar.show("writing")
@@ -171,8 +176,8 @@ def describe(summary: dict[str, Any]) -> str:
         for event in metrics["events"]:
             mark = "done" if event["completed"] else "NOT DONE"
             when = f"at {event['time_s']:.2f} s" if event["time_s"] is not None else ""
-            what = f"{event['id']} {event['type']} {', '.join(event['bodies'])}"
-            lines.append(f"  {mark:8} {what} {when} {event['reason']}".rstrip())
+            parts = [event["id"], event["type"], ", ".join(event["bodies"]), when, event["reason"]]
+            lines.append(f"  {mark:8} {' '.join(p for p in parts if p)}")
         for item in metrics["constraints"]:
             measured = "not measured" if item["measured"] is None else f"{item['measured']:.3g}"
             lines.append(f"  score {item['score']:.2f} {item['constraint']}: {measured}")

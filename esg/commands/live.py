@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Callable, Iterator
+from collections import Counter, defaultdict
+from collections.abc import Callable, Generator
 import contextlib
 import sys
 import threading
@@ -34,7 +34,7 @@ class Board:
         self._ended: dict[tuple[str, int], tuple[str, str]] = {}
         self._done: Counter[str] = Counter()
         self._cached: Counter[str] = Counter()
-        self._computed_s: Counter[str] = Counter()
+        self._computed_s: defaultdict[str, float] = defaultdict(float)
 
     def on(self, event: StageEvent) -> str:
         """Takes in an event; returns a line to keep if it ended a scene badly, else nothing."""
@@ -207,7 +207,7 @@ class Live:
 
 
 @contextlib.contextmanager
-def live(scenes: int) -> Iterator[Live]:
+def live(scenes: int) -> Generator[Live]:
     """The live table of a run for the body.
 
     Args:

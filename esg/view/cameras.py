@@ -36,7 +36,7 @@ def action_cameras(
         count: At most eight.
         aspect: Width over height of the pictures.
     """
-    from esg.view.preview import action_points, facing_side
+    from esg.view.framing import action_points, facing_side
 
     points = action_points(scene, rollout, verdict, doc, _STEPS)
     side = facing_side(scene, rollout, verdict, doc)

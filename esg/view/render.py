@@ -52,6 +52,24 @@ def merged(parts: Sequence[Part]) -> list[Part]:
     return out
 
 
+_kernels: dict[Any, Any] = {}
+
+
+def share_kernels(sensor: Any) -> None:
+    """Lets all cameras of this process use one set of kernels.
+
+    A kernel depends on what is rendered, not on the scene; each camera generates its own, which
+    takes a third of a second.
+
+    Args:
+        sensor: A `newton.sensors.SensorCamera`; of one that keeps its kernels elsewhere, nothing
+            is shared.
+    """
+    context: Any = getattr(sensor, "_render_context", None)
+    if isinstance(getattr(context, "_kernel_cache", None), dict):
+        context._kernel_cache = _kernels
+
+
 class Renderer:
     """Renders one set of parts in many poses from many cameras.
 
@@ -93,6 +111,7 @@ class Renderer:
         self._clear = SensorCamera.ClearData(clear_color=red | green << 8 | blue << 16)
         self._config, self._probe_config = config, probe
         self._camera: Any = SensorCamera(self._model, default_render_config=config)
+        share_kernels(self._camera)
         self.light(math.radians(90))
         self._camera.set_ambient_light((0.34, 0.36, 0.4), (0.16, 0.15, 0.14))
         self._rays: dict[tuple[int, int, float, int], Any] = {}

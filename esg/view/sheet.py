@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.view.camera import Camera
+from esg.view.lettering import fitted, font, wrapped
 
 INK = (28, 32, 38)
 FAINT = (98, 106, 116)
@@ -20,6 +21,7 @@ ALARM = (176, 42, 30)
 TRAIL = (255, 196, 0)
 GAP = 12
 CAPTION_PX = 40
+TITLE_LINES = 4
 PANELS = "esg-panels"
 """Key of the PNG text that says where the panels are."""
 
@@ -87,9 +89,11 @@ def write_sheet(
     columns = 2 if len(panels) in (2, 4) else min(3, len(panels))
     rows = -(-len(panels) // columns)
     sheet_width = columns * width + (columns + 1) * GAP
-    title_lines = _wrap(title, _font(17), sheet_width - 2 * GAP)[:4]
-    notes = _wrap(note, _font(13), sheet_width - 2 * GAP) if note else []
-    foot = [line for f in footnotes[:8] for line in _wrap(f, _font(13), sheet_width - 2 * GAP)]
+    title_lines = wrapped(title, 17, sheet_width - 2 * GAP)
+    if len(title_lines) > TITLE_LINES:
+        title_lines = [*title_lines[: TITLE_LINES - 1], title_lines[TITLE_LINES - 1] + " \u2026"]
+    notes = wrapped(note, 13, sheet_width - 2 * GAP) if note else []
+    foot = [line for f in footnotes[:8] for line in wrapped(f, 13, sheet_width - 2 * GAP)]
     top = GAP + 23 * len(title_lines) + 18 * len(notes) + 8
     bottom = 18 * len(foot) + (GAP if foot else 0)
     sheet_height = top + rows * (height + CAPTION_PX + GAP) + bottom
@@ -97,10 +101,10 @@ def write_sheet(
     draw = ImageDraw.Draw(sheet)
     y = GAP
     for line in title_lines:
-        draw.text((GAP, y), line, fill=INK, font=_font(17))
+        draw.text((GAP, y), line, fill=INK, font=font(17))
         y += 23
     for line in notes:
-        draw.text((GAP, y), line, fill=FAINT, font=_font(13))
+        draw.text((GAP, y), line, fill=FAINT, font=font(13))
         y += 18
     boxes: list[list[int]] = []
     for k, panel in enumerate(panels):
@@ -108,11 +112,11 @@ def write_sheet(
         y = top + (k // columns) * (height + CAPTION_PX + GAP)
         sheet.paste(Image.fromarray(panel.image), (x, y))
         boxes.append([x, y, x + width, y + height])
-        draw.text((x, y + height + 3), _fit(panel.title, 14, width), fill=INK, font=_font(14))
-        draw.text((x, y + height + 21), _fit(panel.caption, 13, width), fill=FAINT, font=_font(13))
+        draw.text((x, y + height + 3), fitted(panel.title, 14, width), fill=INK, font=font(14))
+        draw.text((x, y + height + 21), fitted(panel.caption, 13, width), fill=FAINT, font=font(13))
     y = top + rows * (height + CAPTION_PX + GAP)
     for line in foot:
-        draw.text((GAP, y), line, fill=ALARM, font=_font(13))
+        draw.text((GAP, y), line, fill=ALARM, font=font(13))
         y += 18
     path.parent.mkdir(parents=True, exist_ok=True)
     info = PngInfo()
@@ -156,31 +160,3 @@ def panel_boxes(image: Any) -> list[tuple[int, int, int, int]]:
         return [(int(a), int(b), int(c), int(d)) for a, b, c, d in boxes]
     except (TypeError, ValueError):
         return []
-
-
-def _font(size: int) -> Any:
-    from PIL import ImageFont
-
-    return ImageFont.load_default(size)
-
-
-def _wrap(text: str, font: Any, width: int) -> list[str]:
-    lines: list[str] = []
-    current = ""
-    for word in " ".join(text.split()).split(" "):
-        candidate = f"{current} {word}".strip()
-        if current and font.getlength(candidate) > width:
-            lines.append(current)
-            current = word
-        else:
-            current = candidate
-    return [*lines, current]
-
-
-def _fit(text: str, size: int, width: int) -> str:
-    font = _font(size)
-    if font.getlength(text) <= width:
-        return text
-    while text and font.getlength(text + "...") > width:
-        text = text[:-1]
-    return text + "..."

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from esg.view.capture import DEPTH_UNIT_M, decode_flow
 from esg.view.containers import read_capture
+from esg.view.lettering import font, lettered
 from esg.view.sheet import Panel, write_sheet
 
 Picture = NDArray[np.uint8]
@@ -128,14 +129,14 @@ def _rgb(index: int) -> tuple[int, int, int]:
 
 
 def _boxes_2d(base: Picture, boxes: list[dict[str, Any]], names: dict[int, str]) -> Picture:
-    from PIL import ImageFont
-
     image, draw = _canvas(base)
-    font = ImageFont.load_default(max(9, base.shape[0] // 26))
+    letters = font(max(9, base.shape[0] // 26))
     for box in boxes:
         x0, y0, x1, y1 = box["box_px"]
         draw.rectangle((x0, y0, x1 - 1, y1 - 1), outline=_rgb(box["id"]))
-        draw.text((x0 + 2, y0), names.get(box["id"], ""), fill=_rgb(box["id"]), font=font)
+        draw.text(
+            (x0 + 2, y0), lettered(names.get(box["id"], "")), fill=_rgb(box["id"]), font=letters
+        )
     return np.asarray(image)
 
 

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.view.camera import Camera
-from esg.view.render import SAMPLES, SKY, Part, merged
+from esg.view.render import SAMPLES, SKY, Part, merged, share_kernels
 
 NOTHING, GROUND = -2, -1
 """Body indices of pixels that hit nothing, and the ground."""
@@ -101,6 +101,7 @@ class WorldRenderer:
             enable_shadows=True, anti_aliasing=SensorCamera.AntiAliasing.MSAA
         )
         self._camera: Any = SensorCamera(self._model, default_render_config=self._fine)
+        share_kernels(self._camera)
         toward = sun - math.radians(42)
         light = np.array([-0.67 * math.cos(toward), -0.67 * math.sin(toward), -0.9])
         self._camera.create_default_light(

@@ -22,6 +22,8 @@ from esg.metrics.models import EventVerdict, LayoutVerdict, SceneVerdict
 from esg.view import preview as previews
 from esg.view.camera import box_corners
 from esg.view.cameras import action_cameras
+from esg.view.framing import camera_for, corners_of, frame_at, points_in_view
+from esg.view.moments import failures, moments_of
 from esg.view.render import Part
 from tests.report.folders import HIT_S, rollout, scene
 
@@ -93,7 +95,7 @@ def test_cameras_stand_at_different_places() -> None:
 
 def test_moments_are_before_every_event_and_after() -> None:
     """Captions give time and what was measured; zeros say nothing."""
-    found = previews._moments(scene(), rollout(), verdict(EVENT), DOC)
+    found = moments_of(scene(), rollout(), verdict(EVENT), DOC)
     assert [m.title for m in found] == ["start", "1  collision: red ball x box", "after"]
     assert found[1].caption == "t = 0.50 s   impulse 4.9 N s"
     assert found[2].time == 1.0
@@ -104,22 +106,22 @@ def test_a_single_body_keeps_room_around_it() -> None:
     alone = EVENT.model_copy(update={"type": "moves", "bodies": ("ball_1",), "time_s": 0.1})
     far = scene()
     far = far.with_bodies((far.bodies[0], replace(far.bodies[1], mentioned=False)))
-    moment = previews._moments(far, rollout(), verdict(alone), DOC)[1]
+    moment = moments_of(far, rollout(), verdict(alone), DOC)[1]
     assert moment.focus == (0,)
-    frame = previews._frame(rollout(), moment.time)
-    camera = previews._camera(far, rollout(), moment, frame, 1.0, 0.4)
-    pixels, _ = camera.project(previews._corners(far, rollout(), frame, 0), 480, 320)
+    frame = frame_at(rollout(), moment.time)
+    camera = camera_for(far, rollout(), moment, frame, 1.0, 0.4)
+    pixels, _ = camera.project(corners_of(far, rollout(), frame, 0), 480, 320)
     assert np.ptp(pixels[:, 1]) < 160
 
 
 def test_what_else_the_prompt_names_is_in_the_first_picture() -> None:
     """A box that takes part in no event still shows where the ball is, if it is not too far."""
     alone = EVENT.model_copy(update={"type": "moves", "bodies": ("ball_1",)})
-    start = previews._moments(scene(), rollout(), verdict(alone), DOC)[0]
+    start = moments_of(scene(), rollout(), verdict(alone), DOC)[0]
     assert start.company == (1,)
-    points = previews._frame_set(scene(), rollout(), start, 0)
+    points = points_in_view(scene(), rollout(), start, 0)
     assert len(points) == 16
-    close = previews._frame_set(scene(), rollout(), replace(start, reach=2.0), 0)
+    close = points_in_view(scene(), rollout(), replace(start, reach=2.0), 0)
     assert len(close) == 8
 
 
@@ -170,3 +172,13 @@ def test_workers_draw_with_one_thread(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(os.environ, "OMP_NUM_THREADS", "")
     monkeypatch.setattr(os, "sched_getaffinity", lambda _: {0, 1, 2, 3}, raising=False)
     assert previews._threads() == 2
+
+
+def test_an_event_without_bodies_is_named_by_its_id() -> None:
+    """What bound to nothing has nobody to name; what failed shows the names people gave."""
+    lost = EVENT.model_copy(update={"completed": False, "bodies": (), "reason": "no cone"})
+    missed = EVENT.model_copy(update={"completed": False, "reason": "the pair never touches"})
+    assert failures(scene(), verdict(lost, missed)) == [
+        "collision (e1): not completed (no cone)",
+        "collision: red ball x box: not completed (the pair never touches)",
+    ]

@@ -1,0 +1,200 @@
+"""Where to look from: cameras that see who takes part in a moment as well as can be."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+import itertools
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from esg.engines.scene import Rollout, SimScene
+from esg.graph.models import EsgDocument
+from esg.view.camera import Camera, box_corners, frame_points
+from esg.view.moments import REACH, Moment, moments_of
+from esg.view.render import Renderer
+
+if TYPE_CHECKING:
+    from esg.metrics.models import SceneVerdict
+
+PANEL_PX = (480, 320)
+ACTION_LEAD_S, ACTION_TAIL_S = 0.6, 0.4
+"""Fixed cameras keep in view what happens so long before the first event and after the last."""
+ROOM_ALONE = 0.9
+"""Room on every side of a single body, in its own sizes."""
+
+
+def frame_at(rollout: Rollout, time: float) -> int:
+    return int(np.argmin(np.abs(rollout.time - time)))
+
+
+def pose(renderer: Renderer, rollout: Rollout, frame: int) -> None:
+    renderer.pose(rollout.position[0, frame], rollout.quaternion[0, frame])
+
+
+def corners_of(scene: SimScene, rollout: Rollout, frame: int, body: int) -> NDArray[np.float64]:
+    b = scene.bodies[body]
+    return box_corners(
+        rollout.position[0, frame, body],
+        rollout.quaternion[0, frame, body],
+        b.half_extents,
+        np.asarray(b.origin_offset),
+    )
+
+
+def points_in_view(
+    scene: SimScene, rollout: Rollout, moment: Moment, frame: int
+) -> NDArray[np.float64]:
+    """Points to keep in the picture: the focus, then its company while the picture stays close.
+
+    Of a large focus, bodies that have flown off are left out in the same way.
+    """
+    boxes = {i: corners_of(scene, rollout, frame, i) for i in (*moment.focus, *moment.company)}
+    movers = [i for i in moment.focus if not scene.bodies[i].static] or list(moment.focus)
+    middle = np.median([boxes[i].mean(axis=0) for i in movers], axis=0)
+
+    def nearest_first(bodies: Sequence[int]) -> list[int]:
+        return sorted(bodies, key=lambda i: (float(np.linalg.norm(boxes[i].mean(0) - middle)), i))
+
+    order = nearest_first(moment.focus)
+    keep = order if len(order) <= 4 else order[:2]
+    points = np.concatenate([boxes[i] for i in keep])
+    limit = moment.reach * float(np.ptp(points, axis=0).max())
+    for i in [*(j for j in order if j not in keep), *nearest_first(moment.company)]:
+        wider = np.concatenate([points, boxes[i]])
+        if float(np.ptp(wider, axis=0).max()) <= limit:
+            points = wider
+    return points
+
+
+def camera_for(
+    scene: SimScene,
+    rollout: Rollout,
+    moment: Moment,
+    frame: int,
+    azimuth: float,
+    elevation: float,
+) -> Camera:
+    points = points_in_view(scene, rollout, moment, frame)
+    span = float(np.ptp(points, axis=0).max())
+    # A little room around the action, so that one sees where it happens.
+    low, high = points.min(axis=0), points.max(axis=0)
+    pad = (ROOM_ALONE if len(points) == 8 else 0.06) * span
+    low = np.array([low[0] - pad, low[1] - pad, max(0.0, low[2] - pad)])
+    high = high + np.array([pad, pad, 0.0])
+    corners = np.array(list(itertools.product(*zip(low, high, strict=True))))
+    return frame_points(corners, azimuth, elevation, PANEL_PX[0] / PANEL_PX[1])
+
+
+def viewpoint(
+    scene: SimScene, rollout: Rollout, moments: list[Moment], renderer: Renderer
+) -> tuple[float, float]:
+    """Azimuth and elevation from which the cast is seen best over all moments.
+
+    The natural place is beside the motion, on the viewer's (+Y) side; other directions compete by
+    how much of every framed body is visible at every moment.
+    """
+    side = _beside(_motion_direction(scene, rollout, moments))
+    best, best_score = (side, math.radians(24)), -math.inf
+    # First, last and the middle moment stand for all: this is half of the work otherwise.
+    moments = [moments[k] for k in sorted({0, len(moments) // 2, len(moments) - 1})]
+    for turn in (0, 30, -30, 60, -60, 180):
+        for elevation in (24, 42):
+            view = (side + math.radians(turn), math.radians(elevation))
+            seen = []
+            for moment in moments:
+                frame = frame_at(rollout, moment.time)
+                pose(renderer, rollout, frame)
+                camera = camera_for(scene, rollout, moment, frame, *view)
+                seen.append(_visibility(scene, rollout, moment, frame, camera, renderer))
+            preference = 0.0015 * abs(turn) + 0.004 * abs(elevation - 24)
+            score = min(seen) + 0.5 * sum(seen) / len(seen) - preference
+            if score > best_score + 1e-9:
+                best, best_score = view, score
+    return best
+
+
+def _visibility(
+    scene: SimScene,
+    rollout: Rollout,
+    moment: Moment,
+    frame: int,
+    camera: Camera,
+    renderer: Renderer,
+) -> float:
+    """Mean over the focus of visible pixels over those of its projected box, capped at 1."""
+    width, height = 72, 48
+    counts = renderer.visible(camera, moment.focus, width)
+    shares = []
+    for body in moment.focus:
+        pixels, ahead = camera.project(corners_of(scene, rollout, frame, body), width, height)
+        if not ahead.all():
+            shares.append(0.0)
+            continue
+        area = float(np.prod(np.maximum(np.ptp(pixels, axis=0), 1.0)))
+        shares.append(min(1.0, counts[body] / (0.45 * area)))
+    return sum(shares) / max(1, len(shares))
+
+
+def _motion_direction(
+    scene: SimScene, rollout: Rollout, moments: list[Moment]
+) -> NDArray[np.float64]:
+    last = frame_at(rollout, moments[-1].time)
+    moved = rollout.position[0, last] - rollout.position[0, 0]
+    focus = sorted({i for m in moments for i in m.focus})
+    longest = max(focus, key=lambda i: float(np.linalg.norm(moved[i, :2])))
+    if float(np.linalg.norm(moved[longest, :2])) > 0.2:
+        return moved[longest, :2].astype(float)
+    centers = rollout.position[0, 0, focus, :2].astype(float)
+    if len(focus) > 1:
+        spread = centers - centers.mean(axis=0)
+        return np.linalg.svd(spread)[2][0]
+    return np.array([1.0, 0.0])
+
+
+def action_points(
+    scene: SimScene,
+    rollout: Rollout,
+    verdict: SceneVerdict | None,
+    doc: EsgDocument,
+    steps: int,
+) -> NDArray[np.float64]:
+    """Corners of what the scene is about at `steps` instants around its events.
+
+    Without events, from the start to the end.
+
+    Args:
+        scene: The bodies.
+        rollout: Their motion.
+        verdict: Events, whose participants count.
+        doc: Relations, for what the participants stand on.
+        steps: Number of instants.
+
+    Returns:
+        World points [m], shape [n, 3].
+    """
+    moments = moments_of(scene, rollout, verdict, doc)
+    first, start, end = moments[0], moments[0].time, moments[-1].time
+    if len(moments) > 2:
+        start = max(start, moments[1].time - ACTION_LEAD_S)
+        end = min(end, moments[-2].time + ACTION_TAIL_S)
+    points = [
+        points_in_view(scene, rollout, replace(first, reach=REACH), frame_at(rollout, float(time)))
+        for time in np.linspace(start, end, steps)
+    ]
+    return np.concatenate(points)
+
+
+def facing_side(
+    scene: SimScene, rollout: Rollout, verdict: SceneVerdict | None, doc: EsgDocument
+) -> float:
+    """Azimuth beside the motion, on the viewer's (+Y) side [rad]."""
+    return _beside(_motion_direction(scene, rollout, moments_of(scene, rollout, verdict, doc)))
+
+
+def _beside(along: NDArray[np.float64]) -> float:
+    side = math.atan2(along[1], along[0]) + math.pi / 2
+    return side + math.pi if math.sin(side) < -1e-6 else side

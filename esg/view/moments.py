@@ -1,0 +1,155 @@
+"""What a contact sheet shows: its moments, who is in them, and what to say about them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from esg.engines.scene import Rollout, SimScene
+from esg.graph.models import EsgDocument, RelationType
+
+if TYPE_CHECKING:
+    from esg.metrics.models import EventVerdict, SceneVerdict
+
+MAX_EVENTS = 7
+REACH, FAR_REACH = 4.5, 14.0
+"""Company joins the picture of an event, or the first and the last one, if the picture is then at
+most so many times as wide as what must be seen."""
+_UNITS = {"mps": "m/s", "m": "m", "s": "s", "deg": "deg", "ns": "N s", "kg": "kg"}
+
+
+@dataclass(frozen=True)
+class Moment:
+    """One panel to draw: when, whom to frame, what to say."""
+
+    time: float
+    focus: tuple[int, ...]
+    """Bodies that must be seen."""
+    company: tuple[int, ...]
+    """Bodies that are seen if they do not widen the picture too much."""
+    title: str
+    caption: str
+    reach: float = REACH
+
+
+def moments_of(
+    scene: SimScene, rollout: Rollout, verdict: SceneVerdict | None, doc: EsgDocument
+) -> list[Moment]:
+    events = [e for e in verdict.events if e.completed and e.time_s is not None] if verdict else []
+    events = sorted(events, key=lambda e: e.time_s or 0.0)[:MAX_EVENTS]
+    cast = _cast(scene, rollout, verdict)
+    company = _company(scene, doc, cast)
+    end = float(rollout.time[-1])
+    if events:
+        # A moment after the last event, not the end of a long tail in which everything is still.
+        end = min(end, (events[-1].time_s or 0.0) + 1.0)
+    moments = [Moment(0.0, cast, company, "start", "before anything moves", FAR_REACH)]
+    for number, event in enumerate(events, 1):
+        bodies = tuple(scene.index(b) for b in event.bodies if b in scene.names) or cast
+        mates = tuple(i for i in company if len(bodies) < 2 or _same_group(scene, i, bodies))
+        moments.append(
+            Moment(
+                event.time_s or 0.0,
+                bodies,
+                mates,
+                f"{number}  {_title(scene, event)}",
+                _measurements(event),
+            )
+        )
+    moments.append(Moment(end, cast, company, "after", f"t = {end:.2f} s", FAR_REACH))
+    return moments
+
+
+def _same_group(scene: SimScene, body: int, others: Sequence[int]) -> bool:
+    group = scene.bodies[body].group
+    return bool(group) and any(scene.bodies[i].group == group for i in others)
+
+
+def _company(scene: SimScene, doc: EsgDocument, cast: tuple[int, ...]) -> tuple[int, ...]:
+    """Who belongs to the cast: its groups, what it stands on, what else the prompt names.
+
+    What is flat belongs to nobody.
+    """
+    names = {scene.bodies[i].name for i in cast}
+    nodes = doc.spatial_relation_graph.nodes
+    regions = doc.spatial_relation_graph.semantic_regions
+    supports = {
+        edge.to
+        for edge in doc.spatial_relation_graph.edges.binary_relations
+        if edge.relation_type in (RelationType.ON, RelationType.INSIDE_OF) and edge.from_ in names
+    }
+    for name in names & set(nodes):
+        region = regions.get(nodes[name].semantic_region or "")
+        supports |= {region.parent_object} if region else set()
+    return tuple(
+        i
+        for i, b in enumerate(scene.bodies)
+        if i not in cast
+        and b.collides
+        and (b.mentioned or _same_group(scene, i, cast) or b.name in supports)
+    )
+
+
+def _cast(scene: SimScene, rollout: Rollout, verdict: SceneVerdict | None) -> tuple[int, ...]:
+    """Bodies the picture is about: event participants, else movers, else what the prompt names."""
+    names = [b for e in verdict.events for b in e.bodies] if verdict else []
+    cast = {scene.index(n) for n in names if n in scene.names}
+    if not cast and verdict is not None:
+        cast = {scene.index(b) for v in verdict.bindings.values() for b in v if b in scene.names}
+    if not cast:
+        travelled = np.linalg.norm(rollout.position[0, -1] - rollout.position[0, 0], axis=-1)
+        cast = {i for i, b in enumerate(scene.bodies) if not b.static and travelled[i] > 0.3}
+    if not cast:
+        cast = {i for i, b in enumerate(scene.bodies) if b.mentioned and b.collides}
+    return tuple(sorted(cast)) or tuple(range(len(scene.bodies)))
+
+
+def _name(scene: SimScene, name: str) -> str:
+    if name not in scene.names:
+        return name
+    return scene.body(name).label or name.replace("_", " ")
+
+
+def _title(scene: SimScene, event: EventVerdict) -> str:
+    who = [_name(scene, b) for b in event.bodies]
+    joiner = " x " if event.type == "collision" else ", "
+    shown = joiner.join(who[:2]) + (f" +{len(who) - 2}" if len(who) > 2 else "")
+    return f"{event.type}: {shown}" if shown else f"{event.type} ({event.id})"
+
+
+def _measurements(event: EventVerdict) -> str:
+    """Time and what was measured, in the units of the measurement's name; zeros say nothing."""
+    parts = [f"t = {event.time_s:.2f} s"]
+    for key, value in event.measured.items():
+        name, _, unit = key.rpartition("_")
+        if name in ("", "time") or unit not in _UNITS or round(abs(value), 2) == 0.0:
+            continue
+        parts.append(f"{name.replace('_', ' ')} {_number(value)} {_UNITS[unit]}")
+    return "   ".join(parts[:4])
+
+
+def _number(value: float) -> str:
+    return f"{value:.0f}" if abs(value) >= 100 else f"{value:.3g}"
+
+
+def failures(scene: SimScene, verdict: SceneVerdict | None) -> list[str]:
+    """Lines about what did not happen and what is wrong with the layout.
+
+    Args:
+        scene: The bodies.
+        verdict: What the judge found; None gives no lines.
+    """
+    if verdict is None:
+        return []
+    lines = [
+        f"{_title(scene, e)}: not completed ({e.reason or 'no reason given'})"
+        for e in verdict.events
+        if not e.completed
+    ]
+    layout = verdict.layout
+    lines += [f"missing: {m}" for m in layout.missing]
+    lines += [f"overlap: {o.a} and {o.b}, {100 * o.depth_m:.1f} cm" for o in layout.overlaps]
+    return lines
