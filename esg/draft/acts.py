@@ -10,8 +10,24 @@ from esg.draft.motions import Motions
 from esg.graph.models import NodeEvent
 
 _GOING = frozenset(
-    {"go", "drop", "fall", "roll", "bounce", "sink", "fly", "run", "slide", "trickle", "jump",
-     "leap", "dive", "hop", "plunge", "tumble"}
+    {
+        "go",
+        "drop",
+        "fall",
+        "roll",
+        "bounce",
+        "sink",
+        "fly",
+        "run",
+        "slide",
+        "trickle",
+        "jump",
+        "leap",
+        "dive",
+        "hop",
+        "plunge",
+        "tumble",
+    }
 )
 _EDGES = frozenset({"edge", "end", "side", "rim", "lip"})
 _PUSHING = frozenset({"push", "shove", "nudge", "prod"})
@@ -165,7 +181,7 @@ class Acts(Motions):
             return told
         first = participants[0]
         track = self.tl.tracks.get(first)
-        if track is None or (track.motion is None and not track.hit):
+        if track is None or not track.under_way:
             if not self.movable(first):
                 self._free([first])
             if self.movable(first):
@@ -174,7 +190,7 @@ class Acts(Motions):
 
     def _ensure_mover(self, f: Frame, mover: str, target: str | None) -> None:
         track = self.tl.tracks.get(mover)
-        if track is not None and (track.motion is not None or track.hit):
+        if track is not None and track.under_way:
             return
         self._start_motion(f, [mover], None, target)
 

@@ -127,6 +127,7 @@ class ClauseVerbs(ClauseNouns):
             s.subject is not None
             and v.form in ("pp", "past", "ing")
             and not v.auxiliary
+            and v.lemma != "let"
             and (self._main_verb_follows(i) or self._parenthetical(i))
         ):
             # "a ball thrown at the wall bounces", "a car parked by the road is hit"

@@ -55,6 +55,8 @@ class Core:
         """Collisions by the clause that tells them."""
         self._rereading: set[tuple[int, str]] = set()
         """Frames with the senses they have been read as."""
+        self.rates: dict[str, tuple[Amount, float]] = {}
+        """Stated rate of braking and the speed it starts from [cm/s]."""
         self.still: dict[str, int] = {}
         """What is said not to move, and where the prompt says so."""
         self.pairs: dict[str, str] = {}

@@ -7,7 +7,7 @@ from typing import Literal
 from esg.draft import lexicon as lex
 from esg.draft.scene import Scene
 from esg.draft.syntax import Element, Mention, Token, Verb, Word
-from esg.graph.models import Coverage, CoverageItem
+from esg.graph.models import Coverage, CoverageItem, NodeEvent
 
 Kind = Literal["object", "event", "quantity", "relation", "modifier"]
 Status = Literal["used", "ignored", "not_understood"]
@@ -33,6 +33,9 @@ _DIRECTIONS = frozenset(
      "over", "away", "out", "in", "on", "back", "apart", "together", "clockwise", "around", "ahead",
      "anticlockwise", "counterclockwise", "counter-clockwise", "sideways", "head-on"}
 )  # fmt: skip
+
+NOTHING_HAPPENS = "No event of the prompt was understood"
+"""Start of the warning of a draft whose verbs all failed."""
 
 
 def account(
@@ -105,7 +108,7 @@ def account(
         if isinstance(e, Word) and e.kind == "adv" and e.low in _ORDER:
             add(e.start, e.end, "modifier", "used", note=_ORDER[e.low])
         elif isinstance(e, Word) and e.kind == "adv" and " " not in text[e.start : e.end]:
-            used = e.low in _DIRECTIONS
+            used = e.low in _DIRECTIONS or e.low == "heading"
             status: Status = "used" if used else "ignored"
             note = "direction" if used else "manner is not simulated"
             add(e.start, e.end, "modifier", status, note=note)
@@ -136,5 +139,11 @@ def account(
                 continue
             add(e.start, e.end, "modifier", "not_understood")
             warnings.append(f'The word "{text[e.start : e.end]}" was not understood.')
+    verbs = [i for i in items if i.kind == "event"]
+    lost = [i for i in verbs if i.status == "not_understood"]
+    told = any(n.event is not NodeEvent.TRIGGER for n in scene.timeline.nodes)
+    if lost and not told:
+        words = ", ".join(f'"{i.text}"' for i in lost[:4])
+        warnings.insert(0, f"{NOTHING_HAPPENS} ({words}): the scene shows none of it.")
     items.sort(key=lambda i: (i.start, i.end))
     return Coverage(items=tuple(items), warnings=tuple(dict.fromkeys(warnings)))

@@ -241,7 +241,9 @@ class Events(Places):
             return
         mates = self.world.groups.get(self.e(name).group or "", [])
         if any(
-            n.event is NodeEvent.COLLISION and other in n.participants and set(mates) & {*n.participants}
+            n.event is NodeEvent.COLLISION
+            and other in n.participants
+            and set(mates) & {*n.participants}
             for n in self.tl.nodes
         ):
             return  # "throws three stones at it; the last one knocks it off"

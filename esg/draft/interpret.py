@@ -7,7 +7,7 @@ import re
 
 from esg.draft import lexicon as lex
 from esg.draft.frames import Frame, Phrase
-from esg.draft.scene import Relation, Scene
+from esg.draft.scene import SELF_POWERED, Relation, Scene
 from esg.draft.senses_motion import MotionSenses
 from esg.draft.syntax import Mention
 from esg.graph.models import EventConstraint, NodeEvent, Role
@@ -20,6 +20,11 @@ _FLYING_ON = frozenset({"bounce", "roll", "slide", "fly", "enter", "spin"})
 _BREAKING = frozenset({"break", "shatter", "burst", "splinter", "crack"})
 _HALTING = frozenset({"stop", "catch", "grab", "avoid", "dodge", "intercept", "block", "follow"})
 _MOVING = frozenset({"own", "roll", "slide", "fly", "fall", "drop", "launch", "coast", "leave"})
+_RIDDEN = frozenset(
+    {"hit", "miss", "brake", "slow", "stop", "turn", "swerve", "enter", "overtake", "reach",
+     "accelerate", "reverse"}
+)  # fmt: skip
+"""What who rides something does with it."""
 _STATES = frozenset(
     {"be", "posture", "have", "weigh", "measure", "contain", "face", "surround", "park", "noop"}
 )
@@ -133,6 +138,11 @@ class Interpreter(MotionSenses):
 
     def _refer(self, f: Frame) -> None:
         """Resolves the noun phrases of a frame, subject first."""
+        thrown = f.verb.sense in ("fall", "land") or (
+            f.verb.sense in ("launch", "topple") and f.verb.passive
+        )
+        if f.subject is not None and thrown and f.subject.role in ("rider", "cyclist"):
+            f.subject.role = ""  # who falls is the rider, not what is ridden
         subject = self._subject(f)
         for m in self.mentions:
             between = f.subject is not None and f.subject.start < m.start < f.verb.start
@@ -220,9 +230,8 @@ class Interpreter(MotionSenses):
         ):
             self.stated[subject[0]] = speed[1]  # "the speed of the car is 12 m/s"
         self._patient = objects or self._patient
-        if struck and len(objects) == 1 and self._aimable(objects[0]):
-            self._last_moving = list(objects)
-        elif f.verb.sense in _MOVING and f.object is not None and len(objects) == 1:
+        lone_object = f.object is not None and len(objects) == 1 and self._aimable(objects[0])
+        if lone_object and (struck or f.verb.sense in _MOVING):
             self._last_moving = list(objects)
         elif f.verb.sense in _MOVING and len(subject) == 1 and self.kind(subject[0]) != "person":
             self._last_moving = list(subject)
@@ -309,16 +318,20 @@ class Interpreter(MotionSenses):
             objects += [i for i in f.object2.entities if i not in objects]
         objects = [i for i in objects if self.kind(i) != "region"]
         self.each = self._one_by_one(f)
-        if self.pairs and subject and set(subject) <= set(self.pairs) and len(objects) > 1:
-            if set(objects) == set(self.pairs.values()):
-                mine = {**self.pairs}
-                self.pairs = {}
-                for actor in subject:
-                    one = replace(f.subject, entities=[actor]) if f.subject else None
-                    other = replace(f.object, entities=[mine[actor]]) if f.object else None
-                    self.frame(replace(f, subject=one, object=other))
-                self.use(f, "one for each")
-                return
+        paired = subject and set(subject) <= set(self.pairs) and len(objects) > 1
+        if paired and set(objects) == set(self.pairs.values()):
+            mine, self.pairs = self.pairs, {}
+            for actor in subject:
+                one = replace(f.subject, entities=[actor]) if f.subject else None
+                other = replace(f.object, entities=[mine[actor]]) if f.object else None
+                self.frame(replace(f, subject=one, object=other))
+            self.use(f, "one for each")
+            return
+        if len(subject) == 1 and sense in _RIDDEN and not f.verb.passive and not objects[1:]:
+            mount = self.scene.supported_by.get(subject[0], "")
+            riding = mount and self.kind(mount) in SELF_POWERED | {"sliding"}
+            if riding and self.kind(subject[0]) == "person" and mount not in objects:
+                subject = [mount]  # "a girl on a skateboard ... she hits a hydrant"
         if sense not in _STATES:
             moving = [i for i in subject if self._aimable(i)]
             if subject and not moving and not f.verb.passive:

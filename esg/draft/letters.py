@@ -9,11 +9,48 @@ from esg.draft.elements import Mention
 from esg.draft.verbgroups import VerbGroups
 from esg.draft.verbphrases import verb_readings
 
+_CALLED = frozenset(
+    {"named", "called", "nicknamed", "labelled", "labeled", "dubbed", "marked", "known as"}
+)
+_QUOTES = frozenset({'"', "“", "”", "„", "«", "»", "'", "‘"})
 _NAMING = frozenset({"one", "two", "three", "four", "five"})
 
 
 class Letters(VerbGroups):
     """Reads individual names."""
+
+    def _name(self, j: int, m: Mention) -> int:
+        """Reads "named Rex", "called "O'Brien"", "labelled "B-2"" after a head; the next index."""
+        k = j
+        comma = self._tok(k) is not None and self.tokens[k].text == ","
+        k += comma
+        naming = self._low(k) in _CALLED
+        of = self._low(k) == "of" and self._tok(k + 1) is not None
+        k += naming or (of and self.tokens[k + 1].text in _QUOTES)
+        quoted = self._tok(k) is not None and self.tokens[k].text in _QUOTES
+        if not (naming or quoted) or m.letters:
+            return 0
+        if quoted:
+            near = range(k + 1, min(k + 7, len(self.tokens)))
+            ends = [n for n in near if self.tokens[n].text[-1] in _QUOTES]
+            first = self._tok(k + 1)
+            if not ends or first is None or not (naming or first.text[:1].isupper()):
+                return 0
+            start, end = self.tokens[k].end, self.tokens[ends[0]].end
+            after = ends[0] + 1
+        else:
+            if self._tok(k) is None or not self.tokens[k].text[:1].isupper() or comma:
+                return 0
+            after = k + 1
+            while self._tok(after) is not None and self.tokens[after].text[:1].isupper():
+                after += 1
+            start, end = self.tokens[k].start, self.tokens[after - 1].end
+        name = self.text[start:end].strip("\"'“”‘’ ")
+        if not re.search(r"[A-Za-z]", name) or len(name) < 2:
+            return 0
+        m.letters.append(name)
+        m.end = end
+        return after
 
     def _letters(self, j: int, m: Mention) -> int:
         """Individual names after a head: "ball A", "balls A, B and C", "car 1", "ball #2"."""
@@ -79,6 +116,9 @@ class Letters(VerbGroups):
             if found and closing is not None and closing.text in ('"', "'", "”", ")"):
                 m.letters.append(found)
                 return j + 3
+        named = self._name(j, m)
+        if named:
+            return named
         if self._low(j) in ("labeled", "labelled", "named", "called", "number") and letter(j + 1):
             j += 1
         found = letter(j)

@@ -7,10 +7,12 @@ from dataclasses import dataclass, field
 import hashlib
 from importlib import resources
 import json
-from typing import Literal, TypeVar, cast
+from typing import Any, Literal, TypeVar, cast
 
 from esg.draft.llm_assemble import Json, Replies, assemble
 from esg.draft.llm_client import Call, Client, ModelFailure, PatientClient, Reply
+from esg.draft.llm_names import slug
+from esg.draft.llm_schema import bounded, schema_of, settled
 from esg.draft.llm_settings import LlmSettings
 from esg.draft.llm_stages import (
     AssetsReply,
@@ -20,9 +22,7 @@ from esg.draft.llm_stages import (
     TimelineReply,
     UnreadableReply,
     WholeReply,
-    bounded,
     read_reply,
-    schema_of,
 )
 from esg.graph.models import EsgDocument
 from esg.graph.rules_events import MAX_SPEED_CM_S, TIME_S
@@ -264,7 +264,7 @@ class Session:
             model=(settings.vision_model if images else None) or settings.model or "",
             instructions=instructions(stage),
             messages=messages,
-            schema=bounded(schema_of(stage), settings.max_items, settings.max_text),
+            schema=bounded(self._schema(stage), settings.max_items, settings.max_text),
             seed=self.seed,
             temperature=settings.temperature,
             max_tokens=settings.max_tokens,
@@ -273,6 +273,18 @@ class Session:
         reply = await self.client.complete(call)
         self.calls.append(CallRecord(stage, reply.text, reply.input_tokens, reply.output_tokens))
         return reply
+
+    def _schema(self, stage: str) -> Any:
+        """Schema of a stage; with validation, references are closed lists of settled names."""
+        schema = schema_of(stage)
+        if self.variant != "full" or stage not in ("spatial", "timeline"):
+            return schema
+        names: list[str] = []
+        for o in cast(AssetsReply, self.answers["assets"]).objects:
+            names.append(o.name)
+            if o.count > 1:
+                names += [f"{slug(o.name)}_{k + 1}" for k in range(o.count)]
+        return settled(schema, names, self.settings.max_items)
 
     @property
     def _expansion(self) -> ExpansionReply:

@@ -294,35 +294,6 @@ class UnreadableReply(Exception):
     """A reply that does not fit its shape; the message is for the model."""
 
 
-def bounded(schema: Any, items: int | None, text: int | None) -> Any:
-    """A JSON Schema whose lists and free texts end, for servers that sample by grammar.
-
-    Args:
-        schema: JSON Schema.
-        items: Most items of every list; None leaves lists open.
-        text: Most characters of every text without a list of allowed words; None leaves it open.
-
-    Returns:
-        A copy with maxItems and maxLength.
-    """
-    if isinstance(schema, list):
-        return [bounded(x, items, text) for x in schema]
-    if not isinstance(schema, dict):
-        return schema
-    out = {k: bounded(v, items, text) for k, v in schema.items()}
-    if items is not None and out.get("type") == "array":
-        most = min(items, out.get("maxItems", items))
-        out["maxItems"] = max(most, out.get("minItems", 0))
-    if text is not None and out.get("type") == "string" and not {"enum", "const"} & out.keys():
-        out["maxLength"] = text
-    return out
-
-
-def schema_of(stage: str) -> dict[str, Any]:
-    """JSON Schema of a stage's reply."""
-    return REPLIES[stage].model_json_schema()
-
-
 def read_reply(text: str, shape: type[ReplyT], *, cut_off: bool = False) -> ReplyT:
     """The reply as an object.
 

@@ -17,7 +17,9 @@ _NEVER = re.compile(r"\bnever\s+(?:\w+ly\s+)?$", re.IGNORECASE)
 _ABOUT_TO = re.compile(r"\b(?:about|unable|too\s+\w+|reluctant|afraid)\s*$", re.IGNORECASE)
 _MEANT_TO = re.compile(r"\b(?:supposed|meant|expected|intended)\s*$", re.IGNORECASE)
 _BUT = re.compile(r"\b(?:but|yet|though|although|only to)\b|;\s*however\b", re.IGNORECASE)
-_TURNED_OUT = re.compile(r"\b(?:instead|however|unfortunately|luckily|fortunately)\b", re.IGNORECASE)
+_TURNED_OUT = re.compile(
+    r"\b(?:instead|however|unfortunately|luckily|fortunately)\b", re.IGNORECASE
+)
 _ENDS = re.compile(r"[.;!?\n]")
 
 _WISHES = frozenset(
@@ -33,6 +35,10 @@ _EVENTS = frozenset(
      "swerve", "pass", "park"}
 )  # fmt: skip
 """Senses that make events; a wished motion ("wants to cross the road") is at most a direction."""
+_SHOWING = frozenset(
+    {"follow", "show", "pan", "zoom", "track", "watch", "see", "move", "look", "film", "focus",
+     "stay", "face", "capture"}
+)  # fmt: skip
 _SPEAKERS = frozenset({"i", "we", "you"})
 
 
@@ -45,6 +51,10 @@ def mark_unreal(frames: list[Frame], text: str) -> None:
     """
     told = sorted(frames, key=lambda f: f.verb.start)
     for k, f in enumerate(told):
+        seen = f.subject is not None and f.subject.head in ("camera", "viewer", "video", "shot")
+        if seen and f.subject is not None and f.verb.lemma in _SHOWING:
+            f.subject.attribute, f.unreal = True, "how it is filmed"
+            continue
         earlier = [g for g in told[:k] if g.sentence == f.sentence]
         later = [g for g in told[k + 1 :] if g.sentence == f.sentence]
         reason = _reason(f, earlier, later, text)
@@ -93,9 +103,10 @@ def _reason(f: Frame, earlier: list[Frame], later: list[Frame], text: str) -> st
         purpose = f.link == "purpose" and f.causer is None and f.verb.sense != "miss"
         if purpose and contrast and governor.verb.sense not in ("be", "noop", "posture"):
             return "a purpose that is not reached"
-    if f.verb.form == "ing" and f.verb.auxiliary and f.verb.sense in ("overtake", "pass"):
-        if any(g.subordinate == "when" for g in later[:1]):
-            return "under way when something else happens"
+    progressive = f.verb.form == "ing" and bool(f.verb.auxiliary)
+    interrupted = any(g.subordinate == "when" for g in later[:1])
+    if progressive and interrupted and f.verb.sense in ("overtake", "pass"):
+        return "under way when something else happens"
     return ""
 
 

@@ -180,7 +180,9 @@ class Motions(Events):
         self._distance(f, actors, aim)
         if "off" in f.adverbs:
             for actor in actors:
-                if actor in self.scene.supported_by or self.e(actor).pattern == "stack":
+                slid = f.verb.lemma in ("slide", "slip") and self._lies_on_something(actor)
+                held = actor in self.scene.supported_by or self.e(actor).pattern == "stack"
+                if held or slid:
                     self.event(NodeEvent.FALL, (actor,), f, self._time(f))
         duration = next(
             (a for p, a in self.amounts(f) if a.dimension == "time" and p == "for"), None
@@ -195,6 +197,11 @@ class Motions(Events):
                     track.motion.duration = duration.value
             self.use(duration, "duration")
         self._outcomes(f, actors)
+
+    def _lies_on_something(self, actor: str) -> bool:
+        """Whether it came to lie on what it last touched ("drops it on a cube. It slides off")."""
+        last = next((n for n in reversed(self.tl.nodes) if actor in n.participants), None)
+        return last is not None and last.event is NodeEvent.COLLISION
 
     def _order_of(self, f: Frame, actors: list[str]) -> None:
         """ "a bus and a taxi drive with the taxi ahead"."""

@@ -212,6 +212,8 @@ class NounPhrases(NounHeads):
                 break
             if noun is not None and self._is_adjective(j) and not self._noun_soon(j + 1):
                 break
+            if noun is not None and self._is_adjective(j) and m.determiner and self._acts(j + 1):
+                break  # "the brick slides off it": a material that is a thing of its own
             if token.low in lex.ADVERBS and not self._is_adjective(j):
                 if token.low in (
                     "very",
@@ -286,7 +288,12 @@ class NounPhrases(NounHeads):
     def _lone_letter(self, j: int) -> bool:
         """A capital that names an individual introduced before ("A moves ... B moves")."""
         token = self._tok(j)
-        if token is None or not re.fullmatch(r"[A-Z]", token.text) or token.text == "I":
+        if token is None or token.text == "I":
+            return False
+        if len(token.text) > 2 and token.text[0].isupper():
+            named = (e.letters for e in self.elements if isinstance(e, Mention))
+            return any(token.text in names for names in named)  # "Rex stops"
+        if not re.fullmatch(r"[A-Z]", token.text):
             return False
         known = {x for e in self.elements if isinstance(e, Mention) for x in e.letters}
         if token.text not in known:

@@ -37,7 +37,11 @@ class Reader:
                 if candidate in table:
                     if candidate == phrase and single != phrase and single in table:
                         continue
-                    if is_plural and table[candidate].kind == "ground" and self._lands_on(i + n - 1):
+                    if (
+                        is_plural
+                        and table[candidate].kind == "ground"
+                        and self._lands_on(i + n - 1)
+                    ):
                         return None
                     if n > 1 and is_plural and self._subject_and_verb(i, words):
                         continue
@@ -50,6 +54,15 @@ class Reader:
             if last in table:
                 return table[last], 1, plural, last
         return None
+
+    def _acts(self, i: int) -> bool:
+        """Whether a word in -s that could be a plural is the verb of the noun before it."""
+        token, nxt = self._tok(i), self._tok(i + 1)
+        if token is None or not any(r.form == "s" for r in verb_readings(token.low)):
+            return False
+        if nxt is None or nxt.kind in ("punct", "qty"):
+            return True
+        return nxt.low in lex.PREPOSITIONS | lex.DETERMINERS | lex.ADVERBS | lex.PRONOUNS | {"and"}
 
     def _lands_on(self, i: int) -> bool:
         """ "The brick lands on a car": a verb, no ground."""
@@ -182,6 +195,8 @@ class Reader:
         nounish = noun is not None or low in lex.ATTRIBUTES or low in lex.PARTS
         nounish = nounish or lex.singular(low)[0] in lex.ATTRIBUTES
         adjectival = self._is_adjective(i)
+        if adjectival and prev_low in ("too", "very", "so", "quite") and forms <= {"base"}:
+            return False  # "is too slow"
         if noun is not None and noun[1] > 1 and not isinstance(previous, Mention):
             return False
         if prev_low in lex.DETERMINERS and not (

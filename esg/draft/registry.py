@@ -10,6 +10,7 @@ from esg.draft.quantities import Amount
 
 _NAMED_GROUPS = frozenset({"tower", "pyramid", "pile", "heap", "convoy"})
 
+_TO_THE_HOLE = frozenset({"into", "in", "past", "to", "toward", "towards", "around"})
 _AT_A_BAR = frozenset({"along", "on", "at", "across", "off", "behind", "down", "onto", "from"})
 MAX_COUNT = 40
 """Most members of one plural."""
@@ -219,6 +220,8 @@ class Registry(Matching):
         noun = m.noun or unknown_noun(m.head)
         if noun.name == "net" and m.after_prep in ("into", "in") and not self.net_sport:
             noun = lex.nouns()["goal"]
+        elif noun.name == "cup" and self._golf() and m.after_prep in _TO_THE_HOLE:
+            noun = lex.nouns()["hole"]
         elif noun.name == "gold bar" and m.head == "bar" and m.after_prep in _AT_A_BAR:
             noun = lex.nouns()["counter"]
         elif noun.name == "hoop" and (
@@ -289,6 +292,9 @@ class Registry(Matching):
                 e.adjectives.append(place)
                 self._rename(e, self._new_id(slug(e.label)))
         return list(self.groups[group])
+
+    def _golf(self) -> bool:
+        return any(e.noun.name == "golf ball" for e in self.entities.values())
 
     def _letter(self, m: Mention, letter: str) -> str:
         """Names a member of a plural, or creates the individual."""

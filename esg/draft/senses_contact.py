@@ -80,8 +80,10 @@ class ContactSenses(LaunchSenses):
         if not targets and f.verb.lemma in _STUMBLING:
             self.use(f, "stumbles")
             return
+        if not targets and movers and self._crashes_down(f, movers):
+            return
         if not targets and movers:
-            aimed = self.aim.get(movers[0])
+            aimed = self.aim.get(movers[0]) or self._aim_of_mates(movers[0])
             if aimed is not None and aimed != movers[0]:
                 targets = [aimed]
             else:
@@ -118,6 +120,22 @@ class ContactSenses(LaunchSenses):
             self._outcomes(f, targets[:1])
         elif o and f.phrase("into", "onto", "toward", "towards") is not None and nodes:
             self._knock_on(f, targets[:1])
+
+    def _crashes_down(self, f: Frame, movers: list[str]) -> bool:
+        """ "crashes to the floor": a fall from where it stands."""
+        p = f.phrase("to", "onto", "on", "down")
+        if p is None or p.mention is None or not all(map(self.structural, p.mention.entities)):
+            return False
+        for mover in movers:
+            if mover in self.scene.supported_by:
+                self.event(NodeEvent.FALL, (mover,), f, self._time(f))
+        return any(m in self.scene.supported_by for m in movers)
+
+    def _aim_of_mates(self, mover: str) -> str | None:
+        """ "The first stone misses the can. The second one hits.": the can."""
+        kind = self.e(mover).noun.name
+        like = [a for a in self.aim if a in self.world.entities and self.e(a).noun.name == kind]
+        return self.aim[like[-1]] if like else None
 
     def _names_something(self, f: Frame) -> bool:
         """Whether an article follows the verb, so that there is an object that was not read."""

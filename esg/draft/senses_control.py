@@ -115,9 +115,40 @@ class ControlSenses(ContactSenses):
         if lasting is not None and actors:
             self.gap = lasting  # "brakes for 2 s and then hits"
         found = self.quantity(f, "speed")
+        rate = self.quantity(f, "acceleration")
+        for actor in actors if rate is not None else []:
+            start = self._speed_before_brake(actor)
+            if start is not None:
+                self.rates[actor] = (rate[1], start)
         if found is not None and f.phrase("from") is None:
             self.use(found[1], "speed")
         self.use(f, "braking")
+
+    def _speed_before_brake(self, actor: str) -> float | None:
+        """The stated speed with which it drives when it starts to brake [cm/s]."""
+        for edge in reversed(self.tl.edges):
+            if edge.actor == actor and edge.speed_is_prescribed:
+                speed = edge.params.speed
+                return speed if isinstance(speed, (int, float)) else None
+        return None
+
+    def _rate_of_braking(self, actor: str, node: str) -> None:
+        """ "brakes at 3 m/s² from 9 m/s and stops": the time that this takes."""
+        if actor not in self.rates:
+            return
+        amount, speed = self.rates.pop(actor)
+        draft = self.tl.node(node)
+        rate = abs(amount.middle)
+        if (
+            draft is None
+            or rate <= 0.0
+            or any(c.quantity in ("time_to_stop", "time_since") for c in draft.constraints)
+        ):
+            return
+        draft.constraints.append(
+            EventConstraint(quantity="time_to_stop", object=actor, value=speed / rate)
+        )
+        self.use(amount, "time to stop at this rate")
 
     def _do_slow(self, f: Frame, s: list[str], o: list[str]) -> None:
         actors = s or o
@@ -231,7 +262,8 @@ class ControlSenses(ContactSenses):
             and track.role is Role.ACTIVE
         ):
             self._brake(f, actor, None)
-        self.event(NodeEvent.STOP, (actor,), f, time)
+        node = self.event(NodeEvent.STOP, (actor,), f, time)
+        self._rate_of_braking(actor, node)
 
     def _do_park(self, f: Frame, s: list[str], o: list[str]) -> None:
         if (

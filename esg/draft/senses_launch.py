@@ -88,6 +88,9 @@ class LaunchSenses(StateSenses):
         if agents and (pushed or (self.kind(things[0]) == "person" and mode in ("slide", "roll"))):
             # one person pushes another: contact, not a throw
             self._hit(f, agents[:1], things[:1], self._time(f))
+            stated = self.quantity(f, "speed")
+            if stated is not None:
+                self._speed_after(things[0], stated[1])
             self._knock_on(f, things)
             self._consequence(f, things)
             return
@@ -289,7 +292,8 @@ class LaunchSenses(StateSenses):
         if (
             upright
             and not {"off", "out"} & set(f.adverbs)
-            and f.phrase("off", "from", "out of", "over", "down", "onto", "on", "into", "in") is None
+            and f.phrase("off", "from", "out of", "over", "down", "onto", "on", "into", "in")
+            is None
             and a_rests_low(self, upright[0])
         ):
             self._read_as("topple", f, s, [])

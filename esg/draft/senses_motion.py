@@ -160,7 +160,10 @@ class MotionSenses(ControlSenses):
             self._motion(f, s, "throw")
 
     def _do_spin(self, f: Frame, s: list[str], o: list[str]) -> None:
-        if s and not self._moved_by_others(s[0]):
+        under = f.phrase("on", "upon")
+        if s and under is not None and under.mention is not None and under.mention.entities:
+            self.place(s, under.mention.entities, "on")
+        elif s and not self._moved_by_others(s[0]):
             self._motion(f, s, None)
         self.scene.ignored[(f.verb.start, f.verb.end)] = "spin is not prescribed"
 
@@ -174,6 +177,9 @@ class MotionSenses(ControlSenses):
             self._do_roll(f, s, o)
             return
         p = f.phrase("off", "against", "on", "from", "into", "onto")
+        if len(s) > 1 and "apart" in f.adverbs and p is None:
+            self._mutual(f, s, self._time(f))
+            return
         self._kinematics(f, s, [])
         for actor in s:
             if p is not None and p.mention is not None and p.mention.attribute:

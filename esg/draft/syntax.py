@@ -126,6 +126,11 @@ _MULTI: tuple[tuple[tuple[str, ...], Literal["prep", "adv", "sub"], str], ...] =
     (("by", "accident"), "adv", "accidentally"),
     (("in", "motion"), "adv", "in motion"),
 )
+_HEADINGS = frozenset(
+    {"scene", "shot", "prompt", "description", "task", "note", "step", "phase", "part", "act",
+     "system", "user", "assistant", "title", "setting", "action", "input", "output", "example",
+     "scenario", "story", "instruction", "instructions", "request"}
+)  # fmt: skip
 _SO_AS_TO = (("in", "order", "to"), ("so", "as", "to"))
 _LONGEST_FIRST = tuple(sorted(_MULTI, key=lambda m: -len(m[0])))
 
@@ -145,6 +150,9 @@ class Chunker(NounPhrases):
         if token.kind == "punct":
             self.elements.append(Word(token.start, token.end, "punct", token.text))
             return i + 1
+        used = self._heading(i)
+        if used:
+            return i + used
         if token.kind == "qty":
             j = self._noun_phrase(i)
             if j is not None:
@@ -233,6 +241,24 @@ class Chunker(NounPhrases):
             return i + 1
         self.elements.append(Word(token.start, token.end, "unknown", low))
         return i + 1
+
+    def _heading(self, i: int) -> int:
+        """ "Scene 1:", "SYSTEM:", "Prompt:" in front of a sentence names no object."""
+        previous = self._previous()
+        if previous is not None and not (isinstance(previous, Word) and previous.low in ".;!?-"):
+            return 0
+        token = self.tokens[i]
+        n = 2 if self._tok(i + 1) is not None and self.tokens[i + 1].kind == "number" else 1
+        colon = self._tok(i + n)
+        if token.kind != "word" or colon is None or colon.text != ":":
+            return 0
+        unknown = self._match_noun(i) is None and not verb_readings(token.low)
+        if token.low not in _HEADINGS and not (unknown and token.text.isupper()):
+            return 0
+        if len(token.text) == 1:
+            return 0
+        self.elements.append(Word(token.start, colon.end, "adv", "heading"))
+        return n + 1
 
     def _verb_after_amount(self, i: int) -> bool:
         """ "with a mass of 25 kg slides": a noun cannot follow a quantity that "of" introduces."""

@@ -65,6 +65,11 @@ class Track:
     closed: bool = True
     """Whether the current motion already led to an event."""
 
+    @property
+    def under_way(self) -> bool:
+        """Whether it moves: by itself, or carried on by what hit it."""
+        return self.motion is not None or (self.hit and self.role is Role.PASSIVE)
+
 
 class TimelineBuilder:
     """Collects motions and events in order of time."""
@@ -162,7 +167,7 @@ class TimelineBuilder:
         moving = []
         for actor in participants:
             track = self.tracks.get(actor)
-            if track is not None and (track.motion is not None or track.hit):
+            if track is not None and track.under_way:
                 moving.append(actor)
         if not moving and self.last_event is not None:
             draft.after.append(self.last_event)

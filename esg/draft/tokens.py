@@ -12,6 +12,7 @@ from esg.draft.quantities import find_amounts
 _WORD = re.compile(
     r"\d+-(?:ball|wheeler)s?\b|[A-Za-zÀ-ɏ]+(?:[-'’][A-Za-zÀ-ɏ]+)*|\d+(?:st|nd|rd|th)\b"
     r"|#?\d+(?:\.\d+)?|[^\sA-Za-z0-9]"
+    r"|\n(?=\s*(?:[-*•]|\d+[.)]\s|\n|[A-Z]))"
 )
 
 
@@ -25,6 +26,9 @@ def tokenize(text: str, tags: list[tuple[int, str]] | None = None) -> list[Token
     def words(lo: int, hi: int) -> None:
         for m in _WORD.finditer(text, lo, hi):
             word = m.group()
+            if word == "\n":  # a new line that starts a new sentence
+                out.append(Token(".", m.start(), m.end(), "punct"))
+                continue
             if word[0].isalpha():
                 m2 = re.fullmatch(r"(.+)['’]s", word)
                 if m2 and m2.group(1).lower() not in ("it", "there", "that", "he", "she"):

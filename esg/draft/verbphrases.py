@@ -107,10 +107,14 @@ _phrase(
 )
 _phrase("fall", r"short\s+of", "miss")
 _phrase("come", r"off", "fall")
+_phrase("come", r"down(?=\s+(?:from|off|on|onto)\b)", "fall", particle="down")
+_phrase("take", r"(?:an?|the)\s+(?:\w+\s+)?(?:corner|bend|curve)", "turn")
 for _v in ("break", "come", "work"):
     _phrase(_v, r"(?:loose|away|free)(?=\s+(?:from|of)\b)", "fall", particle="down")
 _phrase("knock", r"out(?=\s+(?:an?|the|one|two|three|some)\b)", "knock", transitive="1")
-_phrase("avoid", r"(?:hitting|touching|striking|ramming|(?:crashing|running|bumping)\s+into)", "avoid")
+_phrase(
+    "avoid", r"(?:hitting|touching|striking|ramming|(?:crashing|running|bumping)\s+into)", "avoid"
+)
 _phrase("avoid", r"(?:a\s+)?(?:collision|crash)\s+with", "avoid")
 _phrase("make", r"(?:contact|impact)\s+with", "hit", obj="1")
 _phrase("come", r"into\s+contact\s+with", "hit", obj="1")
