@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 import itertools
 import math
@@ -292,11 +292,16 @@ class UnitBuilder:
         started = [m for m in members if m in self.taken]
         unit = self.taken[started[0]]
         pattern = self.pattern_of(name)
-        if pattern not in RIGID_PATTERNS or pattern == "stack" or started[0] in unit.z_cm:
+        if pattern not in RIGID_PATTERNS or started[0] in unit.z_cm:
             return
-        if len({self.supports.of[m].parent for m in members}) > 1:
+        if len({self.supports.of[m].parent for m in members} - set(members)) > 1:
+            return
+        if pattern == "stack" and any(self.taken[m] is not unit for m in started):
             return
         local = self._arrange(name, members)
+        if pattern == "stack":
+            self._pile(unit, started[0], rest)
+            return
         topple = all(is_domino_like(*_size(self.shape[m])) for m in members)
         first = unit.members[started[0]]
         paths = [c for c in unit.corridors if not {f"group:{name}", *rest} & set(c.participants)]
@@ -321,6 +326,16 @@ class UnitBuilder:
                     unit.members[m] = poses[m]
                     self.taken[m] = unit
                 return
+
+    def _pile(self, unit: Unit, started: str, rest: list[str]) -> None:
+        """Sets the rest of a stack above and below the member that has a start."""
+        for m in rest:
+            unit.members[m] = unit.members[started]
+            self.taken[m] = unit
+        unit.corridors = [
+            replace(c, participants=(*c.participants, *rest)) if started in c.participants else c
+            for c in unit.corridors
+        ]
 
     def _lay_decals(self, unit: Unit) -> None:
         from esg.layout.decals import lay_decals  # decals need units and obstacles

@@ -194,6 +194,16 @@ def test_stack_rests_member_on_member() -> None:
     assert out.max_penetration_cm == 0.0
 
 
+def test_a_stack_stays_one_where_a_single_member_has_a_start() -> None:
+    nodes = {f"c{i}": ("bin", {"group": "s", "group_pattern": "stack"}) for i in range(4)}
+    path = Corridor(((-500.0, 0.0), (200.0, 0.0)), 60.0, ("car_1", "c1"))
+    start = Constellation((Placement("car_1", -500, 0), Placement("c1", 0, 0)), (path,))
+    out = layout(b.document(ASSETS, {"car_1": "car", **nodes}), start)
+    assert out.feasible, out.reason
+    assert len({out.poses[f"c{i}"].position_cm[:2] for i in range(4)}) == 1
+    assert [round(out.poses[f"c{i}"].position_cm[2] / 100.0) for i in range(4)] == [0, 1, 2, 3]
+
+
 @pytest.mark.parametrize("pattern", ["row", "queue", "column"])
 def test_dominoes_stand_at_toppling_distance(pattern: str) -> None:
     """Each slab must reach its neighbour while falling, and none may touch."""
