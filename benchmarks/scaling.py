@@ -140,7 +140,8 @@ def load(folder: Path) -> list[Point]:
             events = sum(
                 n.event.value not in ("SceneStart", "Trigger") for n in story.nodes.values()
             )
-            out.append(Point(row["sweep"], len(scene.bodies), events, row["candidates"], doc))
+            bodies = sum(b.collides for b in scene.bodies)
+            out.append(Point(row["sweep"], bodies, events, row["candidates"], doc))
     return out
 
 
