@@ -8,7 +8,7 @@ On a GPU's machine, with documents that were made elsewhere:
 python -m benchmarks.scaling --prepare prepared            # needs no GPU
 python -m benchmarks.scaling --prepared prepared --device cuda:0 --out out
 
-writes scaling_cuda.json.
+writes scaling_cuda.json. With --sweeps only some are measured; what the file has of others stays.
 
 | sweep | what grows |
 | --- | --- |
@@ -365,6 +365,10 @@ def main() -> None:
     head["command"] = "python -m benchmarks.scaling " + ("" if cpu else f"--device {args.device}")
     args.out.mkdir(parents=True, exist_ok=True)
     file = args.out / f"{args.name}_{kind}.json"
+    if file.exists():
+        # Long sweeps may be measured one by one.
+        known = json.loads(file.read_text())["points"]
+        rows = [r for r in known if r["sweep"] not in args.sweeps] + rows
     lines = ",\n".join("  " + json.dumps(r) for r in rows)
     file.write_text(json.dumps(head, indent=1)[:-2] + f',\n "points": [\n{lines}\n ]\n}}\n')
 
