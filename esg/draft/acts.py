@@ -7,6 +7,7 @@ from typing import Any
 from esg.draft.core import Time
 from esg.draft.frames import Frame, Phrase
 from esg.draft.motions import Motions
+from esg.draft.scene import SELF_POWERED
 from esg.graph.models import NodeEvent
 
 _GOING = frozenset(
@@ -30,6 +31,15 @@ _GOING = frozenset(
     }
 )
 _EDGES = frozenset({"edge", "end", "side", "rim", "lip"})
+_VISITING = frozenset(
+    {"come", "go", "pull", "move", "drive", "walk", "ride", "sail", "head", "turn", "run", "step"}
+)
+_PLACES = frozenset(
+    {"station", "tunnel", "garage", "hangar", "harbor", "harbour", "port", "depot", "airport",
+     "barn", "stable", "warehouse", "factory", "hall", "room", "kitchen", "shop", "store", "school",
+     "village", "town", "city", "mall"}
+)  # fmt: skip
+"""Where "into" is an arrival and no crash."""
 _PUSHING = frozenset({"push", "shove", "nudge", "prod"})
 
 
@@ -121,6 +131,10 @@ class Acts(Motions):
         other = others[0]
         noun = self.e(other).noun
         if self.structural(other):
+            return
+        visits = f.verb.lemma in _VISITING and self.e(other).head.split()[-1] in _PLACES
+        if visits and self.kind(actor) in SELF_POWERED:
+            self.pending[actor] = (NodeEvent.REACH, f, other, time)  # "comes into the station"
             return
         breaks = p.prep == "through" and noun.kind in ("wall", "street") and not p.mention_plural
         if (

@@ -31,6 +31,7 @@ class Core:
         self.pending: dict[str, tuple[NodeEvent, Frame, str | None, Time | None]] = {}
         """Arrivals ("walks to the door") and falls that a later event may replace."""
         self._patient: list[str] = []
+        self._patient_at = -1
         self._last_subject: list[str] = []
         self._last_moving: list[str] = []
         """What the prompt last said to move by itself."""

@@ -229,6 +229,8 @@ class Interpreter(MotionSenses):
             and len(subject) == 1
         ):
             self.stated[subject[0]] = speed[1]  # "the speed of the car is 12 m/s"
+        if objects:
+            self._patient_at = f.sentence
         self._patient = objects or self._patient
         lone_object = f.object is not None and len(objects) == 1 and self._aimable(objects[0])
         if lone_object and (struck or f.verb.sense in _MOVING):
@@ -279,6 +281,10 @@ class Interpreter(MotionSenses):
         self.pairs.update(zip(subject, ids, strict=True))
         return ids
 
+    def _patient_since(self, sentence: int) -> bool:
+        """Whether something was acted on in this sentence."""
+        return self._patient_at == sentence
+
     def _named_between(self, subject: Mention | None, m: Mention) -> bool:
         """Whether the clause names something before a pronoun ("hits the nine and pots it")."""
         if subject is None:
@@ -290,6 +296,21 @@ class Interpreter(MotionSenses):
     def _subject(self, f: Frame) -> list[str]:
         """Referents of the subject; what falls after a push is the thing pushed."""
         m = f.subject
+        if (
+            m is not None
+            and m.pronoun == "it"
+            and id(m) not in self.world.resolved
+            and f.verb.sense in ("fall", "topple", "land")
+            and not f.start_of_sentence
+            and self._topic is not None
+            and self._topic[0] == f.sentence - 1
+            and len(self._topic[1]) == 1
+            and self._last_subject
+            and self.kind(self._last_subject[0]) in SELF_POWERED
+            and not self._patient_since(f.sentence)
+        ):
+            # "A book lies on a shelf. When a truck passes, it falls.": the book
+            self.world.resolved[id(m)] = m.entities = list(self._topic[1])
         if (
             m is not None
             and m.pronoun in ("it", "they")

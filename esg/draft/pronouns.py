@@ -150,6 +150,16 @@ class Pronouns(Registry):
                 for e in reversed(list(self.entities.values())):
                     if e.color == lex.COLORS[a]:
                         return [e.id]
+        if "next" in m.adjectives and not self.groups:
+            solid = [e for e in self.entities.values() if "structural" not in e.noun.traits]
+            if solid:  # "A domino falls and hits the next one"
+                like = solid[-1]
+                label = f"next {like.head}"
+                other = self.add(
+                    like.noun, like.head, adjectives=["next"], label=label,
+                    known=like.known, origin=m.start,
+                )  # fmt: skip
+                return [other.id]
         fresh = self._another_like(m, avoid)
         if fresh:
             return fresh

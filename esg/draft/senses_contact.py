@@ -65,6 +65,10 @@ class ContactSenses(LaunchSenses):
         ):
             self.place(movers, targets, host.prep)
             targets = []
+        encounter = f.verb.lemma == "meet" and all(self.kind(m) in SELF_POWERED for m in movers)
+        if encounter and not targets:
+            self._motion(f, movers, None)  # "two trains meet at a bridge"
+            return
         if not targets and len(movers) >= 2:
             self._mutual(f, movers, time)
             return
@@ -331,6 +335,9 @@ class ContactSenses(LaunchSenses):
         self.use(f, "scatter")
 
     def _do_enter(self, f: Frame, s: list[str], o: list[str]) -> None:
+        if f.verb.lemma == "splash" and not any(map(self._enterable, o)):
+            self.scene.ignored[(f.verb.start, f.verb.end)] = "water is not simulated"
+            return
         for actor in s:
             target = next((t for t in o if not self.structural(t)), None)
             if target is not None and actor in self.world.entities and self.movable(actor):

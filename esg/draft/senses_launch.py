@@ -225,11 +225,17 @@ class LaunchSenses(StateSenses):
                     self._start_motion(f, [t], "drop")
         self._heights(f, moved)
         self.use(f, "drop")
+        if "in" in f.adverbs and any(map(self._enterable, self._named())):
+            self._goes_in(f, moved, self._time(f))  # "circles the hole and drops in"
+            return
         if not self._landing(f, moved):
             for t in moved:
                 if t in flying:
                     continue  # "drops behind the net" after a throw: it leaves no support
                 self.pending[t] = (NodeEvent.FALL, f, None, self._time(f))
+
+    def _named(self) -> list[str]:
+        return [i for ids in self.world.salience for i in ids if i in self.world.entities]
 
     def _landing(self, f: Frame, moved: list[str]) -> bool:
         p = f.phrase("onto", "on", "into", "in", "through", "to", "upon")

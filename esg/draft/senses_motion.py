@@ -255,6 +255,10 @@ class MotionSenses(ControlSenses):
                 self._hit(f, [actor], [place], self._time(f))
 
     def _do_swing(self, f: Frame, s: list[str], o: list[str]) -> None:
+        into = f.phrase("into", "against", "onto")
+        if o and into is not None and into.mention is not None and into.mention.entities:
+            self._hit(f, o[:1], into.mention.entities[:1], self._time(f))
+            return  # "a crane swings a beam into a scaffold"
         target = self._hit_targets(f, s, o)
         if f.phrase("at", "into", "against") is not None and target and s:
             self._hit(f, s[:1], target, self._time(f))

@@ -224,6 +224,11 @@ class World(Pronouns):
             pool = [e for e in pool if not (e.group and e.noun.kind == "billiard")] or pool
         pool.sort(key=lambda e: max((k for k, i in enumerate(order) if i == e.id), default=-1))
         groups = {e.group for e in pool}
+        told = [ids[0] for ids in self.salience if len(ids) == 1]
+        mate = next((i for i in reversed(told) if i in {e.id for e in pool}), None)
+        alone = mate is not None and m.determiner == "the" and not m.adjectives
+        if len(pool) > 1 and len(groups) == 1 and None not in groups and alone:
+            return [mate] if mate else []  # "a box falls off. The box hits ..."
         if len(pool) > 1 and len(groups) == 1 and None not in groups:
             return [pool[0].id]  # "the head pin"
         return [pool[-1].id]
