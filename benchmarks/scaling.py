@@ -194,8 +194,9 @@ def on_cpu(folder: Path, sweeps: list[str]) -> list[dict[str, Any]]:
         if point.sweep not in sweeps:
             continue
         command = [sys.executable, "-m", "benchmarks.scaling", "--prepared", str(folder)]
-        # The solver's kernels are compiled for the size of a scene: a first run does that.
-        for _ in range(2):
+        # The solver's kernels are compiled for the size of a scene: a first run does that. The
+        # scene of the candidates is the first point's, which every process starts with.
+        for _ in range(1 if point.candidates else 2):
             done = subprocess.run([*command, "--point", str(k)], env=env, capture_output=True)
             if done.returncode:
                 raise RuntimeError(done.stderr.decode())
