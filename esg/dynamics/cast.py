@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
 from esg.dynamics.aim import aim_point, region_center
-from esg.dynamics.story import Phase, Story, read_story
-from esg.engines.scene import SimScene
+from esg.dynamics.story import Phase, Story, read_story, rebounds
+from esg.engines.scene import Region, SimScene
 from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, TimelineNode
 
 
@@ -25,8 +27,16 @@ class Cast:
         self, doc: EsgDocument, scene: SimScene, nominal: dict[str, float], look_ahead: bool
     ) -> None:
         self.doc, self.scene, self.look_ahead = doc, scene, look_ahead
-        self.story: Story = read_story(doc)
+        self.story: Story = self._who_can_move(read_story(doc))
         self.nominal = nominal
+
+    def _who_can_move(self, story: Story) -> Story:
+        """The story without the motions of what cannot move: decals, fixtures."""
+        bodies = {a: self.scene.body(a) for a in story.phases}
+        phases = {
+            a: p for a, p in story.phases.items() if bodies[a].shapes and not bodies[a].static
+        }
+        return replace(story, phases=phases)
 
     def drives(self, actor: str) -> bool:
         """Under its own power on the ground: its body points where it goes."""
@@ -42,6 +52,10 @@ class Cast:
             names.append(phase.edge.target)
         return next((n for n in names if n in self.scene.names), None)
 
+    def region(self, phase: Phase) -> Region | None:
+        """The region a phase ends in."""
+        return next((r for r in self.scene.regions if r.name == phase.end.region), None)
+
     def throw_goal(self, actor: str, phase: Phase) -> NDArray[np.float64] | None:
         """The point a throw is aimed at: the region to enter, or the target's broadest part."""
         if phase.end.region:
@@ -56,20 +70,13 @@ class Cast:
         """A launched body that is already on its way: nothing new is done to it."""
         nothing = phase.edge.params.speed is None and phase.edge.params.elevation_deg is None
         first = self.story.phases[phase.edge.actor][0]
-        return phase.edge.event is EdgeEvent.TOWARD and nothing and phase is not first
+        if phase is first or self.story.tips(phase):
+            return False
+        return (phase.edge.event is EdgeEvent.TOWARD and nothing) or self.rebounds(phase)
 
-    def tips(self, phase: Phase) -> bool:
-        """Whether a phase tips its own actor over where it stands."""
-        return (
-            phase.end.event is NodeEvent.TOPPLE
-            and phase.edge.actor in phase.end.participants
-            and phase.edge.event is EdgeEvent.TOWARD
-            and not self.story.flies(phase.edge.actor)
-        )
-
-    def shall_topple(self, name: str | None) -> bool:
-        """Whether the story tips a body over: it is then hit above its middle."""
-        return name is not None and self.story.topples(name)
+    def rebounds(self, phase: Phase) -> bool:
+        """Whether a driver rolls back from what does not give way, before its brake sets in."""
+        return rebounds(self.story, phase, lambda name: self.scene.body(name).static)
 
     def pushes_off(self, actor: str, phase: Phase) -> TimelineNode | None:
         """The fall of what a driven body pushes over an edge: it keeps pushing until then."""
@@ -90,6 +97,23 @@ class Cast:
             return False
         after = self.story.after(phase.end.id)
         return bool(after) and not any(actor in n.participants for n in after)
+
+    def balls_after(self, phase: Phase) -> int:
+        """How many hits of balls by balls follow from the first one, three at most."""
+        target = self.target(phase)
+        count, seen = 0, {phase.edge.actor}
+        for node in self.story.after(phase.end.id):
+            bodies = [p for p in node.participants if p in self.scene.names]
+            if node.event is not NodeEvent.COLLISION or target not in bodies:
+                continue
+            others = [b for b in bodies if b != target and b not in seen]
+            if not others or not self.scene.body(others[0]).roll_radius:
+                continue
+            if not self.scene.body(target).roll_radius:
+                break
+            seen.add(target)
+            target, count = others[0], count + 1
+        return min(count, 3)
 
     def contacts(self, phase: Phase) -> tuple[str, ...]:
         """A hold ends at the touch of the target, or of any other member of its group."""

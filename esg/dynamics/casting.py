@@ -8,18 +8,39 @@ crate); where an event sets a thing in motion, it is not screwed to the floor.
 from __future__ import annotations
 
 from dataclasses import replace
+import itertools
 import math
 
+from esg.dynamics.containers import fit_containers
 from esg.dynamics.stage import FASTEST_MPS
-from esg.dynamics.stagecraft import Prop, fall_speed, prop, topple_speed
+from esg.dynamics.stagecraft import (
+    Prop,
+    climb_height,
+    fall_speed,
+    prop,
+    support_of,
+    top_surface,
+    topple_speed,
+)
 from esg.dynamics.story import Story, bounds, read_story
-from esg.graph.models import AssetConfiguration, EdgeEvent, EsgDocument, NodeEvent
+from esg.graph.models import (
+    AssetConfiguration,
+    EdgeEvent,
+    EsgDocument,
+    ForceDirection,
+    NodeEvent,
+    TimelineNode,
+)
 from esg.units import GRAVITY_MPS2
 
 LIGHTEST = 0.3
 """Least share of the usual mass: an empty crate against a loaded one."""
 TIPPING_IMPULSE_NS = 0.4
 """Impulse a tipping body shall pass on: well over the 0.1 N s that counts as a hit."""
+SPRINGY = 0.95
+"""Restitution of a wall that something bounces off to hit something else."""
+HEAVIEST = 2.5
+"""Largest share of the usual mass: a loaded van against an empty one."""
 LARGEST = 5.0
 """Most that anything is enlarged."""
 MOVES = (NodeEvent.TOPPLE, NodeEvent.FALL, NodeEvent.STOP)
@@ -32,10 +53,11 @@ def fit_assets(doc: EsgDocument) -> EsgDocument:
         doc: A document with assets resolved.
 
     Returns:
-        The document; only `asset_configurations` may differ.
+        The document; only `asset_configurations` may differ, and who is thrown.
     """
     if doc.timeline_system is None:
         return doc
+    doc = _thrown(doc)
     story = read_story(doc)
     changed: dict[str, AssetConfiguration] = {}
     nodes = doc.spatial_relation_graph.nodes
@@ -44,8 +66,38 @@ def fit_assets(doc: EsgDocument) -> EsgDocument:
         if not config.is_movable:
             changed[nodes[name].asset_id] = config.model_copy(update={"is_movable": True})
     doc = _with(doc, {**changed, **_grown(doc, story)})
+    doc = _with(doc, fit_containers(doc, story))
+    doc = _with(doc, _springy(doc, story))
+    doc = _with(doc, _for_transfer(doc, story))
     lighter = {nodes[b].asset_id: f for b, f in _mass_factors(doc, story).items() if f < 1.0}
     return _with(doc, {k: _scaled(doc.asset_configurations[k], f) for k, f in lighter.items()})
+
+
+def _thrown(doc: EsgDocument) -> EsgDocument:
+    """Has thrown what would have to roll to a target that is out of its reach.
+
+    How high a hat sits is known only once the snowman is: a snowball on the ground passes under it.
+    """
+    assert doc.timeline_system is not None
+    story = read_story(doc)
+    actors = dict(doc.timeline_system.actors)
+    for actor, phases in story.phases.items():
+        first, body = phases[0], prop(doc, actor)
+        targets = [p for p in first.end.participants if p != actor]
+        if first.edge.event is not EdgeEvent.TOWARD or not body.rolls or not targets:
+            continue
+        if first.end.event is not NodeEvent.COLLISION or story.flies(actor):
+            continue
+        support = support_of(doc, targets[0])
+        if support is None or support in (actor, support_of(doc, actor)):
+            continue
+        height = top_surface(doc, support).center_cm[2] / 100.0
+        if height > body.height and climb_height(doc, body, support) is None:
+            actors[actor] = actors[actor].model_copy(
+                update={"force_direction": ForceDirection.ANY_3D}
+            )
+    timeline = doc.timeline_system.model_copy(update={"actors": actors})
+    return doc.model_copy(update={"timeline_system": timeline})
 
 
 def _grown(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]:
@@ -87,6 +139,87 @@ def _grown(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]:
                 }
             )
             out[key] = configure(key, larger)
+    return out
+
+
+def _for_transfer(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]:
+    """Masses at which a hit of prescribed speed gives its target the prescribed speed.
+
+    Of a central impact v_b = (1 + e) m_a / (m_a + m_b) v_a. Both masses give way, as far as they
+    are open and such a thing may weigh.
+    """
+    nodes = doc.spatial_relation_graph.nodes
+    out: dict[str, AssetConfiguration] = {}
+    for node, a, b, asked in _transfers(story):
+        speed = _prescribed_speed(story, a, node.id)
+        if a not in nodes or b not in nodes or speed is None or asked <= 0.0:
+            continue
+        keys = nodes[a].asset_id, nodes[b].asset_id
+        first, second = prop(doc, a), prop(doc, b)
+        gain = (1.0 + 0.5 * (first.restitution + second.restitution)) * speed / asked
+        if gain <= 1.0 or keys[0] == keys[1] or second.fixed:
+            continue
+        factor = (gain - 1.0) * first.mass / second.mass
+        if abs(math.log(factor)) < math.log(1.05):
+            continue
+        target = mover = 1.0
+        if not doc.asset_requirement[keys[1]].mass_is_prescribed:
+            target = min(max(factor, LIGHTEST), HEAVIEST)
+        if not doc.asset_requirement[keys[0]].mass_is_prescribed:
+            mover = min(max(target / factor, LIGHTEST), HEAVIEST)
+        for key, share in zip(keys, (mover, target), strict=True):
+            if share != 1.0:
+                out[key] = _scaled(doc.asset_configurations[key], share)
+    return out
+
+
+def _transfers(story: Story) -> list[tuple[TimelineNode, str, str, float]]:
+    """Hits by an actor after which a resting target shall have a speed: hit, both, speed [m/s]."""
+    out: list[tuple[TimelineNode, str, str, float]] = []
+    for node in story.nodes.values():
+        if node.event is not NodeEvent.COLLISION or len(node.participants) < 2:
+            continue
+        for c in node.constraints:
+            others = [p for p in node.participants if p != c.object]
+            if c.quantity == "speed_after" and c.object in node.participants and others:
+                low, high, _ = bounds(c.value, (0.0, 0.0))
+                if story.is_active(others[0]) and not story.is_active(c.object):
+                    out.append((node, others[0], c.object, 0.005 * (low + high)))
+    return out
+
+
+def _prescribed_speed(story: Story, actor: str, node_id: str) -> float | None:
+    """Speed [m/s] at which the prompt has an actor arrive at a hit, None where it is open."""
+    for phase in story.phases.get(actor, ()):
+        speed = phase.edge.params.speed
+        if phase.end.id == node_id and phase.edge.speed_is_prescribed and speed is not None:
+            low, high, _ = bounds(speed, (0.0, 0.0))
+            return 0.005 * (low + high)
+    return None
+
+
+def _springy(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]:
+    """Walls that throw a ball back which shall go on to something else.
+
+    A rolling ball's spin costs it two sevenths of its speed after the bounce, so that off a dull
+    wall it hardly comes back.
+    """
+    nodes = doc.spatial_relation_graph.nodes
+    out: dict[str, AssetConfiguration] = {}
+    for node in story.nodes.values():
+        if node.event is not NodeEvent.COLLISION or len(node.participants) < 2:
+            continue
+        for a, b in itertools.permutations(node.participants[:2]):
+            if a not in nodes or b not in nodes or not story.is_active(a):
+                continue
+            goes_on = any(
+                n.event is NodeEvent.COLLISION and a in n.participants for n in story.after(node.id)
+            )
+            if not goes_on or not prop(doc, b).fixed or prop(doc, a).wheeled:
+                continue
+            config = doc.asset_configurations[nodes[b].asset_id]
+            if config.proxies and config.restitution < SPRINGY:
+                out[nodes[b].asset_id] = config.model_copy(update={"restitution": SPRINGY})
     return out
 
 

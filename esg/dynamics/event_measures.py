@@ -28,6 +28,9 @@ MAX_RECHECK_M = 0.02
 RECHECK_S = 0.2
 STOP_SPEED_MPS = 0.1
 DISTANCE_SCALE_M = 0.3
+TOPPLED_DEG = 47.0
+"""A little over the 45 degrees that count."""
+TILT_SCALE_DEG = 15.0
 
 
 def collision(
@@ -171,9 +174,11 @@ def enter(
     inside = (outside <= 0.0) & late
     hold = max(1, round(0.2 * rec.fps))
     stays = inside.copy()
+    longest = inside.any(axis=1).astype(float)
     for k in range(1, hold + 1):
         stays[:, :-k] &= inside[:, k:]
         stays[:, -k:] &= inside[:, -1:]
+        longest += stays.any(axis=1)
     below = (local[..., 2] < -half[2]) & (np.abs(local[..., :2]) < 1.5 * half[:2]).all(-1)
     time = rec.first(
         stays | (inside & np.flip(np.maximum.accumulate(np.flip(below & late, 1), 1), 1))
@@ -188,9 +193,9 @@ def enter(
         ),
     )
     nearest = np.where(late, outside, np.inf).min(axis=1)
-    return time, (
-        np.nan_to_num(np.minimum(nearest + planar, 50.0), posinf=50.0) / scale
-    ) ** 2 * 0.25
+    miss = np.nan_to_num(np.minimum(nearest + planar, 50.0), posinf=50.0) / scale
+    # What is inside for too short a time has come closer than what never gets there.
+    return time, 0.25 * miss**2 + 1.0 - longest / (hold + 1)
 
 
 def stop(rec: Recording, node: TimelineNode, earliest: Floats, _: AddTerm) -> tuple[Floats, Floats]:
@@ -220,7 +225,13 @@ def topple(
     late = rec.t[None, :] >= earliest[:, None]
     most = np.where(late, tilt, 0.0).max(axis=1)
     add(f"{node.id}/weak", np.maximum(70.0 - most, 0.0) / 70.0 * 0.3)
-    return rec.first((tilt > 47.0) & late), ((47.0 - np.minimum(most, 47.0)) / 15.0) ** 2
+    short = (TOPPLED_DEG - np.minimum(most, TOPPLED_DEG)) / TILT_SCALE_DEG
+    return rec.first((tilt > TOPPLED_DEG) & late), short**2
+
+
+def tilt_of(loss: float) -> float:
+    """The largest tilt [deg] behind a loss of `topple`."""
+    return TOPPLED_DEG - TILT_SCALE_DEG * math.sqrt(max(loss, 0.0))
 
 
 def fall(

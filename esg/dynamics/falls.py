@@ -7,9 +7,9 @@ import math
 
 from esg.dynamics.kinematics import Frame
 from esg.dynamics.stage import Stage
-from esg.dynamics.stagecraft import Prop, support_of
+from esg.dynamics.stagecraft import Prop, coasting_drag, support_of, top_surface
 from esg.dynamics.story import Phase, bounds
-from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
+from esg.graph.models import NodeEvent, TimelineNode
 from esg.units import GRAVITY_MPS2
 
 CLEAR_OF_EDGE_M = 0.04
@@ -51,7 +51,7 @@ def over_edge(stage: Stage, actor: str, phase: Phase, node: TimelineNode) -> Non
     height = surface_height(stage)
     run = edge_run(stage, body)
     low, high, fixed = bounds(phase.edge.params.speed, (10.0, 400.0))
-    drag = drag_of(body)
+    drag = coasting_drag(body)
     speed = max(EDGE_SPEED_MPS, landing_speed(stage, actor, node, height))
     launch = math.sqrt(speed * speed + 2.0 * drag * run)
     if fixed:
@@ -120,26 +120,7 @@ def edge_run(stage: Stage, body: Prop) -> float:
 def surface_height(stage: Stage) -> float:
     """Height [m] of the highest surface of the anchor."""
     assert stage.anchor is not None
-    nodes = stage.doc.spatial_relation_graph.nodes
-    config = stage.doc.asset_configurations[nodes[stage.anchor].asset_id]
-    return max(s.center_cm[2] for s in config.support_surfaces) / 100.0
-
-
-def drag_of(body: Prop) -> float:
-    """Deceleration [m/s^2] of a body pushed over a table top."""
-    if body.rolls:
-        return 0.0
-    return 0.5 * (body.friction + (0.0 if body.wheeled else 0.7)) * GRAVITY_MPS2
-
-
-def tips_itself(stage: Stage, actor: str, phase: Phase) -> bool:
-    """Whether an actor on the ground is tipped over where it stands (a domino, a bottle)."""
-    return (
-        phase.end.event is NodeEvent.TOPPLE
-        and actor in phase.end.participants
-        and phase.edge.event is EdgeEvent.TOWARD
-        and not stage.story.flies(actor)
-    )
+    return top_surface(stage.doc, stage.anchor).center_cm[2] / 100.0
 
 
 def tipping_speed(length: float, height: float) -> float:
@@ -157,7 +138,10 @@ def tipping_speed(length: float, height: float) -> float:
 def tip_over(stage: Stage, actor: str, phase: Phase, node: TimelineNode) -> None:
     """The actor is pushed at its top and falls forward on the spot."""
     track, body = stage.tracks[actor], stage.prop(actor)
-    stage.nominal[f"{phase.edge.id}/speed"] = tipping_speed(body.length, body.height)
+    first = phase is stage.story.phases[actor][0]
+    base = body.length if first else min(body.length, body.width)
+    vigour = 1.0 if first else 1.7
+    stage.nominal[f"{phase.edge.id}/speed"] = vigour * tipping_speed(base, body.height)
     track.straight(0.0, 3.0 * math.sqrt(body.height / GRAVITY_MPS2), 0.0)
     stage.time[node.id] = track.time
     stage.tipped.add(actor)

@@ -124,6 +124,25 @@ def ballistic_velocity(offset: np.ndarray, duration: float, damping: float = 0.0
     return (np.asarray(offset, float) - gravity / damping * (duration - travel)) / travel
 
 
+LOB_S = 0.6
+"""Least flight time of a throw into an open container."""
+LOB_STEEPNESS = 2.0
+"""Fall per way on arrival of a throw into an open container, about 63 degrees."""
+
+
+def lob_time(distance: float, drop: float = 0.0) -> float:
+    """Flight time [s] of a throw that comes down steeply.
+
+    On arrival it falls at g T / 2 + drop / T and travels at distance / T.
+
+    Args:
+        distance: Horizontal way [m].
+        drop: Height lost on the way [m]; negative where it comes down higher than it started.
+    """
+    rest = max(LOB_STEEPNESS * distance - drop, 0.0)
+    return max(LOB_S, math.sqrt(2.0 * rest / GRAVITY_MPS2))
+
+
 def half_along(length: float, width: float, relative: float) -> float:
     """Half extent of an l x w rectangle along a direction at angle `relative` to its length."""
     return 0.5 * (abs(math.cos(relative)) * length + abs(math.sin(relative)) * width)

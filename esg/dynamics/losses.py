@@ -40,6 +40,10 @@ TOLERANCE = {
     "angle": 5.0,
 }
 """Largest error that still counts as met, in s, m/s, m, degrees."""
+SENSITIVITY = {"speed_after": 0.08, "time_to_stop": 0.05}
+"""Share of its value by which restitution + 0.1 or friction - 20% alone moves a quantity."""
+SETTLED_S = 0.2
+"""A hit this long after a fall follows it in every engine."""
 
 
 @dataclass
@@ -80,11 +84,20 @@ class Assessment:
             out &= done
         return out
 
-    def within_tolerance(self) -> Bools:
-        """Worlds in which every prescribed quantity is met, shape [W]."""
+    def within_tolerance(self, *, perturbed: bool = False) -> Bools:
+        """Worlds in which every prescribed quantity is met, shape [W].
+
+        Args:
+            perturbed: Allow for what the perturbations of an ensemble change by themselves.
+        """
         out = np.ones(len(self.total), bool)
         for name, error in self.error.items():
-            out &= np.abs(error) <= TOLERANCE[name.split("/")[1]]
+            quantity = name.split("/")[1]
+            allowed = np.full(len(self.total), TOLERANCE[quantity])
+            if perturbed:
+                share = SENSITIVITY.get(quantity, 0.0)
+                allowed += share * np.abs(np.nan_to_num(self.measured[name]))
+            out &= np.abs(error) <= allowed
         return out
 
 
@@ -145,9 +158,16 @@ class _Assessor:
         self.result.completed[node.id] = done
         self.result.time[node.id] = np.where(done, time, np.nan)
         self._term(f"{node.id}/task", loss)
+        if node.event is NodeEvent.COLLISION and self._falls_off(previous):
+            early = np.clip(SETTLED_S - (time - earliest + CHAIN_GAP_S), 0.0, SETTLED_S)
+            self._term(f"{node.id}/early", np.where(done, early, 0.0))
         self._window(node, time, done)
         for constraint in node.constraints:
             self._constraint(node, constraint, done)
+
+    def _falls_off(self, node_id: str | None) -> bool:
+        """Whether an event is a fall: it happens at a threshold that engines pass differently."""
+        return node_id is not None and self.rec.story.nodes[node_id].event is NodeEvent.FALL
 
     def _term(self, name: str, value: Floats) -> None:
         self.result.terms[name] = value

@@ -5,36 +5,43 @@ from __future__ import annotations
 import math
 
 from esg.dynamics.falls import can_land, land, tip_onto
+from esg.dynamics.impacts import chain, impact
 from esg.dynamics.kinematics import (
     Frame,
-    Track,
     braking_distance,
     frame_mapping,
-    half_along,
-    impact_speed,
-    sliding_distance,
+    lob_time,
 )
 from esg.dynamics.moves import plain
+from esg.dynamics.placing import asked_distance, goes_on, join
 from esg.dynamics.stage import Stage, speed_is_fixed
 from esg.dynamics.stagecraft import (
-    Prop,
     approach_distance,
     fall_speed,
     min_hit_speed,
     push_speed,
-    release_height,
     slide,
     support_of,
-    target_yaw,
     topple_speed,
 )
-from esg.dynamics.story import REACH_BRAKE_DAMPING, Phase, bounds
+from esg.dynamics.story import Phase, bounds
+from esg.dynamics.throws import drop, hand_height, slowest_passage
 from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
 
 MAX_APPROACH_M = 45.0
 GAPPED = (NodeEvent.MISS, NodeEvent.REACH)
-LOB_S, LOB_SPEED_MPS = 1.15, 1.6
-"""Flight time and horizontal speed of a throw into an open container."""
+LOB_M = 1.0
+"""Way of a throw into an open container."""
+MEETING_HEIGHT_M = 1.2
+"""Height at which bodies are thrown at each other."""
+AFTER_BOUNCE_M = 0.5
+"""Longest way from a wall to what is hit after bouncing off it."""
+CHAINED = 0.6
+"""Share of the usual impulse and run-up of a ball that starts a chain of balls."""
+STAY_S = 0.28
+"""What rolls through an opening is in it for at least this long."""
+FLIGHT_S, LONGEST_THROW_M = 0.3, 12.0
+"""Usual flight time of a throw at something, and its longest way."""
 
 
 def collision(stage: Stage, node: TimelineNode) -> None:
@@ -51,8 +58,8 @@ def collision(stage: Stage, node: TimelineNode) -> None:
     elif a in incoming:
         _approach(stage, node, a, incoming[a], b)
     else:
-        _chain(stage, node, a, b)
-    _impact(stage, node, a, b)
+        chain(stage, node, a, b)
+    impact(stage, node, a, b)
     stage.met[a] = b
 
 
@@ -66,7 +73,7 @@ def enters(stage: Stage, node: TimelineNode) -> None:
     if mover in incoming:
         _approach(stage, node, mover, incoming[mover], owner)
     elif mover in stage.moving:
-        _chain(stage, node, mover, owner)
+        chain(stage, node, mover, owner)
     if owner in stage.places:
         x, y, _ = stage.places[owner]
         track = stage.moving.get(mover) or stage.tracks.get(mover)
@@ -80,25 +87,6 @@ def enters(stage: Stage, node: TimelineNode) -> None:
     stage.time.setdefault(node.id, 1.0)
 
 
-def _impact(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
-    """After the hit, b runs on along a's heading and a keeps the rest of the momentum."""
-    if a in stage.tracks and a in stage.frames:
-        source, frame = stage.tracks[a], stage.frames[a]
-    else:
-        source, frame = stage.moving.get(a, Track()), Frame()
-    stage.time[node.id] = source.time
-    if node.event is not NodeEvent.COLLISION or b in stage.tracks:
-        return
-    pa, pb = stage.prop(a), stage.prop(b)
-    if pb.fixed or b not in stage.places:
-        return
-    speed = impact_speed(pa.mass, pb.mass, source.speed, 0.5 * (pa.restitution + pb.restitution))
-    x, y, _ = stage.places[b]
-    heading = source.heading + frame.angle
-    stage.moving[b] = Track(x, y, heading, speed, source.time, [(x, y)])
-    source.speed = max(0.05, source.speed - pb.mass / pa.mass * speed)
-
-
 def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) -> None:
     """An active body runs, rolls or flies at a target that waits."""
     if can_land(stage, a, b):
@@ -110,18 +98,22 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
     track, pa, pb = stage.tracks[a], stage.prop(a), stage.prop(b)
     let_go = phase.edge.event is EdgeEvent.TOWARD and phase.edge.params.speed is not None
     if let_go and bounds(phase.edge.params.speed, (0.0, 0.0))[1] <= 1.0:
-        _drop(stage, node, a, b)
+        drop(stage, node, a, b)
         return
     prescribed = stage.prescribed_time(node)
     least = min_hit_speed(pa, pb)
-    if _goes_on(stage, node, b):
+    chained = pa.rolls and pb.rolls and goes_on(stage, node, b)
+    if chained:
+        # Slow and close: the less way there is, the less an error of the aim grows.
+        least *= CHAINED
+    elif goes_on(stage, node, b):
         least = max(least, push_speed(pa, pb))
     topples = stage.story.topples(stage.member(b))
     needed = topple_speed(pa, pb, flies=stage.story.flies(a)) if topples else 0.0
     if stage.story.falls(stage.member(b)) and phase.edge.event is EdgeEvent.TOWARD:
         needed = max(needed, fall_speed(pa, pb))
     speed = stage.speed(a, phase, max(least, needed), needed)
-    asked = _asked_distance(stage, node, a) if node.event not in GAPPED else None
+    asked = asked_distance(stage, node, a) if node.event not in GAPPED else None
     if asked is not None and not speed_is_fixed(phase):
         speed = asked / max(0.15, prescribed - track.time) if prescribed is not None else speed
     if phase.edge.event is EdgeEvent.BRAKE:
@@ -135,14 +127,24 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
         stage.nominal[f"{phase.edge.id}/speed"] = speed
     else:
         run = approach_distance(pa, speed, stage.rng) * stage.tight
+        if chained:
+            run *= CHAINED
+        if a in stage.thrown_back:
+            run = min(run, AFTER_BOUNCE_M)
         run = max(run, descent(stage, b))
-        lob = node.event is NodeEvent.ENTER_REGION and stage.story.flies(a)
+        flies, inside = stage.story.flies(a), node.event is NodeEvent.ENTER_REGION
+        if inside and not flies and not speed_is_fixed(phase):
+            speed = min(speed, max(slowest_passage(stage, node) / STAY_S, 0.3))
+        if flies and not inside and stage.anchor is None:
+            run = max(run, min(FLIGHT_S * speed, LONGEST_THROW_M))
         if prescribed is not None:
             duration = max(0.15, prescribed - track.time)
-        elif lob:
+        elif inside and flies and not speed_is_fixed(phase):
             # Steep enough to come down through an opening that looks up.
-            duration = LOB_S
-            speed = min(speed, LOB_SPEED_MPS)
+            run = LOB_M
+            way = (asked or run) + pb.half_length
+            duration = lob_time(way, hand_height(stage, node, b, pa, pb) - pb.height)
+            speed = (asked or run) / duration
         else:
             duration = (asked or run) / speed
         distance = asked or speed * duration
@@ -156,9 +158,9 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
         stage.nominal[f"{phase.edge.id}/speed"] = speed
     track.straight(distance, duration, left)
     if stage.story.flies(a):
-        stage.heights[a] = release_height(pa, pb)
+        stage.heights[a] = hand_height(stage, node, b, pa, pb)
         stage.nominal[f"{phase.edge.id}/flight_time"] = duration
-    _join(stage, a, b, node)
+    join(stage, a, b, node)
 
 
 def _room_after(stage: Stage, a: str, b: str) -> float:
@@ -167,20 +169,11 @@ def _room_after(stage: Stage, a: str, b: str) -> float:
     if before is None or before == b:
         return 0.0
     first, second = stage.prop(before), stage.prop(b)
+    if a in stage.thrown_back:
+        # Its way leads away from what it bounced off.
+        return AFTER_BOUNCE_M
     fallen = first.height if stage.story.topples(stage.member(before)) else 0.0
     return max(first.length, first.width, 0.8 * fallen) + 0.5 * second.half_length + 0.3
-
-
-def _asked_distance(stage: Stage, node: TimelineNode, a: str) -> float | None:
-    """Distance [m] the prompt has `a` cover until the event, or None.
-
-    At an event without a hit it is the gap that is left between the two.
-    """
-    for c in node.constraints:
-        if c.quantity == "distance" and c.object == stage.member(a):
-            low, high, _ = bounds(c.value, (100.0, 100.0))
-            return max(0.005 * (low + high), 0.1)
-    return None
 
 
 def descent(stage: Stage, b: str) -> float:
@@ -199,12 +192,6 @@ def _slides(stage: Stage, actor: str, phase: Phase) -> bool:
     return phase.edge.event is EdgeEvent.TOWARD and flat and not (body.rolls or body.wheeled)
 
 
-def _goes_on(stage: Stage, node: TimelineNode, b: str) -> bool:
-    """Whether more is said of the target after this hit."""
-    later = stage.story.after(node.id)
-    return any(b in map(stage.key, n.participants) for n in later)
-
-
 def _brake_into(
     stage: Stage, phase: Phase, speed: float, prescribed: float | None, now: float
 ) -> tuple[float, float, float]:
@@ -218,95 +205,6 @@ def _brake_into(
     stage.nominal[f"{phase.edge.id}/damping"] = damping
     distance = braking_distance(speed, damping, duration)
     return distance, duration, speed * math.exp(-damping * duration)
-
-
-def _join(stage: Stage, a: str, b: str, node: TimelineNode) -> None:
-    """Puts the end of a's track at b's surface, by placing whichever is still free."""
-    track, pa = stage.tracks[a], stage.prop(a)
-    if b not in stage.places:
-        frame = stage.frames.setdefault(a, Frame() if not stage.places else stage.free_frame())
-        x, y = frame.apply(track.x, track.y)
-        _place_target(stage, a, b, x, y, track.heading + frame.angle, pa, node)
-    elif a not in stage.frames:
-        bx, by, byaw = stage.places[b]
-        heading = stage.free_heading(bx, by)
-        pb = stage.prop(b)
-        reach = pa.half_length + half_along(pb.length, pb.width, heading - (byaw or 0.0))
-        end = (bx - reach * math.cos(heading), by - reach * math.sin(heading))
-        stage.frames[a] = frame_mapping((track.x, track.y), track.heading, end, heading)
-    x, y = stage.frames[a].apply(0.0, 0.0)
-    stage.places[a] = (x, y, stage.frames[a].angle + stage.reverse_yaw(a))
-
-
-def _place_target(
-    stage: Stage, a: str, b: str, x: float, y: float, heading: float, pa: Prop, node: TimelineNode
-) -> None:
-    """Puts b where a arrives: ahead of it, past it for a Miss, short of it for a Reach."""
-    pb = stage.prop(b)
-    yaw = target_yaw(pb, heading, stage.rng)
-    lateral = float(stage.rng.uniform(-0.12, 0.12)) * min(
-        pb.half_lateral(yaw - heading), pa.half_width
-    )
-    front = pa.half_length + half_along(pb.length, pb.width, yaw - heading)
-    if node.event is NodeEvent.MISS:
-        gap = _asked_distance(stage, node, a) or 0.25
-        lateral = pa.half_width + pb.half_lateral(yaw - heading) + gap
-        front = 0.0
-    if node.event is NodeEvent.REACH:
-        # Room to come to rest after the hold ends.
-        front += 0.15 + stage.tracks[a].speed / REACH_BRAKE_DAMPING
-        stage.nominal[f"{node.id}/time"] = stage.tracks[a].time
-    cx = x + front * math.cos(heading) - lateral * math.sin(heading)
-    cy = y + front * math.sin(heading) + lateral * math.cos(heading)
-    stage.places[b] = (cx, cy, yaw)
-    _bring_support(stage, b, cx, cy, heading)
-
-
-def _bring_support(stage: Stage, b: str, x: float, y: float, heading: float) -> None:
-    """A target that stands on a table is met near the table's edge: the table comes along."""
-    support = support_of(stage.doc, stage.member(b))
-    if support is None or support == stage.anchor or support in stage.places:
-        return
-    ps = stage.prop(support)
-    yaw = target_yaw(ps, heading, stage.rng)
-    inset = max(
-        0.0, half_along(ps.length, ps.width, yaw - heading) - stage.prop(b).half_length - 0.08
-    )
-    if stage.story.falls(b):
-        # What shall be knocked off stands at the far edge.
-        inset = -inset
-    stage.places[support] = (x + inset * math.cos(heading), y + inset * math.sin(heading), yaw)
-
-
-def _chain(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
-    """A passive body set in motion by an earlier hit runs on into the next one."""
-    if a not in stage.moving and b in stage.moving:
-        a, b = b, a
-    track = stage.moving.get(a)
-    if track is None or b in stage.places:
-        return
-    pa, pb = stage.prop(a), stage.prop(b)
-    gap = _coasting_gap(stage, pa, track.speed) * stage.tight
-    if pa.height > 2.5 * pa.length and not pa.rolls:
-        # Tall and thin: it topples onto the next one, which stands within its reach.
-        gap = min(gap, 0.5 * pa.height)
-    prescribed = stage.prescribed_time(node)
-    if prescribed is not None:
-        gap = max(0.1, track.speed * (prescribed - track.time))
-    yaw = target_yaw(pb, track.heading, stage.rng)
-    jitter = float(stage.rng.uniform(-0.3, 0.3)) * pb.half_lateral(yaw - track.heading)
-    reach = gap + pa.half_length + half_along(pb.length, pb.width, yaw - track.heading)
-    c, s = math.cos(track.heading), math.sin(track.heading)
-    stage.places[b] = (track.x + reach * c - jitter * s, track.y + reach * s + jitter * c, yaw)
-    _bring_support(stage, b, stage.places[b][0], stage.places[b][1], track.heading)
-    track.straight(gap, gap / max(track.speed, 0.1), track.speed)
-
-
-def _coasting_gap(stage: Stage, body: Prop, speed: float) -> float:
-    """Free run [m] to the next target that a body set in motion surely covers."""
-    reach = 50.0 if body.rolls else sliding_distance(speed, 0.5 * (body.friction + 0.7))
-    preferred = float(stage.rng.uniform(0.28, 0.36)) * speed
-    return max(0.05, min(preferred, 0.4 * reach, 2.5))
 
 
 def _meeting(stage: Stage, node: TimelineNode, a: str, pa: Phase, b: str, pb: Phase) -> None:
@@ -328,6 +226,10 @@ def _meeting(stage: Stage, node: TimelineNode, a: str, pa: Phase, b: str, pb: Ph
         track = stage.tracks[actor]
         duration = max(0.2, time - track.time)
         track.straight(speed * duration, duration, speed)
+        if stage.story.flies(actor):
+            # Thrown at where the other one starts, it would be there in twice the time.
+            stage.nominal[f"{phase.edge.id}/flight_time"] = 2.0 * duration
+            stage.heights[actor] = MEETING_HEIGHT_M
     frame = stage.frames.setdefault(a, Frame())
     ta, tb = stage.tracks[a], stage.tracks[b]
     heading = ta.heading + frame.angle
@@ -378,23 +280,3 @@ def _same_direction(stage: Stage, a: str, b: str) -> bool:
 def _is_front(stage: Stage, a: str) -> bool:
     words = stage.doc.spatial_relation_graph.nodes[a].label.lower().split()
     return any(w in words for w in ("front", "lead", "leading"))
-
-
-def _drop(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
-    """A body let go above its target, at the prescribed height or a metre up."""
-    pb = stage.prop(b)
-    stage.places.setdefault(b, (0.0, 0.0, 0.0))
-    x, y, _ = stage.places[b]
-    stated = [c for n in (node, *stage.story.nodes.values()) for c in n.constraints]
-    height = next(
-        (
-            sum(bounds(c.value, (1, 1))[:2]) / 200.0
-            for c in stated
-            if c.quantity == "height" and c.object == stage.member(a)
-        ),
-        1.0,
-    )
-    stage.places[a] = (x, y, 0.0)
-    stage.frames[a] = Frame(x, y, 0.0)
-    stage.heights[a] = pb.height + height
-    stage.tracks[a].time += math.sqrt(2.0 * height / 9.81)

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import math
 
-from esg.dynamics.falls import goes_over_edge, over_edge, tip_over, tips_itself
+from esg.dynamics.falls import goes_over_edge, over_edge, tip_over
 from esg.dynamics.kinematics import Frame, braking_distance, stopping_damping
 from esg.dynamics.stage import Stage
-from esg.dynamics.stagecraft import coasting_drag
-from esg.dynamics.story import Phase, bounds, middle, turn_of
+from esg.dynamics.stagecraft import coasting_drag, top_surface
+from esg.dynamics.story import Phase, bounds, middle, rebounds, turn_of
 from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
+
+REBOUND_S = 0.15
+"""Time from a hit of something fixed to the brake that follows it."""
 
 
 def controlled(stage: Stage, node: TimelineNode) -> None:
@@ -20,6 +23,10 @@ def controlled(stage: Stage, node: TimelineNode) -> None:
         track = stage.tracks[actor]
         if prescribed is not None:
             duration = max(0.2, prescribed - track.time)
+        elif rebounds(stage.story, phase, lambda name: stage.prop(name).fixed):
+            track.straight(0.0, REBOUND_S, 0.25 * track.speed)
+            arrived.append(track.time)
+            continue
         else:
             duration = float(stage.rng.uniform(1.2, 1.8)) * stage.tight
         _advance(stage, actor, phase, duration)
@@ -56,7 +63,7 @@ def plain(stage: Stage, node: TimelineNode) -> None:
             over_edge(stage, actor, phase, node)
             told = True
             continue
-        if tips_itself(stage, actor, phase):
+        if stage.story.tips(phase):
             tip_over(stage, actor, phase, node)
             told = True
             continue
@@ -118,12 +125,9 @@ def _place_for_fall(stage: Stage, node: TimelineNode) -> None:
     if stage.anchor is None or stage.lifted or not node.participants:
         return
     name = stage.key(node.participants[0])
-    config = stage.doc.asset_configurations[
-        stage.doc.spatial_relation_graph.nodes[stage.anchor].asset_id
-    ]
-    if name not in stage.places or not config.support_surfaces:
+    if name not in stage.places:
         return
-    surface = config.support_surfaces[0]
+    surface = top_surface(stage.doc, stage.anchor)
     across = surface.half_extents_cm[1] < surface.half_extents_cm[0]
     edge = surface.half_extents_cm[1 if across else 0] / 100.0
     x, y, _ = stage.places[name]

@@ -55,7 +55,8 @@ class Found:
         """
         if self.worst < GOOD_LOSS:
             return True
-        holds = self.ensemble.all_completed().all() and self.ensemble.within_tolerance().all()
+        happens = self.ensemble.all_completed().all() and self.nominal.within_tolerance().all()
+        holds = happens and self.ensemble.within_tolerance(perturbed=True).all()
         return bool(holds) and float(self.nominal.total[0]) < CENTRED_LOSS
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 import math
 
 import numpy as np
@@ -73,7 +74,10 @@ class Composer(Cast):
             last = k + 1 == len(phases)
             if self.coasts(phase):
                 continue
-            if edge.event is EdgeEvent.TOWARD:
+            if self.story.tips(phase):
+                # Nothing may hold it upright any more.
+                out = [_until(p, start) for p in out]
+            if edge.event is EdgeEvent.TOWARD or self.story.tips(phase):
                 out.append(self.launch(actor, body, phase, v, start, heading))
                 clock = start
                 continue
@@ -112,7 +116,8 @@ class Composer(Cast):
             )
             heading += rate * (end - start) if edge.event is EdgeEvent.TURN else 0.0
             speed = max(0.0, speed + acceleration * (min(end, duration) - start))
-            clock = end
+            # What follows a hit follows it when it happens, not when the hold would have ended.
+            clock = min(end, max(start, v.get(f"{phase.end.id}/time", self.told(phase.end, end))))
             if last and self.leaves_to_others(actor, phase):
                 hit = self.nominal.get(f"{phase.end.id}/event_time", duration)
                 hit = end if pushed is not None else hit
@@ -120,6 +125,10 @@ class Composer(Cast):
             if last and phase.end.event in (NodeEvent.REACH, NodeEvent.STOP):
                 out.append(AdjustProperties(actor, end, linear_damping=REACH_BRAKE_DAMPING))
         return out
+
+    def told(self, node: TimelineNode, otherwise: float) -> float:
+        """When the choreography expects an event [s]."""
+        return self.nominal.get(f"{node.id}/event_time", otherwise)
 
     def phase_end(self, phase: Phase, v: Values, start: float, duration: float) -> float:
         name = f"{phase.end.id}/time"
@@ -154,9 +163,19 @@ class Composer(Cast):
         elevation = v.get(f"{edge.id}/elevation", 0.0)
         velocity = speed * (math.cos(elevation) * flat + np.array([0, 0, math.sin(elevation)]))
         spin = None
-        if self.tips(phase):
+        if self.story.tips(phase):
             # It turns about its lower front edge: the centre moves at omega times its height.
+            # What has been on its way goes over the side of its narrower base.
             turn = speed / max(body.half_extents[2], 1e-3)
+            first = phase is self.story.phases[actor][0]
+            if not first:
+                # A wide base rises on its way over the edge; a domino hardly does.
+                if body.half_extents[1] < body.half_extents[0]:
+                    flat = np.array([-flat[1], flat[0], 0.0])
+                rise = turn * min(body.half_extents[:2])
+                velocity = speed * flat + np.array([0.0, 0.0, rise])
+                spin = (-turn * float(flat[1]), turn * float(flat[0]), 0.0)
+                return SetVelocity(actor, time, _vec(velocity), spin)
             return SetVelocity(
                 actor,
                 time,
@@ -166,6 +185,13 @@ class Composer(Cast):
         if body.roll_radius > 0.0 and not self.story.flies(actor) and edge.params.spin != "slide":
             spin = (-velocity[1] / body.roll_radius, velocity[0] / body.roll_radius, 0.0)
         return SetVelocity(actor, time, _vec(velocity), spin)
+
+
+def _until(primitive: Primitive, time: float) -> Primitive:
+    """The primitive, if it is a hold, ended by `time` at the latest."""
+    if isinstance(primitive, HoldVelocity) and primitive.end > time > primitive.start:
+        return replace(primitive, end=time)
+    return primitive
 
 
 def _vec(v: NDArray[np.float64]) -> tuple[float, float, float]:

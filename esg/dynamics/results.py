@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.dynamics.losses import TOLERANCE, Assessment
+from esg.dynamics.event_measures import TOPPLED_DEG, tilt_of
+from esg.dynamics.feasibility import impossible
+from esg.dynamics.losses import MISSED, TOLERANCE, Assessment
 from esg.dynamics.panel import Found, Panel, rounded
 from esg.dynamics.plan import Plan
 from esg.engines.program import Program, program_to_json
@@ -21,6 +26,8 @@ from esg.outcomes import Outcome
 from esg.units import quat_rotate, yaw_from_quat
 
 STATIC_DURATION_S = 1.0
+LATER, TAIL_S = 1.15, 1.0
+"""How much later an event may be in another engine, and what is recorded after the last one."""
 
 Floats = NDArray[np.float64]
 
@@ -37,21 +44,22 @@ def write_result(
 ) -> DynamicsResult:
     nominal = found.nominal
     happened = bool(nominal.all_completed()[0])
-    relaxed = _relaxed(doc, nominal) if happened else ()
-    outcome = (
-        Outcome.NOT_CONVERGED
-        if not happened
-        else Outcome.NEAREST_FEASIBLE
-        if relaxed
-        else Outcome.SOLVED
-    )
     missing = [k for k, v in nominal.completed.items() if not v[0]]
+    barred = {k: why for k, why in impossible(doc, plan.story).items() if k in missing}
+    relaxed = _relaxed(doc, nominal) if happened else _given_up(plan, nominal, missing, barred)
+    outcome = Outcome.NEAREST_FEASIBLE if relaxed else Outcome.SOLVED
+    if missing and not relaxed:
+        outcome = Outcome.NOT_CONVERGED
     reason = f"events not reached in the reference engine: {', '.join(missing)}" if missing else ""
-    if relaxed:
+    if barred:
+        reason = "; ".join([*barred.values(), reason])
+    if relaxed and happened:
         reason = "; ".join(
             f"{r.event}: {r.quantity} {r.achieved:.3g} {r.unit} instead of {r.requested}"
             for r in relaxed
         )
+    duration = _duration(plan, found) if happened else plan.duration
+    program = replace(plan.compile(found.theta), duration=duration)
     return DynamicsResult(
         strategy=strategy,
         parameters=tuple(
@@ -67,8 +75,8 @@ def write_result(
             for v, t in zip(plan.variables, found.theta, strict=True)
         ),
         start_poses=_start_poses(doc, plan, found.theta),
-        program=program_to_json(plan.compile(found.theta)),
-        duration_s=plan.duration,
+        program=program_to_json(program),
+        duration_s=duration,
         outcome=outcome.value,
         reason=reason,
         loss=rounded(float(nominal.total[0])),
@@ -83,6 +91,13 @@ def write_result(
         engine="newton",
         dt_s=panel.reference.dt,
     )
+
+
+def _duration(plan: Plan, found: Found) -> float:
+    """What is worth recording [s]: the last event in the slowest world, a margin and a tail."""
+    times = [t[np.isfinite(t)] for t in found.ensemble.time.values()]
+    last = max((float(t.max()) for t in times if len(t)), default=plan.duration)
+    return min(plan.duration, math.ceil(10.0 * (LATER * last + TAIL_S)) / 10.0)
 
 
 def _start_poses(doc: EsgDocument, plan: Plan, theta: Floats) -> dict[str, Pose]:
@@ -134,6 +149,24 @@ def _relaxed(doc: EsgDocument, nominal: Assessment) -> tuple[RelaxedConstraint, 
             )
         )
     return tuple(out)
+
+
+def _given_up(
+    plan: Plan, nominal: Assessment, missing: list[str], barred: dict[str, str]
+) -> tuple[RelaxedConstraint, ...]:
+    """What gives way where physics rules events out: nothing, unless that explains all others."""
+    if not all(k in barred or plan.story.ancestors(k) & set(barred) for k in missing):
+        return ()
+    return tuple(
+        RelaxedConstraint(
+            event=k,
+            quantity="tilt",
+            requested=TOPPLED_DEG,
+            achieved=rounded(tilt_of(float(nominal.terms[f"{k}/task"][0]) - MISSED)),
+            unit="deg",
+        )
+        for k in barred
+    )
 
 
 def static_result(strategy: str) -> DynamicsResult:

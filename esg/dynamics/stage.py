@@ -9,7 +9,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from esg.dynamics.kinematics import Frame, Track, wrap_angle
-from esg.dynamics.stagecraft import Prop, default_speed, prop, support_of
+from esg.dynamics.stagecraft import (
+    Prop,
+    climb_height,
+    default_speed,
+    prop,
+    support_of,
+    top_surface,
+)
 from esg.dynamics.story import Phase, Story, bounds
 from esg.graph.models import EsgDocument, TimelineNode
 from esg.layout.hints import Constellation, Corridor, Placement
@@ -40,6 +47,7 @@ class Stage:
         anchor: The table or shelf it all takes place on, None for the ground.
         airborne: Actors that left their support (`falls.Flight`).
         tipped: Actors that fell over where they stood.
+        thrown_back: Actors that bounced off something.
         met: What each actor met last.
         lifted: An actor without a place of its own that starts on the anchor beside its target.
         edge_run: Distance [m] from the lead's start to the anchor's edge, None if it does not
@@ -65,6 +73,7 @@ class Stage:
         self.airborne: dict[str, Flight] = {}
         self.tipped: set[str] = set()
         self.edge_run: float | None = None
+        self.thrown_back: set[str] = set()
         self.met: dict[str, str] = {}
         self._next_phase = {a: 0 for a in self.tracks}
         self.tight = tight
@@ -86,14 +95,10 @@ class Stage:
         body = self.prop(self.lead)
         for name in end.participants:
             support = None if name == self.lead else support_of(self.doc, name)
-            if support is None or body.length > 1.2:
+            if support is None:
                 continue
-            nodes = self.doc.spatial_relation_graph.nodes
-            config = self.doc.asset_configurations[nodes[support].asset_id]
-            surface = max(config.support_surfaces, key=lambda s: s.center_cm[2])
-            height = surface.center_cm[2] / 100.0
-            room = max(surface.half_extents_cm[:2]) / 50.0
-            if height > body.height and body.length < 0.7 * room:
+            height = climb_height(self.doc, body, support)
+            if height is not None:
                 self.anchor, self.lifted = support, self.lead
                 self.heights[self.lead] = height
 
@@ -112,9 +117,7 @@ class Stage:
     def start_at_edge(self) -> None:
         """Moves everything so that the lead starts at the anchor's edge, heading off it."""
         assert self.anchor is not None
-        nodes = self.doc.spatial_relation_graph.nodes
-        config = self.doc.asset_configurations[nodes[self.anchor].asset_id]
-        surface = max(config.support_surfaces, key=lambda s: s.center_cm[2])
+        surface = top_surface(self.doc, self.anchor)
         inset = self.edge_run or 0.6 * self.prop(self.lead).half_length + 0.05
         edge = (surface.center_cm[0] + surface.half_extents_cm[0]) / 100.0 - inset
         x, y, _ = self.places[self.lead]

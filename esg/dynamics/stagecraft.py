@@ -8,9 +8,11 @@ import math
 import numpy as np
 
 from esg.dynamics.kinematics import half_along
-from esg.graph.models import EsgDocument, NamedRegion
+from esg.graph.models import EsgDocument, NamedRegion, SupportSurface
 from esg.units import GRAVITY_MPS2
 
+LONGEST_CLIMBER_M = 1.2
+"""What is longer does not get up on a table."""
 TO_EDGE_M = 0.15
 """Way of what is knocked off a table to its edge."""
 
@@ -175,9 +177,39 @@ def support_of(doc: EsgDocument, name: str) -> str | None:
     if parent not in graph.nodes:
         return None
     config = doc.asset_configurations.get(graph.nodes[parent].asset_id)
-    if config is None or not config.proxies or not config.support_surfaces:
+    return None if config is None or not config.proxies else parent
+
+
+def top_surface(doc: EsgDocument, name: str) -> SupportSurface:
+    """The highest surface things stand on; of a body that names none, the middle of its top."""
+    config = doc.asset_configurations[doc.spatial_relation_graph.nodes[name].asset_id]
+    if config.support_surfaces:
+        return max(config.support_surfaces, key=lambda s: s.center_cm[2])
+    length, width, height = config.dimensions_cm
+    return SupportSurface(
+        name="top", center_cm=(0.0, 0.0, height), half_extents_cm=(0.35 * length, 0.35 * width)
+    )
+
+
+def climb_height(doc: EsgDocument, body: Prop, support: str) -> float | None:
+    """Height [m] of a table or shelf too high to be reached from below, on which a body has room.
+
+    None where it is within reach, or no place for such a body: a head, a post.
+    """
+    config = doc.asset_configurations[doc.spatial_relation_graph.nodes[support].asset_id]
+    if not config.support_surfaces or body.length > LONGEST_CLIMBER_M:
         return None
-    return parent
+    surface = top_surface(doc, support)
+    height = surface.center_cm[2] / 100.0
+    room = max(surface.half_extents_cm[:2]) / 50.0
+    return height if height > body.height and body.length < 0.7 * room else None
+
+
+def broadest_surface(doc: EsgDocument, name: str) -> SupportSurface:
+    """The largest surface of a table or shelf."""
+    config = doc.asset_configurations[doc.spatial_relation_graph.nodes[name].asset_id]
+    surfaces = config.support_surfaces or (top_surface(doc, name),)
+    return max(surfaces, key=lambda s: s.half_extents_cm[0] * s.half_extents_cm[1])
 
 
 def fit_to_surface(
@@ -190,10 +222,7 @@ def fit_to_surface(
         anchor: Supporting node.
         places: Positions [m] and yaws [rad] by key, changed in place on success.
     """
-    config = doc.asset_configurations[doc.spatial_relation_graph.nodes[anchor].asset_id]
-    surface = max(
-        config.support_surfaces, key=lambda s: s.half_extents_cm[0] * s.half_extents_cm[1]
-    )
+    surface = broadest_surface(doc, anchor)
     half = np.array(surface.half_extents_cm) / 100.0
     center = np.array(surface.center_cm[:2]) / 100.0
     turn = half[1] > half[0]
@@ -240,9 +269,7 @@ def pocket_shot(
     """
     nodes = doc.spatial_relation_graph.nodes
     config = doc.asset_configurations[nodes[anchor].asset_id]
-    surface = max(
-        config.support_surfaces, key=lambda s: s.half_extents_cm[0] * s.half_extents_cm[1]
-    )
+    surface = broadest_surface(doc, anchor)
     center = np.array(surface.center_cm[:2]) / 100.0
     half = np.array(surface.half_extents_cm) / 100.0
     pocket = _region(config.regions, region)

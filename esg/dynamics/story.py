@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 import math
 
@@ -22,6 +23,7 @@ OWN_POWER = (
     EdgeEvent.TURN,
     EdgeEvent.BRAKE,
 )
+POWERED = (EdgeEvent.UNIFORM_MOTION, EdgeEvent.ACCELERATED_MOTION)
 CONTROLLED = (NodeEvent.SCENE_START, NodeEvent.TRIGGER, NodeEvent.HEADING_REACHED)
 """Node events whose time the program sets; all others are outcomes of physics."""
 REACH_BRAKE_DAMPING = 9.0
@@ -75,14 +77,24 @@ class Story:
         """Thrown or dropped: it starts in the air."""
         return self.force[actor] is ForceDirection.ANY_3D
 
+    def tips(self, phase: Phase) -> bool:
+        """Whether a phase tips its own actor over where it is: a domino, a cart at a fence."""
+        actor = phase.edge.actor
+        itself = phase.end.event is NodeEvent.TOPPLE and actor in phase.end.participants
+        if not itself or self.flies(actor):
+            return False
+        if phase.edge.event is EdgeEvent.TOWARD:
+            return True
+        return phase.edge.event in POWERED and phase is not self.phases[actor][0]
+
     def reverses(self, actor: str) -> bool:
         """Whether an actor starts by driving backwards."""
         speed = self.phases[actor][0].edge.params.speed
         return isinstance(speed, (int, float)) and speed < 0
 
-    def topples(self, name: str) -> bool:
-        """Whether the story tips an object over."""
-        return self._befalls(NodeEvent.TOPPLE, name)
+    def topples(self, name: str | None) -> bool:
+        """Whether the story tips an object over; never so for None."""
+        return name is not None and self._befalls(NodeEvent.TOPPLE, name)
 
     def falls(self, name: str) -> bool:
         """Whether the story has an object fall off something."""
@@ -121,10 +133,7 @@ def read_story(doc: EsgDocument) -> Story:
     for name, node in graph.nodes.items():
         if node.group:
             members.setdefault(node.group, []).append(name)
-    moving = {e.actor for e in timeline.sequence_graph.edges} if timeline else set[str]()
-    groups = {
-        g: tuple(m) for g, m in members.items() if _is_plural(doc, m) and not moving.intersection(m)
-    }
+    groups = {g: tuple(m) for g, m in members.items() if _is_plural(doc, m)}
     group_of = {name: g for g, m in groups.items() for name in m}
     if timeline is None:
         return Story({}, {}, {}, {}, groups, group_of)
@@ -156,7 +165,17 @@ def _is_plural(doc: EsgDocument, members: list[str]) -> bool:
     Neither are members that move by themselves: each has a path of its own.
     """
     labels = {doc.spatial_relation_graph.nodes[m].label for m in members}
-    return len(members) > 1 and len(labels) == 1
+    if len(members) < 2 or len(labels) > 1:
+        return False
+    if doc.timeline_system is None:
+        return True
+    graph = doc.timeline_system.sequence_graph
+    carried = EdgeEvent.INERTIAL_CONNECTOR
+    if any(e.actor in members and e.event is not carried for e in graph.edges):
+        return False
+    # One that is struck and carried on stands for all; several that are named are individuals.
+    moves = any(e.actor in members for e in graph.edges)
+    return not (moves and len({p for n in graph.nodes for p in n.participants if p in members}) > 1)
 
 
 def _topological(ids: list[str], before: dict[str, list[str]]) -> list[str]:
@@ -169,6 +188,28 @@ def _topological(ids: list[str], before: dict[str, list[str]]) -> list[str]:
         done.append(ready[0])
         pending.remove(ready[0])
     return done
+
+
+def rebounds(story: Story, phase: Phase, is_fixed: Callable[[str], bool]) -> bool:
+    """Whether a phase begins with a hit of something fixed and ends with the start of braking.
+
+    "Hits the kerb and stops": pressed on against the kerb it would already be at rest when its
+    brake sets in, so that it rolls back freely until then.
+
+    Args:
+        story: The story.
+        phase: One of its phases.
+        is_fixed: Whether a body cannot move.
+    """
+    actor, start, end = phase.edge.actor, phase.start, phase.end
+    if phase.edge.event not in POWERED or start.event is not NodeEvent.COLLISION:
+        return False
+    if end.event is not NodeEvent.TRIGGER or actor not in start.participants:
+        return False
+    brakes = any(
+        p.edge.event is EdgeEvent.BRAKE and p.start.id == end.id for p in story.phases[actor]
+    )
+    return brakes and all(is_fixed(p) for p in start.participants if p != actor)
 
 
 def bounds(value: Quantity | None, default: tuple[float, float]) -> tuple[float, float, bool]:

@@ -22,6 +22,13 @@ from esg.units import GRAVITY_MPS2
 FASTEST_THROW_CM_S = 2500.0
 """A hard kick or throw; guessed speeds stay below it."""
 
+OVER_MOUTH = 1.25
+"""Height over the middle of a container at which a throw is aimed, in half heights of it."""
+CHAIN_PRECISION = 0.4
+"""Factor on the first spread of the aim for every ball that a struck ball shall hit."""
+AFTER_EVENT_S = 0.12
+"""What follows an outcome is planned for this long after it."""
+
 
 @dataclass(frozen=True)
 class Variable:
@@ -98,7 +105,7 @@ class Declarations(Cast):
             math.radians(limit),
             0.0,
             0.0,
-            math.radians(limit / 6.0),
+            math.radians(limit / 6.0) * CHAIN_PRECISION ** self.balls_after(phases[0]),
             "rad",
         )
         if self.drives(actor):
@@ -201,7 +208,8 @@ class Declarations(Cast):
         ):
             return
         window = node.window or (0.3, 12.0)
-        nominal = self.nominal.get(name, 0.5 * (window[0] + window[1]))
+        told = self.nominal.get(f"{node.id}/event_time", 0.5 * (window[0] + window[1]))
+        nominal = self.nominal.get(name, told + (AFTER_EVENT_S if follows_outcome else 0.0))
         if node.timestamp is not None and node.time_is_prescribed:
             self.add(
                 name,
@@ -225,7 +233,7 @@ class Declarations(Cast):
         if not (fixed or edge.speed_is_prescribed):
             # A guessed interval gives way to what the choreography needs.
             low, high = min(low, 60.0 * nominal), max(high, 160.0 * nominal)
-        if self.tips(phase):
+        if self.story.tips(phase):
             low, high = 50.0 * nominal, 400.0 * nominal
         tie = self.same_speed_as(phase)
         if tie is not None:
@@ -329,11 +337,13 @@ class Declarations(Cast):
                 "s",
             )
             height = self.scene.body(target).half_extents[2] if target else 0.3
+            region = self.region(phase)
+            mouth = region.half_extents[2] if region and region.kind == "inside" else 0.0
             self.add(
                 f"{edge.id}/aim_height",
                 -0.8 * height,
-                0.8 * height,
-                0.45 * height if self.shall_topple(target) else 0.0,
+                max(0.8 * height, 1.5 * mouth),
+                0.45 * height if self.story.topples(target) else OVER_MOUTH * mouth,
                 0.0,
                 0.2 * height,
                 "m",

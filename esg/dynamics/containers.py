@@ -1,0 +1,161 @@
+"""What shall end up in a container fits through its opening and does not bounce out again.
+
+Where the prompt leaves sizes open, the bucket of a basketball is a large bucket and the beanbag of
+a box is one that goes in; where it says nothing of materials, a thing that comes down in a bowl
+finds its bottom soft enough to stay there.
+"""
+
+from __future__ import annotations
+
+import math
+
+from esg.dynamics.story import Story
+from esg.graph.models import (
+    AssetConfiguration,
+    AssetRequirement,
+    EsgDocument,
+    NamedRegion,
+    NodeEvent,
+    ProxyKind,
+    TimelineNode,
+)
+
+SNUG = 0.8
+"""Largest share of the opening that the thing may take up."""
+LARGER, SMALLER = 1.6, 0.4
+"""Most that a container grows and a thing shrinks."""
+DULLEST = 0.4
+"""Least share of its usual restitution that the thing keeps."""
+REBOUND = 0.7
+"""Largest share of the container's depth that a bounce may reach."""
+USUAL_DROP_M = 1.0
+"""Height from which things come down that nobody gave a height for."""
+
+
+def entries(doc: EsgDocument, story: Story) -> list[tuple[TimelineNode, str, str, NamedRegion]]:
+    """Events in which something ends up in a container: event, thing, container, inside."""
+    nodes = doc.spatial_relation_graph.nodes
+    out: list[tuple[TimelineNode, str, str, NamedRegion]] = []
+    for node in story.nodes.values():
+        if node.event is not NodeEvent.ENTER_REGION or not node.region or not node.participants:
+            continue
+        owner, _, name = node.region.partition("/")
+        thing = node.participants[0]
+        if owner not in nodes or thing not in nodes:
+            continue
+        regions = doc.asset_configurations[nodes[owner].asset_id].regions
+        mouth = next((r for r in regions if r.name == name), None)
+        passes = any(r.kind in ("goal", "lane", "area", "pocket") for r in regions)
+        if mouth is not None and mouth.kind in ("inside", "hole") and not passes:
+            out.append((node, thing, owner, mouth))
+    return out
+
+
+def comes_down(story: Story, node: TimelineNode, thing: str) -> bool:
+    """Whether a thing reaches a container from above: thrown, dropped or off something."""
+    if story.is_active(thing) and story.flies(thing):
+        return True
+    before = story.ancestors(node.id)
+    return any(
+        n.event is NodeEvent.FALL and thing in n.participants
+        for n in story.nodes.values()
+        if n.id in before
+    )
+
+
+def fit_containers(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]:
+    """Configurations of containers and of what they shall hold, changed where they must be."""
+    out: dict[str, AssetConfiguration] = {}
+    nodes = doc.spatial_relation_graph.nodes
+    for node, thing, owner, mouth in entries(doc, story):
+        keys = nodes[thing].asset_id, nodes[owner].asset_id
+        body, holder = (out.get(k, doc.asset_configurations[k]) for k in keys)
+        if is_filled(holder, mouth):
+            hollow = _hollow(doc, keys[1], holder)
+            found = next((r for r in hollow.regions if r.name == mouth.name), None)
+            if found is not None and not is_filled(hollow, found):
+                holder, mouth = hollow, found
+                out[keys[1]] = hollow
+        grow, shrink = _factors(doc, keys, body, mouth)
+        if grow > 1.0:
+            holder = out[keys[1]] = _resized(doc, keys[1], holder, grow)
+        if shrink < 1.0:
+            body = out[keys[0]] = _resized(doc, keys[0], body, shrink)
+        if not comes_down(story, node, thing):
+            continue
+        depth = 0.02 * mouth.half_extents_cm[2] * grow
+        pair = 2.0 * _largest_restitution(depth)
+        softest = max(pair - body.restitution, 0.0)
+        if softest < holder.restitution:
+            out[keys[1]] = holder.model_copy(update={"restitution": round(softest, 3)})
+        if body.restitution + softest > pair + 1e-9:
+            dull = max(pair, DULLEST * body.restitution)
+            out[keys[0]] = body.model_copy(update={"restitution": round(dull, 3)})
+    return out
+
+
+def is_filled(config: AssetConfiguration, mouth: NamedRegion) -> bool:
+    """Whether the middle of a region lies within a collision shape: a bin drawn with its lid on."""
+    for proxy in config.proxies:
+        x, y, z = (abs(m - p) for m, p in zip(mouth.center_cm, proxy.position_cm, strict=True))
+        a, b, c = proxy.size_cm
+        if proxy.kind is ProxyKind.BOX and x < a and y < b and z < c:
+            return True
+        if proxy.kind in (ProxyKind.CYLINDER, ProxyKind.CAPSULE) and math.hypot(x, y) < a and z < c:
+            return True
+    return False
+
+
+def _hollow(doc: EsgDocument, key: str, config: AssetConfiguration) -> AssetConfiguration:
+    """An open vessel of the same size, for what is usually drawn closed."""
+    vessel = doc.asset_requirement[key].model_copy(
+        update={"asset_category": "bucket", "asset_description": "open bucket"}
+    )
+    return _resized(doc, key, config, 1.0, vessel)
+
+
+def _factors(
+    doc: EsgDocument, keys: tuple[str, str], body: AssetConfiguration, mouth: NamedRegion
+) -> tuple[float, float]:
+    """How much larger the container and smaller the thing must be, as far as they are open."""
+    room = 2.0 * min(mouth.half_extents_cm[:2])
+    across = max(body.dimensions_cm[:2])
+    missing = across / max(SNUG * room, 1e-6)
+    grow = shrink = 1.0
+    if missing <= 1.0 or keys[0] == keys[1]:
+        return grow, shrink
+    if not doc.asset_requirement[keys[1]].dimensions_are_prescribed:
+        grow = min(missing, LARGER)
+    if not doc.asset_requirement[keys[0]].dimensions_are_prescribed:
+        shrink = max(grow / missing, SMALLER)
+    return grow, shrink
+
+
+def _resized(
+    doc: EsgDocument,
+    key: str,
+    config: AssetConfiguration,
+    factor: float,
+    kind: AssetRequirement | None = None,
+) -> AssetConfiguration:
+    """The same thing larger or smaller; its mass follows unless it is prescribed."""
+    from esg.assets.stage import configure
+
+    wanted = kind or doc.asset_requirement[key]
+    mass = config.mass_kg if wanted.mass_is_prescribed else factor**3 * config.mass_kg
+    return configure(
+        key,
+        wanted.model_copy(
+            update={
+                "expected_dimensions_cm": tuple(factor * d for d in config.dimensions_cm),
+                "expected_mass_kg": mass,
+                "dimensions_are_prescribed": True,
+                "mass_is_prescribed": True,
+            }
+        ),
+    ).model_copy(update={"is_movable": config.is_movable})
+
+
+def _largest_restitution(depth: float) -> float:
+    """Restitution of the pair at which a bounce stays below the rim of a container [m] deep."""
+    return math.sqrt(REBOUND * depth / USUAL_DROP_M)

@@ -1,0 +1,136 @@
+"""What a hit leads to: the struck body runs on into the next one, or the mover is thrown back."""
+
+from __future__ import annotations
+
+import math
+
+from esg.dynamics.kinematics import Frame, Track, half_along, impact_speed, sliding_distance
+from esg.dynamics.placing import bring_support, goes_on
+from esg.dynamics.stage import Stage
+from esg.dynamics.stagecraft import Prop, target_yaw
+from esg.graph.models import NodeEvent, TimelineNode
+
+THROWN_BACK = 0.3
+"""Share of its speed from which something that hits a heavier body counts as thrown back."""
+DOWN_S = 0.3
+"""Time in which a struck body falls over."""
+BALL_GAP = 0.45
+"""Share of the usual gap between balls of a chain."""
+BOUNCE_RAD, BOUNCE_KEPT = math.radians(25.0), 0.75
+"""Angle at which a ball meets a wall it bounces off, and what it keeps of its speed along it."""
+
+
+def impact(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
+    """After the hit, b runs on along a's heading and a keeps the rest of the momentum."""
+    if a in stage.tracks and a in stage.frames:
+        source, frame = stage.tracks[a], stage.frames[a]
+    else:
+        source, frame = stage.moving.get(a, Track()), Frame()
+    stage.time[node.id] = source.time
+    if node.event is not NodeEvent.COLLISION or b in stage.tracks:
+        return
+    pa, pb = stage.prop(a), stage.prop(b)
+    if b not in stage.places:
+        return
+    restitution = 0.5 * (pa.restitution + pb.restitution)
+    if pb.fixed:
+        _bounce(stage, node, a, b, restitution)
+        return
+    back = (restitution * pb.mass - pa.mass) / (pa.mass + pb.mass)
+    if back > THROWN_BACK and not goes_on(stage, node, b):
+        _bounce(stage, node, a, b, back)
+        return
+    speed = impact_speed(pa.mass, pb.mass, source.speed, restitution)
+    x, y, _ = stage.places[b]
+    heading = source.heading + frame.angle
+    stage.moving[b] = Track(x, y, heading, speed, source.time, [(x, y)])
+    source.speed = max(0.05, source.speed - pb.mass / pa.mass * speed)
+
+
+def _bounce(stage: Stage, node: TimelineNode, a: str, b: str, restitution: float) -> None:
+    """A ball or puck that goes on to something else after a hit of a wall leaves it at an angle.
+
+    The wall is turned by `BOUNCE_RAD`, so that the way back does not lead over the start.
+    """
+    pa, pb = stage.prop(a), stage.prop(b)
+    if a not in stage.tracks or a not in stage.frames:
+        return
+    track, frame = stage.tracks[a], stage.frames[a]
+    if pa.wheeled or not goes_on(stage, node, a) or b == stage.anchor:
+        return
+    heading = track.heading + frame.angle
+    side = float(stage.rng.choice([-1.0, 1.0]))
+    # A ball's spin still rolls it forward: that takes two sevenths, once the ground has turned it.
+    back = 5.0 / 7.0 * restitution - 2.0 / 7.0 if pa.rolls else restitution
+    normal = max(back, 0.1) * math.cos(BOUNCE_RAD)
+    along = BOUNCE_KEPT * math.sin(BOUNCE_RAD)
+    x, y = frame.apply(track.x, track.y)
+    # Its centre, where it touches, to the middle of the wall, which faces the ball obliquely.
+    facing = heading + math.pi + side * BOUNCE_RAD
+    yaw = facing + (math.pi / 2 if pb.length > 1.15 * pb.width else 0.0)
+    reach = pa.half_width + half_along(pb.length, pb.width, yaw - facing)
+    contact = (
+        x + (pa.half_length - pa.half_width) * math.cos(heading),
+        y + (pa.half_length - pa.half_width) * math.sin(heading),
+    )
+    stage.places[b] = (
+        contact[0] - reach * math.cos(facing),
+        contact[1] - reach * math.sin(facing),
+        yaw,
+    )
+    track.heading = facing + side * math.atan2(along, normal) - frame.angle
+    track.speed *= math.hypot(normal, along)
+    stage.thrown_back.add(a)
+
+
+def chain(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
+    """A passive body set in motion by an earlier hit runs on into the next one."""
+    if a not in stage.moving and b in stage.moving:
+        a, b = b, a
+    track = stage.moving.get(a)
+    if track is None or b in stage.places:
+        return
+    pa, pb = stage.prop(a), stage.prop(b)
+    gap = _coasting_gap(stage, pa, pb, track.speed) * stage.tight
+    if pa.height > 2.5 * pa.length and not pa.rolls:
+        # Tall and thin: it topples onto the next one, which stands within its reach.
+        gap = min(gap, 0.5 * pa.height)
+    if _falls_before(stage, node, a):
+        # It is to be down before it arrives.
+        slides = sliding_distance(track.speed, 0.5 * (pa.friction + 0.7))
+        gap = max(gap, min(DOWN_S * track.speed, 0.5 * slides))
+    prescribed = stage.prescribed_time(node)
+    if prescribed is not None:
+        gap = max(0.1, track.speed * (prescribed - track.time))
+    yaw = target_yaw(pb, track.heading, stage.rng)
+    jitter = float(stage.rng.uniform(-0.3, 0.3)) * pb.half_lateral(yaw - track.heading)
+    if pb.rolls and goes_on(stage, node, b):
+        # Off its middle it would leave the line on which the next one lies.
+        jitter = 0.0
+    reach = gap + pa.half_length + half_along(pb.length, pb.width, yaw - track.heading)
+    c, s = math.cos(track.heading), math.sin(track.heading)
+    stage.places[b] = (track.x + reach * c - jitter * s, track.y + reach * s + jitter * c, yaw)
+    bring_support(stage, b, stage.places[b][0], stage.places[b][1], track.heading)
+    track.straight(gap, gap / max(track.speed, 0.1), track.speed)
+
+
+def _falls_before(stage: Stage, node: TimelineNode, a: str) -> bool:
+    """Whether a body has toppled by the time of an event."""
+    before = stage.story.ancestors(node.id)
+    return any(
+        n.id in before and n.event is NodeEvent.TOPPLE and a in map(stage.key, n.participants)
+        for n in stage.story.nodes.values()
+    )
+
+
+def _coasting_gap(stage: Stage, body: Prop, target: Prop, speed: float) -> float:
+    """Free run [m] to the next target that a body set in motion surely covers.
+
+    A ball that hits a ball off its centre by x sends it off by x over their radii, so that each
+    further ball of a chain multiplies an error by the gap in diameters: balls lie close.
+    """
+    reach = 50.0 if body.rolls else sliding_distance(speed, 0.5 * (body.friction + 0.7))
+    preferred = float(stage.rng.uniform(0.28, 0.36)) * speed
+    if body.rolls and target.rolls:
+        preferred *= BALL_GAP
+    return max(0.05, min(preferred, 0.4 * reach, 2.5))

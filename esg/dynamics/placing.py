@@ -1,0 +1,91 @@
+"""Putting what an actor meets where its path leads, with what it stands on."""
+
+from __future__ import annotations
+
+import math
+
+from esg.dynamics.kinematics import Frame, frame_mapping, half_along
+from esg.dynamics.stage import Stage
+from esg.dynamics.stagecraft import Prop, support_of, target_yaw
+from esg.dynamics.story import REACH_BRAKE_DAMPING, bounds
+from esg.graph.models import NodeEvent, TimelineNode
+
+
+def goes_on(stage: Stage, node: TimelineNode, b: str) -> bool:
+    """Whether more is said of the target after this hit."""
+    later = stage.story.after(node.id)
+    return any(b in map(stage.key, n.participants) for n in later)
+
+
+def asked_distance(stage: Stage, node: TimelineNode, a: str) -> float | None:
+    """Distance [m] the prompt has `a` cover until the event, or None.
+
+    At an event without a hit it is the gap that is left between the two.
+    """
+    for c in node.constraints:
+        if c.quantity == "distance" and c.object == stage.member(a):
+            low, high, _ = bounds(c.value, (100.0, 100.0))
+            return max(0.005 * (low + high), 0.1)
+    return None
+
+
+def join(stage: Stage, a: str, b: str, node: TimelineNode) -> None:
+    """Puts the end of a's track at b's surface, by placing whichever is still free."""
+    track, pa = stage.tracks[a], stage.prop(a)
+    if b not in stage.places:
+        frame = stage.frames.setdefault(a, Frame() if not stage.places else stage.free_frame())
+        x, y = frame.apply(track.x, track.y)
+        _place_target(stage, a, b, x, y, track.heading + frame.angle, pa, node)
+    elif a not in stage.frames:
+        bx, by, byaw = stage.places[b]
+        heading = stage.free_heading(bx, by)
+        pb = stage.prop(b)
+        reach = pa.half_length + half_along(pb.length, pb.width, heading - (byaw or 0.0))
+        end = (bx - reach * math.cos(heading), by - reach * math.sin(heading))
+        stage.frames[a] = frame_mapping((track.x, track.y), track.heading, end, heading)
+    x, y = stage.frames[a].apply(0.0, 0.0)
+    stage.places[a] = (x, y, stage.frames[a].angle + stage.reverse_yaw(a))
+
+
+def _place_target(
+    stage: Stage, a: str, b: str, x: float, y: float, heading: float, pa: Prop, node: TimelineNode
+) -> None:
+    """Puts b where a arrives: ahead of it, past it for a Miss, short of it for a Reach."""
+    pb = stage.prop(b)
+    yaw = target_yaw(pb, heading, stage.rng)
+    lateral = float(stage.rng.uniform(-0.12, 0.12)) * min(
+        pb.half_lateral(yaw - heading), pa.half_width
+    )
+    front = pa.half_length + half_along(pb.length, pb.width, yaw - heading)
+    if node.event is NodeEvent.MISS:
+        gap = asked_distance(stage, node, a) or 0.25
+        lateral = pa.half_width + pb.half_lateral(yaw - heading) + gap
+        front = 0.0
+    if node.event is NodeEvent.REACH:
+        # Room to come to rest after the hold ends.
+        front += 0.15 + stage.tracks[a].speed / REACH_BRAKE_DAMPING
+        stage.nominal[f"{node.id}/time"] = stage.tracks[a].time
+    cx = x + front * math.cos(heading) - lateral * math.sin(heading)
+    cy = y + front * math.sin(heading) + lateral * math.cos(heading)
+    stage.places[b] = (cx, cy, yaw)
+    bring_support(stage, b, cx, cy, heading)
+
+
+def bring_support(stage: Stage, b: str, x: float, y: float, heading: float) -> None:
+    """A target that stands on a table is met near the table's edge: the table comes along."""
+    support = support_of(stage.doc, stage.member(b))
+    if support is None or support == stage.anchor or support in stage.places:
+        return
+    ps = stage.prop(support)
+    yaw = target_yaw(ps, heading, stage.rng)
+    inset = max(
+        0.0, half_along(ps.length, ps.width, yaw - heading) - stage.prop(b).half_length - 0.08
+    )
+    nodes = stage.doc.spatial_relation_graph.nodes
+    if not stage.doc.asset_configurations[nodes[support].asset_id].support_surfaces:
+        # A head, a post: there is only the middle.
+        inset = 0.0
+    elif stage.story.falls(b):
+        # What shall be knocked off stands at the far edge.
+        inset = -inset
+    stage.places[support] = (x + inset * math.cos(heading), y + inset * math.sin(heading), yaw)

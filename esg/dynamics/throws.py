@@ -1,0 +1,71 @@
+"""Throws and drops: from where, and into which opening."""
+
+from __future__ import annotations
+
+import math
+
+from esg.dynamics.kinematics import Frame
+from esg.dynamics.stage import Stage
+from esg.dynamics.stagecraft import Prop, release_height, support_of, top_surface
+from esg.dynamics.story import bounds
+from esg.graph.models import NamedRegion, NodeEvent, TimelineNode
+
+HIGHEST_HAND_M = 1.7
+"""Height up to which a throw starts level with its target."""
+TOSS_M = 0.35
+"""Height over a low container from which something is tossed into it."""
+
+
+def hand_height(stage: Stage, node: TimelineNode, b: str, thrown: Prop, target: Prop) -> float:
+    """Height [m] of a thrown body's bottom at release: what goes in somewhere low is tossed in."""
+    usual = release_height(thrown, target)
+    support = support_of(stage.doc, stage.member(b))
+    if support is not None:
+        raised = top_surface(stage.doc, support).center_cm[2] / 100.0 + 0.5 * target.height
+        usual = max(usual, min(raised, HIGHEST_HAND_M) - 0.5 * thrown.height)
+    if node.event is not NodeEvent.ENTER_REGION:
+        return usual
+    return min(usual, max(target.height + TOSS_M, 0.6))
+
+
+def region_of(stage: Stage, node: TimelineNode) -> NamedRegion | None:
+    """The region an event is about."""
+    owner, _, name = (node.region or "").partition("/")
+    nodes = stage.doc.spatial_relation_graph.nodes
+    if owner not in nodes:
+        return None
+    regions = stage.doc.asset_configurations[nodes[owner].asset_id].regions
+    return next((r for r in regions if r.name == name), None)
+
+
+def slowest_passage(stage: Stage, node: TimelineNode) -> float:
+    """Way [m] through the region of an event at floor level; large where it does not matter."""
+    region = region_of(stage, node)
+    if region is None or region.kind not in ("inside", "hole"):
+        return 100.0
+    return 0.02 * region.half_extents_cm[0]
+
+
+def drop(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
+    """A body let go above its target, at the prescribed height or a metre up."""
+    pb = stage.prop(b)
+    region = region_of(stage, node)
+    stage.places.setdefault(b, (0.0, 0.0, 0.0 if region is None else math.pi))
+    x, y, yaw = stage.places[b]
+    if region is not None:
+        # Into the hoop, not onto its post.
+        cx, cy, _ = region.center_cm
+        x, y = Frame(x, y, yaw or 0.0).apply(cx / 100.0, cy / 100.0)
+    stated = [c for n in (node, *stage.story.nodes.values()) for c in n.constraints]
+    height = next(
+        (
+            sum(bounds(c.value, (1, 1))[:2]) / 200.0
+            for c in stated
+            if c.quantity == "height" and c.object == stage.member(a)
+        ),
+        1.0,
+    )
+    stage.places[a] = (x, y, 0.0)
+    stage.frames[a] = Frame(x, y, 0.0)
+    stage.heights[a] = pb.height + height
+    stage.tracks[a].time += math.sqrt(2.0 * height / 9.81)
