@@ -12,7 +12,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from esg.assets.library import build_sketch
+from esg.assets.library import Entry, build_sketch
+from esg.assets.rolling import is_rolling_form, rolling, turned_size
+from esg.assets.sketch import Sketch
 from esg.graph.models import AssetConfiguration, EsgDocument
 from esg.outcomes import UserError
 
@@ -42,7 +44,7 @@ def build_mesh(config: AssetConfiguration) -> trimesh.Scene:
 
         return load_imported(config)
     scene = trimesh.Scene()
-    for part in build_sketch(entry, config.dimensions_cm, config.color_rgb).parts:
+    for part in configured_sketch(entry, config).parts:
         mesh = part.mesh()
         rgba = [round(255 * c) for c in (*part.color, part.alpha)]
         mesh.visual = trimesh.visual.TextureVisuals(
@@ -56,6 +58,14 @@ def build_mesh(config: AssetConfiguration) -> trimesh.Scene:
         )
         scene.add_geometry(mesh, node_name=part.name, geom_name=part.name)
     return scene
+
+
+def configured_sketch(entry: Entry, config: AssetConfiguration) -> Sketch:
+    """What an entry draws for a configuration: lying, or on its rim."""
+    if not is_rolling_form(entry, config.rolls):
+        return build_sketch(entry, config.dimensions_cm, config.color_rgb)
+    size = turned_size(entry, config.dimensions_cm)
+    return rolling(entry, build_sketch(entry, size, config.color_rgb), size)
 
 
 def glb_bytes(config: AssetConfiguration) -> bytes:

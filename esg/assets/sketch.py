@@ -83,6 +83,8 @@ class Sketch:
     densities: list[float] = field(default_factory=list)
     surfaces: list[SupportSurface] = field(default_factory=list)
     regions: list[NamedRegion] = field(default_factory=list)
+    weighed: list[Proxy] | None = None
+    """Shapes that mass and inertia come from where they are not the proxies; with `densities`."""
 
     # --- drawing -------------------------------------------------------------------------------
     def add(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 import math
 import re
 from typing import TYPE_CHECKING, Any
@@ -12,6 +13,15 @@ from esg.assets.massprops import mass_properties
 from esg.assets.materials import MATERIALS, Material, find_material, is_usual
 from esg.assets.proposal import choose_dimensions, choose_mass
 from esg.assets.retrieve import Decision, decide
+from esg.assets.rolling import (
+    FLAGS,
+    as_drawn,
+    lying_assets,
+    on_its_rim,
+    rolled_assets,
+    rolling,
+    turned_size,
+)
 from esg.assets.sketch import Sketch
 from esg.graph.models import (
     AssetConfiguration,
@@ -29,6 +39,8 @@ VERSION = "1"
 WHEELED_FRICTION = 0.1
 """Averages with the vehicle ground's 0 to a rolling resistance of 0.05."""
 ROLLING_DAMPING = 0.1
+ROLLING_RESTITUTION = 0.2
+"""At most: on its rim a prism (PhysX) would hop from edge to edge."""
 
 
 def resolve(doc: EsgDocument, *, seed: int = 0) -> EsgDocument:
@@ -46,8 +58,16 @@ def resolve(doc: EsgDocument, *, seed: int = 0) -> EsgDocument:
 
     generator = chosen_generator()
     failures: dict[str, str] = {}
+    rolled, lying = rolled_assets(doc), lying_assets(doc)
     configurations = {
-        key: configure(key, requirement, generator=generator, seed=seed, failures=failures)
+        key: configure(
+            key,
+            requirement,
+            generator=generator,
+            seed=seed,
+            failures=failures,
+            rolled=True if key in rolled else False if key in lying else None,
+        )
         for key, requirement in doc.asset_requirement.items()
     }
     state: dict[str, Any] = _library_state()
@@ -75,6 +95,7 @@ def configure(
     generator: Generator | None = None,
     seed: int = 0,
     failures: dict[str, str] | None = None,
+    rolled: bool | None = None,
 ) -> AssetConfiguration:
     """The configuration of one requirement.
 
@@ -84,13 +105,14 @@ def configure(
         generator: Asked where the library holds nothing.
         seed: Given to the generator.
         failures: Receives why the generator gave nothing, by asset id.
+        rolled: Whether the story rolls it on its rim; None lets the size decide.
     """
     from esg.assets.nearest import nearest, usual_size
     from esg.assets.wording import restated
 
     said = restated(requirement)
     if said is not requirement:
-        made = build_configuration(key, said, decide(said))
+        made = build_configuration(key, said, decide(said), rolled)
         return made.model_copy(update={"category": _category(requirement)})
     requirement = usual_size(requirement)
     decision = decide(requirement)
@@ -105,11 +127,11 @@ def configure(
                 failures[key] = str(error)
     if decision.entry is None:
         requirement, decision = nearest(requirement, decision) or (requirement, decision)
-    return build_configuration(key, requirement, decision)
+    return build_configuration(key, requirement, decision, rolled)
 
 
 def build_configuration(
-    key: str, requirement: AssetRequirement, decision: Decision
+    key: str, requirement: AssetRequirement, decision: Decision, rolled: bool | None = None
 ) -> AssetConfiguration:
     """The configuration that a decision leads to."""
     if decision.entry is None:
@@ -118,7 +140,7 @@ def build_configuration(
         from esg.assets.imported import configure_imported
 
         return configure_imported(key, requirement, decision)
-    return _parametric(key, requirement, decision.entry, decision)
+    return _parametric(key, requirement, decision.entry, decision, rolled)
 
 
 def mesh_path(key: str) -> str:
@@ -147,13 +169,26 @@ def _is_solid(entry: Entry) -> bool:
 
 
 def _parametric(
-    key: str, requirement: AssetRequirement, entry: Entry, decision: Decision
+    key: str,
+    requirement: AssetRequirement,
+    entry: Entry,
+    decision: Decision,
+    rolled: bool | None = None,
 ) -> AssetConfiguration:
+    if rolled is None:
+        rolled = "rim" in entry.flags and on_its_rim(requirement)
+    rolled = rolled and bool(entry.flags & FLAGS)
+    requirement = as_drawn(entry, requirement)
     dimensions = choose_dimensions(entry, requirement)
     material, ratio = _surface_material(entry, requirement)
     mass = choose_mass(entry, requirement, dimensions, ratio)
     color = find_color(requirement.color) or _material_color(requirement, entry)
     sketch = build_sketch(entry, dimensions, color)
+    if rolled:
+        sketch = rolling(entry, sketch, dimensions)
+        dimensions = turned_size(entry, dimensions)
+        entry = replace(entry, flags=entry.flags | {"rolls"})
+        material = replace(material, restitution=min(material.restitution, ROLLING_RESTITUTION))
     source = "fallback" if decision.reason else "parametric"
     return finish(
         key, entry, requirement, sketch, dimensions, mass, material, color, decision, source
@@ -195,7 +230,7 @@ def finish(
     source: str,
 ) -> AssetConfiguration:
     """Assembles a configuration; the same schema whatever the source of the geometry."""
-    com, inertia = mass_properties(sketch.proxies, mass, sketch.densities)
+    com, inertia = mass_properties(sketch.weighed or sketch.proxies, mass, sketch.densities)
     rolls = "rolls" in entry.flags
     wheeled = "wheeled" in entry.flags
     factor = uniform_factor(entry.dimensions_cm, dimensions)

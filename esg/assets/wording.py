@@ -10,11 +10,16 @@ from __future__ import annotations
 import math
 
 from esg.assets.library import Entry, normalize, policy
+from esg.assets.proposal import misfit, residual
 from esg.assets.retrieve import exact, head_match
+from esg.assets.rolling import as_drawn
 from esg.graph.models import AssetRequirement
 
 _SAME_SIZE = 1.5
 """Up to this factor a category's expectation says nothing about the size of the noun itself."""
+
+_OWN_SHAPE = 1.2
+"""Extents that differ by no more than this after scaling are those of the noun itself."""
 
 
 def said_entry(requirement: AssetRequirement) -> Entry | None:
@@ -44,6 +49,10 @@ def restated(requirement: AssetRequirement) -> AssetRequirement:
         # A kind of the category that takes any size ("brick wall"): the expectation holds.
         return requirement.model_copy(update={"asset_category": said.name})
     factor = 1.0
+    shape = residual(said, as_drawn(said, requirement))
+    if shape <= _OWN_SHAPE and filed is not None and misfit(filed, requirement, named=True):
+        # The category is another thing of that name: a hula hoop is no basketball hoop.
+        return requirement.model_copy(update={"asset_category": said.name})
     if filed is not None:
         ratio = math.prod(requirement.expected_dimensions_cm) / math.prod(filed.dimensions_cm)
         factor = ratio ** (1 / 3)

@@ -43,6 +43,7 @@ _MODULES = (
     "playground",
     "pool",
     "roadside",
+    "rollers",
     "simple",
     "sports",
     "street",
