@@ -52,6 +52,8 @@ class Mention:
     role: str = ""
     """driver, pilot: a person that stands for the vehicle."""
     text: str = ""
+    drives: bool = False
+    """Whether its verb is what the vehicle does ("the bus driver brakes")."""
     possessor: Mention | None = None
     attribute: bool = False
     """Names a measure or an event, not an object."""

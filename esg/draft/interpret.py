@@ -143,6 +143,9 @@ class Interpreter(MotionSenses):
         )
         if f.subject is not None and thrown and f.subject.role in ("rider", "cyclist"):
             f.subject.role = ""  # who falls is the rider, not what is ridden
+        control = f.verb.sense in _RIDDEN and f.verb.sense not in ("hit", "miss", "enter", "reach")
+        if f.subject is not None and f.subject.role and f.subject.role != "rider":
+            f.subject.drives = control and f.object is None
         subject = self._subject(f)
         for m in self.mentions:
             between = f.subject is not None and f.subject.start < m.start < f.verb.start

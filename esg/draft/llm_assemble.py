@@ -11,6 +11,7 @@ import hashlib
 from typing import Any
 
 from esg.draft.llm_names import Names, slug, unique
+from esg.draft.llm_segments import sound_segments
 from esg.draft.llm_stages import (
     AssetsReply,
     ExpansionReply,
@@ -242,7 +243,8 @@ def _regions(work: _Work, names: Names) -> None:
         "attached_horizontal": "ATTACHED_HORIZONTAL",
     }
     for name, node in nodes.items():
-        if node.get("is_structural") or node.get("semantic_region") in regions:
+        inside = regions.get(node.get("semantic_region") or "")
+        if node.get("is_structural") or (inside and inside["parent_object"] != name):
             continue
         parent, relation = support.get(name, (work.base, "on"))
         if parent is None or parent not in nodes or parent == name:
@@ -312,6 +314,7 @@ def _time(work: _Work, reply: TimelineReply) -> list[list[str]]:
         )
     edges = [_segment(work, s, events) for s in reply.segments]
     if work.repair:
+        edges = sound_segments(nodes, edges, log)
         _missing_actors(nodes, edges, actors, objects, log)
     work.raw["timeline_system"] = {
         "actors": actors,

@@ -150,6 +150,14 @@ class Pronouns(Registry):
                 for e in reversed(list(self.entities.values())):
                     if e.color == lex.COLORS[a]:
                         return [e.id]
+        side = next((a for a in m.adjectives if a in ("left", "right")), "")
+        group = next(reversed(list(self.groups.values())), [])
+        mates = [i for i in group if i not in avoid and not self.entities[i].place]
+        if side and mates and len(group) <= 3:
+            chosen = self.entities[mates[0]]  # "the left one ... the right one"
+            chosen.place, chosen.label = side, f"{side} {chosen.head}"
+            self._rename(chosen, self._new_id(slug(chosen.label)))
+            return [chosen.id]
         if "next" in m.adjectives and not self.groups:
             solid = [e for e in self.entities.values() if "structural" not in e.noun.traits]
             if solid:  # "A domino falls and hits the next one"

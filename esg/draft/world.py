@@ -75,6 +75,9 @@ class World(Pronouns):
             ]
             if m.possessor is not None:
                 return self.resolve(m.possessor)
+            ridden = self._driven(m) if m.drives else []
+            if ridden:
+                return ridden
             if driven and m.determiner != "a":
                 return driven[0]
         if m.possessor is not None and not m.attribute and self._owns(m.possessor):
@@ -84,6 +87,17 @@ class World(Pronouns):
             self._enrich(m, found)
             return found
         return self._create(m)
+
+    def _driven(self, m: Mention) -> list[str]:
+        """ "The bus driver": the bus."""
+        for a in m.adjectives:
+            noun = lex.nouns().get(a)
+            if noun is None or noun.kind not in ("vehicle", "flyer", "watercraft"):
+                continue
+            same = [e.id for e in self.entities.values() if e.noun.name == noun.name]
+            vehicle = Mention(m.start, m.end, head=a, noun=noun, determiner="the", text=a)
+            return same[-1:] or self._create(vehicle)
+        return []
 
     def _arranges(self, m: Mention) -> bool:
         """Whether a phrase says how a plural stands ("in a queue") and names nothing itself."""

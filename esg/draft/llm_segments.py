@@ -1,0 +1,52 @@
+"""Deterministic repair of motion segments: repetitions, double ids, ends that name no event."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+Json = dict[str, Any]
+
+
+def sound_segments(nodes: list[Json], edges: list[Json], log: list[str]) -> list[Json]:
+    """Segments without repetitions, with ids of their own, between events that exist.
+
+    An unknown start is read as the scene's start if the actor has no earlier segment; an unknown
+    end as the only event in which the actor takes part. Where several could be meant, nothing is
+    guessed.
+
+    Args:
+        nodes: Point events, the scene's start first.
+        edges: Segments.
+        log: Gets a line for every change.
+    """
+    known = {n["id"] for n in nodes}
+    used: set[str] = set()
+    told: set[str] = set()
+    out: list[Json] = []
+    for edge in edges:
+        body = json.dumps({k: v for k, v in edge.items() if k != "id"}, sort_keys=True)
+        if body in told:
+            log.append(f"segment {edge['id']!r} was stated twice")
+            continue
+        told.add(body)
+        e = dict(edge)
+        first = all(o["actor"] != e["actor"] for o in out)
+        if e["from"] not in known and first:
+            log.append(f"segment start {e['from']!r} read as {nodes[0]['id']}")
+            e["from"] = nodes[0]["id"]
+        if e["to"] not in known:
+            own = [n["id"] for n in nodes[1:] if e["actor"] in n.get("participants", ())]
+            if len(own) == 1:
+                log.append(f"segment end {e['to']!r} read as {own[0]}")
+                e["to"] = own[0]
+        name, k = e["id"], 2
+        while name in used:
+            name = f"{e['id'][:60]}_{k}"
+            k += 1
+        if name != e["id"]:
+            log.append(f"second segment {e['id']!r} renamed {name!r}")
+            e["id"] = name
+        used.add(name)
+        out.append(e)
+    return out
