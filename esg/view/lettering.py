@@ -32,7 +32,7 @@ def lettered(text: str) -> str:
     that change their neighbour (skin tones, joiners) go; anything else is a question mark.
     """
     text = unicodedata.normalize("NFC", text)
-    return " ".join("".join(_written(c) for c in text).split())
+    return "".join(_written(c) for c in text)
 
 
 def wrapped(text: str, size: int, width: int) -> list[str]:
@@ -46,7 +46,7 @@ def wrapped(text: str, size: int, width: int) -> list[str]:
     face = font(size)
     lines: list[str] = []
     current = ""
-    for word in lettered(text).split(" "):
+    for word in lettered(text).split():
         candidate = f"{current} {word}".strip()
         if current and face.getlength(candidate) > width:
             lines.append(current)
