@@ -12,11 +12,21 @@ _PIECES = frozenset({"roll", "piece", "slice", "sheet", "lump", "chunk", "coil",
 _MEASURES = frozenset({"mass", "weight", "radius", "diameter", "height", "width", "length"})
 
 
+_VESSELS = frozenset({"tableware", "bottle", "box", "container", "barrel"})
+
+
 class NounHeads(Letters):
     """Reads the head of a noun phrase whose modifiers have been read."""
 
     def _noun_phrase(self, i: int) -> int | None:
         raise NotImplementedError
+
+    def _ends_phrase(self, k: int) -> bool:
+        """Whether a base form ends its noun phrase ("a cat bowl.") and is no verb."""
+        if any(r.form != "base" for r in verb_readings(self._low(k))):
+            return False
+        nxt = self._tok(k + 1)
+        return nxt is None or nxt.kind == "punct" or nxt.low in lex.PREPOSITIONS | {"and", "is"}
 
     def _head(self, i: int, j: int, m: Mention) -> int | None:
         tokens = self.tokens
@@ -33,7 +43,8 @@ class NounHeads(Letters):
                 if following is None or plural or self._low(k) in lex.ADVERBS:
                     break
                 readings = verb_readings(self._low(k))
-                if readings and following[1] == 1 and not self._compound_noun(k):
+                vessel = m.determiner and following[0].kind in _VESSELS and self._ends_phrase(k)
+                if readings and following[1] == 1 and not (vessel or self._compound_noun(k)):
                     break
                 modifier = " ".join(t.low for t in tokens[first:k])
                 m.adjectives.extend(modifier.split())

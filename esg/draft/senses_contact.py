@@ -65,6 +65,9 @@ class ContactSenses(LaunchSenses):
         ):
             self.place(movers, targets, host.prep)
             targets = []
+        flat = all(map(self.structural, targets))
+        if flat and movers and not f.verb.passive and self._crashes_down(f, movers):
+            return
         encounter = f.verb.lemma == "meet" and all(self.kind(m) in SELF_POWERED for m in movers)
         if encounter and not targets:
             self._motion(f, movers, None)  # "two trains meet at a bridge"
@@ -83,8 +86,6 @@ class ContactSenses(LaunchSenses):
             return
         if not targets and f.verb.lemma in _STUMBLING:
             self.use(f, "stumbles")
-            return
-        if not targets and movers and self._crashes_down(f, movers):
             return
         if not targets and movers:
             aimed = self.aim.get(movers[0]) or self._aim_of_mates(movers[0])
