@@ -26,6 +26,7 @@ most so far.
 from __future__ import annotations
 
 import argparse
+from collections.abc import Iterator
 from dataclasses import dataclass
 import gzip
 import json
@@ -185,10 +186,9 @@ def _row(point: Point, results: list[EsgDocument]) -> dict[str, Any]:
     }
 
 
-def on_cpu(folder: Path, sweeps: list[str]) -> list[dict[str, Any]]:
+def on_cpu(folder: Path, sweeps: list[str]) -> Iterator[dict[str, Any]]:
     """Every point in a fresh process; kernels that a first run compiled are loaded from a cache."""
     points = load(folder)
-    rows = []
     env = {**os.environ, "ESG_THREADS": "1", "OMP_NUM_THREADS": "1"}
     for k, point in enumerate(points):
         if point.sweep not in sweeps:
@@ -200,15 +200,15 @@ def on_cpu(folder: Path, sweeps: list[str]) -> list[dict[str, Any]]:
             done = subprocess.run([*command, "--point", str(k)], env=env, capture_output=True)
             if done.returncode:
                 raise RuntimeError(done.stderr.decode())
-        rows.append(json.loads(done.stdout.decode().splitlines()[-1]))
-        print(json.dumps(rows[-1]), flush=True)
-    return rows
+        yield json.loads(done.stdout.decode().splitlines()[-1])
 
 
 # -- GPU -------------------------------------------------------------------------------------------
 
 
-def on_gpu(folder: Path, sweeps: list[str], device: str, processes: int) -> list[dict[str, Any]]:
+def on_gpu(
+    folder: Path, sweeps: list[str], device: str, processes: int
+) -> Iterator[dict[str, Any]]:
     """Batches of seeds of every point, after one seed of each has compiled the kernels."""
     points = [p for p in load(folder) if p.sweep in sweeps]
     begin = time.perf_counter()
@@ -216,11 +216,8 @@ def on_gpu(folder: Path, sweeps: list[str], device: str, processes: int) -> list
         if not point.candidates:
             _batch(point, device, processes, 1)
     print(json.dumps({"all_points_with_kernel_compile_s": time.perf_counter() - begin}), flush=True)
-    rows = []
     for point in points:
-        rows.append(_batch(point, device, processes))
-        print(json.dumps(rows[-1]), flush=True)
-    return rows
+        yield _batch(point, device, processes)
 
 
 def _batch(point: Point, device: str, processes: int, seeds: int = BATCH) -> dict[str, Any]:
@@ -354,24 +351,26 @@ def main() -> None:
         print(json.dumps(measure_point(load(folder), args.point)))
         return
     cpu = args.device == "cpu"
-    rows = (
-        on_cpu(folder, args.sweeps)
-        if cpu
-        else on_gpu(folder, args.sweeps, args.device, args.processes)
-    )
     from benchmarks.gpu import _versions
 
     kind = "cpu" if cpu else "cuda"
     head = {**_versions(args.device), "machine": platform.machine()}
-    head["command"] = "python -m benchmarks.scaling " + ("" if cpu else f"--device {args.device}")
+    head["command"] = "python -m benchmarks.scaling" + ("" if cpu else f" --device {args.device}")
     args.out.mkdir(parents=True, exist_ok=True)
     file = args.out / f"{args.name}_{kind}.json"
-    if file.exists():
-        # Long sweeps may be measured one by one.
-        known = json.loads(file.read_text())["points"]
-        rows = [r for r in known if r["sweep"] not in args.sweeps] + rows
-    lines = ",\n".join("  " + json.dumps(r) for r in rows)
-    file.write_text(json.dumps(head, indent=1)[:-2] + f',\n "points": [\n{lines}\n ]\n}}\n')
+    # Long sweeps may be measured one by one, and a run that ends early keeps what it has.
+    rows = json.loads(file.read_text())["points"] if file.exists() else []
+    rows = [r for r in rows if r["sweep"] not in args.sweeps]
+    new = (
+        on_cpu(folder, args.sweeps)
+        if cpu
+        else on_gpu(folder, args.sweeps, args.device, args.processes)
+    )
+    for row in new:
+        rows.append(row)
+        print(json.dumps(row), flush=True)
+        lines = ",\n".join("  " + json.dumps(r) for r in rows)
+        file.write_text(json.dumps(head, indent=1)[:-2] + f',\n "points": [\n{lines}\n ]\n}}\n')
 
 
 if __name__ == "__main__":
