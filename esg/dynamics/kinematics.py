@@ -107,6 +107,14 @@ def impact_speed(mass_a: float, mass_b: float, speed: float, restitution: float)
     return (1.0 + restitution) * mass_a / (mass_a + mass_b) * speed
 
 
+def rolling_travel(speed: float, friction: float, duration: float) -> tuple[float, float]:
+    """Distance [m] and speed [m/s] of a struck ball that slides at first, then rolls at 5/7."""
+    slows = friction * GRAVITY_MPS2
+    until = min(duration, 2.0 / 7.0 * speed / max(slows, 1e-6))
+    left = speed - slows * until
+    return (speed + left) * 0.5 * until + left * (duration - until), left
+
+
 def sliding_distance(speed: float, friction: float) -> float:
     """Distance a body slides on level ground [m]."""
     return speed * speed / (2.0 * max(friction, 0.02) * GRAVITY_MPS2)
