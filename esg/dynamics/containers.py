@@ -9,11 +9,7 @@ from __future__ import annotations
 
 import math
 
-<<<<<<< HEAD
 from esg.dynamics.story import Story, bounds
-=======
-from esg.dynamics.story import Story
->>>>>>> 50a52a125640c12bc88ec7758182e539b99ffe5c
 from esg.graph.models import (
     AssetConfiguration,
     AssetRequirement,
@@ -23,10 +19,7 @@ from esg.graph.models import (
     ProxyKind,
     TimelineNode,
 )
-<<<<<<< HEAD
 from esg.units import GRAVITY_MPS2
-=======
->>>>>>> 50a52a125640c12bc88ec7758182e539b99ffe5c
 
 SNUG = 0.8
 """Largest share of the opening that the thing may take up."""
@@ -92,11 +85,7 @@ def fit_containers(doc: EsgDocument, story: Story) -> dict[str, AssetConfigurati
         if not comes_down(story, node, thing):
             continue
         depth = 0.02 * mouth.half_extents_cm[2] * grow
-<<<<<<< HEAD
         pair = 2.0 * math.sqrt(REBOUND * depth / _drop_height(story, node))
-=======
-        pair = 2.0 * _largest_restitution(depth)
->>>>>>> 50a52a125640c12bc88ec7758182e539b99ffe5c
         softest = max(pair - body.restitution, 0.0)
         if softest < holder.restitution:
             out[keys[1]] = holder.model_copy(update={"restitution": round(softest, 3)})
@@ -168,7 +157,6 @@ def _resized(
     ).model_copy(update={"is_movable": config.is_movable})
 
 
-<<<<<<< HEAD
 def _drop_height(story: Story, node: TimelineNode) -> float:
     """Height [m] whose fall is as fast as the thing comes down: a long flight goes high."""
     flight = 0.0
@@ -180,8 +168,3 @@ def _drop_height(story: Story, node: TimelineNode) -> float:
             low, high, _ = bounds(c.value, (0.0, 0.0))
             flight = max(flight, 0.5 * (low + high))
     return max(USUAL_DROP_M, GRAVITY_MPS2 * flight * flight / 8.0 + 0.5)
-=======
-def _largest_restitution(depth: float) -> float:
-    """Restitution of the pair at which a bounce stays below the rim of a container [m] deep."""
-    return math.sqrt(REBOUND * depth / USUAL_DROP_M)
->>>>>>> 50a52a125640c12bc88ec7758182e539b99ffe5c

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 
-<<<<<<< HEAD
 from esg.dynamics.kinematics import (
     Frame,
     Track,
@@ -30,16 +29,6 @@ THROWN_BACK = 0.3
 """Share of its speed from which something that hits a heavier body counts as thrown back."""
 GROUND_FRICTION = 0.7
 """Of the ground, where nothing else is known."""
-=======
-from esg.dynamics.kinematics import Frame, Track, half_along, impact_speed, sliding_distance
-from esg.dynamics.placing import bring_support, goes_on
-from esg.dynamics.stage import Stage
-from esg.dynamics.stagecraft import Prop, target_yaw
-from esg.graph.models import NodeEvent, TimelineNode
-
-THROWN_BACK = 0.3
-"""Share of its speed from which something that hits a heavier body counts as thrown back."""
->>>>>>> 50a52a125640c12bc88ec7758182e539b99ffe5c
 DOWN_S = 0.3
 """Time in which a struck body falls over."""
 BALL_GAP = 0.45
@@ -129,32 +118,24 @@ def chain(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
         gap = max(gap, min(DOWN_S * track.speed, 0.5 * slides))
     prescribed = stage.prescribed_time(node)
     if prescribed is not None:
-<<<<<<< HEAD
         wait = max(prescribed - track.time, 0.05)
         gap = max(0.1, track.speed * wait)
         if pa.rolls:
             ground = stage.prop(stage.anchor).friction if stage.anchor else GROUND_FRICTION
             gap = max(0.05, rolling_travel(track.speed, 0.5 * (pa.friction + ground), wait)[0])
-=======
-        gap = max(0.1, track.speed * (prescribed - track.time))
->>>>>>> 50a52a125640c12bc88ec7758182e539b99ffe5c
     yaw = target_yaw(pb, track.heading, stage.rng)
     jitter = float(stage.rng.uniform(-0.3, 0.3)) * pb.half_lateral(yaw - track.heading)
     if pb.rolls and goes_on(stage, node, b):
         # Off its middle it would leave the line on which the next one lies.
         jitter = 0.0
     reach = gap + pa.half_length + half_along(pb.length, pb.width, yaw - track.heading)
-<<<<<<< HEAD
     reach = _landing(stage, node, a, b, track.speed) or reach
-=======
->>>>>>> 50a52a125640c12bc88ec7758182e539b99ffe5c
     c, s = math.cos(track.heading), math.sin(track.heading)
     stage.places[b] = (track.x + reach * c - jitter * s, track.y + reach * s + jitter * c, yaw)
     bring_support(stage, b, stage.places[b][0], stage.places[b][1], track.heading)
     track.straight(gap, gap / max(track.speed, 0.1), track.speed)
 
 
-<<<<<<< HEAD
 def _landing(stage: Stage, node: TimelineNode, a: str, b: str, speed: float) -> float | None:
     """Way [m] from where a body is knocked off its support to what it comes down in, or None."""
     if node.event is not NodeEvent.ENTER_REGION:
@@ -174,8 +155,6 @@ def _landing(stage: Stage, node: TimelineNode, a: str, b: str, speed: float) -> 
     return TO_EDGE_M + over_edge * math.sqrt(2.0 * height / GRAVITY_MPS2)
 
 
-=======
->>>>>>> 50a52a125640c12bc88ec7758182e539b99ffe5c
 def _falls_before(stage: Stage, node: TimelineNode, a: str) -> bool:
     """Whether a body has toppled by the time of an event."""
     before = stage.story.ancestors(node.id)

@@ -139,11 +139,8 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
             run = max(run, min(FLIGHT_S * speed, LONGEST_THROW_M))
         if prescribed is not None:
             duration = max(0.15, prescribed - track.time)
-<<<<<<< HEAD
             if inside and flies and not speed_is_fixed(phase):
                 speed = min(speed, LOB_M / duration)
-=======
->>>>>>> 50a52a125640c12bc88ec7758182e539b99ffe5c
         elif inside and flies and not speed_is_fixed(phase):
             # Steep enough to come down through an opening that looks up.
             run = LOB_M

@@ -13,16 +13,12 @@ from esg.dynamics import build_scene, fit_assets, start_hints
 from esg.dynamics.choreography import choreograph
 from esg.dynamics.containers import SNUG, entries, is_filled
 from esg.dynamics.feasibility import impossible
-<<<<<<< HEAD
 from esg.dynamics.kinematics import (
     LOB_STEEPNESS,
     ballistic_velocity,
     lob_time,
     rolling_travel,
 )
-=======
-from esg.dynamics.kinematics import LOB_STEEPNESS, ballistic_velocity, lob_time
->>>>>>> 50a52a125640c12bc88ec7758182e539b99ffe5c
 from esg.dynamics.losses import Assessment
 from esg.dynamics.plan import make_plan
 from esg.dynamics.story import read_story
@@ -161,7 +157,6 @@ def test_perturbed_members_may_miss_by_what_the_perturbation_does() -> None:
     )
     assert assessment.within_tolerance().tolist() == [True, False, False]
     assert assessment.within_tolerance(perturbed=True).tolist() == [True, True, False]
-<<<<<<< HEAD
 
 
 def test_a_long_flight_comes_down_faster_on_a_softer_bottom() -> None:
@@ -180,5 +175,3 @@ def test_a_struck_ball_loses_two_sevenths_until_it_rolls() -> None:
     # Without friction it only slides.
     assert rolling_travel(2.0, 0.0, 1.0) == pytest.approx((2.0, 2.0))
     assert 10.0 / 7.0 < way < 2.0
-=======
->>>>>>> 50a52a125640c12bc88ec7758182e539b99ffe5c
