@@ -21,6 +21,8 @@ _BY_A_HAIR = GATE - 0.07
 _OTHER_SHAPE = 4.0
 """Extents further apart than this after scaling are no longer recognizable."""
 _LONGEST_CM = 1500.0
+_ROOTED_KG = 500.0
+"""Heavier things that were asked for as immovable are no furniture and no toys."""
 _FIXED_KG = 150.0
 """Lighter stand-ins of rooted kinds (a pagoda of 30 cm on a table) can move."""
 
@@ -58,18 +60,17 @@ def nearest(
 
 
 def said_kin(requirement: AssetRequirement) -> Kin | None:
-    """What the noun is; the words of the description tell a "pogo stick" from a "pogo"."""
+    """What the noun is: as the description begins ("cliff"), else as it was filed ("treehouse")."""
     words, colon, _ = requirement.asset_description.partition(":")
     said = kin(words) if colon else None
-    filed = kin(requirement.asset_category.replace("_", " "))
-    if said is not None and (filed is None or len(said.noun) > len(filed.noun)):
-        return said
-    return filed
+    return said or kin(requirement.asset_category.replace("_", " "))
 
 
 def _fits(entry: Entry, requirement: AssetRequirement) -> bool:
     """Whether it can stand in: it has a body, and about the proportions that were asked for."""
     if "decal" in entry.flags:
+        return False
+    if not requirement.is_movable and requirement.expected_mass_kg > _ROOTED_KG and entry.movable:
         return False
     if guessed(requirement) or (policy(entry) == "free" and entry.library == "parametric"):
         return True

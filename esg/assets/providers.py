@@ -200,7 +200,12 @@ class TrellisPackage:
         try:
             from trellis.utils import postprocessing_utils  # type: ignore[import-not-found]
 
-            made = pipeline.run(prompt if image is None else _picture(image), seed=seed)
+            # Without `formats` a radiance field, which nothing here reads, is decoded too.
+            made = pipeline.run(
+                prompt if image is None else _picture(image),
+                seed=seed,
+                formats=["mesh", "gaussian"],
+            )
             mesh = postprocessing_utils.to_glb(
                 made["gaussian"][0],
                 made["mesh"][0],

@@ -18,6 +18,7 @@ from esg.graph.models import AssetRequirement
 _SAME_SIZE = 1.5
 """Up to this factor a category's expectation says nothing about the size of the noun itself."""
 
+_HOLE = "golf_hole"
 _OWN_SHAPE = 1.2
 """Extents that differ by no more than this after scaling are those of the noun itself."""
 
@@ -30,6 +31,8 @@ def said_entry(requirement: AssetRequirement) -> Entry | None:
     said, filed = head_match(words), exact(requirement.asset_category.replace("_", " "))
     if said is None or said is filed or "decal" in said.flags:
         return None
+    if filed is not None and filed.name == "tunnel" and said.name != _HOLE:
+        return None  # a "cup" that a ball rolls into is no tableware
     if filed is not None and (said.name in filed.parents or "decal" in filed.flags):
         return None
     return said if normalize(words) != normalize(requirement.asset_category) else None
@@ -58,6 +61,9 @@ def restated(requirement: AssetRequirement) -> AssetRequirement:
         factor = ratio ** (1 / 3)
         if 1 / _SAME_SIZE <= factor <= _SAME_SIZE:
             factor = 1.0
+    if said.name == _HOLE:
+        # Filed under tunnels, whose width leaves the ball room on both sides.
+        factor = max(1.0, requirement.expected_dimensions_cm[1] / (1.6 * said.dimensions_cm[1]))
     update: dict[str, object] = {"asset_category": said.name, "shape": None}
     if not requirement.dimensions_are_prescribed:
         update["expected_dimensions_cm"] = tuple(factor * d for d in said.dimensions_cm)

@@ -257,7 +257,8 @@ def test_local_package_is_loaded_and_run(monkeypatch: pytest.MonkeyPatch) -> Non
         def cuda(self) -> None:
             calls.append("cuda")
 
-        def run(self, prompt: str, seed: int) -> dict[str, list[str]]:
+        def run(self, prompt: str, seed: int, formats: list[str]) -> dict[str, list[str]]:
+            assert sorted(formats) == ["gaussian", "mesh"]
             calls.append((prompt, seed))
             return {"gaussian": ["splats"], "mesh": ["triangles"]}
 

@@ -223,3 +223,21 @@ def test_kin_takes_the_longest_ending_of_the_phrase_before_a_preposition() -> No
     assert copper is not None and copper.noun == "samovar" and copper.kind == "vase"
     assert kin("old copper samovar", whole=True) is None
     assert kin("") is None
+
+
+def test_words_decide_over_what_they_were_filed_under() -> None:
+    cliff = asked(
+        "treehouse", asset_description="cliff: raised ledge platform", is_movable=False,
+        expected_dimensions_cm=(400, 300, 300), expected_mass_kg=20000,
+    )  # fmt: skip
+    config = configure("x", cliff)
+    assert config.asset_name == "platform" and config.support_surfaces
+    assert config.dimensions_cm == (400, 300, 300)
+
+
+def test_rooted_heavy_thing_is_no_toy() -> None:
+    need = asked(
+        "scarab", asset_description="scarab", is_movable=False,
+        expected_dimensions_cm=(400, 300, 200), expected_mass_kg=20000,
+    )  # fmt: skip
+    assert configure("x", need).asset_name.startswith("plain_")

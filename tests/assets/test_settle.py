@@ -51,3 +51,27 @@ def test_ball_rolled_at_a_pocket_stays_in_it(speed: float) -> None:
         batch = batch_programs([Program((launch,), 3.0)], scene.names)
         end = get_engine("physx").rollout(scene, batch, record_every=24).position[0, -1, 1] * 100
         assert (np.abs(end - goal) <= np.array(region.half_extents_cm) + 1e-3).all(), region.name
+
+
+@pytest.mark.parametrize("speed", [0.6, 1.0, 1.6])
+def test_ball_rolled_at_a_golf_hole_stays_in_it(speed: float) -> None:
+    names = entries_by_name()
+    hole = configure("h", requirement(names["golf_hole"]))
+    ball = configure("b", requirement(names["golf_ball"], linear_damping=0.1))
+    fixed = make_body(
+        EMPTY,
+        "h",
+        Node(asset_id="h", is_static=True),
+        hole,
+        Pose(position_cm=(0, 0, 0)),
+        active=False,
+    )
+    start = Pose(position_cm=(60, 2, 0))
+    moving = make_body(EMPTY, "b", Node(asset_id="b"), ball, start, active=True)
+    scene = SimScene(scene_id="putt", bodies=(fixed, moving))
+    launch = SetVelocity("b", 0.0, (-speed, 0.0, 0.0), (0.0, -speed / moving.roll_radius, 0.0))
+    batch = batch_programs([Program((launch,), 4.0)], scene.names)
+    end = get_engine("physx").rollout(scene, batch, record_every=24).position[0, -1, 1] * 100
+    (region,) = hole.regions
+    inside = np.abs(end - np.array(region.center_cm)) <= np.array(region.half_extents_cm)
+    assert inside.all(), end

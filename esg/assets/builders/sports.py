@@ -266,3 +266,26 @@ def chessboard(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
                 s.slab((x, x + p), (y, y + q), (H * 0.88, H), DARK if i < 9 else PALE_WOOD)
     s.proxy_slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H))
     s.surface("top", H, (L * 0.45, W * 0.45))
+
+
+@builder("golf_hole")
+def golf_hole(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Putting hole on the ground with a flag, entered over a low lip from +X, 26 x 18 x 45."""
+    from esg.assets.sketch import turn
+
+    x0 = -4.0
+    inner, outer, wall, lip = 7.0, 9.0, 6.0, 1.2
+    s.lathe([(0, 0), (outer, 0), (outer, 0.05), (0, 0.05)], DARK, center=(x0, 0, 0), rough=1.0)
+    for k in range(12):
+        angle = 60.0 + 240.0 * (k + 0.5) / 12
+        a = math.radians(angle)
+        middle = (inner + outer) / 2
+        center = (x0 + middle * math.cos(a), middle * math.sin(a), wall / 2)
+        size = (outer - inner, 2 * outer * math.sin(math.radians(10.2)), wall)
+        s.box(size, center, c, rough=0.9, quat=turn("z", angle), solid=1.0)
+    corners = [(x0 + 17.0, 0.0), (x0 + 6.2, 0.0), (x0 + 6.2, lip), (x0 + 7.2, lip)]
+    s.extrude(corners, (-7.4, 7.4), c, rough=0.9)
+    s.proxy_hull([(x, y, z) for x, z in corners for y in (-7.4, 7.4)])
+    s.rod(0.35, (x0 - 8, 0, wall), (x0 - 8, 0, 45), (0.95, 0.95, 0.93), solid=0.3, sections=14)
+    s.extrude([(x0 - 7.8, 45), (x0 - 7.8, 35), (x0 + 5, 40)], (-0.15, 0.15), (0.78, 0.1, 0.1))
+    s.region("inside", (x0 - 6, x0 + 6), (-6, 6), (0, wall), "hole")
