@@ -9,7 +9,6 @@ import sys
 from esg import __version__
 from esg.outcomes import UserError
 
-
 GC_THRESHOLD = 100_000
 """Objects made between two searches for garbage. Importing the libraries of a scene makes millions
 that stay: Python's 700 cost a fifth of it."""
@@ -34,7 +33,7 @@ def build_app():  # the return type would import cyclopts for nothing
 
 def main() -> None:
     """Runs one command and exits with its code: 0 good, 1 error, 2 usage, 3 some scenes failed."""
-    from esg.commands.console import fail, quiet_native_output
+    from esg.commands.console import fail, flush, quiet_native_output, silence
     from esg.commands.parsing import parse
 
     gc.set_threshold(GC_THRESHOLD, 20, 20)
@@ -43,16 +42,20 @@ def main() -> None:
     as_json = "--json" in arguments
     try:
         code = parse(build_app(), arguments)()
-        sys.stdout.flush()
+        flush()
     except UserError as error:
         code = fail(str(error), error.exit_code, as_json)
     except KeyboardInterrupt:
         message = "interrupted; finished stages are kept, run the same command again to go on"
         code = fail(message, 130, as_json)
     except BrokenPipeError:
-        # The reader (head, less) has closed: nothing more to tell it.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        silence()  # the reader (head, less) has closed: nothing more to tell it
         code = 1
+    except OSError as error:
+        if os.environ.get("ESG_DEBUG"):
+            raise
+        silence()
+        code = fail(f"{error.filename or 'output'}: {error.strerror or error}", 1, False)
     except Exception as error:
         if os.environ.get("ESG_DEBUG"):
             raise

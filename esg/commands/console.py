@@ -23,7 +23,9 @@ def quiet_native_output() -> None:
     os.environ.setdefault("PYTHONWARNINGS", "ignore")  # for worker processes
     nowhere = os.open(os.devnull, os.O_WRONLY)
     for number, name in ((1, "stdout"), (2, "stderr")):
-        stream: TextIO = getattr(sys, name)
+        stream: TextIO | None = getattr(sys, name)
+        if stream is None:  # closed by who started us: printing does nothing
+            continue
         with contextlib.suppress(OSError, ValueError):
             stream.flush()
             real = os.dup(number)
@@ -36,6 +38,18 @@ def quiet_native_output() -> None:
 def emit(document: Any) -> None:
     """Prints one JSON document on stdout."""
     print(json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False))
+
+
+def flush() -> None:
+    """Sends on what was printed, if anybody takes it."""
+    if sys.stdout is not None:
+        sys.stdout.flush()
+
+
+def silence() -> None:
+    """Drops what is printed from here on: the reader of stdout is gone, or its disk is full."""
+    if sys.stdout is not None:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def fail(message: str, exit_code: int, as_json: bool) -> int:
@@ -51,7 +65,7 @@ def fail(message: str, exit_code: int, as_json: bool) -> int:
     """
     if as_json:
         emit({"error": message, "exit_code": exit_code})
-        sys.stdout.flush()
+        flush()
     print(f"esg: {message}", file=sys.stderr)
     return exit_code
 

@@ -13,7 +13,7 @@ from esg.cli import build_app
 from esg.commands.inputs import Mistakes, checked, clean_prompt, in_range
 from esg.commands.parsing import parse
 from esg.outcomes import UserError
-from tests.cli.test_cli import esg
+from tests.cli.test_cli import ROOT, esg
 
 
 @pytest.mark.parametrize(
@@ -122,3 +122,28 @@ def test_a_defect_is_one_line_and_json() -> None:
     assert json.loads(done.stdout)["exit_code"] == 1
     assert "KeyError: 'oops'" in done.stderr
     assert "Traceback" not in done.stderr
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs a device that is always full")
+def test_a_full_disk_is_told_and_is_no_defect(tmp_path: Path) -> None:
+    done = run_shell("check missing.json > /dev/full", tmp_path)
+    assert done.returncode == 1
+    assert "No space left" in done.stderr
+    assert "defect" not in done.stderr
+    assert "Exception ignored" not in done.stderr
+
+
+def test_closed_streams_change_nothing_but_what_is_seen(tmp_path: Path) -> None:
+    assert run_shell("check missing.json >&-", tmp_path).returncode == 2
+    done = run_shell("check missing.json 2>&-", tmp_path)
+    assert done.returncode == 2
+    assert "missing.json" in done.stdout
+
+
+def run_shell(line: str, cwd: Path) -> subprocess.CompletedProcess[str]:
+    """Runs `esg LINE` in a shell, with its redirections."""
+    return subprocess.run(
+        ["sh", "-c", f'"$0" -c "import sys; sys.path.insert(0, sys.argv.pop(1)); '
+         f'from esg.cli import main; main()" "$1" {line}', sys.executable, str(ROOT)],
+        capture_output=True, text=True, cwd=cwd, timeout=60, check=False,
+    )  # fmt: skip
