@@ -26,7 +26,7 @@ most so far.
 from __future__ import annotations
 
 import argparse
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 import gzip
 import json
@@ -126,14 +126,16 @@ def prepare(folder: Path) -> None:
             file.write(json.dumps(row) + "\n")
 
 
-def load(folder: Path) -> list[Point]:
-    """The points that `prepare` wrote."""
+def load(folder: Path, only: Collection[int] | None = None) -> list[Point]:
+    """The points that `prepare` wrote, in order; some of them if `only` gives their numbers."""
     from esg.dynamics.build import build_scene
     from esg.dynamics.plan import make_plan
 
     out = []
     with gzip.open(folder / FILE, "rt") as file:
-        for line in file:
+        for number, line in enumerate(file):
+            if only is not None and number not in only:
+                continue
             row = json.loads(line)
             doc = EsgDocument.model_validate(row["document"])
             scene = build_scene(doc)
@@ -149,13 +151,12 @@ def load(folder: Path) -> list[Point]:
 # -- CPU -------------------------------------------------------------------------------------------
 
 
-def measure_point(points: list[Point], k: int) -> dict[str, Any]:
+def measure_point(first: Point, point: Point) -> dict[str, Any]:
     """Optimizes one scene after a first one has loaded the kernels."""
     from esg.dynamics import batched
     from esg.dynamics.search import optimize
 
-    optimize(points[0].doc, seed=0)
-    point = points[k]
+    optimize(first.doc, seed=0)
     if point.candidates:
         batched.STARTS = point.candidates
     begin, wall = time.process_time(), time.perf_counter()
@@ -348,7 +349,8 @@ def main() -> None:
     if not args.prepared:
         prepare(folder)
     if args.point is not None:
-        print(json.dumps(measure_point(load(folder), args.point)))
+        points = load(folder, {0, args.point})
+        print(json.dumps(measure_point(points[0], points[-1])))
         return
     cpu = args.device == "cpu"
     from benchmarks.gpu import _versions
