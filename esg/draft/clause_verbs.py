@@ -11,6 +11,7 @@ CAUSE_SENSES = frozenset({"cause", "knock", "launch", "drop", "lead", "give", "p
 UNTIL_MAIN = "until main clause"
 _UNCHANGED = frozenset({"hit", "let", "put", "set", "cut", "burst", "upset"})
 """Verbs whose past is spelled like the infinitive."""
+_ASKING = frozenset({"want", "like", "need", "wish", "ask", "tell", "order", "allow", "expect"})
 _FAILING = frozenset({"fail", "fails", "failed", "refuse", "refuses", "refused", "failing"})
 
 
@@ -206,6 +207,8 @@ class ClauseVerbs(ClauseNouns):
             frame.causer = previous
         else:
             frame.subject = self._agent(previous)
+            if previous.verb.lemma in _ASKING and previous.object is not None:
+                frame.subject = previous.object  # "I want a ball to hit a box"
             it = previous.subject is not None and previous.subject.pronoun == "it"
             if it and previous.verb.lemma == "take" and previous.object is not None:
                 frame.subject = previous.object  # "it takes the tram 6 s to stop"

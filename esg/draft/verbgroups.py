@@ -122,6 +122,10 @@ class VerbGroups(Reader):
                 return None
             if j < len(self.tokens) and not be and not have and modal and readings:
                 main = readings[0]
+            if main is None and modal and self._low(j) == "like":
+                end = self.tokens[j].end  # "I would like a ball to hit a box"
+                self.elements.append(Verb(start, end, "like", "noop", "base", auxiliary=aux))
+                return j + 1
             if main is None:
                 lemma = "be" if be or modal else "have"
                 sense = "be" if be or modal else "have"
