@@ -56,6 +56,7 @@ class SceneRequest:
             own timeline.
         name: Folder name of the scene; empty takes the document's scene id.
         close_loop: Whether the verify engine's outcome error is fed back to the search.
+        collision: What bodies collide with during the search: exact, proxy or sdf.
     """
 
     prompt: str
@@ -67,6 +68,7 @@ class SceneRequest:
     suite_scene: str = ""
     name: str = ""
     close_loop: bool = False
+    collision: str = "exact"
 
     @property
     def choreographed(self) -> bool:

@@ -14,10 +14,12 @@ def generate_requests(
     strategy: str,
     device: str,
     close_loop: bool = False,
+    collision: str = "exact",
 ) -> list[SceneRequest]:
     """The scenes of a `generate` run; arguments as of `flows.generate`."""
     return [
-        SceneRequest(p, seed, drafter, strategy, device, close_loop=close_loop) for p in prompts
+        SceneRequest(p, seed, drafter, strategy, device, close_loop=close_loop, collision=collision)
+        for p in prompts
     ]
 
 
@@ -29,6 +31,7 @@ def bench_requests(
     engine: str,
     device: str,
     close_loop: bool = False,
+    collision: str = "exact",
 ) -> list[SceneRequest]:
     """The scene runs of a benchmark; arguments as of `flows.benchmark`."""
     from esg.metrics import load_suite
@@ -43,6 +46,7 @@ def bench_requests(
             suite_scene=scene.model_dump_json(by_alias=True),
             name=f"{scene.id}-run{run}",
             close_loop=close_loop,
+            collision=collision,
         )
         for scene in load_suite(suite).scenes
         for run in range(runs)

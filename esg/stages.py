@@ -160,6 +160,7 @@ def _optimize(state: SceneState, folder: Path) -> None:
             strategy=request.strategy,
             device=request.device,
             rounds_closed=CLOSED_ROUNDS if request.close_loop else 0,
+            collision=request.collision,
         )
     write_doc(doc, folder)
 
@@ -285,7 +286,9 @@ SPECS: dict[str, Spec] = {
     "draft": Spec(_draft, (), ("prompt", "seed", "drafter")),
     "resolve": Spec(_resolve, ("draft",), ("seed",)),
     "layout": Spec(_layout, ("resolve",), ("seed", "choreographed")),
-    "optimize": Spec(_optimize, ("layout",), ("seed", "strategy", "device", "close_loop")),
+    "optimize": Spec(
+        _optimize, ("layout",), ("seed", "strategy", "device", "close_loop", "collision")
+    ),
     "compile": Spec(_compile, ("optimize",)),
     "replay": Spec(_replay, ("compile",), ("engine",)),
     "judge": Spec(_judge, ("optimize", "compile", "replay"), ("suite_scene",)),

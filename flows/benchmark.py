@@ -21,6 +21,7 @@ def benchmark(
     engine: str = "physx",
     device: str = "cpu",
     close_loop: bool = False,
+    collision: str = "exact",
 ) -> list[SceneState]:
     """Runs a suite.
 
@@ -32,11 +33,14 @@ def benchmark(
         engine: Engine of the replay.
         device: cpu or cuda:N.
         close_loop: Whether the verify engine's outcome error is fed back to the search.
+        collision: What bodies collide with during the search: exact, proxy or sdf.
 
     Returns:
         Final states, all runs of the first scene first.
     """
-    states = run_all(bench_requests(suite, runs, seed, strategy, engine, device, close_loop))
+    states = run_all(
+        bench_requests(suite, runs, seed, strategy, engine, device, close_loop, collision)
+    )
     name = f"bench-{Path(suite).stem}"
     artifacts.table(name, [_row(s) for s in states], f"{suite}, {runs} runs, {strategy}, {engine}")
     artifacts.failures(name, failures(states))

@@ -19,6 +19,7 @@ def generate(
     strategy: str = "batched",
     device: str = "cpu",
     close_loop: bool = False,
+    collision: str = "exact",
 ) -> list[SceneState]:
     """Generates one scene a prompt.
 
@@ -29,8 +30,11 @@ def generate(
         strategy: Search strategy of the optimize stage.
         device: cpu or cuda:N.
         close_loop: Whether the verify engine's outcome error is fed back to the search.
+        collision: What bodies collide with during the search: exact, proxy or sdf.
 
     Returns:
         Final states in the order of the prompts.
     """
-    return run_all(generate_requests(prompts, seed, drafter, strategy, device, close_loop))
+    return run_all(
+        generate_requests(prompts, seed, drafter, strategy, device, close_loop, collision)
+    )

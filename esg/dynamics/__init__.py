@@ -41,8 +41,16 @@ def optimize(
     strategy: str = "batched",
     device: str = "cpu",
     rounds_closed: int = 0,
+    collision: str = "exact",
 ) -> EsgDocument:
     """Fills `dynamics_result` (esg.dynamics.search)."""
     from esg.dynamics.search import optimize as run
 
-    return run(doc, seed=seed, strategy=strategy, device=device, rounds_closed=rounds_closed)
+    return run(
+        doc,
+        seed=seed,
+        strategy=strategy,
+        device=device,
+        rounds_closed=rounds_closed,
+        collision=collision,
+    )

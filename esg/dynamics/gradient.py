@@ -80,6 +80,19 @@ def descend(
     return found
 
 
+def descend_from(plan: Plan, panel: Panel, theta: Floats, engine: str, max_steps: int) -> Descent:
+    """Adam from a known theta on central differences of the panel's reference engine.
+
+    Args:
+        plan: Variables with bounds and mask.
+        panel: Engines; only the reference is asked.
+        theta: Where it starts, shape [n].
+        engine: Its name in the record of the search.
+        max_steps: Adam steps.
+    """
+    return _adam(plan, panel, theta, _difference_slope(plan, panel.reference), engine, max_steps)
+
+
 def needs_differences(story: Story) -> bool:
     """Whether a body that an event receives as passive initiates a later one (the paper's test)."""
     received: set[str] = set()

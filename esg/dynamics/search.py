@@ -12,6 +12,7 @@ from collections.abc import Callable
 import zlib
 
 import numpy as np
+from numpy.typing import NDArray
 
 from esg.dynamics.baselines import BASELINES, minimize
 from esg.dynamics.batched import search
@@ -20,6 +21,7 @@ from esg.dynamics.closedloop import close_loop
 from esg.dynamics.gradient import descend
 from esg.dynamics.panel import REFERENCE_DT_S, Found, Panel
 from esg.dynamics.plan import Plan, make_plan
+from esg.dynamics.refine import COLLISIONS, Staged, staged_search
 from esg.dynamics.results import static_result, write_result
 from esg.engines.base import Engine, get_engine
 from esg.graph.canonical import document_hash
@@ -43,6 +45,7 @@ def optimize(
     max_rounds: int = MAX_ROUNDS,
     rounds_closed: int = 0,
     rollouts: int = BASELINE_ROLLOUTS,
+    collision: str = "exact",
     engines: Callable[[str, str], Engine] = get_engine,
 ) -> EsgDocument:
     """Grounds the timeline: finds theta and writes `dynamics_result`.
@@ -55,6 +58,8 @@ def optimize(
         max_rounds: Batches of candidates after which the search gives up.
         rounds_closed: Rounds of the closed loop through the verify engine; 0 for none.
         rollouts: Budget of a baseline.
+        collision: What bodies collide with during the search: exact (their parts), proxy (one
+            sphere or box each) or sdf (that, then signed distance fields; `refine`).
         engines: Name and device -> engine.
 
     Returns:
@@ -62,8 +67,17 @@ def optimize(
         satisfy: `dynamics_result.outcome` says how it ended.
 
     Raises:
-        UserError: For an unknown strategy.
+        UserError: For an unknown strategy or collision model.
     """
+    if collision not in COLLISIONS:
+        raise UserError(
+            f"unknown collision model {collision!r}; choose one of {', '.join(COLLISIONS)}"
+        )
+    if collision != "exact" and (rounds_closed or strategy == "none"):
+        raise UserError(
+            f"collision model {collision!r} needs a search and no closed loop; "
+            "choose another strategy, or collision model exact"
+        )
     if strategy not in (*STRATEGIES, *BASELINES):
         raise UserError(f"unknown strategy {strategy!r}; choose one of {', '.join(STRATEGIES)}")
     scene = build_scene(doc)
@@ -73,6 +87,20 @@ def optimize(
     if not plan.variables:
         return _write(doc, static_result(strategy), seed, strategy)
     text = doc.scene_definition.original_description.encode()
+    if collision != "exact":
+
+        def once(plan: Plan, judges: Panel) -> NDArray[np.float64]:
+            rng = np.random.default_rng([seed, zlib.crc32(text)])
+            return run_strategy(
+                plan, judges, rng, strategy, max_rounds=max_rounds, rollouts=rollouts
+            )[0].theta
+
+        staged = staged_search(
+            doc, scene, collision, once, seed=seed, strategy=strategy, device=device,
+            engines=engines,
+        )  # fmt: skip
+        return _write(doc, _judge_staged(doc, staged, strategy, device, engines), seed, strategy,
+                      collision)  # fmt: skip
     panel = Panel(plan, device, dt=REFERENCE_DT_S, engines=engines)
 
     def run(judges: Panel, round_: int) -> tuple[Found, str]:
@@ -94,6 +122,29 @@ def optimize(
         doc, plan, panel, found, strategy=strategy, stopped=stopped, closed=closed
     )
     return _write(doc, result, seed, strategy)
+
+
+def _judge_staged(
+    doc: EsgDocument,
+    staged: Staged,
+    strategy: str,
+    device: str,
+    engines: Callable[[str, str], Engine],
+) -> DynamicsResult:
+    """What a search with proxies found, played once in the reference engine with true parts."""
+    panel = Panel(staged.plan, device, dt=REFERENCE_DT_S, engines=engines)
+    found = panel.judge(staged.theta[None])
+    panel.steps[:0] = staged.steps
+    stopped = "refined" if staged.refined else "proxies only"
+    result = write_result(
+        doc, staged.plan, panel, found, strategy=strategy, stopped=stopped, closed=None
+    )
+    return result.model_copy(
+        update={
+            "evaluations": result.evaluations + staged.evaluations,
+            "explored": result.explored + staged.explored,
+        }
+    )
 
 
 def run_strategy(
@@ -132,12 +183,17 @@ def run_strategy(
     return panel.judge(descent.theta[None]), descent.stopped
 
 
-def _write(doc: EsgDocument, result: DynamicsResult, seed: int, strategy: str) -> EsgDocument:
+def _write(
+    doc: EsgDocument, result: DynamicsResult, seed: int, strategy: str, collision: str = "exact"
+) -> EsgDocument:
+    config = {"strategy": strategy}
+    if collision != "exact":
+        config["collision"] = collision
     provenance = Provenance(
         stage="optimize",
         version=STAGE_VERSION,
         seed=seed,
-        config={"strategy": strategy},
+        config=config,
         input_hash=document_hash(doc),
     )
     return doc.model_copy(

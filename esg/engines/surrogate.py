@@ -7,6 +7,7 @@ points and material model but a simpler solver (docs/surrogate.md says how far t
 from __future__ import annotations
 
 from collections import OrderedDict
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 import math
 from threading import RLock
@@ -86,13 +87,13 @@ class SurrogateEngine:
         logs: list[ContactLog] = []
         order = np.nonzero(sound)[0]
         if len(scene.bodies):
-            arrays = scene_arrays(scene, self.device)
+            arrays = self._arrays(scene)
             most = _most_worlds(len(scene.bodies), frames)
             for k in range(0, len(order), most):
                 part = order[k : k + most]
                 run = simulate(
                     arrays, scene, pick(values, part), pick_batch(batch, part), frames,
-                    ground_contacts=ground_contacts, threads=self.threads,
+                    ground_contacts=ground_contacts, threads=self.threads, make=self._worlds(scene),
                 )  # fmt: skip
                 logs.append(_collect(run, part, states, valid))
                 deepest[part] = run.deepest.numpy()
@@ -115,6 +116,13 @@ class SurrogateEngine:
                 "tunnelled": (below & moving).any(axis=1) | (deepest > thin),
             },
         )
+
+    def _arrays(self, scene: SimScene) -> SceneArrays:
+        return scene_arrays(scene, self.device)
+
+    def _worlds(self, scene: SimScene) -> Callable[..., Worlds]:
+        """What makes the arrays of a rollout and launches its kernel."""
+        return Worlds
 
 
 def scene_arrays(scene: SimScene, device: str) -> SceneArrays:
@@ -140,11 +148,12 @@ def simulate(
     ground_contacts: bool = False,
     threads: int = 1,
     trace: bool = False,
+    make: Callable[..., Worlds] = Worlds,
 ) -> Worlds:
     """Simulates a batch, again with more room if contacts or log rows did not fit."""
     room = Room(CONTACTS, ROWS_PER_FRAME * frames.n_frames)
     while True:
-        run = Worlds(arrays, scene, values, batch, frames, room, ground_contacts, trace)
+        run = make(arrays, scene, values, batch, frames, room, ground_contacts, trace)
         n = run.n_worlds
         parts = np.array_split(np.arange(n), min(threads, n))
         if len(parts) == 1:
