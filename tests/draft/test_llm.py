@@ -21,9 +21,11 @@ from esg.draft.llm import (
 from esg.draft.llm_assemble import Replies, assemble
 from esg.draft.llm_client import Call, ModelFailure, Reply
 from esg.draft.llm_names import Names
+from esg.draft.llm_schema import bounded, schema_of, settled
 from esg.draft.llm_scripted import FAULTS, ScriptedModel, replies_of
+from esg.draft.llm_segments import sound_segments
 from esg.draft.llm_settings import LlmSettings
-from esg.draft.llm_stages import REPLIES, UnreadableReply, find_object, read_reply, schema_of
+from esg.draft.llm_stages import REPLIES, UnreadableReply, find_object, read_reply
 from esg.graph import EsgDocument, canonical_json, verify
 from esg.outcomes import Outcome, UserError
 
@@ -110,7 +112,11 @@ def test_stages_are_asked_in_order_and_see_what_is_settled() -> None:
     assert client.stages() == list(STAGES)
     assert "Settled assets" in client.calls[3].messages[0][1]
     assert "Settled spatial" in client.calls[3].messages[0][1]
-    assert all(call.schema == schema_of(call.stage) for call in client.calls)
+    assert [c.schema == schema_of(c.stage) for c in client.calls] == [True, True, False, False]
+    names = client.calls[3].schema["$defs"]["ObjectName"]["enum"]
+    assert len(names) == len(set(names)) and all(
+        f'"{n}"' in client.calls[3].messages[0][1] for n in names
+    )
 
 
 def test_static_scene_has_no_timeline() -> None:
@@ -453,7 +459,6 @@ def test_prompts_are_packaged() -> None:
 
 def test_bounded_schemas_end() -> None:
     """Bound every list and free text, never below what the shape needs."""
-    from esg.draft.llm_stages import bounded, schema_of
 
     def walk(node: Any) -> None:
         if isinstance(node, list):
@@ -471,3 +476,79 @@ def test_bounded_schemas_end() -> None:
     for stage in ("expansion", "assets", "spatial", "timeline", "single_shot"):
         walk(bounded(schema_of(stage), 2, 40))
         assert bounded(schema_of(stage), None, None) == schema_of(stage)
+
+
+def refs(node: Any) -> set[str]:
+    """Every definition that a schema refers to."""
+    if isinstance(node, list):
+        return set().union(*map(refs, node)) if node else set()
+    if not isinstance(node, dict):
+        return set()
+    own = {node["$ref"].rpartition("/")[2]} if "$ref" in node else set()
+    return own.union(*map(refs, node.values())) if node else own
+
+
+def test_later_stages_can_only_name_what_is_settled() -> None:
+    """Close every reference to an object, and with numbered events those to events, too."""
+    before = json.dumps(schema_of("timeline"))
+    shape = settled(schema_of("timeline"), ["ball_1", "box_1", "ball_1"], 2)
+    assert json.dumps(schema_of("timeline")) == before
+    defs = shape["$defs"]
+    assert defs["ObjectName"]["enum"] == ["ball_1", "box_1"]
+    assert defs["EarlierName"]["enum"] == ["scene_start", "e1", "e2"]
+    people = {"$ref": "#/$defs/ObjectName"}
+    assert defs["EventPart"]["properties"]["participants"]["items"] == people
+    assert defs["ActorPart"]["properties"]["object"] == people
+    assert defs["SegmentPart"]["properties"]["target"]["anyOf"] == [people, {"type": "null"}]
+    assert defs["SegmentPart"]["properties"]["end"] == {"$ref": "#/$defs/EventName"}
+    assert refs(shape) <= set(defs)
+    space = settled(schema_of("spatial"), ["ball_1"])
+    assert "EventName" not in space["$defs"] and refs(space) <= set(space["$defs"])
+    closed = json.dumps(bounded(space, 2, 40)["$defs"]["PlacementPart"]["properties"]["object"])
+    assert "maxLength" not in closed
+    for stage in ("expansion", "assets", "visual"):
+        assert settled(schema_of(stage), ["ball_1"], 2) == schema_of(stage)
+    assert settled(schema_of("spatial"), [f"b_{k}" for k in range(500)]) == schema_of("spatial")
+
+
+def test_the_examples_in_the_instructions_hold_every_rule() -> None:
+    """Show the model only examples that make a valid document without any repair."""
+    parts = [find_object(instructions(s)) for s in ("assets", "spatial", "timeline")]
+    replies = Replies(
+        REPLIES["expansion"].model_validate(
+            {
+                "expanded_description": "A dog runs into a blue chair.",
+                "is_dynamic": True,
+                "scene_type": "indoor",
+            }
+        ),
+        *(
+            REPLIES[s].model_validate(p)
+            for s, p in zip(("assets", "spatial", "timeline"), parts, strict=True)
+        ),
+    )
+    raw, repairs = assemble("A dog runs into a blue chair.", 0, replies)
+    assert verify(raw) == () and repairs == ()
+
+
+def test_segments_get_ids_and_events_of_their_own() -> None:
+    """Drop a repetition, rename a double id, read an unknown end where one event can be meant."""
+    nodes = [
+        {"id": "scene_start"},
+        {"id": "hit", "participants": ["ball_1", "box_1"]},
+        {"id": "fall", "participants": ["box_1"]},
+    ]
+    edges = [
+        {"id": "s", "from": "begin", "to": "impact", "actor": "ball_1"},
+        {"id": "t", "from": "begin", "to": "impact", "actor": "ball_1"},
+        {"id": "s", "from": "hit", "to": "fall", "actor": "box_1"},
+        {"id": "u", "from": "hit", "to": "end", "actor": "box_1"},
+    ]
+    log: list[str] = []
+    got = sound_segments(nodes, edges, log)
+    assert [(e["id"], e["from"], e["to"]) for e in got] == [
+        ("s", "scene_start", "hit"),
+        ("s_2", "hit", "fall"),
+        ("u", "hit", "end"),
+    ]
+    assert len(log) == 4 and edges[0]["from"] == "begin"
