@@ -200,8 +200,11 @@ class ControlSenses(ContactSenses):
             actors = o  # "a man stops it"
         actors = self._representatives(actors, []) if len(actors) > 2 else actors
         finite = f.relative and f.verb.form in ("s", "past") and not f.verb.passive
-        told = finite and any(t is not None and t.under_way for t in map(self.tl.tracks.get, actors))
-        if (f.reduced and not told) or (f.verb.passive and not any(a in self.tl.tracks for a in actors)):
+        tracks = [self.tl.tracks.get(a) for a in actors]
+        told = finite and any(t is not None and t.under_way for t in tracks)
+        if (f.reduced and not told) or (
+            f.verb.passive and not any(a in self.tl.tracks for a in actors)
+        ):
             moving = [
                 a for a in actors if a in self.tl.tracks and self.tl.tracks[a].motion is not None
             ]

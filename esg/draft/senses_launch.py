@@ -239,11 +239,11 @@ class LaunchSenses(StateSenses):
 
     def _landing(self, f: Frame, moved: list[str]) -> bool:
         p = f.phrase("onto", "on", "into", "in", "through", "to", "upon")
-        own_side = p is not None and p.mention is not None and not p.mention.entities
-        if own_side and p is not None and p.mention is not None:
-            if p.mention.head in BODY_PARTS | OWN_PARTS and p.mention.determiner == "its":
-                self.use(f, "landing")
-                return True
+        m = p.mention if p is not None else None
+        own_side = m is not None and m.determiner == "its" and not m.entities
+        if own_side and m is not None and m.head in BODY_PARTS | OWN_PARTS:
+            self.use(f, "landing")
+            return True
         if p is None or p.mention is None or not p.mention.entities:
             return False
         other = p.mention.entities[0]
