@@ -112,6 +112,7 @@ class Progress:
             self._bar.console.print(message, markup=False, highlight=False)
 
     def close(self) -> None:
+        """Takes the bar away."""
         if self._bar is not None:
             self._bar.stop()
             self._bar = None

@@ -93,6 +93,7 @@ class UnrealBody:
 
     @property
     def simulated(self) -> bool:
+        """Whether the engine moves it."""
         return not self.source.static and self.source.collides
 
 
@@ -145,6 +146,7 @@ class ScenePlan:
 
     @property
     def kinds(self) -> frozenset[str]:
+        """Kinds of primitive that the program uses."""
         return frozenset(p.kind for p in self.primitives)
 
 

@@ -36,6 +36,7 @@ class SceneEntry:
 
     @property
     def name(self) -> str:
+        """Of its folder."""
         return self.folder.name
 
     @property
@@ -45,14 +46,17 @@ class SceneEntry:
 
     @property
     def prompt(self) -> str:
+        """What was asked for."""
         return (self.folder / "prompt.txt").read_text(encoding="utf-8").removesuffix("\n")
 
     @property
     def outcome(self) -> str:
+        """How it ended; unfinished if its log does not say."""
         return str((self.log[-1] if self.log else {}).get("outcome") or "unfinished")
 
     @property
     def reason(self) -> str:
+        """Why it ended like that; often empty."""
         return str((self.log[-1] if self.log else {}).get("reason") or "")
 
     @property
@@ -67,6 +71,7 @@ class SceneEntry:
 
     @property
     def seed(self) -> int | None:
+        """Of its run; None if no stage recorded it."""
         seeds = [p["seed"] for p in self.document.get("provenance", []) if "seed" in p]
         return int(seeds[0]) if seeds else None
 

@@ -21,6 +21,7 @@ class FileSink:
         self._lines: dict[Path, list[str]] = {}
 
     def add(self, camera: int, frame: int, time_s: float, row: dict[str, Any]) -> None:
+        """Takes what one camera saw in one frame: encoded pictures, and values as JSON."""
         base = self._folder / f"camera_{camera}"
         for name, value in row.items():
             if isinstance(value, bytes):
@@ -32,6 +33,7 @@ class FileSink:
                 lines.append(json.dumps(line, separators=(",", ":"), allow_nan=False))
 
     def close(self) -> list[str]:
+        """Writes what is left; returns the names of the shards, none for files."""
         for path, lines in self._lines.items():
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text("\n".join(lines) + "\n", encoding="utf-8")
@@ -47,11 +49,13 @@ class ParquetSink:
         self._shards: list[Path] = []
 
     def add(self, camera: int, frame: int, time_s: float, row: dict[str, Any]) -> None:
+        """Takes what one camera saw in one frame: encoded pictures, and values as JSON."""
         self._rows.append({"camera": camera, "frame": frame, "time_s": time_s, **row})
         if len(self._rows) == ROWS_PER_SHARD:
             self._flush()
 
     def close(self) -> list[str]:
+        """Writes what is left; returns the names of the shards, none for files."""
         if self._rows:
             self._flush()
         names: list[str] = []

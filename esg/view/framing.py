@@ -28,14 +28,17 @@ ROOM_ALONE = 0.9
 
 
 def frame_at(rollout: Rollout, time: float) -> int:
+    """Index of the frame nearest to a time [s]."""
     return int(np.argmin(np.abs(rollout.time - time)))
 
 
 def pose(renderer: Renderer, rollout: Rollout, frame: int) -> None:
+    """Puts all bodies where they are in a frame."""
     renderer.pose(rollout.position[0, frame], rollout.quaternion[0, frame])
 
 
 def corners_of(scene: SimScene, rollout: Rollout, frame: int, body: int) -> NDArray[np.float64]:
+    """World corners of a body's bounding box in a frame [m], shape [8, 3]."""
     b = scene.bodies[body]
     return box_corners(
         rollout.position[0, frame, body],
@@ -78,6 +81,7 @@ def camera_for(
     azimuth: float,
     elevation: float,
 ) -> Camera:
+    """The camera that sees a moment from a direction [rad], with a little room around it."""
     points = points_in_view(scene, rollout, moment, frame)
     span = float(np.ptp(points, axis=0).max())
     # A little room around the action, so that one sees where it happens.

@@ -38,6 +38,7 @@ class Moment:
 def moments_of(
     scene: SimScene, rollout: Rollout, verdict: SceneVerdict | None, doc: EsgDocument
 ) -> list[Moment]:
+    """The start, every completed event in order of time, and the moment after the last."""
     events = [e for e in verdict.events if e.completed and e.time_s is not None] if verdict else []
     events = sorted(events, key=lambda e: e.time_s or 0.0)[:MAX_EVENTS]
     cast = _cast(scene, rollout, verdict)
