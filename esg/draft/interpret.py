@@ -7,27 +7,15 @@ import re
 
 from esg.draft import lexicon as lex
 from esg.draft.frames import Frame, Phrase
+from esg.draft.references import RIDDEN, STATES, References
 from esg.draft.scene import SELF_POWERED, Relation, Scene
-from esg.draft.senses_motion import MotionSenses
 from esg.draft.syntax import Mention
 from esg.graph.models import EventConstraint, NodeEvent, Role
 
 _THINGS_DO = frozenset({"hit", "enter", "land", "bounce", "miss", "scatter", "fall"})
 _THINGS_DO_TO = frozenset({"knock", "topple", "scatter"})
 """Senses that, after "the boy throws a ball and ...", are about the ball."""
-_FLYING_ON = frozenset({"bounce", "roll", "slide", "fly", "enter", "spin"})
-"""Senses of "it" after a throw that are about the thing thrown."""
 _BREAKING = frozenset({"break", "shatter", "burst", "splinter", "crack"})
-_HALTING = frozenset({"stop", "catch", "grab", "avoid", "dodge", "intercept", "block", "follow"})
-_MOVING = frozenset({"own", "roll", "slide", "fly", "fall", "drop", "launch", "coast", "leave"})
-_RIDDEN = frozenset(
-    {"hit", "miss", "brake", "slow", "stop", "turn", "swerve", "enter", "overtake", "reach",
-     "accelerate", "reverse"}
-)  # fmt: skip
-"""What who rides something does with it."""
-_STATES = frozenset(
-    {"be", "posture", "have", "weigh", "measure", "contain", "face", "surround", "park", "noop"}
-)
 _ACTED_ON = frozenset(
     {"slow", "stop", "brake", "accelerate", "turn", "reverse", "launch", "tow", "topple",
      "knock", "drop", "cause", "pocket", "scatter", "spin"}
@@ -82,7 +70,7 @@ _VEHICLE_VERBS = frozenset(
 )
 
 
-class Interpreter(MotionSenses):
+class Interpreter(References):
     """Walks over frames in order of time and fills a Scene."""
 
     def run(self, frames: list[Frame], attachments: list[tuple[Mention, Phrase]]) -> Scene:
@@ -112,228 +100,6 @@ class Interpreter(MotionSenses):
                 self.scene.used.pop((amount.start, amount.end), None)
         return self.scene
 
-    def _refer_all(self, frames: list[Frame]) -> None:
-        """Resolves every noun phrase, frame by frame and in the order of the text."""
-        framed = self.framed
-        items: list[tuple[int, int, Frame | Mention]] = []
-        for f in frames:
-            mentions = [f.subject, f.object, f.object2, *[p.mention for p in f.phrases]]
-            own = [m for m in mentions if m is not None and id(m) not in framed]
-            framed |= {id(m) for m in own}
-            framed |= {id(c) for m in own for c in m.coordinated}
-            items.append((min([f.verb.start, *[m.start for m in own]]), f.verb.start, f))
-        for m in self.mentions:
-            if id(m) not in framed:
-                items.append((m.start, m.start, m))
-        items.sort(key=lambda item: item[:2])
-        for _, _, item in items:
-            if isinstance(item, Frame):
-                self._refer(item)
-            elif (
-                id(item) not in self.world.resolved
-                and (item.head or item.pronoun)
-                and item.count != 0
-            ):
-                self.world.resolve(item)
-
-    def _refer(self, f: Frame) -> None:
-        """Resolves the noun phrases of a frame, subject first."""
-        thrown = f.verb.sense in ("fall", "land") or (
-            f.verb.sense in ("launch", "topple") and f.verb.passive
-        )
-        if f.subject is not None and thrown and f.subject.role in ("rider", "cyclist"):
-            f.subject.role = ""  # who falls is the rider, not what is ridden
-        control = f.verb.sense in _RIDDEN and f.verb.sense not in ("hit", "miss", "enter", "reach")
-        if f.subject is not None and f.subject.role and f.subject.role != "rider":
-            f.subject.drives = control and f.object is None
-        subject = self._subject(f)
-        for m in self.mentions:
-            between = f.subject is not None and f.subject.start < m.start < f.verb.start
-            named = bool(m.head or m.pronoun)
-            if between and id(m) not in self.framed and named and m.count != 0:
-                self.ids(m, avoid=subject)
-        for m in (f.object, *[p.mention for p in f.phrases]):
-            # "A lamp falls on the sofa when a dog bumps it": the lamp
-            if (
-                m is not None
-                and m.pronoun == "it"
-                and f.subordinate in ("when", "after", "as", "because", "once")
-                and self._last_subject
-                and len(self._last_subject) == 1
-                and self._last_subject != subject
-                and id(m) not in self.world.resolved
-            ):
-                self.world.resolved[id(m)] = m.entities = list(self._last_subject)
-            # "It rolls toward a car, but a man stops it": what was moving
-            if (
-                m is f.object
-                and m is not None
-                and m.pronoun == "it"
-                and id(m) not in self.world.resolved
-                and f.verb.lemma in _HALTING
-                and f.subject is not None
-                and f.subject.pronoun != "it"
-                and len(self._last_moving) == 1
-                and self._last_moving[0] not in subject
-            ):
-                self.world.resolved[id(m)] = m.entities = list(self._last_moving)
-            # "A log rolls off a truck. The car behind swerves to avoid it.": the log
-            if (
-                m is not None
-                and m.pronoun == "it"
-                and id(m) not in self.world.resolved
-                and self._lead.get(f.sentence - 1)
-                and not self._named_between(f.subject, m)
-                and self._lead[f.sentence - 1] not in subject
-                and f.subject is not None
-                and not f.subject.pronoun
-            ):
-                self.world.resolved[id(m)] = m.entities = [self._lead[f.sentence - 1]]
-            # "A vase stands on a table. A ball hits it.": the vase
-            if (
-                m is not None
-                and m.pronoun == "it"
-                and self._topic is not None
-                and self._topic[0] == f.sentence - 1
-                and len(self._topic[1]) == 1
-                and self._topic[1] != subject
-                and id(m) not in self.world.resolved
-                and f.subject is not None
-                and f.subject.determiner in ("a", "an")
-            ):
-                self.world.resolved[id(m)] = m.entities = list(self._topic[1])
-        if f.object is not None and f.subject is not None and f.object.start < f.subject.start:
-            both = bool(f.object.pronoun and f.subject.pronoun)  # "Having hit it, it stops"
-            objects = list(f.object.entities) or self.ids(f.object, avoid=subject if both else None)
-        else:
-            for p in f.phrases:  # "heavier than a 1 kg box strikes the box": as the text goes
-                m = p.mention
-                if f.object is None or m is None or m.pronoun or m.start > f.object.start:
-                    continue
-                self.ids(m, avoid=subject)
-            objects = self.ids(f.object, avoid=subject)
-        objects = self._one_for_each(f, subject, objects)
-        self.ids(f.object2, avoid=subject + objects)
-        for p in f.phrases:
-            if p.mention is not None:
-                self.ids(p.mention, avoid=subject + objects)
-        struck = f.verb.sense in ("launch", "drop") and not f.verb.passive
-        self._launched = list(objects) if struck else []
-        self._dropped = f.verb.sense == "drop"
-        aimed = f.phrase("at", "toward", "towards", "against")
-        if f.verb.sense in ("launch", "hit") and aimed is not None and aimed.mention is not None:
-            objects = aimed.mention.entities or objects  # "throws a stone at a can and it falls"
-        speed = self.quantity(f, "speed")
-        if (
-            f.verb.sense == "be"
-            and f.subject is not None
-            and f.subject.attribute
-            and speed is not None
-            and len(subject) == 1
-        ):
-            self.stated[subject[0]] = speed[1]  # "the speed of the car is 12 m/s"
-        if objects:
-            self._patient_at = f.sentence
-        self._patient = objects or self._patient
-        lone_object = f.object is not None and len(objects) == 1 and self._aimable(objects[0])
-        if lone_object and (struck or f.verb.sense in _MOVING):
-            self._last_moving = list(objects)
-        elif f.verb.sense in _MOVING and len(subject) == 1 and self.kind(subject[0]) != "person":
-            self._last_moving = list(subject)
-        self._last_subject = subject or self._last_subject
-        if f.verb.sense == "be" and subject:
-            for word in f.adverbs:  # "the first car is red"
-                if (
-                    word in lex.COLORS
-                    or word in lex.MATERIALS
-                    or word in lex.WEIGHTS
-                    or word in lex.SIZES
-                ):
-                    for node in subject:
-                        self.e(node).adjectives.append(word)
-        moving = f.verb.sense not in _STATES and f.subject is not None and not f.subject.pronoun
-        lone = len(subject) == 1 and self.kind(subject[0]) != "person"
-        if moving and not f.reduced and f.sentence not in self._lead:
-            single = not objects and lone and self._aimable(subject[0])
-            self._lead[f.sentence] = subject[0] if single else ""
-        if f.verb.sense in ("be", "posture", "have", "park") and (subject or objects):
-            self._topic = (f.sentence, subject or objects)
-
-    def _one_for_each(self, f: Frame, subject: list[str], objects: list[str]) -> list[str]:
-        """ "Each ball hits a pin": a pin for every ball."""
-        s, o = f.subject, f.object
-        if s is None or o is None or not 2 <= len(subject) <= 6 or len(objects) != 1:
-            return objects
-        if "each" not in (s.determiner, s.pronoun) and s.determiner != "every":
-            return objects
-        if o.determiner not in ("a", "an") or self.e(objects[0]).origin != o.start:
-            return objects
-        if f.verb.sense not in ("hit", "knock", "topple") or not self._aimable(objects[0]):
-            return objects
-        like = self.e(objects[0])
-        ids = [objects[0]]
-        for _ in subject[1:]:
-            ids.append(
-                self.world.add(
-                    like.noun, like.head, adjectives=list(like.adjectives), label=like.label,
-                    known=like.known, origin=o.start,
-                ).id
-            )  # fmt: skip
-        o.entities = ids
-        self.world.resolved[id(o)] = ids
-        self.pairs.update(zip(subject, ids, strict=True))
-        return ids
-
-    def _patient_since(self, sentence: int) -> bool:
-        """Whether something was acted on in this sentence."""
-        return self._patient_at == sentence
-
-    def _named_between(self, subject: Mention | None, m: Mention) -> bool:
-        """Whether the clause names something before a pronoun ("hits the nine and pots it")."""
-        if subject is None:
-            return False
-        start, end = subject.end, m.start
-        between = [x for x in self.mentions if start <= x.start < end and not x.pronoun]
-        return any(x.entities and not self.structural(x.entities[0]) for x in between)
-
-    def _subject(self, f: Frame) -> list[str]:
-        """Referents of the subject; what falls after a push is the thing pushed."""
-        m = f.subject
-        if (
-            m is not None
-            and m.pronoun == "it"
-            and id(m) not in self.world.resolved
-            and f.verb.sense in ("fall", "topple", "land")
-            and not f.start_of_sentence
-            and self._topic is not None
-            and self._topic[0] == f.sentence - 1
-            and len(self._topic[1]) == 1
-            and self._last_subject
-            and self.kind(self._last_subject[0]) in SELF_POWERED
-            and not self._patient_since(f.sentence)
-        ):
-            # "A book lies on a shelf. When a truck passes, it falls.": the book
-            self.world.resolved[id(m)] = m.entities = list(self._topic[1])
-        if (
-            m is not None
-            and m.pronoun in ("it", "they")
-            and id(m) not in self.world.resolved
-            and f.verb.sense in ("fall", "topple", "land", "pocket")
-            and self._patient
-            and (m.pronoun == "it") == (len(self._patient) == 1)
-        ):
-            self.world.resolved[id(m)] = m.entities = list(self._patient)
-        dropped = f.verb.sense in ("miss", "hit", "land") and self._dropped
-        if (
-            m is not None
-            and m.pronoun == "it"
-            and id(m) not in self.world.resolved
-            and (f.verb.sense in _FLYING_ON or dropped)
-            and len(self._launched) == 1
-        ):
-            self.world.resolved[id(m)] = m.entities = list(self._launched)
-        return self.ids(m, subject=True)
-
     def frame(self, f: Frame) -> None:
         sense = f.verb.sense
         subject = list(f.subject.entities) if f.subject is not None else []
@@ -351,12 +117,12 @@ class Interpreter(MotionSenses):
                 self.frame(replace(f, subject=one, object=other))
             self.use(f, "one for each")
             return
-        if len(subject) == 1 and sense in _RIDDEN and not f.verb.passive and not objects[1:]:
+        if len(subject) == 1 and sense in RIDDEN and not f.verb.passive and not objects[1:]:
             mount = self.scene.supported_by.get(subject[0], "")
             riding = mount and self.kind(mount) in SELF_POWERED | {"sliding"}
             if riding and self.kind(subject[0]) == "person" and mount not in objects:
                 subject = [mount]  # "a girl on a skateboard ... she hits a hydrant"
-        if sense not in _STATES:
+        if sense not in STATES:
             moving = [i for i in subject if self._aimable(i)]
             if subject and not moving and not f.verb.passive:
                 self.scene.ignored[(f.verb.start, f.verb.end)] = "the ground does not act"
