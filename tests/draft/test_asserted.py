@@ -78,7 +78,10 @@ def test_i_want_is_what_happens() -> None:
             "A hammer on a ladder slips off. It falls on a bucket.",
             ["Fall hammer", "Collision hammer bucket"],
         ),
-        ("A chair tips over. In falling, it hits a lamp.", ["Topple chair", "Collision chair lamp"]),
+        (
+            "A chair tips over. In falling, it hits a lamp.",
+            ["Topple chair", "Collision chair lamp"],
+        ),
         (
             "A car bumps a shelf, and because of that bump a carton falls from the shelf.",
             ["Collision car shelf", "Fall carton"],
