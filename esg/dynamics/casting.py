@@ -41,6 +41,8 @@ SPRINGY = 0.95
 """Restitution of a wall that something bounces off to hit something else."""
 HEAVIEST = 2.5
 """Largest share of the usual mass: a loaded van against an empty one."""
+ARRIVES = 0.9
+"""Share of its speed with which a ball that was set rolling arrives and is passed on."""
 LARGEST = 5.0
 """Most that anything is enlarged."""
 MOVES = (NodeEvent.TOPPLE, NodeEvent.FALL, NodeEvent.STOP)
@@ -156,6 +158,8 @@ def _for_transfer(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguratio
             continue
         keys = nodes[a].asset_id, nodes[b].asset_id
         first, second = prop(doc, a), prop(doc, b)
+        if first.rolls and _launched(story, a, node.id):
+            speed *= ARRIVES
         gain = (1.0 + 0.5 * (first.restitution + second.restitution)) * speed / asked
         if gain <= 1.0 or keys[0] == keys[1] or second.fixed:
             continue
