@@ -511,26 +511,6 @@ def test_later_stages_can_only_name_what_is_settled() -> None:
     assert settled(schema_of("spatial"), [f"b_{k}" for k in range(500)]) == schema_of("spatial")
 
 
-def test_the_examples_in_the_instructions_hold_every_rule() -> None:
-    """Show the model only examples that make a valid document without any repair."""
-    parts = [find_object(instructions(s)) for s in ("assets", "spatial", "timeline")]
-    replies = Replies(
-        REPLIES["expansion"].model_validate(
-            {
-                "expanded_description": "A dog runs into a blue chair.",
-                "is_dynamic": True,
-                "scene_type": "indoor",
-            }
-        ),
-        *(
-            REPLIES[s].model_validate(p)
-            for s, p in zip(("assets", "spatial", "timeline"), parts, strict=True)
-        ),
-    )
-    raw, repairs = assemble("A dog runs into a blue chair.", 0, replies)
-    assert verify(raw) == () and repairs == ()
-
-
 def test_segments_get_ids_and_events_of_their_own() -> None:
     """Drop a repetition, rename a double id, read an unknown end where one event can be meant."""
     nodes = [
