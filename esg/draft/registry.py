@@ -29,6 +29,7 @@ class Registry(Matching):
         self.collective: set[str] = set()
         """Groups that "it" can mean ("a tower of blocks")."""
         self.salience: list[list[str]] = []
+        self.renamed: dict[str, str] = {}
         """Referent sets, most recent last."""
         self.subjects: list[list[str]] = []
         self.resolved: dict[int, list[str]] = {}
@@ -113,12 +114,19 @@ class Registry(Matching):
             if subject:
                 self.subjects.append(ids)
 
+    def current(self, name: str) -> str:
+        """The id by which an entity goes now, which a later mention may have made more precise."""
+        while name not in self.entities and name in self.renamed:
+            name = self.renamed[name]
+        return name
+
     def _rename(self, e: Entity, name: str) -> None:
         if name in self.entities:
             return
         old = e.id
         self.entities = {(name if k == old else k): v for k, v in self.entities.items()}
         e.id = name
+        self.renamed[old] = name
 
         def swap(ids: list[str]) -> list[str]:
             return [name if i == old else i for i in ids]

@@ -169,6 +169,8 @@ class ControlSenses(ContactSenses):
             if self._free_body(actor):
                 self.scene.ignored[(f.verb.start, f.verb.end)] = "friction slows it"
                 continue
+            if not self.movable(actor):
+                continue
             self._brake(f, actor, self._time(f) if final is None else None)
             if final is not None:
                 node = self.tl.trigger(actor, self.describe(f))
@@ -179,8 +181,10 @@ class ControlSenses(ContactSenses):
                 )
                 self.use(final, "speed after slowing")
                 time = self._time(f)
-                if time is not None:
-                    brake = self.tl.nodes[-2].id
+                brake = next(
+                    (n.id for n in reversed(self.tl.nodes[:-1]) if actor in n.participants), None
+                )
+                if time is not None and brake is not None:
                     draft.constraints.append(
                         EventConstraint(
                             quantity="time_since", object=actor, value=time[0], since=brake

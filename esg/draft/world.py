@@ -35,6 +35,7 @@ class World(Pronouns):
                 ids = ids + [e for e in extra if e not in ids]
             self.resolved[key] = ids
             m.entities = ids
+        ids[:] = [self.current(i) for i in ids]  # of which another mention may have told more
         self.note(ids, subject)
         return ids
 

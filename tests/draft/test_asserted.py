@@ -181,3 +181,15 @@ def test_motion_and_rest_contradict_each_other() -> None:
 def test_senses_that_name_each_other_end() -> None:
     """ "A fridge falls out of a truck" was read as toppling and falling without end."""
     assert story("A fridge falls out of a moving truck.") == ["Fall fridge"]
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "The scaffold decelerates from 64 km/h to 59 km/h over 3 seconds.",
+        "A truck loaded with barrels brakes and a barrel rolls off. The harpoon spins at the first "
+        "bend, the second car avoids it on the left, and the third car hits it broadside.",
+    ],
+)
+def test_odd_references_are_drafted(prompt: str) -> None:
+    clean(prompt)
