@@ -163,13 +163,14 @@ class ControlSenses(ContactSenses):
             (a for p, a in self.amounts(f) if a.dimension == "speed" and p == "from"), None
         )
         for actor in actors:
+            if not self.movable(actor):
+                self.scene.ignored[(f.verb.start, f.verb.end)] = "it cannot move"
+                continue
             if initial is not None and not self._free_body(actor):
                 self.use(initial, "speed")
                 self._own(actor, initial.value, True)
             if self._free_body(actor):
                 self.scene.ignored[(f.verb.start, f.verb.end)] = "friction slows it"
-                continue
-            if not self.movable(actor):
                 continue
             self._brake(f, actor, self._time(f) if final is None else None)
             if final is not None:
