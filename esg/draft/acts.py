@@ -85,7 +85,13 @@ class Acts(Motions):
                     self._hit(f, [actor], [other], time)
                 elif p.prep in ("down", "up") and "incline" in self.e(other).noun.traits:
                     self.place([actor], [other], "on" if p.prep == "down" else "near")
-                elif p.prep in ("along", "across") and "support" in self.e(other).noun.traits:
+                elif p.prep in ("along", "across") and "support" in self.e(other).noun.traits or (
+                    p.prep == "over"
+                    and self.kind(other) == "table"
+                    and f.verb.sense in ("slide", "roll")
+                    and not f.verb.passive
+                    and self._fits_on(actor, other)
+                ):
                     self.place([actor], [other], "on")
                 elif p.prep == "past":
                     self.event(NodeEvent.MISS, (actor, other), f, time)

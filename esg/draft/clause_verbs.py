@@ -44,6 +44,7 @@ class ClauseVerbs(ClauseNouns):
             frame.subject = s.relative
             frame.reduced = frame.relative = True
             frame.parent = previous
+            frame.resulting = self._goes_on(i)
         elif v.form == "ing" and after_prep in ("without", "by", "from") and previous is not None:
             frame.subject, frame.parent = self._agent(previous), previous
             frame.link = "then"
@@ -93,6 +94,16 @@ class ClauseVerbs(ClauseNouns):
             frame.subject = self._agent(previous)
             frame.parent = previous
         self._finish(s, frame)
+
+    def _goes_on(self, i: int) -> bool:
+        """Whether a comma or a contact is before the relative pronoun, so that the story goes on."""
+        rel = next(
+            (k for k in range(i - 1, -1, -1) if getattr(self.elements[k], "kind", "") == "rel"), 0
+        )
+        comma = getattr(self.elements[rel - 1], "low", "") == "," if rel else False
+        verb = self.elements[i]
+        now = isinstance(verb, Verb) and verb.auxiliary in ("is", "are", "gets", "get")
+        return comma or now
 
     @staticmethod
     def _awaits_main(previous: Frame, v: Verb) -> bool:

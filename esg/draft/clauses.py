@@ -6,6 +6,8 @@ come out in order of time: "after", "before", "when" and fronted clauses are unt
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from esg.draft.clause_verbs import UNTIL_MAIN, ClauseVerbs
 from esg.draft.frames import Frame, State, background_first, in_order
 from esg.draft.syntax import Mention, Verb
@@ -35,7 +37,42 @@ class ClauseBuilder(ClauseVerbs):
             self._hand_over(f)
             self._takes_time(f, self.frames[k + 1 : k + 2])
             self._fronted(f, [g for g in self.frames[k + 1 :] if g.sentence == f.sentence])
-        self.frames = in_order(background_first(self.frames))
+        self.frames = self._same_again(in_order(background_first(self.frames)))
+
+    def _same_again(self, frames: list[Frame]) -> list[Frame]:
+        """ "The blue car does the same": what the clauses before tell of their subject, again."""
+        out: list[Frame] = []
+        for f in frames:
+            o = f.object
+            same = f.verb.sense in ("be", "noop") and o is not None and o.attribute | (not o.head)
+            if not (same and o is not None and o.adjectives == ["same"] and f.subject and out):
+                out.append(f)
+                continue
+            model = next((g for g in reversed(out) if g.subject and not g.reduced), None)
+            told: list[Frame] = []
+            for g in reversed(out):
+                if model is None or g.subject is not model.subject or g.reduced:
+                    break
+                told.insert(0, g)
+            for k, g in enumerate(told):
+                phrases = [p for p in g.phrases if p.amount is None]
+                verb = replace(g.verb, extra=dict(g.verb.extra))
+                own = replace(
+                    g,
+                    verb=verb,
+                    subject=f.subject,
+                    phrases=[*phrases, *(f.phrases if k == len(told) - 1 else [])],
+                    adverbs=[*g.adverbs],
+                    link=f.link if k == 0 else g.link,
+                    sentence=f.sentence,
+                    parent=None,
+                )
+                if k == 0:
+                    own.verb.start, own.verb.end = f.verb.start, f.verb.end
+                out.append(own)
+            if not told:
+                out.append(f)
+        return out
 
     @staticmethod
     def _hand_over(f: Frame) -> None:

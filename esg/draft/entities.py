@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 import re
+import unicodedata
 
 from esg.draft import lexicon as lex
 
@@ -36,6 +37,11 @@ OWN_PARTS = frozenset(
     | {"tyre", "door", "mirror", "headlight", "fender", "lid", "handle", "leg"}
 )
 """Parts that belong to a thing and are hit when the thing is."""
+STACKED = {
+    "top": -1, "topmost": -1, "uppermost": -1, "upper": -1, "highest": -1,
+    "bottom": 0, "lowest": 0, "lowermost": 0, "lower": 0, "bottommost": 0,
+}  # fmt: skip
+"""Members of a stack by where they lie; the first one is at the bottom."""
 OTHER = frozenset({"other", "remaining", "another", "next", "opposite"})
 UNKNOWN_MASS_KG = 5.0
 
@@ -82,7 +88,7 @@ class Entity:
         if self.group is None or self.letter:
             return False
         in_row = self.pattern in ("row", "stack") and self.noun.kind != "vehicle"
-        return not self.place or (in_row and self.place in {*ORDINALS, "last", "final"})
+        return not self.place or (in_row and self.place in {*ORDINALS, *STACKED, "last", "final"})
 
     @property
     def movable(self) -> bool:
@@ -98,7 +104,8 @@ class Entity:
 
 
 def slug(text: str) -> str:
-    return re.sub(r"[^a-z0-9]+", "_", text.lower()).strip("_")
+    plain = unicodedata.normalize("NFKD", text).encode("ascii", "ignore").decode()
+    return re.sub(r"[^a-z0-9]+", "_", plain.lower()).strip("_")
 
 
 def plural(noun: str) -> str:

@@ -38,12 +38,24 @@ class Events(Places):
             if t in self.each:
                 out.append(t)
                 continue
+            if group is not None and self.e(t).pattern == "stack" and len(targets) > 1:
+                if group not in seen:
+                    out.append(self._of_a_stack(group, targets))
+                seen.add(group)
+                continue
             if group is not None and not self.e(t).letter and not self.e(t).place:
                 if group in seen:
                     continue
                 seen.add(group)
             out.append(t)
         return out
+
+    def _of_a_stack(self, group: str, targets: list[str]) -> str:
+        """Who stands for a stack: the one struck before, one named by its level, or the lowest."""
+        mates = [i for i in self.world.groups.get(group, targets) if i in targets]
+        struck = [i for i in mates if (t := self.tl.tracks.get(i)) is not None and t.hit]
+        named = [i for i in reversed(mates) if self.e(i).place]
+        return next(iter([*struck, *named, *mates]), targets[0])
 
     def _time(self, f: Frame) -> Time | None:
         for p, a in self.amounts(f):
@@ -240,9 +252,10 @@ class Events(Places):
         if track is None or track.motion is None or track.closed:
             return
         mates = self.world.groups.get(self.e(name).group or "", [])
+        met = (NodeEvent.COLLISION, NodeEvent.ENTER_REGION, NodeEvent.MISS)
         if any(
-            n.event is NodeEvent.COLLISION
-            and other in n.participants
+            n.event in met
+            and (other in n.participants or str(n.extra.get("region", "")).startswith(f"{other}/"))
             and set(mates) & {*n.participants}
             for n in self.tl.nodes
         ):

@@ -44,6 +44,8 @@ class Frame:
     reduced: bool = False
     sentence: int = 0
     relative: bool = False
+    resulting: bool = False
+    """A relative clause that tells what happens next (", which is pushed into a wall")."""
     subordinate: str = ""
     """The conjunction it came with: when, after, because."""
     start_of_sentence: bool = False
@@ -148,7 +150,7 @@ def background_first(frames: list[Frame]) -> list[Frame]:
             f.reduced
             and (
                 (progressive and (f.verb.sense in _MOVING or f.verb.lemma == "do"))
-                or (f.verb.passive and f.verb.sense in ("launch", "drop"))
+                or (f.verb.passive and f.verb.sense in ("launch", "drop") and not f.resulting)
             )
             and out
             and out[-1].sentence == f.sentence

@@ -200,9 +200,37 @@ class Interpreter(References):
         at = [p for p in timed if p.prep in ("after", "at", "in", "")]
         if m is None or len(at) < 2 or len(at) != len(timed):
             return [f]
+        shared = self._times_of_objects(f, timed)
+        if len(shared) > 1:
+            return shared
         many = m.plural or bool(m.coordinated) or len(m.entities) > 1
         if not many or len(m.entities) < len(at) or (len(m.entities) > len(at) and m.count):
             return [f]
+        return self._members_in_turn(f, m, timed, at)
+
+    @staticmethod
+    def _times_of_objects(f: Frame, timed: list[Phrase]) -> list[Frame]:
+        """ "hits the wall after 1 s and the box after 3 s": a clause for each object."""
+        o = f.object
+        if o is None or not o.coordinated or len(timed) != len(o.coordinated) + 1:
+            return [f]
+        things = [o, *o.coordinated]
+        spans = [t.start for t in things] + [10**9]
+        out: list[Frame] = []
+        for k, (thing, p) in enumerate(zip(things, timed, strict=True)):
+            assert p.amount is not None
+            if not spans[k] < p.amount.start < spans[k + 1]:
+                return [f]
+            mine = [i for i in thing.entities if not any(i in c.entities for c in things[k + 1 :])]
+            own = replace(thing, entities=mine, coordinated=[])
+            rest = [q for q in f.phrases if q not in timed]
+            at = replace(p, prep=p.prep if k == 0 else "at")  # both from the start
+            out.append(replace(f, object=own, phrases=[*rest, at]))
+        return out
+
+    def _members_in_turn(
+        self, f: Frame, m: Mention, timed: list[Phrase], at: list[Phrase]
+    ) -> list[Frame]:
         prep = at[0].prep or "after"
         out: list[Frame] = []
         for k, p in enumerate(at):

@@ -27,27 +27,8 @@ _HYPERNYMS: dict[str, frozenset[str]] = {
     "child": frozenset({"person"}),
 }
 _NUMBERS = frozenset(
-    [
-        "eight",
-        "nine",
-        "seven",
-        "six",
-        "five",
-        "four",
-        "three",
-        "two",
-        "one",
-        "8",
-        "9",
-        "7",
-        "6",
-        "5",
-        "4",
-        "3",
-        "2",
-        "1",
-    ]
-)
+    "one two three four five six seven eight nine ten eleven twelve thirteen fourteen fifteen".split()
+) | {str(k) for k in range(1, 16)}
 _DISTINCT = frozenset({"person", "animal", "food", "tool", "plant", "tableware", "ground", "book"})
 """Kinds whose synonyms name different things (man and woman, lemon and orange)."""
 _ANYTHING = frozenset({"object", "thing", "item", "body", "prop", "entity", "projectile"})

@@ -64,7 +64,9 @@ class Motions(Events):
         elif mode == "drop":
             params, speed = {"elevation_deg": -90.0, "spin": "none"}, 0.0
         elif mode == "roll":
-            params = {"spin": "roll" if "round" in self.e(actor).noun.traits else "slide"}
+            noun = self.e(actor).noun  # coins, barrels and tyres roll on their rim
+            rolls = "round" in noun.traits or noun.shape == "cylinder"
+            params = {"spin": "roll" if rolls else "slide"}
         elif mode == "slide":
             params = {"spin": "slide"}
         self.tl.move(

@@ -102,6 +102,20 @@ class NounHeads(Letters):
             ):
                 m.adjectives.append("front")
                 j += 4 if self._low(j + 2) == "of" else 2
+            on_top = 2 if self._low(j + 1) == "top" else 3 if self._low(j + 2) == "top" else 0
+            if (
+                on_top
+                and self._low(j) in ("on", "at")
+                and self._low(j + 1) in ("top", "the")
+                and m.determiner == "the"
+                and not plural
+                and (
+                    self._low(j + on_top) != "of"
+                    or self._low(j + on_top + 2) in ("stack", "pile", "tower", "heap")
+                )
+            ):
+                m.adjectives.append("top")  # "the crate on top falls off"
+                j += on_top
             if (m.role or m.head == "net") and self._low(j) == "of":
                 size = len(self.elements)
                 inner = self._noun_phrase(j + 1)

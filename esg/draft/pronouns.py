@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from esg.draft import lexicon as lex
 from esg.draft.elements import Mention
-from esg.draft.entities import ORDINALS, slug
+from esg.draft.entities import ORDINALS, STACKED, Entity, slug
 from esg.draft.registry import Registry
 
 
 class Pronouns(Registry):
     """Referents of phrases without a noun of their own."""
+
+    def _of_stack(self, m: Mention, names: list[Entity]) -> list[str]:
+        raise NotImplementedError
 
     def _pronoun(self, m: Mention, subject: bool, avoid: list[str]) -> list[str]:
         p = m.pronoun
@@ -172,6 +175,11 @@ class Pronouns(Registry):
         if fresh:
             return fresh
         last_group = next(reversed(list(self.groups.values())), None)
+        own = next((self.entities[i].group for i in avoid if self.entities[i].group), None)
+        if own in self.groups and "next" in m.adjectives:
+            mates = self.groups[own]  # "the first domino hits the next": of its own row
+            k = max((mates.index(i) for i in avoid if i in mates), default=0)
+            return mates[k + 1 : k + 2] or mates[-1:]
         colors = [a for a in m.adjectives if a in lex.COLORS]
         if colors and last_group:
             plain = [
@@ -191,8 +199,11 @@ class Pronouns(Registry):
             mates = [i for i in last_group if i not in avoid]
             if mates and "other" not in m.adjectives:
                 return mates[:1]  # "the heavier crate ... the lighter one"
-        if last_group and {"top", "upper", "topmost"} & set(m.adjectives):
-            return last_group[-1:]
+        if set(STACKED) & set(m.adjectives):
+            stacks = [g for g in self.groups.values() if self.entities[g[0]].pattern == "stack"]
+            level = self._of_stack(m, [self.entities[i] for i in stacks[-1]]) if stacks else []
+            if level:
+                return level
         if last_group and "next" in m.adjectives:
             return last_group[1:2]
         if last_group:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from esg.draft import lexicon as lex
 from esg.draft.elements import Element, Mention, Token, Verb, Word
+from esg.draft.quantities import parse_number
 from esg.draft.verbphrases import PHRASES, verb_readings
 
 
@@ -45,6 +46,8 @@ class Reader:
                         return None
                     if n > 1 and is_plural and self._subject_and_verb(i, words):
                         continue
+                    if n > 1 and is_plural and parse_number(words[0]) is not None:
+                        continue  # "eight balls" are not "the eight ball"
                     return table[candidate], n, is_plural or words[-1] == "billiards", candidate
             dashed = "-".join(words)
             if n > 1 and dashed in table:

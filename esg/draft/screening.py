@@ -29,6 +29,16 @@ def _is_english(word: str) -> bool:
     )
 
 
+_ZERO_WIDTH = re.compile(r"([^\W\d_]*)[\u200b\u200c\u2060]+(?=([^\W\d_]*))")
+
+
+def _joined(m: re.Match[str]) -> str:
+    """What an invisible mark parts: two words of their own, or the pieces of one."""
+    left, right = m[1].lower(), m[2].lower()
+    apart = _is_english(left) and _is_english(right) and not _is_english(left + right)
+    return f"{m[1]} " if apart else m[1]
+
+
 def screen(prompt: str) -> str:
     """The prompt with white space normalized.
 
@@ -43,7 +53,8 @@ def screen(prompt: str) -> str:
             "Describe one scene."
         )
     text = re.sub(r"[\u00a0\t\r\f\v ]+", " ", prompt).replace("’", "'").strip()
-    text = re.sub(r"[\u200b\ufeff\x00-\x09\x0b-\x1f]", "", text)
+    text = re.sub(r"[\ufeff\u00ad\u200d\x00-\x09\x0b-\x1f]", "", text)
+    text = _ZERO_WIDTH.sub(_joined, text).replace("  ", " ")
     words = re.findall(r"[^\W\d_]+", text.lower())
     known = [w for w in words if _is_english(w)]
     content = [

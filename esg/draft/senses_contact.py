@@ -316,12 +316,40 @@ class ContactSenses(LaunchSenses):
             if not self.movable(b):
                 continue
             self._struck_before(f, b)
+            if b not in self.tl.tracks and not o:
+                b = self._collapsing(b)
+                self._shaken(f, b)
             if b not in self.tl.tracks or (
                 self.tl.tracks[b].motion is None and not self.tl.tracks[b].hit
             ):
                 self._start_motion(f, [b], "slide")
             self.event(NodeEvent.TOPPLE, (b,), f, self._time(f))
         self._knock_on(f, bodies)
+
+    def _collapsing(self, body: str) -> str:
+        """The top member of a stack that nothing has touched: the bottom one rarely tips."""
+        e = self.e(body)
+        mates = self.world.groups.get(e.group or "", [])
+        tracked = any(i in self.tl.tracks for i in mates)
+        return mates[-1] if e.pattern == "stack" and mates and not tracked else body
+
+    def _shaken(self, f: Frame, body: str) -> None:
+        """ "hits the pallet and the stack of boxes collapses": what was hit carried it."""
+        last = self.tl.node(self.tl.last_event or "")
+        if last is None or self.last_hit is None or last.event is not NodeEvent.COLLISION:
+            return
+        host = self.last_hit[1]
+        stands = self.scene.supported_by.get(body)
+        mates = [i for i in self.world.groups.get(self.e(body).group or "", []) if i != body]
+        if self.last_hit != last.participants or host in (body, *mates):
+            return
+        if stands is None and self._fits_on(body, host) and self.e(body).origin >= 0:
+            self.place([*mates, body], [host], "on")
+            stands = self.scene.supported_by.get(body)
+        if stands != host:
+            return
+        track = self.tl.track(body)
+        track.at, track.hit = last.id, True
 
     def _upright(self, node: str) -> bool:
         traits = self.e(node).noun.traits

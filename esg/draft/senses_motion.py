@@ -142,6 +142,9 @@ class MotionSenses(ControlSenses):
             if f.verb.sense == "slide"
             else "roll",
         )
+        if f.verb.passive or actors == o:
+            aim = next((t for t in self._target(f, actors) if self._aimable(t)), None)
+            self._aim_at(f, self._representatives(actors, []), aim)
 
     def _do_slide(self, f: Frame, s: list[str], o: list[str]) -> None:
         if self._pushes(f, s, o):
@@ -226,6 +229,13 @@ class MotionSenses(ControlSenses):
             if target is None:
                 self._motion(f, [actor], None)
                 continue
+            into = self.tl.node(self.tl.last_event or "")
+            entered = into is not None and into.event is NodeEvent.ENTER_REGION
+            if into is not None and entered and into.participants == (actor,):
+                if str(into.extra.get("region", "")).startswith(f"{target}/"):
+                    self._time_of_told(into.id, self._time(f))
+                    self.use(f, into.id)  # "is kicked into the goal and reaches it after 1.5 s"
+                    continue
             self._ensure_mover(f, actor, target)
             p = f.phrase("in", "into")
             if p is not None and (self._holds(target) or self.kind(target) == "region"):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from esg.draft import lexicon as lex
 from esg.draft.elements import Mention
-from esg.draft.entities import BODY_PARTS, FRONT, ORDINALS, OTHER, OWN_PARTS, REAR, Entity, slug
+from esg.draft.entities import BODY_PARTS, FRONT, ORDINALS, OTHER, OWN_PARTS, REAR, STACKED, Entity, slug
 from esg.draft.pronouns import Pronouns
 
 
@@ -184,6 +184,9 @@ class World(Pronouns):
                 self._create(row)
                 found = self._ordinal(m, ordinal)
             return found
+        level = self._of_stack(m, names)
+        if level:
+            return level
         place = next((a for a in m.adjectives if a in FRONT | REAR), None)
         first_pin = place is not None or "head" in m.adjectives
         if first_pin and not names and m.noun is not None and m.noun.kind == "pin":
@@ -201,6 +204,9 @@ class World(Pronouns):
                 return [chosen.id]
             if bare and not definite:
                 return []
+            beside = any(w in m.text for w in ("behind", "following", "in front"))
+            if beside and names and all(e.group is None and not e.place for e in names):
+                return []  # "A car stops. The car behind hits it.": another one
         if not names:
             return []
         few = 2 <= len(names) <= 6 and len({e.group for e in names}) == 1 and names[0].group
@@ -247,6 +253,23 @@ class World(Pronouns):
         if len(pool) > 1 and len(groups) == 1 and None not in groups:
             return [pool[0].id]  # "the head pin"
         return [pool[-1].id]
+
+    def _of_stack(self, m: Mention, names: list[Entity]) -> list[str]:
+        """ "the top crate", "the lowest one": by its level in the stack told last."""
+        word = next((a for a in m.adjectives if a in STACKED), None)
+        if word is None or m.plural or (m.count or 1) > 1:
+            return []
+        stacked = [e for e in names if e.group in self.groups and e.pattern == "stack"]
+        if not stacked:
+            return []
+        members = self.groups[stacked[-1].group or ""]
+        e = self.entities[members[STACKED[word]]]
+        if not e.letter and e.place not in STACKED:
+            level = "top" if STACKED[word] else "bottom"
+            e.place, e.label = level, f"{level} {e.head}"
+            e.adjectives.append(level)
+            self._rename(e, self._new_id(slug(e.label)))
+        return [e.id]
 
     def _picked(self, m: Mention, ids: list[str]) -> list[str]:
         """ "the first of two barrels": one member, named by its place."""
