@@ -54,7 +54,11 @@ class Explored:
 
 
 def search(
-    plan: Plan, panel: Panel, rng: np.random.Generator, max_rounds: int
+    plan: Plan,
+    panel: Panel,
+    rng: np.random.Generator,
+    max_rounds: int,
+    barred: frozenset[str] = frozenset(),
 ) -> tuple[Found, str]:
     """The most robust theta found, and why the search stopped.
 
@@ -63,7 +67,13 @@ def search(
         panel: Engines.
         rng: Source of all draws.
         max_rounds: Batches of candidates in the surrogate; the reference engine gets 40% of that.
+        barred: Events that physics rules out (`feasibility`) and what follows from them: nothing is
+            searched where all others happen.
     """
+    if barred:
+        first = panel.judge(plan.initial()[None])
+        if all(first.nominal.completed[k][0] for k in first.nominal.completed if k not in barred):
+            return first, "ruled out"
     explored = _explore(plan, panel, rng, max_rounds)
     finalists = explored.finalists
     best = panel.judge(finalists[:1])
@@ -78,7 +88,9 @@ def search(
             return best, "robust"
         if settled(best, explored):
             return best, "no progress"
-    # Where neither engine brings an event about, more of the same seldom does.
+    if explored.stalled and not explored.reached and not best.ensemble.all_completed().any():
+        # Neither engine brings the events about, and the last rounds came no nearer.
+        return best, "out of reach"
     reached = explored.reached or best.worst < MISSED
     share = REFERENCE_SHARE if reached else 0.5 * REFERENCE_SHARE
     return _polish(plan, panel, rng, best, max(1, round(share * max_rounds)))

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.dynamics.aim import aim_point, region_center
-from esg.dynamics.story import Phase, Story, read_story, rebounds
+from esg.dynamics.story import Phase, Story, read_story, rebounds, stranded
 from esg.engines.scene import Region, SimScene
 from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, TimelineNode
 
@@ -72,6 +72,8 @@ class Cast:
         first = self.story.phases[phase.edge.actor][0]
         if phase is first or self.story.tips(phase):
             return False
+        if stranded(self.story, phase, lambda name: self.scene.body(name).static):
+            return True
         return (phase.edge.event is EdgeEvent.TOWARD and nothing) or self.rebounds(phase)
 
     def rebounds(self, phase: Phase) -> bool:

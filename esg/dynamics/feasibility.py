@@ -28,6 +28,12 @@ def impossible(doc: EsgDocument, story: Story) -> dict[str, str]:
     return out
 
 
+def ruled_out(doc: EsgDocument, story: Story) -> frozenset[str]:
+    """Events that physics rules out, and those that follow from them."""
+    first = set(impossible(doc, story))
+    return frozenset(k for k in story.nodes if k in first or story.ancestors(k) & first)
+
+
 def _too_weak_to_topple(doc: EsgDocument, story: Story, node: TimelineNode) -> str:
     """Why the hit before a topple cannot bring it about; "" where it may."""
     nodes = doc.spatial_relation_graph.nodes

@@ -75,6 +75,8 @@ def _bounce(stage: Stage, node: TimelineNode, a: str, b: str, restitution: float
     track, frame = stage.tracks[a], stage.frames[a]
     if pa.wheeled or not goes_on(stage, node, a) or b == stage.anchor:
         return
+    if any(p.start.id == node.id and stage.strands(p) for p in stage.story.phases[a]):
+        return
     heading = track.heading + frame.angle
     side = float(stage.rng.choice([-1.0, 1.0]))
     # A ball's spin still rolls it forward: that takes two sevenths, once the ground has turned it.

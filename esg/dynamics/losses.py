@@ -24,6 +24,8 @@ MISSED = 10.0
 UNMET = 60.0
 """Loss of a quantity whose event did not happen: more than any error of one that did."""
 CHAIN_GAP_S = 0.1
+CHAIN_MARGIN_S, CLOSE = 0.03, 0.4
+"""A hit this much later than that survives another engine; loss of one that is not later at all."""
 TIME_SCALE_S = 0.1
 SPEED_SCALE_MPS = 0.25
 HALVED = 0.45
@@ -158,16 +160,19 @@ class _Assessor:
         self.result.completed[node.id] = done
         self.result.time[node.id] = np.where(done, time, np.nan)
         self._term(f"{node.id}/task", loss)
-        if node.event is NodeEvent.COLLISION and self._falls_off(previous):
+        if node.event is NodeEvent.COLLISION and self._is(previous, NodeEvent.COLLISION):
+            # What follows too closely counts as one hit in another engine.
+            spare = (time - earliest) / CHAIN_MARGIN_S
+            self._term(f"{node.id}/close", np.where(done, CLOSE * np.clip(1 - spare, 0, 1), 0.0))
+        if node.event is NodeEvent.COLLISION and self._is(previous, NodeEvent.FALL):
             early = np.clip(SETTLED_S - (time - earliest + CHAIN_GAP_S), 0.0, SETTLED_S)
             self._term(f"{node.id}/early", np.where(done, early, 0.0))
         self._window(node, time, done)
         for constraint in node.constraints:
             self._constraint(node, constraint, done)
 
-    def _falls_off(self, node_id: str | None) -> bool:
-        """Whether an event is a fall: it happens at a threshold that engines pass differently."""
-        return node_id is not None and self.rec.story.nodes[node_id].event is NodeEvent.FALL
+    def _is(self, node_id: str | None, event: NodeEvent) -> bool:
+        return node_id is not None and self.rec.story.nodes[node_id].event is event
 
     def _term(self, name: str, value: Floats) -> None:
         self.result.terms[name] = value

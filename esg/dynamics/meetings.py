@@ -14,7 +14,7 @@ from esg.dynamics.kinematics import (
 )
 from esg.dynamics.moves import plain
 from esg.dynamics.placing import asked_distance, goes_on, join
-from esg.dynamics.stage import Stage, speed_is_fixed
+from esg.dynamics.stage import FASTEST_MPS, Stage, speed_is_fixed
 from esg.dynamics.stagecraft import (
     approach_distance,
     fall_speed,
@@ -22,7 +22,7 @@ from esg.dynamics.stagecraft import (
     push_speed,
     slide,
     support_of,
-    topple_speed,
+    sure_topple_speed,
 )
 from esg.dynamics.story import Phase, bounds
 from esg.dynamics.throws import drop, hand_height, slowest_passage
@@ -34,8 +34,12 @@ LOB_M = 1.0
 """Way of a throw into an open container."""
 MEETING_HEIGHT_M = 1.2
 """Height at which bodies are thrown at each other."""
-AFTER_BOUNCE_M = 0.5
-"""Longest way from a wall to what is hit after bouncing off it."""
+AFTER_BOUNCE_M, AFTER_BOUNCE_S = 0.5, 0.3
+"""Longest way from a wall to what is hit after bouncing off it, unless it takes less than that."""
+SLID = 0.55
+"""Share of its speed with which something slid along the ground arrives."""
+AFTER_HIT_S, BEHIND_M = 1.2, 0.5
+"""From one's hit of an obstacle to its being run into, and the least gap behind it at the start."""
 CHAINED = 0.6
 """Share of the usual impulse and run-up of a ball that starts a chain of balls."""
 STAY_S = 0.28
@@ -53,7 +57,12 @@ def collision(stage: Stage, node: TimelineNode) -> None:
     incoming = dict(stage.incoming(node))
     if a not in incoming and b in incoming:
         a, b = b, a
-    if a in incoming and b in incoming:
+    if a in incoming and _waits_at_obstacle(stage, b):
+        _run_into(stage, node, a, incoming[a], b, incoming.get(b))
+    elif b in incoming and _waits_at_obstacle(stage, a):
+        a, b = b, a
+        _run_into(stage, node, a, incoming[a], b, incoming.get(b))
+    elif a in incoming and b in incoming:
         _meeting(stage, node, a, incoming[a], b, incoming[b])
     elif a in incoming:
         _approach(stage, node, a, incoming[a], b)
@@ -109,7 +118,7 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
     elif goes_on(stage, node, b):
         least = max(least, push_speed(pa, pb))
     topples = stage.story.topples(stage.member(b))
-    needed = topple_speed(pa, pb, flies=stage.story.flies(a)) if topples else 0.0
+    needed = sure_topple_speed(pa, pb, flies=stage.story.flies(a)) if topples else 0.0
     if stage.story.falls(stage.member(b)) and phase.edge.event is EdgeEvent.TOWARD:
         needed = max(needed, fall_speed(pa, pb))
     speed = stage.speed(a, phase, max(least, needed), needed)
@@ -122,6 +131,9 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
     elif _slides(stage, a, phase):
         wait = None if prescribed is None else max(0.15, prescribed - track.time)
         free = not speed_is_fixed(phase)
+        if needed > 0.0 and not phase.edge.speed_is_prescribed:
+            # What it is to arrive with is less than what it starts with.
+            speed = max(speed, min(needed / SLID, FASTEST_MPS))
         speed, distance, duration, left = slide(pa, speed, wait, stage.rng, adjustable=free)
         distance = max(distance, descent(stage, b), _room_after(stage, a, b))
         stage.nominal[f"{phase.edge.id}/speed"] = speed
@@ -130,7 +142,7 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
         if chained:
             run *= CHAINED
         if a in stage.thrown_back:
-            run = min(run, AFTER_BOUNCE_M)
+            run = min(run, max(AFTER_BOUNCE_M, AFTER_BOUNCE_S * track.speed))
         run = max(run, descent(stage, b))
         flies, inside = stage.story.flies(a), node.event is NodeEvent.ENTER_REGION
         if inside and not flies and not speed_is_fixed(phase):
@@ -149,7 +161,7 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
             speed = (asked or run) / duration
         else:
             duration = (asked or run) / speed
-        distance = asked or speed * duration
+        distance = asked or _covers(stage, a, phase, speed, duration)
         if prescribed is None:
             distance = max(distance, _room_after(stage, a, b))
             duration = distance / speed
@@ -165,6 +177,17 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
     join(stage, a, b, node)
 
 
+def _covers(stage: Stage, actor: str, phase: Phase, speed: float, duration: float) -> float:
+    """Way [m] of an actor in a given time: what was let go at a fixed speed slows down.
+
+    Where the speed is open, it starts that much faster instead (`variables.damping_loss`).
+    """
+    let_go = phase.edge.event is EdgeEvent.TOWARD and not stage.story.flies(actor)
+    if not let_go or not speed_is_fixed(phase):
+        return speed * duration
+    return braking_distance(speed, stage.prop(actor).damping, duration)
+
+
 def _room_after(stage: Stage, a: str, b: str) -> float:
     """Least way [m] from one target to the next: past the first, which may lie there."""
     before = stage.met.get(a)
@@ -173,7 +196,7 @@ def _room_after(stage: Stage, a: str, b: str) -> float:
     first, second = stage.prop(before), stage.prop(b)
     if a in stage.thrown_back:
         # Its way leads away from what it bounced off.
-        return AFTER_BOUNCE_M
+        return max(AFTER_BOUNCE_M, AFTER_BOUNCE_S * stage.tracks[a].speed)
     fallen = first.height if stage.story.topples(stage.member(before)) else 0.0
     return max(first.length, first.width, 0.8 * fallen) + 0.5 * second.half_length + 0.3
 
@@ -227,7 +250,7 @@ def _meeting(stage: Stage, node: TimelineNode, a: str, pa: Phase, b: str, pb: Ph
             time = start + approach_distance(stage.prop(actor), speed, stage.rng) / speed
         track = stage.tracks[actor]
         duration = max(0.2, time - track.time)
-        track.straight(speed * duration, duration, speed)
+        track.straight(_covers(stage, actor, phase, speed, duration), duration, speed)
         if stage.story.flies(actor):
             # Thrown at where the other one starts, it would be there in twice the time.
             stage.nominal[f"{phase.edge.id}/flight_time"] = 2.0 * duration
@@ -242,6 +265,63 @@ def _meeting(stage: Stage, node: TimelineNode, a: str, pa: Phase, b: str, pb: Ph
     for actor in (a, b):
         ox, oy = stage.frames[actor].apply(0.0, 0.0)
         stage.places[actor] = (ox, oy, stage.frames[actor].angle)
+
+
+def _waits_at_obstacle(stage: Stage, name: str) -> bool:
+    """Whether an actor has run into something and is there, or pushes it along."""
+    if name not in stage.met or name not in stage.tracks or name not in stage.frames:
+        return False
+    return not (stage.story.flies(name) or name in stage.thrown_back or name in stage.airborne)
+
+
+def _run_into(
+    stage: Stage, node: TimelineNode, behind: str, chase: Phase, front: str, lead: Phase | None
+) -> None:
+    """One runs into another that met an obstacle before: from behind, the only way surely free.
+
+    Args:
+        stage: The stage.
+        node: Their meeting.
+        behind: Who comes, without a place so far.
+        chase: Its phase that ends there.
+        front: Who met the obstacle.
+        lead: Its phase that ends there, None where it rests.
+    """
+    rear, ahead = stage.tracks[behind], stage.tracks[front]
+    speed = stage.speed(behind, chase, min_hit_speed(stage.prop(behind), stage.prop(front)))
+    time = stage.prescribed_time(node) or ahead.time + AFTER_HIT_S
+    if lead is not None:
+        wait = max(time - ahead.time, 0.2)
+        left = stage.speed(front, lead)
+        if lead.edge.event is EdgeEvent.BRAKE:
+            way, _, left = _brake_into(stage, lead, ahead.speed, time, ahead.time)
+        else:
+            if not speed_is_fixed(lead):
+                left = min(left, 0.6 * speed)
+            stage.nominal[f"{lead.edge.id}/speed"] = left
+            way = left * wait
+        ahead.straight(way, wait, left)
+    reach = stage.prop(behind).half_length + stage.prop(front).half_length
+    first = ahead.points[-1]
+    covered = max(math.dist(first, p) for p in ahead.points)
+    least = covered + reach + BEHIND_M
+    duration = max(0.2, time - rear.time)
+    if speed * duration < least and not speed_is_fixed(chase):
+        speed = min(least / duration, max(speed, FASTEST_MPS))
+    if speed * duration < least and stage.prescribed_time(node) is None:
+        duration = least / speed
+    stage.nominal[f"{chase.edge.id}/speed"] = speed
+    rear.straight(speed * duration, duration, speed)
+    stage.time[node.id] = rear.time
+    frame = stage.frames[front]
+    heading = ahead.heading + frame.angle
+    x, y = frame.apply(ahead.x, ahead.y)
+    touch = (x - reach * math.cos(heading), y - reach * math.sin(heading))
+    if behind not in stage.frames:
+        stage.frames[behind] = frame_mapping((rear.x, rear.y), rear.heading, touch, heading)
+    x, y = stage.frames[behind].apply(0.0, 0.0)
+    turned = stage.frames[behind].angle + stage.reverse_yaw(behind)
+    stage.places[behind] = (x, y, turned)
 
 
 def _rear_end(

@@ -18,6 +18,7 @@ from esg.dynamics.baselines import BASELINES, minimize
 from esg.dynamics.batched import search
 from esg.dynamics.build import build_scene
 from esg.dynamics.closedloop import close_loop
+from esg.dynamics.feasibility import ruled_out
 from esg.dynamics.gradient import descend
 from esg.dynamics.panel import REFERENCE_DT_S, Found, Panel
 from esg.dynamics.plan import Plan, make_plan
@@ -106,8 +107,11 @@ def optimize(
     def run(judges: Panel, round_: int) -> tuple[Found, str]:
         entropy = [seed, zlib.crc32(text), *([round_] if round_ else [])]
         rng = np.random.default_rng(entropy)
-        return run_strategy(plan, judges, rng, strategy, max_rounds=max_rounds, rollouts=rollouts)
+        return run_strategy(
+            plan, judges, rng, strategy, max_rounds=max_rounds, rollouts=rollouts, barred=barred
+        )
 
+    barred = ruled_out(doc, plan.story)
     found, stopped = run(panel, 0)
     closed: ClosedLoop | None = None
     if rounds_closed and strategy != "none":
@@ -156,6 +160,7 @@ def run_strategy(
     max_rounds: int = MAX_ROUNDS,
     rollouts: int = BASELINE_ROLLOUTS,
     steps: int | None = None,
+    barred: frozenset[str] = frozenset(),
 ) -> tuple[Found, str]:
     """The theta a strategy finds, judged by the ensemble, and why it stopped.
 
@@ -167,9 +172,10 @@ def run_strategy(
         max_rounds: Batches of candidates.
         rollouts: Budget of a baseline.
         steps: Most gradient steps of a kind; three a round if None.
+        barred: Events that physics rules out, for `batched`.
     """
     if strategy == "batched":
-        return search(plan, panel, rng, max_rounds)
+        return search(plan, panel, rng, max_rounds, barred)
     if strategy == "none":
         theta = plan.heuristic()
         nominal = panel.reference.assess(theta[None])

@@ -17,7 +17,7 @@ from esg.dynamics.stagecraft import (
     support_of,
     top_surface,
 )
-from esg.dynamics.story import Phase, Story, bounds
+from esg.dynamics.story import Phase, Story, bounds, stranded
 from esg.graph.models import EsgDocument, TimelineNode
 from esg.layout.hints import Constellation, Corridor, Placement
 
@@ -159,10 +159,16 @@ class Stage:
                 k += 1
             if k < len(phases) and phases[k].end.id == node.id:
                 self._next_phase[actor] = k + 1
+                if self.strands(phases[k]):
+                    continue
                 track = self.tracks[actor]
                 track.time = max(track.time, self.time.get(phases[k].start.id, 0.0))
                 out.append((actor, phases[k]))
         return out
+
+    def strands(self, phase: Phase) -> bool:
+        """Whether an actor stays where it ran into something fixed until another one comes."""
+        return stranded(self.story, phase, lambda name: self.prop(self.key(name)).fixed)
 
     def speed(self, actor: str, phase: Phase, least: float = 0.0, needed: float = 0.0) -> float:
         """A plausible speed [m/s] of at least `least` within the segment's bounds.

@@ -212,6 +212,33 @@ def rebounds(story: Story, phase: Phase, is_fixed: Callable[[str], bool]) -> boo
     return brakes and all(is_fixed(p) for p in start.participants if p != actor)
 
 
+def stranded(story: Story, phase: Phase, is_fixed: Callable[[str], bool]) -> bool:
+    """Whether a phase begins with a hit of something fixed and ends when another actor arrives.
+
+    "The truck crashes into a sign, then a taxi rams the truck": pressed on against the sign it
+    would go through it; it stays where its hit left it.
+
+    Args:
+        story: The story.
+        phase: One of its phases.
+        is_fixed: Whether a body cannot move.
+    """
+    actor, start, end = phase.edge.actor, phase.start, phase.end
+    if phase.edge.event not in POWERED or start.event is not NodeEvent.COLLISION:
+        return False
+    if end.event is not NodeEvent.COLLISION or actor not in end.participants:
+        return False
+    others = [p for p in start.participants if p != actor]
+    if actor not in start.participants or not others or not all(is_fixed(p) for p in others):
+        return False
+    return any(
+        p.end.id == end.id
+        for a, ps in story.phases.items()
+        for p in ps
+        if a != actor and a in end.participants
+    )
+
+
 def bounds(value: Quantity | None, default: tuple[float, float]) -> tuple[float, float, bool]:
     """Lower bound, upper bound and whether the quantity is fixed."""
     if value is None:
