@@ -217,11 +217,32 @@ def build_sketch(entry: Entry, dimensions_cm: Vec3, color: tuple[float, float, f
     load_builders()
     sketch = Sketch()
     if POLICIES[entry.builder] == "free":
-        BUILDERS[entry.builder](sketch, *dimensions_cm, color, **dict(entry.params))
-        return sketch
+        return _free(entry, dimensions_cm, color)
     BUILDERS[entry.builder](sketch, *entry.dimensions_cm, color, **dict(entry.params))
     drawn = DRAWN.get(entry.builder, entry.dimensions_cm)
     return scaled(sketch, uniform_factor(drawn, dimensions_cm))
+
+
+def _free(entry: Entry, dimensions_cm: Vec3, color: tuple[float, float, float]) -> Sketch:
+    """At any extents: built there, else at the usual volume and scaled, else stretched."""
+    from esg.assets.builders import BUILDERS
+    from esg.assets.stretch import sound, stretched
+
+    usual = entry.dimensions_cm
+    factor = uniform_factor(usual, dimensions_cm)
+    middling: Vec3 = tuple(d / factor for d in dimensions_cm)  # type: ignore[assignment]
+    for size in (dimensions_cm, middling):
+        sketch = Sketch()
+        try:
+            BUILDERS[entry.builder](sketch, *size, color, **dict(entry.params))
+            if sound(sketch):
+                return sketch if size is dimensions_cm else scaled(sketch, factor)
+        except (ArithmeticError, ValueError):
+            continue
+    sketch = Sketch()
+    BUILDERS[entry.builder](sketch, *usual, color, **dict(entry.params))
+    l, w, h = (b / a for a, b in zip(usual, dimensions_cm, strict=True))  # noqa: E741
+    return stretched(sketch, (l, w, h))
 
 
 def uniform_factor(usual: Vec3, wanted: Vec3) -> float:

@@ -118,7 +118,7 @@ def rolling(entry: Entry, sketch: Sketch, size: Vec3) -> Sketch:
         parts=[replace(p, mesh=moved(p.mesh)) for p in sketch.parts],
         proxies=[cylinder],
         densities=list(sketch.densities),
-        weighed=[placed(p) for p in sketch.proxies],
+        weighed=[placed(p) for p in sketch.weighed or sketch.proxies],
     )
 
 

@@ -264,7 +264,15 @@ class Sketch:
                 vertices_cm=tuple(tuple(float(c) for c in v) for v in vertices),  # type: ignore[arg-type]
             )
         )
-        self.densities.append(density)
+        if self.weighed is None:
+            self.densities.append(density)
+
+    def only_weighs(self) -> None:
+        """What was solid so far gives mass and inertia only; what follows is what collides.
+
+        So a vessel can be entered and keeps the mass properties it had as a solid.
+        """
+        self.weighed, self.proxies = list(self.proxies), []
 
     def proxy_box(
         self, half: Any, center: Any, density: float = 1.0, quat: Quat = IDENTITY
@@ -329,10 +337,24 @@ class Sketch:
         thickness: float,
         density: float = 1.0,
         sides: int = 8,
+        xy: tuple[float, float] = (0.0, 0.0),
     ) -> None:
         """Open round container: a floor cylinder and a ring of wall boxes of outer `radius`."""
+        floor = z[0] + thickness
+        self.proxy_cylinder(radius, (z[0], floor), density, xy)
+        self.ring(radius, (floor, z[1]), thickness, density, sides, xy)
+
+    def ring(
+        self,
+        radius: float,
+        z: tuple[float, float],
+        thickness: float,
+        density: float = 1.0,
+        sides: int = 8,
+        xy: tuple[float, float] = (0.0, 0.0),
+    ) -> None:
+        """Round wall of boxes of outer `radius`."""
         t = thickness
-        self.proxy_cylinder(radius, (z[0], z[0] + t), density)
         inner = (radius - t) * math.cos(math.pi / sides)
         width = (radius - t / 2) * math.tan(math.pi / sides)
         middle = inner + t / 2
@@ -340,8 +362,8 @@ class Sketch:
             angle = 360.0 * k / sides
             c, s = math.cos(math.radians(angle)), math.sin(math.radians(angle))
             self.proxy_box(
-                (t / 2, width, (z[1] - z[0] - t) / 2),
-                (middle * c, middle * s, (z[0] + t + z[1]) / 2),
+                (t / 2, width, (z[1] - z[0]) / 2),
+                (xy[0] + middle * c, xy[1] + middle * s, (z[0] + z[1]) / 2),
                 density,
                 turn("z", angle),
             )
@@ -394,52 +416,6 @@ def lying_hull(profile: Sequence[tuple[float, float]], axis_z: float, sides: int
 
 def scaled(sketch: Sketch, factor: float) -> Sketch:
     """The same sketch, uniformly scaled about the origin."""
-    if abs(factor - 1.0) < 1e-9:
-        return sketch
+    from esg.assets.stretch import stretched
 
-    def vec(v: Any) -> Any:
-        return tuple(factor * c for c in v)
-
-    def grown(make: Callable[[], Any]) -> Callable[[], Any]:
-        def scaled_mesh() -> Any:
-            mesh = make()
-            mesh.apply_scale(factor)
-            return mesh
-
-        return scaled_mesh
-
-    return Sketch(
-        parts=[
-            Part(p.name, grown(p.mesh), p.color, p.roughness, p.metallic, p.alpha)
-            for p in sketch.parts
-        ],
-        proxies=[
-            p.model_copy(
-                update={
-                    "size_cm": vec(p.size_cm),
-                    "position_cm": vec(p.position_cm),
-                    "vertices_cm": tuple(vec(v) for v in p.vertices_cm),
-                }
-            )
-            for p in sketch.proxies
-        ],
-        densities=list(sketch.densities),
-        surfaces=[
-            s.model_copy(
-                update={
-                    "center_cm": vec(s.center_cm),
-                    "half_extents_cm": vec(s.half_extents_cm),
-                }
-            )
-            for s in sketch.surfaces
-        ],
-        regions=[
-            r.model_copy(
-                update={
-                    "center_cm": vec(r.center_cm),
-                    "half_extents_cm": vec(r.half_extents_cm),
-                }
-            )
-            for r in sketch.regions
-        ],
-    )
+    return stretched(sketch, (factor,) * 3)

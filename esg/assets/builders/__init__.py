@@ -43,6 +43,7 @@ _MODULES = (
     "playground",
     "pool",
     "roadside",
+    "scenery",
     "rollers",
     "simple",
     "sports",

@@ -99,11 +99,24 @@ def _drilled(r: float) -> Any:
 
 
 @builder("billiard_ball")
-def billiard_ball(s: Sketch, L: float, W: float, H: float, c: Color, plain: bool = False) -> None:
+def billiard_ball(
+    s: Sketch, L: float, W: float, H: float, c: Color, plain: bool = False, eight: bool = False
+) -> None:
     """Glossy ball; numbered ones carry a white spot on either side."""
     r = H / 2
     _sphere(s, r, c, 0.08)
     if plain:
+        return
+    if eight:
+        for side in (-1, 1):
+            n = (float(side), 0.0, 0.0)
+            s.add(
+                lambda n=n: shapes.shell_patch(n, 26, r * 1.004, r * 0.03, 32, (0, 0, r)),
+                WHITE,
+                0.1,
+            )
+            for z in (-0.13, 0.13):
+                s.torus(0.11 * r, 0.03 * r, (side * 0.998 * r, 0, r + z * r), DARK, axis="x")
         return
     for n in ((1, 0.15, 0.5), (-1, -0.15, -0.5)):
         s.add(lambda n=n: shapes.shell_patch(n, 24, r * 1.004, r * 0.03, 32, (0, 0, r)), WHITE, 0.1)

@@ -90,6 +90,8 @@ def shift(s: Sketch, dx: float = 0.0, dy: float = 0.0, dz: float = 0.0) -> None:
 
     s.parts[:] = [replace(p, mesh=moved(p.mesh)) for p in s.parts]
     s.proxies[:] = [p.model_copy(update={"position_cm": at(p.position_cm)}) for p in s.proxies]
+    if s.weighed is not None:
+        s.weighed = [p.model_copy(update={"position_cm": at(p.position_cm)}) for p in s.weighed]
     s.surfaces[:] = [p.model_copy(update={"center_cm": at(p.center_cm)}) for p in s.surfaces]
     s.regions[:] = [p.model_copy(update={"center_cm": at(p.center_cm)}) for p in s.regions]
 

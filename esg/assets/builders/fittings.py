@@ -203,3 +203,10 @@ def sink(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     )
     s.proxy_cylinder(min(W * 0.2, L * 0.4), (0, H * 0.76))
     s.proxy_slab((-L / 2, L / 2), (-W / 2, W / 2), (H * 0.76, H * 0.96))
+    s.only_weighs()
+    t = min(L, W, H) * 0.07
+    s.proxy_cylinder(min(W * 0.2, L * 0.4), (0, H * 0.76))
+    s.walls((-L / 2, L / 2), (-W / 2, W / 2), (H * 0.76, H * 0.96), t)
+    x = (-L / 2 + t, L / 2 - t)
+    s.region("inside", x, (-W / 2 + t, W / 2 - t), (H * 0.76 + t, H * 0.96))
+    s.surface("floor", H * 0.76 + t, (L / 2 - 2 * t, W / 2 - 2 * t))

@@ -37,8 +37,10 @@ def vase(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
             (4.3, 30),
             (3.1, 28),
             (2.9, 25),
-            (4, 22),
-            (0, 20),
+            (5.6, 20),
+            (6.6, 13),
+            (4.4, 1.6),
+            (0, 1.5),
         ],
         c,
         smooth=70,
@@ -47,7 +49,12 @@ def vase(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.proxy_cylinder(5.2, (0, 3))
     s.proxy_cylinder(7.5, (3, 19))
     s.proxy_cylinder(4.2, (19, 30), 0.7)
-    s.region("inside", (-2.5, 2.5), (-2.5, 2.5), (20, 30))
+    s.only_weighs()
+    s.proxy_cylinder(5.2, (0, 1.5))
+    s.ring(7.2, (1.5, 19), 2.2)
+    s.ring(7.0, (19, 22), 3.6)
+    s.ring(4.4, (22, 30), 1.0)
+    s.region("inside", (-2.5, 2.5), (-2.5, 2.5), (1.5, 30))
 
 
 @builder("plant")

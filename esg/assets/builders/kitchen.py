@@ -151,6 +151,11 @@ def wine_glass(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.proxy_cylinder(3.5, (0, 0.6), 3)
     s.proxy_cylinder(0.6, (0.6, 10), 3)
     s.proxy_cylinder(3.8, (10, 20), 0.2)
+    s.only_weighs()
+    s.proxy_cylinder(3.5, (0, 0.6))
+    s.proxy_cylinder(0.6, (0.6, 10))
+    s.tub(3.8, (10, 20), 0.5)
+    s.region("inside", (-2.2, 2.2), (-2.2, 2.2), (10.5, 20))
 
 
 @builder("plate", "free")
@@ -222,16 +227,32 @@ def pan(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.rod(1.0, (-24, 0, 4), (x - 13.4, 0, 3.6), DARK)
     s.proxy_cylinder(12.5, (0, 5), 1.0, (x, 0))
     s.proxy_slab((-24, x - 12.5), (-1, 1), (2.8, 4.8), 1.0)
+    s.only_weighs()
+    s.tub(12.9, (0, 5), 0.8, sides=12, xy=(x, 0))
+    s.proxy_slab((-24, x - 12.5), (-1, 1), (2.8, 4.8))
+    s.region("inside", (x - 8, x + 8), (-8, 8), (0.8, 5))
+    s.surface("floor", 0.8, (7, 7), (x, 0))
 
 
 @builder("pot")
 def pot(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Cooking pot with a lid, drawn at 26 x 34 x 20."""
-    s.lathe([(0, 0), (12.6, 0), (13, 0.5), (13, 15), (0, 15)], c, metal=0.6, rough=0.25)
+    """Open cooking pot, drawn at 26 x 34 x 20."""
     s.lathe(
-        [(0, 15), (13, 15), (12, 16.2), (5, 17.6), (0, 17.8)], shade(c, 0.9), metal=0.6, rough=0.2
+        [
+            (0, 0),
+            (12.3, 0),
+            (12.7, 0.5),
+            (12.7, 19),
+            (13, 19.4),
+            (13, 20),
+            (12.3, 20),
+            (12.3, 0.8),
+            (0, 0.8),
+        ],
+        c,
+        metal=0.6,
+        rough=0.25,
     )
-    s.rod(1.8, (0, 0, 17.5), (0, 0, 20), DARK)
     for y in (-1, 1):
         s.pipe(
             0.7,
@@ -240,6 +261,24 @@ def pot(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         )
     s.proxy_cylinder(13, (0, 17))
     s.proxy_cylinder(2, (17, 20))
+    s.only_weighs()
+    s.tub(13, (0, 20), 0.8, sides=12)
+    s.region("inside", (-8, 8), (-8, 8), (0.8, 20))
+    s.surface("floor", 0.8, (7, 7))
+
+
+@builder("jar")
+def jar(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Glass jar with a wide open mouth, drawn at 11 x 11 x 17."""
+    outer = [(0, 0), (5, 0), (5.5, 0.6), (5.5, 13), (4.6, 14.6), (4.7, 17)]
+    inner = [(4.3, 17), (4.2, 14.6), (5.1, 12.8), (5.1, 1), (0, 0.8)]
+    s.lathe([*outer, *inner], c, rough=0.05, alpha=0.5)
+    for z in (15.2, 16.2):
+        s.torus(4.62, 0.15, (0, 0, z), c, rough=0.1)
+    s.proxy_cylinder(5.2, (0, 0.8))
+    s.ring(5.5, (0.8, 14), 0.6)
+    s.ring(4.9, (14, 17), 0.6)
+    s.region("inside", (-3.2, 3.2), (-3.2, 3.2), (0.8, 17))
 
 
 @builder("teapot")

@@ -27,42 +27,43 @@ from esg.graph.models import ProxyKind
 
 @builder("trash_bin")
 def trash_bin(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Round litter bin with a domed lid, drawn at 56 x 56 x 95; closed, so its proxy is solid."""
-    s.lathe([(0, 0), (24, 0), (25, 3), (27, 74), (28, 75), (28, 79), (0, 79)], c, rough=0.5)
+    """Round open litter bin, drawn at 56 x 56 x 95; weighs what the full cylinder would."""
+    s.lathe([(0, 0), (24, 0), (25, 3), (27, 85), (26, 85), (24, 4), (23, 3), (0, 3)], c, rough=0.5)
     s.lathe(
-        [(0, 79), (27.5, 79), (27, 84), (22, 91), (12, 94.5), (0, 95)], shade(c, 0.7), rough=0.4
+        [(26, 83), (27.2, 83), (28, 86), (28, 95), (26.4, 95), (25.5, 86), (26, 83)],
+        shade(c, 0.7),
+        rough=0.4,
     )
     for k in range(20):
         a = 2 * math.pi * k / 20
         x, y = math.cos(a), math.sin(a)
         s.rod(0.7, (25.1 * x, 25.1 * y, 6), (26.9 * x, 26.9 * y, 72), shade(c, 0.8), sections=8)
-    s.box((2, 22, 9), (26.6, 0, 84), DARK)
     s.proxy_cylinder(27.5, (0, 80))
     s.proxy_cylinder(24, (80, 95), 0.6)
-    s.region("inside", (-18, 18), (-18, 18), (2, 78))
+    s.only_weighs()
+    s.tub(27.5, (0, 95), 2.0, sides=12)
+    s.region("inside", (-18, 18), (-18, 18), (2, 94))
+    s.surface("floor", 2.0, (14, 14))
 
 
 @builder("wheelie_bin")
 def wheelie_bin(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Two-wheeled refuse bin, lid closed, drawn at 73 x 58 x 107 (240 l)."""
+    """Two-wheeled refuse bin, lid swung open behind it, drawn at 73 x 58 x 107 (240 l)."""
+
+    def corners(t: float, low: float, high: float) -> list[tuple[float, float, float]]:
+        return [
+            (x, y * (w - t), z)
+            for z, x0, x1, w in ((low, -24, 22, 22), (high, -32, 36, 29))
+            for x in (x0 + t, x1 - t)
+            for y in (-1, 1)
+        ]
 
     s.add(
-        lambda: shapes.hull(
-            [
-                (x, y * w, z)
-                for z, x0, x1, w in ((4, -24, 22, 22), (98, -32, 34, 28))
-                for x in (x0, x1)
-                for y in (-1, 1)
-            ]
-        ),
+        lambda: shapes.cut(shapes.hull(corners(0, 4, 107)), [shapes.hull(corners(2, 8, 111))]),
         c,
         0.6,
     )
-    s.extrude(
-        [(-34, 98), (36, 98), (36, 101), (10, 106), (-30, 107), (-34, 104)],
-        (-29, 29),
-        shade(c, 0.85),
-    )
+    s.slab((-36.5, -34.5), (-28, 28), (36, 102), shade(c, 0.85))
     s.rod(2, (-35, -24, 101), (-35, 24, 101), shade(c, 0.7), sections=14)
     for y in (-1, 1):
         s.rod(10, (-24, 20 * y, 10), (-24, 26 * y, 10), RUBBER)
@@ -70,8 +71,11 @@ def wheelie_bin(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.proxy_slab((-34, 22), (-26, 26), (0, 12), 1.4)
     s.proxy_slab((-29, 28), (-26, 26), (12, 60), 1.0)
     s.proxy_slab((-33, 34), (-28, 28), (60, 107), 1.0)
-    s.surface("lid", 107, (20, 24), (-12, 0))
-    s.region("inside", (-22, 22), (-20, 20), (8, 96))
+    s.only_weighs()
+    s.proxy_slab((-34, 22), (-26, 26), (0, 8))
+    s.walls((-30, 31), (-27, 27), (8, 107), 3.0)
+    s.region("inside", (-22, 22), (-20, 20), (11, 106))
+    s.surface("floor", 11, (18, 16))
 
 
 @builder("bucket")
