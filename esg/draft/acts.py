@@ -81,22 +81,23 @@ class Acts(Motions):
                         fallen.add(actor)
                     elif p.prep == "off" and {self.kind(actor), self.kind(other)} == {"billiard"}:
                         self._hit(f, [actor], [other], time)  # "goes in off the blue"
+                    elif p.prep == "over" and self._over_its_top(f, actor, other):
+                        self.place([actor], [other], "on")
                 elif p.prep == "onto" and not self.structural(other):
                     self._hit(f, [actor], [other], time)
                 elif p.prep in ("down", "up") and "incline" in self.e(other).noun.traits:
                     self.place([actor], [other], "on" if p.prep == "down" else "near")
-                elif p.prep in ("along", "across") and "support" in self.e(other).noun.traits or (
-                    p.prep == "over"
-                    and self.kind(other) == "table"
-                    and f.verb.sense in ("slide", "roll")
-                    and not f.verb.passive
-                    and self._fits_on(actor, other)
-                ):
+                elif p.prep in ("along", "across") and "support" in self.e(other).noun.traits:
                     self.place([actor], [other], "on")
                 elif p.prep == "past":
                     self.event(NodeEvent.MISS, (actor, other), f, time)
                 elif p.prep == "to" and not self.structural(other) and not p.mention.attribute:
                     self.pending[actor] = (NodeEvent.REACH, f, other, time)
+
+    def _over_its_top(self, f: Frame, actor: str, other: str) -> bool:
+        """ "A cup slides over the table": on it, unlike a ball that is kicked over a bench."""
+        sliding = f.verb.sense in ("slide", "roll") and not f.verb.passive
+        return sliding and self.kind(other) == "table" and self._fits_on(actor, other)
 
     def _goes_in(self, f: Frame, actors: list[str], time: Time | None) -> None:
         """ "bounces off the rim and goes in": into the goal, hoop or hole named before."""

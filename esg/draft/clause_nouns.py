@@ -5,11 +5,31 @@ from __future__ import annotations
 from esg.draft.clause_words import OWNED, PROPERTIES, ClauseWords
 from esg.draft.entities import BODY_PARTS, OWN_PARTS
 from esg.draft.frames import Phrase, State, finite_ahead, next_verb
-from esg.draft.syntax import Mention, Verb, Word
+from esg.draft.syntax import Element, Mention, Verb, Word
 
 
 class ClauseNouns(ClauseWords):
     """Gives each noun phrase its place in the clause."""
+
+    def _in_a_list(self, s: State, previous: Element | None, i: int) -> bool:
+        """Whether a noun goes on a list of objects, so that the verb ahead has another subject."""
+        if s.frame is None or s.last is None or not isinstance(previous, Word):
+            return False
+        if s.last is s.frame.subject or len(s.last.coordinated) < 2:
+            return False
+        if previous.kind == "conj" and getattr(self.elements[i - 2], "low", "") == ",":
+            return False  # ", and a cat and a dog run": a clause of its own
+        nouns = 0
+        for e in self.elements[i + 1 :]:
+            if isinstance(e, Verb):
+                return False
+            if isinstance(e, Mention) and nouns:
+                return True  # a conjunction and another noun come before the verb
+            if isinstance(e, Word) and e.kind == "conj":
+                nouns += 1
+            if isinstance(e, Word) and e.low in ".;:!?":
+                return False
+        return False
 
     def _mention(self, s: State, m: Mention, i: int) -> None:
         m.after_prep = s.prep
@@ -36,6 +56,8 @@ class ClauseNouns(ClauseWords):
             self.attachments.append((s.last, Phrase("with", m)))  # "radius 9 cm and mass 2 kg"
             return
         new_clause = s.boundary and not prep and finite_ahead(self.elements, i + 1)
+        if new_clause and self._in_a_list(s, previous, i):
+            new_clause = False  # "a clock, a pillow and a plant in a room and a ball rolls"
         following = self.elements[i + 1] if i + 1 < len(self.elements) else None
         if (
             m.pronoun in ("it", "he", "she", "they")

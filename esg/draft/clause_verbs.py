@@ -96,7 +96,7 @@ class ClauseVerbs(ClauseNouns):
         self._finish(s, frame)
 
     def _goes_on(self, i: int) -> bool:
-        """Whether a comma or a contact is before the relative pronoun, so that the story goes on."""
+        """Whether a relative clause tells what happens next: after a comma, or in the present."""
         rel = next(
             (k for k in range(i - 1, -1, -1) if getattr(self.elements[k], "kind", "") == "rel"), 0
         )

@@ -46,6 +46,8 @@ class Mention:
     group_word: str = ""
     single: bool = False
     """ "one of the three eggs": a single member."""
+    stacked: bool = False
+    """ "the top crate of the stack": one level of a stack."""
     pick: str = ""
     """Which member is meant: "first" in "the first of two barrels"."""
     pronoun: str = ""

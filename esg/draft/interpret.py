@@ -297,6 +297,8 @@ class Interpreter(References):
         mentions = [f.subject, f.object, f.object2, *[p.mention for p in f.phrases]]
         about = {i for m in mentions if m is not None for i in m.entities}
         about |= {t for m in mentions if m is not None for t in self.thrown.get(id(m), [])}
+        for i in list(about):  # "the first misses": of those thrown at it the turn is the next's
+            about |= set(self.world.groups.get(self.e(i).group or "", []))
         for actor, (kind, g, target, _) in list(self.pending.items()):
             aimed = kind in (NodeEvent.COLLISION, NodeEvent.ENTER_REGION)
             if aimed and g.sentence < f.sentence and about and not about & {actor, target}:

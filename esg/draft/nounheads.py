@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from esg.draft import lexicon as lex
 from esg.draft.elements import Mention
-from esg.draft.entities import BODY_PARTS
+from esg.draft.entities import BODY_PARTS, STACKED
 from esg.draft.letters import Letters
 from esg.draft.verbphrases import verb_readings
 
@@ -116,6 +116,15 @@ class NounHeads(Letters):
             ):
                 m.adjectives.append("top")  # "the crate on top falls off"
                 j += on_top
+            if (
+                set(m.adjectives) & STACKED.keys()
+                and self._low(j) == "of"
+                and self._low(j + 1) in ("the", "a", "this", "that")
+                and self._low(j + 2) in ("stack", "pile", "tower", "heap")
+                and self._low(j + 3) != "of"
+            ):
+                m.stacked = True
+                j += 3
             if (m.role or m.head == "net") and self._low(j) == "of":
                 size = len(self.elements)
                 inner = self._noun_phrase(j + 1)

@@ -6,6 +6,7 @@ import re
 
 from esg.draft import lexicon as lex
 from esg.draft.elements import Mention, Verb, Word
+from esg.draft.entities import ORDINALS
 from esg.draft.nominals import RETOLD_NOUNS
 from esg.draft.nounheads import NounHeads
 from esg.draft.quantities import parse_number
@@ -208,6 +209,14 @@ class NounPhrases(NounHeads):
                 m.text = self.text[tokens[j - 1].start : m.end]
                 self.elements.append(m)
                 return j
+            if m.determiner == "the" and m.adjectives and m.adjectives[-1] in ORDINALS:
+                nxt = self._low(j + 1)
+                after = nxt in lex.PRONOUNS or nxt in lex.DETERMINERS
+                if after and any(r.form == "s" for r in verb_readings(token.low)):
+                    m.pronoun, m.end = "one", tokens[j - 1].end  # "the second hits it"
+                    m.text = self.text[m.start : m.end]
+                    self.elements.append(m)
+                    return j
             if noun is not None and (noun[1] > 1 or not self._is_adjective(j)):
                 break
             if noun is not None and self._is_adjective(j) and not self._noun_soon(j + 1):

@@ -22,8 +22,15 @@ STATES = frozenset(
 )
 
 
+_STACKING = frozenset({"stack", "pile", "heap"})
+_STACKS = frozenset({"stack", "pile", "heap", "tower", "pyramid"})
+
+
 class References(MotionSenses):
     """Resolves the noun phrases of frames before they are read."""
+
+    _shot: tuple[list[str], list[str]] = ([], [])
+    """What was thrown or rolled last, and at what."""
 
     def _refer_all(self, frames: list[Frame]) -> None:
         """Resolves every noun phrase, frame by frame and in the order of the text."""
@@ -115,6 +122,8 @@ class References(MotionSenses):
                 and f.subject.determiner in ("a", "an")
             ):
                 self.world.resolved[id(m)] = m.entities = list(self._topic[1])
+        self._one_thrown_by_each(f, subject)
+        self._it_is_the_target(f, subject)
         if f.object is not None and f.subject is not None and f.object.start < f.subject.start:
             both = bool(f.object.pronoun and f.subject.pronoun)  # "Having hit it, it stops"
             objects = list(f.object.entities) or self.ids(f.object, avoid=subject if both else None)
@@ -135,7 +144,17 @@ class References(MotionSenses):
         self._dropped = f.verb.sense == "drop"
         aimed = f.phrase("at", "toward", "towards", "against")
         if f.verb.sense in ("launch", "hit") and aimed is not None and aimed.mention is not None:
+            self._shot = (objects or subject, list(aimed.mention.entities))
             objects = aimed.mention.entities or objects  # "throws a stone at a can and it falls"
+        elif f.verb.sense in ("roll", "slide", "fly") and aimed is not None and aimed.mention:
+            self._shot = (objects or subject, list(aimed.mention.entities))
+        if f.verb.lemma in _STACKING or any(
+            p.prep in ("in", "into") and p.mention is not None and p.mention.head in _STACKS
+            for p in f.phrases
+        ):
+            for i in subject or objects:
+                if self.e(i).group is not None:
+                    self.e(i).pattern = "stack"
         speed = self.quantity(f, "speed")
         if (
             f.verb.sense == "be"
@@ -171,6 +190,26 @@ class References(MotionSenses):
             self._lead[f.sentence] = subject[0] if single else ""
         if f.verb.sense in ("be", "posture", "have", "park") and (subject or objects):
             self._topic = (f.sentence, subject or objects)
+
+    def _it_is_the_target(self, f: Frame, subject: list[str]) -> None:
+        """ "The first misses, the second hits it": what all of them were thrown at."""
+        m, (shot, target) = f.object, self._shot
+        if m is None or m.pronoun != "it" or id(m) in self.world.resolved or not subject:
+            return
+        mates = self.world.groups.get(self.e(subject[0]).group or "", [])
+        one_of_them = subject[0] in shot and len(shot) > 1 and set(shot) <= set(mates)
+        if one_of_them and len(target) == 1 and self._last_subject != subject:
+            self.world.resolved[id(m)] = m.entities = list(target)
+
+    def _one_thrown_by_each(self, f: Frame, subject: list[str]) -> None:
+        """ "Two boys throw stones": as many stones as boys, if the prompt gives no number."""
+        o = f.object
+        if o is None or f.verb.passive or f.verb.sense not in ("launch", "roll", "slide", "drop"):
+            return
+        bare = o.plural and o.count is None and not o.determiner and o.pattern is None
+        people = len(subject) > 1 and all(self.kind(i) == "person" for i in subject)
+        if bare and people and not any(self.e(i).group in self.world.vague for i in subject):
+            o.count, o.vague = min(len(subject), 6), True
 
     def _one_for_each(self, f: Frame, subject: list[str], objects: list[str]) -> list[str]:
         """ "Each ball hits a pin": a pin for every ball."""

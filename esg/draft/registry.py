@@ -12,6 +12,7 @@ _NAMED_GROUPS = frozenset({"tower", "pyramid", "pile", "heap", "convoy"})
 
 _TO_THE_HOLE = frozenset({"into", "in", "past", "to", "toward", "towards", "around"})
 _AT_A_BAR = frozenset({"along", "on", "at", "across", "off", "behind", "down", "onto", "from"})
+_ROOMS = frozenset({"garage", "shop", "store", "school", "church", "hotel", "barn", "apartment"})
 MAX_COUNT = 40
 """Most members of one plural."""
 
@@ -230,6 +231,8 @@ class Registry(Matching):
             noun = lex.nouns()["goal"]
         elif noun.name == "cup" and self._golf() and m.after_prep in _TO_THE_HOLE:
             noun = lex.nouns()["hole"]
+        elif noun.name == "building" and m.after_prep in ("in", "inside") and m.head in _ROOMS:
+            noun = lex.nouns()["floor"]  # "in a garage a ball rolls": where the scene is
         elif noun.name == "gold bar" and m.head == "bar" and m.after_prep in _AT_A_BAR:
             noun = lex.nouns()["counter"]
         elif noun.name == "hoop" and (

@@ -33,6 +33,13 @@ _BILLIARDS = re.compile(
 )
 
 
+_OFF_A_CUSHION = re.compile(
+    r"\bballs?\b.*\b(?:off|hits) (?:the|one|two|three|its) (?:\w+ ){0,2}(?:cushions?|rails?)\b",
+    re.IGNORECASE | re.DOTALL,
+)
+_FURNISHED = re.compile(r"\b(?:sofa|couch|(?:arm)?chair|bed|bench|train|tram|pillow)s?\b", re.I)
+
+
 def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     """Drafts a document from a prompt (the paper's stage 1, without a language model).
 
@@ -55,7 +62,8 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     world = World()
     world.file_of_two = _ONE_AFTER_OTHER.search(text) is not None
     world.net_sport = _NET_SPORTS.search(text) is not None
-    world.billiards = _BILLIARDS.search(text) is not None
+    cushion = _OFF_A_CUSHION.search(text) is not None and _FURNISHED.search(text) is None
+    world.billiards = _BILLIARDS.search(text) is not None or cushion
     interpreter = Interpreter(world, text)
     interpreter.mentions = clauses.mentions
     scene = interpreter.run(clauses.frames, clauses.attachments)

@@ -29,14 +29,21 @@ def _is_english(word: str) -> bool:
     )
 
 
-_ZERO_WIDTH = re.compile(r"([^\W\d_]*)[\u200b\u200c\u2060]+(?=([^\W\d_]*))")
+_MARK = "[\u200b\u200c\u2060]+"
+_MARKED = re.compile(rf"[^\W\d_]+(?:{_MARK}[^\W\d_]+)+")
 
 
 def _joined(m: re.Match[str]) -> str:
-    """What an invisible mark parts: two words of their own, or the pieces of one."""
-    left, right = m[1].lower(), m[2].lower()
-    apart = _is_english(left) and _is_english(right) and not _is_english(left + right)
-    return f"{m[1]} " if apart else m[1]
+    """What invisible marks part: words of their own, or the pieces of one."""
+    words: list[str] = []
+    for piece in re.split(_MARK, m[0]):
+        left = words[-1] if words else ""
+        apart = _is_english(left.lower()) and _is_english(piece.lower())
+        if left and not (apart and not _is_english((left + piece).lower())):
+            words[-1] += piece
+        else:
+            words.append(piece)
+    return " ".join(words)
 
 
 def screen(prompt: str) -> str:
@@ -54,7 +61,7 @@ def screen(prompt: str) -> str:
         )
     text = re.sub(r"[\u00a0\t\r\f\v ]+", " ", prompt).replace("’", "'").strip()
     text = re.sub(r"[\ufeff\u00ad\u200d\x00-\x09\x0b-\x1f]", "", text)
-    text = _ZERO_WIDTH.sub(_joined, text).replace("  ", " ")
+    text = re.sub(_MARK, "", _MARKED.sub(_joined, text))
     words = re.findall(r"[^\W\d_]+", text.lower())
     known = [w for w in words if _is_english(w)]
     content = [

@@ -11,6 +11,8 @@ from esg.graph.models import EventConstraint, NodeEvent
 
 _STUMBLING = frozenset({"trip", "stumble"})
 _CATCHING = frozenset({"catch", "block", "intercept", "parry", "deflect"})
+_LOW_CM = 40.0
+"""Height of a pallet or a platform: what hits it hits what stands on it."""
 
 
 class ContactSenses(LaunchSenses):
@@ -79,6 +81,7 @@ class ContactSenses(LaunchSenses):
         if rim and not targets:
             for mover in movers:
                 self._ensure_mover(f, mover, None)
+                self.scene.needs.append(("billiard_table", mover))
             self.scene.ignored[(f.verb.start, f.verb.end)] = "a part that every ball touches"
             return
         if not targets and movers and f.object is None and self._names_something(f):
@@ -317,8 +320,8 @@ class ContactSenses(LaunchSenses):
                 continue
             self._struck_before(f, b)
             if b not in self.tl.tracks and not o:
-                b = self._collapsing(b)
                 self._shaken(f, b)
+                b = self._collapsing(b)
             if b not in self.tl.tracks or (
                 self.tl.tracks[b].motion is None and not self.tl.tracks[b].hit
             ):
@@ -334,22 +337,20 @@ class ContactSenses(LaunchSenses):
         return mates[-1] if e.pattern == "stack" and mates and not tracked else body
 
     def _shaken(self, f: Frame, body: str) -> None:
-        """ "hits the pallet and the stack of boxes collapses": what was hit carried it."""
+        """ "hits the pallet and the stack of boxes collapses": the blow reaches the stack."""
         last = self.tl.node(self.tl.last_event or "")
+        e = self.e(body)
         if last is None or self.last_hit is None or last.event is not NodeEvent.COLLISION:
             return
-        host = self.last_hit[1]
-        stands = self.scene.supported_by.get(body)
-        mates = [i for i in self.world.groups.get(self.e(body).group or "", []) if i != body]
-        if self.last_hit != last.participants or host in (body, *mates):
+        mates = self.world.groups.get(e.group or "", [])
+        striker, host = self.last_hit
+        if e.pattern != "stack" or self.last_hit != last.participants or {striker, host} & {*mates}:
             return
-        if stands is None and self._fits_on(body, host) and self.e(body).origin >= 0:
-            self.place([*mates, body], [host], "on")
-            stands = self.scene.supported_by.get(body)
-        if stands != host:
-            return
-        track = self.tl.track(body)
-        track.at, track.hit = last.id, True
+        if body not in self.scene.supported_by and self._fits_on(body, host):
+            self.place(mates, [host], "on")
+        low = (self.e(host).dimensions_cm or self.e(host).noun.dimensions_cm)[2] <= _LOW_CM
+        if low and self.scene.supported_by.get(body) == host:
+            self._hit(f, [striker], [body])
 
     def _upright(self, node: str) -> bool:
         traits = self.e(node).noun.traits

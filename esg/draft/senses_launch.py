@@ -247,6 +247,8 @@ class LaunchSenses(StateSenses):
         if p is None or p.mention is None or not p.mention.entities:
             return False
         other = p.mention.entities[0]
+        if self.structural(other) and p.mention.start < f.verb.start:
+            return False  # "In a café a waiter drops a tray": where, not where to
         owned = p.mention.determiner in ("its", "his", "her", "their")
         itself = not set(p.mention.entities) - set(moved)
         if owned and itself and p.mention.head in BODY_PARTS | OWN_PARTS:

@@ -186,6 +186,9 @@ class MotionSenses(ControlSenses):
         self._kinematics(f, s, [])
         for actor in s:
             if p is not None and p.mention is not None and p.mention.attribute:
+                self._ensure_mover(f, actor, None)
+                if p.mention.head in ("cushion", "rail"):
+                    self.scene.needs.append(("billiard_table", actor))
                 self.use(f, "rebound")
                 continue
             if p is not None and p.mention is not None and p.mention.entities:
@@ -230,12 +233,16 @@ class MotionSenses(ControlSenses):
                 self._motion(f, [actor], None)
                 continue
             into = self.tl.node(self.tl.last_event or "")
-            entered = into is not None and into.event is NodeEvent.ENTER_REGION
-            if into is not None and entered and into.participants == (actor,):
-                if str(into.extra.get("region", "")).startswith(f"{target}/"):
-                    self._time_of_told(into.id, self._time(f))
-                    self.use(f, into.id)  # "is kicked into the goal and reaches it after 1.5 s"
-                    continue
+            inside = str(into.extra.get("region", "")) if into is not None else ""
+            if (
+                into is not None
+                and into.event is NodeEvent.ENTER_REGION
+                and into.participants == (actor,)
+                and inside.startswith(f"{target}/")
+            ):
+                self._time_of_told(into.id, self._time(f))
+                self.use(f, into.id)  # "is kicked into the goal and reaches it after 1.5 s"
+                continue
             self._ensure_mover(f, actor, target)
             p = f.phrase("in", "into")
             if p is not None and (self._holds(target) or self.kind(target) == "region"):

@@ -4,7 +4,17 @@ from __future__ import annotations
 
 from esg.draft import lexicon as lex
 from esg.draft.elements import Mention
-from esg.draft.entities import BODY_PARTS, FRONT, ORDINALS, OTHER, OWN_PARTS, REAR, STACKED, Entity, slug
+from esg.draft.entities import (
+    BODY_PARTS,
+    FRONT,
+    ORDINALS,
+    OTHER,
+    OWN_PARTS,
+    REAR,
+    STACKED,
+    Entity,
+    slug,
+)
 from esg.draft.pronouns import Pronouns
 
 
@@ -83,6 +93,19 @@ class World(Pronouns):
                 return driven[0]
         if m.possessor is not None and not m.attribute and self._owns(m.possessor):
             self.resolve(m.possessor)  # "the man's hat": the man is there too
+        if (
+            m.stacked
+            and m.noun is not None
+            and not any(
+                self._matches(m, e) and e.pattern == "stack" for e in self.entities.values()
+            )
+        ):
+            self._create(
+                Mention(
+                    m.start, m.end, head=m.head, noun=m.noun, plural=True, pattern="stack",
+                    group_word="stack", text=m.head,
+                )
+            )  # fmt: skip
         found = self._existing(m, avoid)
         if found:
             self._enrich(m, found)
@@ -273,6 +296,11 @@ class World(Pronouns):
 
     def _picked(self, m: Mention, ids: list[str]) -> list[str]:
         """ "the first of two barrels": one member, named by its place."""
+        if m.pick in STACKED and self.entities[ids[0]].group:
+            for i in ids:
+                self.entities[i].pattern = "stack"
+            like = Mention(m.start, m.end, head=m.head, noun=m.noun, adjectives=[m.pick])
+            return self._of_stack(like, [self.entities[i] for i in ids])
         k = ORDINALS.get(
             m.pick, len(ids) - 1 if m.pick in ("last", "final", "rightmost", "rear") else 0
         )

@@ -155,3 +155,53 @@ def test_a_cushion_is_part_of_the_table(prompt: str) -> None:
     assert ball.asset_category == "billiard_ball"
     assert host(doc, "red_ball_1") == "billiard_table_1"
     assert not [n for n in nodes if "cushion" in n or "pillow" in n]
+
+
+def _told(doc: EsgDocument) -> list[tuple[str, ...]]:
+    assert doc.timeline_system is not None
+    return [(n.event.value, *n.participants) for n in doc.timeline_system.sequence_graph.nodes[1:]]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "index"),
+    [
+        ("A stone hits the top crate of a stack.", -1),
+        ("A stack of three crates stands on a lawn. A stone hits the top crate.", -1),
+        ("A stack of three crates stands on a lawn. A stone hits the lowest one.", 0),
+        ("A stone hits the lowest of three stacked crates.", 0),
+        ("Three crates are stacked. A stone hits the topmost crate.", -1),
+        ("Three crates are stacked. A stone hits the crate on top.", -1),
+    ],
+)
+def test_levels_of_a_stack(prompt: str, index: int) -> None:
+    """Take the last member for the top of a stack and the first for its bottom."""
+    doc = draft(prompt)
+    assert verify(doc) == ()
+    members = [n for n, v in doc.spatial_relation_graph.nodes.items() if v.group]
+    assert len(members) == 3
+    name = "top_crate_1" if index else "bottom_crate_1"
+    assert members[index] == name
+    assert _told(doc) == [("Collision", "stone_1", name)]
+
+
+def test_a_stack_collapses_because_of_the_hit() -> None:
+    """Let the blow on the pallet reach the stack; a stack alone tips at its top."""
+    doc = draft("A cart hits the pallet and the stack of boxes collapses.")
+    assert verify(doc) == ()
+    assert doc.timeline_system is not None
+    assert doc.timeline_system.actors["box_1"].role.value == "passive"
+    assert _told(doc)[-1] == ("Topple", "box_1")
+    alone = draft("A stack of three crates topples over.")
+    assert _told(alone) == [("Topple", "crate_3")]
+    named = draft("A ball hits a stack of three crates and the top crate falls off.")
+    assert _told(named) == [("Collision", "ball_1", "top_crate_1"), ("Fall", "top_crate_1")]
+
+
+@pytest.mark.parametrize(
+    ("thing", "spin"), [("coin", "roll"), ("barrel", "roll"), ("crate", "slide")]
+)
+def test_round_rims_roll(thing: str, spin: str) -> None:
+    """Roll what is a cylinder, slide what has corners."""
+    doc = draft(f"A {thing} rolls into a wall.")
+    assert doc.timeline_system is not None
+    assert doc.timeline_system.sequence_graph.edges[0].params.spin == spin

@@ -153,3 +153,136 @@ def test_a_subject_and_its_verb_are_not_a_compound() -> None:
     """Read "The bus stops" as a bus that stops."""
     doc = clean("The bus stops at the crossing and a cyclist passes it.")
     assert ("Stop", "bus_1") in events(doc) and ("Miss", "cyclist_1", "bus_1") in events(doc)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "expected"),
+    [
+        (
+            "A bus rams a van, which is pushed into a lamp post.",
+            [("Collision", "bus_1", "van_1"), ("Collision", "van_1", "lamp_post_1")],
+        ),
+        (
+            "A tram hits a cart that is thrown against a kiosk.",
+            [("Collision", "tram_1", "cart_1"), ("Collision", "cart_1", "kiosk_1")],
+        ),
+        (
+            "A van hits a ball that was kicked by a boy.",
+            [("Collision", "van_1", "ball_1")],
+        ),
+    ],
+)
+def test_a_relative_clause_goes_on_with_the_story(
+    prompt: str, expected: list[tuple[str, ...]]
+) -> None:
+    """Put what a relative clause tells of the thing hit after the hit."""
+    assert events(clean(prompt)) == expected
+
+
+def test_reaching_what_was_entered_tells_the_time_of_it() -> None:
+    """Make no second event of "reaches it"; its time is the entry's."""
+    doc = clean("A ball is kicked into the goal and reaches it after 1.5 s.")
+    assert events(doc) == [("EnterRegion", "ball_1")]
+    assert doc.timeline_system is not None
+    assert doc.timeline_system.sequence_graph.nodes[1].timestamp == 1.5
+
+
+def test_a_list_of_objects_does_not_act() -> None:
+    """Keep the end of a list out of the subject of the next clause."""
+    doc = clean(
+        "There are a table, a sofa, a clock, a pillow and a plant in a room and the ball "
+        "rolls into the box."
+    )
+    assert events(doc) == [("Collision", "ball_1", "box_1")]
+    both = clean("There are a table, a chair and a lamp, and a cat and a dog run into the table.")
+    assert events(both) == [("Collision", "cat_1", "table_1"), ("Collision", "dog_1", "table_1")]
+
+
+def test_the_car_behind_is_another_one() -> None:
+    """Make a new object of "the car behind" unless there are two already."""
+    one = clean("A car brakes and stops. The car behind hits it.")
+    assert ("Collision", "rear_car_1", "car_1") in events(one)
+    two = clean("Two cars drive on a road. The front car brakes; the car behind crashes into it.")
+    assert len([n for n in two.spatial_relation_graph.nodes if "car_" in n]) == 2
+
+
+@pytest.mark.parametrize("name", ["five", "12", "two"])
+def test_numbered_billiard_balls(name: str) -> None:
+    """Read "the five ball" as one ball; "eight balls" are eight."""
+    doc = clean(f"The cue ball hits the {name} ball, which rolls into the corner pocket.")
+    ball = events(doc)[0][2]
+    assert name in ball
+    assert events(doc) == [("Collision", "cue_ball_1", ball), ("EnterRegion", ball)]
+    many = clean("Eight balls lie on a lawn.")
+    assert sum("ball" in n for n in many.spatial_relation_graph.nodes) == 8
+
+
+def test_the_first_misses_and_the_second_hits() -> None:
+    """Throw one each; "it" is what all were thrown at, and no throw arrives unsaid."""
+    for verb, thing in (("throw", "stone"), ("roll", "marble")):
+        doc = clean(f"Two boys {verb} {thing}s at a can: the first misses, the second hits it.")
+        assert events(doc) == [
+            ("Miss", f"first_{thing}_1", "can_1"),
+            ("Collision", f"second_{thing}_1", "can_1"),
+        ]
+
+
+def test_does_the_same() -> None:
+    """Tell what the clauses before tell, of the new subject and with its own time."""
+    doc = clean("A red ball rolls into a box. The blue ball does the same 2 s later.")
+    hits = [("Collision", "red_ball_1", "box_1"), ("Collision", "blue_ball_1", "box_1")]
+    assert events(doc) == hits
+    assert doc.timeline_system is not None
+    assert doc.timeline_system.sequence_graph.nodes[2].constraints[0].value == 2.0
+    stops = events(clean("A red car brakes and stops; the blue car does the same."))
+    assert ("Stop", "blue_car_1") in stops
+
+
+def test_two_objects_of_one_verb_have_their_own_times() -> None:
+    """Give each object of a shared verb the time that follows it."""
+    doc = clean("A car hits a cone after 2 s and a barrel after 4 s.")
+    assert doc.timeline_system is not None
+    nodes = doc.timeline_system.sequence_graph.nodes[1:]
+    assert [(n.participants[1], n.timestamp) for n in nodes] == [("cone_1", 2.0), ("barrel_1", 4.0)]
+
+
+def test_rooms_are_no_objects_and_tables_carry() -> None:
+    """Read a café or garage around the scene as its floor; what slides over a table is on it."""
+    doc = clean("In a café a cup slides over the table and hits a plate.")
+    nodes = doc.spatial_relation_graph.nodes
+    assert set(nodes) == {"ground_1", "cup_1", "table_1", "plate_1"}
+    regions = doc.spatial_relation_graph.semantic_regions
+    for thing in ("cup_1", "plate_1"):
+        assert regions[str(nodes[thing].semantic_region)].parent_object == "table_1"
+    garage = clean("In a garage a ball rolls into a bucket.")
+    assert set(garage.spatial_relation_graph.nodes) == {"ground_1", "ball_1", "bucket_1"}
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A\u200bball rolls into a wall.",
+        "A ba\u200bll ro\u200blls\u200binto a wall.",
+        "A ball\u200b rolls into a wall.",
+    ],
+)
+def test_invisible_marks_part_words_or_nothing(prompt: str) -> None:
+    """Drop a zero-width mark inside a word, keep it as a space between two."""
+    assert events(clean(prompt)) == [("Collision", "ball_1", "wall_1")]
+
+
+def test_the_next_one_is_of_the_same_row() -> None:
+    """Let a domino hit the next domino, not a cone told later."""
+    doc = clean(
+        "Ten dominoes stand in a row next to ten cones; the first domino tips over and hits the next."
+    )
+    assert events(doc) == [("Topple", "domino_1"), ("Collision", "domino_1", "domino_2")]
+
+
+def test_cushions_belong_to_a_billiard_table() -> None:
+    """Add the table for a ball that bounces off "the cushion", but not for a sofa's."""
+    doc = clean("The white ball hits the red ball; the red ball bounces off the cushion.")
+    assert "billiard_table_1" in doc.spatial_relation_graph.nodes
+    assert events(doc) == [("Collision", "white_ball_1", "red_ball_1")]
+    sofa = clean("A ball bounces off the sofa cushion.")
+    assert "billiard_table_1" not in sofa.spatial_relation_graph.nodes
