@@ -27,8 +27,9 @@ _HYPERNYMS: dict[str, frozenset[str]] = {
     "child": frozenset({"person"}),
 }
 _NUMBERS = frozenset(
-    ["one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten"]
-    + ["eleven", "twelve", "thirteen", "fourteen", "fifteen", *(str(k) for k in range(1, 16))]
+    {"one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten"}
+    | {"eleven", "twelve", "thirteen", "fourteen", "fifteen"}
+    | {str(k) for k in range(1, 16)}
 )
 _DISTINCT = frozenset({"person", "animal", "food", "tool", "plant", "tableware", "ground", "book"})
 """Kinds whose synonyms name different things (man and woman, lemon and orange)."""
