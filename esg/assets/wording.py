@@ -59,8 +59,14 @@ def restated(requirement: AssetRequirement) -> AssetRequirement:
     if filed is not None:
         ratio = math.prod(requirement.expected_dimensions_cm) / math.prod(filed.dimensions_cm)
         factor = ratio ** (1 / 3)
-        if 1 / _SAME_SIZE <= factor <= _SAME_SIZE:
-            factor = 1.0
+        own = (math.prod(requirement.expected_dimensions_cm) / math.prod(said.dimensions_cm)) ** (
+            1 / 3
+        )
+        known = shape <= _OWN_SHAPE < residual(filed, requirement)
+        if 1 / _SAME_SIZE <= factor <= _SAME_SIZE or (
+            known and 1 / _SAME_SIZE <= own <= _SAME_SIZE
+        ):
+            factor = 1.0  # nothing was said about the size, or it is the noun's own already
     if said.name == _HOLE:
         # Filed under tunnels, whose width leaves the ball room on both sides.
         factor = max(1.0, requirement.expected_dimensions_cm[1] / (1.6 * said.dimensions_cm[1]))

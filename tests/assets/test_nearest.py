@@ -257,3 +257,13 @@ def test_rooted_heavy_thing_is_no_toy() -> None:
         expected_dimensions_cm=(400, 300, 200), expected_mass_kg=20000,
     )  # fmt: skip
     assert configure("x", need).asset_name.startswith("plain_")
+
+
+def test_a_size_that_is_already_the_nouns_own_is_not_scaled_again() -> None:
+    """A jar of 10 x 10 x 15 cm filed under open boxes is no box made small."""
+    need = asked(
+        "open box", asset_description="jar: open box without a lid", material="glass",
+        expected_dimensions_cm=(10, 10, 15), expected_mass_kg=0.5,
+    )  # fmt: skip
+    config = configure("x", need)
+    assert config.asset_name == "jar" and config.dimensions_cm == (11, 11, 17)
