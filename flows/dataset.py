@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Sequence
 import contextlib
+from contextvars import ContextVar
+from dataclasses import dataclass
 import os
 from typing import Any, Literal
 
@@ -20,13 +22,31 @@ Runner = Literal["process", "dask", "ray"]
 Done = Callable[[BatchResult], None]
 
 
-@flow(name="dataset", validate_parameters=False)
-def dataset(jobs: Sequence[BatchJob], on_batch: Done | None = None) -> list[BatchResult]:
-    """Makes all batches of a shard that are not done yet.
+@dataclass(frozen=True)
+class Work:
+    """What a run of the flow makes.
 
     Args:
         jobs: Batches.
         on_batch: Called with every result as soon as it is there.
+    """
+
+    jobs: Sequence[BatchJob]
+    on_batch: Done | None = None
+
+
+_WORK: ContextVar[Work] = ContextVar("work")
+"""Not a parameter of the flow: Prefect sends those to its API, which refuses more than 512 KiB (the
+jobs of some 500 scenes), and to every worker of a cluster with every task."""
+
+
+@flow(name="dataset", validate_parameters=False)
+def dataset(out: str, scenes: int) -> list[BatchResult]:
+    """Makes all batches of a shard that are not done yet.
+
+    Args:
+        out: Where to, for whoever looks at the run.
+        scenes: How many, likewise.
 
     Returns:
         Results in the order of the jobs.
@@ -37,6 +57,7 @@ def dataset(jobs: Sequence[BatchJob], on_batch: Done | None = None) -> list[Batc
     """
     from prefect.futures import as_completed
 
+    jobs, on_batch = _WORK.get().jobs, _WORK.get().on_batch
     futures = [dataset_batch.submit(job) for job in jobs]
     numbers = {future.task_run_id: job.number for future, job in zip(futures, jobs, strict=True)}
     results: dict[int, BatchResult] = {}
@@ -68,8 +89,10 @@ def _show(results: Sequence[BatchResult]) -> None:
     artifacts.failures("dataset", [row for r in results for row in r.failures])
 
 
-def with_runner(runner: Runner, workers: int) -> Any:
-    """The flow with a task runner.
+def with_runner(
+    runner: Runner, workers: int
+) -> Callable[[Sequence[BatchJob], Done | None], list[BatchResult]]:
+    """The flow with a task runner, as a function of batches and of who is told of their results.
 
     Args:
         runner: process (worker processes of this command), dask or ray.
@@ -78,8 +101,22 @@ def with_runner(runner: Runner, workers: int) -> Any:
     Raises:
         UserError: If the runner's package is not installed.
     """
+    chosen = dataset.with_options(task_runner=_task_runner(runner, workers))
+
+    def run(jobs: Sequence[BatchJob], on_batch: Done | None = None) -> list[BatchResult]:
+        token = _WORK.set(Work(jobs, on_batch))
+        try:
+            out = str(jobs[0].out) if jobs else ""
+            return chosen(out=out, scenes=sum(len(job.scenes) for job in jobs))
+        finally:
+            _WORK.reset(token)
+
+    return run
+
+
+def _task_runner(runner: Runner, workers: int) -> Any:
     if runner == "process":
-        return dataset.with_options(task_runner=ThreadPoolTaskRunner(max_workers=max(1, workers)))
+        return ThreadPoolTaskRunner(max_workers=max(1, workers))
     # For the processes of a cluster that starts on this machine: they share its cores.
     os.environ.setdefault("OMP_NUM_THREADS", "1")
     os.environ.setdefault("ESG_THREADS", "1")
@@ -91,12 +128,12 @@ def with_runner(runner: Runner, workers: int) -> Any:
             raise UserError(
                 '--runner dask needs its package: pip install "esg-scenes[dask]"'
             ) from None
-        return dataset.with_options(task_runner=_dask(DaskTaskRunner, workers))
+        return _dask(DaskTaskRunner, workers)
     try:
         from prefect_ray import RayTaskRunner
     except ImportError:
         raise UserError('--runner ray needs its package: pip install "esg-scenes[ray]"') from None
-    return dataset.with_options(task_runner=_ray(RayTaskRunner, workers))
+    return _ray(RayTaskRunner, workers)
 
 
 def _dask(runner: Any, workers: int) -> Any:

@@ -43,6 +43,7 @@ _QUIET = {
     "PREFECT_LOGGING_LEVEL": "CRITICAL",
     "PREFECT_LOGGING_TO_API_ENABLED": "false",
     "PREFECT_RESULTS_PERSIST_BY_DEFAULT": "false",
+    "PREFECT_SERVER_API_MAX_PARAMETER_SIZE": "0",  # thousands of prompts are parameters of a flow
 }
 _UNUSED_SERVICES = (
     "CANCELLATION_CLEANUP",

@@ -10,7 +10,7 @@ import pytest
 
 from esg import stages
 from esg.dataset import running as module
-from esg.dataset.batch import BatchJob, make_batch
+from esg.dataset.batch import BatchJob, BatchResult, make_batch
 from esg.dataset.running import dead_scenes
 from esg.workers import WorkerDied, WorkerPool
 from flows.session import session
@@ -107,3 +107,24 @@ def test_a_batch_that_cannot_be_written_does_not_stop_the_others(
         with pytest.raises(OSError, match="No space left"):
             call(with_runner("process", 1), jobs)
     assert [p.name for p in (tmp_path / "set" / "marks").iterdir()] == ["batch-000001.json"]
+
+
+def test_thousands_of_scenes_are_no_parameters_of_the_flow(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A server refuses flow runs with more than 512 KiB of parameters."""
+    monkeypatch.setenv("PREFECT_SERVER_API_MAX_PARAMETER_SIZE", "524288")
+    jobs = make_jobs(tmp_path / "set", [f"{i} " + "long " * 10_000 for i in range(12)])
+    assert sum(len(s.request.prompt) for j in jobs for s in j.scenes) > 524_288
+
+    def quick(job: BatchJob) -> BatchResult:
+        return BatchResult(job.number, len(job.scenes), 0, {"solved": len(job.scenes)})
+
+    with session(0) as call:
+        from flows.dataset import with_runner
+        from tasks import dataset as task_module
+
+        quick.__name__ = "make_batch"
+        monkeypatch.setattr(task_module, "make_batch", quick)
+        results = call(with_runner("process", 2), jobs)
+    assert sum(r.scenes for r in results) == 12
