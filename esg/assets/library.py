@@ -117,6 +117,9 @@ def entries_by_name() -> dict[str, Entry]:
 
 
 _IRREGULAR = {
+    "taxis": "taxi",
+    "skis": "ski",
+    "kiwis": "kiwi",
     "people": "person",
     "men": "man",
     "women": "woman",

@@ -30,8 +30,8 @@ CONTACT_OFFSET_M = 0.05
 """Contacts are solved ahead of touching when they would touch within the step. Two bodies see each
 other at twice this distance, so that up to 24 m/s at 240 Hz they meet without overlap."""
 ROLLING_SIDES, CROWN = 84, (0.05, 0.02)
-"""Of a cylinder that rolls: sides, and how much lower its rims are, at most: [of half its width] and
-[of its radius]."""
+"""Of a cylinder that rolls: sides, and how much lower its rims are, at most: [of half its width]
+and [of its radius]."""
 
 _GROUND, _VEHICLE_GROUND, _BODY, _WHEELED = 1, 2, 4, 8
 _X_TO_Z = (0.0, -(0.5**0.5), 0.0, 0.5**0.5)

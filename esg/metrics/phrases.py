@@ -59,6 +59,7 @@ _PREPOSITIONS = {
     "labeled", "weighing", "weigh", "named", "called",
 }  # fmt: skip
 _IRREGULAR = {
+    "taxis": "taxi", "skis": "ski", "kiwis": "kiwi", "jacuzzis": "jacuzzi", "yetis": "yeti",
     "people": "person", "men": "man", "women": "woman", "children": "child", "mice": "mouse",
     "dice": "die", "knives": "knife", "shelves": "shelf", "leaves": "leaf", "wolves": "wolf",
     "loaves": "loaf", "buses": "bus", "dominoes": "domino", "dominos": "domino",

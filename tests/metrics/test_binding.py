@@ -223,6 +223,11 @@ TARGETS = [
 ]  # fmt: skip
 
 
+def test_plurals_that_end_in_is():
+    taxis = scene(thing("front_taxi_1", "front taxi"), at(thing("rear_taxi_1", "rear taxi"), 9.0))
+    assert list(bind("taxis", taxis).names(taxis)) == ["front_taxi_1", "rear_taxi_1"]
+
+
 @pytest.mark.parametrize(("where", "phrase", "expected"), TARGETS, ids=[r[1] for r in TARGETS])
 def test_target(where, phrase, expected):
     assert list(bind(phrase, where, target=True).names(where)) == expected
