@@ -33,7 +33,9 @@ _ADVICE = {
         "how much, and relax it in the prompt."
     ),
     Outcome.INFEASIBLE: "No scene can satisfy the prompt; see `reason` and change what it names.",
-    Outcome.NOT_CONVERGED: "Some event was not reached in the budget; try another --seed.",
+    Outcome.NOT_CONVERGED: (
+        "Some event was not reached; see `reason`, and try another --seed or other words."
+    ),
     Outcome.INVALID_DRAFT: "The draft breaks the schema or the rules; see the violations.",
     Outcome.CRASHED: "A defect of this software; please report it with `log.jsonl`.",
 }

@@ -231,6 +231,8 @@ def _verdict(state: SceneState, expected: SuiteScene) -> SceneVerdict:
 
 
 def _outcome(doc: EsgDocument, own: SceneVerdict) -> tuple[Outcome, str]:
+    from esg.draft.coverage import NOTHING_HAPPENS
+
     failures = [f"{e.id} ({e.type}): {e.reason}" for e in own.events if not e.completed]
     if not own.slr:
         missing = [f"missing {m}" for m in own.layout.missing]
@@ -243,6 +245,9 @@ def _outcome(doc: EsgDocument, own: SceneVerdict) -> tuple[Outcome, str]:
     reason = result.reason if result is not None else ""
     if claimed in (Outcome.SOLVED, Outcome.NEAREST_FEASIBLE) and failures:
         return Outcome.NOT_CONVERGED, "the replay disagrees: " + "; ".join(failures)
+    unread = [w for w in doc.coverage.warnings if w.startswith(NOTHING_HAPPENS)]
+    if claimed is Outcome.SOLVED and unread:
+        return Outcome.NOT_CONVERGED, unread[0]
     return claimed, reason
 
 
