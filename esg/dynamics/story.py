@@ -190,6 +190,15 @@ def _topological(ids: list[str], before: dict[str, list[str]]) -> list[str]:
     return done
 
 
+def _begins_at_a_wall(phase: Phase, is_fixed: Callable[[str], bool]) -> bool:
+    """Whether an actor is driven on from its hit of something fixed."""
+    actor, start = phase.edge.actor, phase.start
+    if phase.edge.event not in POWERED or start.event is not NodeEvent.COLLISION:
+        return False
+    others = [p for p in start.participants if p != actor]
+    return actor in start.participants and bool(others) and all(is_fixed(p) for p in others)
+
+
 def rebounds(story: Story, phase: Phase, is_fixed: Callable[[str], bool]) -> bool:
     """Whether a phase begins with a hit of something fixed and ends with the start of braking.
 
@@ -201,15 +210,12 @@ def rebounds(story: Story, phase: Phase, is_fixed: Callable[[str], bool]) -> boo
         phase: One of its phases.
         is_fixed: Whether a body cannot move.
     """
-    actor, start, end = phase.edge.actor, phase.start, phase.end
-    if phase.edge.event not in POWERED or start.event is not NodeEvent.COLLISION:
+    actor, end = phase.edge.actor, phase.end
+    if end.event is not NodeEvent.TRIGGER or not _begins_at_a_wall(phase, is_fixed):
         return False
-    if end.event is not NodeEvent.TRIGGER or actor not in start.participants:
-        return False
-    brakes = any(
+    return any(
         p.edge.event is EdgeEvent.BRAKE and p.start.id == end.id for p in story.phases[actor]
     )
-    return brakes and all(is_fixed(p) for p in start.participants if p != actor)
 
 
 def stranded(story: Story, phase: Phase, is_fixed: Callable[[str], bool]) -> bool:
@@ -223,13 +229,10 @@ def stranded(story: Story, phase: Phase, is_fixed: Callable[[str], bool]) -> boo
         phase: One of its phases.
         is_fixed: Whether a body cannot move.
     """
-    actor, start, end = phase.edge.actor, phase.start, phase.end
-    if phase.edge.event not in POWERED or start.event is not NodeEvent.COLLISION:
-        return False
+    actor, end = phase.edge.actor, phase.end
     if end.event is not NodeEvent.COLLISION or actor not in end.participants:
         return False
-    others = [p for p in start.participants if p != actor]
-    if actor not in start.participants or not others or not all(is_fixed(p) for p in others):
+    if not _begins_at_a_wall(phase, is_fixed):
         return False
     return any(
         p.end.id == end.id

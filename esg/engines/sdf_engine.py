@@ -122,20 +122,10 @@ class _FieldWorlds(Worlds):
             self._zeros((w,), int),
         )
 
-    def launch(self, first: int, count: int) -> None:
+    def _kernel(self) -> tuple[Any, tuple[Any, ...]]:
         from esg.engines.surrogate_sdf import roll
 
-        f = self.frames
-        self.wp.launch(
-            roll,
-            dim=count,
-            inputs=[
-                self.fields, self.model, self.state, *self.raw, self.contacts, self.log, f.dt,
-                f.n_steps, f.record_every, first, self.trace, self.deepest, self.end, *self.out,
-            ],
-            device=self.device,
-            block_dim=64,
-        )  # fmt: skip
+        return roll, (self.fields,)
 
 
 def is_ball(body: Body) -> bool:

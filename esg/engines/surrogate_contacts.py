@@ -284,6 +284,51 @@ def _add_contacts(
 
 
 @wp.func
+def meet(
+    model: Model,
+    state: State,
+    raw: Raw,
+    con: Contacts,
+    w: int,
+    step: int,
+    i: int,
+    j: int,
+    margin: float,
+    dt: float,
+):
+    """Contacts of two bodies, shape by shape."""
+    for s in range(model.first[i], model.first[i + 1]):
+        rs = state.r[w, i] * model.rotation[s]
+        xs = state.x[w, i] + wp.quat_rotate(state.r[w, i], model.position[s])
+        for q in range(model.first[j], model.first[j + 1]):
+            rq = state.r[w, j] * model.rotation[q]
+            xq = state.x[w, j] + wp.quat_rotate(state.r[w, j], model.position[q])
+            if near(model, s, xs, rs, q, xq, rq, margin):
+                _pair(model, state, raw, con, w, step, i, j, s, q, margin, dt)
+
+
+@wp.func
+def meet_ground(
+    model: Model,
+    state: State,
+    raw: Raw,
+    con: Contacts,
+    w: int,
+    step: int,
+    i: int,
+    margin: float,
+    dt: float,
+):
+    """Contacts of a body's shapes with the ground."""
+    for s in range(model.first[i], model.first[i + 1]):
+        rs = state.r[w, i] * model.rotation[s]
+        xs = state.x[w, i] + wp.quat_rotate(state.r[w, i], model.position[s])
+        if xs[2] < model.radius[s] + margin:
+            collide_ground(model, raw, s, xs, rs, margin)
+            _add_contacts(model, state, raw, con, w, step, i, -1, s, -1, 0.0, 0.0, dt)
+
+
+@wp.func
 def find_contacts(
     model: Model, state: State, raw: Raw, con: Contacts, w: int, step: int, dt: float
 ):
@@ -299,12 +344,7 @@ def find_contacts(
                 GAP_M + (wp.length(state.v[w, i]) + wp.length(state.o[w, i]) * model.reach[i]) * dt
             )
             if state.x[w, i][2] < model.reach[i] + margin:
-                for s in range(model.first[i], model.first[i + 1]):
-                    rs = state.r[w, i] * model.rotation[s]
-                    xs = state.x[w, i] + wp.quat_rotate(state.r[w, i], model.position[s])
-                    if xs[2] < model.radius[s] + margin:
-                        collide_ground(model, raw, s, xs, rs, margin)
-                        _add_contacts(model, state, raw, con, w, step, i, -1, s, -1, 0.0, 0.0, dt)
+                meet_ground(model, state, raw, con, w, step, i, margin, dt)
         for j in range(i + 1, model.n_bodies):
             other = model.dynamic[j] != 0 and state.awake[w, j] != 0
             if not moves and not other:
@@ -314,11 +354,4 @@ def find_contacts(
             margin = _margin(model, state, w, i, j, dt)
             if not _bodies_near(model, state, w, i, j, margin):
                 continue
-            for s in range(model.first[i], model.first[i + 1]):
-                rs = state.r[w, i] * model.rotation[s]
-                xs = state.x[w, i] + wp.quat_rotate(state.r[w, i], model.position[s])
-                for q in range(model.first[j], model.first[j + 1]):
-                    rq = state.r[w, j] * model.rotation[q]
-                    xq = state.x[w, j] + wp.quat_rotate(state.r[w, j], model.position[q])
-                    if near(model, s, xs, rs, q, xq, rq, margin):
-                        _pair(model, state, raw, con, w, step, i, j, s, q, margin, dt)
+            meet(model, state, raw, con, w, step, i, j, margin, dt)

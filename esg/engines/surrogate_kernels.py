@@ -156,6 +156,26 @@ def _sound(model: Model, state: State, w: int) -> bool:
     return True
 
 
+@wp.func
+def write_frame(
+    model: Model,
+    state: State,
+    w: int,
+    frame: int,
+    out_x: wp.array3d(dtype=wp.vec3),
+    out_r: wp.array3d(dtype=wp.quat),
+    out_v: wp.array3d(dtype=wp.vec3),
+    out_o: wp.array3d(dtype=wp.vec3),
+):
+    """Keeps the states of all moving bodies as a frame."""
+    for i in range(model.n_bodies):
+        if model.dynamic[i] != 0:
+            out_x[w, frame, i] = state.x[w, i]
+            out_r[w, frame, i] = state.r[w, i]
+            out_v[w, frame, i] = state.v[w, i]
+            out_o[w, frame, i] = state.o[w, i]
+
+
 @wp.kernel(enable_backward=False)
 def roll(
     model: Model,
@@ -211,10 +231,5 @@ def roll(
             if not _sound(model, state, w):
                 end[w] = frame
                 return
-            for i in range(model.n_bodies):
-                if model.dynamic[i] != 0:
-                    out_x[w, frame, i] = state.x[w, i]
-                    out_r[w, frame, i] = state.r[w, i]
-                    out_v[w, frame, i] = state.v[w, i]
-                    out_o[w, frame, i] = state.o[w, i]
+            write_frame(model, state, w, frame, out_x, out_r, out_v, out_o)
     end[w] = out_x.shape[1]

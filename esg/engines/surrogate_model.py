@@ -237,16 +237,21 @@ class Worlds:
     def _zeros(self, shape: tuple[int, ...], dtype: Any) -> Any:
         return self.wp.zeros(shape, dtype=dtype, device=self.device)
 
-    def launch(self, first: int, count: int) -> None:
-        """Simulates worlds first .. first + count - 1 to the end, in one launch."""
+    def _kernel(self) -> tuple[Any, tuple[Any, ...]]:
+        """The kernel and what it takes before the arguments all such kernels share."""
         from esg.engines.surrogate_kernels import roll
 
+        return roll, ()
+
+    def launch(self, first: int, count: int) -> None:
+        """Simulates worlds first .. first + count - 1 to the end, in one launch."""
+        kernel, own = self._kernel()
         f = self.frames
         self.wp.launch(
-            roll,
+            kernel,
             dim=count,
             inputs=[
-                self.model, self.state, *self.raw, self.contacts, self.log, f.dt, f.n_steps,
+                *own, self.model, self.state, *self.raw, self.contacts, self.log, f.dt, f.n_steps,
                 f.record_every, first, self.trace, self.deepest, self.end, *self.out,
             ],
             device=self.device,

@@ -18,14 +18,14 @@ from esg.engines.surrogate_contacts import (
     _bodies_near,
     _first_touch,
     _margin,
-    _pair,
     _place,
     facing,
+    meet,
+    meet_ground,
     prepare_bodies,
     wake,
 )
-from esg.engines.surrogate_geometry import collide_ground, near
-from esg.engines.surrogate_kernels import _sound, run_program, write_log
+from esg.engines.surrogate_kernels import _sound, run_program, write_frame, write_log
 from esg.engines.surrogate_solver import move, solve
 from esg.engines.surrogate_types import Contacts, Log, Model, Raw, State, Trace
 
@@ -289,11 +289,7 @@ def find_contacts(
                     )
                     _add_contacts(model, state, raw, con, w, step, i, -1, 0, -1, 0.0, 0.0, dt)
                 else:
-                    for s in range(model.first[i], model.first[i + 1]):
-                        rs = state.r[w, i] * model.rotation[s]
-                        xs = state.x[w, i] + wp.quat_rotate(state.r[w, i], model.position[s])
-                        collide_ground(model, raw, s, xs, rs, near_ground)
-                        _add_contacts(model, state, raw, con, w, step, i, -1, s, -1, 0.0, 0.0, dt)
+                    meet_ground(model, state, raw, con, w, step, i, near_ground, dt)
         for j in range(i + 1, model.n_bodies):
             other = model.dynamic[j] != 0 and state.awake[w, j] != 0
             if not moves and not other:
@@ -306,14 +302,7 @@ def find_contacts(
             if _by_field(fields, i, j):
                 _pair_of_bodies(fields, model, state, raw, con, w, step, i, j, margin, dt)
                 continue
-            for s in range(model.first[i], model.first[i + 1]):
-                rs = state.r[w, i] * model.rotation[s]
-                xs = state.x[w, i] + wp.quat_rotate(state.r[w, i], model.position[s])
-                for q in range(model.first[j], model.first[j + 1]):
-                    rq = state.r[w, j] * model.rotation[q]
-                    xq = state.x[w, j] + wp.quat_rotate(state.r[w, j], model.position[q])
-                    if near(model, s, xs, rs, q, xq, rq, margin):
-                        _pair(model, state, raw, con, w, step, i, j, s, q, margin, dt)
+            meet(model, state, raw, con, w, step, i, j, margin, dt)
 
 
 @wp.kernel(enable_backward=False)
@@ -363,10 +352,5 @@ def roll(
             if not _sound(model, state, w):
                 end[w] = frame
                 return
-            for i in range(model.n_bodies):
-                if model.dynamic[i] != 0:
-                    out_x[w, frame, i] = state.x[w, i]
-                    out_r[w, frame, i] = state.r[w, i]
-                    out_v[w, frame, i] = state.v[w, i]
-                    out_o[w, frame, i] = state.o[w, i]
+            write_frame(model, state, w, frame, out_x, out_r, out_v, out_o)
     end[w] = out_x.shape[1]
