@@ -326,7 +326,9 @@ class Events(Places):
             host = next(
                 (i for i, e in self.world.entities.items() if e.noun.kind == "billiardtable"), ""
             )
-            region = f"{host or 'billiard_table_1'}/{pocket_name(self.e(other).adjectives)}"
+            # The noun's own name may say where: "side pocket".
+            words = [*self.e(other).adjectives, *self.e(other).label.split()]
+            region = f"{host or 'billiard_table_1'}/{pocket_name(words)}"
             self.scene.needs.append(("billiard_table", actor))
         else:
             region = f"{other}/inside"

@@ -286,3 +286,15 @@ def test_cushions_belong_to_a_billiard_table() -> None:
     assert events(doc) == [("Collision", "white_ball_1", "red_ball_1")]
     sofa = clean("A ball bounces off the sofa cushion.")
     assert "billiard_table_1" not in sofa.spatial_relation_graph.nodes
+
+
+@pytest.mark.parametrize(
+    ("words", "pocket"),
+    [("side", "middle left"), ("left side", "middle left"), ("top right corner", "top right")],
+)
+def test_the_pocket_a_noun_names(words: str, pocket: str) -> None:
+    """Read where a pocket is from the noun's own name too."""
+    doc = clean(f"The cue ball hits the 8-ball, which rolls into the {words} pocket.")
+    assert [n.region for n in doc.timeline_system.sequence_graph.nodes if n.region] == [
+        f"billiard_table_1/{pocket} pocket"
+    ]
