@@ -2,6 +2,7 @@
 
     python -m benchmarks.drafting                  # test third: rules, and scripted variants
     python -m benchmarks.drafting --split dev --show --no-ablation
+    python -m benchmarks.drafting --split blind --no-ablation    # totals of the second held-out set
     python -m benchmarks.drafting --soak 100000    # memory and CPU time over many prompts
 
 Expectations in `data/prompts/*.jsonl` were written from the prompts alone. The paper's row is its
@@ -30,6 +31,9 @@ PROMPTS = Path(__file__).resolve().parents[1] / "data" / "prompts"
 BANDS = ("single", "quantified", "chain", "multi_phase")
 FILES = (*BANDS, "varied", "cold")
 """`varied` and `cold` hold further prompts of all four bands, for development only."""
+HELD_OUT = ("test", "blind")
+"""Splits for totals only: who improves the drafter reads no miss of them. `blind` is a file of its
+own, no part of `all`."""
 PAPER = {"single_shot": 76.5, "no_validation": 88.5, "full": 99.0}
 """Usability [%] of the paper's ablation (GPT-4.1, its own prompts), by our variants' names."""
 _TITLES = {
@@ -85,9 +89,9 @@ class Score:
 
 
 def load(split: str | None) -> list[dict[str, Any]]:
-    """The corpus, or one split of it."""
+    """The corpus without `blind`, or one split of it."""
     rows: list[dict[str, Any]] = []
-    for name in FILES:
+    for name in ("blind",) if split == "blind" else FILES:
         for line in (PROMPTS / f"{name}.jsonl").read_text(encoding="utf-8").splitlines():
             row = json.loads(line)
             if split in (None, "all", row["split"]):
@@ -396,9 +400,14 @@ def run(split: str, drafter: Callable[[str], EsgDocument]) -> tuple[dict[str, Sc
 def main(argv: list[str] | None = None) -> int:
     """Prints the table; returns the exit code."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--split", choices=("test", "dev", "all"), default="test")
+    parser.add_argument("--split", choices=("test", "dev", "all", "blind"), default="test")
     parser.add_argument("--drafter", choices=("rules", "llm"), default="rules")
     parser.add_argument("--show", action="store_true", help="list every miss")
+    parser.add_argument(
+        "--open-held-out",
+        action="store_true",
+        help="allow --show for the held-out prompts too (they are then no longer held out)",
+    )
     parser.add_argument(
         "--no-ablation",
         action="store_true",
@@ -407,6 +416,11 @@ def main(argv: list[str] | None = None) -> int:
     parser.add_argument("--json", metavar="FILE", help="write the numbers here")
     parser.add_argument("--soak", type=int, metavar="N", help="draft N prompts, watch the memory")
     args = parser.parse_args(argv)
+    if args.show and not args.open_held_out and args.split in (*HELD_OUT, "all"):
+        parser.error(
+            f"--show: split {args.split} holds held-out prompts, whose misses are not read while "
+            "the drafter is improved; leave --show out, use --split dev, or say --open-held-out"
+        )
     if args.soak:
         from benchmarks.drafting_soak import soak
 

@@ -1,0 +1,102 @@
+"""The drafting benchmark scores the blind prompts and keeps held-out misses closed."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from benchmarks import drafting
+from esg.graph.models import EsgDocument
+from esg.outcomes import UserError
+
+FIELDS = {
+    "collision": {"a", "b"},
+    "turns": {"object", "direction"},
+    "enters": {"object", "target"},
+    "reaches": {"object", "target"},
+    "misses": {"object", "target"},
+} | {name: {"object"} for name in ("falls", "topples", "stops", "moves", "brakes")}
+UNITS = {"mass": "kg", "speed": "m/s", "speed_before": "m/s", "speed_after": "m/s"}
+UNITS |= {"acceleration": "m/s2", "angle": "degrees"}
+UNITS |= dict.fromkeys(("size", "height", "distance"), "m")
+UNITS |= dict.fromkeys(("time", "time_since", "time_to_stop"), "s")
+
+
+def test_blind_labels_are_well_formed() -> None:
+    """Known types and fields; whatever an event or a quantity is of is among the objects."""
+    rows = drafting.load("blind")
+    assert [r["id"] for r in rows] == [f"blind-{n:03d}" for n in range(1, 151)]
+    assert {b: sum(r["band"] == b for r in rows) for b in drafting.BANDS} == {
+        "single": 40,
+        "quantified": 30,
+        "chain": 40,
+        "multi_phase": 40,
+    }
+    for row in rows:
+        assert row["split"] == "blind"
+        known = {o["phrase"] for o in row["objects"]}
+        # A table's pocket is part of the table; the corpus does not list it.
+        assert known and all(o.get("count", 2) >= 2 for o in row["objects"]), row["id"]
+        for event in row["events"]:
+            fields = set(event) - {"type", "each"}
+            assert fields == FIELDS[event["type"]], (row["id"], event)
+            assert event.get("direction", "any") in ("left", "right", "any")
+            named = {event[f] for f in fields - {"direction"}}
+            assert named <= known | {"pocket"}, (row["id"], event)
+        types = {e["type"] for e in row["events"]}
+        for want in row["constraints"]:
+            assert want["unit"] == UNITS[want["quantity"]], (row["id"], want)
+            assert ("value" in want) != ("range" in want)
+            assert want["event"] in types if "event" in want else want["object"] in known
+
+
+def test_blind_prompts_are_new_and_no_part_of_all() -> None:
+    """No blind prompt is in the rest of the corpus, and `all` stays what it was."""
+    old = {r["prompt"].lower() for r in drafting.load("all")}
+    blind = [r["prompt"].lower() for r in drafting.load("blind")]
+    assert len(set(blind)) == len(blind) and not old & set(blind)
+    assert {r["split"] for r in drafting.load("all")} == {"dev", "test"}
+
+
+@pytest.mark.parametrize("split", ["test", "blind", "all", None])
+def test_misses_of_held_out_prompts_stay_closed(
+    split: str | None, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Exit code 2 and one line, before anything is drafted; the default split is held out too."""
+    with pytest.raises(SystemExit) as end:
+        drafting.main(["--show", "--no-ablation", *(["--split", split] if split else [])])
+    assert end.value.code == 2
+    printed = capsys.readouterr()
+    assert "--open-held-out" in printed.err and not printed.out
+
+
+@pytest.fixture
+def refusing(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """A corpus of one blind prompt, and a drafter that refuses it."""
+    row = {"id": "blind-001", "band": "single", "split": "blind", "prompt": "A pear hits a jug."}
+    row |= {"objects": [{"phrase": "pear"}], "events": [], "constraints": []}
+    (tmp_path / "blind.jsonl").write_text(json.dumps(row) + "\n", encoding="utf-8")
+
+    def refuse(prompt: str, **_: object) -> EsgDocument:
+        raise UserError(f"no {prompt}")
+
+    monkeypatch.setattr(drafting, "PROMPTS", tmp_path)
+    monkeypatch.setattr(drafting, "run", lambda split, _: _run(split, refuse))
+
+
+_run = drafting.run
+
+
+@pytest.mark.usefixtures("refusing")
+def test_totals_show_no_miss_and_the_explicit_word_opens_them(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """Without --show only numbers are printed; --open-held-out lists the misses."""
+    blind = ["--split", "blind", "--no-ablation"]
+    assert drafting.main(blind) == 0
+    closed = capsys.readouterr().out
+    assert "split blind" in closed and "pear" not in closed
+    assert drafting.main([*blind, "--show", "--open-held-out"]) == 0
+    assert "blind-001 refused" in capsys.readouterr().out
