@@ -104,7 +104,8 @@ class ClauseWords:
             if s.frame is not None and (
                 pair or not (s.boundary and finite_ahead(self.elements, i + 1) and not s.prep)
             ):
-                if s.boundary and s.boundary_kind == "comma" and finite_ahead(self.elements, i + 1):
+                fronted = s.boundary_kind == "comma" or self._opens_clause(i)
+                if s.boundary and fronted and finite_ahead(self.elements, i + 1):
                     s.loose.append(phrase)
                 else:
                     s.frame.phrases.append(phrase)
@@ -147,6 +148,13 @@ class ClauseWords:
                 s.loose.append(w.low)
             return s
         return s
+
+    def _opens_clause(self, i: int) -> bool:
+        """ "and after 2 s a box falls": a time between a conjunction and the next subject."""
+        before = self.elements[i - 2] if i >= 2 else None
+        subject = next((e for e in self.elements[i + 1 :] if getattr(e, "low", "") != ","), None)
+        joined = isinstance(before, Word) and before.kind == "conj"
+        return joined and isinstance(subject, Mention)
 
     def _more_told(self, i: int) -> bool:
         """Whether a verb follows in the same clause."""

@@ -12,6 +12,7 @@ from esg.draft.quantities import Amount
 from esg.draft.scene import pocket_name
 from esg.draft.syntax import Mention
 from esg.draft.timeline import START
+from esg.draft.windows import Draft
 from esg.graph.models import EventConstraint, NodeEvent, Quantity, Role
 
 _RETOLD = frozenset(
@@ -151,6 +152,7 @@ class Events(Places):
         )
         if lasting is not None and draft.time is None and kind is not NodeEvent.STOP:
             draft.time, draft.time_prescribed = lasting, True  # "rolls for 2 s and then hits"
+        self._lasts_since(draft, mover)
         travelled = self.scene.travel.pop(mover, None)
         if travelled is not None:
             draft.constraints.append(
@@ -158,6 +160,19 @@ class Events(Places):
             )
         self.use(f, node_id)
         return node_id
+
+    def _lasts_since(self, draft: Draft, mover: str) -> None:
+        """ "turns left, drives straight on for 4 s and hits": counted from where it set off."""
+        timed = any(c.quantity == "time_since" for c in draft.constraints)
+        if draft.time is not None or timed or draft.event is NodeEvent.STOP:
+            return
+        for e in self.tl.edges:
+            if e.to == draft.id and e.actor == mover and e.params.duration and e.from_ != START:
+                draft.constraints.append(
+                    EventConstraint(
+                        quantity="time_since", object=mover, value=e.params.duration, since=e.from_
+                    )
+                )
 
     def _told_before(
         self, kind: NodeEvent, participants: tuple[str, ...], f: Frame, region: str = ""

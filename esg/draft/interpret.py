@@ -6,10 +6,12 @@ from dataclasses import replace
 import re
 
 from esg.draft import lexicon as lex
+from esg.draft.entities import ORDINALS
 from esg.draft.frames import Frame, Phrase
 from esg.draft.references import RIDDEN, STATES, References
-from esg.draft.scene import SELF_POWERED, Relation, Scene
+from esg.draft.scene import SELF_POWERED, Scene
 from esg.draft.syntax import Mention
+from esg.draft.windows import Draft
 from esg.graph.models import EventConstraint, NodeEvent, Role
 
 _THINGS_DO = frozenset({"hit", "enter", "land", "bounce", "miss", "scatter", "fall"})
@@ -27,6 +29,16 @@ _AT_FIRST = re.compile(
     r"\b(?:first|initially|until|till|before|for|after|yet|while|when|at the start|beginning)\b",
     re.IGNORECASE,
 )
+_NOTHING = re.compile(r"\bnothing\s*$", re.IGNORECASE)
+_HITS = (NodeEvent.COLLISION,)
+_NAMED_EVENTS = {
+    **dict.fromkeys(("collision", "impact", "crash", "hit", "strike", "contact", "smash"), _HITS),
+    **dict.fromkeys(("bump", "blow", "knock", "accident", "touch"), _HITS),
+    "fall": (NodeEvent.FALL, NodeEvent.TOPPLE),
+    "stop": (NodeEvent.STOP,),
+    "turn": (NodeEvent.HEADING_REACHED,),
+}
+"""Nouns for events, and the point events they name."""
 _ANIMAL_VERBS = frozenset(
     {
         "run",
@@ -273,25 +285,6 @@ class Interpreter(References):
                 out |= set(m.entities)
         return out
 
-    def _far_away(self, f: Frame, subject: list[str]) -> None:
-        """ "lands in a bucket 5 m away": how far things are from each other at the start."""
-        for _, a in self.amounts(f):
-            after = self.text[a.end : a.end + 8].strip().lower()
-            if a.dimension != "length" or (a.start, a.end) in self.scene.used:
-                continue
-            if not after.startswith(("away", "ahead", "further")):
-                continue
-            near = [
-                m
-                for m in (f.object, *[p.mention for p in f.phrases])
-                if m is not None and m.entities and m.end <= a.start
-            ]
-            others = [i for i in near[-1].entities if i not in subject] if near else []
-            if others and subject and not self.structural(others[0]):
-                for node in subject[:1]:
-                    self.scene.relations.append(Relation(node, others[0], "near", a.value))
-                self.use(a, "distance at the start")
-
     def _settle_aims(self, f: Frame) -> None:
         """What was thrown at something hits it before the prompt turns to other things."""
         mentions = [f.subject, f.object, f.object2, *[p.mention for p in f.phrases]]
@@ -305,17 +298,43 @@ class Interpreter(References):
                 self._settle(actor, None)
 
     def _happens(self, f: Frame) -> None:
-        """ "The crash happens after 3 seconds": the time of the event told last."""
-        time, last = self._time(f), self.tl.node(self.tl.last_event or "")
-        if (
-            time is not None
-            and last is not None
-            and last.time is None
-            and not last.constraints
-            and (len(self.tl.nodes) == 1 or time[2] == "at")
-        ):
+        """ "The crash happens after 3 seconds", "the second collision 2 s after the first"."""
+        if _NOTHING.search(self.text, max(0, f.verb.start - 12), f.verb.start):
+            self.scene.ignored[(f.verb.start, f.verb.end)] = "nothing happens"
+            return
+        last = self._told_event(f.subject) or self.tl.node(self.tl.last_event or "")
+        if last is None or last.time is not None or last.constraints:
+            return
+        p = f.phrase("after")
+        since = self._told_event(p.mention) if p is not None else None
+        span = next((a for _, a in self.amounts(f) if a.dimension == "time"), None)
+        if since is not None and since is not last and span is not None:
+            last.constraints.append(
+                EventConstraint(
+                    quantity="time_since",
+                    object=last.participants[0],
+                    value=span.value,
+                    since=since.id,
+                )
+            )
+            last.after.append(since.id)
+            self.use(span, f"time of {last.id}")
+            self.use(f, f"time of {last.id}")
+            return
+        time = self._time(f)
+        if time is not None and (last is self.tl.nodes[0] or time[2] == "at"):
             last.time, last.time_prescribed = time[0], True
             self.use(time[1], f"time of {last.id}")
+            self.use(f, f"time of {last.id}")
+
+    def _told_event(self, m: Mention | None) -> Draft | None:
+        """The event that a noun names: "the second collision", "the fall"."""
+        kinds = _NAMED_EVENTS.get(m.head) if m is not None and m.attribute else None
+        if m is None or kinds is None:
+            return None
+        told = [n for n in self.tl.nodes if n.event in kinds]
+        place = next((ORDINALS[a] for a in m.adjectives if a in ORDINALS), -1)
+        return told[place] if -len(told) <= place < len(told) else None
 
     def _struck_one(self, f: Frame, subject: list[str]) -> list[str]:
         """ "two balls collide and one of them rolls away": the one that was hit."""

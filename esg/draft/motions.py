@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from esg.draft.events import Events
 from esg.draft.frames import Frame
+from esg.draft.lengths import Lengths
+from esg.draft.quantities import Amount
 from esg.draft.scene import SELF_POWERED, SPEEDS, Relation
 from esg.draft.timeline import LAUNCHES, START, Motion
 from esg.graph.models import EventConstraint, ForceDirection, NodeEvent, Quantity
@@ -11,7 +12,7 @@ from esg.graph.models import EventConstraint, ForceDirection, NodeEvent, Quantit
 _AIRBORNE = frozenset({"projectile", "tool", "tableware", "book", "rock"})
 
 
-class Motions(Events):
+class Motions(Lengths):
     """Starts motions."""
 
     def _outcomes(self, f: Frame, actors: list[str]) -> None:
@@ -34,7 +35,7 @@ class Motions(Events):
             if a.bound == "min":
                 return (a.low, 2.0 * a.low), True
             if a.bound == "max":
-                return (0.3 * a.high, a.high), True
+                return (0.05 * a.high, a.high), True
             return a.value, True
         kind = self.kind(actors[0]) if actors else "ball"
         if mode in LAUNCHES:
@@ -173,10 +174,14 @@ class Motions(Events):
                 continue
             if f.verb.extra.get("continue") and track is not None and track.motion is not None:
                 continue
+            if track is not None and self._skids(f, actor):
+                continue
             self._start_motion(f, [actor], mode, aim)
         found = self.quantity(f, "speed")
         if found is not None and actors and all(self._moved_by_others(a) for a in actors):
             self._speed_after(actors[0], found[1])
+        elif found is not None and len(actors) == 1:
+            self._speed_told_late(f, actors[0], found[1])
         self._order_of(f, actors)
         self.use(f, "motion")
         self._distance(f, actors, aim)
@@ -192,13 +197,29 @@ class Motions(Events):
         if duration is not None:
             for actor in actors:
                 track = self.tl.tracks.get(actor)
-                if track is not None and track.motion is not None:
-                    if track.motion.mode == "brake":
-                        self.gap = duration  # "brakes, skids for 2 s and slams into ..."
-                        continue
-                    track.motion.duration = duration.value
+                motion = track.motion if track is not None else None
+                if motion is None or motion.mode in ("brake", "coast"):
+                    self.gap = duration  # "brakes, skids for 2 s and slams into ..."
+                    continue
+                motion.duration = duration.value
             self.use(duration, "duration")
         self._outcomes(f, actors)
+
+    def _skids(self, f: Frame, actor: str) -> bool:
+        """ "brakes, skids for 2 s": sliding on locked wheels is how it brakes."""
+        motion = self.tl.track(actor).motion
+        return f.verb.sense == "slide" and motion is not None and motion.mode == "brake"
+
+    def _speed_told_late(self, f: Frame, actor: str, amount: Amount) -> None:
+        """ "Two balls collide; the left one moves at 3 m/s": how fast it came."""
+        if (amount.start, amount.end) in self.scene.used or f.link != "then" or f.phrases[1:]:
+            return
+        plain = f.verb.lemma in ("move", "travel", "go", "drive", "roll", "slide", "come")
+        edges = [e for e in self.tl.edges if e.actor == actor]
+        if not plain or f.adverbs or len(edges) != 1 or edges[0].speed_is_prescribed:
+            return
+        self.tl.set_speed(actor, amount.value, prescribed=True)
+        self.use(amount, "speed")
 
     def _lies_on_something(self, actor: str) -> bool:
         """Whether it came to lie on what it last touched ("drops it on a cube. It slides off")."""
@@ -220,22 +241,6 @@ class Motions(Events):
                     for other in actors:
                         if other != one:
                             self.scene.relations.append(Relation(one, other, kind))
-
-    def _distance(self, f: Frame, actors: list[str], aim: str | None) -> None:
-        """ "toward a bench 6 m away": how far the target is at the start."""
-        for _, a in self.amounts(f):
-            if a.dimension != "length" or (a.start, a.end) in self.scene.used:
-                continue
-            after = self.text[a.end : a.end + 8].strip().lower()
-            if after.startswith(("away", "apart", "ahead")) and aim is not None:
-                for actor in actors:
-                    self.scene.relations.append(Relation(actor, aim, "near", a.value))
-                self.use(a, "distance at the start")
-            elif f.verb.sense in ("own", "roll", "slide", "fly", "launch") and actors:
-                track = self.tl.tracks.get(actors[0])
-                if track is not None and (track.motion is not None or track.hit):
-                    self.scene.travel[actors[0]] = a
-                    self.use(a, "distance travelled")
 
     def _reverse(self, actors: list[str]) -> None:
         for actor in actors:

@@ -33,7 +33,7 @@ def verbalize(elements: list[Element]) -> list[Element]:
     while i < len(elements):
         e = elements[i]
         used = _referred_back(elements, i, out) or _between(elements, i, out)
-        used = used or _avoided(elements, i, out)
+        used = used or _avoided(elements, i, out) or _takes_place(elements, i, out)
         if used:
             i += used
             continue
@@ -123,6 +123,33 @@ def _between(elements: list[Element], i: int, out: list[Element]) -> int:
     end = place.end if isinstance(place, Mention) and taking else verb.end
     out.append(Word(verb.start, end, "adv", "indeed"))
     return 7 if taking else 6
+
+
+def _takes_place(elements: list[Element], i: int, out: list[Element]) -> int:
+    """ "The second collision takes place 2 s after the first one": something told, and when."""
+    verb, place = elements[i], elements[i + 1] if i + 1 < len(elements) else None
+    noun = out[-1] if out else None
+    if not (isinstance(verb, Verb) and verb.lemma in _HAPPEN and isinstance(noun, Mention)):
+        return 0
+    if not noun.attribute or noun.head not in RETOLD_NOUNS or noun.noun is not None:
+        return 0
+    used = 1
+    if verb.lemma == "take":
+        if place is None or "place" not in (getattr(place, "head", ""), getattr(place, "low", "")):
+            return 0
+        verb.end, verb.lemma, verb.sense, used = place.end, "happen", "noop", 2
+    out.append(verb)
+    rest: list[Element] = []
+    for e in elements[i + used : i + used + 4]:
+        rest.append(e)
+        if isinstance(e, Word) and e.low in ("and", "but", ".", ";"):
+            break
+        one = isinstance(e, Mention) and e.pronoun in ("one", "other") and bool(e.adjectives)
+        if isinstance(e, Mention) and (one or e.head in RETOLD_NOUNS):
+            e.pronoun, e.head, e.attribute = "", e.head or noun.head, True  # "after the first one"
+            out += rest
+            return used + len(rest)
+    return used
 
 
 def _avoided(elements: list[Element], i: int, out: list[Element]) -> int:

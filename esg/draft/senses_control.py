@@ -10,6 +10,7 @@ from esg.draft.quantities import Amount
 from esg.draft.scene import SELF_POWERED
 from esg.draft.senses_contact import ContactSenses
 from esg.draft.timeline import Motion
+from esg.draft.windows import Draft
 from esg.graph.models import EventConstraint, NodeEvent, Quantity, Role
 
 
@@ -106,6 +107,9 @@ class ControlSenses(ContactSenses):
         )
 
     def _do_brake(self, f: Frame, s: list[str], o: list[str]) -> None:
+        if self._slows_to(f):
+            self._do_slow(f, s, o)
+            return
         actors = s or [a for a, t in self.tl.tracks.items() if t.motion is not None][-1:]
         for actor in actors:
             self._brake(f, actor, self._time(f))
@@ -123,6 +127,14 @@ class ControlSenses(ContactSenses):
         if found is not None and f.phrase("from") is None:
             self.use(found[1], "speed")
         self.use(f, "braking")
+
+    def _slows_to(self, f: Frame) -> bool:
+        """ "brakes to 5 m/s", "brakes from 15 m/s to 5 m/s": the speed that braking leaves."""
+        found = self.quantity(f, "speed")
+        if found is None:
+            return False
+        both = found[1].low < found[1].high and found[1].text.lower().startswith("from")
+        return both or any(p in ("to", "down to") and a is found[1] for p, a in self.amounts(f))
 
     def _speed_before_brake(self, actor: str) -> float | None:
         """The stated speed with which it drives when it starts to brake [cm/s]."""
@@ -216,10 +228,11 @@ class ControlSenses(ContactSenses):
             if not moving:
                 self._do_be(f, s, o)
                 return
+        earlier, caught = self.tl.last_event, False
         if f.verb.passive:
             by = f.phrase("by")
             if by is not None and by.mention is not None and by.mention.entities:
-                self._hit(f, actors, by.mention.entities, self._time(f))
+                caught = bool(self._hit(f, actors, by.mention.entities))
         for actor in actors:
             if not self.movable(actor):
                 continue
@@ -232,6 +245,8 @@ class ControlSenses(ContactSenses):
             )
             self._stop(f, actor, time)
             end = self.tl.node(self.tl.last_event or "")
+            if caught and end is not None:
+                self._count_from(end, earlier)
             if way is not None and end is not None:  # "stops after 30 m"
                 end.constraints.append(
                     EventConstraint(quantity="distance", object=actor, value=way.value)
@@ -239,6 +254,19 @@ class ControlSenses(ContactSenses):
                 self.use(way, "distance travelled")
             self._pauses(f, actor)
         self._places_loosely(f, actors)
+
+    @staticmethod
+    def _count_from(end: Draft, earlier: str | None) -> None:
+        """ "is stopped by a foot after 4 s": counted from what came before the foot."""
+        for k, c in enumerate(end.constraints):
+            if c.quantity != "time_since":
+                continue
+            if earlier is not None:
+                end.constraints[k] = c.model_copy(update={"since": earlier})
+            else:
+                del end.constraints[k]
+                end.time, end.time_prescribed = c.value, True
+            return
 
     def _halts(self, f: Frame, s: list[str], o: list[str]) -> bool:
         """Whether the subject brings something else to a stop."""
@@ -273,7 +301,22 @@ class ControlSenses(ContactSenses):
         ):
             self._brake(f, actor, None)
         node = self.event(NodeEvent.STOP, (actor,), f, time)
+        self._stands_after(node)
         self._rate_of_braking(actor, node)
+        self._stops_short(f, actor, node)
+
+    def _stands_after(self, stop: str) -> None:
+        """ "walks for 6 s and then stops": the stop ends the walk, not only the brake before it."""
+        end = self.tl.node(stop)
+        began = next((e.from_ for e in self.tl.edges if e.to == stop), "")
+        brake = self.tl.node(began)
+        lasted = any(e.to == began and e.params.duration for e in self.tl.edges)
+        if end is None or brake is None or not lasted or not brake.time_prescribed:
+            return
+        if end.time is None and not end.constraints:
+            end.time, end.time_prescribed = brake.time, True
+            brake.time, brake.time_prescribed = None, False
+            self.tl.forget_duration(began)
 
     def _do_park(self, f: Frame, s: list[str], o: list[str]) -> None:
         if (

@@ -263,4 +263,10 @@ class StateSenses(Acts):
     def _do_apply(self, f: Frame, s: list[str], o: list[str]) -> None:
         self.scene.ignored[(f.verb.start, f.verb.end)] = "no physical meaning"
 
-    _do_start = _do_apply
+    def _do_start(self, f: Frame, s: list[str], o: list[str]) -> None:
+        """ "starts at 5 m/s, 3 m from the pins": how the motion to come begins."""
+        self._do_apply(f, s, o)
+        speed = self.quantity(f, "speed")
+        if speed is not None and len(s) == 1:
+            self.stated[s[0]] = speed[1]
+        self._starts_apart(f, s)

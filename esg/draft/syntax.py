@@ -36,6 +36,7 @@ _MULTI: tuple[tuple[tuple[str, ...], Literal["prep", "adv", "sub"], str], ...] =
     (("left", "of"), "prep", "left of"),
     (("right", "of"), "prep", "right of"),
     (("away", "from"), "prep", "away from"),
+    (("short", "of"), "prep", "short of"),
     (("far", "from"), "prep", "far from"),
     (("out", "of"), "prep", "out of"),
     (("off", "of"), "prep", "off"),

@@ -286,6 +286,13 @@ class TimelineBuilder:
         if track is not None and track.motion is not None and track.motion.mode != "coast":
             track.motion.speed, track.motion.prescribed = speed, prescribed
 
+    def forget_duration(self, node_id: str) -> None:
+        """Leaves open how long the segments up to an event last."""
+        for k, e in enumerate(self.edges):
+            if e.to == node_id and e.params.duration is not None:
+                params = e.params.model_copy(update={"duration": None})
+                self.edges[k] = e.model_copy(update={"params": params})
+
     def finish(self) -> None:
         """Leads every motion that no event closed to a Trigger (the end of the action)."""
         for actor, track in list(self.tracks.items()):

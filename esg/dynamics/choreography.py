@@ -74,6 +74,7 @@ def _components(doc: EsgDocument, story: Story) -> list[set[str]]:
     """Sets of objects whose motions touch each other."""
     groups: list[set[str]] = []
     links = [set(n.participants) | _region_parent(n) for n in story.nodes.values()]
+    links += [{c.object, c.to} for n in story.nodes.values() for c in n.constraints if c.to]
     links += [
         {e.edge.actor, *([e.edge.target] if e.edge.target else [])}
         for p in story.phases.values()

@@ -234,6 +234,9 @@ class _Assessor:
         if c.quantity == "angle":
             yaw = np.unwrap(yaw_from_quat(self.rec.r.quaternion[:, :, body]), axis=1)
             return np.degrees(np.abs(self.rec.at(yaw, time) - yaw[:, 0])), 5.0
+        if c.to is not None:
+            gap = gap_over_time(self.rec, [body], self.rec.members(c.to))
+            return self.rec.at(gap, time), DISTANCE_SCALE_M
         if node.event in (NodeEvent.MISS, NodeEvent.REACH):
             a, b = (self.rec.members(p) for p in (node.participants[0], node.participants[-1]))
             return gap_over_time(self.rec, a, b).min(axis=1), DISTANCE_SCALE_M

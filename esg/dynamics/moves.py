@@ -6,6 +6,7 @@ import math
 
 from esg.dynamics.falls import goes_over_edge, over_edge, tip_over
 from esg.dynamics.kinematics import Frame, braking_distance, stopping_damping
+from esg.dynamics.placing import gap_left, join
 from esg.dynamics.stage import Stage
 from esg.dynamics.stagecraft import coasting_drag, top_surface
 from esg.dynamics.story import Phase, bounds, middle, rebounds, turn_of
@@ -72,6 +73,9 @@ def plain(stage: Stage, node: TimelineNode) -> None:
         if prescribed is not None:
             duration = max(0.3, prescribed - track.time)
         _advance(stage, actor, phase, duration)
+    apart = gap_left(stage, node)
+    if apart is not None and apart[0] in stage.tracks and apart[1] not in stage.tracks:
+        join(stage, apart[0], apart[1], node, apart[2])
     if told:
         return
     times = [stage.tracks[p].time for p in node.participants if p in stage.tracks]

@@ -23,24 +23,40 @@ def asked_distance(stage: Stage, node: TimelineNode, a: str) -> float | None:
     At an event without a hit it is the gap that is left between the two.
     """
     for c in node.constraints:
-        if c.quantity == "distance" and c.object == stage.member(a):
+        if c.quantity == "distance" and c.to is None and c.object == stage.member(a):
             low, high, _ = bounds(c.value, (100.0, 100.0))
             return max(0.005 * (low + high), 0.1)
     return None
 
 
-def join(stage: Stage, a: str, b: str, node: TimelineNode) -> None:
-    """Puts the end of a's track at b's surface, by placing whichever is still free."""
+def gap_left(stage: Stage, node: TimelineNode) -> tuple[str, str, float] | None:
+    """Who the prompt has end how far from what ("stops 1 m in front of a wall"): a, b, gap [m]."""
+    for c in node.constraints:
+        if c.quantity == "distance" and c.to is not None:
+            low, high, _ = bounds(c.value, (100.0, 100.0))
+            return stage.key(c.object), stage.key(c.to), 0.005 * (low + high)
+    return None
+
+
+def join(stage: Stage, a: str, b: str, node: TimelineNode, gap: float = 0.0) -> None:
+    """Puts the end of a's track at b's surface, by placing whichever is still free.
+
+    Args:
+        stage: What is placed so far.
+        a, b: The mover and what it comes to.
+        node: The event.
+        gap: What is left between the two [m].
+    """
     track, pa = stage.tracks[a], stage.prop(a)
     if b not in stage.places:
         frame = stage.frames.setdefault(a, Frame() if not stage.places else stage.free_frame())
         x, y = frame.apply(track.x, track.y)
-        _place_target(stage, a, b, x, y, track.heading + frame.angle, pa, node)
+        _place_target(stage, a, b, x, y, track.heading + frame.angle, pa, node, gap)
     elif a not in stage.frames:
         bx, by, byaw = stage.places[b]
         heading = stage.free_heading(bx, by)
         pb = stage.prop(b)
-        reach = pa.half_length + half_along(pb.length, pb.width, heading - (byaw or 0.0))
+        reach = pa.half_length + half_along(pb.length, pb.width, heading - (byaw or 0.0)) + gap
         end = (bx - reach * math.cos(heading), by - reach * math.sin(heading))
         stage.frames[a] = frame_mapping((track.x, track.y), track.heading, end, heading)
     x, y = stage.frames[a].apply(0.0, 0.0)
@@ -48,7 +64,15 @@ def join(stage: Stage, a: str, b: str, node: TimelineNode) -> None:
 
 
 def _place_target(
-    stage: Stage, a: str, b: str, x: float, y: float, heading: float, pa: Prop, node: TimelineNode
+    stage: Stage,
+    a: str,
+    b: str,
+    x: float,
+    y: float,
+    heading: float,
+    pa: Prop,
+    node: TimelineNode,
+    ahead: float,
 ) -> None:
     """Puts b where a arrives: ahead of it, past it for a Miss, short of it for a Reach."""
     pb = stage.prop(b)
@@ -56,7 +80,7 @@ def _place_target(
     lateral = float(stage.rng.uniform(-0.12, 0.12)) * min(
         pb.half_lateral(yaw - heading), pa.half_width
     )
-    front = pa.half_length + half_along(pb.length, pb.width, yaw - heading)
+    front = pa.half_length + half_along(pb.length, pb.width, yaw - heading) + ahead
     if node.event is NodeEvent.MISS:
         gap = asked_distance(stage, node, a) or 0.25
         lateral = pa.half_width + pb.half_lateral(yaw - heading) + gap

@@ -257,7 +257,11 @@ class EventLosses:
         elif c.quantity in ("distance", "height"):
             start = self.states[0][w, 0, body]
             pick, scale = step, DISTANCE_SCALE_M
-            if c.quantity == "height":
+            if c.to is not None:
+                names = self.plan.scene.names
+                others = [names.index(m) for m in self.plan.story.expand(c.to) if m in names]
+                signal = self._gap_of([body], others)
+            elif c.quantity == "height":
                 signal = Signal((body,), lambda s: s[0][:, body, 2])
             else:
                 signal = Signal((body,), lambda s: np.linalg.norm(s[0][:, body] - start, axis=-1))
@@ -280,7 +284,9 @@ class EventLosses:
 
     def _gap(self, node: TimelineNode) -> Signal:
         """Surface distance of the nearest members of an event's two participants [m]."""
-        one, two = self.members(node)
+        return self._gap_of(*self.members(node))
+
+    def _gap_of(self, one: list[int], two: list[int]) -> Signal:
         bodies = self.plan.scene.bodies
         pairs = [(i, j) for i in one for j in two if bodies[i].shapes and bodies[j].shapes]
 

@@ -332,6 +332,9 @@ class EventConstraint(Model):
     value: Quantity
     since: str | None = None
     """For time_since: id of the earlier point event."""
+    to: str | None = None
+    """For distance: the object from whose surface the gap is measured when the event happens
+    ("stops 1 m in front of the gate"); None: the way travelled."""
 
 
 class TimelineNode(Model):

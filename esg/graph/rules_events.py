@@ -249,6 +249,7 @@ def _constraint(
             f"{c.object!r} has a {c.quantity} at {node.id!r} but takes no part in it.",
             f"Use one of {listing(node.participants)}, or another event.",
         )
+    _measured_to(ctx, where, c)
     _since(ctx, where, node, c, timeline)
     if isinstance(c.value, tuple) and not interval(ctx, where + "/value", c.value):
         return
@@ -261,6 +262,28 @@ def _constraint(
             c.value,
             f"{c.quantity} {c.value} {unit} is not plausible.",
             f"Use {low:g} to {high:g} {unit}.",
+        )
+
+
+def _measured_to(ctx: Context, where: str, c: EventConstraint) -> None:
+    """The other end of a distance is another object."""
+    if c.to is None:
+        return
+    if c.to not in ctx.node_names:
+        ctx.add(
+            "REF_CONSTRAINT",
+            where + "/to",
+            c.to,
+            f"A distance of {c.object!r} is measured to {c.to!r}, which is not a node.",
+            f"Use one of {listing(ctx.node_names)}.",
+        )
+    elif c.to == c.object or c.quantity != "distance":
+        ctx.add(
+            "CONSTRAINT_OBJECT",
+            where + "/to",
+            c.to,
+            f"{c.quantity} of {c.object!r} is measured to {c.to!r}.",
+            "Give `to` only to a distance, and name another object.",
         )
 
 
@@ -327,7 +350,7 @@ def _since_fits(
 def _contradictions(ctx: Context, where: str, node: TimelineNode) -> None:
     first: dict[tuple[str, str, str | None], Quantity] = {}
     for k, c in enumerate(node.constraints):
-        key = (c.quantity, c.object, c.since)
+        key = (c.quantity, c.object, c.since or c.to)
         if key not in first:
             first[key] = c.value
             continue

@@ -248,6 +248,8 @@ def _outcome(
         if since is None:
             return None
         fields["since"] = since
+    if item.to is not None:
+        fields["target"] = f"={item.to}"
     found = _bounded("outcome", quantity, value, span, **fields)
     return found[0] if found else None
 

@@ -646,6 +646,9 @@ def events(m: Maker) -> None:
         m.add("CONSTRAINT_RANGE", last, put(base, (*last, "value"), 3e10), note="light")
         m.add("INTERVAL_REVERSED", last, put(base, (*last, "value"), [3.0, 2.0]))
         m.add("CONSTRAINT_OBJECT", last, put(base, (*last, "object"), _bystanders(raw, 1)[0]))
+        gap = {"quantity": "distance", "object": people[0], "value": 100.0}
+        m.add("REF_CONSTRAINT", last, put(base, last, {**gap, "to": "nowhere"}), note="gap")
+        m.add("CONSTRAINT_OBJECT", last, put(base, last, {**gap, "to": people[0]}), note="gap")
         timed = {"quantity": "time_since", "object": people[0], "value": 1.0}
         m.add("CONSTRAINT_SINCE", last, put(base, last, timed))
         m.add("CONSTRAINT_SINCE", last, put(base, last, {**timed, "since": item["id"]}), note="own")

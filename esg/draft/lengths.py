@@ -1,0 +1,99 @@
+"""Stated lengths of a scene in motion: ways travelled, gaps at the start, gaps left at the end."""
+
+from __future__ import annotations
+
+import re
+
+from esg.draft.events import Events
+from esg.draft.frames import Frame
+from esg.draft.quantities import Amount
+from esg.draft.scene import Relation
+from esg.graph.models import EventConstraint
+
+_APART = re.compile(
+    r"\s*(?:(?:away|ahead|clear)\s+)?(?:directly\s+|right\s+|just\s+)?"
+    r"(?:in front of|before|short of|from|of|off|behind|ahead of|next to|beside)\s+"
+    r"(?:the\s+|an?\s+|its\s+|his\s+|her\s+|their\s+)?(?:[a-z-]+\s+){0,2}",
+    re.IGNORECASE,
+)
+"""What stands between a length and the thing it is measured from."""
+
+
+class Lengths(Events):
+    """Reads lengths that are no sizes."""
+
+    def _apart_from(self, a: Amount) -> str | None:
+        """The thing that a length is measured from ("1 m in front of a barrier"), if it has a
+        surface: lines and crossings are painted on the road.
+        """
+        for m in sorted(self.mentions, key=lambda m: m.start):
+            if m.start < a.end:
+                continue
+            between = self.text[a.end : m.start]
+            if not _APART.fullmatch(between + " ") and not _APART.fullmatch(between):
+                return None
+            if not m.entities or m.attribute or m.part in ("edge", "end", "start", "corner"):
+                return None
+            found = self.world.current(m.entities[0])
+            return found if not self.structural(found) else None
+        return None
+
+    def _lengths(self, f: Frame) -> list[Amount]:
+        """Lengths of a clause that nothing has read yet."""
+        return [
+            a
+            for _, a in self.amounts(f)
+            if a.dimension == "length" and (a.start, a.end) not in self.scene.used
+        ]
+
+    def _stops_short(self, f: Frame, actor: str, node_id: str) -> None:
+        """ "stops 1 m in front of a barrier": the gap that is left when the event happens."""
+        node = self.tl.node(node_id)
+        for a in self._lengths(f):
+            other = self._apart_from(a)
+            if other is None or other == actor or node is None:
+                continue
+            node.constraints.append(
+                EventConstraint(quantity="distance", object=actor, value=a.value, to=other)
+            )
+            self.use(a, f"gap at {node_id}")
+
+    def _starts_apart(self, f: Frame, actors: list[str]) -> None:
+        """ "starts 5 m from a door": how far things are from each other at the start."""
+        for a in self._lengths(f):
+            other = self._apart_from(a)
+            others = [x for x in actors if x != other]
+            if other is not None and others:
+                self.scene.relations.append(Relation(others[0], other, "near", a.value))
+                self.use(a, "distance at the start")
+
+    def _distance(self, f: Frame, actors: list[str], aim: str | None) -> None:
+        """ "toward a bench 6 m away": how far the target is at the start."""
+        for a in self._lengths(f):
+            after = self.text[a.end : a.end + 8].strip().lower()
+            if after.startswith(("away", "apart", "ahead")) and aim is not None:
+                for actor in actors:
+                    self.scene.relations.append(Relation(actor, aim, "near", a.value))
+                self.use(a, "distance at the start")
+            elif f.verb.sense in ("own", "roll", "slide", "fly", "launch", "reverse") and actors:
+                track = self.tl.tracks.get(actors[0])
+                if track is not None and (track.motion is not None or track.hit):
+                    self.scene.travel[actors[0]] = a
+                    self.use(a, "distance travelled")
+
+    def _far_away(self, f: Frame, subject: list[str]) -> None:
+        """ "lands in a bucket 5 m away": how far things are from each other at the start."""
+        for a in self._lengths(f):
+            after = self.text[a.end : a.end + 8].strip().lower()
+            if not after.startswith(("away", "ahead", "further")):
+                continue
+            near = [
+                m
+                for m in (f.object, *[p.mention for p in f.phrases])
+                if m is not None and m.entities and m.end <= a.start
+            ]
+            others = [i for i in near[-1].entities if i not in subject] if near else []
+            if others and subject and not self.structural(others[0]):
+                for node in subject[:1]:
+                    self.scene.relations.append(Relation(node, others[0], "near", a.value))
+                self.use(a, "distance at the start")
