@@ -2,6 +2,7 @@
 
     python -m benchmarks.drafting                  # test third: rules, and scripted variants
     python -m benchmarks.drafting --split dev --show --no-ablation
+    python -m benchmarks.drafting --split dev --files wide cold --no-ablation
     python -m benchmarks.drafting --split blind --no-ablation    # totals of the second held-out set
     python -m benchmarks.drafting --soak 100000    # memory and CPU time over many prompts
 
@@ -29,8 +30,8 @@ from esg.outcomes import UserError
 
 PROMPTS = Path(__file__).resolve().parents[1] / "data" / "prompts"
 BANDS = ("single", "quantified", "chain", "multi_phase")
-FILES = (*BANDS, "varied", "cold")
-"""`varied` and `cold` hold further prompts of all four bands, for development only."""
+FILES = (*BANDS, "varied", "cold", "wide")
+"""`varied`, `cold` and `wide` hold further prompts of all four bands, for development only."""
 HELD_OUT = ("test", "blind")
 """Splits for totals only: who improves the drafter reads no miss of them. `blind` is a file of its
 own, no part of `all`."""
@@ -88,10 +89,10 @@ class Score:
         }
 
 
-def load(split: str | None) -> list[dict[str, Any]]:
-    """The corpus without `blind`, or one split of it."""
+def load(split: str | None, files: Iterable[str] = FILES) -> list[dict[str, Any]]:
+    """The corpus without `blind`, or one split of it, or of some files."""
     rows: list[dict[str, Any]] = []
-    for name in ("blind",) if split == "blind" else FILES:
+    for name in ("blind",) if split == "blind" else files:
         for line in (PROMPTS / f"{name}.jsonl").read_text(encoding="utf-8").splitlines():
             row = json.loads(line)
             if split in (None, "all", row["split"]):
@@ -385,11 +386,13 @@ def score_document(row: dict[str, Any], doc: EsgDocument | None, reason: str = "
     return out
 
 
-def run(split: str, drafter: Callable[[str], EsgDocument]) -> tuple[dict[str, Score], float]:
+def run(
+    split: str, drafter: Callable[[str], EsgDocument], files: Iterable[str] = FILES
+) -> tuple[dict[str, Score], float]:
     """Scores by band and in total, and the mean time of a draft [s]."""
     scores = {band: Score() for band in BANDS} | {"total": Score()}
     began = time.perf_counter()
-    rows = load(split)
+    rows = load(split, files)
     for row in rows:
         one = score_row(row, drafter)
         scores[row["band"]].add(one)
@@ -401,6 +404,7 @@ def main(argv: list[str] | None = None) -> int:
     """Prints the table; returns the exit code."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--split", choices=("test", "dev", "all", "blind"), default="test")
+    parser.add_argument("--files", nargs="+", choices=FILES, default=FILES, help="only these files")
     parser.add_argument("--drafter", choices=("rules", "llm"), default="rules")
     parser.add_argument("--show", action="store_true", help="list every miss")
     parser.add_argument(
@@ -429,7 +433,7 @@ def main(argv: list[str] | None = None) -> int:
         _write(args.json, result.data())
         return 0
     draft("A ball hits a box.")
-    scores, seconds = run(args.split, lambda p: draft(p, drafter=args.drafter))
+    scores, seconds = run(args.split, lambda p: draft(p, drafter=args.drafter), args.files)
     columns = list(scores["total"].row())
     print(f"{'band':<12}" + "".join(f"{c:>17}" for c in columns))
     for band, score in scores.items():
@@ -440,7 +444,7 @@ def main(argv: list[str] | None = None) -> int:
     if not args.no_ablation:
         from benchmarks.drafting_ablation import ablation
 
-        table, variants = ablation(load(args.split))
+        table, variants = ablation(load(args.split, args.files))
         rows |= variants
     print(f"\n{'drafter':<34}" + "".join(f"{c:>17}" for c in columns[1:]) + f"{'paper':>9}")
     for name, score in rows.items():
