@@ -8,13 +8,13 @@ from esg.draft.core import Time
 from esg.draft.frames import Frame
 from esg.draft.quantities import Amount
 from esg.draft.scene import SELF_POWERED
-from esg.draft.senses_contact import ContactSenses
+from esg.draft.senses_outcome import OutcomeSenses
 from esg.draft.timeline import Motion
 from esg.draft.windows import Draft
 from esg.graph.models import EventConstraint, NodeEvent, Quantity, Role
 
 
-class ControlSenses(ContactSenses):
+class ControlSenses(OutcomeSenses):
     """Intentional changes of motion under own power."""
 
     def _do_accelerate(self, f: Frame, s: list[str], o: list[str]) -> None:

@@ -1,0 +1,257 @@
+"""Verbs of falling: drop, fall, land."""
+
+from __future__ import annotations
+
+from esg.draft.acts import Acts
+from esg.draft.entities import BODY_PARTS, OWN_PARTS
+from esg.draft.frames import Frame
+from esg.draft.senses_launch import LaunchSenses
+from esg.graph.models import NodeEvent
+
+_UPRIGHT = frozenset({"domino", "plant", "post", "wall", "building", "structure"})
+
+
+class FallSenses(LaunchSenses):
+    """Bodies that lose their support, and where they come down."""
+
+    def _do_drop(self, f: Frame, s: list[str], o: list[str]) -> None:
+        things = s if f.verb.passive or not o else o
+        agents = [x for x in s if x not in things]
+        if agents:
+            self.place(agents, things, "near")
+        if self.quantity(f, "speed") is not None and f.verb.lemma == "release":
+            self._motion_of_things(f, things, self._natural(things[0]) if things else "roll")
+            return
+        self._drop(f, things)
+
+    def _drop(self, f: Frame, things: list[str]) -> None:
+        many = len(things) > 2
+        moved = self._representatives(things, []) if many else things
+        moved = [t for t in moved if self.movable(t)]
+        source = f.phrase("off", "from")
+        if source is not None and source.mention is not None:
+            host = [i for i in source.mention.entities if self._elevated(i)]
+            if host:
+                for t in moved:
+                    self.place([t], host, "on")
+                    self._ensure_mover(f, t, None)
+                    self.event(NodeEvent.FALL, (t,), f, self._time(f))
+                self._landing(f, moved)
+                return
+        flying = {t for t in moved if self._airborne(t) and t not in self.scene.supported_by}
+        for t in moved:
+            if not self._moved_by_others(t):
+                track = self.tl.tracks.get(t)
+                if track is None or track.motion is None:
+                    self._start_motion(f, [t], "drop")
+        self._heights(f, moved)
+        self.use(f, "drop")
+        if "in" in f.adverbs and any(map(self._enterable, self._named())):
+            self._goes_in(f, moved, self._time(f))  # "circles the hole and drops in"
+            return
+        if not self._landing(f, moved):
+            for t in moved:
+                if t in flying:
+                    continue  # "drops behind the net" after a throw: it leaves no support
+                self.pending[t] = (NodeEvent.FALL, f, None, self._time(f))
+
+    def _named(self) -> list[str]:
+        return [i for ids in self.world.salience for i in ids if i in self.world.entities]
+
+    def _landing(self, f: Frame, moved: list[str]) -> bool:
+        p = f.phrase("onto", "on", "into", "in", "through", "to", "upon")
+        m = p.mention if p is not None else None
+        own_side = m is not None and m.determiner == "its" and not m.entities
+        if own_side and m is not None and m.head in BODY_PARTS | OWN_PARTS:
+            self.use(f, "landing")
+            return True
+        if p is None or p.mention is None or not p.mention.entities:
+            return False
+        other = p.mention.entities[0]
+        if self.structural(other) and p.mention.start < f.verb.start:
+            return False  # "In a café a waiter drops a tray": where, not where to
+        owned = p.mention.determiner in ("its", "his", "her", "their")
+        itself = not set(p.mention.entities) - set(moved)
+        if owned and itself and p.mention.head in BODY_PARTS | OWN_PARTS:
+            self.use(f, "landing")  # "lands on its wheels"
+            return True
+        for t in moved:
+            if t == other:
+                continue
+            if self.structural(other):
+                if (
+                    self._airborne(t)
+                    and t not in self.scene.supported_by
+                    and f.verb.sense == "land"
+                ):
+                    continue
+                if not any(
+                    n.event is NodeEvent.FALL and t in n.participants for n in self.tl.nodes
+                ):
+                    self.event(NodeEvent.FALL, (t,), f, self._time(f))
+            elif (p.prep in ("into", "in", "through") and self._holds(other)) or self.kind(
+                other
+            ) in ("region", "water"):
+                self.enter(f, t, other, p.mention, self._time(f))
+            else:
+                self._hit(f, [t], p.mention.entities, self._time(f))
+        return True
+
+    def _do_fall(self, f: Frame, s: list[str], o: list[str]) -> None:
+        slope = f.phrase("down")
+        if (
+            slope is not None
+            and slope.mention is not None
+            and f.verb.lemma == "tumble"
+            and any("incline" in self.e(i).noun.traits for i in slope.mention.entities)
+        ):
+            self._read_as("roll", f, s, [])
+            return
+        self._free([x for x in s if self.kind(x) in ("post", "plant", "wall", "street")])
+        actors = self._representatives(s, [])
+        fresh = [a for a in actors if a not in self.tl.tracks]
+        if actors and all(map(self._has_toppled, actors)):
+            down = f.phrase("off", "from", "out of", "over")
+            if down is None and self._landing(f, actors):
+                return
+        upright = [
+            a
+            for a in actors
+            if "topples" in self.e(a).noun.traits or self.kind(a) in _UPRIGHT | {"person"}
+        ]
+        self._on_what_was_hit(f, fresh)
+        edge = f.phrase("off", "over", "from", "out of")
+        if edge is not None and self._off_the_edge(f, edge, actors, self._time(f)):
+            self._landing(f, actors)
+            return
+        if (
+            upright
+            and not {"off", "out"} & set(f.adverbs)
+            and f.phrase("off", "from", "out of", "over", "down", "onto", "on", "into", "in")
+            is None
+            and a_rests_low(self, upright[0])
+        ):
+            self._read_as("topple", f, s, [])
+            return
+        source = f.phrase("off", "from", "out of", "over", "down")
+        if source is not None and source.mention is not None and not source.mention.entities:
+            source = None
+        for actor in fresh:
+            self._struck_before(f, actor)
+        fresh = [a for a in fresh if a not in self.tl.tracks]
+        into = f.phrase("into", "in", "through")
+        if (
+            source is None
+            and len(fresh) < len(actors)
+            and into is not None
+            and into.mention is not None
+            and into.mention.entities
+        ) and self._landing(f, actors):
+            return
+        onto = f.phrase("on", "onto", "against")
+        if upright and onto is not None and onto.mention is not None and source is None:
+            struck = [i for i in onto.mention.entities if i not in actors and self.movable(i)]
+            flat = onto.mention.entities and all(map(self.structural, onto.mention.entities))
+            if flat and a_rests_low(self, upright[0]) and self.kind(upright[0]) in _UPRIGHT:
+                self._read_as("topple", f, s, [])
+                return
+            if struck and a_rests_low(self, upright[0]) and self.kind(upright[0]) != "bottle":
+                self._read_as("topple", f, s, [])
+                self._hit(f, upright[:1], struck[:1])
+                return
+        on_something = [a for a in fresh if a in self.scene.supported_by]
+        if (
+            fresh
+            and source is None
+            and f.phrase("onto", "on", "into", "in") is None
+            and not on_something
+        ):
+            self._drop(f, actors)
+            return
+        if on_something:
+            source = f.phrase("to") or source
+            fresh_low: list[str] = []
+        else:
+            fresh_low = fresh
+        fresh, held = fresh_low, fresh
+        if held and not fresh:
+            for actor in held:
+                self._start_motion(
+                    f, [actor], "roll" if "round" in self.e(actor).noun.traits else "slide"
+                )
+        if fresh and source is None:
+            self._drop(f, fresh)
+            return
+        for actor in actors:
+            if not self.movable(actor):
+                continue
+            lands = source is None and actor not in self.scene.supported_by
+            if lands and self._thrown_up(actor):
+                self.use(f, "end of the flight")
+                continue
+            if source is not None and source.mention is not None and source.mention.entities:
+                host = source.mention.entities[0]
+                if host != actor and self._elevated(host):
+                    self.place([actor], [host], "on")
+            self._heights(f, [actor])
+            if actor in fresh:
+                high = (
+                    source is not None
+                    and source.mention is not None
+                    and source.mention.entities
+                    and not self._elevated(source.mention.entities[0])
+                )
+                if high or (actor in self.scene.heights and actor not in self.scene.supported_by):
+                    self._start_motion(f, [actor], "drop")
+                else:
+                    self._start_motion(
+                        f, [actor], "roll" if "round" in self.e(actor).noun.traits else "slide"
+                    )
+            self.event(NodeEvent.FALL, (actor,), f, self._time(f))
+        landing = f.phrase("onto", "into", "on", "in")
+        if (
+            landing is not None
+            and landing.mention is not None
+            and landing.mention.entities
+            and not self.structural(landing.mention.entities[0])
+        ):
+            self._landing(f, actors)
+
+    def _has_toppled(self, body: str) -> bool:
+        return any(n.event is NodeEvent.TOPPLE and body in n.participants for n in self.tl.nodes)
+
+    def _thrown_up(self, body: str) -> bool:
+        """In flight after a throw, so that it leaves no support when it lands."""
+        track = self.tl.tracks.get(body)
+        flights = [e.params.elevation_deg for e in self.tl.edges if e.actor == body]
+        if track is not None and track.motion is not None and track.motion.mode != "coast":
+            return track.motion.mode in ("throw", "fly")
+        return any(x not in (None, -90.0) for x in flights)
+
+    def _on_what_was_hit(self, f: Frame, things: list[str]) -> None:
+        """ "pushed into a shelf, causing three jars to fall down": they stood on the shelf."""
+        if self.last_hit is None or not (
+            {"down", "off"} & {*f.adverbs, f.verb.extra.get("particle", "")}
+        ):
+            return
+        host = self.last_hit[1]
+        for t in things:
+            fits = host in self.world.entities and self._fits_on(t, host)
+            if fits and t not in self.scene.supported_by and t not in self.last_hit:
+                self.place([t], [host], "on")
+
+    def _do_land(self, f: Frame, s: list[str], o: list[str]) -> None:
+        for actor in s:
+            self._struck_before(f, actor)
+            if actor not in self.tl.tracks:
+                self._start_motion(f, [actor], "drop")
+        if not self._landing(f, s):
+            self.use(f, "landing")
+        self.use(f, "landing")
+
+
+def a_rests_low(acts: Acts, node: str) -> bool:
+    """Whether an upright thing stands on the ground, so that "falls" means that it topples."""
+    if acts.kind(node) == "domino":
+        return True
+    return node not in acts.scene.supported_by and node not in acts.scene.heights
