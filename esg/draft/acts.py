@@ -30,6 +30,7 @@ _GOING = frozenset(
         "tumble",
     }
 )
+_ENDS = frozenset({"end", "side", "corner", "ends", "sides", "corners"})
 _EDGES = frozenset({"edge", "end", "side", "rim", "lip"})
 _VISITING = frozenset(
     {"come", "go", "pull", "move", "drive", "walk", "ride", "sail", "head", "turn", "run", "step"}
@@ -64,6 +65,9 @@ class Acts(Motions):
             if not others:
                 continue
             other = others[0]
+            if p.prep == "from" and self._from_an_end(f, p, other):
+                self.place(actors, [other], "on")  # "roll from opposite ends of a table"
+                continue
             for actor in actors:
                 if p.prep in ("into", "in", "inside", "through"):
                     if actor in fallen and self._holds(other):
@@ -93,6 +97,12 @@ class Acts(Motions):
                     self.event(NodeEvent.MISS, (actor, other), f, time)
                 elif p.prep == "to" and not self.structural(other) and not p.mention.attribute:
                     self.pending[actor] = (NodeEvent.REACH, f, other, time)
+
+    def _from_an_end(self, f: Frame, p: Phrase, other: str) -> bool:
+        """Whether a motion starts at the end of a table or shelf, and stays on it."""
+        end = p.mention is not None and bool(_ENDS & set(p.mention.part.split()))
+        top = self.e(other).noun.traits
+        return end and "support" in top and "incline" not in top and f.verb.sense != "fall"
 
     def _over_its_top(self, f: Frame, actor: str, other: str) -> bool:
         """ "A cup slides over the table": on it, unlike a ball that is kicked over a bench."""

@@ -80,12 +80,15 @@ class ClauseNouns(ClauseWords):
             and finite_ahead(self.elements, i + 1)
         ):
             s.boundary, s.boundary_kind = True, "comma"  # "After being hit by a truck a cone ..."
+        if s.boundary_kind == "whose" and m.attribute and m.possessor is None:
+            m.possessor = s.relative  # "a ball whose mass is 300 g"
         if s.relative is not None and s.boundary and s.boundary_kind in ("rel", "whose"):
             # object relative: "the box that the ball hits"
             s.subject = m
             s.last = m
             s.boundary = False
-            s.boundary_kind = "objrel" if s.boundary_kind == "rel" else ""
+            told = m.attribute and s.frame is not None
+            s.boundary_kind = "objrel" if s.boundary_kind == "rel" else "own" if told else ""
             return
         if prep:
             if s.sub and s.frame is None:

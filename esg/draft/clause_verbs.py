@@ -40,6 +40,9 @@ class ClauseVerbs(ClauseNouns):
             frame.object = s.relative
             s.boundary_kind = ""
             frame.reduced = True
+        elif s.boundary_kind == "own":
+            frame.subject, s.boundary_kind = s.subject, ""  # "hits a bus whose mass is 12 tons"
+            frame.reduced, frame.parent = True, previous
         elif s.boundary and s.boundary_kind == "rel":
             frame.subject = s.relative
             frame.reduced = frame.relative = True

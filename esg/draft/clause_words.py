@@ -79,6 +79,8 @@ class ClauseWords:
             return s
         if w.kind == "qty" and w.amount is not None and self._belongs_to_noun(s, w, i):
             return s
+        if w.kind == "qty" and w.amount is not None and self._fronted_size(w, i):
+            return s
         if w.kind == "qty" and w.amount is not None:
             phrase = Phrase(s.prep, None, w.amount)
             nxt = self.elements[i + 1] if i + 1 < len(self.elements) else None
@@ -172,14 +174,14 @@ class ClauseWords:
         listed = isinstance(before, Word) and before.amount is not None
         known = self._quantified.amounts if self._quantified is not None else []
         if isinstance(before, Word) and self._quantified is not None and before.amount in known:
-            size = self._size_word(i)
+            size = self._size_word(i) or w.amount.measure
             if size and w.amount.dimension == "length":
                 self._quantified.adjectives.append(f"@{w.amount.start}:{size}")
                 self._quantified.amounts.append(w.amount)
                 return True
         if not listed or s.frame is None or s.frame.verb.sense not in ("weigh", "measure", "have"):
             return False
-        owner, size = s.frame.subject, self._size_word(i)
+        owner, size = s.frame.subject, self._size_word(i) or w.amount.measure
         if owner is None or not size or w.amount.dimension != "length":
             return False
         owner.adjectives.append(f"@{w.amount.start}:{size}")
@@ -197,6 +199,27 @@ class ClauseWords:
         word = getattr(after, "low", "") or getattr(after, "head", "")
         return word if word in _SIZES else ""
 
+    def _fronted_size(self, w: Word, i: int) -> bool:
+        """ "Two metres tall, the bookcase topples": a property before its noun."""
+        assert w.amount is not None
+        before = self.elements[i - 1] if i else None
+        opens = before is None or (isinstance(before, Word) and before.low in ".;!?:")
+        heavy = w.amount.dimension == "mass" and self._next_low(i + 1) in ("heavy", "in")
+        size = self._size_word(i) if w.amount.dimension == "length" else ""
+        if not opens or not (heavy or size):
+            return False
+        comma = next((k for k in range(i + 1, i + 4) if self._next_low(k) in (",", ":")), 0)
+        noun = self.elements[comma + 1] if comma and comma + 1 < len(self.elements) else None
+        if not isinstance(noun, Mention) or noun.pronoun or noun.attribute:
+            return False
+        if size:
+            noun.adjectives.append(f"@{w.amount.start}:{size}")
+        noun.amounts.append(w.amount)
+        return True
+
+    def _next_low(self, i: int) -> str:
+        return getattr(self.elements[i], "low", "") if i < len(self.elements) else ""
+
     def _belongs_to_noun(self, s: State, w: Word, i: int) -> bool:
         """ "a ball of 2 kg", "the van (3 tons)": a property of the noun before."""
         assert w.amount is not None
@@ -204,6 +227,8 @@ class ClauseWords:
             return True
         previous = self.elements[i - 1] if i else None
         before = self.elements[i - 2] if i >= 2 else None
+        if i >= 3 and isinstance(before, Word) and before.low in _SIZES:
+            before = self.elements[i - 3]  # "20 cm thick and 2 m high"
         if (
             isinstance(previous, Word)
             and previous.kind == "conj"
@@ -213,6 +238,8 @@ class ClauseWords:
             and before.amount in self._quantified.amounts
         ):
             self._quantified.amounts.append(w.amount)
+            if size := self._size_word(i):
+                self._quantified.adjectives.append(f"@{w.amount.start}:{size}")
             return True
         noun = (
             before
@@ -222,16 +249,18 @@ class ClauseWords:
         if not isinstance(noun, Mention) or noun.pronoun:
             return False
         if noun.attribute:
-            if noun.possessor is not None:
-                return False
+            of = isinstance(previous, Word) and previous.low == "of"
+            if noun.possessor is not None or (w.amount.dimension == "time" and not of):
+                return False  # "to the right within 6 s"
             noun.amounts.append(w.amount)
             s.prep = ""
             return True
-        if w.amount.dimension not in ("mass", "length") or (
+        if w.amount.dimension not in ("mass", "length", "volume") or (
             isinstance(previous, Word) and previous.low == "at"
         ):
             return False
         size = self._size_word(i) if w.amount.dimension == "length" else ""
+        size = size or w.amount.measure or ("size" if w.amount.sides else "")
         of = isinstance(previous, Word) and previous.low == "of"
         if w.amount.dimension == "length" and not of and not size:
             return False
@@ -252,4 +281,7 @@ class ClauseWords:
         for item in s.loose:
             if isinstance(item, Phrase) and item.amount is not None and s.frame is not None:
                 s.frame.phrases.append(item)
+            elif isinstance(item, Phrase) and item.amount is not None and s.subject is not None:
+                if item.amount.dimension in ("speed", "mass"):
+                    self.attachments.append((s.subject, item))  # "Jogger at 3 m/s."
         s.loose = []

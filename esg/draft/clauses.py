@@ -35,7 +35,7 @@ class ClauseBuilder(ClauseVerbs):
         self._flush(s)
         for k, f in enumerate(self.frames):
             self._hand_over(f)
-            self._takes_time(f, self.frames[k + 1 : k + 2])
+            self._takes_time(f, self.frames[k + 1 :])
             self._fronted(f, [g for g in self.frames[k + 1 :] if g.sentence == f.sentence])
         self.frames = self._same_again(in_order(background_first(self.frames)))
 
@@ -108,7 +108,12 @@ class ClauseBuilder(ClauseVerbs):
         """ "needs 5 seconds to stop", "takes 2 s to reach the door": the time of what follows."""
         if f.verb.lemma not in _TAKING or not following or following[0].link != "purpose":
             return
+        last = following[0]
+        for g in following[1:]:  # "takes 1.5 s to roll downhill and thump into a gate"
+            if g.sentence != f.sentence or g.verb.form != "base" or g.verb.auxiliary:
+                break
+            last = g
         for p in list(f.phrases):
             if p.amount is not None and p.amount.dimension == "time":
                 f.phrases.remove(p)
-                following[0].phrases.append(p)
+                last.phrases.append(p)

@@ -50,6 +50,8 @@ class Core:
         """What the prompt says rolls or slides."""
         self.gap: Amount | None = None
         """Time until the next event ("brakes 2 seconds before ...")."""
+        self.gap_of: Frame | None = None
+        """The clause that tells it, whose own events do not end it."""
         self.waiting: dict[str, Amount] = {}
         """How long an actor waits before it moves (on)."""
         self.told_hits: set[tuple[int, str, str]] = set()

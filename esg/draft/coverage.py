@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Literal
 
 from esg.draft import lexicon as lex
@@ -127,6 +128,9 @@ def account(
             else:
                 add(e.start, e.end, "event", "not_understood")
                 warnings.append(f'The verb "{text[e.start : e.end]}" was not understood.')
+        elif isinstance(e, Word) and e.kind == "unknown" and re.fullmatch(r"[\d.,]*\d", e.low):
+            add(e.start, e.end, "quantity", "not_understood", note="a number without a unit")
+            warnings.append(f'The number "{text[e.start : e.end]}" has no unit; it was left out.')
         elif isinstance(e, Word) and e.kind == "unknown" and len(e.low) > 1 and e.low[0].isalpha():
             if (
                 e.low in lex.COLORS

@@ -48,6 +48,8 @@ class Mention:
     """ "one of the three eggs": a single member."""
     stacked: bool = False
     """ "the top crate of the stack": one level of a stack."""
+    counted_from: str = ""
+    """left, right, top ... in "the second crate from the left"."""
     pick: str = ""
     """Which member is meant: "first" in "the first of two barrels"."""
     pronoun: str = ""

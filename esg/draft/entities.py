@@ -31,6 +31,7 @@ BODY_PARTS = frozenset(
     {"arm", "hand", "fist", "finger", "foot", "leg", "head", "tail", "paw", "hoof", "nose"}
     | {"elbow", "shoulder", "knee", "hip", "chest", "trunk", "horn", "beak", "wing", "mouth"}
     | {"jaw", "ear", "hair", "belly", "stomach", "toe", "heel", "wrist", "ankle", "thumb", "back"}
+    | {"midriff", "stomach", "face", "shin", "thigh", "ribs", "forehead", "chin", "neck", "flank"}
 )
 OWN_PARTS = frozenset(
     {"roof", "hood", "bonnet", "bumper", "windscreen", "windshield", "tailgate", "wheel", "tire"}
@@ -40,8 +41,11 @@ OWN_PARTS = frozenset(
 STACKED = {
     "top": -1, "topmost": -1, "uppermost": -1, "upper": -1, "highest": -1,
     "bottom": 0, "lowest": 0, "lowermost": 0, "lower": 0, "bottommost": 0,
+    "middle": 1, "center": 1, "centre": 1, "central": 1,
 }  # fmt: skip
-"""Members of a stack by where they lie; the first one is at the bottom."""
+"""Members of a stack by where they lie: first (at the bottom), last or in the middle."""
+COUNTED_FROM = {"left": 1, "bottom": 1, "front": 1, "right": -1, "top": -1, "back": -1, "end": -1}
+"""From which end "the second from the ..." counts; the members of a row go left to right."""
 OTHER = frozenset({"other", "remaining", "another", "next", "opposite"})
 UNKNOWN_MASS_KG = 5.0
 

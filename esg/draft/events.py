@@ -62,6 +62,9 @@ class Events(Places):
         for p, a in self.amounts(f):
             if a.dimension == "time" and self._precedes(a):
                 continue
+            if a.dimension == "time" and a.low == a.high == 0.0:
+                self.use(a, "the start")
+                continue
             if a.dimension == "time" and p in (
                 "after",
                 "in",
@@ -76,11 +79,11 @@ class Events(Places):
                 "later",
             ):
                 value: Quantity = a.value
-                if p == "within" or a.bound == "max" or p == "before":
+                if p == "within" or a.bound == "max" or (p == "before" and a.bound is None):
                     value = (0.05 * a.high, a.high)
                 elif a.bound == "min":
                     value = (a.low, 2.0 * a.low + 1.0)
-                mode = "at" if p == "at" else "after"
+                mode = "at" if p == "at" or a.measure == "start" else "after"
                 return value, a, mode
         return None
 
@@ -134,14 +137,7 @@ class Events(Places):
                         quantity="time_since", object=mover, value=time[0], since=previous
                     )
                 )
-        if self.gap is not None and previous is not None and kind is not NodeEvent.TRIGGER:
-            draft.constraints.append(
-                EventConstraint(
-                    quantity="time_since", object=mover, value=self.gap.value, since=previous
-                )
-            )
-            self.use(self.gap, f"time of {node_id}")
-            self.gap = None
+        self._ends_gap(draft, f, previous)
         lasting = next(
             (
                 e.params.duration
@@ -160,6 +156,25 @@ class Events(Places):
             )
         self.use(f, node_id)
         return node_id
+
+    def _ends_gap(self, draft: Draft, f: Frame, previous: str | None) -> None:
+        """The span told before an event ends with it."""
+        if self.gap is None or self.gap_of is f or draft.event is NodeEvent.TRIGGER:
+            return
+        if previous is not None:
+            draft.constraints.append(
+                EventConstraint(
+                    quantity="time_since",
+                    object=draft.participants[0],
+                    value=self.gap.value,
+                    since=previous,
+                )
+            )
+            self.use(self.gap, f"time of {draft.id}")
+        elif draft.time is None:  # "for the first two seconds nothing happens"
+            draft.time, draft.time_prescribed = self.gap.value, True
+            self.use(self.gap, f"time of {draft.id}")
+        self.gap = self.gap_of = None
 
     def _lasts_since(self, draft: Draft, mover: str) -> None:
         """ "turns left, drives straight on for 4 s and hits": counted from where it set off."""

@@ -148,6 +148,9 @@ class Interpreter(References):
         )
         subject = self._struck_one(f, subject)
         speed = self.quantity(f, "speed")
+        speeds = [a for _, a in self.amounts(f) if a.dimension == "speed"]
+        if len(speeds) == len(subject) > 1 and sense in ("hit", "miss"):
+            self.own_speed.update(zip(subject, speeds, strict=True))  # "one at 1 m/s, the other"
         if f.verb.lemma in ("happen", "occur"):
             self._happens(f)
         if sense == "noop" and subject and speed is not None:
@@ -301,6 +304,8 @@ class Interpreter(References):
         """ "The crash happens after 3 seconds", "the second collision 2 s after the first"."""
         if _NOTHING.search(self.text, max(0, f.verb.start - 12), f.verb.start):
             self.scene.ignored[(f.verb.start, f.verb.end)] = "nothing happens"
+            lull = next((a for _, a in self.amounts(f) if a.dimension == "time"), None)
+            self.gap = lull if lull is None or lull.bound is None else replace(lull, low=lull.high)
             return
         last = self._told_event(f.subject) or self.tl.node(self.tl.last_event or "")
         if last is None or last.time is not None or last.constraints:

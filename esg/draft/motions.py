@@ -199,7 +199,7 @@ class Motions(Lengths):
                 track = self.tl.tracks.get(actor)
                 motion = track.motion if track is not None else None
                 if motion is None or motion.mode in ("brake", "coast"):
-                    self.gap = duration  # "brakes, skids for 2 s and slams into ..."
+                    self.gap, self.gap_of = duration, f  # "brakes, skids for 2 s and slams into"
                     continue
                 motion.duration = duration.value
             self.use(duration, "duration")

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from esg.draft import lexicon as lex
-from esg.draft.elements import Mention
-from esg.draft.entities import BODY_PARTS, STACKED
+from esg.draft.elements import Mention, Verb
+from esg.draft.entities import BODY_PARTS, COUNTED_FROM, ORDINALS, STACKED
 from esg.draft.letters import Letters
 from esg.draft.verbphrases import verb_readings
 
 _PIECES = frozenset({"roll", "piece", "slice", "sheet", "lump", "chunk", "coil", "reel", "spool"})
+_RUNNING_GEAR = frozenset({"wheels", "castors", "casters", "rollers", "rails", "skates", "runners"})
 _MEASURES = frozenset({"mass", "weight", "radius", "diameter", "height", "width", "length"})
 
 
@@ -74,6 +75,9 @@ class NounHeads(Letters):
                 and self._match_noun(j + 1) is None
             ):
                 m.adjectives.append(self._low(j + 1))
+                j += 2
+            if self._low(j) == "on" and self._low(j + 1) in _RUNNING_GEAR:
+                m.adjectives.append("wheeled")  # "an armchair on wheels": no objects of their own
                 j += 2
             if self._low(j) in ("behind", "following") and self._low(j + 1) in (
                 "it",
@@ -182,6 +186,9 @@ class NounHeads(Letters):
             m.head = m.part
             m.attribute = True
             j += 1
+            if m.part in ("edge", "side") and self._low(j) in ("length", "lengths"):
+                m.part, m.head = "", "size"  # "with an edge length of 10 cm"
+                j += 1
             if self._low(j) == "of":
                 size = len(self.elements)
                 inner = self._noun_phrase(j + 1)
@@ -195,6 +202,9 @@ class NounHeads(Letters):
                     owner.start = m.start
                     self.elements.append(owner)
                     return inner
+        elif low == "stop" and self._waiting_place(i, j, m):
+            m.noun, m.head = lex.nouns()["bus stop"], "stop"
+            j += 1
         elif (
             low
             and lex.singular(low)[0] in lex.ATTRIBUTES
@@ -294,6 +304,10 @@ class NounHeads(Letters):
         else:
             return None
         j = self._letters(j, m)
+        if set(m.adjectives) & ORDINALS.keys() and self._low(j + 1) in ("the", "top", "bottom"):
+            k = j + 2 if self._low(j + 1) == "the" else j + 1
+            if self._low(j) == "from" and self._low(k) in COUNTED_FROM:
+                m.counted_from, j = self._low(k), k + 1  # "the second crate from the left"
         m.end = tokens[j - 1].end
         first_word = i + (1 if m.determiner and self._low(i) == m.determiner else 0)
         label_start = tokens[min(first_word, j - 1)].start
@@ -318,6 +332,12 @@ class NounHeads(Letters):
                 pass
         self.elements.append(m)
         return j
+
+    def _waiting_place(self, i: int, j: int, m: Mention) -> bool:
+        """ "waits at the stop", "passes a stop": where buses stop, not that something does."""
+        passes = self._low(i - 1) in ("passes", "passing", "past", "near", "behind", "opposite")
+        at = self._low(i - 1) in ("at", "from") and m.determiner == "the"
+        return bool(m.determiner) and (passes or at) and self._low(j + 1) != "of"
 
     def _many_do(self, j: int, m: Mention) -> bool:
         """ "both fall": what comes after "both" or "all" is plural, or a verb."""
@@ -346,10 +366,13 @@ class NounHeads(Letters):
         bare = all(r.form == "base" for r in readings)
         nxt = self._low(k + 1)
         one = m.determiner in ("a", "an", "this", "that", "each", "every", "another")
+        previous = self._previous()
+        done = isinstance(previous, Verb) and previous.sense not in ("cause", "noop")
+        one = one or (done and bool(m.determiner))  # "knocks its food bowl off": it has its verb
         return bare and one and nxt not in lex.DETERMINERS and nxt not in lex.PRONOUNS
 
     def _is_attribute_start(self, j: int) -> bool:
-        if self._low(j) in _MEASURES and self._low(j - 1) == "in":
+        if self._low(j) in _MEASURES and self._low(j - 1) in ("in", "whose"):
             return True  # "2 cm in diameter"
         if self._low(j) in _MEASURES and self._tok(j + 1) is not None:
             return self.tokens[j + 1].kind == "qty" or self._low(j + 1) == "of"

@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-import re
-
 from esg.draft import lexicon as lex
-from esg.draft.elements import Mention, Verb, Word
+from esg.draft.elements import Mention, Word
 from esg.draft.entities import ORDINALS
 from esg.draft.nominals import RETOLD_NOUNS
-from esg.draft.nounheads import NounHeads
-from esg.draft.quantities import parse_number
+from esg.draft.nounstarts import NounStarts
 from esg.draft.verbphrases import verb_readings
 
 
-class NounPhrases(NounHeads):
+class NounPhrases(NounStarts):
     """Reads noun phrases."""
 
     def _noun_phrase(self, i: int) -> int | None:
@@ -148,7 +145,7 @@ class NounPhrases(NounHeads):
             if (
                 token.kind == "qty"
                 and token.amount is not None
-                and token.amount.dimension in ("mass", "length", "speed", "angle")
+                and token.amount.dimension in ("mass", "length", "speed", "angle", "volume")
             ):
                 nxt = self._low(j + 1)
                 nxt = nxt.lstrip("-")
@@ -223,6 +220,8 @@ class NounPhrases(NounHeads):
                 break
             if noun is not None and self._is_adjective(j) and m.determiner and self._acts(j + 1):
                 break  # "the brick slides off it": a material that is a thing of its own
+            if noun is not None and self._is_adjective(j) and self._numbered(j):
+                break  # "Marble one hits marble two"
             if token.low in lex.ADVERBS and not self._is_adjective(j):
                 if token.low in (
                     "very",
@@ -276,6 +275,7 @@ class NounPhrases(NounHeads):
                     )
                     and not self._noun_soon(j + 1)
                     and not m.determiner
+                    and not self._parts_of(j + 1)
                 ):
                     break
                 m.adjectives.append(token.low)
@@ -293,116 +293,3 @@ class NounPhrases(NounHeads):
                 continue
             break
         return self._head(i, j, m)
-
-    def _lone_letter(self, j: int) -> bool:
-        """A capital that names an individual introduced before ("A moves ... B moves")."""
-        token = self._tok(j)
-        if token is None or token.text == "I":
-            return False
-        if len(token.text) > 2 and token.text[0].isupper():
-            named = (e.letters for e in self.elements if isinstance(e, Mention))
-            return any(token.text in names for names in named)  # "Rex stops"
-        if not re.fullmatch(r"[A-Z]", token.text):
-            return False
-        known = {x for e in self.elements if isinstance(e, Mention) for x in e.letters}
-        if token.text not in known:
-            capitals = [x for x in known if len(x) == 1 and x.isalpha()]
-            follows = bool(capitals) and ord(token.text) == ord(max(capitals)) + 1
-            previous = self.elements[-1] if self.elements else None
-            after_verb = isinstance(previous, Verb) or (
-                isinstance(previous, Word) and previous.kind in ("prep", "conj")
-            )
-            return follows and after_verb
-        nxt = self._low(j + 1)
-        if token.text != "A":
-            return True
-        return nxt == "and" or (
-            (bool(verb_readings(nxt)) or nxt in lex.MODALS)
-            and self._match_noun(j + 1) is None
-            and not self._is_adjective(j + 1)
-        )
-
-    def _verb_next(self, j: int) -> bool:
-        """Whether a finite verb and its object follow ("this pushes the bin")."""
-        nxt = self._low(j + 1)
-        finite = any(r.form in ("s", "past") for r in verb_readings(self._low(j)))
-        return finite and (nxt in lex.DETERMINERS or nxt in lex.PRONOUNS or nxt in lex.PREPOSITIONS)
-
-    def _count(self, j: int, m: Mention) -> int:
-        token = self._tok(j)
-        if token is None:
-            return j
-        compound = self._match_noun(j)
-        if compound is not None and compound[1] > 1:
-            return j  # "eight ball"
-        if token.kind == "number" and token.text[0] != "#":
-            value = parse_number(token.text)
-            nxt = self._tok(j + 1)
-            if (
-                isinstance(value, float)
-                and value.is_integer()
-                and nxt is not None
-                and nxt.kind == "word"
-            ):
-                m.count = int(value)
-                return j + 1
-            return j
-        low = token.low
-        if low in lex.VAGUE_COUNTS and low not in (
-            "some",
-            "both",
-            "couple",
-            "pair",
-            "dozen",
-            "dozens",
-        ):
-            m.count, m.vague = lex.VAGUE_COUNTS[low], True
-            return j + 1
-        value = parse_number(low) if low not in ("a", "an", "half", "a half") else None
-        if isinstance(value, float) and value.is_integer() and value >= 1:
-            nxt = self._tok(j + 1)
-            following = self._match_noun(j + 1)
-            if low == "one" and following is not None and following[2]:
-                return j  # "one slides into the other"
-            if low == "one" and (
-                nxt is None
-                or nxt.kind != "word"
-                or not (self._match_noun(j + 1) or self._is_adjective(j + 1) or m.determiner)
-            ):
-                return j
-            if nxt is not None and nxt.low in ("dozen", "hundred"):
-                m.count = int(value) * (12 if nxt.low == "dozen" else 100)
-                return j + 2
-            m.count = int(value)
-            return j + 1
-        return j
-
-    def _finite_after_of(self, i: int, k: int) -> bool:
-        """ "with a mass of 25 kg slides": the noun after the quantity is the verb."""
-        finite = any(r.form in ("s", "past") for r in verb_readings(self._low(k)))
-        return finite and self._low(i - 1) in ("of", "weighing", "is", "mass", "weight")
-
-    def _noun_at_or_after(self, k: int) -> bool:
-        for j in range(k, min(k + 5, len(self.tokens))):
-            low = self._low(j)
-            if self.tokens[j].kind == "qty":
-                continue
-            if self._match_noun(j) is not None:
-                return low not in lex.ATTRIBUTES
-            if low in (
-                "tall",
-                "wide",
-                "long",
-                "high",
-                "thick",
-                "deep",
-                "diameter",
-                "heavy",
-                "radius",
-            ):
-                continue
-            if not self._is_adjective(j):
-                return (
-                    self.tokens[j].tag in ("NOUN", "PROPN") and low not in lex.ATTRIBUTES and j == k
-                )
-        return False

@@ -10,36 +10,10 @@ from dataclasses import dataclass
 import re
 from typing import Literal
 
-Dimension = Literal["mass", "length", "time", "speed", "acceleration", "angle", "count"]
+from esg.draft.measures import product, suffix
+from esg.draft.numerals import DIGITS, NUMBER, NUMBER_WORDS, parse_number
 
-_ONES = [
-    "zero",
-    "one",
-    "two",
-    "three",
-    "four",
-    "five",
-    "six",
-    "seven",
-    "eight",
-    "nine",
-    "ten",
-    "eleven",
-    "twelve",
-    "thirteen",
-    "fourteen",
-    "fifteen",
-    "sixteen",
-    "seventeen",
-    "eighteen",
-    "nineteen",
-]
-_TENS = ["twenty", "thirty", "forty", "fifty", "sixty", "seventy", "eighty", "ninety"]
-NUMBER_WORDS: dict[str, float] = {
-    **{w: float(i) for i, w in enumerate(_ONES)},
-    **{w: 10.0 * (i + 2) for i, w in enumerate(_TENS)},
-    **{"half": 0.5, "hundred": 100.0, "thousand": 1000.0, "dozen": 12.0},
-}
+Dimension = Literal["mass", "length", "time", "speed", "acceleration", "angle", "count", "volume"]
 
 _UNITS: dict[str, tuple[Dimension, float]] = {}
 
@@ -71,6 +45,11 @@ _unit("time", 3600.0, "h", "hr", "hrs", "hour", "hours")
 _unit("angle", 1.0, "deg", "degs", "degree", "degrees", "°")
 _unit("angle", 57.29577951308232, "rad", "radian", "radians")
 _unit("angle", 360.0, "revolution", "revolutions")
+_unit("volume", 1.0, "l", "liter", "liters", "litre", "litres")
+_unit("volume", 1e-3, "ml", "milliliter", "milliliters", "millilitre", "millilitres")
+_unit("volume", 1e-2, "cl", "centiliter", "centiliters", "centilitre", "centilitres")
+_unit("volume", 3.785411784, "gallon", "gallons")
+_unit("volume", 0.473176473, "pint", "pints")
 _unit("speed", 100.0, "mps", "m.s-1", "ms-1")
 _unit("speed", 44.704, "mph")
 _unit("speed", 100.0 / 3.6, "kph", "kmh", "kmph")
@@ -85,19 +64,6 @@ def _alternatives(words: list[str]) -> str:
     return "|".join(re.escape(w) for w in sorted(words, key=len, reverse=True))
 
 
-_WORD_NUMBER = (
-    r"(?:(?:twenty|thirty|forty|fifty|sixty|seventy|eighty|ninety)[- ]?"
-    r"(?:one|two|three|four|five|six|seven|eight|nine)?"
-    r"|(?:(?:a|one|two|three|four|five|six|seven|eight|nine)[- ])?hundred"
-    r"(?:\s+and\s+[a-z]+)?"
-    r"|zero|one and a half|two and a half|three and a half|one|two|three|four|five|six|seven|eight"
-    r"|nine|ten|eleven|twelve|thirteen|fourteen|fifteen|sixteen|seventeen|eighteen|nineteen"
-    r"|half an?|an? half|half|a quarter of an?|three quarters of an?"
-    r"|a couple of|a few|several|an?)"
-)
-_DIGITS = r"(?:\d{1,3}(?:,\d{3})+(?:\.\d+)?|\d+/\d+|\d*\.?\d+(?:e[+-]?\d+)?)"
-_SIGN = r"(?:minus\s+|negative\s+|(?<![\w.])[-−](?=\d|\.\d))"
-_NUMBER = rf"(?:{_SIGN}?{_DIGITS}|{_SIGN}?\b{_WORD_NUMBER}(?![a-z]))"
 _SPEED_UNIT = (
     rf"(?:(?:{_alternatives(_LENGTHS)})\s*(?:/|per|a|an|each)\s*(?:{_alternatives(_TIMES)})"
     rf"|m\.s-1|ms-1|mps|mph|kph|kmph|kmh|fps|knots?|kn)"
@@ -118,27 +84,50 @@ _APPROX = (
 )
 _BOUND = (
     r"(?:(?P<bound>at least|no less than|not less than|more than|greater than|faster than|over"
-    r"|above|no faster than|not faster than"
-    r"|no slower than|not slower than|a maximum of|a minimum of|at most"
+    r"|above|no faster than|not faster than|no earlier than|not earlier than|no sooner than"
+    r"|not before|no slower than|not slower than|a maximum of|a minimum of|at most"
     r"|no more than|not more than|less than|fewer than|slower than|under|below|up to"
-    r"|within|in under|in less than|exceeding)\s+)?"
+    r"|no later than|not later than|(?:(?:with)?in|during|for) the (?:very )?first|not exceeding"
+    r"|within|in under|in less than|exceeding|max\.?|min\.?|maximum|minimum|[<>≤≥]=?)\s*\b)?"
 )
 _PATTERN = re.compile(
     rf"(?:\bt(?:ime)?\s*=\s*)?{_BOUND}{_APPROX}(?P<between>between\s+|from\s+)?"
-    rf"(?P<lo>{_NUMBER})"
-    rf"(?:{_GAP}(?P<unit1>{_UNIT})?(?:{_TO}|(?(between)\s*and\s*|(?!)))(?P<hi>{_NUMBER}))?"
+    rf"(?P<lo>{NUMBER})"
+    rf"(?:{_GAP}(?P<unit1>{_UNIT})?(?:{_TO}|(?(between)\s*and\s*|(?!)))(?P<hi>{NUMBER}))?"
     rf"(?:{_GAP}(?P<unit>{_UNIT}))(?![a-z0-9])"
-    rf"(?:\s*(?:±|\+/-|\+-)\s*(?P<tol>{_DIGITS})\s*(?:{_UNIT})?(?![a-z0-9]))?",
+    rf"(?:\s*(?:±|\+/-|\+-)\s*(?P<tol>{DIGITS})\s*(?:{_UNIT})?(?![a-z0-9]))?",
     re.IGNORECASE,
 )
 _TOLERANCE_FIRST = re.compile(
-    rf"(?P<lo>{_DIGITS})\s*(?:±|\+/-|\+-)\s*(?P<tol>{_DIGITS})\s*(?P<unit>{_UNIT})(?![a-z0-9])",
+    rf"(?P<lo>{DIGITS})\s*(?:±|\+/-|\+-)\s*(?P<tol>{DIGITS})\s*(?P<unit>{_UNIT})(?![a-z0-9])",
     re.IGNORECASE,
 )
+_TURNED = re.compile(
+    r"\b(?:an?\s+)?(?P<share>quarter|half|full|three[- ]quarters?|complete)"
+    r"(?:\s+of)?(?:\s+an?)?[\s-]+turn\b",
+    re.IGNORECASE,
+)
+"""A turn by a share of the circle."""
+_TURNS = {"quarter": 90.0, "half": 180.0, "full": 360.0, "complete": 360.0}
+_CLOCK = re.compile(
+    rf"\b(?:between\s+)?t\s*=\s*(?P<lo>{DIGITS})(?:\s*s(?:ec(?:onds?)?)?)?"
+    rf"(?:\s+and\s+t\s*=\s*(?P<hi>{DIGITS})(?:\s*s(?:ec(?:onds?)?)?)?)?(?![\w.])",
+    re.IGNORECASE,
+)
+"""An instant, or two, on the scene's clock."""
+_BOTH_BOUNDS = re.compile(
+    rf"\b(?:at least|no less than|more than|over|above)\s+(?P<lo>{NUMBER})[\s-]*(?:{_UNIT})?"
+    rf",?\s*(?:but|and|yet)\s+(?:at most|no more than|not more than|less than|under|below|up to"
+    rf"|not over|not above)\s+(?P<hi>{NUMBER})[\s-]*(?P<unit>{_UNIT})?(?![a-z0-9])",
+    re.IGNORECASE,
+)
+_AND_A_HALF = re.compile(r"\s+and\s+a\s+(half|quarter)\b(?!\s+[a-z])", re.IGNORECASE)
+_PRODUCT = product(DIGITS, rf"(?:{_alternatives(_LENGTHS)})")
 _SPEEDING = re.compile(r"\b(?:speed|speeds|sped|speeding|goes|going|accelerat\w+)\s+$", re.I)
 _LOW_BOUNDS = (
-    "at least", "no less", "not less", "no slower", "not slower", "a minimum",
-    "more than", "greater", "faster", "over", "above",
+    "at least", "no less", "not less", "no slower", "not slower", "a minimum", "min", ">", "≥",
+    "more than", "greater", "faster", "over", "above", "no earlier", "not earlier", "no sooner",
+    "not before", "exceeding",
 )  # fmt: skip
 
 
@@ -152,7 +141,8 @@ class Amount:
         start, end: Character span in the prompt.
         text: The span's text.
         bound: "min" or "max" for one-sided statements ("at least 3 s"), else None.
-        signed_negative: A minus sign was written.
+        measure: What its words say it measures: diameter, side, start ("2 s after the start").
+        sides: Lengths of the sides where several are given ("20 x 30 x 40 cm").
     """
 
     dimension: Dimension
@@ -162,6 +152,8 @@ class Amount:
     end: int
     text: str
     bound: Literal["min", "max"] | None = None
+    measure: str = ""
+    sides: tuple[float, ...] = ()
 
     @property
     def value(self) -> float | tuple[float, float]:
@@ -171,57 +163,6 @@ class Amount:
     @property
     def middle(self) -> float:
         return 0.5 * (self.low + self.high)
-
-
-def parse_number(text: str) -> float | tuple[float, float] | None:
-    """Value of a number in digits or words; "a few" and "several" give an interval.
-
-    Returns:
-        The number, an interval for vague words, or None if the text is no number.
-    """
-    t = " ".join(text.lower().replace("−", "-").split())
-    sign = 1.0
-    for minus in ("minus ", "negative ", "-"):
-        if t.startswith(minus):
-            sign, t = -1.0, t[len(minus) :].strip()
-    vague = {
-        "a couple of": 2.0,
-        "a few": (2.0, 5.0),
-        "several": (3.0, 7.0),
-        "a": 1.0,
-        "an": 1.0,
-        "half a": 0.5,
-        "half an": 0.5,
-        "a half": 0.5,
-        "an half": 0.5,
-        "a quarter of a": 0.25,
-        "a quarter of an": 0.25,
-        "three quarters of a": 0.75,
-        "three quarters of an": 0.75,
-    }
-    if t in vague:
-        found = vague[t]
-        return found if isinstance(found, tuple) else sign * found
-    if re.fullmatch(_DIGITS, t):
-        if "/" in t:
-            a, b = t.split("/")
-            return sign * float(a) / float(b) if float(b) else None
-        return sign * float(t.replace(",", ""))
-    total = current = 0.0
-    seen = False
-    for word in re.split(r"[\s-]+", t):
-        if word in ("and", "a", "an", ""):
-            continue
-        if word not in NUMBER_WORDS:
-            return None
-        seen = True
-        value = NUMBER_WORDS[word]
-        if value in (100.0, 1000.0):
-            current = (current or 1.0) * value
-        else:
-            current += value
-    total += current
-    return sign * total if seen else None
 
 
 def _unit_of(text: str) -> tuple[Dimension, float] | None:
@@ -247,6 +188,14 @@ def find_amounts(text: str) -> list[Amount]:
     """All quantities with units in `text`, left to right, not overlapping."""
     taken: list[tuple[int, int]] = []
     out: list[Amount] = []
+    special = [(m, _sides(m)) for m in _PRODUCT.finditer(text)]
+    special += [(m, _share_of_turn(m)) for m in _TURNED.finditer(text)]
+    special += [(m, _on_the_clock(m)) for m in _CLOCK.finditer(text)]
+    special += [(m, _between_bounds(m)) for m in _BOTH_BOUNDS.finditer(text)]
+    for m, amount in special:
+        if amount is not None and not any(m.start() < e and s < m.end() for s, e in taken):
+            out.append(amount)
+            taken.append((amount.start, amount.end))
     for pattern in (_TOLERANCE_FIRST, _PATTERN):
         position = 0
         while (m := pattern.search(text, position)) is not None:
@@ -298,11 +247,61 @@ def _amount(m: re.Match[str]) -> Amount | None:
         start = m.start("lo")  # a lone "from" is a preposition
     bound: Literal["min", "max"] | None = None
     word = (groups.get("bound") or "").lower()
+    half = _AND_A_HALF.match(m.string, m.end())
+    if half is not None and low_a == low_b:  # "a second and a half"
+        low_a = low_b = low_a + (0.5 if half[1].lower() == "half" else 0.25) * factor
+    end, measure = suffix(m.string, half.end() if half is not None else m.end(), dimension)
+    if word == "over" and measure == "start":
+        start, word = m.start("lo"), ""  # "is bowled over 2.5 s in"
     if word == "up to" and _SPEEDING.search(m.string[: m.start()]):
         start, word = m.start("lo"), ""  # "speeds up to 14 m/s": reaches it
     if word and not groups.get("hi"):
-        bound = "min" if word.startswith(_LOW_BOUNDS) or word == "exceeding" else "max"
-    return Amount(dimension, low_a, low_b, start, m.end(), m.string[start : m.end()].strip(), bound)
+        bound = "min" if word.startswith(_LOW_BOUNDS) else "max"
+    if word.endswith("the first"):
+        measure = "start"
+    return Amount(dimension, low_a, low_b, start, end, m.string[start:end].strip(), bound, measure)
+
+
+def _share_of_turn(m: re.Match[str]) -> Amount:
+    word = m["share"].lower()
+    degrees = 270.0 if word.startswith("three") else _TURNS[word]
+    return Amount("angle", degrees, degrees, m.start(), m.end(), m.group())
+
+
+def _on_the_clock(m: re.Match[str]) -> Amount:
+    low = float(m["lo"].replace(",", ""))
+    high = float(m["hi"].replace(",", "")) if m["hi"] else low
+    return Amount("time", low, high, m.start(), m.end(), m.group(), measure="start")
+
+
+def _between_bounds(m: re.Match[str]) -> Amount | None:
+    """ "at least 6 m/s but not more than 8": an interval."""
+    inner = re.search(rf"({NUMBER})[\s-]*({_UNIT})", m.group(), re.IGNORECASE)
+    unit = _unit_of(m["unit"] or (inner[2] if inner is not None else ""))
+    low, high = parse_number(m["lo"]), parse_number(m["hi"])
+    if unit is None or not isinstance(low, float) or not isinstance(high, float):
+        return None
+    a, b = sorted((low * unit[1], high * unit[1]))
+    return Amount(unit[0], a, b, m.start(), m.end(), m.group().strip())
+
+
+def _sides(m: re.Match[str]) -> Amount | None:
+    """ "20 x 30 x 40 cm": the lengths of the sides, in the order given."""
+    unit = _unit_of(m["unit"])
+    if unit is None:
+        return None
+    found: list[float] = []
+    for one in re.split(r"\s*(?:x|×|\*|by)\s*", m["sides"], flags=re.IGNORECASE):
+        part = re.fullmatch(rf"({DIGITS})[\s-]*(.*)", one.strip(), re.IGNORECASE)
+        own = _unit_of(part[2]) if part is not None and part[2] else unit
+        if part is None or own is None:
+            return None
+        value = parse_number(part[1])
+        found.append((value if isinstance(value, float) else 0.0) * own[1])
+    largest = max(found)
+    return Amount(
+        "length", largest, largest, m.start(), m.end(), m.group().strip(), sides=tuple(found)
+    )
 
 
 def _article_counts(m: re.Match[str], unit: str, dimension: Dimension) -> bool:
@@ -322,3 +321,6 @@ def _article_counts(m: re.Match[str], unit: str, dimension: Dimension) -> bool:
     return bool(
         re.match(r"\s*(?:$|[.,;:!?]|later|after|before|and|the|then)", after, re.IGNORECASE)
     )
+
+
+__all__ = ["NUMBER_WORDS", "Amount", "Dimension", "find_amounts", "parse_number"]

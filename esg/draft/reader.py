@@ -52,6 +52,8 @@ class Reader:
             dashed = "-".join(words)
             if n > 1 and dashed in table:
                 return table[dashed], n, False, dashed
+        if i < len(self.tokens) and self._low(i).removesuffix("s").endswith("-year-old"):
+            return table["child"], 1, self._low(i).endswith("s"), "child"
         if i < len(self.tokens) and "-" in self._low(i):
             last, plural = lex.singular(self._low(i).replace("-", " "))
             if last in table:
@@ -198,6 +200,8 @@ class Reader:
         nounish = noun is not None or low in lex.ATTRIBUTES or low in lex.PARTS
         nounish = nounish or lex.singular(low)[0] in lex.ATTRIBUTES
         adjectival = self._is_adjective(i)
+        if prev_low == "whose":
+            return False  # "a car whose speed is 12 m/s"
         if adjectival and prev_low in ("too", "very", "so", "quite") and forms <= {"base"}:
             return False  # "is too slow"
         if noun is not None and noun[1] > 1 and not isinstance(previous, Mention):

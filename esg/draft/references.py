@@ -135,6 +135,7 @@ class References(MotionSenses):
                 self.ids(m, avoid=subject)
             objects = self.ids(f.object, avoid=subject)
         objects = self._one_for_each(f, subject, objects)
+        self.world.movers = subject + objects
         self.ids(f.object2, avoid=subject + objects)
         for p in f.phrases:
             if p.mention is not None:

@@ -2,17 +2,28 @@
 
 from __future__ import annotations
 
+import re
+
 from esg.draft import lexicon as lex
 from esg.draft.elements import Mention
 from esg.draft.entities import FRONT, ORDINALS, REAR, Entity, plural, slug, unknown_noun
 from esg.draft.matching import Matching
 from esg.draft.quantities import Amount
+from esg.draft.sizes import HOLLOW, holding, inclined, sized
 
 _NAMED_GROUPS = frozenset({"tower", "pyramid", "pile", "heap", "convoy"})
 
 _TO_THE_HOLE = frozenset({"into", "in", "past", "to", "toward", "towards", "around"})
 _AT_A_BAR = frozenset({"along", "on", "at", "across", "off", "behind", "down", "onto", "from"})
 _ROOMS = frozenset({"garage", "shop", "store", "school", "church", "hotel", "barn", "apartment"})
+_BALLS = {
+    "golfer": "golf ball", "batter": "baseball", "pitcher": "baseball", "batsman": "cricket ball",
+    "goalkeeper": "soccer ball", "goalie": "soccer ball", "striker": "soccer ball",
+    "footballer": "soccer ball", "tennis player": "tennis ball", "bowling alley": "bowling ball",
+}  # fmt: skip
+"""The ball of who plays with it."""
+_PEOPLE = re.compile(r"(?:man|men|woman|women|person|ist|player|keeper|worker|driver|officer)$")
+"""Endings of nouns for people."""
 MAX_COUNT = 40
 """Most members of one plural."""
 
@@ -34,6 +45,8 @@ class Registry(Matching):
         """Referent sets, most recent last."""
         self.subjects: list[list[str]] = []
         self.resolved: dict[int, list[str]] = {}
+        self.movers: list[str] = []
+        """What the clause that is being read is about."""
         self.warnings: list[str] = []
         self.conflicts: list[str] = []
         """Two values stated for one property."""
@@ -137,6 +150,8 @@ class Registry(Matching):
             ids[:] = swap(ids)
 
     def _count(self, m: Mention, noun: lex.Noun) -> int:
+        if m.count is None and m.plural and m.determiner in ("a", "an") and not m.group_word:
+            return 1  # "a 50 g dice"
         if m.count is not None:
             if m.count > MAX_COUNT:
                 self.warnings.append(
@@ -197,26 +212,14 @@ class Registry(Matching):
             e.mass_kg, e.mass_prescribed = amount.middle, True
             return "expected_mass_kg"
         if amount.dimension == "length":
-            dims = e.dimensions_cm or list(e.noun.dimensions_cm)
-            x = amount.middle
-            if word in ("tall", "high", "deep", "height"):
-                dims[2] = x
-            elif word in ("wide", "width"):
-                dims[1] = x
-            elif word in ("long", "length"):
-                dims[0] = x
-            elif word in ("diameter", "radius", "thick", "in diameter"):
-                x = 2.0 * x if word == "radius" else x
-                if e.noun.shape == "sphere":
-                    dims = [x, x, x]
-                else:
-                    dims[0] = dims[1] = x
-            else:
-                largest = max(dims)
-                dims = [d * x / largest for d in dims]
-            if e.noun.shape == "sphere":
-                dims = [x, x, x]
-            e.dimensions_cm, e.dimensions_prescribed = dims, True
+            e.dimensions_cm, e.dimensions_prescribed = sized(e, amount, word), True
+            return "expected_dimensions_cm"
+        if amount.dimension == "volume" and e.noun.kind in HOLLOW:
+            e.dimensions_cm = holding(e, amount.middle)
+            return "expected_dimensions_cm"
+        if amount.dimension == "angle" and "incline" in e.noun.traits:
+            e.dimensions_cm = inclined(e, amount.middle)
+            e.dimensions_prescribed = True
             return "expected_dimensions_cm"
         return ""
 
@@ -226,6 +229,8 @@ class Registry(Matching):
         return ["ground_1"]
 
     def _create(self, m: Mention) -> list[str]:
+        if m.noun is None and _PEOPLE.search(m.head):
+            m.noun = lex.nouns()["person"]
         noun = m.noun or unknown_noun(m.head)
         if noun.name == "net" and m.after_prep in ("into", "in") and not self.net_sport:
             noun = lex.nouns()["goal"]
@@ -240,6 +245,9 @@ class Registry(Matching):
             or any(e.noun.name == "basketball" for e in self.entities.values())
         ):
             noun = lex.nouns()["basketball hoop"]
+        elif m.head == "ball":
+            played = (_BALLS.get(e.head) for e in self.entities.values())
+            noun = lex.nouns()[next((b for b in played if b), noun.name)]
         if "structural" in noun.traits and "decal" not in noun.traits:
             return ["ground_1"] if "ground_1" in self.entities else self._ground(noun, m)
         if m.determiner == "another" or "other" in m.adjectives:
@@ -305,7 +313,12 @@ class Registry(Matching):
         return list(self.groups[group])
 
     def _golf(self) -> bool:
-        return any(e.noun.name == "golf ball" for e in self.entities.values())
+        """Whether what the clause is about is a golf ball, or the prompt's only ball is one."""
+        movers = [self.entities[i] for i in self.movers if i in self.entities]
+        if any(e.noun.name == "golf ball" for e in movers):
+            return True
+        people = all(e.noun.kind == "person" for e in movers)
+        return people and any(e.noun.name == "golf ball" for e in self.entities.values())
 
     def _letter(self, m: Mention, letter: str) -> str:
         """Names a member of a plural, or creates the individual."""

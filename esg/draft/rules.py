@@ -13,6 +13,7 @@ from esg.draft.interpret import Interpreter
 from esg.draft.modality import mark_unreal
 from esg.draft.nominals import verbalize
 from esg.draft.screening import contradictions, nothing_to_draw, screen
+from esg.draft.spacing import space
 from esg.draft.syntax import Chunker, pos_tags, tokenize
 from esg.draft.world import World
 from esg.graph.models import EsgDocument
@@ -71,6 +72,7 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     scene.ignored.update({(v.start, v.end): "gerund" for v in clauses.nominal})
     compare(text, clauses.mentions, scene)
     compare_speeds(text, clauses.mentions, scene)
+    space(text, clauses.mentions, scene)
     contradictions(text, scene)
     nothing_to_draw(scene)
     restricted = is_restricted(text)

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from esg.draft.core import Time
 from esg.draft.frames import Frame
-from esg.draft.quantities import Amount
+from esg.draft.quantities import Amount, find_amounts
 from esg.draft.scene import SELF_POWERED
 from esg.draft.senses_outcome import OutcomeSenses
 from esg.draft.timeline import Motion
@@ -354,6 +354,9 @@ class ControlSenses(OutcomeSenses):
         if amount is not None:
             degrees = max(1.0, min(720.0, abs(amount[1].middle)))
             self.use(amount[1], "turn angle")
+        for a in find_amounts(self.text[f.verb.start : f.verb.end]):
+            degrees = max(1.0, min(720.0, abs(a.middle)))  # "makes a 60-degree turn"
+            self.scene.used[(f.verb.start + a.start, f.verb.start + a.end)] = "turn angle"
         actors = s or o
         if not actors:
             actors = [a for a, t in self.tl.tracks.items() if t.motion is not None][-1:]
@@ -387,7 +390,9 @@ class ControlSenses(OutcomeSenses):
             track = self.tl.track(actor)
             if track.motion is None:
                 self._start_motion(f, [actor], "own")
-            time = self._time(f)
+            time, ends = self._time(f), None
+            if time is not None and (isinstance(time[0], tuple) or f.phrase("by") is not None):
+                time, ends = None, time  # "turns right within 6 s": when the turn is done
             speed, prescribed = (
                 (track.motion.speed, track.motion.prescribed) if track.motion else (None, False)
             )
@@ -408,7 +413,7 @@ class ControlSenses(OutcomeSenses):
                 ),
                 self._direction(actor, "own"),
             )
-            self.event(kind, (actor,), f, None, turn_direction=direction, turn_degrees=degrees)
+            self.event(kind, (actor,), f, ends, turn_direction=direction, turn_degrees=degrees)
 
     def _do_swerve(self, f: Frame, s: list[str], o: list[str]) -> None:
         direction = (

@@ -74,6 +74,8 @@ class FallSenses(LaunchSenses):
         itself = not set(p.mention.entities) - set(moved)
         if owned and itself and p.mention.head in BODY_PARTS | OWN_PARTS:
             self.use(f, "landing")  # "lands on its wheels"
+            if f.verb.sense == "fall" and moved and self.kind(moved[0]) == "person":
+                self.event(NodeEvent.TOPPLE, (moved[0],), f, self._time(f))  # "flat on his face"
             return True
         for t in moved:
             if t == other:

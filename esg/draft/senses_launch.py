@@ -164,7 +164,7 @@ class LaunchSenses(StateSenses):
 
     def _heights(self, f: Frame, things: list[str]) -> None:
         for p, a in self.amounts(f):
-            if self.text[a.end : a.end + 5].strip().startswith("away"):
+            if self.text[a.end : a.end + 6].strip().startswith(("away", "apart")):
                 continue
             drop = f.verb.sense in ("fall", "drop") and p == ""
             if a.dimension == "length" and drop:

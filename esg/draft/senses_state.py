@@ -8,6 +8,7 @@ from esg.draft import lexicon as lex
 from esg.draft.acts import Acts
 from esg.draft.frames import Frame, Phrase
 from esg.draft.places import RELATION_PREPS
+from esg.draft.quantities import Amount
 from esg.draft.scene import SELF_POWERED, Relation
 from esg.draft.syntax import Mention
 
@@ -98,8 +99,12 @@ class StateSenses(Acts):
         for _, a in self.amounts(f):
             above = self.text[a.end : a.end + 7].strip().startswith(("above", "up", "high", "off"))
             tall = f.verb.sense == "posture" and all(map(self.structural, others))
+            above = above or (f.verb.lemma in ("hover", "float") and "at " in self._just_before(a))
             if a.dimension == "length" and above and tall:
                 self._start_height(things, a)
+
+    def _just_before(self, a: Amount) -> str:
+        return self.text[max(0, a.start - 4) : a.start].lower()
 
     def _do_posture(self, f: Frame, s: list[str], o: list[str]) -> None:
         """A state; of what has moved before, where it ends ("and at the end rests on a towel")."""
@@ -229,11 +234,11 @@ class StateSenses(Acts):
                 continue
             if p.prep in RELATION_PREPS:
                 fixed = None
-                if distance is not None and p.prep not in ("on", "in", "inside"):
+                if distance is not None and things and p.prep not in ("on", "in", "inside"):
                     fixed = distance.value
                     self.use(distance, "distance")
                 self.place(things, others, p.prep, p.mention.part, fixed)
-            elif p.prep in ("from", "away from") and distance is not None and others:
+            elif p.prep in ("from", "away from") and distance is not None and others and things:
                 for t in things:
                     self.scene.relations.append(Relation(t, others[0], "near", distance.value))
                 self.use(distance, "distance")

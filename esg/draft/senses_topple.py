@@ -73,8 +73,9 @@ class ToppleSenses(ContactSenses):
             p = f.phrase("to")
             body = p.mention.entities if p is not None and p.mention is not None else []
         found = self.quantity(f, "speed")
-        if found is not None and body:
-            self._speed_after(body[0], found[1])
+        body = body or s if f.verb.passive else body  # "is given a speed of 4 m/s"
+        if found is not None and body and not self._speed_after(body[0], found[1]):
+            self.stated[body[0]] = found[1]
         self.use(f, "speed after the collision")
 
     def _do_topple(self, f: Frame, s: list[str], o: list[str]) -> None:

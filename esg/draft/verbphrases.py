@@ -87,8 +87,16 @@ _phrase("roll", rf"over{_NO_OBJECT}", "topple")
 _phrase("keel", r"over", "topple")
 _phrase("flip", rf"over{_NO_EDGE}", "topple")
 _phrase("fall", r"down(?!\s+(?:the|a|an|from|onto|on|into))", "fall", particle="down")
+for _verb in ("make", "take", "do", "perform", "execute", "complete"):
+    _phrase(
+        _verb,
+        r"(?:an?\s+)?(?:quarter|half|full|\d+(?:\.\d+)?[-\s]*(?:degrees?|deg|°))[-\s]+"
+        r"(?:(?P<dir>left|right|u)(?:-hand)?[- ]+)?turn",
+        "turn",
+    )
 _phrase("make", rf"(?:an?\s+){_ADJ}(?P<dir>left|right|u)(?:-hand)?[- ]?turn", "turn")
 _phrase("make", r"(?:an?\s+)(?P<dir>left|right)", "turn")
+_phrase("tip", r"the\s+scales?(?=\s+at)", "weigh")
 _phrase("make", rf"(?:an?\s+){_ADJ}turn\s+(?:to\s+the\s+)?(?P<dir>left|right)", "turn")
 _phrase("take", rf"(?:an?\s+|the\s+){_ADJ}(?P<dir>left|right)(?:-hand)?(?:[- ]?turn)?", "turn")
 _phrase("hang", r"(?:an?\s+)(?P<dir>left|right)", "turn")

@@ -6,6 +6,7 @@ from esg.draft import lexicon as lex
 from esg.draft.elements import Mention
 from esg.draft.entities import (
     BODY_PARTS,
+    COUNTED_FROM,
     FRONT,
     ORDINALS,
     OTHER,
@@ -16,6 +17,8 @@ from esg.draft.entities import (
     slug,
 )
 from esg.draft.pronouns import Pronouns
+
+_LEVELS = {-1: "top", 0: "bottom", 1: "middle"}
 
 
 class World(Pronouns):
@@ -67,12 +70,19 @@ class World(Pronouns):
         whole = self._whole(m, subject, avoid)
         if whole:
             return whole
+        own = m.determiner in ("his", "her", "its", "their")
+        if own and m.head in BODY_PARTS and m.noun is None:
+            m.attribute = True  # "falls flat on his face"
         if m.attribute or (not m.head and not m.pronoun):
             if m.possessor is not None:
                 return self.resolve(m.possessor)
             return []
         if m.count == 0:
             return []
+        if m.pronoun and m.counted_from:
+            whole = next((ids for ids in reversed(self.salience) if len(ids) > 1), [])
+            if found := self._counted(m, [self.entities[self.current(i)] for i in whole]):
+                return found
         if m.pronoun:
             return self._pronoun(m, subject, avoid)
         if m.noun is not None and "structural" in m.noun.traits:
@@ -146,6 +156,10 @@ class World(Pronouns):
                 return ids
             own = m.head in OWN_PARTS and not subject
             return ids if own and kinds & {"vehicle", "cart", "watercraft", "flyer"} else []
+        if body and m.determiner == "the" and m.after_prep in ("in", "on") and m.noun is None:
+            last = [i for ids in self.salience[-2:] for i in ids if i in self.entities]
+            hit = [i for i in last if self.entities[i].noun.kind in ("person", "animal")]
+            return hit[-1:]  # "hits him in the midriff"
         if m.determiner in ("his", "her", "its", "their") and (
             body or (m.head in OWN_PARTS and not subject)
         ):
@@ -199,6 +213,9 @@ class World(Pronouns):
             last = self.salience[-1] if self.salience else []
             rest = [e.id for e in names if e.id not in last and e.id not in avoid]
             return rest if m.plural else rest[:1]
+        alike = [e for e in self.entities.values() if self._same_kind(m, e)]
+        if m.counted_from and (found := self._counted(m, alike)):
+            return found
         ordinal = next((a for a in m.adjectives if a in ORDINALS or a in ("last", "final")), None)
         if ordinal is not None:
             found = self._ordinal(m, ordinal)
@@ -286,13 +303,35 @@ class World(Pronouns):
         if not stacked:
             return []
         members = self.groups[stacked[-1].group or ""]
-        e = self.entities[members[STACKED[word]]]
-        if not e.letter and e.place not in STACKED:
-            level = "top" if STACKED[word] else "bottom"
-            e.place, e.label = level, f"{level} {e.head}"
-            e.adjectives.append(level)
+        k = STACKED[word] if STACKED[word] <= 0 else len(members) // 2
+        return [self._name_by_place(members[k], _LEVELS[STACKED[word]])]
+
+    def _name_by_place(self, name: str, place: str) -> str:
+        """Gives a member of a row or stack the name of its place; returns its id."""
+        e = self.entities[name]
+        if not e.letter and (not e.place or e.place in STACKED) and e.place != place:
+            e.place, e.label = place, f"{place} {e.head}"
+            e.adjectives.append(place)
             self._rename(e, self._new_id(slug(e.label)))
-        return [e.id]
+        return e.id
+
+    def _counted(self, m: Mention, names: list[Entity]) -> list[str]:
+        """ "the second crate from the left", "the third from the top"."""
+        ordinal = next((ORDINALS[a] for a in m.adjectives if a in ORDINALS), 0)
+        groups = [e.group for e in names if e.group in self.groups]
+        if not groups:
+            return []
+        members = self.groups[groups[-1] or ""]
+        k = ordinal if COUNTED_FROM[m.counted_from] > 0 else len(members) - 1 - ordinal
+        if not 0 <= k < len(members):
+            return []
+        word = next((a for a in m.adjectives if a in ORDINALS), "first")
+        for i in members:
+            if self.entities[i].pattern in (None, "scatter", "queue"):
+                self.entities[i].pattern = "row"
+        if COUNTED_FROM[m.counted_from] < 0:
+            word = f"{word} last" if ordinal else "last"
+        return [self._name_by_place(members[k], word)]
 
     def _picked(self, m: Mention, ids: list[str]) -> list[str]:
         """ "the first of two barrels": one member, named by its place."""

@@ -1,0 +1,150 @@
+"""Sizes, spans and distances in the words people use for them."""
+
+from __future__ import annotations
+
+import pytest
+
+from esg.draft import draft
+from esg.draft.quantities import find_amounts
+from esg.graph import verify
+from esg.graph.models import EsgDocument, NodeEvent
+
+
+def dimensions(doc: EsgDocument, node: str) -> tuple[float, float, float]:
+    asset = doc.asset_requirement[doc.spatial_relation_graph.nodes[node].asset_id]
+    return asset.expected_dimensions_cm
+
+
+def distances(doc: EsgDocument) -> list[tuple[str, str, object]]:
+    edges = doc.spatial_relation_graph.edges.binary_relations
+    return [(r.from_, r.to, r.distance_cm) for r in edges if r.distance_cm is not None]
+
+
+@pytest.mark.parametrize(
+    ("text", "dimension", "value"),
+    [
+        ("a second and a half", "time", 1.5),
+        ("two and a half metres tall", "length", 250.0),
+        ("2 and a half seconds", "time", 2.5),
+        ("at least 6 m/s but not more than 8, the", "speed", (600.0, 800.0)),
+        ("between t=1 and t=2 the", "time", (1.0, 2.0)),
+        ("a quarter turn to the right", "angle", 90.0),
+        ("a 500 ml bottle", "volume", 0.5),
+        ("at a 45 degree angle with", "angle", 45.0),
+        ("20 x 30 x 40 cm", "length", 40.0),
+    ],
+)
+def test_reads_amounts_in_words(text: str, dimension: str, value: object) -> None:
+    (amount,) = find_amounts(text)
+    assert amount.dimension == dimension
+    assert amount.value == pytest.approx(value)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "node", "expected"),
+    [
+        ("A 20 x 30 x 40 cm crate falls off a shelf.", "crate_1", (20.0, 30.0, 40.0)),
+        ("A table measuring 2 m by 1 m holds a vase.", "table_1", (200.0, 100.0, 75.0)),
+        ("A crate (20 kg, 60 cm on each side) slides.", "crate_1", (60.0, 60.0, 60.0)),
+        ("A marble, 1.6 cm across, rolls.", "marble_1", (1.6, 1.6, 1.6)),
+        ("A cube with an edge length of 10 cm slides.", "cube_1", (10.0, 10.0, 10.0)),
+        ("A wall 30 cm thick and 2 m high is hit by a car.", "wall_1", (30.0, 400.0, 200.0)),
+        ("A dog jumps over a 1.2 m fence.", "fence_1", (250.0, 10.0, 120.0)),
+        ("Two metres tall, the bookcase topples.", "bookcase_1", (90.0, 32.0, 200.0)),
+    ],
+)
+def test_a_length_is_the_side_its_words_say(
+    prompt: str, node: str, expected: tuple[float, float, float]
+) -> None:
+    doc = draft(prompt)
+    assert dimensions(doc, node) == pytest.approx(expected)
+    assert not [w for w in doc.coverage.warnings if "quantity" in w]
+    assert not verify(doc)
+
+
+def test_a_ramp_is_as_steep_as_stated() -> None:
+    length, _, height = dimensions(draft("A ball rolls down a 45-degree ramp."), "ramp_1")
+    assert height == pytest.approx(length, rel=1e-3)
+
+
+def test_volumes_size_vessels_and_are_no_counts() -> None:
+    doc = draft("Three 2-litre bottles are knocked over by a ball.")
+    bottles = [n for n in doc.spatial_relation_graph.nodes if n.startswith("bottle")]
+    assert len(bottles) == 3
+    assert dimensions(doc, bottles[0])[2] > 30.0
+
+
+@pytest.mark.parametrize(
+    ("prompt", "pair", "distance_cm"),
+    [
+        ("Half a metre separates two bottles; a ball hits one.", ("bottle_1", "bottle_2"), 50.0),
+        ("Jogger at 3 m/s. Bollard 12 m ahead. He hits it.", ("jogger_1", "bollard_1"), 1200.0),
+        ("Eleven metres lie between a ball and a boy.", ("ball_1", "boy_1"), 1100.0),
+        ("Two crates, 1 m apart, are dropped.", ("crate_1", "crate_2"), 100.0),
+    ],
+)
+def test_distances_without_a_verb_of_motion(
+    prompt: str, pair: tuple[str, str], distance_cm: float
+) -> None:
+    doc = draft(prompt)
+    assert (*pair, distance_cm) in distances(doc)
+    assert doc.timeline_system is None or not any(
+        c.quantity == "height" for c in doc.timeline_system.sequence_graph.nodes[0].constraints
+    )
+
+
+def test_speeds_of_fragments_and_whose() -> None:
+    for prompt, actor in (
+        ("Jogger at 3 m/s. He hits a bollard.", "jogger_1"),
+        ("A car whose speed is 3 m/s hits a bus whose mass is 12 tons.", "car_1"),
+        ("A puck is given a speed of 3 m/s and hits a cone.", "puck_1"),
+    ):
+        timeline = draft(prompt).timeline_system
+        assert timeline is not None
+        (edge,) = timeline.sequence_graph.edges
+        assert (edge.actor, edge.params.speed, edge.speed_is_prescribed) == (actor, 300.0, True)
+
+
+def test_each_of_two_has_its_own_speed() -> None:
+    timeline = draft("Two trolleys, one at 1 m/s and the other at 3 m/s, collide.").timeline_system
+    assert timeline is not None
+    assert [e.params.speed for e in timeline.sequence_graph.edges] == [100.0, 300.0]
+
+
+def test_members_are_counted_from_an_end() -> None:
+    left = draft("Five crates stand in a row. A ball hits the second crate from the left.")
+    right = draft("Five crates stand in a row. A ball hits the second crate from the right.")
+    order = [list(d.spatial_relation_graph.nodes) for d in (left, right)]
+    assert order[0].index("second_crate_1") - order[0].index("crate_1") == 1
+    assert order[1].index("second_last_crate_1") - order[1].index("crate_1") == 3
+
+
+def test_the_middle_of_a_stack() -> None:
+    doc = draft("There is a stack of three crates. A ball hits the middle crate.")
+    assert list(doc.spatial_relation_graph.nodes)[1:4] == ["crate_1", "middle_crate_1", "crate_3"]
+
+
+def test_a_number_without_a_unit_is_reported() -> None:
+    doc = draft("A car going 60 hits a wall.")
+    assert any('"60" has no unit' in w for w in doc.coverage.warnings)
+    assert doc.timeline_system is not None
+    events = {n.event for n in doc.timeline_system.sequence_graph.nodes}
+    assert NodeEvent.COLLISION in events
+
+
+def test_balls_that_start_at_the_ends_of_a_table_are_on_it() -> None:
+    doc = draft("A red ball and a blue ball roll from opposite ends of a table and collide.")
+    nodes = doc.spatial_relation_graph.nodes
+    assert nodes["red_ball_1"].semantic_region == nodes["blue_ball_1"].semantic_region
+    assert nodes["red_ball_1"].semantic_region == "table_1_surface"
+
+
+def test_only_a_golf_ball_makes_a_cup_a_hole() -> None:
+    doc = draft("A golf ball hits a mug, and an orange rolls into a cup.")
+    asset = doc.asset_requirement[doc.spatial_relation_graph.nodes["cup_1"].asset_id]
+    assert asset.asset_category == "cup"
+
+
+def test_wheels_under_a_chair_are_no_objects() -> None:
+    doc = draft("An armchair on wheels is pushed into a wall.")
+    assert not [n for n in doc.spatial_relation_graph.nodes if "wheel" in n]
