@@ -83,7 +83,7 @@ def refusing(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
         raise UserError(f"no {prompt}")
 
     monkeypatch.setattr(drafting, "PROMPTS", tmp_path)
-    monkeypatch.setattr(drafting, "run", lambda split, _: _run(split, refuse))
+    monkeypatch.setattr(drafting, "run", lambda split, _, files: _run(split, refuse, files))
 
 
 _run = drafting.run
@@ -100,3 +100,17 @@ def test_totals_show_no_miss_and_the_explicit_word_opens_them(
     assert "split blind" in closed and "pear" not in closed
     assert drafting.main([*blind, "--show", "--open-held-out"]) == 0
     assert "blind-001 refused" in capsys.readouterr().out
+
+
+def test_the_wide_prompts_are_labelled_for_development_alone() -> None:
+    rows = drafting.load("dev", ["wide"])
+    assert len(rows) == 160 and not drafting.load("test", ["wide"])
+    assert {r["id"] for r in rows} < {r["id"] for r in drafting.load("dev")}
+    assert [r["id"] for r in rows] == [f"wide-{i:03d}" for i in range(1, 161)]
+    for row in rows:
+        assert row["band"] in drafting.BANDS and row["objects"] and row["events"], row["id"]
+        for event in row["events"]:
+            assert set(event) - {"type", "each"} == FIELDS[event["type"]], row["id"]
+        for want in row["constraints"]:
+            assert UNITS[want["quantity"]] == want["unit"], row["id"]
+            assert ("value" in want) != ("range" in want), row["id"]
