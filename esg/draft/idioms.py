@@ -1,0 +1,149 @@
+"""Verbs whose sense depends on what stands around them: "takes it out", "breaks off the cliff".
+
+Phrases that follow a verb directly are tables of the syntax (`verbphrases`); what is read here needs
+the verb's arguments.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from esg.draft.elements import Mention
+from esg.draft.frames import Frame
+
+_PARTING = frozenset({"break", "snap", "crack", "chip", "split", "tear", "come", "peel", "wobble"})
+_BREAKING = frozenset({"break", "shatter", "crack", "splinter", "burst", "smash"})
+_SHUTTING = frozenset({"close", "shut", "snap", "slam"})
+_STEPPING = frozenset({"step", "tread", "sit", "stamp"})
+_JUMPING = frozenset({"jump", "leap", "hop", "spring", "climb", "dive"})
+_TRAVELLING = frozenset({"person", "vehicle", "animal", "robot", "cart"})
+_TOSSED = frozenset({"game", "tableware", "food", "ball", "billiard", "projectile", "electronics"})
+_SURFACES = frozenset({"patch", "slick", "spot", "stretch"})
+"""What a vehicle hits and drives over."""
+
+
+def _kind(m: Mention | None) -> str:
+    return m.noun.kind if m is not None and m.noun is not None else ""
+
+
+def _structural(m: Mention | None) -> bool:
+    return m is not None and m.noun is not None and "structural" in m.noun.traits
+
+
+def _thing(m: Mention | None) -> bool:
+    """Whether a phrase names something solid, pronouns included."""
+    return m is not None and not m.attribute and not _structural(m) and bool(m.head or m.pronoun)
+
+
+def _takes_out(f: Frame) -> str:
+    """ "The second ball takes it out", "takes out the yellow one": a hit."""
+    if f.verb.lemma != "take" or _kind(f.subject) == "person" or f.verb.sense != "noop":
+        return ""
+    out = f.phrase("out")
+    if f.object is None and out is not None:
+        f.object = out.mention
+        f.phrases.remove(out)
+        return "hit"
+    return "hit" if "out" in f.adverbs and _thing(f.object) else ""
+
+
+def _parts(f: Frame) -> str:
+    """ "A rock breaks off the cliff": it falls from there."""
+    if f.verb.lemma not in _PARTING or f.verb.sense not in ("noop", "own") or f.object is not None:
+        return ""
+    p = f.phrase("off")
+    returns = "back" in f.adverbs  # "comes back off the cushion"
+    return "fall" if p is not None and _thing(p.mention) and not returns else ""
+
+
+def _breaks_it(f: Frame) -> str:
+    """ "The stone breaks a pane": nobody breaks it, something moving does."""
+    if f.verb.lemma not in _BREAKING or f.verb.sense != "noop" or f.verb.passive:
+        return ""
+    if f.verb.infinitive:
+        return ""  # "throws a stone to break a window"
+    moving = _thing(f.subject) and _kind(f.subject) not in ("person", "")
+    pronoun = f.subject is not None and f.subject.pronoun == "it"
+    return "hit" if (moving or pronoun) and _thing(f.object) and f.object is not None else ""
+
+
+def _shuts_on(f: Frame) -> str:
+    """ "The doors shut on a suitcase"."""
+    p = f.phrase("on")
+    if f.verb.lemma in _SHUTTING and f.verb.sense == "noop" and p is not None and _thing(p.mention):
+        return "hit"
+    return ""
+
+
+def _steps_on(f: Frame) -> str:
+    """ "steps on a rake" is a contact, "steps onto the road" a motion."""
+    if f.verb.lemma not in _STEPPING or f.verb.sense not in ("noop", "own"):
+        return ""
+    p = f.phrase("on", "onto")
+    return "hit" if p is not None and _thing(p.mention) else "own"
+
+
+def _jumps_on(f: Frame) -> str:
+    """ "jumps on the counter": onto it."""
+    if f.verb.lemma in _JUMPING and f.verb.sense == "own":
+        for p in f.phrases:
+            if p.prep == "on" and _thing(p.mention) and not (p.mention and p.mention.part):
+                p.prep = "onto"
+    return ""
+
+
+def _lets_off(f: Frame) -> str:
+    """ "A taxi drops off ...": passengers, who are not named."""
+    idle = f.object is None and not any(p.mention is not None for p in f.phrases)
+    off = f.verb.lemma == "drop" and "off" in f.adverbs and not f.verb.passive
+    return "noop" if off and idle and _kind(f.subject) == "vehicle" else ""
+
+
+def _tosses(f: Frame) -> str:
+    """ "A coin is flipped", "a girl flips a coin": thrown, not tipped over."""
+    if f.verb.lemma != "flip" or f.verb.sense != "topple":
+        return ""
+    thing = f.subject if f.verb.passive else f.object
+    if _kind(thing) not in _TOSSED or {"over", "upside down"} & set(f.adverbs):
+        return ""
+    f.verb.note = "throw"
+    return "launch"
+
+
+def _hits_ground(f: Frame) -> str:
+    """ "hits a patch of ice": a surface that it drives over."""
+    if f.verb.sense != "hit" or f.verb.passive or f.object is None:
+        return ""
+    flat = f.object.head.split()[-1:] and f.object.head.split()[-1] in _SURFACES
+    return "own" if flat and _kind(f.subject) in _TRAVELLING else ""
+
+
+_READINGS: tuple[Callable[[Frame], str], ...] = (
+    _takes_out, _parts, _breaks_it, _shuts_on, _steps_on, _jumps_on, _lets_off, _tosses,
+    _hits_ground,
+)  # fmt: skip
+
+
+def read_idioms(frames: list[Frame]) -> None:
+    """Gives verbs the sense that they have with their arguments.
+
+    Args:
+        frames: Frames of a prompt; their `verb.sense` and phrases may change.
+    """
+    for f in frames:
+        for reading in _READINGS:
+            sense = reading(f)
+            if sense:
+                f.verb.sense = sense
+                break
+    _slips(frames)
+
+
+def _slips(frames: list[Frame]) -> None:
+    """ "steps on it and slips": who slips and does nothing more falls."""
+    for k, f in enumerate(frames):
+        if f.verb.lemma != "slip" or f.verb.sense != "slide" or f.object is not None:
+            continue
+        alone = not f.phrases and not f.adverbs and _kind(f.subject) == "person"
+        if alone and not any(g.subject is f.subject for g in frames[k + 1 :]):
+            f.verb.sense = "topple"
