@@ -159,7 +159,7 @@ def load_manifest(path: str | Path) -> Manifest:
         data = json.loads(path.read_bytes())
     except OSError as error:
         raise UserError(f"cannot read {path}: {error.strerror or error}") from None
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise UserError(f"{path} is not JSON: {error}") from None
     try:
         return manifest_from_json(data)
