@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator
+from collections.abc import Generator, Iterable
 import contextlib
 import json
 import os
@@ -68,6 +68,12 @@ def fail(message: str, exit_code: int, as_json: bool) -> int:
         flush()
     print(f"esg: {message}", file=sys.stderr)
     return exit_code
+
+
+def warn(problems: Iterable[str]) -> None:
+    """Says on stderr, a line each, what the command had to do without."""
+    for problem in problems:
+        print(f"esg: {problem}", file=sys.stderr)
 
 
 class Progress:

@@ -103,6 +103,8 @@ def run(folder: Path, out: Path, chosen: Settings) -> dict[str, Any]:
     from esg.view.truth_sheet import truth_sheet
 
     entry = read_scene(folder)
+    if entry.problems:
+        raise UserError("\n".join(entry.problems))
     replays = replays_of(folder, entry.metrics)
     if not replays:
         raise UserError(f"{folder} was never replayed; its log.jsonl says why")

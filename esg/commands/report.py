@@ -27,8 +27,11 @@ def report(
             same suite, strategy and engine in the database.
         title: Of the page; default the name of the folder.
         json: Print one JSON document: the file and what is in it.
+
+    Returns:
+        0, or 3 if files of the run are damaged: the page names them and shows the rest.
     """
-    from esg.commands.console import emit, progress
+    from esg.commands.console import emit, progress, warn
     from esg.commands.database import database_path
     from esg.commands.inputs import check_target, checked
     from esg.report import load_run, write_report
@@ -39,13 +42,24 @@ def report(
         lambda: check_target("--out", path, "an HTML file") if out or run.is_dir() else None,
         lambda: load_run(run, against=against, database=database_path()),
     )
+    problems: list[str] = []
     with progress(len(loaded.scenes), "reading scenes") as bar:
-        write_report(loaded, path, engines=chosen, title=title, on_scene=lambda s: bar.step(s.name))
+        write_report(
+            loaded,
+            path,
+            engines=chosen,
+            title=title,
+            on_scene=lambda s: bar.step(s.name),
+            on_problem=problems.append,
+        )
     if json:
-        emit({"report": str(path), "bytes": path.stat().st_size, "scenes": len(loaded.scenes)})
+        size = path.stat().st_size
+        found = {"scenes": len(loaded.scenes), "problems": problems}
+        emit({"report": str(path), "bytes": size, **found})
     else:
+        warn(problems)
         print(f"{path}: {len(loaded.scenes)} scenes, {path.stat().st_size / 1e6:.1f} MB")
-    return 0
+    return 3 if problems else 0
 
 
 def engine_names(text: str) -> tuple[str, ...]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated
 
@@ -24,7 +25,11 @@ def view(
         engines: Further engines to replay and overlay, with commas, or all.
         once: Start, answer, and stop at once: a test that everything is in place.
         seconds: Stop after so many seconds.
+
+    Returns:
+        0, or 3 if files of the scene are damaged: the page names them and shows the rest.
     """
+    from esg.commands.console import warn
     from esg.commands.inputs import checked, find_scene, in_range
     from esg.commands.report import engine_names
     from esg.report.run import load_run
@@ -36,7 +41,9 @@ def view(
         lambda: in_range("--port", port, 0, 65535),
         lambda: None if seconds is None else in_range("--seconds", seconds, 0.001, 1e7),
     )
-    page = _page(load_run(folder), names)
+    problems: list[str] = []
+    page = _page(load_run(folder), names, problems.append)
+    warn(problems)
 
     def ready(address: str) -> None:
         print(address, flush=True)
@@ -51,15 +58,16 @@ def view(
         serve(page, folder, port, ready, seconds=0.0 if once else seconds)
     except KeyboardInterrupt:
         print()
-    return 0
+    return 3 if problems else 0
 
 
-def _page(run: object, engines: tuple[str, ...]) -> bytes:
+def _page(run: object, engines: tuple[str, ...], on_problem: Callable[[str], None]) -> bytes:
     import tempfile
 
     from esg.report import Run, write_report
 
     assert isinstance(run, Run)
     with tempfile.TemporaryDirectory() as work:
-        path = write_report(run, Path(work) / "view.html", engines=engines, files="files")
+        path = Path(work) / "view.html"
+        write_report(run, path, engines=engines, files="files", on_problem=on_problem)
         return path.read_bytes()

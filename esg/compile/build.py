@@ -21,6 +21,7 @@ import tempfile
 import time
 
 from esg.compile.lint import ENGINE_HEADERS, generated_header, lint
+from esg.outcomes import UserError
 
 FLAGS = (
     "-std=c++20",
@@ -84,14 +85,17 @@ class ClassFiles:
 
         Raises:
             FileNotFoundError: If there is not exactly one header with its source.
+            UserError: If they are no text.
         """
         headers = sorted((folder / "unreal").glob("*.h"))
         if len(headers) != 1:
             raise FileNotFoundError(f"{folder}/unreal holds {len(headers)} headers, expected one")
         source = headers[0].with_suffix(".cpp")
-        return ClassFiles(
-            str(folder), headers[0].stem, headers[0].read_text("utf-8"), source.read_text("utf-8")
-        )
+        try:
+            texts = headers[0].read_text("utf-8"), source.read_text("utf-8")
+        except UnicodeDecodeError as error:
+            raise UserError(f"{folder}/unreal is damaged (no UTF-8 text: {error.reason})") from None
+        return ClassFiles(str(folder), headers[0].stem, *texts)
 
 
 @dataclass(frozen=True)

@@ -179,10 +179,12 @@ def read_glb(data: bytes) -> tuple[dict[str, Any], bytes]:
     """JSON and binary chunk of a GLB.
 
     Raises:
-        ValueError: If it is no binary glTF 2.
+        ValueError: If it is no binary glTF 2, or cut off.
     """
     if len(data) < 20 or struct.unpack_from("<II", data) != (_MAGIC, 2):
         raise ValueError("not a binary glTF 2 file")
+    if struct.unpack_from("<I", data, 8)[0] > len(data):
+        raise ValueError("a binary glTF 2 file that is cut off")
     document: dict[str, Any] = {}
     binary = b""
     at = 12

@@ -18,6 +18,7 @@ from esg.engines.manifest import Manifest, load_manifest
 from esg.engines.program import batch_programs
 from esg.engines.scene import Rollout
 from esg.outcomes import UserError
+from esg.scenereading import damaged, first_line
 
 if TYPE_CHECKING:
     from esg.metrics.models import SceneVerdict, SuiteScene
@@ -91,16 +92,19 @@ def replay_scene(folder: Path, manifest: Manifest, engine: str, dt: float) -> tu
         dt: Physics step [s].
 
     Raises:
-        UserError: If the folder holds no compiled scene, or for an unknown engine.
+        UserError: If the folder holds no compiled scene or a damaged one, or for an unknown engine.
     """
     if engine == "physx":
-        from esg.compile.build import CompilerMissing
-        from esg.compile.replay import replay_class
+        from esg.compile.build import ClassError, CompilerMissing
+        from esg.compile.replay import ReplayError, replay_class
 
         try:
             return replay_class(folder, dt=dt).rollout, "class"
         except CompilerMissing:
             pass
+        except (ClassError, ReplayError) as error:
+            # It compiled and ran when it was written: the files are no longer what they were.
+            raise damaged(folder / "unreal", first_line(error)) from None
     batch = batch_programs([manifest.program], manifest.scene.names)
     return get_engine(engine).rollout(manifest.scene, batch, dt=dt), "program"
 

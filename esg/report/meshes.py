@@ -10,6 +10,7 @@ import numpy as np
 from esg.compile.glb import GltfMeshes, mesh_of
 from esg.engines.scene import Body
 from esg.report.binary import Chunk
+from esg.scenereading import damaged
 
 
 class MeshLibrary:
@@ -19,17 +20,21 @@ class MeshLibrary:
         self.chunks: dict[str, str] = {}
         self._keys: dict[tuple[str, str], str] = {}
 
-    def add(self, body: Body, folder: Path) -> str:
+    def add(self, body: Body, folder: Path, problems: list[str] | None = None) -> str:
         """Key of a body's mesh, empty if it has none.
 
         Args:
             body: Its collision shapes stand in for a missing file.
             folder: The scene folder.
+            problems: Receives what is wrong with a damaged file.
         """
         known = self._keys.get((str(folder), body.mesh)) if body.mesh else None
         if known:
             return known
         source, data = mesh_of(body, folder)
+        path = folder / body.mesh
+        if body.mesh and source != body.mesh and path.exists() and problems is not None:
+            problems.append(str(damaged(path, "no binary glTF: its collision shapes are shown")))
         if data is None:
             return ""
         key = hashlib.sha256(data).hexdigest()[:16]

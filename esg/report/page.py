@@ -21,6 +21,7 @@ from esg.report.meshes import MeshLibrary
 from esg.report.payload import index_entry, scene_chunk, thumbnail
 from esg.report.replays import replays_of
 from esg.report.run import Run, SceneEntry
+from esg.scenereading import collected
 
 STATIC = Path(__file__).parent / "static"
 
@@ -33,8 +34,11 @@ def write_report(
     title: str = "",
     files: str | None = None,
     on_scene: Callable[[SceneEntry], None] = lambda _: None,
+    on_problem: Callable[[str], None] = lambda _: None,
 ) -> Path:
     """Writes the report of a run.
+
+    Damaged files are named on the page and to `on_problem`; the others are shown.
 
     Args:
         run: The run.
@@ -43,6 +47,7 @@ def write_report(
         title: Of the page; default the name of the folder.
         files: Where the scene folders are, seen from the page; default found out.
         on_scene: Called after every scene.
+        on_problem: Called with every damaged file, its reason and its remedy.
 
     Raises:
         UserError: If the file cannot be written.
@@ -50,7 +55,23 @@ def write_report(
     from esg import __version__
 
     title = title or run.folder.resolve().name
-    index = {
+    problems: list[list[str]] = [[] for _ in run.scenes]
+    for problem in run.problems:
+        on_problem(problem)
+
+    def index() -> dict[str, Any]:
+        scenes = [
+            index_entry(s, n, _key(run, s), [_short(s.folder, p) for p in problems[n]])
+            for n, s in enumerate(run.scenes)
+        ]
+        return {**facts, "scenes": scenes}
+
+    def after(number: int) -> None:
+        for problem in problems[number]:
+            on_problem(problem)
+        on_scene(run.scenes[number])
+
+    facts = {
         "title": title,
         "single": run.single,
         "version": __version__,
@@ -60,13 +81,13 @@ def write_report(
         "before": _plain(run.before),
         "paper": run.paper,
         "files": _relative(run, path) if files is None else files,
-        "scenes": [index_entry(s, n, _key(run, s)) for n, s in enumerate(run.scenes)],
+        "problems": [_short(run.folder, p) for p in run.problems],
     }
     partial = path.with_name(f".{path.name}.{os.getpid()}.tmp")
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         with partial.open("w", encoding="utf-8", newline="\n") as file:
-            for piece in page(title, index, _chunks(run.scenes, engines, on_scene)):
+            for piece in page(title, index, _chunks(run.scenes, engines, problems, after)):
                 file.write(piece)
         partial.replace(path)
     except OSError as error:
@@ -78,12 +99,15 @@ def write_report(
     return path
 
 
-def page(title: str, index: dict[str, Any], chunks: Iterable[tuple[str, str]]) -> Iterator[str]:
+def page(
+    title: str, index: Callable[[], dict[str, Any]], chunks: Iterable[tuple[str, str]]
+) -> Iterator[str]:
     """The pieces of the HTML file.
 
     Args:
         title: Plain text.
-        index: What the list needs; JSON.
+        index: Gives what the list needs, JSON; asked after the chunks, whose making may find
+            something to tell.
         chunks: Element ids and base64 texts.
     """
     script = (STATIC / "report.js").read_text(encoding="utf-8")
@@ -101,11 +125,11 @@ def page(title: str, index: dict[str, Any], chunks: Iterable[tuple[str, str]]) -
         '<link rel="icon" href="data:,">\n'
         f"<title>{html.escape(title)}</title>\n<style>{style}</style>\n</head>\n<body>\n"
         '<div id="app"><noscript>This page needs JavaScript to show its data.</noscript></div>\n'
-        f'<script type="application/json" id="index">{embed_json(index)}</script>\n'
     )
     for key, text in chunks:
         yield f'<script type="text/plain" id="{html.escape(key)}">{text}</script>\n'
     yield (
+        f'<script type="application/json" id="index">{embed_json(index())}</script>\n'
         f'<script type="text/plain" id="licenses">{embed_json(notices)}</script>\n'
         f"<script>{script}</script>\n</body>\n</html>\n"
     )
@@ -122,16 +146,21 @@ def _digest(script: str) -> str:
 
 
 def _chunks(
-    scenes: Sequence[SceneEntry], engines: Sequence[str], on_scene: Callable[[SceneEntry], None]
+    scenes: Sequence[SceneEntry],
+    engines: Sequence[str],
+    problems: Sequence[list[str]],
+    on_scene: Callable[[int], None],
 ) -> Iterator[tuple[str, str]]:
     meshes = MeshLibrary()
     for number, scene in enumerate(scenes):
-        thumb = thumbnail(scene.folder)
+        told: list[str] = []
+        thumb = collected(told, lambda s=scene: thumbnail(s.folder), "")
         if thumb:
             yield f"thumb-{number}", thumb
-        replays = replays_of(scene.folder, scene.metrics, engines)
-        yield f"scene-{number}", scene_chunk(scene, replays, meshes)
-        on_scene(scene)
+        replays = replays_of(scene.folder, scene.metrics, engines, told)
+        yield f"scene-{number}", scene_chunk(scene, replays, meshes, told)
+        problems[number].extend(dict.fromkeys([*scene.problems, *told]))
+        on_scene(number)
     for key, text in meshes.chunks.items():
         yield f"mesh-{key}", text
 
@@ -139,6 +168,11 @@ def _chunks(
 def _key(run: Run, scene: SceneEntry) -> str:
     """Name of a scene in the page: where its folder is in the run's."""
     return scene.name if run.single else scene.folder.relative_to(run.folder).as_posix()
+
+
+def _short(folder: Path, problem: str) -> str:
+    """A problem with its path as seen from `folder`: the page may lie on another machine."""
+    return problem.replace(f"{folder}/", "")
 
 
 def _plain(row: dict[str, Any]) -> dict[str, Any]:

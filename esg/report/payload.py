@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import base64
-from collections.abc import Sequence
+from collections.abc import Generator, Sequence
+import contextlib
 import io
 from pathlib import Path
 from typing import Any
@@ -15,6 +16,7 @@ from esg.report.binary import Chunk
 from esg.report.meshes import MeshLibrary
 from esg.report.replays import Replayed
 from esg.report.run import SceneEntry
+from esg.scenereading import absent, collected, damaged
 
 FPS = 60.0
 """Frames a second that a page keeps of a replay."""
@@ -25,13 +27,16 @@ SHEET_PX = 1100
 _MOVED_M, _TURNED = 1e-4, 1e-4
 
 
-def index_entry(scene: SceneEntry, number: int, key: str) -> dict[str, Any]:
+def index_entry(
+    scene: SceneEntry, number: int, key: str, problems: Sequence[str] = ()
+) -> dict[str, Any]:
     """What lists, filters and cards need to know of a scene.
 
     Args:
         scene: The scene.
         number: Its place in the run.
         key: Its folder, seen from the run's.
+        problems: Damaged files of it, told without its path.
     """
     verdict, coverage = scene.verdict, scene.document.get("coverage", {})
     items = coverage.get("items", [])
@@ -44,6 +49,7 @@ def index_entry(scene: SceneEntry, number: int, key: str) -> dict[str, Any]:
         "prompt": scene.prompt,
         "outcome": scene.outcome,
         "reason": scene.reason,
+        "problems": list(problems),
         "advice": scene.metrics.get("advice", ""),
         "proof": scene.metrics.get("proof", ""),
         "judged_against": scene.metrics.get("judged_against", ""),
@@ -70,14 +76,22 @@ def _mean(values: Sequence[float]) -> float | None:
     return sum(values) / len(values) if values else None
 
 
-def scene_chunk(scene: SceneEntry, replays: Sequence[Replayed], meshes: MeshLibrary) -> str:
+def scene_chunk(
+    scene: SceneEntry,
+    replays: Sequence[Replayed],
+    meshes: MeshLibrary,
+    problems: list[str] | None = None,
+) -> str:
     """Everything the page of one scene shows.
 
     Args:
         scene: The scene.
         replays: Its replays, the recorded one first; none if it never came to one.
         meshes: Receives the meshes.
+        problems: Receives what is wrong with a damaged contact sheet.
     """
+    sheet = scene.folder / "preview.png"
+    told = [] if problems is None else problems
     chunk = Chunk(
         {
             "document": scene.document,
@@ -85,20 +99,22 @@ def scene_chunk(scene: SceneEntry, replays: Sequence[Replayed], meshes: MeshLibr
             "log": list(scene.log),
             "files": files_of(scene.folder),
             "texts": texts_of(scene.folder),
-            "sheet": picture(scene.folder / "preview.png", SHEET_PX, quality=62),
+            "sheet": collected(told, lambda: picture(sheet, SHEET_PX, quality=62), ""),
             "bodies": [],
             "replays": [],
         }
     )
     if replays:
-        chunk.head["bodies"] = _bodies(replays[0].scene, scene.folder, meshes)
+        chunk.head["bodies"] = _bodies(replays[0].scene, scene.folder, meshes, told)
         chunk.head["regions"] = _regions(replays[0].scene)
     for number, replay in enumerate(replays):
         chunk.head["replays"].append(_replay(chunk, number, replay))
     return chunk.text()
 
 
-def _bodies(sim: SimScene, folder: Path, meshes: MeshLibrary) -> list[dict[str, Any]]:
+def _bodies(
+    sim: SimScene, folder: Path, meshes: MeshLibrary, problems: list[str]
+) -> list[dict[str, Any]]:
     return [
         {
             "name": b.name,
@@ -110,7 +126,7 @@ def _bodies(sim: SimScene, folder: Path, meshes: MeshLibrary) -> list[dict[str, 
             "half": list(b.half_extents),
             "offset": list(b.origin_offset),
             "collides": b.collides,
-            "mesh": meshes.add(b, folder),
+            "mesh": meshes.add(b, folder, problems),
         }
         for b in sim.bodies
     ]
@@ -233,29 +249,46 @@ def texts_of(folder: Path) -> dict[str, str]:
 
 
 def thumbnail(folder: Path) -> str:
-    """A card's picture as base64 (WebP), empty if there is none: the sheet's middle panel."""
+    """A card's picture as base64 (WebP), empty if there is none: the sheet's middle panel.
+
+    Raises:
+        UserError: If it is damaged.
+    """
     path = folder / "preview.png"
-    if not path.is_file():
+    if absent(path):
         return ""
     from PIL import Image
 
     from esg.view.sheet import panel_boxes
 
-    with Image.open(path) as image:
+    with _reading(path), Image.open(path) as image:
         boxes = panel_boxes(image)
         crop = image.convert("RGB").crop(boxes[min(1, len(boxes) - 1)]) if boxes else image
         return _webp(crop.convert("RGB"), THUMB_PX, 60)
 
 
 def picture(path: Path, width: int, *, quality: int) -> str:
-    """A picture as base64 (WebP), at most `width` pixels wide; empty if it is missing."""
-    if not path.is_file():
+    """A picture as base64 (WebP), at most `width` pixels wide; empty if it is missing.
+
+    Raises:
+        UserError: If it is damaged.
+    """
+    if absent(path):
         return ""
     from PIL import Image
 
-    with Image.open(path) as image:
+    with _reading(path), Image.open(path) as image:
         height = max(1, round(image.height * min(1.0, width / image.width)))
         return _webp(image.convert("RGB"), (width, height), quality)
+
+
+@contextlib.contextmanager
+def _reading(path: Path) -> Generator[None]:
+    """Tells what a decoder found wrong with a picture."""
+    try:
+        yield
+    except Exception as error:  # a decoder's complaints have no common class
+        raise damaged(path, f"no picture: {str(error).split(chr(39))[0].strip()}") from None
 
 
 def _webp(image: Any, size: tuple[int, int], quality: int) -> str:

@@ -3,11 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from esg.engines.scene import Rollout, SimScene
+from esg.outcomes import UserError
+from esg.scenereading import absent, collected, read_manifest, read_rollout
+
+if TYPE_CHECKING:
+    from esg.engines.manifest import Manifest
 
 ENGINES = ("physx", "rapier", "newton")
 ROLLOUT = "rollout.npz"
@@ -31,7 +37,10 @@ class Replayed:
 
 
 def replays_of(
-    folder: Path, metrics: dict[str, Any], engines: Sequence[str] = ()
+    folder: Path,
+    metrics: dict[str, Any],
+    engines: Sequence[str] = (),
+    problems: list[str] | None = None,
 ) -> tuple[Replayed, ...]:
     """The recorded replay of a scene, then those of other engines.
 
@@ -42,41 +51,55 @@ def replays_of(
         folder: Scene folder.
         metrics: Its `metrics.json`; empty if the scene never came to a replay.
         engines: Further engines, by name.
+        problems: Receives what is wrong with files that had to be done without.
+
+    Raises:
+        UserError: For a damaged file, if there is no `problems` to tell it.
     """
-    if not metrics or not (folder / "manifest.json").is_file():
+    if not metrics or absent(folder / "manifest.json"):
         return ()
-    from esg.engines.manifest import load_manifest
+    told: list[str] = []
+    found = _found(folder, metrics, engines, told)
+    if problems is None and told:
+        raise UserError(told[0])
+    if problems is not None:
+        problems += told
+    return found
 
-    manifest = load_manifest(folder / "manifest.json")
-    path = folder / ROLLOUT
-    recorded = str(metrics["verdict"].get("engine", "physx"))
-    if path.is_file():
-        from esg.engines.rollout_file import load_rollout
 
-        first = Replayed(manifest.scene, load_rollout(path), metrics["proof"])
-    else:
-        first = _replay(folder, manifest, recorded)
+def _found(
+    folder: Path, metrics: dict[str, Any], engines: Sequence[str], told: list[str]
+) -> tuple[Replayed, ...]:
+    manifest = collected(told, lambda: read_manifest(folder / "manifest.json"), None)
+    if manifest is None:
+        return ()
+    path, scene = folder / ROLLOUT, manifest.scene
+    recorded = str(metrics["verdict"]["engine"])
+    first = None
+    if not absent(path):
+        rollout = collected(told, lambda: read_rollout(path, len(scene.bodies)), None)
+        first = None if rollout is None else Replayed(scene, rollout, metrics["proof"])
+    if first is None:
+        first = collected(told, lambda: _replay(folder, manifest, recorded), None)
     # Engines are compared by the scene's own timeline, which is what the others are judged by.
-    own = metrics.get("own_timeline", metrics["verdict"])
-    first = Replayed(first.scene, first.rollout, first.proof, own["events"])
-    others = [_judged(folder, _replay(folder, manifest, e)) for e in engines if e != recorded]
-    return (first, *others)
+    events = metrics.get("own_timeline", metrics["verdict"])["events"]
+    replays = [] if first is None else [replace(first, events=events)]
+    for engine in engines:
+        if engine != recorded:
+            run = partial(_compared, folder, manifest, engine)
+            replays += filter(None, [collected(told, run, None)])
+    return tuple(replays)
 
 
-def _replay(folder: Path, manifest: Any, engine: str) -> Replayed:
-    from esg.stages import REPLAY_RATE_HZ, proof_kind
+def _compared(folder: Path, manifest: Manifest, engine: str) -> Replayed:
+    return _judged(folder, _replay(folder, manifest, engine))
 
-    dt = 1.0 / REPLAY_RATE_HZ
-    proof = proof_kind(engine)
-    if proof == "class":
-        from esg.compile import replay_class
 
-        return Replayed(manifest.scene, replay_class(folder, dt=dt).rollout, proof)
-    from esg.engines.base import get_engine
-    from esg.engines.program import batch_programs
+def _replay(folder: Path, manifest: Manifest, engine: str) -> Replayed:
+    from esg.compile.transfer import replay_scene
+    from esg.stages import REPLAY_RATE_HZ
 
-    batch = batch_programs([manifest.program], manifest.scene.names)
-    rollout = get_engine(engine).rollout(manifest.scene, batch, dt=dt)
+    rollout, proof = replay_scene(folder, manifest, engine, 1.0 / REPLAY_RATE_HZ)
     return Replayed(manifest.scene, rollout, proof)
 
 

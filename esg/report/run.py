@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
-import json
 from pathlib import Path
 import re
 import statistics
@@ -12,10 +11,23 @@ from typing import Any
 
 from esg.outcomes import UserError
 from esg.scenefolder import is_scene_folder
+from esg.scenereading import (
+    collected,
+    damaged,
+    log_entries,
+    read_document,
+    read_metrics,
+    read_object,
+    read_text,
+)
 
 RUN_FILE = "run.json"
 """The results document that a benchmark leaves beside its scene folders."""
 _TOTALS = ("ecr_mean", "ecr_std", "slr", "ppa", "ppa_strict", "ppa_lenient", "seconds_per_scene")
+_FACTS = ("suite", "strategy", "engine")
+_WRITTEN = (("draft", "esg.json"), ("compile", "manifest.json"), ("judge", "metrics.json"))
+"""Stages and the file of the scene folder that each leaves."""
+_MADE = ("solved", "nearest_feasible", "infeasible", "not_converged")
 
 
 @dataclass(frozen=True)
@@ -27,12 +39,14 @@ class SceneEntry:
         document: The ESG document as JSON; empty if no draft was written.
         metrics: `metrics.json`; empty if there was nothing to judge.
         log: Entries of `log.jsonl`, the last one with the outcome.
+        problems: Files that could not be used, each with the reason and the remedy.
     """
 
     folder: Path
     document: dict[str, Any]
     metrics: dict[str, Any]
     log: tuple[dict[str, Any], ...]
+    problems: tuple[str, ...] = ()
 
     @property
     def name(self) -> str:
@@ -47,7 +61,8 @@ class SceneEntry:
     @property
     def prompt(self) -> str:
         """What was asked for."""
-        return (self.folder / "prompt.txt").read_text(encoding="utf-8").removesuffix("\n")
+        text = (self.folder / "prompt.txt").read_text(encoding="utf-8", errors="replace")
+        return text.removesuffix("\n")
 
     @property
     def outcome(self) -> str:
@@ -88,6 +103,7 @@ class Run:
         rows: Per suite scene: id, events, completed per run, outcomes, seconds.
         before: Totals of the run it is set beside, with `name`; empty if none is known.
         paper: The published results if this is their suite, else empty.
+        problems: Files of the run itself that could not be used.
     """
 
     folder: Path
@@ -97,6 +113,7 @@ class Run:
     rows: tuple[dict[str, Any], ...]
     before: dict[str, Any] = field(default_factory=dict)
     paper: dict[str, Any] = field(default_factory=dict)
+    problems: tuple[str, ...] = ()
 
     @property
     def single(self) -> bool:
@@ -106,6 +123,8 @@ class Run:
 
 def load_run(folder: Path, *, against: Path | None = None, database: Path | None = None) -> Run:
     """Reads a folder of scene folders, or one scene folder.
+
+    A damaged file is no reason to show nothing of the others: it is told in `problems`.
 
     Args:
         folder: Output folder of a benchmark or of `esg generate`, or a scene folder.
@@ -121,7 +140,10 @@ def load_run(folder: Path, *, against: Path | None = None, database: Path | None
     if not paths:
         raise UserError(f"{folder} holds no scene folders; give the --out of a bench or generate")
     scenes = tuple(read_scene(path) for path in paths)
-    document = _results(folder / RUN_FILE) if (folder / RUN_FILE).is_file() else {}
+    problems: list[str] = []
+    document: dict[str, Any] = {}
+    if (folder / RUN_FILE).exists():
+        document = collected(problems, lambda: _results(folder / RUN_FILE), document)
     rows = tuple(document.get("scenes") or _rows(scenes))
     facts = {k: document[k] for k in ("suite", "strategy", "engine", "runs", "dt") if k in document}
     before: dict[str, Any] = {}
@@ -137,6 +159,7 @@ def load_run(folder: Path, *, against: Path | None = None, database: Path | None
         rows=rows,
         before=before,
         paper=_paper() if document.get("suite") == "paper" else {},
+        problems=tuple(problems),
     )
 
 
@@ -155,15 +178,21 @@ def natural(text: str) -> list[tuple[int, int, str]]:
 
 
 def read_scene(folder: Path) -> SceneEntry:
-    """Reads a scene folder; parts that are missing or damaged are left empty."""
-    lines = (folder / "log.jsonl").read_text(encoding="utf-8").splitlines()
-    log = [entry for line in lines if isinstance(entry := _parse(line), dict)]
-    return SceneEntry(
-        folder=folder,
-        document=_object(folder / "esg.json"),
-        metrics=_object(folder / "metrics.json"),
-        log=tuple(log),
-    )
+    """Reads a scene folder; what is missing or damaged is left empty, and damage is told."""
+    problems: list[str] = []
+    # What can be read of a log that was cut off still says what the scene did until then.
+    text = collected(problems, lambda: read_text(folder / "log.jsonl"), "")
+    log, wrong = log_entries(text)
+    if text and wrong:
+        problems.append(str(damaged(folder / "log.jsonl", wrong)))
+    collected(problems, lambda: read_text(folder / "prompt.txt"), "")
+    document = collected(problems, lambda: read_document(folder / "esg.json"), {})
+    metrics = collected(problems, lambda: read_metrics(folder / "metrics.json"), {})
+    finished = {entry.get("stage") for entry in log}
+    for stage, name in _WRITTEN:
+        if stage in finished and not (folder / name).exists() and log[-1].get("outcome") in _MADE:
+            problems.append(str(damaged(folder / name, "missing")))
+    return SceneEntry(folder, document, metrics, log, tuple(problems))
 
 
 def totals_of(scenes: Sequence[SceneEntry]) -> dict[str, Any]:
@@ -217,25 +246,34 @@ def _rows(scenes: Sequence[SceneEntry]) -> list[dict[str, Any]]:
     return list(rows.values())
 
 
-def _parse(text: str) -> Any:
-    try:
-        return json.loads(text)
-    except ValueError:
-        return None
-
-
-def _object(path: Path) -> dict[str, Any]:
-    if not path.is_file():
-        return {}
-    value = _parse(path.read_text(encoding="utf-8", errors="replace"))
-    return value if isinstance(value, dict) else {}
-
-
 def _results(path: Path) -> dict[str, Any]:
-    document = _object(path)
-    if not isinstance(document.get("totals"), dict):
-        raise UserError(f"{path} is no results document (it lacks totals)")
+    document = read_object(path)
+    totals, rows = document.get("totals"), document.get("scenes", [])
+    if not isinstance(totals, dict):
+        raise damaged(path, "no results document: it lacks totals")
+    wrong = [f"/totals/{k}" for k in ("events", *_TOTALS) if not _is_number(totals.get(k))]
+    wrong += [f"/{k}" for k in _FACTS if not isinstance(document.get(k, ""), str)]
+    if isinstance(rows, list):
+        wrong += [f"/scenes/{i}" for i, row in enumerate(rows) if not _is_row(row)]
+    else:
+        wrong.append("/scenes")
+    if wrong:
+        raise damaged(path, f"{wrong[0]} has the wrong type")
     return document
+
+
+def _is_number(value: Any) -> bool:
+    return value is None or (isinstance(value, int | float) and not isinstance(value, bool))
+
+
+def _is_row(row: Any) -> bool:
+    return (
+        isinstance(row, dict)
+        and isinstance(row.get("id"), str)
+        and _is_number(row.get("n_events"))
+        and isinstance(row.get("completed"), list)
+        and all(_is_number(n) for n in row["completed"])
+    )
 
 
 def _against(path: Path) -> dict[str, Any]:
@@ -245,7 +283,11 @@ def _against(path: Path) -> dict[str, Any]:
         found = find_scenes(path)
         if not found:
             raise UserError(f"--against {path}: no scene folders and no {RUN_FILE} in it")
-        return {**totals_of([read_scene(p) for p in found]), "name": path.name}
+        scenes = [read_scene(p) for p in found]
+        wrong = [problem for scene in scenes for problem in scene.problems]
+        if wrong:  # its figures would be too low, and this run's look better for it
+            raise UserError("--against: " + wrong[0])
+        return {**totals_of(scenes), "name": path.name}
     if not path.is_file():
         raise UserError(f"--against {path} does not exist")
     return {**_results(path)["totals"], "name": path.name}

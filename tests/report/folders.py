@@ -89,8 +89,22 @@ def event(completed: bool = True, **more: Any) -> dict[str, Any]:
     }
 
 
+def _asset(name: str, mass_kg: float, size_cm: float) -> dict[str, Any]:
+    return {
+        "asset_name": name,
+        "category": name,
+        "source": "parametric",
+        "mesh_path": f"meshes/{name}_01.glb",
+        "dimensions_cm": [size_cm] * 3,
+        "mass_kg": mass_kg,
+        "is_movable": name == "ball",
+        "friction": 0.5,
+        "restitution": 0.3,
+    }
+
+
 def document(prompt: str, *, label: str = "red ball") -> dict[str, Any]:
-    """As much of an ESG document as a page reads."""
+    """A document that fits the schema, with everything that a page reads."""
     return {
         "scene_definition": {
             "scene_id": "drop",
@@ -108,8 +122,8 @@ def document(prompt: str, *, label: str = "red ball") -> dict[str, Any]:
             },
         },
         "asset_configurations": {
-            "ball_01": {"category": "ball", "mass_kg": 1.0},
-            "box_01": {"category": "box", "mass_kg": 5.0},
+            "ball_01": _asset("ball", 1.0, 40.0),
+            "box_01": _asset("box", 5.0, 100.0),
         },
         "timeline_system": {
             "sequence_graph": {
@@ -124,7 +138,7 @@ def document(prompt: str, *, label: str = "red ball") -> dict[str, Any]:
                     },
                 ],
                 "edges": [
-                    {"from": "scene_start", "to": "hit", "actor": "ball_1", "event": "Toward"}
+                    {"id": "fall", "from": "scene_start", "to": "hit", "actor": "ball_1", "event": "Toward"}
                 ],
             }
         },
@@ -142,6 +156,8 @@ def document(prompt: str, *, label: str = "red ball") -> dict[str, Any]:
             "warnings": [],
         },
         "dynamics_result": {
+            "outcome": "solved",
+            "duration_s": 1.0,
             "strategy": "batched",
             "engine": "newton",
             "dt_s": 1 / 240,
@@ -186,7 +202,11 @@ def write_scene(
     (folder / "manifest.json").write_bytes(manifest_bytes(manifest))
     save_rollout(rollout(), folder / "rollout.npz")
     verdict = {
+        "scene_id": "drop",
+        "suite_scene": "drop",
         "engine": "physx",
+        "dt_s": 1 / 240,
+        "layout": {"valid": True},
         "events": [event(completed)],
         "completed": int(completed),
         "n_events": 1,

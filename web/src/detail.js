@@ -22,6 +22,7 @@ export async function detail(s) {
     { class: "detail" },
     h("h1", { class: "row" }, s.id, badge(s.outcome)),
     prompt(s, data.document.coverage),
+    s.problems.map((p) => h("p", { class: "warn" }, p)),
     s.reason && h("p", { class: s.outcome === "solved" ? "" : "warn" }, s.reason),
     s.outcome !== "solved" && s.advice && h("p", { class: "faint" }, s.advice),
     h("div", { class: "two" }, h("div", {}, stage, controls?.element), h("div", {}, events(view, () => player), constraints(data), engines(view))),
@@ -38,7 +39,7 @@ export async function detail(s) {
     element,
     shown() {
       if (!motions.length) {
-        stage.replaceChildren(h("p", { class: "faint pad" }, "This scene was never replayed: there is nothing to play."));
+        stage.replaceChildren(h("p", { class: "faint pad" }, s.problems.length ? "Its files are damaged: there is nothing to play." : "This scene was never replayed: there is nothing to play."));
         return;
       }
       player = createPlayer(stage, view);

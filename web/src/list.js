@@ -22,6 +22,7 @@ const PROBLEMS = {
   events: ["events not completed", (s) => s.completed < s.n_events],
   layout: ["invalid layout", (s) => s.slr === false],
   parameters: ["parameters off", (s) => s.ppa !== null && s.ppa < 1],
+  files: ["damaged files", (s) => s.problems.length > 0],
   words: ["words not understood", (s) => s.not_understood.length > 0],
 };
 
@@ -49,6 +50,7 @@ export function summary() {
     ["Parameter accuracy", (c) => percent(c.ppa)],
     ["Time a scene", (c) => `${number(c.seconds_per_scene)} s`],
   ];
+  const damaged = index.scenes.filter((s) => s.problems.length).length;
   const about = ["suite", "strategy", "engine", "runs"].filter((k) => facts[k] !== undefined);
   return h(
     "section",
@@ -61,6 +63,10 @@ export function summary() {
       about.map((k) => ` · ${k} ${facts[k]}`),
       before.name ? ` · last run: ${before.name}` : "",
     ),
+    index.problems.map((p) => h("p", { class: "warn" }, p)),
+    damaged
+      ? h("p", { class: "warn" }, `${damaged} of ${index.scenes.length} scenes have damaged files; without its verdict a scene counts as having none of its events`)
+      : null,
     h(
       "table",
       { class: "figures" },
@@ -234,6 +240,7 @@ function card(s) {
       h("p", { class: "prompt" }, s.prompt),
       h("p", { class: "faint" }, facts.join(" · ")),
       missing,
+      s.problems.map((p) => h("p", { class: "warn" }, p)),
       failed.length && s.outcome !== "solved"
         ? h("p", { class: "warn" }, failed.map((e) => `${e.id} ${e.type}: ${e.reason}`).join("; "))
         : s.reason && s.outcome !== "solved"
