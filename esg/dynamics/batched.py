@@ -14,8 +14,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.dynamics.losses import MISSED
-from esg.dynamics.panel import GOOD_LOSS, Found, Panel, prior
+from esg.dynamics.niches import Niche, apart, broad, everywhere
+from esg.dynamics.panel import GOOD_LOSS, WORST_SHARE, Found, Panel, prior
 from esg.dynamics.plan import Plan
+from esg.dynamics.simulate import ENSEMBLE
 
 Floats = NDArray[np.float64]
 
@@ -25,6 +27,12 @@ POPULATION = 48
 WORLDS = 32
 ELITES = 6
 FINALISTS = 4
+SAMPLE, SAMPLES, NICHES = 64, 3, 3
+"""Candidates from all of theta's box at a time and how often where none near the start will do;
+places that are searched then."""
+NEARER, POOR = 1.0, 2.0
+"""A round that misses an event has to come nearer by this much, or the search looks further
+afield; it also does where events happen with this worst case or more and rounds do not help."""
 PATIENCE = 3
 """Rounds without progress after which a search gives up on what is still missing."""
 REFERENCE_SHARE = 0.4
@@ -41,11 +49,13 @@ class Explored:
         finalists: In order of their worst case, the best first, shape [K, n].
         worst: Of the best.
         stalled: Whether more rounds no longer improved it.
+        pool: All that was played.
     """
 
     finalists: Floats
     worst: float
     stalled: bool
+    pool: Pool | None = None
 
     @property
     def reached(self) -> bool:
@@ -59,6 +69,7 @@ def search(
     rng: np.random.Generator,
     max_rounds: int,
     barred: frozenset[str] = frozenset(),
+    rollouts: int | None = None,
 ) -> tuple[Found, str]:
     """The most robust theta found, and why the search stopped.
 
@@ -69,6 +80,8 @@ def search(
         max_rounds: Batches of candidates in the surrogate; the reference engine gets 40% of that.
         barred: Events that physics rules out (`feasibility`) and what follows from them: nothing is
             searched where all others happen.
+        rollouts: Most rollouts of the reference engine beside the first confirmation; None for as
+            many as the rounds need.
     """
     if barred:
         first = panel.judge(plan.initial()[None])
@@ -91,9 +104,43 @@ def search(
     if explored.stalled and not explored.reached and not best.ensemble.all_completed().any():
         # Neither engine brings the events about, and the last rounds came no nearer.
         return best, "out of reach"
+    if explored.worst < GOOD_LOSS and not best.ensemble.all_completed().all():
+        best = _elsewhere(plan, panel, rng, explored, best)
+        if best.good():
+            return best, "robust"
     reached = explored.reached or best.worst < MISSED
     share = REFERENCE_SHARE if reached else 0.5 * REFERENCE_SHARE
-    return _polish(plan, panel, rng, best, max(1, round(share * max_rounds)))
+    rounds, shown = max(1, round(share * max_rounds)), FINALISTS
+    if rollouts is not None:
+        left = rollouts + len(ENSEMBLE) - panel.evaluations
+        rounds = min(rounds, left // (WORLDS + FINALISTS * len(ENSEMBLE)))
+        if rounds <= 0:
+            rounds, shown = 1, (left - WORLDS) // len(ENSEMBLE)
+        if shown <= 0:
+            return best, "budget spent"
+    return _polish(plan, panel, rng, best, rounds, shown)
+
+
+def _elsewhere(
+    plan: Plan, panel: Panel, rng: np.random.Generator, explored: Explored, best: Found
+) -> Found:
+    """What the surrogate calls good apart from where the reference engine disagrees with it.
+
+    Engines disagree where an event just about happens. A sample of the whole box shows other places
+    where it does, and each costs one confirmation.
+    """
+    pool = explored.pool or Pool(panel)
+    pool.look(everywhere(plan, rng, SAMPLE, plan.initial()))
+    places = apart(plan, pool.seen, pool.losses, 2 * NICHES, [best.theta])
+    thetas = pool.seen[[k for k in places if pool.losses[k] < GOOD_LOSS]]
+    if not len(thetas):
+        return best
+    worst = panel.preview(thetas)
+    panel.note("sample", "surrogate", SAMPLE, float(worst.min()))
+    for k in np.argsort(worst, kind="stable")[:NICHES]:
+        if worst[k] < GOOD_LOSS and not best.good():
+            best = min((best, panel.judge(thetas[k : k + 1])), key=lambda f: f.worst)
+    return best
 
 
 def settled(best: Found, explored: Explored) -> bool:
@@ -107,39 +154,149 @@ def settled(best: Found, explored: Explored) -> bool:
 
 
 def _explore(plan: Plan, panel: Panel, rng: np.random.Generator, max_rounds: int) -> Explored:
-    """Searches in the surrogate, unless one of the first candidates is good."""
+    """Searches in the surrogate, unless one of the first candidates is good.
+
+    At first near the choreographed theta. Where that brings no event nearer, or all of them about
+    but far from as asked, all of theta's box is sampled once and the most promising places of it
+    are searched side by side.
+    """
     scale = spreads(plan)
-    first = around(plan, plan.initial(), scale, rng, STARTS)
-    worst = panel.preview(first)
-    order = np.argsort(worst, kind="stable")
-    pool, value = first[order], worst[order]
-    panel.note("start", "surrogate", len(first), float(value[0]))
-    if value[0] < GOOD_LOSS:
-        return Explored(pool[:FINALISTS], float(value[0]), False)
+    pool = Pool(panel)
+    pool.preview(around(plan, plan.initial(), scale, rng, STARTS))
+    panel.note("start", "surrogate", STARTS, pool.best)
+    if pool.best < GOOD_LOSS:
+        return pool.explored(stalled=False)
+    if not plan.free().any():
+        return pool.explored(stalled=True)
+    history = [pool.best]
     cloud = Cloud(plan, scale)
-    history = [float(value[0])]
-    ended = False
     for _ in range(max_rounds):
         thetas = cloud.draw(rng, POPULATION)
-        losses = panel.surrogate.assess(thetas).total + prior(plan, thetas)
-        elites = cloud.learn(thetas, losses, pool[0] if value[0] < MISSED else None)
-        chosen = elites[:FINALISTS]
-        pool = np.concatenate([pool, chosen])
-        value = np.concatenate([value, panel.preview(chosen)])
-        order = np.argsort(value, kind="stable")[: 2 * FINALISTS]
-        pool, value = pool[order], value[order]
-        history.append(float(value[0]))
-        panel.note("explore", "surrogate", POPULATION, history[-1])
-        ended = stalled(history, reached=value[0] < MISSED)
-        if value[0] < GOOD_LOSS or ended:
+        losses = pool.look(thetas)
+        elites = cloud.learn(thetas, losses, pool.thetas[0] if pool.best < MISSED else None)
+        pool.consider(elites[:FINALISTS], cloud.kept[:FINALISTS])
+        history.append(pool.best)
+        panel.note("explore", "surrogate", POPULATION, pool.best)
+        ended = stalled(history, reached=pool.best < MISSED)
+        if pool.best < GOOD_LOSS or (ended and pool.best < POOR):
+            return pool.explored(stalled=ended)
+        if ended or (
+            pool.best > POOR and history[-2] - history[-1] < min(NEARER, 0.1 * history[-2])
+        ):
             break
-    return Explored(pool[:FINALISTS], float(value[0]), ended)
+    left = max_rounds + 1 - len(history)
+    return _explore_widely(plan, pool, rng, left) if left else pool.explored(stalled=False)
+
+
+def _explore_widely(plan: Plan, pool: Pool, rng: np.random.Generator, rounds: int) -> Explored:
+    """Samples all of theta's box, then searches its best places side by side."""
+    for _ in range(SAMPLES):
+        thetas = everywhere(plan, rng, SAMPLE, plan.initial())
+        losses = pool.look(thetas)
+        order = np.argsort(losses, kind="stable")[:FINALISTS]
+        pool.consider(thetas[order], losses[order])
+        pool.panel.note("sample", "surrogate", SAMPLE, pool.best)
+        if pool.best < GOOD_LOSS:
+            return pool.explored(stalled=False)
+    scale = broad(plan)
+    niches: list[Niche] = []
+    tried: list[Floats] = []
+    history, ended = [pool.best], False
+    for _ in range(rounds):
+        if pool.best < GOOD_LOSS or ended:
+            break
+        niches = [n for n in niches if not (n.collapsed or n.idle >= PATIENCE)]
+        for k in apart(plan, pool.seen, pool.losses, NICHES - len(niches), tried):
+            niches.append(Niche(plan, pool.seen[k], float(pool.losses[k]), scale))
+            tried.append(pool.seen[k])
+        if not niches:
+            break
+        share = POPULATION // len(niches)
+        asked = [n.ask(rng, share) for n in niches]
+        losses = pool.look(np.concatenate(asked)).reshape(len(niches), share)
+        for niche, thetas, own in zip(niches, asked, losses, strict=True):
+            niche.tell(own)
+            order = np.argsort(own, kind="stable")[:2]
+            pool.consider(thetas[order], own[order])
+        history.append(pool.best)
+        pool.panel.note("explore", "surrogate", share * len(niches), pool.best)
+        ended = stalled(history, reached=pool.best < MISSED)
+    return pool.explored(stalled=ended)
+
+
+class Pool:
+    """What the surrogate has played: all candidates' losses and the most robust of them.
+
+    Attributes:
+        thetas: The most robust ones, the best first, shape [K, n].
+        value: Their worst cases; of one that misses an event its loss, shape [K].
+        seen, losses: Every candidate of `look` and its loss, shapes [N, n] and [N].
+    """
+
+    def __init__(self, panel: Panel) -> None:
+        self.panel = panel
+        n = len(panel.plan.variables)
+        self.thetas, self.value = np.zeros((0, n)), np.zeros(0)
+        self.seen, self.losses = np.zeros((0, n)), np.zeros(0)
+
+    @property
+    def best(self) -> float:
+        return float(self.value[0])
+
+    def preview(self, thetas: Floats) -> None:
+        """Plays candidates under the ensemble."""
+        self._keep(thetas, self.panel.preview(thetas))
+
+    def look(self, thetas: Floats) -> Floats:
+        """Losses of the unperturbed scene, shape [K]."""
+        losses = self.panel.surrogate.assess(thetas).total + prior(self.panel.plan, thetas)
+        self.seen = np.concatenate([self.seen, thetas])
+        self.losses = np.concatenate([self.losses, losses])
+        return losses
+
+    def consider(self, thetas: Floats, losses: Floats) -> None:
+        """Plays those under the ensemble that may be more robust than the best so far.
+
+        No worst case is better than the unperturbed scene alone allows. What misses an event there
+        is ranked by its loss.
+        """
+        missed = losses >= MISSED
+        if missed.any():
+            self._keep(thetas[missed], losses[missed])
+        worth = ~missed & (WORST_SHARE * losses < self.best)
+        if worth.any():
+            self.preview(thetas[worth])
+
+    def _keep(self, thetas: Floats, value: Floats) -> None:
+        self.thetas = np.concatenate([self.thetas, thetas])
+        self.value = np.concatenate([self.value, value])
+        _, first = np.unique(self.thetas, axis=0, return_index=True)
+        order = np.sort(first)
+        order = order[np.argsort(self.value[order], kind="stable")][: 2 * FINALISTS]
+        self.thetas, self.value = self.thetas[order], self.value[order]
+
+    def explored(self, *, stalled: bool) -> Explored:
+        return Explored(self.thetas[:FINALISTS], self.best, stalled, self)
 
 
 def _polish(
-    plan: Plan, panel: Panel, rng: np.random.Generator, best: Found, max_rounds: int
+    plan: Plan,
+    panel: Panel,
+    rng: np.random.Generator,
+    best: Found,
+    max_rounds: int,
+    shown: int = FINALISTS,
 ) -> tuple[Found, str]:
-    """Cross-entropy search in the reference engine around the best theta so far."""
+    """Cross-entropy search in the reference engine around the best theta so far.
+
+    Args:
+        plan: Variables.
+        panel: Engines.
+        rng: Source of the candidates.
+        best: Where it starts.
+        max_rounds: Rounds of candidates.
+        shown: How many elites of a round are played under the ensemble.
+    """
     cloud = Cloud(plan, spreads(plan), center=best.theta)
     history = [best.worst]
     thetas = cloud.draw(rng, WORLDS)
@@ -150,7 +307,7 @@ def _polish(
         last = k == max_rounds - 1
         # The next candidates do not depend on how these fare under the ensemble.
         thetas = cloud.draw(rng, WORLDS)
-        found, look = panel.judge_while(elites[:FINALISTS], thetas[: 0 if last else WORLDS])
+        found, look = panel.judge_while(elites[:shown], thetas[: 0 if last else WORLDS])
         best = min((best, found), key=lambda f: f.worst)
         history.append(best.worst)
         if best.good():

@@ -9,6 +9,7 @@ an earlier one is only looked for after it.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+import math
 
 import numpy as np
 
@@ -28,6 +29,13 @@ CHAIN_MARGIN_S, CLOSE = 0.03, 0.4
 """A hit this much later than that survives another engine; loss of one that is not later at all."""
 TIME_SCALE_S = 0.1
 SPEED_SCALE_MPS = 0.25
+FAR, FARTHEST, FAR_RANGE = 20.0, 25.0, 16.0
+"""A miss costs its squared distance (in scales) up to here, then rises ever slower to that; it is
+half way after so many scales more. Far misses differ: a search can tell the nearer one."""
+STEEP = 50.0
+"""An error costs as told by `_bowl` up to here, and rises ever slower to `UNMET` from there on."""
+UNBRAKED = 20.0
+"""Loss of a brake that takes nothing of the speed, or sets in long after it should have."""
 HALVED = 0.45
 """Braking leaves at most this fraction of the speed, a little less than the half that is asked."""
 
@@ -135,6 +143,7 @@ class _Assessor:
                 self.result.time[node.id] = np.zeros(self.rec.n)
             elif node.event is NodeEvent.TRIGGER:
                 self.result.time[node.id] = self.rec.program_time(node)
+                self._order(node)
             else:
                 self._event(node)
         self._braking()
@@ -155,7 +164,7 @@ class _Assessor:
         measure = MEASURES[node.event]
         time, far = measure(self.rec, node, np.where(ready, earliest, np.inf), self._term)
         done = ready & np.isfinite(time) & self.rec.r.valid
-        loss = np.where(done, 0.0, MISSED + np.minimum(far, 25.0))
+        loss = np.where(done, 0.0, MISSED + _distance_loss(far))
         loss = np.where(ready, loss, MISSED + 30.0)
         self.result.completed[node.id] = done
         self.result.time[node.id] = np.where(done, time, np.nan)
@@ -170,6 +179,15 @@ class _Assessor:
         self._window(node, time, done)
         for constraint in node.constraints:
             self._constraint(node, constraint, done)
+
+    def _order(self, node: TimelineNode) -> None:
+        """The program triggers nothing before a turn or trigger that it shall follow is over."""
+        late = np.zeros(self.rec.n)
+        for before in self.rec.story.before.get(node.id, ()):
+            if self.rec.story.nodes[before].event in (NodeEvent.TRIGGER, NodeEvent.HEADING_REACHED):
+                end = np.nan_to_num(self.rec.program_time(self.rec.story.nodes[before]))
+                late = np.maximum(late, end - self.result.time[node.id])
+        self._term(f"{node.id}/order", _unbraked(late / TIME_SCALE_S))
 
     def _is(self, node_id: str | None, event: NodeEvent) -> bool:
         return node_id is not None and self.rec.story.nodes[node_id].event is event
@@ -258,8 +276,12 @@ class _Assessor:
                 ratio = after / np.maximum(before, 0.1)
                 late = np.isfinite(end)
                 excess = np.maximum(ratio - HALVED, 0.0)
+                # A brake that sets in after the event has taken nothing: the later, the worse.
+                behind = np.where(late, np.maximum(begin - end, 0.0), 0.0)
+                excess = np.where(behind > 0.0, 1.0 + behind, excess)
                 name = f"{phase.edge.id}/brake"
-                self._term(name, np.where(late, np.minimum((excess / 0.05) ** 2, 9.0), 0.0))
+                # Not to get there at all is worse than to get there unbraked.
+                self._term(name, np.where(late, _unbraked(excess / 0.05), UNBRAKED))
 
     def _brake_start(self, actor: str) -> Floats:
         for phase in self.rec.story.phases.get(actor, ()):
@@ -269,6 +291,21 @@ class _Assessor:
 
 
 def _bowl(x: Floats) -> Floats:
-    """Quadratic near zero, linear further out, at most UNMET."""
+    """Quadratic near zero, linear further out, then ever flatter, less than UNMET."""
     x = np.abs(x)
-    return np.minimum(np.where(x < 3.0, x * x, 6.0 * x - 9.0), UNMET)
+    loss = np.where(x < 3.0, x * x, 6.0 * x - 9.0)
+    room = UNMET - STEEP
+    return np.where(loss < STEEP, loss, UNMET - room * room / (room + np.maximum(loss - STEEP, 0)))
+
+
+def _distance_loss(far: Floats) -> Floats:
+    """What an event that did not happen costs beside `MISSED`, from its squared distance."""
+    beyond = np.maximum(np.sqrt(np.maximum(far, 0.0)) - math.sqrt(FAR), 0.0) / FAR_RANGE
+    return np.where(far < FAR, far, FARTHEST - (FARTHEST - FAR) / (1.0 + beyond))
+
+
+def _unbraked(excess: Floats) -> Floats:
+    """Quadratic up to 9, then ever slower to `UNBRAKED`, shape [W]."""
+    room = UNBRAKED - 9.0
+    beyond = np.maximum(excess - 3.0, 0.0) / 15.0
+    return np.where(excess < 3.0, excess**2, UNBRAKED - room / (1.0 + beyond))

@@ -174,10 +174,13 @@ def robust_value(losses: Floats) -> Floats:
 
 
 def prior(plan: Plan, thetas: Floats) -> Floats:
-    """Normalized l2 distance from the initial theta (paper, L_p), at a small weight."""
+    """Normalized l2 distance from the initial theta (paper, L_p), at a small weight.
+
+    It says which of two equals to take; a right theta far off is not called bad for it.
+    """
     spread = np.array([max(v.spread, 1e-9) for v in plan.variables])
     deviation = np.where(plan.free(), (thetas - plan.initial()) / (6.0 * spread), 0.0)
-    return 0.01 * (deviation**2).sum(axis=1)
+    return 0.01 * (deviation**2 / (1.0 + deviation**2)).sum(axis=1)
 
 
 def rounded(value: float) -> float:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cached_property
 import math
 
 import numpy as np
@@ -26,7 +27,15 @@ Values = dict[str, float]
 class Composer(Cast):
     """Turns phases and values into primitives and start poses."""
 
+    @cached_property
+    def _headings(self) -> dict[str, float]:
+        """Where every actor heads before theta turns it [rad]: the same for all candidates."""
+        return {actor: self._heading(actor) for actor in self.story.phases}
+
     def base_heading(self, actor: str) -> float:
+        return self._headings[actor]
+
+    def _heading(self, actor: str) -> float:
         body = self.scene.body(actor)
         first = self.story.phases[actor][0]
         target = self.target(first)

@@ -45,7 +45,7 @@ def optimize(
     device: str = "cpu",
     max_rounds: int = MAX_ROUNDS,
     rounds_closed: int = 0,
-    rollouts: int = BASELINE_ROLLOUTS,
+    rollouts: int | None = None,
     collision: str = "exact",
     engines: Callable[[str, str], Engine] = get_engine,
 ) -> EsgDocument:
@@ -58,7 +58,7 @@ def optimize(
         device: Where the engines run.
         max_rounds: Batches of candidates after which the search gives up.
         rounds_closed: Rounds of the closed loop through the verify engine; 0 for none.
-        rollouts: Budget of a baseline.
+        rollouts: Budget of a baseline, 320 if None; of `batched`, unbounded if None.
         collision: What bodies collide with during the search: exact (their parts), proxy (one
             sphere or box each) or sdf (that, then signed distance fields; `refine`).
         engines: Name and device -> engine.
@@ -158,7 +158,7 @@ def run_strategy(
     strategy: str,
     *,
     max_rounds: int = MAX_ROUNDS,
-    rollouts: int = BASELINE_ROLLOUTS,
+    rollouts: int | None = None,
     steps: int | None = None,
     barred: frozenset[str] = frozenset(),
 ) -> tuple[Found, str]:
@@ -170,19 +170,20 @@ def run_strategy(
         rng: Source of all draws.
         strategy: As of `optimize`.
         max_rounds: Batches of candidates.
-        rollouts: Budget of a baseline.
+        rollouts: Budget of a baseline, 320 if None; of `batched`, unbounded if None.
         steps: Most gradient steps of a kind; three a round if None.
         barred: Events that physics rules out, for `batched`.
     """
     if strategy == "batched":
-        return search(plan, panel, rng, max_rounds, barred)
+        return search(plan, panel, rng, max_rounds, barred, rollouts)
     if strategy == "none":
         theta = plan.heuristic()
         nominal = panel.reference.assess(theta[None])
         panel.note("start", "newton", 1, float(nominal.total[0]))
         return Found(theta, float(nominal.total[0]), nominal, nominal), "not searched"
     if strategy in BASELINES:
-        theta = minimize(plan, panel, rng, strategy, rollouts)
+        budget = BASELINE_ROLLOUTS if rollouts is None else rollouts
+        theta = minimize(plan, panel, rng, strategy, budget)
         return panel.judge(theta[None]), "budget spent"
     most = STEPS_PER_ROUND * max_rounds if steps is None else steps
     descent = descend(plan, panel, rng, strategy, most)
