@@ -251,6 +251,14 @@ def _close(found: Any, want: dict[str, Any], factor: float) -> bool:
     return good_low and (b is None or abs(high - b) <= RELATIVE_TOLERANCE * abs(b))
 
 
+def _has(found: float, want: dict[str, Any], factor: float) -> bool:
+    """Whether an object has a stated mass or size, which is one value: any of a stated range."""
+    low, high = want.get("range", (None, None))
+    if low is None or high is None:
+        return _close(found, want, factor)
+    return low <= found / factor <= high
+
+
 def _quantity(doc: EsgDocument, want: dict[str, Any]) -> bool:
     nodes = doc.spatial_relation_graph.nodes
     kind = want["quantity"]
@@ -260,11 +268,11 @@ def _quantity(doc: EsgDocument, want: dict[str, Any]) -> bool:
     points = timeline.sequence_graph.nodes if timeline else ()
     edges = timeline.sequence_graph.edges if timeline else ()
     if kind == "mass":
-        return any(a.mass_is_prescribed and _close(a.expected_mass_kg, want, 1.0) for a in assets)
+        return any(a.mass_is_prescribed and _has(a.expected_mass_kg, want, 1.0) for a in assets)
     if kind == "size":
         return any(
             a.dimensions_are_prescribed
-            and any(_close(x, want, 100.0) for x in a.expected_dimensions_cm)
+            and any(_has(x, want, 100.0) for x in a.expected_dimensions_cm)
             for a in assets
         )
     if kind in ("speed", "speed_before"):

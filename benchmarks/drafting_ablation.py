@@ -14,8 +14,8 @@ from typing import Any, cast
 
 from benchmarks.drafting import PAPER, Score, score_document
 from esg.draft.llm import draft_llm_batch
+from esg.draft.llm_records import Variant
 from esg.draft.llm_scripted import ScriptedModel
-from esg.draft.llm_session import Variant
 from esg.draft.llm_settings import LlmSettings
 
 FAULT_RATE = 0.3

@@ -205,6 +205,8 @@ class Acts(Motions):
         **extra: Any,
     ) -> str:
         """Adds a point event; its first participant is set in motion if nothing moves it yet."""
+        if kind is NodeEvent.FALL and f.verb.sense == "fall" and self._stands(f, participants[0]):
+            kind = NodeEvent.TOPPLE  # "the lamp falls onto the table": it stood beside it
         told = self._told_before(kind, participants, f, extra.get("region", ""))
         if told:
             self._time_of_told(told, time)

@@ -55,6 +55,8 @@ class ClauseNouns(ClauseWords):
         ):
             self.attachments.append((s.last, Phrase("with", m)))  # "radius 9 cm and mass 2 kg"
             return
+        if not prep and self._stated_of_it(s, m, i):
+            return
         new_clause = s.boundary and not prep and finite_ahead(self.elements, i + 1)
         if new_clause and self._in_a_list(s, previous, i):
             new_clause = False  # "a clock, a pillow and a plant in a room and a ball rolls"
@@ -142,6 +144,22 @@ class ClauseNouns(ClauseWords):
         elif frame.object2 is None:
             frame.object2 = m
         s.last, s.last_after_prep = m, False
+
+    def _stated_of_it(self, s: State, m: Mention, i: int) -> bool:
+        """ "its radius is 12 cm and its mass 4 kg", "one ball weighs 5 g, the other 8 g"."""
+        value = self.elements[i + 1] if i + 1 < len(self.elements) else None
+        subject = s.frame.subject if s.frame is not None else s.subject
+        if not isinstance(value, Word) or value.amount is None or subject is None:
+            return False
+        if m.attribute and m.head in OWNED and m.determiner in ("its", "his", "her", "their"):
+            self.attachments.append((subject.possessor or subject, Phrase("with", m)))
+            return True
+        told = s.frame is not None and s.frame.verb.sense in ("weigh", "measure") and s.boundary
+        if told and not m.attribute and m is not subject:
+            m.amounts.append(value.amount)
+            self._told.add(id(value))
+            return True
+        return False
 
     def _stated_beside(self, m: Mention, i: int) -> bool:
         """ "the red sphere (mass 2 kg)": the property belongs to the noun before."""

@@ -10,6 +10,7 @@ PROPERTIES = frozenset(
     {"mass", "weight", "height", "length", "width", "diameter", "radius", "size"}
 )
 OWNED = PROPERTIES | {"speed", "velocity"}
+_BEFORE_AMOUNTS = frozenset({"of", "at", ",", "(", "about", "-", "–", "—"})
 _PARTICLES = frozenset({"off", "over", "down", "up", "away", "out", "back"})
 _SIZES = frozenset({"tall", "high", "wide", "long", "thick", "deep", "diameter", "in diameter"})
 
@@ -174,7 +175,7 @@ class ClauseWords:
         listed = isinstance(before, Word) and before.amount is not None
         known = self._quantified.amounts if self._quantified is not None else []
         if isinstance(before, Word) and self._quantified is not None and before.amount in known:
-            size = self._size_word(i) or w.amount.measure
+            size = self._size_word(i) or w.amount.measure or ("size" if w.amount.sides else "")
             if size and w.amount.dimension == "length":
                 self._quantified.adjectives.append(f"@{w.amount.start}:{size}")
                 self._quantified.amounts.append(w.amount)
@@ -182,6 +183,7 @@ class ClauseWords:
         if not listed or s.frame is None or s.frame.verb.sense not in ("weigh", "measure", "have"):
             return False
         owner, size = s.frame.subject, self._size_word(i) or w.amount.measure
+        size = size or ("size" if w.amount.sides else "")
         if owner is None or not size or w.amount.dimension != "length":
             return False
         owner.adjectives.append(f"@{w.amount.start}:{size}")
@@ -242,9 +244,7 @@ class ClauseWords:
                 self._quantified.adjectives.append(f"@{w.amount.start}:{size}")
             return True
         noun = (
-            before
-            if isinstance(previous, Word) and previous.low in ("of", "at", ",", "(", "about")
-            else previous
+            before if isinstance(previous, Word) and previous.low in _BEFORE_AMOUNTS else previous
         )
         if not isinstance(noun, Mention) or noun.pronoun:
             return False
@@ -279,9 +279,10 @@ class ClauseWords:
 
     def _flush(self, s: State) -> None:
         for item in s.loose:
-            if isinstance(item, Phrase) and item.amount is not None and s.frame is not None:
+            if not isinstance(item, Phrase) or item.amount is None:
+                continue
+            if s.frame is not None:
                 s.frame.phrases.append(item)
-            elif isinstance(item, Phrase) and item.amount is not None and s.subject is not None:
-                if item.amount.dimension in ("speed", "mass"):
-                    self.attachments.append((s.subject, item))  # "Jogger at 3 m/s."
+            elif s.subject is not None and item.amount.dimension in ("speed", "mass"):
+                self.attachments.append((s.subject, item))  # "Jogger at 3 m/s."
         s.loose = []

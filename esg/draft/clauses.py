@@ -110,7 +110,8 @@ class ClauseBuilder(ClauseVerbs):
             return
         last = following[0]
         for g in following[1:]:  # "takes 1.5 s to roll downhill and thump into a gate"
-            if g.sentence != f.sentence or g.verb.form != "base" or g.verb.auxiliary:
+            going = last.verb.sense in ("own", "reach", "approach") and g.verb.sense == "hit"
+            if g.sentence != f.sentence or g.verb.auxiliary or not (g.verb.form == "base" or going):
                 break
             last = g
         for p in list(f.phrases):

@@ -54,6 +54,10 @@ class Core:
         """The clause that tells it, whose own events do not end it."""
         self.waiting: dict[str, Amount] = {}
         """How long an actor waits before it moves (on)."""
+        self.before_fall: tuple[Frame, str | None] | None = None
+        """A clause that tells a fall and a landing, and what was told before it."""
+        self.leaning: set[str] = set()
+        """What leans on something, so that it tips over when it falls."""
         self.told_hits: set[tuple[int, str, str]] = set()
         """Collisions by the clause that tells them."""
         self._rereading: set[tuple[int, str]] = set()

@@ -77,6 +77,8 @@ class Entity:
     mass_factor: float = 1.0
     dimensions_cm: list[float] | None = None
     dimensions_prescribed: bool = False
+    sides: dict[str, float] = field(default_factory=dict)
+    """Stated sides [cm]."""
     static: bool = False
     """Hung on a wall or below a ceiling, and so fixed until the prompt moves it."""
     freed: bool = False

@@ -100,7 +100,12 @@ class Events(Places):
         if extra.get("stem") != "brake":
             self._settle(mover, kind, participants[1] if len(participants) > 1 else None)
         stop_timed = kind is NodeEvent.STOP
+        if kind is NodeEvent.FALL and time is not None and self._lands_before(f, mover, time[1]):
+            time = None  # "falls from the ceiling onto a table after 2 s": the time of the landing
+            self.before_fall = (f, self.tl.last_event)
         previous = self.tl.last_event
+        if time is not None and self.before_fall is not None and self.before_fall[0] is f:
+            previous = self.before_fall[1]
         node_id = ""
         if time is not None and (time[1].start, time[1].end) in self.scene.used:
             time = None
@@ -156,6 +161,17 @@ class Events(Places):
             )
         self.use(f, node_id)
         return node_id
+
+    def _lands_before(self, f: Frame, mover: str, amount: Amount) -> bool:
+        """Whether a clause says on what its mover lands, and only then a time."""
+        for p in f.phrases:
+            m = p.mention
+            if m is None or p.prep not in ("onto", "on", "into", "in", "against"):
+                continue
+            there = [i for i in m.entities if i != mover and not self.structural(i)]
+            if there and f.verb.start < m.start and m.end <= amount.start:
+                return True
+        return False
 
     def _ends_gap(self, draft: Draft, f: Frame, previous: str | None) -> None:
         """The span told before an event ends with it."""

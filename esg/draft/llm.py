@@ -21,15 +21,8 @@ from esg.draft.llm_client import (
     Reply,
     import_pydantic_ai,
 )
-from esg.draft.llm_session import (
-    STAGES,
-    VARIANTS,
-    CallRecord,
-    LlmDraft,
-    Session,
-    Variant,
-    instructions,
-)
+from esg.draft.llm_records import STAGES, VARIANTS, CallRecord, LlmDraft, Variant, instructions
+from esg.draft.llm_session import Session
 from esg.draft.llm_settings import LlmSettings, load_settings, require_endpoint
 from esg.draft.llm_store import CachingClient, CassetteClient
 from esg.graph.models import EsgDocument

@@ -5,13 +5,22 @@ from __future__ import annotations
 import asyncio
 from dataclasses import dataclass, field
 import hashlib
-from importlib import resources
 import json
-from typing import Any, Literal, TypeVar, cast
+from typing import Any, TypeVar, cast
 
 from esg.draft.llm_assemble import Json, Replies, assemble
 from esg.draft.llm_client import Call, Client, ModelFailure, PatientClient, Reply
 from esg.draft.llm_names import slug
+from esg.draft.llm_prune import pruned
+from esg.draft.llm_records import (
+    STAGES,
+    CallRecord,
+    LlmDraft,
+    Variant,
+    complaints,
+    impossible,
+    instructions,
+)
 from esg.draft.llm_schema import bounded, schema_of, settled
 from esg.draft.llm_settings import LlmSettings
 from esg.draft.llm_stages import (
@@ -25,101 +34,14 @@ from esg.draft.llm_stages import (
     read_reply,
 )
 from esg.graph.models import EsgDocument
-from esg.graph.rules_events import MAX_SPEED_CM_S, TIME_S
-from esg.graph.rules_scene import MASS_KG
 from esg.graph.verifier import verify
 from esg.graph.violations import Violation
 from esg.outcomes import Outcome, UserError
 
-Variant = Literal["full", "no_validation", "single_shot"]
-VARIANTS: tuple[Variant, ...] = ("full", "no_validation", "single_shot")
-"""The paper's ablation: hierarchical with validation, hierarchical without, one reply."""
-
-STAGES = ("expansion", "assets", "spatial", "timeline")
 MAX_PROMPT_CHARACTERS = 20_000
-MAX_TOLD = 25
-"""Violations told to the model at a time."""
-VERSION = "1"
+VERSION = "2"
 
-_OWNERS = (
-    ("/asset_requirement", "assets"),
-    ("/spatial_relation_graph/nodes", "assets"),
-    ("/spatial_relation_graph", "spatial"),
-    ("/timeline_system", "timeline"),
-    ("/scene_definition", "expansion"),
-)
-_SPATIAL_CODES = ("REGION_MISSING", "REF_REGION", "FACE_MISSING", "REGION_CYCLE")
 _ANSWER = TypeVar("_ANSWER", bound=Part)
-
-
-@dataclass(frozen=True)
-class CallRecord:
-    """One reply as it came: stage, raw text, tokens."""
-
-    stage: str
-    text: str
-    input_tokens: int
-    output_tokens: int
-
-
-@dataclass(frozen=True)
-class LlmDraft:
-    """What became of one prompt; there is always an outcome.
-
-    Args:
-        prompt: The user's text.
-        outcome: SOLVED when the document holds every rule, else INVALID_DRAFT.
-        reason: Why there is no valid document; "" if there is one.
-        document: The last draft that fits the schema, valid or not; None without any.
-        violations: Of that draft.
-        rounds: Revisions that were asked for.
-        repairs: What code corrected in the replies.
-        calls: Raw replies in order.
-        input_tokens, output_tokens: Sums over the calls, cached replies included.
-        cost_usd: None when the settings name no prices.
-        requests: Requests sent to the server, repetitions included.
-    """
-
-    prompt: str
-    outcome: Outcome
-    reason: str
-    document: EsgDocument | None
-    violations: tuple[Violation, ...] = ()
-    rounds: int = 0
-    repairs: tuple[str, ...] = ()
-    calls: tuple[CallRecord, ...] = ()
-    input_tokens: int = 0
-    output_tokens: int = 0
-    cost_usd: float | None = None
-    requests: int = 0
-
-
-def instructions(stage: str) -> str:
-    """Instructions of a stage: the shared part and the stage's own."""
-    folder = resources.files("esg.draft") / "prompts"
-    shared = (folder / "shared.md").read_text(encoding="utf-8")
-    if stage == "single_shot":
-        parts = [(folder / f"{s}.md").read_text(encoding="utf-8") for s in STAGES]
-        own = (folder / "single_shot.md").read_text(encoding="utf-8")
-        return "\n\n".join([shared, own, *parts])
-    return shared + "\n\n" + (folder / f"{stage}.md").read_text(encoding="utf-8")
-
-
-def impossible(prompt: str) -> list[str]:
-    """Quantities that no scene can have, in words; a model would quietly make them possible."""
-    from esg.draft.quantities import find_amounts
-
-    problems: list[str] = []
-    for a in find_amounts(prompt):
-        if a.dimension in ("mass", "length", "time") and a.low < 0.0:
-            problems.append(f'"{a.text}" is negative')
-        elif a.dimension == "mass" and a.high > MASS_KG[1]:
-            problems.append(f'"{a.text}" is more than {MASS_KG[1]:g} kg')
-        elif a.dimension == "speed" and a.high > MAX_SPEED_CM_S:
-            problems.append(f'"{a.text}" is more than {MAX_SPEED_CM_S / 100:g} m/s')
-        elif a.dimension == "time" and a.high > TIME_S[1]:
-            problems.append(f'"{a.text}" is more than {TIME_S[1]:g} s')
-    return problems
 
 
 class Failed(Exception):
@@ -143,6 +65,7 @@ class Session:
     answers: dict[str, Part] = field(default_factory=dict)
     talks: dict[str, list[tuple[str, str]]] = field(default_factory=dict)
     document: EsgDocument | None = None
+    raw: Json | None = None
     violations: tuple[Violation, ...] = ()
 
     async def run(self) -> LlmDraft:
@@ -219,11 +142,13 @@ class Session:
         self._build()
         while self.variant == "full" and self.violations and self.rounds < self.settings.max_rounds:
             self.rounds += 1
-            for stage, told in self._complaints().items():
+            for stage, told in complaints(self.violations, self.answers).items():
                 await self._stage(stage, told)
             if self._expansion.is_dynamic and "timeline" not in self.answers:
                 await self._stage("timeline")
             self._build()
+        if self.variant == "full" and self.violations:
+            self._prune()
 
     async def _stage(self, stage: str, complaint: str = "") -> None:
         shapes: dict[str, type[Part]] = {
@@ -312,6 +237,20 @@ class Session:
         )
         raw, repairs = assemble(self.prompt, self.seed, replies, repair=self.variant == "full")
         self.repairs = (*repairs, *self.notes, *self._priors(raw))
+        self._keep(raw)
+
+    def _prune(self) -> None:
+        """Drops what is left of a timeline that breaks rules; each part gets a warning."""
+        if self.raw is None:
+            return
+        raw, dropped = pruned(self.raw)
+        if dropped:
+            self.repairs = (*self.repairs, *dropped)
+            self._keep(raw, dropped)
+
+    def _keep(self, raw: Json, dropped: tuple[str, ...] = ()) -> None:
+        """Verifies a draft and completes it with coverage and provenance."""
+        self.raw = raw
         self.violations = verify(raw)
         document = _document(raw)
         if document is None:
@@ -322,6 +261,8 @@ class Session:
         tokens_in = sum(c.input_tokens for c in self.calls)
         tokens_out = sum(c.output_tokens for c in self.calls)
         raw["coverage"] = cover(self.prompt, document).model_dump(mode="json")
+        told = [f"Of the model's timeline: {text}; no rule allows it." for text in dropped]
+        raw["coverage"]["warnings"] = [*told, *raw["coverage"]["warnings"]]
         raw["provenance"] = [
             {
                 "stage": "draft",
@@ -369,31 +310,6 @@ class Session:
         from esg.draft.providers import merge_priors
 
         return merge_priors(raw, cast(VisualReply, self.answers["visual"]))
-
-    def _complaints(self) -> dict[str, str]:
-        """What each stage that broke a rule is told, in the order of the stages."""
-        grouped: dict[str, list[Violation]] = {}
-        for v in self.violations:
-            owner = next((s for prefix, s in _OWNERS if v.pointer.startswith(prefix)), "spatial")
-            if v.code in _SPATIAL_CODES:
-                owner = "spatial"
-            if owner == "timeline" and "timeline" not in self.answers:
-                owner = "expansion"
-            grouped.setdefault(owner, []).append(v)
-        out: dict[str, str] = {}
-        for stage in STAGES:
-            if stage not in grouped:
-                continue
-            lines = [f"- {v.message} {v.remedy} ({v.code})" for v in grouped[stage][:MAX_TOLD]]
-            hidden = len(grouped[stage]) - len(lines)
-            more = f"\n- and {hidden} more of the same kind" if hidden > 0 else ""
-            out[stage] = (
-                "Your answer breaks these rules:\n"
-                + "\n".join(lines)
-                + more
-                + "\nAnswer again with the whole corrected JSON object."
-            )
-        return out
 
 
 def _document(raw: Json) -> EsgDocument | None:

@@ -12,6 +12,9 @@ from esg.graph.models import EventConstraint, ForceDirection, NodeEvent, Quantit
 _AIRBORNE = frozenset({"projectile", "tool", "tableware", "book", "rock"})
 
 
+_TALL_CM = 50.0
+
+
 class Motions(Lengths):
     """Starts motions."""
 
@@ -35,7 +38,7 @@ class Motions(Lengths):
             if a.bound == "min":
                 return (a.low, 2.0 * a.low), True
             if a.bound == "max":
-                return (0.05 * a.high, a.high), True
+                return (0.04 * a.high, a.high), True
             return a.value, True
         kind = self.kind(actors[0]) if actors else "ball"
         if mode in LAUNCHES:
@@ -198,7 +201,8 @@ class Motions(Lengths):
             for actor in actors:
                 track = self.tl.tracks.get(actor)
                 motion = track.motion if track is not None else None
-                if motion is None or motion.mode in ("brake", "coast"):
+                falls = f.verb.sense in ("fall", "drop")
+                if motion is None or motion.mode in ("brake", "coast") or falls:
                     self.gap, self.gap_of = duration, f  # "brakes, skids for 2 s and slams into"
                     continue
                 motion.duration = duration.value
@@ -253,3 +257,13 @@ class Motions(Lengths):
                 )
             if track.direction in (None, ForceDirection.ALONG_FORWARD_ONLY):
                 track.direction = ForceDirection.ALONG_FORWARD_OR_BACKWARD
+
+    def _stands(self, f: Frame, body: str) -> bool:
+        """Whether something tall stands or leans on the ground, where it can only tip over."""
+        e = self.e(body)
+        tall = (e.dimensions_cm or e.noun.dimensions_cm)[2] >= _TALL_CM
+        held = body in self.scene.supported_by or body in self.scene.attached
+        down = f.phrase("off", "from", "out of", "over") is not None or "off" in f.adverbs
+        lifted = body in self.scene.heights or self._airborne(body)
+        upright = body in self.leaning or ("topples" in e.noun.traits and tall)
+        return upright and not (held or down or lifted)

@@ -34,6 +34,7 @@ def verbalize(elements: list[Element]) -> list[Element]:
         e = elements[i]
         used = _referred_back(elements, i, out) or _between(elements, i, out)
         used = used or _avoided(elements, i, out) or _takes_place(elements, i, out)
+        used = used or _compared(elements, i, out)
         if used:
             i += used
             continue
@@ -150,6 +151,19 @@ def _takes_place(elements: list[Element], i: int, out: list[Element]) -> int:
             out += rest
             return used + len(rest)
     return used
+
+
+def _compared(elements: list[Element], i: int, out: list[Element]) -> int:
+    """ "twice as heavy as a barrel": what it is compared with is no subject of the next verb."""
+    parts = elements[i : i + 4]
+    if len(parts) < 4 or not all(isinstance(e, Word) for e in parts[:3]):
+        return 0
+    if [getattr(parts[k], "low", "") for k in (0, 2)] != ["as", "as"]:
+        return 0
+    if not isinstance(parts[3], Mention) or parts[3].attribute:
+        return 0
+    out.append(Word(parts[0].start, parts[2].end, "prep", "than"))
+    return 3
 
 
 def _avoided(elements: list[Element], i: int, out: list[Element]) -> int:

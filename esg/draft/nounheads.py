@@ -207,12 +207,12 @@ class NounHeads(Letters):
             j += 1
         elif (
             low
-            and lex.singular(low)[0] in lex.ATTRIBUTES
+            and {low, lex.singular(low)[0]} & lex.ATTRIBUTES
             and not self._many_do(j, m)
             and (m.determiner or m.adjectives or m.count is not None or self._is_attribute_start(j))
         ):
             m.attribute = True
-            m.head = lex.singular(low)[0]
+            m.head = low if low in lex.ATTRIBUTES else lex.singular(low)[0]
             j += 1
             if self._low(j) in ("speed", "velocity", "distance", "height"):
                 m.head = self._low(j)
@@ -294,7 +294,8 @@ class NounHeads(Letters):
                 m.adjectives.append(self._low(k))
                 return self._head(i, k + 1, m)
             m.head, m.plural = lex.singular(self._low(k))
-            m.known = False
+            m.attribute = k > j and m.head in lex.ATTRIBUTES  # "of infinite mass"
+            m.known = m.attribute
             j = k + 1
         elif m.count is not None and m.count != 0 and (j > i):
             if m.determiner == "the" or j == i + 1:
@@ -372,7 +373,7 @@ class NounHeads(Letters):
         return bare and one and nxt not in lex.DETERMINERS and nxt not in lex.PRONOUNS
 
     def _is_attribute_start(self, j: int) -> bool:
-        if self._low(j) in _MEASURES and self._low(j - 1) in ("in", "whose"):
+        if self._low(j) in _MEASURES and self._low(j - 1) in ("in", "whose", "'s"):
             return True  # "2 cm in diameter"
         if self._low(j) in _MEASURES and self._tok(j + 1) is not None:
             return self.tokens[j + 1].kind == "qty" or self._low(j + 1) == "of"

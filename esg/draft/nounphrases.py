@@ -173,6 +173,10 @@ class NounPhrases(NounStarts):
                     m.adjectives.append(f"@{token.amount.start}:{nxt}")
                     j += 1
                 continue
+            listed = self._tok(j + 1)
+            if token.text == "," and m.amounts and listed is not None and listed.kind == "qty":
+                j += 1  # "a 2 m long, 30 kg heavy log"
+                continue
             if (
                 token.kind == "punct"
                 and token.text == ","

@@ -116,12 +116,15 @@ class NounStarts(NounHeads):
     def _finite_after_of(self, i: int, k: int) -> bool:
         """ "with a mass of 25 kg slides": the noun after the quantity is the verb."""
         finite = any(r.form in ("s", "past") for r in verb_readings(self._low(k)))
+        if finite and self._low(i - 1) == "at" and self._low(k + 1) in lex.DETERMINERS:
+            return True  # "a motorboat at 18 knots rams a pontoon"
         return finite and self._low(i - 1) in ("of", "weighing", "is", "mass", "weight")
 
     def _noun_at_or_after(self, k: int) -> bool:
         for j in range(k, min(k + 5, len(self.tokens))):
             low = self._low(j)
-            if self.tokens[j].kind == "qty":
+            listed = self.tokens[j].text == "," and j + 1 < len(self.tokens)
+            if self.tokens[j].kind == "qty" or (listed and self.tokens[j + 1].kind == "qty"):
                 continue
             if self._match_noun(j) is not None:
                 return low not in lex.ATTRIBUTES

@@ -44,7 +44,7 @@ WORD_NUMBER = (
     r"|half an?|an? half|half|a quarter of an?|three quarters of an?"
     r"|a couple of|a few|several|an?)"
 )
-DIGITS = r"(?:\d{1,3}(?:,\d{3})+(?:\.\d+)?|\d+/\d+|\d*\.?\d+(?:e[+-]?\d+)?)"
+DIGITS = r"(?:\d{1,3}(?:,\d{3})+(?:\.\d+)?|\d+,\d{1,2}(?![\d,])|\d+/\d+|\d*\.?\d+(?:e[+-]?\d+)?)"
 SIGN = r"(?:minus\s+|negative\s+|(?<![\w.])[-−](?=\d|\.\d))"
 NUMBER = rf"(?:{SIGN}?{DIGITS}|{SIGN}?\b{WORD_NUMBER}(?![a-z]))"
 
@@ -82,6 +82,8 @@ def parse_number(text: str) -> float | tuple[float, float] | None:
         if "/" in t:
             a, b = t.split("/")
             return sign * float(a) / float(b) if float(b) else None
+        if re.fullmatch(r"\d+,\d{1,2}", t):
+            return sign * float(t.replace(",", "."))  # "1,5 m/s"
         return sign * float(t.replace(",", ""))
     total = current = 0.0
     seen = False

@@ -26,6 +26,7 @@ def _unit(dimension: Dimension, factor: float, *names: str) -> None:
 _unit(
     "mass", 1.0, "kg", "kgs", "kilo", "kilos", "kilogram", "kilograms", "kilogramme", "kilogrammes"
 )
+_unit("mass", 1e-6, "mg", "milligram", "milligrams")
 _unit("mass", 1e-3, "g", "gram", "grams", "gr", "gramme", "grammes")
 _unit("mass", 0.45359237, "lb", "lbs", "pound", "pounds")
 _unit("mass", 0.028349523, "oz", "ounce", "ounces")
@@ -91,7 +92,7 @@ _BOUND = (
     r"|within|in under|in less than|exceeding|max\.?|min\.?|maximum|minimum|[<>≤≥]=?)\s*\b)?"
 )
 _PATTERN = re.compile(
-    rf"(?:\bt(?:ime)?\s*=\s*)?{_BOUND}{_APPROX}(?P<between>between\s+|from\s+)?"
+    rf"(?:\b(?:time|speed|mass|[a-zA-Z](?:_?[0-9a-zA-Z])?)\s*=\s*)?{_BOUND}{_APPROX}(?P<between>between\s+|from\s+)?"
     rf"(?P<lo>{NUMBER})"
     rf"(?:{_GAP}(?P<unit1>{_UNIT})?(?:{_TO}|(?(between)\s*and\s*|(?!)))(?P<hi>{NUMBER}))?"
     rf"(?:{_GAP}(?P<unit>{_UNIT}))(?![a-z0-9])"

@@ -66,6 +66,10 @@ class References(MotionSenses):
         control = f.verb.sense in RIDDEN and f.verb.sense not in ("hit", "miss", "enter", "reach")
         if f.subject is not None and f.subject.role and f.subject.role != "rider":
             f.subject.drives = control and f.object is None
+        for p in f.phrases if f.subject is not None and f.subject.pronoun else []:
+            m = p.mention  # "Of four stacked tins, the top one is hit"
+            if m is not None and not m.pronoun and m.start < f.subject.start:
+                self.ids(m)
         subject = self._subject(f)
         for m in self.mentions:
             between = f.subject is not None and f.subject.start < m.start < f.verb.start

@@ -24,6 +24,7 @@ _BALLS = {
 """The ball of who plays with it."""
 _PEOPLE = re.compile(r"(?:man|men|woman|women|person|ist|player|keeper|worker|driver|officer)$")
 """Endings of nouns for people."""
+LARGEST_CM = 9000.0
 MAX_COUNT = 40
 """Most members of one plural."""
 
@@ -176,6 +177,8 @@ class Registry(Matching):
             return "pins"
         if noun.kind == "domino" and m.pattern is None:
             return "row"
+        if m.pattern is None and {"stacked", "piled"} & set(m.adjectives):
+            return "stack"
         if m.pattern:
             return m.pattern
         if noun.kind in ("vehicle",):
@@ -212,6 +215,11 @@ class Registry(Matching):
             e.mass_kg, e.mass_prescribed = amount.middle, True
             return "expected_mass_kg"
         if amount.dimension == "length":
+            self._same_size(e, amount, word)
+            if amount.middle > LARGEST_CM and "structural" not in e.noun.traits:
+                self.warnings.append(
+                    f'"{amount.text}": the largest object of a scene has {LARGEST_CM / 100:g} m.'
+                )
             e.dimensions_cm, e.dimensions_prescribed = sized(e, amount, word), True
             return "expected_dimensions_cm"
         if amount.dimension == "volume" and e.noun.kind in HOLLOW:
@@ -222,6 +230,15 @@ class Registry(Matching):
             e.dimensions_prescribed = True
             return "expected_dimensions_cm"
         return ""
+
+    def _same_size(self, e: Entity, amount: Amount, word: str) -> None:
+        """Notes a side of which two lengths are stated ("is 2 m tall ... which is 1 m tall")."""
+        side = {"tall": "high", "height": "high", "width": "wide", "length": "long"}.get(word, word)
+        if side not in ("high", "wide", "long", "diameter", "radius"):
+            return
+        before = e.sides.setdefault(side, amount.middle)
+        if abs(before - amount.middle) > 0.01 * before:
+            self.conflicts.append(f"{e.label} is {before:g} cm and {amount.middle:g} cm {side}")
 
     def _ground(self, noun: lex.Noun, m: Mention) -> list[str]:
         e = Entity("ground_1", noun, m.head, m.text or m.head, list(m.adjectives), origin=m.start)
@@ -241,10 +258,12 @@ class Registry(Matching):
         elif noun.name == "gold bar" and m.head == "bar" and m.after_prep in _AT_A_BAR:
             noun = lex.nouns()["counter"]
         elif noun.name == "hoop" and (
-            m.after_prep in ("through", "into", "in")
+            (m.after_prep in ("through", "into", "in") and self._ball_game())
             or any(e.noun.name == "basketball" for e in self.entities.values())
         ):
             noun = lex.nouns()["basketball hoop"]
+        elif noun.name == "roof tile" and m.plural and m.determiner == "the":
+            noun = lex.nouns()["floor"]  # "over the edge onto the tiles"
         elif m.head == "ball":
             played = (_BALLS.get(e.head) for e in self.entities.values())
             noun = lex.nouns()[next((b for b in played if b), noun.name)]
@@ -311,6 +330,11 @@ class Registry(Matching):
                 e.adjectives.append(place)
                 self._rename(e, self._new_id(slug(e.label)))
         return list(self.groups[group])
+
+    def _ball_game(self) -> bool:
+        """Whether a ball, or someone who may have one, goes for the hoop."""
+        movers = [self.entities[i] for i in self.movers if i in self.entities]
+        return not movers or any(e.noun.kind in ("ball", "person") for e in movers)
 
     def _golf(self) -> bool:
         """Whether what the clause is about is a golf ball, or the prompt's only ball is one."""

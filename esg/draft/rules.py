@@ -12,7 +12,7 @@ from esg.draft.expand import expand
 from esg.draft.interpret import Interpreter
 from esg.draft.modality import mark_unreal
 from esg.draft.nominals import verbalize
-from esg.draft.screening import contradictions, nothing_to_draw, screen
+from esg.draft.screening import contradictions, nothing_to_draw, screen, too_long, too_much
 from esg.draft.spacing import space
 from esg.draft.syntax import Chunker, pos_tags, tokenize
 from esg.draft.world import World
@@ -75,9 +75,11 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     space(text, clauses.mentions, scene)
     contradictions(text, scene)
     nothing_to_draw(scene)
+    too_much(scene)
     restricted = is_restricted(text)
     reasons = expand(scene, text, restricted)
     timeline = scene.timeline.build()
+    too_long(timeline)
     coverage = account(text, elements, clauses.mentions, scene, tokens)
     expanded = text + ("" if not reasons else " [" + "; ".join(reasons) + "]")
     document = DocumentBuilder(scene, prompt, seed).build(timeline, coverage, restricted, expanded)

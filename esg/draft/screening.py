@@ -5,15 +5,18 @@ from __future__ import annotations
 import re
 
 from esg.draft import lexicon as lex
+from esg.draft.markup import plain
 from esg.draft.quantities import find_amounts
 from esg.draft.scene import Scene
 from esg.draft.verbphrases import verb_readings
+from esg.graph.models import NodeEvent, TimelineSystem
 from esg.outcomes import UserError
 
 MAX_CHARACTERS = 20_000
 LIGHT_SPEED_CM_S = 2.99792458e10
 MAX_SPEED_CM_S = 15_000.0
-MAX_MASS_KG = 1e5
+MIN_MASS_KG, MAX_MASS_KG = 1e-3, 1e5
+MAX_TIME_S = 600.0
 
 
 def _is_english(word: str) -> bool:
@@ -29,6 +32,15 @@ def _is_english(word: str) -> bool:
     )
 
 
+_FOREIGN = frozenset(
+    {"der", "das", "ein", "eine", "einen", "einem", "und", "dann", "mit", "auf", "gegen", "ist",
+     "wird", "le", "la", "les", "une", "et", "avec", "sur", "puis", "dans", "el", "los", "las",
+     "una", "con", "luego", "sobre", "choca", "il", "lo", "gli", "della", "poi", "che", "och",
+     "een", "het", "naar", "uma", "dos", "com", "para"}
+)  # fmt: skip
+"""Small words of other languages that are none in English."""
+MAX_OBJECTS = 400
+"""Most objects of a scene."""
 _MARK = "[\u200b\u200c\u2060]+"
 _MARKED = re.compile(rf"[^\W\d_]+(?:{_MARK}[^\W\d_]+)+")
 
@@ -59,7 +71,7 @@ def screen(prompt: str) -> str:
             f"The prompt has {len(prompt):,} characters; the limit is {MAX_CHARACTERS:,}. "
             "Describe one scene."
         )
-    text = re.sub(r"[\u00a0\t\r\f\v ]+", " ", prompt).replace("’", "'").strip()
+    text = re.sub(r"[\u00a0\t\r\f\v ]+", " ", plain(prompt)).replace("’", "'").strip()
     text = re.sub(r"[\ufeff\u00ad\u200d\x00-\x09\x0b-\x1f]", "", text)
     text = re.sub(_MARK, "", _MARKED.sub(_joined, text))
     words = re.findall(r"[^\W\d_]+", text.lower())
@@ -77,19 +89,27 @@ def screen(prompt: str) -> str:
             f"No English words that name objects or motions were found in {text[:60]!r}; "
             "write the prompt in English."
         )
+    foreign = _FOREIGN & set(words)
+    if len(foreign) >= 2 and sum(w in _FOREIGN for w in words) > 0.15 * len(words):
+        raise UserError(
+            f"The prompt {text[:60]!r} mixes English with another language "
+            f"({', '.join(sorted(foreign)[:4])}); write all of it in English."
+        )
     problems: list[str] = []
     for a in find_amounts(text):
         if a.dimension in ("mass", "length", "time", "speed") and a.low < 0.0:
             problems.append(f'"{a.text}" is negative; a {_NAMES[a.dimension]} must be positive')
         elif a.dimension == "mass" and a.low == 0.0:
             problems.append(f'"{a.text}": a mass must be greater than zero')
+        elif a.dimension == "mass" and a.high < MIN_MASS_KG:
+            problems.append(f'"{a.text}" is less than the smallest mass, {1e3 * MIN_MASS_KG:g} g')
         elif a.dimension == "mass" and a.high > MAX_MASS_KG:
             problems.append(f'"{a.text}" is more than the largest mass, {MAX_MASS_KG:g} kg')
         elif a.dimension == "speed" and abs(a.high) > LIGHT_SPEED_CM_S:
             problems.append(f'"{a.text}" is faster than light')
         elif a.dimension == "speed" and abs(a.high) > MAX_SPEED_CM_S:
             problems.append(f'"{a.text}" is more than the fastest simulated speed, 150 m/s')
-        elif a.dimension == "time" and a.high > 600.0:
+        elif a.dimension == "time" and a.high > MAX_TIME_S:
             problems.append(f'"{a.text}" is more than the longest scene, 600 s')
     if re.search(
         r"\b(?:faster than|at|exceeding|beyond) (?:the speed of )?light(?:'s speed)?\b",
@@ -120,6 +140,27 @@ def nothing_to_draw(scene: Scene) -> None:
         raise UserError(
             f"The prompt {scene.text[:60]!r} names no object that can be placed; "
             'name one, such as "a ball rolls into a box".'
+        )
+
+
+def too_much(scene: Scene) -> None:
+    """Raises UserError if the prompt tells of more objects than a scene holds."""
+    number = len(scene.world.entities)
+    if number > MAX_OBJECTS:
+        raise UserError(
+            f"The prompt names {number:,} objects; a scene holds {MAX_OBJECTS}. Describe one scene."
+        )
+
+
+def too_long(timeline: TimelineSystem | None) -> None:
+    """Raises UserError if the events of the prompt cannot happen within the longest scene."""
+    nodes = timeline.sequence_graph.nodes if timeline is not None else ()
+    last = max((n.window[1] if n.window else n.timestamp or 0.0 for n in nodes), default=0.0)
+    if last > MAX_TIME_S:
+        events = sum(n.event is not NodeEvent.TRIGGER for n in nodes) - 1
+        raise UserError(
+            f"The prompt tells of {events} events, which take {last:.0f} s; the longest scene has "
+            f"{MAX_TIME_S:.0f} s. Split it into several scenes."
         )
 
 

@@ -110,6 +110,7 @@ class FallSenses(LaunchSenses):
             self._read_as("roll", f, s, [])
             return
         self._free([x for x in s if self.kind(x) in ("post", "plant", "wall", "street")])
+        self._free([x for x in s if x in self.scene.attached])  # what hangs there comes down
         actors = self._representatives(s, [])
         fresh = [a for a in actors if a not in self.tl.tracks]
         if actors and all(map(self._has_toppled, actors)):
@@ -119,7 +120,9 @@ class FallSenses(LaunchSenses):
         upright = [
             a
             for a in actors
-            if "topples" in self.e(a).noun.traits or self.kind(a) in _UPRIGHT | {"person"}
+            if "topples" in self.e(a).noun.traits
+            or self.kind(a) in _UPRIGHT | {"person"}
+            or a in self.leaning
         ]
         self._on_what_was_hit(f, fresh)
         edge = f.phrase("off", "over", "from", "out of")

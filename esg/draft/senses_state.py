@@ -22,8 +22,11 @@ _PATTERN_VERBS = {
     "queue": "queue",
 }
 """Arrangement of a plural by the verb that says how it stands."""
+_LEANT_ON_CM = 60.0
+_LEANING = frozenset({"lean", "prop"})
 _HANGING = frozenset({"hang", "suspend", "mount", "attach", "fix", "dangle", "fasten"})
 _HUNG_BY = frozenset({"on", "against", "from", "to", "at", "off"})
+_SIDES = frozenset({"height", "length", "width", "diameter", "radius", "size", "thickness"})
 _RESTING = frozenset({"rest", "lie", "settle", "lodge"})
 
 
@@ -83,7 +86,12 @@ class StateSenses(Acts):
         for _, a in self.amounts(f):
             if (a.start, a.end) in self.scene.used:
                 continue
-            if a.dimension == "length":
+            named = f.subject.head if f.subject is not None and f.subject.attribute else ""
+            if a.dimension == "length" and named in _SIDES:
+                for t in things:
+                    self.world.apply_amount(self.e(t), a, named)
+                self.use(a, named)
+            elif a.dimension == "length":
                 word = next((x for x in f.adverbs), "")
                 after = self.text[a.end : a.end + 12].strip().split(" ")[0].strip(".,;")
                 if after in ("tall", "high", "wide", "long", "thick", "deep"):
@@ -225,6 +233,11 @@ class StateSenses(Acts):
                     self.hang(t, others[0])
                 if hung:
                     continue
+            if f.verb.lemma in _LEANING and p.prep in ("on", "against", "at", "by") and others:
+                host = self.e(others[0])
+                if (host.dimensions_cm or host.noun.dimensions_cm)[2] >= _LEANT_ON_CM:
+                    self._lean(things, others)
+                    continue
             if p.prep == "with" and f.verb.lemma in ("cover", "load", "fill", "stack", "set"):
                 for t in things[:1]:
                     if f.verb.lemma == "load" and self.kind(t) in SELF_POWERED:
@@ -242,6 +255,18 @@ class StateSenses(Acts):
                 for t in things:
                     self.scene.relations.append(Relation(t, others[0], "near", distance.value))
                 self.use(distance, "distance")
+
+    def _lean(self, things: list[str], others: list[str]) -> None:
+        """ "A broom leans on a wall": it stands beside it on its end, and can only tip over."""
+        for t in things:
+            e = self.e(t)
+            dims = list(e.dimensions_cm or e.noun.dimensions_cm)
+            if self.movable(t) and max(dims[:2]) > 2.0 * dims[2]:
+                long = 0 if dims[0] >= dims[1] else 1
+                dims[long], dims[2] = dims[2], dims[long]
+                e.dimensions_cm = dims
+            self.leaning.add(t)
+        self.place(things, others, "against")
 
     def _arrange(self, things: list[str], p: Phrase) -> None:
         """ "in a triangle", "in a queue": how a plural stands."""

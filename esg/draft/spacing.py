@@ -52,6 +52,10 @@ def _pair(text: str, a: Amount, mentions: list[Mention], scene: Scene) -> list[s
     if _APART.match(text, a.end) or _GAP_OF.search(text, max(0, a.start - 40), a.start):
         both = [ids[0] for _, ids in before[-2:]]
         return plural or (both if len(both) == 2 and both[0] != both[1] else [])
+    if re.match(r"\s+from\b", text[a.end :]) and len(after) > 1:
+        one, other = after[0], after[1]
+        if re.fullmatch(r"\s+to\s+", text[one[0].end : other[0].start]):
+            return [one[1][0], other[1][0]]  # "it is 3 m from the ball to the cone"
     link = _BETWEEN.match(text, a.end)
     if link is not None and after:
         first = after[0][1]

@@ -137,6 +137,7 @@ _HEADINGS = frozenset(
      "system", "user", "assistant", "title", "setting", "action", "input", "output", "example",
      "scenario", "story", "instruction", "instructions", "request"}
 )  # fmt: skip
+_ASKING = frozenset({"can", "could", "will", "would", "may", "does", "did", "is", "are"})
 _SO_AS_TO = (("in", "order", "to"), ("so", "as", "to"))
 _LONGEST_FIRST = tuple(sorted(_MULTI, key=lambda m: -len(m[0])))
 
@@ -159,6 +160,9 @@ class Chunker(NounPhrases):
         used = self._heading(i)
         if used:
             return i + used
+        if low in _ASKING and self._previous() is None and self._low(i + 1) in lex.DETERMINERS:
+            self.elements.append(Word(token.start, token.end, "adv", "indeed"))
+            return i + 1  # "Can a ball hit a box?"
         if token.kind == "qty":
             j = self._noun_phrase(i)
             if j is not None:

@@ -12,7 +12,7 @@ from esg.draft.quantities import find_amounts
 _WORD = re.compile(
     r"\d+-(?:ball|wheeler|year-old)s?\b|[A-Za-zÀ-ɏ]+(?:[-'’][A-Za-zÀ-ɏ]+)*|\d+(?:st|nd|rd|th)\b"
     r"|#?\d+(?:\.\d+)?|[^\sA-Za-z0-9]"
-    r"|\n(?=\s*(?:[-*•]|\d+[.)]\s|\n|[A-Z]))"
+    r"|\n(?=\s*(?:[-*•]|\d+[.)]\s|\n|[A-Z]|[a-z]+:))"
 )
 
 

@@ -74,6 +74,7 @@ def plan_times(nodes: list[Draft], edges: list[TimelineEdge]) -> dict[str, Inter
 
     relative: dict[str, tuple[str, Interval]] = {}
     cap: dict[str, float] = {}
+    inside: dict[str, float] = {}
     for n in nodes:
         for c in n.constraints:
             since = c.since
@@ -83,7 +84,14 @@ def plan_times(nodes: list[Draft], edges: list[TimelineEdge]) -> dict[str, Inter
                 )
             if c.quantity in ("time_since", "time_to_stop") and since in by_id:
                 relative[n.id] = (since, _bounds(c.value))
-                cap[since] = max(0.05, 0.8 * _bounds(c.value)[0])
+                asked = _bounds(c.value)[0]
+                between = [
+                    m.id for m in nodes if m.id in ancestors[n.id] and since in ancestors[m.id]
+                ]
+                cap[since] = max(0.05, (0.3 if between else 0.8) * asked)
+                for name in between:  # what happens meanwhile has to fit in
+                    share = 0.5 * asked / len(between)
+                    inside[name] = min(inside.get(name, share), share)
 
     def place(scale: float, offset: dict[str, float]) -> dict[str, Interval]:
         spans: dict[str, Interval] = {}
@@ -104,6 +112,9 @@ def plan_times(nodes: list[Draft], edges: list[TimelineEdge]) -> dict[str, Inter
             low = ready + (short if not before[n.id] else gap) * scale
             low = low if before[n.id] else short * scale
             width = (long - short) * scale
+            if n.id in inside and before[n.id]:
+                low = ready + min(gap, 0.2 * inside[n.id])
+                width = min(width, 0.7 * inside[n.id])
             if n.id in cap:
                 width = min(width, cap[n.id])
             spans[n.id] = (round(low, 4), round(low + width, 4))

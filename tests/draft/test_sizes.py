@@ -148,3 +148,56 @@ def test_only_a_golf_ball_makes_a_cup_a_hole() -> None:
 def test_wheels_under_a_chair_are_no_objects() -> None:
     doc = draft("An armchair on wheels is pushed into a wall.")
     assert not [n for n in doc.spatial_relation_graph.nodes if "wheel" in n]
+
+
+def events(prompt: str) -> list[tuple[str, ...]]:
+    timeline = draft(prompt).timeline_system
+    nodes = timeline.sequence_graph.nodes if timeline is not None else ()
+    return [(n.event.value, *n.participants) for n in nodes if n.event is not NodeEvent.SCENE_START]
+
+
+def test_what_leans_stands_on_its_end_beside_the_wall_and_topples() -> None:
+    prompt = "A broom leans on a wall. A boy bumps into the broom, which falls onto a bucket."
+    doc = draft(prompt)
+    length, _, height = dimensions(doc, "broom_1")
+    assert height > 2.0 * length
+    assert doc.spatial_relation_graph.nodes["broom_1"].semantic_region == "ground_area_1"
+    assert ("Topple", "broom_1") in events(prompt)
+    assert ("Fall", "broom_1") not in events(prompt)
+
+
+def test_what_hangs_on_a_wall_can_fall() -> None:
+    assert ("Collision", "picture_1", "sofa_1") in events(
+        "A picture hanging on the wall falls onto the sofa."
+    )
+
+
+@pytest.mark.parametrize(
+    ("prompt", "masses"),
+    [
+        ("The red ball weighs 5 g, the green ball 8 g. They collide.", [0.005, 0.008]),
+        ("The sphere's radius is 12 cm and its mass 4 kg; it rolls into a post.", [4.0]),
+        ("A bowling ball - 7 kg, 22 cm in diameter - strikes ten pins.", [7.0]),
+        ("A 2 m long, 30 kg heavy log rolls down a slope.", [30.0]),
+    ],
+)
+def test_masses_in_lists_and_gaps(prompt: str, masses: list[float]) -> None:
+    doc = draft(prompt)
+    stated = [a.expected_mass_kg for a in doc.asset_requirement.values() if a.mass_is_prescribed]
+    assert stated == pytest.approx(masses)
+    assert not [w for w in doc.coverage.warnings if "quantity" in w]
+
+
+def test_what_it_is_compared_with_does_not_act() -> None:
+    prompt = "A crate twice as heavy as a 5 kg barrel is pushed into the barrel by a forklift."
+    assert ("Collision", "crate_1", "barrel_1") in events(prompt)
+    assert ("Collision", "forklift_1", "barrel_1") not in events(prompt)
+
+
+def test_the_top_one_of_a_stack_named_before_it() -> None:
+    found = events("Of four stacked tins, the top one is hit by a rubber ball.")
+    assert found == [("Collision", "rubber_ball_1", "top_tin_1")]
+
+
+def test_a_ring_that_no_ball_goes_for_is_no_hoop() -> None:
+    assert events("The copper ring slides into the silver ring.")[0][0] == "Collision"
