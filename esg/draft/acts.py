@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from typing import Any
 
+from esg.draft import lexicon as lex
 from esg.draft.core import Time
 from esg.draft.frames import Frame, Phrase
 from esg.draft.motions import Motions
 from esg.draft.scene import SELF_POWERED
 from esg.graph.models import NodeEvent
 
+_GOALMOUTH = frozenset({"post", "goalpost", "crossbar", "keeper", "goalkeeper", "goalie", "rim"})
 _GOING = frozenset(
     {
         "go",
@@ -52,6 +54,10 @@ class Acts(Motions):
         time = self._time(f)
         fallen: set[str] = set()
         if "in" in f.adverbs and f.verb.lemma in _GOING and f.phrase("into", "in") is None:
+            off = f.phrase("off")
+            if off is not None and off.mention is not None and not off.mention.attribute:
+                solid = [i for i in off.mention.entities if self._aimable(i)]
+                self._hit(f, actors, [i for i in solid if i not in actors][:1])
             self._goes_in(f, actors, time)
         for p in f.phrases:
             if p.mention is None:
@@ -79,7 +85,9 @@ class Acts(Motions):
                 elif p.prep in ("off", "over") or (
                     p.prep in ("from", "out of") and f.verb.sense in ("fall", "slide", "drop")
                 ):
-                    if self._elevated(other) and (p.prep != "over" or p.mention.part):
+                    slips = p.prep == "off" and f.verb.sense in ("roll", "slide", "fall", "drop")
+                    high = self._elevated(other) or (slips and self._carries(other, actor))
+                    if high and (p.prep != "over" or p.mention.part):
                         self.place([actor], [other], "on")
                         self.event(NodeEvent.FALL, (actor,), f, time)
                         fallen.add(actor)
@@ -95,6 +103,8 @@ class Acts(Motions):
                     self.place([actor], [other], "on")
                 elif p.prep == "past":
                     self.event(NodeEvent.MISS, (actor, other), f, time)
+                elif p.prep == "to" and self.structural(other) and self._comes_down(f, actor, p):
+                    self.event(NodeEvent.FALL, (actor,), f, time)
                 elif p.prep == "to" and not self.structural(other) and not p.mention.attribute:
                     self.pending[actor] = (NodeEvent.REACH, f, other, time)
 
@@ -112,19 +122,31 @@ class Acts(Motions):
     def _goes_in(self, f: Frame, actors: list[str], time: Time | None) -> None:
         """ "bounces off the rim and goes in": into the goal, hoop or hole named before."""
         named = [i for ids in reversed(self.world.salience) for i in ids]
+        known = self.world.entities
         for actor in actors:
             goal = next(
                 (i for i in named if i in self.world.entities and self._enterable(i)),
                 self.aim.get(actor, ""),
             )
+            if not goal and self.kind(actor) in ("ball", "sliding"):
+                posts = any(self.e(i).head.split()[-1] in _GOALMOUTH for i in named if i in known)
+                goal = self._implied_goal(actor) if posts else ""
             if goal and (self._enterable(goal) or self._holds(goal)):
                 self._ensure_mover(f, actor, goal)
                 self.enter(f, actor, goal, None, time)
 
+    def _implied_goal(self, ball: str) -> str:
+        """The goal or hoop that a ball goes into, where the prompt names none."""
+        name = "basketball hoop" if self.e(ball).noun.name == "basketball" else "goal"
+        return self.world.add(lex.nouns()[name], name, mentioned=False).id
+
     def _off_the_edge(self, f: Frame, p: Phrase, actors: list[str], time: Time | None) -> bool:
         """ "falls off the end", "over its edge": of the support it moves on."""
         m = p.mention
-        if m is None or p.prep not in ("off", "over") or m.part not in _EDGES:
+        falls = f.verb.sense in ("fall", "drop")  # "falls at the end of the bar"
+        if m is None or m.part not in _EDGES:
+            return False
+        if p.prep not in ("off", "over") and not (falls and p.prep in ("at", "from")):
             return False
         hosts = [i for i in m.entities if i not in actors]
         if hosts and not self._elevated(hosts[0]):
@@ -133,9 +155,28 @@ class Acts(Motions):
             if hosts:
                 self.place([actor], hosts[:1], "on")
             if not hosts and actor not in self.scene.supported_by:
-                return False
+                near = self._carrier_named(actor)
+                if not near:
+                    return False
+                self.place([actor], [near], "on")
             self.event(NodeEvent.FALL, (actor,), f, time)
         return bool(actors)
+
+    def _comes_down(self, f: Frame, actor: str, p: Phrase) -> bool:
+        """ "slides down to the ground" from the heap it lies on."""
+        assert p.mention is not None
+        down = "down" in self.text[f.verb.end : p.mention.start].lower().split()
+        rests = actor in self.scene.supported_by or self._lies_on_something(actor)
+        return down and rests and self.kind(actor) not in ("person", "animal")
+
+    def _carrier_named(self, actor: str) -> str:
+        """What the prompt spoke of last that the actor can stand or run on."""
+        for ids in reversed(self.world.salience):
+            for i in ids:
+                known = i in self.world.entities and i != actor and not self.structural(i)
+                if known and {"support", "incline"} & self.e(i).noun.traits:
+                    return i
+        return ""
 
     def _go_into(
         self,
@@ -153,7 +194,8 @@ class Acts(Motions):
         if visits and self.kind(actor) in SELF_POWERED:
             self.pending[actor] = (NodeEvent.REACH, f, other, time)  # "comes into the station"
             return
-        breaks = p.prep == "through" and noun.kind in ("wall", "street") and not p.mention_plural
+        barrier = noun.kind in ("wall", "street") or noun.name in ("hedge", "bush")
+        breaks = p.prep == "through" and barrier and not p.mention_plural
         if (
             breaks
             and noun.name not in ("door", "window")
@@ -186,6 +228,7 @@ class Acts(Motions):
             "pocket",
             "fly",
         )
+        airborne = airborne or (f.verb.sense == "bounce" and actor in self.came_down)
         enterable = (
             noun.kind in ("region", "goal", "hole", "hoop")
             or "goal" in noun.traits
@@ -249,12 +292,23 @@ class Acts(Motions):
                 aimed = self.pending.get(target)
                 if aimed is not None and aimed[0] in (NodeEvent.COLLISION, NodeEvent.ENTER_REGION):
                     mover, target = target, mover  # "a keeper blocks the shot": the ball arrives
+                self._settle_others(mover, target)
                 self._share_support(f, mover, target)
                 self._ensure_mover(f, mover, target)
                 out.append(self.event(NodeEvent.COLLISION, (mover, target), f, time))
                 self.last_hit = (mover, target)
                 time = None
         return out
+
+    def _settle_others(self, mover: str, target: str) -> None:
+        """What was sent at a thing before arrives before the next one does."""
+        mates = self.world.groups.get(self.e(target).group or "", [target])
+        for name, (kind, _, other, _) in list(self.pending.items()):
+            aimed = kind is NodeEvent.COLLISION and other in mates
+            own = self.e(mover).group
+            aimed = aimed and not (own and own == self.e(name).group)
+            if aimed and name not in (mover, target) and mover in self.world.entities:
+                self._settle(name, None)
 
     def _share_support(self, f: Frame, mover: str, target: str) -> None:
         """What rolls across a table and hits a cup there, or pushes it, shares its table."""
@@ -313,6 +367,11 @@ class Acts(Motions):
             if p.mention is None or p.mention.attribute:
                 continue
             others = [i for i in p.mention.entities if i not in bodies]
+            if p.prep == "to" and others and self._aimable(others[0]) and not p.mention.part:
+                for body in bodies:
+                    if f.verb.lemma in _PUSHING:
+                        self.pending[body] = (NodeEvent.REACH, f, others[0], None)
+                continue
             if p.prep in ("to", "onto", "on") and others and self.structural(others[0]):
                 for body in bodies:
                     self._down(f, body)
@@ -327,7 +386,7 @@ class Acts(Motions):
                         self._hit(f, [body], others, None)
                     elif (
                         p.prep in ("off", "out of", "over", "from")
-                        and self._elevated(others[0])
+                        and (self._elevated(others[0]) or self._carries(others[0], body))
                         and (p.prep != "over" or p.mention.part)
                     ):
                         self.place([body], [others[0]], "on")
@@ -360,13 +419,21 @@ class Acts(Motions):
             self._hit(f, [body], others, self._time(f))
 
     def _already_hit(self, f: Frame, s: list[str], o: list[str]) -> bool:
-        return any(self.tl.tracks.get(b) is not None and self.tl.tracks[b].hit for b in o) and (
-            f.causer is not None
-            or (
-                f.link in ("cause", "then", "while")
-                and self.last_hit is not None
-                and self.last_hit[1] in o
-            )
+        if not any(self.tl.tracks.get(b) is not None and self.tl.tracks[b].hit for b in o):
+            return False
+        if f.causer is not None:
+            return True
+        last = self.last_hit
+        if last is None or last[1] not in o or f.link not in ("cause", "then", "while"):
+            return False
+        # "the second hits it and the third knocks it over": a hit of its own
+        people = all(self.kind(i) == "person" for i in s)
+        mates = {i for x in s for i in self.world.groups.get(self.e(x).group or "", [x])}
+        return (
+            not s
+            or last[0] in s
+            or (people and self.kind(last[0]) != "person")
+            or (last[0] not in mates and not self._aimable(s[0]))
         )
 
     def _consequence(self, f: Frame, bodies: list[str]) -> None:
@@ -374,10 +441,47 @@ class Acts(Motions):
         if "over" in f.adverbs or "down" in f.adverbs or "upside down" in words:
             for b in self._representatives(bodies, []):
                 self.event(NodeEvent.TOPPLE, (b,), f, None)
-        elif f.adverbs and f.adverbs[-1] == "off" and f.verb.sense in ("knock", "launch", "cause"):
+        elif self._at_last(f, "off") and f.verb.sense in ("knock", "launch", "cause"):
             for b in self._representatives(bodies, []):
+                self._beside_its_mates(b)
                 if b in self.scene.supported_by:
                     self.event(NodeEvent.FALL, (b,), f, None)
+
+    @staticmethod
+    def _at_last(f: Frame, word: str) -> bool:
+        """Whether the clause ends with an adverb, "too" and the like left out."""
+        rest = [a for a in f.adverbs if a not in ("too", "also", "again", "then", "instead")]
+        return bool(rest) and rest[-1] == word
+
+    def _beside_its_mates(self, body: str) -> None:
+        """ "pushes the red block off the table ... and the green block off too": from there too."""
+        if body in self.scene.supported_by:
+            return
+        for node in reversed(self.tl.nodes):
+            other = node.participants[0]
+            host = self.scene.supported_by.get(other, "")
+            if node.event is NodeEvent.FALL and host and self.e(other).noun == self.e(body).noun:
+                self.place([body], [host], "on")
+                return
+
+    def _carried_along(self, body: str) -> bool:
+        """ "hits the pallet and the stack collapses": moved by a hit of its support or a mate.
+
+        A member that the prompt names has left its plural, so that it needs a hit of its own.
+        """
+        last = self.tl.node(self.tl.last_event or "")
+        if last is None or last.event is not NodeEvent.COLLISION or body in self.tl.tracks:
+            return False
+        mates = self.world.groups.get(self.e(body).group or "", [])
+        movers = {i for i in mates if self.e(i).in_group} if self.e(body).in_group else set()
+        host = self.scene.supported_by.get(body)
+        while host is not None and host not in movers:
+            movers.add(host)
+            host = self.scene.supported_by.get(host)
+        if not (movers - {body}) & {*last.participants}:
+            return False
+        self.tl.carry(body, last.id)
+        return True
 
     def _struck_before(self, f: Frame, body: str) -> None:
         """ "thrown at a bottle, which falls": the fall implies the hit."""

@@ -7,6 +7,9 @@ from esg.draft.entities import BODY_PARTS, OWN_PARTS
 from esg.draft.frames import Phrase, State, finite_ahead, next_verb
 from esg.draft.syntax import Element, Mention, Verb, Word
 
+_OCCASIONS = frozenset({"time", "moment", "instant", "occasion"})
+_THIS = frozenset({"this", "that", "another", "each", "every"})
+
 
 class ClauseNouns(ClauseWords):
     """Gives each noun phrase its place in the clause."""
@@ -84,6 +87,12 @@ class ClauseNouns(ClauseWords):
             s.boundary, s.boundary_kind = True, "comma"  # "After being hit by a truck a cone ..."
         if s.boundary_kind == "whose" and m.attribute and m.possessor is None:
             m.possessor = s.relative  # "a ball whose mass is 300 g"
+        ahead = self.elements[i + 1] if i + 1 < len(self.elements) else None
+        floats = m.pronoun in ("all", "both", "each") and isinstance(ahead, Verb)
+        if floats and s.boundary_kind == "rel" and s.relative is not None and not prep:
+            return  # "cyclists, who all avoid it"
+        if m.attribute and not prep and m.head in _OCCASIONS and m.determiner in _THIS:
+            return  # "and this time it goes in"
         if s.relative is not None and s.boundary and s.boundary_kind in ("rel", "whose"):
             # object relative: "the box that the ball hits"
             s.subject = m

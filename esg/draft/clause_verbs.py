@@ -72,6 +72,10 @@ class ClauseVerbs(ClauseNouns):
             frame.subject = previous.object
             frame.causer = previous
             frame.link = "cause"
+        elif self._caused_after_relative(previous, v, s):
+            causer = previous.parent
+            assert causer is not None
+            frame.subject, frame.causer, frame.link = causer.object, causer, "cause"
         elif self._awaits_main(previous, v) or self._serial(previous, v, s):
             frame.subject = self._agent(previous)
             frame.parent = previous
@@ -107,6 +111,14 @@ class ClauseVerbs(ClauseNouns):
         verb = self.elements[i]
         now = isinstance(verb, Verb) and verb.auxiliary in ("is", "are", "gets", "get")
         return comma or now
+
+    @staticmethod
+    def _caused_after_relative(previous: Frame, v: Verb, s: State) -> bool:
+        """ "makes a jar that lies on it roll off": what the main verb causes."""
+        cause = previous.parent
+        if not previous.relative or cause is None or cause.verb.sense != "cause" or s.boundary:
+            return False
+        return v.form == "base" and cause.object is not None and not v.auxiliary
 
     @staticmethod
     def _awaits_main(previous: Frame, v: Verb) -> bool:

@@ -64,8 +64,9 @@ class ClauseWords:
             return s
         if w.kind in ("prep", "to"):
             nxt = self.elements[i + 1] if i + 1 < len(self.elements) else None
+            ends = ("punct", "conj", "sub", "rel")
             if nxt is None or (
-                isinstance(nxt, Word) and nxt.kind in ("punct", "conj", "sub", "rel")
+                isinstance(nxt, Word) and (nxt.kind in ends or nxt.low in ("too", "again"))
             ):
                 if s.frame is not None:
                     s.frame.adverbs.append(w.low)  # a particle: "knocking them over"

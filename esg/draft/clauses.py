@@ -10,6 +10,7 @@ from dataclasses import replace
 
 from esg.draft.clause_verbs import UNTIL_MAIN, ClauseVerbs
 from esg.draft.frames import Frame, State, background_first, in_order
+from esg.draft.idioms import read_idioms
 from esg.draft.syntax import Mention, Verb
 
 _TAKING = frozenset({"need", "needs", "needed", "take", "takes", "took", "require", "requires"})
@@ -37,7 +38,12 @@ class ClauseBuilder(ClauseVerbs):
             self._hand_over(f)
             self._takes_time(f, self.frames[k + 1 :])
             self._fronted(f, [g for g in self.frames[k + 1 :] if g.sentence == f.sentence])
+            if f.subordinate:
+                around = [*reversed(self.frames[:k]), *self.frames[k + 1 :]]
+                alike = (g for g in around if g.sentence == f.sentence and not g.subordinate)
+                f.main = next(alike, None)
         self.frames = self._same_again(in_order(background_first(self.frames)))
+        read_idioms(self.frames)
 
     def _same_again(self, frames: list[Frame]) -> list[Frame]:
         """ "The blue car does the same": what the clauses before tell of their subject, again."""

@@ -33,6 +33,8 @@ class Core:
         self._patient: list[str] = []
         self._patient_at = -1
         self._last_subject: list[str] = []
+        self._subject_before: list[str] = []
+        """The subject before the present one."""
         self._last_moving: list[str] = []
         """What the prompt last said to move by itself."""
         self._launched: list[str] = []
@@ -46,6 +48,8 @@ class Core:
         """Sentence and subject of the last description of a state."""
         self.own_speed: dict[str, Amount] = {}
         """Speeds stated one for each ("two trains at 20 m/s and 30 m/s")."""
+        self.came_down: set[str] = set()
+        """What has dropped or fallen onto something."""
         self.rolling: set[str] = set()
         """What the prompt says rolls or slides."""
         self.gap: Amount | None = None

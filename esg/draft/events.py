@@ -44,6 +44,9 @@ class Events(Places):
                     out.append(self._of_a_stack(group, targets))
                 seen.add(group)
                 continue
+            mates = [i for i in targets if self.e(i).group == group and not self.e(i).place]
+            if group is not None and mates and self.e(t).place in ("last", "final"):
+                continue  # "rolls into three wagons; the last wagon ..."
             if group is not None and not self.e(t).letter and not self.e(t).place:
                 if group in seen:
                     continue
@@ -218,6 +221,8 @@ class Events(Places):
         for node in reversed(self.tl.nodes):
             if node.event is NodeEvent.TRIGGER or not among & set(node.participants):
                 continue
+            if kind is NodeEvent.FALL and node.event is NodeEvent.MISS:
+                continue  # "slides from the roof, just missing a woman, and smashes on the road"
             if kind is NodeEvent.FALL and node.event is NodeEvent.TOPPLE:
                 off = f.phrase("off", "from", "out of", "over")
                 leaves = off is not None or participants[0] in self.scene.supported_by

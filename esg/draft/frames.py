@@ -54,6 +54,8 @@ class Frame:
     """A participle of the subject whose main verb is still to come."""
     causer: Frame | None = None
     parent: Frame | None = None
+    main: Frame | None = None
+    """The clause that one with a conjunction belongs to."""
     unreal: str = ""
     """Why the prompt names it without saying that it happens."""
 
@@ -85,6 +87,7 @@ def finite_ahead(elements: list[Element], i: int) -> bool:
     """Whether a finite verb follows before the next boundary, so that a clause starts at i."""
     depth = 0
     relative = False
+    i = _after_parenthesis(elements, i)
     for e in elements[i:]:
         if isinstance(e, Verb):
             if relative and not e.infinitive:
@@ -109,6 +112,24 @@ def finite_ahead(elements: list[Element], i: int) -> bool:
             if e.kind == "conj" and depth == 0:
                 continue
     return False
+
+
+def _after_parenthesis(elements: list[Element], i: int) -> int:
+    """Past ", unable to stop," or ", frightened," between a subject and its verb; else i itself."""
+    if getattr(elements[i] if i < len(elements) else None, "low", "") != ",":
+        return i
+    for k in range(i + 1, min(i + 8, len(elements))):
+        e = elements[k]
+        if isinstance(e, Word) and (e.kind in ("conj", "sub", "rel") or e.low in ".;!?:"):
+            return i
+        if isinstance(e, Verb) and not e.infinitive and (e.auxiliary or e.form in ("s", "base")):
+            return i
+        if isinstance(e, Word) and e.low == ",":
+            rest = [x for x in elements[k + 1 : k + 3] if getattr(x, "kind", "") != "adv"]
+            verb = rest[0] if rest else None
+            now = isinstance(verb, Verb) and verb.form in ("s", "past") and not verb.infinitive
+            return k + 1 if now else i
+    return i
 
 
 def next_verb(elements: list[Element], i: int) -> Verb | None:

@@ -1,7 +1,7 @@
 """Verbs whose sense depends on what stands around them: "takes it out", "breaks off the cliff".
 
-Phrases that follow a verb directly are tables of the syntax (`verbphrases`); what is read here needs
-the verb's arguments.
+Phrases that follow a verb directly are tables of the syntax (`verbphrases`); what is read here
+needs the verb's arguments.
 """
 
 from __future__ import annotations
@@ -71,6 +71,7 @@ def _shuts_on(f: Frame) -> str:
     """ "The doors shut on a suitcase"."""
     p = f.phrase("on")
     if f.verb.lemma in _SHUTTING and f.verb.sense == "noop" and p is not None and _thing(p.mention):
+        p.prep = "against"
         return "hit"
     return ""
 

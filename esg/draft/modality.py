@@ -132,7 +132,10 @@ def _polite(f: Frame, earlier: list[Frame]) -> bool:
 def _stopped_first(f: Frame, near: list[Frame]) -> bool:
     """ "stops before it reaches the wall": what has stopped gets no further."""
     main = next((g for g in near if g.subordinate != "before"), None)
-    if main is None or main.verb.sense != "stop" or main.verb.negated:
+    if main is None or main.verb.negated:
+        return False
+    down = main.verb.sense in ("fall", "topple") and f.verb.sense == "reach"
+    if main.verb.sense != "stop" and not (down and main.subject is f.subject):
         return False
     return f.verb.sense in ("hit", "reach", "enter", "fall", "own", "knock", "topple")
 

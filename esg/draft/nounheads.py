@@ -209,6 +209,7 @@ class NounHeads(Letters):
             low
             and {low, lex.singular(low)[0]} & lex.ATTRIBUTES
             and not self._many_do(j, m)
+            and not self._one_does(j, m)
             and (m.determiner or m.adjectives or m.count is not None or self._is_attribute_start(j))
         ):
             m.attribute = True
@@ -339,6 +340,11 @@ class NounHeads(Letters):
         passes = self._low(i - 1) in ("passes", "passing", "past", "near", "behind", "opposite")
         at = self._low(i - 1) in ("at", "from") and m.determiner == "the"
         return bool(m.determiner) and (passes or at) and self._low(j + 1) != "of"
+
+    def _one_does(self, j: int, m: Mention) -> bool:
+        """ "One rolls away and another hits a box": a verb, as no plural follows "another"."""
+        single = m.determiner in ("another", "each", "either", "neither") and not m.adjectives
+        return single and any(r.form == "s" for r in verb_readings(self._low(j)))
 
     def _many_do(self, j: int, m: Mention) -> bool:
         """ "both fall": what comes after "both" or "all" is plural, or a verb."""

@@ -213,6 +213,7 @@ class NounPhrases(NounStarts):
             if m.determiner == "the" and m.adjectives and m.adjectives[-1] in ORDINALS:
                 nxt = self._low(j + 1)
                 after = nxt in lex.PRONOUNS or nxt in lex.DETERMINERS
+                after = after or (noun is None and nxt in lex.PREPOSITIONS - {"of"})
                 if after and any(r.form == "s" for r in verb_readings(token.low)):
                     m.pronoun, m.end = "one", tokens[j - 1].end  # "the second hits it"
                     m.text = self.text[m.start : m.end]

@@ -185,6 +185,13 @@ class Places(Core):
             )
         )
 
+    def _carries(self, host: str, thing: str) -> bool:
+        """Whether something lighter and smaller can have lain on it ("off a stepladder")."""
+        if self.structural(host) or "round" in self.e(host).noun.traits or host == thing:
+            return False
+        mine, other = self.e(thing).noun, self.e(host).noun
+        return mine.mass_kg < 2.0 * other.mass_kg and other.kind not in ("region", "water", "hole")
+
     def _free(self, nodes: list[str]) -> None:
         for node in nodes:
             if not self.structural(node):

@@ -27,7 +27,8 @@ class Pronouns(Registry):
         if p in ("i", "we", "you", "something", "everything"):
             return []
         if p == "another" and not self.groups:
-            solid = (self.entities[i] for i in avoid)
+            others = avoid or (self.subjects[-1] if subject and self.subjects else [])
+            solid = (self.entities[i] for i in others)
             model = next((e for e in solid if "structural" not in e.noun.traits), None)
             if model is not None:
                 other = self.add(

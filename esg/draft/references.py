@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from esg.draft import lexicon as lex
+from esg.draft.entities import ORDINALS
 from esg.draft.frames import Frame
 from esg.draft.scene import SELF_POWERED
 from esg.draft.senses_motion import MotionSenses
@@ -29,6 +30,8 @@ _STACKS = frozenset({"stack", "pile", "heap", "tower", "pyramid"})
 class References(MotionSenses):
     """Resolves the noun phrases of frames before they are read."""
 
+    _last_had_object = _acts_on = False
+    """Whether a clause of the subject before, of the present one, acts on something."""
     _shot: tuple[list[str], list[str]] = ([], [])
     """What was thrown or rolled last, and at what."""
 
@@ -128,6 +131,7 @@ class References(MotionSenses):
                 self.world.resolved[id(m)] = m.entities = list(self._topic[1])
         self._one_thrown_by_each(f, subject)
         self._it_is_the_target(f, subject)
+        self._it_of_the_next(f, subject)
         if f.object is not None and f.subject is not None and f.object.start < f.subject.start:
             both = bool(f.object.pronoun and f.subject.pronoun)  # "Having hit it, it stops"
             objects = list(f.object.entities) or self.ids(f.object, avoid=subject if both else None)
@@ -177,6 +181,11 @@ class References(MotionSenses):
             self._last_moving = list(objects)
         elif f.verb.sense in _MOVING and len(subject) == 1 and self.kind(subject[0]) != "person":
             self._last_moving = list(subject)
+        if subject and not f.reduced:
+            if self._last_subject != subject:
+                self._subject_before, self._last_had_object = self._last_subject, self._acts_on
+                self._acts_on = False
+            self._acts_on = self._acts_on or bool(objects)
         self._last_subject = subject or self._last_subject
         if f.verb.sense == "be" and subject:
             for word in f.adverbs:  # "the first car is red"
@@ -205,6 +214,22 @@ class References(MotionSenses):
         one_of_them = subject[0] in shot and len(shot) > 1 and set(shot) <= set(mates)
         if one_of_them and len(target) == 1 and self._last_subject != subject:
             self.world.resolved[id(m)] = m.entities = list(target)
+
+    def _it_of_the_next(self, f: Frame, subject: list[str]) -> None:
+        """ "The first truck stops, the second truck rams it": the first truck."""
+        m, before = f.object, self._subject_before
+        if m is None or m.pronoun != "it" or id(m) in self.world.resolved:
+            return
+        if self._last_subject != subject:
+            before, acted = self._last_subject, self._acts_on
+        else:
+            acted = self._last_had_object
+        if len(subject) != 1 or len(before) != 1 or subject == before or acted:
+            return
+        mine, other = self.e(subject[0]), self.e(before[0])
+        alike = mine.noun == other.noun and mine.place in ORDINALS
+        if alike and (other.place in ORDINALS or not other.place):
+            self.world.resolved[id(m)] = m.entities = list(before)
 
     def _one_thrown_by_each(self, f: Frame, subject: list[str]) -> None:
         """ "Two boys throw stones": as many stones as boys, if the prompt gives no number."""
@@ -275,7 +300,8 @@ class References(MotionSenses):
             m is not None
             and m.pronoun in ("it", "they")
             and id(m) not in self.world.resolved
-            and f.verb.sense in ("fall", "topple", "land", "pocket")
+            and f.verb.sense in ("fall", "topple", "land", "pocket", "drop")
+            and (f.verb.sense != "drop" or f.object is None)
             and self._patient
             and (m.pronoun == "it") == (len(self._patient) == 1)
         ):
@@ -285,7 +311,7 @@ class References(MotionSenses):
             m is not None
             and m.pronoun == "it"
             and id(m) not in self.world.resolved
-            and (f.verb.sense in _FLYING_ON or dropped)
+            and (f.verb.sense in _FLYING_ON or dropped or f.link == "until")
             and len(self._launched) == 1
         ):
             self.world.resolved[id(m)] = m.entities = list(self._launched)

@@ -255,7 +255,7 @@ class Registry(Matching):
             noun = lex.nouns()["hole"]
         elif noun.name == "building" and m.after_prep in ("in", "inside") and m.head in _ROOMS:
             noun = lex.nouns()["floor"]  # "in a garage a ball rolls": where the scene is
-        elif noun.name == "gold bar" and m.head == "bar" and m.after_prep in _AT_A_BAR:
+        elif m.head == "bar" and noun.name in ("gold bar", "floor") and m.after_prep in _AT_A_BAR:
             noun = lex.nouns()["counter"]
         elif noun.name == "hoop" and (
             (m.after_prep in ("through", "into", "in") and self._ball_game())

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from esg.draft.core import Time
-from esg.draft.frames import Frame
+from esg.draft.frames import Frame, Phrase
 from esg.draft.scene import SELF_POWERED
 from esg.draft.senses_fall import FallSenses
 from esg.graph.models import EventConstraint, NodeEvent
 
+_MEETING = frozenset({"collide", "crash", "meet", "smash", "bump", "make", "come", "connect"})
 _STUMBLING = frozenset({"trip", "stumble"})
 _CATCHING = frozenset({"catch", "block", "intercept", "parry", "deflect"})
 
@@ -49,7 +50,7 @@ class ContactSenses(FallSenses):
             movers
             and all(self.kind(m) == "person" for m in movers)
             and targets
-            and not f.verb.passive
+            and (not f.verb.passive or f.reduced)
             and f.verb.lemma in ("hit", "strike", "tap", "smack", "whack")
             and self.kind(targets[0]) in ("ball", "billiard", "sliding")
         ):
@@ -109,7 +110,7 @@ class ContactSenses(FallSenses):
             seen = list(targets)
             for p in f.phrases:
                 if (
-                    p.prep in ("into", "against", "with", "through")
+                    (p.prep in ("into", "against", "through") or self._meets_with(f, p))
                     and p.mention is not None
                     and not p.mention.attribute
                 ):
@@ -125,6 +126,11 @@ class ContactSenses(FallSenses):
             self._outcomes(f, targets[:1])
         elif o and f.phrase("into", "onto", "toward", "towards") is not None and nodes:
             self._knock_on(f, targets[:1])
+
+    @staticmethod
+    def _meets_with(f: Frame, p: Phrase) -> bool:
+        """ "collides with a van", not "hits the hurdle with his knee"."""
+        return p.prep == "with" and f.verb.lemma in _MEETING
 
     def _crashes_down(self, f: Frame, movers: list[str]) -> bool:
         """ "crashes to the floor": a fall from where it stands."""

@@ -4,11 +4,17 @@ from __future__ import annotations
 
 from esg.draft.acts import Acts
 from esg.draft.entities import BODY_PARTS, OWN_PARTS
-from esg.draft.frames import Frame
+from esg.draft.frames import Frame, Phrase
+from esg.draft.scene import SELF_POWERED
 from esg.draft.senses_launch import LaunchSenses
 from esg.graph.models import NodeEvent
 
 _UPRIGHT = frozenset({"domino", "plant", "post", "wall", "building", "structure"})
+_OVERTURNED = frozenset({"person", "seat", "furniture", "appliance", "upright", "statue", "robot"})
+"""What falls over where it stands, like those upright by themselves."""
+_TWO_WHEELED = frozenset({"bicycle", "motorcycle", "scooter", "tricycle"})
+_SOURCES = ("off", "from", "out of", "over", "down")
+_LANDINGS = ("onto", "on", "into", "in", "through", "to", "upon", "against")
 
 
 class FallSenses(LaunchSenses):
@@ -19,16 +25,26 @@ class FallSenses(LaunchSenses):
         agents = [x for x in s if x not in things]
         if agents:
             self.place(agents, things, "near")
+        wheeled = bool(things) and self.kind(things[0]) in ("cart", "vehicle")
+        if f.verb.lemma == "let" and wheeled and not self._raised(things[0]):
+            self._motion(f, things, None)  # "lets go of a cart"
+            return
         if self.quantity(f, "speed") is not None and f.verb.lemma == "release":
             self._motion_of_things(f, things, self._natural(things[0]) if things else "roll")
             return
         self._drop(f, things)
+
+    def _raised(self, thing: str) -> bool:
+        """Whether something holds it up that is no vehicle's driver: a crane, a magnet."""
+        return thing in self.scene.supported_by or thing in self.scene.heights
 
     def _drop(self, f: Frame, things: list[str]) -> None:
         many = len(things) > 2
         moved = self._representatives(things, []) if many else things
         moved = [t for t in moved if self.movable(t)]
         source = f.phrase("off", "from")
+        if source is not None and self._landed_before(f, source):
+            source = None
         if source is not None and source.mention is not None:
             host = [i for i in source.mention.entities if self._elevated(i)]
             if host:
@@ -60,8 +76,12 @@ class FallSenses(LaunchSenses):
 
     def _landing(self, f: Frame, moved: list[str]) -> bool:
         p = f.phrase("onto", "on", "into", "in", "through", "to", "upon")
+        if p is None and f.verb.sense in ("fall", "topple"):
+            p = f.phrase("against")
         m = p.mention if p is not None else None
         own_side = m is not None and m.determiner == "its" and not m.entities
+        built = m is not None and m.determiner == "its" and bool(moved)
+        own_side = own_side or (built and self.kind(moved[0]) in SELF_POWERED - {"person"})
         if own_side and m is not None and m.head in BODY_PARTS | OWN_PARTS:
             self.use(f, "landing")
             return True
@@ -77,6 +97,7 @@ class FallSenses(LaunchSenses):
             if f.verb.sense == "fall" and moved and self.kind(moved[0]) == "person":
                 self.event(NodeEvent.TOPPLE, (moved[0],), f, self._time(f))  # "flat on his face"
             return True
+        self.came_down.update(moved)
         for t in moved:
             if t == other:
                 continue
@@ -97,7 +118,23 @@ class FallSenses(LaunchSenses):
                 self.enter(f, t, other, p.mention, self._time(f))
             else:
                 self._hit(f, [t], p.mention.entities, self._time(f))
+        self._lands_again(f, moved, p)
         return True
+
+    def _lands_again(self, f: Frame, moved: list[str], first: Phrase) -> None:
+        """ "falls into a funnel, out of it onto a ramp and from the ramp into a cup"."""
+        if first not in f.phrases:
+            return
+        for p in f.phrases[f.phrases.index(first) + 1 :]:
+            m = p.mention
+            if m is None or m.attribute or p.prep not in ("onto", "into", "on"):
+                continue
+            others = [i for i in m.entities if i not in moved and not self.structural(i)]
+            for t in moved if others else []:
+                if p.prep == "into":
+                    self._go_into(f, t, others, p, None)
+                else:
+                    self._hit(f, [t], others[:1])
 
     def _do_fall(self, f: Frame, s: list[str], o: list[str]) -> None:
         slope = f.phrase("down")
@@ -117,15 +154,9 @@ class FallSenses(LaunchSenses):
             down = f.phrase("off", "from", "out of", "over")
             if down is None and self._landing(f, actors):
                 return
-        upright = [
-            a
-            for a in actors
-            if "topples" in self.e(a).noun.traits
-            or self.kind(a) in _UPRIGHT | {"person"}
-            or a in self.leaning
-        ]
+        upright = [a for a in actors if self._falls_over(a)]
         self._on_what_was_hit(f, fresh)
-        edge = f.phrase("off", "over", "from", "out of")
+        edge = f.phrase("off", "over", "from", "out of") or f.phrase("at")
         if edge is not None and self._off_the_edge(f, edge, actors, self._time(f)):
             self._landing(f, actors)
             return
@@ -138,24 +169,29 @@ class FallSenses(LaunchSenses):
         ):
             self._read_as("topple", f, s, [])
             return
-        source = f.phrase("off", "from", "out of", "over", "down")
+        source = f.phrase(*_SOURCES)
         if source is not None and source.mention is not None and not source.mention.entities:
+            source = None
+        if source is not None and self._landed_before(f, source):
             source = None
         for actor in fresh:
             self._struck_before(f, actor)
         fresh = [a for a in fresh if a not in self.tl.tracks]
-        into = f.phrase("into", "in", "through")
+        into = f.phrase("into", "in", "through", "onto", "on")
         if (
             source is None
             and len(fresh) < len(actors)
             and into is not None
             and into.mention is not None
             and into.mention.entities
-        ) and self._landing(f, actors):
-            return
+            and (into.prep in ("into", "in", "through") or self._on_its_way(f, actors, into))
+        ):
+            self._heights(f, actors)
+            if self._landing(f, actors):
+                return
         onto = f.phrase("on", "onto", "against")
         if upright and onto is not None and onto.mention is not None and source is None:
-            struck = [i for i in onto.mention.entities if i not in actors and self.movable(i)]
+            struck = [i for i in onto.mention.entities if i not in actors and self._aimable(i)]
             flat = onto.mention.entities and all(map(self.structural, onto.mention.entities))
             if flat and a_rests_low(self, upright[0]) and self.kind(upright[0]) in _UPRIGHT:
                 self._read_as("topple", f, s, [])
@@ -222,6 +258,30 @@ class FallSenses(LaunchSenses):
         ):
             self._landing(f, actors)
 
+    def _falls_over(self, node: str) -> bool:
+        """Whether "falls" means that it topples, where it stands on the ground."""
+        e = self.e(node)
+        if "topples" in e.noun.traits or e.noun.kind in _UPRIGHT | _OVERTURNED:
+            return True
+        if node in self.leaning or e.noun.name in _TWO_WHEELED:
+            return True
+        runs = node in self.tl.tracks and node not in self.scene.supported_by
+        return runs and e.noun.kind == "animal" and not self._airborne(node)
+
+    def _landed_before(self, f: Frame, source: Phrase) -> bool:
+        """Whether what it falls from is named after what it first lands in."""
+        if source.mention is None:
+            return False
+        earlier = [p for p in f.phrases if p.mention and p.mention.start < source.mention.start]
+        return any(p.prep in ("onto", "into") for p in earlier)
+
+    def _on_its_way(self, f: Frame, actors: list[str], onto: Phrase) -> bool:
+        """ "slips and tumbles onto a drum": it comes from no support that the prompt names."""
+        hosts = self.scene.supported_by
+        solid = onto.mention is not None and not self.structural(onto.mention.entities[0])
+        upright = any(self._falls_over(a) and a not in hosts for a in actors)
+        return solid and not upright and not any(a in hosts for a in actors)
+
     def _has_toppled(self, body: str) -> bool:
         return any(n.event is NodeEvent.TOPPLE and body in n.participants for n in self.tl.nodes)
 
@@ -250,6 +310,11 @@ class FallSenses(LaunchSenses):
             self._struck_before(f, actor)
             if actor not in self.tl.tracks:
                 self._start_motion(f, [actor], "drop")
+                ground = f.phrase("on", "onto", "in", "upon")
+                flat = ground is not None and ground.mention is not None
+                flat = flat and any(map(self.structural, ground.mention.entities))
+                if flat and self.kind(actor) not in ("flyer", "animal", "person"):
+                    self.event(NodeEvent.FALL, (actor,), f, self._time(f))
         if not self._landing(f, s):
             self.use(f, "landing")
         self.use(f, "landing")

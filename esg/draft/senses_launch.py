@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from esg.draft.frames import Frame
 from esg.draft.scene import SELF_POWERED
 from esg.draft.senses_state import StateSenses
@@ -45,14 +47,26 @@ class LaunchSenses(StateSenses):
         thing = bool(o) and self.kind(o[0]) in ("ball", "billiard", "sliding", "projectile")
         handed = bool(s) and self.kind(s[0]) == "person" and (thing or not o)
         by = bool(s) and (self.kind(s[0]) in SELF_POWERED or (bool(o) and not f.verb.passive))
+        if len(s) > 1 and (not o or set(o) <= set(s)) and self.kind(s[0]) in SELF_POWERED:
+            self._start_motion(f, [x for x in s[:2] if self.movable(x)])
+            self.event(NodeEvent.MISS, (s[0], s[1]), f, self._time(f), stem="passes")
+            return
         if s and by and not handed:
             self._start_motion(f, [x for x in s if self.movable(x)])
+            o = o or self._passed_by(f, s)
             for other in o[:1]:
                 self.place(s, [other], "behind")
                 self.event(NodeEvent.MISS, (s[0], other), f, self._time(f), stem="passes")
             self.use(f, "passing")
             return
         self._do_launch(f, s, o)
+
+    def _passed_by(self, f: Frame, s: list[str]) -> list[str]:
+        """ "A shelf shakes as a truck passes": what the clause around it is about."""
+        around = f.main.subject if f.main is not None else None
+        if around is None or f.subordinate not in ("as", "when", "while", "until"):
+            return []
+        return [i for i in around.entities if i not in s and self._aimable(i)][:1]
 
     def _do_tow(self, f: Frame, s: list[str], o: list[str]) -> None:
         """Pulling: a person moves the thing; a vehicle drives with the thing behind it."""
@@ -61,7 +75,12 @@ class LaunchSenses(StateSenses):
             s, o = (list(by.mention.entities) if by and by.mention else []), s
         if s and o and self.kind(s[0]) != "person":
             self.place(o, s, "behind")
-            self._motion(f, s, None)
+            into = f.phrase("into", "against", "over")
+            ways = [p for p in f.phrases if p.prep not in ("into", "against", "off", "from")]
+            self._motion(replace(f, phrases=ways), s, None)
+            if into is not None and into.mention is not None and into.prep != "over":
+                for other in [i for i in into.mention.entities if i not in s + o][:1]:
+                    self._go_into(f, o[0], [other], into, self._time(f))
         elif not o:
             self._motion(f, s, None)  # "pulls out of a driveway"
         else:
@@ -72,6 +91,10 @@ class LaunchSenses(StateSenses):
             self._motion(f, agents, None)
             return
         mode = f.verb.note or "roll"
+        if f.verb.passive and not agents and mode == "slide" and self._carried_along(things[0]):
+            self._knock_on(f, things)  # "hits three wagons; the last one is pushed into a buffer"
+            self._consequence(f, things)
+            return
         bodily = [a for a in agents if self.kind(a) != "person"]
         if bodily and f.verb.sense in ("launch",) and mode in ("slide", "roll"):
             # a robot, car or ball that pushes something hits it

@@ -72,7 +72,7 @@ class MotionSenses(ControlSenses):
         elif actors and self.kind(actors[0]) in SELF_POWERED:
             mode = "own"
         self._motion(f, actors, mode)
-        if f.verb.lemma in ("charge", "lunge"):
+        if f.verb.lemma in ("charge", "lunge", "leap", "pounce", "spring", "fly", "dive"):
             self._aim_at(f, actors, next(iter(self._target(f, actors)), None))
 
     def _do_approach(self, f: Frame, s: list[str], o: list[str]) -> None:
@@ -88,6 +88,8 @@ class MotionSenses(ControlSenses):
         if f.verb.passive:
             by = f.phrase("by")
             s, o = (list(by.mention.entities) if by and by.mention else []), s
+        if "in" in f.adverbs and o and self._follows_in(f, s, o[0]):
+            return
         self._motion(f, s, None)
         for actor in s:
             if o:
@@ -102,6 +104,17 @@ class MotionSenses(ControlSenses):
                     and "same" in p.mention.adjectives
                 ):
                     self._start_motion(f, o[:1])
+
+    def _follows_in(self, f: Frame, s: list[str], other: str) -> bool:
+        """ "The cue ball follows it in": where the other one went."""
+        for node in reversed(self.tl.nodes):
+            if node.event is NodeEvent.ENTER_REGION and node.participants == (other,):
+                for actor in s[:1]:
+                    self._ensure_mover(f, actor, other)
+                    region = node.extra["region"]
+                    self.event(NodeEvent.ENTER_REGION, (actor,), f, self._time(f), region=region)
+                return bool(s)
+        return False
 
     def _do_coast(self, f: Frame, s: list[str], o: list[str]) -> None:
         self._motion(f, s, None)
@@ -198,6 +211,9 @@ class MotionSenses(ControlSenses):
                     self.use(f, "bounce on the ground")
                 elif self.last_hit == (actor, other) and p.prep in ("off", "from"):
                     self.use(f, "rebound of the collision")
+                elif p.prep == "into" and self._takes_up(actor, other):
+                    self._ensure_mover(f, actor, other)
+                    self._go_into(f, actor, p.mention.entities, p, self._time(f))
                 else:
                     nodes = self._hit(f, [actor], [other], self._time(f))
                     self._after_hit(f, nodes, [other])
@@ -217,6 +233,11 @@ class MotionSenses(ControlSenses):
         if into is not None and p is not into:
             for actor in s:
                 self._go_into(f, actor, into.mention.entities if into.mention else [], into, None)
+
+    def _takes_up(self, actor: str, host: str) -> bool:
+        """Whether a bounce leads into something: a goal always, over a rim out of the air."""
+        flew = self._airborne(actor) or actor in self.came_down
+        return self._enterable(host) or (flew and self._holds(host))
 
     def _ensure_drop(self, f: Frame, actor: str) -> None:
         if actor not in self.tl.tracks:

@@ -12,9 +12,14 @@ class OutcomeSenses(ToppleSenses):
     """Targets that are entered or missed."""
 
     def _do_enter(self, f: Frame, s: list[str], o: list[str]) -> None:
-        if f.verb.lemma == "splash" and not any(map(self._enterable, o)):
+        wet = f.phrase("into", "in")
+        named = [*o, *(wet.mention.entities if wet is not None and wet.mention else [])]
+        if f.verb.lemma == "splash" and not any(map(self._enterable, named)):
             self.scene.ignored[(f.verb.start, f.verb.end)] = "water is not simulated"
             return
+        into = f.phrase("into", "in")
+        if not o and into is not None and into.mention is not None:
+            o = [i for i in into.mention.entities if self._enterable(i) or self._holds(i)]
         for actor in s:
             target = next((t for t in o if not self.structural(t)), None)
             if target is not None and actor in self.world.entities and self.movable(actor):
@@ -82,10 +87,25 @@ class OutcomeSenses(ToppleSenses):
         for actor in s:
             if not targets and actor in self.aim:
                 targets = [self.aim[actor]]
+            if not targets:
+                targets = self._target_of_mates(actor)
             self._ensure_mover(f, actor, targets[0] if targets else None)
             for other in targets[:1]:
                 if other != actor:
                     self.event(NodeEvent.MISS, (actor, other), f, self._time(f))
+
+    def _target_of_mates(self, actor: str) -> list[str]:
+        """ "A ball hits a window, a second ball misses": what the others aimed at or hit."""
+        aimed = self._aim_of_mates(actor)
+        if aimed is not None and aimed != actor:
+            return [aimed]
+        kind = self.e(actor).noun.name
+        for node in reversed(self.tl.nodes):
+            like = [p for p in node.participants if self.e(p).noun.name == kind and p != actor]
+            others = [p for p in node.participants if p not in like and p != actor]
+            if node.event in (NodeEvent.COLLISION, NodeEvent.MISS) and like and others:
+                return others[:1]
+        return []
 
     def _do_clear(self, f: Frame, s: list[str], o: list[str]) -> None:
         """ "clears the fence": goes over it without touching it."""

@@ -101,6 +101,8 @@ class ToppleSenses(ContactSenses):
         if o:
             bodies = self._representatives(o, s)
             movers = [m for m in s if self.kind(m) != "person"] or s
+            if f.verb.lemma == "tip" and all(self.kind(m) == "person" for m in movers):
+                movers = []  # tipping a thing over is no blow
             if movers and not self._already_hit(f, movers, o):
                 self._hit(f, movers[:1], o, self._time(f))
             self._topples_too(f, s, bodies)
@@ -113,6 +115,9 @@ class ToppleSenses(ContactSenses):
             if b not in self.tl.tracks and not o:
                 self._shaken(f, b)
                 b = self._collapsing(b)
+            tipped = f.verb.lemma == "tip" and bool(o)
+            if tipped and b not in self.tl.tracks:
+                self._free([b])
             if b not in self.tl.tracks or (
                 self.tl.tracks[b].motion is None and not self.tl.tracks[b].hit
             ):
@@ -141,7 +146,7 @@ class ToppleSenses(ContactSenses):
             self.place(mates, [host], "on")
         low = (self.e(host).dimensions_cm or self.e(host).noun.dimensions_cm)[2] <= _LOW_CM
         if low and self.scene.supported_by.get(body) == host:
-            self._hit(f, [striker], [body])
+            self._carried_along(body)
 
     def _upright(self, node: str) -> bool:
         traits = self.e(node).noun.traits

@@ -120,6 +120,11 @@ class TimelineBuilder:
         if track.direction is None or order.index(direction) > order.index(track.direction):
             track.direction = direction
 
+    def carry(self, actor: str, node_id: str) -> None:
+        """Lets a hit of what bears a passive body move the body too."""
+        track = self.track(actor)
+        track.at, track.hit, track.closed = node_id, True, True
+
     def trigger(
         self, actor: str, description: str, time: Quantity | None = None, prescribed: bool = False
     ) -> str:

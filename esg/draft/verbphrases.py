@@ -147,6 +147,7 @@ _phrase(
 )
 _phrase("hold", r"hands", "noop")
 _phrase("let", r"go(?!\s+of\b)", "noop")
+_phrase("let", r"go\s+of(?=\s+(?:an?|the|its|his|her|their|it|them)\b)", "drop")
 _phrase(
     "lose", r"(?:control|traction|grip|(?:its|his|her|their)\s+(?:grip|balance|footing))", "noop"
 )
@@ -154,6 +155,7 @@ _phrase("catch", r"fire", "noop")
 _phrase("stick", r"(?:in|into|to)", "hit")
 _phrase("run", r"out(?!\s+of)", "own")
 _phrase("fall", r"apart|asleep|silent", "noop")
+_phrase("set", r"down(?=\s+(?:on|onto|in|at|beside|next)\b)", "posture")
 _phrase("set", r"down", "noop")
 _phrase("get", r"up", "noop")
 _phrase("stand", r"up", "noop")

@@ -40,6 +40,7 @@ _ONLY: dict[str, frozenset[EdgeEvent]] = {
 
 _NODES = ("timeline_system", "sequence_graph", "nodes")
 _EDGES = ("timeline_system", "sequence_graph", "edges")
+_PLACES = ("spatial_relation_graph",)
 
 
 def check(ctx: Context) -> None:
@@ -151,16 +152,23 @@ def _role(
             edge.from_,
             f"Inertial connector {edge.id!r} starts at {edge.from_!r}, where no collision has "
             f"moved {edge.actor!r} yet.",
-            f"Start at a collision in which {edge.actor!r} is hit.",
+            f"Start at a collision in which {edge.actor!r}, what it rests on, or another member of "
+            "its plural is hit.",
         )
 
 
 def _was_hit(
     ctx: Context, edge: TimelineEdge, begin: TimelineNode, events: dict[str, TimelineNode]
 ) -> bool:
-    """Whether the body takes part in the begin and was hit there or at an event before it."""
+    """Whether the body was hit at the begin or, if it takes part in that, at an event before it.
+
+    A hit of what the body rests on, or of another member of its plural (a stack, a train), moves
+    it too.
+    """
+    movers = {edge.actor, *ctx.supports(edge.actor)} | _plural(ctx, edge.actor)
     if edge.actor not in begin.participants:
-        return False
+        borne = bool(movers & {*begin.participants}) or not _support_known(ctx, edge.actor)
+        return begin.event is NodeEvent.COLLISION and borne
     seen: set[str] = set()
     stack = [begin.id]
     while stack:
@@ -169,10 +177,31 @@ def _was_hit(
             continue
         seen.add(name)
         event = events[name]
-        if event.event is NodeEvent.COLLISION and edge.actor in event.participants:
+        if event.event is NodeEvent.COLLISION and movers & {*event.participants}:
             return True
         stack.extend(ctx.events_before.get(name, ()))
     return False
+
+
+def _support_known(ctx: Context, name: str) -> bool:
+    """Whether every region down to the ground is declared; if not, that is reported elsewhere."""
+    if not ctx.parsed.intact(*_PLACES):
+        return False
+    for current in (name, *ctx.supports(name)):
+        node = ctx.nodes.get(current)
+        if node is None:
+            return False
+        if not node.is_structural and ctx.support_of(current) is None:
+            return False
+    return True
+
+
+def _plural(ctx: Context, name: str) -> set[str]:
+    """The other members of a node's plural."""
+    node = ctx.nodes.get(name)
+    if node is None or node.group is None:
+        return set()
+    return {other for other, n in ctx.nodes.items() if n.group == node.group and other != name}
 
 
 def _parameters(

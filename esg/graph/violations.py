@@ -164,7 +164,7 @@ RULES: dict[str, str] = {
     "UNIT_SPEED": "Speeds lie in 0 to 150 m/s; an open interval reaches 0.2 m/s.",
     "EDGE_FORCE_DIRECTION": "A segment agrees with its actor's force direction.",
     "CONNECTOR_ACTIVE": "Inertial connectors belong to passive actors.",
-    "CONNECTOR_UPSTREAM": "An inertial connector's body was moved by a collision before.",
+    "CONNECTOR_UPSTREAM": "A connector's body, its support or its plural was hit before.",
     "CONNECTOR_DOWNSTREAM": "An inertial connector leads to a further event of its body.",
     # Later stages.
     "STAGE_ORDER": "No stage's result is present without the stage before it.",

@@ -542,6 +542,42 @@ def finished() -> Json:
     return out
 
 
+def carried() -> Json:
+    """A car hits a table, and the bin that stands on it topples."""
+    out = chain()
+    out["spatial_relation_graph"]["semantic_regions"]["table_top"] = region("picnic_table_1")
+    out["spatial_relation_graph"]["nodes"]["trashbin_1"] = node("bin", "table_top")
+    out["spatial_relation_graph"]["edges"]["binary_relations"] = [
+        rel("trashbin_1", "on", "picnic_table_1"),
+        rel("car_1", "face", "picnic_table_1"),
+        rel("picnic_table_1", "face", "ground_1", cardinal="+Y"),
+    ]
+    out["timeline_system"] = timeline(
+        {
+            "car_1": active("ALONG_FORWARD_OR_BACKWARD"),
+            "trashbin_1": PASSIVE,
+            "picnic_table_1": PASSIVE,
+        },
+        [
+            event("car_hits_table", "Collision", ["car_1", "picnic_table_1"], window=[0.8, 2.0]),
+            event("bin_topples", "Topple", ["trashbin_1"], window=[2.1, 4.0]),
+        ],
+        [
+            edge(
+                "car_drive",
+                "scene_start",
+                "car_hits_table",
+                "UniformMotion",
+                "car_1",
+                target="picnic_table_1",
+                params={"speed": [300, 1500]},
+            ),
+            edge("bin_tips", "car_hits_table", "bin_topples", "InertialConnector", "trashbin_1"),
+        ],
+    )
+    return copy.deepcopy(out)
+
+
 VALID = {f.__name__: f for f in (
-    chain, braking, turning, throwing, billiards, study, finished,
+    chain, braking, turning, throwing, billiards, study, carried, finished,
 )}  # fmt: skip

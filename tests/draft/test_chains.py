@@ -1,0 +1,121 @@
+"""Chains of events: who falls, follows, passes, is carried along, and what pronouns take up."""
+
+from __future__ import annotations
+
+import pytest
+
+from esg.draft import draft
+from esg.graph import verify
+from esg.graph.models import EdgeEvent, EsgDocument
+
+_POINTS = {"Collision", "EnterRegion", "Fall", "Topple", "Stop", "Reach", "Miss"}
+
+
+def told(doc: EsgDocument) -> list[str]:
+    """Point events in order, scaffolding left out."""
+    assert doc.timeline_system is not None
+    nodes = doc.timeline_system.sequence_graph.nodes
+    return [f"{n.event.value} {' '.join(n.participants)}" for n in nodes if n.event in _POINTS]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "events"),
+    [
+        # what lies between a subject and its verb
+        (
+            "A ball hits the fence and the dog, unable to stop, also hits the fence.",
+            ["Collision ball_1 fence_1", "Collision dog_1 fence_1"],
+        ),
+        # falls over where it stands
+        (
+            "A broom leaning on a wall is bumped by a boy and falls onto a bucket.",
+            ["Collision boy_1 broom_1", "Topple broom_1", "Collision broom_1 bucket_1"],
+        ),
+        (
+            "A van knocks over a bicycle. The bicycle falls against a second bicycle, which falls too.",
+            [
+                "Collision van_1 bicycle_1",
+                "Topple bicycle_1",
+                "Collision bicycle_1 second_bicycle_1",
+                "Topple second_bicycle_1",
+            ],
+        ),
+        # leaves its support once
+        (
+            "A tile slides from the roof, just missing a woman, and smashes on the pavement.",
+            ["Fall tile_1", "Miss tile_1 woman_1"],
+        ),
+        (
+            "A mug slides along the bar and falls off the end into a bucket.",
+            ["Fall mug_1", "EnterRegion mug_1"],
+        ),
+        (
+            "A ball falls into a funnel, out of the funnel onto a ramp, and from the ramp into a cup.",
+            ["EnterRegion ball_1", "Collision ball_1 ramp_1", "EnterRegion ball_1"],
+        ),
+        (
+            "A robot arm pushes the red block off the table; then it pushes the green block off too.",
+            [
+                "Collision robot_arm_1 red_block_1",
+                "Fall red_block_1",
+                "Collision robot_arm_1 green_block_1",
+                "Fall green_block_1",
+            ],
+        ),
+        # the thing itself, not what it is aimed at or stands by
+        (
+            "The first truck stops at the barrier, the second truck fails to brake and rams it.",
+            ["Stop first_truck_1", "Collision second_truck_1 first_truck_1"],
+        ),
+        (
+            "A snowball hits a window, then a second snowball is thrown and misses.",
+            ["Collision snowball_1 window_1", "Miss second_snowball_1 window_1"],
+        ),
+        (
+            "One log rolls into a hut, and another hits a box.",
+            ["Collision log_1 hut_1", "Collision second_log_1 box_1"],
+        ),
+        ("Two trains pass each other.", ["Miss train_1 train_2"]),
+        ("A shelf shakes as a truck passes.", ["Miss truck_1 shelf_1"]),
+        # verbs whose sense depends on their arguments
+        (
+            "A rock breaks off the cliff and hits a car.",
+            ["Fall rock_1", "Collision rock_1 car_1"],
+        ),
+        ("The elevator doors shut on a suitcase.", ["Collision suitcase_1 door_1"]),
+        (
+            "A man steps on a rake and falls.",
+            ["Collision man_1 rake_1", "Topple man_1"],
+        ),
+        ("A coin is flipped and lands on the table.", ["Collision coin_1 table_1"]),
+        ("A car hits a patch of ice and slides into a bus.", ["Collision car_1 bus_1"]),
+        (
+            "A tractor drags the carriage into a fountain.",
+            ["Collision carriage_1 fountain_1"],
+        ),
+        (
+            "A runner stumbles and falls just before reaching the gate.",
+            ["Topple runner_1"],
+        ),
+        (
+            "A ball hits a hurdle with its rim and rolls into a box.",
+            ["Collision ball_1 hurdle_1", "Collision ball_1 box_1"],
+        ),
+    ],
+)
+def test_chain(prompt: str, events: list[str]) -> None:
+    """Tell every event once, between the right things, and no other."""
+    doc = draft(prompt)
+    assert verify(doc) == ()
+    assert told(doc) == events
+
+
+def test_what_a_hit_of_its_support_moves() -> None:
+    """Topple a stack after the hit of its pallet, with no hit of its own."""
+    doc = draft("A van hits the pallet and the stack of boxes on it collapses.")
+    assert verify(doc) == ()
+    assert told(doc) == ["Collision van_1 pallet_1", "Topple box_1"]
+    assert doc.timeline_system is not None
+    (carried,) = [e for e in doc.timeline_system.sequence_graph.edges if e.actor == "box_1"]
+    assert carried.event is EdgeEvent.INERTIAL_CONNECTOR
+    assert carried.from_ == "van_1_pallet_1_collision"
