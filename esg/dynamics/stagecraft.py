@@ -275,8 +275,17 @@ def fit_to_surface(
     return True
 
 
+OFF_TABLE = 0.1
+"""Cost from which a shot does not fit on its table (a centimetre outside)."""
+
+
 def pocket_shot(
-    doc: EsgDocument, anchor: str, region: str, chain: list[str], rng: np.random.Generator
+    doc: EsgDocument,
+    anchor: str,
+    region: str,
+    chain: list[str],
+    rng: np.random.Generator,
+    runs: dict[str, tuple[float, float] | None],
 ) -> dict[str, tuple[float, float, float]]:
     """Start positions of a shot that ends in a pocket, planned backwards from it.
 
@@ -289,6 +298,8 @@ def pocket_shot(
         region: "table/pocket name".
         chain: Bodies from the one that enters back to the active one.
         rng: Source of variety.
+        runs: Least and greatest distance [m] that a ball rolls until it hits the next, where the
+            prompt's times and speeds fix it.
 
     Returns:
         (x, y, yaw) in the table's frame [m, rad]; yaw is the direction of travel.
@@ -303,13 +314,18 @@ def pocket_shot(
     radius = [0.5 * prop(doc, n).width for n in chain]
     best: dict[str, tuple[float, float, float]] = {}
     best_cost = math.inf
-    for _ in range(400):
+    # A long run may need the table's diagonal, which few draws find.
+    wide, draws, enough = (0.9, 4000, 0.06) if any(runs.values()) else (0.5, 400, 0.02)
+    for _ in range(draws):
         aim, spots, cost = goal, {}, 0.0
         inward = math.atan2(*(center - goal)[::-1])
-        direction = inward + float(rng.uniform(-0.5, 0.5))
+        direction = inward + float(rng.uniform(-wide, wide))
         for k, name in enumerate(chain):
             near = 0.35 if k == 0 else 0.3
             run = float(rng.uniform(near, near + 0.35)) * min(1.0, float(half.max()) / 0.9)
+            wanted = runs.get(name)
+            if wanted is not None:
+                run = float(rng.uniform(*wanted))
             spot = aim + run * np.array([math.cos(direction), math.sin(direction)])
             room = half - 1.6 * radius[k] - 0.03
             outside = np.maximum(np.abs(spot - center) - room, 0.0).sum()
@@ -321,8 +337,10 @@ def pocket_shot(
                 direction += float(rng.uniform(-0.3, 0.3))
         if cost < best_cost:
             best, best_cost = spots, cost
-        if cost < 0.02:
+        if cost < enough:
             break
+    if best_cost > OFF_TABLE and any(runs.values()):
+        return pocket_shot(doc, anchor, region, chain, rng, {})
     return best
 
 
