@@ -40,6 +40,13 @@ _WORK: ContextVar[Work] = ContextVar("work")
 jobs of some 500 scenes), and to every worker of a cluster with every task."""
 
 
+def _work() -> Work:
+    """This run's work. Clusters are sent the flow's function with the globals it names: it must not
+    name the variable itself, which cannot be pickled.
+    """
+    return _WORK.get()
+
+
 @flow(name="dataset", validate_parameters=False)
 def dataset(out: str, scenes: int) -> list[BatchResult]:
     """Makes all batches of a shard that are not done yet.
@@ -57,7 +64,7 @@ def dataset(out: str, scenes: int) -> list[BatchResult]:
     """
     from prefect.futures import as_completed
 
-    jobs, on_batch = _WORK.get().jobs, _WORK.get().on_batch
+    jobs, on_batch = _work().jobs, _work().on_batch
     futures = [dataset_batch.submit(job) for job in jobs]
     numbers = {future.task_run_id: job.number for future, job in zip(futures, jobs, strict=True)}
     results: dict[int, BatchResult] = {}

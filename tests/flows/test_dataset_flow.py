@@ -128,3 +128,19 @@ def test_thousands_of_scenes_are_no_parameters_of_the_flow(
         monkeypatch.setattr(task_module, "make_batch", quick)
         results = call(with_runner("process", 2), jobs)
     assert sum(r.scenes for r in results) == 12
+
+
+def test_the_flow_travels_to_the_workers_of_a_cluster() -> None:
+    """Dask and Ray send every task the run's context, with the flow and its function in it."""
+    import cloudpickle
+
+    with session(0):
+        from flows.dataset import with_runner
+        from tasks.dataset import dataset_batch
+
+        run = with_runner("process", 1)
+        flow = next(
+            c.cell_contents for c in run.__closure__ or () if hasattr(c.cell_contents, "fn")
+        )
+        for what in (flow, dataset_batch):
+            assert cloudpickle.loads(cloudpickle.dumps(what)).name == what.name
