@@ -282,10 +282,12 @@ class Acts(Motions):
             for target in targets:
                 if mover == target or mover not in self.world.entities or self.structural(target):
                     continue
+                if "region" in (self.kind(mover), self.kind(target)):
+                    continue  # a pocket is a part of its table
                 if not self.movable(mover):
                     mover, target = target, mover
-                    if not self.movable(mover):
-                        continue
+                    if not self.movable(mover) or not self._aimable(target):
+                        continue  # "is bumped by a sidewalk"
                 if (id(f), mover, target) in self.told_hits:
                     continue  # one clause tells one collision of a pair
                 self.told_hits.add((id(f), mover, target))

@@ -205,7 +205,8 @@ class Interpreter(References):
         handler(f, subject, objects)
         self._far_away(f, subject)
         for _, a in self.amounts(f):
-            if a.dimension == "time" and self._precedes(a):
+            told = (a.start, a.end) in self.scene.used
+            if a.dimension == "time" and self._precedes(a) and not told:
                 self.gap = a
 
     def _one_time_each(self, f: Frame) -> list[Frame]:

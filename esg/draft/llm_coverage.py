@@ -57,8 +57,11 @@ def _objects(prompt: str, doc: EsgDocument) -> list[CoverageItem]:
                 break
     items = [_item(prompt, *span, "object", where) for span, where in found.items()]
     for start, end, kind in _rules_spans(prompt):
-        if kind == "object" and not any(a < end and start < b for a, b in found):
-            items.append(_item(prompt, start, end, "object", ""))
+        if kind != "object" or any(a < end and start < b for a, b in found):
+            continue
+        words = prompt[start:end].lower().split()
+        again = (w for (a, b), w in found.items() if prompt[a:b].lower().split()[-1] == words[-1])
+        items.append(_item(prompt, start, end, "object", next(again, "")))
     return items
 
 
@@ -75,6 +78,14 @@ def _rules_spans(prompt: str) -> list[tuple[int, int, str]]:
     return [(i.start, i.end, i.kind) for i in coverage.items if i.status in good]
 
 
+_SEGMENTS = {
+    "motion": frozenset({"UniformMotion", "Toward", "AcceleratedMotion"}),
+    "acceleration": frozenset({"AcceleratedMotion"}),
+    "braking": frozenset({"Brake"}),
+}
+"""Segments by what the rules drafter notes of a verb that became no point event."""
+
+
 def _events(prompt: str, doc: EsgDocument) -> list[CoverageItem]:
     """Compares the kinds of events that the rules drafter reads with those of the document."""
     from esg.draft.rules import draft_rules
@@ -87,26 +98,25 @@ def _events(prompt: str, doc: EsgDocument) -> list[CoverageItem]:
     graph = doc.timeline_system.sequence_graph if doc.timeline_system else None
     items: list[CoverageItem] = []
     for i in other.coverage.items:
-        if i.kind != "event" or i.status == "ignored":
+        kinds = _kinds_of(other, i.note) if i.kind == "event" else frozenset()
+        if i.status == "not_understood":
+            kinds = frozenset()  # a verb that the rules drafter does not know says nothing here
+        if not kinds:
             continue
         where = ""
-        if graph is not None:
-            kind = _kind_at(other, i.pointer)
-            for part in ("nodes", "edges"):
-                for k, candidate in enumerate(getattr(graph, part)):
-                    if not where and candidate.event.value == kind:
-                        where = pointer("timeline_system", "sequence_graph", part, k)
+        for part in ("nodes", "edges") if graph is not None else ():
+            for k, candidate in enumerate(getattr(graph, part)):
+                if not where and candidate.event.value in kinds:
+                    where = pointer("timeline_system", "sequence_graph", part, k)
         items.append(_item(prompt, i.start, i.end, "event", where))
     return items
 
 
-def _kind_at(doc: EsgDocument, where: str) -> str:
-    match = re.match(r"/timeline_system/sequence_graph/(nodes|edges)/(\d+)", where)
-    if match is None or doc.timeline_system is None:
-        return ""
-    items = getattr(doc.timeline_system.sequence_graph, match.group(1))
-    index = int(match.group(2))
-    return str(items[index].event.value) if index < len(items) else ""
+def _kinds_of(doc: EsgDocument, note: str) -> frozenset[str]:
+    """The kinds of events or segments that the rules drafter made of a verb; none for a state."""
+    nodes = doc.timeline_system.sequence_graph.nodes if doc.timeline_system else ()
+    kind = next((n.event.value for n in nodes if n.id == note), "")
+    return frozenset({kind}) if kind else _SEGMENTS.get(note, frozenset())
 
 
 def _quantities(prompt: str, doc: EsgDocument) -> list[CoverageItem]:

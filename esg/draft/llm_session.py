@@ -66,6 +66,7 @@ class Session:
     talks: dict[str, list[tuple[str, str]]] = field(default_factory=dict)
     document: EsgDocument | None = None
     raw: Json | None = None
+    left: str = ""
     violations: tuple[Violation, ...] = ()
 
     async def run(self) -> LlmDraft:
@@ -85,7 +86,8 @@ class Session:
         if not reason and self.violations:
             told = "; ".join(str(v) for v in self.violations[:3])
             reason = (
-                f"{len(self.violations)} violations are left after {self.rounds} rounds: {told}"
+                f"{self.left}{len(self.violations)} violations are left after {self.rounds} "
+                f"rounds: {told}"
             )
         tokens_in = sum(c.input_tokens for c in self.calls)
         tokens_out = sum(c.output_tokens for c in self.calls)
@@ -240,13 +242,25 @@ class Session:
         self._keep(raw)
 
     def _prune(self) -> None:
-        """Drops what is left of a timeline that breaks rules; each part gets a warning."""
-        if self.raw is None:
+        """Drops what is left of a timeline that breaks rules; each part gets a warning.
+
+        Not if nothing that the prompt tells would remain: such a draft holds the rules and says
+        something else.
+        """
+        before = self.raw
+        if before is None:
             return
-        raw, dropped = pruned(self.raw)
-        if dropped:
-            self.repairs = (*self.repairs, *dropped)
-            self._keep(raw, dropped)
+        raw, dropped = pruned(before)
+        if not dropped:
+            return
+        self._keep(raw, dropped)
+        items = self.document.coverage.items if self.document is not None else ()
+        told = [i.status == "used" for i in items if i.kind == "event"]
+        if told and not any(told):
+            self._keep(before)
+            self.left = "none of the prompt's events would be left without what breaks a rule. "
+            return
+        self.repairs = (*self.repairs, *dropped)
 
     def _keep(self, raw: Json, dropped: tuple[str, ...] = ()) -> None:
         """Verifies a draft and completes it with coverage and provenance."""
@@ -273,7 +287,7 @@ class Session:
                     "variant": self.variant,
                     "model": self.settings.model or "",
                     "rounds": self.rounds,
-                    "repairs": list(self.repairs),
+                    "repairs": [*self.repairs, *dropped],
                     "replies": len(self.calls),
                     "input_tokens": tokens_in,
                     "output_tokens": tokens_out,

@@ -157,13 +157,13 @@ class References(MotionSenses):
             objects = aimed.mention.entities or objects  # "throws a stone at a can and it falls"
         elif f.verb.sense in ("roll", "slide", "fly") and aimed is not None and aimed.mention:
             self._shot = (objects or subject, list(aimed.mention.entities))
-        if f.verb.lemma in _STACKING or any(
+        if (f.verb.lemma in _STACKING and f.verb.sense != "hit") or any(
             p.prep in ("in", "into") and p.mention is not None and p.mention.head in _STACKS
             for p in f.phrases
         ):
             for i in subject or objects:
-                if self.e(i).group is not None:
-                    self.e(i).pattern = "stack"
+                for mate in self.world.groups.get(self.e(i).group or "", []):
+                    self.e(mate).pattern = "stack"
         speed = self.quantity(f, "speed")
         if (
             f.verb.sense == "be"

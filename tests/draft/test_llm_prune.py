@@ -8,8 +8,11 @@ from typing import Any
 import pytest
 
 from esg.draft import draft
+from esg.draft.llm_coverage import cover
 from esg.draft.llm_prune import pruned
 from esg.graph import canonical_json, verify
+from esg.outcomes import Outcome
+from tests.draft.test_llm import Spoiled, change, run
 
 CHAIN = "A car hits a trashbin, knocking the trashbin into a picnic table."
 
@@ -77,3 +80,52 @@ def test_other_parts_of_a_document_are_never_pruned(raw: dict[str, Any]) -> None
     raw["asset_requirement"][node]["expected_mass_kg"] = -1.0
     graph(raw)["nodes"][1].update(timestamp=4000.0, window=None)
     assert pruned(raw) == (raw, ())
+
+
+def test_a_model_that_cannot_mend_a_time_still_gives_a_draft() -> None:
+    """Spend the rounds first, then drop the time, say so in repairs, coverage and provenance."""
+
+    def late(tree: dict[str, Any]) -> None:
+        tree["events"][0].update(earliest_s=4000.0, latest_s=5000.0)
+
+    client = Spoiled("timeline", change(late), times=99)
+    result = run(CHAIN, client, max_rounds=2)
+    assert result.outcome is Outcome.SOLVED and result.rounds == 2
+    assert result.document is not None
+    assert any("left open" in text for text in result.repairs)
+    assert any("left open" in text for text in result.document.coverage.warnings)
+    assert any("left open" in r for r in result.document.provenance[0].config["repairs"])
+
+
+def test_a_draft_that_keeps_nothing_of_the_prompt_is_refused() -> None:
+    """Hold the rules by saying something else, as a very small model does: no draft."""
+
+    def elsewhere(tree: dict[str, Any]) -> None:
+        people = tree["events"][0]["participants"][:1]
+        stop = {"id": "e1", "event": "Stop", "participants": people}
+        tree["events"] = [{**tree["events"][0], **stop, "latest_s": 5000.0}]
+        tree["segments"] = [{**tree["segments"][0], "end": "e1", "target": None}]
+
+    result = run(CHAIN, Spoiled("timeline", change(elsewhere), times=99), max_rounds=0)
+    assert result.outcome is Outcome.INVALID_DRAFT
+    assert "none of the prompt's events" in result.reason
+    assert [v.code for v in result.violations] == ["TIME_RANGE"]
+
+
+def test_other_variants_are_not_pruned() -> None:
+    def late(tree: dict[str, Any]) -> None:
+        tree["events"][0].update(earliest_s=4000.0, latest_s=5000.0)
+
+    result = run(CHAIN, Spoiled("timeline", change(late), times=99), variant="no_validation")
+    assert result.outcome is Outcome.INVALID_DRAFT
+
+
+def test_the_coverage_of_a_draft_that_holds_all_finds_all() -> None:
+    """Find events by their kind, and a thing that is named again."""
+    doc = draft(CHAIN)
+    coverage = cover(CHAIN, doc)
+    assert {i.text for i in coverage.items if i.kind == "event"} == {"hits", "knocking"}
+    assert {i.status for i in coverage.items} == {"used"}
+    assert not coverage.warnings
+    other = cover(CHAIN, draft("A car stops. A trashbin and a picnic table stand there."))
+    assert [i.status for i in other.items if i.kind == "event"] == ["not_understood"] * 2
