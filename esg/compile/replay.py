@@ -115,9 +115,9 @@ def load_imports(path: Path) -> dict[str, Any]:
         raise UserError(f"{path}: cannot read the import manifest: it is no JSON object")
     if data.get("format") != IMPORTS_FORMAT or data.get("version") != IMPORTS_VERSION:
         raise UserError(f"{path}: /format is not {IMPORTS_FORMAT!r} version {IMPORTS_VERSION}")
-    lists = [data.get("assets"), data.get("components")]
-    if not isinstance(data.get("class"), str) or not all(isinstance(v, list) for v in lists):
-        raise UserError(f"{path}: /class, /assets or /components is missing or of another type")
+    for key, kind in (("class", str), ("assets", list), ("components", dict)):
+        if not isinstance(data.get(key), kind):
+            raise UserError(f"{path}: /{key} is missing or of another type")
     return data
 
 
