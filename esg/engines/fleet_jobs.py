@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from esg.engines.newton_shapes import hull
 from esg.engines.program import ProgramBatch
+from esg.engines.rest import starts_at_rest
 from esg.engines.scene import ContactLog, Rollout, SimScene, Variation
 from esg.engines.surrogate_model import _dimensions, _rotate
 from esg.engines.worlds import MAX_SPEED_MPS, Frames, Start, moving
@@ -127,6 +128,7 @@ class Job:
         inertia: Of moving bodies, shape [W, D, 3, 3]; empty for the surrogate.
         ground: Two frictions and the restitution, shape [W, 3].
         friction_scale: Shape [W].
+        asleep: Bodies that rest where they start, for the surrogate, shape [W, B].
         kind, body, until, table: The programs (`ProgramBatch`).
     """
 
@@ -142,6 +144,7 @@ class Job:
     inertia: Singles
     ground: Singles
     friction_scale: Singles
+    asleep: NDArray[np.bool_]
     kind: Ints
     body: Ints
     until: NDArray[np.bool_]
@@ -204,8 +207,11 @@ def make_job(
     )
     v, single = start.values, np.float32
     inertia = np.zeros((0,), single)
+    asleep = np.zeros(v.mass.shape, bool)
     if engine == "newton":
         inertia = v.inertia[:, np.nonzero(shapes.dynamic)[0]].astype(single)
+    else:
+        asleep = starts_at_rest(scene, v.position, v.quaternion)
     job = Job(
         engine=engine,
         key=key,
@@ -219,6 +225,7 @@ def make_job(
         inertia=inertia,
         ground=v.ground.astype(single),
         friction_scale=v.friction_scale.astype(single),
+        asleep=asleep,
         kind=batch.kind,
         body=batch.body,
         until=batch.until,

@@ -95,9 +95,7 @@ class Launch:
             state, "damping",
             [np.tile(s.damping.astype(single), (j.n_worlds, 1, 1)) for j, s in pairs], 1,
         )  # fmt: skip
-        arena.data(
-            state, "awake", [np.tile(s.dynamic.astype(i4), (j.n_worlds, 1)) for j, s in pairs], 0
-        )
+        arena.data(state, "awake", [(s.dynamic & ~j.asleep).astype(i4) for j, s in pairs], 0)
         for name in ("v", "o", "before_v", "before_o"):
             arena.zeros(state, name, [w, b], 12)
         arena.zeros(state, "delay", [w, b], 8)

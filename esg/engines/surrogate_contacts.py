@@ -17,6 +17,8 @@ RESTITUTION_THRESHOLD_MPS = wp.constant(0.2)
 GAP_M = wp.constant(0.002)
 """Contacts this close are kept even if they do not close."""
 LOOK_AHEAD_M = wp.constant(0.25)
+TIE_M = wp.constant(1.0e-5)
+"""What closes to within this by the end of a step hits in it: the points of a face hit together."""
 SLOP_M = wp.constant(0.0005)
 PUSH = wp.constant(0.1)
 """Share of the overlap beyond the slop that a step removes."""
@@ -155,12 +157,12 @@ def _first_touch(state: State, raw: Raw, w: int, a: int, b: int, dt: float) -> f
         arm_b = raw.point[w, k] - state.x[w, b]
         u = point_velocity(state, w, a, arm_a) - point_velocity(state, w, b, arm_b)
         approach = wp.dot(n, u)
-        closes = gap > 0.0 and gap + approach * dt < 0.0
+        closes = gap > 0.0 and gap + approach * dt < TIE_M
         if closes and approach < -RESTITUTION_THRESHOLD_MPS:
             first = wp.min(first, -gap / approach)
-    if first > dt:
+    if first > 2.0 * dt:
         return 0.0
-    return first
+    return wp.min(first, dt)
 
 
 @wp.func
@@ -246,7 +248,7 @@ def _add_contacts(
         delay = float(0.0)  # noqa: UP018  # a variable to Warp, not a constant
         if gap < 0.0:
             wanted = wp.min(PUSH * wp.max(-gap - SLOP_M, 0.0) / dt, PUSH_MPS)
-        if approach < -RESTITUTION_THRESHOLD_MPS and gap + approach * (dt - early) < 0.0:
+        if approach < -RESTITUTION_THRESHOLD_MPS and gap + approach * (dt - early) < TIE_M:
             wanted = wp.max(-restitution * approach, wp.min(wanted, PUSH_MPS))
             if gap > 0.0 or early > 0.0:
                 wanted = -restitution * approach

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from esg.engines.newton_setup import quiet_warp
 from esg.engines.newton_shapes import hull
 from esg.engines.program import ProgramBatch
+from esg.engines.rest import starts_at_rest
 from esg.engines.scene import Shape, SimScene
 from esg.engines.worlds import Frames, Values, moving
 
@@ -161,7 +162,9 @@ class Worlds:
             },
         )
         damping = np.array([(x.linear_damping, x.angular_damping) for x in scene.bodies])
-        dynamic = moving(scene)
+        awake = np.tile(moving(scene), (w, 1))
+        if not ground_contacts:
+            awake &= ~starts_at_rest(scene, values.position, values.quaternion)
         self.state = _fill(
             types.State(),
             {
@@ -171,7 +174,7 @@ class Worlds:
                 "o": self._zeros((w, b), wp.vec3),
                 "friction": to(values.friction, float),
                 "damping": to(np.tile(damping, (w, 1, 1)), wp.vec2),
-                "awake": to(np.tile(dynamic, (w, 1)), int),
+                "awake": to(awake, int),
                 "idle": self._zeros((w, b), int),
                 "inverse": self._zeros((w, b), wp.mat33),
                 "before_v": self._zeros((w, b), wp.vec3),
