@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.dynamics.losses import MISSED
+from esg.dynamics.loss_shapes import MISSED
 from esg.dynamics.niches import Niche, apart, broad, everywhere
 from esg.dynamics.panel import GOOD_LOSS, WORST_SHARE, Found, Panel, prior
 from esg.dynamics.plan import Plan
@@ -27,12 +27,20 @@ POPULATION = 48
 WORLDS = 32
 ELITES = 6
 FINALISTS = 4
-SAMPLE, SAMPLES, NICHES = 64, 3, 3
-"""Candidates from all of theta's box at a time and how often where none near the start will do;
-places that are searched then."""
+SAMPLE, SAMPLES = 64, 3
+"""Candidates from all of theta's box at a time and how often, where none near the start will do."""
+NICHES, BROOD, IDLE = 2, 8, 8
+"""Places that are searched at a time then, with so many candidates each; generations without
+progress after which another place is tried."""
+OTHERS = 3
+"""Places apart that the reference engine plays where it disagrees with the surrogate."""
+FAR_GAIN = 0.05
+"""What rounds have to gain while an event is missed."""
 NEARER, POOR = 1.0, 2.0
 """A round that misses an event has to come nearer by this much, or the search looks further
 afield; it also does where events happen with this worst case or more and rounds do not help."""
+BROKEN = 1e6
+"""Loss of a candidate that cannot be played."""
 PATIENCE = 3
 """Rounds without progress after which a search gives up on what is still missing."""
 REFERENCE_SHARE = 0.4
@@ -131,13 +139,13 @@ def _elsewhere(
     """
     pool = explored.pool or Pool(panel)
     pool.look(everywhere(plan, rng, SAMPLE, plan.initial()))
-    places = apart(plan, pool.seen, pool.losses, 2 * NICHES, [best.theta])
+    places = apart(plan, pool.seen, pool.losses, 2 * OTHERS, [best.theta])
     thetas = pool.seen[[k for k in places if pool.losses[k] < GOOD_LOSS]]
     if not len(thetas):
         return best
     worst = panel.preview(thetas)
     panel.note("sample", "surrogate", SAMPLE, float(worst.min()))
-    for k in np.argsort(worst, kind="stable")[:NICHES]:
+    for k in np.argsort(worst, kind="stable")[:OTHERS]:
         if worst[k] < GOOD_LOSS and not best.good():
             best = min((best, panel.judge(thetas[k : k + 1])), key=lambda f: f.worst)
     return best
@@ -166,7 +174,7 @@ def _explore(plan: Plan, panel: Panel, rng: np.random.Generator, max_rounds: int
     panel.note("start", "surrogate", STARTS, pool.best)
     if pool.best < GOOD_LOSS:
         return pool.explored(stalled=False)
-    if not plan.free().any():
+    if not (broad(plan) > 0.0).any():
         return pool.explored(stalled=True)
     history = [pool.best]
     cloud = Cloud(plan, scale)
@@ -180,12 +188,9 @@ def _explore(plan: Plan, panel: Panel, rng: np.random.Generator, max_rounds: int
         ended = stalled(history, reached=pool.best < MISSED)
         if pool.best < GOOD_LOSS or (ended and pool.best < POOR):
             return pool.explored(stalled=ended)
-        if ended or (
-            pool.best > POOR and history[-2] - history[-1] < min(NEARER, 0.1 * history[-2])
-        ):
+        if ended or not nearing(history):
             break
-    left = max_rounds + 1 - len(history)
-    return _explore_widely(plan, pool, rng, left) if left else pool.explored(stalled=False)
+    return _explore_widely(plan, pool, rng, max_rounds)
 
 
 def _explore_widely(plan: Plan, pool: Pool, rng: np.random.Generator, rounds: int) -> Explored:
@@ -203,24 +208,25 @@ def _explore_widely(plan: Plan, pool: Pool, rng: np.random.Generator, rounds: in
     tried: list[Floats] = []
     history, ended = [pool.best], False
     for _ in range(rounds):
+        played = len(pool.seen)
+        while len(pool.seen) < played + POPULATION and pool.best >= GOOD_LOSS:
+            niches = [n for n in niches if not (n.collapsed or n.idle >= IDLE)]
+            for k in apart(plan, pool.seen, pool.losses, NICHES - len(niches), tried):
+                niches.append(Niche(plan, pool.seen[k], float(pool.losses[k]), scale))
+                tried.append(pool.seen[k])
+            if not niches:
+                return pool.explored(stalled=True)
+            asked = [n.ask(rng, BROOD) for n in niches]
+            losses = pool.look(np.concatenate(asked)).reshape(len(niches), BROOD)
+            for niche, thetas, own in zip(niches, asked, losses, strict=True):
+                niche.tell(own)
+                order = np.argsort(own, kind="stable")[:2]
+                pool.consider(thetas[order], own[order])
+        history.append(pool.best)
+        pool.panel.note("explore", "surrogate", len(pool.seen) - played, pool.best)
+        ended = stalled(history, reached=pool.best < MISSED)
         if pool.best < GOOD_LOSS or ended:
             break
-        niches = [n for n in niches if not (n.collapsed or n.idle >= PATIENCE)]
-        for k in apart(plan, pool.seen, pool.losses, NICHES - len(niches), tried):
-            niches.append(Niche(plan, pool.seen[k], float(pool.losses[k]), scale))
-            tried.append(pool.seen[k])
-        if not niches:
-            break
-        share = POPULATION // len(niches)
-        asked = [n.ask(rng, share) for n in niches]
-        losses = pool.look(np.concatenate(asked)).reshape(len(niches), share)
-        for niche, thetas, own in zip(niches, asked, losses, strict=True):
-            niche.tell(own)
-            order = np.argsort(own, kind="stable")[:2]
-            pool.consider(thetas[order], own[order])
-        history.append(pool.best)
-        pool.panel.note("explore", "surrogate", share * len(niches), pool.best)
-        ended = stalled(history, reached=pool.best < MISSED)
     return pool.explored(stalled=ended)
 
 
@@ -250,6 +256,7 @@ class Pool:
     def look(self, thetas: Floats) -> Floats:
         """Losses of the unperturbed scene, shape [K]."""
         losses = self.panel.surrogate.assess(thetas).total + prior(self.panel.plan, thetas)
+        losses = np.nan_to_num(losses, nan=BROKEN, posinf=BROKEN)
         self.seen = np.concatenate([self.seen, thetas])
         self.losses = np.concatenate([self.losses, losses])
         return losses
@@ -377,10 +384,17 @@ def around(plan: Plan, mean: Floats, spread: Floats, rng: np.random.Generator, n
     return thetas
 
 
+def nearing(history: list[float]) -> bool:
+    """Whether the last round came nearer, or hardly anything is missing any more."""
+    gained = history[-2] - history[-1]
+    return history[-1] <= POOR or gained >= min(NEARER, 0.1 * history[-2])
+
+
 def stalled(history: list[float], *, reached: bool) -> bool:
     """The last rounds gained nothing; twice as many are granted while an event is missing."""
     patience = PATIENCE if reached else 2 * PATIENCE
     if len(history) < patience + 2:
         return False
     earlier, now = min(history[:-patience]), min(history)
-    return earlier - now < max(0.02, 0.02 * earlier)
+    # Far from an event losses differ little: there any gain is one.
+    return earlier - now < (max(0.02, 0.02 * earlier) if reached else FAR_GAIN)

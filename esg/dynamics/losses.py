@@ -9,33 +9,22 @@ an earlier one is only looked for after it.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-import math
 
 import numpy as np
 
 from esg.dynamics.event_measures import DISTANCE_SCALE_M, MEASURES, gap_over_time
+from esg.dynamics.loss_shapes import MISSED, UNBRAKED, UNMET, bowl, distance_loss, unbraked
 from esg.dynamics.recording import Bools, Floats, Recording
 from esg.dynamics.story import Story, bounds
 from esg.engines.scene import Rollout, SimScene
 from esg.graph.models import EdgeEvent, EventConstraint, NodeEvent, TimelineNode
 from esg.units import yaw_from_quat
 
-MISSED = 10.0
-"""Loss of an event that did not happen, before its distance is added."""
-UNMET = 60.0
-"""Loss of a quantity whose event did not happen: more than any error of one that did."""
 CHAIN_GAP_S = 0.1
 CHAIN_MARGIN_S, CLOSE = 0.03, 0.4
 """A hit this much later than that survives another engine; loss of one that is not later at all."""
 TIME_SCALE_S = 0.1
 SPEED_SCALE_MPS = 0.25
-FAR, FARTHEST, FAR_RANGE = 20.0, 25.0, 16.0
-"""A miss costs its squared distance (in scales) up to here, then rises ever slower to that; it is
-half way after so many scales more. Far misses differ: a search can tell the nearer one."""
-STEEP = 50.0
-"""An error costs as told by `_bowl` up to here, and rises ever slower to `UNMET` from there on."""
-UNBRAKED = 20.0
-"""Loss of a brake that takes nothing of the speed, or sets in long after it should have."""
 HALVED = 0.45
 """Braking leaves at most this fraction of the speed, a little less than the half that is asked."""
 
@@ -164,7 +153,7 @@ class _Assessor:
         measure = MEASURES[node.event]
         time, far = measure(self.rec, node, np.where(ready, earliest, np.inf), self._term)
         done = ready & np.isfinite(time) & self.rec.r.valid
-        loss = np.where(done, 0.0, MISSED + _distance_loss(far))
+        loss = np.where(done, 0.0, MISSED + distance_loss(far))
         loss = np.where(ready, loss, MISSED + 30.0)
         self.result.completed[node.id] = done
         self.result.time[node.id] = np.where(done, time, np.nan)
@@ -187,7 +176,7 @@ class _Assessor:
             if self.rec.story.nodes[before].event in (NodeEvent.TRIGGER, NodeEvent.HEADING_REACHED):
                 end = np.nan_to_num(self.rec.program_time(self.rec.story.nodes[before]))
                 late = np.maximum(late, end - self.result.time[node.id])
-        self._term(f"{node.id}/order", _unbraked(late / TIME_SCALE_S))
+        self._term(f"{node.id}/order", unbraked(late / TIME_SCALE_S))
 
     def _is(self, node_id: str | None, event: NodeEvent) -> bool:
         return node_id is not None and self.rec.story.nodes[node_id].event is event
@@ -213,7 +202,7 @@ class _Assessor:
         error = np.maximum(time - high, 0.0) - np.maximum(low - time, 0.0)
         self.result.measured[name] = np.where(done, time, np.nan)
         self.result.error[name] = np.where(done, error, np.inf)
-        self._term(f"{node.id}/window", np.where(done, _bowl(error / TIME_SCALE_S), UNMET))
+        self._term(f"{node.id}/window", np.where(done, bowl(error / TIME_SCALE_S), UNMET))
 
     def _constraint(self, node: TimelineNode, c: EventConstraint, done: Bools) -> None:
         value, scale = self._measure(node, c)
@@ -229,7 +218,7 @@ class _Assessor:
         known = done & np.isfinite(value)
         self.result.measured[name] = np.where(known, value, np.nan)
         self.result.error[name] = np.where(known, error, np.inf)
-        self._term(name, np.where(known, _bowl(push / scale), UNMET))
+        self._term(name, np.where(known, bowl(push / scale), UNMET))
 
     def _measure(self, node: TimelineNode, c: EventConstraint) -> tuple[Floats, float]:
         time = self.result.time[node.id]
@@ -281,31 +270,10 @@ class _Assessor:
                 excess = np.where(behind > 0.0, 1.0 + behind, excess)
                 name = f"{phase.edge.id}/brake"
                 # Not to get there at all is worse than to get there unbraked.
-                self._term(name, np.where(late, _unbraked(excess / 0.05), UNBRAKED))
+                self._term(name, np.where(late, unbraked(excess / 0.05), UNBRAKED))
 
     def _brake_start(self, actor: str) -> Floats:
         for phase in self.rec.story.phases.get(actor, ()):
             if phase.edge.event is EdgeEvent.BRAKE:
                 return self.result.time[phase.start.id]
         return np.zeros(self.rec.n)
-
-
-def _bowl(x: Floats) -> Floats:
-    """Quadratic near zero, linear further out, then ever flatter, less than UNMET."""
-    x = np.abs(x)
-    loss = np.where(x < 3.0, x * x, 6.0 * x - 9.0)
-    room = UNMET - STEEP
-    return np.where(loss < STEEP, loss, UNMET - room * room / (room + np.maximum(loss - STEEP, 0)))
-
-
-def _distance_loss(far: Floats) -> Floats:
-    """What an event that did not happen costs beside `MISSED`, from its squared distance."""
-    beyond = np.maximum(np.sqrt(np.maximum(far, 0.0)) - math.sqrt(FAR), 0.0) / FAR_RANGE
-    return np.where(far < FAR, far, FARTHEST - (FARTHEST - FAR) / (1.0 + beyond))
-
-
-def _unbraked(excess: Floats) -> Floats:
-    """Quadratic up to 9, then ever slower to `UNBRAKED`, shape [W]."""
-    room = UNBRAKED - 9.0
-    beyond = np.maximum(excess - 3.0, 0.0) / 15.0
-    return np.where(excess < 3.0, excess**2, UNBRAKED - room / (1.0 + beyond))

@@ -21,6 +21,14 @@ WIDE, BROADEST = 0.12, 10.0
 """First spread of a niche as a share of the box, at most so many usual spreads."""
 APART = 0.12
 """Root mean square distance of two niches' centres, as a share of the box."""
+ELITES = 2
+"""The best so far that a niche learns from beside its new candidates: it gets there sooner."""
+MANY = 9
+"""Free variables beyond which first spreads shrink, so that a candidate goes no farther."""
+WIDEST = 4.0
+"""Largest factor on the first spread."""
+GAIN = 0.02
+"""What a generation has to gain, or the niche is idle."""
 COLLAPSED = 1e-3
 """Standard deviation, in first spreads, below which a niche has nothing left to find."""
 
@@ -32,16 +40,18 @@ class Niche:
         plan: Variables with bounds and mask.
         center: Where it starts, shape [n].
         loss: The center's.
+        scale: First spread of each variable, zero for those that stay, some above it, shape [n].
     """
 
     def __init__(self, plan: Plan, center: Floats, loss: float, scale: Floats) -> None:
         self.plan, self.center, self.best = plan, center.copy(), loss
-        self.index = np.flatnonzero(plan.free())
+        self.index = np.flatnonzero(scale > 0.0)
         self.scale = scale[self.index]
         n = len(self.index)
         self.sigma, self.covariance = 1.0, np.eye(n)
         self._path, self._push = np.zeros(n), np.zeros(n)
-        self._drawn = np.zeros((0, n))
+        self._elites, self._kept = self.center[None], np.array([loss])
+        self._asked = self._elites
         self.rounds, self.idle = 0, 0
 
     def ask(self, rng: np.random.Generator, count: int) -> Floats:
@@ -52,17 +62,22 @@ class Niche:
         steps = rng.standard_normal((count, len(self.index))) @ self._root.T
         low, high = self.plan.lower()[self.index], self.plan.upper()[self.index]
         middle = self.center[self.index]
-        free = np.clip(middle + self.sigma * self.scale * steps, low, high)
-        self._drawn = (free - middle) / (self.sigma * self.scale)
         thetas = np.tile(self.center, (count, 1))
-        thetas[:, self.index] = free
+        thetas[:, self.index] = np.clip(middle + self.sigma * self.scale * steps, low, high)
+        self._asked = thetas
         return thetas
 
     def tell(self, losses: Floats) -> None:
-        """Learns from the losses of the last candidates, shape [count]."""
-        n, count = len(self.index), len(losses)
-        half = count // 2
-        order = np.argsort(losses, kind="stable")[:half]
+        """Learns from the losses of the last candidates, shape [count], and the elites' before."""
+        n, half = len(self.index), len(losses) // 2
+        pool = np.concatenate([self._elites, self._asked])
+        scores = np.concatenate([self._kept, losses])
+        order = np.argsort(scores, kind="stable")[:half]
+        gained = self.best - float(scores[order[0]])
+        self.idle = 0 if gained > GAIN else self.idle + 1
+        self.best = min(self.best, float(scores[order[0]]))
+        chosen = (pool[order] - self.center)[:, self.index] / (self.sigma * self.scale)
+        self._elites, self._kept = pool[order[:ELITES]], scores[order[:ELITES]]
         weights = math.log(half + 0.5) - np.log(np.arange(1, half + 1))
         weights /= weights.sum()
         effective = 1.0 / float((weights**2).sum())
@@ -73,7 +88,6 @@ class Niche:
         c_mu = 2.0 * (effective - 2.0 + 1.0 / effective) / ((n + 2.0) ** 2 + effective)
         c_mu = min(1.0 - c_one, c_mu)
         expected = math.sqrt(n) * (1.0 - 1.0 / (4.0 * n) + 1.0 / (21.0 * n * n))
-        chosen = self._drawn[order]
         step = weights @ chosen
         self.center = self.center.copy()
         self.center[self.index] += self.sigma * self.scale * step
@@ -94,10 +108,7 @@ class Niche:
             + c_mu * rank_mu
         )
         self.sigma *= math.exp(min(1.0, c_sigma / d_sigma * (length / expected - 1.0)))
-        self.sigma = min(self.sigma, 4.0)
-        gained = self.best - float(losses[order[0]])
-        self.idle = 0 if gained > max(0.02, 0.02 * self.best) else self.idle + 1
-        self.best = min(self.best, float(losses[order[0]]))
+        self.sigma = min(self.sigma, WIDEST)
 
     @property
     def collapsed(self) -> bool:
@@ -111,7 +122,8 @@ def broad(plan: Plan) -> Floats:
     width = plan.upper() - plan.lower()
     usual = np.array([v.spread for v in plan.variables])
     usual = np.where(usual > 0.0, usual, WIDE * width)
-    return np.clip(WIDE * width, np.minimum(usual, 0.5 * width), BROADEST * usual) * plan.free()
+    broad = np.clip(WIDE * width, np.minimum(usual, 0.5 * width), BROADEST * usual) * plan.free()
+    return broad * min(1.0, MANY / max(int((broad > 0.0).sum()), 1))
 
 
 def everywhere(plan: Plan, rng: np.random.Generator, count: int, center: Floats) -> Floats:

@@ -17,13 +17,8 @@ from numpy.typing import NDArray
 
 from esg.dynamics.event_measures import DISTANCE_SCALE_M, STOP_SPEED_MPS
 from esg.dynamics.gap import surface_gap
-from esg.dynamics.losses import (
-    CHAIN_GAP_S,
-    MISSED,
-    SPEED_SCALE_MPS,
-    TIME_SCALE_S,
-    UNMET,
-)
+from esg.dynamics.loss_shapes import MISSED, Shape, barrier, inside, outside, squared
+from esg.dynamics.losses import CHAIN_GAP_S, SPEED_SCALE_MPS, TIME_SCALE_S
 from esg.dynamics.plan import Plan
 from esg.dynamics.story import bounds
 from esg.engines.surrogate_tape import Seeds, TapedRollout, Touch
@@ -149,7 +144,7 @@ class EventLosses:
         if touch is None:
             signal = self._gap(node)
             step, gap = self._lowest(w, signal, earliest)
-            slope = self._term(f"{node.id}/miss", w, max(gap, 0.0), _squared(DISTANCE_SCALE_M))
+            slope = self._term(f"{node.id}/miss", w, max(gap, 0.0), squared(DISTANCE_SCALE_M))
             self.loss[w] += MISSED
             self._pull(w, step, signal, slope)
             return
@@ -171,7 +166,7 @@ class EventLosses:
             return
         self.done[node.id][w] = True
         self._time[node.id][w] = step * self.dt
-        slope = self._term(f"{node.id}/near", w, max(gap - 0.5, 0.0), _squared(1.0))
+        slope = self._term(f"{node.id}/near", w, max(gap - 0.5, 0.0), squared(1.0))
         self._pull(w, step, signal, slope)
 
     def _reach(self, node: TimelineNode, w: int, earliest: float) -> None:
@@ -182,7 +177,7 @@ class EventLosses:
             value = float(signal.value(self._at(w, slice(step, step + 1)))[0])
             self.done[node.id][w] = value < limit
             self._time[node.id][w] = step * self.dt
-            slope = self._term(f"{node.id}/distance", w, value, _squared(scale))
+            slope = self._term(f"{node.id}/distance", w, value, squared(scale))
             self._pull(w, step, signal, slope)
             return
         series = signal.value(self._at(w, slice(None)))
@@ -192,7 +187,7 @@ class EventLosses:
         below = np.flatnonzero((series <= limit) & late)
         if not len(below):
             step = int(np.argmin(np.where(late, series, np.inf)))
-            slope = self._term(f"{node.id}/miss", w, float(series[step]) - limit, _squared(scale))
+            slope = self._term(f"{node.id}/miss", w, float(series[step]) - limit, squared(scale))
             self.loss[w] += MISSED
             self._pull(w, step, signal, slope)
             return
@@ -216,9 +211,9 @@ class EventLosses:
         self._movers[w, node.id] = move_time
         if node.timestamp is not None or node.window is not None:
             low, high = node.window or (node.timestamp or 0.0, node.timestamp or 0.0)
-            shape = _outside(low, high, TIME_SCALE_S)
+            shape = outside(low, high, TIME_SCALE_S)
             if not node.time_is_prescribed:
-                shape = _barrier(low, high)
+                shape = barrier(low, high)
             move_time(self._term(f"{node.id}/time", w, time, shape))
         for c in node.constraints:
             self._constraint(node, c, w, time, step, move_time)
@@ -236,7 +231,7 @@ class EventLosses:
         name = f"{node.id}/{c.quantity}/{c.object}"
         if c.quantity == "time_since":
             since = float(np.nan_to_num(self._time[c.since or ""][w])) if c.since else 0.0
-            slope = self._term(name, w, time - since, _inside(low, high, TIME_SCALE_S))
+            slope = self._term(name, w, time - since, inside(low, high, TIME_SCALE_S))
             move_time(slope)
             self._move(w, c.since, -slope)
             return
@@ -268,7 +263,7 @@ class EventLosses:
             value = float(signal.value(self._at(w, slice(step, step + 1)))[0])
         else:
             return
-        slope = self._term(name, w, value, _inside(low, high, scale))
+        slope = self._term(name, w, value, inside(low, high, scale))
         self._pull(w, pick, signal, slope)
 
     # -- signals -----------------------------------------------------------------------------
@@ -318,12 +313,12 @@ class EventLosses:
         parent = scene.index(region.parent)
         center, half = np.array(region.center), np.array(region.half_extents)
 
-        def outside(s: States) -> Floats:
+        def beyond(s: States) -> Floats:
             inverse = s[1][:, parent] * np.array([-1.0, -1.0, -1.0, 1.0])
             local = quat_rotate(inverse, s[0][:, body] - s[0][:, parent]) - center
             return np.linalg.norm(np.maximum(np.abs(local) - 0.9 * half, 0.0), axis=-1)
 
-        return Signal((body, parent), outside), 1e-3, max(0.3 * DISTANCE_SCALE_M, float(half.max()))
+        return Signal((body, parent), beyond), 1e-3, max(0.3 * DISTANCE_SCALE_M, float(half.max()))
 
     def _at(self, w: int, steps: slice) -> States:
         p, q, v = self.states
@@ -350,7 +345,7 @@ class EventLosses:
 
     # -- derivatives -------------------------------------------------------------------------
 
-    def _term(self, name: str, w: int, value: float, shape: Callable[[float], float]) -> float:
+    def _term(self, name: str, w: int, value: float, shape: Shape) -> float:
         """Adds a term and returns its derivative by the residual."""
         self.residual.setdefault(name, np.full(self.n_worlds, np.nan))[w] = value
         self.loss[w] += shape(value)
@@ -385,32 +380,3 @@ class EventLosses:
         rate = float(series[-1] - series[0]) / ((len(series) - 1) * self.dt)
         if abs(rate) > 0.02:
             self._pull(w, last, signal, -slope / rate)
-
-
-def _bowl(x: float) -> float:
-    x = abs(x)
-    return min(x * x if x < 3.0 else 6.0 * x - 9.0, UNMET)
-
-
-def _squared(scale: float) -> Callable[[float], float]:
-    return lambda x: (x / scale) ** 2
-
-
-def _outside(low: float, high: float, scale: float) -> Callable[[float], float]:
-    return lambda x: _bowl((max(x - high, 0.0) - max(low - x, 0.0)) / scale)
-
-
-def _inside(low: float, high: float, scale: float) -> Callable[[float], float]:
-    """Like `esg.dynamics.losses`, which aims at the inside of an interval."""
-    inner = 0.15 * (high - low)
-    return lambda x: _bowl((max(x - (high - inner), 0.0) + max(low + inner - x, 0.0)) / scale)
-
-
-def _barrier(low: float, high: float) -> Callable[[float], float]:
-    width, beta = max(high - low, 0.5), 4.0
-
-    def value(x: float) -> float:
-        miss = np.logaddexp(0.0, beta * (low - x)) + np.logaddexp(0.0, beta * (x - high))
-        return float(0.02 * (miss / (beta * width)) ** 2)
-
-    return value
