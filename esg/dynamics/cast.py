@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.dynamics.aim import aim_point, region_center
+from esg.dynamics.stagecraft import support_of
 from esg.dynamics.story import Phase, Story, read_story, rebounds, stranded
 from esg.engines.scene import Region, SimScene
 from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, TimelineNode
@@ -99,6 +100,13 @@ class Cast:
             return False
         after = self.story.after(phase.end.id)
         return bool(after) and not any(actor in n.participants for n in after)
+
+    def leaves_support(self, actor: str, phase: Phase) -> bool:
+        """Whether a body that stands on something meets what stands on the ground."""
+        target, support = self.target(phase), support_of(self.doc, actor)
+        if support is None or target is None or phase.end.event is not NodeEvent.COLLISION:
+            return False
+        return target != support and support_of(self.doc, target) is None
 
     def balls_after(self, phase: Phase) -> int:
         """How many hits of balls by balls follow from the first one, three at most."""

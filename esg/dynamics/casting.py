@@ -12,6 +12,7 @@ import itertools
 import math
 
 from esg.dynamics.containers import fit_containers
+from esg.dynamics.fitting import fit_motion
 from esg.dynamics.stage import FASTEST_MPS
 from esg.dynamics.stagecraft import (
     Prop,
@@ -68,7 +69,7 @@ def fit_assets(doc: EsgDocument) -> EsgDocument:
         if not config.is_movable:
             changed[nodes[name].asset_id] = config.model_copy(update={"is_movable": True})
     doc = _with(doc, {**changed, **_grown(doc, story)})
-    doc = _with(doc, fit_containers(doc, story))
+    doc = fit_motion(_with(doc, fit_containers(doc, story)), story)
     doc = _with(doc, _springy(doc, story))
     doc = _with(doc, _for_transfer(doc, story))
     lighter = {nodes[b].asset_id: f for b, f in _mass_factors(doc, story).items() if f < 1.0}

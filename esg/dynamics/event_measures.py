@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.dynamics.gap import surface_gap
+from esg.dynamics.moves import TURNED_RAD
 from esg.dynamics.recording import Bools, Floats, Recording
 from esg.graph.models import NodeEvent, TimelineNode
 from esg.units import quat_rotate, yaw_from_quat
@@ -279,7 +280,9 @@ def heading(
     error = np.abs(turned - asked)
     ok = (error < math.radians(15.0)) & np.isfinite(earliest)
     add(f"{node.id}/heading", np.minimum((error / math.radians(10.0)) ** 2, 9.0) * 0.1)
-    return np.where(ok, planned, np.inf), (error / 0.3) ** 2
+    # It is judged from 20 degrees short of it on, and told as over at its end: half way between.
+    made = planned - (planned - begin) * TURNED_RAD / max(asked, TURNED_RAD)
+    return np.where(ok, made, np.inf), (error / 0.3) ** 2
 
 
 def position(

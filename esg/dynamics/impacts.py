@@ -7,10 +7,13 @@ import math
 from esg.dynamics.kinematics import (
     Frame,
     Track,
+    back_spin,
+    braking_distance,
     half_along,
     impact_speed,
     rolling_travel,
     sliding_distance,
+    sliding_travel,
 )
 from esg.dynamics.placing import bring_support, goes_on
 from esg.dynamics.stage import Stage
@@ -27,8 +30,8 @@ from esg.units import GRAVITY_MPS2
 
 THROWN_BACK = 0.3
 """Share of its speed from which something that hits a heavier body counts as thrown back."""
-GROUND_FRICTION = 0.7
-"""Of the ground, where nothing else is known."""
+APART_S = 0.14
+"""Least time between two hits of a chain."""
 DOWN_S = 0.3
 """Time in which a struck body falls over."""
 BALL_GAP = 0.45
@@ -60,7 +63,11 @@ def impact(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
     speed = impact_speed(pa.mass, pb.mass, source.speed, restitution)
     x, y, _ = stage.places[b]
     heading = source.heading + frame.angle
-    stage.moving[b] = Track(x, y, heading, speed, source.time, [(x, y)])
+    spin = 0.0
+    if pa.rolls and pb.rolls:
+        rubs = 0.5 * (pa.friction + pb.friction)
+        spin = back_spin(pa.mass, pb.mass, source.speed, rubs, speed)
+    stage.moving[b] = Track(x, y, heading, speed, source.time, spin, [(x, y)])
     source.speed = max(0.05, source.speed - pb.mass / pa.mass * speed)
 
 
@@ -116,15 +123,16 @@ def chain(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
         gap = min(gap, 0.5 * pa.height)
     if _falls_before(stage, node, a):
         # It is to be down before it arrives.
-        slides = sliding_distance(track.speed, 0.5 * (pa.friction + 0.7))
+        slides = sliding_distance(track.speed, 0.5 * (pa.friction + pa.rough))
         gap = max(gap, min(DOWN_S * track.speed, 0.5 * slides))
     prescribed = stage.prescribed_time(node)
     if prescribed is not None:
         wait = max(prescribed - track.time, 0.05)
-        gap = max(0.1, track.speed * wait)
+        slows = braking_distance(1.0, pa.damping, wait) / wait
+        gap = max(0.1, sliding_travel(track.speed, _drag(stage, pa), wait) * slows)
         if pa.rolls:
-            ground = stage.prop(stage.anchor).friction if stage.anchor else GROUND_FRICTION
-            gap = max(0.05, rolling_travel(track.speed, 0.5 * (pa.friction + ground), wait)[0])
+            rubs = 0.5 * (pa.friction + stage.ground_friction())
+            gap = max(0.05, rolling_travel(track.speed, rubs, wait, track.spin)[0] * slows)
     yaw = target_yaw(pb, track.heading, stage.rng)
     jitter = float(stage.rng.uniform(-0.3, 0.3)) * pb.half_lateral(yaw - track.heading)
     if pb.rolls and goes_on(stage, node, b):
@@ -136,6 +144,12 @@ def chain(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
     stage.places[b] = (track.x + reach * c - jitter * s, track.y + reach * s + jitter * c, yaw)
     bring_support(stage, b, stage.places[b][0], stage.places[b][1], track.heading)
     track.straight(gap, gap / max(track.speed, 0.1), track.speed)
+
+
+def _drag(stage: Stage, body: Prop) -> float:
+    """Deceleration [m/s^2] of a body that slides on, or coasts, where it all takes place."""
+    ground = 0.0 if body.wheeled else stage.ground_friction()
+    return 0.5 * (body.friction + ground) * GRAVITY_MPS2
 
 
 def _landing(stage: Stage, node: TimelineNode, a: str, b: str, speed: float) -> float | None:
@@ -172,8 +186,12 @@ def _coasting_gap(stage: Stage, body: Prop, target: Prop, speed: float) -> float
     A ball that hits a ball off its centre by x sends it off by x over their radii, so that each
     further ball of a chain multiplies an error by the gap in diameters: balls lie close.
     """
-    reach = 50.0 if body.rolls else sliding_distance(speed, 0.5 * (body.friction + 0.7))
+    reach = 50.0 if body.rolls else sliding_distance(speed, 0.5 * (body.friction + body.rough))
     preferred = float(stage.rng.uniform(0.28, 0.36)) * speed
     if body.rolls and target.rolls:
         preferred *= BALL_GAP
-    return max(0.05, min(preferred, 0.4 * reach, 2.5))
+    far = 0.4 * reach
+    if not body.rolls:
+        # What follows within a tenth of a second counts as the same hit.
+        far = max(far, min(sliding_travel(speed, coasting_drag(body), APART_S), 0.75 * reach))
+    return max(0.05, min(preferred, far, 2.5))

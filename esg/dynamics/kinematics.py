@@ -24,7 +24,7 @@ class Track:
         speed: [m/s].
         time: [s].
         points: Corners of the path so far [m].
-        start_speed: Speed when the current braking began [m/s].
+        spin: Surface speed of its back spin [m/s].
     """
 
     x: float = 0.0
@@ -32,6 +32,7 @@ class Track:
     heading: float = 0.0
     speed: float = 0.0
     time: float = 0.0
+    spin: float = 0.0
     points: list[tuple[float, float]] = field(default_factory=lambda: [(0.0, 0.0)])
 
     def straight(self, distance: float, duration: float, speed: float) -> None:
@@ -102,15 +103,64 @@ def stopping_damping(speed: float, duration: float, deceleration: float) -> floa
     return 0.5 * (low + high)
 
 
+def stopping_way(speed: float, damping: float, drag: float) -> tuple[float, float]:
+    """Distance [m] and time [s] to rest under linear damping and a Coulomb deceleration > 0."""
+    if damping < 1e-6:
+        return speed * speed / (2.0 * drag), speed / drag
+    lasts = math.log1p(damping * speed / drag) / damping
+    return speed / damping - drag / damping * lasts, lasts
+
+
+def damping_for_way(speed: float, way: float, drag: float) -> float:
+    """Linear damping [1/s] that with a Coulomb deceleration `drag` stops a body in `way` [m]."""
+    low, high = 1e-6, 60.0
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if stopping_way(speed, middle, drag)[0] > way else (low, middle)
+    return 0.5 * (low + high)
+
+
 def impact_speed(mass_a: float, mass_b: float, speed: float, restitution: float) -> float:
     """Speed of a resting body b after a central impact by a [m/s]."""
     return (1.0 + restitution) * mass_a / (mass_a + mass_b) * speed
 
 
-def rolling_travel(speed: float, friction: float, duration: float) -> tuple[float, float]:
-    """Distance [m] and speed [m/s] of a struck ball that slides at first, then rolls at 5/7."""
+def back_spin(mass_a: float, mass_b: float, speed: float, friction: float, hit: float) -> float:
+    """Surface speed [m/s] against its way that a ball struck by a rolling ball gets.
+
+    The rolling surface of a rubs downwards over b until both keep up or mu J is spent; on a
+    uniform sphere a force at the surface turns 5/2 as fast as it moves.
+
+    Args:
+        mass_a: Of the rolling ball [kg].
+        mass_b: Of the struck ball [kg].
+        speed: Of the rolling ball [m/s].
+        friction: Between them.
+        hit: Speed of the struck ball after the hit [m/s].
+    """
+    keeps_up = speed / (3.5 * (1.0 / mass_a + 1.0 / mass_b))
+    return 2.5 * min(friction * mass_b * hit, keeps_up) / mass_b
+
+
+def sliding_travel(speed: float, drag: float, duration: float) -> float:
+    """Distance [m] of what slides with a deceleration `drag` [m/s^2], if need be until it rests."""
+    lasts = min(duration, speed / max(drag, 1e-6))
+    return speed * lasts - 0.5 * drag * lasts * lasts
+
+
+def rolling_travel(
+    speed: float, friction: float, duration: float, spin: float = 0.0
+) -> tuple[float, float]:
+    """Distance [m] and speed [m/s] of a struck ball that slides at first, then rolls at 5/7.
+
+    Args:
+        speed: After the hit [m/s].
+        friction: Of ball and ground.
+        duration: [s].
+        spin: Surface speed of its back spin [m/s], which costs another 2/7 of itself.
+    """
     slows = friction * GRAVITY_MPS2
-    until = min(duration, 2.0 / 7.0 * speed / max(slows, 1e-6))
+    until = min(duration, 2.0 / 7.0 * (speed + spin) / max(slows, 1e-6))
     left = speed - slows * until
     return (speed + left) * 0.5 * until + left * (duration - until), left
 

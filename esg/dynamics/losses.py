@@ -247,8 +247,14 @@ class _Assessor:
         if node.event in (NodeEvent.MISS, NodeEvent.REACH):
             a, b = (self.rec.members(p) for p in (node.participants[0], node.participants[-1]))
             return gap_over_time(self.rec, a, b).min(axis=1), DISTANCE_SCALE_M
-        start = self.rec.r.position[:, :1, body].astype(float)
-        moved = np.linalg.norm(self.rec.r.position[:, :, body].astype(float) - start, axis=-1)
+        position = self.rec.r.position[:, :, body].astype(float)
+        start = position[:, :1]
+        if node.event is NodeEvent.STOP:
+            # The way in which it stops begins with its braking.
+            begin = self._brake_start(c.object)
+            axes = [self.rec.at(position[..., k], begin) for k in range(3)]
+            start = np.stack(axes, axis=-1)[:, None]
+        moved = np.linalg.norm(position - start, axis=-1)
         return self.rec.at(moved, time), DISTANCE_SCALE_M
 
     def _braking(self) -> None:

@@ -5,13 +5,22 @@ from __future__ import annotations
 import math
 
 from esg.dynamics.falls import goes_over_edge, over_edge, tip_over
-from esg.dynamics.kinematics import Frame, braking_distance, stopping_damping
-from esg.dynamics.placing import gap_left, join
+from esg.dynamics.kinematics import (
+    Frame,
+    braking_distance,
+    damping_for_way,
+    stopping_damping,
+    stopping_way,
+)
+from esg.dynamics.placing import asked_distance, gap_left, join
 from esg.dynamics.stage import Stage
 from esg.dynamics.stagecraft import coasting_drag, top_surface
 from esg.dynamics.story import Phase, bounds, middle, rebounds, turn_of
 from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
 
+TURNED_RAD = math.radians(10.0)
+"""A turn counts as made this far before its end: between the end of its tolerance and of itself."""
+LONGEST_STOP_S = 10.0
 REBOUND_S = 0.15
 """Time from a hit of something fixed to the brake that follows it."""
 
@@ -41,6 +50,7 @@ def controlled(stage: Stage, node: TimelineNode) -> None:
 
 def turned(stage: Stage, node: TimelineNode) -> None:
     """HeadingReached: an arc at a plausible turn rate."""
+    lead = 0.0
     for actor, phase in stage.incoming(node):
         track = stage.tracks[actor]
         speed = stage.speed(actor, phase) if phase.edge.params.speed else track.speed
@@ -51,8 +61,9 @@ def turned(stage: Stage, node: TimelineNode) -> None:
         degrees, sign = turn_of(phase)
         stage.nominal[f"{phase.edge.id}/turn_rate"] = rate
         track.arc(sign * math.radians(degrees), rate)
+        lead = TURNED_RAD / rate
     times = [stage.tracks[a].time for a in stage.tracks if a in node.participants]
-    stage.time[node.id] = max(times, default=1.0)
+    stage.time[node.id] = max(times, default=1.0) - lead
 
 
 def plain(stage: Stage, node: TimelineNode) -> None:
@@ -93,10 +104,26 @@ def _advance(stage: Stage, actor: str, phase: Phase, duration: float) -> None:
         low, high, fixed = bounds(edge.params.damping, (0.3, 8.0))
         stop = phase.end.event is NodeEvent.STOP
         if stop:
-            damping = stopping_damping(speed, duration, coasting_drag(stage.prop(actor)))
+            drag = max(coasting_drag(stage.prop(actor)), 0.02)
+            way = asked_distance(stage, phase.end, actor)
+            if way is not None:
+                damping = damping_for_way(speed, way, drag)
+                duration = min(stopping_way(speed, damping, drag)[1], LONGEST_STOP_S)
+            else:
+                damping = stopping_damping(speed, duration, drag)
         else:
             damping = -math.log(0.4) / duration
         damping = low if fixed else min(max(damping, low), high)
+        walker = stage.prop(actor)
+        if (
+            stop
+            and not (walker.wheeled or walker.rolls)
+            and _stops_by_itself(stage, actor, duration)
+        ):
+            # Friction alone would stop it sooner: it slows down step by step instead.
+            stage.nominal[f"{edge.id}/stopping"] = duration
+            track.straight(0.5 * speed * duration, duration, 0.0)
+            return
         stage.nominal[f"{edge.id}/damping"] = damping
         distance = braking_distance(speed, damping, duration)
         track.straight(distance, duration, speed * math.exp(-damping * duration))
@@ -113,6 +140,14 @@ def _advance(stage: Stage, actor: str, phase: Phase, duration: float) -> None:
         return
     stage.nominal[f"{edge.id}/speed"] = speed
     track.straight(speed * duration, duration, speed)
+
+
+def _stops_by_itself(stage: Stage, actor: str, duration: float) -> bool:
+    """Whether something that walks or runs would slide to rest sooner than it is to stop."""
+    phases = stage.story.phases[actor]
+    drag = coasting_drag(stage.prop(actor))
+    powered = phases[0].edge.event is not EdgeEvent.TOWARD
+    return powered and stage.tracks[actor].speed < 1.1 * drag * duration
 
 
 def _stop_time(node: TimelineNode) -> float:

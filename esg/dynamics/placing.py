@@ -4,9 +4,15 @@ from __future__ import annotations
 
 import math
 
-from esg.dynamics.kinematics import Frame, frame_mapping, half_along
+from esg.dynamics.kinematics import (
+    Frame,
+    frame_mapping,
+    half_along,
+    rolling_travel,
+    sliding_travel,
+)
 from esg.dynamics.stage import Stage
-from esg.dynamics.stagecraft import Prop, support_of, target_yaw
+from esg.dynamics.stagecraft import Prop, coasting_drag, support_of, target_yaw
 from esg.dynamics.story import REACH_BRAKE_DAMPING, bounds
 from esg.graph.models import NodeEvent, TimelineNode
 
@@ -54,13 +60,50 @@ def join(stage: Stage, a: str, b: str, node: TimelineNode, gap: float = 0.0) -> 
         _place_target(stage, a, b, x, y, track.heading + frame.angle, pa, node, gap)
     elif a not in stage.frames:
         bx, by, byaw = stage.places[b]
-        heading = stage.free_heading(bx, by)
         pb = stage.prop(b)
+        if _was_struck(stage, node, b):
+            # It is met head-on, on the line along which it was sent.
+            moved = stage.moving[b]
+            heading, wait = moved.heading + math.pi, track.time - moved.time
+            way = sent(stage, b, max(wait, 0.0))
+            bx, by = bx - way * math.cos(heading), by - way * math.sin(heading)
+        else:
+            heading = stage.free_heading(bx, by)
         reach = pa.half_length + half_along(pb.length, pb.width, heading - (byaw or 0.0)) + gap
         end = (bx - reach * math.cos(heading), by - reach * math.sin(heading))
         stage.frames[a] = frame_mapping((track.x, track.y), track.heading, end, heading)
     x, y = stage.frames[a].apply(0.0, 0.0)
     stage.places[a] = (x, y, stage.frames[a].angle + stage.reverse_yaw(a))
+
+
+def _was_struck(stage: Stage, node: TimelineNode, b: str) -> bool:
+    """Whether b was set in motion by a hit that this event follows."""
+    if b not in stage.moving or stage.moving[b].speed <= 0.0:
+        return False
+    before = stage.story.ancestors(node.id)
+    return any(
+        n.id in before and n.event is NodeEvent.COLLISION and b in map(stage.key, n.participants)
+        for n in stage.story.nodes.values()
+    )
+
+
+def sent(stage: Stage, b: str, wait: float) -> float:
+    """How far [m] what was struck gets in a given time."""
+    body, moved = stage.prop(b), stage.moving[b]
+    if body.rolls:
+        rubs = 0.5 * (body.friction + stage.ground_friction())
+        return rolling_travel(moved.speed, rubs, wait, moved.spin)[0]
+    return sliding_travel(moved.speed, coasting_drag(body), wait)
+
+
+def struck_again(stage: Stage, node: TimelineNode, a: str, b: str) -> bool:
+    """Whether another actor is to run into b after this hit."""
+    return any(
+        n.event is NodeEvent.COLLISION
+        and b in (keys := list(map(stage.key, n.participants)))
+        and any(k in stage.tracks and k != a for k in keys)
+        for n in stage.story.after(node.id)
+    )
 
 
 def _place_target(

@@ -90,6 +90,21 @@ class Composer(Cast):
                 out.append(self.launch(actor, body, phase, v, start, heading))
                 clock = start
                 continue
+            if f"{edge.id}/stopping" in v:
+                lasts = v[f"{edge.id}/stopping"]
+                out.append(
+                    HoldVelocity(
+                        actor,
+                        start,
+                        start + lasts,
+                        speed=abs(speed),
+                        heading=heading,
+                        acceleration=-abs(speed) / lasts,
+                        roll_radius=body.roll_radius,
+                    )
+                )
+                speed, clock = 0.0, start + lasts
+                continue
             if edge.event is EdgeEvent.BRAKE:
                 damping = v[f"{edge.id}/damping"]
                 out.append(AdjustProperties(actor, start, linear_damping=damping))
@@ -110,6 +125,12 @@ class Composer(Cast):
             pushed = self.pushes_off(actor, phase) if last else None
             if pushed is not None:
                 end, until = self.nominal.get(f"{pushed.id}/event_time", duration) + 0.3, ()
+            if k == 0 and self.leaves_support(actor, phase):
+                # Held, it could not tilt with the slope it goes down.
+                flat = np.array([math.cos(heading), math.sin(heading), 0.0])
+                out.append(SetVelocity(actor, start, _vec(abs(speed) * flat)))
+                clock = start
+                continue
             out.append(
                 HoldVelocity(
                     actor,
@@ -136,7 +157,9 @@ class Composer(Cast):
         return out
 
     def told(self, node: TimelineNode, otherwise: float) -> float:
-        """When the choreography expects an event [s]."""
+        """When the choreography expects an event [s]; a turn is over when it has been driven."""
+        if node.event is NodeEvent.HEADING_REACHED:
+            return otherwise
         return self.nominal.get(f"{node.id}/event_time", otherwise)
 
     def phase_end(self, phase: Phase, v: Values, start: float, duration: float) -> float:

@@ -13,6 +13,7 @@ from esg.dynamics.stagecraft import (
     Prop,
     climb_height,
     default_speed,
+    ground_friction,
     prop,
     support_of,
     top_surface,
@@ -118,7 +119,10 @@ class Stage:
         """Moves everything so that the lead starts at the anchor's edge, heading off it."""
         assert self.anchor is not None
         surface = top_surface(self.doc, self.anchor)
-        inset = self.edge_run or 0.6 * self.prop(self.lead).half_length + 0.05
+        body = self.prop(self.lead)
+        inset = self.edge_run or 0.6 * body.half_length + 0.05
+        if body.wheeled and 2.0 * body.half_length < surface.half_extents_cm[0] / 50.0:
+            inset = max(inset, body.half_length)
         edge = (surface.center_cm[0] + surface.half_extents_cm[0]) / 100.0 - inset
         x, y, _ = self.places[self.lead]
         dx, dy = edge - x, surface.center_cm[1] / 100.0 - y
@@ -142,6 +146,12 @@ class Stage:
     def prop(self, key: str) -> Prop:
         found = prop(self.doc, self.member(key))
         return replace(found, grouped=True) if key.startswith("group:") else found
+
+    def ground_friction(self) -> float:
+        """Friction of what it all takes place on."""
+        if self.anchor is not None:
+            return self.prop(self.anchor).friction
+        return ground_friction(self.doc)
 
     def concerns(self, node: TimelineNode) -> bool:
         """Whether an event has a participant on this stage."""

@@ -11,6 +11,10 @@ from esg.dynamics.kinematics import half_along
 from esg.graph.models import EsgDocument, NamedRegion, SupportSurface
 from esg.units import GRAVITY_MPS2
 
+GROUND_FRICTION = 0.7
+"""Of the ground, where nothing else is known."""
+SLICK = 0.35
+"""Friction below which the ground counts as ice."""
 LONGEST_CLIMBER_M = 1.2
 """What is longer does not get up on a table."""
 TO_EDGE_M = 0.15
@@ -32,6 +36,12 @@ class Prop:
     fixed: bool
     grouped: bool = False
     damping: float = 0.0
+    ground: float = GROUND_FRICTION
+
+    @property
+    def rough(self) -> float:
+        """Friction of the ground on the safe side: of what is to slide far enough."""
+        return max(self.ground, GROUND_FRICTION) if self.ground > SLICK else self.ground
 
     @property
     def half_length(self) -> float:
@@ -62,7 +72,15 @@ def prop(doc: EsgDocument, name: str) -> Prop:
         wheeled=config.is_wheeled,
         fixed=node.is_structural or node.is_static or not config.is_movable,
         damping=config.linear_damping,
+        ground=ground_friction(doc),
     )
+
+
+def ground_friction(doc: EsgDocument) -> float:
+    """Friction of the ground bodies slide and roll on."""
+    nodes = doc.spatial_relation_graph.nodes
+    grounds = (doc.asset_configurations[n.asset_id] for n in nodes.values() if n.is_structural)
+    return next((c.friction for c in grounds if not c.proxies), GROUND_FRICTION)
 
 
 def default_speed(body: Prop) -> float:
@@ -145,7 +163,7 @@ def coasting_drag(body: Prop) -> float:
     """Deceleration [m/s^2] of a body that coasts: tyres roll on the low-friction vehicle ground."""
     if body.rolls:
         return 0.0
-    other = 0.0 if body.wheeled else 0.7
+    other = 0.0 if body.wheeled else body.rough
     return 0.5 * (body.friction + other) * GRAVITY_MPS2
 
 
@@ -169,7 +187,7 @@ def slide(
     Returns:
         Launch speed [m/s], distance [m], duration [s] and speed left at the meeting [m/s].
     """
-    deceleration = 0.5 * (body.friction + 0.7) * GRAVITY_MPS2
+    deceleration = max(coasting_drag(body), 0.02 * GRAVITY_MPS2)
     if duration is None:
         duration = float(rng.uniform(0.35, 0.5)) * speed / deceleration
     elif adjustable:

@@ -143,6 +143,12 @@ def read_story(doc: EsgDocument) -> Story:
     for edge in edges:
         if edge.from_ not in before[edge.to]:
             before[edge.to].append(edge.from_)
+    # "1.5 seconds later" follows what it is timed from, whoever takes part in it.
+    for node in timeline.sequence_graph.nodes:
+        for c in node.constraints:
+            new = c.since in by_id and c.since not in before[node.id]
+            if new and not _leads(before, node.id, c.since):
+                before[node.id].append(c.since)
     order = _topological(list(by_id), before)
     nodes = {i: by_id[i] for i in order}
     rank = {i: k for k, i in enumerate(order)}
@@ -176,6 +182,19 @@ def _is_plural(doc: EsgDocument, members: list[str]) -> bool:
     # One that is struck and carried on stands for all; several that are named are individuals.
     moves = any(e.actor in members for e in graph.edges)
     return not (moves and len({p for n in graph.nodes for p in n.participants if p in members}) > 1)
+
+
+def _leads(before: dict[str, list[str]], earlier: str, later: str) -> bool:
+    """Whether one event is among those another one follows from."""
+    seen, stack = set[str](), [later]
+    while stack:
+        current = stack.pop()
+        if current == earlier:
+            return True
+        if current not in seen:
+            seen.add(current)
+            stack.extend(before[current])
+    return False
 
 
 def _topological(ids: list[str], before: dict[str, list[str]]) -> list[str]:

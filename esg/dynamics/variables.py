@@ -99,13 +99,14 @@ class Declarations(Cast):
         limit = 3.0 if self.drives(actor) else 14.0
         if self.scene.body(actor).roll_radius and body.half_extents[0] < 0.05:
             limit = 20.0
+        delicate = max(self.balls_after(first), int(f"{actor}/aim" in self.nominal))
         self.add(
             f"{actor}/aim",
             -math.radians(limit),
             math.radians(limit),
+            self.nominal.get(f"{actor}/aim", 0.0),
             0.0,
-            0.0,
-            math.radians(limit / 6.0) * CHAIN_PRECISION ** self.balls_after(phases[0]),
+            math.radians(limit / 6.0) * CHAIN_PRECISION**delicate,
             "rad",
         )
         if self.drives(actor):
@@ -152,7 +153,18 @@ class Declarations(Cast):
                 "m/s^2",
                 fixed=fixed,
             )
-        if edge.event is EdgeEvent.BRAKE:
+        stopping = nominal.get(f"{edge.id}/stopping")
+        if stopping is not None:
+            self.add(
+                f"{edge.id}/stopping",
+                0.5 * stopping,
+                2.0 * stopping,
+                stopping,
+                stopping,
+                0.05 * stopping,
+                "s",
+            )
+        elif edge.event is EdgeEvent.BRAKE:
             low, high, fixed = bounds(params.damping, (0.3, 8.0))
             start = nominal.get(f"{edge.id}/damping", 1.5)
             if not fixed:

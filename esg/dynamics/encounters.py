@@ -1,0 +1,201 @@
+"""Two actors that meet: head-on, one behind the other, or one that waits at what it ran into."""
+
+from __future__ import annotations
+
+import math
+
+from esg.dynamics.kinematics import Frame, braking_distance, frame_mapping
+from esg.dynamics.stage import FASTEST_MPS, Stage, speed_is_fixed
+from esg.dynamics.stagecraft import approach_distance, min_hit_speed
+from esg.dynamics.story import Phase, bounds
+from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
+
+SLOWEST_MPS = 0.3
+"""Least guessed speed of what meets in time where there is little room."""
+MEETING_HEIGHT_M = 1.2
+"""Height at which bodies are thrown at each other."""
+AFTER_HIT_S, BEHIND_M = 1.2, 0.5
+"""From one's hit of an obstacle to its being run into, and the least gap behind it at the start."""
+
+
+def waits_at_obstacle(stage: Stage, name: str) -> bool:
+    """Whether an actor has run into something and is there, or pushes it along."""
+    if name not in stage.met or name not in stage.tracks or name not in stage.frames:
+        return False
+    return not (stage.story.flies(name) or name in stage.thrown_back or name in stage.airborne)
+
+
+def meeting(stage: Stage, node: TimelineNode, a: str, pa: Phase, b: str, pb: Phase) -> None:
+    """Two active bodies meet: one catches up with the other, or they run at each other."""
+    braking = [p.edge.event is EdgeEvent.BRAKE for p in (pa, pb)]
+    leader = None if braking[0] != braking[1] else _goes_ahead(stage, node, a, b)
+    rear = braking[0] != braking[1] or leader is not None or _same_direction(stage, a, b)
+    if rear:
+        first = leader == a or (leader is None and _is_front(stage, a))
+        front, behind = (a, b) if braking[0] or first else (b, a)
+        phases = {a: pa, b: pb}
+        _rear_end(stage, node, behind, phases[behind], front, phases[front])
+        return
+    time = stage.prescribed_time(node)
+    start = max(stage.tracks[a].time, stage.tracks[b].time)
+    for actor, phase in ((a, pa), (b, pb)):
+        speed = stage.speed(actor, phase)
+        if time is not None and not phase.edge.speed_is_prescribed:
+            # Where there is no room for the way of the whole time, it is slower.
+            speed = max(speed * stage.tight, min(speed, SLOWEST_MPS))
+        stage.nominal[f"{phase.edge.id}/speed"] = speed
+        if time is None:
+            time = start + approach_distance(stage.prop(actor), speed, stage.rng) / speed
+        track = stage.tracks[actor]
+        duration = max(0.2, time - track.time)
+        track.straight(covers(stage, actor, phase, speed, duration), duration, speed)
+        if stage.story.flies(actor):
+            # Thrown at where the other one starts, it would be there in twice the time.
+            stage.nominal[f"{phase.edge.id}/flight_time"] = 2.0 * duration
+            stage.heights[actor] = MEETING_HEIGHT_M
+    frame = stage.frames.setdefault(a, Frame())
+    ta, tb = stage.tracks[a], stage.tracks[b]
+    heading = ta.heading + frame.angle
+    x, y = frame.apply(ta.x, ta.y)
+    reach = stage.prop(a).half_length + stage.prop(b).half_length
+    meet = (x + reach * math.cos(heading), y + reach * math.sin(heading))
+    stage.frames[b] = frame_mapping((tb.x, tb.y), tb.heading, meet, heading + math.pi)
+    for actor in (a, b):
+        ox, oy = stage.frames[actor].apply(0.0, 0.0)
+        stage.places[actor] = (ox, oy, stage.frames[actor].angle)
+
+
+def run_into(
+    stage: Stage, node: TimelineNode, behind: str, chase: Phase, front: str, lead: Phase | None
+) -> None:
+    """One runs into another that met an obstacle before: from behind, the only way surely free.
+
+    Args:
+        stage: The stage.
+        node: Their meeting.
+        behind: Who comes, without a place so far.
+        chase: Its phase that ends there.
+        front: Who met the obstacle.
+        lead: Its phase that ends there, None where it rests.
+    """
+    rear, ahead = stage.tracks[behind], stage.tracks[front]
+    speed = stage.speed(behind, chase, min_hit_speed(stage.prop(behind), stage.prop(front)))
+    time = stage.prescribed_time(node) or ahead.time + AFTER_HIT_S
+    if lead is not None:
+        wait = max(time - ahead.time, 0.2)
+        left = stage.speed(front, lead)
+        if lead.edge.event is EdgeEvent.BRAKE:
+            way, _, left = brake_into(stage, lead, ahead.speed, time, ahead.time)
+        else:
+            if not speed_is_fixed(lead):
+                left = min(left, 0.6 * speed)
+            stage.nominal[f"{lead.edge.id}/speed"] = left
+            way = left * wait
+        ahead.straight(way, wait, left)
+    reach = stage.prop(behind).half_length + stage.prop(front).half_length
+    first = ahead.points[-1]
+    covered = max(math.dist(first, p) for p in ahead.points)
+    least = covered + reach + BEHIND_M
+    duration = max(0.2, time - rear.time)
+    if speed * duration < least and not speed_is_fixed(chase):
+        speed = min(least / duration, max(speed, FASTEST_MPS))
+    if speed * duration < least and stage.prescribed_time(node) is None:
+        duration = least / speed
+    stage.nominal[f"{chase.edge.id}/speed"] = speed
+    rear.straight(speed * duration, duration, speed)
+    stage.time[node.id] = rear.time
+    frame = stage.frames[front]
+    heading = ahead.heading + frame.angle
+    x, y = frame.apply(ahead.x, ahead.y)
+    touch = (x - reach * math.cos(heading), y - reach * math.sin(heading))
+    if behind not in stage.frames:
+        stage.frames[behind] = frame_mapping((rear.x, rear.y), rear.heading, touch, heading)
+    x, y = stage.frames[behind].apply(0.0, 0.0)
+    turned = stage.frames[behind].angle + stage.reverse_yaw(behind)
+    stage.places[behind] = (x, y, turned)
+
+
+def _rear_end(
+    stage: Stage, node: TimelineNode, behind: str, chase: Phase, front: str, lead: Phase
+) -> None:
+    """One runs into the back of another that brakes or is slower."""
+    rear, ahead = stage.tracks[behind], stage.tracks[front]
+    speed = stage.speed(behind, chase)
+    began = ahead.time
+    time = stage.prescribed_time(node) or began + float(stage.rng.uniform(1.0, 1.4))
+    if lead.edge.event is EdgeEvent.BRAKE:
+        distance, _, left = brake_into(stage, lead, ahead.speed, time, began)
+    else:
+        left = stage.speed(front, lead)
+        if left >= 0.85 * speed:
+            if speed_is_fixed(chase):
+                left = 0.6 * speed
+            else:
+                speed = left / 0.6
+        stage.nominal[f"{lead.edge.id}/speed"] = left
+        distance = left * (time - began)
+    stage.nominal[f"{chase.edge.id}/speed"] = speed
+    ahead.straight(distance, time - began, left)
+    rear.straight(speed * (time - rear.time), time - rear.time, speed)
+    gap = max(rear.x - ahead.x, 0.3)
+    reach = stage.prop(behind).half_length + stage.prop(front).half_length
+    stage.frames[behind] = Frame()
+    stage.frames[front] = Frame(gap + reach, 0.0, 0.0)
+    stage.places[behind] = (0.0, 0.0, 0.0)
+    stage.places[front] = (gap + reach, 0.0, 0.0)
+
+
+def _goes_ahead(stage: Stage, node: TimelineNode, a: str, b: str) -> str | None:
+    """Which of two drivers runs into something else after their meeting, if only one of them does.
+
+    Head-on the other would be in its way: in a pile-up it is hit from behind.
+    """
+    on = [
+        n
+        for n in (a, b)
+        if not stage.story.flies(n)
+        and stage.prop(n).wheeled
+        and any(
+            p.start.id == node.id
+            and p.end.event in (NodeEvent.COLLISION, NodeEvent.REACH)
+            and not {a, b} >= set(map(stage.key, p.end.participants))
+            for p in stage.story.phases[n]
+        )
+    ]
+    return on[0] if len(on) == 1 and on[0] not in stage.places else None
+
+
+def _same_direction(stage: Stage, a: str, b: str) -> bool:
+    words = " ".join(stage.doc.spatial_relation_graph.nodes[n].label.lower() for n in (a, b))
+    return any(w in words.split() for w in ("front", "rear", "lead", "leading", "following"))
+
+
+def _is_front(stage: Stage, a: str) -> bool:
+    words = stage.doc.spatial_relation_graph.nodes[a].label.lower().split()
+    return any(w in words for w in ("front", "lead", "leading"))
+
+
+def covers(stage: Stage, actor: str, phase: Phase, speed: float, duration: float) -> float:
+    """Way [m] of an actor in a given time: what was let go at a fixed speed slows down.
+
+    Where the speed is open, it starts that much faster instead (`variables.damping_loss`).
+    """
+    let_go = phase.edge.event is EdgeEvent.TOWARD and not stage.story.flies(actor)
+    if not let_go or not speed_is_fixed(phase):
+        return speed * duration
+    return braking_distance(speed, stage.prop(actor).damping, duration)
+
+
+def brake_into(
+    stage: Stage, phase: Phase, speed: float, prescribed: float | None, now: float
+) -> tuple[float, float, float]:
+    """Braking that still ends in a hit: at most half of the speed is left."""
+    low, high, _ = bounds(phase.edge.params.damping, (0.3, 6.0))
+    left = 0.38
+    duration = (
+        max(0.2, prescribed - now) if prescribed is not None else float(stage.rng.uniform(0.7, 1.0))
+    )
+    damping = min(max(-math.log(left) / duration, low), high)
+    stage.nominal[f"{phase.edge.id}/damping"] = damping
+    distance = braking_distance(speed, damping, duration)
+    return distance, duration, speed * math.exp(-damping * duration)

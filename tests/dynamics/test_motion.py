@@ -1,0 +1,201 @@
+"""Caroms, pile-ups, timed chains, slopes and stops, before anything is searched."""
+
+from __future__ import annotations
+
+import itertools
+import math
+
+import pytest
+
+from esg.assets import resolve
+from esg.draft import draft
+from esg.dynamics import build_scene, fit_assets, start_hints
+from esg.dynamics.choreography import choreograph
+from esg.dynamics.kinematics import (
+    back_spin,
+    damping_for_way,
+    rolling_travel,
+    sliding_travel,
+    stopping_way,
+)
+from esg.dynamics.plan import make_plan
+from esg.engines.program import HoldVelocity, SetVelocity
+from esg.graph.models import AssetConfiguration, EsgDocument
+from esg.layout import solve
+from esg.layout.hints import Placement
+from esg.units import GRAVITY_MPS2
+
+
+def cast(prompt: str) -> EsgDocument:
+    return fit_assets(resolve(draft(prompt)))
+
+
+def config(doc: EsgDocument, name: str) -> AssetConfiguration:
+    return doc.asset_configurations[doc.spatial_relation_graph.nodes[name].asset_id]
+
+
+def places(doc: EsgDocument) -> dict[str, Placement]:
+    return {p.node: p for c in start_hints(doc).constellations for p in c.placements}
+
+
+def first_program(doc: EsgDocument) -> list[HoldVelocity | SetVelocity]:
+    laid = solve(doc, hints=start_hints(doc))
+    plan = make_plan(laid, build_scene(laid))
+    program = plan.compile(plan.initial())
+    return [p for p in program.primitives if isinstance(p, HoldVelocity | SetVelocity)]
+
+
+def test_a_ball_that_hits_two_meets_the_first_one_off_its_middle() -> None:
+    """The second ball lies off the line of the shot, on the side away from where the first goes."""
+    doc = cast("A red ball hits a green ball and then a yellow ball.")
+    spots = places(doc)
+    red, green, yellow = (spots[f"{c}_ball_1"] for c in ("red", "green", "yellow"))
+    assert red.yaw_deg == pytest.approx(0.0)
+    off = green.y_cm - red.y_cm
+    assert 8.0 < abs(off) < 22.0
+    assert (yellow.y_cm - red.y_cm) * off < 0.0
+    way = math.degrees(math.atan2(yellow.y_cm - red.y_cm, yellow.x_cm - green.x_cm))
+    assert 5.0 < abs(way) < 90.0
+    # Straight at the green ball is not where the red one aims.
+    aim = choreograph(doc).nominal["red_ball_1/aim"]
+    assert math.radians(1.0) < abs(aim) < math.radians(14.0)
+
+
+def test_who_goes_on_in_a_pile_up_is_hit_from_behind() -> None:
+    """Head-on the first car would stand where the second one has to go."""
+    doc = cast(
+        "Cars crash into each other: the red car hits the blue car, the blue car hits the "
+        "green car, and the green car hits the yellow car."
+    )
+    spots = places(doc)
+    red, blue = spots["red_car_1"], spots["blue_car_1"]
+    assert red.yaw_deg == pytest.approx(blue.yaw_deg)
+    order = [spots[f"{c}_car_1"].x_cm for c in ("red", "blue", "green", "yellow")]
+    assert order == sorted(order)
+    assert min(b - a for a, b in itertools.pairwise(order)) > 180.0
+
+
+def test_what_slides_brakes_and_what_is_struck_spins_backwards() -> None:
+    """Closed forms: half a v t to rest; a struck ball with back spin s rolls at (5 v - 2 s) / 7."""
+    assert sliding_travel(4.0, 2.0, 1.0) == pytest.approx(3.0)
+    assert sliding_travel(4.0, 2.0, 9.0) == pytest.approx(4.0)
+    spin = back_spin(1.0, 2.0, 5.0, 10.0, 2.8)
+    assert spin == pytest.approx(2.5 * 5.0 / (3.5 * 1.5) / 2.0)
+    assert back_spin(1.0, 2.0, 5.0, 0.1, 2.8) == pytest.approx(0.7)
+    friction = 0.7
+    lasts = 2.0 / 7.0 * (2.8 + spin) / (friction * GRAVITY_MPS2)
+    way, left = rolling_travel(2.8, friction, 1.0, spin)
+    assert left == pytest.approx((5.0 * 2.8 - 2.0 * spin) / 7.0)
+    assert way == pytest.approx(0.5 * (2.8 + left) * lasts + left * (1.0 - lasts))
+
+
+def test_a_timed_chain_reckons_with_friction() -> None:
+    """A barrel that is to arrive a second later slides less far than it would without friction."""
+    doc = cast(
+        "A truck hits a barrel after 3 seconds, and the barrel hits a car 1 second after that."
+    )
+    nominal = choreograph(doc).nominal
+    spots = places(doc)
+    speed = nominal["truck_1_drive/speed"]
+    barrel, truck = config(doc, "barrel_1"), config(doc, "truck_1")
+    gain = 1.0 + 0.5 * (barrel.restitution + truck.restitution)
+    struck = gain * truck.mass_kg / (truck.mass_kg + barrel.mass_kg) * speed
+    sizes = config(doc, "car_1").dimensions_cm[1] + barrel.dimensions_cm[0]
+    gap = 0.01 * (spots["car_1"].x_cm - spots["barrel_1"].x_cm - 0.5 * sizes)
+    assert 0.5 * struck < gap < 0.85 * struck
+
+
+def test_a_low_hit_topples_what_does_not_slip() -> None:
+    """The bin a child runs into has rubber feet; one that is only hit keeps its own."""
+    toppled = config(cast("A child runs into a trash can and knocks it over."), "trash_can_1")
+    hit = config(cast("A child runs into a trash can."), "trash_can_1")
+    assert toppled.friction > hit.friction
+
+
+def test_what_is_pushed_on_is_light_and_smooth_enough() -> None:
+    """A football at 8 m/s moves an empty crate to the wall; a stated mass is never touched."""
+    story = "A boy kicks a football at 8 m/s into a crate{}, and the crate slides into a wall."
+    free, stated = cast(story.format("")), cast(story.format(" weighing 15 kg"))
+    assert config(free, "crate_1").mass_kg < 15.0 == config(stated, "crate_1").mass_kg
+    assert config(free, "crate_1").friction <= 0.15
+
+
+def test_a_prescribed_slide_gets_ice() -> None:
+    """At 2.5 m/s a second of sliding needs a friction under 0.1; on concrete it lasts 0.4 s."""
+    doc = cast(
+        "A curling stone slides at 2.5 m/s and hits another curling stone 1.2 seconds later."
+    )
+    ground = next(n for n, v in doc.spatial_relation_graph.nodes.items() if v.is_structural)
+    grip = 0.5 * (config(doc, "curling_stone_1").friction + config(doc, ground).friction)
+    assert 1.2 * grip * GRAVITY_MPS2 < 0.5 * 2.5
+
+
+def test_marbles_that_meet_in_time_are_large_enough_to_be_felt() -> None:
+    """Two marbles of 5 g at 2 m/s exchange a tenth of the impulse that counts as a hit."""
+    doc = cast("Two marbles roll toward each other and collide after 1.5 seconds.")
+    marble = config(doc, "marble_1")
+    assert 2.0 < marble.dimensions_cm[0] < 7.0
+    assert (1.0 + marble.restitution) * 0.5 * marble.mass_kg * 4.0 > 0.1
+
+
+def test_a_cart_has_room_on_its_ramp_and_tilts_with_the_slope() -> None:
+    """A hold would keep it level; it is let go instead."""
+    doc = cast("A mine cart rolls down a ramp and hits a wooden crate at the bottom.")
+    ramp, cart = config(doc, "ramp_1"), config(doc, "mine_cart_1")
+    top = max(ramp.support_surfaces, key=lambda s: s.center_cm[2])
+    assert 2.0 * top.half_extents_cm[0] > 0.8 * cart.dimensions_cm[0]
+    assert [type(p) for p in first_program(doc)] == [SetVelocity]
+
+
+def test_what_runs_slows_down_in_the_time_it_is_given() -> None:
+    """Friction alone would stop a horse in one second; it is asked for two."""
+    doc = cast("A horse runs at 7 m/s, knocks over a fence post and stops 2 seconds later.")
+    last = first_program(doc)[-1]
+    assert isinstance(last, HoldVelocity) and last.acceleration < 0.0
+    assert last.speed / -last.acceleration == pytest.approx(2.0, abs=0.05)
+
+
+def test_what_is_pushed_arrives_with_most_of_its_speed() -> None:
+    """A cart let go at 2 m/s starts close enough to be fast when it gets there."""
+    doc = cast("A shopping cart is pushed at 2 m/s and hits a barrel.")
+    cart, barrel = places(doc)["shopping_cart_1"], places(doc)["barrel_1"]
+    drag = 0.5 * config(doc, "shopping_cart_1").friction * GRAVITY_MPS2
+    half = 0.5 * (config(doc, "shopping_cart_1").dimensions_cm[0] + 60.0)
+    way = 0.01 * (barrel.x_cm - cart.x_cm - half)
+    assert math.sqrt(2.0**2 - 2.0 * drag * way) > 1.5
+
+
+def test_the_way_of_a_stop_decides_its_damping() -> None:
+    """Without damping v^2 / 2 a is left; the damping found stops it within the way asked."""
+    assert stopping_way(10.0, 0.0, 2.0) == pytest.approx((25.0, 5.0))
+    damping = damping_for_way(10.0, 20.0, 0.5)
+    assert stopping_way(10.0, damping, 0.5)[0] == pytest.approx(20.0, rel=1e-4)
+    doc = cast("A car drives at 10 m/s, brakes and stops after 20 m of braking.")
+    told = choreograph(doc).nominal["car_1_brake/damping"]
+    assert stopping_way(10.0, told, 0.49)[0] == pytest.approx(20.0, rel=0.05)
+
+
+def test_what_was_struck_is_met_on_the_line_it_was_sent_along() -> None:
+    """The second ball comes from ahead, so that it finds the bottle wherever it lies."""
+    doc = cast(
+        "A bowling ball hits a bottle, and 1.5 seconds later a second ball hits the same bottle."
+    )
+    spots = places(doc)
+    first, bottle, second = (spots[n] for n in ("bowling_ball_1", "bottle_1", "second_ball_1"))
+    assert first.x_cm < bottle.x_cm < second.x_cm
+    assert abs(second.y_cm - first.y_cm) < 10.0
+    assert choreograph(doc).nominal["bowling_ball_1_roll/speed"] < 3.0
+
+
+def test_a_stated_acceleration_decides_where_the_target_stands() -> None:
+    """Four seconds at 3 m/s^2 cover 24 m, and a little more with a running start."""
+    doc = cast("A motorcycle accelerates at 3 m/s2 for 4 seconds and then rams a fence.")
+    spots = places(doc)
+    way = 0.01 * (spots["fence_1"].x_cm - spots["motorcycle_1"].x_cm)
+    assert 24.0 < way < 29.0
+
+
+def test_what_accelerates_from_standstill_gets_there() -> None:
+    """A start at no speed at all has a finite time of arrival."""
+    doc = cast("A jeep accelerates from standstill and rams a barrier.")
+    assert 0.5 < choreograph(doc).nominal["jeep_1_barrier_1_collision/event_time"] < 8.0
