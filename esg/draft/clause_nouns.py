@@ -163,6 +163,10 @@ class ClauseNouns(ClauseWords):
         if m.attribute and m.head in OWNED and m.determiner in ("its", "his", "her", "their"):
             self.attachments.append((subject.possessor or subject, Phrase("with", m)))
             return True
+        bare = m.attribute and m.head in PROPERTIES and not m.determiner and s.last is not None
+        if bare and s.boundary_kind == "conj" and not s.last.attribute:
+            self.attachments.append((s.last, Phrase("with", m)))  # "height 5 cm and radius 1 cm"
+            return True
         told = s.frame is not None and s.frame.verb.sense in ("weigh", "measure") and s.boundary
         if told and not m.attribute and m is not subject:
             m.amounts.append(value.amount)

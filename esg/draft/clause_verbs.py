@@ -8,6 +8,7 @@ from esg.draft.quantities import Amount
 from esg.draft.syntax import Mention, Verb, Word
 
 CAUSE_SENSES = frozenset({"cause", "knock", "launch", "drop", "lead", "give", "pocket", "scatter"})
+_LETTING = frozenset({"let", "make", "have", "watch"})
 UNTIL_MAIN = "until main clause"
 _UNCHANGED = frozenset({"hit", "let", "put", "set", "cut", "burst", "upset"})
 """Verbs whose past is spelled like the infinitive."""
@@ -97,6 +98,8 @@ class ClauseVerbs(ClauseNouns):
             # ", which rolls away and hits C": the relative clause goes on
             frame.subject, frame.relative, frame.reduced = previous.subject, True, True
             frame.parent = previous.parent
+        elif v.lemma in _LETTING and v.form != "ing" and previous.subject is None:
+            frame.parent = previous  # "Push the ball and let it roll": still the reader's doing
         else:
             frame.subject = self._agent(previous)
             frame.parent = previous

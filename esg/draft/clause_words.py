@@ -40,6 +40,10 @@ class ClauseWords:
                 self.sentence += 1
                 new = State(main=s.main)
                 return new
+            stated = self.elements[i - 1] if i else None
+            if w.low == ")" and isinstance(stated, Word) and stated.amount is not None:
+                s.boundary, s.boundary_kind = False, ""  # "the block (2 kg) travelling at"
+                return s
             if w.low in ",:-–—()":
                 s.boundary, s.boundary_kind = True, "comma"
                 s.prep = ""
@@ -262,7 +266,7 @@ class ClauseWords:
             return False
         size = self._size_word(i) if w.amount.dimension == "length" else ""
         size = size or w.amount.measure or ("size" if w.amount.sides else "")
-        of = isinstance(previous, Word) and previous.low == "of"
+        of = isinstance(previous, Word) and previous.low in ("of", "(")
         if w.amount.dimension == "length" and not of and not size:
             return False
         if (

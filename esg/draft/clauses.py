@@ -13,6 +13,7 @@ from esg.draft.frames import Frame, State, background_first, in_order
 from esg.draft.idioms import read_idioms
 from esg.draft.syntax import Mention, Verb
 
+_GETTING = frozenset({"own", "reach", "approach", "noop", "acquire", "roll", "slide"})
 _TAKING = frozenset({"need", "needs", "needed", "take", "takes", "took", "require", "requires"})
 
 
@@ -116,11 +117,12 @@ class ClauseBuilder(ClauseVerbs):
             return
         last = following[0]
         for g in following[1:]:  # "takes 1.5 s to roll downhill and thump into a gate"
-            going = last.verb.sense in ("own", "reach", "approach") and g.verb.sense == "hit"
+            going = last.verb.sense in _GETTING and g.verb.sense == "hit"
             if g.sentence != f.sentence or g.verb.auxiliary or not (g.verb.form == "base" or going):
                 break
             last = g
         for p in list(f.phrases):
-            if p.amount is not None and p.amount.dimension == "time":
+            if p.amount is not None and p.amount.dimension in ("time", "length"):
                 f.phrases.remove(p)
-                last.phrases.append(p)
+                p.prep = "after" if p.amount.dimension == "length" else p.prep
+                last.phrases.append(p)  # "needs 14 m to stop"

@@ -156,6 +156,8 @@ class Interpreter(References):
         if sense == "noop" and subject and speed is not None:
             self.stated[subject[0]] = speed[1]  # "a lorry doing 60 mph"
         for _, a in self.amounts(f):
+            if a.dimension == "mass" and self._mass_of_load(a):
+                continue
             if a.dimension == "mass" and subject:
                 owner = objects[0] if objects and sense not in ("weigh", "be") else subject[0]
                 owners = subject if sense in ("weigh", "be", "have") else [owner]
@@ -203,11 +205,12 @@ class Interpreter(References):
             self.scene.ignored[(f.verb.start, f.verb.end)] = "no physical meaning"
             return
         handler(f, subject, objects)
+        self._speed_of_noun(f, subject)
         self._far_away(f, subject)
-        for _, a in self.amounts(f):
-            told = (a.start, a.end) in self.scene.used
-            if a.dimension == "time" and self._precedes(a) and not told:
-                self.gap = a
+        for p, a in self.amounts(f):
+            span = self._precedes(a) or (p == "for" and sense in ("fall", "drop"))
+            if a.dimension == "time" and span and (a.start, a.end) not in self.scene.used:
+                self.gap, self.gap_of = a, f  # "falls for 0.6 s before it hits a bucket"
 
     def _one_time_each(self, f: Frame) -> list[Frame]:
         """ "The cars brake after 2 s and 3 s": a clause for each member, with its own time."""

@@ -267,3 +267,17 @@ class Motions(Lengths):
         lifted = body in self.scene.heights or self._airborne(body)
         upright = body in self.leaning or ("topples" in e.noun.traits and tall)
         return upright and not (held or down or lifted)
+
+    def _speed_of_noun(self, f: Frame, subject: list[str]) -> None:
+        """ "a mallet swung at 3 m/s", "a boat making 30 knots": the speed that nothing has read."""
+        found = self.quantity(f, "speed")
+        if found is None or not f.reduced or len(subject) != 1:
+            return
+        if (found[1].start, found[1].end) in self.scene.used:
+            return
+        edges = [e for e in self.tl.edges if e.actor == subject[0]]
+        if edges and not any(e.speed_is_prescribed for e in edges):
+            self.tl.set_speed(subject[0], found[1].value, prescribed=True)
+            self.use(found[1], "speed")
+        elif not edges:
+            self.stated[subject[0]] = found[1]

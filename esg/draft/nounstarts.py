@@ -10,6 +10,12 @@ from esg.draft.nounheads import NounHeads
 from esg.draft.numerals import parse_number
 from esg.draft.verbphrases import verb_readings
 
+_OF_A_SIZE = frozenset(
+    {"of", "weighing", "is", "mass", "weight", "side", "height", "radius", "diameter", "length"}
+    | {"width", "edge"}
+)
+"""Words in front of an amount that no noun follows."""
+
 
 class NounStarts(NounHeads):
     """Questions about the first words of a noun phrase."""
@@ -118,7 +124,7 @@ class NounStarts(NounHeads):
         finite = any(r.form in ("s", "past") for r in verb_readings(self._low(k)))
         if finite and self._low(i - 1) == "at" and self._low(k + 1) in lex.DETERMINERS:
             return True  # "a motorboat at 18 knots rams a pontoon"
-        return finite and self._low(i - 1) in ("of", "weighing", "is", "mass", "weight")
+        return finite and self._low(i - 1) in _OF_A_SIZE
 
     def _noun_at_or_after(self, k: int) -> bool:
         for j in range(k, min(k + 5, len(self.tokens))):

@@ -41,7 +41,8 @@ WORD_NUMBER = (
     r"|(?:one|two|three|four|five|six|seven|eight|nine|ten|\d+) and an? (?:half|quarter)"
     r"|zero|one|two|three|four|five|six|seven|eight"
     r"|nine|ten|eleven|twelve|thirteen|fourteen|fifteen|sixteen|seventeen|eighteen|nineteen"
-    r"|half an?|an? half|half|a quarter of an?|three quarters of an?"
+    r"|(?:an?|one|two|three|four|five|six|seven|eight|nine)[- ](?:tenth|hundredth|quarter|third)s?"
+    r" of an?|half an?|an? half|half|a quarter of an?|three quarters of an?"
     r"|a couple of|a few|several|an?)"
 )
 DIGITS = r"(?:\d{1,3}(?:,\d{3})+(?:\.\d+)?|\d+,\d{1,2}(?![\d,])|\d+/\d+|\d*\.?\d+(?:e[+-]?\d+)?)"
@@ -85,6 +86,10 @@ def parse_number(text: str) -> float | tuple[float, float] | None:
         if re.fullmatch(r"\d+,\d{1,2}", t):
             return sign * float(t.replace(",", "."))  # "1,5 m/s"
         return sign * float(t.replace(",", ""))
+    share = re.fullmatch(r"(\w+)[- ](tenth|hundredth|quarter|third)s? of an?", t)
+    if share is not None:
+        count = 1.0 if share[1] in ("a", "an") else NUMBER_WORDS.get(share[1], 1.0)
+        return sign * count / {"tenth": 10, "hundredth": 100, "quarter": 4, "third": 3}[share[2]]
     total = current = 0.0
     seen = False
     for word in re.split(r"[\s-]+", t):

@@ -92,7 +92,8 @@ _BOUND = (
     r"|within|in under|in less than|exceeding|max\.?|min\.?|maximum|minimum|[<>≤≥]=?)\s*\b)?"
 )
 _PATTERN = re.compile(
-    rf"(?:\b(?:time|speed|mass|[a-zA-Z](?:_?[0-9a-zA-Z])?)\s*=\s*)?{_BOUND}{_APPROX}(?P<between>between\s+|from\s+)?"
+    rf"(?:\b(?:time|speed|mass|[a-zA-Z](?:_?[0-9a-zA-Z])?)\s*=\s*)?{_BOUND}{_APPROX}"
+    rf"(?P<between>between\s+|from\s+)?"
     rf"(?P<lo>{NUMBER})"
     rf"(?:{_GAP}(?P<unit1>{_UNIT})?(?:{_TO}|(?(between)\s*and\s*|(?!)))(?P<hi>{NUMBER}))?"
     rf"(?:{_GAP}(?P<unit>{_UNIT}))(?![a-z0-9])"
@@ -122,7 +123,13 @@ _BOTH_BOUNDS = re.compile(
     rf"|not over|not above)\s+(?P<hi>{NUMBER})[\s-]*(?P<unit>{_UNIT})?(?![a-z0-9])",
     re.IGNORECASE,
 )
-_AND_A_HALF = re.compile(r"\s+and\s+a\s+(half|quarter)\b(?!\s+[a-z])", re.IGNORECASE)
+_AND_A_HALF = re.compile(
+    r"\s+and\s+a\s+(half|quarter)\b(?=\s*(?:[.,;:!?)]|$|of\b|after|later|before|to\b|from\b|tall\b"
+    r"|long\b|wide\b|high\b|away\b|in\b|into\b|until\b|at\b|on\b|and\b|the\b))",
+    re.IGNORECASE,
+)
+_SMALLER = re.compile(rf"\s+(?P<more>{DIGITS})[\s-]*(?P<unit>{_UNIT})(?![a-z0-9])", re.IGNORECASE)
+"""The rest of "6 feet 2 inches", "1 min 30 s"."""
 _PRODUCT = product(DIGITS, rf"(?:{_alternatives(_LENGTHS)})")
 _SPEEDING = re.compile(r"\b(?:speed|speeds|sped|speeding|goes|going|accelerat\w+)\s+$", re.I)
 _LOW_BOUNDS = (
@@ -251,7 +258,14 @@ def _amount(m: re.Match[str]) -> Amount | None:
     half = _AND_A_HALF.match(m.string, m.end())
     if half is not None and low_a == low_b:  # "a second and a half"
         low_a = low_b = low_a + (0.5 if half[1].lower() == "half" else 0.25) * factor
-    end, measure = suffix(m.string, half.end() if half is not None else m.end(), dimension)
+    end = half.end() if half is not None else m.end()
+    more = _SMALLER.match(m.string, end) if half is None and low_a == low_b else None
+    part = _unit_of(more["unit"]) if more is not None else None
+    if more is not None and part is not None and part[0] == dimension and part[1] < factor:
+        extra = parse_number(more["more"])
+        low_a = low_b = low_a + (extra if isinstance(extra, float) else 0.0) * part[1]
+        end = more.end()
+    end, measure = suffix(m.string, end, dimension)
     if word == "over" and measure == "start":
         start, word = m.start("lo"), ""  # "is bowled over 2.5 s in"
     if word == "up to" and _SPEEDING.search(m.string[: m.start()]):

@@ -313,3 +313,20 @@ class Reader:
         if token.tag in ("ADJ", "VERB", "X", "INTJ"):
             return not self._noun_soon(j + 1)
         return token.tag == "" and not low.endswith("ly")
+
+    def _waiting_place(self, i: int, j: int, m: Mention) -> bool:
+        """ "waits at the stop", "passes a stop": where buses stop, not that something does."""
+        passes = self._low(i - 1) in ("passes", "passing", "past", "near", "behind", "opposite")
+        at = self._low(i - 1) in ("at", "from") and m.determiner == "the"
+        return bool(m.determiner) and (passes or at) and self._low(j + 1) != "of"
+
+    def _one_does(self, j: int, m: Mention) -> bool:
+        """ "One rolls away and another hits a box": a verb, as no plural follows "another"."""
+        single = m.determiner in ("another", "each", "either", "neither") and not m.adjectives
+        return single and any(r.form == "s" for r in verb_readings(self._low(j)))
+
+    def _many_do(self, j: int, m: Mention) -> bool:
+        """ "both fall": what comes after "both" or "all" is plural, or a verb."""
+        low = self._low(j)
+        many = m.determiner in ("both", "all", "some", "many", "several") and not m.adjectives
+        return many and lex.singular(low)[0] == low and bool(verb_readings(low))

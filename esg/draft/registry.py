@@ -24,7 +24,7 @@ _BALLS = {
 """The ball of who plays with it."""
 _PEOPLE = re.compile(r"(?:man|men|woman|women|person|ist|player|keeper|worker|driver|officer)$")
 """Endings of nouns for people."""
-LARGEST_CM = 9000.0
+LARGEST_CM, LIGHTEST_KG = 9000.0, 1e-3
 MAX_COUNT = 40
 """Most members of one plural."""
 
@@ -212,7 +212,11 @@ class Registry(Matching):
                 and abs(e.mass_kg - amount.middle) > 1e-6
             ):
                 self.conflicts.append(f"{e.label} weighs {e.mass_kg:g} kg and {amount.middle:g} kg")
-            e.mass_kg, e.mass_prescribed = amount.middle, True
+            if amount.middle < LIGHTEST_KG:
+                self.warnings.append(
+                    f'"{amount.text}": the lightest object of a scene has {1e3 * LIGHTEST_KG:g} g.'
+                )
+            e.mass_kg, e.mass_prescribed = max(amount.middle, LIGHTEST_KG), True
             return "expected_mass_kg"
         if amount.dimension == "length":
             self._same_size(e, amount, word)

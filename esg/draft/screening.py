@@ -15,7 +15,7 @@ from esg.outcomes import UserError
 MAX_CHARACTERS = 20_000
 LIGHT_SPEED_CM_S = 2.99792458e10
 MAX_SPEED_CM_S = 15_000.0
-MIN_MASS_KG, MAX_MASS_KG = 1e-3, 1e5
+MAX_MASS_KG = 1e5
 MAX_TIME_S = 600.0
 
 
@@ -101,8 +101,6 @@ def screen(prompt: str) -> str:
             problems.append(f'"{a.text}" is negative; a {_NAMES[a.dimension]} must be positive')
         elif a.dimension == "mass" and a.low == 0.0:
             problems.append(f'"{a.text}": a mass must be greater than zero')
-        elif a.dimension == "mass" and a.high < MIN_MASS_KG:
-            problems.append(f'"{a.text}" is less than the smallest mass, {1e3 * MIN_MASS_KG:g} g')
         elif a.dimension == "mass" and a.high > MAX_MASS_KG:
             problems.append(f'"{a.text}" is more than the largest mass, {MAX_MASS_KG:g} kg')
         elif a.dimension == "speed" and abs(a.high) > LIGHT_SPEED_CM_S:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import pairwise
 
 from esg.draft import lexicon as lex
@@ -74,6 +75,20 @@ class StateSenses(Acts):
         host = self.e(owners[0]).noun
         prep = "on" if "support" in host.traits else "in" if "container" in host.traits else "near"
         self.place(others, owners, prep)
+
+    def _mass_of_load(self, a: Amount) -> bool:
+        """ "loaded with 400 kg of bricks": the mass of what the amount is of."""
+        if not self.text[a.end : a.end + 4].startswith(" of "):
+            return False
+        later = [m for m in self.mentions if m.start >= a.end and m.entities]
+        of = min(later, key=lambda m: m.start, default=None)
+        if of is None or of.start > a.end + 8:
+            return False
+        for node in of.entities:
+            share = replace(a, low=a.low / len(of.entities), high=a.high / len(of.entities))
+            self.world.apply_amount(self.e(self.world.current(node)), share)
+        self.use(a, of.entities[0])
+        return True
 
     def _do_be(self, f: Frame, s: list[str], o: list[str]) -> None:
         things = s or o

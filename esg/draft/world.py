@@ -84,7 +84,12 @@ class World(Pronouns):
             if found := self._counted(m, [self.entities[self.current(i)] for i in whole]):
                 return found
         if m.pronoun:
-            return self._pronoun(m, subject, avoid)
+            found = self._pronoun(m, subject, avoid)
+            like = self.entities.get(avoid[0]) if len(avoid) == 1 else None
+            if not found and m.determiner == "another" and like is not None and like.known:
+                copy = Mention(m.start, m.end, head=like.head, noun=like.noun, text=like.head)
+                return self._create(copy)  # "hits another one"
+            return found
         if m.noun is not None and "structural" in m.noun.traits:
             m.letters = []
         if m.role and m.noun is not None:
@@ -152,7 +157,7 @@ class World(Pronouns):
         if owner is not None:
             ids = self.resolve(owner) if self._owns(owner) else []
             kinds = {self.entities[i].noun.kind for i in ids}
-            if body and kinds & {"person", "animal", "robot"}:
+            if body and kinds & {"person", "animal", "robot", "tool"}:
                 return ids
             own = m.head in OWN_PARTS and not subject
             return ids if own and kinds & {"vehicle", "cart", "watercraft", "flyer"} else []

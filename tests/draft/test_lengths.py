@@ -129,3 +129,44 @@ def test_the_judge_measures_the_gap_to_the_named_thing() -> None:
     scene = expectations_from_timeline(draft("A bus stops 1 m in front of a barrier."))
     (gap,) = [c for c in scene.constraints if c.quantity == "distance"]
     assert (gap.value, gap.target, gap.event) == (1.0, "=barrier_1", "bus_1_stop")
+
+
+@pytest.mark.parametrize(
+    ("prompt", "event", "quantity"),
+    [
+        ("A chandelier falls from the ceiling onto a table after 2 s.", NodeEvent.COLLISION, 2.0),
+        ("A cup falls off a shelf into a bucket after 1 s.", NodeEvent.ENTER_REGION, 1.0),
+    ],
+)
+def test_a_time_after_the_landing_is_the_landings(
+    prompt: str, event: NodeEvent, quantity: float
+) -> None:
+    doc = draft(prompt)
+    (landing,) = points(doc, event)
+    assert (landing.timestamp, landing.time_is_prescribed) == (quantity, True)
+    assert not points(doc, NodeEvent.FALL)[0].time_is_prescribed
+    assert not verify(doc)
+
+
+def test_how_long_it_falls_is_counted_from_the_fall() -> None:
+    doc = draft("A stone falls for 0.6 s before hitting a bucket.")
+    hit, fall = points(doc, NodeEvent.COLLISION)[0], points(doc, NodeEvent.FALL)[0]
+    assert constraint(hit, "time_since") == (0.6, fall.id, None)
+
+
+def test_what_happens_between_two_timed_events_fits_in_between() -> None:
+    doc = draft("A ball hits a cup. The cup falls off a shelf into a bucket after 1 s.")
+    assert len(points(doc, NodeEvent.ENTER_REGION)[0].constraints) == 1
+    assert not verify(doc)
+
+
+def test_the_time_to_get_there_is_the_time_of_the_hit() -> None:
+    doc = draft("A ball needs 1.5 s to get to a cone and hits it.")
+    assert points(doc, NodeEvent.COLLISION)[0].timestamp == 1.5
+
+
+def test_what_is_let_hit_something_is_what_was_set_in_motion() -> None:
+    doc = draft("Give the car a speed of 10 m/s and let it crash into a wall.")
+    assert points(doc, NodeEvent.COLLISION)[0].participants == ("car_1", "wall_1")
+    assert doc.timeline_system is not None
+    assert doc.timeline_system.sequence_graph.edges[0].params.speed == 1000.0

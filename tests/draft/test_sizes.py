@@ -201,3 +201,44 @@ def test_the_top_one_of_a_stack_named_before_it() -> None:
 
 def test_a_ring_that_no_ball_goes_for_is_no_hoop() -> None:
     assert events("The copper ring slides into the silver ring.")[0][0] == "Collision"
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("6 feet 2 inches tall", 187.96),
+        ("three-quarters of a metre tall", 75.0),
+        ("two tenths of a second after", 0.2),
+    ],
+)
+def test_reads_amounts_in_parts(text: str, value: float) -> None:
+    (amount,) = find_amounts(text)
+    assert amount.value == pytest.approx(value)
+
+
+def test_the_speed_of_what_is_swung_is_its_own() -> None:
+    for prompt, actor in (
+        ("A 2 kg sphere is struck by a mallet swung at 3 m/s.", "mallet_1"),
+        ("A block (1 kg) is hit by the blue block (2 kg) travelling at 3 m/s.", "blue_block_1"),
+        ("A boat making 3 m/s hits a rock.", "boat_1"),
+    ):
+        timeline = draft(prompt).timeline_system
+        assert timeline is not None
+        edge = timeline.sequence_graph.edges[0]
+        assert (edge.actor, edge.params.speed, edge.speed_is_prescribed) == (actor, 300.0, True)
+
+
+def test_the_mass_of_a_load_is_not_the_carriers() -> None:
+    doc = draft("A van of 2.3 tonnes loaded with 400 kg of bricks hits a hedge.")
+    stated = {
+        n: doc.asset_requirement[v.asset_id].expected_mass_kg
+        for n, v in doc.spatial_relation_graph.nodes.items()
+        if doc.asset_requirement[v.asset_id].mass_is_prescribed
+    }
+    assert stated["van_1"] == 2300.0
+    assert sum(v for n, v in stated.items() if n.startswith("brick")) == pytest.approx(400.0)
+
+
+def test_another_one_is_one_more_of_the_same() -> None:
+    found = events("A curling stone at 1.8 m/s hits another one, which then moves off at 1.5 m/s.")
+    assert found == [("Collision", "curling_stone_1", "curling_stone_2")]
