@@ -8,6 +8,9 @@ from typing import Annotated, Literal
 
 from cyclopts import Parameter
 
+MCAP_MAGIC = b"\x89MCAP0\r\n"
+"""First and last bytes of a finished log."""
+
 
 def export(
     scene: str,
@@ -58,6 +61,18 @@ def _export(folder: Path, to: Literal["unreal", "usd", "mjcf", "glb"], target: P
     return run(folder, to, target)
 
 
+def _is_whole_mcap(path: Path) -> bool:
+    """Whether a log begins and ends as one does: a cut-off one is made again."""
+    from esg.scenereading import damaged
+
+    if path.is_dir():
+        raise damaged(path, "a folder")
+    if not path.is_file():
+        return False
+    data = path.read_bytes()
+    return len(data) > 2 * len(MCAP_MAGIC) and data[:8] == data[-8:] == MCAP_MAGIC
+
+
 def _mcap(folder: Path, target: Path) -> list[Path]:
     """The scene's log: as written by its run, else from its stored trajectory, else replayed."""
     import shutil
@@ -72,7 +87,7 @@ def _mcap(folder: Path, target: Path) -> list[Path]:
 
     source = folder / "rollout.mcap"
     path = target / source.name
-    if source.exists():
+    if _is_whole_mcap(source):
         if path.resolve() != source.resolve():
             target.mkdir(parents=True, exist_ok=True)
             shutil.copyfile(source, path)

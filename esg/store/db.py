@@ -20,7 +20,7 @@ import time
 from typing import TYPE_CHECKING, Any
 
 from esg.outcomes import UserError
-from esg.store.files import explained, sync_file, sync_folder, temporary_name
+from esg.store.files import explained, final_names, sync_file, sync_folder, temporary_name
 
 if TYPE_CHECKING:
     from duckdb import DuckDBPyConnection
@@ -123,6 +123,8 @@ def writing(db: Path, *, fresh: bool = False) -> Generator[DuckDBPyConnection]:
         raise UserError(_text(explained(error, db)), exit_code=1) from None
     except duckdb.IOException as error:
         raise UserError(f"{db} cannot be written: {first_line(error)}", exit_code=1) from None
+    except (duckdb.InternalException, duckdb.FatalException) as error:
+        raise broken(db, error) from None
     finally:
         for leftover in (work, work.with_name(work.name + ".wal")):
             leftover.unlink(missing_ok=True)
@@ -130,6 +132,12 @@ def writing(db: Path, *, fresh: bool = False) -> Generator[DuckDBPyConnection]:
 
 def _text(error: OSError) -> str:
     return f"{error.filename or 'database'}: {error.strerror or error}"
+
+
+def broken(db: Path, error: BaseException) -> UserError:
+    """What DuckDB found wrong inside a database file, with the remedy."""
+    why = final_names(first_line(error))
+    return UserError(f"{db} is damaged ({why}); rebuild it from Parquet (esg db rebuild)")
 
 
 def first_line(error: BaseException) -> str:
@@ -281,11 +289,11 @@ def query(
     must_exist(db)
     if not read_only:
         with writing(db) as connection:
-            return _run(connection, sql, timeout_s, max_rows)
+            return _run(connection, db, sql, timeout_s, max_rows)
     _check_statement(sql)
     with _reading(db) as connection:
         connection.execute("SET lock_configuration = true")
-        return _run(connection, sql, timeout_s, max_rows)
+        return _run(connection, db, sql, timeout_s, max_rows)
 
 
 @contextlib.contextmanager
@@ -324,7 +332,9 @@ def _check_statement(sql: str) -> None:
         raise UserError(f"{kind} statements are not allowed here: queries are read-only (SELECT)")
 
 
-def _run(connection: DuckDBPyConnection, sql: str, timeout_s: float, max_rows: int) -> QueryResult:
+def _run(
+    connection: DuckDBPyConnection, db: Path, sql: str, timeout_s: float, max_rows: int
+) -> QueryResult:
     import duckdb
 
     timed_out = threading.Event()
@@ -352,6 +362,8 @@ def _run(connection: DuckDBPyConnection, sql: str, timeout_s: float, max_rows: i
         raise UserError(
             "queries may not read files, other databases or the network; load Parquet with ingest"
         ) from None
+    except (duckdb.IOException, duckdb.InternalException, duckdb.FatalException) as error:
+        raise broken(db, error) from None
     except duckdb.Error as error:
         raise UserError(f"SQL error: {_message(error)}") from None
     finally:

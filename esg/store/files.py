@@ -7,6 +7,7 @@ import contextlib
 import errno
 import os
 from pathlib import Path
+import re
 import time
 from typing import IO
 import uuid
@@ -34,6 +35,11 @@ def explained(error: OSError, path: Path) -> OSError:
 def temporary_name(path: Path) -> Path:
     """A name beside `path` that no other writer uses and no reader looks at."""
     return path.with_name(f".{path.name}.{os.getpid()}-{uuid.uuid4().hex[:8]}{TEMPORARY}")
+
+
+def final_names(text: str) -> str:
+    """A message with temporary names replaced by those of the files they would have become."""
+    return re.sub(rf"\.([^/\"']+)\.\d+-[0-9a-f]{{8}}{re.escape(TEMPORARY)}", r"\1", text)
 
 
 @contextlib.contextmanager

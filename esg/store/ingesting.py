@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from esg.outcomes import UserError
 from esg.store.db import apply_migrations, first_line, writing
+from esg.store.files import final_names
 from esg.store.tables import ADDED_COLUMNS, COLUMNS, KEYS, part_files, read_table, table_of
 
 if TYPE_CHECKING:
@@ -203,5 +204,6 @@ def _blame(files: dict[str, list[Path]], error: BaseException) -> str:
         except UserError as problem:
             problems.append(str(problem))
     if not problems:
-        problems = [f"{first_line(error)}; rebuild the database from Parquet"]
+        why = final_names(first_line(error))
+        problems = [f"the database is damaged ({why}); rebuild it from Parquet (esg db rebuild)"]
     return "nothing was ingested:\n" + "\n".join(f"  {p}" for p in problems)

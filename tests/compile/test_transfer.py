@@ -14,7 +14,7 @@ from esg.commands.export import export as export_command
 from esg.commands.replay import matrix_table, replay, step_of
 from esg.commands.stored import is_stored, open_scene, stored_rollout
 from esg.compile import compile_scene, replay_class
-from esg.compile.transfer import transfer_matrix
+from esg.compile.transfer import replay_scene, transfer_matrix
 from esg.engines.manifest import load_manifest
 from esg.graph import EsgDocument, canonical_json
 from esg.metrics import expectations_from_timeline, judge
@@ -223,11 +223,41 @@ def test_mcap_of_a_stored_scene_is_its_stored_trajectory(folder: Path, database:
         export_command(key, to="mcap")
 
 
-def test_mcap_of_a_folder_without_one_is_replayed(folder: Path, tmp_path: Path) -> None:
+def test_mcap_of_a_folder_without_a_whole_one_is_replayed(folder: Path, tmp_path: Path) -> None:
+    """A log that was cut off is made again, not handed on."""
     copy = tmp_path / "rolls"
     shutil.copytree(folder, copy)
+    log = copy / "rollout.mcap"
     assert export_command(str(copy), to="mcap") == 0
-    assert (copy / "rollout.mcap").stat().st_size > 10_000
+    whole = log.read_bytes()
+    assert len(whole) > 10_000
+    log.write_bytes(whole[: len(whole) // 2])
+    assert export_command(str(copy), to="mcap") == 0
+    assert log.read_bytes() == whole
+    log.unlink()
+    log.mkdir()
+    with pytest.raises(UserError, match=r"rollout\.mcap is damaged \(a folder\)"):
+        export_command(str(copy), to="mcap")
+
+
+def test_a_damaged_class_is_named(folder: Path, tmp_path: Path) -> None:
+    """Cut off, binary, or without its import manifest: one message, no traceback."""
+    manifest = load_manifest(folder / "manifest.json")
+    header = next((folder / "unreal").glob("*.h")).name
+    for number, (name, data) in enumerate(
+        [
+            (header, b""),
+            (header, bytes(range(256))),
+            ("imports.json", b"[]"),
+            ("imports.json", b"[" * 100_000),
+            ("imports.json", b'{"format": 3}'),
+        ]
+    ):
+        copy = tmp_path / str(number)
+        shutil.copytree(folder, copy)
+        (copy / "unreal" / name).write_bytes(data)
+        with pytest.raises(UserError, match="unreal"):
+            replay_scene(copy, manifest, "physx", manifest.dt)
 
 
 @pytest.mark.slow

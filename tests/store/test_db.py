@@ -296,6 +296,22 @@ def test_a_truncated_file_leaves_the_database_as_it_was(db, tmp_path):
     assert db.read_bytes() == before
 
 
+def test_a_truncated_database_is_named_with_its_remedy(db, tmp_path):
+    """By its own name, not that of the copy that a writer works on."""
+    new = write_tables(tmp_path / "new", [record(run_info("run-2"), "S9", 0)], name="new")
+    with db.open("r+b") as file:
+        file.truncate(db.stat().st_size // 2)
+    with pytest.raises(UserError, match=r"is damaged.*esg db rebuild") as asked:
+        query(db, "SELECT * FROM scenes, runs, metrics, trajectories")
+    with pytest.raises(UserError, match=r"is damaged.*esg db rebuild") as filled:
+        ingest(db, [tmp_path / "new"])
+    for told in (asked, filled):
+        assert told.value.exit_code == 2
+        assert str(db) in str(told.value)
+        assert ".tmp" not in str(told.value)
+    assert new["scenes"].exists()
+
+
 def test_a_full_disk_leaves_the_database_as_it_was(db, parts, monkeypatch):
     before = db.read_bytes()
 
