@@ -101,7 +101,7 @@ class ClauseVerbs(ClauseNouns):
         elif v.lemma in _LETTING and v.form != "ing" and previous.subject is None:
             frame.parent = previous  # "Push the ball and let it roll": still the reader's doing
         else:
-            frame.subject = self._agent(previous)
+            frame.subject = self._agent(self._before_what_it_lets(previous, v))
             frame.parent = previous
         self._finish(s, frame)
 
@@ -114,6 +114,18 @@ class ClauseVerbs(ClauseNouns):
         verb = self.elements[i]
         now = isinstance(verb, Verb) and verb.auxiliary in ("is", "are", "gets", "get")
         return comma or now
+
+    @staticmethod
+    def _before_what_it_lets(previous: Frame, v: Verb) -> Frame:
+        """ "stops to let a woman cross, then drives on": who stopped drives on."""
+        while (
+            previous.causer is not None
+            and previous.verb.form == "base"
+            and not previous.verb.infinitive
+            and v.form in ("s", "past")
+        ):
+            previous = previous.causer
+        return previous
 
     @staticmethod
     def _caused_after_relative(previous: Frame, v: Verb, s: State) -> bool:

@@ -48,6 +48,8 @@ class Core:
         """Sentence and subject of the last description of a state."""
         self.own_speed: dict[str, Amount] = {}
         """Speeds stated one for each ("two trains at 20 m/s and 30 m/s")."""
+        self.telling: tuple[int, int, str] = (-1, -1, "")
+        """Sentence and sense of the present clause, and where the verb before it stands."""
         self.came_down: set[str] = set()
         """What has dropped or fallen onto something."""
         self.rolling: set[str] = set()

@@ -296,7 +296,8 @@ class Events(Places):
             target is not None and group is not None and self.e(target).group == group
         )
         blocked = self._enterable(other) and kind is not None
-        elsewhere = self.instead and kind is NodeEvent.COLLISION
+        at_once = self.telling == (f.sentence, f.verb.start, "hit")
+        elsewhere = (self.instead or at_once) and kind is NodeEvent.COLLISION
         if kind in (NodeEvent.MISS, NodeEvent.ENTER_REGION) or same or blocked or elsewhere:
             return
         track = self.tl.tracks.get(name)

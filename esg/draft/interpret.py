@@ -39,6 +39,7 @@ _NAMED_EVENTS = {
     "turn": (NodeEvent.HEADING_REACHED,),
 }
 """Nouns for events, and the point events they name."""
+_UNDER_WAY = re.compile(r"(?:halfway|midway|on the way|on (?:its|his|her|their) way)\b", re.I)
 _ANIMAL_VERBS = frozenset(
     {
         "run",
@@ -90,9 +91,12 @@ class Interpreter(References):
         self._refer_all(frames)
         for m, p in attachments:
             self.attachment(m, p)
+        before = -1
         for f in frames:
+            self.telling = (f.sentence, before, f.verb.sense)
             for g in self._one_time_each(f):
                 self.frame(g)
+            before = f.verb.start
         self._settle(None, None)
         for actor in self.still:
             track = self.tl.tracks.get(actor)
@@ -300,9 +304,16 @@ class Interpreter(References):
         for i in list(about):  # "the first misses": of those thrown at it the turn is the next's
             about |= set(self.world.groups.get(self.e(i).group or "", []))
         for actor, (kind, g, target, _) in list(self.pending.items()):
+            if kind is NodeEvent.REACH and g.sentence < f.sentence and self._on_the_way(f):
+                del self.pending[actor]
+                continue
             aimed = kind in (NodeEvent.COLLISION, NodeEvent.ENTER_REGION)
             if aimed and g.sentence < f.sentence and about and not about & {actor, target}:
                 self._settle(actor, None)
+
+    def _on_the_way(self, f: Frame) -> bool:
+        """ "walks to the table. Halfway he stumbles": the arrival is not told."""
+        return f.start_of_sentence and _UNDER_WAY.match(self._sentence(f).strip()) is not None
 
     def _happens(self, f: Frame) -> None:
         """ "The crash happens after 3 seconds", "the second collision 2 s after the first"."""

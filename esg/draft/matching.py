@@ -33,6 +33,9 @@ _NUMBERS = frozenset(
 )
 _DISTINCT = frozenset({"person", "animal", "food", "tool", "plant", "tableware", "ground", "book"})
 """Kinds whose synonyms name different things (man and woman, lemon and orange)."""
+_ENDS = frozenset({"front", "rear"})
+_IN_A_LINE = frozenset({"front", "middle", "rear", "last", "final"})
+"""Single things named by where they stand in a line ("the front car ... the middle car")."""
 _ANYTHING = frozenset({"object", "thing", "item", "body", "prop", "entity", "projectile"})
 
 
@@ -66,6 +69,8 @@ class Matching:
             if a in REAR and e.place == "front":
                 return False
             if a in ORDINALS and (e.place != a):
+                return False
+            if a in _IN_A_LINE and e.place in _ENDS and e.place != a and not e.group:
                 return False
             if (
                 a in ("left", "right", "leftmost", "rightmost")

@@ -7,6 +7,9 @@ from esg.draft.elements import Mention
 from esg.draft.entities import ORDINALS, STACKED, Entity, slug
 from esg.draft.registry import Registry
 
+_WAYS = frozenset({"stairs", "ramp"})
+"""What things move along."""
+
 
 class Pronouns(Registry):
     """Referents of phrases without a noun of their own."""
@@ -17,7 +20,10 @@ class Pronouns(Registry):
     def _pronoun(self, m: Mention, subject: bool, avoid: list[str]) -> list[str]:
         p = m.pronoun
         if p in ("he", "she", "him", "her", "himself", "herself", "someone", "everyone"):
+            other = p in ("him", "her") and not subject  # never the subject of its own clause
             for ids in reversed(self.salience):
+                if other and ids[:1] == avoid[:1]:
+                    continue
                 if len(ids) == 1 and self.entities[ids[0]].noun.kind == "person":
                     return ids
             if p in ("he", "she", "someone") and subject:
@@ -64,7 +70,7 @@ class Pronouns(Registry):
             "several",
         ):
             pool = self.subjects if subject and p not in ("both",) else self.salience
-            keep = 1 if m.count == 1 else None  # "one of them"
+            keep = m.count if m.count in (1, 2, 3) and p in ("them", "these", "those") else None
             for ids in reversed(pool):
                 if len(ids) > 1 and (subject or not set(ids) <= set(avoid)):
                     return list(ids)[:keep]
@@ -99,6 +105,7 @@ class Pronouns(Registry):
                     if i not in avoid
                     and "structural" not in self.entities[i].noun.traits
                     and self.entities[i].noun.kind != "person"
+                    and (self.entities[i].noun.kind not in _WAYS or not self._anything_else(avoid))
                 ]
                 if len(ids) == 1 and fits:
                     return fits
@@ -109,6 +116,15 @@ class Pronouns(Registry):
             if ids and not set(ids) <= set(avoid):
                 return list(ids)
         return []
+
+    def _anything_else(self, avoid: list[str]) -> bool:
+        """Whether the prompt named something that moves, which "it" rather means."""
+        return any(
+            e.movable and e.noun.kind not in ("person", *_WAYS)
+            for ids in self.salience[-4:]
+            for i in ids
+            if i not in avoid and (e := self.entities.get(i)) is not None
+        )
 
     def _another_like(self, m: Mention, avoid: list[str]) -> list[str]:
         """ "The first runner falls, the second ...", "a blue car ... the red one", "the yellow"."""
@@ -239,6 +255,8 @@ class Pronouns(Registry):
         grouped = [e for e in names if e.group]
         pool = grouped or names
         k = len(pool) - 1 if ordinal in ("last", "final") else ORDINALS[ordinal]
+        if ordinal not in ORDINALS and not grouped and all(e.place for e in pool[-1:]):
+            return []  # "the front car brakes ... the last car hits it"
         if ordinal in ORDINALS and not grouped:
             # "a ball ... the second ball": the first is the one already there
             taken = [e for e in pool if e.place in ("", "first")]

@@ -32,6 +32,10 @@ class References(MotionSenses):
 
     _last_had_object = _acts_on = False
     """Whether a clause of the subject before, of the present one, acts on something."""
+    _met: tuple[list[str], int] = ([], -1)
+    """What the clause before runs into, and its sentence."""
+    _acted: tuple[Mention | None, tuple[str, ...], int] = (None, (), -1)
+    """Subject, objects and sentence of the clause before."""
     _shot: tuple[list[str], list[str]] = ([], [])
     """What was thrown or rolled last, and at what."""
 
@@ -126,9 +130,10 @@ class References(MotionSenses):
                 and self._topic[1] != subject
                 and id(m) not in self.world.resolved
                 and f.subject is not None
-                and f.subject.determiner in ("a", "an")
+                and (f.subject.determiner in ("a", "an") or f.subject.attribute)
             ):
                 self.world.resolved[id(m)] = m.entities = list(self._topic[1])
+        self._it_again(f, subject)
         self._one_thrown_by_each(f, subject)
         self._it_is_the_target(f, subject)
         self._it_of_the_next(f, subject)
@@ -148,6 +153,16 @@ class References(MotionSenses):
         for p in f.phrases:
             if p.mention is not None:
                 self.ids(p.mention, avoid=subject + objects)
+        if f.subject is not None and not f.subject.pronoun:
+            into = f.phrase("into", "against")
+            met = into.mention.entities if into is not None and into.mention is not None else []
+            self._met = (
+                [i for i in met if self._aimable(i) and not self._enterable(i)],
+                f.sentence,
+            )
+        if f.subject is not None and not f.reduced:
+            aims = f.phrase("at", "toward", "towards", "against", "to") is not None
+            self._acted = (f.subject, () if aims else tuple(objects), f.sentence)
         struck = f.verb.sense in ("launch", "drop") and not f.verb.passive
         self._launched = list(objects) if struck else []
         self._dropped = f.verb.sense == "drop"
@@ -215,6 +230,26 @@ class References(MotionSenses):
         if one_of_them and len(target) == 1 and self._last_subject != subject:
             self.world.resolved[id(m)] = m.entities = list(target)
 
+    def _run_into_falls(self, f: Frame) -> bool:
+        """ "slides into a bottle, so it tips over": what is run into."""
+        m, (met, sentence) = f.subject, self._met
+        if m is None or m.pronoun != "it" or sentence != f.sentence or len(met) != 1:
+            return False
+        upright = f.verb.sense == "topple" or (f.verb.sense == "fall" and not f.phrases)
+        if not upright or met[0] not in self.world.entities or not self.movable(met[0]):
+            return False
+        self.world.resolved[id(m)] = m.entities = list(met)
+        return True
+
+    def _it_again(self, f: Frame, subject: list[str]) -> None:
+        """ "moves it over a box and drops it": what the same subject acted on just before."""
+        m, (before, things, sentence) = f.object, self._acted
+        if m is None or m.pronoun != "it" or id(m) in self.world.resolved or len(things) != 1:
+            return
+        same = f.subject is not None and f.subject is before and sentence == f.sentence
+        if same and things[0] not in subject and things[0] in self.world.entities:
+            self.world.resolved[id(m)] = m.entities = list(things)
+
     def _it_of_the_next(self, f: Frame, subject: list[str]) -> None:
         """ "The first truck stops, the second truck rams it": the first truck."""
         m, before = f.object, self._subject_before
@@ -227,8 +262,9 @@ class References(MotionSenses):
         if len(subject) != 1 or len(before) != 1 or subject == before or acted:
             return
         mine, other = self.e(subject[0]), self.e(before[0])
-        alike = mine.noun == other.noun and mine.place in ORDINALS
-        if alike and (other.place in ORDINALS or not other.place):
+        words = {mine.place, *mine.adjectives}
+        placed = mine.place in ORDINALS or bool({"last", "rear", "final"} & words)
+        if mine.noun == other.noun and placed:
             self.world.resolved[id(m)] = m.entities = list(before)
 
     def _one_thrown_by_each(self, f: Frame, subject: list[str]) -> None:
@@ -301,6 +337,7 @@ class References(MotionSenses):
             and m.pronoun in ("it", "they")
             and id(m) not in self.world.resolved
             and f.verb.sense in ("fall", "topple", "land", "pocket", "drop")
+            and not self._run_into_falls(f)
             and (f.verb.sense != "drop" or f.object is None)
             and self._patient
             and (m.pronoun == "it") == (len(self._patient) == 1)

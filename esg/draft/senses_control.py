@@ -212,6 +212,11 @@ class ControlSenses(OutcomeSenses):
         if s and o and not f.verb.passive and s[0] != o[0] and self._under_way(o[0]):
             self._hit(f, o[:1], s[:1], self._time(f))  # "the goalie stops the puck"
             return
+        blocks = bool(s) and bool(o) and not f.verb.passive and not self.movable(s[0])
+        if blocks and self.tl.tracks.get(o[0]) is not None and self.movable(o[0]):
+            self._hit(f, o[:1], s[:1], self._time(f))  # "until a wall stops it"
+            self._stop(f, o[0], None)
+            return
         actors = s or o
         if s and o and not f.verb.passive and set(s) != set(o) and self._halts(f, s, o):
             actors = o  # "a man stops it"

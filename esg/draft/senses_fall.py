@@ -227,7 +227,7 @@ class FallSenses(LaunchSenses):
             if not self.movable(actor):
                 continue
             lands = source is None and actor not in self.scene.supported_by
-            if lands and self._thrown_up(actor):
+            if lands and self._thrown_up(actor) and not self._bounced(actor):
                 self.use(f, "end of the flight")
                 continue
             if source is not None and source.mention is not None and source.mention.entities:
@@ -263,6 +263,8 @@ class FallSenses(LaunchSenses):
         e = self.e(node)
         if "topples" in e.noun.traits or e.noun.kind in _UPRIGHT | _OVERTURNED:
             return True
+        if e.pattern == "stack" and e.in_group and not e.place:
+            return True
         if node in self.leaning or e.noun.name in _TWO_WHEELED:
             return True
         runs = node in self.tl.tracks and node not in self.scene.supported_by
@@ -293,6 +295,11 @@ class FallSenses(LaunchSenses):
             return track.motion.mode in ("throw", "fly")
         return any(x not in (None, -90.0) for x in flights)
 
+    def _bounced(self, body: str) -> bool:
+        """ "hits the window and falls to the ground": it comes down from what it hit."""
+        last = next((n for n in reversed(self.tl.nodes) if body in n.participants), None)
+        return last is not None and last.event is NodeEvent.COLLISION
+
     def _on_what_was_hit(self, f: Frame, things: list[str]) -> None:
         """ "pushed into a shelf, causing three jars to fall down": they stood on the shelf."""
         if self.last_hit is None or not (
@@ -322,6 +329,7 @@ class FallSenses(LaunchSenses):
 
 def a_rests_low(acts: Acts, node: str) -> bool:
     """Whether an upright thing stands on the ground, so that "falls" means that it topples."""
-    if acts.kind(node) == "domino":
+    e = acts.e(node)
+    if acts.kind(node) == "domino" or (e.pattern == "stack" and e.in_group and not e.place):
         return True
     return node not in acts.scene.supported_by and node not in acts.scene.heights

@@ -71,6 +71,13 @@ _phrase("take", r"off", "own")
 _phrase("set", r"off", "own")
 _phrase("set", r"out", "own")
 _phrase("drive", r"off", "own")
+for _v in ("run", "go", "race", "rush", "dash", "sprint", "jump", "dive", "swim"):
+    _phrase(
+        _v,
+        r"after(?=\s+(?:(?:it|him|her|them)\b|(?:an?|the|its|his|her)\s+(?:\w+\s+)?\w+\s*"
+        r"(?:[.,;!]|$|and\s|but\s|until\s)))",
+        "follow",
+    )
 _phrase("run", r"into", "hit", motion="own")
 _phrase("run", rf"over{_NO_EDGE}", "hit", motion="own")
 _phrase("drive", rf"over{_NO_EDGE}", "hit", motion="own")

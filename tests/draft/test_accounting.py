@@ -21,7 +21,13 @@ from esg.outcomes import UserError
 PROMPTS = Path(__file__).resolve().parents[2] / "data" / "prompts"
 LINKS = (". ", "; ", ", and ", ", then ", " and ", " while ", " until ", " after ", ", which ")
 SMALL = (
-    lex.ADVERBS | lex.PREPOSITIONS | lex.MODALS | lex.DETERMINERS | lex.PRONOUNS | lex.SUBORDINATORS
+    lex.ADVERBS
+    | lex.PREPOSITIONS
+    | lex.MODALS
+    | lex.DETERMINERS
+    | lex.PRONOUNS
+    | lex.SUBORDINATORS
+    | {"'s"}
 )
 
 

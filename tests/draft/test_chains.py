@@ -97,6 +97,50 @@ def told(doc: EsgDocument) -> list[str]:
             "A runner stumbles and falls just before reaching the gate.",
             ["Topple runner_1"],
         ),
+        # what a pronoun takes up
+        (
+            "Two dominoes stand there. A marble rolls into the first one, it falls and pushes the "
+            "second one over.",
+            [
+                "Collision marble_1 first_domino_1",
+                "Topple first_domino_1",
+                "Collision first_domino_1 second_domino_1",
+                "Topple second_domino_1",
+            ],
+        ),
+        (
+            "A robot arm picks up a block, moves it over a box and drops it into the box.",
+            ["EnterRegion block_1"],
+        ),
+        (
+            "A cyclist brakes hard, and another cyclist behind him runs into him.",
+            ["Collision rear_cyclist_1 cyclist_1"],
+        ),
+        (
+            "A ball rolls down the stairs, and a man steps on it and falls.",
+            ["Collision man_1 ball_1", "Topple man_1"],
+        ),
+        # who goes on
+        (
+            "A bus stops to let a woman cross, then drives on and stops at a kiosk.",
+            ["Stop bus_1", "Stop bus_1"],
+        ),
+        (
+            "A forklift carries a crate to a truck. On the way the crate falls off.",
+            ["Fall crate_1"],
+        ),
+        (
+            "An arrow is shot at a target and hits the tree behind it.",
+            ["Collision arrow_1 rear_tree_1"],
+        ),
+        (
+            "A cart rolls backward down a slope until a wall stops it.",
+            ["Collision cart_1 wall_1", "Stop cart_1"],
+        ),
+        (
+            "A stone hits a window and falls to the ground.",
+            ["Collision stone_1 window_1", "Fall stone_1"],
+        ),
         (
             "A ball hits a hurdle with its rim and rolls into a box.",
             ["Collision ball_1 hurdle_1", "Collision ball_1 box_1"],
