@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from esg.draft.frames import Frame
 from esg.draft.scene import SELF_POWERED
-from esg.draft.senses_control import ControlSenses
+from esg.draft.senses_steer import SteerSenses
 from esg.graph.models import NodeEvent
 
 _STRUCK = frozenset({"ball", "billiard", "projectile"})
 
 
-class MotionSenses(ControlSenses):
+class MotionSenses(SteerSenses):
     """Motions and where they lead."""
 
     def _do_own(self, f: Frame, s: list[str], o: list[str]) -> None:

@@ -6,7 +6,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from esg.draft import lexicon as lex
-from esg.draft.acts import Acts
+from esg.draft.consequences import Consequences
 from esg.draft.frames import Frame, Phrase
 from esg.draft.places import RELATION_PREPS
 from esg.draft.quantities import Amount
@@ -31,7 +31,7 @@ _SIDES = frozenset({"height", "length", "width", "diameter", "radius", "size", "
 _RESTING = frozenset({"rest", "lie", "settle", "lodge"})
 
 
-class StateSenses(Acts):
+class StateSenses(Consequences):
     """Descriptions of how things are at the start."""
 
     def attachment(self, m: Mention, p: Phrase) -> None:
