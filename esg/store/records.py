@@ -11,6 +11,7 @@ import re
 from typing import TYPE_CHECKING, Any
 
 from esg.metrics.models import SceneVerdict
+from esg.store.rows import constraint_rows, coverage_rows, event_rows, trajectory_row
 
 if TYPE_CHECKING:
     from esg.engines.scene import Rollout
@@ -175,16 +176,16 @@ def make_record(
     }
     rows: dict[str, list[dict[str, Any]]] = {"runs": [run.row()], "scenes": [scene]}
     rows["metrics"] = [
-        row for engine, v in verdicts.items() for row in _events(common, run, engine, v)
+        row for engine, v in verdicts.items() for row in event_rows(common, run, engine, v)
     ]
     rows["constraints"] = [
-        row for engine, v in verdicts.items() for row in _constraints(common, run, engine, v)
+        row for engine, v in verdicts.items() for row in constraint_rows(common, run, engine, v)
     ]
     rows["trajectories"] = [
-        _trajectory(common, split, engine, rollout, bodies)
+        trajectory_row(common, split, engine, rollout, bodies)
         for engine, rollout in (rollouts or {}).items()
     ]
-    rows["coverage"] = _coverage(common, documents.get("draft"))
+    rows["coverage"] = coverage_rows(common, documents.get("draft"))
     rows["timings"] = [
         {
             **common,
@@ -309,111 +310,3 @@ def _nothing(state: SceneState, run: RunInfo) -> SceneVerdict:
 
     expected = SuiteScene.model_validate_json(state.request.suite_scene)
     return failed_verdict(expected.id, expected, run.engine, run.dt_s, state.reason or "no replay")
-
-
-def _events(
-    common: Mapping[str, Any], run: RunInfo, engine: str, verdict: SceneVerdict
-) -> list[dict[str, Any]]:
-    return [
-        {
-            **common,
-            "strategy": run.strategy,
-            "engine": engine,
-            "dt_s": verdict.dt_s,
-            "event_id": e.id,
-            "event_index": i,
-            "event_type": e.type,
-            "completed": e.completed,
-            "time_s": e.time_s,
-            "bodies": list(e.bodies),
-            "reason": e.reason,
-            "measured": json.dumps(e.measured, sort_keys=True),
-        }
-        for i, e in enumerate(verdict.events)
-    ]
-
-
-def _constraints(
-    common: Mapping[str, Any], run: RunInfo, engine: str, verdict: SceneVerdict
-) -> list[dict[str, Any]]:
-    out: list[dict[str, Any]] = []
-    for i, c in enumerate(verdict.constraints):
-        low, high = c.target if isinstance(c.target, tuple) else (c.target, c.target)
-        error = None if c.measured is None else max(0.0, low - c.measured, c.measured - high)
-        out.append(
-            {
-                **common,
-                "strategy": run.strategy,
-                "engine": engine,
-                "constraint_index": i,
-                "constraint": c.constraint,
-                "kind": c.kind,
-                "quantity": c.quantity,
-                "unit": c.unit,
-                "target_low": low,
-                "target_high": high,
-                "measured": c.measured,
-                "error": error,
-                "score": c.score,
-                "score_strict": c.score_strict,
-                "score_lenient": c.score_lenient,
-                "reason": c.reason,
-            }
-        )
-    return out
-
-
-def _trajectory(
-    common: Mapping[str, Any],
-    split: str,
-    engine: str,
-    rollout: Rollout,
-    bodies: tuple[str, ...],
-) -> dict[str, Any]:
-    import numpy as np
-
-    c = rollout.contacts.select(0)
-    frame = float(np.median(np.diff(rollout.time))) if len(rollout.time) > 1 else rollout.dt
-
-    def flat(values: Any, kind: Any = np.float32) -> Any:
-        return np.ascontiguousarray(values, kind).ravel()
-
-    return {
-        **common,
-        "split": split,
-        "engine": engine,
-        "dt_s": rollout.dt,
-        "fps": 1.0 / frame,
-        "n_frames": len(rollout.time),
-        "bodies": list(bodies),
-        "time_s": flat(rollout.time),
-        "position_m": flat(rollout.position[0]),
-        "quaternion_xyzw": flat(rollout.quaternion[0]),
-        "linear_velocity_mps": flat(rollout.linear_velocity[0]),
-        "angular_velocity_radps": flat(rollout.angular_velocity[0]),
-        "contact_time_s": flat(c.time),
-        "contact_a": flat(c.a, np.int16),
-        "contact_b": flat(c.b, np.int16),
-        "contact_impulse_ns": flat(c.impulse),
-        "contact_depth_m": flat(c.depth),
-    }
-
-
-def _coverage(common: Mapping[str, Any], draft: bytes | None) -> list[dict[str, Any]]:
-    if draft is None:
-        return []
-    items = json.loads(draft).get("coverage", {}).get("items", [])
-    return [
-        {
-            **common,
-            "item_index": i,
-            "text": item["text"],
-            "start": item["start"],
-            "stop": item["end"],
-            "kind": item["kind"],
-            "status": item["status"],
-            "pointer": item.get("pointer", ""),
-            "note": item.get("note", ""),
-        }
-        for i, item in enumerate(items)
-    ]
