@@ -7,35 +7,26 @@ crate); where an event sets a thing in motion, it is not screwed to the floor.
 
 from __future__ import annotations
 
-from dataclasses import replace
 import itertools
 import math
 
 from esg.dynamics.containers import fit_containers
 from esg.dynamics.fitting import fit_motion
-from esg.dynamics.stage import FASTEST_MPS
-from esg.dynamics.stagecraft import (
-    Prop,
-    climb_height,
-    fall_speed,
-    prop,
-    support_of,
-    top_surface,
-    topple_speed,
-)
+from esg.dynamics.stagecraft import climb_height, prop, support_of, top_surface
 from esg.dynamics.story import Story, bounds, read_story
+from esg.dynamics.toppling import LIGHTEST, fit_toppled, launched, scaled
 from esg.graph.models import (
     AssetConfiguration,
     EdgeEvent,
     EsgDocument,
     ForceDirection,
     NodeEvent,
+    Proxy,
+    ProxyKind,
     TimelineNode,
 )
 from esg.units import GRAVITY_MPS2
 
-LIGHTEST = 0.3
-"""Least share of the usual mass: an empty crate against a loaded one."""
 TIPPING_IMPULSE_NS = 0.4
 """Impulse a tipping body shall pass on: well over the 0.1 N s that counts as a hit."""
 SPRINGY = 0.95
@@ -44,6 +35,8 @@ HEAVIEST = 2.5
 """Largest share of the usual mass: a loaded van against an empty one."""
 ARRIVES = 0.9
 """Share of its speed with which a ball that was set rolling arrives and is passed on."""
+THINNEST_CM = 1.0
+"""Least thickness of a mat on which something lands."""
 LARGEST = 5.0
 """Most that anything is enlarged."""
 MOVES = (NodeEvent.TOPPLE, NodeEvent.FALL, NodeEvent.STOP)
@@ -56,24 +49,73 @@ def fit_assets(doc: EsgDocument) -> EsgDocument:
         doc: A document with assets resolved.
 
     Returns:
-        The document; only `asset_configurations` may differ, and who is thrown.
+        The document; only `asset_configurations` may differ, who is thrown, and whether what is
+        knocked over is fixed to the ground.
     """
     if doc.timeline_system is None:
         return doc
     doc = _thrown(doc)
     story = read_story(doc)
+    doc = _freed(doc, story)
     changed: dict[str, AssetConfiguration] = {}
     nodes = doc.spatial_relation_graph.nodes
     for name in _set_in_motion(doc, story):
         config = doc.asset_configurations[nodes[name].asset_id]
         if not config.is_movable:
             changed[nodes[name].asset_id] = config.model_copy(update={"is_movable": True})
-    doc = _with(doc, {**changed, **_grown(doc, story)})
+    doc = _with(doc, {**changed, **_solid(doc, story), **_grown(doc, story)})
     doc = fit_motion(_with(doc, fit_containers(doc, story)), story)
     doc = _with(doc, _springy(doc, story))
     doc = _with(doc, _for_transfer(doc, story))
-    lighter = {nodes[b].asset_id: f for b, f in _mass_factors(doc, story).items() if f < 1.0}
-    return _with(doc, {k: _scaled(doc.asset_configurations[k], f) for k, f in lighter.items()})
+    return fit_toppled(doc, story)
+
+
+def _freed(doc: EsgDocument, story: Story) -> EsgDocument:
+    """The document in which what is knocked over is not fixed: a bollard, a lamp."""
+    graph = doc.spatial_relation_graph
+    moved = {
+        p
+        for node in story.nodes.values()
+        if node.event in (NodeEvent.TOPPLE, NodeEvent.FALL)
+        for p in node.participants
+    }
+    freed = {
+        n: v.model_copy(update={"is_static": False})
+        for n, v in graph.nodes.items()
+        if n in moved and v.is_static and not v.is_structural
+    }
+    if not freed:
+        return doc
+    graph = graph.model_copy(update={"nodes": {**graph.nodes, **freed}})
+    return doc.model_copy(update={"spatial_relation_graph": graph})
+
+
+def _solid(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]:
+    """Thin bodies for what something lands on and is usually drawn flat: a mat, a rug."""
+    nodes = doc.spatial_relation_graph.nodes
+    out: dict[str, AssetConfiguration] = {}
+    for node in story.nodes.values():
+        for name in node.participants if node.event is NodeEvent.COLLISION else ():
+            if name not in nodes or nodes[name].is_structural:
+                continue
+            config = doc.asset_configurations[nodes[name].asset_id]
+            if config.proxies:
+                continue
+            length, width, height = config.dimensions_cm
+            half = 0.5 * max(height, THINNEST_CM)
+            slab = Proxy(
+                kind=ProxyKind.BOX,
+                size_cm=(0.5 * length, 0.5 * width, half),
+                position_cm=(0.0, 0.0, half),
+            )
+            out[nodes[name].asset_id] = config.model_copy(
+                update={
+                    "proxies": (slab,),
+                    "center_of_mass_cm": (0.0, 0.0, half),
+                    "is_movable": False,
+                }
+            )
+    return out
 
 
 def _thrown(doc: EsgDocument) -> EsgDocument:
@@ -159,7 +201,7 @@ def _for_transfer(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguratio
             continue
         keys = nodes[a].asset_id, nodes[b].asset_id
         first, second = prop(doc, a), prop(doc, b)
-        if first.rolls and _launched(story, a, node.id):
+        if first.rolls and launched(story, a, node.id):
             speed *= ARRIVES
         gain = (1.0 + 0.5 * (first.restitution + second.restitution)) * speed / asked
         if gain <= 1.0 or keys[0] == keys[1] or second.fixed:
@@ -174,7 +216,7 @@ def _for_transfer(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguratio
             mover = min(max(target / factor, LIGHTEST), HEAVIEST)
         for key, share in zip(keys, (mover, target), strict=True):
             if share != 1.0:
-                out[key] = _scaled(doc.asset_configurations[key], share)
+                out[key] = scaled(doc.asset_configurations[key], share)
     return out
 
 
@@ -246,75 +288,3 @@ def _set_in_motion(doc: EsgDocument, story: Story) -> list[str]:
         for n, v in doc.spatial_relation_graph.nodes.items()
         if n in names and not (v.is_structural or v.is_static)
     ]
-
-
-def _mass_factors(doc: EsgDocument, story: Story) -> dict[str, float]:
-    """Share of the usual mass at which what is struck can be tipped over, by target."""
-    nodes = doc.spatial_relation_graph.nodes
-    out: dict[str, float] = {}
-    for node in story.nodes.values():
-        if node.event is not NodeEvent.COLLISION or len(node.participants) < 2:
-            continue
-        a, b = node.participants[:2]
-        if story.is_active(b) and not story.is_active(a):
-            a, b = b, a
-        if a not in nodes or b not in nodes or story.is_active(b):
-            continue
-        if not (story.topples(b) or story.falls(b)):
-            continue
-        requirement = doc.asset_requirement[nodes[b].asset_id]
-        if requirement.mass_is_prescribed or nodes[a].asset_id == nodes[b].asset_id:
-            continue
-        limit = _fastest(story, a, node.id)
-        flies = story.is_active(a) and story.flies(a)
-        mover, target = prop(doc, a), prop(doc, b)
-        pushed = story.falls(b) and _launched(story, a, node.id)
-
-        def needs(body: Prop, mover: Prop = mover, flies: bool = flies, b: str = b,
-                  pushed: bool = pushed) -> float:  # fmt: skip
-            tip = topple_speed(mover, body, flies=flies) if story.topples(b) else 0.0
-            return max(tip, fall_speed(mover, body) if pushed else 0.0)
-
-        needed = needs(target)
-        if needed <= limit:
-            continue
-        # The speed is p M + q: p from the mover's own mass, q from moving the target.
-        half = needs(_lighter(target, 0.5))
-        slope, least = 2.0 * (needed - half), 2.0 * half - needed
-        factor = (limit - least) / slope if slope > 0.0 else 1.0
-        out[b] = min(max(factor, LIGHTEST), 1.0)
-    return out
-
-
-def _launched(story: Story, actor: str, node_id: str) -> bool:
-    """Whether an actor meets an event by what a launch gave it, not under its own power."""
-    return any(
-        p.end.id == node_id and p.edge.event is EdgeEvent.TOWARD
-        for p in story.phases.get(actor, ())
-    )
-
-
-def _lighter(body: Prop, factor: float) -> Prop:
-    return replace(body, mass=body.mass * factor)
-
-
-def _fastest(story: Story, actor: str, node_id: str) -> float:
-    """Speed [m/s] at which an actor may arrive."""
-    for phase in story.phases.get(actor, ()):
-        if phase.end.id != node_id or phase.edge.params.speed is None:
-            continue
-        low, high, _ = bounds(phase.edge.params.speed, (0.0, 100.0 * FASTEST_MPS))
-        if phase.edge.speed_is_prescribed:
-            return 0.9 * max(low, high) / 100.0
-        thrown = phase.edge.event is EdgeEvent.TOWARD
-        return 0.6 * FASTEST_MPS if thrown else max(high / 100.0, 8.0)
-    return 3.0
-
-
-def _scaled(config: AssetConfiguration, factor: float) -> AssetConfiguration:
-    return config.model_copy(
-        update={
-            "mass_kg": config.mass_kg * factor,
-            "inertia_kg_cm2": tuple(v * factor for v in config.inertia_kg_cm2),
-        }
-    )

@@ -79,9 +79,9 @@ def fit_containers(doc: EsgDocument, story: Story) -> dict[str, AssetConfigurati
                 out[keys[1]] = hollow
         grow, shrink = _factors(doc, keys, body, mouth)
         if grow > 1.0:
-            holder = out[keys[1]] = _resized(doc, keys[1], holder, grow)
+            holder = out[keys[1]] = resized(doc, keys[1], holder, grow)
         if shrink < 1.0:
-            body = out[keys[0]] = _resized(doc, keys[0], body, shrink)
+            body = out[keys[0]] = resized(doc, keys[0], body, shrink)
         if not comes_down(story, node, thing):
             continue
         depth = 0.02 * mouth.half_extents_cm[2] * grow
@@ -112,7 +112,7 @@ def _hollow(doc: EsgDocument, key: str, config: AssetConfiguration) -> AssetConf
     vessel = doc.asset_requirement[key].model_copy(
         update={"asset_category": "bucket", "asset_description": "open bucket"}
     )
-    return _resized(doc, key, config, 1.0, vessel)
+    return resized(doc, key, config, 1.0, vessel)
 
 
 def _factors(
@@ -132,7 +132,7 @@ def _factors(
     return grow, shrink
 
 
-def _resized(
+def resized(
     doc: EsgDocument,
     key: str,
     config: AssetConfiguration,

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from esg.dynamics.stage import FASTEST_MPS
-from esg.dynamics.stagecraft import prop, topple_speed
+from esg.dynamics.stagecraft import Prop, prop
 from esg.dynamics.story import Story, bounds
+from esg.dynamics.tipping import first_touch, least_topple_speed, stand_of
 from esg.graph.models import EsgDocument, NodeEvent, TimelineNode
 from esg.units import m_from_cm
 
@@ -49,14 +50,27 @@ def _too_weak_to_topple(doc: EsgDocument, story: Story, node: TimelineNode) -> s
         if mover not in nodes or target not in nodes or story.is_active(target):
             continue
         flies = story.is_active(mover) and story.flies(mover)
-        needed = topple_speed(prop(doc, mover), prop(doc, target), flies=flies)
+        hitting, struck = prop(doc, mover), prop(doc, target)
+        needed = least_topple_speed(hitting, struck, flies=flies)
         fastest = fastest_speed(story, mover, hit.id)
         if needed > BEYOND * fastest:
             return (
                 f"{target} cannot topple: {mover} would have to hit it at {needed:.0f} m/s, "
-                f"but reaches {fastest:.0f} m/s at most"
+                f"but reaches {fastest:.0f} m/s at most{_where(hitting, struck, flies=flies)}"
             )
     return ""
+
+
+def _where(mover: Prop, target: Prop, *, flies: bool) -> str:
+    """What a hit below the centre of mass has to do with it; "" for one above."""
+    stand = stand_of(target)
+    touch = first_touch(mover, target, stand, flies=flies)
+    if touch is None or touch.height >= stand.height:
+        return ""
+    return (
+        f"; it meets it {100.0 * touch.height:.0f} cm above the ground, below its centre of mass "
+        f"at {100.0 * stand.height:.0f} cm"
+    )
 
 
 def fastest_speed(story: Story, actor: str, node_id: str) -> float:

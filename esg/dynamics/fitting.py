@@ -15,6 +15,7 @@ from esg.dynamics.stagecraft import (
     top_surface,
 )
 from esg.dynamics.story import Phase, Story, bounds
+from esg.dynamics.tipping import stand_of
 from esg.graph.models import AssetConfiguration, EdgeEvent, EsgDocument, NodeEvent, TimelineNode
 from esg.units import GRAVITY_MPS2
 
@@ -35,6 +36,8 @@ FELT_NS = 0.2
 """Impulse of a hit that surely counts (over 0.1 N s)."""
 LARGEST, LARGER = 4.0, 2.5
 """Most that a ramp and that a small body is enlarged."""
+BOTTOM_HEAVY = 0.35
+"""Share of its height below which a body's centre of mass is low."""
 LOW_HIT = 0.62
 """A hit below this share of the height tips only what does not slip."""
 
@@ -308,6 +311,10 @@ def _steady(doc: EsgDocument, story: Story) -> Configs:
             continue
         base, height = min(target.length, target.width), target.height
         needed = 1.2 * base / max(height, 1e-3)
+        stand = stand_of(target)
+        if stand.height < BOTTOM_HEAVY * height and stand.far > GRIPPY * stand.height:
+            # Nothing trips a traffic cone, and grip would press it down under what rolls into it.
+            continue
         friction = min(2.0 * needed - ground_friction(doc), GRIPPY)
         config = doc.asset_configurations[_asset(doc, b)]
         if friction > config.friction:

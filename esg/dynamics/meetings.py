@@ -21,10 +21,10 @@ from esg.dynamics.stagecraft import (
     push_speed,
     slide,
     support_of,
-    sure_topple_speed,
 )
 from esg.dynamics.story import Phase, bounds
-from esg.dynamics.throws import drop, hand_height, slowest_passage
+from esg.dynamics.throws import drop, hand_height, is_lobbed, level_height, slowest_passage
+from esg.dynamics.tipping import topple_speed
 from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
 
 MAX_APPROACH_M = 45.0
@@ -47,6 +47,8 @@ FRESH = 0.8
 """Least share of its speed with which what was pushed and let go arrives."""
 FLIGHT_S, LONGEST_THROW_M = 0.3, 12.0
 """Usual flight time of a throw at something, and its longest way."""
+LEVEL_S, LEAST_LEVEL_M = 0.2, 0.15
+"""Flight time and least way of a throw of stated speed that shall knock something over."""
 
 
 def collision(stage: Stage, node: TimelineNode) -> None:
@@ -125,7 +127,7 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
     elif goes_on(stage, node, b) and not again:
         least = max(least, push_speed(pa, pb), timed_push(stage, node, pa, b))
     topples = stage.story.topples(stage.member(b))
-    needed = sure_topple_speed(pa, pb, flies=stage.story.flies(a)) if topples else 0.0
+    needed = topple_speed(pa, pb, flies=stage.story.flies(a)) if topples else 0.0
     if stage.story.falls(stage.member(b)) and phase.edge.event is EdgeEvent.TOWARD:
         needed = max(needed, fall_speed(pa, pb))
     speed = stage.speed(a, phase, max(least, needed), needed)
@@ -157,17 +159,20 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
         run = min(run, _fresh_run(stage, a, phase, speed))
         run = max(run, descent(stage, b))
         flies, inside = stage.story.flies(a), node.event is NodeEvent.ENTER_REGION
+        lobbed = flies and is_lobbed(stage, node)
         if inside and not flies and not speed_is_fixed(phase):
             speed = min(speed, max(slowest_passage(stage, node) / STAY_S, 0.3))
-        if flies and not inside and stage.anchor is None:
+        if flies and not lobbed and stage.anchor is None:
             run = max(run, min(FLIGHT_S * speed, LONGEST_THROW_M))
+            if topples and speed_is_fixed(phase):
+                run = max(LEVEL_S * speed, LEAST_LEVEL_M)
         if prescribed is not None:
             duration = max(0.15, prescribed - track.time)
             if not (flies or phase.edge.speed_is_prescribed):
                 speed = max(speed * stage.tight, min(speed, least))
-            if inside and flies and not speed_is_fixed(phase):
+            if lobbed and not speed_is_fixed(phase):
                 speed = min(speed, LOB_M / duration)
-        elif inside and flies and not speed_is_fixed(phase):
+        elif lobbed and not speed_is_fixed(phase):
             # Steep enough to come down through an opening that looks up.
             run = LOB_M
             way = (asked or run) + pb.half_length
@@ -194,6 +199,8 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
     track.straight(distance, duration, left)
     if stage.story.flies(a):
         stage.heights[a] = hand_height(stage, node, b, pa, pb)
+        if topples and speed_is_fixed(phase) and support_of(stage.doc, stage.member(b)) is None:
+            stage.heights[a] = level_height(pb, pa, duration)
         stage.nominal[f"{phase.edge.id}/flight_time"] = duration
     join(stage, a, b, node)
 

@@ -14,7 +14,7 @@ from esg.dynamics.kinematics import (
 from esg.dynamics.stage import Stage
 from esg.dynamics.stagecraft import Prop, coasting_drag, support_of, target_yaw
 from esg.dynamics.story import REACH_BRAKE_DAMPING, bounds
-from esg.graph.models import NodeEvent, TimelineNode
+from esg.graph.models import EsgDocument, NodeEvent, RegionType, TimelineNode
 
 
 def goes_on(stage: Stage, node: TimelineNode, b: str) -> bool:
@@ -145,6 +145,14 @@ def bring_support(stage: Stage, b: str, x: float, y: float, heading: float) -> N
         return
     ps = stage.prop(support)
     yaw = target_yaw(ps, heading, stage.rng)
+    if hangs_on(stage.doc, stage.member(b)):
+        # The wall behind what hangs on it, not under it.
+        pb, own = stage.prop(b), stage.places[b][2] or 0.0
+        behind = half_along(pb.length, pb.width, own - heading)
+        behind += half_along(ps.length, ps.width, yaw - heading)
+        c, s = math.cos(heading), math.sin(heading)
+        stage.places[support] = (x + behind * c, y + behind * s, yaw)
+        return
     inset = max(
         0.0, half_along(ps.length, ps.width, yaw - heading) - stage.prop(b).half_length - 0.08
     )
@@ -156,3 +164,10 @@ def bring_support(stage: Stage, b: str, x: float, y: float, heading: float) -> N
         # What shall be knocked off stands at the far edge.
         inset = -inset
     stage.places[support] = (x + inset * math.cos(heading), y + inset * math.sin(heading), yaw)
+
+
+def hangs_on(doc: EsgDocument, name: str) -> bool:
+    """Whether a node hangs on a wall's face instead of standing on a surface."""
+    graph = doc.spatial_relation_graph
+    region = graph.semantic_regions.get(graph.nodes[name].semantic_region or "")
+    return region is not None and region.region_type is RegionType.ATTACHED_VERTICAL

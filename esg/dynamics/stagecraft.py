@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 import math
 
 import numpy as np
 
 from esg.dynamics.kinematics import half_along
-from esg.graph.models import EsgDocument, NamedRegion, SupportSurface
+from esg.graph.models import AssetConfiguration, EsgDocument, NamedRegion, SupportSurface
 from esg.units import GRAVITY_MPS2
 
 GROUND_FRICTION = 0.7
@@ -36,6 +36,7 @@ class Prop:
     fixed: bool
     grouped: bool = False
     damping: float = 0.0
+    config: AssetConfiguration | None = field(default=None, compare=False, repr=False)
     ground: float = GROUND_FRICTION
 
     @property
@@ -72,6 +73,7 @@ def prop(doc: EsgDocument, name: str) -> Prop:
         wheeled=config.is_wheeled,
         fixed=node.is_structural or node.is_static or not config.is_movable,
         damping=config.linear_damping,
+        config=config,
         ground=ground_friction(doc),
     )
 
@@ -114,49 +116,6 @@ def fall_speed(mover: Prop, target: Prop) -> float:
     needed = math.sqrt(2.0 * coasting_drag(target) * TO_EDGE_M)
     gain = (1.0 + 0.5 * (mover.restitution + target.restitution)) * mover.mass
     return 1.2 * needed * (mover.mass + target.mass) / gain
-
-
-TOPPLE_MARGIN = 1.3
-LOW_HIT = 0.5
-"""Share of its height below which a body is hit low."""
-LOW_MARGIN = 3.0
-
-
-def sure_topple_speed(mover: Prop, target: Prop, *, flies: bool) -> float:
-    """Speed [m/s] of a hit that tips a resting body over in every engine.
-
-    A low hit takes the base along, against a friction and at a height of touch in which engines
-    differ: a chair hit by a suitcase at 2.0 m/s falls in Newton, at 2.9 in PhysX, 3.7 in Rapier.
-    """
-    if target.fixed or target.rolls:
-        return 0.0
-    low = max(0.0, LOW_HIT - hit_height(mover, target, flies=flies) / max(target.height, 1e-3))
-    return (1.0 + LOW_MARGIN * low) * topple_speed(mover, target, flies=flies)
-
-
-def hit_height(mover: Prop, target: Prop, *, flies: bool) -> float:
-    """Height [m] at which one body hits another."""
-    height = max(target.height, 1e-3)
-    return 0.7 * height if flies else min(0.5 * mover.height, 0.8 * height)
-
-
-def topple_speed(mover: Prop, target: Prop, *, flies: bool) -> float:
-    """Speed [m/s] of a hit that tips a resting box over its far edge, with a margin of 30%.
-
-    Energy to bring the centre over the edge gives the turning rate omega of the box about the edge
-    (I = m (w^2 + h^2) / 3); the hit at height z passes the impulse J = I omega / z, and the box
-    answers it like a mass I / z^2.
-    """
-    if target.fixed or target.rolls:
-        return 0.0
-    width, height = min(target.length, target.width), max(target.height, 1e-3)
-    rise = 0.5 * (math.hypot(width, height) - height)
-    inertia = target.mass * (width * width + height * height) / 3.0
-    omega = math.sqrt(2.0 * target.mass * GRAVITY_MPS2 * rise / max(inertia, 1e-9))
-    z = hit_height(mover, target, flies=flies)
-    answer = 1.0 / mover.mass + z * z / inertia
-    gain = 1.0 + 0.5 * (mover.restitution + target.restitution)
-    return TOPPLE_MARGIN * inertia * omega / z * answer / gain
 
 
 def coasting_drag(body: Prop) -> float:

@@ -2,18 +2,31 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 import math
 
 from esg.dynamics.kinematics import Frame
 from esg.dynamics.stage import Stage
 from esg.dynamics.stagecraft import Prop, release_height, support_of, top_surface
 from esg.dynamics.story import bounds
+from esg.dynamics.tipping import FLIES_AT
+from esg.engines.scene import Region
 from esg.graph.models import NamedRegion, NodeEvent, TimelineNode
+from esg.units import GRAVITY_MPS2
 
 HIGHEST_HAND_M = 1.7
 """Height up to which a throw starts level with its target."""
 TOSS_M = 0.35
 """Height over a low container from which something is tossed into it."""
+
+
+def level_height(target: Prop, thrown: Prop, duration: float) -> float:
+    """Height [m] of the bottom at release of what, let go level, hits a body well above its middle.
+
+    A slow throw that comes from higher up falls onto its target instead of knocking it over.
+    """
+    drop = 0.5 * GRAVITY_MPS2 * duration * duration
+    return max(FLIES_AT * target.height + drop - 0.5 * thrown.height, 0.05)
 
 
 def hand_height(stage: Stage, node: TimelineNode, b: str, thrown: Prop, target: Prop) -> float:
@@ -25,6 +38,10 @@ def hand_height(stage: Stage, node: TimelineNode, b: str, thrown: Prop, target: 
         usual = max(usual, min(raised, HIGHEST_HAND_M) - 0.5 * thrown.height)
     if node.event is not NodeEvent.ENTER_REGION:
         return usual
+    if not is_lobbed(stage, node):
+        region = region_of(stage, node)
+        middle = usual if region is None else region.center_cm[2] / 100.0
+        return max(min(usual, middle), 0.05)
     return min(usual, max(target.height + TOSS_M, 0.6))
 
 
@@ -36,6 +53,31 @@ def region_of(stage: Stage, node: TimelineNode) -> NamedRegion | None:
         return None
     regions = stage.doc.asset_configurations[nodes[owner].asset_id].regions
     return next((r for r in regions if r.name == name), None)
+
+
+def opens_upwards(regions: Sequence[NamedRegion | Region], name: str) -> bool:
+    """Whether a region is entered from above: a bucket or a hoop, not a goal or a pocket.
+
+    Args:
+        regions: All regions of its owner.
+        name: Its own name.
+    """
+    region = next((r for r in regions if r.name == name), None)
+    if region is None:
+        return True
+    if name.rpartition("/")[2] == "hoop":
+        return True
+    sideways = any(r.kind == "goal" and r.name.rpartition("/")[2] == "goal" for r in regions)
+    return not sideways and region.kind != "goal"
+
+
+def is_lobbed(stage: Stage, node: TimelineNode) -> bool:
+    """Whether what is thrown into the region of an event has to come down into it."""
+    owner, _, name = (node.region or "").partition("/")
+    nodes = stage.doc.spatial_relation_graph.nodes
+    if node.event is not NodeEvent.ENTER_REGION or owner not in nodes:
+        return False
+    return opens_upwards(stage.doc.asset_configurations[nodes[owner].asset_id].regions, name)
 
 
 def slowest_passage(stage: Stage, node: TimelineNode) -> float:

@@ -15,7 +15,9 @@ import numpy as np
 from esg.dynamics.aim import aim_point
 from esg.dynamics.cast import Cast
 from esg.dynamics.story import Phase, bounds, middle
-from esg.engines.scene import Body, SimScene
+from esg.dynamics.throws import opens_upwards
+from esg.dynamics.tipping import FLIES_AT
+from esg.engines.scene import Body, Region, SimScene
 from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, TimelineNode
 from esg.units import GRAVITY_MPS2
 
@@ -351,6 +353,8 @@ class Declarations(Cast):
             height = self.scene.body(target).half_extents[2] if target else 0.3
             region = self.region(phase)
             mouth = region.half_extents[2] if region and region.kind == "inside" else 0.0
+            if region and not opens_upwards(self._siblings(region), region.name):
+                mouth = 0.0
             self.add(
                 f"{edge.id}/aim_height",
                 -0.8 * height,
@@ -383,6 +387,9 @@ class Declarations(Cast):
             fixed=e_fixed,
         )
 
+    def _siblings(self, region: Region) -> list[Region]:
+        return [r for r in self.scene.regions if r.parent == region.parent]
+
     def elevation_for(self, actor: str, phase: Phase, speed: float) -> float:
         """Low-arc launch angle that reaches the target at a given speed."""
         target = self.target(phase)
@@ -391,6 +398,12 @@ class Declarations(Cast):
             return math.radians(20.0)
         d = aim_point(body, self.scene.body(target)) - np.array(body.position)
         x, z, g = float(np.hypot(d[0], d[1])), float(d[2]), GRAVITY_MPS2
+        if self.story.topples(target):
+            struck = self.scene.body(target)
+            foot = float(struck.position[2] + struck.origin_offset[2])
+            z = foot + 2.0 * FLIES_AT * float(struck.half_extents[2]) - float(body.position[2])
+            # Where it touches, not in the middle of what it touches.
+            x = max(x - body.half_extents[0] - 0.5 * min(struck.half_extents[:2]), 0.1)
         if speed < 0.5 or x < 0.05:
             return math.radians(-90.0) if x < 0.05 else 0.0
         root = speed**4 - g * (g * x * x + 2.0 * z * speed * speed)

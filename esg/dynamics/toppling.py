@@ -1,0 +1,230 @@
+"""Casting of what shall be knocked over: lighter, smaller, hit by something larger, or thrown at.
+
+A traffic cone of full height is met by a rolling ball at the rim of its base, below its centre of
+mass, and cannot be tipped; a cone of half the height can, and so can one that the ball is thrown
+at. What the prompt states is never touched, and what rolls is not thrown.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+import re
+
+from esg.dynamics.containers import resized
+from esg.dynamics.stage import FASTEST_MPS
+from esg.dynamics.stagecraft import Prop, fall_speed, prop
+from esg.dynamics.story import Story, bounds
+from esg.dynamics.tipping import stand_of, topple_speed
+from esg.graph.models import (
+    AssetConfiguration,
+    EdgeEvent,
+    EsgDocument,
+    ForceDirection,
+    NodeEvent,
+    TimelineNode,
+)
+
+LIGHTEST = 0.3
+"""Least share of the usual mass: an empty crate against a loaded one."""
+SIZES = (1.0, 0.9, 0.8, 0.7, 0.6, 0.5)
+"""Shares of the usual size that such a thing may have."""
+SMALL = (*SIZES, 0.4, 0.35, 0.3)
+"""The same of what one can carry in a hand: a training cone of 21 cm against one of 71 cm."""
+FALLS_TOO = 0.5
+"""Share of a stated speed that counts where something thrown falls as well."""
+HANDY_KG = 5.0
+"""Up to this mass something comes in small."""
+LARGER = (1.25, 1.5, 2.0)
+"""Factors on the size of a mover that comes in all sizes."""
+STATED_SIZE = re.compile(r"\b(tall|large|big|huge|giant|enormous|massive|full[- ]size[d]?)\b")
+"""What a description says of a thing that is then not made smaller."""
+ON_THE_GROUND = re.compile(r"\b(roll|slid|slide|push|shov|bowl(s|ed)\b|putt|dribbl|skid)", re.I)
+"""Words of a prompt that keep its movers on the ground."""
+
+
+@dataclass(frozen=True)
+class Knock:
+    """A hit that shall tip a resting body over.
+
+    Args:
+        node: The hit.
+        mover, target: Who hits whom.
+        limit: Highest speed [m/s] at which the mover may arrive.
+        pushed: Whether it is knocked off what it stands on by what a launch gave the mover.
+    """
+
+    node: TimelineNode
+    mover: str
+    target: str
+    limit: float
+    pushed: bool
+
+
+def fit_toppled(doc: EsgDocument, story: Story) -> EsgDocument:
+    """What is knocked over, and what does it, as far as the prompt leaves them open.
+
+    Args:
+        doc: A document with assets resolved.
+        story: Its timeline.
+    """
+    for knock in _knocks(doc, story):
+        doc = _fitted(doc, story, knock)
+    return doc
+
+
+def _knocks(doc: EsgDocument, story: Story) -> list[Knock]:
+    nodes = doc.spatial_relation_graph.nodes
+    out: list[Knock] = []
+    for node in story.nodes.values():
+        if node.event is not NodeEvent.COLLISION or len(node.participants) < 2:
+            continue
+        a, b = node.participants[:2]
+        if story.is_active(b) and not story.is_active(a):
+            a, b = b, a
+        if a not in nodes or b not in nodes or story.is_active(b):
+            continue
+        if (story.topples(b) or story.falls(b)) and nodes[a].asset_id != nodes[b].asset_id:
+            pushed = story.falls(b) and launched(story, a, node.id)
+            out.append(Knock(node, a, b, fastest(story, a, node.id), pushed))
+    return out
+
+
+def _fitted(doc: EsgDocument, story: Story, knock: Knock) -> EsgDocument:
+    """The document with the least change at which a hit tips its target over."""
+    nodes = doc.spatial_relation_graph.nodes
+    keys = nodes[knock.mover].asset_id, nodes[knock.target].asset_id
+    mover, target = prop(doc, knock.mover), prop(doc, knock.target)
+    wanted = doc.asset_requirement[keys[1]]
+    topples = story.topples(knock.target)
+    flies = story.is_active(knock.mover) and story.flies(knock.mover)
+    stand = stand_of(target)
+
+    def missing(body: Prop, mass: float, size: float, flies: bool) -> bool:
+        other = replace(target, mass=target.mass * mass * size**3)
+        at = stand.scaled(size)
+        speed = topple_speed(body, other, flies=flies, stand=at) if topples else 0.0
+        if knock.pushed:
+            speed = max(speed, fall_speed(body, other))
+        return speed > knock.limit
+
+    free_mass = not wanted.mass_is_prescribed
+    open_size = free_mass and not wanted.dimensions_are_prescribed and topples
+    said = f"{wanted.asset_description} {nodes[knock.target].label}".lower()
+    sizes = SMALL if target.mass <= HANDY_KG else SIZES
+    sizes = sizes if open_size and not STATED_SIZE.search(said) else (1.0,)
+    lightest = LIGHTEST if free_mass else 1.0
+    for size in sizes:
+        if not missing(mover, lightest, size, flies):
+            mass = _largest(lambda m, size=size: not missing(mover, m, size, flies), lightest)
+            return _changed(doc, keys[1], size, mass)
+    if topples and _comes_in_all_sizes(doc, keys[0]):
+        for factor in LARGER:
+            larger = _larger(mover, factor)
+            for size in sizes:
+                if not missing(larger, lightest, size, flies):
+                    made = resized(doc, keys[0], doc.asset_configurations[keys[0]], factor)
+                    return _changed(_with(doc, {keys[0]: made}), keys[1], size, lightest)
+    if topples and _may_be_thrown(doc, story, knock, mover):
+        for size in sizes:
+            if not missing(mover, lightest, size, True):
+                mass = _largest(lambda m, size=size: not missing(mover, m, size, True), lightest)
+                return _changed(_thrown(doc, knock.mover), keys[1], size, mass)
+    return _changed(doc, keys[1], 1.0, lightest)
+
+
+def _largest(holds: Callable[[float], bool], lightest: float) -> float:
+    """The largest share of the mass at which a condition holds that a lighter body fulfils."""
+    if holds(1.0):
+        return 1.0
+    low, high = lightest, 1.0
+    for _ in range(12):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if holds(middle) else (low, middle)
+    return low
+
+
+def _larger(mover: Prop, factor: float) -> Prop:
+    return replace(
+        mover,
+        length=factor * mover.length,
+        width=factor * mover.width,
+        height=factor * mover.height,
+        mass=factor**3 * mover.mass,
+    )
+
+
+def _comes_in_all_sizes(doc: EsgDocument, key: str) -> bool:
+    """Whether a round mover's size is open: a ball, but not a soccer ball."""
+    from esg.assets.library import entries_by_name
+
+    wanted, config = doc.asset_requirement[key], doc.asset_configurations[key]
+    if wanted.dimensions_are_prescribed or wanted.mass_is_prescribed or not config.rolls:
+        return False
+    entry = entries_by_name().get(config.category)
+    return entry is not None and "any_size" in entry.flags and config.source == "parametric"
+
+
+def _may_be_thrown(doc: EsgDocument, story: Story, knock: Knock, mover: Prop) -> bool:
+    """Whether nothing keeps a mover on the ground but the wording's silence."""
+    if not mover.rolls or not story.is_active(knock.mover) or story.flies(knock.mover):
+        return False
+    first = story.phases[knock.mover][0]
+    if first.edge.event is not EdgeEvent.TOWARD or first.end.id != knock.node.id:
+        return False
+    return not ON_THE_GROUND.search(doc.scene_definition.original_description)
+
+
+def _thrown(doc: EsgDocument, actor: str) -> EsgDocument:
+    assert doc.timeline_system is not None
+    actors = dict(doc.timeline_system.actors)
+    actors[actor] = actors[actor].model_copy(update={"force_direction": ForceDirection.ANY_3D})
+    timeline = doc.timeline_system.model_copy(update={"actors": actors})
+    return doc.model_copy(update={"timeline_system": timeline})
+
+
+def _changed(doc: EsgDocument, key: str, size: float, mass: float) -> EsgDocument:
+    config = doc.asset_configurations[key]
+    if size != 1.0:
+        config = resized(doc, key, config, size)
+    if mass != 1.0:
+        config = scaled(config, mass)
+    return _with(doc, {} if config is doc.asset_configurations[key] else {key: config})
+
+
+def _with(doc: EsgDocument, changed: dict[str, AssetConfiguration]) -> EsgDocument:
+    if not changed:
+        return doc
+    return doc.model_copy(update={"asset_configurations": {**doc.asset_configurations, **changed}})
+
+
+def scaled(config: AssetConfiguration, factor: float) -> AssetConfiguration:
+    """The same thing lighter or heavier."""
+    return config.model_copy(
+        update={
+            "mass_kg": config.mass_kg * factor,
+            "inertia_kg_cm2": tuple(v * factor for v in config.inertia_kg_cm2),
+        }
+    )
+
+
+def launched(story: Story, actor: str, node_id: str) -> bool:
+    """Whether an actor meets an event by what a launch gave it, not under its own power."""
+    return any(
+        p.end.id == node_id and p.edge.event is EdgeEvent.TOWARD
+        for p in story.phases.get(actor, ())
+    )
+
+
+def fastest(story: Story, actor: str, node_id: str) -> float:
+    """Speed [m/s] at which an actor may arrive."""
+    for phase in story.phases.get(actor, ()):
+        if phase.end.id != node_id or phase.edge.params.speed is None:
+            continue
+        low, high, _ = bounds(phase.edge.params.speed, (0.0, 100.0 * FASTEST_MPS))
+        if phase.edge.speed_is_prescribed:
+            share = FALLS_TOO if story.flies(actor) else 0.9
+            return share * max(low, high) / 100.0
+        thrown = phase.edge.event is EdgeEvent.TOWARD
+        return 0.6 * FASTEST_MPS if thrown else max(high / 100.0, 8.0)
+    return 3.0
