@@ -12,9 +12,10 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.dynamics.gap import surface_gap
+from esg.dynamics.gap import bounding_radius, surface_gap
 from esg.dynamics.moves import TURNED_RAD
 from esg.dynamics.recording import Bools, Floats, Recording
+from esg.engines.scene import Body
 from esg.graph.models import NodeEvent, TimelineNode
 from esg.units import quat_rotate, yaw_from_quat
 
@@ -31,6 +32,8 @@ SPARE_S = 0.15
 """A recording goes on for so much longer: in another engine the hit may come later."""
 STOP_SPEED_MPS = 0.1
 DISTANCE_SCALE_M = 0.3
+NEAR_M = 0.25
+"""What comes this close has reached something."""
 TOPPLED_DEG = 47.0
 """A little over the 45 degrees that count."""
 TILT_SCALE_DEG = 15.0
@@ -131,7 +134,7 @@ def reach(
     rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm
 ) -> tuple[Floats, Floats]:
     a, b = rec.members(node.participants[0]), rec.members(node.participants[-1])
-    near = gap_over_time(rec, a, b) <= 0.25
+    near = gap_over_time(rec, a, b, near_only=True) <= NEAR_M
     near &= rec.t[None, :] >= earliest[:, None]
     time = rec.first(near)
     none = ~np.isfinite(time)
@@ -146,24 +149,43 @@ def miss(
 ) -> tuple[Floats, Floats]:
     a, b = rec.members(node.participants[0]), rec.members(node.participants[-1])
     hit = np.isfinite(_first_hit(rec, a, b, np.zeros(rec.n))[0])
-    gap = gap_over_time(rec, a, b)
+    gap = gap_over_time(rec, a, b, near_only=True)
     time = rec.t[np.argmin(gap, axis=1)]
     add(f"{node.id}/near", np.minimum((np.maximum(gap.min(axis=1) - 0.5, 0) / 1.0) ** 2, 4))
     ok = ~hit & np.isfinite(earliest)
     return np.where(ok, time, np.inf), np.full(rec.n, 1.0)
 
 
-def gap_over_time(rec: Recording, a: list[int], b: list[int]) -> Floats:
-    """Surface distance [m], shape [W, T]."""
+def gap_over_time(rec: Recording, a: list[int], b: list[int], *, near_only: bool = False) -> Floats:
+    """Surface distance [m], shape [W, T].
+
+    Args:
+        rec: W worlds, T frames.
+        a, b: Body indices.
+        near_only: Be exact only where it is a world's smallest or at most `NEAR_M`. Elsewhere it
+            may be what spheres around the bodies give: less than the distance, more than either.
+    """
     p, q = rec.r.position.astype(float), rec.r.quaternion.astype(float)
     out = np.full(p.shape[:2], np.inf)
     for i in a:
         for j in b:
             x, y = rec.scene.bodies[i], rec.scene.bodies[j]
             if x.shapes and y.shapes:
-                gap = surface_gap(x, y, p[:, :, i], q[:, :, i], p[:, :, j], q[:, :, j])
-                out = np.minimum(out, gap)
+                gap = _least_gap if near_only else surface_gap
+                out = np.minimum(out, gap(x, y, p[:, :, i], q[:, :, i], p[:, :, j], q[:, :, j]))
     return out
+
+
+def _least_gap(x: Body, y: Body, px: Floats, qx: Floats, py: Floats, qy: Floats) -> Floats:
+    least = np.linalg.norm(px - py, axis=-1) - bounding_radius(x) - bounding_radius(y)
+    least = np.nan_to_num(least, nan=np.inf)
+    world, nearest = np.arange(len(least)), least.argmin(axis=1)
+    known = surface_gap(x, y, px[world, nearest], qx[world, nearest], py[world, nearest],
+                        qy[world, nearest])  # fmt: skip
+    limit = np.maximum(np.nan_to_num(known, nan=np.inf), NEAR_M)
+    w, t = np.nonzero(least <= limit[:, None])
+    least[w, t] = surface_gap(x, y, px[w, t], qx[w, t], py[w, t], qy[w, t])
+    return least
 
 
 def enter(

@@ -69,7 +69,7 @@ def optimize_many(
     if not docs:
         return []
     kind = "cpu" if device == "cpu" else "cuda"
-    task = Task(tuple(docs), tuple(seeds), strategy, max_rounds)
+    task = Task(tuple(docs), tuple(seeds), strategy, max_rounds, hold=device == "cpu")
     memory = _memory(BUFFER_BYTES[kind], shared=processes > 1)
     shifts = np.array_split(np.arange(len(docs)), max(1, round(len(docs) / SHIFT_SCENES)))
     n = max(1, min(processes, len(docs)))

@@ -29,6 +29,8 @@ class Task:
     seeds: tuple[int, ...]
     strategy: str
     max_rounds: int
+    hold: bool = True
+    """Whether bystanders are held still; on a GPU, which builds worlds ahead, they cost little."""
 
 
 class _Ticket:
@@ -58,8 +60,9 @@ class _Scenes:
 class _FleetEngine:
     """An engine whose rollouts are played together with those of other scenes."""
 
-    def __init__(self, name: str, crew: Crew, scenes: _Scenes) -> None:
+    def __init__(self, name: str, crew: Crew, scenes: _Scenes, hold: bool) -> None:
         self.name = name
+        self.holds = hold
         self._crew, self._scenes = crew, scenes
 
     def rollout(
@@ -102,7 +105,7 @@ def _optimize(task: Task, index: int, crew: Crew) -> EsgDocument:
         seed=task.seeds[index],
         strategy=task.strategy,
         max_rounds=task.max_rounds,
-        engines=lambda name, _: _FleetEngine(name, crew, scenes),
+        engines=lambda name, _: _FleetEngine(name, crew, scenes, task.hold),
     )
 
 

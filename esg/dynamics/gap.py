@@ -54,6 +54,20 @@ def signed_distance(shape: Shape, p: Floats) -> Floats:
     return outside + np.minimum(q.max(axis=-1), 0.0)
 
 
+@lru_cache(maxsize=1024)
+def bounding_radius(body: Body) -> float:
+    """Radius [m] of a sphere around the centre of mass that holds all `surface_gap` measures."""
+    far = 0.0
+    for shape in body.shapes:
+        # A hull's distances are those of its bounding box; half the diagonal holds either.
+        points = np.abs(_samples(shape)[0]).max(axis=0)
+        half = np.maximum(np.array(shape.size), points)
+        if shape.kind == "capsule":
+            half[2] += shape.size[0]
+        far = max(far, float(np.linalg.norm(shape.position) + np.linalg.norm(half)))
+    return far
+
+
 def surface_gap(
     a: Body, b: Body, pos_a: Floats, quat_a: Floats, pos_b: Floats, quat_b: Floats
 ) -> Floats:

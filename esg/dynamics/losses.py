@@ -246,7 +246,7 @@ class _Assessor:
             return self.rec.at(gap, time), DISTANCE_SCALE_M
         if node.event in (NodeEvent.MISS, NodeEvent.REACH):
             a, b = (self.rec.members(p) for p in (node.participants[0], node.participants[-1]))
-            return gap_over_time(self.rec, a, b).min(axis=1), DISTANCE_SCALE_M
+            return gap_over_time(self.rec, a, b, near_only=True).min(axis=1), DISTANCE_SCALE_M
         position = self.rec.r.position[:, :, body].astype(float)
         start = position[:, :1]
         if node.event is NodeEvent.STOP:

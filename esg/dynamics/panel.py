@@ -27,6 +27,8 @@ REFERENCE_DT_S = 1.0 / 240.0
 GOOD_LOSS = 0.35
 """Worst-case loss at which the search stops: all events happen, residuals are small."""
 CENTRED_LOSS = 0.15
+SAME_LOSS = 0.05
+"""What holding bystanders still may change."""
 WORST_SHARE = 0.7
 """Weight of the worst member of the ensemble; the rest goes to the mean."""
 
@@ -80,7 +82,7 @@ class Panel:
     ) -> None:
         engine = engines("surrogate", device)
         self.plan, self.device = plan, device
-        self.reference = Simulator(plan, engines("newton", device), dt=dt)
+        self.reference = Simulator(plan, engines("newton", device), dt=dt, hold=True)
         self.surrogate = Simulator(plan, engine, dt=dt)
         self._others = [Simulator(plan, engine, dt=0.5 * dt)]
         scene = faceted(plan.scene)
@@ -129,6 +131,22 @@ class Panel:
         ensemble = assessed.worlds(slice(k * len(ENSEMBLE), (k + 1) * len(ENSEMBLE)))
         self.note(phase, "newton", len(thetas), float(value[k]))
         return Found(thetas[k], float(value[k]), ensemble.worlds(slice(0, 1)), ensemble)
+
+    def whole(self, found: Found) -> Found | None:
+        """What was found, played with all bodies that can move; None if that is something else.
+
+        During the search bodies that no event is about are held still (`bystanders`).
+        """
+        if not self.reference.holds:
+            return found
+        nominal = self.reference.assess(found.theta[None], whole=True)
+        self.note("whole", "newton", 1, float(nominal.total[0]))
+        held = found.nominal
+        same = all(np.array_equal(nominal.completed[k], held.completed[k]) for k in held.completed)
+        if same and abs(float(nominal.total[0] - held.total[0])) < SAME_LOSS:
+            return replace(found, nominal=nominal)
+        self.reference.release()
+        return None
 
     def judge_while(self, thetas: Floats, candidates: Floats) -> tuple[Found, Callable[[], Floats]]:
         """Judges thetas, and may play the next candidates at the same time.

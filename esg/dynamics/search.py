@@ -113,6 +113,12 @@ def optimize(
 
     barred = ruled_out(doc, plan.story)
     found, stopped = run(panel, 0)
+    whole = panel.whole(found)
+    if whole is None:
+        # A body that was held still does not stay where it stands: search with all of them.
+        found, stopped = run(panel, 0)
+    else:
+        found = whole
     closed: ClosedLoop | None = None
     if rounds_closed and strategy != "none":
 

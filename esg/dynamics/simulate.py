@@ -8,12 +8,13 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.dynamics.bystanders import bystanders, held, touched
 from esg.dynamics.choreography import turn_of
 from esg.dynamics.losses import Assessment, assess
 from esg.dynamics.plan import Plan
 from esg.engines.base import Engine
 from esg.engines.program import batch_programs
-from esg.engines.scene import Variation
+from esg.engines.scene import Rollout, SimScene, Variation
 from esg.graph.models import EdgeEvent
 
 FPS = 60.0
@@ -50,13 +51,32 @@ ENSEMBLE = (
 
 
 class Simulator:
-    """Runs a plan's candidates in one engine and counts what that costs."""
+    """Runs a plan's candidates in one engine and counts what that costs.
+
+    Args:
+        plan: What is searched.
+        engine: Plays it.
+        dt: Its step [s].
+        bias: Of the targets (`losses.assess`).
+        hold: Whether bodies that no event is about are held still until something touches them
+            (`bystanders`).
+    """
 
     def __init__(
-        self, plan: Plan, engine: Engine, *, dt: float, bias: dict[str, float] | None = None
+        self,
+        plan: Plan,
+        engine: Engine,
+        *,
+        dt: float,
+        bias: dict[str, float] | None = None,
+        hold: bool = False,
     ) -> None:
         self.plan, self.engine, self.dt, self.bias = plan, engine, dt, bias
         self.evaluations = 0
+        self._still = np.zeros(len(plan.scene.bodies), bool)
+        if hold and getattr(engine, "holds", True):
+            self._still = bystanders(plan)
+        self._held = held(plan.scene, self._still) if self._still.any() else None
         self._actors = [plan.scene.index(a) for a in plan.story.phases]
         self._aims = [i for i, v in enumerate(plan.variables) if v.name.endswith("/aim")]
 
@@ -64,21 +84,45 @@ class Simulator:
         self,
         thetas: NDArray[np.float64],
         perturbations: list[Perturbation] | None = None,
+        *,
+        whole: bool = False,
     ) -> Assessment:
         """Losses of candidates.
 
         Args:
             thetas: Shape [W, n].
             perturbations: One per world; nominal if None.
+            whole: Hold no body still.
         """
         members = perturbations or [NOMINAL] * len(thetas)
+        if self._held is None or whole:
+            return self._play(self.plan.scene, thetas, members)[1]
+        rollout, found = self._play(self._held, thetas, members)
+        again = np.flatnonzero(touched(rollout, self._still))
+        if len(again):
+            known = [members[w] for w in again]
+            _put(found, again, self._play(self.plan.scene, thetas[again], known)[1])
+        return found
+
+    @property
+    def holds(self) -> bool:
+        """Whether some bodies are held still."""
+        return self._held is not None
+
+    def release(self) -> None:
+        """Holds no body still any more."""
+        self._held = None
+
+    def _play(
+        self, scene: SimScene, thetas: NDArray[np.float64], members: list[Perturbation]
+    ) -> tuple[Rollout, Assessment]:
         moved = thetas.copy()
         for w, member in enumerate(members):
             moved[w, self._aims] += member.aim
         programs = [self.plan.compile(theta) for theta in moved]
         batch = batch_programs(programs, self.plan.scene.names)
         rollout = self.engine.rollout(
-            self.plan.scene,
+            scene,
             batch,
             dt=self.dt,
             record_every=max(1, round(1.0 / (FPS * self.dt))),
@@ -86,7 +130,7 @@ class Simulator:
         )
         self.evaluations += len(thetas)
         times = [program_times(self.plan, theta) for theta in moved]
-        return assess(self.plan.scene, self.plan.story, rollout, times, self.bias)
+        return rollout, assess(self.plan.scene, self.plan.story, rollout, times, self.bias)
 
     def _variation(self, thetas: NDArray[np.float64], members: list[Perturbation]) -> Variation:
         bodies = self.plan.scene.bodies
@@ -107,6 +151,14 @@ class Simulator:
             friction_scale=np.array([m.friction for m in members]),
             restitution_offset=np.array([m.restitution for m in members]),
         )
+
+
+def _put(found: Assessment, worlds: NDArray[np.int64], other: Assessment) -> None:
+    """Replaces some of the worlds by those of another assessment of the same timeline."""
+    found.total[worlds] = other.total
+    for name in ("completed", "time", "measured", "error", "terms"):
+        for key, values in getattr(found, name).items():
+            values[worlds] = getattr(other, name)[key]
 
 
 def program_times(plan: Plan, theta: NDArray[np.float64]) -> dict[str, float]:

@@ -70,8 +70,8 @@ def starts_at_rest(scene: SimScene, position: Floats, quaternion: Floats) -> Boo
     home = np.array([b.position for b in scene.bodies])
     turned = np.array([b.quaternion for b in scene.bodies], float)
     turned /= np.linalg.norm(turned, axis=1, keepdims=True)
-    there = np.isclose(position, home, rtol=0.0, atol=1e-9).all(-1)
-    there &= np.isclose(quaternion, turned, rtol=0.0, atol=1e-9).all(-1)
+    there = np.all(np.isclose(position, home, rtol=0.0, atol=1e-9), axis=-1)
+    there = there & np.all(np.isclose(quaternion, turned, rtol=0.0, atol=1e-9), axis=-1)
     return rests & there & ~(~there[:, None] & carriers).any(axis=2)
 
 
@@ -82,7 +82,7 @@ def _resting(bodies: tuple[Body, ...], gravity: tuple[float, float, float]) -> t
     if gravity[0] != 0.0 or gravity[1] != 0.0 or gravity[2] >= 0.0:
         return out, carriers
     low, high, owner = _boxes(bodies)
-    crowded = _close(low, high, owner, -TOUCH_M, len(bodies)).any(axis=1)
+    crowded = np.any(_close(low, high, owner, -TOUCH_M, len(bodies)), axis=1)
     candidates = [i for i, b in enumerate(bodies) if b.collides and not b.static and not crowded[i]]
     faces = [f for i, b in enumerate(bodies) if b.static for f in _tops(i, b)]
     # What carries others lies lower: one pass from below sees every carrier before its load.
