@@ -302,6 +302,7 @@ def _time(work: _Work, reply: TimelineReply) -> list[list[str]]:
                         "object": objects.one(c.object),
                         "value": c.low if c.low == c.high else [c.low, c.high],
                         "since": None if c.since is None else events.one(c.since),
+                        "to": None if c.to is None else objects.one(c.to),
                     }
                     for c in e.constraints
                 ],

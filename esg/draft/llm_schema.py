@@ -39,7 +39,7 @@ _OBJECT_FIELDS: dict[str, tuple[str, ...]] = {
     "RelationPart": ("subject", "object"),
     "GroupRelationPart": ("subjects", "targets"),
     "ActorPart": ("object",),
-    "ConstraintPart": ("object",),
+    "ConstraintPart": ("object", "to"),
     "EventPart": ("participants",),
     "SegmentPart": ("actor", "target"),
 }

@@ -233,6 +233,7 @@ def _timeline(doc: EsgDocument) -> Json | None:
                     "low": low,
                     "high": high,
                     "since": c.since,
+                    "to": c.to,
                 }
             )
         events.append(

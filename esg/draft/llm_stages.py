@@ -131,6 +131,7 @@ class ConstraintPart(Part):
     low: float
     high: float
     since: str | None = None
+    to: str | None = None
 
 
 class EventPart(Part):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from esg.draft import lexicon as lex
-from esg.draft.elements import Mention, Verb
+from esg.draft.elements import Mention
 from esg.draft.entities import BODY_PARTS, COUNTED_FROM, ORDINALS, STACKED
 from esg.draft.letters import Letters
 from esg.draft.verbphrases import verb_readings
@@ -33,6 +33,8 @@ class NounHeads(Letters):
         tokens = self.tokens
         low = self._low(j)
         noun = self._match_noun(j) if j < len(tokens) else None
+        if noun is not None and noun[3] == "corner" and self._low(j + 1) == "of":
+            noun = None  # of a room or a table, not of the street
         phrase_start = tokens[j].start if j < len(tokens) else m.end
         if noun is not None:
             entry, n, plural, phrase = noun
@@ -44,6 +46,8 @@ class NounHeads(Letters):
                 if following is None or plural or self._low(k) in lex.ADVERBS:
                     break
                 readings = verb_readings(self._low(k))
+                if readings and following[2] and m.determiner in ("a", "an", "each", "every"):
+                    break  # "a door swings shut": no plural after "a"
                 vessel = m.determiner and following[0].kind in _VESSELS and self._ends_phrase(k)
                 if readings and following[1] == 1 and not (vessel or self._compound_noun(k)):
                     break
@@ -245,6 +249,15 @@ class NounHeads(Letters):
             if low.startswith("other"):
                 m.adjectives.append("other")
             j += 1
+            picked = [a for a in m.adjectives if a in lex.COLORS]
+            if low == "one" and picked and self._low(j) == "of":
+                size = len(self.elements)
+                inner = self._noun_phrase(j + 1)
+                owner = self.elements[-1] if len(self.elements) == size + 1 else None
+                if inner is not None and isinstance(owner, Mention) and (owner.count or 1) > 1:
+                    owner.pick, owner.start = picked[-1], m.start  # "the blue one of three balls"
+                    return inner
+                del self.elements[size:]
         elif m.adjectives and m.determiner and (j >= len(tokens) or not self._unknown_noun(j)):
             # "the other", "the second", "the black", "the last two"
             last = m.adjectives[-1]
@@ -349,17 +362,6 @@ class NounHeads(Letters):
         thing.start, thing.determiner = m.start, m.determiner or thing.determiner
         thing.count, thing.plural = m.count or 1, False
         return end
-
-    def _noun_not_verb(self, k: int, m: Mention) -> bool:
-        """ "a cereal bowl off the chair": a bare verb does not follow a singular noun phrase."""
-        readings = verb_readings(self._low(k))
-        bare = all(r.form == "base" for r in readings)
-        nxt = self._low(k + 1)
-        one = m.determiner in ("a", "an", "this", "that", "each", "every", "another")
-        previous = self._previous()
-        done = isinstance(previous, Verb) and previous.sense not in ("cause", "noop")
-        one = one or (done and bool(m.determiner))  # "knocks its food bowl off": it has its verb
-        return bare and one and nxt not in lex.DETERMINERS and nxt not in lex.PRONOUNS
 
     def _is_attribute_start(self, j: int) -> bool:
         if self._low(j) in _MEASURES and self._low(j - 1) in ("in", "whose", "'s"):

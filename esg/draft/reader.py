@@ -330,3 +330,14 @@ class Reader:
         low = self._low(j)
         many = m.determiner in ("both", "all", "some", "many", "several") and not m.adjectives
         return many and lex.singular(low)[0] == low and bool(verb_readings(low))
+
+    def _noun_not_verb(self, k: int, m: Mention) -> bool:
+        """ "a cereal bowl off the chair": a bare verb does not follow a singular noun phrase."""
+        readings = verb_readings(self._low(k))
+        bare = all(r.form == "base" for r in readings)
+        nxt = self._low(k + 1)
+        one = m.determiner in ("a", "an", "this", "that", "each", "every", "another")
+        previous = self._previous()
+        done = isinstance(previous, Verb) and previous.sense not in ("cause", "noop")
+        one = one or (done and bool(m.determiner))  # "knocks its food bowl off": it has its verb
+        return bare and one and nxt not in lex.DETERMINERS and nxt not in lex.PRONOUNS

@@ -85,6 +85,8 @@ _MULTI: tuple[tuple[tuple[str, ...], Literal["prep", "adv", "sub"], str], ...] =
     (("one", "after", "the", "other"), "adv", "one by one"),
     (("in", "a", "row"), "adv", "in a row"),
     (("in", "a", "line"), "adv", "in a row"),
+    (("from", "left", "to", "right"), "adv", "in a row"),
+    (("from", "right", "to", "left"), "adv", "in a row"),
     (("side", "by", "side"), "adv", "side by side"),
     (("head", "on"), "adv", "head-on"),
     (("in", "turn"), "adv", "then"),

@@ -10,6 +10,7 @@ import pytest
 from esg.draft import draft
 from esg.draft.llm_coverage import cover
 from esg.draft.llm_prune import pruned
+from esg.draft.llm_scripted import ScriptedModel
 from esg.graph import canonical_json, verify
 from esg.outcomes import Outcome
 from tests.draft.test_llm import Spoiled, change, run
@@ -129,3 +130,13 @@ def test_the_coverage_of_a_draft_that_holds_all_finds_all() -> None:
     assert not coverage.warnings
     other = cover(CHAIN, draft("A car stops. A trashbin and a picnic table stand there."))
     assert [i.status for i in other.items if i.kind == "event"] == ["not_understood"] * 2
+
+
+def test_a_model_can_state_the_gap_that_is_left() -> None:
+    prompt = "A bus at 15 m/s stops 1 m in front of a barrier."
+    result = run(prompt, ScriptedModel(0.0, 0.0))
+    assert result.document is not None and result.document.timeline_system is not None
+    stop = result.document.timeline_system.sequence_graph.nodes[-1]
+    assert [(c.quantity, c.value, c.to) for c in stop.constraints] == [
+        ("distance", 100.0, "barrier_1")
+    ]

@@ -242,3 +242,18 @@ def test_the_mass_of_a_load_is_not_the_carriers() -> None:
 def test_another_one_is_one_more_of_the_same() -> None:
     found = events("A curling stone at 1.8 m/s hits another one, which then moves off at 1.5 m/s.")
     assert found == [("Collision", "curling_stone_1", "curling_stone_2")]
+
+
+def test_plurals_after_a_are_verbs() -> None:
+    doc = draft("A heavy oak door swings shut and knocks over a lamp.")
+    assert "door_1" in doc.spatial_relation_graph.nodes
+
+
+def test_the_blue_one_of_three_is_a_member() -> None:
+    prompt = "The blue one of three balls rolls into the red one."
+    assert events(prompt) == [("Collision", "blue_ball_1", "red_ball_1")]
+
+
+def test_the_corner_of_a_room_is_no_street_corner() -> None:
+    doc = draft("In the corner of the workshop stands a drum. A trolley bumps into it.")
+    assert not [n for n in doc.spatial_relation_graph.nodes if n.startswith("corner")]
