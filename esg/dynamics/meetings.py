@@ -23,7 +23,14 @@ from esg.dynamics.stagecraft import (
     support_of,
 )
 from esg.dynamics.story import Phase, bounds
-from esg.dynamics.throws import drop, hand_height, is_lobbed, level_height, slowest_passage
+from esg.dynamics.throws import (
+    drop,
+    hand_height,
+    is_dropped,
+    is_lobbed,
+    level_height,
+    slowest_passage,
+)
 from esg.dynamics.tipping import topple_speed
 from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
 
@@ -112,8 +119,8 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
         tip_onto(stage, node, a, b)
         return
     track, pa, pb = stage.tracks[a], stage.prop(a), stage.prop(b)
-    let_go = phase.edge.event is EdgeEvent.TOWARD and phase.edge.params.speed is not None
-    if let_go and bounds(phase.edge.params.speed, (0.0, 0.0))[1] <= 1.0:
+    first = stage.story.phases[a][0]
+    if is_dropped(phase) or (phase.edge.params.speed is None and is_dropped(first)):
         drop(stage, node, a, b)
         return
     prescribed = stage.prescribed_time(node)

@@ -8,10 +8,10 @@ import math
 from esg.dynamics.kinematics import Frame
 from esg.dynamics.stage import Stage
 from esg.dynamics.stagecraft import Prop, release_height, support_of, top_surface
-from esg.dynamics.story import bounds
+from esg.dynamics.story import Phase, bounds
 from esg.dynamics.tipping import FLIES_AT
 from esg.engines.scene import Region
-from esg.graph.models import NamedRegion, NodeEvent, TimelineNode
+from esg.graph.models import EdgeEvent, NamedRegion, NodeEvent, TimelineNode
 from esg.units import GRAVITY_MPS2
 
 HIGHEST_HAND_M = 1.7
@@ -86,6 +86,14 @@ def slowest_passage(stage: Stage, node: TimelineNode) -> float:
     if region is None or region.kind not in ("inside", "hole"):
         return 100.0
     return 0.02 * region.half_extents_cm[0]
+
+
+def is_dropped(phase: Phase) -> bool:
+    """Whether a phase lets something go with no speed of its own."""
+    speed = phase.edge.params.speed
+    if phase.edge.event is not EdgeEvent.TOWARD or speed is None:
+        return False
+    return bounds(speed, (0.0, 0.0))[1] <= 1.0
 
 
 def drop(stage: Stage, node: TimelineNode, a: str, b: str) -> None:

@@ -9,6 +9,7 @@ import pytest
 from esg.assets import resolve
 from esg.draft import draft
 from esg.dynamics import fit_assets
+from esg.dynamics.choreography import choreograph
 from esg.dynamics.feasibility import impossible
 from esg.dynamics.stagecraft import Prop, prop
 from esg.dynamics.story import read_story
@@ -106,3 +107,10 @@ def test_what_hits_is_thrown_and_what_rolls_stays_on_the_ground() -> None:
 def test_what_is_knocked_over_is_not_fixed_to_the_ground() -> None:
     doc = _cast("A skateboard rolls into a bollard and knocks it over.")
     assert not prop(doc, "bollard_1").fixed
+
+
+def test_what_falls_comes_down_on_what_it_shall_hit() -> None:
+    doc = _cast("An apple falls from a tree branch into a wheelbarrow.")
+    places = {p.node: p for c in choreograph(doc).hints.constellations for p in c.placements}
+    apple, barrow = places["apple_1"], places["wheelbarrow_1"]
+    assert (apple.x_cm, apple.y_cm) == pytest.approx((barrow.x_cm, barrow.y_cm))
