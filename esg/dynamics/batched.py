@@ -244,6 +244,7 @@ class Pool:
         n = len(panel.plan.variables)
         self.thetas, self.value = np.zeros((0, n)), np.zeros(0)
         self.seen, self.losses = np.zeros((0, n)), np.zeros(0)
+        self._happens: dict[bytes, bool] = {}
 
     @property
     def best(self) -> float:
@@ -255,8 +256,11 @@ class Pool:
 
     def look(self, thetas: Floats) -> Floats:
         """Losses of the unperturbed scene, shape [K]."""
-        losses = self.panel.surrogate.assess(thetas).total + prior(self.panel.plan, thetas)
+        assessed = self.panel.surrogate.assess(thetas)
+        losses = assessed.total + prior(self.panel.plan, thetas)
         losses = np.nan_to_num(losses, nan=BROKEN, posinf=BROKEN)
+        happens = assessed.all_completed()
+        self._happens |= {t.tobytes(): bool(h) for t, h in zip(thetas, happens, strict=True)}
         self.seen = np.concatenate([self.seen, thetas])
         self.losses = np.concatenate([self.losses, losses])
         return losses
@@ -267,7 +271,7 @@ class Pool:
         No worst case is better than the unperturbed scene alone allows. What misses an event there
         is ranked by its loss.
         """
-        missed = losses >= MISSED
+        missed = ~np.array([self._happens[t.tobytes()] for t in thetas], bool)
         if missed.any():
             self._keep(thetas[missed], losses[missed])
         worth = ~missed & (WORST_SHARE * losses < self.best)

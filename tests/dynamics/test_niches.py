@@ -56,7 +56,8 @@ class Field:
     def assess(self, thetas: Floats) -> Assessment:
         self.played = np.concatenate([self.played, thetas])
         self.explored += len(thetas)
-        return Assessment(self.loss(thetas))
+        losses = self.loss(thetas)
+        return Assessment(losses, {"e": losses < MISSED})
 
     def preview(self, thetas: Floats) -> Floats:
         self.explored += MEMBERS * len(thetas)
