@@ -4,10 +4,10 @@ python -m benchmarks.optimizers [--suite FILE] [--scenes S5,S6,...] [--seeds 5] 
     [--json FILE]
 
 All start from the same theta, drawn uniformly between its bounds, and stop after `--budget`
-rollouts of Newton at the latest (the final judgement by the ensemble comes on top); `ad`, `hybrid`
-and ours may also use the surrogate, whose rollouts are listed. Events are completed in PhysX at 240
-steps a second. `--merge FILE ...` prints one table of several JSON files, which are written after
-every seed.
+rollouts of Newton at the latest (a judgement by the ensemble, 8 rollouts, comes on top); `ad`,
+`hybrid` and ours may also use the surrogate, whose rollouts are listed. Events are completed in
+PhysX at 240 steps a second. `--merge FILE ...` prints one table of several JSON files, which are
+written after every seed.
 """
 
 from __future__ import annotations
