@@ -42,7 +42,7 @@ class ClauseNouns(ClauseWords):
             return
         coordinated = (
             isinstance(previous, Word)
-            and (previous.kind == "conj" or previous.low in (",", "then"))
+            and (previous.kind == "conj" or previous.low in (",", "then", "finally", "lastly"))
             and s.last is not None
             and isinstance(self.elements[i - 2] if i >= 2 else None, (Mention, Word))
         )

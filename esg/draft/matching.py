@@ -34,7 +34,7 @@ _NUMBERS = frozenset(
 _DISTINCT = frozenset({"person", "animal", "food", "tool", "plant", "tableware", "ground", "book"})
 """Kinds whose synonyms name different things (man and woman, lemon and orange)."""
 _ENDS = frozenset({"front", "rear"})
-_IN_A_LINE = frozenset({"front", "middle", "rear", "last", "final"})
+_IN_A_LINE = frozenset({"front", "middle", "rear", "last", "final", "side"})
 """Single things named by where they stand in a line ("the front car ... the middle car")."""
 _ANYTHING = frozenset({"object", "thing", "item", "body", "prop", "entity", "projectile"})
 

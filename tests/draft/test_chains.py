@@ -120,6 +120,14 @@ def told(doc: EsgDocument) -> list[str]:
             "A ball rolls down the stairs, and a man steps on it and falls.",
             ["Collision man_1 ball_1", "Topple man_1"],
         ),
+        (
+            "A squash ball hits the front wall, then the side wall, and finally the player.",
+            [
+                "Collision squash_ball_1 front_wall_1",
+                "Collision squash_ball_1 wall_1",
+                "Collision squash_ball_1 player_1",
+            ],
+        ),
         # who goes on
         (
             "A bus stops to let a woman cross, then drives on and stops at a kiosk.",
