@@ -165,13 +165,19 @@ def gap_over_time(rec: Recording, a: list[int], b: list[int], *, near_only: bool
         near_only: Be exact only where it is a world's smallest or at most `NEAR_M`. Elsewhere it
             may be what spheres around the bodies give: less than the distance, more than either.
     """
+    key = (tuple(a), tuple(b), near_only)
+    if key not in rec.gaps:
+        rec.gaps[key] = _gaps(rec, a, b, _least_gap if near_only else surface_gap)
+    return rec.gaps[key]
+
+
+def _gaps(rec: Recording, a: list[int], b: list[int], gap: Callable[..., Floats]) -> Floats:
     p, q = rec.r.position.astype(float), rec.r.quaternion.astype(float)
     out = np.full(p.shape[:2], np.inf)
     for i in a:
         for j in b:
             x, y = rec.scene.bodies[i], rec.scene.bodies[j]
             if x.shapes and y.shapes:
-                gap = _least_gap if near_only else surface_gap
                 out = np.minimum(out, gap(x, y, p[:, :, i], q[:, :, i], p[:, :, j], q[:, :, j]))
     return out
 

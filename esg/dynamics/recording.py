@@ -23,6 +23,7 @@ class Recording:
         t: Recorded times [s], shape [T].
         speed: Of every body [m/s], shape [W, T, B].
         times: Per world, the program's own times by node id [s].
+        gaps: Surface distances measured so far, by what was asked for [m], shape [W, T].
     """
 
     def __init__(
@@ -34,6 +35,7 @@ class Recording:
         self.fps = 1.0 / float(self.t[1] - self.t[0])
         self.times = times
         self.speed = np.linalg.norm(rollout.linear_velocity.astype(float), axis=-1)
+        self.gaps: dict[object, Floats] = {}
 
     def program_time(self, node: TimelineNode) -> Floats:
         """The program's own time of an event [s], NaN if it sets none, shape [W]."""
