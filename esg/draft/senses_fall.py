@@ -318,8 +318,8 @@ class FallSenses(LaunchSenses):
             if actor not in self.tl.tracks:
                 self._start_motion(f, [actor], "drop")
                 ground = f.phrase("on", "onto", "in", "upon")
-                flat = ground is not None and ground.mention is not None
-                flat = flat and any(map(self.structural, ground.mention.entities))
+                under = ground.mention.entities if ground and ground.mention else []
+                flat = any(map(self.structural, under))
                 if flat and self.kind(actor) not in ("flyer", "animal", "person"):
                     self.event(NodeEvent.FALL, (actor,), f, self._time(f))
         if not self._landing(f, s):
