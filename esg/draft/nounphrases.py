@@ -6,7 +6,7 @@ from esg.draft import lexicon as lex
 from esg.draft.elements import Mention, Word
 from esg.draft.entities import ORDINALS
 from esg.draft.nominals import RETOLD_NOUNS
-from esg.draft.nounstarts import NounStarts
+from esg.draft.nounstarts import EXTENTS, NounStarts
 from esg.draft.verbphrases import verb_readings
 
 
@@ -159,17 +159,7 @@ class NounPhrases(NounStarts):
                     break
                 m.amounts.append(token.amount)
                 j = k
-                if nxt in (
-                    "tall",
-                    "wide",
-                    "long",
-                    "high",
-                    "thick",
-                    "deep",
-                    "diameter",
-                    "heavy",
-                    "radius",
-                ):
+                if nxt in EXTENTS:
                     m.adjectives.append(f"@{token.amount.start}:{nxt}")
                     j += 1
                 continue

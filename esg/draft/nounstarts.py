@@ -10,6 +10,8 @@ from esg.draft.nounheads import NounHeads
 from esg.draft.numerals import parse_number
 from esg.draft.verbphrases import verb_readings
 
+EXTENTS = ("tall", "wide", "long", "high", "thick", "deep", "diameter", "heavy", "radius")
+"""What an amount in front of a noun says the size of: "a 2 m long pole"."""
 _OF_A_SIZE = frozenset(
     {"of", "weighing", "is", "mass", "weight", "side", "height", "radius", "diameter", "length"}
     | {"width", "edge"}
@@ -134,17 +136,7 @@ class NounStarts(NounHeads):
                 continue
             if self._match_noun(j) is not None:
                 return low not in lex.ATTRIBUTES
-            if low in (
-                "tall",
-                "wide",
-                "long",
-                "high",
-                "thick",
-                "deep",
-                "diameter",
-                "heavy",
-                "radius",
-            ):
+            if low in EXTENTS:
                 continue
             if not self._is_adjective(j):
                 return (

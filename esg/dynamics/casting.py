@@ -10,7 +10,7 @@ from __future__ import annotations
 import itertools
 import math
 
-from esg.dynamics.containers import fit_containers
+from esg.dynamics.containers import fit_containers, resized, with_assets
 from esg.dynamics.fitting import fit_motion
 from esg.dynamics.stagecraft import climb_height, prop, support_of, top_surface
 from esg.dynamics.story import Story, bounds, read_story
@@ -63,10 +63,10 @@ def fit_assets(doc: EsgDocument) -> EsgDocument:
         config = doc.asset_configurations[nodes[name].asset_id]
         if not config.is_movable:
             changed[nodes[name].asset_id] = config.model_copy(update={"is_movable": True})
-    doc = _with(doc, {**changed, **_solid(doc, story), **_grown(doc, story)})
-    doc = fit_motion(_with(doc, fit_containers(doc, story)), story)
-    doc = _with(doc, _springy(doc, story))
-    doc = _with(doc, _for_transfer(doc, story))
+    doc = with_assets(doc, {**changed, **_solid(doc, story), **_grown(doc, story)})
+    doc = fit_motion(with_assets(doc, fit_containers(doc, story)), story)
+    doc = with_assets(doc, _springy(doc, story))
+    doc = with_assets(doc, _for_transfer(doc, story))
     return fit_toppled(doc, story)
 
 
@@ -152,8 +152,6 @@ def _grown(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]:
     hundredth of what counts as a collision, so that the chain is built of garden dominoes where
     the prompt leaves the size open.
     """
-    from esg.assets.stage import configure
-
     nodes = doc.spatial_relation_graph.nodes
     out: dict[str, AssetConfiguration] = {}
     for node in story.nodes.values():
@@ -174,16 +172,7 @@ def _grown(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]:
         if not 1.0 < factor <= LARGEST:
             continue
         for key in sorted(keys):
-            config = doc.asset_configurations[key]
-            larger = doc.asset_requirement[key].model_copy(
-                update={
-                    "expected_dimensions_cm": tuple(factor * d for d in config.dimensions_cm),
-                    "expected_mass_kg": factor**3 * config.mass_kg,
-                    "dimensions_are_prescribed": True,
-                    "mass_is_prescribed": True,
-                }
-            )
-            out[key] = configure(key, larger)
+            out[key] = resized(doc, key, doc.asset_configurations[key], factor)
     return out
 
 
@@ -268,12 +257,6 @@ def _springy(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]:
             if config.proxies and config.restitution < SPRINGY:
                 out[nodes[b].asset_id] = config.model_copy(update={"restitution": SPRINGY})
     return out
-
-
-def _with(doc: EsgDocument, changed: dict[str, AssetConfiguration]) -> EsgDocument:
-    if not changed:
-        return doc
-    return doc.model_copy(update={"asset_configurations": {**doc.asset_configurations, **changed}})
 
 
 def _set_in_motion(doc: EsgDocument, story: Story) -> list[str]:

@@ -157,6 +157,13 @@ def resized(
     ).model_copy(update={"is_movable": config.is_movable})
 
 
+def with_assets(doc: EsgDocument, changed: dict[str, AssetConfiguration]) -> EsgDocument:
+    """The document with some of its assets changed."""
+    if not changed:
+        return doc
+    return doc.model_copy(update={"asset_configurations": {**doc.asset_configurations, **changed}})
+
+
 def _drop_height(story: Story, node: TimelineNode) -> float:
     """Height [m] whose fall is as fast as the thing comes down: a long flight goes high."""
     flight = 0.0

@@ -5,6 +5,7 @@ Complements `casting`: only what the prompt leaves open of sizes, masses and sur
 
 from __future__ import annotations
 
+from esg.dynamics.containers import resized, with_assets
 from esg.dynamics.stagecraft import (
     Prop,
     coasting_drag,
@@ -16,6 +17,7 @@ from esg.dynamics.stagecraft import (
 )
 from esg.dynamics.story import Phase, Story, bounds
 from esg.dynamics.tipping import stand_of
+from esg.dynamics.toppling import hits
 from esg.graph.models import AssetConfiguration, EdgeEvent, EsgDocument, NodeEvent, TimelineNode
 from esg.units import GRAVITY_MPS2
 
@@ -55,11 +57,7 @@ def fit_motion(doc: EsgDocument, story: Story) -> EsgDocument:
         The document; only `asset_configurations` may differ.
     """
     for rule in (_roomy, _felt, _slippery, _bouncy, _pushed_on, _steady):
-        changed = rule(doc, story)
-        if changed:
-            doc = doc.model_copy(
-                update={"asset_configurations": {**doc.asset_configurations, **changed}}
-            )
+        doc = with_assets(doc, rule(doc, story))
     return doc
 
 
@@ -77,34 +75,8 @@ def _open(doc: EsgDocument, name: str, *, size: bool = False) -> bool:
 
 def _scaled(doc: EsgDocument, name: str, factor: float) -> AssetConfiguration:
     """The same thing, larger or smaller in all directions."""
-    from esg.assets.stage import configure
-
     key = _asset(doc, name)
-    config = doc.asset_configurations[key]
-    larger = doc.asset_requirement[key].model_copy(
-        update={
-            "expected_dimensions_cm": tuple(factor * d for d in config.dimensions_cm),
-            "expected_mass_kg": factor**3 * config.mass_kg,
-            "dimensions_are_prescribed": True,
-            "mass_is_prescribed": True,
-        }
-    )
-    return configure(key, larger)
-
-
-def _hits(doc: EsgDocument, story: Story) -> list[tuple[TimelineNode, str, str]]:
-    """Hits of two objects as (hit, mover, target)."""
-    nodes = doc.spatial_relation_graph.nodes
-    out: list[tuple[TimelineNode, str, str]] = []
-    for node in story.nodes.values():
-        if node.event is not NodeEvent.COLLISION or len(node.participants) < 2:
-            continue
-        a, b = node.participants[:2]
-        if story.is_active(b) and not story.is_active(a):
-            a, b = b, a
-        if a in nodes and b in nodes:
-            out.append((node, a, b))
-    return out
+    return resized(doc, key, doc.asset_configurations[key], factor)
 
 
 def _arrival(story: Story, actor: str, node: TimelineNode) -> Phase | None:
@@ -136,7 +108,7 @@ def _felt(doc: EsgDocument, story: Story) -> Configs:
     The lighter one of the two grows, both where they are alike.
     """
     out: Configs = {}
-    for node, a, b in _hits(doc, story):
+    for node, a, b in hits(doc, story):
         phase = _arrival(story, a, node)
         pa, pb = prop(doc, a), prop(doc, b)
         if phase is None or not pa.rolls or any(_enters(story, n) for n in (a, b)):
@@ -169,7 +141,7 @@ def _enters(story: Story, name: str) -> bool:
 def _slippery(doc: EsgDocument, story: Story) -> Configs:
     """Body and ground on which something slid at a prescribed speed is still on its way in time."""
     out: Configs = {}
-    for node, a, _ in _hits(doc, story):
+    for node, a, _ in hits(doc, story):
         phase, body = _arrival(story, a, node), prop(doc, a)
         if phase is None or phase.edge.event is not EdgeEvent.TOWARD or story.flies(a):
             continue
@@ -215,7 +187,7 @@ def _bouncy(doc: EsgDocument, story: Story) -> Configs:
     Where masses are open they are chosen instead (`casting`).
     """
     out: Configs = {}
-    for node, a, b in _hits(doc, story):
+    for node, a, b in hits(doc, story):
         phase = _arrival(story, a, node)
         speed = _asked_speed(phase) if phase else None
         asked = [c.value for c in node.constraints if (c.quantity, c.object) == ("speed_after", b)]
@@ -240,7 +212,7 @@ def _bouncy(doc: EsgDocument, story: Story) -> Configs:
 def _pushed_on(doc: EsgDocument, story: Story) -> Configs:
     """What a hit of prescribed speed is to send into something else is light and smooth enough."""
     out: Configs = {}
-    for node, a, b in _hits(doc, story):
+    for node, a, b in hits(doc, story):
         phase = _arrival(story, a, node)
         speed = _asked_speed(phase) if phase else None
         mover, target = prop(doc, a), prop(doc, b)
@@ -298,7 +270,7 @@ def _steady(doc: EsgDocument, story: Story) -> Configs:
     of its base.
     """
     out: Configs = {}
-    for node, a, b in _hits(doc, story):
+    for node, a, b in hits(doc, story):
         target, mover = prop(doc, b), prop(doc, a)
         if not story.topples(b) or story.is_active(b) or target.rolls or target.fixed:
             continue

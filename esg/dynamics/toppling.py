@@ -11,7 +11,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 import re
 
-from esg.dynamics.containers import resized
+from esg.dynamics.containers import resized, with_assets
 from esg.dynamics.stage import FASTEST_MPS
 from esg.dynamics.stagecraft import Prop, fall_speed, prop
 from esg.dynamics.story import Story, bounds
@@ -76,17 +76,27 @@ def fit_toppled(doc: EsgDocument, story: Story) -> EsgDocument:
 def _knocks(doc: EsgDocument, story: Story) -> list[Knock]:
     nodes = doc.spatial_relation_graph.nodes
     out: list[Knock] = []
+    for node, a, b in hits(doc, story):
+        if story.is_active(b) or nodes[a].asset_id == nodes[b].asset_id:
+            continue
+        if story.topples(b) or story.falls(b):
+            pushed = story.falls(b) and launched(story, a, node.id)
+            out.append(Knock(node, a, b, fastest(story, a, node.id), pushed))
+    return out
+
+
+def hits(doc: EsgDocument, story: Story) -> list[tuple[TimelineNode, str, str]]:
+    """Hits of two objects as (hit, mover, target)."""
+    nodes = doc.spatial_relation_graph.nodes
+    out: list[tuple[TimelineNode, str, str]] = []
     for node in story.nodes.values():
         if node.event is not NodeEvent.COLLISION or len(node.participants) < 2:
             continue
         a, b = node.participants[:2]
         if story.is_active(b) and not story.is_active(a):
             a, b = b, a
-        if a not in nodes or b not in nodes or story.is_active(b):
-            continue
-        if (story.topples(b) or story.falls(b)) and nodes[a].asset_id != nodes[b].asset_id:
-            pushed = story.falls(b) and launched(story, a, node.id)
-            out.append(Knock(node, a, b, fastest(story, a, node.id), pushed))
+        if a in nodes and b in nodes:
+            out.append((node, a, b))
     return out
 
 
@@ -124,7 +134,7 @@ def _fitted(doc: EsgDocument, story: Story, knock: Knock) -> EsgDocument:
             for size in sizes:
                 if not missing(larger, lightest, size, flies):
                     made = resized(doc, keys[0], doc.asset_configurations[keys[0]], factor)
-                    return _changed(_with(doc, {keys[0]: made}), keys[1], size, lightest)
+                    return _changed(with_assets(doc, {keys[0]: made}), keys[1], size, lightest)
     if topples and _may_be_thrown(doc, story, knock, mover):
         for size in sizes:
             if not missing(mover, lightest, size, True):
@@ -189,13 +199,7 @@ def _changed(doc: EsgDocument, key: str, size: float, mass: float) -> EsgDocumen
         config = resized(doc, key, config, size)
     if mass != 1.0:
         config = scaled(config, mass)
-    return _with(doc, {} if config is doc.asset_configurations[key] else {key: config})
-
-
-def _with(doc: EsgDocument, changed: dict[str, AssetConfiguration]) -> EsgDocument:
-    if not changed:
-        return doc
-    return doc.model_copy(update={"asset_configurations": {**doc.asset_configurations, **changed}})
+    return with_assets(doc, {} if config is doc.asset_configurations[key] else {key: config})
 
 
 def scaled(config: AssetConfiguration, factor: float) -> AssetConfiguration:
