@@ -6,6 +6,7 @@ from typing import Any
 
 from esg.draft import lexicon as lex
 from esg.draft.core import Time
+from esg.draft.events import PUSHING
 from esg.draft.frames import Frame, Phrase
 from esg.draft.motions import Motions
 from esg.draft.scene import SELF_POWERED
@@ -37,14 +38,15 @@ _EDGES = frozenset({"edge", "end", "side", "rim", "lip"})
 _VISITING = frozenset(
     {"come", "go", "pull", "move", "drive", "walk", "ride", "sail", "head", "turn", "run", "step"}
 )
+_OPEN_CARTS = frozenset({"cart", "shopping cart", "wheelbarrow", "mine cart", "trailer"})
+_OPENINGS = frozenset({"hole", "water"})
+_TOUCHES = frozenset({"hit", "knock", "topple"})
 _PLACES = frozenset(
     {"station", "tunnel", "garage", "hangar", "harbor", "harbour", "port", "depot", "airport",
      "barn", "stable", "warehouse", "factory", "hall", "room", "kitchen", "shop", "store", "school",
      "village", "town", "city", "mall"}
 )  # fmt: skip
 """Where "into" is an arrival and no crash."""
-PUSHING = frozenset({"push", "shove", "nudge", "prod"})
-"""Verbs of moving a thing by touching it."""
 
 
 class Acts(Motions):
@@ -102,12 +104,32 @@ class Acts(Motions):
                     self.place([actor], [other], "on" if p.prep == "down" else "near")
                 elif p.prep in ("along", "across") and "support" in self.e(other).noun.traits:
                     self.place([actor], [other], "on")
+                elif p.prep == "past" and self._touches_later(f, other):
+                    self.use(f, "on the way to the contact")
                 elif p.prep == "past":
                     self.event(NodeEvent.MISS, (actor, other), f, time)
                 elif p.prep == "to" and self.structural(other) and self._comes_down(f, actor, p):
                     self.event(NodeEvent.FALL, (actor,), f, time)
                 elif p.prep == "to" and not self.structural(other) and not p.mention.attribute:
                     self.pending[actor] = (NodeEvent.REACH, f, other, time)
+
+    def _touches_later(self, f: Frame, other: str) -> bool:
+        """ "runs past a scooter and brushes it": no miss."""
+        for g in self.told:
+            if g.sentence != f.sentence or g.verb.start < f.verb.start or g.subject is None:
+                continue
+            mine = f.subject is not None and g.subject.entities == f.subject.entities
+            touched = g.object is not None and other in g.object.entities
+            if mine and touched and g.verb.sense in _TOUCHES and not (g.verb.negated or g.unreal):
+                return True
+        return False
+
+    def _takes_up_from_above(self, host: str, prep: str) -> bool:
+        """Whether what falls "into" it is inside then: open carts and trays, and unknown things."""
+        noun = self.e(host).noun
+        open_ = noun.kind == "generic" or (noun.kind == "cart" and noun.name in _OPEN_CARTS)
+        open_ = open_ or noun.name in ("tray", "container")
+        return prep in ("into", "in", "through") and (self._holds(host) or open_)
 
     def _from_an_end(self, f: Frame, p: Phrase, other: str) -> bool:
         """Whether a motion starts at the end of a table or shelf, and stays on it."""
@@ -125,10 +147,11 @@ class Acts(Motions):
         named = [i for ids in reversed(self.world.salience) for i in ids]
         known = self.world.entities
         for actor in actors:
-            goal = next(
-                (i for i in named if i in self.world.entities and self._enterable(i)),
-                self.aim.get(actor, ""),
-            )
+            goals = [i for i in named if i in self.world.entities and self._enterable(i)]
+            last = self.tl.node(self.tl.last_event or "")
+            passed = str(last.extra.get("region", "")).split("/")[0] if last is not None else ""
+            goals = [i for i in goals if i != passed] or goals  # "through the hoop and back in"
+            goal = next(iter(goals), self.aim.get(actor, ""))
             if not goal and self.kind(actor) in ("ball", "sliding"):
                 posts = any(self.e(i).head.split()[-1] in _GOALMOUTH for i in named if i in known)
                 goal = self._implied_goal(actor) if posts else ""
@@ -230,12 +253,13 @@ class Acts(Motions):
             "fly",
         )
         airborne = airborne or (f.verb.sense == "bounce" and actor in self.came_down)
+        airborne = airborne or ("there" in f.adverbs and actor in self.came_down)
         enterable = (
             noun.kind in ("region", "goal", "hole", "hoop")
             or "goal" in noun.traits
             or noun.kind == "water"
         )
-        if enterable or ("container" in noun.traits and airborne):
+        if enterable or (airborne and self._takes_up_from_above(other, p.prep)):
             self.enter(f, actor, other, p.mention, time)
         else:
             self._hit(f, [actor], others, time)
@@ -285,6 +309,10 @@ class Acts(Motions):
                     continue
                 if "region" in (self.kind(mover), self.kind(target)):
                     continue  # a pocket is a part of its table
+                if f.verb.lemma in ("run", "drive", "slam") and self.kind(target) in _OPENINGS:
+                    self._ensure_mover(f, mover, target)
+                    self.enter(f, mover, target, None, time)  # "runs into the gutter"
+                    continue
                 if not self.movable(mover):
                     mover, target = target, mover
                     if not self.movable(mover) or not self._aimable(target):

@@ -144,7 +144,11 @@ class DocumentBuilder:
         The ground is a half-space, so a hole is a low opening on it, as wide as stated: a ball that
         rolls gets over no rim.
         """
-        if e.noun.name == "pot":
+        if e.noun.name in ("cart", "mine cart"):
+            category, text = "shopping_cart", "shopping cart: open wire cart with castors"
+        elif e.noun.kind == "generic" or e.noun.name in ("trailer", "container"):
+            category, text = "open_box", "open box without a lid"
+        elif e.noun.name == "pot":
             category, text = "bucket", f"{e.head}: open pot without a lid, bucket"
         elif e.noun.name in ("cabinet", "crib", "well") or (
             e.noun.kind in ("box", "bottle", "rock") and e.noun.name not in ("cup", "glass")

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from esg.draft.acts import PUSHING, Acts
+from esg.draft.acts import Acts
+from esg.draft.events import PUSHING
 from esg.draft.frames import Frame, Phrase
 from esg.graph.models import NodeEvent
 

@@ -26,6 +26,8 @@ class Core:
         """Last thing an actor moves towards."""
         self.last_hit: tuple[str, str] | None = None
         self.mentions: list[Mention] = []
+        self.told: list[Frame] = []
+        """All clauses, in order of time."""
         self.framed: set[int] = set()
         """Noun phrases that are arguments of a verb."""
         self.pending: dict[str, tuple[NodeEvent, Frame, str | None, Time | None]] = {}

@@ -38,6 +38,12 @@ OWN_PARTS = frozenset(
     | {"tyre", "door", "mirror", "headlight", "fender", "lid", "handle", "leg"}
 )
 """Parts that belong to a thing and are hit when the thing is."""
+ACTING_PARTS = OWN_PARTS | frozenset(
+    {"brush", "blade", "shovel", "bow", "prow", "stern", "keel", "hull", "rotor", "propeller"}
+    | {"axle", "front", "rear", "side", "boom", "jib", "hook", "claw", "gripper", "fork", "forks"}
+    | {"plow", "plough", "mast", "basket", "gondola", "body", "corner", "back end", "undercarriage"}
+)
+"""Parts of a machine with which it hits things ("its brush touches a box")."""
 STACKED = {
     "top": -1, "topmost": -1, "uppermost": -1, "upper": -1, "highest": -1,
     "bottom": 0, "lowest": 0, "lowermost": 0, "lower": 0, "bottommost": 0,

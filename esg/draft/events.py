@@ -9,12 +9,14 @@ from esg.draft.core import Time
 from esg.draft.frames import Frame
 from esg.draft.places import Places
 from esg.draft.quantities import Amount
-from esg.draft.scene import pocket_name
+from esg.draft.scene import SELF_POWERED, pocket_name
 from esg.draft.syntax import Mention
 from esg.draft.timeline import START
 from esg.draft.windows import Draft
 from esg.graph.models import EventConstraint, NodeEvent, Quantity, Role
 
+PUSHING = frozenset({"push", "shove", "nudge", "prod"})
+"""Verbs of moving a thing by touching it."""
 _RETOLD = frozenset(
     {NodeEvent.COLLISION, NodeEvent.FALL, NodeEvent.TOPPLE, NodeEvent.STOP, NodeEvent.MISS,
      NodeEvent.ENTER_REGION, NodeEvent.REACH}
@@ -263,9 +265,15 @@ class Events(Places):
             if actor is not None and name != actor:
                 continue
             event, f, other, time = self.pending.pop(name)
-            if event is NodeEvent.FALL and f.verb.sense == "fall":
+            into = kind in (NodeEvent.COLLISION, NodeEvent.ENTER_REGION) and actor == name
+            leaves = f.phrase("off", "from", "out of") is not None or {"off", "out"} & {*f.adverbs}
+            leaves = leaves or f.verb.lemma in ("come", "break", "detach")
+            if event is NodeEvent.FALL and f.verb.sense == "fall" and (leaves or not into):
                 self.event(event, (name,), f, time)
                 continue
+            sent = event is NodeEvent.REACH and self.kind(name) not in SELF_POWERED
+            if sent and into and f.verb.lemma not in PUSHING:
+                continue  # "throws the ball to a defender, and it hits the referee"
             if event in (NodeEvent.COLLISION, NodeEvent.ENTER_REGION) and other is not None:
                 self._land_aim(f, name, other, kind, target, time)
                 continue

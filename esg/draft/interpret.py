@@ -88,6 +88,7 @@ class Interpreter(References):
 
     def run(self, frames: list[Frame], attachments: list[tuple[Mention, Phrase]]) -> Scene:
         # references are resolved in the order of the text, events in the order of time
+        self.told = frames
         self._refer_all(frames)
         for m, p in attachments:
             self.attachment(m, p)

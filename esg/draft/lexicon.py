@@ -125,6 +125,8 @@ def singular(word: str) -> tuple[str, bool]:
     w = word.lower()
     if w in _IRREGULAR_PLURALS:
         return _IRREGULAR_PLURALS[w], True
+    if w.endswith("men") and len(w) > 5:
+        return w[:-2] + "an", True  # fishermen
     if w.endswith("is") and w[:-1] in nouns():
         return w[:-1], True  # taxis, skis
     if w in _NOT_PLURAL or not w.endswith("s") or len(w) < 3 or w.endswith(("ss", "us", "is")):

@@ -216,6 +216,10 @@ class NounHeads(Letters):
             and not self._one_does(j, m)
             and (m.determiner or m.adjectives or m.count is not None or self._is_attribute_start(j))
         ):
+            after = self._match_noun(j + 1)
+            if after is not None and self._names_it(m, low) and not verb_readings(self._low(j + 1)):
+                m.adjectives.append(low)  # "the space station", "a storm lantern"
+                return self._head(i, j + 1, m)
             m.attribute = True
             m.head = low if low in lex.ATTRIBUTES else lex.singular(low)[0]
             j += 1
@@ -347,6 +351,13 @@ class NounHeads(Letters):
                 pass
         self.elements.append(m)
         return j
+
+    @staticmethod
+    def _names_it(m: Mention, low: str) -> bool:
+        """Whether an abstract noun before another one says what that is ("space station")."""
+        return (
+            bool(m.determiner) and m.determiner not in lex.PRONOUNS and low not in lex.GROUP_WORDS
+        )
 
     def _inner(self, j: int, m: Mention) -> int | None:
         """ "a roll of tape": the thing itself, from the start of the whole phrase."""

@@ -180,8 +180,10 @@ class Pronouns(Registry):
             return [chosen.id]
         if "next" in m.adjectives and not self.groups:
             solid = [e for e in self.entities.values() if "structural" not in e.noun.traits]
-            if solid:  # "A domino falls and hits the next one"
-                like = solid[-1]
+            before = avoid or (self.subjects[-1] if self.subjects else [])
+            model = [e for e in solid if e.id in before[:1]]
+            if solid:  # "A domino falls and hits the next one", "One ball ..., the next one ..."
+                like = (model or solid)[-1]
                 label = f"next {like.head}"
                 other = self.add(
                     like.noun, like.head, adjectives=["next"], label=label,

@@ -283,6 +283,30 @@ class Reader:
         nxt = self._low(j + 1)
         return not (verb_readings(nxt) or nxt in lex.MODALS or nxt == "'s")
 
+    def _unknown_verb(self, i: int) -> bool:
+        """ "The bag rips, and", ", rounds a shelf": an unknown word in -s in place of a verb."""
+        low, token, nxt = self._low(i), self.tokens[i], self._tok(i + 1)
+        known = self._match_noun(i) is not None or verb_readings(low) or self._is_adjective(i)
+        if known or not low.isalpha() or not low.endswith("s") or low.endswith("ss"):
+            return False
+        singular = lex.singular(low)[0]
+        closed = lex.PREPOSITIONS | lex.ADVERBS | lex.MODALS | lex.DETERMINERS | lex.PRONOUNS
+        if low in closed | lex.SUBORDINATORS or {low, singular} & (lex.PARTS | lex.ATTRIBUTES):
+            return False
+        ends = nxt is None or nxt.kind in ("punct", "qty")
+        object_ = nxt is not None and nxt.low in lex.DETERMINERS | lex.PRONOUNS
+        way = nxt is not None and nxt.low in lex.PREPOSITIONS | lex.ADVERBS - {"of"}
+        previous = self._previous()
+        if isinstance(previous, Mention):
+            before = self.elements[-2] if len(self.elements) > 1 else None
+            opens = before is None or getattr(before, "kind", "") in ("punct", "conj", "sub", "adv")
+            one = previous.determiner in ("a", "an", "the", "this", "that", "its", "one")
+            alone = one and not previous.plural and previous.end == self.tokens[i - 1].end
+            return opens and alone and (ends or object_ or way or nxt.low in ("and", "but", "to"))
+        told = any(isinstance(e, Verb) for e in self.elements)
+        listed = isinstance(previous, Word) and (previous.kind == "conj" or previous.low == ",")
+        return listed and told and token.tag == "VERB" and (object_ or way)
+
     def _compound_noun(self, k: int) -> bool:
         """Whether an ambiguous word continues a compound ("picnic park") and is no verb."""
         nxt = self._tok(k + 1)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from esg.draft import lexicon as lex
-from esg.draft.entities import ORDINALS
+from esg.draft.entities import ACTING_PARTS, ORDINALS
 from esg.draft.frames import Frame
 from esg.draft.scene import SELF_POWERED
 from esg.draft.senses_motion import MotionSenses
@@ -220,6 +220,19 @@ class References(MotionSenses):
         if f.verb.sense in ("be", "posture", "have", "park") and (subject or objects):
             self._topic = (f.sentence, subject or objects)
 
+    def _part_that_hits(self, f: Frame) -> None:
+        """ "The cart rolls on, its wheel hits a stone": the cart does."""
+        m = f.subject
+        if m is None or m.possessor is not None or id(m) in self.world.resolved:
+            return
+        touches = f.verb.sense in ("hit", "knock", "miss") and not f.verb.passive and f.object
+        if not touches or m.determiner != "its" or m.head not in ACTING_PARTS or m.plural:
+            return
+        whole = self._last_subject
+        if len(whole) == 1 and self.kind(whole[0]) in SELF_POWERED | {"cart", "sliding"}:
+            self.world.resolved[id(m)] = m.entities = list(whole)
+            m.attribute = False
+
     def _it_is_the_target(self, f: Frame, subject: list[str]) -> None:
         """ "The first misses, the second hits it": what all of them were thrown at."""
         m, (shot, target) = f.object, self._shot
@@ -343,6 +356,7 @@ class References(MotionSenses):
             and (m.pronoun == "it") == (len(self._patient) == 1)
         ):
             self.world.resolved[id(m)] = m.entities = list(self._patient)
+        self._part_that_hits(f)
         dropped = f.verb.sense in ("miss", "hit", "land") and self._dropped
         if (
             m is not None

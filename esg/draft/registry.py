@@ -262,7 +262,8 @@ class Registry(Matching):
         elif m.head == "bar" and noun.name in ("gold bar", "floor") and m.after_prep in _AT_A_BAR:
             noun = lex.nouns()["counter"]
         elif noun.name == "hoop" and (
-            (m.after_prep in ("through", "into", "in") and self._ball_game())
+            m.after_prep == "through"
+            or (m.after_prep in ("into", "in") and self._ball_game())
             or any(e.noun.name == "basketball" for e in self.entities.values())
         ):
             noun = lex.nouns()["basketball hoop"]

@@ -23,6 +23,8 @@ class ContactSenses(FallSenses):
         if f.verb.passive and f.verb.extra.get("motion") and f.phrase("by") is None:
             f.verb.passive = False  # "is reversed into a lamp post"
             o = [i for i in o if i not in s]
+        if f.verb.passive and f.verb.lemma == "stick" and o and f.phrase("by") is None:
+            f.verb.passive = False  # "gets stuck in a bush"
         if f.verb.passive:
             by = f.phrase("by")
             by = by or f.phrase("with")

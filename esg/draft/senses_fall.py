@@ -112,9 +112,10 @@ class FallSenses(LaunchSenses):
                     n.event is NodeEvent.FALL and t in n.participants for n in self.tl.nodes
                 ):
                     self.event(NodeEvent.FALL, (t,), f, self._time(f))
-            elif (p.prep in ("into", "in", "through") and self._holds(other)) or self.kind(
-                other
-            ) in ("region", "water"):
+            elif self._takes_up_from_above(other, p.prep) or self.kind(other) in (
+                "region",
+                "water",
+            ):
                 self.enter(f, t, other, p.mention, self._time(f))
             else:
                 self._hit(f, [t], p.mention.entities, self._time(f))
@@ -195,6 +196,9 @@ class FallSenses(LaunchSenses):
             flat = onto.mention.entities and all(map(self.structural, onto.mention.entities))
             if flat and a_rests_low(self, upright[0]) and self.kind(upright[0]) in _UPRIGHT:
                 self._read_as("topple", f, s, [])
+                return
+            if struck and self.kind(upright[0]) in ("person", "animal"):
+                self._hit(f, upright[:1], struck[:1], self._time(f))
                 return
             if struck and a_rests_low(self, upright[0]) and self.kind(upright[0]) != "bottle":
                 self._read_as("topple", f, s, [])

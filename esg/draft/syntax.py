@@ -227,6 +227,9 @@ class Chunker(NounPhrases):
         if low in lex.SUBORDINATORS and self._clause_follows(i):
             self.elements.append(Word(token.start, token.end, "sub", low))
             return i + 1
+        if self._unknown_verb(i):
+            self.elements.append(Verb(token.start, token.end, low, "unknown", "s"))
+            return i + 1
         j = self._noun_phrase(i)
         if j is not None:
             return j

@@ -122,7 +122,7 @@ _phrase(
 )
 _phrase("fall", r"short\s+of", "miss")
 _phrase("come", r"off", "fall")
-_phrase("come", r"down(?=\s+(?:from|off|on|onto)\b)", "fall", particle="down")
+_phrase("come", r"down(?=\s+(?:from|off|on|onto)\b(?!\s+\d))", "fall", particle="down")
 _phrase("take", r"(?:an?|the)\s+(?:\w+\s+)?(?:corner|bend|curve)", "turn")
 for _v in ("break", "come", "work"):
     _phrase(_v, r"(?:loose|away|free)(?=\s+(?:from|of)\b)", "fall", particle="down")

@@ -148,8 +148,15 @@ def test_a_time_after_the_landing_is_the_landings(
     assert not verify(doc)
 
 
-def test_how_long_it_falls_is_counted_from_the_fall() -> None:
+def test_how_long_it_falls_is_the_time_of_the_hit() -> None:
     doc = draft("A stone falls for 0.6 s before hitting a bucket.")
+    hit = points(doc, NodeEvent.COLLISION)[0]
+    assert (hit.timestamp, hit.time_is_prescribed) == (0.6, True)
+    assert not points(doc, NodeEvent.FALL), "it falls onto the bucket and leaves no support"
+
+
+def test_how_long_it_falls_off_something_is_counted_from_the_fall() -> None:
+    doc = draft("A vase falls off a shelf, drops for 0.6 s and hits a bucket.")
     hit, fall = points(doc, NodeEvent.COLLISION)[0], points(doc, NodeEvent.FALL)[0]
     assert constraint(hit, "time_since") == (0.6, fall.id, None)
 

@@ -1,0 +1,100 @@
+"""Events that a prompt does not tell: words read wrongly, parts, passing by, what falls into what."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from esg.draft import draft
+from esg.graph import verify
+
+_TOLD = {"Collision", "EnterRegion", "Fall", "Topple", "Stop", "HeadingReached", "Reach", "Miss"}
+
+
+def events(prompt: str) -> list[tuple[Any, ...]]:
+    """Point events of a verifier-clean draft: type, participants, region."""
+    doc = draft(prompt)
+    assert verify(doc) == ()
+    nodes = doc.timeline_system.sequence_graph.nodes if doc.timeline_system else ()
+    return [
+        (n.event.value, *n.participants, *([n.region] if n.region else []))
+        for n in nodes
+        if n.event.value in _TOLD
+    ]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "expected"),
+    [
+        (
+            "A robot picks up speed, skrimps a shelf, and runs into a cart.",
+            [("Collision", "robot_1", "cart_1")],
+        ),
+        (
+            "The paper bag rips, and two oranges roll down a ramp. The first one hits a chair.",
+            [("Collision", "first_orange_1", "chair_1")],
+        ),
+        ("A drone flies toward the space station and stops.", [("Stop", "drone_1")]),
+        (
+            "A boat drifts past two oarsmen and hits a rock.",
+            [("Miss", "boat_1", "oarsman_1"), ("Collision", "boat_1", "rock_1")],
+        ),
+    ],
+)
+def test_unknown_words_take_no_part(prompt: str, expected: list[tuple[Any, ...]]) -> None:
+    """An unknown verb is no object, and what qualifies a noun is no noun of its own."""
+    assert events(prompt) == expected
+
+
+def test_a_part_hits_as_its_whole() -> None:
+    """ "Its wheel hits": the whole does; a part that comes off acts on its own."""
+    told = events("A tractor drives across the field, its front wheel hits a stone, and it stops.")
+    assert told[0] == ("Collision", "tractor_1", "stone_1")
+    alone = events("A wheel comes off a tractor and hits a stone.")
+    assert ("Collision", "wheel_1", "stone_1") in alone
+
+
+def test_passing_and_touching_is_no_miss() -> None:
+    assert events("A jogger runs past a scooter and brushes it.") == [
+        ("Collision", "jogger_1", "scooter_1")
+    ]
+    assert ("Miss", "jogger_1", "scooter_1") in events(
+        "A jogger runs past a scooter and bumps into a bin."
+    )
+
+
+def test_what_is_sent_to_somebody_and_hits_something_else_does_not_arrive() -> None:
+    told = events("A boy rolls a melon to a girl. The melon hits a stone and stops.")
+    assert told == [("Collision", "melon_1", "stone_1"), ("Stop", "melon_1")]
+    assert events("A boy walks to a girl and trips over a stone.")[0][0] == "Reach"
+
+
+@pytest.mark.parametrize(
+    ("prompt", "kind"),
+    [
+        ("A wrench falls into a wheelbarrow.", "EnterRegion"),
+        ("A bolt drops into a tray.", "EnterRegion"),
+        ("A crate falls off the belt into a container.", "EnterRegion"),
+        ("A barrel rolls into a wheelbarrow.", "Collision"),
+        ("A bolt drops onto a tray.", "Collision"),
+        ("A ball runs into the gutter.", "EnterRegion"),
+    ],
+)
+def test_open_things_take_up_what_falls_into_them(prompt: str, kind: str) -> None:
+    assert events(prompt)[-1][0] == kind
+
+
+def test_who_falls_onto_a_thing_hits_it_and_no_more() -> None:
+    assert events("A clown slips on a unicycle and falls onto a drum.")[-1][0] == "Collision"
+    assert "Topple" not in [e[0] for e in events("A clown walks away and falls onto a drum.")]
+
+
+def test_the_next_one_is_of_the_kind_of_the_one_before() -> None:
+    told = events("One ball runs into the gutter, the next one knocks down a pin.")
+    assert ("Collision", "ball_2", "pin_1") in told
+
+
+def test_back_in_is_where_it_came_from() -> None:
+    told = events("A dolphin leaps out of the water, flies through a hoop and dives back in.")
+    assert [e[-1] for e in told] == ["hoop_1/inside", "water_1/inside"]
