@@ -54,8 +54,10 @@ def main() -> None:
     except OSError as error:
         if os.environ.get("ESG_DEBUG"):
             raise
-        silence()
-        code = fail(f"{error.filename or 'output'}: {error.strerror or error}", 1, False)
+        if error.filename is None:
+            silence()  # the output itself cannot be written
+        told = f"{error.filename or 'output'}: {error.strerror or error}"
+        code = fail(told, 1, as_json and error.filename is not None)
     except Exception as error:
         if os.environ.get("ESG_DEBUG"):
             raise

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from importlib import metadata
 import os
 from pathlib import Path
 import sys
@@ -16,8 +17,30 @@ def cache_dir() -> Path:
     explicit = os.environ.get("ESG_CACHE_DIR")
     if explicit:
         return Path(explicit).expanduser().resolve()
+    return _user_cache() / "esg"
+
+
+def _user_cache() -> Path:
     xdg = os.environ.get("XDG_CACHE_HOME")
     if xdg:
-        return Path(xdg) / "esg"
+        return Path(xdg)
     home = Path.home()
-    return (home / "Library" / "Caches" if sys.platform == "darwin" else home / ".cache") / "esg"
+    return home / "Library" / "Caches" if sys.platform == "darwin" else home / ".cache"
+
+
+def kernel_cache_dir() -> Path:
+    """Where warp keeps the kernels it compiled; found without importing it.
+
+    `WARP_CACHE_PATH` wins; otherwise the platform's usual place. Each version has its own folder.
+    """
+    explicit = os.environ.get("WARP_CACHE_PATH")
+    base = Path(explicit).resolve() if explicit else _user_cache() / "warp"
+    return base / metadata.version("warp-lang")
+
+
+def kernels_compiled() -> bool:
+    """Whether this machine has compiled the kernels of a search before (`esg setup`)."""
+    try:
+        return any(kernel_cache_dir().glob("wp_esg.engines.surrogate_kernels_*"))
+    except OSError:
+        return False

@@ -22,6 +22,7 @@ import traceback
 from typing import TYPE_CHECKING, Any
 
 from esg.outcomes import Outcome, UserError
+from esg.paths import cache_dir
 from esg.progress import StageEvent, emit
 
 if TYPE_CHECKING:
@@ -184,9 +185,11 @@ def run_stage(stage: str, state: SceneState) -> SceneState:
         `crashed`; neither raises.
 
     Raises:
-        OSError: Only one that may pass (see `may_pass`): try the stage again.
+        OSError: One that may pass (see `may_pass`): try the stage again; or the remedy for a disk
+            that cannot be written: no fault of the scene, which therefore does not end.
     """
     from esg.stages import SPECS, conclude
+    from esg.store.files import explained, unwritable
 
     if state.ended or stage in state.artifacts:
         return state
@@ -212,6 +215,9 @@ def run_stage(stage: str, state: SceneState) -> SceneState:
     except Exception as error:
         if may_pass(error):
             raise
+        if unwritable(error):
+            assert isinstance(error, OSError)
+            raise explained(error, Path(error.filename or cache_dir())) from error
         state = crashed(state, error)
         entry["error"] = state.reason
         entry["traceback"] = traceback.format_exc()

@@ -32,8 +32,11 @@ import time
 from esg.leftovers import owned_folder, sweep_leftovers
 from esg.outcomes import UserError
 from esg.paths import cache_dir
+from esg.store.files import atomic_write
 
 STARTUP_TIMEOUT_S = 90.0
+ROOM_BYTES = 64 * 2**20
+"""Free space that the API's database and the engines' scratch files need."""
 PREFIX = "esg-prefect-"
 """Of the folders of private APIs."""
 
@@ -88,10 +91,11 @@ class EmbeddedServer:
         if os.environ.get("PREFECT_API_URL") or self._process is not None:
             return
         sweep_leftovers(PREFIX)
+        check_room()
         self._folder = owned_folder(PREFIX)
         database = self._folder / "prefect.db"
         with contextlib.suppress(OSError):  # an unwritable cache: migrate the private copy instead
-            shutil.copyfile(prepare_template(), database)
+            copy_whole(prepare_template(), database)
         self._port = _free_port()
         self._process = subprocess.Popen(
             [
@@ -218,10 +222,38 @@ def prepare_template() -> Path:
             last = done.stderr.strip().splitlines()[-1:] or ["no message"]
             raise UserError(f"Prefect could not create its database: {last[0]}", exit_code=1)
         _fold_wal(database)
-        partial = template.with_suffix(f".{os.getpid()}.tmp")
-        shutil.copyfile(database, partial)
-        partial.replace(template)
+        copy_whole(database, template)
     return template
+
+
+def copy_whole(source: Path, target: Path) -> None:
+    """Copies a file; a disk that cannot hold all of it is left without any of it.
+
+    Raises:
+        OSError: With the remedy in its text.
+    """
+
+    def fill(partial: Path) -> None:
+        shutil.copyfile(source, partial)
+
+    atomic_write(target, fill)
+
+
+def check_room() -> None:
+    """Finds out early whether the API's database has room to grow in the temporary folder.
+
+    Raises:
+        UserError: With exit code 1 if it has not.
+    """
+    folder = tempfile.gettempdir()
+    free = shutil.disk_usage(folder).free
+    if free < ROOM_BYTES:
+        raise UserError(
+            f"the temporary folder {folder} has {free / 2**20:.1f} MiB left and "
+            f"{ROOM_BYTES // 2**20} are needed; free some space, or set TMPDIR to a folder on "
+            "another disk",
+            exit_code=1,
+        )
 
 
 def _server_environment(database: Path, migrate: bool, services: bool = False) -> dict[str, str]:

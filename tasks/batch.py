@@ -16,6 +16,7 @@ from prefect.tasks import Task, exponential_backoff
 
 from esg.limits import place_in
 from esg.pipeline import SceneState, crashed, may_pass, run_stage, scratch_store
+from esg.store.files import unwritable
 from esg.workers import WorkerDied
 from tasks.context import current
 
@@ -74,8 +75,8 @@ def run_batch(stage: str, states: list[SceneState], last_attempt: bool) -> list[
         last_attempt: Whether errors that may pass end a scene instead of raising.
 
     Raises:
-        OSError: If a scene met an error that may pass and this was not the last attempt. Scenes
-            that finished are in the artifact store by then.
+        OSError: If a scene met an error that may pass and this was not the last attempt, or the
+            disk cannot be written. Scenes that finished are in the artifact store by then.
     """
     context = current()
     out: list[SceneState] = []
@@ -86,6 +87,8 @@ def run_batch(stage: str, states: list[SceneState], last_attempt: bool) -> list[
         except WorkerDied as error:
             done = crashed(state, error, stage)
         except OSError as error:
+            if unwritable(error):
+                raise  # so would the other scenes; what is finished is kept
             if not last_attempt:
                 busy = error
                 continue

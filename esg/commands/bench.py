@@ -45,6 +45,7 @@ def bench(
         out: Folder of the scene folders; default runs/bench-SUITE-STRATEGY-ENGINE.
         workers: Worker processes; default one a core.
     """
+    from esg.commands.console import note_first_use
     from esg.commands.database import record_run
     from esg.commands.generate import exit_code, report_failures
     from esg.commands.inputs import (
@@ -84,6 +85,7 @@ def bench(
         if len(states) < total:
             from flows.session import session
 
+            note_first_use()
             with session(processes) as call:
                 from flows.benchmark import benchmark as flow
 

@@ -70,6 +70,19 @@ def fail(message: str, exit_code: int, as_json: bool) -> int:
     return exit_code
 
 
+def note_first_use() -> None:
+    """Tells, once and before the wait, that kernels have to be compiled first."""
+    from esg.paths import kernels_compiled
+
+    if not kernels_compiled():
+        warn(
+            [
+                "kernels are not compiled on this machine yet: the first scene takes minutes "
+                "longer (`esg setup` does it ahead)"
+            ]
+        )
+
+
 def warn(problems: Iterable[str]) -> None:
     """Says on stderr, a line each, what the command had to do without."""
     for problem in problems:

@@ -72,6 +72,7 @@ def record_run(
         parts = write_tables(db.parent / "parts", records, name=run.run_id)
         ingest(db, parts.values())
     except (OSError, UserError) as error:
-        print(f"esg: the run is not in the database {db}: {error}", file=sys.stderr)
+        why = f"{error.filename}: {error.strerror}" if isinstance(error, OSError) else str(error)
+        print(f"esg: the run is not in the database {db}: {why}", file=sys.stderr)
         return None
     return run.run_id

@@ -239,6 +239,7 @@ def _jobs(
 
 
 def _make(jobs: list[BatchJob], runner: str, workers: int | None, bar: Any) -> list[BatchResult]:
+    from esg.commands.console import note_first_use
     from esg.progress import StageEvent, listening
     from esg.workers import default_processes
     from flows.session import session
@@ -254,6 +255,7 @@ def _make(jobs: list[BatchJob], runner: str, workers: int | None, bar: Any) -> l
     def batch_done(result: BatchResult) -> None:
         bar.step(f"batch {result.number}", result.scenes)
 
+    note_first_use()
     with listening(show), session(count if runner == "process" else 0) as call:
         from flows.dataset import with_runner
 

@@ -117,6 +117,14 @@ def _template() -> str:
     return str(path)
 
 
+def _kernels() -> str:
+    from esg.paths import kernel_cache_dir, kernels_compiled
+
+    if not kernels_compiled():
+        raise RuntimeError("not compiled: `esg setup` saves the first scene some minutes")
+    return str(kernel_cache_dir())
+
+
 def _disk() -> str:
     import shutil
 
@@ -145,5 +153,6 @@ _CHECKS: tuple[tuple[str, bool, Callable[[], str]], ...] = (
     ("cache folder", True, _cache),
     ("disk", True, _disk),
     ("scheduler database", False, _template),
+    ("compiled kernels", False, _kernels),
 )
 """Name, whether scenes need it, and the probe that raises when it is missing."""

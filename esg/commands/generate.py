@@ -44,7 +44,7 @@ def generate(
             second, with commas, or all; esg render has further options.
         json: Print one JSON document with outcome, metrics and paths.
     """
-    from esg.commands.console import emit
+    from esg.commands.console import emit, note_first_use
     from esg.commands.database import record_run
     from esg.commands.inputs import check_device, check_seed, checked, clean_prompt
     from esg.commands.live import live
@@ -68,6 +68,7 @@ def generate(
         if state is None:
             from flows.session import session
 
+            note_first_use()
             with session(processes=0) as call:
                 from flows.generate import generate as flow
 

@@ -58,7 +58,9 @@ def report(
         emit({"report": str(path), "bytes": size, **found})
     else:
         warn(problems)
-        print(f"{path}: {len(loaded.scenes)} scenes, {path.stat().st_size / 1e6:.1f} MB")
+        count = len(loaded.scenes)
+        scenes = f"{count} scene" if count == 1 else f"{count} scenes"
+        print(f"{path}: {scenes}, {path.stat().st_size / 1e6:.1f} MB")
     return 3 if problems else 0
 
 

@@ -16,7 +16,8 @@ from cyclopts import Parameter
 if TYPE_CHECKING:
     from esg.cron import Cron
 
-DEFAULT_SUITE = Path("data") / "suites" / "paper.yaml"
+DEFAULT_SUITE = Path(__file__).parents[2] / "data" / "suites" / "paper.yaml"
+"""The project's own copy, wherever the command is called."""
 
 
 def serve(
@@ -43,7 +44,7 @@ def serve(
     Args:
         cron: When, e.g. "0 3 * * *" (minute, hour, day of month, month, day of week).
         once: Run now and end.
-        suite: Suite file; may be given several times. Default data/suites/paper.yaml.
+        suite: Suite file; may be given several times. Default the project's data/suites/paper.yaml.
         runs: Seeds a scene.
         seed: First seed.
         strategy: How the physics is searched.
@@ -121,11 +122,12 @@ def check_cron(text: str) -> Cron:
 
 
 def _once(options: dict[str, Any]) -> list[dict[str, Any]]:
-    from esg.commands.console import progress
+    from esg.commands.console import note_first_use, progress
     from esg.metrics import load_suite
     from esg.pipeline import STAGES
     from esg.progress import StageEvent, listening
 
+    note_first_use()
     total = sum(len(load_suite(s).scenes) for s in options["suites"]) * options["runs"]
     with progress(total * len(STAGES), "starting") as bar:
 

@@ -7,10 +7,12 @@ import sys
 import time
 
 SAMPLES = (
-    "A red ball rolls across the floor and hits a wooden box.",
-    "A table with a vase on it.",
+    ("A red ball rolls across the floor and hits a wooden box.", "exact"),
+    ("A table with a vase on it.", "exact"),
+    ("A wooden box slides across the floor and hits another wooden box.", "sdf"),
 )
-"""Prompts whose whole way through the stages loads and compiles what scenes need."""
+"""Prompts whose whole way through the stages loads and compiles what scenes need, each with what
+bodies collide with in its search; the last one compiles the kernels of signed distance fields."""
 
 
 def setup() -> int:
@@ -25,9 +27,9 @@ def setup() -> int:
     _step("engine kernels", lambda: warmup(progress=_line))
     _step("surrogate kernels", _surrogate)
     with tempfile.TemporaryDirectory(prefix="esg-setup-") as folder:
-        for number, prompt in enumerate(SAMPLES, 1):
+        for number, sample in enumerate(SAMPLES, 1):
             name = f"sample scene {number} of {len(SAMPLES)}"
-            _step(name, lambda p=prompt: _sample(p, Path(folder)))
+            _step(name, lambda s=sample: _sample(*s, Path(folder)))
     print(f"ready; caches are in {cache_dir()} and in warp's kernel cache")
     return 0
 
@@ -62,7 +64,7 @@ def _surrogate() -> None:
     warmup()
 
 
-def _sample(prompt: str, root: object) -> None:
+def _sample(prompt: str, collision: str, root: object) -> None:
     from pathlib import Path
 
     from esg.outcomes import UserError
@@ -70,7 +72,7 @@ def _sample(prompt: str, root: object) -> None:
 
     assert isinstance(root, Path)
     with scratch_store(root):
-        state = SceneState(SceneRequest(prompt))
+        state = SceneState(SceneRequest(prompt, collision=collision))
         for stage in STAGES:
             _show(f"sample scene: {stage}")
             state = run_stage(stage, state)

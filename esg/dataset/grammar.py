@@ -113,7 +113,10 @@ def load_distribution(text: str, name: str = "distribution") -> Distribution:
     try:
         data = yaml.safe_load(text)
     except yaml.YAMLError as error:
-        raise UserError(f"{name} is not YAML: {str(error).splitlines()[0]}") from None
+        mark = getattr(error, "problem_mark", None)
+        place = f" at line {mark.line + 1}, column {mark.column + 1}" if mark else ""
+        why = getattr(error, "problem", None) or str(error).splitlines()[0]
+        raise UserError(f"{name} is not YAML{place}: {why}; fix the syntax there") from None
     if not isinstance(data, dict):
         raise UserError(f"{name} must hold a mapping: {', '.join(Distribution.model_fields)}")
     try:

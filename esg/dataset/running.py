@@ -27,6 +27,7 @@ from esg.pipeline import (
     scratch_store,
     stage_key,
 )
+from esg.store.files import unwritable
 
 if TYPE_CHECKING:
     from esg.dataset.batch import BatchJob
@@ -76,6 +77,8 @@ def _stage(job: BatchJob, stage: str, state: SceneState, index: int) -> SceneSta
             with place_in(stage), _limited(job, stage, index):
                 return run_stage(stage, state)
         except OSError as error:
+            if unwritable(error):
+                raise  # the batch is made again once there is room
             if attempt == RETRIES or not may_pass(error):
                 return crashed(state, error, stage)
             time.sleep(_BACKOFF_S * 2**attempt)

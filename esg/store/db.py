@@ -122,12 +122,21 @@ def writing(db: Path, *, fresh: bool = False) -> Generator[DuckDBPyConnection]:
     except OSError as error:
         raise UserError(_text(explained(error, db)), exit_code=1) from None
     except duckdb.IOException as error:
-        raise UserError(f"{db} cannot be written: {first_line(error)}", exit_code=1) from None
+        raise _refused(db, error) from None
     except (duckdb.InternalException, duckdb.FatalException) as error:
+        if os.strerror(errno.ENOSPC) in str(error):  # the copy; the database itself is whole
+            raise _refused(db, error) from None
         raise broken(db, error) from None
     finally:
         for leftover in (work, work.with_name(work.name + ".wal")):
             leftover.unlink(missing_ok=True)
+
+
+def _refused(db: Path, error: BaseException) -> UserError:
+    why = final_names(first_line(error))
+    full = os.strerror(errno.ENOSPC) in str(error)
+    remedy = "; free some space, or choose a folder on another disk" if full else ""
+    return UserError(f"{db} cannot be written: {why}{remedy}", exit_code=1)
 
 
 def _text(error: OSError) -> str:

@@ -20,7 +20,19 @@ _REMEDIES = {
     errno.EROFS: "the disk is read-only: choose a folder on another one",
     errno.EACCES: "you may not write there: change its permissions or choose another folder",
     errno.EPERM: "you may not write there: change its permissions or choose another folder",
+    errno.EFBIG: "files may not grow that large here: raise the limit (ulimit -f)",
 }
+
+
+def unwritable(error: BaseException) -> bool:
+    """Whether the machine refuses to write: a full, read-only or forbidden disk.
+
+    Nothing is wrong with what was to be written: it can be made again once there is room.
+    """
+    if not isinstance(error, OSError) or error.errno not in _REMEDIES:
+        return False
+    # Without a file's name a refusal may be one of a network.
+    return error.errno not in (errno.EACCES, errno.EPERM) or error.filename is not None
 
 
 def explained(error: OSError, path: Path) -> OSError:

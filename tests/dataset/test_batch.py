@@ -284,6 +284,23 @@ def test_a_full_or_read_only_disk_is_told_and_keeps_what_is_done(
     assert len(fakes.calls()) == before
 
 
+def test_scenes_do_not_end_because_the_disk_was_full(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Neither crashed nor marked as done: the same batch succeeds once there is room."""
+    first, *_ = dataset(tmp_path / "a", GOOD)
+
+    def full(stage: str, state: object) -> None:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(tmp_path))
+
+    with monkeypatch.context() as patch:
+        patch.setattr("esg.dataset.running.run_stage", full)
+        with pytest.raises(OSError, match="No space left"):
+            make_batch(first)
+    assert read_mark(first.out, 0) is None
+    assert set(make_batch(first).outcomes) == {"solved"}
+
+
 def test_folders_of_others_and_other_settings_are_refused(tmp_path: Path) -> None:
     (tmp_path / "mine").mkdir()
     (tmp_path / "mine" / "thesis.txt").write_text("")

@@ -164,3 +164,11 @@ def test_braking_is_what_tyres_give() -> None:
     found = [s for s in scenes(800, 9, counterfactual=True) if s.rule == "brake_to_stop"]
     assert len(found) > 20
     assert max(s.values["speed"] / s.values["time"] for s in found) <= 7.0
+
+
+def test_a_distribution_that_is_no_yaml_is_told_with_its_place() -> None:
+    with pytest.raises(
+        UserError, match=r"d\.yaml is not YAML at line 2, column \d+: .*fix"
+    ) as told:
+        load_distribution("levels: 1\nshares: [", "d.yaml")
+    assert told.value.exit_code == 2

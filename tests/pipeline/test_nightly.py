@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from esg.commands.serve import arguments, check_cron, describe, serve
+from esg.commands.serve import DEFAULT_SUITE, arguments, check_cron, describe, serve
 from esg.nightly import history_row, verdict
 from esg.outcomes import UserError
 from esg.store import ingest, write_tables
@@ -107,3 +107,12 @@ def test_description_names_folder_and_verdict() -> None:
     ])  # fmt: skip
     assert "events 17.50 of 18" in text
     assert "runs/x/report.html" in text
+
+
+def test_the_default_suite_is_found_from_any_folder(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from esg.metrics import load_suite
+
+    monkeypatch.chdir(tmp_path)
+    assert load_suite(DEFAULT_SUITE).suite == "paper"

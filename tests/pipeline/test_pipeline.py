@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+import errno
+import os
 from pathlib import Path
 
 import pytest
@@ -11,6 +13,7 @@ from esg import pipeline, stages
 from esg.outcomes import Outcome, UserError
 from esg.pipeline import SceneRequest, SceneState, may_pass, recall, run_stage, scratch_store
 from esg.stages import Spec
+from esg.store.files import unwritable
 
 
 @pytest.fixture
@@ -99,6 +102,24 @@ def test_only_errors_that_may_pass_are_retried() -> None:
     assert not may_pass(OSError(28, "no space left"))
     assert not may_pass(FileNotFoundError(2, "gone"))
     assert not may_pass(ValueError())
+
+
+@pytest.mark.parametrize("number", [errno.ENOSPC, errno.EROFS, errno.EACCES])
+def test_a_disk_that_cannot_be_written_is_no_defect(
+    counted: dict[str, int], monkeypatch: pytest.MonkeyPatch, number: int
+) -> None:
+    def full(state: SceneState, folder: Path) -> None:
+        raise OSError(number, os.strerror(number), str(folder / "x"))
+
+    monkeypatch.setitem(stages.SPECS, "draft", Spec(full, (), ("prompt",)))
+    with pytest.raises(OSError, match="; ") as told:
+        pipeline.run_stage("draft", SceneState(SceneRequest("a")))
+    assert "choose a" in str(told.value)
+
+
+def test_a_refused_connection_is_not_a_disk_that_cannot_be_written() -> None:
+    assert not unwritable(PermissionError(errno.EACCES, "Permission denied"))
+    assert unwritable(PermissionError(errno.EACCES, "Permission denied", "/x"))
 
 
 def test_violations_make_an_invalid_draft(

@@ -328,6 +328,25 @@ def test_a_full_disk_leaves_the_database_as_it_was(db, parts, monkeypatch):
     ]
 
 
+def test_a_disk_that_fills_up_inside_duckdb_is_no_damage(db, parts, monkeypatch):
+    import duckdb
+
+    before = db.read_bytes()
+
+    def full(*_: object) -> None:
+        raise duckdb.FatalException(
+            "FATAL Error: Failed to create checkpoint because of error: Could not write file "
+            f'"{db}": No space left on device'
+        )
+
+    monkeypatch.setattr("esg.store.ingesting._ingest", full)
+    with pytest.raises(UserError, match=r"cannot be written.*free some space") as told:
+        ingest(db, [parts], force=True)
+    assert "damaged" not in str(told.value)
+    assert told.value.exit_code == 1
+    assert db.read_bytes() == before
+
+
 def test_a_newer_schema_is_not_touched(db):
     query(db, "INSERT INTO schema_migrations VALUES (99, '099_future')", read_only=False)
     with pytest.raises(UserError, match="update the software"):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+import errno
 
 import pytest
 
@@ -54,6 +55,16 @@ def test_errors_that_may_pass_are_raised_until_the_last_attempt(
         batch.run_batch("draft", states("a", "b"), last_attempt=False)
     out = batch.run_batch("draft", states("a", "b"), last_attempt=True)
     assert [s.outcome for s in out] == [Outcome.CRASHED, None]
+
+
+def test_a_disk_that_cannot_be_written_ends_the_run_and_no_scene(
+    stage: dict[str, BaseException],
+) -> None:
+    """The scenes are made when the command runs again: none of them may count as crashed."""
+    stage["b"] = OSError(errno.ENOSPC, "No space left on device", "/cache")
+    for last in (False, True):
+        with pytest.raises(OSError, match="No space left"):
+            batch.run_batch("layout", states("a", "b"), last_attempt=last)
 
 
 def test_every_stage_has_a_task() -> None:
