@@ -17,6 +17,7 @@ _SHUTTING = frozenset({"close", "shut", "snap", "slam"})
 _STEPPING = frozenset({"step", "tread", "sit", "stamp"})
 _JUMPING = frozenset({"jump", "leap", "hop", "spring", "climb", "dive"})
 _TRAVELLING = frozenset({"person", "vehicle", "animal", "robot", "cart"})
+_STEERED = _TRAVELLING | frozenset({"watercraft", "flyer", "toyvehicle", ""})
 _TOSSED = frozenset({"game", "tableware", "food", "ball", "billiard", "projectile", "electronics"})
 _SURFACES = frozenset({"patch", "slick", "spot", "stretch"})
 """What a vehicle hits and drives over."""
@@ -119,9 +120,21 @@ def _hits_ground(f: Frame) -> str:
     return "own" if flat and _kind(f.subject) in _TRAVELLING else ""
 
 
+def _buries(f: Frame) -> str:
+    """ "A plough buries a bicycle": under what it moves, not by a hit."""
+    buries = f.verb.lemma == "bury" and f.verb.sense == "hit" and not f.verb.extra
+    return "noop" if buries and _kind(f.subject) in ("vehicle", "person", "animal") else ""
+
+
+def _swings_round(f: Frame) -> str:
+    """ "The boom swings round": what hangs turns about its end, it does not change course."""
+    turns = f.verb.sense == "turn" and f.verb.lemma in ("swing", "come") and not f.verb.extra
+    return "swing" if turns and f.subject is not None and _kind(f.subject) not in _STEERED else ""
+
+
 _READINGS: tuple[Callable[[Frame], str], ...] = (
     _takes_out, _parts, _breaks_it, _shuts_on, _steps_on, _jumps_on, _lets_off, _tosses,
-    _hits_ground,
+    _hits_ground, _buries, _swings_round,
 )  # fmt: skip
 
 

@@ -201,7 +201,7 @@ class Interpreter(References):
         ):
             subject = list(self.mounts[id(f.subject)])
         against = f.phrase("on", "against", "at")
-        if f.verb.lemma in ("end", "wind") and sense in ("noop", "reach"):
+        if f.verb.lemma in ("end", "wind", "finish") and sense in ("noop", "reach"):
             sense = "end"
         if sense == "noop" and f.verb.lemma in _BREAKING and against is not None and subject:
             sense = "hit"  # "breaks on a rock"

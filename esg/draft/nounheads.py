@@ -13,6 +13,11 @@ _RUNNING_GEAR = frozenset({"wheels", "castors", "casters", "rollers", "rails", "
 _MEASURES = frozenset({"mass", "weight", "radius", "diameter", "height", "width", "length"})
 
 
+_MOSTLY_NOUNS = frozenset(
+    {"cannon", "hammer", "hook", "bank", "motor", "scoop", "jet", "paddle", "sandwich", "spiral",
+     "loop", "stream", "lance", "drum"}
+)  # fmt: skip
+"""Words that are verbs only with an ending, or where nothing else can be one."""
 _VESSELS = frozenset({"tableware", "bottle", "box", "container", "barrel"})
 
 
@@ -48,7 +53,8 @@ class NounHeads(Letters):
                 readings = verb_readings(self._low(k))
                 if readings and following[2] and m.determiner in ("a", "an", "each", "every"):
                     break  # "a door swings shut": no plural after "a"
-                vessel = m.determiner and following[0].kind in _VESSELS and self._ends_phrase(k)
+                named = following[0].kind in _VESSELS or self._low(k) in _MOSTLY_NOUNS
+                vessel = m.determiner and named and self._ends_phrase(k)
                 if readings and following[1] == 1 and not (vessel or self._compound_noun(k)):
                     break
                 modifier = " ".join(t.low for t in tokens[first:k])

@@ -12,6 +12,7 @@ from esg.draft.expand import expand
 from esg.draft.interpret import Interpreter
 from esg.draft.modality import mark_unreal
 from esg.draft.nominals import verbalize
+from esg.draft.reorder import reorder
 from esg.draft.screening import contradictions, nothing_to_draw, screen, too_long, too_much
 from esg.draft.spacing import space
 from esg.draft.syntax import Chunker, pos_tags, tokenize
@@ -56,7 +57,7 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     """
     text = screen(prompt)
     tokens = tokenize(text, pos_tags(text))
-    elements = verbalize(Chunker(text, tokens).run())
+    elements = verbalize(reorder(Chunker(text, tokens).run(), text))
     clauses = ClauseBuilder(elements)
     clauses.run()
     mark_unreal(clauses.frames, text)

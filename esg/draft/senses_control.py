@@ -242,6 +242,9 @@ class ControlSenses(OutcomeSenses):
             if not self.movable(actor):
                 continue
             time = self._time(f)
+            if time is None and self._stands_by_now(actor):
+                self.use(f, "stands already")  # "pulls up at a light and stops"
+                continue
             rest = f.phrase("against")
             if rest is not None and rest.mention is not None:
                 self._hit(f, [actor], [i for i in rest.mention.entities if i != actor][:1])
@@ -259,6 +262,13 @@ class ControlSenses(OutcomeSenses):
                 self.use(way, "distance travelled")
             self._pauses(f, actor)
         self._places_loosely(f, actors)
+
+    def _stands_by_now(self, actor: str) -> bool:
+        """Whether the last thing told of an actor is that it stopped."""
+        track = self.tl.tracks.get(actor)
+        moves = track is not None and track.motion is not None and not track.closed
+        last = next((n for n in reversed(self.tl.nodes) if actor in n.participants), None)
+        return last is not None and last.event is NodeEvent.STOP and not moves
 
     @staticmethod
     def _count_from(end: Draft, earlier: str | None) -> None:

@@ -5,12 +5,15 @@ from __future__ import annotations
 import re
 
 from esg.draft import lexicon as lex
+from esg.draft.particles import LEMMAS, particles
 
 PHRASES: dict[str, list[tuple[re.Pattern[str], str, dict[str, str]]]] = {}
 
 
 def _phrase(lemma: str, rest: str, sense: str, **extra: str) -> None:
-    pattern = re.compile(r"\s+" + rest + r"(?![\w-])", re.IGNORECASE)
+    """`rest` follows the verb and belongs to it, or is only looked at: "(?=...)"."""
+    seen = r"(?=\s+" + rest[3:] if rest.startswith("(?=") else r"\s+" + rest + r"(?![\w-])"
+    pattern = re.compile(seen, re.IGNORECASE)
     PHRASES.setdefault(lemma, []).append((pattern, sense, extra))
 
 
@@ -168,6 +171,9 @@ _phrase("get", r"up", "noop")
 _phrase("stand", r"up", "noop")
 _phrase("get", r"(?:off|out(?:\s+of)?|into|in)", "noop")
 
+for _entry in particles():
+    _phrase(_entry.lemma, _entry.follows, _entry.sense, **_entry.notes)
+
 _EXTRA_LEMMAS = {
     "take": ("takes", "took", "taken", "taking"),
     "pick": ("picks", "picked", "picked", "picking"),
@@ -192,7 +198,7 @@ _EXTRA_LEMMAS = {
 }
 _EXTRA_FORMS = {
     word: (lemma, form)
-    for lemma, words in _EXTRA_LEMMAS.items()
+    for lemma, words in (_EXTRA_LEMMAS | LEMMAS).items()
     for word, form in [(lemma, "base"), *zip(words, ("s", "past", "pp", "ing"), strict=True)]
 }
 
@@ -205,3 +211,16 @@ def verb_readings(word: str) -> tuple[lex.VerbForm, ...]:
         lemma, form = _EXTRA_FORMS[low]
         return (lex.VerbForm(lemma, "noop", form),)
     return found
+
+
+def particle_sense(lemma: str, words: str) -> tuple[str, dict[str, str]] | None:
+    """Sense of a verb whose particle stands elsewhere ("over it goes").
+
+    Args:
+        lemma: The verb.
+        words: Its particle, and the word after it if there is one.
+    """
+    for pattern, sense, extra in PHRASES.get(lemma, []):
+        if sense and "only_passive" not in extra and pattern.match(" " + words):
+            return sense, {k: v for k, v in extra.items() if k != "dir"}
+    return None

@@ -1,0 +1,101 @@
+"""Clauses that English turns round, leaves without a verb, or tells with a particle verb."""
+
+from __future__ import annotations
+
+import pytest
+
+from esg.draft import draft
+from esg.draft.verbphrases import particle_sense
+from esg.graph import verify
+from esg.graph.models import NodeEvent
+
+POINTS = {
+    NodeEvent.COLLISION: "hit",
+    NodeEvent.ENTER_REGION: "enter",
+    NodeEvent.FALL: "fall",
+    NodeEvent.TOPPLE: "topple",
+    NodeEvent.STOP: "stop",
+    NodeEvent.MISS: "miss",
+    NodeEvent.REACH: "reach",
+    NodeEvent.HEADING_REACHED: "turn",
+}
+
+
+def events(prompt: str) -> list[tuple[str, ...]]:
+    """Point events of a draft: what happens, and to what."""
+    doc = draft(prompt)
+    assert not verify(doc)
+    nodes = doc.timeline_system.sequence_graph.nodes if doc.timeline_system else []
+    return [(POINTS[n.event], *n.participants) for n in nodes if n.event in POINTS]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "expected"),
+    [
+        ("A cup stands on a shelf. Off the shelf rolls the cup.", ("fall", "cup_1")),
+        ("Into the net flies a football.", ("enter", "football_1")),
+        ("A lorry hits a lamp post, and over it goes.", ("topple", "lamp_post_1")),
+        ("Bang goes the hammer on the drum.", ("hit", "hammer_1", "drum_1")),
+        ("So hard does a trolley hit a vase that it falls.", ("hit", "trolley_1", "vase_1")),
+        ("What knocks the lamp over is a football.", ("hit", "football_1", "lamp_1")),
+    ],
+)
+def test_a_clause_turned_round_is_read_like_a_plain_one(
+    prompt: str, expected: tuple[str, ...]
+) -> None:
+    assert expected in events(prompt)
+
+
+def test_a_relative_clause_after_an_inversion_is_about_the_subject() -> None:
+    assert ("hit", "dog_1", "vase_1") in events("Through the door comes a dog, which hits a vase.")
+
+
+@pytest.mark.parametrize(
+    ("prompt", "expected"),
+    [
+        ("Taxi into lamp post.", [("hit", "taxi_1", "lamp_post_1")]),
+        ("Egg off spoon.", [("fall", "egg_1")]),
+        ("Paper plane, straight down into a basket.", [("enter", "paper_plane_1")]),
+    ],
+)
+def test_a_headline_has_the_verb_that_is_understood(
+    prompt: str, expected: list[tuple[str, ...]]
+) -> None:
+    assert events(prompt) == expected
+
+
+def test_a_list_of_things_before_a_direction_gets_no_verb() -> None:
+    found = events("A man pushes a box and a crate into a wall.")
+    assert ("hit", "crate_1", "wall_1") in found and len([e for e in found if "wall_1" in e]) == 2
+
+
+@pytest.mark.parametrize(
+    ("prompt", "expected"),
+    [
+        ("A boat fetches up against a pier.", [("hit", "boat_1", "pier_1")]),
+        ("A van makes contact with a bollard.", [("hit", "van_1", "bollard_1")]),
+        ("A jeep rolls onto its roof.", [("topple", "jeep_1")]),
+        ("A tram shudders to a halt.", [("stop", "tram_1")]),
+        ("A taxi pulls up at a hotel and stops.", [("stop", "taxi_1")]),
+        ("A scooter bears right at a fountain.", [("turn", "scooter_1")]),
+        ("A duck squeezes past a bin.", [("miss", "duck_1", "bin_1")]),
+        ("A car drives up to a gate and stops there.", [("stop", "car_1")]),
+    ],
+)
+def test_a_particle_verb_says_what_happens(prompt: str, expected: list[tuple[str, ...]]) -> None:
+    assert events(prompt) == expected
+
+
+def test_a_heading_is_no_object_and_no_verb() -> None:
+    found = events("Curling: the blue stone strikes the yellow one.")
+    assert found == [("hit", "blue_stone_1", "yellow_stone_1")]
+
+
+def test_a_plough_that_buries_something_does_not_hit_it() -> None:
+    assert events("A snow plough buries a bicycle.") == []
+    assert ("hit", "rock_1", "tent_1") in events("A rock rolls down a slope and buries a tent.")
+
+
+def test_the_sense_of_a_particle_is_found_where_it_stands_apart() -> None:
+    assert particle_sense("go", "over") == ("topple", {"down": "1"})
+    assert particle_sense("roll", "along") is None
