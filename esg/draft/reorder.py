@@ -204,6 +204,7 @@ def _noise_goes(elements: list[Element], i: int, out: list[Element], text: str) 
         return 0
     if word not in _BANGS | _SPLASHES:
         return 0
+    verb = replace(verb, start=noise.start)
     met = word_at(elements, i + 3)
     if word in _BANGS and met is not None and met.low in ("on", "against", "into", "onto"):
         verb = replace(verb, lemma="hit", sense="hit")
