@@ -62,8 +62,10 @@ def choreograph(doc: EsgDocument, *, seed: int = 0) -> Choreography:
     rng = np.random.default_rng([seed, zlib.crc32(text.encode())])
     constellations: list[Constellation] = []
     nominal: dict[str, float] = {}
-    for component in _components(doc, story):
-        stage = _play(Stage(doc, story, component, rng.spawn(1)[0]))
+    told: dict[str, float] = {}
+    for component in _in_order(story, _components(doc, story)):
+        stage = _play(Stage(doc, story, component, rng.spawn(1)[0], elsewhere=dict(told)))
+        told.update(stage.time)
         constellations.append(stage.constellation())
         nominal.update(stage.nominal)
         nominal.update({f"{k}/event_time": t for k, t in stage.time.items()})
@@ -85,6 +87,29 @@ def _components(doc: EsgDocument, story: Story) -> list[set[str]]:
         merged = link.union(*touching)
         groups = [g for g in groups if g not in touching] + [merged]
     return [g for g in groups if any(story.is_active(n) for n in g)]
+
+
+def _in_order(story: Story, components: list[set[str]]) -> list[set[str]]:
+    """The components so that one whose events are timed from those of another comes after it."""
+    done: list[set[str]] = []
+    pending = list(components)
+    while pending:
+        ready = [c for c in pending if not _waits_for(story, c, pending)]
+        done.append((ready or pending)[0])
+        pending.remove(done[-1])
+    return done
+
+
+def _waits_for(story: Story, component: set[str], pending: list[set[str]]) -> bool:
+    """Whether an event of a component is timed from one of a component that is still pending."""
+    for node in story.nodes.values():
+        if not set(node.participants) & component:
+            continue
+        for c in node.constraints:
+            since = set(story.nodes[c.since].participants) if c.since in story.nodes else set()
+            if since and not since & component and any(since & p for p in pending):
+                return True
+    return False
 
 
 def _region_parent(node: TimelineNode) -> set[str]:

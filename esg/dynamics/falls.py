@@ -15,6 +15,10 @@ from esg.units import GRAVITY_MPS2
 CLEAR_OF_EDGE_M = 0.04
 EDGE_SPEED_MPS = 0.6
 """Least speed over an edge: slower bodies tip and tumble close to it."""
+CLEAN = 0.7
+"""The same for a long body, over sqrt(g l / 2): it tips as long as half of it is over the edge."""
+COUNTS_AS_FALL = 0.75
+"""Share of its height by which a body has to come down for its fall to be one."""
 MEETINGS = (NodeEvent.COLLISION, NodeEvent.REACH, NodeEvent.ENTER_REGION)
 
 
@@ -52,7 +56,7 @@ def over_edge(stage: Stage, actor: str, phase: Phase, node: TimelineNode) -> Non
     run = edge_run(stage, body)
     low, high, fixed = bounds(phase.edge.params.speed, (10.0, 400.0))
     drag = coasting_drag(body)
-    speed = max(EDGE_SPEED_MPS, landing_speed(stage, actor, node, height))
+    speed = max(edge_speed(body), landing_speed(stage, actor, node, height))
     launch = math.sqrt(speed * speed + 2.0 * drag * run)
     if fixed:
         launch = low / 100.0
@@ -72,13 +76,17 @@ def land(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
     """Puts b where a comes down."""
     flight, track = stage.airborne[a], stage.tracks[a]
     pb = stage.prop(b)
-    duration = flight.time_to(pb.height)
+    beside = flight.height - pb.height < COUNTS_AS_FALL * stage.prop(a).height
+    duration = flight.time_to(0.0 if beside else pb.height)
     track.straight(flight.speed * duration, duration, flight.speed)
     frame = stage.frames.setdefault(a, Frame())
     ax, ay = frame.apply(0.0, 0.0)
     stage.places[a] = (ax, ay, frame.angle)
     heading = track.heading + frame.angle
     x, y = frame.apply(track.x, track.y)
+    # What is hardly lower would stop its fall: it is met from the side, on the ground.
+    reach = stage.prop(a).half_length + pb.half_length if beside else 0.0
+    x, y = x + reach * math.cos(heading), y + reach * math.sin(heading)
     stage.places[b] = (x, y, heading + math.pi)
     stage.time[node.id] = track.time
 
@@ -90,7 +98,7 @@ def can_land(stage: Stage, a: str, b: str) -> bool:
         return False
     if stage.doc.spatial_relation_graph.nodes[name].is_structural:
         return False
-    return support_of(stage.doc, name) is None and flight.height > stage.prop(b).height + 0.02
+    return support_of(stage.doc, name) is None and flight.height > 0.05
 
 
 def landing_speed(stage: Stage, actor: str, node: TimelineNode, height: float) -> float:
@@ -107,6 +115,13 @@ def landing_speed(stage: Stage, actor: str, node: TimelineNode, height: float) -
         time = math.sqrt(2.0 * max(height - target.height, 0.05) / GRAVITY_MPS2)
         return (target.half_length + CLEAR_OF_EDGE_M) / time
     return 0.0
+
+
+def edge_speed(body: Prop) -> float:
+    """Least speed [m/s] with which a body goes over an edge before it has tipped far."""
+    if body.rolls:
+        return EDGE_SPEED_MPS
+    return max(EDGE_SPEED_MPS, CLEAN * math.sqrt(GRAVITY_MPS2 * body.half_length))
 
 
 def edge_run(stage: Stage, body: Prop) -> float:

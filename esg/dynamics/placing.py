@@ -119,7 +119,8 @@ def _place_target(
 ) -> None:
     """Puts b where a arrives: ahead of it, past it for a Miss, short of it for a Reach."""
     pb = stage.prop(b)
-    yaw = target_yaw(pb, heading, stage.rng)
+    sets_off = _sets_off(stage, node, b)
+    yaw = heading if sets_off else target_yaw(pb, heading, stage.rng)
     lateral = float(stage.rng.uniform(-0.12, 0.12)) * min(
         pb.half_lateral(yaw - heading), pa.half_width
     )
@@ -134,8 +135,17 @@ def _place_target(
         stage.nominal[f"{node.id}/time"] = stage.tracks[a].time
     cx = x + front * math.cos(heading) - lateral * math.sin(heading)
     cy = y + front * math.sin(heading) + lateral * math.cos(heading)
-    stage.places[b] = (cx, cy, yaw)
+    stage.places[b] = (cx, cy, yaw + stage.reverse_yaw(b) if sets_off else yaw)
+    if sets_off:
+        stage.frames[b] = Frame(cx, cy, heading)
     bring_support(stage, b, cx, cy, heading)
+
+
+def _sets_off(stage: Stage, node: TimelineNode, b: str) -> bool:
+    """Whether an actor waits until it is hit and then goes on by itself, along the hit's way."""
+    if b not in stage.tracks or b in stage.frames:
+        return False
+    return stage.story.phases[b][0].start.id == node.id
 
 
 def bring_support(stage: Stage, b: str, x: float, y: float, heading: float) -> None:

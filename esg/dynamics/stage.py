@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from esg.dynamics.edges import edge_of
 from esg.dynamics.kinematics import Frame, Track, wrap_angle
 from esg.dynamics.stagecraft import (
     Prop,
@@ -44,6 +45,7 @@ class Stage:
         tracks: Path of each active body, in the body's own frame.
         frames: From an active body's own frame to the constellation's, once known.
         moving: Path of each passive body that was set in motion, in the constellation's frame.
+        elsewhere: Times of events of other constellations, which this one's may be timed from.
         tight: Factor on free distances and times; below 1 where space is short.
         anchor: The table or shelf it all takes place on, None for the ground.
         airborne: Actors that left their support (`falls.Flight`).
@@ -62,8 +64,10 @@ class Stage:
         names: set[str],
         rng: np.random.Generator,
         tight: float = 1.0,
+        elsewhere: dict[str, float] | None = None,
     ) -> None:
         self.doc, self.story, self.names, self.rng = doc, story, names, rng
+        self.elsewhere = elsewhere or {}
         self.nominal: dict[str, float] = {}
         self.time: dict[str, float] = {}
         self.places: dict[str, tuple[float, float, float | None]] = {}
@@ -105,7 +109,8 @@ class Stage:
 
     def tighter(self) -> Stage:
         """An empty stage for the same participants with less room, drawing on from this one's."""
-        return Stage(self.doc, self.story, self.names, self.rng, self.tight * 0.7)
+        tight = self.tight * 0.7
+        return Stage(self.doc, self.story, self.names, self.rng, tight, self.elsewhere)
 
     def leaves_its_support(self) -> bool:
         """Whether what starts on the anchor shall meet something that stands elsewhere."""
@@ -123,13 +128,31 @@ class Stage:
         inset = self.edge_run or 0.6 * body.half_length + 0.05
         if body.wheeled and 2.0 * body.half_length < surface.half_extents_cm[0] / 50.0:
             inset = max(inset, body.half_length)
-        edge = (surface.center_cm[0] + surface.half_extents_cm[0]) / 100.0 - inset
+        end = edge_of(self.doc, self.anchor)
+        edge = end.at - inset
         x, y, _ = self.places[self.lead]
         dx, dy = edge - x, surface.center_cm[1] / 100.0 - y
         self.places = {k: (px + dx, py + dy, yaw) for k, (px, py, yaw) in self.places.items()}
         self.frames = {a: Frame(f.x + dx, f.y + dy, f.angle) for a, f in self.frames.items()}
         for track in self.moving.values():
             track.points = [(px + dx, py + dy) for px, py in track.points]
+        if end.backwards:
+            self._turn_round()
+
+    def _turn_round(self) -> None:
+        """Turns everything by half a turn about the anchor's origin."""
+        turn = Frame(angle=math.pi)
+        self.places = {
+            k: (*turn.apply(x, y), None if yaw is None else yaw + math.pi)
+            for k, (x, y, yaw) in self.places.items()
+        }
+        self.frames = {
+            a: Frame(*turn.apply(f.x, f.y), f.angle + math.pi) for a, f in self.frames.items()
+        }
+        for track in self.moving.values():
+            track.points = [turn.apply(*p) for p in track.points]
+            track.x, track.y = turn.apply(track.x, track.y)
+            track.heading += math.pi
 
     # -- who is who --------------------------------------------------------------------------
 
@@ -200,9 +223,10 @@ class Stage:
     def prescribed_time(self, node: TimelineNode) -> float | None:
         """Absolute time [s] the prompt asks for, or None."""
         for c in node.constraints:
-            if c.quantity == "time_since" and c.since in self.time:
+            since = {**self.elsewhere, **self.time}.get(c.since or "")
+            if c.quantity == "time_since" and since is not None:
                 low, high, _ = bounds(c.value, (1.0, 1.0))
-                return self.time[c.since] + 0.5 * (low + high)
+                return since + 0.5 * (low + high)
         if node.time_is_prescribed and node.timestamp is not None:
             return node.timestamp
         if node.time_is_prescribed and node.window is not None:

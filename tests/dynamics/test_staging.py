@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
 import pytest
 
 from esg.assets import resolve
 from esg.draft import draft
 from esg.dynamics import fit_assets, start_hints
+from esg.dynamics.choreography import choreograph
+from esg.dynamics.edges import edge_of
 from esg.dynamics.falls import tipping_speed
 from esg.dynamics.proxies import coarse, faceted
 from esg.dynamics.stagecraft import Prop
@@ -91,6 +94,62 @@ def test_what_leaves_a_table_comes_down_on_its_target(prompt: str, mover: str, t
     gap = places[target].x_cm - places[mover].x_cm
     assert 5.0 < gap < 150.0
     assert abs(places[target].y_cm - places[mover].y_cm) < 5.0
+
+
+def test_what_falls_off_a_truck_leaves_it_where_nothing_is_in_its_way() -> None:
+    """The cab juts out before the roof of the body: a crate comes down behind the truck."""
+    doc = fit_assets(resolve(draft("A crate falls off a truck and hits a bollard.")))
+    edge = edge_of(doc, "truck_1")
+    truck = doc.asset_configurations[doc.spatial_relation_graph.nodes["truck_1"].asset_id]
+    assert edge.backwards
+    assert edge.at == pytest.approx(truck.dimensions_cm[0] / 200.0, abs=0.05)
+    table = fit_assets(resolve(draft("A ball rolls off a table and lands on a mat.")))
+    assert not edge_of(table, "table_1").backwards
+    (constellation,) = start_hints(doc).constellations
+    at = {p.node: p.x_cm for p in constellation.placements}
+    assert at["bollard_1"] < -0.5 * truck.dimensions_cm[0] < at["crate_1"] < 0.0
+
+
+def test_a_target_as_high_as_the_support_is_met_on_the_ground() -> None:
+    """Onto a crate of almost the table's height nothing falls far: it stands a body's length off."""
+    doc = fit_assets(resolve(draft("A box slides off a table and hits a wardrobe.")))
+    (constellation,) = start_hints(doc).constellations
+    at = {p.node: p for p in constellation.placements}
+    nodes = doc.spatial_relation_graph.nodes
+    size = {n: doc.asset_configurations[nodes[n].asset_id].dimensions_cm for n in at}
+    gap = at["wardrobe_1"].x_cm - 100.0 * edge_of(doc, "table_1").at
+    assert gap > 0.5 * size["wardrobe_1"][0] + 0.5 * size["box_1"][0]
+
+
+def test_an_event_timed_from_another_constellation_is_told_after_it() -> None:
+    """Two cars that never meet: the blue one's hit is 3 s after the red one's, at 2 s."""
+    doc = fit_assets(
+        resolve(
+            draft(
+                "A red car hits a barrel after 2 seconds, and 3 seconds later a blue car hits a crate."
+            )
+        )
+    )
+    told = choreograph(doc).nominal
+    first, second = (
+        next(v for k, v in told.items() if k.endswith("/event_time") and n in k)
+        for n in ("barrel", "crate")
+    )
+    assert first == pytest.approx(2.0, abs=0.05)
+    assert second == pytest.approx(5.0, abs=0.05)
+
+
+def test_what_is_hit_and_drives_on_by_itself_waits_on_the_hits_way() -> None:
+    """A cart that is rammed and then rolls on stands in the truck's way, pointing along it."""
+    doc = fit_assets(
+        resolve(draft("A pickup truck reverses into a shopping cart, which rolls into a curb."))
+    )
+    (constellation,) = start_hints(doc).constellations
+    at = {p.node: np.array([p.x_cm, p.y_cm]) for p in constellation.placements}
+    first = at["shopping_cart_1"] - at["pickup_truck_1"]
+    second = at["curb_1"] - at["shopping_cart_1"]
+    cosine = first @ second / np.linalg.norm(first) / np.linalg.norm(second)
+    assert cosine > 0.97
 
 
 def test_facets_replace_cylinders_only() -> None:
