@@ -41,6 +41,7 @@ class ClauseVerbs(ClauseNouns):
             frame.object = s.relative
             s.boundary_kind = ""
             frame.reduced = True
+            frame.opening = previous is None
         elif s.boundary_kind == "own":
             frame.subject, s.boundary_kind = s.subject, ""  # "hits a bus whose mass is 12 tons"
             frame.reduced, frame.parent = True, previous
@@ -54,6 +55,8 @@ class ClauseVerbs(ClauseNouns):
             frame.link = "then"
         elif v.infinitive and previous is not None:
             self._infinitive(s, frame, previous)
+        elif "agent" in v.extra and self._by_agent(s, frame, previous):
+            pass
         elif previous is None:
             self._first(s, frame, i)
         elif s.sub:
@@ -77,6 +80,8 @@ class ClauseVerbs(ClauseNouns):
             causer = previous.parent
             assert causer is not None
             frame.subject, frame.causer, frame.link = causer.object, causer, "cause"
+        elif self._awaits_main(previous, v) and previous.object is s.relative is not None:
+            frame.subject, frame.parent = s.relative, previous  # "the tray he carries falls"
         elif self._awaits_main(previous, v) or self._serial(previous, v, s):
             frame.subject = self._agent(previous)
             frame.parent = previous
@@ -104,6 +109,19 @@ class ClauseVerbs(ClauseNouns):
             frame.subject = self._agent(self._before_what_it_lets(previous, v))
             frame.parent = previous
         self._finish(s, frame)
+
+    @staticmethod
+    def _by_agent(s: State, frame: Frame, previous: Frame | None) -> bool:
+        """ "the scooter, bumped by a taxi and then bumped by a van, falls": one subject."""
+        if previous is None:
+            frame.subject = s.subject
+            frame.reduced = frame.opening = s.subject is not None
+            return s.subject is not None
+        if "agent" not in previous.verb.extra or not previous.reduced:
+            return False
+        frame.subject, frame.reduced, frame.opening = previous.subject, True, previous.opening
+        frame.parent = previous.parent
+        return True
 
     def _goes_on(self, i: int) -> bool:
         """Whether a relative clause tells what happens next: after a comma, or in the present."""

@@ -18,6 +18,7 @@ _STEPPING = frozenset({"step", "tread", "sit", "stamp"})
 _JUMPING = frozenset({"jump", "leap", "hop", "spring", "climb", "dive"})
 _TRAVELLING = frozenset({"person", "vehicle", "animal", "robot", "cart"})
 _STEERED = _TRAVELLING | frozenset({"watercraft", "flyer", "toyvehicle", ""})
+_ROUND = frozenset({"ball", "billiard", "sliding", "projectile"})
 _TOSSED = frozenset({"game", "tableware", "food", "ball", "billiard", "projectile", "electronics"})
 _SURFACES = frozenset({"patch", "slick", "spot", "stretch"})
 """What a vehicle hits and drives over."""
@@ -120,6 +121,34 @@ def _hits_ground(f: Frame) -> str:
     return "own" if flat and _kind(f.subject) in _TRAVELLING else ""
 
 
+def _against(f: Frame) -> str:
+    """ "gets wedged against the sofa", "is dashed onto the rocks": it hits what it is against."""
+    if f.verb.sense not in ("hit", "knock") or not f.verb.passive or f.phrase("by") is not None:
+        return ""
+    met = f.phrase("against", "into", "onto")
+    if met is None or not _thing(met.mention) or f.object is not None:
+        return ""
+    if met.prep != "against" and _kind(f.subject) in _ROUND:
+        return ""  # "is hit into the pocket"
+    f.verb.passive = False
+    return "hit"
+
+
+def _knocks_over(f: Frame) -> str:
+    """ "whacks it over", "bowls a bottle over", "takes the mast down": it topples."""
+    if (
+        f.verb.sense not in ("hit", "launch", "tow", "noop")
+        or f.verb.passive
+        or not _thing(f.object)
+    ):
+        return ""
+    moves = f.verb.sense == "noop" and f.verb.lemma not in ("take", "bring", "pull")
+    if moves or "over" not in f.verb.extra or _kind(f.object) in _ROUND:
+        return ""
+    f.verb.extra = {**f.verb.extra, "transitive": "1", "contact": "1"}
+    return "topple"
+
+
 def _buries(f: Frame) -> str:
     """ "A plough buries a bicycle": under what it moves, not by a hit."""
     buries = f.verb.lemma == "bury" and f.verb.sense == "hit" and not f.verb.extra
@@ -134,7 +163,7 @@ def _swings_round(f: Frame) -> str:
 
 _READINGS: tuple[Callable[[Frame], str], ...] = (
     _takes_out, _parts, _breaks_it, _shuts_on, _steps_on, _jumps_on, _lets_off, _tosses,
-    _hits_ground, _buries, _swings_round,
+    _hits_ground, _buries, _swings_round, _against, _knocks_over,
 )  # fmt: skip
 
 

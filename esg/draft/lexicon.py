@@ -235,6 +235,7 @@ ATTRIBUTES = _words("attributes")
 """Nouns that name no object: measures, events, media."""
 SUBSTANCES = _words("substances")
 """What a thing is made of or filled with: "a glass of water", "a ball of steel"."""
+FIRST_NAMES = _words("first names")
 PERSON_ROLES = _words("person roles")
 GROUP_WORDS: dict[str, str | None] = {
     "set": None, "group": "scatter", "bunch": "scatter", "pile": "stack", "stack": "stack",

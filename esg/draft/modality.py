@@ -76,6 +76,9 @@ def _reason(f: Frame, earlier: list[Frame], later: list[Frame], text: str) -> st
     """Why a frame is not asserted; "" if it is."""
     if f.verb.sense not in _EVENTS and f.verb.sense not in ("own", "roll", "slide", "fly"):
         return ""
+    if _ends_in(f, text):
+        f.link = "then"
+        return ""
     before = text[max(0, f.verb.start - 40) : f.verb.start]
     contrast = _contrast(f, text)
     modal = f.verb.modal
@@ -108,6 +111,11 @@ def _reason(f: Frame, earlier: list[Frame], later: list[Frame], text: str) -> st
     if progressive and interrupted and f.verb.sense in ("overtake", "pass"):
         return "under way when something else happens"
     return ""
+
+
+def _ends_in(f: Frame, text: str) -> bool:
+    """ "glances off one bumper only to fetch up against the other": what happens next."""
+    return f.verb.infinitive and text[: f.verb.start].rstrip().lower().endswith("only")
 
 
 def _governor(f: Frame, earlier: list[Frame]) -> Frame | None:

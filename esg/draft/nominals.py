@@ -83,7 +83,7 @@ def _referred_back(elements: list[Element], i: int, out: list[Element]) -> int:
     noun = elements[i + 1] if i + 1 < len(elements) else None
     after = elements[i + 2] if i + 2 < len(elements) else None
     if isinstance(noun, Verb) and noun.form == "ing" and e.low in ("in", "on", "by"):
-        starts = not out or (isinstance(out[-1], Word) and out[-1].low in ".;!?")
+        starts = not out or (isinstance(out[-1], Word) and out[-1].low in ".;!?,")
         comma = isinstance(after, Word) and after.low == ","
         if starts and comma and noun.sense in ("fall", "topple", "land", "bounce"):
             out.append(Word(e.start, noun.end, "adv", "thereby"))

@@ -5,14 +5,14 @@ from __future__ import annotations
 from esg.draft import lexicon as lex
 from esg.draft.elements import Mention
 from esg.draft.entities import BODY_PARTS, COUNTED_FROM, ORDINALS, STACKED
-from esg.draft.letters import Letters
+from esg.draft.nounquestions import NounQuestions
 from esg.draft.verbphrases import verb_readings
 
 _PIECES = frozenset({"roll", "piece", "slice", "sheet", "lump", "chunk", "coil", "reel", "spool"})
 _RUNNING_GEAR = frozenset({"wheels", "castors", "casters", "rollers", "rails", "skates", "runners"})
-_MEASURES = frozenset({"mass", "weight", "radius", "diameter", "height", "width", "length"})
 
 
+_SINGULAR = frozenset({"a", "an", "each", "every", "this", "that"})
 _MOSTLY_NOUNS = frozenset(
     {"cannon", "hammer", "hook", "bank", "motor", "scoop", "jet", "paddle", "sandwich", "spiral",
      "loop", "stream", "lance", "drum"}
@@ -21,18 +21,11 @@ _MOSTLY_NOUNS = frozenset(
 _VESSELS = frozenset({"tableware", "bottle", "box", "container", "barrel"})
 
 
-class NounHeads(Letters):
+class NounHeads(NounQuestions):
     """Reads the head of a noun phrase whose modifiers have been read."""
 
     def _noun_phrase(self, i: int) -> int | None:
         raise NotImplementedError
-
-    def _ends_phrase(self, k: int) -> bool:
-        """Whether a base form ends its noun phrase ("a cat bowl.") and is no verb."""
-        if any(r.form != "base" for r in verb_readings(self._low(k))):
-            return False
-        nxt = self._tok(k + 1)
-        return nxt is None or nxt.kind == "punct" or nxt.low in lex.PREPOSITIONS | {"and", "is"}
 
     def _head(self, i: int, j: int, m: Mention) -> int | None:
         tokens = self.tokens
@@ -51,7 +44,10 @@ class NounHeads(Letters):
                 if following is None or plural or self._low(k) in lex.ADVERBS:
                     break
                 readings = verb_readings(self._low(k))
-                if readings and following[2] and m.determiner in ("a", "an", "each", "every"):
+                if self._let_do(k, readings):
+                    break  # "make a ball bowl over a pin"
+                acts = self._low(k + 1) in lex.DETERMINERS | lex.PRONOUNS
+                if readings and following[2] and (acts or m.determiner in _SINGULAR):
                     break  # "a door swings shut": no plural after "a"
                 named = following[0].kind in _VESSELS or self._low(k) in _MOSTLY_NOUNS
                 vessel = m.determiner and named and self._ends_phrase(k)
@@ -219,6 +215,7 @@ class NounHeads(Letters):
             low
             and {low, lex.singular(low)[0]} & lex.ATTRIBUTES
             and not self._many_do(j, m)
+            and not self._color_acts(j, m)
             and not self._one_does(j, m)
             and (m.determiner or m.adjectives or m.count is not None or self._is_attribute_start(j))
         ):
@@ -268,7 +265,11 @@ class NounHeads(Letters):
                     owner.pick, owner.start = picked[-1], m.start  # "the blue one of three balls"
                     return inner
                 del self.elements[size:]
-        elif m.adjectives and m.determiner and (j >= len(tokens) or not self._unknown_noun(j)):
+        elif (
+            m.adjectives
+            and (m.determiner or self._bare_color(i, j, m))
+            and (j >= len(tokens) or not self._unknown_noun(j))
+        ):
             # "the other", "the second", "the black", "the last two"
             last = m.adjectives[-1]
             if not self._known_adjective(last) and not last.startswith("@"):
@@ -318,8 +319,10 @@ class NounHeads(Letters):
                 m.adjectives.append(self._low(k))
                 return self._head(i, k + 1, m)
             m.head, m.plural = lex.singular(self._low(k))
+            if k == j and self._is_name(j, m):
+                m.head, m.plural, m.noun = self._low(k), False, lex.nouns()["person"]
             m.attribute = k > j and m.head in lex.ATTRIBUTES  # "of infinite mass"
-            m.known = m.attribute
+            m.known = m.attribute or m.noun is not None
             j = k + 1
         elif m.count is not None and m.count != 0 and (j > i):
             if m.determiner == "the" or j == i + 1:
@@ -379,30 +382,3 @@ class NounHeads(Letters):
         thing.start, thing.determiner = m.start, m.determiner or thing.determiner
         thing.count, thing.plural = m.count or 1, False
         return end
-
-    def _is_attribute_start(self, j: int) -> bool:
-        if self._low(j) in _MEASURES and self._low(j - 1) in ("in", "whose", "'s"):
-            return True  # "2 cm in diameter"
-        if self._low(j) in _MEASURES and self._tok(j + 1) is not None:
-            if self.tokens[j + 1].text == ":":
-                return True
-            return self.tokens[j + 1].kind == "qty" or self._low(j + 1) == "of"
-        if self._low(j) in ("time", "motion", "place", "reverse", "times", "line", "advance"):
-            return self._low(j - 1) in ("in", "three", "two", "several", "of", "into", "times")
-        return self._low(j) in (
-            "speed",
-            "velocity",
-            "sunlight",
-            "rain",
-            "speeds",
-            "velocities",
-            "brakes",
-            "impact",
-            "contact",
-        )
-
-    def _pronoun_here(self, j: int) -> bool:
-        low = self._low(j)
-        if low in ("that", "this"):
-            return bool(self._verb_ahead(j + 1))
-        return True

@@ -1,8 +1,8 @@
 """Particle verbs and set phrases by what happens: "fetches up against", "comes to a dead stop".
 
 Each row of `data/particles.csv` has lemmas, a pattern of what follows them, the sense that they
-then have, and notes for the readings. The first pattern of a lemma that matches decides, and the
-tables of `verbphrases` come before these.
+then have, and notes for the readings. The first pattern of a lemma that matches decides, and these
+come before those of `verbphrases`.
 """
 
 from __future__ import annotations
@@ -62,8 +62,6 @@ def particles() -> list[Particle]:
 LEMMAS = {
     "fetch": ("fetches", "fetched", "fetched", "fetching"),
     "finish": ("finishes", "finished", "finished", "finishing"),
-    "embed": ("embeds", "embedded", "embedded", "embedding"),
-    "wedge": ("wedges", "wedged", "wedged", "wedging"),
     "leave": ("leaves", "left", "left", "leaving"),
     "gather": ("gathers", "gathered", "gathered", "gathering"),
     "lock": ("locks", "locked", "locked", "locking"),

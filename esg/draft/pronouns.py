@@ -142,6 +142,10 @@ class Pronouns(Registry):
                 label = f"{colors[0]} ball"
                 ball = lex.nouns()["billiard ball"]
                 return [self.add(ball, "ball", adjectives=colors, label=label, origin=m.start).id]
+            if model is None and m.adjectives == colors:  # "Red knocks blue away"
+                ball = lex.nouns()["ball"]
+                label = f"{colors[0]} ball"
+                return [self.add(ball, "ball", adjectives=colors, label=label, origin=m.start).id]
         elif ordinal is not None and not any(e.group for e in solid):
             model = next((e for e in solid if e.place in ORDINALS and e.place != ordinal), None)
         if model is None or (model.id in avoid and not ordinal and model.color is None):

@@ -241,6 +241,9 @@ class Reader:
                 return True
             return True
         if isinstance(previous, Verb):
+            before = self.elements[-3:-1]
+            if forms & {"s", "past"} and [type(e) for e in before] == [Mention, Mention]:
+                return noun is None  # "the tray he was carrying crashes"
             return (
                 bool(forms & {"ing", "base"})
                 and not (nounish and (self._noun_soon(i + 1) is False))
@@ -254,7 +257,8 @@ class Reader:
             return bool("ing" in forms and nxt in lex.DETERMINERS)
         if previous is None or (previous.kind == "punct" and previous.low in ".;!?:\n"):
             if nounish:
-                return nxt in lex.DETERMINERS and "base" in forms
+                by = nxt == "by" and "pp" in forms  # "Hit by an apple, he ..."
+                return by or (nxt in lex.DETERMINERS and "base" in forms)
             return True
         if (
             nounish

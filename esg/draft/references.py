@@ -125,7 +125,7 @@ class References(MotionSenses):
                 m is not None
                 and m.pronoun == "it"
                 and self._topic is not None
-                and self._topic[0] == f.sentence - 1
+                and f.sentence - 1 <= self._topic[0] <= f.sentence
                 and len(self._topic[1]) == 1
                 and self._topic[1] != subject
                 and id(m) not in self.world.resolved

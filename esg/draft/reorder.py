@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from esg.draft.asides import set_apart
 from esg.draft.elements import Element, Mention, Verb, Word
 from esg.draft.gaps import fill_gaps, finite, is_prep, word_at
 from esg.draft.verbphrases import particle_sense
@@ -31,6 +32,8 @@ _PLACES = frozenset(
      "above", "below", "beneath", "opposite", "inside", "along", "against", "from", "around"}
 )  # fmt: skip
 _NEGATIVE = frozenset({"never", "not", "nor", "neither", "nowhere", "no"})
+_JUST = frozenset({"sooner", "hardly", "scarcely", "barely"})
+"""What goes with "than" or "when": the next thing comes at once."""
 _HELPERS = frozenset({"does", "do", "did", "has", "have", "had"})
 _BANGS = frozenset(
     {"bang", "crash", "smack", "slap", "thud", "wham", "whack", "thump", "bump", "clang", "crunch",
@@ -70,7 +73,7 @@ def reorder(elements: list[Element], text: str) -> list[Element]:
                 continue
         out.append(elements[i])
         i += 1
-    return fill_gaps(out)
+    return fill_gaps(set_apart(out))
 
 
 def _starts_clause(out: list[Element]) -> bool:
@@ -175,14 +178,17 @@ def _with_helper(elements: list[Element], i: int, out: list[Element]) -> int:
         return 0
     lead = [e for e in elements[i:j] if isinstance(e, Word)]
     no = bool(_NEGATIVE & {w for e in lead for w in e.low.split()})
-    soon = any(e.low == "sooner" for e in lead)
+    soon = bool({e.low for e in lead} & _JUST)
     verb.negated = verb.negated or (no and not soon) or helper.negated
     verb.form = "s"
-    out += [*[e for e in lead if e.low not in _NEGATIVE | {"sooner", "so"}], subject, verb]
+    out += [*[e for e in lead if e.low not in _NEGATIVE | _JUST | {"so"}], subject, verb]
     following = elements[k + 1 : k + 8]
     for n, e in enumerate(following):
         if isinstance(e, Word) and e.low in _STOPS:
             break
+        if isinstance(e, Word) and soon and e.low in ("than", "when"):
+            out += [*following[:n], Word(e.start, e.end, "adv", "then")]
+            return k + 2 + n - i
         if isinstance(e, Word) and e.low == "that" and e.kind == "unknown":
             out += [*following[:n], Word(e.start, e.end, "sub", "so")]
             return k + 2 + n - i

@@ -163,7 +163,7 @@ class FallSenses(LaunchSenses):
             return
         if (
             upright
-            and not {"off", "out"} & set(f.adverbs)
+            and not {"off", "out"} & {*f.adverbs, f.verb.extra.get("particle", "")}
             and f.phrase("off", "from", "out of", "over", "down", "onto", "on", "into", "in")
             is None
             and a_rests_low(self, upright[0])

@@ -124,7 +124,7 @@ _phrase(
     before="1",
 )
 _phrase("fall", r"short\s+of", "miss")
-_phrase("come", r"off", "fall")
+_phrase("come", r"off", "fall", particle="off")
 _phrase("come", r"down(?=\s+(?:from|off|on|onto)\b(?!\s+\d))", "fall", particle="down")
 _phrase("take", r"(?:an?|the)\s+(?:\w+\s+)?(?:corner|bend|curve)", "turn")
 for _v in ("break", "come", "work"):
@@ -171,8 +171,11 @@ _phrase("get", r"up", "noop")
 _phrase("stand", r"up", "noop")
 _phrase("get", r"(?:off|out(?:\s+of)?|into|in)", "noop")
 
+_OWN_PHRASES, PHRASES = PHRASES, {}
 for _entry in particles():
     _phrase(_entry.lemma, _entry.follows, _entry.sense, **_entry.notes)
+for _lemma, _phrases in _OWN_PHRASES.items():
+    PHRASES.setdefault(_lemma, []).extend(_phrases)
 
 _EXTRA_LEMMAS = {
     "take": ("takes", "took", "taken", "taking"),

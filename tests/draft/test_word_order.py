@@ -99,3 +99,38 @@ def test_a_plough_that_buries_something_does_not_hit_it() -> None:
 def test_the_sense_of_a_particle_is_found_where_it_stands_apart() -> None:
     assert particle_sense("go", "over") == ("topple", {"down": "1"})
     assert particle_sense("roll", "along") is None
+
+
+@pytest.mark.parametrize(
+    ("prompt", "expected"),
+    [
+        (
+            "A scooter, bumped by a taxi and then bumped again by a van, falls over.",
+            [("hit", "taxi_1", "scooter_1"), ("hit", "van_1", "scooter_1"), ("topple", "scooter_1")],
+        ),
+        ("Hit by an apple, Isaac looks up.", [("hit", "apple_1", "isaac_1")]),
+        ("A gnome is seen falling off a wall.", [("fall", "gnome_1")]),
+        ("The tray he was carrying crashes onto a table.", [("hit", "tray_1", "table_1")]),
+        ("A beaker falls off a bench, the beaker then landing in a sink.", [
+            ("fall", "beaker_1"), ("enter", "beaker_1")
+        ]),
+        ("A robot gets wedged against a sofa.", [("hit", "robot_1", "sofa_1")]),
+        ("A plank whacks a sawhorse over.", [("hit", "plank_1", "sawhorse_1"), ("topple", "sawhorse_1")]),
+        ("Kevin lobs a snowball, catching a scarecrow in the chest.", [
+            ("hit", "snowball_1", "scarecrow_1")
+        ]),
+    ],
+)  # fmt: skip
+def test_asides_leave_the_main_verb_its_subject(
+    prompt: str, expected: list[tuple[str, ...]]
+) -> None:
+    assert events(prompt) == expected
+
+
+def test_a_bare_colour_is_a_ball() -> None:
+    found = events("Snooker: white into pink, pink into the middle pocket.")
+    assert found == [("hit", "white_ball_1", "pink_ball_1"), ("enter", "pink_ball_1")]
+
+
+def test_who_comes_off_falls() -> None:
+    assert ("fall", "rider_1") in events("The horse bucks and the rider comes off.")

@@ -1,0 +1,101 @@
+"""Questions about the words of a noun phrase: is it a name, a measure, a colour for a ball?"""
+
+from __future__ import annotations
+
+from esg.draft import lexicon as lex
+from esg.draft.elements import Mention, Verb
+from esg.draft.letters import Letters
+from esg.draft.verbphrases import verb_readings
+
+_LETTING = frozenset({"make", "let", "have", "watch", "see"})
+_MEASURES = frozenset({"mass", "weight", "radius", "diameter", "height", "width", "length"})
+_BEFORE_COLORS = frozenset({*".,;:!?", "and", "into", "off", "then"})
+"""What stands before a colour that names a ball."""
+
+
+class NounQuestions(Letters):
+    """What a word is where a noun phrase may stand or end."""
+
+    def _ends_phrase(self, k: int) -> bool:
+        """Whether a base form ends its noun phrase ("a cat bowl.") and is no verb."""
+        if any(r.form != "base" for r in verb_readings(self._low(k))):
+            return False
+        nxt = self._tok(k + 1)
+        return nxt is None or nxt.kind == "punct" or nxt.low in lex.PREPOSITIONS | {"and", "is"}
+
+    def _let_do(self, k: int, readings: tuple[lex.VerbForm, ...]) -> bool:
+        """Whether a bare verb follows what "make", "let", "have" or "watch" acts on."""
+        verb = self.elements[-1] if self.elements else None
+        lets = isinstance(verb, Verb) and verb.lemma in _LETTING and not verb.auxiliary
+        base = any(r.form == "base" and r.sense != "noop" for r in readings)
+        nxt = self._low(k + 1)
+        follows = nxt in lex.PREPOSITIONS | lex.DETERMINERS | lex.PRONOUNS | lex.ADVERBS
+        return bool(lets and base and follows)
+
+    def _color_acts(self, j: int, m: Mention) -> bool:
+        """ "The white hits the pink": a ball and its verb, no white hit."""
+        if not m.adjectives or m.adjectives[-1] not in lex.COLORS or m.determiner in ("a", "an"):
+            return False
+        acts = any(r.form == "s" and r.sense != "noop" for r in verb_readings(self._low(j)))
+        nxt = self._tok(j + 1)
+        small = lex.DETERMINERS | lex.PREPOSITIONS | lex.ADVERBS | lex.COLORS.keys() | {"and"}
+        return acts and (nxt is None or nxt.kind != "word" or nxt.low in small)
+
+    def _bare_color(self, i: int, j: int, m: Mention) -> bool:
+        """ "white into pink", "red knocks blue off": a colour that names a ball."""
+        if j != i + 1 or m.adjectives[0] not in lex.COLORS:
+            return False
+        before, nxt = self.elements[-1] if self.elements else None, self._tok(j)
+        if isinstance(before, Verb):
+            placed = before.sense in ("hit", "knock", "miss", "pocket", "scatter", "topple")
+        else:
+            placed = before is None or not isinstance(before, Mention)
+            placed = placed and getattr(before, "low", ".") in (
+                *".,;:!?",
+                "and",
+                "into",
+                "off",
+                "then",
+            )
+        if nxt is None or nxt.kind == "punct":
+            return placed
+        acts = any(r.form == "s" for r in verb_readings(nxt.low))
+        return placed and (acts or nxt.low in ("into", "off", "onto", "past", "in", "and", "goes"))
+
+    def _is_name(self, j: int, m: Mention) -> bool:
+        """ "Kevin lobs a ball": a capital in mid-sentence, or a common first name."""
+        token = self.tokens[j]
+        if m.determiner or m.adjectives or m.count is not None or not token.text[0].isupper():
+            return False
+        if token.low in lex.FIRST_NAMES:
+            return True
+        before = self._tok(j - 1)
+        starts = before is None or before.text in '.;:!?-–—•*)"“'
+        return not starts and token.tag == "PROPN" and token.text[1:].islower()
+
+    def _is_attribute_start(self, j: int) -> bool:
+        if self._low(j) in _MEASURES and self._low(j - 1) in ("in", "whose", "'s"):
+            return True  # "2 cm in diameter"
+        if self._low(j) in _MEASURES and self._tok(j + 1) is not None:
+            if self.tokens[j + 1].text == ":":
+                return True
+            return self.tokens[j + 1].kind == "qty" or self._low(j + 1) == "of"
+        if self._low(j) in ("time", "motion", "place", "reverse", "times", "line", "advance"):
+            return self._low(j - 1) in ("in", "three", "two", "several", "of", "into", "times")
+        return self._low(j) in (
+            "speed",
+            "velocity",
+            "sunlight",
+            "rain",
+            "speeds",
+            "velocities",
+            "brakes",
+            "impact",
+            "contact",
+        )
+
+    def _pronoun_here(self, j: int) -> bool:
+        low = self._low(j)
+        if low in ("that", "this"):
+            return bool(self._verb_ahead(j + 1))
+        return True
