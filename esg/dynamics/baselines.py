@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.dynamics.batched import Cloud, spreads
+from esg.dynamics.cloud import Cloud, spreads
 from esg.dynamics.panel import Panel
 from esg.dynamics.plan import Plan
 from esg.outcomes import UserError

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.dynamics.cloud import Cloud, around, spreads
 from esg.dynamics.loss_shapes import MISSED
 from esg.dynamics.niches import Niche, apart, broad, everywhere
 from esg.dynamics.panel import GOOD_LOSS, WORST_SHARE, Found, Panel, prior
@@ -25,13 +26,14 @@ STARTS = 4
 """Candidates around the choreographed start that are judged before anything is searched."""
 POPULATION = 48
 WORLDS = 32
-ELITES = 6
 FINALISTS = 4
 SAMPLE, SAMPLES = 64, 3
 """Candidates from all of theta's box at a time and how often, where none near the start will do."""
 NICHES, BROOD, IDLE = 2, 8, 8
 """Places that are searched at a time then, with so many candidates each; generations without
 progress after which another place is tried."""
+WIDE_BROOD = 24
+"""Most candidates of a place where an engine plays many in the time of one."""
 OTHERS = 3
 """Places apart that the reference engine plays where it disagrees with the surrogate."""
 FAR_GAIN = 0.05
@@ -58,12 +60,14 @@ class Explored:
         worst: Of the best.
         stalled: Whether more rounds no longer improved it.
         pool: All that was played.
+        good: Whether the surrogate finds nothing to object to the best.
     """
 
     finalists: Floats
     worst: float
     stalled: bool
     pool: Pool | None = None
+    good: bool = False
 
     @property
     def reached(self) -> bool:
@@ -112,7 +116,7 @@ def search(
     if explored.stalled and not explored.reached and not best.ensemble.all_completed().any():
         # Neither engine brings the events about, and the last rounds came no nearer.
         return best, "out of reach"
-    if explored.worst < GOOD_LOSS and not best.ensemble.all_completed().all():
+    if explored.good and not best.ensemble.all_completed().all():
         best = _elsewhere(plan, panel, rng, explored, best)
         if best.good():
             return best, "robust"
@@ -143,10 +147,10 @@ def _elsewhere(
     thetas = pool.seen[[k for k in places if pool.losses[k] < GOOD_LOSS]]
     if not len(thetas):
         return best
-    worst = panel.preview(thetas)
-    panel.note("sample", "surrogate", SAMPLE, float(worst.min()))
-    for k in np.argsort(worst, kind="stable")[:OTHERS]:
-        if worst[k] < GOOD_LOSS and not best.good():
+    shown = panel.preview(thetas)
+    panel.note("sample", "surrogate", SAMPLE, float(shown.worst.min()))
+    for k in np.lexsort((shown.worst, ~shown.good))[:OTHERS]:
+        if shown.good[k] and not best.good():
             best = min((best, panel.judge(thetas[k : k + 1])), key=lambda f: f.worst)
     return best
 
@@ -172,7 +176,7 @@ def _explore(plan: Plan, panel: Panel, rng: np.random.Generator, max_rounds: int
     pool = Pool(panel)
     pool.preview(around(plan, plan.initial(), scale, rng, STARTS))
     panel.note("start", "surrogate", STARTS, pool.best)
-    if pool.best < GOOD_LOSS:
+    if pool.good:
         return pool.explored(stalled=False)
     if not (broad(plan) > 0.0).any():
         return pool.explored(stalled=True)
@@ -186,7 +190,7 @@ def _explore(plan: Plan, panel: Panel, rng: np.random.Generator, max_rounds: int
         history.append(pool.best)
         panel.note("explore", "surrogate", POPULATION, pool.best)
         ended = stalled(history, reached=pool.best < MISSED)
-        if pool.best < GOOD_LOSS or (ended and pool.best < POOR):
+        if pool.good or (ended and pool.best < POOR):
             return pool.explored(stalled=ended)
         if ended or not nearing(history):
             break
@@ -195,29 +199,33 @@ def _explore(plan: Plan, panel: Panel, rng: np.random.Generator, max_rounds: int
 
 def _explore_widely(plan: Plan, pool: Pool, rng: np.random.Generator, rounds: int) -> Explored:
     """Samples all of theta's box, then searches its best places side by side."""
-    for _ in range(SAMPLES):
-        thetas = everywhere(plan, rng, SAMPLE, plan.initial())
+    count, times = SAMPLE, SAMPLES
+    if pool.panel.breadth >= SAMPLE:
+        count, times = SAMPLE * SAMPLES, 1
+    for _ in range(times):
+        thetas = everywhere(plan, rng, count, plan.initial())
         losses = pool.look(thetas)
         order = np.argsort(losses, kind="stable")[:FINALISTS]
         pool.consider(thetas[order], losses[order])
-        pool.panel.note("sample", "surrogate", SAMPLE, pool.best)
-        if pool.best < GOOD_LOSS:
+        pool.panel.note("sample", "surrogate", count, pool.best)
+        if pool.good:
             return pool.explored(stalled=False)
     scale = broad(plan)
+    brood = min(max(BROOD, pool.panel.breadth // NICHES), WIDE_BROOD)
     niches: list[Niche] = []
     tried: list[Floats] = []
     history, ended = [pool.best], False
     for _ in range(rounds):
         played = len(pool.seen)
-        while len(pool.seen) < played + POPULATION and pool.best >= GOOD_LOSS:
+        while len(pool.seen) < played + POPULATION and not pool.good:
             niches = [n for n in niches if not (n.collapsed or n.idle >= IDLE)]
             for k in apart(plan, pool.seen, pool.losses, NICHES - len(niches), tried):
                 niches.append(Niche(plan, pool.seen[k], float(pool.losses[k]), scale))
                 tried.append(pool.seen[k])
             if not niches:
                 return pool.explored(stalled=True)
-            asked = [n.ask(rng, BROOD) for n in niches]
-            losses = pool.look(np.concatenate(asked)).reshape(len(niches), BROOD)
+            asked = [n.ask(rng, brood) for n in niches]
+            losses = pool.look(np.concatenate(asked)).reshape(len(niches), brood)
             for niche, thetas, own in zip(niches, asked, losses, strict=True):
                 niche.tell(own)
                 order = np.argsort(own, kind="stable")[:2]
@@ -225,7 +233,7 @@ def _explore_widely(plan: Plan, pool: Pool, rng: np.random.Generator, rounds: in
         history.append(pool.best)
         pool.panel.note("explore", "surrogate", len(pool.seen) - played, pool.best)
         ended = stalled(history, reached=pool.best < MISSED)
-        if pool.best < GOOD_LOSS or ended:
+        if pool.good or ended:
             break
     return pool.explored(stalled=ended)
 
@@ -234,8 +242,9 @@ class Pool:
     """What the surrogate has played: all candidates' losses and the most robust of them.
 
     Attributes:
-        thetas: The most robust ones, the best first, shape [K, n].
+        thetas: The most robust ones, the good ones first, then the best, shape [K, n].
         value: Their worst cases; of one that misses an event its loss, shape [K].
+        fine: Which of them are good (`Previewed`), shape [K].
         seen, losses: Every candidate of `look` and its loss, shapes [N, n] and [N].
     """
 
@@ -243,6 +252,7 @@ class Pool:
         self.panel = panel
         n = len(panel.plan.variables)
         self.thetas, self.value = np.zeros((0, n)), np.zeros(0)
+        self.fine = np.zeros(0, bool)
         self.seen, self.losses = np.zeros((0, n)), np.zeros(0)
         self._happens: dict[bytes, bool] = {}
 
@@ -250,9 +260,15 @@ class Pool:
     def best(self) -> float:
         return float(self.value[0])
 
+    @property
+    def good(self) -> bool:
+        """Whether a good one is among them."""
+        return bool(self.fine[0])
+
     def preview(self, thetas: Floats) -> None:
         """Plays candidates under the ensemble."""
-        self._keep(thetas, self.panel.preview(thetas))
+        shown = self.panel.preview(thetas)
+        self._keep(thetas, shown.worst, shown.good)
 
     def look(self, thetas: Floats) -> Floats:
         """Losses of the unperturbed scene, shape [K]."""
@@ -273,21 +289,22 @@ class Pool:
         """
         missed = ~np.array([self._happens[t.tobytes()] for t in thetas], bool)
         if missed.any():
-            self._keep(thetas[missed], losses[missed])
+            self._keep(thetas[missed], losses[missed], np.zeros(int(missed.sum()), bool))
         worth = ~missed & (WORST_SHARE * losses < self.best)
         if worth.any():
             self.preview(thetas[worth])
 
-    def _keep(self, thetas: Floats, value: Floats) -> None:
+    def _keep(self, thetas: Floats, value: Floats, fine: NDArray[np.bool_]) -> None:
         self.thetas = np.concatenate([self.thetas, thetas])
         self.value = np.concatenate([self.value, value])
+        self.fine = np.concatenate([self.fine, fine])
         _, first = np.unique(self.thetas, axis=0, return_index=True)
         order = np.sort(first)
-        order = order[np.argsort(self.value[order], kind="stable")][: 2 * FINALISTS]
-        self.thetas, self.value = self.thetas[order], self.value[order]
+        order = order[np.lexsort((self.value[order], ~self.fine[order]))][: 2 * FINALISTS]
+        self.thetas, self.value, self.fine = self.thetas[order], self.value[order], self.fine[order]
 
     def explored(self, *, stalled: bool) -> Explored:
-        return Explored(self.thetas[:FINALISTS], self.best, stalled, self)
+        return Explored(self.thetas[:FINALISTS], self.best, stalled, self, self.good)
 
 
 def _polish(
@@ -328,64 +345,6 @@ def _polish(
         if not last:
             losses = look()
     return best, "rounds spent"
-
-
-class Cloud:
-    """The distribution candidates are drawn from: a diagonal Gaussian within the bounds.
-
-    Its spread never falls below a decaying floor, and is widened while an event never happened.
-
-    Args:
-        plan: Variables.
-        scale: Spread of each variable at the start, shape [n].
-        center: Where it starts; the choreographed theta if None.
-    """
-
-    def __init__(self, plan: Plan, scale: Floats, center: Floats | None = None) -> None:
-        self.plan, self.scale, self.spread = plan, scale, scale
-        self.mean = plan.initial() if center is None else center
-        self.rounds = 0
-        self.elites: Floats = np.zeros((0, len(scale)))
-        self.kept: Floats = np.zeros(0)
-
-    def draw(self, rng: np.random.Generator, n: int) -> Floats:
-        """Candidates, the mean first, shape [n, variables]."""
-        return around(self.plan, self.mean, self.spread, rng, n)
-
-    def learn(self, thetas: Floats, losses: Floats, anchor: Floats | None) -> Floats:
-        """Moves towards the best; returns all known elites, the best first.
-
-        Args:
-            thetas: Shape [W, n].
-            losses: Shape [W].
-            anchor: A theta that counts among the elites, None for none.
-        """
-        pool, scores = np.concatenate([self.elites, thetas]), np.concatenate([self.kept, losses])
-        order = np.argsort(scores, kind="stable")[:ELITES]
-        self.elites, self.kept = pool[order], scores[order]
-        members = self.elites if anchor is None else np.concatenate([self.elites, anchor[None]])
-        self.mean = members.mean(axis=0)
-        floor = 0.35 * 0.8**self.rounds * self.scale
-        self.spread = np.maximum(1.3 * self.elites.std(axis=0), floor)
-        if self.kept[0] > 0.8 * MISSED:
-            # An event never happened yet: look further afield instead of closing in.
-            self.spread = np.maximum(self.spread, 1.6 * self.scale)
-        self.rounds += 1
-        return self.elites
-
-
-def spreads(plan: Plan) -> Floats:
-    """Usual change of each variable, zero for fixed ones, shape [n]."""
-    return np.array([v.spread for v in plan.variables]) * plan.free()
-
-
-def around(plan: Plan, mean: Floats, spread: Floats, rng: np.random.Generator, n: int) -> Floats:
-    """Gaussian candidates within the bounds, the mean itself first, shape [n, variables]."""
-    thetas = np.clip(
-        mean + spread * rng.standard_normal((n, len(mean))), plan.lower(), plan.upper()
-    )
-    thetas[0] = np.clip(mean, plan.lower(), plan.upper())
-    return thetas
 
 
 def nearing(history: list[float]) -> bool:

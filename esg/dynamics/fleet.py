@@ -22,6 +22,7 @@ from esg.dynamics.fleet_crew import Crew, Task
 from esg.dynamics.fleet_remote import Remote
 from esg.dynamics.fleet_server import Clock, Server
 from esg.dynamics.search import MAX_ROUNDS
+from esg.engines.base import breadth
 from esg.graph.models import EsgDocument
 from esg.outcomes import UserError
 
@@ -69,7 +70,10 @@ def optimize_many(
     if not docs:
         return []
     kind = "cpu" if device == "cpu" else "cuda"
-    task = Task(tuple(docs), tuple(seeds), strategy, max_rounds, hold=device == "cpu")
+    task = Task(
+        tuple(docs), tuple(seeds), strategy, max_rounds,
+        hold=device == "cpu", breadth=breadth(device),
+    )  # fmt: skip
     memory = _memory(BUFFER_BYTES[kind], shared=processes > 1)
     shifts = np.array_split(np.arange(len(docs)), max(1, round(len(docs) / SHIFT_SCENES)))
     n = max(1, min(processes, len(docs)))

@@ -31,6 +31,8 @@ class Task:
     max_rounds: int
     hold: bool = True
     """Whether bystanders are held still; on a GPU, which builds worlds ahead, they cost little."""
+    breadth: int = 1
+    """Candidates that the surrogate plays in about the time of one."""
 
 
 class _Ticket:
@@ -60,9 +62,9 @@ class _Scenes:
 class _FleetEngine:
     """An engine whose rollouts are played together with those of other scenes."""
 
-    def __init__(self, name: str, crew: Crew, scenes: _Scenes, hold: bool) -> None:
+    def __init__(self, name: str, crew: Crew, scenes: _Scenes, task: Task) -> None:
         self.name = name
-        self.holds = hold
+        self.holds, self.breadth = task.hold, task.breadth
         self._crew, self._scenes = crew, scenes
 
     def rollout(
@@ -105,7 +107,7 @@ def _optimize(task: Task, index: int, crew: Crew) -> EsgDocument:
         seed=task.seeds[index],
         strategy=task.strategy,
         max_rounds=task.max_rounds,
-        engines=lambda name, _: _FleetEngine(name, crew, scenes, task.hold),
+        engines=lambda name, _: _FleetEngine(name, crew, scenes, task),
     )
 
 

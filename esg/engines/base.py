@@ -11,6 +11,8 @@ from esg.outcomes import UserError
 ENGINES = ("newton", "physx", "rapier")
 SURROGATE = "surrogate"
 """For searches only: it takes no part in verification, so `ENGINES` does not name it."""
+CUDA_BREADTH = 64
+"""Candidates of one scene that the surrogate plays on a GPU in about the time of one."""
 VERIFY_DT_S = 1.0 / 240.0
 
 
@@ -75,3 +77,8 @@ def get_engine(name: str, device: str = "cpu") -> Engine:
 
         return SurrogateEngine(device=device)
     raise UserError(f"unknown engine {name!r}; choose one of {', '.join(ENGINES)}")
+
+
+def breadth(device: str) -> int:
+    """Candidates that the surrogate plays on a device in about the time of one."""
+    return 1 if device == "cpu" else CUDA_BREADTH

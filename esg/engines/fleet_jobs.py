@@ -6,9 +6,10 @@ processes. A job is one scene's rollout: W worlds, B bodies of which D move, P p
 
 from __future__ import annotations
 
+from collections.abc import Generator
 from dataclasses import dataclass
 import math
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,6 +23,10 @@ from esg.engines.worlds import MAX_SPEED_MPS, Frames, Start, moving
 
 Singles = NDArray[np.float32]
 Ints = NDArray[np.int32]
+
+_T = TypeVar("_T")
+Pieces = Generator[None, None, _T]
+"""Work in pieces, between which others may use the device, and its result."""
 
 TUNNELLED_M = 0.3
 

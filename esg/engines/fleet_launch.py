@@ -176,9 +176,16 @@ class Launch:
         self.kernels = kernels
         self.counts = wp.zeros((2, worlds), dtype=int, device=self.device)
 
-    def launch(self) -> None:
-        """Simulates all worlds to the end."""
+    def launch(self, stream: Any = None) -> None:
+        """Simulates all worlds to the end.
+
+        Args:
+            stream: Of a GPU, beside the one that everything else runs on; `done` says when it has
+                ended.
+        """
         wp, n = self.wp, len(self.scene_of)
+        if stream is not None:
+            stream.wait_stream(wp.get_stream(self.device))
         spread = 1
         if self.device != "cpu":
             spread = 1 << min(5, max(0, (THREADS // n).bit_length() - 1))
@@ -188,6 +195,7 @@ class Launch:
             inputs=[*self.structs, self.trace, *self.indices, *self.times, spread],
             device=self.device,
             block_dim=BLOCK,
+            stream=stream,
         )
         wp.launch(
             self.kernels.count_rows,
@@ -195,10 +203,20 @@ class Launch:
             inputs=[self.structs[3], self.structs[4], *self.indices, self.counts],
             device=self.device,
             block_dim=BLOCK,
+            stream=stream,
         )
+        self._event = None if stream is None else stream.record_event()
+
+    @property
+    def done(self) -> bool:
+        """Whether all worlds have been simulated."""
+        return self._event is None or self._event.is_complete
 
     def needs(self) -> tuple[NDArray[np.bool_], Numbers]:
         """Per job, whether contacts were dropped, and how many rows a world's log has."""
+        if self._event is not None:
+            # What reads the results, or frees their memory, comes after the simulation.
+            self.wp.get_stream(self.device).wait_event(self._event)
         rows, dropped = self.counts.numpy()
         self.used = np.minimum(rows, np.repeat(self.rows, self.w)).astype(np.int64)
         return np.logical_or.reduceat(dropped > 0, self.start), np.maximum.reduceat(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 import time
 from typing import Any
 
@@ -11,7 +12,7 @@ from numpy.typing import NDArray
 from esg.engines.executor import ADJUST
 from esg.engines.fleet_arena import Buffer
 from esg.engines.fleet_builder import Blueprint, Wanted
-from esg.engines.fleet_jobs import Job, Played, SceneShapes
+from esg.engines.fleet_jobs import Job, Pieces, Played, SceneShapes
 from esg.engines.newton_kernels import FIXED_POINT
 from esg.engines.newton_setup import POINTS_PER_SHAPE, POINTS_PER_WORLD, STEPS_PER_GRAPH
 from esg.engines.newton_worlds import NewtonWorlds, Singles
@@ -97,10 +98,11 @@ class FleetModel(NewtonWorlds):
 
     def play(
         self, jobs: list[Job], buffer: Buffer, seconds: dict[str, float]
-    ) -> tuple[list[Played], NDArray[np.bool_]]:
+    ) -> Pieces[tuple[list[Played], NDArray[np.bool_]]]:
         """Plays jobs of the model's scenes; also tells whose contacts found no room.
 
-        Worlds that nobody asks for play their last job again. Wall clock is added to `seconds`.
+        Worlds that nobody asks for play their last job again. Wall clock is added to `seconds`. It
+        comes in pieces of a few frames, so that somebody else may use the device between them.
         """
         frames = max(j.frames.n_frames for j in jobs) - 1
         every = jobs[0].frames.record_every
@@ -111,13 +113,22 @@ class FleetModel(NewtonWorlds):
         with self.wp.ScopedDevice(self.device):
             self._load(everything, frames, every)
             graph = self.prepare()
-            loaded = time.perf_counter()
-            self._run(graph, frames, every)
-            self.wp.synchronize_device()
+        seconds["load"] += time.perf_counter() - begin
+        chunks = self._run(graph, frames, every)
+        left = True
+        while left:
+            begin = time.perf_counter()
+            with self.wp.ScopedDevice(self.device):
+                left = next(chunks, None) is not None
+            seconds["run"] += time.perf_counter() - begin
+            yield
+        begin = time.perf_counter()
+        with self.wp.ScopedDevice(self.device):
+            if self.device != "cpu":
+                self.wp.synchronize_stream(self.wp.get_stream(self.device))
             ran = time.perf_counter()
             played, full = self._read(everything, frames, buffer, set(chosen))
-        seconds["load"] += loaded - begin
-        seconds["run"] += ran - loaded
+        seconds["run"] += ran - begin
         seconds["read"] += time.perf_counter() - ran
         return [played[k] for k in chosen], full[chosen]
 
@@ -200,7 +211,7 @@ class FleetModel(NewtonWorlds):
         self._load_programs(kind, body, until, table, count)
         self.has_friction_change = changes
 
-    def _run(self, graph: Any, frames: int, every: int) -> None:
+    def _run(self, graph: Any, frames: int, every: int) -> Iterator[int]:
         """Plays all frames chunk by chunk and gathers the pairs that touched."""
         from esg.engines import fleet_kernels as kernels
 
@@ -227,6 +238,7 @@ class FleetModel(NewtonWorlds):
                 inputs=[first + 1, self.impulse, self.first, self.depth, self.moments, self.count,
                         self.ints, self.depths, self.sums],
             )  # fmt: skip
+            yield first
 
     def _reserve_rows(self, n: int) -> None:
         if n <= self.rows:
@@ -282,7 +294,8 @@ class FleetModel(NewtonWorlds):
             every = jobs[0].frames.record_every
             buffer.used = pose_at
             self._load(jobs, frames, every)
-            self._run(self.prepare(), frames, every)
+            for _ in self._run(self.prepare(), frames, every):
+                pass
             return self._read(jobs, frames, buffer, asked)
         return out, over
 

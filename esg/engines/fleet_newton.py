@@ -14,7 +14,7 @@ import numpy as np
 
 from esg.engines.fleet_arena import Buffer
 from esg.engines.fleet_builder import Drafts, Wanted
-from esg.engines.fleet_jobs import Expected, Job, Played, SceneShapes
+from esg.engines.fleet_jobs import Expected, Job, Pieces, Played, SceneShapes
 from esg.engines.fleet_model import FleetModel
 from esg.engines.newton_engine import MAX_GROWTH
 from esg.engines.newton_setup import quiet_warp
@@ -86,11 +86,22 @@ class FleetNewton:
 
     def play(self, jobs: list[Job], shapes: list[SceneShapes], buffer: Buffer) -> list[Played]:
         """Simulates all jobs; `shapes` are their scenes."""
+        pieces = self.pieces(jobs, shapes, buffer)
+        while True:
+            try:
+                next(pieces)
+            except StopIteration as end:
+                return end.value
+
+    def pieces(
+        self, jobs: list[Job], shapes: list[SceneShapes], buffer: Buffer
+    ) -> Pieces[list[Played]]:
+        """The same in pieces, between which a GPU may be asked for something else."""
         out: list[Played | None] = [None] * len(jobs)
         pending = list(range(len(jobs)))
         while pending:
             part = self._pass(pending, jobs, shapes)
-            again = self._play(part, jobs, shapes, buffer, out)
+            again = yield from self._play(part, jobs, shapes, buffer, out)
             chosen = set(part)
             pending = again + [k for k in pending if k not in chosen]
         return [p for p in out if p is not None]
@@ -132,12 +143,13 @@ class FleetNewton:
         shapes: list[SceneShapes],
         buffer: Buffer,
         out: list[Played | None],
-    ) -> list[int]:
+    ) -> Pieces[list[int]]:
         """Plays some of the jobs; returns those whose contacts found no room (more is granted)."""
         begin = time.perf_counter()
         model = self._model_of([jobs[k] for k in part], [shapes[k] for k in part])
         self.seconds["build"] += time.perf_counter() - begin
-        played, full = model.play([jobs[k] for k in part], buffer, self.seconds)
+        yield
+        played, full = yield from model.play([jobs[k] for k in part], buffer, self.seconds)
         again: list[int] = []
         for k, p, over in zip(part, played, full, strict=True):
             growth = self._growth.get(jobs[k].key, 1)

@@ -7,6 +7,8 @@ scene. Those of all scenes lie in a few large buffers; an array of structs tells
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass, field
+from itertools import cycle
 import time
 from typing import Any
 
@@ -23,6 +25,29 @@ MAX_CONTACTS = 4096
 MEMORY_BYTES = {"cpu": 2_000_000_000, "cuda": 40_000_000_000}
 CUDA_CONTACTS = 256
 """Room on a GPU, where memory is plentiful and a second launch is not."""
+
+
+@dataclass
+class Playing:
+    """Jobs on their way.
+
+    Args:
+        jobs: Rollouts.
+        shapes: Their scenes.
+        rooms: Contacts and log rows of a world, per job.
+        pending: Indices of jobs that have not been launched, in order.
+        out: Results.
+        part: Indices of the jobs that have been launched.
+        run: Their simulation; None if there is nothing left.
+    """
+
+    jobs: list[Job]
+    shapes: list[SceneShapes]
+    rooms: list[tuple[int, int]]
+    pending: list[int]
+    out: list[Played | None]
+    part: list[int] = field(default_factory=list)
+    run: Launch | None = None
 
 
 class FleetSurrogate:
@@ -49,25 +74,27 @@ class FleetSurrogate:
         self.contacts: dict[int, int] = {}
         self.seconds = {"load": 0.0, "run": 0.0, "read": 0.0}
         self._first_room = CONTACTS if device == "cpu" else CUDA_CONTACTS
+        # One launch may begin before the one before it has ended, and both beside other work.
+        streams = [None] if device == "cpu" else [self.wp.Stream(device) for _ in range(2)]
+        self._streams = cycle(streams)
 
     def play(
         self,
         jobs: list[Job],
         shapes: list[SceneShapes],
         buffer: Buffer,
-        meanwhile: Callable[[], None] | None = None,
+        meanwhile: Callable[[], bool] | None = None,
     ) -> list[Played]:
-        """Simulates all jobs.
+        """Simulates all jobs; `begin` and `finish` in one."""
+        return self.finish(self.begin(jobs, shapes), buffer, meanwhile)
+
+    def begin(self, jobs: list[Job], shapes: list[SceneShapes]) -> Playing:
+        """Lets a GPU begin with jobs; a CPU has played the first of them when this returns.
 
         Args:
             jobs: Rollouts.
             shapes: Their scenes.
-            buffer: Where states are put.
-            meanwhile: Is called once, while a GPU simulates.
         """
-        self.meanwhile = meanwhile
-        out: list[Played | None] = [None] * len(jobs)
-        limit = MEMORY_BYTES["cpu" if self.device == "cpu" else "cuda"]
         # The longest first: what is left in the end fills the gaps.
         cost = [j.frames.n_steps * len(s.kind) ** 2 for j, s in zip(jobs, shapes, strict=True)]
         pending = sorted(range(len(jobs)), key=lambda k: (-cost[k], k))
@@ -75,37 +102,62 @@ class FleetSurrogate:
             (self.contacts.get(j.key, self._first_room), ROWS_PER_FRAME * j.frames.n_frames)
             for j in jobs
         ]
-        while pending:
-            size, count = 0, 0
-            for k in pending:
-                size += _bytes(jobs[k], *rooms[k])
-                if size > limit and count:
-                    break
-                count += 1
-            part, pending = pending[:count], pending[count:]
-            again = self._play(part, jobs, shapes, rooms, buffer, out)
-            pending = again + pending
-        return [p for p in out if p is not None]
+        playing = Playing(jobs, shapes, rooms, pending, [None] * len(jobs))
+        self._launch(playing)
+        return playing
 
-    def _play(
-        self,
-        part: list[int],
-        jobs: list[Job],
-        shapes: list[SceneShapes],
-        rooms: list[tuple[int, int]],
-        buffer: Buffer,
-        out: list[Played | None],
-    ) -> list[int]:
-        """Simulates some of the jobs; returns those that need more room (then granted)."""
+    def finish(
+        self, playing: Playing, buffer: Buffer, meanwhile: Callable[[], bool] | None = None
+    ) -> list[Played]:
+        """The results of jobs that have begun, in order.
+
+        Args:
+            playing: What `begin` returned.
+            buffer: Where states are put.
+            meanwhile: Does a piece of other work and says whether more is left. It is called at
+                least once and, while a GPU simulates, again and again.
+        """
+        more = meanwhile() if meanwhile is not None else False
+        while playing.run is not None:
+            while more and meanwhile is not None and not playing.run.done:
+                # Not ahead of the GPU: what reads the results queues up behind that work.
+                self.wp.synchronize_stream(self.wp.get_stream(self.device))
+                more = meanwhile()
+            self._collect(playing, buffer)
+            self._launch(playing)
+        return [p for p in playing.out if p is not None]
+
+    def _launch(self, playing: Playing) -> None:
+        """Launches as many of the pending jobs as fit."""
+        playing.run = None
+        if not playing.pending:
+            return
         begin = time.perf_counter()
+        jobs, shapes, rooms = playing.jobs, playing.shapes, playing.rooms
+        limit = MEMORY_BYTES["cpu" if self.device == "cpu" else "cuda"]
+        size, count = 0, 0
+        for k in playing.pending:
+            size += _bytes(jobs[k], *rooms[k])
+            if size > limit and count:
+                break
+            count += 1
+        part, playing.pending = playing.pending[:count], playing.pending[count:]
         kept = [self.fields(jobs[k].key, shapes[k]) for k in part]
-        run = Launch(self.wp, self.device, [jobs[k] for k in part], [shapes[k] for k in part],
-                     kept, [rooms[k] for k in part])  # fmt: skip
+        playing.part = part
+        playing.run = Launch(
+            self.wp, self.device, [jobs[k] for k in part], [shapes[k] for k in part], kept,
+            [rooms[k] for k in part],
+        )  # fmt: skip
         launched = time.perf_counter()
-        run.launch()
-        if self.meanwhile is not None:
-            self.meanwhile()
-            self.meanwhile = None
+        playing.run.launch(next(self._streams))
+        self.seconds["load"] += launched - begin
+        self.seconds["run"] += time.perf_counter() - launched
+
+    def _collect(self, playing: Playing, buffer: Buffer) -> None:
+        """Reads what was launched; jobs that need more room are granted it and stay pending."""
+        begin = time.perf_counter()
+        run, part, jobs, rooms = playing.run, playing.part, playing.jobs, playing.rooms
+        assert run is not None
         dropped, rows = run.needs()
         ran = time.perf_counter()
         again: list[int] = []
@@ -118,11 +170,10 @@ class FleetSurrogate:
                 again.append(k)
         done = set(part) - set(again)
         for i, played in run.collect(buffer, [i for i, k in enumerate(part) if k in done]):
-            out[part[i]] = played
-        self.seconds["load"] += launched - begin
-        self.seconds["run"] += ran - launched
+            playing.out[part[i]] = played
+        playing.pending = again + playing.pending
+        self.seconds["run"] += ran - begin
         self.seconds["read"] += time.perf_counter() - ran
-        return again
 
     def fields(self, key: int, shapes: SceneShapes) -> dict[str, NDArray[Any]]:
         """A scene's own arrays in the form of the kernel's `Model`; kept for the next call."""

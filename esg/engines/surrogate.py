@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.engines.base import VERIFY_DT_S
+from esg.engines.base import VERIFY_DT_S, breadth
 from esg.engines.newton_engine import _threads
 from esg.engines.newton_model import quiet_warp
 from esg.engines.program import ProgramBatch
@@ -58,6 +58,7 @@ class SurrogateEngine:
             )
         self.device = device
         self.threads = _threads() if device == "cpu" else 1
+        self.breadth = breadth(device)
 
     def rollout(
         self,

@@ -12,7 +12,7 @@ from esg.dynamics.batched import MISSED, SAMPLE, SAMPLES, STARTS, search
 from esg.dynamics.loss_shapes import FARTHEST, UNBRAKED, UNMET, bowl, distance_loss, unbraked
 from esg.dynamics.losses import Assessment
 from esg.dynamics.niches import Niche, apart, broad, everywhere
-from esg.dynamics.panel import GOOD_LOSS, Found
+from esg.dynamics.panel import GOOD_LOSS, Found, Previewed
 from esg.dynamics.plan import Plan
 from esg.dynamics.simulate import ENSEMBLE
 from esg.dynamics.variables import Variable
@@ -52,16 +52,20 @@ class Field:
         self.played = np.zeros((0, len(plan.variables)))
         self.phases: list[str] = []
         self.surrogate = cast(Any, self)
+        self.breadth = 1
+        self.passes = 0
 
     def assess(self, thetas: Floats) -> Assessment:
         self.played = np.concatenate([self.played, thetas])
+        self.passes += 1
         self.explored += len(thetas)
         losses = self.loss(thetas)
         return Assessment(losses, {"e": losses < MISSED})
 
-    def preview(self, thetas: Floats) -> Floats:
+    def preview(self, thetas: Floats) -> Previewed:
         self.explored += MEMBERS * len(thetas)
-        return self.loss(thetas)
+        losses = self.loss(thetas)
+        return Previewed(losses, losses < GOOD_LOSS)
 
     def judge(self, thetas: Floats, phase: str = "confirm") -> Found:
         self.evaluations += MEMBERS * len(thetas)
@@ -116,6 +120,21 @@ def test_a_start_far_from_any_event_is_overcome(seed: int) -> None:
     best, why = found_in(field, seed)
     assert why == "robust" and best.worst < GOOD_LOSS
     assert field.evaluations == MEMBERS, "one confirmation"
+
+
+def test_an_engine_that_plays_many_at_once_is_asked_less_often() -> None:
+    """A pass of a GPU takes as long as its longest world, however many there are."""
+    plan = plan_of(*(variable(1, 20, start, 0.2) for start in (2.0, 19.0, 3.0, 18.0)))
+
+    def loss(thetas: Floats) -> Floats:
+        a, b, c, d = thetas.T
+        return miss(np.abs(a * b - 60.0) / 10.0 + np.abs(c * d - 90.0) / 10.0)
+
+    narrow_, wide = Field(plan, loss), Field(plan, loss)
+    wide.breadth = 64
+    for field in (narrow_, wide):
+        assert found_in(field)[0].good()
+    assert wide.passes < 0.6 * narrow_.passes
 
 
 def test_what_depends_on_a_combination_of_variables_is_found() -> None:
@@ -203,7 +222,12 @@ def test_broken_candidates_hide_no_good_one() -> None:
         return np.where(thetas[:, 0] < 5.0, np.nan, narrow(8.0, 3.0)(thetas))
 
     field = Field(plan, loss)
-    field.preview = lambda thetas: np.nan_to_num(loss(thetas), nan=BROKEN)  # type: ignore[method-assign]
+
+    def preview(thetas: Floats) -> Previewed:
+        losses = np.nan_to_num(loss(thetas), nan=BROKEN)
+        return Previewed(losses, losses < GOOD_LOSS)
+
+    field.preview = preview  # type: ignore[method-assign]
     assert found_in(field)[0].good()
 
 

@@ -15,7 +15,7 @@ from esg.dynamics.search import optimize
 from esg.dynamics.simulate import Simulator
 from esg.engines.base import get_engine
 from esg.engines.program import batch_programs, program_from_json
-from esg.graph.models import EsgDocument
+from esg.graph.models import EsgDocument, EventConstraint
 from esg.outcomes import UserError
 from tests.dynamics import stories
 from tests.dynamics.stage import lay_out
@@ -126,3 +126,27 @@ def test_static_scene_needs_no_search() -> None:
     result = optimize(doc).dynamics_result
     assert result is not None and result.outcome == "solved"
     assert result.program["primitives"] == []
+
+
+def test_what_holds_under_every_perturbation_is_not_explored_any_further() -> None:
+    """Friction moves the time to stop: no theta has a small worst case, and none is looked for."""
+    story = stories.car_brakes_to_stop()
+    system = story.timeline_system
+    assert system is not None
+    exact = EventConstraint(quantity="time_to_stop", object="car_1", value=2.5)
+    graph = system.sequence_graph
+    nodes = tuple(
+        n.model_copy(update={"constraints": (exact,)}) if n.id == "e2" else n for n in graph.nodes
+    )
+    graph = graph.model_copy(update={"nodes": nodes})
+    system = system.model_copy(update={"sequence_graph": graph})
+    story = story.model_copy(update={"timeline_system": system})
+    plan, panel, found = _solve(lay_out(story))
+    assert found.worst > GOOD_LOSS, "or this would test nothing"
+    assert found.good() and abs(found.nominal.measured["e2/time_to_stop/car_1"][0] - 2.5) < 0.1
+    assert {s.phase for s in panel.steps} == {"start", "confirm"}
+    shown = panel.preview(found.theta[None])
+    assert shown.good.all() and (shown.worst > GOOD_LOSS).all()
+    far = found.theta.copy()
+    far[[v.name for v in plan.variables].index("brake/damping")] *= 1.5
+    assert not panel.preview(far[None]).good.any()
