@@ -21,7 +21,8 @@ class Entry:
         name: Canonical singular noun with underscores; unique in its library.
         parents: Chain of broader categories, nearest first.
         builder: Parametric builder; empty for imported meshes.
-        params: Arguments of the builder.
+        params: Arguments of the builder; `like` names the entry at whose size a builder that
+            keeps its proportions draws before the whole is scaled (a foal is drawn as a horse).
         dimensions_cm: Usual (length along +X, width, height).
         mass_kg: Usual mass.
         material: Key of the material table.
@@ -215,14 +216,17 @@ def build_sketch(entry: Entry, dimensions_cm: Vec3, color: tuple[float, float, f
     Builders that keep their proportions are drawn at the usual size and scaled by the height ratio
     if extents are proportional, else by the cube root of the volume ratio.
     """
-    from esg.assets.builders import BUILDERS, DRAWN, POLICIES, load_builders
+    from esg.assets.builders import BUILDERS, DRAWN, load_builders
 
     load_builders()
     sketch = Sketch()
-    if POLICIES[entry.builder] == "free":
+    if policy(entry) == "free":
         return _free(entry, dimensions_cm, color)
-    BUILDERS[entry.builder](sketch, *entry.dimensions_cm, color, **dict(entry.params))
-    drawn = DRAWN.get(entry.builder, entry.dimensions_cm)
+    params = dict(entry.params)
+    size = entries_by_name()[params.pop("like")].dimensions_cm if "like" in params else None
+    size = size or entry.dimensions_cm
+    BUILDERS[entry.builder](sketch, *size, color, **params)
+    drawn = DRAWN.get(entry.builder, size)
     return scaled(sketch, uniform_factor(drawn, dimensions_cm))
 
 
@@ -261,4 +265,6 @@ def policy(entry: Entry) -> str:
     from esg.assets.builders import POLICIES, load_builders
 
     load_builders()
+    if any(key == "like" for key, _ in entry.params):
+        return "uniform"  # drawn at the size of another entry, then scaled as a whole
     return POLICIES.get(entry.builder, "uniform")

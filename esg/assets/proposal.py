@@ -3,12 +3,19 @@
 from __future__ import annotations
 
 import math
+import re
 
 from esg.assets.library import Entry, normalize, policy
 from esg.graph.models import AssetRequirement, Vec3
 
 _PLAUSIBLE = (0.5, 2.0)
 """Range of uniform scales of an entry asked for by its own name."""
+SIZED = re.compile(
+    r"\b(toy|model|miniature|mini|tiny|little|small|short|giant|huge|gigantic|enormous|colossal|"
+    r"massive|oversized|large|big|tall|long|wide)\b",
+    re.IGNORECASE,
+)
+"""Words that make a thing larger or smaller than it usually is."""
 _STRETCH = (0.04, 25.0)
 """Range for another noun that the entry stands for (a pebble for a rock)."""
 _NEAR = 1.12
@@ -106,6 +113,7 @@ def choose_dimensions(entry: Entry, requirement: AssetRequirement) -> Vec3:
         scale = math.prod(factors) ** (1 / 3)
         return (usual[0] * scale, usual[1] * scale, usual[2] * scale)
     strict = is_own_name(entry, requirement) and "any_size" not in entry.flags
+    strict = strict and not SIZED.search(requirement.asset_description.partition(":")[0])
     low, high = _PLAUSIBLE if strict else _STRETCH
     wanted = _oriented(usual, requirement.expected_dimensions_cm)
     ratios = [b / a for a, b in zip(usual, wanted, strict=True)]

@@ -10,13 +10,16 @@ from __future__ import annotations
 import math
 
 from esg.assets.library import Entry, normalize, policy
-from esg.assets.proposal import misfit, residual
+from esg.assets.proposal import SIZED, guessed, is_own_name, misfit, residual
 from esg.assets.retrieve import exact, head_match
 from esg.assets.rolling import as_drawn
 from esg.graph.models import AssetRequirement
 
 _SAME_SIZE = 1.5
 """Up to this factor a category's expectation says nothing about the size of the noun itself."""
+
+_OTHER_THING = 4.0
+"""Beyond this factor of size a compound's last word names another thing than its category."""
 
 _HOLE = "golf_hole"
 _OWN_SHAPE = 1.2
@@ -29,13 +32,35 @@ def said_entry(requirement: AssetRequirement) -> Entry | None:
     if not colon:
         return None
     said, filed = head_match(words), exact(requirement.asset_category.replace("_", " "))
-    if said is None or said is filed or "decal" in said.flags:
+    if said is None or "decal" in said.flags:
         return None
+    whole = normalize(words) == normalize(said.name)
+    if said is filed:
+        # A category that siblings share ("lamp") is settled by the sibling's own name.
+        return said if whole and not is_own_name(said, requirement) else None
+    if not whole and exact(words) is not said and _far_off(said, filed, requirement):
+        return None  # a remote control car is no car, a propane tank is no tank
     if filed is not None and filed.name == "tunnel" and said.name != _HOLE:
         return None  # a "cup" that a ball rolls into is no tableware
     if filed is not None and (said.name in filed.parents or "decal" in filed.flags):
         return None
     return said if normalize(words) != normalize(requirement.asset_category) else None
+
+
+def _far_off(said: Entry, filed: Entry | None, requirement: AssetRequirement) -> bool:
+    """Whether an entry that only the last word names is of another size than the category."""
+    if guessed(requirement):
+        return False
+    size = requirement.expected_dimensions_cm if filed is None else filed.dimensions_cm
+    ratio = (math.prod(said.dimensions_cm) / math.prod(size)) ** (1 / 3)
+    return not 1 / _OTHER_THING <= ratio <= _OTHER_THING
+
+
+def _resized(requirement: AssetRequirement, said: Entry) -> bool:
+    """Whether a word besides the entry's own name makes it larger or smaller."""
+    words = requirement.asset_description.partition(":")[0]
+    names = {normalize(n) for n in (said.name, *said.synonyms)}
+    return normalize(words) not in names and SIZED.search(words) is not None
 
 
 def restated(requirement: AssetRequirement) -> AssetRequirement:
@@ -51,12 +76,15 @@ def restated(requirement: AssetRequirement) -> AssetRequirement:
     if filed is not None and filed.name in said.parents and policy(said) == "free":
         # A kind of the category that takes any size ("brick wall"): the expectation holds.
         return requirement.model_copy(update={"asset_category": said.name})
+    if filed is None and "any_size" in said.flags and not guessed(requirement):
+        # A box of cereal is a box, of the size that was expected of it.
+        return requirement.model_copy(update={"asset_category": said.name, "shape": None})
     factor = 1.0
     shape = residual(said, as_drawn(said, requirement))
     if shape <= _OWN_SHAPE and filed is not None and misfit(filed, requirement, named=True):
         # The category is another thing of that name: a hula hoop is no basketball hoop.
         return requirement.model_copy(update={"asset_category": said.name})
-    if filed is not None:
+    if filed is not None and filed is not said and _resized(requirement, said):
         ratio = math.prod(requirement.expected_dimensions_cm) / math.prod(filed.dimensions_cm)
         factor = ratio ** (1 / 3)
         own = (math.prod(requirement.expected_dimensions_cm) / math.prod(said.dimensions_cm)) ** (

@@ -47,7 +47,6 @@ NAMES = [
     ("pretzel", "donut"),
     ("lectern", "side_table"),
     ("birdcage", "crate"),
-    ("doghouse", "tent"),
     ("beehive", "barrel"),
     ("birdbath", "fountain"),
     ("weathervane", "road_sign"),
