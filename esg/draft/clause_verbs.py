@@ -13,6 +13,7 @@ UNTIL_MAIN = "until main clause"
 _UNCHANGED = frozenset({"hit", "let", "put", "set", "cut", "burst", "upset"})
 """Verbs whose past is spelled like the infinitive."""
 _ASKING = frozenset({"want", "like", "need", "wish", "ask", "tell", "order", "allow", "expect"})
+_SHOWING = frozenset({"show", "see", "depict", "capture", "film", "picture", "feature", "watch"})
 _FAILING = frozenset({"fail", "fails", "failed", "refuse", "refuses", "refused", "failing"})
 
 
@@ -172,7 +173,8 @@ class ClauseVerbs(ClauseNouns):
 
     def _agent(self, frame: Frame) -> Mention | None:
         """Who carries on after this frame: the subject; the thing thrown for an imperative."""
-        if frame.reduced and frame.parent is not None:
+        shown = frame.parent is not None and frame.parent.verb.lemma in _SHOWING
+        if frame.reduced and frame.parent is not None and not shown:
             return self._agent(frame.parent)
         if frame.subject is None:
             return frame.object

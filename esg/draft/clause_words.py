@@ -93,11 +93,8 @@ class ClauseWords:
             if isinstance(nxt, Word) and nxt.low in ("later", "afterwards", "afterward"):
                 phrase.prep = "after"
                 rest = self.elements[i + 2 : i + 4]
-                if (
-                    s.boundary
-                    and isinstance(rest[0] if rest else None, Word)
-                    and getattr(rest[0], "low", "") == ","
-                ):
+                acts = isinstance(rest[0] if rest else None, Verb) and s.boundary_kind == "conj"
+                if s.boundary and (acts or getattr(rest[0] if rest else None, "low", "") == ","):
                     s.loose.append(phrase)  # "and, 1.5 s later, crashes"
                     s.prep = ""
                     return s

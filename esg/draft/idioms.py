@@ -19,6 +19,7 @@ _JUMPING = frozenset({"jump", "leap", "hop", "spring", "climb", "dive"})
 _TRAVELLING = frozenset({"person", "vehicle", "animal", "robot", "cart"})
 _STEERED = _TRAVELLING | frozenset({"watercraft", "flyer", "toyvehicle", ""})
 _ROUND = frozenset({"ball", "billiard", "sliding", "projectile"})
+_BATTING = frozenset({"bat", "flick", "swipe", "whisk", "poke", "paw"})
 _TOSSED = frozenset({"game", "tableware", "food", "ball", "billiard", "projectile", "electronics"})
 _SURFACES = frozenset({"patch", "slick", "spot", "stretch"})
 """What a vehicle hits and drives over."""
@@ -149,6 +150,36 @@ def _knocks_over(f: Frame) -> str:
     return "topple"
 
 
+def _bats_off(f: Frame) -> str:
+    """ "A cat bats a pen off the desk": a blow, not a throw."""
+    off = f.phrase("off", "from", "out of") is not None or "off" in f.adverbs
+    bats = f.verb.lemma in _BATTING and f.verb.sense == "launch" and not f.verb.passive
+    return "knock" if bats and off and _thing(f.object) and _thing(f.subject) else ""
+
+
+def _pulled_over(f: Frame) -> str:
+    """ "The bookcase gets pulled over by a toddler": it topples, where a car would stop."""
+    if f.verb.lemma != "pull" or f.verb.sense != "stop" or not f.verb.passive:
+        return ""
+    return "topple" if _kind(f.subject) not in ("vehicle", "person", "") else ""
+
+
+def _not_avoided(f: Frame) -> str:
+    """ "cannot avoid the bus", "fails to miss it": hits it."""
+    if f.verb.sense not in ("avoid", "miss") or not f.verb.negated or not _thing(f.object):
+        return ""
+    if f.verb.lemma not in ("avoid", "miss", "dodge", "evade"):
+        return ""
+    f.verb.negated, f.verb.modal = False, ""
+    return "hit"
+
+
+def _leaves_alone(f: Frame) -> str:
+    """ "leaves the pin untouched": misses it."""
+    alone = {"untouched", "unscathed", "unharmed", "undisturbed"} & set(f.adverbs)
+    return "miss" if f.verb.lemma == "leave" and alone and _thing(f.object) else ""
+
+
 def _buries(f: Frame) -> str:
     """ "A plough buries a bicycle": under what it moves, not by a hit."""
     buries = f.verb.lemma == "bury" and f.verb.sense == "hit" and not f.verb.extra
@@ -164,6 +195,7 @@ def _swings_round(f: Frame) -> str:
 _READINGS: tuple[Callable[[Frame], str], ...] = (
     _takes_out, _parts, _breaks_it, _shuts_on, _steps_on, _jumps_on, _lets_off, _tosses,
     _hits_ground, _buries, _swings_round, _against, _knocks_over,
+    _bats_off, _pulled_over, _not_avoided, _leaves_alone,
 )  # fmt: skip
 
 

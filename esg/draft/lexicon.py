@@ -245,7 +245,10 @@ GROUP_WORDS: dict[str, str | None] = {
     "lot": "scatter", "wall": "stack", "array": "row", "handful": "scatter", "chain": "row",
     "triangle": "pins",
     "formation": "pins", "convoy": "queue", "crowd": "scatter", "herd": "scatter",
-    "flock": "scatter", "team": "scatter", "circle": "scatter", "dozens": "scatter", "dozen": None,
+    "flock": "scatter", "display": "stack", "mound": "stack", "mountain": "stack",
+    "string": "queue", "fleet": "queue", "clutch": "scatter", "gaggle": "scatter",
+    "procession": "queue",
+    "team": "scatter", "circle": "scatter", "dozens": "scatter", "dozen": None,
     "half-dozen": None, "trio": None, "load": "scatter", "pack": "scatter",
 }  # fmt: skip
 ARRANGEMENTS: dict[str, str] = {

@@ -298,6 +298,7 @@ class NounHeads(NounQuestions):
                 or m.count is not None
                 or m.pattern
                 or tokens[j].tag in ("NOUN", "PROPN")
+                or self._named_before(j)
             )
         ):
             # unknown head, possibly a compound

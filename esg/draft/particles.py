@@ -76,6 +76,8 @@ LEMMAS = {
     "squeak": ("squeaks", "squeaked", "squeaked", "squeaking"),
     "ghost": ("ghosts", "ghosted", "ghosted", "ghosting"),
     "fork": ("forks", "forked", "forked", "forking"),
+    "double": ("doubles", "doubled", "doubled", "doubling"),
+    "halve": ("halves", "halved", "halved", "halving"),
     "scramble": ("scrambles", "scrambled", "scrambled", "scrambling"),
 }
 """Forms of verbs that mean something for the drafter only in such a phrase."""

@@ -11,7 +11,7 @@ import re
 from typing import Literal
 
 from esg.draft.measures import product, suffix
-from esg.draft.numerals import DIGITS, NUMBER, NUMBER_WORDS, parse_number
+from esg.draft.numerals import DIGITS, NUMBER, NUMBER_WORDS, WORD_NUMBER, parse_number
 
 Dimension = Literal["mass", "length", "time", "speed", "acceleration", "angle", "count", "volume"]
 
@@ -31,6 +31,9 @@ _unit("mass", 1e-3, "g", "gram", "grams", "gr", "gramme", "grammes")
 _unit("mass", 0.45359237, "lb", "lbs", "pound", "pounds")
 _unit("mass", 0.028349523, "oz", "ounce", "ounces")
 _unit("mass", 1000.0, "ton", "tons", "tonne", "tonnes", "metric ton", "metric tons", "t")
+_unit("mass", 50.80234544, "hundredweight", "cwt")
+_unit("length", 10.0, "dm", "decimeter", "decimeters", "decimetre", "decimetres")
+_unit("volume", 0.0284130625, "fl oz", "fluid ounce", "fluid ounces")
 _unit("length", 0.1, "mm", "millimeter", "millimeters", "millimetre", "millimetres")
 _unit("length", 1.0, "cm", "cms", "centimeter", "centimeters", "centimetre", "centimetres")
 _unit("length", 100.0, "m", "meter", "meters", "metre", "metres")
@@ -54,7 +57,7 @@ _unit("volume", 0.473176473, "pint", "pints")
 _unit("speed", 100.0, "mps", "m.s-1", "ms-1")
 _unit("speed", 44.704, "mph")
 _unit("speed", 100.0 / 3.6, "kph", "kmh", "kmph")
-_unit("speed", 51.4444444, "knot", "knots", "kn")
+_unit("speed", 51.4444444, "knot", "knots", "kn", "kt", "kts")
 _unit("speed", 30.48, "fps")
 
 _LENGTHS = [u for u, (d, _) in _UNITS.items() if d == "length" and u != "in"] + ["in"]
@@ -66,12 +69,14 @@ def _alternatives(words: list[str]) -> str:
 
 
 _SPEED_UNIT = (
-    rf"(?:(?:{_alternatives(_LENGTHS)})\s*(?:/|per|a|an|each)\s*(?:{_alternatives(_TIMES)})"
-    rf"|m\.s-1|ms-1|mps|mph|kph|kmph|kmh|fps|knots?|kn)"
+    rf"(?:(?:{_alternatives(_LENGTHS)})\s*(?:/|per|a|an|each|every)\s*(?:{_alternatives(_TIMES)})"
+    r"|(?:m|cm|km|ft)(?:\s*[.·*]\s*|\s+)(?:s|h)\s*(?:\^\s*\(?-\s*1\)?|[-−]1|⁻¹)"
+    rf"|m\.s-1|ms-1|mps|mph|kph|kmph|kmh|fps|knots?|kts?|kn)"
 )
 _ACCEL_UNIT = (
     r"(?:(?:m|cm|ft|meters?|metres?|feet|foot)\s*(?:/|per)\s*(?:s|sec|second)"
     r"(?:\s*(?:\^\s*2|²|2\b|squared|(?:/|per)\s*(?:s\b|sec\b|second\b)))"
+    r"|(?:m|cm|ft)(?:\s*[.·*]\s*|\s+)s\s*(?:\^\s*\(?-\s*2\)?|[-−]2|⁻²)"
     r"|m/s/s)"
 )
 _PLAIN_UNIT = _alternatives([u for u, (d, _) in _UNITS.items() if d != "speed" and u != "in"])
@@ -80,8 +85,8 @@ _UNIT = rf"(?:{_ACCEL_UNIT}|{_SPEED_UNIT}|{_PLAIN_UNIT}|{_INCHES}|\"|”)"
 _GAP = r"[\s-]*"
 _TO = r"\s*(?:~|–|—|-|to\b|or\b)\s*"
 _APPROX = (
-    r"(?:(?P<approx>about|around|roughly|approximately|approx\.?|nearly|almost|some|circa|~|≈"
-    r"|exactly|precisely|just|only)\s*)?"
+    r"(?:(?<![A-Za-z])(?P<approx>about|around|roughly|approximately|approx\.?|nearly|almost|some|circa|~|≈"
+    r"|exactly|precisely|just|only|all of|a mere|no fewer than|close to|more or less|barely)\s*)?"
 )
 _BOUND = (
     r"(?:(?P<bound>at least|no less than|not less than|more than|greater than|faster than|over"
@@ -112,11 +117,36 @@ _TURNED = re.compile(
 """A turn by a share of the circle."""
 _TURNS = {"quarter": 90.0, "half": 180.0, "full": 360.0, "complete": 360.0}
 _CLOCK = re.compile(
-    rf"\b(?:between\s+)?t\s*=\s*(?P<lo>{DIGITS})(?:\s*s(?:ec(?:onds?)?)?)?"
+    rf"\b(?:between\s+)?t\s*[=+]\s*(?P<lo>{DIGITS})(?:\s*s(?:ec(?:onds?)?)?)?"
     rf"(?:\s+and\s+t\s*=\s*(?P<hi>{DIGITS})(?:\s*s(?:ec(?:onds?)?)?)?)?(?![\w.])",
     re.IGNORECASE,
 )
 """An instant, or two, on the scene's clock."""
+_MINUTES = re.compile(
+    r"(?<![\d:.])(?:at\s+)?(?P<min>\d{1,2}):(?P<sec>[0-5]\d(?:\.\d+)?)(?![\d:])"
+    r"(?!\s*(?:scale|aspect|ratio|am\b|pm\b|a\.m|p\.m|o'clock))",
+    re.IGNORECASE,
+)
+"""An instant as minutes and seconds ("00:03")."""
+_FEET = re.compile(
+    rf"(?<![\w.])(?P<ft>\d+)\s*(?:['’′]\s*(?P<in>\d+(?:\.\d+)?)\s*(?:\"|”|″|''|(?!\w))"
+    rf"|(?:ft|foot|feet)\.?\s+(?P<in2>\d+)(?=\s+(?:tall|high|long|wide|in\b)|\s*[.,;]|$)(?:\s+in\b)?)"
+    rf"|\b(?P<wft>{WORD_NUMBER})[\s-]foot[\s-](?P<win>one|two|three|four|five|six|seven|eight|nine|ten"
+    rf"|eleven)\b(?![\s-]*(?:{_UNIT}))",
+    re.IGNORECASE,
+)
+"""Feet and inches: 6'2", 6 ft 2, five foot six."""
+_STONE = re.compile(
+    rf"(?:\b(?P<weighs>weigh\w*\s+(?:about\s+)?))(?P<lo>{NUMBER})\s+stones?\b"
+    rf"|\b(?P<lo2>{NUMBER})-stone\b(?!-)",
+    re.IGNORECASE,
+)
+_METRE_AND = re.compile(
+    rf"\b(?P<m>{NUMBER})\s*(?:m|metres?|meters?)\s+(?P<cm>[1-9]\d|(?:twenty|thirty|forty|fifty|sixty"
+    rf"|seventy|eighty|ninety)(?:[- ]five)?)\b(?!\s*(?:{_UNIT})|\s+\w+s\b)",
+    re.IGNORECASE,
+)
+""" "one metre twenty"."""
 _BOTH_BOUNDS = re.compile(
     rf"\b(?:at least|no less than|more than|over|above)\s+(?P<lo>{NUMBER})[\s-]*(?:{_UNIT})?"
     rf",?\s*(?:but|and|yet)\s+(?:at most|no more than|not more than|less than|under|below|up to"
@@ -128,7 +158,9 @@ _AND_A_HALF = re.compile(
     r"|long\b|wide\b|high\b|away\b|in\b|into\b|until\b|at\b|on\b|and\b|the\b))",
     re.IGNORECASE,
 )
-_SMALLER = re.compile(rf"\s+(?P<more>{DIGITS})[\s-]*(?P<unit>{_UNIT})(?![a-z0-9])", re.IGNORECASE)
+_SMALLER = re.compile(
+    rf"\s+(?:and\s+)?(?P<more>{NUMBER})[\s-]*(?P<unit>{_UNIT})(?![a-z0-9])", re.IGNORECASE
+)
 """The rest of "6 feet 2 inches", "1 min 30 s"."""
 _PRODUCT = product(DIGITS, rf"(?:{_alternatives(_LENGTHS)})")
 _SPEEDING = re.compile(r"\b(?:speed|speeds|sped|speeding|goes|going|accelerat\w+)\s+$", re.I)
@@ -177,10 +209,17 @@ def _unit_of(text: str) -> tuple[Dimension, float] | None:
     t = re.sub(r"\s+", " ", text.lower().strip())
     if t in ('"', "”"):
         return "length", 2.54
+    power = re.fullmatch(r"(m|cm|km|ft)[\s.·*]+(s|h)[\s^(]*[-−⁻](1|¹|2|²)\)?", t)
+    if power is not None:
+        length, time = _UNITS[power[1]][1], _UNITS[power[2]][1]
+        twice = power[3] in "2²"
+        return ("acceleration", length / time**2) if twice else ("speed", length / time)
     if t in _UNITS:
         return _UNITS[t]
     m = re.fullmatch(
-        r"(\D+?)\s*(?:/|\bper\b|\ban?\b|\beach\b)\s*(\D+?)(\s*(\^\s*2|²|2|squared|/.*|per .*))?", t
+        r"(\D+?)\s*(?:/|\bper\b|\ban?\b|\beach\b|\bevery\b)\s*(\D+?)"
+        r"(\s*(\^\s*2|²|2|squared|/.*|per .*))?",
+        t,
     )
     if not m:
         return None
@@ -200,6 +239,10 @@ def find_amounts(text: str) -> list[Amount]:
     special += [(m, _share_of_turn(m)) for m in _TURNED.finditer(text)]
     special += [(m, _on_the_clock(m)) for m in _CLOCK.finditer(text)]
     special += [(m, _between_bounds(m)) for m in _BOTH_BOUNDS.finditer(text)]
+    special += [(m, _minutes(m)) for m in _MINUTES.finditer(text)]
+    special += [(m, _feet(m)) for m in _FEET.finditer(text)]
+    special += [(m, _stone(m)) for m in _STONE.finditer(text)]
+    special += [(m, _metre_and(m)) for m in _METRE_AND.finditer(text)]
     for m, amount in special:
         if amount is not None and not any(m.start() < e and s < m.end() for s, e in taken):
             out.append(amount)
@@ -289,6 +332,39 @@ def _on_the_clock(m: re.Match[str]) -> Amount:
     return Amount("time", low, high, m.start(), m.end(), m.group(), measure="start")
 
 
+def _minutes(m: re.Match[str]) -> Amount | None:
+    at = 60.0 * float(m["min"]) + float(m["sec"])
+    if int(m["min"]) > 9:
+        return None  # a time of day, a ratio
+    return Amount("time", at, at, m.start(), m.end(), m.group(), measure="start")
+
+
+def _feet(m: re.Match[str]) -> Amount | None:
+    feet = parse_number(m["ft"] or m["wft"])
+    inches = parse_number(m["in"] or m["in2"] or m["win"])
+    if not isinstance(feet, float) or not isinstance(inches, float) or inches >= 12.0:
+        return None
+    cm = 30.48 * feet + 2.54 * inches
+    return Amount("length", cm, cm, m.start(), m.end(), m.group().strip())
+
+
+def _stone(m: re.Match[str]) -> Amount | None:
+    count = parse_number(m["lo"] or m["lo2"])
+    if not isinstance(count, float):
+        return None
+    start = m.start("lo") if m["lo"] else m.start("lo2")
+    kg = 6.35029318 * count
+    return Amount("mass", kg, kg, start, m.end(), m.string[start : m.end()])
+
+
+def _metre_and(m: re.Match[str]) -> Amount | None:
+    metres, rest = parse_number(m["m"]), parse_number(m["cm"])
+    if not isinstance(metres, float) or not isinstance(rest, float):
+        return None
+    cm = 100.0 * metres + rest
+    return Amount("length", cm, cm, m.start(), m.end(), m.group().strip())
+
+
 def _between_bounds(m: re.Match[str]) -> Amount | None:
     """ "at least 6 m/s but not more than 8": an interval."""
     inner = re.search(rf"({NUMBER})[\s-]*({_UNIT})", m.group(), re.IGNORECASE)
@@ -321,10 +397,14 @@ def _sides(m: re.Match[str]) -> Amount | None:
 
 def _article_counts(m: re.Match[str], unit: str, dimension: Dimension) -> bool:
     """Whether "a <unit>" is a quantity ("after a second") and not a noun ("a second car")."""
+    if dimension == "mass" and _AND_A_HALF.match(m.string, m.end()):
+        return True
     if dimension not in ("time", "length"):
         return False
     if len(unit.strip()) < 3:
         return False
+    if _AND_A_HALF.match(m.string, m.end()):
+        return True  # "a metre and a half"
     if unit.strip().lower() != "second":
         return dimension == "time" or bool(
             re.match(

@@ -110,6 +110,7 @@ class Reader:
             return True
         return (
             token.tag == "ADJ"
+            and not self._named_before(i)
             and self._match_noun(i) is None
             and not verb_readings(low)
             and low not in lex.PREPOSITIONS
@@ -340,7 +341,12 @@ class Reader:
             return True
         if token.tag in ("ADJ", "VERB", "X", "INTJ"):
             return not self._noun_soon(j + 1)
-        return token.tag == "" and not low.endswith("ly")
+        return (token.tag == "" and not low.endswith("ly")) or self._named_before(j)
+
+    def _named_before(self, j: int) -> bool:
+        """ "The storm fells the poplar; poplar crushes a shed": a noun by now."""
+        word = lex.singular(self._low(j))[0]
+        return any(isinstance(e, Mention) and e.head == word for e in self.elements)
 
     def _waiting_place(self, i: int, j: int, m: Mention) -> bool:
         """ "waits at the stop", "passes a stop": where buses stop, not that something does."""

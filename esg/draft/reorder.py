@@ -172,7 +172,8 @@ def _with_helper(elements: list[Element], i: int, out: list[Element]) -> int:
             return 0
         k += 1
     verb = elements[k] if k < len(elements) else None
-    if helper.auxiliary not in _HELPERS or not isinstance(subject, Mention):
+    has = helper.sense == "have" and not helper.auxiliary
+    if not (has or helper.auxiliary in _HELPERS) or not isinstance(subject, Mention):
         return 0
     if not isinstance(verb, Verb) or verb.form not in ("base", "pp", "past") or verb.auxiliary:
         return 0

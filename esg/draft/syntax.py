@@ -34,6 +34,8 @@ _MULTI: tuple[tuple[tuple[str, ...], Literal["prep", "adv", "sub"], str], ...] =
     (("right", "after"), "prep", "after"),
     (("shortly", "after"), "prep", "after"),
     (("just", "after"), "prep", "after"),
+    (("versus",), "prep", "against"),
+    (("vs",), "prep", "against"),
     (("wide", "of"), "prep", "past"),
     (("clear", "of"), "prep", "away from"),
     (("out", "from", "under"), "prep", "from"),

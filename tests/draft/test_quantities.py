@@ -122,3 +122,36 @@ def test_digits_round_trip(x: float, unit: str) -> None:
     """A number with a unit is read back exactly."""
     factor = {"kg": 1.0, "m/s": 100.0, "s": 1.0, "m": 100.0}[unit]
     assert find_amounts(f"it has {x} {unit} now")[0].low == pytest.approx(x * factor)
+
+
+@pytest.mark.parametrize(
+    ("text", "dimension", "value"),
+    [
+        ("a tonne and a half", "mass", 1500.0),
+        ("two-and-a-half-metre drop", "length", 250.0),
+        ("one metre twenty", "length", 120.0),
+        ("6'2\" tall", "length", 187.96),
+        ("five foot six", "length", 167.64),
+        ("a fifth of a second", "time", 0.2),
+        ("¾ of a second", "time", 0.75),
+        ("zero point three seconds", "time", 0.3),
+        ("at 0:05", "time", 5.0),
+        ("4 m·s⁻¹", "speed", 400.0),
+        ("9.8 m s^-2", "acceleration", 980.0),
+        ("six metres every second", "speed", 600.0),
+        ("12 kts", "speed", 617.3333),
+        ("fifteen hundred kg", "mass", 1500.0),
+        ("three pounds eight ounces", "mass", 1.5876),
+        ("two hundredweight", "mass", 101.6047),
+        ("weighs 12 stone", "mass", 76.2035),
+    ],
+)
+def test_quantities_as_people_spell_them(text: str, dimension: str, value: float) -> None:
+    found = find_amounts(f"it {text}.")
+    assert [a.dimension for a in found] == [dimension]
+    assert found[0].low == pytest.approx(value, rel=1e-4)
+
+
+@pytest.mark.parametrize("text", ["a 16:9 picture at 12:30", "two stones fall", "a 1:24 scale car"])
+def test_what_only_looks_like_a_quantity(text: str) -> None:
+    assert [a for a in find_amounts(text) if a.dimension in ("time", "mass")] == []

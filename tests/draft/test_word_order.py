@@ -134,3 +134,29 @@ def test_a_bare_colour_is_a_ball() -> None:
 
 def test_who_comes_off_falls() -> None:
     assert ("fall", "rider_1") in events("The horse bucks and the rider comes off.")
+
+
+@pytest.mark.parametrize(
+    ("prompt", "expected"),
+    [
+        (
+            "The impact of a hammer drives a ball into a log.",
+            [("hit", "hammer_1", "ball_1"), ("hit", "ball_1", "log_1")],
+        ),
+        ("A nudge from the trolley sends a vase over.", [
+            ("hit", "trolley_1", "vase_1"), ("topple", "vase_1")
+        ]),
+        ("A close-up of a domino tipping over.", [("topple", "domino_1")]),
+        ("A red car brakes but cannot avoid a van.", [("hit", "red_car_1", "van_1")]),
+        ("A cat bats a pen off a desk.", [("hit", "cat_1", "pen_1"), ("fall", "pen_1")]),
+        ("A bookcase gets pulled over by a toddler.", [
+            ("hit", "toddler_1", "bookcase_1"), ("topple", "bookcase_1")
+        ]),
+        ("Lorry versus bridge.", [("hit", "lorry_1", "bridge_1")]),
+        ("A storm fells a poplar; poplar crushes a shed.", [
+            ("topple", "poplar_1"), ("hit", "poplar_1", "shed_1")
+        ]),
+    ],
+)  # fmt: skip
+def test_a_noun_may_tell_what_happens(prompt: str, expected: list[tuple[str, ...]]) -> None:
+    assert events(prompt) == expected
