@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import contextlib
+import errno
 import json
 import os
 from pathlib import Path
 import re
 import shutil
 import tempfile
+import time
 
 from esg.outcomes import UserError
 from esg.pipeline import SceneState
@@ -16,6 +19,8 @@ from esg.stages import DOCUMENT, ROLLOUT
 _DOCUMENT_STAGES = ("draft", "resolve", "layout", "optimize")
 _MARKS = ("prompt.txt", "log.jsonl")
 """Files that tell a scene folder from a folder of the user's."""
+_ATTEMPTS = 20
+"""Of putting a folder into place while others do the same."""
 
 
 def publish(state: SceneState, out: Path) -> Path:
@@ -32,7 +37,7 @@ def publish(state: SceneState, out: Path) -> Path:
         UserError: If `out` cannot be written, or a folder of that name is no scene folder.
     """
     target = out / folder_name(state)
-    if target.exists() and not is_scene_folder(target):
+    if _is_anothers(target):
         raise UserError(
             f"{target} exists and is not a scene folder; move it or choose another --out"
         )
@@ -46,13 +51,7 @@ def publish(state: SceneState, out: Path) -> Path:
     try:
         _fill(state, work)
         work.chmod(0o755)
-        if target.exists():
-            retired = Path(tempfile.mkdtemp(prefix=f".{target.name}.", suffix=".tmp", dir=out))
-            target.rename(retired / "old")
-            work.rename(target)
-            shutil.rmtree(retired, ignore_errors=True)
-        else:
-            work.rename(target)
+        _replace(work, target)
     except OSError as error:
         shutil.rmtree(work, ignore_errors=True)
         raise UserError(f"cannot write {target}: {error.strerror}", exit_code=1) from None
@@ -62,9 +61,41 @@ def publish(state: SceneState, out: Path) -> Path:
     return target
 
 
+def _replace(work: Path, target: Path) -> None:
+    """Puts a folder in the place of another, also while other commands do the same there."""
+    for attempt in range(_ATTEMPTS):
+        retired = Path(tempfile.mkdtemp(prefix=f".{target.name}.", suffix=".tmp", dir=work.parent))
+        try:
+            with contextlib.suppress(FileNotFoundError):
+                target.rename(retired / "old")
+            work.rename(target)
+        except OSError as error:
+            # Another command may have published the same scene between the two steps.
+            if error.errno not in (errno.ENOTEMPTY, errno.EEXIST) or attempt == _ATTEMPTS - 1:
+                with contextlib.suppress(OSError):
+                    (retired / "old").rename(target)
+                raise
+        else:
+            return
+        finally:
+            shutil.rmtree(retired, ignore_errors=True)
+
+
 def is_scene_folder(path: Path) -> bool:
     """Whether `path` is a folder that `publish` wrote."""
     return path.is_dir() and all((path / mark).is_file() for mark in _MARKS)
+
+
+def _is_anothers(target: Path) -> bool:
+    """Whether something else than a scene folder is there, and stays there when looked at again.
+
+    While another command replaces the folder it is gone for a moment.
+    """
+    for _ in range(_ATTEMPTS):
+        if not target.exists() or is_scene_folder(target):
+            return False
+        time.sleep(0.005)
+    return True
 
 
 def folder_name(state: SceneState) -> str:

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+import errno
 from functools import cache, partial
 import hashlib
 import os
@@ -273,6 +274,7 @@ def _compile_unit(
         done = subprocess.run(command, capture_output=True, text=True, check=False)
         if done.returncode == 0:
             os.replace(built, target)
+    _check_room(done.stderr, root)
     if done.returncode != 0:
         if len(unit) > 1:
             # One bad class must not fail its neighbours: find it by compiling each alone.
@@ -287,6 +289,17 @@ def _compile_unit(
     for key, _ in unit:
         _write(root / f"{key}.ref", target.name)
     return {key: Library(target, _entry(key), seconds) for key, _ in unit}
+
+
+def _check_room(said: str, folder: Path) -> None:
+    """What a compiler says of a full disk is no fault of what it compiles.
+
+    Raises:
+        OSError: If its disk is full.
+    """
+    full = os.strerror(errno.ENOSPC)
+    if full in said:
+        raise OSError(errno.ENOSPC, full, str(folder))
 
 
 def _own_names(files: ClassFiles) -> list[str]:
@@ -343,6 +356,7 @@ def _include_dir(cxx: str) -> Path:
         ):
             command = [cxx, *FLAGS, *arguments]
             done = subprocess.run(command, cwd=build, capture_output=True, text=True, check=False)
+            _check_room(done.stderr, folder.parent)
             if done.returncode != 0:
                 raise RuntimeError(f"{cxx} cannot compile the shim: {done.stderr.strip()}")
         try:

@@ -2,6 +2,7 @@ from __future__ import annotations
 
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+import subprocess
 
 from helpers import written
 import pytest
@@ -90,6 +91,21 @@ def test_missing_compiler_is_said_plainly(tmp_path: Path, monkeypatch: pytest.Mo
     monkeypatch.setenv("PATH", str(tmp_path))
     with pytest.raises(CompilerMissing):
         replay_class(folder)
+
+
+def test_a_full_disk_is_no_fault_of_the_class(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A compiler that cannot write says so; every class compiles once there is room."""
+    folder = written(tmp_path / "a", *ball_scene("full", 0.9))
+    said = "unit.cpp: fatal error: cannot write: No space left on device"
+    failed = subprocess.CompletedProcess([], 1, "", said)
+    with monkeypatch.context() as patch:
+        patch.setattr(build.subprocess, "run", lambda *a, **k: failed)
+        with pytest.raises(OSError, match="No space left") as told:
+            compile_many([folder], jobs=1)
+    assert told.value.filename is not None
+    assert isinstance(compile_many([folder], jobs=1)[0], Library)
 
 
 def test_nothing_is_left_behind(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

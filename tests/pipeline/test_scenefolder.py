@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 import json
 from pathlib import Path
 
@@ -82,6 +83,34 @@ def test_failure_leaves_the_old_folder_and_no_rest(
     with pytest.raises(UserError, match="No space left"):
         publish(state, tmp_path / "out")
     assert (folder / "log.jsonl").read_bytes() == before
+    assert [p.name for p in (tmp_path / "out").iterdir()] == [folder.name]
+
+
+def test_commands_that_publish_one_scene_at_once_do_not_disturb_each_other(
+    state: SceneState, tmp_path: Path
+) -> None:
+    out = tmp_path / "out"
+    with ThreadPoolExecutor(8) as pool:
+        folders = set(pool.map(lambda _: publish(state, out), range(80)))
+    assert [p.name for p in out.iterdir()] == [folder.name for folder in folders]
+    assert is_scene_folder(folders.pop())
+
+
+def test_a_folder_that_cannot_be_put_into_place_leaves_the_old_one(
+    state: SceneState, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = publish(state, tmp_path / "out")
+    rename = Path.rename
+
+    def refuse(self: Path, target: Path) -> Path:
+        if Path(target) == folder and self.name != "old":
+            raise PermissionError(13, "Permission denied", str(target))
+        return rename(self, target)
+
+    monkeypatch.setattr(Path, "rename", refuse)
+    with pytest.raises(UserError, match="Permission denied"):
+        publish(state, tmp_path / "out")
+    assert is_scene_folder(folder)
     assert [p.name for p in (tmp_path / "out").iterdir()] == [folder.name]
 
 
