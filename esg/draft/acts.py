@@ -38,6 +38,7 @@ _EDGES = frozenset({"edge", "end", "side", "rim", "lip"})
 _VISITING = frozenset(
     {"come", "go", "pull", "move", "drive", "walk", "ride", "sail", "head", "turn", "run", "step"}
 )
+_HOLDING = frozenset({"hand", "hands", "grip", "grasp", "arms", "fingers"})
 _OPEN_CARTS = frozenset({"cart", "shopping cart", "wheelbarrow", "mine cart", "trailer"})
 _OPENINGS = frozenset({"hole", "water"})
 _TOUCHES = frozenset({"hit", "knock", "topple"})
@@ -67,6 +68,10 @@ class Acts(Motions):
                 continue
             if self._off_the_edge(f, p, actors, time):
                 fallen.update(actors)
+                continue
+            if p.prep in ("out of", "from") and p.mention.head in _HOLDING:
+                for actor in actors if f.verb.sense in ("slide", "drop", "fall") else []:
+                    self.event(NodeEvent.FALL, (actor,), f, time)  # "slips out of his hand"
                 continue
             if p.mention.attribute and not p.mention.entities:
                 continue
@@ -128,7 +133,7 @@ class Acts(Motions):
         """Whether what falls "into" it is inside then: open carts and trays, and unknown things."""
         noun = self.e(host).noun
         open_ = noun.kind == "generic" or (noun.kind == "cart" and noun.name in _OPEN_CARTS)
-        open_ = open_ or noun.name in ("tray", "container")
+        open_ = open_ or noun.name in ("tray", "container", "barrel")
         return prep in ("into", "in", "through") and (self._holds(host) or open_)
 
     def _from_an_end(self, f: Frame, p: Phrase, other: str) -> bool:

@@ -148,7 +148,7 @@ class DocumentBuilder:
             category, text = "shopping_cart", "shopping cart: open wire cart with castors"
         elif e.noun.kind == "generic" or e.noun.name in ("trailer", "container"):
             category, text = "open_box", "open box without a lid"
-        elif e.noun.name == "pot":
+        elif e.noun.name in ("pot", "barrel"):
             category, text = "bucket", f"{e.head}: open pot without a lid, bucket"
         elif e.noun.name in ("cabinet", "crib", "well") or (
             e.noun.kind in ("box", "bottle", "rock") and e.noun.name not in ("cup", "glass")

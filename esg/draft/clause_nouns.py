@@ -294,6 +294,7 @@ class ClauseNouns(ClauseWords):
                 "pocket",
                 "cause",
                 "knock",
+                "carry",
             ):
                 s.frame.phrases.append(phrase)
             return

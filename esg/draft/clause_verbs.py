@@ -86,7 +86,13 @@ class ClauseVerbs(ClauseNouns):
         elif self._awaits_main(previous, v) or self._serial(previous, v, s):
             frame.subject = self._agent(previous)
             frame.parent = previous
-        elif not s.boundary and v.form in ("pp", "past") and not v.auxiliary and s.last is not None:
+        elif (
+            not s.boundary
+            and v.form in ("pp", "past")
+            and not v.auxiliary
+            and s.last is not None
+            and not self._main_at_last(previous, v, i)
+        ):
             # reduced relative on the last noun: "a bicycle stopped in the road"
             frame.subject, frame.reduced, frame.parent = s.last, True, previous
             if v.sense not in ("posture", "park", "stop", "hit", "topple", "fall"):
@@ -154,6 +160,14 @@ class ClauseVerbs(ClauseNouns):
             return False
         return v.form == "base" and cause.object is not None and not v.auxiliary
 
+    def _main_at_last(self, previous: Frame, v: Verb, i: int) -> bool:
+        """ "A stool that was bumped fell over", "a glass that was on it hit a guest"."""
+        if v.form != "past" or v.passive:
+            return False
+        if not previous.relative or previous.parent is not None:
+            return False
+        return not any(getattr(e, "low", "") == "by" for e in self.elements[i + 1 : i + 2])
+
     @staticmethod
     def _awaits_main(previous: Frame, v: Verb) -> bool:
         """ "Darts thrown by a man hit the board": the participle's subject has no verb yet."""
@@ -190,6 +204,7 @@ class ClauseVerbs(ClauseNouns):
             and v.form in ("pp", "past", "ing")
             and not v.auxiliary
             and v.lemma != "let"
+            and (v.form == "ing" or not self._acts_on(i))
             and (self._main_verb_follows(i) or self._parenthetical(i))
         ):
             # "a ball thrown at the wall bounces", "a car parked by the road is hit"
@@ -207,6 +222,11 @@ class ClauseVerbs(ClauseNouns):
             frame.subject = s.subject
         elif s.subject is not None and v.form == "pp" and not v.auxiliary and not v.passive:
             v.passive = v.sense in ("launch", "drop", "pass", "posture")
+
+    def _acts_on(self, i: int) -> bool:
+        """Whether a thing follows directly, which no passive participle has ("struck the pane")."""
+        nxt = self.elements[i + 1] if i + 1 < len(self.elements) else None
+        return isinstance(nxt, Mention) and not nxt.attribute
 
     def _listed(self, previous: Frame, i: int) -> bool:
         """ ", which brakes, skids and rams it": a list of verbs of one relative clause."""

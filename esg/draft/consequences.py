@@ -48,6 +48,7 @@ class Consequences(Acts):
                         p.prep in ("off", "out of", "over", "from")
                         and (self._elevated(others[0]) or self._carries(others[0], body))
                         and (p.prep != "over" or p.mention.part)
+                        and not (p.prep == "out of" and self.kind(others[0]) == "building")
                     ):
                         self.place([body], [others[0]], "on")
                         if self.last_hit is not None and self.last_hit[1] == body:

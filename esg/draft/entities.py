@@ -44,6 +44,8 @@ ACTING_PARTS = OWN_PARTS | frozenset(
     | {"plow", "plough", "mast", "basket", "gondola", "body", "corner", "back end", "undercarriage"}
 )
 """Parts of a machine with which it hits things ("its brush touches a box")."""
+WORN = frozenset({"pad", "glove", "boot", "shoe", "sneaker", "sleeve", "jersey", "shirt", "coat"})
+"""What hits a person when it hits it ("the goalkeeper's pad")."""
 STACKED = {
     "top": -1, "topmost": -1, "uppermost": -1, "upper": -1, "highest": -1,
     "bottom": 0, "lowest": 0, "lowermost": 0, "lower": 0, "bottommost": 0,

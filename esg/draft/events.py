@@ -15,6 +15,8 @@ from esg.draft.timeline import START
 from esg.draft.windows import Draft
 from esg.graph.models import EventConstraint, NodeEvent, Quantity, Role
 
+HIGHEST_CM = 2e4
+"""Highest start of a fall, as the verifier has it."""
 PUSHING = frozenset({"push", "shove", "nudge", "prod"})
 """Verbs of moving a thing by touching it."""
 _RETOLD = frozenset(
@@ -344,6 +346,11 @@ class Events(Places):
 
     def _start_height(self, things: list[str], a: Amount) -> None:
         """Things start this high above the ground."""
+        if a.middle > HIGHEST_CM:
+            self.scene.warnings.append(
+                f'"{a.text}": what starts higher than {HIGHEST_CM / 100:g} m starts lower here.'
+            )
+            return
         for t in things:
             self.scene.heights[t] = a.value
             self.tl.start_constraints.append(

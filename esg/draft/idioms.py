@@ -188,7 +188,8 @@ def _buries(f: Frame) -> str:
 
 def _swings_round(f: Frame) -> str:
     """ "The boom swings round": what hangs turns about its end, it does not change course."""
-    turns = f.verb.sense == "turn" and f.verb.lemma in ("swing", "come") and not f.verb.extra
+    turns = f.verb.sense == "turn" and f.verb.lemma in ("swing", "come")
+    turns = turns and not set(f.verb.extra) - {"dir"}
     return "swing" if turns and f.subject is not None and _kind(f.subject) not in _STEERED else ""
 
 

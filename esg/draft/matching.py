@@ -84,6 +84,8 @@ class Matching:
     def _same_kind(m: Mention, e: Entity) -> bool:
         if m.head in _ANYTHING:
             return "structural" not in e.noun.traits
+        if m.head == "water" and e.noun.kind == "water":
+            return m.determiner == "the"  # "a lake ... the water"
         if m.head in _HYPERNYMS and e.noun.kind in _HYPERNYMS[m.head]:
             return True
         if m.noun is not None and e.known:

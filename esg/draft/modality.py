@@ -143,6 +143,13 @@ def _stopped_first(f: Frame, near: list[Frame]) -> bool:
     if main is None or main.verb.negated:
         return False
     down = main.verb.sense in ("fall", "topple") and f.verb.sense == "reach"
+    back = main.verb.extra.get("dir") in ("around", "back", "u") or main.verb.sense == "reverse"
+    if (
+        back
+        and main.verb.sense in ("turn", "reverse")
+        and f.verb.sense in ("hit", "reach", "enter")
+    ):
+        return True  # "turns around before it reaches the wall"
     if main.verb.sense != "stop" and not (down and main.subject is f.subject):
         return False
     return f.verb.sense in ("hit", "reach", "enter", "fall", "own", "knock", "topple")

@@ -191,6 +191,8 @@ class Motions(Lengths):
         if "off" in f.adverbs:
             for actor in actors:
                 slid = f.verb.lemma in ("slide", "slip") and self._lies_on_something(actor)
+                came = actor in self.came_down and f.verb.lemma in ("roll", "tumble")
+                slid = slid or (came and self._lies_on_something(actor))
                 held = actor in self.scene.supported_by or self.e(actor).pattern == "stack"
                 if held or slid:
                     self.event(NodeEvent.FALL, (actor,), f, self._time(f))

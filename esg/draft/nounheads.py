@@ -47,11 +47,11 @@ class NounHeads(NounQuestions):
                 if self._let_do(k, readings):
                     break  # "make a ball bowl over a pin"
                 acts = self._low(k + 1) in lex.DETERMINERS | lex.PRONOUNS
-                if readings and following[2] and (acts or m.determiner in _SINGULAR):
-                    break  # "a door swings shut": no plural after "a"
+                if following[2] and (m.determiner in _SINGULAR or (readings and acts)):
+                    break  # "a door swings shut", "a cyclist signals": no plural after "a"
                 named = following[0].kind in _VESSELS or self._low(k) in _MOSTLY_NOUNS
                 vessel = m.determiner and named and self._ends_phrase(k)
-                if readings and following[1] == 1 and not (vessel or self._compound_noun(k)):
+                if readings and following[1] == 1 and not (vessel or self._compound_noun(k, m)):
                     break
                 modifier = " ".join(t.low for t in tokens[first:k])
                 m.adjectives.extend(modifier.split())

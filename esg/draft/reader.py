@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from esg.draft import lexicon as lex
 from esg.draft.elements import Element, Mention, Token, Verb, Word
+from esg.draft.entities import ORDINALS
 from esg.draft.quantities import parse_number
 from esg.draft.verbphrases import PHRASES, verb_readings
 
@@ -291,7 +292,12 @@ class Reader:
     def _unknown_verb(self, i: int) -> bool:
         """ "The bag rips, and", ", rounds a shelf": an unknown word in -s in place of a verb."""
         low, token, nxt = self._low(i), self.tokens[i], self._tok(i + 1)
-        known = self._match_noun(i) is not None or verb_readings(low) or self._is_adjective(i)
+        noun, previous = self._match_noun(i), self._previous()
+        after_one = isinstance(previous, Mention) and previous.determiner in ("a", "an")
+        after_one = (
+            after_one and noun is not None and noun[2] and noun[1] == 1
+        )  # "a cyclist signals,"
+        known = (noun is not None and not after_one) or verb_readings(low) or self._is_adjective(i)
         if known or not low.isalpha() or not low.endswith("s") or low.endswith("ss"):
             return False
         singular = lex.singular(low)[0]
@@ -301,7 +307,6 @@ class Reader:
         ends = nxt is None or nxt.kind in ("punct", "qty")
         object_ = nxt is not None and nxt.low in lex.DETERMINERS | lex.PRONOUNS
         way = nxt is not None and nxt.low in lex.PREPOSITIONS | lex.ADVERBS - {"of"}
-        previous = self._previous()
         if isinstance(previous, Mention):
             before = self.elements[-2] if len(self.elements) > 1 else None
             opens = before is None or getattr(before, "kind", "") in ("punct", "conj", "sub", "adv")
@@ -312,13 +317,17 @@ class Reader:
         listed = isinstance(previous, Word) and (previous.kind == "conj" or previous.low == ",")
         return listed and told and token.tag == "VERB" and (object_ or way)
 
-    def _compound_noun(self, k: int) -> bool:
+    def _compound_noun(self, k: int, m: Mention) -> bool:
         """Whether an ambiguous word continues a compound ("picnic park") and is no verb."""
         nxt = self._tok(k + 1)
         if nxt is None:
             return self.tokens[k].tag == "NOUN"
         if nxt.low in lex.DETERMINERS or nxt.low in lex.PRONOUNS:
             return False
+        base = all(r.form == "base" for r in verb_readings(self._low(k)))
+        after = self._match_noun(k + 1)
+        if base and m.determiner in ("a", "an") and after is not None and not after[2]:
+            return self.tokens[k].tag == "NOUN"  # "a ski lift chair"
         return self.tokens[k].tag == "NOUN" and bool(verb_readings(nxt.low))
 
     def _unknown_noun(self, j: int) -> bool:
@@ -357,7 +366,12 @@ class Reader:
     def _one_does(self, j: int, m: Mention) -> bool:
         """ "One rolls away and another hits a box": a verb, as no plural follows "another"."""
         single = m.determiner in ("another", "each", "either", "neither") and not m.adjectives
-        return single and any(r.form == "s" for r in verb_readings(self._low(j)))
+        ordinal = m.determiner == "the" and m.adjectives[-1:] and m.adjectives[-1] in ORDINALS
+        forms = {r.form for r in verb_readings(self._low(j))}
+        object_ = self._low(j + 1) in lex.DETERMINERS | lex.PRONOUNS | {"nothing", "neither"}
+        if "past" in forms and object_ and (single or ordinal):
+            return True  # "the second hit it"
+        return bool(single) and "s" in forms
 
     def _many_do(self, j: int, m: Mention) -> bool:
         """ "both fall": what comes after "both" or "all" is plural, or a verb."""

@@ -9,6 +9,10 @@ from esg.draft.senses_fall import FallSenses
 from esg.graph.models import EventConstraint, NodeEvent
 
 _MEETING = frozenset({"collide", "crash", "meet", "smash", "bump", "make", "come", "connect"})
+_NO_THINGS = frozenset(
+    {"way", "path", "course", "air", "speed", "time", "sky", "direction", "limit"}
+)
+"""Objects of "blocks", "hits" and the like that nothing touches."""
 _STUMBLING = frozenset({"trip", "stumble"})
 _CATCHING = frozenset({"catch", "block", "intercept", "parry", "deflect"})
 
@@ -86,6 +90,9 @@ class ContactSenses(FallSenses):
             return
         if not targets and movers and f.object is None and self._names_something(f):
             self.scene.ignored[(f.verb.start, f.verb.end)] = "what is hit was not understood"
+            return
+        if not targets and f.object is not None and f.object.head in _NO_THINGS:
+            self.scene.ignored[(f.verb.start, f.verb.end)] = "what is hit is no thing"
             return
         if not targets and f.verb.lemma in _STUMBLING:
             self.use(f, "stumbles")

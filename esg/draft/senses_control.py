@@ -305,6 +305,12 @@ class ControlSenses(OutcomeSenses):
 
     def _stop(self, f: Frame, actor: str, time: Time | None) -> None:
         track = self.tl.track(actor)
+        last = next((n for n in reversed(self.tl.nodes) if actor in n.participants), None)
+        resting = track.motion is None or track.closed
+        if last is not None and last.event is NodeEvent.STOP and resting and not track.hit:
+            self._time_of_told(last.id, time)
+            self.use(f, last.id)  # "pulls up at the light and stops"
+            return
         if track.motion is None and not track.hit:
             self._start_motion(f, [actor])
             track = self.tl.track(actor)

@@ -25,6 +25,10 @@ class FallSenses(LaunchSenses):
         agents = [x for x in s if x not in things]
         if agents:
             self.place(agents, things, "near")
+        if things and all(self.kind(t) == "flyer" for t in things) and f.verb.lemma == "release":
+            self._motion(f, things, "own")  # a glider flies on
+            self._heights(f, things)
+            return
         wheeled = bool(things) and self.kind(things[0]) in ("cart", "vehicle")
         if f.verb.lemma == "let" and wheeled and not self._raised(things[0]):
             self._motion(f, things, None)  # "lets go of a cart"
@@ -102,6 +106,8 @@ class FallSenses(LaunchSenses):
             if t == other:
                 continue
             if self.structural(other):
+                if self.kind(t) == "flyer":
+                    continue  # it lands
                 if (
                     self._airborne(t)
                     and t not in self.scene.supported_by

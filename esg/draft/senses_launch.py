@@ -198,6 +198,7 @@ class LaunchSenses(StateSenses):
                 and (
                     "height" in self.text[max(0, a.start - 25) : a.end + 12]
                     or p in ("from", "above")
+                    or (p == "at" and f.verb.lemma in ("release", "drop"))
                     or self.text[a.end : a.end + 7].strip().startswith(("above", "high", "up"))
                 )
             ):

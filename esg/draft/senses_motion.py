@@ -137,6 +137,9 @@ class MotionSenses(SteerSenses):
         return False
 
     def _do_roll(self, f: Frame, s: list[str], o: list[str]) -> None:
+        if f.object is not None and f.object.pronoun in ("itself", "himself", "herself"):
+            self.use(f, "no motion of the whole")  # "rolls itself into a ball"
+            return
         if self._pushes(f, s, o):
             return
         actors = o if o and (not s or self.kind(s[0]) == "person") else s
@@ -229,6 +232,11 @@ class MotionSenses(SteerSenses):
             if q is not p and q.prep in ("off", "against") and q.mention is not None:
                 others = [i for i in q.mention.entities if i not in s and not self.structural(i)]
                 self._hit(f, s, others[:1])
+        to = f.phrase("to")
+        goal = to.mention.entities if to is not None and to.mention is not None else []
+        if goal and not self.structural(goal[0]) and not to.mention.attribute:
+            for actor in [a for a in s if a != goal[0]]:
+                self.pending[actor] = (NodeEvent.REACH, f, goal[0], None)  # "rebounds to a forward"
         into = f.phrase("into")
         if into is not None and p is not into:
             for actor in s:

@@ -28,6 +28,9 @@ _LEANING = frozenset({"lean", "prop"})
 _HANGING = frozenset({"hang", "suspend", "mount", "attach", "fix", "dangle", "fasten"})
 _HUNG_BY = frozenset({"on", "against", "from", "to", "at", "off"})
 _SIDES = frozenset({"height", "length", "width", "diameter", "radius", "size", "thickness"})
+_CARRIED_ALONG = frozenset(
+    {"to", "toward", "towards", "around", "across", "along", "through", "past", "up", "down"}
+)
 _RESTING = frozenset({"rest", "lie", "settle", "lodge"})
 
 
@@ -301,7 +304,7 @@ class StateSenses(Consequences):
     def _do_carry(self, f: Frame, s: list[str], o: list[str]) -> None:
         if s and o:
             self.place(o, s, "on")
-        if s and any(p.prep in ("to", "toward", "towards") for p in f.phrases):
+        if s and any(p.prep in _CARRIED_ALONG for p in f.phrases):
             self._motion(f, s, None)
         self.use(f, "carrying")
 

@@ -19,6 +19,11 @@ _NEGATED_BE = frozenset({"isn't", "aren't", "wasn't", "weren't"})
 class VerbGroups(Reader):
     """Reads verb groups."""
 
+    def _determiner_at(self, offset: int) -> bool:
+        """Whether an article follows at this place of the text."""
+        after = self.text[offset : offset + 8].lower().split()
+        return bool(after) and after[0] in ("a", "an", "the", "its", "his", "her", "their")
+
     def _verb_group(self, i: int) -> int | None:
         start = self.tokens[i].start
         j = i
@@ -148,6 +153,9 @@ class VerbGroups(Reader):
         k = j + 1
         for pattern, sense, extra in PHRASES.get(main.lemma, []):
             m = pattern.match(self.text, end)
+            over = passive and extra.get("transitive") and sense == "topple"
+            if m and over and self._determiner_at(m.end()):
+                continue  # "is dragged over the sand": a path
             if m and extra.get("only_passive"):
                 if passive:
                     break  # a path, no particle

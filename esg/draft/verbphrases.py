@@ -137,6 +137,13 @@ _phrase("avoid", r"(?:a\s+)?(?:collision|crash)\s+with", "avoid")
 _phrase("make", r"(?:contact|impact)\s+with", "hit", obj="1")
 _phrase("come", r"into\s+contact\s+with", "hit", obj="1")
 _phrase("get", r"hit", "hit", passive="1")
+_phrase("get", r"past", "overtake")
+_phrase(
+    "pull",
+    r"up(?=\s*(?:[.,;!]|$|(?:at|in\s+front\s+of|beside|next\s+to|outside|behind|and)\b))",
+    "stop",
+    via="pull",
+)
 _phrase("go", r"over\s+the\s+edge", "fall")
 _phrase("end", r"up", "reach")
 _phrase("wind", r"up", "reach")

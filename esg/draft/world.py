@@ -13,11 +13,13 @@ from esg.draft.entities import (
     OWN_PARTS,
     REAR,
     STACKED,
+    WORN,
     Entity,
     slug,
 )
 from esg.draft.pronouns import Pronouns
 
+_TOPS = frozenset({"roof", "windscreen", "windshield", "bonnet", "tailgate"})
 _LEVELS = {-1: "top", 0: "bottom", 1: "middle"}
 
 
@@ -122,6 +124,8 @@ class World(Pronouns):
                 )
             )  # fmt: skip
         found = self._existing(m, avoid)
+        if found and m.possessor is not None and not m.possessor.pronoun and set(found) <= {*avoid}:
+            found = []  # "the police boat follows the smuggler's boat"
         if found:
             self._enrich(m, found)
             return found
@@ -159,8 +163,16 @@ class World(Pronouns):
             kinds = {self.entities[i].noun.kind for i in ids}
             if body and kinds & {"person", "animal", "robot", "tool"}:
                 return ids
+            if m.head in WORN and kinds & {"person"} and m.after_prep != "off":
+                return ids
             own = m.head in OWN_PARTS and not subject
             return ids if own and kinds & {"vehicle", "cart", "watercraft", "flyer"} else []
+        if m.head in _TOPS and m.determiner == "the" and not subject and not m.adjectives:
+            last = [i for ids in self.salience[-3:] for i in ids if i in self.entities]
+            built = [i for i in last if self.entities[i].noun.kind in ("building", "vehicle")]
+            hut = [i for i in built if self.entities[i].head != m.head]
+            if hut:
+                return hut[-1:]  # "throws it at the hut. It bounces off the roof"
         if body and m.determiner == "the" and m.after_prep in ("in", "on") and m.noun is None:
             last = [i for ids in self.salience[-2:] for i in ids if i in self.entities]
             hit = [i for i in last if self.entities[i].noun.kind in ("person", "animal")]
@@ -169,7 +181,9 @@ class World(Pronouns):
             body or (m.head in OWN_PARTS and not subject)
         ):
             word = {"his": "he", "her": "she", "its": "it", "their": "they"}[m.determiner]
-            return self._pronoun(Mention(m.start, m.end, pronoun=word), subject, avoid)
+            ids = self._pronoun(Mention(m.start, m.end, pronoun=word), subject, avoid)
+            person = all(self.entities[i].noun.kind == "person" for i in ids)
+            return list(avoid) if ids and person and word == "it" else ids
         return []
 
     @staticmethod

@@ -98,3 +98,67 @@ def test_the_next_one_is_of_the_kind_of_the_one_before() -> None:
 def test_back_in_is_where_it_came_from() -> None:
     told = events("A dolphin leaps out of the water, flies through a hoop and dives back in.")
     assert [e[-1] for e in told] == ["hoop_1/inside", "water_1/inside"]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "expected"),
+    [
+        (
+            "A glass that was on a tray hit a guest.",
+            [("Collision", "glass_1", "guest_1")],
+        ),
+        (
+            "A stool that was bumped by a toddler fell against a lamp.",
+            [
+                ("Collision", "toddler_1", "stool_1"),
+                ("Topple", "stool_1"),
+                ("Collision", "stool_1", "lamp_1"),
+            ],
+        ),
+        (
+            "A stone struck the windscreen of a car parked outside.",
+            [("Collision", "stone_1", "car_1")],
+        ),
+        (
+            "Three balls rolled at a can: the first missed, the second hit it.",
+            [("Miss", "first_ball_1", "can_1"), ("Collision", "second_ball_1", "can_1")],
+        ),
+    ],
+)
+def test_past_tense_main_verbs(prompt: str, expected: list[tuple[Any, ...]]) -> None:
+    """A past form after a relative clause, an ordinal or with an object is what happens."""
+    assert events(prompt) == expected
+
+
+@pytest.mark.parametrize(
+    ("prompt", "expected"),
+    [
+        ("A boat turns around before it reaches the pier.", ["HeadingReached"]),
+        ("A police boat follows a boat and blocks its way.", []),
+        ("A taxi pulls up at a hotel and stops.", ["Stop"]),
+        ("A hedgehog rolls itself into a ball.", []),
+        ("A stone pushes another stone out of the house.", ["Collision"]),
+        ("The cup slips out of his hand and hits a stool.", ["Fall", "Collision"]),
+        ("A pendulum swings to the right and strikes a ball.", ["Collision"]),
+        ("A log gets past the first bridge and hits the second bridge.", ["Miss", "Collision"]),
+    ],
+)
+def test_what_does_not_happen_is_not_drafted(prompt: str, expected: list[str]) -> None:
+    assert [e[0] for e in events(prompt)] == expected
+
+
+def test_who_is_hit() -> None:
+    """Gear is its wearer, a roof its building, and a possessed thing is not the subject."""
+    assert events("A puck hits the goalkeeper's pad.") == [("Collision", "puck_1", "goalkeeper_1")]
+    told = events("A monkey throws a coconut at a hut. It bounces off the roof into a barrel.")
+    assert told == [
+        ("Collision", "coconut_1", "hut_1"),
+        ("EnterRegion", "coconut_1", "barrel_1/inside"),
+    ]
+    assert events("A police boat overtakes the smuggler's boat.")[0][0] == "Miss"
+
+
+def test_a_start_above_what_scenes_hold_is_a_warning() -> None:
+    doc = draft("A stone is dropped from 300 m onto a car.")
+    assert verify(doc) == ()
+    assert any("300 m" in w for w in doc.coverage.warnings)
