@@ -197,6 +197,14 @@ class ClauseVerbs(ClauseNouns):
     def _first(self, s: State, frame: Frame, i: int) -> None:
         v = frame.verb
         frame.subject = s.subject
+        kinds = [getattr(e, "kind", "") for e in self.elements[max(0, i - 2) : i]]
+        opens = i == 0 or kinds[-1] == "punct" or kinds == ["punct", "conj"]
+        if s.subject is not None or s.sub or not opens or not self._telegraphic(v):
+            pass
+        elif s.main is None:
+            frame.subject = self._subject_before()
+        else:
+            frame.subject = self._agent(s.main)
         if s.subject is None and s.boundary and s.main is not None and v.form in ("pp",):
             frame.subject = None
         if (
@@ -227,6 +235,15 @@ class ClauseVerbs(ClauseNouns):
         """Whether a thing follows directly, which no passive participle has ("struck the pane")."""
         nxt = self.elements[i + 1] if i + 1 < len(self.elements) else None
         return isinstance(nxt, Mention) and not nxt.attribute
+
+    def _telegraphic(self, v: Verb) -> bool:
+        """ "Brakes at 3 s.": a finite verb without a subject at the start of a sentence."""
+        return v.form == "s" and not v.auxiliary and not v.infinitive and v.sense != "be"
+
+    def _subject_before(self) -> Mention | None:
+        """What a verbless sentence in front named ("Truck, 9 m/s. Brakes.")."""
+        named = [m for m in self.mentions if not m.attribute and not m.pronoun]
+        return named[-1] if named and not self.frames else None
 
     def _listed(self, previous: Frame, i: int) -> bool:
         """ ", which brakes, skids and rams it": a list of verbs of one relative clause."""

@@ -286,5 +286,6 @@ class ClauseWords:
             if s.frame is not None:
                 s.frame.phrases.append(item)
             elif s.subject is not None and item.amount.dimension in ("speed", "mass"):
-                self.attachments.append((s.subject, item))  # "Jogger at 3 m/s."
+                item.prep = item.prep or "at"
+                self.attachments.append((s.subject, item))  # "Jogger at 3 m/s.", "Truck, 9 m/s."
         s.loose = []

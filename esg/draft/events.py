@@ -184,6 +184,9 @@ class Events(Places):
         """The span told before an event ends with it."""
         if self.gap is None or self.gap_of is f or draft.event is NodeEvent.TRIGGER:
             return
+        if any(c.quantity in ("time_since", "time_to_stop") for c in draft.constraints):
+            self.gap = self.gap_of = None  # it has a time of its own
+            return
         if previous is not None:
             draft.constraints.append(
                 EventConstraint(

@@ -7,6 +7,7 @@ needs the verb's arguments.
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import pairwise
 
 from esg.draft.elements import Mention
 from esg.draft.frames import Frame
@@ -180,6 +181,11 @@ def _leaves_alone(f: Frame) -> str:
     return "miss" if f.verb.lemma == "leave" and alone and _thing(f.object) else ""
 
 
+def _is_let_go(f: Frame) -> str:
+    """ "A brick is let go": dropped."""
+    return "drop" if f.verb.lemma == "let" and f.verb.passive and f.verb.sense == "noop" else ""
+
+
 def _buries(f: Frame) -> str:
     """ "A plough buries a bicycle": under what it moves, not by a hit."""
     buries = f.verb.lemma == "bury" and f.verb.sense == "hit" and not f.verb.extra
@@ -196,7 +202,7 @@ def _swings_round(f: Frame) -> str:
 _READINGS: tuple[Callable[[Frame], str], ...] = (
     _takes_out, _parts, _breaks_it, _shuts_on, _steps_on, _jumps_on, _lets_off, _tosses,
     _hits_ground, _buries, _swings_round, _against, _knocks_over,
-    _bats_off, _pulled_over, _not_avoided, _leaves_alone,
+    _bats_off, _is_let_go, _pulled_over, _not_avoided, _leaves_alone,
 )  # fmt: skip
 
 
@@ -213,6 +219,16 @@ def read_idioms(frames: list[Frame]) -> None:
                 f.verb.sense = sense
                 break
     _slips(frames)
+    _comes_back_off(frames)
+
+
+def _comes_back_off(frames: list[Frame]) -> None:
+    """ "hits the post and comes off it": it rebounds."""
+    for before, f in pairwise(frames):
+        off = f.verb.lemma == "come" and f.verb.extra.get("particle") == "off"
+        same = before.subject is f.subject or (f.subject is not None and f.subject.pronoun == "it")
+        if off and same and f.object is not None and before.verb.sense == "hit":
+            f.verb.sense = "noop"
 
 
 def _slips(frames: list[Frame]) -> None:

@@ -160,10 +160,16 @@ class Interpreter(References):
             self._happens(f)
         if sense == "noop" and subject and speed is not None:
             self.stated[subject[0]] = speed[1]  # "a lorry doing 60 mph"
-        for _, a in self.amounts(f):
-            if a.dimension == "mass" and self._mass_of_load(a):
+        masses = [a for _, a in self.amounts(f) if a.dimension == "mass"]
+        if len(masses) == len(subject) > 1:
+            for o, a in zip(subject, masses, strict=True):
+                self.world.apply_amount(self.e(o), a)  # "one of 7.5 t and one of 12 t"
+                self.use(a, o)
+            masses = []
+        for a in masses:
+            if self._mass_of_load(a):
                 continue
-            if a.dimension == "mass" and subject:
+            if subject:
                 owner = objects[0] if objects and sense not in ("weigh", "be") else subject[0]
                 owners = subject if sense in ("weigh", "be", "have") else [owner]
                 for o in owners:

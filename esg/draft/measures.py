@@ -12,6 +12,7 @@ _SUFFIXES: dict[str, tuple[tuple[str, str], ...]] = {
         (r"(?:per|a|each)\s+side", "side"),
         (r"in\s+(?:overall\s+)?size", ""),
     ),
+    "mass": ((r"in\s+(?:weight|mass)", ""),),
     "time": (
         (r"in(?=\s*[,.;])", "start"),
         (

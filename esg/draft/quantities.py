@@ -85,8 +85,9 @@ _UNIT = rf"(?:{_ACCEL_UNIT}|{_SPEED_UNIT}|{_PLAIN_UNIT}|{_INCHES}|\"|”)"
 _GAP = r"[\s-]*"
 _TO = r"\s*(?:~|–|—|-|to\b|or\b)\s*"
 _APPROX = (
-    r"(?:(?<![A-Za-z])(?P<approx>about|around|roughly|approximately|approx\.?|nearly|almost|some|circa|~|≈"
-    r"|exactly|precisely|just|only|all of|a mere|no fewer than|close to|more or less|barely)\s*)?"
+    r"(?:(?<![A-Za-z])(?P<approx>about|around|roughly|approximately|approx\.?|nearly|almost|some"
+    r"|circa|~|≈|exactly|precisely|just|only|all of|a mere|a full|a good|a whole|no fewer than"
+    r"|close to|more or less|barely)\s*)?"
 )
 _BOUND = (
     r"(?:(?P<bound>at least|no less than|not less than|more than|greater than|faster than|over"

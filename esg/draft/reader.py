@@ -260,6 +260,7 @@ class Reader:
         if previous is None or (previous.kind == "punct" and previous.low in ".;!?:\n"):
             if nounish:
                 by = nxt == "by" and "pp" in forms  # "Hit by an apple, he ..."
+                by = by or (noun is None and "s" in forms and self._report(i))
                 return by or (nxt in lex.DETERMINERS and "base" in forms)
             return True
         if (
@@ -356,6 +357,14 @@ class Reader:
         """ "The storm fells the poplar; poplar crushes a shed": a noun by now."""
         word = lex.singular(self._low(j))[0]
         return any(isinstance(e, Mention) and e.head == word for e in self.elements)
+
+    def _report(self, i: int) -> bool:
+        """ "Truck, 9 m/s. Brakes at 3 s. Stops 2 s later.": verbs of what was named before."""
+        nxt = self._tok(i + 1)
+        if not any(isinstance(e, Mention) for e in self.elements) or nxt is None:
+            return False
+        small = lex.PREPOSITIONS - {"of"} | lex.ADVERBS | {"and"}
+        return (nxt.kind in ("qty", "punct") and nxt.text != ":") or nxt.low in small
 
     def _waiting_place(self, i: int, j: int, m: Mention) -> bool:
         """ "waits at the stop", "passes a stop": where buses stop, not that something does."""

@@ -197,7 +197,10 @@ class Registry(Matching):
                         e.adjectives.append(a)
 
     def _amounts(self, m: Mention, e: Entity) -> None:
+        shared = m.plural and sum(a.dimension == "mass" for a in m.amounts) > 1
         for amount in m.amounts:
+            if shared and amount.dimension == "mass":
+                continue  # "two boys of 30 kg and 40 kg": one each
             word = next(
                 (a.split(":")[1] for a in m.adjectives if a.startswith(f"@{amount.start}:")), ""
             )

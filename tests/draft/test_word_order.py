@@ -160,3 +160,29 @@ def test_who_comes_off_falls() -> None:
 )  # fmt: skip
 def test_a_noun_may_tell_what_happens(prompt: str, expected: list[tuple[str, ...]]) -> None:
     assert events(prompt) == expected
+
+
+def test_a_report_leaves_out_the_subject() -> None:
+    doc = draft("Truck, 9 m/s. Brakes at 3 s. Stops 2 s later.")
+    assert doc.timeline_system is not None and not verify(doc)
+    brake, stop = doc.timeline_system.sequence_graph.nodes[1:]
+    assert brake.timestamp == 3.0 and stop.constraints[0].value == 2.0
+    assert doc.timeline_system.sequence_graph.edges[0].params.speed == 900.0
+
+
+def test_two_masses_of_two_things_are_one_each() -> None:
+    for prompt in (
+        "Two lorries, one of 7.5 t and one of 12 t, meet head-on.",
+        "Two lorries of 7.5 t and 12 t collide.",
+    ):
+        doc = draft(prompt)
+        masses = [
+            a.expected_mass_kg for a in doc.asset_requirement.values() if a.mass_is_prescribed
+        ]
+        assert sorted(masses) == [7500.0, 12000.0]
+        assert ("hit", "lorry_1", "lorry_2") in events(prompt)
+
+
+def test_a_span_ends_with_an_event_that_has_no_time_of_its_own() -> None:
+    doc = draft("A lift falls for 1.1 s, is caught by a hook and comes to rest 0.4 s later.")
+    assert not verify(doc)
