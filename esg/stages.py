@@ -104,10 +104,14 @@ def load_scene(state: SceneState) -> tuple[Any, Any]:
 
 def load_verdict(state: SceneState) -> SceneVerdict:
     """The judge's verdict: against the suite if there is one, else against the own timeline."""
+    metrics = json.loads((state.artifact("judge") / "metrics.json").read_bytes())
+    return _read_verdict(metrics["verdict"])
+
+
+def _read_verdict(data: dict[str, Any]) -> SceneVerdict:
     from esg.metrics import SceneVerdict
 
-    metrics = json.loads((state.artifact("judge") / "metrics.json").read_bytes())
-    raw = {k: v for k, v in metrics["verdict"].items() if k in SceneVerdict.model_fields}
+    raw = {k: v for k, v in data.items() if k in SceneVerdict.model_fields}
     return SceneVerdict.model_validate(raw)
 
 
@@ -272,6 +276,8 @@ def _record(state: SceneState, folder: Path) -> None:
     manifest.unlink()
     write_mcap(folder / "rollout.mcap", scene, program, rollout, verdict, doc)
     note = f"{metrics['outcome']}  |  replayed in {rollout.engine} at {1 / rollout.dt:.0f} Hz"
+    if not verdict.events and "own_timeline" in metrics:
+        verdict = _read_verdict(metrics["own_timeline"])  # a suite that asks for nothing
     preview(scene, rollout, verdict, doc, folder, note=note)
 
 

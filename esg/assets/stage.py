@@ -199,8 +199,13 @@ def _material_color(requirement: AssetRequirement, entry: Entry) -> tuple[float,
     from esg.assets.sketch import BRASS, CARDBOARD, CONCRETE, DARK, GLASS, STEEL, WOOD
 
     asked = find_material(requirement.material)
+    words, colon, _ = requirement.asset_description.partition(":")
     if asked is None or is_usual(asked, entry.material):
         return entry.color_rgb
+    if colon and not any(find_material(word) is asked for word in words.split()):
+        return (
+            entry.color_rgb
+        )  # what its kind is mostly made of: bowling pins are white all the same
     table = {
         "wood": WOOD,
         "steel": STEEL,

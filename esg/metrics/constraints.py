@@ -19,6 +19,8 @@ from esg.units import quat_rotate
 START = "start"
 _AFTER_S = 0.1
 """Window after an event's last contact in which speed_after is taken [s]."""
+_GROUNDED_M = 0.02
+"""What is no higher than this above the ground stands on it."""
 _TERMINAL = {"stops", "falls", "topples", "enters", "reaches"}
 """Events that end a motion: a distance `event` to them is travelled up to them."""
 
@@ -251,10 +253,16 @@ def _travel(c: SuiteConstraint, body: int, world: Scored) -> tuple[float, float]
 
 
 def _height(c: SuiteConstraint, body: int, world: Scored) -> float:
-    """Height of the lowest point: at an instant (`at`), or the highest after an event (`event`)."""
+    """Height of the lowest point: at an instant (`at`), or the highest after an event (`event`).
+
+    What stands on the ground at the start has no height above it but its own ("a counter 90 cm high").
+    """
     r = world.replay
     if c.event is None:
         at = c.at or START
+        asked = c.range[0] if c.range is not None else c.value or 0.0
+        if at == START and asked > _GROUNDED_M and r.lowest(body, 0) < _GROUNDED_M:
+            return 2.0 * float(r.scene.bodies[body].half_extents[2])
         return r.lowest(body, 0 if at == START else r.frame_before(_event_time(at, world)))
     first = r.frame_at(_last_contact(world.found[c.event]))
     top = first + int(np.argmax(r.position[first:, body, 2]))

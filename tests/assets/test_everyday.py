@@ -116,3 +116,18 @@ def test_what_is_named_by_its_category_alone_is_left_as_it_was_asked() -> None:
         expected_mass_kg=12,
     )
     assert restated(requirement) is requirement
+
+
+@pytest.mark.parametrize(("words", "white"), [("pin", True), ("wooden bowling pin", False)])
+def test_a_kind_keeps_its_colour_unless_the_words_name_the_material(
+    words: str, white: bool
+) -> None:
+    """Bowling pins are made of wood and white; who asks for a wooden one sees wood."""
+    requirement = AssetRequirement(
+        asset_category="bowling_pin",
+        asset_description=f"{words}: white bowling pin with red stripes, wood",
+        expected_dimensions_cm=(12.1, 12.1, 38.0),
+        expected_mass_kg=1.5,
+        material="wood",
+    )
+    assert (min(configure("a", requirement).color_rgb) > 0.85) is white

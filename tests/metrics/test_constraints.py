@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from esg.engines.program import AdjustProperties, HoldVelocity, SetVelocity
+from esg.engines.scene import Shape
 from esg.metrics import SuiteConstraint, SuiteEvent
 from esg.metrics.quantities import THRESHOLDS, score, unit_factor
 from tests.metrics.test_events import CHAIN, chain, slowing, turning
@@ -240,6 +241,18 @@ def test_height_is_of_the_lowest_point():
     bouncing = World().add(ball("ball_1"), z=bounce).touch(0.5, "ball_1", "ground", 3.0)
     top = measured(bouncing, events, event="e1", **ask)
     assert top.measured == pytest.approx(9 / (4 * 4.9), abs=0.01)
+
+
+def test_height_of_what_stands_on_the_ground_is_its_own():
+    """A counter "90 cm high" has no other height; what hangs too low is no taller for that."""
+    shape = Shape("box", (0.3, 0.6, 0.45))
+    counter = body("counter_1", shape, half_extents=shape.size)
+    ask = {"quantity": "height", "object": "counter", "kind": "initial", "at": "start"}
+    world = World().add(counter, z=0.45)
+    assert measured(world, [], value=0.9, **ask).measured == pytest.approx(0.9)
+    assert measured(world, [], value=0.0, **ask).measured == pytest.approx(0.0, abs=0.01)
+    hung = World().add(counter, z=0.75)
+    assert measured(hung, [], value=0.9, **ask).measured == pytest.approx(0.3)
 
 
 def test_angles():
