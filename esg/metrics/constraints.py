@@ -255,7 +255,8 @@ def _travel(c: SuiteConstraint, body: int, world: Scored) -> tuple[float, float]
 def _height(c: SuiteConstraint, body: int, world: Scored) -> float:
     """Height of the lowest point: at an instant (`at`), or the highest after an event (`event`).
 
-    What stands on the ground at the start has no height above it but its own ("a counter 90 cm high").
+    What stands on the ground at the start has no height above it but its own: "a counter 90 cm
+    high".
     """
     r = world.replay
     if c.event is None:
