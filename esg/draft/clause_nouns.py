@@ -264,6 +264,11 @@ class ClauseNouns(ClauseWords):
             ):
                 owner.possessor = phrase.mention  # "the speed of the car"
                 return
+            last = s.last or s.subject
+            part = last is not None and last.head in OWN_PARTS - {"door"} and not last.possessor
+            if part and phrase.prep == "of" and phrase.mention is not None and not s.boundary:
+                last.possessor = phrase.mention  # "a wheel of the cart hits a stone"
+                return
             if s.subject is not None and noun_attached and not s.boundary:
                 self.attachments.append((s.last or s.subject, phrase))
             elif s.boundary or s.subject is None:

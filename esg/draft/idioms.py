@@ -20,7 +20,7 @@ _JUMPING = frozenset({"jump", "leap", "hop", "spring", "climb", "dive"})
 _TRAVELLING = frozenset({"person", "vehicle", "animal", "robot", "cart"})
 _STEERED = _TRAVELLING | frozenset({"watercraft", "flyer", "toyvehicle", ""})
 _ROUND = frozenset({"ball", "billiard", "sliding", "projectile"})
-_BATTING = frozenset({"bat", "flick", "swipe", "whisk", "poke", "paw"})
+_BATTING = frozenset({"bat", "swipe", "whisk", "poke", "paw"})
 _TOSSED = frozenset({"game", "tableware", "food", "ball", "billiard", "projectile", "electronics"})
 _SURFACES = frozenset({"patch", "slick", "spot", "stretch"})
 """What a vehicle hits and drives over."""

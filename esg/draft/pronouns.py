@@ -70,6 +70,9 @@ class Pronouns(Registry):
             "several",
         ):
             pool = self.subjects if subject and p not in ("both",) else self.salience
+            two = self._last_two_alike() if p == "both" and subject else []
+            if two:
+                return two
             keep = m.count if m.count in (1, 2, 3) and p in ("them", "these", "those") else None
             for ids in reversed(pool):
                 if len(ids) > 1 and (subject or not set(ids) <= set(avoid)):
@@ -116,6 +119,15 @@ class Pronouns(Registry):
             if ids and not set(ids) <= set(avoid):
                 return list(ids)
         return []
+
+    def _last_two_alike(self) -> list[str]:
+        """The subjects of the clauses before, if they are of one kind ("and both brake")."""
+        last = [ids[0] for ids in self.subjects[-4:] if len(ids) == 1 and ids[0] in self.entities]
+        two = list(dict.fromkeys(reversed(last)))[:2][::-1]
+        if len(two) < 2 or len(self.subjects[-1]) > 1:
+            return []
+        one, other = (self.entities[i] for i in two)
+        return two if one.noun == other.noun and (one.group is None or other.group is None) else []
 
     def _anything_else(self, avoid: list[str]) -> bool:
         """Whether the prompt named something that moves, which "it" rather means."""

@@ -380,7 +380,7 @@ class Reader:
         object_ = self._low(j + 1) in lex.DETERMINERS | lex.PRONOUNS | {"nothing", "neither"}
         if "past" in forms and object_ and (single or ordinal):
             return True  # "the second hit it"
-        return bool(single) and "s" in forms
+        return bool(single or (ordinal and self._match_noun(j) is None)) and "s" in forms
 
     def _many_do(self, j: int, m: Mention) -> bool:
         """ "both fall": what comes after "both" or "all" is plural, or a verb."""

@@ -223,12 +223,14 @@ class References(MotionSenses):
     def _part_that_hits(self, f: Frame) -> None:
         """ "The cart rolls on, its wheel hits a stone": the cart does."""
         m = f.subject
-        if m is None or m.possessor is not None or id(m) in self.world.resolved:
+        if m is None or id(m) in self.world.resolved:
             return
         touches = f.verb.sense in ("hit", "knock", "miss") and not f.verb.passive and f.object
-        if not touches or m.determiner != "its" or m.head not in ACTING_PARTS or m.plural:
+        if not touches or m.head not in ACTING_PARTS or m.plural:
             return
-        whole = self._last_subject
+        if m.determiner != "its" and m.possessor is None:
+            return
+        whole = self._last_subject if m.possessor is None else self.ids(m.possessor)
         if len(whole) == 1 and self.kind(whole[0]) in SELF_POWERED | {"cart", "sliding"}:
             self.world.resolved[id(m)] = m.entities = list(whole)
             m.attribute = False

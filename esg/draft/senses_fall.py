@@ -21,6 +21,9 @@ class FallSenses(LaunchSenses):
     """Bodies that lose their support, and where they come down."""
 
     def _do_drop(self, f: Frame, s: list[str], o: list[str]) -> None:
+        if not f.verb.passive and not o and f.object is not None and f.object.attribute:
+            self.scene.ignored[(f.verb.start, f.verb.end)] = "nothing is let go"
+            return  # "releases the brakes"
         things = s if f.verb.passive or not o else o
         agents = [x for x in s if x not in things]
         if agents:

@@ -75,6 +75,9 @@ class OutcomeSenses(ToppleSenses):
         self.enter(f, ball, goal, None, self._time(f))
 
     def _do_miss(self, f: Frame, s: list[str], o: list[str]) -> None:
+        by = f.phrase("by")
+        if f.verb.passive and by is not None and by.mention is not None and by.mention.entities:
+            s, o = list(by.mention.entities), s  # "is nearly hit by a motorbike"
         targets = self._hit_targets(f, s, o)
         if f.verb.lemma in ("catch", "grab") and f.verb.negated:
             for thing in o:
@@ -116,6 +119,11 @@ class OutcomeSenses(ToppleSenses):
             self.scene.ignored[(f.verb.start, f.verb.end)] = "clearing away is not simulated"
 
     def _do_avoid(self, f: Frame, s: list[str], o: list[str]) -> None:
+        event = f.object is not None and f.object.head in ("collision", "crash", "accident")
+        if event and not o and len(s) == 1:  # "brakes hard and avoids a collision"
+            named = [ids[0] for ids in reversed(self.world.salience) if len(ids) == 1]
+            fit = [i for i in named if i in self.world.entities and i not in s]
+            o = [i for i in fit if self._aimable(i)][:1]
         for actor in s:
             for other in [x for x in o if x != actor][:1]:
                 self._ensure_mover(f, actor, None)

@@ -129,7 +129,7 @@ class SteerSenses(ControlSenses):
             if track is None or track.motion is None:
                 self._start_motion(f, [actor])
             for other in o[:1]:
-                if other != actor:
+                if other != actor and not self.structural(other):
                     self.place([actor], [other], "behind")
                     self.event(NodeEvent.MISS, (actor, other), f, self._time(f), stem="overtakes")
         self.use(f, "overtaking")

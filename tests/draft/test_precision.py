@@ -162,3 +162,37 @@ def test_a_start_above_what_scenes_hold_is_a_warning() -> None:
     doc = draft("A stone is dropped from 300 m onto a car.")
     assert verify(doc) == ()
     assert any("300 m" in w for w in doc.coverage.warnings)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "expected"),
+    [
+        ("A car brakes, releases the brakes and turns right.", [("HeadingReached", "car_1")]),
+        (
+            "A horse pulls a cart. A wheel of the cart hits a rock.",
+            [("Collision", "cart_1", "rock_1")],
+        ),
+        (
+            "A plane lands on the runway, overshoots it and hits a fence.",
+            [("Collision", "plane_1", "fence_1")],
+        ),
+        ("A boy is nearly hit by a motorbike.", [("Miss", "motorbike_1", "boy_1")]),
+        (
+            "A van cuts in front of a car. The car brakes and avoids a collision.",
+            [("Miss", "car_1", "van_1")],
+        ),
+        (
+            "Three cars drive in a row. The second hits the first, and the third swerves right.",
+            [("Collision", "second_car_1", "first_car_1"), ("HeadingReached", "third_car_1")],
+        ),
+    ],
+)
+def test_the_right_things_take_part(prompt: str, expected: list[tuple[Any, ...]]) -> None:
+    assert events(prompt) == expected
+
+
+def test_both_are_the_two_that_act_alike() -> None:
+    doc = draft("A red car overtakes a truck, a blue car overtakes it, and both brake.")
+    assert doc.timeline_system is not None
+    braking = [e for e in doc.timeline_system.sequence_graph.edges if e.event.value == "Brake"]
+    assert {e.actor for e in braking} == {"red_car_1", "blue_car_1"}
