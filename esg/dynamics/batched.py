@@ -113,9 +113,13 @@ def search(
             return best, "robust"
         if settled(best, explored):
             return best, "no progress"
-    if explored.stalled and not explored.reached and not best.ensemble.all_completed().any():
+    some = bool(best.ensemble.all_completed().any())
+    if not (some or explored.reached) and (explored.stalled or agree(best, explored)):
         # Neither engine brings the events about, and the last rounds came no nearer.
         return best, "out of reach"
+    if some and explored.stalled and agree(best, explored):
+        # Some members miss an event in both engines, whatever is tried.
+        return best, "no progress"
     if explored.good and not best.ensemble.all_completed().all():
         best = _elsewhere(plan, panel, rng, explored, best)
         if best.good():
@@ -161,8 +165,12 @@ def settled(best: Found, explored: Explored) -> bool:
     It is there for what the engines see differently. Where every event happens in all members,
     they agree on how well, and the surrogate could not do better, it would only cost time.
     """
-    agreed = best.worst < max(AGREED * explored.worst, explored.worst + GOOD_LOSS)
-    return explored.stalled and agreed and bool(best.ensemble.all_completed().all())
+    return explored.stalled and agree(best, explored) and bool(best.ensemble.all_completed().all())
+
+
+def agree(best: Found, explored: Explored) -> bool:
+    """Whether the reference engine sees no more than the surrogate that a search could mend."""
+    return best.worst < max(AGREED * explored.worst, explored.worst + GOOD_LOSS)
 
 
 def _explore(plan: Plan, panel: Panel, rng: np.random.Generator, max_rounds: int) -> Explored:

@@ -9,11 +9,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
+import math
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.dynamics.horizon import told_by
 from esg.dynamics.losses import Assessment
 from esg.dynamics.plan import Plan
 from esg.dynamics.proxies import faceted
@@ -29,6 +31,8 @@ GOOD_LOSS = 0.35
 CENTRED_LOSS = 0.15
 SAME_LOSS = 0.05
 """What holding bystanders still may change."""
+SPARE_S = 0.15
+"""By how much later the reference engine may see events before it has to play on."""
 WORST_SHARE = 0.7
 """Weight of the worst member of the ensemble; the rest goes to the mean."""
 
@@ -101,6 +105,7 @@ class Panel:
         self._together: Callable[[list[Callable[[], Any]]], list[Any]] | None
         self._together = getattr(engine, "together", None)
         self.steps: list[SearchStep] = []
+        self._told: dict[bytes, float] = {}
 
     def rebias(self, bias: dict[str, float]) -> None:
         """Shifts the targets of all engines (`losses.assess`)."""
@@ -130,6 +135,8 @@ class Panel:
             *(partial(_column, s, thetas) for s in self._others),
         ]
         played = self._together(calls) if self._together else [call() for call in calls]
+        told = told_by(self.plan.story, played[0][0]).reshape(len(thetas), -1).max(axis=1)
+        self._told |= {t.tobytes(): float(end) for t, end in zip(thetas, told, strict=True)}
         worst = robust_value(np.concatenate([table for _, table in played], axis=1))
         worst = worst + prior(self.plan, thetas)
         holds = _holds(played[0][0], len(thetas))
@@ -139,7 +146,8 @@ class Panel:
 
     def judge(self, thetas: Floats, phase: str = "confirm") -> Found:
         """Plays thetas under the ensemble in the reference engine and keeps the most robust."""
-        assessed, table = _table(self.reference, thetas)
+        until = max(self._told.get(t.tobytes(), math.inf) for t in thetas) + SPARE_S
+        assessed, table = _table(self.reference, thetas, until)
         value = robust_value(table) + prior(self.plan, thetas)
         k = int(np.argmin(value))
         ensemble = assessed.worlds(slice(k * len(ENSEMBLE), (k + 1) * len(ENSEMBLE)))
@@ -153,7 +161,8 @@ class Panel:
         """
         if not self.reference.holds:
             return found
-        nominal = self.reference.assess(found.theta[None], whole=True)
+        until = float(told_by(self.plan.story, found.nominal)[0]) + SPARE_S
+        nominal = self.reference.assess(found.theta[None], whole=True, until=until)
         self.note("whole", "newton", 1, float(nominal.total[0]))
         held = found.nominal
         same = all(np.array_equal(nominal.completed[k], held.completed[k]) for k in held.completed)
@@ -206,10 +215,12 @@ def _column(simulator: Simulator, thetas: Floats) -> tuple[Assessment, Floats]:
     return assessed, assessed.total[:, None]
 
 
-def _table(simulator: Simulator, thetas: Floats) -> tuple[Assessment, Floats]:
+def _table(
+    simulator: Simulator, thetas: Floats, until: float = math.inf
+) -> tuple[Assessment, Floats]:
     """All members of the ensemble for each theta: the assessment and losses [K, members]."""
     members = [m for _ in thetas for m in ENSEMBLE]
-    assessed = simulator.assess(np.repeat(thetas, len(ENSEMBLE), axis=0), members)
+    assessed = simulator.assess(np.repeat(thetas, len(ENSEMBLE), axis=0), members, until=until)
     return assessed, assessed.total.reshape(len(thetas), len(ENSEMBLE))
 
 

@@ -111,4 +111,4 @@ class _Planner(Declarations, Composer):
                     node.timestamp if node.timestamp is not None else (node.window or (0, 0))[1]
                 )
                 latest = max(latest, prescribed)
-        return float(min(MAX_DURATION_S, math.ceil(2.0 * (1.15 * latest + AFTERMATH_S)) / 2.0))
+        return float(min(MAX_DURATION_S, math.ceil(10.0 * (1.15 * latest + AFTERMATH_S)) / 10.0))

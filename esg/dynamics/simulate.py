@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 import math
 
 import numpy as np
@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from esg.dynamics.bystanders import bystanders, held, touched
 from esg.dynamics.choreography import turn_of
+from esg.dynamics.horizon import told_by
 from esg.dynamics.losses import Assessment, assess
 from esg.dynamics.plan import Plan
 from esg.engines.base import Engine
@@ -86,6 +87,7 @@ class Simulator:
         perturbations: list[Perturbation] | None = None,
         *,
         whole: bool = False,
+        until: float = math.inf,
     ) -> Assessment:
         """Losses of candidates.
 
@@ -93,15 +95,32 @@ class Simulator:
             thetas: Shape [W, n].
             perturbations: One per world; nominal if None.
             whole: Hold no body still.
+            until: By when everything should have happened [s]: what has not told all by then is
+                played again to its end.
         """
         members = perturbations or [NOMINAL] * len(thetas)
+        found = self._assess(thetas, members, whole, until)
+        if until < self.plan.duration:
+            late = np.flatnonzero(told_by(self.plan.story, found) > until)
+            if len(late):
+                known = [members[w] for w in late]
+                _put(found, late, self._assess(thetas[late], known, whole, math.inf))
+        return found
+
+    def _assess(
+        self,
+        thetas: NDArray[np.float64],
+        members: list[Perturbation],
+        whole: bool,
+        until: float,
+    ) -> Assessment:
         if self._held is None or whole:
-            return self._play(self.plan.scene, thetas, members)[1]
-        rollout, found = self._play(self._held, thetas, members)
+            return self._play(self.plan.scene, thetas, members, until)[1]
+        rollout, found = self._play(self._held, thetas, members, until)
         again = np.flatnonzero(touched(rollout, self._still))
         if len(again):
             known = [members[w] for w in again]
-            _put(found, again, self._play(self.plan.scene, thetas[again], known)[1])
+            _put(found, again, self._play(self.plan.scene, thetas[again], known, until)[1])
         return found
 
     @property
@@ -114,13 +133,19 @@ class Simulator:
         self._held = None
 
     def _play(
-        self, scene: SimScene, thetas: NDArray[np.float64], members: list[Perturbation]
+        self,
+        scene: SimScene,
+        thetas: NDArray[np.float64],
+        members: list[Perturbation],
+        until: float = math.inf,
     ) -> tuple[Rollout, Assessment]:
         moved = thetas.copy()
         for w, member in enumerate(members):
             moved[w, self._aims] += member.aim
         programs = [self.plan.compile(theta) for theta in moved]
         batch = batch_programs(programs, self.plan.scene.names)
+        if until < self.plan.duration:
+            batch = replace(batch, duration=math.ceil(FPS * until) / FPS)
         rollout = self.engine.rollout(
             scene,
             batch,

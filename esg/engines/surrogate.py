@@ -21,7 +21,14 @@ from esg.engines.newton_engine import _threads
 from esg.engines.newton_model import quiet_warp
 from esg.engines.program import ProgramBatch
 from esg.engines.scene import ContactLog, Rollout, SimScene, Variation
-from esg.engines.surrogate_model import CONTACTS, ROWS_PER_FRAME, Room, SceneArrays, Worlds
+from esg.engines.surrogate_model import (
+    CONTACTS,
+    ROWS_PER_FRAME,
+    TRACED_CONTACTS,
+    Room,
+    SceneArrays,
+    Worlds,
+)
 from esg.engines.worlds import Frames, check, join_logs, rest_states, world_values
 from esg.outcomes import UserError
 
@@ -152,7 +159,8 @@ def simulate(
     make: Callable[..., Worlds] = Worlds,
 ) -> Worlds:
     """Simulates a batch, again with more room if contacts or log rows did not fit."""
-    room = Room(CONTACTS, ROWS_PER_FRAME * frames.n_frames)
+    contacts = TRACED_CONTACTS if trace else CONTACTS
+    room = Room(contacts, ROWS_PER_FRAME * frames.n_frames)
     while True:
         run = make(arrays, scene, values, batch, frames, room, ground_contacts, trace)
         n = run.n_worlds
@@ -182,7 +190,9 @@ def pick_batch(b: ProgramBatch, worlds: NDArray[np.int64]) -> ProgramBatch:
 
 
 def _most_worlds(n_bodies: int, frames: Frames) -> int:
-    a_world = frames.n_frames * (n_bodies * 52 + ROWS_PER_FRAME * 48) + 16 * n_bodies**2 + 8000
+    a_world = (
+        frames.n_frames * (n_bodies * 52 + ROWS_PER_FRAME * 48) + 16 * n_bodies**2 + CONTACTS * 176
+    )
     return max(1, MEMORY_BYTES // a_world)
 
 

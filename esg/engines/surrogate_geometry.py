@@ -43,6 +43,7 @@ CONVEX = wp.constant(int(GeoType.CONVEX_MESH))
 POINTS = 8
 """Most contact points of one pair of shapes."""
 _FAR = wp.constant(1.0e5)
+ROUNDING_M = wp.constant(1.0e-6)
 
 
 @wp.func
@@ -142,23 +143,29 @@ def near(
     reach = model.radius[s] + model.radius[q] + margin
     if wp.length_sq(offset) > reach * reach:
         return False
+    # Separating axes of the two boxes' faces; no box reaches farther than the sphere around it.
+    half_s = model.half[s]
+    half_q = model.half[q]
+    turn = wp.quat_to_matrix(wp.quat_inverse(rs) * rq)
     in_s = wp.quat_rotate_inv(rs, offset)
-    limit = model.half[s]
-    more = model.radius[q] + margin
-    if (
-        wp.abs(in_s[0]) > limit[0] + more
-        or wp.abs(in_s[1]) > limit[1] + more
-        or wp.abs(in_s[2]) > limit[2] + more
-    ):
-        return False
+    for k in range(3):
+        wide = (
+            wp.abs(turn[k, 0]) * half_q[0]
+            + wp.abs(turn[k, 1]) * half_q[1]
+            + wp.abs(turn[k, 2]) * half_q[2]
+        )
+        if wp.abs(in_s[k]) > half_s[k] + wp.min(wide, model.radius[q]) + margin + ROUNDING_M:
+            return False
     in_q = wp.quat_rotate_inv(rq, offset)
-    limit = model.half[q]
-    more = model.radius[s] + margin
-    return not (
-        wp.abs(in_q[0]) > limit[0] + more
-        or wp.abs(in_q[1]) > limit[1] + more
-        or wp.abs(in_q[2]) > limit[2] + more
-    )
+    for k in range(3):
+        wide = (
+            wp.abs(turn[0, k]) * half_s[0]
+            + wp.abs(turn[1, k]) * half_s[1]
+            + wp.abs(turn[2, k]) * half_s[2]
+        )
+        if wp.abs(in_q[k]) > half_q[k] + wp.min(wide, model.radius[s]) + margin + ROUNDING_M:
+            return False
+    return True
 
 
 @wp.func

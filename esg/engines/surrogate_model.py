@@ -15,9 +15,10 @@ from esg.engines.rest import starts_at_rest
 from esg.engines.scene import Shape, SimScene
 from esg.engines.worlds import Frames, Values, moving
 
-CONTACTS = 48
-"""Room for contacts of one world and step before it has to grow."""
-ROWS_PER_FRAME = 4
+CONTACTS, TRACED_CONTACTS = 160, 48
+"""Room for contacts of one world and step before it has to grow; less where every step keeps its
+own. Unused room costs memory only, while too little costs a second rollout."""
+ROWS_PER_FRAME = 12
 """Room for rows of the contact log before it has to grow."""
 _POINTS = 8
 

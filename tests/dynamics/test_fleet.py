@@ -11,6 +11,7 @@ import pytest
 from esg.dynamics import batched, fleet
 from esg.dynamics.fleet import Clock, optimize_many
 from esg.dynamics.search import optimize
+from esg.engines import fleet_surrogate
 from esg.engines.base import get_engine
 from esg.engines.fleet_arena import Buffer
 from esg.engines.fleet_jobs import Expected, SceneShapes, make_job, read
@@ -235,8 +236,9 @@ def test_newton_plays_different_scenes_as_alone() -> None:
         assert abs(len(here.contacts.world) - len(there.contacts.world)) <= 2
 
 
-def test_surrogate_grants_more_room() -> None:
+def test_surrogate_grants_more_room(monkeypatch: pytest.MonkeyPatch) -> None:
     """The stack has more contacts than fit at first; none is lost."""
+    monkeypatch.setattr(fleet_surrogate, "CONTACTS", 12)
     fleet = FleetSurrogate("cpu")
     scene, batch, _ = _calls()[1]
     job, _ = make_job(
@@ -245,4 +247,4 @@ def test_surrogate_grants_more_room() -> None:
     )  # fmt: skip
     assert job.shapes is not None
     fleet.play([job], [job.shapes], Buffer(np.zeros(20_000_000, np.uint8)))
-    assert fleet.contacts[7] > 48
+    assert fleet.contacts[7] > 12

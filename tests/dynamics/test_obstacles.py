@@ -135,15 +135,24 @@ def test_nothing_is_searched_where_physics_rules_the_event_out() -> None:
     assert "cannot topple" in done.reason
 
 
-@pytest.mark.parametrize(("hits", "expected"), [(False, "out of reach"), (True, "polished")])
+@pytest.mark.parametrize(
+    ("hits", "surrogate", "stalled", "expected"),
+    [
+        (False, 30.0, True, "out of reach"),
+        (False, 29.0, False, "out of reach"),
+        (False, 15.0, False, "polished"),
+        (True, 30.0, True, "no progress"),
+        (True, 15.0, True, "polished"),
+    ],
+)
 def test_out_of_reach_in_both_engines_is_not_polished(
-    hits: bool, expected: str, monkeypatch: pytest.MonkeyPatch
+    hits: bool, surrogate: float, stalled: bool, expected: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Newton goes on only where a member of the ensemble brings all events about."""
+    """Newton goes on only where it sees something else than the surrogate."""
     theta = np.zeros((1, 1))
     ensemble = Assessment(np.full(8, 30.0), {"hit": np.array([hits] + [False] * 7)})
     found = Found(theta[0], 30.0, ensemble.worlds(slice(0, 1)), ensemble)
-    monkeypatch.setattr(batched, "_explore", lambda *_: Explored(theta, 30.0, True))
+    monkeypatch.setattr(batched, "_explore", lambda *_: Explored(theta, surrogate, stalled))
     monkeypatch.setattr(batched, "_polish", lambda *_: (found, "polished"))
     panel = cast(Any, SimpleNamespace(judge=lambda _: found))
     stopped = batched.search(cast(Any, None), panel, np.random.default_rng(0), 12)[1]
