@@ -62,6 +62,18 @@ def set_apart(elements: list[Element]) -> list[Element]:
             thing.start = e.start
             i += 2
             continue
+        elif isinstance(e, Verb) and _sent_flying(elements, i):
+            e.lemma, e.sense, e.end = "knock", "knock", elements[i + 1].end
+            e.form = "pp" if e.passive or not out else e.form
+            e.passive = e.passive or e.form == "pp"
+            e.extra = {**e.extra, "agent": "1"} if not e.auxiliary else e.extra
+            out.append(e)
+            i += 2
+            continue
+        elif isinstance(e, Verb) and e.lemma == "leave" and isinstance(nxt, Mention):
+            alone = word_at(elements, i + 2)
+            if alone is not None and alone.low in ("untouched", "unscathed", "undisturbed"):
+                e.lemma, e.sense = "miss", "miss"
         elif isinstance(e, Verb) and isinstance(nxt, Mention) and _puts_over(elements, i + 2):
             e.extra = {**e.extra, "over": "1"}
         elif isinstance(e, Verb) and e.lemma in _SEEING and e.passive and isinstance(nxt, Verb):
@@ -197,6 +209,16 @@ def _so_much_of(elements: list[Element], i: int) -> Mention | None:
     if of is None or of.low != "of" or not isinstance(thing, Mention) or thing.determiner:
         return None
     return None if thing.pronoun or thing.attribute or thing.plural else thing
+
+
+def _sent_flying(elements: list[Element], i: int) -> bool:
+    """ "sent flying by the swing", "is sent sprawling by a dog": knocked by it."""
+    send, fly, by = elements[i], elements[i + 1] if i + 1 < len(elements) else None, None
+    by = word_at(elements, i + 2)
+    if not isinstance(send, Verb) or send.lemma != "send" or not isinstance(fly, Verb):
+        return False
+    loose = send.passive or (not send.auxiliary and send.form in ("past", "pp"))
+    return bool(loose and fly.form == "ing" and by is not None and by.low == "by")
 
 
 def _puts_over(elements: list[Element], i: int) -> bool:

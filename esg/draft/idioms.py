@@ -127,6 +127,10 @@ def _against(f: Frame) -> str:
     """ "gets wedged against the sofa", "is dashed onto the rocks": it hits what it is against."""
     if f.verb.sense not in ("hit", "knock") or not f.verb.passive or f.phrase("by") is not None:
         return ""
+    below = f.phrase("under", "beneath", "underneath")
+    if below is not None and f.verb.sense == "hit" and _thing(below.mention):
+        below.prep = "by"  # "is crushed under the wheels of a lorry"
+        return "hit"
     met = f.phrase("against", "into", "onto")
     if met is None or not _thing(met.mention) or f.object is not None:
         return ""
@@ -186,6 +190,19 @@ def _is_let_go(f: Frame) -> str:
     return "drop" if f.verb.lemma == "let" and f.verb.passive and f.verb.sense == "noop" else ""
 
 
+def _takes_along(f: Frame) -> str:
+    """ "topples and takes a lamp with it": it hits the lamp."""
+    own = f.phrase("with")
+    along = own is not None and own.mention is not None and own.mention.pronoun in ("it", "them")
+    return "hit" if f.verb.lemma == "take" and along and _thing(f.object) else ""
+
+
+def _flies_over(f: Frame) -> str:
+    """ "The ball goes over": no ball topples."""
+    goes = f.verb.lemma == "go" and f.verb.sense == "topple" and f.object is None
+    return "own" if goes and _kind(f.subject) in _ROUND else ""
+
+
 def _buries(f: Frame) -> str:
     """ "A plough buries a bicycle": under what it moves, not by a hit."""
     buries = f.verb.lemma == "bury" and f.verb.sense == "hit" and not f.verb.extra
@@ -202,7 +219,7 @@ def _swings_round(f: Frame) -> str:
 _READINGS: tuple[Callable[[Frame], str], ...] = (
     _takes_out, _parts, _breaks_it, _shuts_on, _steps_on, _jumps_on, _lets_off, _tosses,
     _hits_ground, _buries, _swings_round, _against, _knocks_over,
-    _bats_off, _is_let_go, _pulled_over, _not_avoided, _leaves_alone,
+    _bats_off, _is_let_go, _flies_over, _takes_along, _pulled_over, _not_avoided, _leaves_alone,
 )  # fmt: skip
 
 

@@ -139,6 +139,13 @@ _STATED = frozenset(
 def _cleft(elements: list[Element], i: int, out: list[Element]) -> int:
     """ "What knocks the lamp over is a ball": a ball knocks the lamp over."""
     what = elements[i]
+    if isinstance(what, Mention) and what.pronoun in ("it", "this", "that"):
+        was, thing, that, verb = (elements[i + 1 : i + 5] + [None] * 4)[:4]
+        is_it = isinstance(was, Verb) and was.sense == "be" and not was.negated
+        told = isinstance(thing, Mention) and isinstance(that, Word) and that.kind == "rel"
+        if is_it and told and isinstance(verb, Verb) and thing is not None:
+            out.append(thing)  # "it was the bin that stopped the kart"
+            return 4
     if getattr(what, "low", getattr(what, "pronoun", "")) not in ("what",):
         return 0
     verb = elements[i + 1] if i + 1 < len(elements) else None
@@ -179,6 +186,7 @@ def _with_helper(elements: list[Element], i: int, out: list[Element]) -> int:
         return 0
     lead = [e for e in elements[i:j] if isinstance(e, Word)]
     no = bool(_NEGATIVE & {w for e in lead for w in e.low.split()})
+    no = no and not any(e.low == "only" for e in lead)  # "not only does it miss the pin"
     soon = bool({e.low for e in lead} & _JUST)
     verb.negated = verb.negated or (no and not soon) or helper.negated
     verb.form = "s"

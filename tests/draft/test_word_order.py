@@ -97,7 +97,8 @@ def test_a_plough_that_buries_something_does_not_hit_it() -> None:
 
 
 def test_the_sense_of_a_particle_is_found_where_it_stands_apart() -> None:
-    assert particle_sense("go", "over") == ("topple", {"down": "1"})
+    assert particle_sense("go", "down") == ("topple", {"down": "1"})
+    assert particle_sense("go", "over") == ("topple", {})
     assert particle_sense("roll", "along") is None
 
 
@@ -186,3 +187,17 @@ def test_two_masses_of_two_things_are_one_each() -> None:
 def test_a_span_ends_with_an_event_that_has_no_time_of_its_own() -> None:
     doc = draft("A lift falls for 1.1 s, is caught by a hook and comes to rest 0.4 s later.")
     assert not verify(doc)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "expected"),
+    [
+        ("It was the bin that hit the go-kart.", [("hit", "bin_1", "go_kart_1")]),
+        ("Not only does the stone miss the guard.", [("miss", "stone_1", "guard_1")]),
+        ("A dog is sent sprawling by a bike.", [("hit", "bike_1", "dog_1")]),
+        ("A can is crushed under a lorry.", [("hit", "lorry_1", "can_1")]),
+        ("A mallet comes down hard on a melon.", [("hit", "mallet_1", "melon_1")]),
+    ],
+)
+def test_roundabout_ways_of_telling_a_hit(prompt: str, expected: list[tuple[str, ...]]) -> None:
+    assert events(prompt) == expected
