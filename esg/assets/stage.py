@@ -203,9 +203,8 @@ def _material_color(requirement: AssetRequirement, entry: Entry) -> tuple[float,
     if asked is None or is_usual(asked, entry.material):
         return entry.color_rgb
     if colon and not any(find_material(word) is asked for word in words.split()):
-        return (
-            entry.color_rgb
-        )  # what its kind is mostly made of: bowling pins are white all the same
+        # What such things are made of, and nobody said: bowling pins are wood and white.
+        return entry.color_rgb
     table = {
         "wood": WOOD,
         "steel": STEEL,

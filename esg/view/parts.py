@@ -26,7 +26,7 @@ def scene_parts(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> list[Par
     parts: list[Part] = []
     meshes: dict[str, Any] = {}
     ground = GROUND_RGB[doc.scene_definition.scene_parameters.scene_type]
-    decals: list[tuple[float, list[Part]]] = []
+    decals: list[tuple[float, float, list[Part]]] = []
     for index, body in enumerate(scene.bodies):
         node = doc.spatial_relation_graph.nodes.get(body.name)
         if node is None:
@@ -43,12 +43,14 @@ def scene_parts(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> list[Par
             for vertices, faces, color in mesh_parts(meshes[node.asset_id], body.color)
         ]
         if flat:
-            decals.append((body.half_extents[0] * body.half_extents[1], own))
+            area, thickness = body.half_extents[0] * body.half_extents[1], 2 * body.half_extents[2]
+            decals.append((area, thickness, own))
         else:
             parts += own
     # Roads and markings lie on the ground, the smaller on the larger: a few millimetres apart.
-    for layer, (_, own) in enumerate(sorted(decals, key=lambda d: -d[0]), 1):
-        lift = np.array([0.0, 0.0, 0.004 * layer])
+    # Their thickness goes into the ground, or what stands at z = 0 would be sunk in them.
+    for layer, (_, thickness, own) in enumerate(sorted(decals, key=lambda d: -d[0]), 1):
+        lift = np.array([0.0, 0.0, 0.004 * layer - thickness])
         parts += [replace(p, vertices=p.vertices + lift) for p in own]
     return parts + _ground(rollout, ground)
 

@@ -1,0 +1,47 @@
+"""What is painted on the ground lies on it: nothing that stands there is sunk in paint."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+
+import pytest
+import trimesh
+
+from esg.view import parts as module
+
+
+def flat(name: str, size: tuple[float, float, float], collides: bool = False) -> SimpleNamespace:
+    """A body with its origin at the bottom centre; `size` is in metres."""
+    return SimpleNamespace(
+        name=name, collides=collides, color=(0.5, 0.5, 0.5), origin_offset=(0.0, 0.0, 0.0),
+        half_extents=tuple(0.5 * s for s in size),
+    )  # fmt: skip
+
+
+def test_decals_lie_within_millimetres_of_the_ground(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A floor drawn 1 cm thick hid a rug of 1.2 cm and buried half of a marble."""
+    bodies = [
+        flat("floor", (10.0, 8.0, 0.01)),
+        flat("lane", (6.0, 1.0, 0.02)),
+        flat("rug", (2.0, 1.4, 0.012), collides=True),
+    ]
+
+    def mesh(size: tuple[float, float, float]) -> trimesh.Scene:
+        box = trimesh.creation.box([100.0 * s for s in size])
+        box.apply_translation([0, 0, 50.0 * size[2]])
+        return trimesh.Scene(box)
+
+    meshes = {b.name: mesh(tuple(2 * h for h in b.half_extents)) for b in bodies}
+    monkeypatch.setattr("esg.assets.build_mesh", lambda name: meshes[name])
+    monkeypatch.setattr(module, "_ground", lambda *_: [])
+    doc = SimpleNamespace(
+        scene_definition=SimpleNamespace(scene_parameters=SimpleNamespace(scene_type="indoor")),
+        spatial_relation_graph=SimpleNamespace(
+            nodes={b.name: SimpleNamespace(asset_id=b.name) for b in bodies}
+        ),
+        asset_configurations={b.name: b.name for b in bodies},
+    )
+    drawn = module.scene_parts(SimpleNamespace(bodies=bodies), None, doc)  # type: ignore[arg-type]
+    tops = {bodies[p.body].name: float(p.vertices[:, 2].max()) for p in drawn}
+    assert 0.0 < tops["floor"] < tops["lane"] < 0.01
+    assert tops["rug"] == pytest.approx(0.012)
