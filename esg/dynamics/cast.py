@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.dynamics.aim import aim_point, region_center
+from esg.dynamics.flights import flown_to
 from esg.dynamics.stagecraft import support_of
 from esg.dynamics.story import Phase, Story, read_story, rebounds, stranded
 from esg.engines.scene import Region, SimScene
@@ -59,6 +60,10 @@ class Cast:
 
     def throw_goal(self, actor: str, phase: Phase) -> NDArray[np.float64] | None:
         """The point a throw is aimed at: the region to enter, or the target's broadest part."""
+        banked = self._bank_point(actor, phase)
+        if banked is not None:
+            return banked
+        phase = flown_to(self.story, phase)
         if phase.end.region:
             center = region_center(self.scene, phase.end.region)
             if center is not None:
@@ -66,6 +71,21 @@ class Cast:
         target = self.target(phase)
         body = self.scene.body(actor)
         return aim_point(body, self.scene.body(target)) if target else None
+
+    def _bank_point(self, actor: str, phase: Phase) -> NDArray[np.float64] | None:
+        """Where the choreography has a ball hit a board to come down in the hoop before it."""
+        above = self.nominal.get(f"{phase.edge.id}/goal_above")
+        if above is None:
+            return None
+        after = (p for p in self.story.phases[actor] if p.start.id == phase.end.id)
+        region = next((p.end.region for p in after if p.end.region), None)
+        center = region_center(self.scene, region) if region else None
+        if center is None:
+            return None
+        way = (center - np.array(self.scene.body(actor).position))[:2]
+        beyond = self.nominal[f"{phase.edge.id}/goal_beyond"]
+        flat = beyond * way / max(float(np.linalg.norm(way)), 1e-9)
+        return center + np.array([flat[0], flat[1], above])
 
     def coasts(self, phase: Phase) -> bool:
         """A launched body that is already on its way: nothing new is done to it."""

@@ -12,8 +12,9 @@ import math
 
 from esg.dynamics.containers import fit_containers, resized, with_assets
 from esg.dynamics.fitting import fit_motion
+from esg.dynamics.openings import fit_openings
 from esg.dynamics.stagecraft import climb_height, prop, support_of, top_surface
-from esg.dynamics.story import Story, bounds, read_story
+from esg.dynamics.story import Phase, Story, bounds, read_story
 from esg.dynamics.toppling import LIGHTEST, fit_toppled, launched, scaled
 from esg.graph.models import (
     AssetConfiguration,
@@ -64,6 +65,7 @@ def fit_assets(doc: EsgDocument) -> EsgDocument:
         if not config.is_movable:
             changed[nodes[name].asset_id] = config.model_copy(update={"is_movable": True})
     doc = with_assets(doc, {**changed, **_solid(doc, story), **_grown(doc, story)})
+    doc = with_assets(doc, fit_openings(doc, story))
     doc = fit_motion(with_assets(doc, fit_containers(doc, story)), story)
     doc = with_assets(doc, _springy(doc, story))
     doc = with_assets(doc, _for_transfer(doc, story))
@@ -133,6 +135,11 @@ def _thrown(doc: EsgDocument) -> EsgDocument:
             continue
         if first.end.event is not NodeEvent.COLLISION or story.flies(actor):
             continue
+        if _enters_out_of_reach(doc, phases, body.height):
+            actors[actor] = actors[actor].model_copy(
+                update={"force_direction": ForceDirection.ANY_3D}
+            )
+            continue
         support = support_of(doc, targets[0])
         if support is None or support in (actor, support_of(doc, actor)):
             continue
@@ -143,6 +150,20 @@ def _thrown(doc: EsgDocument) -> EsgDocument:
             )
     timeline = doc.timeline_system.model_copy(update={"actors": actors})
     return doc.model_copy(update={"timeline_system": timeline})
+
+
+def _enters_out_of_reach(doc: EsgDocument, phases: tuple[Phase, ...], height: float) -> bool:
+    """Whether something shall enter a region that begins above its own height: a hoop."""
+    nodes = doc.spatial_relation_graph.nodes
+    for phase in phases:
+        owner, _, name = (phase.end.region or "").partition("/")
+        if phase.end.event is not NodeEvent.ENTER_REGION or owner not in nodes:
+            continue
+        for region in doc.asset_configurations[nodes[owner].asset_id].regions:
+            lowest = (region.center_cm[2] - region.half_extents_cm[2]) / 100.0
+            if region.name == name and lowest > 2.0 * height:
+                return True
+    return False
 
 
 def _grown(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]:

@@ -85,7 +85,8 @@ def fit_containers(doc: EsgDocument, story: Story) -> dict[str, AssetConfigurati
         if not comes_down(story, node, thing):
             continue
         depth = 0.02 * mouth.half_extents_cm[2] * grow
-        pair = 2.0 * math.sqrt(REBOUND * depth / _drop_height(story, node))
+        drop = max(_drop_height(story, node), _comes_through(doc, story, node))
+        pair = 2.0 * math.sqrt(REBOUND * depth / drop)
         softest = max(pair - body.restitution, 0.0)
         if softest < holder.restitution:
             out[keys[1]] = holder.model_copy(update={"restitution": round(softest, 3)})
@@ -162,6 +163,18 @@ def with_assets(doc: EsgDocument, changed: dict[str, AssetConfiguration]) -> Esg
     if not changed:
         return doc
     return doc.model_copy(update={"asset_configurations": {**doc.asset_configurations, **changed}})
+
+
+def _comes_through(doc: EsgDocument, story: Story, node: TimelineNode) -> float:
+    """Height [m] of what something fell through before (a hoop); 0 if nothing."""
+    nodes = doc.spatial_relation_graph.nodes
+    heights = [0.0]
+    for before in story.ancestors(node.id):
+        owner, _, name = (story.nodes[before].region or "").partition("/")
+        if owner in nodes and set(story.nodes[before].participants) & set(node.participants):
+            regions = doc.asset_configurations[nodes[owner].asset_id].regions
+            heights += [r.center_cm[2] / 100.0 for r in regions if r.name == name]
+    return max(heights)
 
 
 def _drop_height(story: Story, node: TimelineNode) -> float:

@@ -17,6 +17,7 @@ from esg.dynamics.moves import TURNED_RAD
 from esg.dynamics.recording import Bools, Floats, Recording
 from esg.engines.scene import Body
 from esg.graph.models import NodeEvent, TimelineNode
+from esg.metrics.geometry import first_pass
 from esg.units import quat_rotate, yaw_from_quat
 
 AddTerm = Callable[[str, Floats], None]
@@ -150,7 +151,7 @@ def miss(
     a, b = rec.members(node.participants[0]), rec.members(node.participants[-1])
     hit = np.isfinite(_first_hit(rec, a, b, np.zeros(rec.n))[0])
     gap = gap_over_time(rec, a, b, near_only=True)
-    time = rec.t[np.argmin(gap, axis=1)]
+    time = rec.t[[first_pass(world) for world in gap]]
     add(f"{node.id}/near", np.minimum((np.maximum(gap.min(axis=1) - 0.5, 0) / 1.0) ** 2, 4))
     ok = ~hit & np.isfinite(earliest)
     return np.where(ok, time, np.inf), np.full(rec.n, 1.0)

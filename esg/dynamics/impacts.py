@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from esg.dynamics.flights import slowed, thrown_back
 from esg.dynamics.kinematics import (
     Frame,
     Track,
@@ -16,6 +17,7 @@ from esg.dynamics.kinematics import (
     sliding_travel,
 )
 from esg.dynamics.placing import bring_support, goes_on
+from esg.dynamics.solid import beside_the_middle
 from esg.dynamics.stage import Stage
 from esg.dynamics.stagecraft import (
     TO_EDGE_M,
@@ -68,7 +70,10 @@ def impact(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
         rubs = 0.5 * (pa.friction + pb.friction)
         spin = back_spin(pa.mass, pb.mass, source.speed, rubs, speed)
     stage.moving[b] = Track(x, y, heading, speed, source.time, spin, [(x, y)])
-    source.speed = max(0.05, source.speed - pb.mass / pa.mass * speed)
+    left = max(0.05, source.speed - pb.mass / pa.mass * speed)
+    if a in stage.arcs:
+        slowed(stage, a, min(left / max(source.speed, 0.05), 1.0))
+    source.speed = left
 
 
 def _bounce(stage: Stage, node: TimelineNode, a: str, b: str, restitution: float) -> None:
@@ -87,7 +92,8 @@ def _bounce(stage: Stage, node: TimelineNode, a: str, b: str, restitution: float
     heading = track.heading + frame.angle
     side = float(stage.rng.choice([-1.0, 1.0]))
     # A ball's spin still rolls it forward: that takes two sevenths, once the ground has turned it.
-    back = 5.0 / 7.0 * restitution - 2.0 / 7.0 if pa.rolls else restitution
+    rolling = pa.rolls and not stage.story.flies(a)
+    back = 5.0 / 7.0 * restitution - 2.0 / 7.0 if rolling else restitution
     normal = max(back, 0.1) * math.cos(BOUNCE_RAD)
     along = BOUNCE_KEPT * math.sin(BOUNCE_RAD)
     x, y = frame.apply(track.x, track.y)
@@ -106,6 +112,9 @@ def _bounce(stage: Stage, node: TimelineNode, a: str, b: str, restitution: float
     )
     track.heading = facing + side * math.atan2(along, normal) - frame.angle
     track.speed *= math.hypot(normal, along)
+    if a in stage.arcs:
+        back = track.heading + frame.angle
+        thrown_back(stage, a, back, restitution, BOUNCE_RAD)
     stage.thrown_back.add(a)
 
 
@@ -138,6 +147,8 @@ def chain(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
     if pb.rolls and goes_on(stage, node, b):
         # Off its middle it would leave the line on which the next one lies.
         jitter = 0.0
+    off = beside_the_middle(pa, pb, track.heading - yaw)
+    jitter = -off if off else jitter
     reach = gap + pa.half_length + half_along(pb.length, pb.width, yaw - track.heading)
     reach = _landing(stage, node, a, b, track.speed) or reach
     c, s = math.cos(track.heading), math.sin(track.heading)

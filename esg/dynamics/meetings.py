@@ -7,6 +7,7 @@ import math
 from esg.dynamics.caroms import carom, is_carom
 from esg.dynamics.encounters import brake_into, covers, meeting, run_into, waits_at_obstacle
 from esg.dynamics.falls import can_land, land, tip_onto
+from esg.dynamics.flights import bank, banked_into, flies_on, leaves, took_off
 from esg.dynamics.impacts import chain, impact
 from esg.dynamics.kinematics import lob_time
 from esg.dynamics.moves import plain
@@ -79,6 +80,11 @@ def collision(stage: Stage, node: TimelineNode) -> None:
         _approach(stage, node, a, incoming[a], b)
     else:
         chain(stage, node, a, b)
+    if a in incoming and stage.story.flies(a) and node.event is NodeEvent.COLLISION:
+        leaves(stage, node, a, b)
+    if banked_into(stage, node, a, b) is not None:
+        stage.met[a] = b
+        return
     if fresh and is_carom(stage, node, a, b):
         carom(stage, node, a, b)
     else:
@@ -94,6 +100,11 @@ def enters(stage: Stage, node: TimelineNode) -> None:
     if owner not in stage.doc.spatial_relation_graph.nodes:
         return
     if mover in incoming:
+        if mover in stage.arcs and owner not in stage.places:
+            flies_on(stage, node, mover, owner)
+            return
+        if node.id in stage.time:
+            return
         _approach(stage, node, mover, incoming[mover], owner)
     elif mover in stage.moving:
         chain(stage, node, mover, owner)
@@ -107,6 +118,9 @@ def enters(stage: Stage, node: TimelineNode) -> None:
         )
         stage.places[owner] = (x, y, heading + math.pi)
         stage.time[node.id] = track.time if track else 1.0
+        if mover in incoming and stage.story.flies(mover) and is_lobbed(stage, node):
+            leaves(stage, node, mover, owner)
+            stage.met[mover] = owner
     stage.time.setdefault(node.id, 1.0)
 
 
@@ -118,8 +132,13 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
     if a in stage.tipped:
         tip_onto(stage, node, a, b)
         return
+    if a in stage.arcs and b not in stage.places:
+        flies_on(stage, node, a, b)
+        return
     track, pa, pb = stage.tracks[a], stage.prop(a), stage.prop(b)
     first = stage.story.phases[a][0]
+    if b not in stage.places and bank(stage, node, a, phase, b):
+        return
     if is_dropped(phase) or (phase.edge.params.speed is None and is_dropped(first)):
         drop(stage, node, a, b)
         return
@@ -209,6 +228,7 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
         if topples and speed_is_fixed(phase) and support_of(stage.doc, stage.member(b)) is None:
             stage.heights[a] = level_height(pb, pa, duration)
         stage.nominal[f"{phase.edge.id}/flight_time"] = duration
+        took_off(stage, a, phase, track.time)
     join(stage, a, b, node)
 
 

@@ -11,6 +11,7 @@ from esg.dynamics.kinematics import (
     rolling_travel,
     sliding_travel,
 )
+from esg.dynamics.solid import beside_the_middle
 from esg.dynamics.stage import Stage
 from esg.dynamics.stagecraft import Prop, coasting_drag, support_of, target_yaw
 from esg.dynamics.story import REACH_BRAKE_DAMPING, bounds
@@ -124,6 +125,9 @@ def _place_target(
     lateral = float(stage.rng.uniform(-0.12, 0.12)) * min(
         pb.half_lateral(yaw - heading), pa.half_width
     )
+    if node.event is NodeEvent.COLLISION and not stage.story.flies(a):
+        off = beside_the_middle(pa, pb, heading - yaw)
+        lateral = -off if off else lateral
     front = pa.half_length + half_along(pb.length, pb.width, yaw - heading) + ahead
     if node.event is NodeEvent.MISS:
         gap = asked_distance(stage, node, a) or 0.25

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from esg.dynamics.aim import aim_heading
 from esg.dynamics.cast import Cast
+from esg.dynamics.flights import flown_to
 from esg.dynamics.kinematics import ballistic_velocity, wrap_angle
 from esg.dynamics.story import REACH_BRAKE_DAMPING, Phase, turn_of
 from esg.engines.program import AdjustProperties, HoldVelocity, Primitive, SetVelocity
@@ -38,6 +39,8 @@ class Composer(Cast):
     def _heading(self, actor: str) -> float:
         body = self.scene.body(actor)
         first = self.story.phases[actor][0]
+        if self.story.flies(actor):
+            first = flown_to(self.story, first)
         target = self.target(first)
         straight = first.end.event not in (NodeEvent.TRIGGER, NodeEvent.HEADING_REACHED)
         yaw = float(yaw_from_quat(body.quaternion))

@@ -25,6 +25,7 @@ from esg.layout.hints import Constellation, Corridor, Placement
 
 if TYPE_CHECKING:
     from esg.dynamics.falls import Flight
+    from esg.dynamics.flights import Arc
 
 CLEARANCE_M = 0.35
 RUN_OUT_M = 1.0
@@ -49,6 +50,7 @@ class Stage:
         tight: Factor on free distances and times; below 1 where space is short.
         anchor: The table or shelf it all takes place on, None for the ground.
         airborne: Actors that left their support (`falls.Flight`).
+        arcs: Flights of thrown actors after their last event (`flights.Arc`).
         tipped: Actors that fell over where they stood.
         thrown_back: Actors that bounced off something.
         met: What each actor met last.
@@ -76,6 +78,7 @@ class Stage:
         self.frames: dict[str, Frame] = {}
         self.moving: dict[str, Track] = {}
         self.airborne: dict[str, Flight] = {}
+        self.arcs: dict[str, Arc] = {}
         self.tipped: set[str] = set()
         self.edge_run: float | None = None
         self.thrown_back: set[str] = set()

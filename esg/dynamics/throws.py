@@ -100,6 +100,12 @@ def drop(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
     """A body let go above its target, at the prescribed height or a metre up."""
     pb = stage.prop(b)
     region = region_of(stage, node)
+    if a in stage.places and b not in stage.places:
+        # It fell through something: what is below catches it.
+        stage.places[b] = (*stage.places[a][:2], 0.0)
+        stage.tracks[a].time += 0.4
+        stage.time[node.id] = stage.tracks[a].time
+        return
     stage.places.setdefault(b, (0.0, 0.0, 0.0 if region is None else math.pi))
     x, y, yaw = stage.places[b]
     if region is not None:

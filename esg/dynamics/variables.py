@@ -11,9 +11,11 @@ from dataclasses import dataclass
 import math
 
 import numpy as np
+from numpy.typing import NDArray
 
 from esg.dynamics.aim import aim_point
 from esg.dynamics.cast import Cast
+from esg.dynamics.flights import flown_to
 from esg.dynamics.story import Phase, bounds, middle
 from esg.dynamics.throws import opens_upwards
 from esg.dynamics.tipping import FLIES_AT
@@ -57,6 +59,7 @@ class Variable:
 
 
 Values = dict[str, float]
+Floats = NDArray[np.float64]
 
 
 class Declarations(Cast):
@@ -308,6 +311,8 @@ class Declarations(Cast):
 
     def declare_throw(self, actor: str, body: Body, phase: Phase) -> None:
         edge, params = phase.edge, phase.edge.params
+        phase = flown_to(self.story, phase)
+        banked = f"{edge.id}/goal_above" in self.nominal
         low, high, fixed = bounds(params.speed, (100.0, FASTEST_THROW_CM_S))
         if not (fixed or edge.speed_is_prescribed):
             high = max(high, FASTEST_THROW_CM_S)
@@ -336,7 +341,7 @@ class Declarations(Cast):
             )
             return
         target = self.target(phase)
-        offset = self.throw_goal(actor, phase)
+        offset = self._goal_of(actor, edge.id)
         flight = self.nominal.get(f"{edge.id}/flight_time", 1.0)
         if offset is not None:
             span = float(np.linalg.norm(offset[:2] - np.array(body.position)[:2]))
@@ -361,7 +366,7 @@ class Declarations(Cast):
                 max(0.8 * height, 1.5 * mouth),
                 0.45 * height if self.story.topples(target) else OVER_MOUTH * mouth,
                 0.0,
-                0.2 * height,
+                0.05 if banked else 0.2 * height,
                 "m",
             )
             return
@@ -386,6 +391,10 @@ class Declarations(Cast):
             "rad",
             fixed=e_fixed,
         )
+
+    def _goal_of(self, actor: str, edge_id: str) -> Floats | None:
+        phase = next(p for p in self.story.phases[actor] if p.edge.id == edge_id)
+        return self.throw_goal(actor, phase)
 
     def _siblings(self, region: Region) -> list[Region]:
         return [r for r in self.scene.regions if r.parent == region.parent]

@@ -27,6 +27,7 @@ from esg.metrics.detection import (
 )
 from esg.metrics.events_motion import brakes, moves, stops, turns
 from esg.metrics.events_space import enters, falls, reaches, topples
+from esg.metrics.geometry import first_pass
 from esg.metrics.replay import GROUND_INDEX, Hit, Replay
 
 
@@ -115,7 +116,7 @@ def _misses(replay: Replay, q: Query) -> Iterator[Found]:
     at, who = 0, (0, 0)
     for a, b in pairs(q.bound["a"], q.bound["b"]):
         distance = _distances(replay, a, b)
-        k = int(np.argmin(distance))
+        k = first_pass(distance)
         if distance[k] < gap:
             gap, at, who = float(distance[k]), k, (a, b)
     yield Found(float(replay.time[at]), who, measured={"center_distance_m": gap})

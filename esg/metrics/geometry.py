@@ -191,3 +191,29 @@ def lowest_point(cores: tuple[Core, ...], position: Floats, quaternion: Floats) 
     return min(float((quat_rotate(q, c.points)[:, 2]).min()) - c.radius for c in cores) + float(
         position[2]
     )
+
+
+NEAR_PASS, NEAR_PASS_M = 1.25, 0.25
+"""A pass counts if it comes within so much of the closest one: factor and margin [m]."""
+NEARER = 0.35
+"""So does one that leaves this share of the first distance."""
+APPROACH_M = 0.05
+"""Least way by which a body has come nearer before it passes."""
+
+
+def first_pass(distance: NDArray[np.float64]) -> int:
+    """Frame at which something passes by: the first of its approaches that is about the closest.
+
+    What hits something behind and is thrown back comes by a second time, perhaps closer.
+
+    Args:
+        distance: Between the two [m], shape [T].
+    """
+    closest = int(np.argmin(distance))
+    enough = max(NEAR_PASS * distance[closest] + NEAR_PASS_M, NEARER * distance[0])
+    near = distance <= enough
+    lowest = np.zeros(len(distance), bool)
+    lowest[1:-1] = (distance[1:-1] <= distance[:-2]) & (distance[1:-1] < distance[2:])
+    came = np.maximum.accumulate(distance) - distance >= APPROACH_M
+    passes = np.flatnonzero(near & lowest & came)
+    return min(int(passes[0]), closest) if len(passes) else closest
