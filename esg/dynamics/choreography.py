@@ -128,9 +128,9 @@ def _play(stage: Stage) -> Stage:
     for _ in range(ATTEMPTS):
         _tell(stage)
         if stage.anchor is not None and stage.leaves_its_support():
-            stage.start_at_edge()
-            break
-        if stage.anchor is None or fit_to_surface(stage.doc, stage.anchor, stage.places):
+            if stage.start_at_edge():
+                break
+        elif stage.anchor is None or fit_to_surface(stage.doc, stage.anchor, stage.places):
             break
         stage = stage.tighter()
     return stage

@@ -22,6 +22,9 @@ from esg.units import quat_from_euler_deg, yaw_from_quat
 AFTER_HIT_DAMPING = 4.0
 """Linear damping [1/s] of a driver who brakes after the hit that was asked for."""
 
+STRAIGHT_S = 1.0
+"""How long an actor drives on straight after a turn that nothing follows [s]."""
+
 Values = dict[str, float]
 
 
@@ -148,6 +151,14 @@ class Composer(Cast):
                 )
             )
             heading += rate * (end - start) if edge.event is EdgeEvent.TURN else 0.0
+            if last and edge.event is EdgeEvent.TURN:
+                # Let go while it turns, it would go on turning.
+                out.append(
+                    HoldVelocity(
+                        actor, end, end + STRAIGHT_S, abs(speed), heading,
+                        roll_radius=body.roll_radius,
+                    )
+                )  # fmt: skip
             speed = max(0.0, speed + acceleration * (min(end, duration) - start))
             # What follows a hit follows it when it happens, not when the hold would have ended.
             clock = min(end, max(start, v.get(f"{phase.end.id}/time", self.told(phase.end, end))))

@@ -123,24 +123,46 @@ class Stage:
         own = {self.anchor, self.lifted}
         return any(m not in own and support_of(self.doc, m) != self.anchor for m in members)
 
-    def start_at_edge(self) -> None:
-        """Moves everything so that the lead starts at the anchor's edge, heading off it."""
+    def start_at_edge(self) -> bool:
+        """Moves everything so that what leaves the anchor first stands at its edge, facing off it.
+
+        That is the lead, or what stands before it on the anchor: a block that is pushed off a
+        table waits at the edge, and what pushes it starts behind it on the table.
+
+        Returns:
+            Whether what starts on the anchor has room behind the edge; nothing moves otherwise.
+        """
         assert self.anchor is not None
         surface = top_surface(self.doc, self.anchor)
-        body = self.prop(self.lead)
-        inset = self.edge_run or 0.6 * body.half_length + 0.05
-        if body.wheeled and 2.0 * body.half_length < surface.half_extents_cm[0] / 50.0:
-            inset = max(inset, body.half_length)
-        end = edge_of(self.doc, self.anchor)
-        edge = end.at - inset
+        edge = edge_of(self.doc, self.anchor)
+        on_it = [k for k in self.places if self._starts_on_anchor(k)]
+        first = max(on_it or [self.lead], key=lambda k: (self.places[k][0], k == self.lead))
+        body = self.prop(first)
+        inset = 0.6 * body.half_length + 0.05
+        if first == self.lead:
+            inset = self.edge_run or inset
+            if body.wheeled and 2.0 * body.half_length < surface.half_extents_cm[0] / 50.0:
+                inset = max(inset, body.half_length)
         x, y, _ = self.places[self.lead]
-        dx, dy = edge - x, surface.center_cm[1] / 100.0 - y
+        dx, dy = edge.at - inset - self.places[first][0], surface.center_cm[1] / 100.0 - y
+        if first != self.lead:
+            room = surface.half_extents_cm[0] / 50.0
+            if edge.at - (x + dx - self.prop(self.lead).half_length) > room:
+                return False
         self.places = {k: (px + dx, py + dy, yaw) for k, (px, py, yaw) in self.places.items()}
         self.frames = {a: Frame(f.x + dx, f.y + dy, f.angle) for a, f in self.frames.items()}
         for track in self.moving.values():
             track.points = [(px + dx, py + dy) for px, py in track.points]
-        if end.backwards:
+        if edge.backwards:
             self._turn_round()
+        return True
+
+    def _starts_on_anchor(self, key: str) -> bool:
+        """Whether what is placed under a key starts on the anchor, not above or beside it."""
+        name = self.member(key)
+        if name in self.heights and name != self.lifted:
+            return False
+        return name == self.lifted or support_of(self.doc, name) == self.anchor
 
     def _turn_round(self) -> None:
         """Turns everything by half a turn about the anchor's origin."""
