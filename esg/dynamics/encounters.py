@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from esg.dynamics.kinematics import Frame, braking_distance, frame_mapping
+from esg.dynamics.overtaking import cut_in
 from esg.dynamics.stage import FASTEST_MPS, Stage, speed_is_fixed
 from esg.dynamics.stagecraft import approach_distance, min_hit_speed
 from esg.dynamics.story import Phase, bounds
@@ -119,6 +120,9 @@ def _rear_end(
     stage: Stage, node: TimelineNode, behind: str, chase: Phase, front: str, lead: Phase
 ) -> None:
     """One runs into the back of another that brakes or is slower."""
+    if stage.overtaken.get(behind, ("", 0.0))[0] == front:
+        cut_in(stage, node, behind, chase, front, lead)
+        return
     rear, ahead = stage.tracks[behind], stage.tracks[front]
     speed = stage.speed(behind, chase)
     began = ahead.time

@@ -32,6 +32,8 @@ RECHECK_S = 0.2
 SPARE_S = 0.15
 """A recording goes on for so much longer: in another engine the hit may come later."""
 STOP_SPEED_MPS = 0.1
+PASSING_MPS = 0.2
+"""Who is slower than this overtakes nobody."""
 DISTANCE_SCALE_M = 0.3
 NEAR_M = 0.25
 """What comes this close has reached something."""
@@ -149,12 +151,29 @@ def miss(
     rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm
 ) -> tuple[Floats, Floats]:
     a, b = rec.members(node.participants[0]), rec.members(node.participants[-1])
-    hit = np.isfinite(_first_hit(rec, a, b, np.zeros(rec.n))[0])
+    first = _first_hit(rec, a, b, np.zeros(rec.n))[0]
+    if rec.story.meet_again(node) and a and b:
+        return _passing(rec, a[0], b[0], first)
+    hit = np.isfinite(first)
     gap = gap_over_time(rec, a, b, near_only=True)
     time = rec.t[[first_pass(world) for world in gap]]
     add(f"{node.id}/near", np.minimum((np.maximum(gap.min(axis=1) - 0.5, 0) / 1.0) ** 2, 4))
     ok = ~hit & np.isfinite(earliest)
     return np.where(ok, time, np.inf), np.full(rec.n, 1.0)
+
+
+def _passing(rec: Recording, a: int, b: int, hit: Floats) -> tuple[Floats, Floats]:
+    """When a gets ahead of b, inf if not before they touch, and what is missing of that [m]."""
+    p = rec.r.position[:, :, [a, b], :2].astype(float)
+    v = rec.r.linear_velocity[:, :, a, :2].astype(float)
+    speed = np.linalg.norm(v, axis=-1)
+    way = v / np.maximum(speed, PASSING_MPS)[..., None]
+    ahead = ((p[:, :, 0] - p[:, :, 1]) * way).sum(axis=-1)
+    untouched = (rec.t[None, :] < hit[:, None]) & (speed > PASSING_MPS)
+    behind = np.logical_or.accumulate((ahead < 0.0) & untouched, axis=1)
+    time = rec.first(behind & (ahead >= 0.0) & untouched)
+    nearest = np.where(untouched, ahead, -100.0).max(axis=1)
+    return time, np.clip(-nearest, 0.3, 100.0)
 
 
 def gap_over_time(rec: Recording, a: list[int], b: list[int], *, near_only: bool = False) -> Floats:

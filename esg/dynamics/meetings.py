@@ -11,6 +11,7 @@ from esg.dynamics.flights import bank, banked_into, flies_on, leaves, took_off
 from esg.dynamics.impacts import chain, impact
 from esg.dynamics.kinematics import lob_time
 from esg.dynamics.moves import plain
+from esg.dynamics.overtaking import overtake
 from esg.dynamics.placing import asked_distance, goes_on, join, struck_again
 from esg.dynamics.stage import FASTEST_MPS, Stage, speed_is_fixed
 from esg.dynamics.stagecraft import (
@@ -69,6 +70,8 @@ def collision(stage: Stage, node: TimelineNode) -> None:
     if a not in incoming and b in incoming:
         a, b = b, a
     fresh = a in incoming and b not in stage.places
+    if a in incoming and node.event is NodeEvent.MISS and overtake(stage, node, a, incoming[a], b):
+        return
     if a in incoming and waits_at_obstacle(stage, b):
         run_into(stage, node, a, incoming[a], b, incoming.get(b))
     elif b in incoming and waits_at_obstacle(stage, a):

@@ -161,7 +161,7 @@ class EventLosses:
     def _miss(self, node: TimelineNode, w: int, touch: Touch | None) -> None:
         signal = self._gap(node)
         step, gap = self._lowest(w, signal, 0.0)
-        if touch is not None:
+        if touch is not None and not self.plan.story.meet_again(node):
             self.loss[w] += MISSED
             return
         self.done[node.id][w] = True

@@ -54,6 +54,7 @@ class Stage:
         tipped: Actors that fell over where they stood.
         thrown_back: Actors that bounced off something.
         met: What each actor met last.
+        overtaken: Who was overtaken, by whom and when [s].
         lifted: An actor without a place of its own that starts on the anchor beside its target.
         edge_run: Distance [m] from the lead's start to the anchor's edge, None if it does not
             matter.
@@ -83,6 +84,7 @@ class Stage:
         self.edge_run: float | None = None
         self.thrown_back: set[str] = set()
         self.met: dict[str, str] = {}
+        self.overtaken: dict[str, tuple[str, float]] = {}
         self._next_phase = {a: 0 for a in self.tracks}
         self.tight = tight
         actors = sorted(

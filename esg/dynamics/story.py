@@ -92,6 +92,13 @@ class Story:
         speed = self.phases[actor][0].edge.params.speed
         return isinstance(speed, (int, float)) and speed < 0
 
+    def meet_again(self, node: TimelineNode) -> bool:
+        """Whether the bodies of an event hit each other later: who passes is run into after it."""
+        told = list(self.nodes.values())
+        later = told[told.index(node) + 1 :]
+        both = set(node.participants)
+        return any(n.event is NodeEvent.COLLISION and set(n.participants) == both for n in later)
+
     def topples(self, name: str | None) -> bool:
         """Whether the story tips an object over; never so for None."""
         return name is not None and self._befalls(NodeEvent.TOPPLE, name)

@@ -13,6 +13,8 @@ from esg.metrics.models import SuiteEvent
 from esg.metrics.replay import Hit, Replay
 
 T_MAX_S = 15.0
+MOVING_MPS = 0.2
+"""Who is slower than this does not pass anybody."""
 MAX_CONTACT_DEPTH_M = 0.05
 MIN_IMPULSE_NS = 0.1
 RECHECK_AFTER_S = 0.2
@@ -60,12 +62,14 @@ class Query:
         bound: Bindings of its participants by field name.
         since: Only completions later than this count [s]; None: from scene start.
         until: Gives the time of the earliest later event of a body after a time (for brakes).
+        meet_again: Whether a later event is a collision of the same two (for misses).
     """
 
     event: SuiteEvent
     bound: dict[str, Binding]
     since: float | None = None
     until: Callable[[int, float], float] | None = None
+    meet_again: bool = False
 
 
 def runs(mask: NDArray[np.bool_]) -> Iterator[tuple[int, int]]:

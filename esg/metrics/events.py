@@ -107,6 +107,9 @@ def _collision(replay: Replay, q: Query) -> Iterator[Found]:
 
 
 def _misses(replay: Replay, q: Query) -> Iterator[Found]:
+    if q.meet_again:
+        yield _passes(replay, q)
+        return
     for a, b in pairs(q.bound["a"], q.bound["b"]):
         if any(h.impulse > 0 for h in replay.hits(a, b)):
             name_a, name_b = names(replay, (a, b))
@@ -120,6 +123,24 @@ def _misses(replay: Replay, q: Query) -> Iterator[Found]:
         if distance[k] < gap:
             gap, at, who = float(distance[k]), k, (a, b)
     yield Found(float(replay.time[at]), who, measured={"center_distance_m": gap})
+
+
+def _passes(replay: Replay, q: Query) -> Found:
+    """One gets ahead of the other before they touch: who overtakes may be run into later."""
+    reason = ""
+    for a, b in pairs(q.bound["a"], q.bound["b"]):
+        first = min((h.time for h in replay.hits(a, b) if h.impulse > 0), default=math.inf)
+        offset = (replay.position[:, a] - replay.position[:, b])[:, :2]
+        velocity = replay.velocity[:, a, :2]
+        ahead = (offset * velocity).sum(axis=-1)
+        free = (replay.time < first) & (replay.speed[:, a] > MOVING_MPS)
+        behind = np.logical_or.accumulate((ahead < 0.0) & free)
+        frames = np.flatnonzero(behind & (ahead >= 0.0) & free)
+        if len(frames):
+            return Found(float(replay.time[frames[0]]), (a, b))
+        name_a, name_b = names(replay, (a, b))
+        reason = f"{name_a} does not get ahead of {name_b} before they touch"
+    return Found(None, reason=reason)
 
 
 def _distances(replay: Replay, a: int, b: int) -> NDArray[np.float64]:

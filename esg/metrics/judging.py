@@ -165,6 +165,15 @@ def _query(
     since: float | None,
 ) -> Query:
     bound = _bound(event, bindings)
+    if event.type == "misses":
+        both = {frozenset(bindings[q].bodies) for q in (event.a, event.b) if q}
+        later = suite_scene.events[suite_scene.events.index(event) + 1 :]
+        again = any(
+            e.type == "collision"
+            and {frozenset(bindings[q].bodies) for q in (e.a, e.b) if q} == both
+            for e in later
+        )
+        return Query(event, bound, since, meet_again=again)
     if event.type != "brakes":
         return Query(event, bound, since)
 
