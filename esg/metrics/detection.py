@@ -13,8 +13,6 @@ from esg.metrics.models import SuiteEvent
 from esg.metrics.replay import Hit, Replay
 
 T_MAX_S = 15.0
-MOVING_MPS = 0.2
-"""Who is slower than this does not pass anybody."""
 MAX_CONTACT_DEPTH_M = 0.05
 MIN_IMPULSE_NS = 0.1
 RECHECK_AFTER_S = 0.2

@@ -20,6 +20,7 @@ from esg.metrics.detection import (
     MAX_RECHECK_DEPTH_M,
     MIN_EVENT_GAP_S,
     MIN_IMPULSE_NS,
+    MOVING_MPS,
     RECHECK_AFTER_S,
     T_MAX_S,
     Found,

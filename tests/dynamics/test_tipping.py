@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+import math
 
 import pytest
 
@@ -113,4 +114,14 @@ def test_what_falls_comes_down_on_what_it_shall_hit() -> None:
     doc = _cast("An apple falls from a tree branch into a wheelbarrow.")
     places = {p.node: p for c in choreograph(doc).hints.constellations for p in c.placements}
     apple, barrow = places["apple_1"], places["wheelbarrow_1"]
-    assert (apple.x_cm, apple.y_cm) == pytest.approx((barrow.x_cm, barrow.y_cm))
+    # Above the middle of its tray, which is in front of the middle of the whole.
+    inside = next(
+        r for r in doc.asset_configurations["wheelbarrow_01"].regions if r.name == "inside"
+    )
+    yaw = math.radians(barrow.yaw_deg or 0.0)
+    x, y = inside.center_cm[:2]
+    above = (
+        barrow.x_cm + x * math.cos(yaw) - y * math.sin(yaw),
+        barrow.y_cm + x * math.sin(yaw) + y * math.cos(yaw),
+    )
+    assert (apple.x_cm, apple.y_cm) == pytest.approx(above)
