@@ -220,7 +220,8 @@ class NounHeads(NounQuestions):
             and (m.determiner or m.adjectives or m.count is not None or self._is_attribute_start(j))
         ):
             after = self._match_noun(j + 1)
-            if after is not None and self._names_it(m, low) and not verb_readings(self._low(j + 1)):
+            acts = verb_readings(self._low(j + 1)) and not self._noun_not_verb(j + 1, m)
+            if after is not None and self._names_it(m, low) and not acts:
                 m.adjectives.append(low)  # "the space station", "a storm lantern"
                 return self._head(i, j + 1, m)
             m.attribute = True

@@ -264,6 +264,8 @@ class Registry(Matching):
             noun = lex.nouns()["floor"]  # "in a garage a ball rolls": where the scene is
         elif m.head == "bar" and noun.name in ("gold bar", "floor") and m.after_prep in _AT_A_BAR:
             noun = lex.nouns()["counter"]
+        elif m.text.lower().split()[-1:] == ["bar"] and m.after_prep in ("in", "inside"):
+            noun = lex.nouns()["floor"]  # "in a bar a glass slides": where the scene is
         elif noun.name == "hoop" and (
             m.after_prep == "through"
             or (m.after_prep in ("into", "in") and self._ball_game())

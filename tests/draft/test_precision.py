@@ -196,3 +196,20 @@ def test_both_are_the_two_that_act_alike() -> None:
     assert doc.timeline_system is not None
     braking = [e for e in doc.timeline_system.sequence_graph.edges if e.event.value == "Brake"]
     assert {e.actor for e in braking} == {"red_car_1", "blue_car_1"}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "expected"),
+    [
+        ("A car hits a traffic barrel after 2 seconds.", ("Collision", "barrel_1")),
+        ("A chocolate bar falls off the shelf.", ("Fall", "bar_1")),
+    ],
+)
+def test_a_noun_that_is_also_a_verb_or_a_place_is_the_thing(
+    prompt: str, expected: tuple[str, str]
+) -> None:
+    """After "a traffic" a bare verb cannot follow; a bar that falls is no room."""
+    system = draft(prompt).timeline_system
+    assert system is not None
+    events = [(n.event.value, p) for n in system.sequence_graph.nodes for p in n.participants]
+    assert expected in events, events
