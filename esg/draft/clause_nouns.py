@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from esg.draft.clause_words import OWNED, PROPERTIES, ClauseWords
+from esg.draft.elements import Element, Mention, Verb, Word
 from esg.draft.entities import BODY_PARTS, OWN_PARTS
 from esg.draft.frames import Phrase, State, finite_ahead, next_verb
-from esg.draft.syntax import Element, Mention, Verb, Word
 
 _OCCASIONS = frozenset({"time", "moment", "instant", "occasion"})
 _THIS = frozenset({"this", "that", "another", "each", "every"})

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from esg.draft.clause_nouns import ClauseNouns
+from esg.draft.elements import Mention, Verb, Word
 from esg.draft.frames import Frame, Phrase, State
 from esg.draft.quantities import Amount
-from esg.draft.syntax import Mention, Verb, Word
 
 CAUSE_SENSES = frozenset({"cause", "knock", "launch", "drop", "lead", "give", "pocket", "scatter"})
 _LETTING = frozenset({"let", "make", "have", "watch"})

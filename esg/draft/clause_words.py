@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from esg.draft.elements import Element, Mention, Verb, Word
 from esg.draft.frames import Frame, Phrase, State, finite_ahead
 from esg.draft.quantities import Amount
-from esg.draft.syntax import Element, Mention, Verb, Word
 
 PROPERTIES = frozenset(
     {"mass", "weight", "height", "length", "width", "diameter", "radius", "size"}

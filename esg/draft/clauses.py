@@ -9,9 +9,9 @@ from __future__ import annotations
 from dataclasses import replace
 
 from esg.draft.clause_verbs import UNTIL_MAIN, ClauseVerbs
+from esg.draft.elements import Mention, Verb
 from esg.draft.frames import Frame, State, background_first, in_order
 from esg.draft.idioms import read_idioms
-from esg.draft.syntax import Mention, Verb
 
 _GETTING = frozenset({"own", "reach", "approach", "noop", "acquire", "roll", "slide"})
 _TAKING = frozenset({"need", "needs", "needed", "take", "takes", "took", "require", "requires"})

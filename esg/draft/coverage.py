@@ -6,8 +6,8 @@ import re
 from typing import Literal
 
 from esg.draft import lexicon as lex
+from esg.draft.elements import Element, Mention, Token, Verb, Word
 from esg.draft.scene import Scene
-from esg.draft.syntax import Element, Mention, Token, Verb, Word
 from esg.graph.models import Coverage, CoverageItem, NodeEvent
 
 Kind = Literal["object", "event", "quantity", "relation", "modifier"]

@@ -6,11 +6,11 @@ import re
 from typing import Any
 
 from esg.draft.core import Time
+from esg.draft.elements import Mention
 from esg.draft.frames import Frame
 from esg.draft.places import Places
 from esg.draft.quantities import Amount
 from esg.draft.scene import SELF_POWERED, pocket_name
-from esg.draft.syntax import Mention
 from esg.draft.timeline import START
 from esg.draft.windows import Draft
 from esg.graph.models import EventConstraint, NodeEvent, Quantity, Role

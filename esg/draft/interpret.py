@@ -6,11 +6,11 @@ from dataclasses import replace
 import re
 
 from esg.draft import lexicon as lex
+from esg.draft.elements import Mention
 from esg.draft.entities import ORDINALS
 from esg.draft.frames import Frame, Phrase
 from esg.draft.references import RIDDEN, STATES, References
 from esg.draft.scene import SELF_POWERED, Scene
-from esg.draft.syntax import Mention
 from esg.draft.windows import Draft
 from esg.graph.models import EventConstraint, NodeEvent, Role
 

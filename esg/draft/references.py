@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from esg.draft import lexicon as lex
+from esg.draft.elements import Mention
 from esg.draft.entities import ACTING_PARTS, ORDINALS
 from esg.draft.frames import Frame
 from esg.draft.scene import SELF_POWERED
 from esg.draft.senses_motion import MotionSenses
-from esg.draft.syntax import Mention
 
 _FLYING_ON = frozenset({"bounce", "roll", "slide", "fly", "enter", "spin"})
 """Senses of "it" after a throw that are about the thing thrown."""

@@ -15,7 +15,8 @@ from esg.draft.nominals import verbalize
 from esg.draft.reorder import reorder
 from esg.draft.screening import contradictions, nothing_to_draw, screen, too_long, too_much
 from esg.draft.spacing import space
-from esg.draft.syntax import Chunker, pos_tags, tokenize
+from esg.draft.syntax import Chunker
+from esg.draft.tokens import pos_tags, tokenize
 from esg.draft.world import World
 from esg.graph.models import EsgDocument
 

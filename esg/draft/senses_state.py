@@ -7,11 +7,11 @@ from itertools import pairwise
 
 from esg.draft import lexicon as lex
 from esg.draft.consequences import Consequences
+from esg.draft.elements import Mention
 from esg.draft.frames import Frame, Phrase
 from esg.draft.places import RELATION_PREPS
 from esg.draft.quantities import Amount
 from esg.draft.scene import SELF_POWERED, Relation
-from esg.draft.syntax import Mention
 
 _WAITING = frozenset({"wait", "pause", "stay", "remain", "stand", "sit", "idle", "queue", "rest"})
 _PATTERN_VERBS = {

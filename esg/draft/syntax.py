@@ -6,176 +6,13 @@ towards ..."); spaCy's tags only settle words that the lexicon does not know.
 
 from __future__ import annotations
 
-from typing import Literal
-
 from esg.draft import lexicon as lex
-from esg.draft.elements import Element, Mention, Token, Verb, Word
+from esg.draft.elements import Element, Mention, Verb, Word
+from esg.draft.multiwords import MULTIWORDS
 from esg.draft.nominals import RETOLD_NOUNS
 from esg.draft.nounphrases import NounPhrases
-from esg.draft.tokens import pos_tags, tokenize
 from esg.draft.verbphrases import verb_readings
 
-"""Turns tokens into mentions, verb groups and small words."""
-_MULTI: tuple[tuple[tuple[str, ...], Literal["prep", "adv", "sub"], str], ...] = (
-    (("in", "front", "of"), "prep", "in front of"),
-    (("at", "the", "same", "time"), "adv", "simultaneously"),
-    (("at", "the", "same", "moment"), "adv", "simultaneously"),
-    (("as", "soon", "as"), "sub", "once"),
-    (("so", "that"), "sub", "so"),
-    (("such", "that"), "sub", "so"),
-    (("until", "finally"), "sub", "until"),
-    (("with", "the", "result", "that"), "sub", "so"),
-    (("with", "the", "effect", "that"), "sub", "so"),
-    (("which", "means", "that"), "sub", "so"),
-    (("to", "such", "an", "extent", "that"), "sub", "so"),
-    (("so", "much", "so", "that"), "sub", "so"),
-    (("the", "instant"), "sub", "once"),
-    (("immediately", "after"), "prep", "after"),
-    (("right", "after"), "prep", "after"),
-    (("shortly", "after"), "prep", "after"),
-    (("just", "after"), "prep", "after"),
-    (("versus",), "prep", "against"),
-    (("vs",), "prep", "against"),
-    (("wide", "of"), "prep", "past"),
-    (("clear", "of"), "prep", "away from"),
-    (("out", "from", "under"), "prep", "from"),
-    (("from", "under"), "prep", "from"),
-    (("from", "behind"), "adv", "from behind"),
-    (("in", "so", "doing"), "adv", "thereby"),
-    (("in", "doing", "so"), "adv", "thereby"),
-    (("whereupon",), "adv", "then"),
-    (("upon", "which"), "adv", "then"),
-    (("at", "which", "point"), "adv", "then"),
-    (("in", "its", "turn"), "adv", "then"),
-    (("in", "their", "turn"), "adv", "then"),
-    (("after", "this"), "adv", "then"),
-    (("straight", "away"), "adv", "immediately"),
-    (("right", "away"), "adv", "immediately"),
-    (("in", "the", "meantime"), "adv", "meanwhile"),
-    (("next", "thing"), "adv", "then"),
-    (("this", "time"), "adv", "again"),
-    (("slap", "bang"), "adv", "directly"),
-    (("full", "tilt"), "adv", "at speed"),
-    (("flat", "out"), "adv", "at speed"),
-    (("at", "full", "speed"), "adv", "at speed"),
-    (("at", "full", "tilt"), "adv", "at speed"),
-    (("to", "a", "man"), "adv", "all"),
-    (("by", "a", "whisker"), "adv", "narrowly"),
-    (("by", "inches"), "adv", "narrowly"),
-    (("by", "an", "inch"), "adv", "narrowly"),
-    (("by", "a", "hair"), "adv", "narrowly"),
-    (("by", "a", "hair's", "breadth"), "adv", "narrowly"),
-    (("with", "a", "bump"), "adv", "hard"),
-    (("next", "to"), "prep", "next to"),
-    (("close", "to"), "prep", "near"),
-    (("right", "behind"), "prep", "behind"),
-    (("on", "top", "of"), "prep", "on"),
-    (("in", "the", "direction", "of"), "prep", "towards"),
-    (("to", "the", "left", "of"), "prep", "left of"),
-    (("to", "the", "right", "of"), "prep", "right of"),
-    (("on", "the", "left", "of"), "prep", "left of"),
-    (("on", "the", "right", "of"), "prep", "right of"),
-    (("left", "of"), "prep", "left of"),
-    (("right", "of"), "prep", "right of"),
-    (("away", "from"), "prep", "away from"),
-    (("short", "of"), "prep", "short of"),
-    (("far", "from"), "prep", "far from"),
-    (("out", "of"), "prep", "out of"),
-    (("off", "of"), "prep", "off"),
-    (("ahead", "of"), "prep", "in front of"),
-    (("instead", "of"), "prep", "without"),
-    (("because", "of"), "prep", "because of"),
-    (("due", "to"), "prep", "because of"),
-    (("as", "a", "result", "of"), "prep", "because of"),
-    (("as", "a", "consequence", "of"), "prep", "because of"),
-    (("thanks", "to"), "prep", "because of"),
-    (("rather", "than"), "prep", "without"),
-    (("full", "of"), "prep", "with"),
-    (("except", "for"), "prep", "without"),
-    (("except",), "prep", "without"),
-    *(
-        (("on", "the", k, x), "adv", "first" if k == "first" else "again")
-        for k in ("first", "second", "third", "next", "last")
-        for x in ("try", "attempt", "go", "shot", "throw")
-    ),
-    (("along", "with"), "prep", "with"),
-    (("together", "with"), "prep", "with"),
-    (("in", "the", "middle", "of"), "prep", "in the middle of"),
-    (("in", "the", "center", "of"), "prep", "in the middle of"),
-    (("in", "the", "centre", "of"), "prep", "in the middle of"),
-    (("at", "the", "center", "of"), "prep", "in the middle of"),
-    (("at", "the", "centre", "of"), "prep", "in the middle of"),
-    (("in", "the", "way", "of"), "prep", "in front of"),
-    (("by", "the", "side", "of"), "prep", "beside"),
-    (("on", "the", "side", "of"), "prep", "beside"),
-    (("at", "the", "side", "of"), "prep", "beside"),
-    (("on", "either", "side", "of"), "prep", "beside"),
-    (("down", "from"), "prep", "from"),
-    (("down", "to"), "prep", "to"),
-    (("down", "into"), "prep", "into"),
-    (("down", "onto"), "prep", "onto"),
-    (("straight", "into"), "prep", "into"),
-    (("right", "into"), "prep", "into"),
-    (("directly", "into"), "prep", "into"),
-    (("back", "into"), "prep", "into"),
-    (("up", "to"), "prep", "to"),
-    (("on", "to"), "prep", "onto"),
-    (("in", "to"), "prep", "into"),
-    (("as", "well", "as"), "prep", "with"),
-    (("one", "by", "one"), "adv", "one by one"),
-    (("one", "after", "another"), "adv", "one by one"),
-    (("one", "after", "the", "other"), "adv", "one by one"),
-    (("in", "a", "row"), "adv", "in a row"),
-    (("in", "a", "line"), "adv", "in a row"),
-    (("from", "left", "to", "right"), "adv", "in a row"),
-    (("from", "right", "to", "left"), "adv", "in a row"),
-    (("side", "by", "side"), "adv", "side by side"),
-    (("head", "on"), "adv", "head-on"),
-    (("in", "turn"), "adv", "then"),
-    (("after", "that"), "adv", "then"),
-    (("after", "which"), "adv", "then"),
-    (("and", "then"), "adv", "then"),
-    (("each", "other"), "adv", "each other"),
-    (("one", "another"), "adv", "each other"),
-    (("upside", "down"), "adv", "upside down"),
-    (("a", "little"), "adv", "slightly"),
-    (("a", "bit"), "adv", "slightly"),
-    (("for", "a", "while"), "adv", "for a while"),
-    (("at", "first"), "adv", "first"),
-    (("at", "rest"), "adv", "at rest"),
-    (("no", "longer"), "adv", "not"),
-    (("once", "more"), "adv", "again"),
-    (("at", "the", "start"), "adv", "first"),
-    (("at", "the", "beginning"), "adv", "first"),
-    (("in", "the", "beginning"), "adv", "first"),
-    (("to", "begin", "with"), "adv", "first"),
-    (("at", "the", "end"), "adv", "finally"),
-    (("in", "the", "end"), "adv", "finally"),
-    (("at", "the", "last", "moment"), "adv", "finally"),
-    (("at", "the", "last", "second"), "adv", "finally"),
-    (("in", "the", "process"), "adv", "thereby"),
-    (("on", "the", "way"), "adv", "meanwhile"),
-    (("because", "of", "that"), "adv", "thereby"),
-    (("because", "of", "this"), "adv", "thereby"),
-    (("as", "a", "result"), "adv", "thereby"),
-    (("as", "a", "consequence"), "adv", "thereby"),
-    (("at", "that", "moment"), "adv", "then"),
-    (("at", "this", "moment"), "adv", "then"),
-    (("at", "that", "point"), "adv", "then"),
-    (("a", "moment", "later"), "adv", "then"),
-    (("of", "course"), "adv", "indeed"),
-    (("at", "once"), "adv", "immediately"),
-    (("all", "at", "once"), "adv", "suddenly"),
-    (("from", "rest"), "adv", "from rest"),
-    (("from", "standstill"), "adv", "from rest"),
-    (("from", "a", "standstill"), "adv", "from rest"),
-    (("from", "a", "standing", "start"), "adv", "from rest"),
-    (("from", "zero"), "adv", "from rest"),
-    (("from", "a", "stop"), "adv", "from rest"),
-    (("at", "speed"), "adv", "at speed"),
-    (("by", "accident"), "adv", "accidentally"),
-    (("in", "motion"), "adv", "in motion"),
-)
 _HEADINGS = frozenset(
     {"scene", "shot", "prompt", "description", "task", "note", "step", "phase", "part", "act",
      "system", "user", "assistant", "title", "setting", "action", "input", "output", "example",
@@ -183,7 +20,6 @@ _HEADINGS = frozenset(
 )  # fmt: skip
 _ASKING = frozenset({"can", "could", "will", "would", "may", "does", "did", "is", "are"})
 _SO_AS_TO = (("in", "order", "to"), ("so", "as", "to"))
-_LONGEST_FIRST = tuple(sorted(_MULTI, key=lambda m: -len(m[0])))
 
 
 class Chunker(NounPhrases):
@@ -327,7 +163,7 @@ class Chunker(NounPhrases):
         )
 
     def _multiword(self, i: int) -> int:
-        for words, kind, low in _LONGEST_FIRST:
+        for words, kind, low in MULTIWORDS:
             if all(self._low(i + k) == w for k, w in enumerate(words)):
                 if words[0] in ("left", "right") and self._previous_is_turn():
                     continue
@@ -396,6 +232,3 @@ class Chunker(NounPhrases):
                     return any(r.form == "ing" for r in readings)
                 return not (self._low(i) == "as" and j == i + 1)
         return False
-
-
-__all__ = ["Chunker", "Element", "Mention", "Token", "Verb", "Word", "pos_tags", "tokenize"]
