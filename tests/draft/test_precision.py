@@ -213,3 +213,10 @@ def test_a_noun_that_is_also_a_verb_or_a_place_is_the_thing(
     assert system is not None
     events = [(n.event.value, p) for n in system.sequence_graph.nodes for p in n.participants]
     assert expected in events, events
+
+
+def test_what_lies_on_its_side_has_not_been_knocked_over() -> None:
+    assert events("A ball hits a bottle lying on its side.") == [
+        ("Collision", "ball_1", "bottle_1"),
+    ]
+    assert ("Topple", "car_1") in events("The car ends up lying on its side.")
