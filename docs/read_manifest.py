@@ -9,8 +9,8 @@ import math
 
 class Program:
     def __init__(self, manifest):
-        self.waiting = list(manifest["program"]["primitives"])
-        self.driving = []
+        self.waiting, self.driving = list(manifest["program"]["primitives"]), []
+        self.gravity_z = manifest["gravity"][2]
 
     def before_step(self, t, dt, body_of, touching, set_friction):
         """Acts before the step from t to t + dt; touching: pairs of names in the step before."""
@@ -21,7 +21,7 @@ class Program:
                 late = p["end"] is not None and t + dt / 2 > p["end"]
                 if not late and not (hit and p in self.driving):
                     self.driving.append(p)
-                    drive(p, body, t - p["start"])
+                    drive(p, body, t - p["start"], self.gravity_z * dt)
                     continue
             elif p["kind"] == "SetVelocity":
                 body.linvel = tuple(p["linear"])
@@ -39,12 +39,12 @@ class Program:
             self.waiting.remove(p)
 
 
-def drive(p, body, s):
-    """Motion under own power, s seconds after its start; a rolling body spins with it."""
+def drive(p, body, s, pull):
+    """Motion s seconds after its start: rolling, or flying against the step's pull of gravity."""
     speed = max(0.0, p["speed"] + p["acceleration"] * s)
     if p["acceleration"] > 0 and p["max_speed"] is not None:
         speed = min(speed, p["max_speed"])
-    heading, r = p["heading"] + p["turn_rate"] * s, p["roll_radius"]
+    heading, r = p["heading"] + p["turn_rate"] * s, 0.0 if "climb" in p else p["roll_radius"]
     vx, vy = speed * math.cos(heading), speed * math.sin(heading)
-    body.linvel = (vx, vy, tuple(body.linvel)[2])
+    body.linvel = (vx, vy, p["climb"] - pull if "climb" in p else tuple(body.linvel)[2])
     body.angvel = (-vy / r, vx / r, 0.0) if r else (0.0, 0.0, p["turn_rate"])

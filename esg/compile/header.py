@@ -93,6 +93,12 @@ PRIMITIVE_FIELDS = {
     ),
 }
 
+FLIGHT_FIELDS = (
+    Field("bool", "bFlies", "false", "Whether Climb is held against gravity."),
+    Field("double", "Climb", "0.0", "Vertical velocity in the air.", "cm/s"),
+)
+"""Of holds, in classes with powered flight."""
+
 PRIMITIVE_TEXT = {
     "SetVelocity": "Sets a velocity once.",
     "ApplyImpulse": "Applies an impulse once.",
@@ -139,7 +145,10 @@ def emit_header(plan: ScenePlan) -> str:
     parts = [_preamble(plan), _struct(f"F{name}Body", "Physical values of one body.", BODY_FIELDS)]
     for kind in PRIMITIVE_FIELDS:
         if kind in plan.kinds:
-            parts.append(_struct(f"F{name}{kind}", PRIMITIVE_TEXT[kind], PRIMITIVE_FIELDS[kind]))
+            fields = PRIMITIVE_FIELDS[kind]
+            if kind == "HoldVelocity" and plan.flies:
+                fields = (*fields, *FLIGHT_FIELDS)
+            parts.append(_struct(f"F{name}{kind}", PRIMITIVE_TEXT[kind], fields))
     parts.append(_class(plan))
     return "\n".join(parts)
 

@@ -106,9 +106,9 @@ def start_velocities(manifest: Manifest) -> dict[str, tuple[Any, Any]]:
             speed = max(0.0, p.speed)
             vx, vy = speed * math.cos(p.heading), speed * math.sin(p.heading)
             spin = (0.0, 0.0, p.turn_rate)
-            if p.roll_radius > 0.0:
+            if p.roll_radius > 0.0 and p.climb is None:
                 spin = (-vy / p.roll_radius, vx / p.roll_radius, 0.0)
-            out[p.body] = ((vx, vy, linear[2]), spin)
+            out[p.body] = ((vx, vy, linear[2] if p.climb is None else p.climb), spin)
     return out
 
 

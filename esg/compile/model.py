@@ -149,6 +149,11 @@ class ScenePlan:
         """Kinds of primitive that the program uses."""
         return frozenset(p.kind for p in self.primitives)
 
+    @property
+    def flies(self) -> bool:
+        """Whether a hold keeps its body in the air; classes without one say nothing of it."""
+        return any(field == "bFlies" for p in self.primitives for field, _ in p.values)
+
 
 def class_name(scene_id: str) -> str:
     """Name of the class and its files, without Unreal's leading A."""
@@ -274,6 +279,9 @@ def _values(p: Primitive) -> tuple[tuple[str, str], ...]:
         return tuple(values)
     end = min(p.end, UNLIMITED)
     limit = min(p.max_speed * frames.CM_PER_M, UNLIMITED)
+    flight: list[tuple[str, str]] = []
+    if p.climb is not None:
+        flight = [("bFlies", "true"), ("Climb", frames.literal(p.climb * frames.CM_PER_M))]
     return (
         ("Start", frames.literal(p.start)),
         ("End", frames.literal(end)),
@@ -283,6 +291,7 @@ def _values(p: Primitive) -> tuple[tuple[str, str], ...]:
         ("MaxSpeed", frames.literal(limit)),
         ("TurnRate", frames.literal(frames.heading_to_unreal(p.turn_rate))),
         ("RollRadius", frames.literal(p.roll_radius * frames.CM_PER_M)),
+        *flight,
     )
 
 

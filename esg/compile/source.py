@@ -41,11 +41,16 @@ def emit_source(plan: ScenePlan) -> str:
         _construction(plan),
         _collect(plan, shapes),
         _dispatch(plan),
-        *(_template(f"Run{kind}") for kind in PRIMITIVE_FIELDS if kind in plan.kinds),
+        *(_template(_run(plan, kind)) for kind in PRIMITIVE_FIELDS if kind in plan.kinds),
         _template("Fixed"),
     ]
     text = "\n".join(part.strip("\n") + "\n" for part in parts)
     return text.replace("@CLASS@", plan.name)
+
+
+def _run(plan: ScenePlan, kind: str) -> str:
+    """The template that executes primitives of a kind."""
+    return f"Run{kind}Flying" if kind == "HoldVelocity" and plan.flies else f"Run{kind}"
 
 
 def _preamble(plan: ScenePlan) -> str:

@@ -56,6 +56,10 @@ class Core:
         """What has dropped or fallen onto something."""
         self.rolling: set[str] = set()
         """What the prompt says rolls or slides."""
+        self.flying: set[str] = set()
+        """What flies by its own power."""
+        self.taxiing: set[str] = set()
+        """What moves on wheels, also if it could fly."""
         self.gap: Amount | None = None
         """Time until the next event ("brakes 2 seconds before ...")."""
         self.gap_of: Frame | None = None

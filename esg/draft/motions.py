@@ -14,6 +14,10 @@ _AIRBORNE = frozenset({"projectile", "tool", "tableware", "book", "rock"})
 
 _TALL_CM = 50.0
 
+_IN_THE_AIR = frozenset({"fly", "soar", "cruise", "glide", "flutter", "swoop", "hover", "dive"})
+_ON_WHEELS = frozenset({"taxi", "roll", "drive", "skid", "slide", "park", "coast"})
+_WINGED = frozenset({"bee", "butterfly", "fly", "beetle", "dragonfly", "wasp", "moth", "bat"})
+
 
 class Motions(Lengths):
     """Starts motions."""
@@ -47,8 +51,15 @@ class Motions(Lengths):
             return SPEEDS[mode], False
         return SPEEDS.get(kind, (50.0, 600.0)), False
 
+    def _flies_itself(self, actor: str) -> bool:
+        """Whether it stays in the air by its own power: aircraft, birds, winged insects."""
+        e = self.e(actor)
+        winged = e.noun.material == "feather" or e.label.rpartition(" ")[2] in _WINGED
+        return e.noun.kind == "flyer" or (e.noun.kind == "animal" and winged)
+
     def _direction(self, actor: str, mode: str) -> ForceDirection:
-        if mode in ("throw", "drop", "fly") or self.kind(actor) == "flyer":
+        flies = self.kind(actor) == "flyer" and actor not in self.taxiing
+        if mode in ("throw", "drop", "fly") or flies or actor in self.flying:
             return ForceDirection.ANY_3D
         if mode in LAUNCHES:
             return ForceDirection.HORIZONTAL_PLANE
@@ -113,6 +124,10 @@ class Motions(Lengths):
             if not self.movable(actor):
                 continue
             chosen = mode or self._natural(actor)
+            if f.verb.lemma in _IN_THE_AIR and self._flies_itself(actor):
+                self.flying.add(actor)
+            elif f.verb.lemma in _ON_WHEELS and actor not in self.flying:
+                self.taxiing.add(actor)
             speed, prescribed = self._speed(f, [actor], chosen)
             if chosen in LAUNCHES:
                 self._launch(actor, chosen, speed, prescribed, target)

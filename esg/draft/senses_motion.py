@@ -173,7 +173,7 @@ class MotionSenses(SteerSenses):
         self._motion(f, actors, "slide")
 
     def _do_fly(self, f: Frame, s: list[str], o: list[str]) -> None:
-        if s and self.kind(s[0]) in ("flyer",):
+        if s and self._flies_itself(s[0]):
             self._motion(f, s, "own")
         else:
             self._motion(f, s, "throw")

@@ -98,7 +98,8 @@ class Cast:
             return False
         if stranded(self.story, phase, lambda name: self.scene.body(name).static):
             return True
-        if phase.end.event is NodeEvent.FALL and self.aloft(phase.edge.actor):
+        actor = phase.edge.actor
+        if phase.end.event is NodeEvent.FALL and (self.story.soars(actor) or self.aloft(actor)):
             # What flies under its own power falls when nothing carries it on any more.
             return True
         return (phase.edge.event is EdgeEvent.TOWARD and nothing) or self.rebounds(phase)

@@ -50,7 +50,9 @@ def meeting(stage: Stage, node: TimelineNode, a: str, pa: Phase, b: str, pb: Pha
         track = stage.tracks[actor]
         duration = max(0.2, time - track.time)
         track.straight(covers(stage, actor, phase, speed, duration), duration, speed)
-        if stage.story.flies(actor):
+        if stage.story.soars(actor):
+            stage.heights.setdefault(actor, MEETING_HEIGHT_M)
+        elif stage.story.flies(actor):
             # Thrown at where the other one starts, it would be there in twice the time.
             stage.nominal[f"{phase.edge.id}/flight_time"] = 2.0 * duration
             stage.heights[actor] = MEETING_HEIGHT_M

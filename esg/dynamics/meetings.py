@@ -8,6 +8,7 @@ from esg.dynamics.caroms import carom, is_carom
 from esg.dynamics.encounters import brake_into, covers, meeting, run_into, waits_at_obstacle
 from esg.dynamics.falls import can_land, land, tip_onto
 from esg.dynamics.flights import bank, banked_into, flies_on, leaves, took_off
+from esg.dynamics.hovering import fly_in
 from esg.dynamics.impacts import chain, impact
 from esg.dynamics.kinematics import lob_time
 from esg.dynamics.moves import plain
@@ -187,9 +188,10 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
             run = min(run, max(AFTER_BOUNCE_M, AFTER_BOUNCE_S * track.speed))
         run = min(run, _fresh_run(stage, a, phase, speed))
         run = max(run, descent(stage, b))
-        flies, inside = stage.story.flies(a), node.event is NodeEvent.ENTER_REGION
+        flies = stage.story.flies(a) and not stage.story.soars(a)
+        inside = node.event is NodeEvent.ENTER_REGION
         lobbed = flies and is_lobbed(stage, node)
-        if inside and not flies and not speed_is_fixed(phase):
+        if inside and not stage.story.flies(a) and not speed_is_fixed(phase):
             speed = min(speed, max(slowest_passage(stage, node) / STAY_S, 0.3))
         if flies and not lobbed and stage.anchor is None:
             run = max(run, min(FLIGHT_S * speed, LONGEST_THROW_M))
@@ -226,7 +228,9 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
             distance = MAX_APPROACH_M
         stage.nominal[f"{phase.edge.id}/speed"] = speed
     track.straight(distance, duration, left)
-    if stage.story.flies(a):
+    if stage.story.soars(a):
+        fly_in(stage, node, a, phase, distance)
+    elif stage.story.flies(a):
         stage.heights[a] = hand_height(stage, node, b, pa, pb)
         if topples and speed_is_fixed(phase) and support_of(stage.doc, stage.member(b)) is None:
             stage.heights[a] = level_height(pb, pa, duration)

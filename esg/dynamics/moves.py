@@ -115,7 +115,8 @@ def _advance(stage: Stage, actor: str, phase: Phase, duration: float) -> None:
             damping = -math.log(0.4) / duration
         damping = low if fixed else min(max(damping, low), high)
         walker = stage.prop(actor)
-        if (
+        soars = stage.story.soars(actor)
+        if soars or (
             stop
             and not (walker.wheeled or walker.rolls)
             and _stops_by_itself(stage, actor, duration)

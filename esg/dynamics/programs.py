@@ -81,6 +81,7 @@ class Composer(Cast):
         body = self.scene.body(actor)
         heading = self.base_heading(actor) + v[f"{actor}/aim"]
         speed, clock = 0.0, 0.0
+        soars = self.story.soars(actor)
         out: list[Primitive] = []
         for k, phase in enumerate(phases):
             edge = phase.edge
@@ -98,15 +99,19 @@ class Composer(Cast):
                 continue
             if f"{edge.id}/stopping" in v:
                 lasts = v[f"{edge.id}/stopping"]
+                # What flies hovers where it stopped.
+                hovers = soars and last and not self.story.falls(actor)
                 out.append(
                     HoldVelocity(
                         actor,
                         start,
-                        start + lasts,
+                        math.inf if hovers else start + lasts,
                         speed=abs(speed),
                         heading=heading,
                         acceleration=-abs(speed) / lasts,
                         roll_radius=body.roll_radius,
+                        until_contact=self._others(actor) if soars else (),
+                        climb=0.0 if soars else None,
                     )
                 )
                 speed, clock = 0.0, start + lasts
@@ -131,6 +136,9 @@ class Composer(Cast):
             pushed = self.pushes_off(actor, phase) if last else None
             if pushed is not None:
                 end, until = self.nominal.get(f"{pushed.id}/event_time", duration) + 0.3, ()
+            if soars and last and phase.end.event is NodeEvent.MISS:
+                # It flies on past what it does not touch.
+                end = math.inf
             if k == 0 and self.leaves_support(actor, phase):
                 # Held, it could not tilt with the slope it goes down.
                 flat = np.array([math.cos(heading), math.sin(heading), 0.0])
@@ -148,6 +156,7 @@ class Composer(Cast):
                     turn_rate=rate,
                     roll_radius=body.roll_radius,
                     until_contact=until,
+                    climb=self.nominal.get(f"{edge.id}/slope", 0.0) * abs(speed) if soars else None,
                 )
             )
             heading += rate * (end - start) if edge.event is EdgeEvent.TURN else 0.0
@@ -162,6 +171,10 @@ class Composer(Cast):
             speed = max(0.0, speed + acceleration * (min(end, duration) - start))
             # What follows a hit follows it when it happens, not when the hold would have ended.
             clock = min(end, max(start, v.get(f"{phase.end.id}/time", self.told(phase.end, end))))
+            if soars:
+                if last and phase.end.event in (NodeEvent.REACH, NodeEvent.STOP):
+                    out.append(self._hover(actor, end, speed, heading))
+                continue
             if last and self.leaves_to_others(actor, phase):
                 hit = self.nominal.get(f"{phase.end.id}/event_time", duration)
                 hit = end if pushed is not None else hit
@@ -169,6 +182,23 @@ class Composer(Cast):
             if last and phase.end.event in (NodeEvent.REACH, NodeEvent.STOP):
                 out.append(AdjustProperties(actor, end, linear_damping=REACH_BRAKE_DAMPING))
         return out
+
+    def _hover(self, actor: str, time: float, speed: float, heading: float) -> HoldVelocity:
+        """Slows down in the air as a brake does on the ground, and stays there."""
+        return HoldVelocity(
+            actor,
+            time,
+            math.inf,
+            speed=abs(speed),
+            heading=heading,
+            acceleration=-abs(speed) * REACH_BRAKE_DAMPING,
+            until_contact=self._others(actor),
+            climb=0.0,
+        )
+
+    def _others(self, actor: str) -> tuple[str, ...]:
+        """Everything whose touch ends a flight."""
+        return tuple(b.name for b in self.scene.bodies if b.name != actor and b.shapes)
 
     def told(self, node: TimelineNode, otherwise: float) -> float:
         """When the choreography expects an event [s]; a turn is over when it has been driven."""

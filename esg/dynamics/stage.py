@@ -287,7 +287,9 @@ class Stage:
         x, y = frame.apply(0.0, 0.0)
         self.places[actor] = (x, y, frame.angle)
         if self.story.flies(actor):
-            self.heights[actor] = 1.0
+            from esg.dynamics.hovering import cruise
+
+            self.heights.setdefault(actor, cruise(self, actor) if self.story.soars(actor) else 1.0)
 
     # -- result ------------------------------------------------------------------------------
 

@@ -74,8 +74,12 @@ class Story:
         return name in self.phases
 
     def flies(self, actor: str) -> bool:
-        """Thrown or dropped: it starts in the air."""
+        """Thrown, dropped or flying: it starts in the air."""
         return self.force[actor] is ForceDirection.ANY_3D
+
+    def soars(self, actor: str) -> bool:
+        """Whether it flies under its own power: held against gravity until its last hold ends."""
+        return self.flies(actor) and self.phases[actor][0].edge.event in OWN_POWER
 
     def tips(self, phase: Phase) -> bool:
         """Whether a phase tips its own actor over where it is: a domino, a cart at a fence."""

@@ -12,9 +12,10 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from esg.engines.program import ProgramBatch
+from esg.engines.program import CLIMB, ProgramBatch
 from esg.engines.scene import ContactLog
 from esg.engines.worlds import MAX_SPEED_MPS, ContactRecorder, Frames, Start, join_logs
+from esg.units import GRAVITY_MPS2
 
 SET_VELOCITY, APPLY_IMPULSE, ADJUST, HOLD = range(4)
 """Indices into `esg.engines.program.KINDS`."""
@@ -27,6 +28,10 @@ class BodyAccess(Protocol):
 
     def linear(self, body: int) -> Vec: ...
     def set_linear(self, body: int, velocity: Vec) -> None: ...
+    def set_flight(self, body: int, velocity: Vec, pull: float) -> None:
+        """Velocity after gravity has added `pull` [m/s] to its vertical part in the next step."""
+        ...
+
     def set_angular(self, body: int, velocity: Vec) -> None: ...
     def mass(self, body: int) -> float: ...
     def set_linear_damping(self, body: int, damping: float) -> None: ...
@@ -61,9 +66,11 @@ class Executor:
     Args:
         batch: W programs.
         world: Which of them.
+        gravity_z: Of the scene, which powered flight works against [m/s^2].
     """
 
-    def __init__(self, batch: ProgramBatch, world: int) -> None:
+    def __init__(self, batch: ProgramBatch, world: int, gravity_z: float = -GRAVITY_MPS2) -> None:
+        self._gravity_z = gravity_z
         self._kind = [int(k) for k in batch.kind]
         self._body = [int(b) for b in batch.body]
         self._rows = [[float(v) for v in row] for row in batch.table[world]]
@@ -92,7 +99,7 @@ class Executor:
             row, body = self._rows[k], self._body[k]
             if self._kind[k] == HOLD:
                 if self._hold_is_active(k, now, hits):
-                    _hold(row, body, t, world)
+                    _hold(row, body, t, world, self._gravity_z * dt)
             elif row[0] <= now:
                 self._done[k] = True
                 _fire(self._kind[k], row, body, world)
@@ -124,7 +131,7 @@ def play_all(start: Start, world: Callable[[int], World], ground_contacts: bool)
         if not start.valid[w]:
             continue
         recorder = ContactRecorder(w, start.frames)
-        program = Executor(start.batch, w)
+        program = Executor(start.batch, w, start.scene.gravity[2])
         start.valid[w] = play(
             world(w), program, start.frames, start.states, recorder, ground_contacts
         )
@@ -207,15 +214,20 @@ def _fire(kind: int, row: list[float], body: int, world: BodyAccess) -> None:
             world.set_friction(body, row[4])
 
 
-def _hold(row: list[float], body: int, t: float, world: BodyAccess) -> None:
+def _hold(row: list[float], body: int, t: float, world: BodyAccess, pull: float) -> None:
+    """Drives a body; `pull` is what gravity adds to its vertical velocity in the step [m/s]."""
     s = t - row[0]
     speed = max(0.0, row[2] + row[4] * s)
     if row[4] > 0.0:
         speed = min(speed, row[5])
     heading = row[3] + row[6] * s
     vx, vy = speed * math.cos(heading), speed * math.sin(heading)
-    world.set_linear(body, (vx, vy, world.linear(body)[2]))
-    if row[7] == 0.0:
+    flies = not math.isnan(row[CLIMB])
+    if flies:
+        world.set_flight(body, (vx, vy, row[CLIMB]), pull)
+    else:
+        world.set_linear(body, (vx, vy, world.linear(body)[2]))
+    if flies or row[7] == 0.0:
         world.set_angular(body, (0.0, 0.0, row[6]))
     else:
         world.set_angular(body, (-vy / row[7], vx / row[7], 0.0))

@@ -18,6 +18,7 @@ from typing import Any
 from pydantic import BaseModel, ValidationError
 
 from esg.engines.manifest_model import (
+    CLIMB_CONVENTION,
     CONVENTIONS,
     MANIFEST_FORMAT,
     MANIFEST_VERSION,
@@ -27,7 +28,13 @@ from esg.engines.manifest_model import (
     complaints,
     dangling,
 )
-from esg.engines.program import PROGRAM_VERSION, Program, program_from_json, program_to_json
+from esg.engines.program import (
+    PROGRAM_VERSION,
+    HoldVelocity,
+    Program,
+    program_from_json,
+    program_to_json,
+)
 from esg.engines.scene import GROUND, Body, Region, Shape, SimScene
 from esg.outcomes import UserError
 
@@ -72,11 +79,12 @@ def manifest_to_json(
         ValueError: If the scene cannot be written, with every reason.
     """
     pairs = tuple((a, b) for a, b in watch)
+    flies = any(isinstance(p, HoldVelocity) and p.climb is not None for p in program.primitives)
     data = {
         "format": MANIFEST_FORMAT,
         "version": MANIFEST_VERSION,
         "scene_id": scene.scene_id,
-        "conventions": CONVENTIONS,
+        "conventions": CONVENTIONS | ({"climb": CLIMB_CONVENTION} if flies else {}),
         "dt": dt,
         "gravity": list(scene.gravity),
         "ground": {

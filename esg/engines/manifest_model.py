@@ -7,7 +7,14 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import (
+    BaseModel,
+    ConfigDict,
+    Field,
+    SerializerFunctionWrapHandler,
+    ValidationError,
+    model_serializer,
+)
 
 from esg.engines.scene import GROUND, ShapeKind
 
@@ -36,6 +43,13 @@ CONVENTIONS = {
     "turn_rate s; the vertical velocity is kept; the angular velocity becomes (0, 0, turn_rate), "
     "or (-vy, vx, 0) / roll_radius for roll_radius > 0; end = null means never",
 }
+
+CLIMB_CONVENTION = (
+    "a HoldVelocity with a climb sets the vertical velocity to climb - gravity_z dt, so that the "
+    "body moves at climb [m/s] after the step's gravity, and does not roll; without one the "
+    "vertical velocity is kept"
+)
+"""Stands under `climb` of the conventions of a manifest whose program has one."""
 
 Number = Annotated[float, Field(allow_inf_nan=False)]
 Positive = Annotated[float, Field(gt=0.0, allow_inf_nan=False)]
@@ -142,6 +156,17 @@ class HoldVelocityModel(_Model):
     turn_rate: Number = 0.0
     roll_radius: NonNegative = 0.0
     until_contact: tuple[Name, ...] = ()
+    climb: Number | None = Field(
+        None, description="Vertical velocity held against gravity [m/s]; absent: it is kept"
+    )
+
+    @model_serializer(mode="wrap")
+    def _without_none(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
+        # Programs without powered flight read as they always did.
+        data = handler(self)
+        if data["climb"] is None:
+            del data["climb"]
+        return data
 
 
 class ProgramModel(_Model):

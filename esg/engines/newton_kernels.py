@@ -62,6 +62,7 @@ def run_programs(
     linear_damping: wp.array(dtype=float),
     angular_damping: wp.array(dtype=float),
     shape_mu: wp.array(dtype=float),
+    gravity: wp.array(dtype=wp.vec3),
     body_qd: wp.array(dtype=wp.spatial_vector),
     joint_qd: wp.array(dtype=float),
 ):
@@ -96,8 +97,11 @@ def run_programs(
                 vx = float(speed * wp.cos(heading))
                 vy = float(speed * wp.sin(heading))
                 vz = wp.spatial_top(body_qd[target])[2]
-                _set_linear(target, wp.vec3(vx, vy, vz), body_qd, joint_qd)
                 r = float(table[world, k, 7])
+                if not wp.isnan(table[world, k, 8]):
+                    vz = float(table[world, k, 8]) - gravity[world][2] * float(dt)
+                    r = 0.0
+                _set_linear(target, wp.vec3(vx, vy, vz), body_qd, joint_qd)
                 omega = wp.vec3(0.0, 0.0, float(table[world, k, 6]))
                 if r != 0.0:
                     omega = wp.vec3(-vy / r, vx / r, 0.0)

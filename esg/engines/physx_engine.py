@@ -213,6 +213,9 @@ class PhysxWorld:
     def set_linear(self, body: int, velocity: Vec) -> None:
         self.bodies[body].linear_velocity = velocity
 
+    def set_flight(self, body: int, velocity: Vec, pull: float) -> None:
+        self.set_linear(body, (velocity[0], velocity[1], velocity[2] - pull))
+
     def set_angular(self, body: int, velocity: Vec) -> None:
         self.bodies[body].angular_velocity = velocity
 

@@ -12,6 +12,8 @@ semantics. Before the physics step that leads from t to t + dt, in list order:
   heading = heading + turn_rate s; horizontal velocity = speed (cos heading, sin heading); the
   vertical velocity is kept. Angular velocity: (0, 0, turn_rate) for bodies with roll_radius = 0;
   otherwise that of rolling without slipping, (-vy, vx, 0) / roll_radius.
+  With a `climb` (powered flight) the vertical velocity becomes climb - g_z dt, which the gravity
+  of the step turns into `climb`; the body does not roll, whatever its roll_radius.
 
 Damping is applied by every engine as v *= max(0, 1 - c dt) once per step.
 """
@@ -77,6 +79,8 @@ class HoldVelocity:
         turn_rate: [rad/s], counter-clockwise positive.
         roll_radius: Of a rolling round body [m], else 0.
         until_contact: Names of bodies whose touch ends the hold.
+        climb: Vertical velocity held against gravity [m/s], 0 in level flight; None keeps the
+            vertical velocity the body has.
     """
 
     kind: ClassVar[str] = "HoldVelocity"
@@ -90,6 +94,7 @@ class HoldVelocity:
     turn_rate: float = 0.0
     roll_radius: float = 0.0
     until_contact: tuple[str, ...] = ()
+    climb: float | None = None
 
     @property
     def time(self) -> float:
@@ -121,6 +126,8 @@ class Program:
 
 FIELDS = 16
 """Floats per primitive in the numeric table."""
+CLIMB = 8
+"""Column of a hold's vertical velocity."""
 
 
 @dataclass(frozen=True)
@@ -134,7 +141,8 @@ class ProgramBatch:
         table: Numbers, shape [W, P, FIELDS], columns: 0 start, 1 end;
             SetVelocity 2:5 linear, 5:8 angular (NaN keeps); ApplyImpulse 2:5 impulse;
             AdjustProperties 2 linear damping, 3 angular damping, 4 friction (NaN keeps);
-            HoldVelocity 2 speed, 3 heading, 4 acceleration, 5 max speed, 6 turn rate, 7 radius.
+            HoldVelocity 2 speed, 3 heading, 4 acceleration, 5 max speed, 6 turn rate, 7 radius,
+            8 climb (NaN keeps).
         duration: [s].
     """
 
@@ -212,15 +220,18 @@ def _row(p: Primitive) -> NDArray[np.float64]:
         row[2:5] = [nan if v is None else v for v in values]
     else:
         row[2:8] = (p.speed, p.heading, p.acceleration, p.max_speed, p.turn_rate, p.roll_radius)
+        row[CLIMB] = nan if p.climb is None else p.climb
     return row
 
 
 def program_to_json(program: Program) -> dict[str, Any]:
-    """Plain JSON of a program; an infinite hold end is null."""
+    """Plain JSON of a program; an infinite hold end is null, a climb that is None is left out."""
     out: list[dict[str, Any]] = []
     for p in program.primitives:
         item: dict[str, Any] = {"kind": p.kind}
         for key, value in asdict(p).items():
+            if key == "climb" and value is None:
+                continue
             if isinstance(value, float) and math.isinf(value):
                 value = None
             item[key] = list(value) if isinstance(value, tuple) else value

@@ -87,6 +87,7 @@ class RapierWorld:
         self._colliders: list[list[Any]] = []
         self._handles: list[Any] = []
         self._damping = [[b.linear_damping, b.angular_damping] for b in scene.bodies]
+        self._flying: set[int] = set()
         self.moving = np.nonzero(moving(scene))[0].tolist()
         ground_mu, vehicle_mu, ground_e = (float(v) for v in values.ground[w])
         for friction, group, touches in (
@@ -143,6 +144,13 @@ class RapierWorld:
     def set_linear(self, body: int, velocity: Vec) -> None:
         self._body(body).linvel = velocity
 
+    def set_flight(self, body: int, velocity: Vec, pull: float) -> None:
+        # Gravity acts in Rapier's substeps: lifted against it, a body would rise by a part of
+        # g dt^2 in every step. It is spared it for the step instead.
+        self.set_linear(body, velocity)
+        self._body(body).gravity_scale = 0.0
+        self._flying.add(body)
+
     def set_angular(self, body: int, velocity: Vec) -> None:
         self._body(body).angvel = velocity
 
@@ -171,6 +179,9 @@ class RapierWorld:
                 k = max(0.0, 1.0 - angular * self._dt)
                 self.set_angular(i, (x * k, y * k, z * k))
         self._world.step()
+        for i in self._flying:
+            self._body(i).gravity_scale = 1.0
+        self._flying.clear()
 
     def read(self, body: int) -> tuple[Any, Any, Any, Any]:
         b = self._body(body)

@@ -52,7 +52,7 @@ def _fire(model: Model, state: State, w: int, k: int):
 
 
 @wp.func
-def _hold(model: Model, state: State, w: int, k: int, t: wp.float64):
+def _hold(model: Model, state: State, w: int, k: int, t: wp.float64, dt: wp.float64):
     """Sets the velocity of a body that moves under its own power."""
     i = model.target[k]
     s = t - model.table[w, k, 0]
@@ -63,8 +63,12 @@ def _hold(model: Model, state: State, w: int, k: int, t: wp.float64):
     vx = float(speed * wp.cos(heading))
     vy = float(speed * wp.sin(heading))
     _rouse(state, w, i)
-    state.v[w, i] = wp.vec3(vx, vy, state.v[w, i][2])
+    vz = state.v[w, i][2]
     radius = float(model.table[w, k, 7])
+    if not wp.isnan(model.table[w, k, 8]):
+        vz = float(model.table[w, k, 8]) - model.gravity[2] * float(dt)
+        radius = 0.0
+    state.v[w, i] = wp.vec3(vx, vy, vz)
     if radius != 0.0:
         state.o[w, i] = wp.vec3(-vy / radius, vx / radius, 0.0)
     else:
@@ -89,7 +93,7 @@ def run_program(model: Model, state: State, trace: Trace, w: int, step: int, dt:
                 state.done[w, k] = 1
             if state.done[w, k] == 0 and model.table[w, k, 0] <= now:
                 state.active[w, k] = 1
-                _hold(model, state, w, k, t)
+                _hold(model, state, w, k, t, dt)
                 if trace.steps > 0:
                     trace.fired[w, step, k] = wp.where(now + dt > model.table[w, k, 1], 2, 1)
         elif model.table[w, k, 0] <= now:

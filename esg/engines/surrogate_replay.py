@@ -54,14 +54,22 @@ def _act(
         vx = float(speed * wp.cos(heading))
         vy = float(speed * wp.sin(heading))
         radius = float(table[w, k, 7])
-        new = wp.vec3(vx, vy, v[2])
-        V[vout] = new
-        if radius != 0.0:
+        flies = not wp.isnan(frozen[w, k, 8])
+        if flies:
+            # What it flies with once gravity has acted counts for the moment it begins.
+            lifted = wp.vec3(vx, vy, float(table[w, k, 8]))
+            V[vout] = lifted - wp.vec3(0.0, 0.0, model.gravity[2] * float(dt))
+            if how == 1 or how == 3:
+                wp.atomic_add(shift, pose, (v - lifted) * float(late))
+        else:
+            new = wp.vec3(vx, vy, v[2])
+            V[vout] = new
+            if how == 1 or how == 3:
+                wp.atomic_add(shift, pose, (v - new) * float(late))
+        if radius != 0.0 and not flies:
             O[vout] = wp.vec3(-vy / radius, vx / radius, 0.0)
         else:
             O[vout] = wp.vec3(0.0, 0.0, float(table[w, k, 6]))
-        if how == 1 or how == 3:
-            wp.atomic_add(shift, pose, (v - new) * float(late))
     else:
         a = wp.vec3(float(table[w, k, 2]), float(table[w, k, 3]), float(table[w, k, 4]))
         if kind == 0:

@@ -277,7 +277,7 @@ def _program(ctx: Context, program: dict[str, Any]) -> None:
 
 
 _VECTORS = ("linear", "angular", "impulse")
-_MAY_BE_NULL = ("end", "angular", "linear_damping", "angular_damping", "friction")
+_MAY_BE_NULL = ("end", "angular", "linear_damping", "angular_damping", "friction", "climb")
 
 
 def _program_types(program: dict[str, Any]) -> None:

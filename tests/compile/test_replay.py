@@ -9,8 +9,9 @@ from helpers import assert_same, both, first_touches, written
 import numpy as np
 import pytest
 import scenes
+from scenes import box
 
-from esg.compile import ReplayError, WatchedEvent, replay_class
+from esg.compile import ReplayError, WatchedEvent, emit_class, replay_class
 from esg.engines.program import AdjustProperties, HoldVelocity, Program, SetVelocity
 from esg.engines.scene import SimScene
 from esg.outcomes import UserError
@@ -227,3 +228,44 @@ def test_hits_of_one_step_come_in_one_order() -> None:
     orders = {tuple(sorted(p, key=_order)) for p in permutations(touches)}
     assert len(orders) == 1
     assert orders.pop()[1][2] == 40.0
+
+
+def drone() -> tuple[SimScene, Program, tuple[WatchedEvent, ...]]:
+    """Climbs, flies level into a wall in a turnless line, then falls to the ground."""
+    scene = SimScene(
+        "drone",
+        (
+            box("drone_1", (0.0, 0.0, 2.0), (0.3, 0.3, 0.1), 1.5, linear_damping=0.1),
+            box("wall_1", (4.0, 0.0, 2.0), (0.1, 2.0, 2.0), 0.0, static=True),
+        ),
+    )
+    program = Program(
+        (
+            HoldVelocity("drone_1", 0.0, 0.5, 2.0, 0.0, climb=0.8),
+            HoldVelocity("drone_1", 0.5, 99.0, 2.0, 0.0, until_contact=("wall_1",), climb=0.0),
+        ),
+        3.0,
+    )
+    return scene, program, (WatchedEvent("hit", ("drone_1",), ("wall_1",)),)
+
+
+@pytest.mark.parametrize("dt", [1 / 240, 1 / 120])
+def test_the_class_of_powered_flight_flies_as_its_program(tmp_path: Path, dt: float) -> None:
+    scene, program, watch = drone()
+    replayed, rollout = both(tmp_path, scene, program, watch, dt=dt)
+    assert_same(replayed.rollout, rollout)
+    height = replayed.rollout.position[0, :, 0, 2]
+    assert height[round(0.5 / dt)] == pytest.approx(2.4, abs=1e-3)
+    assert height[round(1.5 / dt)] == pytest.approx(2.4, abs=1e-3)
+    assert height[-1] < 0.5
+    (hit, *_) = replayed.events()
+    assert float(hit["t"]) == pytest.approx(1.8, abs=0.05)
+
+
+def test_only_classes_with_flight_speak_of_it() -> None:
+    scene, program, _ = drone()
+    flying = emit_class(scene, program)
+    assert "bFlies" in flying.header and "Command.Climb - WorldGravityZ * Step" in flying.source
+    walking = Program(tuple(replace(p, climb=None) for p in program.primitives), 3.0)  # type: ignore[type-var]
+    plain = emit_class(scene, walking)
+    assert "Flies" not in plain.header + plain.source

@@ -16,6 +16,8 @@ from esg.engines.program import (
     Program,
     SetVelocity,
     batch_programs,
+    program_from_json,
+    program_to_json,
 )
 from esg.engines.scene import SimScene, Variation
 from tests.engines.lab import ball
@@ -43,6 +45,9 @@ class Points:
 
     def set_linear(self, body, velocity):
         self.v[body] = velocity
+
+    def set_flight(self, body, velocity, pull):
+        self.v[body] = (*velocity[:2], velocity[2] - pull)
 
     def set_angular(self, body, velocity):
         self.w[body] = velocity
@@ -156,3 +161,53 @@ def test_hold_keeps_the_vertical_velocity_and_never_reverses():
     points.v[0, 2] = -3.0
     executor.before_step(0.5, DT, (), points)
     assert points.linear(0) == (0.0, 0.0, -3.0)
+
+
+def flying(dt):
+    """A ball (which would roll) flies level, climbs in a turn, then sinks; another one falls."""
+    scene = SimScene(
+        "sky",
+        tuple(ball(n, 0.1, 1.0, (0.0, 10.0 * i, 20.0)) for i, n in enumerate("ab")),
+        gravity=(0.0, 0.0, -5.0),
+    )
+    program = Program(
+        (
+            HoldVelocity("a", 0.0, 0.5, 2.0, 0.0, roll_radius=0.1, climb=0.0),
+            HoldVelocity("b", 0.0, 0.5, 2.0, 0.0),
+            HoldVelocity("a", 0.5, 1.0, 2.0, 0.0, turn_rate=math.pi, climb=1.5),
+            HoldVelocity("a", 1.0, 1.5, 0.0, 0.0, climb=-3.0),
+        ),
+        2.0,
+    )
+    return scene, program, lambda t: round(t / dt)
+
+
+@pytest.mark.parametrize("dt", [1 / 240, 1 / 120])
+@pytest.mark.parametrize("name", (*ENGINES, "surrogate"))
+def test_powered_flight_is_the_same_path_in_every_engine(name, dt):
+    scene, program, at = flying(dt)
+    rollout = get_engine(name).rollout(scene, batch_programs([program], scene.names), dt=dt)
+    path, spin = rollout.position[0, :, 0], rollout.angular_velocity[0, :, 0]
+    np.testing.assert_allclose(path[: at(0.5) + 1, 2], 20.0, atol=1e-4)
+    np.testing.assert_allclose(path[at(0.5), :2], (1.0, 0.0), atol=1e-4)
+    np.testing.assert_allclose(path[at(1.0)], (1 + 2 / math.pi, 2 / math.pi, 20.75), atol=0.01)
+    np.testing.assert_allclose(path[at(1.5), 2], 20.75 - 1.5, atol=1e-3)
+    # Released, it falls; whoever flies does not roll.
+    fallen = 20.75 - 1.5 - 3.0 * 0.5 - 0.5 * 5.0 * 0.5**2
+    np.testing.assert_allclose(path[at(2.0), 2], fallen, atol=0.03)
+    np.testing.assert_allclose(spin[1 : at(0.5)], 0.0, atol=1e-6)
+    # A hold without a climb keeps falling, as it always did.
+    np.testing.assert_allclose(rollout.position[0, at(1.0), 1, 2], 20.0 - 2.5, atol=0.03)
+
+
+def test_a_climb_ends_at_the_touch_and_a_program_without_one_reads_as_before():
+    (p,) = program_to_json(Program((hold(),), 1.0))["primitives"]
+    assert "climb" not in p
+    flies = Program((hold(climb=0.0, until_contact=("b",)),), 1.0)
+    assert program_from_json(program_to_json(flies)) == flies
+    points, executor = Points([1.0] * 3), Executor(batch_programs([flies], NAMES), 0, -9.81)
+    executor.before_step(0.0, DT, (), points)
+    assert points.v[0, 2] == pytest.approx(9.81 * DT)
+    points.v[0] = (0.0, 0.0, -1.0)
+    executor.before_step(DT, DT, [(0, 1)], points)
+    assert points.v[0, 2] == -1.0
