@@ -7,9 +7,9 @@ import re
 from typing import Any
 
 from esg.draft import lexicon as lex
+from esg.draft.entities import Entity, slug
 from esg.draft.requirements import GROUND, GROUND_SIZE_CM, environment, requirement
 from esg.draft.scene import Relation, Scene
-from esg.draft.world import Entity, slug
 from esg.graph.models import (
     AssetRequirement,
     BinaryRelation,

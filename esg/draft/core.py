@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from esg.draft.elements import Mention
+from esg.draft.entities import Entity
 from esg.draft.frames import Frame
 from esg.draft.quantities import Amount
 from esg.draft.scene import Scene
 from esg.draft.timeline import TimelineBuilder
-from esg.draft.world import Entity, World
+from esg.draft.world import World
 from esg.graph.models import NodeEvent, Quantity
 
 Time = tuple[Quantity, Amount, str]

@@ -9,8 +9,8 @@ from __future__ import annotations
 import re
 
 from esg.draft import lexicon as lex
+from esg.draft.entities import Entity
 from esg.draft.scene import Scene
-from esg.draft.world import Entity
 from esg.graph.models import NodeEvent
 
 

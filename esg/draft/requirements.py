@@ -5,9 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from esg.draft import lexicon as lex
-from esg.draft.entities import ORDINALS
+from esg.draft.entities import ORDINALS, Entity, slug
 from esg.draft.scene import Scene
-from esg.draft.world import Entity, slug
 from esg.graph.models import AssetRequirement
 
 GROUND = "ground_1"

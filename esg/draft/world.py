@@ -6,24 +6,18 @@ from esg.draft import lexicon as lex
 from esg.draft.elements import Mention
 from esg.draft.entities import (
     BODY_PARTS,
-    COUNTED_FROM,
     FRONT,
     ORDINALS,
-    OTHER,
     OWN_PARTS,
     REAR,
-    STACKED,
     WORN,
-    Entity,
-    slug,
 )
-from esg.draft.pronouns import Pronouns
+from esg.draft.members import Members
 
 _TOPS = frozenset({"roof", "windscreen", "windshield", "bonnet", "tailgate"})
-_LEVELS = {-1: "top", 0: "bottom", 1: "middle"}
 
 
-class World(Pronouns):
+class World(Members):
     """Entities in order of mention, and the references between them."""
 
     def resolve(
@@ -312,102 +306,3 @@ class World(Pronouns):
         if len(pool) > 1 and len(groups) == 1 and None not in groups:
             return [pool[0].id]  # "the head pin"
         return [pool[-1].id]
-
-    def _of_stack(self, m: Mention, names: list[Entity]) -> list[str]:
-        """ "the top crate", "the lowest one": by its level in the stack told last."""
-        word = next((a for a in m.adjectives if a in STACKED), None)
-        if word is None or m.plural or (m.count or 1) > 1:
-            return []
-        stacked = [e for e in names if e.group in self.groups and e.pattern == "stack"]
-        if not stacked:
-            return []
-        members = self.groups[stacked[-1].group or ""]
-        k = STACKED[word] if STACKED[word] <= 0 else len(members) // 2
-        return [self._name_by_place(members[k], _LEVELS[STACKED[word]])]
-
-    def _name_by_place(self, name: str, place: str) -> str:
-        """Gives a member of a row or stack the name of its place; returns its id."""
-        e = self.entities[name]
-        if not e.letter and (not e.place or e.place in STACKED) and e.place != place:
-            e.place, e.label = place, f"{place} {e.head}"
-            e.adjectives.append(place)
-            self._rename(e, self._new_id(slug(e.label)))
-        return e.id
-
-    def _counted(self, m: Mention, names: list[Entity]) -> list[str]:
-        """ "the second crate from the left", "the third from the top"."""
-        ordinal = next((ORDINALS[a] for a in m.adjectives if a in ORDINALS), 0)
-        groups = [e.group for e in names if e.group in self.groups]
-        if not groups:
-            return []
-        members = self.groups[groups[-1] or ""]
-        k = ordinal if COUNTED_FROM[m.counted_from] > 0 else len(members) - 1 - ordinal
-        if not 0 <= k < len(members):
-            return []
-        word = next((a for a in m.adjectives if a in ORDINALS), "first")
-        for i in members:
-            if self.entities[i].pattern in (None, "scatter", "queue"):
-                self.entities[i].pattern = "row"
-        if COUNTED_FROM[m.counted_from] < 0:
-            word = f"{word} last" if ordinal else "last"
-        return [self._name_by_place(members[k], word)]
-
-    def _picked(self, m: Mention, ids: list[str]) -> list[str]:
-        """ "the first of two barrels": one member, named by its place."""
-        if m.pick in STACKED and self.entities[ids[0]].group:
-            for i in ids:
-                self.entities[i].pattern = "stack"
-            like = Mention(m.start, m.end, head=m.head, noun=m.noun, adjectives=[m.pick])
-            return self._of_stack(like, [self.entities[i] for i in ids])
-        k = ORDINALS.get(
-            m.pick, len(ids) - 1 if m.pick in ("last", "final", "rightmost", "rear") else 0
-        )
-        entity = self.entities[ids[min(k, len(ids) - 1)]]
-        if not entity.place and not entity.letter:
-            entity.place, entity.label = m.pick, f"{m.pick} {entity.head}"
-            entity.adjectives.append(m.pick)
-            self._rename(entity, self._new_id(slug(entity.label)))
-        return [entity.id]
-
-    def _member(self, m: Mention, avoid: list[str]) -> list[str]:
-        """ "two blue balls ... hits a blue ball": an indefinite that picks a member of a plural."""
-        if any(a in OTHER for a in m.adjectives):
-            return []
-        colors = {lex.COLORS[a] for a in m.adjectives if a in lex.COLORS}
-        pool = [
-            e
-            for e in self.entities.values()
-            if e.group
-            and e.id not in avoid
-            and self._matches(m, e)
-            and e.noun == m.noun
-            and (not colors or e.color in colors)
-        ]
-        return [pool[0].id] if pool else []
-
-    def _specialize(self, m: Mention, e: Entity) -> None:
-        """A member of a plural gets its own name ("two cars ... the front car")."""
-        for a in m.adjectives:
-            if not a.startswith("@") and a not in e.adjectives:
-                e.adjectives.append(a)
-            self._place(e, a)
-        e.label = m.text or e.label
-        e.place = e.place or next((a for a in m.adjectives if a in lex.COLORS), "")
-        keep = [
-            a
-            for a in m.adjectives
-            if a in lex.COLORS or a in FRONT | REAR or a in ORDINALS or a in ("left", "right")
-        ]
-        if keep:
-            self._rename(e, self._new_id(slug(" ".join([*keep, e.head]))))
-        others = [x for x in self.groups.get(e.group or "", []) if x != e.id]
-        if len(others) == 1 and e.place in ("front", "rear"):
-            o = self.entities[others[0]]
-            if not o.place:
-                o.place = "rear" if e.place == "front" else "front"
-                o.label = f"{o.place} {o.head}"
-                o.adjectives.append(o.place)
-                self._rename(o, self._new_id(slug(o.label)))
-
-
-__all__ = ["Entity", "World", "slug"]
