@@ -6,7 +6,7 @@ import re
 
 from esg.draft.elements import Mention
 from esg.draft.entities import Entity
-from esg.draft.quantities import parse_number
+from esg.draft.numerals import parse_number
 from esg.draft.requirements import requirement
 from esg.draft.scene import Scene
 

@@ -10,78 +10,10 @@ from dataclasses import dataclass
 import re
 from typing import Literal
 
+from esg.draft.measurement_units import LENGTH_UNIT, UNIT, Dimension, unit_of
 from esg.draft.measures import product, suffix
-from esg.draft.numerals import DIGITS, NUMBER, NUMBER_WORDS, WORD_NUMBER, parse_number
+from esg.draft.numerals import DIGITS, NUMBER, WORD_NUMBER, parse_number
 
-Dimension = Literal["mass", "length", "time", "speed", "acceleration", "angle", "count", "volume"]
-
-_UNITS: dict[str, tuple[Dimension, float]] = {}
-
-
-def _unit(dimension: Dimension, factor: float, *names: str) -> None:
-    for name in names:
-        _UNITS[name] = (dimension, factor)
-
-
-_unit(
-    "mass", 1.0, "kg", "kgs", "kilo", "kilos", "kilogram", "kilograms", "kilogramme", "kilogrammes"
-)
-_unit("mass", 1e-6, "mg", "milligram", "milligrams")
-_unit("mass", 1e-3, "g", "gram", "grams", "gr", "gramme", "grammes")
-_unit("mass", 0.45359237, "lb", "lbs", "pound", "pounds")
-_unit("mass", 0.028349523, "oz", "ounce", "ounces")
-_unit("mass", 1000.0, "ton", "tons", "tonne", "tonnes", "metric ton", "metric tons", "t")
-_unit("mass", 50.80234544, "hundredweight", "cwt")
-_unit("length", 10.0, "dm", "decimeter", "decimeters", "decimetre", "decimetres")
-_unit("volume", 0.0284130625, "fl oz", "fluid ounce", "fluid ounces")
-_unit("length", 0.1, "mm", "millimeter", "millimeters", "millimetre", "millimetres")
-_unit("length", 1.0, "cm", "cms", "centimeter", "centimeters", "centimetre", "centimetres")
-_unit("length", 100.0, "m", "meter", "meters", "metre", "metres")
-_unit("length", 1e5, "km", "kilometer", "kilometers", "kilometre", "kilometres")
-_unit("length", 30.48, "ft", "foot", "feet")
-_unit("length", 2.54, "in", "inch", "inches")
-_unit("length", 91.44, "yd", "yds", "yard", "yards")
-_unit("length", 160934.4, "mile", "miles")
-_unit("time", 1.0, "s", "sec", "secs", "second", "seconds")
-_unit("time", 1e-3, "ms", "msec", "millisecond", "milliseconds")
-_unit("time", 60.0, "min", "mins", "minute", "minutes")
-_unit("time", 3600.0, "h", "hr", "hrs", "hour", "hours")
-_unit("angle", 1.0, "deg", "degs", "degree", "degrees", "°")
-_unit("angle", 57.29577951308232, "rad", "radian", "radians")
-_unit("angle", 360.0, "revolution", "revolutions")
-_unit("volume", 1.0, "l", "liter", "liters", "litre", "litres")
-_unit("volume", 1e-3, "ml", "milliliter", "milliliters", "millilitre", "millilitres")
-_unit("volume", 1e-2, "cl", "centiliter", "centiliters", "centilitre", "centilitres")
-_unit("volume", 3.785411784, "gallon", "gallons")
-_unit("volume", 0.473176473, "pint", "pints")
-_unit("speed", 100.0, "mps", "m.s-1", "ms-1")
-_unit("speed", 44.704, "mph")
-_unit("speed", 100.0 / 3.6, "kph", "kmh", "kmph")
-_unit("speed", 51.4444444, "knot", "knots", "kn", "kt", "kts")
-_unit("speed", 30.48, "fps")
-
-_LENGTHS = [u for u, (d, _) in _UNITS.items() if d == "length" and u != "in"] + ["in"]
-_TIMES = [u for u, (d, _) in _UNITS.items() if d == "time"]
-
-
-def _alternatives(words: list[str]) -> str:
-    return "|".join(re.escape(w) for w in sorted(words, key=len, reverse=True))
-
-
-_SPEED_UNIT = (
-    rf"(?:(?:{_alternatives(_LENGTHS)})\s*(?:/|per|a|an|each|every)\s*(?:{_alternatives(_TIMES)})"
-    r"|(?:m|cm|km|ft)(?:\s*[.·*]\s*|\s+)(?:s|h)\s*(?:\^\s*\(?-\s*1\)?|[-−]1|⁻¹)"
-    rf"|m\.s-1|ms-1|mps|mph|kph|kmph|kmh|fps|knots?|kts?|kn)"
-)
-_ACCEL_UNIT = (
-    r"(?:(?:m|cm|ft|meters?|metres?|feet|foot)\s*(?:/|per)\s*(?:s|sec|second)"
-    r"(?:\s*(?:\^\s*2|²|2\b|squared|(?:/|per)\s*(?:s\b|sec\b|second\b)))"
-    r"|(?:m|cm|ft)(?:\s*[.·*]\s*|\s+)s\s*(?:\^\s*\(?-\s*2\)?|[-−]2|⁻²)"
-    r"|m/s/s)"
-)
-_PLAIN_UNIT = _alternatives([u for u, (d, _) in _UNITS.items() if d != "speed" and u != "in"])
-_INCHES = r"in(?=\s*(?:[.,;)]|$|tall|wide|long|high|deep|thick|in\s+diameter))"
-_UNIT = rf"(?:{_ACCEL_UNIT}|{_SPEED_UNIT}|{_PLAIN_UNIT}|{_INCHES}|\"|”)"
 _GAP = r"[\s-]*"
 _TO = r"\s*(?:~|–|—|-|to\b|or\b)\s*"
 _APPROX = (
@@ -101,13 +33,13 @@ _PATTERN = re.compile(
     rf"(?:\b(?:time|speed|mass|[a-zA-Z](?:_?[0-9a-zA-Z])?)\s*=\s*)?{_BOUND}{_APPROX}"
     rf"(?P<between>between\s+|from\s+)?"
     rf"(?P<lo>{NUMBER})"
-    rf"(?:{_GAP}(?P<unit1>{_UNIT})?(?:{_TO}|(?(between)\s*and\s*|(?!)))(?P<hi>{NUMBER}))?"
-    rf"(?:{_GAP}(?P<unit>{_UNIT}))(?![a-z0-9])"
-    rf"(?:\s*(?:±|\+/-|\+-)\s*(?P<tol>{DIGITS})\s*(?:{_UNIT})?(?![a-z0-9]))?",
+    rf"(?:{_GAP}(?P<unit1>{UNIT})?(?:{_TO}|(?(between)\s*and\s*|(?!)))(?P<hi>{NUMBER}))?"
+    rf"(?:{_GAP}(?P<unit>{UNIT}))(?![a-z0-9])"
+    rf"(?:\s*(?:±|\+/-|\+-)\s*(?P<tol>{DIGITS})\s*(?:{UNIT})?(?![a-z0-9]))?",
     re.IGNORECASE,
 )
 _TOLERANCE_FIRST = re.compile(
-    rf"(?P<lo>{DIGITS})\s*(?:±|\+/-|\+-)\s*(?P<tol>{DIGITS})\s*(?P<unit>{_UNIT})(?![a-z0-9])",
+    rf"(?P<lo>{DIGITS})\s*(?:±|\+/-|\+-)\s*(?P<tol>{DIGITS})\s*(?P<unit>{UNIT})(?![a-z0-9])",
     re.IGNORECASE,
 )
 _TURNED = re.compile(
@@ -133,7 +65,7 @@ _FEET = re.compile(
     rf"(?<![\w.])(?P<ft>\d+)\s*(?:['’′]\s*(?P<in>\d+(?:\.\d+)?)\s*(?:\"|”|″|''|(?!\w))"
     rf"|(?:ft|foot|feet)\.?\s+(?P<in2>\d+)(?=\s+(?:tall|high|long|wide|in\b)|\s*[.,;]|$)(?:\s+in\b)?)"
     rf"|\b(?P<wft>{WORD_NUMBER})[\s-]foot[\s-](?P<win>one|two|three|four|five|six|seven|eight|nine|ten"
-    rf"|eleven)\b(?![\s-]*(?:{_UNIT}))",
+    rf"|eleven)\b(?![\s-]*(?:{UNIT}))",
     re.IGNORECASE,
 )
 """Feet and inches: 6'2", 6 ft 2, five foot six."""
@@ -144,14 +76,14 @@ _STONE = re.compile(
 )
 _METRE_AND = re.compile(
     rf"\b(?P<m>{NUMBER})\s*(?:m|metres?|meters?)\s+(?P<cm>[1-9]\d|(?:twenty|thirty|forty|fifty|sixty"
-    rf"|seventy|eighty|ninety)(?:[- ]five)?)\b(?!\s*(?:{_UNIT})|\s+\w+s\b)",
+    rf"|seventy|eighty|ninety)(?:[- ]five)?)\b(?!\s*(?:{UNIT})|\s+\w+s\b)",
     re.IGNORECASE,
 )
 """ "one metre twenty"."""
 _BOTH_BOUNDS = re.compile(
-    rf"\b(?:at least|no less than|more than|over|above)\s+(?P<lo>{NUMBER})[\s-]*(?:{_UNIT})?"
+    rf"\b(?:at least|no less than|more than|over|above)\s+(?P<lo>{NUMBER})[\s-]*(?:{UNIT})?"
     rf",?\s*(?:but|and|yet)\s+(?:at most|no more than|not more than|less than|under|below|up to"
-    rf"|not over|not above)\s+(?P<hi>{NUMBER})[\s-]*(?P<unit>{_UNIT})?(?![a-z0-9])",
+    rf"|not over|not above)\s+(?P<hi>{NUMBER})[\s-]*(?P<unit>{UNIT})?(?![a-z0-9])",
     re.IGNORECASE,
 )
 _AND_A_HALF = re.compile(
@@ -160,10 +92,10 @@ _AND_A_HALF = re.compile(
     re.IGNORECASE,
 )
 _SMALLER = re.compile(
-    rf"\s+(?:and\s+)?(?P<more>{NUMBER})[\s-]*(?P<unit>{_UNIT})(?![a-z0-9])", re.IGNORECASE
+    rf"\s+(?:and\s+)?(?P<more>{NUMBER})[\s-]*(?P<unit>{UNIT})(?![a-z0-9])", re.IGNORECASE
 )
 """The rest of "6 feet 2 inches", "1 min 30 s"."""
-_PRODUCT = product(DIGITS, rf"(?:{_alternatives(_LENGTHS)})")
+_PRODUCT = product(DIGITS, LENGTH_UNIT)
 _SPEEDING = re.compile(r"\b(?:speed|speeds|sped|speeding|goes|going|accelerat\w+)\s+$", re.I)
 _LOW_BOUNDS = (
     "at least", "no less", "not less", "no slower", "not slower", "a minimum", "min", ">", "≥",
@@ -206,32 +138,6 @@ class Amount:
         return 0.5 * (self.low + self.high)
 
 
-def _unit_of(text: str) -> tuple[Dimension, float] | None:
-    t = re.sub(r"\s+", " ", text.lower().strip())
-    if t in ('"', "”"):
-        return "length", 2.54
-    power = re.fullmatch(r"(m|cm|km|ft)[\s.·*]+(s|h)[\s^(]*[-−⁻](1|¹|2|²)\)?", t)
-    if power is not None:
-        length, time = _UNITS[power[1]][1], _UNITS[power[2]][1]
-        twice = power[3] in "2²"
-        return ("acceleration", length / time**2) if twice else ("speed", length / time)
-    if t in _UNITS:
-        return _UNITS[t]
-    m = re.fullmatch(
-        r"(\D+?)\s*(?:/|\bper\b|\ban?\b|\beach\b|\bevery\b)\s*(\D+?)"
-        r"(\s*(\^\s*2|²|2|squared|/.*|per .*))?",
-        t,
-    )
-    if not m:
-        return None
-    length, time = _UNITS.get(m.group(1).strip()), _UNITS.get(m.group(2).strip())
-    if length is None or time is None or length[0] != "length" or time[0] != "time":
-        return None
-    if m.group(3):
-        return "acceleration", length[1] / time[1] ** 2
-    return "speed", length[1] / time[1]
-
-
 def find_amounts(text: str) -> list[Amount]:
     """All quantities with units in `text`, left to right, not overlapping."""
     taken: list[tuple[int, int]] = []
@@ -268,7 +174,7 @@ def find_amounts(text: str) -> list[Amount]:
 
 def _amount(m: re.Match[str]) -> Amount | None:
     groups = m.groupdict()
-    unit = _unit_of(groups["unit"])
+    unit = unit_of(groups["unit"])
     low = parse_number(groups["lo"])
     if unit is None or low is None:
         return None
@@ -284,7 +190,7 @@ def _amount(m: re.Match[str]) -> Amount | None:
         high = parse_number(groups["hi"])
         if high is None:
             return None
-        unit1 = _unit_of(groups["unit1"]) if groups.get("unit1") else unit
+        unit1 = unit_of(groups["unit1"]) if groups.get("unit1") else unit
         if unit1 is None or unit1[0] != dimension:
             return None
         a = low_a * unit1[1]
@@ -304,7 +210,7 @@ def _amount(m: re.Match[str]) -> Amount | None:
         low_a = low_b = low_a + (0.5 if half[1].lower() == "half" else 0.25) * factor
     end = half.end() if half is not None else m.end()
     more = _SMALLER.match(m.string, end) if half is None and low_a == low_b else None
-    part = _unit_of(more["unit"]) if more is not None else None
+    part = unit_of(more["unit"]) if more is not None else None
     if more is not None and part is not None and part[0] == dimension and part[1] < factor:
         extra = parse_number(more["more"])
         low_a = low_b = low_a + (extra if isinstance(extra, float) else 0.0) * part[1]
@@ -368,8 +274,8 @@ def _metre_and(m: re.Match[str]) -> Amount | None:
 
 def _between_bounds(m: re.Match[str]) -> Amount | None:
     """ "at least 6 m/s but not more than 8": an interval."""
-    inner = re.search(rf"({NUMBER})[\s-]*({_UNIT})", m.group(), re.IGNORECASE)
-    unit = _unit_of(m["unit"] or (inner[2] if inner is not None else ""))
+    inner = re.search(rf"({NUMBER})[\s-]*({UNIT})", m.group(), re.IGNORECASE)
+    unit = unit_of(m["unit"] or (inner[2] if inner is not None else ""))
     low, high = parse_number(m["lo"]), parse_number(m["hi"])
     if unit is None or not isinstance(low, float) or not isinstance(high, float):
         return None
@@ -379,13 +285,13 @@ def _between_bounds(m: re.Match[str]) -> Amount | None:
 
 def _sides(m: re.Match[str]) -> Amount | None:
     """ "20 x 30 x 40 cm": the lengths of the sides, in the order given."""
-    unit = _unit_of(m["unit"])
+    unit = unit_of(m["unit"])
     if unit is None:
         return None
     found: list[float] = []
     for one in re.split(r"\s*(?:x|×|\*|by)\s*", m["sides"], flags=re.IGNORECASE):
         part = re.fullmatch(rf"({DIGITS})[\s-]*(.*)", one.strip(), re.IGNORECASE)
-        own = _unit_of(part[2]) if part is not None and part[2] else unit
+        own = unit_of(part[2]) if part is not None and part[2] else unit
         if part is None or own is None:
             return None
         value = parse_number(part[1])
@@ -417,6 +323,3 @@ def _article_counts(m: re.Match[str], unit: str, dimension: Dimension) -> bool:
     return bool(
         re.match(r"\s*(?:$|[.,;:!?]|later|after|before|and|the|then)", after, re.IGNORECASE)
     )
-
-
-__all__ = ["NUMBER_WORDS", "Amount", "Dimension", "find_amounts", "parse_number"]

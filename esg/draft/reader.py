@@ -5,7 +5,7 @@ from __future__ import annotations
 from esg.draft import lexicon as lex
 from esg.draft.elements import Element, Mention, Token, Verb, Word
 from esg.draft.entities import ORDINALS
-from esg.draft.quantities import parse_number
+from esg.draft.numerals import parse_number
 from esg.draft.verbphrases import PHRASES, verb_readings
 
 

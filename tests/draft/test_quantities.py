@@ -6,7 +6,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 import pytest
 
-from esg.draft.quantities import find_amounts, parse_number
+from esg.draft.numerals import parse_number
+from esg.draft.quantities import find_amounts
 
 
 @pytest.mark.parametrize(
