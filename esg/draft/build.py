@@ -268,7 +268,7 @@ class DocumentBuilder:
     def _add(self, source: str, target: str, kind: RelationType, **extra: Any) -> None:
         if source == target or source not in self.nodes or target not in self.nodes:
             return
-        from esg.graph.rules_relations import conflict
+        from esg.graph.relations import conflict
 
         for r in self.relations:
             if {r.from_, r.to} != {source, target}:
