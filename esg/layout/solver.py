@@ -3,41 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Generator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 import math
 from typing import Any
 
 import numpy as np
 
-from esg.graph.models import EsgDocument, LayoutResult, Pose, Provenance, RelationReport
-from esg.layout.check import World, intrusions, penetrations, relation_reports, world_poses
+from esg.graph.models import EsgDocument, LayoutResult, Pose, Provenance
+from esg.layout.check import intrusions, penetrations, relation_reports
 from esg.layout.clock import Clock
 from esg.layout.config import LayoutConfig
 from esg.layout.hints import StartHints
 from esg.layout.join import join
 from esg.layout.problem import LayoutProblem, build_problem
-from esg.layout.screen import Screen, build_screen, passing
-from esg.layout.search import EvaluateRequest, Request, SearchRequest, SearchResult, answer, batches
+from esg.layout.search import EvaluateRequest, Request, SearchRequest, answer, batches
+from esg.layout.selection import HARD_RELATIONS, Found, choose_all
 from esg.outcomes import UserError
 
 VERSION = "1"
 MAX_PENETRATION_CM = 2.0
 WORK = 40_000
 """Starts times terms of one scene: huge scenes get fewer starts, so that time stays bounded."""
-HARD_RELATIONS = ("on", "inside_of", "attached_vertical", "attached_horizontal")
-
-
-@dataclass(frozen=True)
-class Found:
-    """One start, scored: hard faults, broken relations, energy (less is better)."""
-
-    score: tuple[float, float, float]
-    world: World
-    result: SearchResult
-    start: int
-    energy: tuple[float, ...]
-    reports: tuple[RelationReport, ...] | None = None
-    """Of a layout without any fault; None leaves them to the detailed check."""
 
 
 def solve(
@@ -172,7 +158,7 @@ def solve_steps(
             searched = yield request
             clock.start()
             results = searched.split(request.unit_count, request.config.starts)
-            chosen = _choose_all(docs, problems, members, results)
+            chosen = choose_all(docs, problems, members, results)
             for i, found in zip(members, chosen, strict=True):
                 current = best[i]
                 if current is None or found.score < current.score:
@@ -266,59 +252,6 @@ def _emphasize(doc: EsgDocument, problem: LayoutProblem, found: Found | None) ->
     }
     weight = problem.edge_w * np.array([3.0 if t.source in broken else 1.0 for t in problem.terms])
     return replace(problem, edge_w=weight.astype(np.float32))
-
-
-def _choose_all(
-    docs: Sequence[EsgDocument],
-    problems: list[LayoutProblem],
-    members: list[int],
-    results: list[SearchResult],
-) -> list[Found]:
-    """The best start of every scene: the lowest one where it has no fault, else see `_choose`."""
-    out: list[Found | None] = [None] * len(members)
-    screens: list[Screen] = []
-    firsts: list[tuple[int, Found]] = []
-    for k, (i, result) in enumerate(zip(members, results, strict=True)):
-        screen = build_screen(docs[i], problems[i])
-        if screen is None:
-            continue
-        total = result.energy.sum(1)
-        start = int(np.argmin(np.where(np.isfinite(total), total, np.inf)))
-        world = world_poses(problems[i], result.units[start])
-        energy = tuple(result.energy[start].tolist())
-        score = (0.0, 0.0, float(total[start]))
-        screens.append(screen)
-        firsts.append((k, Found(score, world, result, start, energy, screen.reports)))
-    poses = [np.array([f.world.pose[n] for n in problems[members[k]].names]) for k, f in firsts]
-    for (k, found), good in zip(firsts, passing(screens, poses).tolist(), strict=True):
-        if good:
-            out[k] = found
-    return [
-        found if found is not None else _choose(docs[i], problems[i], result)
-        for found, i, result in zip(out, members, results, strict=True)
-    ]
-
-
-def _choose(doc: EsgDocument, problem: LayoutProblem, result: SearchResult) -> Found:
-    """The best start: fewest hard faults, then most relations, then least energy."""
-    total = result.energy.sum(1)
-    order = np.argsort(np.where(np.isfinite(total), total, np.inf), kind="stable")
-    best: Found | None = None
-    for k in order[:6].tolist():
-        world = world_poses(problem, result.units[k])
-        deep = sum(1 for p in penetrations(problem, world) if p[0] > 0.05)
-        deep += len(intrusions(problem, world))
-        reports = relation_reports(doc, problem, world)
-        broken = sum(not r.satisfied for r in reports)
-        hard = sum(not r.satisfied and r.relation_type in HARD_RELATIONS for r in reports)
-        score = (float(deep + hard), float(broken), float(total[k]))
-        if best is None or score < best.score:
-            energy = tuple(float(v) for v in result.energy[k])
-            best = Found(score, world, result, k, energy)
-        if deep + hard + broken == 0:
-            break
-    assert best is not None
-    return best
 
 
 def _reason(
