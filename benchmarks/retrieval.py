@@ -24,7 +24,8 @@ import numpy as np
 from esg.assets.embed import embed
 from esg.assets.index import Index, active_index, texts_of
 from esg.assets.library import normalize
-from esg.assets.retrieve import GATE, confidence, exact, head_phrase, rank
+from esg.assets.lookup import exact, head_phrase
+from esg.assets.retrieve import GATE, confidence, rank
 
 ROOT = Path(__file__).parents[1]
 

@@ -36,7 +36,8 @@ def list_assets(library: str | None = None) -> list[dict[str, Any]]:
 def search_assets(text: str, count: int = 5) -> dict[str, Any]:
     """The assets nearest in meaning to a text, and what a scene that names it would get."""
     from esg.assets import catalogue
-    from esg.assets.retrieve import GATE, confidence, exact, rank
+    from esg.assets.lookup import exact
+    from esg.assets.retrieve import GATE, confidence, rank
 
     entries = {_name(e): e for e in catalogue()}
     found = exact(text)
@@ -77,7 +78,8 @@ def show(name: str) -> dict[str, Any]:
         UserError: For an unknown name, with the nearest ones.
     """
     from esg.assets import catalogue, search
-    from esg.assets.retrieve import Decision, exact
+    from esg.assets.lookup import exact
+    from esg.assets.retrieve import Decision
     from esg.assets.stage import build_configuration
 
     entry = next((e for e in catalogue() if _name(e) == name), None) or exact(name)

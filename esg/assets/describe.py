@@ -25,7 +25,8 @@ def nearest_kind(source: Source) -> Entry | None:
     """The parametric entry of the model's kind, by name, tags or meaning."""
     from esg.assets.index import embedded_index
     from esg.assets.library import entries_by_name
-    from esg.assets.retrieve import GATE, confidence, exact, head_match, rank
+    from esg.assets.lookup import exact, head_match
+    from esg.assets.retrieve import GATE, confidence, rank
 
     for text in (source.name, *source.tags):
         found = exact(text) or head_match(text)

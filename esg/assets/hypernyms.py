@@ -56,7 +56,7 @@ def kin(text: str, *, whole: bool = False) -> Kin | None:
         text: A noun phrase.
         whole: Whether the phrase itself must be known.
     """
-    from esg.assets.retrieve import head_phrase
+    from esg.assets.lookup import head_phrase
 
     nouns, rows = _table()
     words = head_phrase(text).split()

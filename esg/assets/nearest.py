@@ -13,8 +13,9 @@ import math
 from esg.assets.hypernyms import Kin, kin
 from esg.assets.index import active_index
 from esg.assets.library import Entry, policy
+from esg.assets.lookup import exact
 from esg.assets.proposal import guessed, guessed_mass_factor, is_own_name, residual
-from esg.assets.retrieve import GATE, Decision, candidate_of, exact, is_foreign, qualified
+from esg.assets.retrieve import GATE, Decision, candidate_of, is_foreign, qualified
 from esg.graph.models import AssetRequirement
 
 _BY_A_HAIR = GATE - 0.07

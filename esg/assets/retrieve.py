@@ -21,7 +21,8 @@ import re
 import numpy as np
 
 from esg.assets.index import Index, active_index, texts_of
-from esg.assets.library import Entry, entries_by_name, lexicon, normalize
+from esg.assets.library import Entry, lexicon, normalize
+from esg.assets.lookup import AMBIGUOUS_HEADS, exact, head_match, head_phrase
 from esg.assets.proposal import is_own_name, misfit
 from esg.graph.models import AssetRequirement, RetrievalCandidate
 
@@ -57,100 +58,6 @@ class Decision:
     runners_up: tuple[RetrievalCandidate, ...]
     shape: str | None = None
     reason: str | None = None
-
-
-_TAIL = re.compile(
-    r"\b(of|for|with|without|in|on|from|to|at|by|used|thrown|made(?= (?:of|from|out|with|by))"
-    r"|that|which|into|over|under)\b"
-)
-_AMBIGUOUS_HEADS = frozenset(
-    [
-        "board",
-        "stand",
-        "screen",
-        "club",
-        "stop",
-        "tin",
-        "tube",
-        "post",
-        "pole",
-        "bob",
-        "meter",
-        "saw",
-        "stick",
-        "bar",
-        "cross",
-        "head",
-        "machine",
-        "display",
-        "store",
-        "shop",
-        "surface",
-        "track",
-        "home",
-        "frame",
-        "hat",
-        "roller",
-        "line",
-        "set",
-        "organ",
-        "beam",
-        "watch",
-        "coin",
-        "wheel",
-        "horn",
-        "lantern",
-        "dish",
-        "mat",
-        "court",
-        "bag",
-        "pin",
-        "bat",
-        "block",
-        "pot",
-        "plant",
-        "net",
-        "ring",
-        "glass",
-        "cue",
-    ]
-)
-"""Nouns that name a library entry alone but mean something else as the head of a compound."""
-
-
-def _compact(text: str) -> str:
-    return text.replace(" ", "")
-
-
-@lru_cache(maxsize=1)
-def _compact_lexicon() -> dict[str, str]:
-    return {_compact(k): v for k, v in lexicon().items()}
-
-
-def exact(text: str) -> Entry | None:
-    """The entry whose name or synonym is `text`, spaces and hyphens aside."""
-    name = _compact_lexicon().get(_compact(normalize(text)))
-    return entries_by_name()[name] if name else None
-
-
-def head_phrase(text: str) -> str:
-    """The noun phrase before the first preposition ("bottle" of "bottle of wine")."""
-    words = normalize(text)
-    cut = _TAIL.split(words, maxsplit=1)[0].strip()
-    return normalize(cut) if cut else words
-
-
-def head_match(text: str) -> Entry | None:
-    """The entry named by the longest suffix of the head phrase ("rusty oil drum" -> oil drum)."""
-    words = head_phrase(text).split()
-    for start in range(len(words)):
-        tail = words[start:]
-        if len(tail) == 1 and len(words) > 1 and tail[0] in _AMBIGUOUS_HEADS:
-            return None
-        name = _compact_lexicon().get("".join(tail))
-        if name:
-            return entries_by_name()[name]
-    return None
 
 
 def physical_score(entry: Entry, requirement: AssetRequirement) -> float:
@@ -235,7 +142,7 @@ def confidence(text: str, best: RetrievalCandidate, index: Index | None = None) 
     whole = embed([words])[0]
     alone = embed(head)[0]
     value = 0.5 * best.semantic + 0.5 * float(index.scores_of(i, alone).max())
-    if head[0] in _AMBIGUOUS_HEADS:
+    if head[0] in AMBIGUOUS_HEADS:
         value = 0.8 * best.semantic
     texts = texts_of(index.entries[i])
     nearest = normalize(texts[int(index.scores_of(i, whole).argmax())])

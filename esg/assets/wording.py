@@ -10,8 +10,8 @@ from __future__ import annotations
 import math
 
 from esg.assets.library import Entry, normalize, policy
+from esg.assets.lookup import exact, head_match
 from esg.assets.proposal import SIZED, guessed, is_own_name, misfit, residual
-from esg.assets.retrieve import exact, head_match
 from esg.assets.rolling import as_drawn
 from esg.graph.models import AssetRequirement
 

@@ -13,7 +13,8 @@ from esg.assets import search
 from esg.assets.embed import embed
 from esg.assets.index import INDEX_FILE, texts_hash, unpack
 from esg.assets.library import catalogue, entries_by_name, lexicon, singular
-from esg.assets.retrieve import GATE, confidence, exact, head_match, is_foreign, rank
+from esg.assets.lookup import exact, head_match
+from esg.assets.retrieve import GATE, confidence, is_foreign, rank
 
 DATA = Path(__file__).parents[2] / "data"
 
