@@ -12,7 +12,8 @@ from dataclasses import replace
 from typing import Any
 
 from esg.assets.library import Entry
-from esg.assets.sketch import ALONG, Sketch, turn
+from esg.assets.rotations import ALONG, turn
+from esg.assets.sketch import Sketch
 from esg.graph.models import AssetRequirement, EsgDocument, Proxy, ProxyKind, Quat, Vec3
 from esg.units import quat_multiply
 

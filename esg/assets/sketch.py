@@ -1,4 +1,4 @@
-"""A recorder for parametric assets: coloured mesh parts, collision proxies, surfaces, regions.
+"""A recorder for parametric assets: coloured mesh parts, and the collider with them.
 
 Builders draw in the asset's local frame (cm, origin bottom centre, front +X, Z up). Proxies,
 surfaces and regions are plain numbers and available at once; meshes are recorded as closures and
@@ -10,19 +10,17 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 import itertools
-import math
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
+from esg.assets.collider import Collider
 from esg.assets.lazy import shapes
-from esg.graph.models import NamedRegion, Proxy, ProxyKind, Quat, SupportSurface, Vec3
+from esg.assets.rotations import IDENTITY, direction
+from esg.graph.models import ProxyKind, Quat, Vec3
 
 if TYPE_CHECKING:
     import trimesh
 
 Color = tuple[float, float, float]
-IDENTITY: Quat = (0.0, 0.0, 0.0, 1.0)
 
 
 def rgb(red: int, green: int, blue: int) -> Color:
@@ -50,43 +48,12 @@ class Part:
     alpha: float = 1.0
 
 
-def turn(axis: str, degrees: float) -> Quat:
-    """Quaternion (x, y, z, w) of a rotation about a coordinate axis."""
-    half = math.radians(degrees) / 2
-    return tuple(  # type: ignore[return-value]  # always four entries
-        [math.sin(half) if axis == name else 0.0 for name in "xyz"] + [math.cos(half)]
-    )
-
-
-ALONG = {"x": turn("y", 90.0), "y": turn("x", -90.0), "z": IDENTITY}
-"""Rotations that lead local Z to an axis."""
-
-
-def _direction(start: Sequence[float], end: Sequence[float]) -> tuple[Quat, float]:
-    d = np.asarray(end, float) - np.asarray(start, float)
-    length = float(np.linalg.norm(d))
-    d = d / length
-    w = 1.0 + d[2]
-    if w < 1e-9:
-        return (1.0, 0.0, 0.0, 0.0), length
-    q = np.array([-d[1], d[0], 0.0, w])
-    q /= np.linalg.norm(q)
-    return (float(q[0]), float(q[1]), float(q[2]), float(q[3])), length
-
-
 @dataclass
-class Sketch:
+class Sketch(Collider):
     """What a builder fills. `solid` arguments are relative densities: 0 draws without a proxy."""
 
     parts: list[Part] = field(default_factory=list)
-    proxies: list[Proxy] = field(default_factory=list)
-    densities: list[float] = field(default_factory=list)
-    surfaces: list[SupportSurface] = field(default_factory=list)
-    regions: list[NamedRegion] = field(default_factory=list)
-    weighed: list[Proxy] | None = None
-    """Shapes that mass and inertia come from where they are not the proxies; with `densities`."""
 
-    # --- drawing -------------------------------------------------------------------------------
     def add(
         self,
         make: Callable[[], Any],
@@ -150,7 +117,7 @@ class Sketch:
 
         self.add(lambda: shapes.rod(radius, start, end, sections), color, rough, metal, alpha)
         if solid:
-            quat, length = _direction(start, end)
+            quat, length = direction(start, end)
             mid = tuple((a + b) / 2 for a, b in zip(start, end, strict=True))
             self.proxy(ProxyKind.CYLINDER, (radius, radius, length / 2), mid, solid, quat)
 
@@ -243,175 +210,6 @@ class Sketch:
             self.rod(radius, a, b, color, rough=rough, metal=metal, sections=14)
         for p in path[1:-1]:
             self.ball(radius, p, color, rough=rough, metal=metal, detail=2)
-
-    # --- physics -------------------------------------------------------------------------------
-    def proxy(
-        self,
-        kind: ProxyKind,
-        size: Any,
-        center: Any,
-        density: float = 1.0,
-        quat: Quat = IDENTITY,
-        vertices: Any = (),
-    ) -> None:
-        """Records a collision proxy with a relative density."""
-        self.proxies.append(
-            Proxy(
-                kind=kind,
-                size_cm=tuple(float(v) for v in size),  # type: ignore[arg-type]
-                position_cm=tuple(float(v) for v in center),  # type: ignore[arg-type]
-                orientation_xyzw=quat,
-                vertices_cm=tuple(tuple(float(c) for c in v) for v in vertices),  # type: ignore[arg-type]
-            )
-        )
-        if self.weighed is None:
-            self.densities.append(density)
-
-    def only_weighs(self) -> None:
-        """What was solid so far gives mass and inertia only; what follows is what collides.
-
-        So a vessel can be entered and keeps the mass properties it had as a solid.
-        """
-        self.weighed, self.proxies = list(self.proxies), []
-
-    def proxy_box(
-        self, half: Any, center: Any, density: float = 1.0, quat: Quat = IDENTITY
-    ) -> None:
-        self.proxy(ProxyKind.BOX, half, center, density, quat)
-
-    def proxy_slab(
-        self,
-        x: tuple[float, float],
-        y: tuple[float, float],
-        z: tuple[float, float],
-        density: float = 1.0,
-    ) -> None:
-        """Box proxy between coordinate pairs."""
-        self.proxy_box(
-            [(v[1] - v[0]) / 2 for v in (x, y, z)], [(v[0] + v[1]) / 2 for v in (x, y, z)], density
-        )
-
-    def proxy_cylinder(
-        self,
-        radius: float,
-        z: tuple[float, float],
-        density: float = 1.0,
-        xy: tuple[float, float] = (0.0, 0.0),
-    ) -> None:
-        """Upright cylinder proxy."""
-        self.proxy(
-            ProxyKind.CYLINDER,
-            (radius, radius, (z[1] - z[0]) / 2),
-            (*xy, (z[0] + z[1]) / 2),
-            density,
-        )
-
-    def proxy_hull(self, points: Sequence[Vec3], density: float = 1.0) -> None:
-        """Convex proxy of the given points; its position is the centre of their bounding box."""
-        p = np.asarray(points, float)
-        lo, hi = p.min(0), p.max(0)
-        mid = (lo + hi) / 2
-        self.proxy(ProxyKind.CONVEX, (hi - lo) / 2, mid, density, vertices=p - mid)
-
-    def walls(
-        self,
-        x: tuple[float, float],
-        y: tuple[float, float],
-        z: tuple[float, float],
-        thickness: float,
-        density: float = 1.0,
-    ) -> None:
-        """Open box of five proxies: floor and four walls, outer extents given."""
-        t = thickness
-        self.proxy_slab(x, y, (z[0], z[0] + t), density)
-        above = (z[0] + t, z[1])
-        self.proxy_slab((x[0], x[0] + t), y, above, density)
-        self.proxy_slab((x[1] - t, x[1]), y, above, density)
-        self.proxy_slab((x[0] + t, x[1] - t), (y[0], y[0] + t), above, density)
-        self.proxy_slab((x[0] + t, x[1] - t), (y[1] - t, y[1]), above, density)
-
-    def tub(
-        self,
-        radius: float,
-        z: tuple[float, float],
-        thickness: float,
-        density: float = 1.0,
-        sides: int = 8,
-        xy: tuple[float, float] = (0.0, 0.0),
-    ) -> None:
-        """Open round container: a floor cylinder and a ring of wall boxes of outer `radius`."""
-        floor = z[0] + thickness
-        self.proxy_cylinder(radius, (z[0], floor), density, xy)
-        self.ring(radius, (floor, z[1]), thickness, density, sides, xy)
-
-    def ring(
-        self,
-        radius: float,
-        z: tuple[float, float],
-        thickness: float,
-        density: float = 1.0,
-        sides: int = 8,
-        xy: tuple[float, float] = (0.0, 0.0),
-    ) -> None:
-        """Round wall of boxes of outer `radius`."""
-        t = thickness
-        inner = (radius - t) * math.cos(math.pi / sides)
-        width = (radius - t / 2) * math.tan(math.pi / sides)
-        middle = inner + t / 2
-        for k in range(sides):
-            angle = 360.0 * k / sides
-            c, s = math.cos(math.radians(angle)), math.sin(math.radians(angle))
-            self.proxy_box(
-                (t / 2, width, (z[1] - z[0]) / 2),
-                (xy[0] + middle * c, xy[1] + middle * s, (z[0] + z[1]) / 2),
-                density,
-                turn("z", angle),
-            )
-
-    def surface(
-        self, name: str, z: float, half: tuple[float, float], xy: tuple[float, float] = (0.0, 0.0)
-    ) -> None:
-        """Records a support surface."""
-        self.surfaces.append(
-            SupportSurface(name=name, center_cm=(*xy, float(z)), half_extents_cm=half)
-        )
-
-    def region(
-        self,
-        name: str,
-        x: tuple[float, float],
-        y: tuple[float, float],
-        z: tuple[float, float],
-        kind: Any = "inside",
-    ) -> None:
-        """Records a named region between coordinate pairs."""
-        self.regions.append(
-            NamedRegion(
-                name=name,
-                center_cm=tuple((v[0] + v[1]) / 2 for v in (x, y, z)),  # type: ignore[arg-type]
-                half_extents_cm=tuple((v[1] - v[0]) / 2 for v in (x, y, z)),  # type: ignore[arg-type]
-                kind=kind,
-            )
-        )
-
-
-def lying_hull(profile: Sequence[tuple[float, float]], axis_z: float, sides: int) -> list[Vec3]:
-    """Hull points of a body of revolution that lies along X and stands on a flat underneath.
-
-    Args:
-        profile: (x, radius) pairs [cm].
-        axis_z: Height of the axis [cm].
-        sides: Points a ring.
-    """
-    points: list[Vec3] = []
-    reach = max(x for x, _ in profile)
-    for x, radius in profile:
-        for k in range(sides):
-            t = 2 * math.pi * (k + 0.5) / sides
-            points.append((x, radius * math.cos(t), axis_z + radius * math.sin(t)))
-        if abs(x) < 0.55 * reach or radius > 0.8 * axis_z:
-            points += [(x, side * 0.25 * radius, 0.0) for side in (-1.0, 1.0)]
-    return points
 
 
 def scaled(sketch: Sketch, factor: float) -> Sketch:

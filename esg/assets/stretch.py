@@ -15,7 +15,8 @@ from typing import Any
 import numpy as np
 
 from esg.assets.massprops import mass_properties
-from esg.assets.sketch import IDENTITY, Sketch
+from esg.assets.rotations import IDENTITY
+from esg.assets.sketch import Sketch
 from esg.graph.models import Proxy, ProxyKind, Vec3
 from esg.units import quat_rotate
 

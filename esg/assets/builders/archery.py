@@ -6,7 +6,8 @@ import math
 
 from esg.assets.builders import builder
 from esg.assets.builders.common import mirrored, prism, shift
-from esg.assets.sketch import BRASS, DARK, RED, STEEL, WHITE, WOOD, YELLOW, Color, Sketch, rgb, turn
+from esg.assets.rotations import turn
+from esg.assets.sketch import BRASS, DARK, RED, STEEL, WHITE, WOOD, YELLOW, Color, Sketch, rgb
 
 _RINGS = (WHITE, DARK, rgb(60, 140, 200), RED, YELLOW)
 

@@ -7,8 +7,9 @@ from typing import Any
 
 from esg.assets.builders import builder
 from esg.assets.builders.common import shade
+from esg.assets.collider import lying_hull
 from esg.assets.lazy import shapes
-from esg.assets.sketch import BLUE, DARK, RED, WHITE, Color, Sketch, lying_hull
+from esg.assets.sketch import BLUE, DARK, RED, WHITE, Color, Sketch
 
 PHI = (1 + math.sqrt(5)) / 2
 ICOSAHEDRON = [

@@ -7,17 +7,8 @@ import math
 
 from esg.assets.builders import builder
 from esg.assets.builders.common import LEAF, bone, mirrored, prism, shade, shift
-from esg.assets.sketch import (
-    ALONG,
-    CONCRETE,
-    DARK,
-    DARK_WOOD,
-    PALE_WOOD,
-    YELLOW,
-    Color,
-    Sketch,
-    rgb,
-)
+from esg.assets.rotations import ALONG
+from esg.assets.sketch import CONCRETE, DARK, DARK_WOOD, PALE_WOOD, YELLOW, Color, Sketch, rgb
 from esg.graph.models import ProxyKind
 
 

@@ -6,17 +6,8 @@ import math
 
 from esg.assets.builders import builder
 from esg.assets.builders.common import shade
-from esg.assets.sketch import (
-    CHROME,
-    DARK,
-    DARK_WOOD,
-    STEEL,
-    YELLOW,
-    Color,
-    Sketch,
-    lying_hull,
-    rgb,
-)
+from esg.assets.collider import lying_hull
+from esg.assets.sketch import CHROME, DARK, DARK_WOOD, STEEL, YELLOW, Color, Sketch, rgb
 
 PAPER = rgb(240, 236, 224)
 
@@ -183,7 +174,7 @@ def bowl(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.tub(6.0, (0, 4), 1.0)
     for k in range(8):
         angle = 2 * math.pi * k / 8
-        from esg.assets.sketch import turn
+        from esg.assets.rotations import turn
 
         s.proxy_box(
             (0.5, 2.9, 1.5),

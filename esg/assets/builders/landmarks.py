@@ -6,6 +6,7 @@ import math
 
 from esg.assets.builders import builder
 from esg.assets.builders.common import LEAF, bone, mirrored, prism, shade, shift
+from esg.assets.rotations import turn
 from esg.assets.sketch import (
     BRICK_RED,
     CONCRETE,
@@ -20,7 +21,6 @@ from esg.assets.sketch import (
     Color,
     Sketch,
     rgb,
-    turn,
 )
 
 

@@ -10,7 +10,8 @@ import math
 
 from esg.assets.builders import builder
 from esg.assets.builders.common import mirrored
-from esg.assets.sketch import DARK, DARK_WOOD, PALE_WOOD, WHITE, WOOD, Color, Sketch, rgb, turn
+from esg.assets.rotations import turn
+from esg.assets.sketch import DARK, DARK_WOOD, PALE_WOOD, WHITE, WOOD, Color, Sketch, rgb
 
 RAIL, OUTER = 10.0, 4.0
 CUSHION_Z = 3.7

@@ -11,7 +11,7 @@ from esg.assets.sketch import CHROME, DARK, PALE_WOOD, STEEL, Color, Sketch
 
 def _ring(s: Sketch, outer: float, inner: float, height: float, n: int = 12) -> None:
     """Wedge boxes around a hole, so that a peg or a hand goes through a lying ring."""
-    from esg.assets.sketch import turn
+    from esg.assets.rotations import turn
 
     thick = outer * math.cos(math.pi / n) - inner
     middle = inner + thick / 2

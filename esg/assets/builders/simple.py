@@ -7,7 +7,8 @@ import math
 from esg.assets.builders import builder
 from esg.assets.builders.common import edge, shade
 from esg.assets.lazy import shapes
-from esg.assets.sketch import ALONG, Color, Sketch
+from esg.assets.rotations import ALONG
+from esg.assets.sketch import Color, Sketch
 from esg.graph.models import ProxyKind
 
 
@@ -90,7 +91,7 @@ def ring(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     n = 12
     half = major * math.sin(math.pi / n)
     middle = major * math.cos(math.pi / n)
-    from esg.assets.sketch import turn
+    from esg.assets.rotations import turn
     from esg.units import quat_multiply
 
     for k in range(n):

@@ -6,6 +6,7 @@ import math
 
 from esg.assets.builders import builder
 from esg.assets.builders.common import mirrored
+from esg.assets.collider import lying_hull
 from esg.assets.sketch import (
     BLUE,
     CHROME,
@@ -18,7 +19,6 @@ from esg.assets.sketch import (
     WOOD,
     Color,
     Sketch,
-    lying_hull,
 )
 
 # USBC bowling pin specification: (height, diameter) in inches.
@@ -121,7 +121,7 @@ def hoop(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         for t in (b, b - math.pi / 6):
             low = (rim_x + 13 * math.cos(t), 13 * math.sin(t), rim_z - 40)
             s.rod(0.35, top, low, WHITE, sections=6)
-    from esg.assets.sketch import turn
+    from esg.assets.rotations import turn
     from esg.graph.models import ProxyKind
 
     n = 10
@@ -271,7 +271,7 @@ def chessboard(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 @builder("golf_hole")
 def golf_hole(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Putting hole on the ground with a flag, entered over a low lip from +X, 26 x 18 x 45."""
-    from esg.assets.sketch import turn
+    from esg.assets.rotations import turn
 
     x0 = -4.0
     inner, outer, wall, lip = 7.0, 9.0, 6.0, 1.2

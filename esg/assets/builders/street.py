@@ -7,8 +7,8 @@ import math
 from esg.assets.builders import builder
 from esg.assets.builders.common import shade
 from esg.assets.lazy import shapes
+from esg.assets.rotations import ALONG
 from esg.assets.sketch import (
-    ALONG,
     BLUE,
     CHROME,
     CONCRETE,
