@@ -14,6 +14,7 @@ import re
 import numpy as np
 
 from esg.engines.scene import GROUND, Body, SimScene
+from esg.metrics.normalization import normalize
 from esg.metrics.phrases import (
     COLORS,
     GROUND_WORDS,
@@ -24,7 +25,6 @@ from esg.metrics.phrases import (
     RELATED,
     Phrase,
     canonical_modifier,
-    normalize,
     parse,
 )
 from esg.metrics.regions import bind_regions, loose_regions

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from esg.engines.scene import Region, SimScene
-from esg.metrics.phrases import OPPOSITE, Phrase, canonical_modifier, normalize
+from esg.metrics.normalization import normalize
+from esg.metrics.phrases import OPPOSITE, Phrase, canonical_modifier
 from esg.units import quat_rotate
 
 _CONTAINER_KINDS = ("inside", "goal", "hole", "pocket")
