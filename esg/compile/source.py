@@ -26,6 +26,22 @@ INCLUDES = (
 )
 
 
+IN_FLIGHT = " && !Command.bFlies"
+KEPT_RISE = "\tVelocity.Z = Body->GetPhysicsLinearVelocity().Z;"
+FLIGHT = """\
+\tif (Command.bFlies)
+\t{
+\t\t// The gravity of this step is still to act on it.
+\t\tconst double Step = (Due - SceneTime) / @CLASS@Detail::HalfStep;
+\t\tVelocity.Z = Command.Climb - WorldGravityZ * Step;
+\t}
+\telse
+\t{
+\t\tVelocity.Z = Body->GetPhysicsLinearVelocity().Z;
+\t}"""
+"""Vertical velocity of a hold, in classes with powered flight."""
+
+
 @cache
 def _template(name: str) -> str:
     path = Path(__file__).parent / "templates" / f"{name}.cpp"
@@ -41,7 +57,7 @@ def emit_source(plan: ScenePlan) -> str:
         _construction(plan),
         _collect(plan, shapes),
         _dispatch(plan),
-        *(_template(_run(plan, kind)) for kind in PRIMITIVE_FIELDS if kind in plan.kinds),
+        *(_run(plan, kind) for kind in PRIMITIVE_FIELDS if kind in plan.kinds),
         _template("Fixed"),
     ]
     text = "\n".join(part.strip("\n") + "\n" for part in parts)
@@ -49,8 +65,11 @@ def emit_source(plan: ScenePlan) -> str:
 
 
 def _run(plan: ScenePlan, kind: str) -> str:
-    """The template that executes primitives of a kind."""
-    return f"Run{kind}Flying" if kind == "HoldVelocity" and plan.flies else f"Run{kind}"
+    """What executes primitives of a kind."""
+    text = _template(f"Run{kind}")
+    return text.replace("@ON_GROUND@", IN_FLIGHT if plan.flies else "").replace(
+        "@RISE@", FLIGHT if plan.flies else KEPT_RISE
+    )
 
 
 def _preamble(plan: ScenePlan) -> str:

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.dynamics.proxies import corners
 from esg.dynamics.stagecraft import top_surface
 from esg.graph.models import EsgDocument, Proxy, ProxyKind
-from esg.units import quat_rotate
 
 LEVEL_CM = 3.0
 """Parts whose top is within this of a surface belong to it."""
@@ -62,10 +62,5 @@ def edge_of(doc: EsgDocument, name: str) -> Edge:
 
 def _along(proxy: Proxy) -> NDArray[np.float64]:
     """Least and greatest X and greatest Z of a collision shape [cm], shape [3]."""
-    half = np.array(proxy.size_cm, float)
-    if proxy.kind is ProxyKind.CAPSULE:
-        half[2] += half[0]
-    signs = np.array([[i, j, k] for i in (-1, 1) for j in (-1, 1) for k in (-1, 1)], float)
-    local = np.array(proxy.vertices_cm) if proxy.vertices_cm else signs * half
-    points = quat_rotate(np.array(proxy.orientation_xyzw), local) + np.array(proxy.position_cm)
+    points = corners(proxy)
     return np.array([points[:, 0].min(), points[:, 0].max(), points[:, 2].max()])

@@ -17,7 +17,7 @@ from esg.dynamics.moves import TURNED_RAD
 from esg.dynamics.recording import Bools, Floats, Recording
 from esg.engines.scene import Body
 from esg.graph.models import NodeEvent, TimelineNode
-from esg.metrics.geometry import first_pass
+from esg.metrics.geometry import first_pass, gets_ahead
 from esg.units import quat_rotate, yaw_from_quat
 
 AddTerm = Callable[[str, Floats], None]
@@ -170,8 +170,7 @@ def _passing(rec: Recording, a: int, b: int, hit: Floats) -> tuple[Floats, Float
     way = v / np.maximum(speed, PASSING_MPS)[..., None]
     ahead = ((p[:, :, 0] - p[:, :, 1]) * way).sum(axis=-1)
     untouched = (rec.t[None, :] < hit[:, None]) & (speed > PASSING_MPS)
-    behind = np.logical_or.accumulate((ahead < 0.0) & untouched, axis=1)
-    time = rec.first(behind & (ahead >= 0.0) & untouched)
+    time = rec.first(gets_ahead(ahead, untouched))
     nearest = np.where(untouched, ahead, -100.0).max(axis=1)
     return time, np.clip(-nearest, 0.3, 100.0)
 

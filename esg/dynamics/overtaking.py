@@ -91,9 +91,7 @@ def cut_in(
     shift = across - OVERLAP * back.half_width
     angle = math.asin(min(0.3, shift / max(total - 0.8 * clear, 1.0)))
     beside = across + 0.8 * clear * math.sin(angle)
-    at = (fast * passed, 0.0) if len(ahead.points) < 2 else ahead.points[1]
-    heading = ahead.heading
-    _put_beside(stage, front, behind, at, heading + angle, beside, slow * passed)
+    _put_beside(stage, front, behind, ahead.points[1], ahead.heading + angle, beside, slow * passed)
 
 
 def _slowing(

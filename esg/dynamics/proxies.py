@@ -6,14 +6,28 @@ from dataclasses import replace
 import math
 from typing import Literal
 
+import numpy as np
+from numpy.typing import NDArray
+
 from esg.engines.scene import Body, Shape, SimScene
 from esg.graph.models import AssetConfiguration, EsgDocument, Proxy, ProxyKind
+from esg.units import quat_rotate
 
 Extents = tuple[float, float, float]
 
 SIDES = 16
 COMPACT = 1.6
 """Bodies whose longest side is at most this often the shortest become spheres."""
+
+
+def corners(proxy: Proxy) -> NDArray[np.float64]:
+    """Corners of a collision shape, or of the box around it, in its asset's frame [cm] [n, 3]."""
+    half = np.array(proxy.size_cm, float)
+    if proxy.kind is ProxyKind.CAPSULE:
+        half[2] += half[0]
+    signs = np.array([[i, j, k] for i in (-1, 1) for j in (-1, 1) for k in (-1, 1)], float)
+    local = np.array(proxy.vertices_cm) if proxy.vertices_cm else signs * half
+    return quat_rotate(np.array(proxy.orientation_xyzw), local) + np.array(proxy.position_cm)
 
 
 def faceted(scene: SimScene) -> SimScene:

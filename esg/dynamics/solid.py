@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from esg.dynamics.proxies import corners
 from esg.dynamics.stagecraft import Prop
-from esg.graph.models import Proxy, ProxyKind
-from esg.units import quat_rotate
+from esg.graph.models import Proxy
 
 MET = 0.35
 """Least share of its height with which something low meets a part."""
@@ -40,13 +40,7 @@ def beside_the_middle(mover: Prop, target: Prop, relative: float) -> float:
 
 def _span(proxy: Proxy, across: np.ndarray, height: float) -> tuple[float, float] | None:
     """Extent of a collision shape across a path [m], None where it is above what comes."""
-    half = np.array(proxy.size_cm, float)
-    if proxy.kind is ProxyKind.CAPSULE:
-        half[2] += half[0]
-    signs = np.array([[i, j, k] for i in (-1, 1) for j in (-1, 1) for k in (-1, 1)], float)
-    local = np.array(proxy.vertices_cm) if proxy.vertices_cm else signs * half
-    points = quat_rotate(np.array(proxy.orientation_xyzw), local) + np.array(proxy.position_cm)
-    points = points / 100.0
+    points = corners(proxy) / 100.0
     overlap = min(points[:, 2].max(), height) - max(points[:, 2].min(), 0.0)
     if overlap < MET * height:
         return None

@@ -28,7 +28,7 @@ from esg.metrics.detection import (
 )
 from esg.metrics.events_motion import brakes, moves, stops, turns
 from esg.metrics.events_space import enters, falls, reaches, topples
-from esg.metrics.geometry import first_pass
+from esg.metrics.geometry import first_pass, gets_ahead
 from esg.metrics.replay import GROUND_INDEX, Hit, Replay
 
 
@@ -135,8 +135,7 @@ def _passes(replay: Replay, q: Query) -> Found:
         velocity = replay.velocity[:, a, :2]
         ahead = (offset * velocity).sum(axis=-1)
         free = (replay.time < first) & (replay.speed[:, a] > MOVING_MPS)
-        behind = np.logical_or.accumulate((ahead < 0.0) & free)
-        frames = np.flatnonzero(behind & (ahead >= 0.0) & free)
+        frames = np.flatnonzero(gets_ahead(ahead, free))
         if len(frames):
             return Found(float(replay.time[frames[0]]), (a, b))
         name_a, name_b = names(replay, (a, b))

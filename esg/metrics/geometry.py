@@ -217,3 +217,14 @@ def first_pass(distance: NDArray[np.float64]) -> int:
     came = np.maximum.accumulate(distance) - distance >= APPROACH_M
     passes = np.flatnonzero(near & lowest & came)
     return min(int(passes[0]), closest) if len(passes) else closest
+
+
+def gets_ahead(ahead: NDArray[np.float64], free: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Frames at which one that was behind another is no longer.
+
+    Args:
+        ahead: How far it is ahead along its own way; only the sign counts, shape [..., T].
+        free: Frames that count, shape [..., T].
+    """
+    behind = np.logical_or.accumulate((ahead < 0.0) & free, axis=-1)
+    return behind & (ahead >= 0.0) & free

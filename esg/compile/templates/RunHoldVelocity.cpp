@@ -29,10 +29,10 @@ void A@CLASS@::RunHoldVelocity(
 	const double Heading = FMath::DegreesToRadians(Command.Heading + Command.TurnRate * Elapsed);
 	FVector Velocity(Speed * FMath::Cos(Heading), Speed * FMath::Sin(Heading), 0.0);
 	// Rolling without slipping, or turning on the spot about the vertical.
-	const FVector Spin = Command.RollRadius > 0.0
+	const FVector Spin = Command.RollRadius > 0.0@ON_GROUND@
 		? FVector(-Velocity.Y, Velocity.X, 0.0) * FMath::RadiansToDegrees(1.0 / Command.RollRadius)
 		: FVector(0.0, 0.0, Command.TurnRate);
-	Velocity.Z = Body->GetPhysicsLinearVelocity().Z;
+@RISE@
 	Body->SetPhysicsLinearVelocity(Velocity);
 	Body->SetPhysicsAngularVelocityInDegrees(Spin);
 }
