@@ -8,7 +8,7 @@ import contextlib
 import sys
 import threading
 import time
-from typing import Any
+from typing import Any, TextIO
 
 from esg.pipeline import STAGES
 from esg.progress import StageEvent, listening
@@ -140,18 +140,32 @@ def duration(seconds: float) -> str:
     return f"{whole // 3600} h {whole % 3600 // 60:02d} min"
 
 
+LOG_EVERY_S = 30.0
+"""Between the lines of a run whose stderr is a file or a pipe: seldom enough to read the log."""
+
+
 class Live:
-    """Shows a board on stderr while a run goes on; does nothing where stderr is no terminal.
+    """Shows a board on stderr while a run goes on.
+
+    A terminal gets a table that redraws itself; a file or a pipe gets a line now and then, so that
+    a log tells a long run from one that hangs. What is over before the first line leaves none.
 
     Args:
         board: The board.
-        console: A rich console, None for no display.
+        console: A rich console, None for plain lines.
+        log: Where plain lines go; None for no display at all.
+        every_s: Seconds between plain lines.
     """
 
-    def __init__(self, board: Board, console: Any) -> None:
+    def __init__(
+        self, board: Board, console: Any, log: TextIO | None = None, every_s: float = LOG_EVERY_S
+    ) -> None:
         self._board, self._console = board, console
+        self._log, self._every_s = (log if console is None else None), every_s
         self._word = "starting"
         self._live: Any = None
+        self._over = threading.Event()
+        self._logger: threading.Thread | None = None
 
     def __enter__(self) -> Live:
         if self._console is not None:
@@ -166,9 +180,16 @@ class Live:
                 redirect_stderr=False,
             )
             self._live.start()
+        elif self._log is not None:
+            self._logger = threading.Thread(target=self._tell, name="esg-live", daemon=True)
+            self._logger.start()
         return self
 
     def __exit__(self, *_: object) -> None:
+        if self._logger is not None:
+            self._over.set()
+            self._logger.join()
+            self._logger = None
         if self._live is not None:
             self._live.stop()
             self._live = None
@@ -190,15 +211,26 @@ class Live:
             # Scenes are named by people: no markup, no colours guessed.
             self._console.print(line, markup=False, highlight=False, soft_wrap=True)
 
-    def _table(self) -> Any:
-        from rich.table import Table
+    def _tell(self) -> None:
+        while not self._over.wait(self._every_s):
+            running = ", ".join(f"{row[0]} {row[1]}" for row in self._board.rows() if row[2])
+            # A closed pipe or a full disk is no reason to fail a run.
+            with contextlib.suppress(OSError, ValueError):
+                print(
+                    "  ".join(p for p in (self._title(), running) if p), file=self._log, flush=True
+                )
 
+    def _title(self) -> str:
         left = self._board.left_s()
         title = f"{self._board.ended}/{self._board.scenes} scenes"
         title += f"  {duration(self._board.elapsed_s)}"
         title += f"  about {duration(left)} left" if left is not None and left >= 1 else ""
-        title += f"  {self._word}" if self._word else ""
-        table = Table(title=title, title_justify="left", box=None, pad_edge=False)
+        return title + (f"  {self._word}" if self._word else "")
+
+    def _table(self) -> Any:
+        from rich.table import Table
+
+        table = Table(title=self._title(), title_justify="left", box=None, pad_edge=False)
         for name in ("stage", "done", "running", "cached", "s each", "a minute"):
             table.add_column(name, justify="left" if name == "stage" else "right")
         for row in self._board.rows():
@@ -218,5 +250,5 @@ def live(scenes: int) -> Generator[Live]:
         from rich.console import Console
 
         console = Console(file=sys.stderr)
-    with Live(Board(scenes), console) as shown, listening(shown.event):
+    with Live(Board(scenes), console, sys.stderr) as shown, listening(shown.event):
         yield shown

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import io
+import threading
+import time
 
 import pytest
 from rich.console import Console
@@ -112,6 +114,39 @@ def test_the_table_is_drawn_on_a_terminal() -> None:
     assert "[b]x[/b]  crashed  [red]boom[/red]" in text
     assert "optimize" in text
     assert "1 of 1 scenes" in text.splitlines()[-1]
+
+
+class Pipe(io.StringIO):
+    """A file that says when its first line is complete."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.told = threading.Event()
+
+    def flush(self) -> None:
+        self.told.set()
+
+
+def test_a_log_gets_a_line_now_and_then() -> None:
+    """A run that nobody watches can be told from one that hangs."""
+    board, out = Board(2, Clock()), Pipe()
+    whole(board, "a")
+    board.on(StageEvent("b", "optimize", "started"))
+    with Live(board, None, out, every_s=0.01) as shown:
+        shown.show("")
+        assert out.told.wait(10.0)
+    first = out.getvalue().splitlines()[0]
+    assert first.startswith("1/2 scenes")
+    assert first.endswith("optimize 1/2")
+
+
+def test_a_log_that_is_gone_fails_no_run() -> None:
+    """A closed pipe raises when written to; the body goes on."""
+    out = io.StringIO()
+    out.close()
+    with Live(Board(1, Clock()), None, out, every_s=0.001) as shown:
+        time.sleep(0.05)
+        shown.event(finished("a", "draft"))
 
 
 def test_nothing_is_said_where_nobody_looks(capsys: pytest.CaptureFixture[str]) -> None:
