@@ -11,7 +11,7 @@ from __future__ import annotations
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from esg.engines.scene import Body, Shape
 from esg.units import quat_rotate
@@ -39,19 +39,23 @@ def _samples(shape: Shape) -> tuple[Floats, float]:
 
 
 def signed_distance(shape: Shape, p: Floats) -> Floats:
-    """Signed distance [m] of points in the shape's frame, shape [..., 3] -> [...]."""
+    """Signed distance [m] of points in the shape's frame, shape [3, ...] -> [...]."""
     sx, sy, sz = shape.size
+    x, y, z = p
     if shape.kind == "sphere":
-        return np.linalg.norm(p, axis=-1) - sx
+        return np.sqrt(x * x + y * y + z * z) - sx
     if shape.kind == "capsule":
-        z = np.clip(p[..., 2], -sz, sz)
-        return np.sqrt(p[..., 0] ** 2 + p[..., 1] ** 2 + (p[..., 2] - z) ** 2) - sx
+        z = z - np.clip(z, -sz, sz)
+        return np.sqrt(x * x + y * y + z * z) - sx
     if shape.kind == "cylinder":
-        q = np.stack([np.hypot(p[..., 0], p[..., 1]) - sx, np.abs(p[..., 2]) - sz], axis=-1)
+        q = [np.sqrt(x * x + y * y) - sx, np.abs(z) - sz]
     else:
-        q = np.abs(p) - np.array([sx, sy, sz])
-    outside = np.linalg.norm(np.maximum(q, 0.0), axis=-1)
-    return outside + np.minimum(q.max(axis=-1), 0.0)
+        q = [np.abs(x) - sx, np.abs(y) - sy, np.abs(z) - sz]
+    inside, square = q[0], np.square(np.maximum(q[0], 0.0))
+    for more in q[1:]:
+        inside = np.maximum(inside, more)
+        square += np.square(np.maximum(more, 0.0))
+    return np.sqrt(square) + np.minimum(inside, 0.0)
 
 
 @lru_cache(maxsize=1024)
@@ -88,17 +92,22 @@ def surface_gap(
 def _one_way(
     a: Body, b: Body, pos_a: Floats, quat_a: Floats, pos_b: Floats, quat_b: Floats
 ) -> Floats:
-    inverse_b = np.asarray(quat_b, float) * np.array([-1.0, -1.0, -1.0, 1.0])
+    to_b = np.swapaxes(_matrix(quat_b), -1, -2)
+    turn = to_b @ _matrix(quat_a)
+    offset = to_b @ (np.asarray(pos_a) - np.asarray(pos_b))[..., None]
     best = np.full(np.shape(pos_a)[:-1], np.inf)
-    for source in a.shapes:
-        local, radius = _samples(source)
-        local = quat_rotate(np.array(source.quaternion), local) + np.array(source.position)
-        world = (
-            quat_rotate(np.asarray(quat_a)[..., None, :], local) + np.asarray(pos_a)[..., None, :]
-        )
-        in_b = quat_rotate(inverse_b[..., None, :], world - np.asarray(pos_b)[..., None, :])
-        for target in b.shapes:
-            frame = np.array(target.quaternion) * np.array([-1.0, -1.0, -1.0, 1.0])
-            p = quat_rotate(frame, in_b - np.array(target.position))
+    for target in b.shapes:
+        frame = _matrix(target.quaternion).T
+        # Points of a's frame [3, n] in the target's, shape [3, ..., n].
+        into, shift = frame @ turn, frame @ (offset - np.array(target.position)[:, None])
+        for source in a.shapes:
+            local, radius = _samples(source)
+            points = quat_rotate(np.array(source.quaternion), local) + np.array(source.position)
+            p = np.moveaxis(into @ points.T + shift, -2, 0)
             best = np.minimum(best, signed_distance(target, p).min(axis=-1) - radius)
     return best
+
+
+def _matrix(q: ArrayLike) -> Floats:
+    """Rotation matrices of quaternions, shape [..., 4] -> [..., 3, 3]."""
+    return np.swapaxes(quat_rotate(np.asarray(q, float)[..., None, :], np.eye(3)), -1, -2)

@@ -239,3 +239,74 @@ def record_frames(
 def advance(clock: wp.array(dtype=int)):
     """Counts the step."""
     clock[0] = clock[0] + 1
+
+
+@wp.func
+def _insert(first: int, stop: int, keys: wp.array(dtype=wp.int64), values: wp.array(dtype=int)):
+    """Sorts pairs first .. stop - 1."""
+    for i in range(first + 1, stop):
+        key = keys[i]
+        value = values[i]
+        k = int(i)  # a variable to Warp, not another name
+        while k > first and keys[k - 1] > key:
+            keys[k] = keys[k - 1]
+            values[k] = values[k - 1]
+            k -= 1
+        keys[k] = key
+        values[k] = value
+
+
+@wp.func
+def _merge(
+    far: int,
+    first: int,
+    middle: int,
+    stop: int,
+    keys: wp.array(dtype=wp.int64),
+    values: wp.array(dtype=int),
+):
+    """Merges two sorted runs; only the left one has to leave its place, by `far`."""
+    if keys[middle - 1] <= keys[middle]:
+        return
+    for i in range(first, middle):
+        keys[far + i] = keys[i]
+        values[far + i] = values[i]
+    left = int(first)
+    right = int(middle)
+    k = int(first)
+    while left < middle:
+        if right < stop and keys[right] < keys[far + left]:
+            keys[k] = keys[right]
+            values[k] = values[right]
+            right += 1
+        else:
+            keys[k] = keys[far + left]
+            values[k] = values[far + left]
+            left += 1
+        k += 1
+
+
+RUN = wp.constant(8)
+"""Pairs that are sorted by insertion."""
+
+
+@wp.kernel(enable_backward=False)
+def sort_pairs(
+    count: wp.array(dtype=int),
+    limit: int,
+    keys: wp.array(dtype=wp.int64),
+    values: wp.array(dtype=int),
+):
+    """One thread sorts the first count[0] (at most `limit`) pairs by key, equal keys in order.
+
+    Both arrays have room for 2 `limit`.
+    """
+    n = wp.min(count[0], limit)
+    for k in range((n + RUN - 1) / RUN):
+        _insert(k * RUN, wp.min((k + 1) * RUN, n), keys, values)
+    width = int(RUN)
+    while width < n:
+        for k in range((n + width - 1) / (2 * width)):
+            middle = (2 * k + 1) * width
+            _merge(limit, middle - width, middle, wp.min(middle + width, n), keys, values)
+        width *= 2

@@ -14,6 +14,7 @@ from esg.engines.newton_setup import (
     STEPS_PER_GRAPH,
     quiet_warp,
     share_kernels,
+    sort_few_contacts,
 )
 from esg.engines.program import FIELDS
 
@@ -39,6 +40,7 @@ class NewtonWorlds:
     def __init__(self, device: str, n_worlds: int, n_bodies: int, *, by_chunk: bool) -> None:
         self.wp = quiet_warp()
         share_kernels()
+        sort_few_contacts()
         self.device, self.n_worlds, self.n_bodies = device, n_worlds, n_bodies
         self._by_chunk = by_chunk
         self._graphs: dict[object, Any] = {}
