@@ -239,11 +239,7 @@ def _outcome(doc: EsgDocument, own: SceneVerdict) -> tuple[Outcome, str]:
 
     failures = [f"{e.id} ({e.type}): {e.reason}" for e in own.events if not e.completed]
     if not own.slr:
-        missing = [f"missing {m}" for m in own.layout.missing]
-        overlaps = [
-            f"{o.a} and {o.b} overlap by {100 * o.depth_m:.1f} cm" for o in own.layout.overlaps
-        ]
-        failures = [*missing, *overlaps, *failures]
+        failures = [*own.layout.faults, *failures]
     result = doc.dynamics_result
     claimed = Outcome(result.outcome) if result is not None else Outcome.SOLVED
     reason = result.reason if result is not None else ""

@@ -200,12 +200,9 @@ def missed(states: list[SceneState]) -> list[dict[str, Any]]:
             for c in verdict.constraints
             if c.score == 0.0
         ]
-        wrong = [f"missing: {m}" for m in verdict.layout.missing]
-        wrong += [
-            f"{o.a} and {o.b} overlap by {100 * o.depth_m:.1f} cm" for o in verdict.layout.overlaps
-        ]
         if not verdict.slr:
-            rows.append({**where, "what": "layout", "reason": "; ".join(wrong)})
+            reason = "; ".join(verdict.layout.faults)
+            rows.append({**where, "what": "layout", "reason": reason})
     return rows
 
 

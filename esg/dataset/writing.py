@@ -109,10 +109,7 @@ def unmet(state: SceneState) -> str:
 
     verdict = load_verdict(state)
     parts = [f"{e.id} ({e.type}): {e.reason}" for e in verdict.events if not e.completed]
-    parts += [f"missing {m}" for m in verdict.layout.missing]
-    parts += [
-        f"{o.a} and {o.b} overlap by {100 * o.depth_m:.1f} cm" for o in verdict.layout.overlaps
-    ]
+    parts += verdict.layout.faults
     return "; ".join(parts) or "the layout is invalid"
 
 

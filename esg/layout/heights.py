@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from esg.graph.models import EsgDocument, RelationType
-from esg.layout.supports import Shape, SupportMap, stand_on
+from esg.layout.supports import Shape, SupportMap
 from esg.layout.units import UnitBuilder
 
 MARGIN_CM = 1.0
@@ -25,9 +25,6 @@ def heights(
     higher_than, lower_than, same_level_as and above, in a few passes over those edges.
     """
     names = list(doc.spatial_relation_graph.nodes)
-    for above, below in builder.stacked.items():
-        if supports.of[above].parent != below:
-            supports.of[above] = stand_on(shape[above], below, shape[below])
     airborne = {n: z for u in builder.units for n, z in u.z_cm.items()}
     lift: dict[str, float] = {}
 

@@ -17,7 +17,14 @@ from esg.layout.obstacles import CLEAR_HEIGHT_CM, Obstacle, Prism, obstacles
 from esg.layout.ordering import break_parent_cycles, implied_faces, placement_order
 from esg.layout.pairs import collision_pairs
 from esg.layout.shapes import CIRCLE
-from esg.layout.supports import Shape, SupportMap, find_supports, ground_nodes, shapes
+from esg.layout.supports import (
+    Shape,
+    SupportMap,
+    falling_nodes,
+    find_supports,
+    ground_nodes,
+    shapes,
+)
 from esg.layout.units import Unit, UnitBuilder
 
 PARAMS = 6
@@ -29,7 +36,8 @@ class LayoutProblem:
 
     `names` lists the real nodes; nodes beyond them are corridors of planned motion. Units are in
     placement order (parents and what others depend on first); node indices are local. `ground` are
-    the nodes that are the ground itself, `terms_of` the terms of each relation.
+    the nodes that are the ground itself, `falling` those that fall in the story, `terms_of` the
+    terms of each relation.
     """
 
     names: tuple[str, ...]
@@ -40,6 +48,7 @@ class LayoutProblem:
     obstacles: tuple[Obstacle, ...]
     notes: tuple[str, ...]
     ground: frozenset[str]
+    falling: frozenset[str]
     terms_of: dict[str, list[Term]]
     node_unit: np.ndarray
     node_rel: np.ndarray
@@ -247,6 +256,7 @@ def _arrays(
         obstacles=tuple(blocked),
         notes=tuple(notes),
         ground=frozenset(ground),
+        falling=falling_nodes(doc),
         terms_of=terms_of,
         node_unit=np.asarray(node_unit, np.int32),
         node_rel=np.asarray(node_rel, np.float32).reshape(-1, 3),

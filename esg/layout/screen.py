@@ -26,6 +26,7 @@ from esg.layout.check import (
 )
 from esg.layout.edges import AXES, CARDINAL
 from esg.layout.problem import LayoutProblem
+from esg.layout.resting import carried, centre_offset, is_solid
 
 DOUBT = 1e-7
 """Distance [cm, degrees] from the limit within which the detailed check decides."""
@@ -90,6 +91,13 @@ def build_screen(doc: EsgDocument, problem: LayoutProblem) -> Screen | None:
         is_line = m.relation_type is MultiRelationType.ALIGN
         rows += _multi(problem, still, index, k, is_line)
         reports.append(report(*edge_names(m), 0.0, ""))
+
+    for n in carried(problem):
+        s = problem.supports.of[n]
+        if s.rect is None or s.parent is None or not is_solid(problem, n):
+            return None
+        at = (index[n], index[s.parent])
+        rows.append(_row(REST, at, *s.rect, 0.0, *centre_offset(problem, n)))
 
     count = len(index)
     shown = int(problem.prim_off[count])
@@ -314,6 +322,8 @@ def _violation(
         wide = np.where(is_round[a], half[a, 0], half[a, 0] * cos + half[a, 1] * sin)
         deep = np.where(is_round[a], half[a, 1], half[a, 0] * sin + half[a, 1] * cos)
         hx, hy = wide * p[4], deep * p[4]
+        c, s = np.cos(turned), np.sin(turned)
+        x, y = x + c * p[5] - s * p[6], y + s * p[5] + c * p[6]
         return np.max([p[0] + hx - x, x + hx - p[2], p[1] + hy - y, y + hy - p[3]], axis=0)
     if kind == ORDER:
         along = np.where(p[0] == 0, pa[:, 0] - pb[:, 0], pa[:, 1] - pb[:, 1])

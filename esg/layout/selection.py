@@ -10,6 +10,7 @@ import numpy as np
 from esg.graph.models import EsgDocument, RelationReport
 from esg.layout.check import World, intrusions, penetrations, relation_reports, world_poses
 from esg.layout.problem import LayoutProblem
+from esg.layout.resting import unsupported
 from esg.layout.screen import Screen, build_screen, passing
 from esg.layout.search import SearchResult
 
@@ -69,7 +70,7 @@ def _choose(doc: EsgDocument, problem: LayoutProblem, result: SearchResult) -> F
     for k in order[:6].tolist():
         world = world_poses(problem, result.units[k])
         deep = sum(1 for p in penetrations(problem, world) if p[0] > 0.05)
-        deep += len(intrusions(problem, world))
+        deep += len(intrusions(problem, world)) + len(unsupported(problem, world))
         reports = relation_reports(doc, problem, world)
         broken = sum(not r.satisfied for r in reports)
         hard = sum(not r.satisfied and r.relation_type in HARD_RELATIONS for r in reports)

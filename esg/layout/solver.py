@@ -16,6 +16,7 @@ from esg.layout.config import LayoutConfig
 from esg.layout.hints import StartHints
 from esg.layout.join import join
 from esg.layout.problem import LayoutProblem, build_problem
+from esg.layout.resting import unsupported
 from esg.layout.search import EvaluateRequest, Request, SearchRequest, answer, batches
 from esg.layout.selection import HARD_RELATIONS, Found, choose_all
 from esg.outcomes import UserError
@@ -299,8 +300,10 @@ def _result(doc: EsgDocument, problem: LayoutProblem, found: Found) -> LayoutRes
     supports = [f"{n} {s.note}" for n, s in problem.supports.of.items() if s.note]
     blocked = [] if fine else intrusions(problem, world)
     blocked = [f"{n} stands in {label}" for _, n, label in blocked]
-    feasible = not bad and not hard and not supports and not blocked
-    reason = _reason(doc, problem, bad, [*hard, *supports, *blocked])
+    loose = [] if fine else unsupported(problem, world)
+    hung = [f"{n} hangs in the air beside {parent}" for _, n, parent in loose]
+    feasible = not bad and not hard and not supports and not blocked and not hung
+    reason = _reason(doc, problem, bad, [*hard, *supports, *blocked, *hung])
     (x0, y0, _), (x1, y1, _) = doc.scene_definition.coordinate_system.world_bounds_cm
     away = [
         f"{n} starts outside the world bounds"

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+import math
 from typing import Literal
 
 from esg.graph.models import (
     AssetConfiguration,
     EsgDocument,
+    NodeEvent,
     RegionType,
     RelationType,
     SupportSurface,
 )
-from esg.layout.shapes import Footprint, bounds, footprints
+from esg.layout.shapes import CIRCLE, Footprint, bounds, footprints
 
 REST_GAP_CM = 0.01
 """Gap between an object and its support: far below what a settling step can notice."""
@@ -77,6 +79,17 @@ def shapes(doc: EsgDocument) -> dict[str, Shape]:
     return {n: per_asset[v.asset_id] for n, v in doc.spatial_relation_graph.nodes.items()}
 
 
+def falling_nodes(doc: EsgDocument) -> frozenset[str]:
+    """Nodes that fall or topple in the story: they may start over the edge of what carries them."""
+    if doc.timeline_system is None:
+        return frozenset()
+    return frozenset(
+        n.participants[0]
+        for n in doc.timeline_system.sequence_graph.nodes
+        if n.event in (NodeEvent.FALL, NodeEvent.TOPPLE) and n.participants
+    )
+
+
 def ground_nodes(doc: EsgDocument) -> tuple[str, ...]:
     """Structural nodes that are the ground itself: by name, else by what they are made of.
 
@@ -99,24 +112,45 @@ def ground_nodes(doc: EsgDocument) -> tuple[str, ...]:
     return tuple(out[:1])
 
 
+TOP_CM = 2.0
+"""Parts that end this far below the highest one carry with it: a rim, the slats of a bench."""
+
+
+def top_of(shape: Shape) -> SupportSurface:
+    """The upper end of an object without declared surfaces: where its highest parts are."""
+    top = max(p.z1 for p in shape.prims)
+    boxes: list[Rect] = []
+    for p in shape.prims:
+        if p.z1 < top - TOP_CM:
+            continue
+        c, n = abs(math.cos(p.yaw)), abs(math.sin(p.yaw))
+        hx, hy = (p.hx, p.hx) if p.kind == CIRCLE else (p.hx * c + p.hy * n, p.hx * n + p.hy * c)
+        boxes.append((p.x - hx, p.y - hy, p.x + hx, p.y + hy))
+    x0, y0 = min(b[0] for b in boxes), min(b[1] for b in boxes)
+    x1, y1 = max(b[2] for b in boxes), max(b[3] for b in boxes)
+    return SupportSurface(
+        name="top",
+        center_cm=(0.5 * (x0 + x1), 0.5 * (y0 + y1), top),
+        half_extents_cm=(0.5 * (x1 - x0), 0.5 * (y1 - y0)),
+    )
+
+
 def surfaces_of(shape: Shape) -> list[SupportSurface]:
-    """The large surfaces of an object, the highest first, else the top of its box."""
+    """The large surfaces of an object, the highest first, else its upper end."""
     surfaces = shape.config.support_surfaces
     if shape.is_decal:
         return [SupportSurface(
             name="decal", center_cm=(0.0, 0.0, 0.0), half_extents_cm=(shape.hx, shape.hy)
         )]  # fmt: skip
     if not surfaces:
-        return [SupportSurface(
-            name="top", center_cm=(0.0, 0.0, shape.height), half_extents_cm=(shape.hx, shape.hy)
-        )]  # fmt: skip
+        return [top_of(shape)]
     area = [4 * s.half_extents_cm[0] * s.half_extents_cm[1] for s in surfaces]
     large = [s for s, a in zip(surfaces, area, strict=True) if a >= 0.6 * max(area)]
     return sorted(large, key=lambda s: -s.center_cm[2])
 
 
 def surface_for(shape: Shape) -> SupportSurface:
-    """The surface that `on` means: the highest among the large ones, else the top of the box."""
+    """The surface that `on` means: the highest among the large ones, else the upper end."""
     return surfaces_of(shape)[0]
 
 

@@ -12,7 +12,7 @@ import numpy as np
 from esg.graph.models import EsgDocument, RelationType
 from esg.layout.hints import Constellation, Corridor, StartHints
 from esg.layout.patterns import Pose2, arrange, is_domino_like
-from esg.layout.supports import Shape, SupportMap, ground_nodes
+from esg.layout.supports import Shape, SupportMap, falling_nodes, ground_nodes, stand_on
 
 RIGID_PATTERNS = ("pins", "rack", "row", "column", "queue", "stack")
 
@@ -126,6 +126,16 @@ class UnitBuilder:
         for name in self.nodes:
             if name not in self.taken:
                 self._add(Unit({name: (0.0, 0.0, 0.0)}, parent=self.supports.of[name].parent))
+        for above, below in self.stacked.items():
+            if self.supports.of[above].parent != below:
+                self.supports.of[above] = stand_on(self.shape[above], below, self.shape[below])
+        from esg.layout.setting import set_on_supports  # it needs units and the check of a layout
+
+        falling = falling_nodes(self.doc) if planned else frozenset()
+        for unit in planned:
+            for name in set_on_supports(unit, self.supports, self.shape, falling):
+                parent = self.supports.of[name].parent
+                self.notes.append(f"{name} was planned beside {parent} and is set on it")
         return self.units
 
     def _is_queue(self, unit: Unit) -> bool:

@@ -15,6 +15,7 @@ from esg.metrics.binding import Binding, bind
 from esg.metrics.constraints import Scored, measure, unmeasured
 from esg.metrics.detection import Found, Query
 from esg.metrics.events import detect, names
+from esg.metrics.hanging import hanging
 from esg.metrics.models import (
     EventVerdict,
     LayoutVerdict,
@@ -58,7 +59,7 @@ def judge(
         suite_scene=suite_scene.id,
         engine=rollout.engine,
         dt_s=rollout.dt,
-        layout=judge_layout(replay, bindings),
+        layout=judge_layout(replay, suite_scene, bindings),
         events=tuple(_event_verdict(replay, e, found[e.id]) for e in suite_scene.events),
         constraints=tuple(measure(c, world_view) for c in suite_scene.constraints),
         bindings={p: b.names(scene) for p, b in bindings.items()},
@@ -98,14 +99,20 @@ def bind_all(scene: SimScene, suite_scene: SuiteScene) -> dict[str, Binding]:
     return {p: bind(p, scene, target=p in targets) for p in dict.fromkeys(phrases)}
 
 
-def judge_layout(replay: Replay, bindings: dict[str, Binding]) -> LayoutVerdict:
-    """SLR: all prescribed objects are there, and no pair overlaps by over 2 cm at the start."""
+def judge_layout(
+    replay: Replay, suite_scene: SuiteScene, bindings: dict[str, Binding]
+) -> LayoutVerdict:
+    """SLR: all prescribed objects are there, no pair overlaps by over 2 cm at the start, and
+    nothing hangs in the air.
+    """
     missing = tuple(b.problem for b in bindings.values() if b.problem)
     overlaps, deepest = initial_overlaps(replay)
+    loose = hanging(replay, suite_scene, bindings)
     return LayoutVerdict(
-        valid=not missing and not overlaps,
+        valid=not missing and not overlaps and not loose,
         missing=missing,
         overlaps=overlaps,
+        hanging=loose,
         max_penetration_m=deepest,
     )
 

@@ -195,8 +195,19 @@ class LayoutVerdict(_Frozen):
     """Phrases that bind to nothing or to too few objects, with the reason."""
     overlaps: tuple[Overlap, ...] = ()
     """Pairs deeper than the limit."""
+    hanging: tuple[str, ...] = ()
+    """Bodies that start in the air and fall at once although nothing says so."""
     max_penetration_m: float = 0.0
     """Deepest overlap of any pair, 0 if none touches."""
+
+    @property
+    def faults(self) -> tuple[str, ...]:
+        """What makes the layout invalid, in words."""
+        return (
+            *(f"missing: {m}" for m in self.missing),
+            *(f"{o.a} and {o.b} overlap by {100 * o.depth_m:.1f} cm" for o in self.overlaps),
+            *(f"{n} hangs in the air" for n in self.hanging),
+        )
 
 
 class SceneVerdict(_Frozen):

@@ -150,7 +150,4 @@ def failures(scene: SimScene, verdict: SceneVerdict | None) -> list[str]:
         for e in verdict.events
         if not e.completed
     ]
-    layout = verdict.layout
-    lines += [f"missing: {m}" for m in layout.missing]
-    lines += [f"overlap: {o.a} and {o.b}, {100 * o.depth_m:.1f} cm" for o in layout.overlaps]
-    return lines
+    return [*lines, *verdict.layout.faults]

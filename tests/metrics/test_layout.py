@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
+from esg.engines.program import SetVelocity
 from esg.engines.scene import Shape
 from esg.metrics import SuiteEvent
 from tests.metrics.worlds import World, ball, body, line
@@ -61,3 +63,51 @@ def test_everything_the_suite_names_must_be_there():
 def test_bindings_are_reported():
     verdict = World(0.1).add(body("box_1")).judge(objects=["the box"])
     assert verdict.bindings == {"the box": ("box_1",)}
+
+
+def falling(z: float):
+    return lambda t: np.maximum(z - 0.5 * 9.81 * t**2, 0.1)
+
+
+def on_table(world: World, x: float = 0.0) -> World:
+    """A table of 1 x 1 m, its top 0.8 m high."""
+    top = body("table_1", Shape("box", (0.5, 0.5, 0.4)), static=True)
+    return world.add(top, x=x)
+
+
+def test_what_hangs_beside_its_support_makes_a_layout_invalid():
+    beside = on_table(World(1.0)).add(body("vase_1"), x=0.7, z=falling(0.9))
+    assert beside.judge().layout.hanging == ("vase_1",)
+    assert not beside.judge().slr
+    on_it = on_table(World(1.0)).add(body("vase_1"), x=0.3, z=0.9)
+    assert on_it.judge().slr
+
+
+def test_a_gap_below_two_centimetres_is_no_fault_and_what_does_not_fall_neither():
+    near = on_table(World(1.0)).add(body("vase_1"), z=lambda t: np.maximum(0.915 - t, 0.9))
+    assert near.judge().slr
+    held = World(1.0).add(body("drone_1"), z=1.5)
+    assert held.judge().slr
+
+
+def test_what_the_suite_lets_fall_may_start_in_the_air():
+    def start(x: float, *events: SuiteEvent):
+        world = on_table(World(1.0), x=x).add(body("vase_1"), z=falling(2.0))
+        return world.judge(list(events)).layout
+
+    onto = SuiteEvent(id="e1", type="collision", a="vase", b="table")
+    assert start(0.0, onto).valid
+    assert start(3.0, onto).hanging == ("vase_1",)  # the table is not below
+    assert start(3.0, SuiteEvent(id="e1", type="falls", object="vase")).valid
+    off = SuiteEvent.model_validate(
+        {"id": "e1", "type": "falls", "object": "vase", "from": "table"}
+    )
+    assert start(3.0, off).hanging == ("vase_1",)
+    assert start(0.0, off).valid
+
+
+def test_what_the_program_launches_may_start_in_the_air():
+    world = World(1.0).add(body("vase_1"), z=falling(2.0))
+    assert not world.judge().slr
+    world.primitives.append(SetVelocity("vase_1", 0.0, linear=(1.0, 0.0, 0.0)))
+    assert world.judge().slr

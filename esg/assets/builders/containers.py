@@ -129,8 +129,8 @@ def pallet(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
             s.slab((x - 7.25, x + 7.25), (y - 5, y + 5), (2.2, 10), shade(c, 0.9), rough=0.9)
     for y in (-35, 0, 35):
         s.slab((-60, 60), (y - 5, y + 5), (0, 2.2), c, rough=0.9)
-        s.proxy_slab((-60, 60), (y - 5, y + 5), (0, 10))
-    s.proxy_slab((-60, 60), (-40, 40), (10, 14.4))
+    # Solid to the bottom: it would sink between the tines of the fork that carries it.
+    s.proxy_slab((-60, 60), (-40, 40), (0, 14.4))
     s.surface("top", 14.4, (60, 40))
 
 
