@@ -9,7 +9,7 @@ from esg.draft.core import Time
 from esg.draft.events import PUSHING
 from esg.draft.frames import Frame, Phrase
 from esg.draft.motions import Motions
-from esg.draft.scene import SELF_POWERED
+from esg.draft.scene import SELF_POWERED, STRUCK
 from esg.graph.models import NodeEvent
 
 _GOALMOUTH = frozenset({"post", "goalpost", "crossbar", "keeper", "goalkeeper", "goalie", "rim"})
@@ -136,6 +136,14 @@ class Acts(Motions):
         open_ = open_ or noun.name in ("tray", "container", "barrel")
         return prep in ("into", "in", "through") and (self._holds(host) or open_)
 
+    def _bounces_over(self, actor: str, host: str) -> bool:
+        """Whether a bounce leads over the host's rim: what came down, and a ball into a vessel.
+
+        A box that a ball bounces into may as well be what it bumps against.
+        """
+        vessel = self.kind(host) != "box" and self.kind(actor) in STRUCK
+        return actor in self.came_down or (vessel and self._holds(host))
+
     def _from_an_end(self, f: Frame, p: Phrase, other: str) -> bool:
         """Whether a motion starts at the end of a table or shelf, and stays on it."""
         end = p.mention is not None and bool(_ENDS & set(p.mention.part.split()))
@@ -257,7 +265,7 @@ class Acts(Motions):
             "pocket",
             "fly",
         )
-        airborne = airborne or (f.verb.sense == "bounce" and actor in self.came_down)
+        airborne = airborne or (f.verb.sense == "bounce" and self._bounces_over(actor, other))
         airborne = airborne or ("there" in f.adverbs and actor in self.came_down)
         enterable = (
             noun.kind in ("region", "goal", "hole", "hoop")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 from esg.draft.core import Time
@@ -18,6 +19,7 @@ HIGHEST_CM = 2e4
 """Highest start of a fall, as the verifier has it."""
 PUSHING = frozenset({"push", "shove", "nudge", "prod"})
 """Verbs of moving a thing by touching it."""
+_GOES_ON = re.compile(r"\b(?:then|next|afterwards?|later|finally|subsequently)\b", re.IGNORECASE)
 
 
 class Events(EventCoreference):
@@ -39,15 +41,20 @@ class Events(EventCoreference):
                     out.append(self._of_a_stack(group, targets))
                 seen.add(group)
                 continue
-            mates = [i for i in targets if self.e(i).group == group and not self.e(i).place]
-            if group is not None and mates and self.e(t).place in ("last", "final"):
-                continue  # "rolls into three wagons; the last wagon ..."
-            if group is not None and not self.e(t).letter and not self.e(t).place:
-                if group in seen:
-                    continue
-                seen.add(group)
+            mates = [i for i in targets if group is not None and self.e(i).group == group]
+            if any(not self.e(i).letter and not self.e(i).place for i in mates):
+                if group not in seen:  # "hits a row of bins and pushes the red one into a wall"
+                    out.append(self._stands_for(mates))
+                seen.add(group or "")
+                continue
             out.append(t)
         return out
+
+    def _stands_for(self, mates: list[str]) -> str:
+        """The member that stands for its plural: one that the prompt names, not the last."""
+        named = [i for i in mates if self.e(i).place and self.e(i).place not in ("last", "final")]
+        plain = [i for i in mates if not self.e(i).letter and not self.e(i).place]
+        return next(iter([*named, *plain]))
 
     def _of_a_stack(self, group: str, targets: list[str]) -> str:
         """Who stands for a stack: the one struck before, one named by its level, or the lowest."""
@@ -107,6 +114,8 @@ class Events(EventCoreference):
         node_id = ""
         if time is not None and (time[1].start, time[1].end) in self.scene.used:
             time = None
+        if time is not None and previous is not None and self._on_its_own(f, participants, time):
+            time = (time[0], time[1], "at")
         if time is not None and (previous is None or time[2] == "at") and not stop_timed:
             node_id = self.tl.event(
                 kind, participants, self.describe(f), time=time[0], prescribed=True, **extra
@@ -159,6 +168,22 @@ class Events(EventCoreference):
             )
         self.use(f, node_id)
         return node_id
+
+    def _on_its_own(self, f: Frame, participants: tuple[str, ...], time: Time) -> bool:
+        """Whether a time counts from the start: nothing that takes part has met with anything yet.
+
+        "The red ball hits a box after 1 s and the blue ball hits a barrel after 2 s" are two
+        stories; "later", "then" and a time in front of the clause go on from the one before.
+        """
+        amount = time[1]
+        follows = self.text[: amount.start].rstrip().lower().endswith("after")
+        if not follows or amount.start < f.verb.start or amount.measure:
+            return False
+        begins = f.verb.start if f.subject is None else min(f.subject.start, f.verb.start)
+        if _GOES_ON.search(self.text[max(0, begins - 20) : amount.start]):
+            return False
+        met = {p for n in self.tl.nodes for p in n.participants}
+        return not met & set(participants)
 
     def _lands_before(self, f: Frame, mover: str, amount: Amount) -> bool:
         """Whether a clause says on what its mover lands, and only then a time."""

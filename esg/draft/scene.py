@@ -47,6 +47,8 @@ class Scene:
     warnings: list[str] = field(default_factory=list)
 
 
+STRUCK = frozenset({"ball", "billiard", "projectile"})
+"""Kinds of things that are struck, thrown and bounce."""
 SELF_POWERED = frozenset(
     {"vehicle", "person", "animal", "robot", "cart", "toyvehicle", "watercraft", "flyer"}
 )

@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 from esg.draft.frames import Frame
-from esg.draft.scene import SELF_POWERED
+from esg.draft.scene import SELF_POWERED, STRUCK
 from esg.draft.senses_steer import SteerSenses
 from esg.graph.models import NodeEvent
-
-_STRUCK = frozenset({"ball", "billiard", "projectile"})
 
 
 class MotionSenses(SteerSenses):
     """Motions and where they lead."""
 
     def _do_own(self, f: Frame, s: list[str], o: list[str]) -> None:
-        if s and o and self.kind(s[0]) == "person" and self.kind(o[0]) in _STRUCK:
+        if s and o and self.kind(s[0]) == "person" and self.kind(o[0]) in STRUCK:
             self._launch_by(f, s, o)  # "the batsman drives the ball past the bowler"
             return
         by = f.phrase("by")
@@ -215,6 +213,7 @@ class MotionSenses(SteerSenses):
                 elif self.last_hit == (actor, other) and p.prep in ("off", "from"):
                     self.use(f, "rebound of the collision")
                 elif p.prep == "into" and self._takes_up(actor, other):
+                    self._met_first(f, actor, other)
                     self._ensure_mover(f, actor, other)
                     self._go_into(f, actor, p.mention.entities, p, self._time(f))
                 else:
@@ -242,10 +241,16 @@ class MotionSenses(SteerSenses):
             for actor in s:
                 self._go_into(f, actor, into.mention.entities if into.mention else [], into, None)
 
+    def _met_first(self, f: Frame, actor: str, host: str) -> None:
+        """ "is thrown at a wall and bounces into a bucket": off what it was aimed at."""
+        aimed, track = self.aim.get(actor), self.tl.tracks.get(actor)
+        if aimed is not None and aimed != host and track is not None and not track.closed:
+            self._hit(f, [actor], [aimed])
+
     def _takes_up(self, actor: str, host: str) -> bool:
         """Whether a bounce leads into something: a goal always, over a rim out of the air."""
-        flew = self._airborne(actor) or actor in self.came_down
-        return self._enterable(host) or (flew and self._holds(host))
+        over = self._airborne(actor) or self._bounces_over(actor, host)
+        return self._enterable(host) or (over and self._holds(host))
 
     def _ensure_drop(self, f: Frame, actor: str) -> None:
         if actor not in self.tl.tracks:

@@ -11,6 +11,7 @@ from esg.draft.elements import Element, Mention, Verb, Word
 from esg.draft.multiwords import MULTIWORDS
 from esg.draft.nominals import RETOLD_NOUNS
 from esg.draft.nounphrases import NounPhrases
+from esg.draft.numerals import parse_number
 from esg.draft.verbphrases import verb_readings
 
 _HEADINGS = frozenset(
@@ -19,6 +20,13 @@ _HEADINGS = frozenset(
      "scenario", "story", "instruction", "instructions", "request"}
 )  # fmt: skip
 _ASKING = frozenset({"can", "could", "will", "would", "may", "does", "did", "is", "are"})
+_BOUNDS = (
+    ("at", "least"), ("at", "most"), ("no", "fewer", "than"), ("no", "more", "than"),
+    ("no", "less", "than"), ("not", "more", "than"), ("more", "than"), ("fewer", "than"),
+    ("less", "than"), ("up", "to"), ("as", "many", "as"), ("exactly",), ("precisely",), ("about",),
+    ("around",), ("roughly",), ("nearly",), ("almost",),
+)  # fmt: skip
+"""What bounds a count: "at least two of the pins"."""
 _SO_AS_TO = (("in", "order", "to"), ("so", "as", "to"))
 
 
@@ -85,6 +93,10 @@ class Chunker(NounPhrases):
         if low in ("and", "or", "but", "plus", "nor"):
             self.elements.append(Word(token.start, token.end, "conj", low))
             return i + 1
+        used = self._bounded_count(i)
+        if used:
+            self.elements.append(Word(token.start, self.tokens[i + used - 1].end, "adv", "exactly"))
+            return i + used
         used = self._multiword(i)
         if used:
             return i + used
@@ -161,6 +173,24 @@ class Chunker(NounPhrases):
             and previous.amount is not None
             and self._finite_after_of(i - 1, i)
         )
+
+    def _bounded_count(self, i: int) -> int:
+        """Words that bound a count: "at least two pins fall"."""
+        for words in _BOUNDS:
+            k = i + len(words)
+            counted = self._tok(k)
+            if counted is None or any(self._low(i + n) != w for n, w in enumerate(words)):
+                continue
+            value = parse_number(counted.low) if counted.kind in ("word", "number") else None
+            whole = isinstance(value, float) and value.is_integer() and value >= 1.0
+            if not whole or counted.low in ("a", "an"):
+                continue
+            thing = k + 1
+            while self._is_adjective(thing) and self._match_noun(thing) is None:
+                thing += 1
+            if self._low(k + 1) == "of" or self._match_noun(thing) is not None:
+                return len(words)
+        return 0
 
     def _multiword(self, i: int) -> int:
         for words, kind, low in MULTIWORDS:

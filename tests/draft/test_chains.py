@@ -40,6 +40,30 @@ def told(doc: EsgDocument) -> list[str]:
                 "Topple second_bicycle_1",
             ],
         ),
+        # one of many: bounded counts, and a plural whose member is named afterwards
+        (
+            "A bowling ball strikes ten pins and at least one of them falls.",
+            ["Collision bowling_ball_1 pin_1", "Topple pin_1"],
+        ),
+        (
+            "A ball hits six bottles. No fewer than three bottles topple.",
+            ["Collision ball_1 bottle_1", "Topple bottle_1"],
+        ),
+        (
+            "A truck hits three barrels and sends the red barrel into a wall.",
+            ["Collision truck_1 red_barrel_1", "Collision red_barrel_1 wall_1"],
+        ),
+        (
+            "A dog runs into a row of four bins and pushes the first bin into the second.",
+            ["Collision dog_1 first_bin_1", "Collision first_bin_1 second_bin_1"],
+        ),
+        # a ball bounces into a vessel, off what it was thrown at; into a box it may bump
+        ("A ping pong ball bounces into a cup.", ["EnterRegion ping_pong_ball_1"]),
+        (
+            "A ball is thrown at a door and bounces into a bucket.",
+            ["Collision ball_1 door_1", "EnterRegion ball_1"],
+        ),
+        ("A tennis ball bounces into a box.", ["Collision tennis_ball_1 box_1"]),
         # leaves its support once
         (
             "A tile slides from the roof, just missing a woman, and smashes on the pavement.",

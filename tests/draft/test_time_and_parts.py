@@ -182,3 +182,25 @@ def test_it_is_what_the_sentence_before_was_about() -> None:
     """Prefer the lone subject of the sentence before to a noun in its phrases."""
     found = story(clean("A log rolls off a truck. A car hits it."))
     assert found == ["Fall log_1", "Collision car_1 log_1"]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "times"),
+    [
+        ("A ball hits a box after 1 s and a puck hits a barrel after 2 seconds.", [1.0, 2.0]),
+        ("A ball hits a box after 2 s and a puck hits a barrel after 1 second.", [2.0, 1.0]),
+        ("A car hits a wall after 2 seconds. A truck hits a bus after 3 seconds.", [2.0, 3.0]),
+        ("A ball hits a box after 1 s and then a puck hits a barrel after 2 s.", [1.0, None]),
+        ("A ball hits a box after 1 s, and after 2 s a puck hits a barrel.", [1.0, None]),
+        ("A ball hits a box after 1 s and a puck hits a barrel 2 s later.", [1.0, None]),
+        ("A ball hits a box after 1 s and the box hits a barrel after 2 s.", [1.0, None]),
+    ],
+)
+def test_what_happens_on_its_own_is_timed_from_the_start(
+    prompt: str, times: list[float | None]
+) -> None:
+    """Two stories side by side share the start; what goes on counts from the event before."""
+    hits = [n for n in points(clean(prompt)) if n.event == "Collision"]
+    assert [n.timestamp if n.time_is_prescribed else None for n in hits] == times
+    since = [c.value for n in hits for c in n.constraints if c.quantity == "time_since"]
+    assert since == ([2.0] if None in times else [])
