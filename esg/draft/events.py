@@ -13,7 +13,7 @@ from esg.draft.quantities import Amount
 from esg.draft.scene import SELF_POWERED, pocket_name
 from esg.draft.timeline import START
 from esg.draft.windows import Draft
-from esg.graph.models import EventConstraint, NodeEvent, Quantity, Role
+from esg.graph.models import EdgeEvent, EventConstraint, NodeEvent, Quantity, Role
 
 HIGHEST_CM = 2e4
 """Highest start of a fall, as the verifier has it."""
@@ -116,6 +116,8 @@ class Events(EventCoreference):
             time = None
         if time is not None and previous is not None and self._on_its_own(f, participants, time):
             time = (time[0], time[1], "at")
+        if time is not None and not self.text[time[1].end :].lstrip().lower().startswith("later"):
+            previous = self._begun(previous, mover)
         if time is not None and (previous is None or time[2] == "at") and not stop_timed:
             node_id = self.tl.event(
                 kind, participants, self.describe(f), time=time[0], prescribed=True, **extra
@@ -168,6 +170,20 @@ class Events(EventCoreference):
             )
         self.use(f, node_id)
         return node_id
+
+    def _begun(self, previous: str | None, mover: str) -> str | None:
+        """Where a change of speed began, if that is what came last; None at the start.
+
+        "It slows down to 5 m/s and hits a cone after 4 s": not 4 s after it has slowed down.
+        """
+        node = self.tl.node(previous) if previous is not None else None
+        if node is None or node.event is not NodeEvent.TRIGGER or node.participants != (mover,):
+            return previous
+        changed = (EdgeEvent.BRAKE, EdgeEvent.ACCELERATED_MOTION)
+        if all(c.quantity != "speed_after" for c in node.constraints):
+            return previous
+        begun = next((e.from_ for e in self.tl.edges if e.to == node.id and e.event in changed), "")
+        return None if begun == START else begun or previous
 
     def _on_its_own(self, f: Frame, participants: tuple[str, ...], time: Time) -> bool:
         """Whether a time counts from the start: nothing that takes part has met with anything yet.

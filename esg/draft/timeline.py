@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
-from esg.draft.windows import START, Draft, plan_times
+from esg.draft.windows import START, Draft, plan_times, settle_ambiguous
 from esg.graph.models import (
     Actor,
     EdgeEvent,
@@ -326,6 +326,7 @@ class TimelineBuilder:
             if name in involved and (t.role is Role.ACTIVE or t.hit)
         }
         edges = [self._repair(e, actors) for e in self.edges if e.actor in actors]
+        settle_ambiguous(self.nodes, edges)
         spans = plan_times(self.nodes, edges)
         nodes = [
             TimelineNode(

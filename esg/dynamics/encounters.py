@@ -4,10 +4,16 @@ from __future__ import annotations
 
 import math
 
-from esg.dynamics.kinematics import Frame, braking_distance, frame_mapping
+from esg.dynamics.kinematics import (
+    Frame,
+    braking_distance,
+    frame_mapping,
+    slowing,
+    stopping_damping,
+)
 from esg.dynamics.overtaking import cut_in
 from esg.dynamics.stage import FASTEST_MPS, Stage, speed_is_fixed
-from esg.dynamics.stagecraft import approach_distance, min_hit_speed
+from esg.dynamics.stagecraft import approach_distance, coasting_drag, min_hit_speed
 from esg.dynamics.story import Phase, bounds
 from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
 
@@ -201,7 +207,17 @@ def brake_into(
     duration = (
         max(0.2, prescribed - now) if prescribed is not None else float(stage.rng.uniform(0.7, 1.0))
     )
-    damping = min(max(-math.log(left) / duration, low), high)
+    actor = phase.edge.actor
+    body = stage.prop(actor)
+    drag = 0.0 if stage.story.soars(actor) else coasting_drag(body)
+    powered = stage.story.phases[actor][0].edge.event is not EdgeEvent.TOWARD
+    if powered and not (body.wheeled or body.rolls) and (1.0 - left) * speed < drag * duration:
+        # Its soles would stop it before the hit: it slows down step by step instead.
+        stage.nominal[f"{phase.edge.id}/stopping"] = duration / (1.0 - left)
+        return 0.5 * (1.0 + left) * speed * duration, duration, left * speed
+    if prescribed is None and drag > 0.0:
+        duration = min(duration, 0.7 * (1.0 - left) * speed / drag)
+    damping = min(max(stopping_damping(speed, duration, drag, left * speed), low), high)
     stage.nominal[f"{phase.edge.id}/damping"] = damping
-    distance = braking_distance(speed, damping, duration)
-    return distance, duration, speed * math.exp(-damping * duration)
+    distance, slower = slowing(speed, damping, drag, duration)
+    return distance, duration, slower

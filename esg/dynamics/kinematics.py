@@ -87,8 +87,26 @@ def braking_distance(speed: float, damping: float, duration: float) -> float:
     return speed / damping * (1.0 - math.exp(-damping * duration))
 
 
-def stopping_damping(speed: float, duration: float, deceleration: float) -> float:
-    """Linear damping [1/s] that, with Coulomb deceleration [m/s^2], slows to 0.1 m/s in `duration`.
+def slowing(speed: float, damping: float, drag: float, duration: float) -> tuple[float, float]:
+    """Way [m] and speed left [m/s] after `duration` of linear damping and Coulomb deceleration.
+
+    v(t) = (v0 + a/c) exp(-c t) - a/c, until it rests.
+    """
+    if drag < 1e-6 or damping < 1e-6:
+        left = speed * math.exp(-damping * duration) - drag * duration
+        if drag < 1e-6:
+            return braking_distance(speed, damping, duration), left
+        return sliding_travel(speed, drag, duration), max(0.0, left)
+    duration = min(duration, stopping_way(speed, damping, drag)[1])
+    ends, fades = drag / damping, math.exp(-damping * duration)
+    way = (speed + ends) * (1.0 - fades) / damping - ends * duration
+    return way, max(0.0, (speed + ends) * fades - ends)
+
+
+def stopping_damping(
+    speed: float, duration: float, deceleration: float, final: float = 0.1
+) -> float:
+    """Linear damping [1/s] that with a Coulomb deceleration [m/s^2] slows to `final` [m/s] in time.
 
     v(t) = (v0 + a/c) exp(-c t) - a/c, solved for c by bisection.
     """
@@ -99,7 +117,7 @@ def stopping_damping(speed: float, duration: float, deceleration: float) -> floa
     low, high = 1e-3, 50.0
     for _ in range(60):
         middle = 0.5 * (low + high)
-        low, high = (middle, high) if left(middle) > 0.1 else (low, middle)
+        low, high = (middle, high) if left(middle) > final else (low, middle)
     return 0.5 * (low + high)
 
 

@@ -9,6 +9,7 @@ from esg.dynamics.kinematics import (
     Frame,
     braking_distance,
     damping_for_way,
+    sliding_travel,
     stopping_damping,
     stopping_way,
 )
@@ -21,6 +22,8 @@ from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
 TURNED_RAD = math.radians(10.0)
 """A turn counts as made this far before its end: between the end of its tolerance and of itself."""
 LONGEST_STOP_S = 10.0
+SLIDES_ON = 0.4
+"""Share of the time to rest after which something that slides is acted upon at the latest."""
 REBOUND_S = 0.15
 """Time from a hit of something fixed to the brake that follows it."""
 
@@ -140,6 +143,14 @@ def _advance(stage: Stage, actor: str, phase: Phase, duration: float) -> None:
         track.straight(0.5 * (start + end) * duration, duration, end)
         return
     stage.nominal[f"{edge.id}/speed"] = speed
+    body = stage.prop(actor)
+    drag = coasting_drag(body)
+    if edge.event is EdgeEvent.TOWARD and drag > 0.0 and not stage.story.flies(actor):
+        if not phase.end.time_is_prescribed:
+            duration = min(duration, SLIDES_ON * speed / drag)  # not at rest by then
+        left = max(0.0, speed - drag * duration)
+        track.straight(sliding_travel(speed, drag, duration), duration, left)
+        return
     track.straight(speed * duration, duration, speed)
 
 

@@ -110,7 +110,7 @@ class Composer(Cast):
                         heading=heading,
                         acceleration=-abs(speed) / lasts,
                         roll_radius=body.roll_radius,
-                        until_contact=self._others(actor) if soars else (),
+                        until_contact=self._others(actor) if soars else self.contacts(phase),
                         climb=0.0 if soars else None,
                     )
                 )

@@ -16,6 +16,7 @@ from esg.dynamics.kinematics import (
     damping_for_way,
     rolling_travel,
     sliding_travel,
+    slowing,
     stopping_way,
 )
 from esg.dynamics.plan import make_plan
@@ -87,6 +88,39 @@ def test_what_slides_brakes_and_what_is_struck_spins_backwards() -> None:
     way, left = rolling_travel(2.8, friction, 1.0, spin)
     assert left == pytest.approx((5.0 * 2.8 - 2.0 * spin) / 7.0)
     assert way == pytest.approx(0.5 * (2.8 + left) * lasts + left * (1.0 - lasts))
+
+
+@pytest.mark.parametrize(
+    ("damping", "drag", "duration"),
+    [(0.3, 1.2, 3.0), (2.0, 0.0, 1.0), (0.0, 2.0, 1.0), (1.0, 4.0, 9.0)],
+)
+def test_a_brake_slows_by_damping_and_by_friction(
+    damping: float, drag: float, duration: float
+) -> None:
+    """The closed form is the integral of v' = -c v - a until rest."""
+    step, way, speed = 1e-4, 0.0, 8.0
+    for _ in range(round(duration / step)):
+        way += step * speed
+        speed = max(0.0, speed - step * (damping * speed + drag))
+    assert slowing(8.0, damping, drag, duration) == pytest.approx((way, speed), abs=2e-3)
+
+
+def test_who_brakes_into_something_on_foot_slows_down_step_by_step() -> None:
+    """Soles would stop a runner within a second; the hit is asked for after two."""
+    doc = cast("A runner at 6 m/s slows down but bumps into a bench after 2 seconds.")
+    holds = [p for p in first_program(doc) if isinstance(p, HoldVelocity)]
+    slower = next(p for p in holds if p.acceleration < 0.0)
+    assert slower.speed == pytest.approx(6.0)
+    at_the_hit = slower.speed + 2.0 * slower.acceleration
+    assert 1.0 < at_the_hit < 3.0
+
+
+def test_what_slides_is_braked_before_it_rests() -> None:
+    """Friction stops a sled of a stated speed; its brake sets in while it slides."""
+    doc = cast("A sled slides at 7 m/s, brakes and hits a snowman.")
+    nominal = choreograph(doc).nominal
+    friction = 0.5 * (config(doc, "sled_1").friction + config(doc, "ground_1").friction)
+    assert nominal["sled_1_brake/time"] < 0.5 * 7.0 / (friction * GRAVITY_MPS2)
 
 
 def test_a_timed_chain_reckons_with_friction() -> None:
