@@ -8,7 +8,7 @@ engine goes on from there.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,6 +24,8 @@ Floats = NDArray[np.float64]
 
 STARTS = 4
 """Candidates around the choreographed start that are judged before anything is searched."""
+SURE = 0.05
+"""Worst case of the choreographed start below which the others are not even played."""
 POPULATION = 48
 WORLDS = 32
 FINALISTS = 4
@@ -61,6 +63,7 @@ class Explored:
         stalled: Whether more rounds no longer improved it.
         pool: All that was played.
         good: Whether the surrogate finds nothing to object to the best.
+        left: Starts that were not played because the first one is good enough, shape [K, n].
     """
 
     finalists: Floats
@@ -68,6 +71,7 @@ class Explored:
     stalled: bool
     pool: Pool | None = None
     good: bool = False
+    left: Floats | None = None
 
     @property
     def reached(self) -> bool:
@@ -104,13 +108,22 @@ def search(
     best = panel.judge(finalists[:1])
     if best.good():
         return best, "robust"
-    if settled(best, explored):
+    if explored.left is not None and explored.pool is not None:
+        # The engines disagree on the choreographed theta: what of the others?
+        explored = _start(explored.pool, explored.left)
+        finalists = explored.finalists
+        first = (finalists == best.theta).all(axis=1)
+        finalists = np.concatenate([finalists[first], finalists[~first]])
+    elif settled(best, explored):
         return best, "no progress"
     if len(finalists) > 1:
-        other = panel.judge(finalists[1:])
-        best = min((best, other), key=lambda f: f.worst)
-        if best.good():
-            return best, "robust"
+        # One after the other, unless the engine plays all of them in the time of one.
+        many = 1 if panel.breadth == 1 else len(finalists)
+        for k in range(1, len(finalists), many):
+            other = panel.judge(finalists[k : k + many])
+            best = min((best, other), key=lambda f: f.worst)
+            if best.good():
+                return best, "robust"
         if settled(best, explored):
             return best, "no progress"
     some = bool(best.ensemble.all_completed().any())
@@ -182,10 +195,11 @@ def _explore(plan: Plan, panel: Panel, rng: np.random.Generator, max_rounds: int
     """
     scale = spreads(plan)
     pool = Pool(panel)
-    pool.preview(around(plan, plan.initial(), scale, rng, STARTS))
-    panel.note("start", "surrogate", STARTS, pool.best)
+    starts = around(plan, plan.initial(), scale, rng, STARTS)
+    # What plays many in the time of one need not wait for the first.
+    begun = _start(pool, starts, 1 if panel.breadth == 1 else STARTS)
     if pool.good:
-        return pool.explored(stalled=False)
+        return begun
     if not (broad(plan) > 0.0).any():
         return pool.explored(stalled=True)
     history = [pool.best]
@@ -203,6 +217,24 @@ def _explore(plan: Plan, panel: Panel, rng: np.random.Generator, max_rounds: int
         if ended or not nearing(history):
             break
     return _explore_widely(plan, pool, rng, max_rounds)
+
+
+def _start(pool: Pool, starts: Floats, first: int = STARTS) -> Explored:
+    """Plays starts under the ensemble, only the first of them if it leaves nothing to be wished.
+
+    Args:
+        pool: Where they are kept.
+        starts: Shape [K, n].
+        first: How many are played at once, the others only if they have to.
+    """
+    shown = pool.panel.preview(starts[:first])
+    sure = len(starts) == STARTS and bool(shown.good[0]) and shown.worst[0] < SURE
+    kept = slice(0, 1 if sure else first)
+    pool.keep(starts[kept], shown.worst[kept], shown.good[kept])
+    if not sure and len(starts) > first:
+        pool.preview(starts[first:])
+    pool.panel.note("start", "surrogate", 1 if sure else len(starts), pool.best)
+    return replace(pool.explored(stalled=False), left=starts[1:] if sure else None)
 
 
 def _explore_widely(plan: Plan, pool: Pool, rng: np.random.Generator, rounds: int) -> Explored:
@@ -276,11 +308,11 @@ class Pool:
     def preview(self, thetas: Floats) -> None:
         """Plays candidates under the ensemble."""
         shown = self.panel.preview(thetas)
-        self._keep(thetas, shown.worst, shown.good)
+        self.keep(thetas, shown.worst, shown.good)
 
     def look(self, thetas: Floats) -> Floats:
         """Losses of the unperturbed scene, shape [K]."""
-        assessed = self.panel.surrogate.assess(thetas)
+        assessed = self.panel.look(thetas)
         losses = assessed.total + prior(self.panel.plan, thetas)
         losses = np.nan_to_num(losses, nan=BROKEN, posinf=BROKEN)
         happens = assessed.all_completed()
@@ -297,12 +329,13 @@ class Pool:
         """
         missed = ~np.array([self._happens[t.tobytes()] for t in thetas], bool)
         if missed.any():
-            self._keep(thetas[missed], losses[missed], np.zeros(int(missed.sum()), bool))
+            self.keep(thetas[missed], losses[missed], np.zeros(int(missed.sum()), bool))
         worth = ~missed & (WORST_SHARE * losses < self.best)
         if worth.any():
             self.preview(thetas[worth])
 
-    def _keep(self, thetas: Floats, value: Floats, fine: NDArray[np.bool_]) -> None:
+    def keep(self, thetas: Floats, value: Floats, fine: NDArray[np.bool_]) -> None:
+        """Adds candidates with their worst cases and whether they are good."""
         self.thetas = np.concatenate([self.thetas, thetas])
         self.value = np.concatenate([self.value, value])
         self.fine = np.concatenate([self.fine, fine])

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from esg.dynamics.losses import Assessment
 from esg.dynamics.story import Story
-from esg.graph.models import NodeEvent
+from esg.graph.models import NodeEvent, TimelineNode
 
 AFTER_S = {
     NodeEvent.SCENE_START: 0.1,
@@ -29,10 +29,15 @@ AFTER_S = {
 touch it at any later time."""
 
 
+def looked_at_for(node: TimelineNode) -> float:
+    """How long after an event something is measured with it [s]."""
+    return AFTER_S.get(node.event, np.inf)
+
+
 def told_by(story: Story, assessed: Assessment) -> NDArray[np.float64]:
     """When each world has told everything [s], infinite where an event is missing, shape [W]."""
     out = np.zeros(len(assessed.total))
     for node in story.nodes.values():
-        after = AFTER_S.get(node.event, np.inf)
-        out = np.maximum(out, np.nan_to_num(assessed.time[node.id], nan=np.inf) + after)
+        time = np.nan_to_num(assessed.time[node.id], nan=np.inf)
+        out = np.maximum(out, time + looked_at_for(node))
     return np.where(assessed.all_completed(), out, np.inf)

@@ -33,6 +33,9 @@ SAME_LOSS = 0.05
 """What holding bystanders still may change."""
 SPARE_S = 0.15
 """By how much later the reference engine may see events before it has to play on."""
+MANY, NEARLY_ALL = 0.8, 0.9
+"""The surrogate plays no longer than this share of the last candidates needed, if at least so many
+of them told everything."""
 WORST_SHARE = 0.7
 """Weight of the worst member of the ensemble; the rest goes to the mean."""
 
@@ -106,6 +109,9 @@ class Panel:
         self._together = getattr(engine, "together", None)
         self.steps: list[SearchStep] = []
         self._told: dict[bytes, float] = {}
+        # What plays many worlds in the time of one would wait for two passes instead of one.
+        self._may_stop = self.breadth == 1
+        self._until = plan.told + SPARE_S if self._may_stop else math.inf
 
     def rebias(self, bias: dict[str, float]) -> None:
         """Shifts the targets of all engines (`losses.assess`)."""
@@ -131,11 +137,12 @@ class Panel:
     def preview(self, thetas: Floats) -> Previewed:
         """How candidates fare in the surrogate under the ensemble and in its other two forms."""
         calls: list[Callable[[], tuple[Assessment, Floats]]] = [
-            partial(_table, self.surrogate, thetas),
-            *(partial(_column, s, thetas) for s in self._others),
+            partial(_table, self.surrogate, thetas, self._until),
+            *(partial(_column, s, thetas, self._until) for s in self._others),
         ]
         played = self._together(calls) if self._together else [call() for call in calls]
         told = told_by(self.plan.story, played[0][0]).reshape(len(thetas), -1).max(axis=1)
+        self._expect(told)
         self._told |= {t.tobytes(): float(end) for t, end in zip(thetas, told, strict=True)}
         worst = robust_value(np.concatenate([table for _, table in played], axis=1))
         worst = worst + prior(self.plan, thetas)
@@ -143,6 +150,19 @@ class Panel:
         for other, _ in played[1:]:
             holds &= other.all_completed() & other.within_tolerance()
         return Previewed(worst, holds | (worst < GOOD_LOSS))
+
+    def look(self, thetas: Floats) -> Assessment:
+        """The unperturbed scene in the surrogate."""
+        found = self.surrogate.assess(thetas, until=self._until)
+        self._expect(told_by(self.plan.story, found))
+        return found
+
+    def _expect(self, told: Floats) -> None:
+        """Sets how long the next candidates are played, by when the last ones had told all."""
+        if self._may_stop:
+            known = told[np.isfinite(told)]
+            enough = len(known) >= MANY * len(told)
+            self._until = float(np.quantile(known, NEARLY_ALL)) + SPARE_S if enough else math.inf
 
     def judge(self, thetas: Floats, phase: str = "confirm") -> Found:
         """Plays thetas under the ensemble in the reference engine and keeps the most robust."""
@@ -209,9 +229,11 @@ def _holds(assessed: Assessment, count: int) -> NDArray[np.bool_]:
     return happens.reshape(count, members).all(axis=1) & centred[::members]
 
 
-def _column(simulator: Simulator, thetas: Floats) -> tuple[Assessment, Floats]:
+def _column(
+    simulator: Simulator, thetas: Floats, until: float = math.inf
+) -> tuple[Assessment, Floats]:
     """The unperturbed scene: the assessment and losses, shape [K, 1]."""
-    assessed = simulator.assess(thetas)
+    assessed = simulator.assess(thetas, until=until)
     return assessed, assessed.total[:, None]
 
 

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.dynamics.choreography import choreograph
+from esg.dynamics.horizon import looked_at_for
 from esg.dynamics.programs import Composer, Values
 from esg.dynamics.story import Story
 from esg.dynamics.variables import Declarations, Variable
@@ -32,6 +33,7 @@ class Plan:
         compile: theta [n] -> Program.
         starts: theta [n] -> poses (position [3], quaternion [4]) of re-aimed actors by name.
         duration: How long the scene plays [s].
+        told: By when the choreography expects everything to have been seen [s] (`horizon`).
     """
 
     variables: tuple[Variable, ...]
@@ -42,6 +44,7 @@ class Plan:
         [NDArray[np.float64]], dict[str, tuple[NDArray[np.float64], NDArray[np.float64]]]
     ]
     duration: float
+    told: float = math.inf
 
     def initial(self) -> NDArray[np.float64]:
         return np.array([v.initial for v in self.variables])
@@ -76,7 +79,9 @@ class _Planner(Declarations, Composer):
     def plan(self) -> Plan:
         names = list(self.variables)
         variables = tuple(self.variables.values())
-        duration = self._duration()
+        latest = self._latest()
+        duration = min(MAX_DURATION_S, math.ceil(10.0 * (1.15 * latest + AFTERMATH_S)) / 10.0)
+        told = latest + max(looked_at_for(node) for node in self.story.nodes.values())
 
         def values(theta: NDArray[np.float64]) -> Values:
             out = dict(zip(names, map(float, theta), strict=True))
@@ -95,10 +100,10 @@ class _Planner(Declarations, Composer):
             v = values(theta)
             return {a: self.start_pose(a, v) for a in self.story.phases if self.drives(a)}
 
-        return Plan(variables, self.scene, self.story, compile_theta, starts, duration)
+        return Plan(variables, self.scene, self.story, compile_theta, starts, duration, told)
 
-    def _duration(self) -> float:
-        """Long enough for the last event and what follows it."""
+    def _latest(self) -> float:
+        """When the last event is expected [s], at least 1."""
         latest = 1.0
         for name, variable in self.variables.items():
             if name.endswith(("/time", "/flight_time")):
@@ -111,4 +116,4 @@ class _Planner(Declarations, Composer):
                     node.timestamp if node.timestamp is not None else (node.window or (0, 0))[1]
                 )
                 latest = max(latest, prescribed)
-        return float(min(MAX_DURATION_S, math.ceil(10.0 * (1.15 * latest + AFTERMATH_S)) / 10.0))
+        return float(latest)

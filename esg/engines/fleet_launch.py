@@ -100,12 +100,13 @@ class Launch:
             arena.zeros(state, name, [w, b], 12)
         arena.zeros(state, "delay", [w, b], 8)
         arena.zeros(state, "inverse", [w, b], 36)
-        arena.zeros(state, "idle", [w, b], 4)
+        for name in ("idle", "light"):
+            arena.zeros(state, name, [w, b], 4)
         arena.zeros(state, "touched", [w, b, b], 4, "minus")
         for name in ("done", "active"):
             arena.zeros(state, name, [w, p], 4)
         con: Any = np.zeros(n, types.Contacts.numpy_dtype())
-        sizes = {"normal": 12, "arm_a": 12, "arm_b": 12, "share": 12, "impulse": 12,
+        sizes = {"normal": 12, "side": 12, "arm_a": 12, "arm_b": 12, "share": 12, "impulse": 12,
                  "turn_a": 16, "turn_b": 16}  # fmt: skip
         for name in types.Contacts.vars:
             if name not in ("base", "count", "dropped"):

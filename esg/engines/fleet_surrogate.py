@@ -230,5 +230,5 @@ class FleetSurrogate:
 def _bytes(job: Job, contacts: int, rows: int) -> int:
     """Device memory of a job, roughly."""
     w, b = job.mass.shape
-    a_world = job.frames.n_frames * b * 52 + rows * 48 + contacts * 176 + 12 * b * b + 300 * b
+    a_world = job.frames.n_frames * b * 52 + rows * 48 + contacts * 188 + 12 * b * b + 300 * b
     return w * a_world

@@ -191,7 +191,7 @@ def pick_batch(b: ProgramBatch, worlds: NDArray[np.int64]) -> ProgramBatch:
 
 def _most_worlds(n_bodies: int, frames: Frames) -> int:
     a_world = (
-        frames.n_frames * (n_bodies * 52 + ROWS_PER_FRAME * 48) + 16 * n_bodies**2 + CONTACTS * 176
+        frames.n_frames * (n_bodies * 52 + ROWS_PER_FRAME * 48) + 16 * n_bodies**2 + CONTACTS * 188
     )
     return max(1, MEMORY_BYTES // a_world)
 

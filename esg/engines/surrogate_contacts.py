@@ -49,7 +49,9 @@ def prepare_bodies(model: Model, state: State, w: int, dt: float):
     """Gravity, damping and inertia in world axes of everything that is awake."""
     for i in range(model.n_bodies):
         state.delay[w, i] = wp.vec2()
+        state.light[w, i] = 0.0
         if model.dynamic[i] != 0 and state.awake[w, i] != 0:
+            state.light[w, i] = 1.0 / model.mass[w, i]
             damping = state.damping[w, i]
             v = state.v[w, i] + model.gravity * dt
             state.v[w, i] = v * wp.max(0.0, 1.0 - damping[0] * dt)
@@ -66,6 +68,12 @@ def _margin(model: Model, state: State, w: int, i: int, j: int, dt: float) -> fl
     fast = fast + wp.length(state.o[w, i]) * model.reach[i]
     fast = fast + wp.length(state.o[w, j]) * model.reach[j]
     return wp.min(GAP_M + fast * dt, LOOK_AHEAD_M)
+
+
+@wp.func
+def _far(model: Model, state: State, w: int, i: int, j: int) -> bool:
+    """Whether two bodies are too far apart for any margin."""
+    return not _bodies_near(model, state, w, i, j, LOOK_AHEAD_M)
 
 
 @wp.func
@@ -95,12 +103,15 @@ def wake(model: Model, state: State, w: int, dt: float):
             for j in range(model.n_bodies):
                 if model.dynamic[j] == 0 or state.awake[w, j] != 0:
                     continue
+                if _far(model, state, w, i, j):
+                    continue
                 margin = _margin(model, state, w, i, j, WAKE_STEPS * dt)
                 if not _bodies_near(model, state, w, i, j, margin):
                     continue
                 if _shapes_near(model, state, w, i, j, margin):
                     state.awake[w, j] = 1
                     state.idle[w, j] = 0
+                    state.light[w, j] = 1.0 / model.mass[w, j]
                     state.inverse[w, j] = turned(
                         model.inverse_inertia[j] * (1.0 / model.factor[w, j]), state.r[w, j]
                     )
@@ -117,20 +128,21 @@ def point_velocity(state: State, w: int, i: int, arm: wp.vec3) -> wp.vec3:
 
 
 @wp.func
-def free(model: Model, state: State, w: int, i: int) -> bool:
-    """Whether impulses move a body: it is neither the ground nor static nor asleep."""
+def lightness(state: State, w: int, i: int) -> float:
+    """Inverse mass [1/kg] of a body; 0 for the ground and what is static or asleep."""
     if i < 0:
-        return False
-    return model.dynamic[i] != 0 and state.awake[w, i] != 0
+        return 0.0
+    return state.light[w, i]
 
 
 @wp.func
-def _yields(model: Model, state: State, w: int, i: int, arm: wp.vec3, n: wp.vec3) -> float:
+def _yields(state: State, w: int, i: int, arm: wp.vec3, n: wp.vec3) -> float:
     """How much a unit impulse along `n` changes the velocity of a point along `n` [1/kg]."""
-    if not free(model, state, w, i):
+    light = lightness(state, w, i)
+    if light == 0.0:
         return 0.0
     c = wp.cross(arm, n)
-    return 1.0 / model.mass[w, i] + wp.dot(c, state.inverse[w, i] @ c)
+    return light + wp.dot(c, state.inverse[w, i] @ c)
 
 
 @wp.func
@@ -266,14 +278,14 @@ def _add_contacts(
             if d == 2:
                 direction = t2
             share[d] = 1.0 / (
-                _yields(model, state, w, a, arm_a, direction)
-                + _yields(model, state, w, b, arm_b, direction)
+                _yields(state, w, a, arm_a, direction) + _yields(state, w, b, arm_b, direction)
             )
         con.a[w, slot] = a
         con.b[w, slot] = b
         con.shape_a[w, slot] = shape_a
         con.shape_b[w, slot] = shape_b
         con.normal[w, slot] = n
+        con.side[w, slot] = t1
         con.arm_a[w, slot] = arm_a
         con.arm_b[w, slot] = arm_b
         con.gap[w, slot] = gap
@@ -355,6 +367,8 @@ def find_contacts(
             if not moves and not other:
                 continue
             if model.first[i] == model.first[i + 1] or model.first[j] == model.first[j + 1]:
+                continue
+            if _far(model, state, w, i, j):
                 continue
             margin = _margin(model, state, w, i, j, dt)
             if not _bodies_near(model, state, w, i, j, margin):

@@ -178,6 +178,7 @@ class Worlds:
                 "awake": to(awake, int),
                 "idle": self._zeros((w, b), int),
                 "inverse": self._zeros((w, b), wp.mat33),
+                "light": self._zeros((w, b), float),
                 "before_v": self._zeros((w, b), wp.vec3),
                 "before_o": self._zeros((w, b), wp.vec3),
                 "delay": self._zeros((w, b), wp.vec2),
@@ -194,7 +195,7 @@ class Worlds:
             n: self._zeros((w, slots), float)
             for n in ("gap", "friction", "wanted", "delay", "early")
         }
-        vectors = ("normal", "arm_a", "arm_b", "share", "impulse")
+        vectors = ("normal", "side", "arm_a", "arm_b", "share", "impulse")
         con |= {n: self._zeros((w, slots), wp.vec3) for n in vectors}
         con |= {n: self._zeros((w, slots), wp.quat) for n in ("turn_a", "turn_b")}
         con["base"] = room.contacts if trace else 0

@@ -11,7 +11,7 @@ from __future__ import annotations
 # pyright: basic, reportGeneralTypeIssues=false, reportInvalidTypeForm=false
 import warp as wp
 
-from esg.engines.surrogate_contacts import free, point_velocity, tangent, turned
+from esg.engines.surrogate_contacts import lightness, point_velocity, turned
 from esg.engines.surrogate_types import Contacts, Model, State
 
 wp.set_module_options({"enable_backward": False})
@@ -24,9 +24,9 @@ ASLEEP_S = wp.constant(0.25)
 
 
 @wp.func
-def _push(model: Model, state: State, w: int, i: int, arm: wp.vec3, impulse: wp.vec3):
-    if free(model, state, w, i):
-        state.v[w, i] = state.v[w, i] + impulse / model.mass[w, i]
+def _push(state: State, w: int, i: int, light: float, arm: wp.vec3, impulse: wp.vec3):
+    if light > 0.0:
+        state.v[w, i] = state.v[w, i] + impulse * light
         state.o[w, i] = state.o[w, i] + state.inverse[w, i] @ wp.cross(arm, impulse)
 
 
@@ -35,8 +35,10 @@ def solve(model: Model, state: State, con: Contacts, w: int, step: int) -> int:
     """Sweeps over the contacts until their impulses agree; returns the number of sweeps."""
     row = wp.min(step, con.count.shape[1] - 1)
     n_contacts = con.count[w, row]
-    for sweep in range(ITERATIONS):
-        change = float(0.0)  # noqa: UP018  # a variable to Warp, not a constant
+    # A loop over a constant range would be unrolled.
+    most_sweeps = int(ITERATIONS)
+    for sweep in range(most_sweeps):
+        settled = int(1)  # noqa: UP018, RUF046  # a variable to Warp, not a constant
         for k in range(n_contacts):
             slot = con.base * row + k
             a = con.a[w, slot]
@@ -47,34 +49,43 @@ def solve(model: Model, state: State, con: Contacts, w: int, step: int) -> int:
             share = con.share[w, slot]
             old = con.impulse[w, slot]
             u = point_velocity(state, w, a, arm_a) - point_velocity(state, w, b, arm_b)
-            t1 = tangent(n)
-            t2 = wp.cross(n, t1)
             along = wp.max(0.0, old[0] + share[0] * (con.wanted[w, slot] - wp.dot(n, u)))
+            if along == 0.0 and old[0] == 0.0:
+                # What neither presses nor pressed has no friction either.
+                continue
+            t1 = con.side[w, slot]
+            t2 = wp.cross(n, t1)
             p1 = old[1] - share[1] * wp.dot(t1, u)
             p2 = old[2] - share[2] * wp.dot(t2, u)
-            size = wp.sqrt(p1 * p1 + p2 * p2)
+            size2 = p1 * p1 + p2 * p2
             most = con.friction[w, slot] * along
-            if size > most:
-                p1 = p1 * most / size
-                p2 = p2 * most / size
-            new = wp.vec3(along, p1, p2)
-            con.impulse[w, slot] = new
+            if size2 > most * most:
+                less = most / wp.sqrt(size2)
+                p1 = p1 * less
+                p2 = p2 * less
+            con.impulse[w, slot] = wp.vec3(along, p1, p2)
             if along > 0.0:
                 con.used[w, slot] = 1
-            d = new - old
-            change = wp.max(change, wp.abs(d[0]) / share[0])
-            change = wp.max(change, wp.max(wp.abs(d[1]) / share[1], wp.abs(d[2]) / share[2]))
-            p = n * d[0] + t1 * d[1] + t2 * d[2]
-            _push(model, state, w, a, arm_a, p)
-            _push(model, state, w, b, arm_b, -p)
-        if change < CONVERGED_MPS:
+            dn = along - old[0]
+            d1 = p1 - old[1]
+            d2 = p2 - old[2]
+            if (
+                wp.abs(dn) >= CONVERGED_MPS * share[0]
+                or wp.abs(d1) >= CONVERGED_MPS * share[1]
+                or wp.abs(d2) >= CONVERGED_MPS * share[2]
+            ):
+                settled = 0
+            p = n * dn + t1 * d1 + t2 * d2
+            _push(state, w, a, state.light[w, a], arm_a, p)
+            _push(state, w, b, lightness(state, w, b), arm_b, -p)
+        if settled != 0:
             return sweep + 1
     return ITERATIONS
 
 
 @wp.func
-def _delay(model: Model, state: State, w: int, i: int, impulse: float, delay: float):
-    if free(model, state, w, i):
+def _delay(state: State, w: int, i: int, impulse: float, delay: float):
+    if lightness(state, w, i) > 0.0:
         state.delay[w, i] = state.delay[w, i] + wp.vec2(impulse * delay, impulse)
 
 
@@ -85,8 +96,8 @@ def move(model: Model, state: State, con: Contacts, w: int, step: int, dt: float
     for k in range(con.count[w, row]):
         slot = con.base * row + k
         impulse = con.impulse[w, slot][0]
-        _delay(model, state, w, con.a[w, slot], impulse, con.delay[w, slot])
-        _delay(model, state, w, con.b[w, slot], impulse, con.delay[w, slot])
+        _delay(state, w, con.a[w, slot], impulse, con.delay[w, slot])
+        _delay(state, w, con.b[w, slot], impulse, con.delay[w, slot])
     for i in range(model.n_bodies):
         if model.dynamic[i] != 0 and state.awake[w, i] != 0:
             r = state.r[w, i]

@@ -63,6 +63,8 @@ class State:
     idle: wp.array2d(dtype=int)
     inverse: wp.array2d(dtype=wp.mat33)
     """Inverse inertia in world axes."""
+    light: wp.array2d(dtype=float)
+    """Inverse mass of what impulses move; 0 for what is static or asleep."""
     before_v: wp.array2d(dtype=wp.vec3)
     before_o: wp.array2d(dtype=wp.vec3)
     """Velocities before the contacts act."""
@@ -89,6 +91,8 @@ class Contacts:
     shape_a: wp.array2d(dtype=int)
     shape_b: wp.array2d(dtype=int)
     normal: wp.array2d(dtype=wp.vec3)
+    side: wp.array2d(dtype=wp.vec3)
+    """First tangent; the second is orthogonal to both."""
     arm_a: wp.array2d(dtype=wp.vec3)
     arm_b: wp.array2d(dtype=wp.vec3)
     gap: wp.array2d(dtype=float)

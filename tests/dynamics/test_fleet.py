@@ -86,7 +86,7 @@ def test_candidates_are_played_beside_the_finalists_before_them(
     (together,) = optimize_many([doc], [1], max_rounds=4, clock=clock)
     assert together.model_dump_json() == alone.model_dump_json()
     worlds = [row["worlds"] for row in clock.launches if row["engine"] == "newton"]
-    assert worlds == [8, 24, 32, 64, 32]
+    assert worlds == [8, 8, 8, 8, 32, 64, 32]
 
 
 def test_none_and_static_documents(documents: list[EsgDocument]) -> None:

@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 from esg.dynamics import build_scene
-from esg.dynamics.horizon import AFTER_S, told_by
+from esg.dynamics.cloud import around, spreads
+from esg.dynamics.horizon import AFTER_S, looked_at_for, told_by
 from esg.dynamics.losses import Assessment
-from esg.dynamics.panel import REFERENCE_DT_S
+from esg.dynamics.panel import REFERENCE_DT_S, Panel
 from esg.dynamics.plan import Plan, make_plan
 from esg.dynamics.simulate import ENSEMBLE, Simulator
 from esg.engines import get_engine
@@ -72,3 +73,30 @@ def test_a_missing_event_and_what_may_be_touched_later_keep_the_whole_rollout() 
     )
     assert told_by(plan.story, known).tolist() == [1.0 + AFTER_S[NodeEvent.COLLISION], np.inf]
     assert NodeEvent.MISS not in AFTER_S and NodeEvent.REACH not in AFTER_S
+
+
+def test_the_search_plays_no_longer_than_it_has_to() -> None:
+    """What the panel previews and looks at is what whole rollouts show, in less time."""
+    plan = planned(stories.three_balls)
+    assert plan.told < 0.7 * plan.duration
+    thetas = around(plan, plan.initial(), spreads(plan), np.random.default_rng(0), 6)
+    short, whole = (Panel(plan, "cpu", dt=REFERENCE_DT_S) for _ in range(2))
+    whole._may_stop, whole._until = False, np.inf
+    for part in (thetas[:1], thetas[1:]):
+        one, two = short.preview(part), whole.preview(part)
+        assert one.worst == pytest.approx(two.worst, abs=0.02)
+        assert np.array_equal(one.good, two.good)
+    assert np.isfinite(short._until) and short._until < 0.8 * plan.duration
+    same(short.look(thetas), whole.look(thetas))
+    assert short.explored < 1.4 * whole.explored
+
+
+def test_what_waits_for_the_end_is_played_to_it() -> None:
+    """Of a search in which most candidates miss something no rollout is cut short."""
+    plan = planned(stories.three_balls)
+    panel = Panel(plan, "cpu", dt=REFERENCE_DT_S)
+    panel._expect(np.array([1.0, 1.1, np.inf, np.inf]))
+    assert panel._until == np.inf
+    panel._expect(np.array([1.0, 1.1, 1.2, 1.3, np.inf]))
+    assert 1.3 < panel._until < 1.5
+    assert looked_at_for(next(iter(plan.story.nodes.values()))) < 1.0

@@ -8,7 +8,7 @@ from typing import Any, cast
 import numpy as np
 import pytest
 
-from esg.dynamics.batched import MISSED, SAMPLE, SAMPLES, STARTS, search
+from esg.dynamics.batched import MISSED, SAMPLE, SAMPLES, STARTS, SURE, search
 from esg.dynamics.loss_shapes import FARTHEST, UNBRAKED, UNMET, bowl, distance_loss, unbraked
 from esg.dynamics.losses import Assessment
 from esg.dynamics.niches import Niche, apart, broad, everywhere
@@ -51,11 +51,10 @@ class Field:
         self.evaluations = self.explored = 0
         self.played = np.zeros((0, len(plan.variables)))
         self.phases: list[str] = []
-        self.surrogate = cast(Any, self)
         self.breadth = 1
         self.passes = 0
 
-    def assess(self, thetas: Floats) -> Assessment:
+    def look(self, thetas: Floats) -> Assessment:
         self.played = np.concatenate([self.played, thetas])
         self.passes += 1
         self.explored += len(thetas)
@@ -137,6 +136,42 @@ def test_an_engine_that_plays_many_at_once_is_asked_less_often() -> None:
     assert wide.passes < 0.6 * narrow_.passes
 
 
+def test_a_start_that_leaves_nothing_to_be_wished_is_confirmed_alone() -> None:
+    """Other starts are played only where the first one is not sure, or all of them at once."""
+    plan = plan_of(variable(0, 10, 5.0, 0.01), variable(0, 10, 5.0, 0.01))
+
+    def loss(thetas: Floats, offset: float = 0.0) -> Floats:
+        return offset + np.linalg.norm(thetas - 5.0, axis=1)
+
+    sure = Field(plan, loss)
+    best, why = found_in(sure)
+    assert why == "robust" and (best.theta == 5.0).all()
+    assert (sure.explored, sure.evaluations) == (MEMBERS, MEMBERS)
+    unsure = Field(plan, lambda thetas: loss(thetas, 2.0 * SURE))
+    assert found_in(unsure)[1] == "robust"
+    assert (unsure.explored, unsure.evaluations) == (STARTS * MEMBERS, MEMBERS)
+    wide = Field(plan, loss)
+    wide.breadth = 64
+    assert (found_in(wide)[0].theta == 5.0).all()
+    assert (wide.explored, wide.evaluations) == (STARTS * MEMBERS, MEMBERS)
+
+
+def test_where_the_engines_disagree_on_it_the_others_are_confirmed_one_by_one() -> None:
+    plan = plan_of(variable(0, 10, 5.0, 0.01), variable(0, 10, 5.0, 0.01))
+
+    def surrogate(thetas: Floats) -> Floats:
+        return np.linalg.norm(thetas - 5.0, axis=1)
+
+    def newton(thetas: Floats) -> Floats:
+        return np.where((thetas == 5.0).all(axis=1), MISSED + 1.0, surrogate(thetas))
+
+    field = Field(plan, surrogate, newton)
+    best, why = found_in(field)
+    assert why == "robust" and not (best.theta == 5.0).all()
+    assert field.explored == STARTS * MEMBERS, "the others were played then"
+    assert field.evaluations == 2 * MEMBERS, "the next one is good, the rest need not be played"
+
+
 def test_what_depends_on_a_combination_of_variables_is_found() -> None:
     """Only products of two variables count, as where a turn ends depends on speed times time."""
     plan = plan_of(*(variable(1, 20, start, 0.2) for start in (2.0, 19.0, 3.0, 18.0)))
@@ -158,14 +193,6 @@ def test_the_basin_of_the_start_does_not_hold_the_search() -> None:
 
     best, _ = found_in(Field(plan, loss))
     assert best.good() and best.theta == pytest.approx([8.0, 8.0], abs=0.2)
-
-
-def test_a_good_start_costs_no_exploration() -> None:
-    """Four candidates in the surrogate and one confirmation, as long as nothing is wrong."""
-    plan = plan_of(variable(0, 10, 5.0, 0.01), variable(0, 10, 5.0, 0.01))
-    field = Field(plan, narrow(5.0, 5.0))
-    assert found_in(field)[1] == "robust"
-    assert (field.explored, field.evaluations) == (MEMBERS * STARTS, MEMBERS)
 
 
 def test_where_newton_disagrees_another_place_is_tried_before_it_polishes() -> None:
