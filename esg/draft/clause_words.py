@@ -144,6 +144,8 @@ class ClauseWords:
                     s.frame.adverbs.append(w.low)
                     s.frame.link = "simultaneously"
                 return s
+            if w.low in ("each other", "one another"):
+                s.prep = ""  # "20 cm from each other and ..."
             side = w.low in ("left", "right")
             if s.frame is not None and (
                 side or not (s.boundary and finite_ahead(self.elements, i + 1))

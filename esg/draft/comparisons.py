@@ -26,6 +26,9 @@ def factor_of(match: re.Match[str]) -> float:
     if word.endswith("times"):
         value = parse_number(word.removesuffix("times").strip())
         return value if isinstance(value, float) and value > 0.0 else 1.0
+    if word.endswith(" of"):
+        share = parse_number(f"{word} a")
+        return share if isinstance(share, float) and share > 0.0 else 1.0
     if word:
         return {"twice": 2.0, "double": 2.0, "half": 0.5}[word]
     return 2.0 if match.groupdict().get("more") else 1.0
@@ -74,6 +77,14 @@ def _nearest(mentions: list[Mention], scene: Scene, at: int, *, before: bool) ->
     return found if before else None
 
 
+_OWN = re.compile(
+    r"\b(?:at|with|doing|does)\s+(?:only\s+|about\s+|just\s+)?"
+    r"(?P<word>half|twice|double|(?:\w+|\d+(?:\.\d+)?)\s+times|a\s+(?:third|quarter)\s+of"
+    r"|(?:two|three)\s+(?:thirds|quarters)\s+of)\s+(?:its|their|his|her|this|that|the)\s+"
+    r"(?:\w+'s\s+)?(?:speed|velocity|pace)\b(?P<of>\s+of\b)?",
+    re.IGNORECASE,
+)
+""" "at half its speed": of what was told to move before."""
 _SPEED = re.compile(
     r"\b(?:(?P<word>twice|half|double|(?:\w+|\d+(?:\.\d+)?)\s+times)\s+)?"
     r"(?:as\s+(?:fast|quickly|quick)\s+as|(?P<more>faster|quicker)\s+than|(?P<less>slower)\s+than"
@@ -88,12 +99,15 @@ def compare_speeds(text: str, mentions: list[Mention], scene: Scene) -> None:
     A ratio of a prescribed speed is prescribed too; "faster than" without a ratio leaves an
     interval above the other speed.
     """
+    _shares_of_speed(text, mentions, scene)
     for match in _SPEED.finditer(text):
         bare = not (match["word"] or match["more"] or match["less"] or match["same"])
         if bare and not match.group().lower().startswith("as"):
             continue
-        left = _nearest(mentions, scene, match.start(), before=True)
         right = _nearest(mentions, scene, match.end(), before=False)
+        left = _nearest(mentions, scene, match.start(), before=True)
+        if left is not None and scene.timeline.stated_speed(left.id) is None and right is not None:
+            left = _mover(mentions, scene, match.start(), {right.id}) or left
         if left is None or right is None or left is right:
             continue
         known = scene.timeline.stated_speed(right.id)
@@ -107,3 +121,41 @@ def compare_speeds(text: str, mentions: list[Mention], scene: Scene) -> None:
             a, b = (1.05 * high, 2.0 * high) if match["more"] else (0.4 * low, 0.95 * low)
         exact = bool(match["word"]) or not (match["more"] or match["less"])
         scene.timeline.set_speed(left.id, a if a == b else (a, b), prescribed=exact)
+
+
+def _mover(mentions: list[Mention], scene: Scene, at: int, without: set[str]) -> Entity | None:
+    """What moves of all that is named in the sentence up to a position, the last one named."""
+    moving = {e.actor for e in scene.timeline.edges}
+    start = max(scene.text.rfind(c, 0, at) for c in ".;!?")
+    found: Entity | None = None
+    for m in sorted(mentions, key=lambda m: m.start):
+        ids = [i for i in scene.world.resolved.get(id(m), []) if i in scene.world.entities]
+        if ids and start < m.start and m.end <= at + 1 and ids[0] in moving - without:
+            found = scene.world.entities[ids[0]]
+    return found
+
+
+def _shares_of_speed(text: str, mentions: list[Mention], scene: Scene) -> None:
+    """ "the blue one at half its speed": a share of the speed of what was told before."""
+    for match in _OWN.finditer(text):
+        left = _nearest(mentions, scene, match.start(), before=True)
+        if left is None or scene.timeline.stated_speed(left.id) is not None:
+            continue
+        if match["of"]:
+            right = _nearest(mentions, scene, match.end(), before=False)
+        else:
+            before = [m for m in mentions if m.end < match.start()]
+            others = [
+                i
+                for m in sorted(before, key=lambda m: -m.start)
+                for i in scene.world.resolved.get(id(m), [])
+                if i != left.id and scene.timeline.stated_speed(i) is not None
+            ]
+            right = scene.world.entities.get(others[0]) if others else None
+        known = scene.timeline.stated_speed(right.id) if right is not None else None
+        if known is None:
+            continue
+        low, high = known if isinstance(known, tuple) else (known, known)
+        ratio = factor_of(match)
+        a, b = ratio * low, ratio * high
+        scene.timeline.set_speed(left.id, a if a == b else (a, b), prescribed=True)

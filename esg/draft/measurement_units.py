@@ -5,7 +5,9 @@ from __future__ import annotations
 import re
 from typing import Literal
 
-Dimension = Literal["mass", "length", "time", "speed", "acceleration", "angle", "count", "volume"]
+Dimension = Literal[
+    "mass", "length", "time", "speed", "acceleration", "angle", "count", "volume", "other"
+]
 
 _UNITS: dict[str, tuple[Dimension, float]] = {}
 
@@ -51,6 +53,17 @@ _unit("speed", 44.704, "mph")
 _unit("speed", 100.0 / 3.6, "kph", "kmh", "kmph")
 _unit("speed", 51.4444444, "knot", "knots", "kn", "kt", "kts")
 _unit("speed", 30.48, "fps")
+_unit("length", 75.0, "pace", "paces", "stride", "strides")
+_unit("length", 450.0, "car length", "car lengths", "car's length")
+_unit("length", 300.0, "storeys up", "floors up", "stories up")
+_unit("mass", 100.0, "quintal", "quintals")
+_unit("length", 20116.8, "furlong", "furlongs")
+_unit(
+    "other", 1.0, "rpm", "revs per minute", "revolutions per minute", "revs per second", "rev/s",
+    "revolutions per second", "hz", "hertz", "newton", "newtons", "joule", "joules", "watt",
+    "watts", "°c", "degrees celsius", "degrees fahrenheit", "bar of pressure", "psi", "rad/s",
+    "degrees per second", "degrees a second", "deg/s", "°/s", "newton seconds",
+)  # fmt: skip
 
 _LENGTHS = [u for u, (d, _) in _UNITS.items() if d == "length" and u != "in"] + ["in"]
 _TIMES = [u for u, (d, _) in _UNITS.items() if d == "time"]

@@ -18,6 +18,8 @@ _MOSTLY_NOUNS = frozenset(
      "loop", "stream", "lance", "drum"}
 )  # fmt: skip
 """Words that are verbs only with an ending, or where nothing else can be one."""
+_WAYS = frozenset({"left", "right", "into", "round", "open", "shut", "across", "sideways"})
+"""What follows a verb of motion rather than a plural."""
 _VESSELS = frozenset({"tableware", "bottle", "box", "container", "barrel"})
 
 
@@ -49,6 +51,9 @@ class NounHeads(NounQuestions):
                 acts = self._low(k + 1) in lex.DETERMINERS | lex.PRONOUNS
                 if following[2] and (m.determiner in _SINGULAR or (readings and acts)):
                     break  # "a door swings shut", "a cyclist signals": no plural after "a"
+                swings = following[2] and not plural and any(r.form == "s" for r in readings)
+                if swings and self._low(k + 1) in _WAYS:
+                    break  # "the quad bike swings left"
                 named = following[0].kind in _VESSELS or self._low(k) in _MOSTLY_NOUNS
                 vessel = m.determiner and named and self._ends_phrase(k)
                 if readings and following[1] == 1 and not (vessel or self._compound_noun(k, m)):

@@ -286,5 +286,10 @@ class NounPhrases(NounStarts):
                 m.adjectives.append(token.low)
                 j += 1
                 continue
+            bare = readings and all(r.form == "base" for r in readings) and bool(m.adjectives)
+            if bare and m.determiner in ("a", "an") and self._match_noun(j + 1) is not None:
+                m.adjectives.append(token.low)  # "an empty jam jar"
+                j += 1
+                continue
             break
         return self._head(i, j, m)

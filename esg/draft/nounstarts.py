@@ -68,7 +68,7 @@ class NounStarts(NounHeads):
 
     def _count(self, j: int, m: Mention) -> int:
         token = self._tok(j)
-        if token is None:
+        if token is None or token.kind == "qty":
             return j
         compound = self._match_noun(j)
         if compound is not None and compound[1] > 1:

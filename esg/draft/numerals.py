@@ -61,6 +61,7 @@ WORD_NUMBER = (
 )
 DIGITS = (
     r"(?:\d*\s?[½¼¾⅓⅔⅛](?:\s+of\s+an?\b)?"
+    r"|\d+\s+\d/\d+|\d{1,3}(?:\s000|'\d{3})+(?!\d)|\d+(?:\.\d+)?\s+(?:hundred|thousand)\b"
     r"|\d{1,3}(?:,\d{3})+(?:\.\d+)?|\d+,\d{1,2}(?![\d,])|\d+/\d+|\d*\.?\d+(?:e[+-]?\d+)?)"
 )
 SIGN = r"(?:minus\s+|negative\s+|(?<![\w.])[-−](?=\d|\.\d))"
@@ -104,6 +105,13 @@ def parse_number(text: str) -> float | tuple[float, float] | None:
         digits = "".join(str(int(NUMBER_WORDS[w])) for w in after.split())
         return sign * (NUMBER_WORDS[before.strip() or "zero"] + float(f"0.{digits}"))
     if re.fullmatch(DIGITS, t):
+        mixed = re.fullmatch(r"(\d+)\s+(\d)/(\d+)", t)
+        if mixed is not None and float(mixed[3]):
+            return sign * (float(mixed[1]) + float(mixed[2]) / float(mixed[3]))  # "1 1/2"
+        scaled = re.fullmatch(r"(\d+(?:\.\d+)?)\s+(hundred|thousand)", t)
+        if scaled is not None:
+            return sign * float(scaled[1]) * NUMBER_WORDS[scaled[2]]
+        t = t.replace("'", "").replace(" ", "")
         if "/" in t:
             a, b = t.split("/")
             return sign * float(a) / float(b) if float(b) else None

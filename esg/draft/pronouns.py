@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from esg.draft import lexicon as lex
 from esg.draft.elements import Mention
-from esg.draft.entities import ORDINALS, STACKED, Entity, slug
+from esg.draft.entities import FRONT, ORDINALS, REAR, STACKED, Entity, slug
 from esg.draft.registry import Registry
 
 _WAYS = frozenset({"stairs", "ramp"})
@@ -194,6 +194,14 @@ class Pronouns(Registry):
             chosen.place, chosen.label = side, f"{side} {chosen.head}"
             self._rename(chosen, self._new_id(slug(chosen.label)))
             return [chosen.id]
+        end = next((a for a in m.adjectives if a in FRONT | REAR), "")
+        if end and 2 <= len(group) <= 3:
+            where = "front" if end in FRONT else "rear"
+            chosen = self.entities[group[0] if end in FRONT else group[-1]]
+            if chosen.place in ("", where):
+                chosen.place, chosen.label = where, f"{where} {chosen.head}"
+                self._rename(chosen, self._new_id(slug(chosen.label)))
+                return [chosen.id]  # "the rear one ... the front one"
         if "next" in m.adjectives and not self.groups:
             solid = [e for e in self.entities.values() if "structural" not in e.noun.traits]
             before = avoid or (self.subjects[-1] if self.subjects else [])

@@ -13,33 +13,43 @@ from typing import Literal
 from esg.draft.measurement_units import LENGTH_UNIT, UNIT, Dimension, unit_of
 from esg.draft.measures import product, suffix
 from esg.draft.numerals import DIGITS, NUMBER, WORD_NUMBER, parse_number
+from esg.draft.quantity_words import Worded, bounded, without_unit, worded
 
 _GAP = r"[\s-]*"
-_TO = r"\s*(?:~|–|—|-|to\b|or\b)\s*"
+_TO = r"\s*(?:~|–|—|-|\.\.+|…|to\b|or\b)\s*"
+_VAGUELY = r"(?:\s*-?ish\b|\s+or\s+so\b|[\s-]+odd\b|(?<=\d)\s+of\s+an?\b)?"
+"""Between a number and its unit: "3ish seconds", "2/3 of a second"."""
+_JUST = r"(?:just|slightly|a (?:little|bit|shade|touch|tad))"
 _APPROX = (
-    r"(?:(?<![A-Za-z])(?P<approx>about|around|roughly|approximately|approx\.?|nearly|almost|some"
+    rf"(?:(?<![A-Za-z])(?P<approx>{_JUST} (?:under|over|below|above|more than|less than)"
+    r"|over the (?:course|space) of|(?:in|within) the (?:course|space) of|as (?:much|little|fast"
+    r"|slow|high|heavy|far) as|close on|c\.|ca\.|about|around"
+    r"|roughly|approximately|approx\.?|nearly|almost|some"
     r"|circa|~|≈|exactly|precisely|just|only|all of|a mere|a full|a good|a whole|no fewer than"
     r"|close to|more or less|barely)\s*)?"
 )
 _BOUND = (
-    r"(?:(?P<bound>at least|no less than|not less than|more than|greater than|faster than|over"
+    r"(?:(?P<bound>not over|not above|no higher than|not under|not below|upwards? of|in excess of"
+    r"|north of|at least|no less than|not less than|more than|greater than|faster than|over"
     r"|above|no faster than|not faster than|no earlier than|not earlier than|no sooner than"
     r"|not before|no slower than|not slower than|a maximum of|a minimum of|at most"
     r"|no more than|not more than|less than|fewer than|slower than|under|below|up to"
     r"|no later than|not later than|(?:(?:with)?in|during|for) the (?:very )?first|not exceeding"
     r"|within|in under|in less than|exceeding|max\.?|min\.?|maximum|minimum|[<>≤≥]=?)\s*\b)?"
 )
+_PLUS_MINUS = r"(?:±|\+/-|\+-|plus or minus|plus/minus|,?\s*give or take)"
 _PATTERN = re.compile(
     rf"(?:\b(?:time|speed|mass|[a-zA-Z](?:_?[0-9a-zA-Z])?)\s*=\s*)?{_BOUND}{_APPROX}"
     rf"(?P<between>between\s+|from\s+)?"
     rf"(?P<lo>{NUMBER})"
     rf"(?:{_GAP}(?P<unit1>{UNIT})?(?:{_TO}|(?(between)\s*and\s*|(?!)))(?P<hi>{NUMBER}))?"
-    rf"(?:{_GAP}(?P<unit>{UNIT}))(?![a-z0-9])"
-    rf"(?:\s*(?:±|\+/-|\+-)\s*(?P<tol>{DIGITS})\s*(?:{UNIT})?(?![a-z0-9]))?",
+    rf"(?P<plus>\+)?{_VAGUELY}(?:{_GAP}(?P<unit>{UNIT}))(?![a-z0-9])"
+    rf"(?:\s*\(?\s*{_PLUS_MINUS}\s*(?P<tol>{DIGITS})\s*(?:(?P<percent>%|percent\b)|{UNIT})?"
+    rf"(?![a-z0-9])\)?)?",
     re.IGNORECASE,
 )
 _TOLERANCE_FIRST = re.compile(
-    rf"(?P<lo>{DIGITS})\s*(?:±|\+/-|\+-)\s*(?P<tol>{DIGITS})\s*(?P<unit>{UNIT})(?![a-z0-9])",
+    rf"(?P<lo>{DIGITS})\s*{_PLUS_MINUS}\s*(?P<tol>{DIGITS})\s*(?P<unit>{UNIT})(?![a-z0-9])",
     re.IGNORECASE,
 )
 _TURNED = re.compile(
@@ -51,7 +61,7 @@ _TURNED = re.compile(
 _TURNS = {"quarter": 90.0, "half": 180.0, "full": 360.0, "complete": 360.0}
 _CLOCK = re.compile(
     rf"\b(?:between\s+)?t\s*[=+]\s*(?P<lo>{DIGITS})(?:\s*s(?:ec(?:onds?)?)?)?"
-    rf"(?:\s+and\s+t\s*=\s*(?P<hi>{DIGITS})(?:\s*s(?:ec(?:onds?)?)?)?)?(?![\w.])",
+    rf"(?:\s+and\s+t\s*=\s*(?P<hi>{DIGITS})(?:\s*s(?:ec(?:onds?)?)?)?)?(?!\w|\.\d)",
     re.IGNORECASE,
 )
 """An instant, or two, on the scene's clock."""
@@ -62,7 +72,7 @@ _MINUTES = re.compile(
 )
 """An instant as minutes and seconds ("00:03")."""
 _FEET = re.compile(
-    rf"(?<![\w.])(?P<ft>\d+)\s*(?:['’′]\s*(?P<in>\d+(?:\.\d+)?)\s*(?:\"|”|″|''|(?!\w))"
+    rf"(?<![\w.])(?P<ft>\d+)\s*(?:['’′](?!\d{{3}})\s*(?P<in>\d+(?:\.\d+)?)\s*(?:\"|”|″|''|(?!\w))"
     rf"|(?:ft|foot|feet)\.?\s+(?P<in2>\d+)(?=\s+(?:tall|high|long|wide|in\b)|\s*[.,;]|$)(?:\s+in\b)?)"
     rf"|\b(?P<wft>{WORD_NUMBER})[\s-]foot[\s-](?P<win>one|two|three|four|five|six|seven|eight|nine|ten"
     rf"|eleven)\b(?![\s-]*(?:{UNIT}))",
@@ -87,9 +97,7 @@ _BOTH_BOUNDS = re.compile(
     re.IGNORECASE,
 )
 _AND_A_HALF = re.compile(
-    r"\s+and\s+a\s+(half|quarter)\b(?=\s*(?:[.,;:!?)]|$|of\b|after|later|before|to\b|from\b|tall\b"
-    r"|long\b|wide\b|high\b|away\b|in\b|into\b|until\b|at\b|on\b|and\b|the\b))",
-    re.IGNORECASE,
+    r"\s+and\s+a\s+(half|quarter)\b(?!-)(?!\s+(?:of\s+an?\b|full|empty|eaten|open))", re.IGNORECASE
 )
 _SMALLER = re.compile(
     rf"\s+(?:and\s+)?(?P<more>{NUMBER})[\s-]*(?P<unit>{UNIT})(?![a-z0-9])", re.IGNORECASE
@@ -100,7 +108,7 @@ _SPEEDING = re.compile(r"\b(?:speed|speeds|sped|speeding|goes|going|accelerat\w+
 _LOW_BOUNDS = (
     "at least", "no less", "not less", "no slower", "not slower", "a minimum", "min", ">", "≥",
     "more than", "greater", "faster", "over", "above", "no earlier", "not earlier", "no sooner",
-    "not before", "exceeding",
+    "not before", "exceeding", "not under", "not below", "upward", "in excess", "north",
 )  # fmt: skip
 
 
@@ -154,6 +162,10 @@ def find_amounts(text: str) -> list[Amount]:
         if amount is not None and not any(m.start() < e and s < m.end() for s, e in taken):
             out.append(amount)
             taken.append((amount.start, amount.end))
+    for w in worded(text):
+        if not any(w.start < e and s < w.end for s, e in taken):
+            out.append(_of_words(w, text))
+            taken.append((w.start, w.end))
     for pattern in (_TOLERANCE_FIRST, _PATTERN):
         position = 0
         while (m := pattern.search(text, position)) is not None:
@@ -169,7 +181,22 @@ def find_amounts(text: str) -> list[Amount]:
             out.append(amount)
             taken.append((amount.start, amount.end))
             position = m.end()
+    known = [(a.dimension, a.start, a.end, _unit_size(a)) for a in out]
+    out += [_of_words(w, text) for w in without_unit(text, known)]
     return sorted(out, key=lambda a: a.start)
+
+
+def _of_words(w: Worded, text: str) -> Amount:
+    return Amount(
+        w.dimension, w.low, w.high, w.start, w.end, text[w.start : w.end], w.bound, w.measure
+    )
+
+
+def _unit_size(a: Amount) -> float:
+    """Size of the unit that a quantity is told in, in document units."""
+    told = re.findall(rf"(?:\d|\s|-)({UNIT})(?![a-z0-9])", a.text, re.IGNORECASE)
+    units = [u for u in map(unit_of, told) if u is not None and u[0] == a.dimension]
+    return units[-1][1] if units else 1.0
 
 
 def _amount(m: re.Match[str]) -> Amount | None:
@@ -200,6 +227,8 @@ def _amount(m: re.Match[str]) -> Amount | None:
         low_a, low_b = low_a * factor, low_b * factor
     if groups.get("tol"):
         tolerance = float(str(groups["tol"]).replace(",", "")) * factor
+        if groups.get("percent"):
+            tolerance = 0.01 * tolerance / factor * low_b
         low_a, low_b = low_a - tolerance, low_b + tolerance
     if groups.get("between") and not groups.get("hi"):
         start = m.start("lo")  # a lone "from" is a preposition
@@ -224,6 +253,11 @@ def _amount(m: re.Match[str]) -> Amount | None:
         bound = "min" if word.startswith(_LOW_BOUNDS) else "max"
     if word.endswith("the first"):
         measure = "start"
+    if groups.get("plus") and bound is None:
+        bound = "min"
+    open_side = bounded(m.string, end)
+    if open_side is not None and low_a == low_b:
+        end, bound = open_side[0], bound or open_side[1]
     return Amount(dimension, low_a, low_b, start, end, m.string[start:end].strip(), bound, measure)
 
 

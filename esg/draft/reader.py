@@ -8,6 +8,11 @@ from esg.draft.entities import ORDINALS
 from esg.draft.numerals import parse_number
 from esg.draft.verbphrases import PHRASES, verb_readings
 
+_NOUNS_FIRST = frozenset(
+    {"back", "left", "ground", "wound", "found", "end", "step", "set", "lead", "rest"}
+)
+"""Forms of verbs that are something else unless a noun precedes them."""
+
 
 class Reader:
     """Tokens read so far as elements, and questions about the next ones."""
@@ -212,18 +217,7 @@ class Reader:
             isinstance(previous, Mention) and previous.end == self.tokens[i - 1].end
         ):
             return False
-        if low in (
-            "back",
-            "left",
-            "ground",
-            "wound",
-            "found",
-            "end",
-            "step",
-            "set",
-            "lead",
-            "rest",
-        ):
+        if low in _NOUNS_FIRST:
             if not isinstance(previous, Mention):
                 return low == "back" and isinstance(previous, Word) and previous.kind == "conj"
             if low == "left":
@@ -246,6 +240,9 @@ class Reader:
             before = self.elements[-3:-1]
             if forms & {"s", "past"} and [type(e) for e in before] == [Mention, Mention]:
                 return noun is None  # "the tray he was carrying crashes"
+            relative = [getattr(e, "kind", "") for e in before[-1:]] == ["rel"]
+            if relative and forms & {"s", "past"} and (noun is None or nxt in lex.DETERMINERS):
+                return True  # "a ball that is rolling hits a box"
             return (
                 bool(forms & {"ing", "base"})
                 and not (nounish and (self._noun_soon(i + 1) is False))

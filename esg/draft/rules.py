@@ -4,16 +4,19 @@ from __future__ import annotations
 
 import re
 
+from esg.draft.appositions import appose
 from esg.draft.build import DocumentBuilder, is_restricted
 from esg.draft.clauses import ClauseBuilder
 from esg.draft.comparisons import compare, compare_speeds
 from esg.draft.coverage import account
+from esg.draft.ellipsis import elide
 from esg.draft.expand import expand
 from esg.draft.interpret import Interpreter
 from esg.draft.modality import mark_unreal
 from esg.draft.nominals import verbalize
 from esg.draft.reorder import reorder
 from esg.draft.screening import contradictions, nothing_to_draw, screen, too_long, too_much
+from esg.draft.sheets import from_sheet
 from esg.draft.spacing import space
 from esg.draft.syntax import Chunker
 from esg.draft.tokens import pos_tags, tokenize
@@ -58,7 +61,8 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     """
     text = screen(prompt)
     tokens = tokenize(text, pos_tags(text))
-    elements = verbalize(reorder(Chunker(text, tokens).run(), text))
+    elements = appose(from_sheet(Chunker(text, tokens).run()))
+    elements = elide(verbalize(reorder(elements, text)))
     clauses = ClauseBuilder(elements)
     clauses.run()
     mark_unreal(clauses.frames, text)

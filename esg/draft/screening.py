@@ -6,7 +6,7 @@ import re
 
 from esg.draft import lexicon as lex
 from esg.draft.markup import plain
-from esg.draft.quantities import find_amounts
+from esg.draft.quantities import Amount, find_amounts
 from esg.draft.scene import Scene
 from esg.draft.verbphrases import verb_readings
 from esg.graph.models import NodeEvent, TimelineSystem
@@ -27,6 +27,7 @@ def _is_english(word: str) -> bool:
         or lex.singular(word)[0] in lex.nouns()
         or bool(verb_readings(word))
         or word in lex.COLORS
+        or word in lex.ATTRIBUTES
         or word in ("and", "or", "but", "to")
         or any(word in c for c in classes)
     )
@@ -58,6 +59,13 @@ def _joined(m: re.Match[str]) -> str:
     return " ".join(words)
 
 
+def _without(text: str, amounts: list[Amount]) -> str:
+    """The text without its quantities, whose units are no words."""
+    for a in reversed(amounts):
+        text = text[: a.start] + " " + text[a.end :]
+    return text
+
+
 def screen(prompt: str) -> str:
     """The prompt with white space normalized.
 
@@ -74,7 +82,8 @@ def screen(prompt: str) -> str:
     text = re.sub(r"[\u00a0\t\r\f\v ]+", " ", plain(prompt)).replace("’", "'").strip()
     text = re.sub(r"[\ufeff\u00ad\u200d\x00-\x09\x0b-\x1f]", "", text)
     text = re.sub(_MARK, "", _MARKED.sub(_joined, text))
-    words = re.findall(r"[^\W\d_]+", text.lower())
+    amounts = find_amounts(text)
+    words = re.findall(r"[^\W\d_]+", _without(text, amounts).lower())
     known = [w for w in words if _is_english(w)]
     content = [
         w for w in known if w not in ("a", "an", "in", "on", "as", "die", "at", "i", "me", "no")
@@ -96,7 +105,7 @@ def screen(prompt: str) -> str:
             f"({', '.join(sorted(foreign)[:4])}); write all of it in English."
         )
     problems: list[str] = []
-    for a in find_amounts(text):
+    for a in amounts:
         if a.dimension in ("mass", "length", "time", "speed") and a.low < 0.0:
             problems.append(f'"{a.text}" is negative; a {_NAMES[a.dimension]} must be positive')
         elif a.dimension == "mass" and a.low == 0.0:

@@ -8,6 +8,7 @@ import re
 from esg.draft.elements import Mention
 from esg.draft.quantities import Amount, find_amounts
 from esg.draft.scene import Relation, Scene
+from esg.graph.models import Quantity
 
 _APART = re.compile(r"[\s,]*(?:from\s+(?:each\s+other|one\s+another)\s*)?apart\b", re.IGNORECASE)
 _AHEAD = re.compile(r"\s*(?:straight\s+)?(?:ahead|away|further\s+(?:on|down|along)|off)\b", re.I)
@@ -17,9 +18,29 @@ _BETWEEN = re.compile(
     re.IGNORECASE,
 )
 _GAP_OF = re.compile(
-    r"\b(?:gaps?|spacing|spaces?|intervals?|distances?)\s+(?:of|between\s+\w+(?:\s+\w+)?\s+is)\s*$",
-    re.I,
+    r"\b(?:gaps?|spacing|spaces?|intervals?|distances?|separation)\s*(?:of|[:=]|is)?\s*$", re.I
 )
+_GAP_BETWEEN = re.compile(
+    r"\b(?:gap|spacing|space|interval|distance|separation)\s+(?:between\s+(?:[\w'-]+\s+){1,8}"
+    r"|from\s+(?:[\w'-]+\s+){1,4}to\s+(?:[\w'-]+\s+){1,4})"
+    r"(?:is|of|measures|are|:|=)\s*$",
+    re.IGNORECASE,
+)
+""" "the gap between the two jeeps is"."""
+_FROM = re.compile(
+    r"\s*(?:(?:away|ahead|apart|further)\s+)?(?:directly\s+|right\s+|just\s+|straight\s+)?"
+    r"(?:from|off|of|in\s+front\s+of|behind|ahead\s+of|beside|before|beyond|past|short\s+of"
+    r"|to\s+the\s+(?:left|right)\s+of|left\s+of|right\s+of|clear\s+of)\s+",
+    re.IGNORECASE,
+)
+_EACH_OTHER = re.compile(r"(?:each\s+other|one\s+another)\b", re.IGNORECASE)
+_TRAVELS = re.compile(
+    r"\b(?:fall|drop|fell|jump|leap|mov|roll|slid|driv|travel|run|walk|go|fl[iey]|climb|brak|stop"
+    r"|reverse|push|shov|skid)\w*\s+(?:(?:down|up|forward|back|for|about|over|another)\s+)*$",
+    re.IGNORECASE,
+)
+"""Verbs whose length is a way, not a gap."""
+_INTERVALS = re.compile(r"[\s-]+(?:intervals?|spacing|gaps?)\b", re.IGNORECASE)
 
 
 def space(text: str, mentions: list[Mention], scene: Scene) -> None:
@@ -39,8 +60,15 @@ def space(text: str, mentions: list[Mention], scene: Scene) -> None:
         if not pair:
             continue
         for one, other in pairwise(pair):
-            scene.relations.append(Relation(one, other, "near", a.value))
+            scene.relations.append(Relation(one, other, "near", _span(a)))
         scene.used[span] = "distance at the start"
+
+
+def _span(a: Amount) -> Quantity:
+    """The distance, open sides closed."""
+    if a.bound == "max":
+        return (0.2 * a.high, a.high)
+    return (a.low, 1.5 * a.low) if a.bound == "min" else a.value
 
 
 def _pair(text: str, a: Amount, mentions: list[Mention], scene: Scene) -> list[str]:
@@ -49,9 +77,22 @@ def _pair(text: str, a: Amount, mentions: list[Mention], scene: Scene) -> list[s
     before = [(m, ids) for m, ids in named if m.end <= a.start]
     after = [(m, ids) for m, ids in named if m.start >= a.end]
     plural = next((ids for m, ids in reversed(before) if len(ids) > 1), [])
-    if _APART.match(text, a.end) or _GAP_OF.search(text, max(0, a.start - 40), a.start):
-        both = [ids[0] for _, ids in before[-2:]]
-        return plural or (both if len(both) == 2 and both[0] != both[1] else [])
+    lead = text[max(0, a.start - 90) : a.start]
+    if (stated := _GAP_BETWEEN.search(lead)) is not None:
+        inside = [ids for m, ids in before if m.start >= a.start - len(lead) + stated.start()]
+        return _two(inside)
+    if _GAP_OF.search(lead) or _INTERVALS.match(text, a.end):
+        return plural or _two([ids for _, ids in (before[-2:] if len(before) > 1 else after)])
+    if re.search(r"\bevery\s+$", lead, re.IGNORECASE):
+        return plural
+    each = _FROM.match(text, a.end)
+    mutual = each is not None and _EACH_OTHER.match(text, each.end()) is not None
+    if _APART.match(text, a.end) or mutual:
+        one = [ids[:1] for _, ids in before[-2:]]
+        group = scene.world.entities[one[-1][0]].group if one else None
+        if not plural and mutual and group in scene.world.groups:
+            return list(scene.world.groups[group])  # "the first of three pins, which stand ..."
+        return plural or _two(one) or _two([ids for _, ids in after])
     if re.match(r"\s+from\b", text[a.end :]) and len(after) > 1:
         one, other = after[0], after[1]
         if re.fullmatch(r"\s+to\s+", text[one[0].end : other[0].start]):
@@ -63,6 +104,12 @@ def _pair(text: str, a: Amount, mentions: list[Mention], scene: Scene) -> list[s
             return first
         second = next((ids for _, ids in after[1:] if ids[0] != first[0]), [])
         return [first[0], second[0]] if second else []
+    if each is not None and after and not _TRAVELS.search(lead):
+        first = after[0]
+        if text[each.end() : first[0].start].strip().lower() in ("", "the", "a", "an", "its"):
+            near = [ids for m, ids in before if "." not in text[m.end : a.start]]
+            one = near[-1] if near else next((ids for _, ids in after[1:]), [])
+            return _two([one, first[1]]) if one else []
     if _AHEAD.match(text, a.end) and before:
         other = before[-1][1][0]
         mover = _comes_to(other, scene) or next(
@@ -70,6 +117,15 @@ def _pair(text: str, a: Amount, mentions: list[Mention], scene: Scene) -> list[s
         )
         return [mover, other] if mover else []
     return []
+
+
+def _two(found: list[list[str]]) -> list[str]:
+    """All of the first plural, or the first two different things."""
+    many = next((ids for ids in found if len(ids) > 1), [])
+    if many:
+        return many
+    ids = list(dict.fromkeys(x[0] for x in found if x))
+    return ids[:2] if len(ids) > 1 else []
 
 
 def _things(m: Mention, scene: Scene) -> list[str]:

@@ -15,6 +15,14 @@ _WORD = re.compile(
     r"|\n(?=\s*(?:[-*•]|\d+[.)]\s|\n|[A-Z]|[a-z]+:))"
 )
 
+_CONTRACTED = re.compile(
+    r"(?:there|that(?!'s (?:how|why|where|when|what|the way))|he|she|here|who|what"
+    r"|it(?='s\s+(?:an?|the|in|on|at|not|been|being|about|just|now"
+    r"|one|two|three|four|five|\d\S*|\w+ing|\w+ed|hit|struck|thrown)\b))'s\b",
+    re.IGNORECASE,
+)
+"""What "'s" means "is" after ("it's" also where "its" is meant)."""
+
 
 def tokenize(text: str, tags: list[tuple[int, str]] | None = None) -> list[Token]:
     """Splits text into words, numbers, punctuation and whole quantities."""
@@ -30,6 +38,12 @@ def tokenize(text: str, tags: list[tuple[int, str]] | None = None) -> list[Token
                 out.append(Token(".", m.start(), m.end(), "punct"))
                 continue
             if word[0].isalpha():
+                is_ = _CONTRACTED.match(text, m.start())
+                if is_ is not None and is_.end() == m.end():
+                    cut = m.end() - 2
+                    out.append(Token(word[:-2], m.start(), cut, "word"))
+                    out.append(Token("is", cut, m.end(), "word"))
+                    continue
                 m2 = re.fullmatch(r"(.+)['’]s", word)
                 if m2 and m2.group(1).lower() not in ("it", "there", "that", "he", "she"):
                     cut = m.start() + len(m2.group(1))

@@ -14,6 +14,7 @@ from esg.draft.entities import (
 )
 from esg.draft.members import Members
 
+_BODYWORK = frozenset({"bonnet", "windscreen", "windshield", "tailgate"})
 _TOPS = frozenset({"roof", "windscreen", "windshield", "bonnet", "tailgate"})
 
 
@@ -152,6 +153,11 @@ class World(Members):
         """What a part belongs to: "the dog's tail", "the open door of a car", "its roof"."""
         owner = m.possessor
         body = m.head in BODY_PARTS
+        if owner is None and m.head in _BODYWORK and m.determiner in ("the", "a"):
+            cars = [e.id for e in self.entities.values() if e.noun.kind == "vehicle"]
+            if m.attribute and not cars:  # "falls on the bonnet": of a car that is not named
+                m.attribute, m.noun, m.part = False, lex.nouns()["car"], ""
+            return cars[-1:] if m.attribute else []
         if owner is not None:
             ids = self.resolve(owner) if self._owns(owner) else []
             kinds = {self.entities[i].noun.kind for i in ids}

@@ -114,3 +114,16 @@ def test_the_wide_prompts_are_labelled_for_development_alone() -> None:
         for want in row["constraints"]:
             assert UNITS[want["quantity"]] == want["unit"], row["id"]
             assert ("value" in want) != ("range" in want), row["id"]
+
+
+def test_the_prose_prompts_are_labelled_for_development_alone() -> None:
+    rows = drafting.load("dev", ["prose"])
+    assert len(rows) == 122 and not drafting.load("test", ["prose"])
+    assert [r["id"] for r in rows] == [f"prose-{i:03d}" for i in range(1, 123)]
+    for row in rows:
+        assert row["band"] in drafting.BANDS and row["objects"], row["id"]
+        for event in row["events"]:
+            assert set(event) - {"type", "each"} == FIELDS[event["type"]], row["id"]
+        for want in row["constraints"]:
+            assert UNITS[want["quantity"]] == want["unit"], row["id"]
+            assert ("value" in want) != ("range" in want), row["id"]
