@@ -380,6 +380,13 @@ class Acts(Motions):
         size = self.e(node).dimensions_cm or self.e(node).noun.dimensions_cm
         return max(size) <= 0.5 * max(top.dimensions_cm[:2])
 
+    def _comes_down_a_slope(self, mover: str) -> bool:
+        """Whether something is on its way down a ramp: it arrives faster than it set off."""
+        track, host = self.tl.tracks.get(mover), self.scene.supported_by.get(mover)
+        if host is None or track is None or track.motion is None or track.closed:
+            return False
+        return "incline" in self.e(host).noun.traits
+
     def _kinematics(self, f: Frame, movers: list[str], targets: list[str]) -> None:
         """A stated speed belongs to the mover ("hits the wall at 5 m/s": just before it)."""
         found = self.quantity(f, "speed")
@@ -389,6 +396,8 @@ class Acts(Motions):
         for mover in movers:
             track = self.tl.tracks.get(mover)
             if track is not None and track.motion is not None and track.motion.mode == "brake":
+                continue
+            if self._comes_down_a_slope(mover):
                 continue
             if track is not None and track.motion is not None and not track.closed:
                 track.motion.speed, track.motion.prescribed = speed, prescribed

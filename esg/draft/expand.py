@@ -18,6 +18,10 @@ def _find(scene: Scene, *names: str) -> str | None:
     return next((i for i, e in scene.world.entities.items() if e.noun.name in names), None)
 
 
+LARGEST_ON_TABLE_CM = 40.0
+"""Size up to which what billiard balls hit stands on their table."""
+
+
 def _add(scene: Scene, name: str, reasons: list[str], reason: str) -> str:
     noun = lex.nouns()[name]
     entity = scene.world.add(noun, name, mentioned=False)
@@ -50,6 +54,7 @@ def expand(scene: Scene, prompt: str, restricted: bool) -> list[str]:
                 scene.supported_by[i] = table
                 e.noun = lex.nouns()["billiard ball"]
         _rename_regions(scene, table)
+        _set_on_table(scene, table)
     _fill_targets(scene, reasons)
     _elevated_targets(scene)
     _topple_shots(scene, prompt)
@@ -89,6 +94,23 @@ def _drop_region_entities(scene: Scene) -> None:
         del scene.world.entities[i]
         scene.supported_by.pop(i, None)
         scene.relations = [r for r in scene.relations if i not in (r.source, r.target)]
+
+
+def _set_on_table(scene: Scene, table: str) -> None:
+    """A chess piece or a bottle that billiard balls hit stands on their table, too."""
+    for node in scene.timeline.nodes:
+        if node.event is not NodeEvent.COLLISION:
+            continue
+        if not any(scene.supported_by.get(p) == table for p in node.participants):
+            continue
+        for p in node.participants:
+            e = scene.world.entities.get(p)
+            if e is None or p == table or p in scene.supported_by or p in scene.inside_of:
+                continue
+            fixed = {"structural", "fixed", "wheeled", "support"} & e.noun.traits
+            size = max(e.dimensions_cm or e.noun.dimensions_cm)
+            if not fixed and e.noun.kind != "person" and size <= LARGEST_ON_TABLE_CM:
+                scene.supported_by[p] = table
 
 
 def _rename_regions(scene: Scene, table: str) -> None:

@@ -111,9 +111,9 @@ class ContactSenses(FallSenses):
         self._kinematics(f, movers, targets)
         if f.verb.extra.get("motion") == "reverse":
             self._reverse(movers)
-        slowing = [m for m in movers if self._brakes_now(m)]
+        changing = [m for m in movers if self._brakes_now(m) or self._comes_down_a_slope(m)]
         nodes = self._hit(f, movers, targets, time)
-        self._speed_at_hit(f, nodes, slowing)
+        self._speed_at_hit(f, nodes, changing)
         self._after_hit(f, nodes, targets)
         if not o and not f.verb.passive:
             seen = list(targets)
@@ -166,11 +166,11 @@ class ContactSenses(FallSenses):
         track = self.tl.tracks.get(actor)
         return track is not None and track.motion is not None and track.motion.mode == "brake"
 
-    def _speed_at_hit(self, f: Frame, nodes: list[str], slowing: list[str]) -> None:
+    def _speed_at_hit(self, f: Frame, nodes: list[str], changing: list[str]) -> None:
         """ "brakes and hits the barrier at 4 m/s": the speed left, not the one driven before."""
         found = self.quantity(f, "speed")
         draft = self.tl.node(nodes[0]) if nodes else None
-        if found is None or draft is None or draft.participants[0] not in slowing:
+        if found is None or draft is None or draft.participants[0] not in changing:
             return
         draft.constraints.append(
             EventConstraint(

@@ -5,7 +5,23 @@ Complements `casting`: only what the prompt leaves open of sizes, masses and sur
 
 from __future__ import annotations
 
+from dataclasses import replace
+import math
+
+import numpy as np
+
 from esg.dynamics.containers import resized, with_assets
+from esg.dynamics.slopes import (
+    AT_FOOT_M,
+    STARTS_MPS,
+    Ride,
+    Slope,
+    arrival_speed,
+    come_down,
+    ride_of,
+    rides,
+    slows_enough,
+)
 from esg.dynamics.stagecraft import (
     Prop,
     coasting_drag,
@@ -43,6 +59,15 @@ BOTTOM_HEAVY = 0.35
 LOW_HIT = 0.62
 """A hit below this share of the height tips only what does not slip."""
 
+LETS_GO = 0.25
+"""Friction of what slides down a ramp and of the ramp, over its fall per way."""
+ROLLING = 0.02
+"""Friction of a ramp that something with wheels rolls down."""
+SMALLEST = 0.4
+"""Least size of a ramp, over its usual one."""
+LONGEST_ON_RAMP = 0.4
+"""Longest half of a body over the way down a ramp."""
+
 Configs = dict[str, AssetConfiguration]
 
 
@@ -56,7 +81,7 @@ def fit_motion(doc: EsgDocument, story: Story) -> EsgDocument:
     Returns:
         The document; only `asset_configurations` may differ.
     """
-    for rule in (_roomy, _felt, _slippery, _bouncy, _pushed_on, _steady):
+    for rule in (_roomy, _sloped, _felt, _slippery, _bouncy, _pushed_on, _steady):
         doc = with_assets(doc, rule(doc, story))
     return doc
 
@@ -100,6 +125,59 @@ def _roomy(doc: EsgDocument, story: Story) -> Configs:
         if sloped and 1.0 < factor <= LARGEST:
             out[_asset(doc, support)] = _scaled(doc, support, factor)
     return out
+
+
+def _sloped(doc: EsgDocument, story: Story) -> Configs:
+    """A ramp that lets go what is on it, as high as a stated speed at its foot asks for.
+
+    What slides down has half of the slope's pull left by friction; wheels roll.
+    """
+    out: Configs = {}
+    for node, actor, ramp, slope in rides(doc, story):
+        body = prop(doc, actor)
+        keys = _asset(doc, actor), _asset(doc, ramp)
+        configs = {k: out.get(k, doc.asset_configurations[k]) for k in keys}
+        if not body.rolls:
+            allowed = ROLLING if body.wheeled else LETS_GO * slope.steepness
+            for key in keys if not body.wheeled else keys[1:]:
+                if configs[key].friction > allowed:
+                    configs[key] = configs[key].model_copy(update={"friction": allowed})
+                    out[key] = configs[key]
+        friction = 0.5 * sum(configs[k].friction for k in keys)
+        ride = replace(ride_of(body, prop(doc, ramp)), on_slope=0.0 if body.rolls else friction)
+        if not (body.rolls or body.wheeled) and node.time_is_prescribed and node.timestamp:
+            start = slope.crest - 0.6 * body.half_length - 0.05
+            allowed = slows_enough(slope, ride, start, node.timestamp)
+            rest = None if allowed is None else 2.0 * allowed - configs[keys[0]].friction
+            for key in _grounds(doc) if rest is not None else ():
+                if max(SLICK, rest or 0.0) < doc.asset_configurations[key].friction:
+                    out[key] = doc.asset_configurations[key].model_copy(
+                        update={"friction": max(SLICK, rest or 0.0)}
+                    )
+        meant = arrival_speed(node, actor)
+        if meant is None or not _open(doc, ramp, size=True):
+            continue
+        factor = _size_for(slope, ride, body, meant)
+        if abs(factor - 1.0) > 0.05:
+            made = resized(doc, keys[1], doc.asset_configurations[keys[1]], factor)
+            out[keys[1]] = made.model_copy(update={"friction": configs[keys[1]].friction})
+    return out
+
+
+def _size_for(slope: Slope, ride: Ride, body: Prop, meant: float) -> float:
+    """Size of a ramp, over its own, from which something arrives with a speed [m/s]."""
+    room = slope.crest - 0.6 * body.half_length - 0.05
+    best, found = math.inf, 1.0
+    for factor in np.geomspace(SMALLEST, LARGEST, 25):
+        ramp = slope.scaled(float(factor))
+        start = ramp.crest - (slope.crest - room)
+        came = come_down(ramp, ride, start, STARTS_MPS)
+        left = came.at(ramp.foot + body.half_length + AT_FOOT_M)[1]
+        fits = body.length < 2.0 * LONGEST_ON_RAMP * factor * (slope.foot - slope.crest)
+        cost = abs(left - meant) + 0.1 * abs(math.log(factor)) + (0.0 if fits else 10.0)
+        if cost < best:
+            best, found = cost, float(factor)
+    return found
 
 
 def _felt(doc: EsgDocument, story: Story) -> Configs:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from esg.dynamics.demands import thrown_back_share
 from esg.dynamics.flights import slowed, thrown_back
 from esg.dynamics.kinematics import (
     Frame,
@@ -41,6 +42,9 @@ BALL_GAP = 0.45
 BOUNCE_RAD, BOUNCE_KEPT = math.radians(25.0), 0.75
 """Angle at which a ball meets a wall it bounces off, and what it keeps of its speed along it."""
 
+BEHIND_M, LONGEST_BACK_S = 0.25, 2.5
+"""From what bounced straight back, where it started, to what it meets; longest time of that way."""
+
 
 def impact(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
     """After the hit, b runs on along a's heading and a keeps the rest of the momentum."""
@@ -77,9 +81,11 @@ def impact(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
 
 
 def _bounce(stage: Stage, node: TimelineNode, a: str, b: str, restitution: float) -> None:
-    """A ball or puck that goes on to something else after a hit of a wall leaves it at an angle.
+    """A ball or puck that goes on to something else after a hit of a wall comes straight back.
 
-    The wall is turned by `BOUNCE_RAD`, so that the way back does not lead over the start.
+    What waits for it lies behind its start: how much of the speed along a wall friction takes in
+    a bounce is what engines agree on least. Where the time is too short for that, or something is
+    thrown, the wall is turned by `BOUNCE_RAD`, so that the way back does not lead over the start.
     """
     pa, pb = stage.prop(a), stage.prop(b)
     if a not in stage.tracks or a not in stage.frames:
@@ -91,14 +97,17 @@ def _bounce(stage: Stage, node: TimelineNode, a: str, b: str, restitution: float
         return
     heading = track.heading + frame.angle
     side = float(stage.rng.choice([-1.0, 1.0]))
-    # A ball's spin still rolls it forward: that takes two sevenths, once the ground has turned it.
     rolling = pa.rolls and not stage.story.flies(a)
-    back = 5.0 / 7.0 * restitution - 2.0 / 7.0 if rolling else restitution
-    normal = max(back, 0.1) * math.cos(BOUNCE_RAD)
-    along = BOUNCE_KEPT * math.sin(BOUNCE_RAD)
+    back = thrown_back_share(restitution, rolling=rolling)
+    least = _way_back(stage, node, a, b, max(back, 0.1) * track.speed)
+    tilt = BOUNCE_RAD if least is None else 0.0
+    if least is not None:
+        stage.way_back[a] = least
+    normal = max(back, 0.1) * math.cos(tilt)
+    along = BOUNCE_KEPT * math.sin(tilt)
     x, y = frame.apply(track.x, track.y)
     # Its centre, where it touches, to the middle of the wall, which faces the ball obliquely.
-    facing = heading + math.pi + side * BOUNCE_RAD
+    facing = heading + math.pi + side * tilt
     yaw = facing + (math.pi / 2 if pb.length > 1.15 * pb.width else 0.0)
     reach = pa.half_width + half_along(pb.length, pb.width, yaw - facing)
     contact = (
@@ -114,8 +123,39 @@ def _bounce(stage: Stage, node: TimelineNode, a: str, b: str, restitution: float
     track.speed *= math.hypot(normal, along)
     if a in stage.arcs:
         back = track.heading + frame.angle
-        thrown_back(stage, a, back, restitution, BOUNCE_RAD)
+        thrown_back(stage, a, back, restitution, tilt)
     stage.thrown_back.add(a)
+
+
+def returns(stage: Stage, node: TimelineNode, a: str, b: str) -> bool:
+    """Whether a may come straight back over its start from b, which it meets first, on the ground.
+
+    Args:
+        stage: The stage.
+        node: Their meeting.
+        a: Who bounces off.
+        b: What it bounces off.
+    """
+    if node.event is not NodeEvent.COLLISION or not stage.story.is_active(a):
+        return False
+    if stage.anchor is not None or stage.story.flies(a) or not stage.prop(b).fixed:
+        return False
+    return not (stage.prop(a).wheeled or a in stage.met) and goes_on(stage, node, a)
+
+
+def _way_back(stage: Stage, node: TimelineNode, a: str, b: str, speed: float) -> float | None:
+    """Least way [m] from b back past a's start to what it meets next; None if it takes too long."""
+    track = stage.tracks[a]
+    if not returns(stage, node, a, b) or len(track.points) > 2:
+        return None
+    way = math.dist(track.points[0], (track.x, track.y)) + stage.prop(a).length + BEHIND_M
+    lasts = LONGEST_BACK_S
+    for later in stage.story.after(node.id):
+        if a in map(stage.key, later.participants):
+            asked = stage.prescribed_time(later)
+            lasts = lasts if asked is None else asked - track.time
+            break
+    return way if way < lasts * speed else None
 
 
 def chain(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
@@ -143,6 +183,8 @@ def chain(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
             rubs = 0.5 * (pa.friction + stage.ground_friction())
             gap = max(0.05, rolling_travel(track.speed, rubs, wait, track.spin)[0] * slows)
     yaw = target_yaw(pb, track.heading, stage.rng)
+    if node.event is NodeEvent.ENTER_REGION:
+        yaw = track.heading + math.pi
     jitter = float(stage.rng.uniform(-0.3, 0.3)) * pb.half_lateral(yaw - track.heading)
     if pb.rolls and goes_on(stage, node, b):
         # Off its middle it would leave the line on which the next one lies.

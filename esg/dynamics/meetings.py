@@ -5,15 +5,17 @@ from __future__ import annotations
 import math
 
 from esg.dynamics.caroms import carom, is_carom
+from esg.dynamics.demands import demanded
 from esg.dynamics.encounters import brake_into, covers, meeting, run_into, waits_at_obstacle
 from esg.dynamics.falls import can_land, land, tip_onto
 from esg.dynamics.flights import bank, banked_into, flies_on, leaves, took_off
 from esg.dynamics.hovering import fly_in
-from esg.dynamics.impacts import chain, impact
+from esg.dynamics.impacts import chain, impact, returns
 from esg.dynamics.kinematics import lob_time
 from esg.dynamics.moves import plain
 from esg.dynamics.overtaking import overtake
 from esg.dynamics.placing import asked_distance, goes_on, join, struck_again
+from esg.dynamics.slopes import descend, goes_down
 from esg.dynamics.stage import FASTEST_MPS, Stage, speed_is_fixed
 from esg.dynamics.stagecraft import (
     Prop,
@@ -43,6 +45,8 @@ LOB_M = 1.0
 """Way of a throw into an open container."""
 AFTER_BOUNCE_M, AFTER_BOUNCE_S = 0.5, 0.3
 """Longest way from a wall to what is hit after bouncing off it, unless it takes less than that."""
+RETURN_M, RETURN_S = 1.0, 0.2
+"""Longest way to a wall that sends something straight back, unless it takes less than that."""
 SLID = 0.55
 """Share of its speed with which something slid along the ground arrives."""
 CHAINED = 0.6
@@ -160,6 +164,7 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
     needed = topple_speed(pa, pb, flies=stage.story.flies(a)) if topples else 0.0
     if stage.story.falls(stage.member(b)) and phase.edge.event is EdgeEvent.TOWARD:
         needed = max(needed, fall_speed(pa, pb))
+    needed = max(needed, demanded(stage, node, a, b))
     speed = stage.speed(a, phase, max(least, needed), needed)
     if again and not phase.edge.speed_is_prescribed:
         # Gently: the next one is to find it.
@@ -167,7 +172,10 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
     asked = asked_distance(stage, node, a) if node.event not in GAPPED else None
     if asked is not None and not speed_is_fixed(phase):
         speed = asked / max(0.15, prescribed - track.time) if prescribed is not None else speed
-    if phase.edge.event is EdgeEvent.BRAKE:
+    if goes_down(stage, a, b) is not None:
+        needed = max(needed, least)
+        distance, duration, left = descend(stage, node, a, phase, b, needed)
+    elif phase.edge.event is EdgeEvent.BRAKE:
         speed = track.speed or speed
         distance, duration, left = brake_into(stage, phase, speed, prescribed, track.time)
     elif _slides(stage, a, phase):
@@ -186,6 +194,9 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
             run *= CHAINED
         if a in stage.thrown_back:
             run = min(run, max(AFTER_BOUNCE_M, AFTER_BOUNCE_S * track.speed))
+            run = max(run, stage.way_back.get(a, 0.0))
+        if returns(stage, node, a, b):
+            run = min(run, max(RETURN_M, RETURN_S * speed))
         run = min(run, _fresh_run(stage, a, phase, speed))
         run = max(run, descent(stage, b))
         flies = stage.story.flies(a) and not stage.story.soars(a)
@@ -304,7 +315,8 @@ def _room_after(stage: Stage, a: str, b: str) -> float:
     first, second = stage.prop(before), stage.prop(b)
     if a in stage.thrown_back:
         # Its way leads away from what it bounced off.
-        return max(AFTER_BOUNCE_M, AFTER_BOUNCE_S * stage.tracks[a].speed)
+        least = stage.way_back.get(a, 0.0)
+        return max(AFTER_BOUNCE_M, AFTER_BOUNCE_S * stage.tracks[a].speed, least)
     fallen = first.height if stage.story.topples(stage.member(before)) else 0.0
     return max(first.length, first.width, 0.8 * fallen) + 0.5 * second.half_length + 0.3
 

@@ -122,6 +122,9 @@ def _place_target(
     pb = stage.prop(b)
     sets_off = _sets_off(stage, node, b)
     yaw = heading if sets_off else target_yaw(pb, heading, stage.rng)
+    if node.event is NodeEvent.ENTER_REGION:
+        # Its opening towards what comes (`meetings.enters`).
+        yaw = heading + math.pi
     lateral = float(stage.rng.uniform(-0.12, 0.12)) * min(
         pb.half_lateral(yaw - heading), pa.half_width
     )

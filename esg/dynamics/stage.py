@@ -53,6 +53,7 @@ class Stage:
         arcs: Flights of thrown actors after their last event (`flights.Arc`).
         tipped: Actors that fell over where they stood.
         thrown_back: Actors that bounced off something.
+        way_back: Least way [m] from there to what an actor meets next behind its start.
         met: What each actor met last.
         overtaken: Who was overtaken, by whom and when [s].
         lifted: An actor without a place of its own that starts on the anchor beside its target.
@@ -83,6 +84,7 @@ class Stage:
         self.tipped: set[str] = set()
         self.edge_run: float | None = None
         self.thrown_back: set[str] = set()
+        self.way_back: dict[str, float] = {}
         self.met: dict[str, str] = {}
         self.overtaken: dict[str, tuple[str, float]] = {}
         self._next_phase = {a: 0 for a in self.tracks}
@@ -142,9 +144,7 @@ class Stage:
         body = self.prop(first)
         inset = 0.6 * body.half_length + 0.05
         if first == self.lead:
-            inset = self.edge_run or inset
-            if body.wheeled and 2.0 * body.half_length < surface.half_extents_cm[0] / 50.0:
-                inset = max(inset, body.half_length)
+            inset = self.inset(first)
         x, y, _ = self.places[self.lead]
         dx, dy = edge.at - inset - self.places[first][0], surface.center_cm[1] / 100.0 - y
         if first != self.lead:
@@ -158,6 +158,15 @@ class Stage:
         if edge.backwards:
             self._turn_round()
         return True
+
+    def inset(self, lead: str) -> float:
+        """Distance [m] from the anchor's edge at which what leaves it by itself starts."""
+        assert self.anchor is not None
+        body, surface = self.prop(lead), top_surface(self.doc, self.anchor)
+        inset = self.edge_run or 0.6 * body.half_length + 0.05
+        if body.wheeled and 2.0 * body.half_length < surface.half_extents_cm[0] / 50.0:
+            inset = max(inset, body.half_length)
+        return inset
 
     def _starts_on_anchor(self, key: str) -> bool:
         """Whether what is placed under a key starts on the anchor, not above or beside it."""

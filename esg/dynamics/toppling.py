@@ -12,6 +12,8 @@ from dataclasses import dataclass, replace
 import re
 
 from esg.dynamics.containers import resized, with_assets
+from esg.dynamics.demands import KEPT, passed_on
+from esg.dynamics.slopes import fastest_down, rides
 from esg.dynamics.stage import FASTEST_MPS
 from esg.dynamics.stagecraft import Prop, fall_speed, prop
 from esg.dynamics.story import Story, bounds
@@ -35,6 +37,8 @@ FALLS_TOO = 0.5
 """Share of a stated speed that counts where something thrown falls as well."""
 HANDY_KG = 5.0
 """Up to this mass something comes in small."""
+USUAL_CARRIED_MPS = 3.0
+"""Speed with which something that was struck arrives at the next thing, where it is open."""
 LARGER = (1.25, 1.5, 2.0)
 """Factors on the size of a mover that comes in all sizes."""
 STATED_SIZE = re.compile(r"\b(tall|large|big|huge|giant|enormous|massive|full[- ]size[d]?)\b")
@@ -81,7 +85,12 @@ def _knocks(doc: EsgDocument, story: Story) -> list[Knock]:
             continue
         if story.topples(b) or story.falls(b):
             pushed = story.falls(b) and launched(story, a, node.id)
-            out.append(Knock(node, a, b, fastest(story, a, node.id), pushed))
+            limit = fastest(story, a, node.id)
+            if not story.is_active(a):
+                limit = carried(doc, story, a, node)
+            if any(end.id == node.id and actor == a for end, actor, _, _ in rides(doc, story)):
+                limit = min(limit, fastest_down(doc, a) or limit)
+            out.append(Knock(node, a, b, limit, pushed))
     return out
 
 
@@ -210,6 +219,25 @@ def scaled(config: AssetConfiguration, factor: float) -> AssetConfiguration:
             "inertia_kg_cm2": tuple(v * factor for v in config.inertia_kg_cm2),
         }
     )
+
+
+def carried(doc: EsgDocument, story: Story, name: str, node: TimelineNode) -> float:
+    """Speed [m/s] at which what was set in motion by an earlier hit may arrive at an event."""
+    before = story.ancestors(node.id)
+    for hit, mover, target in hits(doc, story):
+        if hit.id not in before or target != name or mover == name:
+            continue
+        active = story.is_active(mover)
+        if active:
+            came = fastest(story, mover, hit.id)
+        else:
+            came = carried(doc, story, mover, hit)
+        stated = active and any(
+            p.end.id == hit.id and p.edge.speed_is_prescribed for p in story.phases[mover]
+        )
+        speed = KEPT * passed_on(prop(doc, mover), prop(doc, name)) * came
+        return speed if stated else min(speed, USUAL_CARRIED_MPS)
+    return USUAL_CARRIED_MPS
 
 
 def launched(story: Story, actor: str, node_id: str) -> bool:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Generator, Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from threading import RLock
 from typing import Any
 
@@ -18,7 +19,7 @@ from esg.engines.executor import Touch, Vec, play_all
 from esg.engines.program import ProgramBatch
 from esg.engines.scene import Body, Rollout, Shape, SimScene, Variation
 from esg.engines.worlds import Principal, Start, Values, cylinder_vertices, moving, principal_axes
-from esg.units import quat_multiply
+from esg.units import quat_multiply, quat_rotate
 
 BOUNCE_THRESHOLD_MPS = 0.2
 POSITION_ITERATIONS = 8
@@ -33,7 +34,11 @@ ROLLING_SIDES, CROWN = 84, (0.05, 0.02)
 """Of a cylinder that rolls: sides, and how much lower its rims are, at most: [of half its width]
 and [of its radius]."""
 
-_GROUND, _VEHICLE_GROUND, _BODY, _WHEELED = 1, 2, 4, 8
+ROLLS_TO = 0.17
+"""Sine of the tilt of its axis up to which a cylinder rolls on the ground as on a capsule."""
+
+_GROUND, _VEHICLE_GROUND, _BODY, _WHEELED, _ROLLING, _TREAD = 1, 2, 4, 8, 16, 32
+_TOUCHED = _BODY | _WHEELED | _ROLLING
 _X_TO_Z = (0.0, -(0.5**0.5), 0.0, 0.5**0.5)
 """Rotation that takes PhysX's capsule axis X to our Z."""
 
@@ -156,7 +161,8 @@ class PhysxWorld:
         self._index: dict[int, int] = {}
         self.moving: list[int] = np.nonzero(moving(scene))[0].tolist()
         ground_mu, vehicle_mu, ground_e = (float(v) for v in values.ground[w])
-        self._add_ground(ground_mu, ground_e, _GROUND, _BODY)
+        self._treads: dict[int, tuple[Any, Any, Vec]] = {}
+        self._add_ground(ground_mu, ground_e, _GROUND, _BODY | _TREAD)
         self._add_ground(vehicle_mu, ground_e, _VEHICLE_GROUND, _WHEELED)
         for i, body in enumerate(scene.bodies):
             mu = float(values.friction[w, i])
@@ -169,10 +175,13 @@ class PhysxWorld:
                 px.PhysxRigidStaticComponent() if body.static else px.PhysxRigidDynamicComponent()
             )
             group = _WHEELED if body.wheeled else _BODY
+            rolls = rolls_on_rim(body)
             for shape in body.shapes:
-                collider = make_shape(px, shape, material, rolls=rolls_on_rim(body))
-                collider.set_collision_groups([group, _BODY | _WHEELED, 0, 0])
+                collider = make_shape(px, shape, material, rolls=rolls)
+                collider.set_collision_groups([group, _TOUCHED, 0, 0])
                 component.attach(collider)
+                if rolls and not (body.static or body.wheeled):
+                    self._add_tread(i, component, collider, shape, material)
             if not body.static:
                 moments, axes = (principal or {}).get(i) or principal_axes(values.inertia[w, i])
                 component.mass = float(values.mass[w, i])
@@ -184,6 +193,33 @@ class PhysxWorld:
             self._add(component, body.name, to_pose(values.position[w, i], values.quaternion[w, i]))
             self._index[component._physx_pointer] = i
             self.bodies.append(component)
+
+    def _add_tread(self, i: int, component: Any, rim: Any, shape: Shape, material: Any) -> None:
+        """Gives a cylinder on its rim a capsule that only the ground touches, instead of its hull.
+
+        The solver drives the corners of a prism into the ground within a step and pushes them out
+        again: a tyre let go at 3 m/s lost a fifth of its speed in 2 s, one at 24 m/s jumped 0.3 m
+        high. Both ends of a capsule's line touch the ground as the cylinder's rims do.
+        """
+        tread = make_shape(self._px, replace(shape, kind="capsule"), material)
+        component.attach(tread)
+        axis = quat_rotate(np.array(shape.quaternion), np.array([0.0, 0.0, 1.0]))
+        self._treads[i] = (rim, tread, (float(axis[0]), float(axis[1]), float(axis[2])))
+        rim.set_collision_groups([_ROLLING, _TOUCHED, 0, 0])
+        tread.set_collision_groups([_TREAD, 0, 0, 0])
+
+    def _lay_down(self) -> None:
+        """Lets what has tilted touch the ground with its hull, from then on."""
+        for i, (rim, tread, axis) in list(self._treads.items()):
+            w, x, y, z = self.bodies[i].entity.pose.q
+            up = quat_rotate(np.array([x, y, z, w], float), np.array(axis))[2]
+            if abs(float(up)) > ROLLS_TO:
+                rim.set_collision_groups([_BODY, _TOUCHED, 0, 0])
+                tread.set_collision_groups([0, 0, 0, 0])
+                # Pairs that were filtered out are looked at again for what comes in anew.
+                self.bodies[i].disable()
+                self.bodies[i].enable()
+                del self._treads[i]
 
     def _add(self, component: Any, name: str, pose: Any) -> None:
         import sapien
@@ -236,6 +272,8 @@ class PhysxWorld:
         material.dynamic_friction = friction * self._scale
 
     def step(self) -> None:
+        if self._treads:
+            self._lay_down()
         self.system.step()
 
     def read(self, body: int) -> tuple[Any, Any, Any, Any]:

@@ -102,17 +102,30 @@ def test_what_sits_out_of_reach_has_something_thrown_at_it() -> None:
     assert rolling is not ForceDirection.ANY_3D
 
 
-def test_a_ball_comes_back_off_a_wall_beside_its_start() -> None:
-    doc = cast("A ball bounces off a wall and hits a bottle.")
-    assert config(doc, "wall_1").restitution > 0.9
+def _turned_at_the_wall(doc: EsgDocument) -> tuple[float, float]:
+    """Degrees by which a way turns at a wall, and how far the next target is behind the start."""
     [places] = choreograph(doc).hints.constellations
     at = {p.node: np.array([p.x_cm, p.y_cm]) for p in places.placements}
     inbound = at["wall_1"] - at["ball_1"]
     outbound = at["bottle_1"] - at["wall_1"]
-    turned = math.degrees(
-        math.acos(inbound @ outbound / np.linalg.norm(inbound) / np.linalg.norm(outbound))
-    )
+    ways = np.linalg.norm(inbound), np.linalg.norm(outbound)
+    turned = math.degrees(math.acos(inbound @ outbound / ways[0] / ways[1]))
+    return turned, float(ways[1] - ways[0])
+
+
+def test_a_ball_comes_straight_back_off_a_wall_past_its_start() -> None:
+    doc = cast("A ball bounces off a wall and hits a bottle.")
+    assert config(doc, "wall_1").restitution > 0.9
+    turned, behind = _turned_at_the_wall(doc)
+    assert turned > 178.0
+    assert behind > 11.0 + 0.5 * config(doc, "bottle_1").dimensions_cm[0]
+
+
+def test_a_ball_without_the_time_for_that_comes_back_beside_its_start() -> None:
+    doc = cast("A ball bounces off a wall and hits a bottle 0.3 seconds later.")
+    turned, behind = _turned_at_the_wall(doc)
     assert 90.0 < turned < 170.0
+    assert behind < 0.0
 
 
 def test_after_a_kerb_the_brake_sets_in_while_it_still_rolls_back() -> None:

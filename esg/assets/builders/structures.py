@@ -180,9 +180,8 @@ def ramp(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     landing = -L / 2 + min(L * 0.22, 120.0)
     side = [(-L / 2, 0.0), (L / 2, 0.0), (L / 2, H * 0.004), (landing, H), (-L / 2, H)]
     s.extrude(side, (-W / 2, W / 2), c, rough=0.8)
-    slope = [(landing, 0.0), (L / 2, 0.0), (L / 2, H * 0.004), (landing, H)]
-    s.proxy_hull([(x, y * W / 2, z) for x, z in slope for y in (-1, 1)])
-    s.proxy_slab((-L / 2, landing), (-W / 2, W / 2), (0, H))
+    # One piece: what goes down would catch on the seam of two, which its collisions know of.
+    s.proxy_hull([(x, y * W / 2, z) for x, z in side for y in (-1, 1)])
     s.surface("top", H, ((landing + L / 2) / 2, W / 2), ((landing - L / 2) / 2, 0))
 
 

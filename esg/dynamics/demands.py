@@ -1,0 +1,71 @@
+"""How hard a first hit must be for what it leads to: a ball that sends a ball into a vase."""
+
+from __future__ import annotations
+
+from esg.dynamics.stage import Stage
+from esg.dynamics.stagecraft import Prop, fall_speed
+from esg.dynamics.tipping import topple_speed
+from esg.graph.models import NodeEvent, TimelineNode
+
+KEPT = 0.77
+"""Share of its speed that something struck has when it meets the next thing."""
+BACK_KEPT, LEAST_BACK = 0.9, 0.2
+"""The same of what bounced off something, and the least share that counts as coming back."""
+
+
+def passed_on(mover: Prop, target: Prop) -> float:
+    """Speed of a resting body after a central hit, over the mover's."""
+    gain = 1.0 + 0.5 * (mover.restitution + target.restitution)
+    return gain * mover.mass / (mover.mass + target.mass)
+
+
+def thrown_back_share(restitution: float, *, rolling: bool) -> float:
+    """Share of its speed with which something comes back from a wall.
+
+    A ball's spin still rolls it forward: that takes two sevenths, once the ground has turned it.
+    """
+    return 5.0 / 7.0 * restitution - 2.0 / 7.0 if rolling else restitution
+
+
+def demanded(stage: Stage, node: TimelineNode, a: str, b: str) -> float:
+    """Least speed [m/s] of a at its hit of b for what is to fall or topple later by that hit.
+
+    Args:
+        stage: The stage.
+        node: The hit.
+        a: Who arrives.
+        b: What it hits.
+    """
+    pa, pb = stage.prop(a), stage.prop(b)
+    if node.event is not NodeEvent.COLLISION:
+        return 0.0
+    if pb.fixed:
+        rolling = pa.rolls and not stage.story.flies(a)
+        restitution = 0.5 * (pa.restitution + pb.restitution)
+        back = thrown_back_share(restitution, rolling=rolling)
+        return _after(stage, node, a, BACK_KEPT) / max(back, LEAST_BACK)
+    if b in stage.tracks:
+        return 0.0
+    return _after(stage, node, b, KEPT) / passed_on(pa, pb)
+
+
+def _after(stage: Stage, node: TimelineNode, b: str, kept: float) -> float:
+    """Least speed [m/s] of b right after an event, for the next thing that it hits."""
+    if stage.story.topples(stage.member(b)):
+        return 0.0
+    for later in stage.story.after(node.id):
+        keys = [stage.key(p) for p in later.participants]
+        others = [k for k in keys if k != b]
+        if later.event is not NodeEvent.COLLISION or b not in keys or not others:
+            continue
+        c = others[0]
+        if c in stage.tracks or stage.prop(c).fixed:
+            return 0.0
+        body, target, name = stage.prop(b), stage.prop(c), stage.member(c)
+        needed = demanded(stage, later, b, c)
+        if stage.story.topples(name):
+            needed = max(needed, topple_speed(body, target, flies=False))
+        if stage.story.falls(name):
+            needed = max(needed, fall_speed(body, target))
+        return needed / kept
+    return 0.0
