@@ -228,10 +228,7 @@ def carried(doc: EsgDocument, story: Story, name: str, node: TimelineNode) -> fl
         if hit.id not in before or target != name or mover == name:
             continue
         active = story.is_active(mover)
-        if active:
-            came = fastest(story, mover, hit.id)
-        else:
-            came = carried(doc, story, mover, hit)
+        came = fastest(story, mover, hit.id) if active else carried(doc, story, mover, hit)
         stated = active and any(
             p.end.id == hit.id and p.edge.speed_is_prescribed for p in story.phases[mover]
         )
