@@ -16,6 +16,8 @@ SIZED = re.compile(
     re.IGNORECASE,
 )
 """Words that make a thing larger or smaller than it usually is."""
+TOY = re.compile(r"\b(toy|model|miniature)\b", re.IGNORECASE)
+"""A toy of something has the size and mass that are expected of it, however large the thing is."""
 _STRETCH = (0.04, 25.0)
 """Range for another noun that the entry stands for (a pebble for a rock)."""
 _NEAR = 1.12
@@ -59,6 +61,11 @@ def guessed_mass_factor(requirement: AssetRequirement, factors: Vec3) -> float:
 def is_own_name(entry: Entry, requirement: AssetRequirement) -> bool:
     """Whether the requirement names the entry itself, not something like it."""
     return normalize(entry.name) == normalize(requirement.asset_category)
+
+
+def is_toy(requirement: AssetRequirement) -> bool:
+    """Whether the words make the thing a toy or a model."""
+    return TOY.search(requirement.asset_description.partition(":")[0]) is not None
 
 
 def residual(entry: Entry, requirement: AssetRequirement) -> float:
@@ -133,6 +140,9 @@ def choose_dimensions(entry: Entry, requirement: AssetRequirement) -> Vec3:
     plausible = all(low <= r <= high for r in ratios)
     if free and plausible:
         return wanted
+    if is_toy(requirement):
+        factor = max(wanted) / max(usual)
+        return (usual[0] * factor, usual[1] * factor, usual[2] * factor)
     factor = math.prod(ratios) ** (1 / 3)
     if not strict and residual(entry, requirement) > _MISFIT:
         # One extent was counted differently (with or without an arm, a base): follow the others.
@@ -166,7 +176,7 @@ def choose_mass(
     volume = math.prod(b / a for a, b in zip(entry.dimensions_cm, dimensions, strict=True))
     mass = entry.mass_kg * volume
     bracket = sorted((mass, mass * density_ratio))
-    if not is_own_name(entry, requirement):
+    if not is_own_name(entry, requirement) or is_toy(requirement):
         packed = expected / math.prod(dimensions)
         if _DENSITY[0] <= packed <= _DENSITY[1]:
             return expected

@@ -11,7 +11,7 @@ from esg.assets.colors import find_color
 from esg.assets.library import Entry, build_sketch, entries_by_name, uniform_factor
 from esg.assets.massprops import mass_properties
 from esg.assets.materials import MATERIALS, Material, find_material, is_usual
-from esg.assets.proposal import choose_dimensions, choose_mass
+from esg.assets.proposal import choose_dimensions, choose_mass, is_toy
 from esg.assets.retrieve import Decision, decide
 from esg.assets.rolling import (
     FLAGS,
@@ -249,7 +249,7 @@ def finish(
         support_surfaces=tuple(sketch.surfaces),
         regions=tuple(sketch.regions),
         mass_kg=mass,
-        is_movable=entry.movable and requirement.is_movable,
+        is_movable=(entry.movable or is_toy(requirement)) and requirement.is_movable,
         center_of_mass_cm=com,
         inertia_kg_cm2=inertia,
         friction=WHEELED_FRICTION if wheeled else material.friction,

@@ -11,7 +11,7 @@ import math
 
 from esg.assets.library import Entry, normalize, policy
 from esg.assets.lookup import exact, head_match
-from esg.assets.proposal import SIZED, guessed, is_own_name, misfit, residual
+from esg.assets.proposal import SIZED, guessed, is_own_name, is_toy, misfit, residual
 from esg.assets.rolling import as_drawn
 from esg.graph.models import AssetRequirement
 
@@ -78,6 +78,9 @@ def restated(requirement: AssetRequirement) -> AssetRequirement:
         return requirement.model_copy(update={"asset_category": said.name})
     if filed is None and "any_size" in said.flags and not guessed(requirement):
         # A box of cereal is a box, of the size that was expected of it.
+        return requirement.model_copy(update={"asset_category": said.name, "shape": None})
+    if is_toy(requirement):
+        # A toy soldier is a soldier of a toy's size and mass.
         return requirement.model_copy(update={"asset_category": said.name, "shape": None})
     factor = 1.0
     shape = residual(said, as_drawn(said, requirement))

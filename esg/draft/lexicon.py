@@ -100,6 +100,9 @@ def nouns() -> dict[str, Noun]:
     for noun, synonyms in entries:
         for synonym in synonyms:
             table.setdefault(synonym, noun)
+    # Tokens part the possessive: "rubik 's cube".
+    for name in [n for n in table if "'s " in n]:
+        table.setdefault(name.replace("'s ", " 's "), table[name])
     return table
 
 
@@ -206,7 +209,7 @@ MATERIALS: dict[str, tuple[str, float]] = {
 """Adjective -> material name and density [kg/m^3] (engineering tables; docs/drafting.md)."""
 
 SIZES: dict[str, float] = {
-    "toy": 0.25, "model": 0.25, "tiny": 0.5, "mini": 0.5, "miniature": 0.4, "small": 0.75,
+    "toy": 1.0, "model": 1.0, "miniature": 1.0, "tiny": 0.5, "mini": 0.5, "small": 0.75,
     "little": 0.75, "compact": 0.85,
     "large": 1.35, "big": 1.35, "huge": 1.8, "giant": 2.0, "enormous": 2.0, "gigantic": 2.2,
     "massive": 1.6, "oversized": 1.5, "medium": 1.0, "medium-sized": 1.0,

@@ -10,6 +10,7 @@ from esg.draft.entities import FRONT, ORDINALS, REAR, Entity, plural, slug, unkn
 from esg.draft.matching import Matching
 from esg.draft.quantities import Amount
 from esg.draft.sizes import HOLLOW, holding, inclined, sized
+from esg.draft.toys import as_toy
 
 _NAMED_GROUPS = frozenset({"tower", "pyramid", "pile", "heap", "convoy"})
 
@@ -80,6 +81,7 @@ class Registry(Matching):
     ) -> Entity:
         """Creates one entity with a readable node id."""
         adjectives = list(adjectives or [])
+        noun = as_toy(noun, head, adjectives)
         naming = [
             a
             for a in adjectives

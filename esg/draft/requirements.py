@@ -27,6 +27,12 @@ _INDOOR_KINDS = frozenset(
 _OUTDOOR_KINDS = frozenset(
     {"vehicle", "street", "post", "plant", "building", "structure", "watercraft"}
 )
+_ICY = frozenset({"ice", "icy", "rink", "frozen", "iced"})
+"""What makes a ground or a water slippery."""
+_OPEN_WATER = {"river": (6000.0, 1500.0), "canal": (6000.0, 1200.0), "sea": (8000.0, 6000.0)} | {
+    w: (6000.0, 4000.0) for w in ("lake", "ocean", "harbor", "harbour", "bay", "lagoon", "loch")
+}
+"""Length and width [cm] of waters that boats are on."""
 GROUND_SIZE_CM = (12000.0, 12000.0, 2.0)
 _MAX_SIZE_CM, _MIN_SIZE_CM = 9000.0, 0.1
 
@@ -67,6 +73,8 @@ def _dimensions(e: Entity) -> tuple[float, float, float]:
         d = list(e.dimensions_cm)
     else:
         d = list(e.noun.dimensions_cm)
+        if e.noun.kind == "water":
+            d[:2] = _OPEN_WATER.get(e.head.split()[-1], d[:2])
         for a in e.adjectives:
             if a in lex.SIZES:
                 d = [x * lex.SIZES[a] for x in d]
@@ -102,6 +110,8 @@ def requirement(e: Entity) -> AssetRequirement:
     material = next(
         (lex.MATERIALS[a][0] for a in e.adjectives if a in lex.MATERIALS), e.noun.material
     )
+    if e.noun.kind in ("ground", "water") and _ICY.intersection([*e.adjectives, *e.head.split()]):
+        material = "ice"
     modifiers = [
         a
         for a in e.adjectives

@@ -227,7 +227,7 @@ def test_scene_survives_a_failing_generator(
     monkeypatch.setenv("ESG_TRELLIS_RETRIES", "0")
     needs = {
         "good": gizmo(),
-        "bad": gizmo(asset_category="warp coil", asset_description="warp coil"),
+        "bad": gizmo(asset_category="flux snorter", asset_description="flux snorter"),
         "car": gizmo(
             asset_category="car", expected_dimensions_cm=(455, 182, 146), expected_mass_kg=1450
         ),

@@ -26,6 +26,7 @@ _MODULES = (
     "containers",
     "creatures",
     "electronics",
+    "everyday",
     "figures",
     "fittings",
     "foods",
