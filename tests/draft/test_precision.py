@@ -202,7 +202,7 @@ def test_both_are_the_two_that_act_alike() -> None:
     ("prompt", "expected"),
     [
         ("A car hits a traffic barrel after 2 seconds.", ("Collision", "barrel_1")),
-        ("A chocolate bar falls off the shelf.", ("Fall", "bar_1")),
+        ("A chocolate bar falls off the shelf.", ("Fall", "chocolate_bar_1")),
     ],
 )
 def test_a_noun_that_is_also_a_verb_or_a_place_is_the_thing(
