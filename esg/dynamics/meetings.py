@@ -38,6 +38,7 @@ from esg.dynamics.throws import (
 )
 from esg.dynamics.tipping import topple_speed
 from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
+from esg.units import GRAVITY_MPS2
 
 MAX_APPROACH_M = 45.0
 GAPPED = (NodeEvent.MISS, NodeEvent.REACH)
@@ -63,6 +64,8 @@ FLIGHT_S, LONGEST_THROW_M = 0.3, 12.0
 """Usual flight time of a throw at something, and its longest way."""
 LEVEL_S, LEAST_LEVEL_M = 0.2, 0.15
 """Flight time and least way of a throw of stated speed that shall knock something over."""
+TAKE_OFF = math.tan(math.radians(30.0))
+"""Slope at which what drives takes off."""
 
 
 def collision(stage: Stage, node: TimelineNode) -> None:
@@ -241,6 +244,11 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
     track.straight(distance, duration, left)
     if stage.story.soars(a):
         fly_in(stage, node, a, phase, distance)
+    elif stage.story.takes_off(a):
+        # Steeper than a ramp.
+        stage.nominal[f"{phase.edge.id}/flight_time"] = math.sqrt(
+            2.0 * distance * TAKE_OFF / GRAVITY_MPS2
+        )
     elif stage.story.flies(a):
         stage.heights[a] = hand_height(stage, node, b, pa, pb)
         if topples and speed_is_fixed(phase) and support_of(stage.doc, stage.member(b)) is None:

@@ -90,8 +90,8 @@ class Composer(Cast):
             last = k + 1 == len(phases)
             if self.coasts(phase):
                 continue
-            if self.story.tips(phase):
-                # Nothing may hold it upright any more.
+            if self.story.tips(phase) or (k > 0 and self.story.flies(actor)):
+                # Nothing may hold it upright or on its course any more.
                 out = [_until(p, start) for p in out]
             if edge.event is EdgeEvent.TOWARD or self.story.tips(phase):
                 out.append(self.launch(actor, body, phase, v, start, heading))
@@ -216,6 +216,20 @@ class Composer(Cast):
             return max(start + 0.05, phase.end.timestamp)
         return duration + 1.0
 
+    def _lets_go(
+        self, actor: str, body: Body, phase: Phase, flat: NDArray[np.float64]
+    ) -> NDArray[np.float64]:
+        """Where a flight begins [m]: at its start, or at the ramp that it takes off from."""
+        start = np.array(body.position)
+        before = self.story.phases[actor][: self.story.phases[actor].index(phase)]
+        ramp = self.target(before[-1]) if before and self.story.takes_off(actor) else None
+        if ramp is None or before[-1].end.event is not NodeEvent.COLLISION:
+            return start
+        met = self.scene.body(ramp)
+        way = np.array(met.position)[:2] - start[:2]
+        along = float(way @ flat[:2]) - max(met.half_extents[:2]) - max(body.half_extents[:2])
+        return start + max(along, 0.0) * flat
+
     def launch(
         self, actor: str, body: Body, phase: Phase, v: Values, time: float, heading: float
     ) -> SetVelocity:
@@ -227,7 +241,7 @@ class Composer(Cast):
             goal = self.throw_goal(actor, phase)
             assert goal is not None
             goal = goal + np.array([0.0, 0.0, v[f"{edge.id}/aim_height"]])
-            offset = goal - np.array(body.position)
+            offset = goal - self._lets_go(actor, body, phase, flat)
             flat_offset = float(np.hypot(offset[0], offset[1])) * flat
             velocity = ballistic_velocity(
                 np.array([flat_offset[0], flat_offset[1], offset[2]]),

@@ -298,7 +298,9 @@ class Stage:
         if self.story.flies(actor):
             from esg.dynamics.hovering import cruise
 
-            self.heights.setdefault(actor, cruise(self, actor) if self.story.soars(actor) else 1.0)
+            if not self.story.takes_off(actor):
+                soars = self.story.soars(actor)
+                self.heights.setdefault(actor, cruise(self, actor) if soars else 1.0)
 
     # -- result ------------------------------------------------------------------------------
 

@@ -160,10 +160,23 @@ def release_height(thrown: Prop, target: Prop) -> float:
     return max(1.0, min(1.6, target.height + 0.3)) - 0.5 * thrown.height
 
 
+def has_foot(body: Prop) -> bool:
+    """Whether a body slopes down towards its front: its top is behind its middle."""
+    if body.config is None or not body.config.support_surfaces:
+        return False
+    top = max(body.config.support_surfaces, key=lambda s: s.center_cm[2])
+    return top.center_cm[0] < -20.0 * body.length and top.center_cm[2] > 90.0 * body.height
+
+
 def target_yaw(body: Prop, heading: float, rng: np.random.Generator) -> float:
-    """Yaw [rad] at which a waiting body is met: broadside, the larger and steadier mark."""
+    """Yaw [rad] at which a waiting body is met: broadside, the larger and steadier mark.
+
+    A ramp is met at its foot.
+    """
     if body.rolls or body.grouped:
         return heading
+    if has_foot(body):
+        return heading + math.pi
     side = float(rng.choice([-1.0, 1.0]))
     if body.length > 1.15 * body.width:
         return heading + side * math.pi / 2

@@ -79,7 +79,15 @@ class Story:
 
     def soars(self, actor: str) -> bool:
         """Whether it flies under its own power: held against gravity until its last hold ends."""
-        return self.flies(actor) and self.phases[actor][0].edge.event in OWN_POWER
+        powered = self.flies(actor) and self.phases[actor][0].edge.event in OWN_POWER
+        return powered and not self.takes_off(actor)
+
+    def takes_off(self, actor: str) -> bool:
+        """Whether it drives at first and is launched later: a car that flies off a ramp."""
+        if not self.flies(actor) or self.phases[actor][0].edge.event not in OWN_POWER:
+            return False
+        later = [p.edge for p in self.phases[actor][1:] if p.edge.event is EdgeEvent.TOWARD]
+        return any(e.params.speed is not None for e in later)
 
     def tips(self, phase: Phase) -> bool:
         """Whether a phase tips its own actor over where it is: a domino, a cart at a fence."""

@@ -9,13 +9,16 @@ import pytest
 
 from esg.assets import resolve
 from esg.draft import draft
-from esg.dynamics import fit_assets
+from esg.dynamics import build_scene, fit_assets, start_hints
 from esg.dynamics.choreography import choreograph
 from esg.dynamics.flights import Arc, flown_to
+from esg.dynamics.plan import make_plan
 from esg.dynamics.solid import beside_the_middle
 from esg.dynamics.stagecraft import prop
 from esg.dynamics.story import read_story
+from esg.engines.program import HoldVelocity, SetVelocity
 from esg.graph.models import EsgDocument, NamedRegion
+from esg.layout import solve
 from esg.metrics.geometry import first_pass
 from esg.units import GRAVITY_MPS2
 
@@ -42,6 +45,28 @@ def test_an_arc_comes_down_as_it_would_in_free_fall() -> None:
         assert 1.0 + 2.0 * lasts - 0.5 * GRAVITY_MPS2 * lasts**2 == pytest.approx(height)
         assert 2.0 - GRAVITY_MPS2 * lasts < 0.0
     assert arc.time_to(9.0) == pytest.approx(2.0 / GRAVITY_MPS2)
+
+
+def test_a_car_that_flies_off_a_ramp_drives_to_it() -> None:
+    """It starts on the ground, meets the ramp's foot, and takes off there, steeper than the ramp."""
+    doc = _cast("A car hits a ramp at 12 m/s and flies into a haystack.")
+    story = read_story(doc)
+    assert story.takes_off("car_1")
+    assert not story.soars("car_1")
+    (constellation,) = choreograph(doc).hints.constellations
+    spots = {p.node: p for p in constellation.placements}
+    assert spots["car_1"].z_cm is None
+    facing = math.radians(spots["ramp_1"].yaw_deg - spots["car_1"].yaw_deg)
+    assert math.cos(facing) == pytest.approx(-1.0)
+    laid = solve(doc, hints=start_hints(doc))
+    plan = make_plan(laid, build_scene(laid))
+    hold, launch = plan.compile(plan.initial()).primitives
+    assert isinstance(hold, HoldVelocity)
+    assert hold.end == launch.time
+    assert isinstance(launch, SetVelocity)
+    ramp = doc.asset_configurations[doc.spatial_relation_graph.nodes["ramp_1"].asset_id]
+    slope = ramp.dimensions_cm[2] / ramp.dimensions_cm[0]
+    assert launch.linear[2] > slope * math.hypot(*launch.linear[:2])
 
 
 def test_a_throw_past_something_is_meant_for_what_is_behind_it() -> None:
