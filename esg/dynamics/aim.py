@@ -14,6 +14,9 @@ from esg.units import quat_rotate
 
 Floats = NDArray[np.float64]
 
+AIM_CLEAR_M = 0.05
+"""What is thrown passes what stands beside the point it is aimed at by as much."""
+
 
 def shape_bounds(body: Body, shape: Shape) -> tuple[Floats, Floats]:
     """World axis-aligned bounds of one shape [m], each of shape [3]."""
@@ -109,7 +112,50 @@ def aim_heading(scene: SimScene, story: Story, mover: Body, phase: Phase, target
             unit = onward / distance
             if mover.roll_radius and body.roll_radius:
                 goal = np.array(body.position)[:2] - (mover.roll_radius + body.roll_radius) * unit
+    elif phase.end.event is NodeEvent.COLLISION and story.flies(mover.name):
+        goal = goal + _past_what_stands_on(scene, story, mover, body, goal)
     return math.atan2(goal[1] - position[1], goal[0] - position[0])
+
+
+def _past_what_stands_on(
+    scene: SimScene, story: Story, mover: Body, target: Body, goal: Floats
+) -> Floats:
+    """How far beside a point on a target to aim so that nothing that stands on it is in the way.
+
+    Args:
+        scene: All bodies.
+        story: What it speaks of is never avoided.
+        mover: Thrown at the target.
+        target: It may carry other bodies.
+        goal: World point [m], shape [2].
+
+    Returns:
+        The shortest way across the throw [m], shape [2]; none if the target is too crowded.
+    """
+    named = {name for node in story.nodes.values() for p in node.participants
+             for name in story.expand(p)}  # fmt: skip
+    low, high = body_bounds(target)
+    toward = goal - np.array(mover.position)[:2]
+    toward = toward / max(float(np.linalg.norm(toward)), 1e-9)
+    side = np.array([-toward[1], toward[0]])
+    reach = float(max(mover.half_extents)) + AIM_CLEAR_M
+    taken: list[tuple[float, float]] = []
+    for body in scene.bodies:
+        if body.name in named or body.name in (mover.name, target.name) or not body.collides:
+            continue
+        foot, _ = body_bounds(body)
+        middle = np.array(body.position)[:2]
+        on_it = (low[:2] <= middle).all() and (middle <= high[:2]).all()
+        if on_it and foot[2] > 0.5 * (low[2] + high[2]):
+            at = float(side @ (middle - goal))
+            wide = float(np.hypot(*body.half_extents[:2])) + reach
+            taken.append((at - wide, at + wide))
+    corners = np.array([(x, y) for x in (low[0], high[0]) for y in (low[1], high[1])])
+    ends = [float(v) for v in (side @ (corners - goal).T)[[0, -1]]]
+    room = max(0.0, min(max(ends), -min(ends)) - reach)
+    tries = sorted([0.0, *(end for pair in taken for end in pair)], key=lambda d: (abs(d), d))
+    free = [d for d in tries if abs(d) <= room and not any(a < d < b for a, b in taken)]
+    return (free[0] if free else 0.0) * side
 
 
 def next_goal(scene: SimScene, story: Story, node_id: str, body: str) -> Floats | None:

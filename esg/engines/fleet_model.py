@@ -14,7 +14,7 @@ from esg.engines.fleet_arena import Buffer
 from esg.engines.fleet_builder import Blueprint, Wanted
 from esg.engines.fleet_jobs import Job, Pieces, Played, SceneShapes
 from esg.engines.newton_kernels import FIXED_POINT
-from esg.engines.newton_setup import POINTS_PER_SHAPE, POINTS_PER_WORLD, STEPS_PER_GRAPH
+from esg.engines.newton_setup import STEPS_PER_GRAPH
 from esg.engines.newton_worlds import NewtonWorlds, Singles
 from esg.engines.program import FIELDS
 from esg.engines.scene import ContactLog
@@ -23,6 +23,8 @@ from esg.units import quat_multiply, quat_rotate
 CHUNK_FRAMES = 8
 """Frames whose pairs are summed up before they are packed; a multiple of STEPS_PER_GRAPH / 4."""
 _LEAST_PRIMITIVES = 8
+POINTS_PER_WORLD, POINTS_PER_SHAPE = 16, 4
+"""Room for contact points: generous, since one scene that needs more plays all of them again."""
 
 
 class FleetModel(NewtonWorlds):

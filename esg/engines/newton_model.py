@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from esg.engines.executor import ADJUST
 from esg.engines.newton_setup import (
     CONTACT_GAP_M,
+    POINTS_PER_BODY,
     POINTS_PER_SHAPE,
     POINTS_PER_WORLD,
     STEPS_PER_GRAPH,
@@ -98,7 +99,8 @@ class NewtonModel(NewtonWorlds):
         steel.register_custom_attributes(everything)
         everything.replicate(world, self.n_worlds)
         dynamic_shapes = sum(len(scene.bodies[i].shapes) for i in self.moving)
-        points = growth * (POINTS_PER_WORLD + POINTS_PER_SHAPE * dynamic_shapes)
+        room = POINTS_PER_BODY * self.n_dynamic + POINTS_PER_SHAPE * dynamic_shapes
+        points = growth * (POINTS_PER_WORLD + room)
         self._first_shapes = np.arange(self.n_worlds + 1) * self.n_shapes
         n_moving = self.n_worlds * self.n_dynamic
         self._finalize(everything, self._first_shapes, n_moving, points * self.n_worlds, points)

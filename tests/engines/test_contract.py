@@ -240,6 +240,7 @@ def test_newton_makes_room_when_contacts_overflow(monkeypatch):
         return get_engine("newton").rollout(HEAP, programs)
 
     roomy = run()
+    monkeypatch.setattr(newton_model, "POINTS_PER_BODY", 0)
     monkeypatch.setattr(newton_model, "POINTS_PER_SHAPE", 0)
     monkeypatch.setattr(newton_model, "POINTS_PER_WORLD", 8)
     tight = run()
