@@ -238,7 +238,9 @@ class ClauseVerbs(ClauseNouns):
 
     def _telegraphic(self, v: Verb) -> bool:
         """ "Brakes at 3 s.": a finite verb without a subject at the start of a sentence."""
-        return v.form == "s" and not v.auxiliary and not v.infinitive and v.sense != "be"
+        gets = v.passive and v.auxiliary in ("gets", "is")  # "Gets shoved at 1 m/s."
+        active = v.form == "s" and not v.auxiliary
+        return (active or gets) and not v.infinitive and v.sense != "be"
 
     def _subject_before(self) -> Mention | None:
         """What a verbless sentence in front named ("Truck, 9 m/s. Brakes.")."""

@@ -185,6 +185,22 @@ def _leaves_alone(f: Frame) -> str:
     return "miss" if f.verb.lemma == "leave" and alone and _thing(f.object) else ""
 
 
+def _comes_down(f: Frame) -> str:
+    """ "The top box comes down": it falls, where what flies or drives arrives."""
+    comes = f.verb.lemma in ("come", "go") and f.verb.sense == "own" and f.object is None
+    down = f.adverbs[-1:] == ["down"] and not f.phrases
+    driven = _STEERED - {""} | {"watercraft"}
+    return "fall" if comes and down and _thing(f.subject) and _kind(f.subject) not in driven else ""
+
+
+def _stands_still(f: Frame) -> str:
+    """ "and stands still 3 s later": it has stopped."""
+    stands = f.verb.sense == "posture" and f.verb.lemma in ("stand", "be", "sit")
+    timed = any(p.amount is not None and p.amount.dimension == "time" for p in f.phrases)
+    later = "later" in f.adverbs or any(p.prep in ("after", "within", "in") for p in f.phrases)
+    return "stop" if stands and "still" in f.adverbs and timed and later else ""
+
+
 def _is_let_go(f: Frame) -> str:
     """ "A brick is let go": dropped."""
     return "drop" if f.verb.lemma == "let" and f.verb.passive and f.verb.sense == "noop" else ""
@@ -219,7 +235,8 @@ def _swings_round(f: Frame) -> str:
 _READINGS: tuple[Callable[[Frame], str], ...] = (
     _takes_out, _parts, _breaks_it, _shuts_on, _steps_on, _jumps_on, _lets_off, _tosses,
     _hits_ground, _buries, _swings_round, _against, _knocks_over,
-    _bats_off, _is_let_go, _flies_over, _takes_along, _pulled_over, _not_avoided, _leaves_alone,
+    _comes_down, _stands_still, _bats_off, _is_let_go, _flies_over, _takes_along, _pulled_over,
+    _not_avoided, _leaves_alone,
 )  # fmt: skip
 
 

@@ -162,6 +162,8 @@ _ENTRIES: tuple[tuple[tuple[str, ...], Literal["prep", "adv", "sub"], str], ...]
     (("from", "a", "stop"), "adv", "from rest"),
     (("at", "speed"), "adv", "at speed"),
     (("by", "accident"), "adv", "accidentally"),
+    (("half", "full"), "adv", "indeed"),
+    (("half", "empty"), "adv", "indeed"),
     (("in", "motion"), "adv", "in motion"),
 )
 MULTIWORDS = tuple(sorted(_ENTRIES, key=lambda m: -len(m[0])))

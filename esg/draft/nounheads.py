@@ -18,7 +18,10 @@ _MOSTLY_NOUNS = frozenset(
      "loop", "stream", "lance", "drum"}
 )  # fmt: skip
 """Words that are verbs only with an ending, or where nothing else can be one."""
-_WAYS = frozenset({"left", "right", "into", "round", "open", "shut", "across", "sideways"})
+_WAYS = frozenset(
+    {"left", "right", "into", "round", "open", "shut", "across", "sideways", "off", "down", "over",
+     "away", "along", "out", "onto", "past"}
+)  # fmt: skip
 """What follows a verb of motion rather than a plural."""
 _VESSELS = frozenset({"tableware", "bottle", "box", "container", "barrel"})
 

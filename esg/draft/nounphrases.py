@@ -215,6 +215,8 @@ class NounPhrases(NounStarts):
                 break
             if noun is not None and self._is_adjective(j) and m.determiner and self._acts(j + 1):
                 break  # "the brick slides off it": a material that is a thing of its own
+            if noun is not None and not m.determiner and not m.count and self._goes_off(j + 1):
+                break  # "glass slides off"
             if noun is not None and self._is_adjective(j) and self._numbered(j):
                 break  # "Marble one hits marble two"
             if token.low in lex.ADVERBS and not self._is_adjective(j):

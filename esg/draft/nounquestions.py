@@ -99,3 +99,9 @@ class NounQuestions(Letters):
         if low in ("that", "this"):
             return bool(self._verb_ahead(j + 1))
         return True
+
+    def _goes_off(self, i: int) -> bool:
+        """ "glass slides off,": a verb in -s with a particle, no plural."""
+        token, nxt = self._tok(i), self._low(i + 1)
+        verb = token is not None and any(r.form == "s" for r in verb_readings(token.low))
+        return verb and nxt in ("off", "down", "over", "into", "onto", "away", "out")

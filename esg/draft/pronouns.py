@@ -89,8 +89,12 @@ class Pronouns(Registry):
                 for i in ids:
                     if i not in recent and "structural" not in self.entities[i].noun.traits:
                         recent.append(i)
-                if len(recent) >= 2:
-                    return recent[:2][::-1]
+                if len(recent) >= 2 and (p != "both" or len(recent) > 3):
+                    break
+            alike = [i for i in recent if self.entities[i].noun == self.entities[recent[0]].noun]
+            recent = alike if p == "both" and len(alike) > 1 else recent
+            if len(recent) >= 2:
+                return recent[:2][::-1]
             return recent
         if p in ("one", "another", "other"):
             named = next((a for a in m.adjectives if a in ORDINALS), None)

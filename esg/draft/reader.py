@@ -97,15 +97,8 @@ class Reader:
     def _known_adjective(low: str) -> bool:
         if "-" in low and any(p in lex.COLORS or p in lex.SIZES for p in low.split("-")):
             return True
-        return (
-            low in lex.COLORS
-            or low in lex.MATERIALS
-            or low in lex.SIZES
-            or low in lex.STRETCHES
-            or low in lex.WEIGHTS
-            or low in lex.PLACE_ADJECTIVES
-            or low in lex.PLAIN_ADJECTIVES
-        )
+        classes = (lex.COLORS, lex.MATERIALS, lex.SIZES, lex.STRETCHES, lex.WEIGHTS)
+        return any(low in c for c in (*classes, lex.PLACE_ADJECTIVES, lex.PLAIN_ADJECTIVES))
 
     def _is_adjective(self, i: int) -> bool:
         token = self._tok(i)
@@ -240,8 +233,8 @@ class Reader:
             before = self.elements[-3:-1]
             if forms & {"s", "past"} and [type(e) for e in before] == [Mention, Mention]:
                 return noun is None  # "the tray he was carrying crashes"
-            relative = [getattr(e, "kind", "") for e in before[-1:]] == ["rel"]
-            if relative and forms & {"s", "past"} and (noun is None or nxt in lex.DETERMINERS):
+            after_that = [getattr(e, "kind", "") for e in before[-1:]] == ["rel"]
+            if after_that and forms & {"s", "past"} and (noun is None or nxt in lex.DETERMINERS):
                 return True  # "a ball that is rolling hits a box"
             return (
                 bool(forms & {"ing", "base"})
@@ -253,7 +246,7 @@ class Reader:
             and self._noun_soon(i + 1)
             and not (previous is not None and previous.kind in ("rel", "sub"))
         ):
-            return bool("ing" in forms and nxt in lex.DETERMINERS)
+            return "ing" in forms and nxt in lex.DETERMINERS
         if previous is None or (previous.kind == "punct" and previous.low in ".;!?:\n"):
             if nounish:
                 by = nxt == "by" and "pp" in forms  # "Hit by an apple, he ..."
@@ -322,8 +315,11 @@ class Reader:
             return self.tokens[k].tag == "NOUN"
         if nxt.low in lex.DETERMINERS or nxt.low in lex.PRONOUNS:
             return False
-        base = all(r.form == "base" for r in verb_readings(self._low(k)))
+        readings = verb_readings(self._low(k))
+        base = all(r.form == "base" for r in readings)
         after = self._match_noun(k + 1)
+        if m.determiner and after is not None and after[2] and "pp" in {r.form for r in readings}:
+            return True  # "the engine shed doors"
         if base and m.determiner in ("a", "an") and after is not None and not after[2]:
             return self.tokens[k].tag == "NOUN"  # "a ski lift chair"
         return self.tokens[k].tag == "NOUN" and bool(verb_readings(nxt.low))
@@ -360,6 +356,8 @@ class Reader:
         nxt = self._tok(i + 1)
         if not any(isinstance(e, Mention) for e in self.elements) or nxt is None:
             return False
+        if nxt.kind == "word" and self._match_noun(i + 1) and not self._low(i + 2).endswith("ing"):
+            return True  # "Hits shed door."
         small = lex.PREPOSITIONS - {"of"} | lex.ADVERBS | {"and"}
         return (nxt.kind in ("qty", "punct") and nxt.text != ":") or nxt.low in small
 

@@ -12,6 +12,7 @@ from esg.draft.coverage import account
 from esg.draft.ellipsis import elide
 from esg.draft.expand import expand
 from esg.draft.interpret import Interpreter
+from esg.draft.light_verbs import lighten
 from esg.draft.modality import mark_unreal
 from esg.draft.nominals import verbalize
 from esg.draft.reorder import reorder
@@ -61,7 +62,7 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     """
     text = screen(prompt)
     tokens = tokenize(text, pos_tags(text))
-    elements = appose(from_sheet(Chunker(text, tokens).run()))
+    elements = lighten(appose(from_sheet(Chunker(text, tokens).run())))
     elements = elide(verbalize(reorder(elements, text)))
     clauses = ClauseBuilder(elements)
     clauses.run()

@@ -82,7 +82,9 @@ class Chunker(NounPhrases):
             self.elements.append(Word(token.start, token.end, "prep", "to"))
             return i + 1
         if low in ("which", "who", "whose") or (
-            low == "that" and isinstance(self._previous(), Mention) and self._verb_ahead(i + 1)
+            low == "that"
+            and isinstance(self._previous(), Mention)
+            and (self._verb_ahead(i + 1) or self._clause_of_noun(i))
         ):
             self.elements.append(Word(token.start, token.end, "rel", low))
             return i + 1
@@ -146,6 +148,18 @@ class Chunker(NounPhrases):
             return i + 1
         self.elements.append(Word(token.start, token.end, "unknown", low))
         return i + 1
+
+    def _clause_of_noun(self, i: int) -> bool:
+        """ "the bottle that the ball knocked off": a subject of its own follows."""
+        head = self._previous()
+        if not isinstance(head, Mention) or head.attribute or head.pronoun:
+            return False
+        if {"so", "such"} & {self._low(k) for k in range(max(0, i - 5), i)}:
+            return False
+        if self._low(i + 1) not in lex.DETERMINERS:
+            return self._low(i + 1) in ("it", "he", "she", "they") and self._verb_ahead(i + 2)
+        noun = self._match_noun(i + 2) or self._match_noun(i + 3)
+        return noun is not None and any(self._verb_ahead(k) for k in (i + 3, i + 4))
 
     def _heading(self, i: int) -> int:
         """ "Scene 1:", "SYSTEM:", "Prompt:" in front of a sentence names no object."""

@@ -108,7 +108,12 @@ _phrase("make", rf"(?:an?\s+){_ADJ}(?P<dir>left|right|u)(?:-hand)?[- ]?turn", "t
 _phrase("make", r"(?:an?\s+)(?P<dir>left|right)", "turn")
 _phrase("tip", r"the\s+scales?(?=\s+at)", "weigh")
 _phrase("make", rf"(?:an?\s+){_ADJ}turn\s+(?:to\s+the\s+)?(?P<dir>left|right)", "turn")
-_phrase("take", rf"(?:an?\s+|the\s+){_ADJ}(?P<dir>left|right)(?:-hand)?(?:[- ]?turn)?", "turn")
+_phrase(
+    "take",
+    rf"(?:an?\s+|the\s+){_ADJ}(?P<dir>left|right)(?:-hand)?(?:[- ]?turn)?(?!-)"
+    r"(?!\s+(?:pin|ball|one|cone|box|can|bottle|side|skittle|post|wheel|hand)\b)",
+    "turn",
+)  # not "takes the left pin with it"
 _phrase("hang", r"(?:an?\s+)(?P<dir>left|right)", "turn")
 _phrase("do", rf"(?:an?\s+){_ADJ}(?P<dir>u|left|right)[- ]?turn", "turn")
 _phrase("perform", rf"(?:an?\s+){_ADJ}(?P<dir>u|left|right)[- ]?turn", "turn")

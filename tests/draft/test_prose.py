@@ -60,6 +60,15 @@ def gaps(prompt: str) -> list[tuple[set[str], object]]:
          ["Collision puck_1 can_1"]),
         ("Body A is a rubber ball. Body B is a brick. A strikes B.", ["Collision ball_a brick_b"]),
         ("A hailstone falls on the windscreen.", ["Collision hailstone_1 windscreen_1"]),
+        ("The dog gives the cart a shove.", ["Collision dog_1 cart_1"]),
+        ("A tin gets a knock from a trolley.", ["Collision trolley_1 tin_1"]),
+        ("What the puck does is hit the post.", ["Collision puck_1 post_1"]),
+        ("The ball leaves the pin standing.", ["Miss ball_1 pin_1"]),
+        ("Car versus wall: a car drives into a wall.", ["Collision car_1 wall_1"]),
+        ("The vase that the cat knocked off the shelf hits a stool.",
+         ["Collision cat_1 vase_1", "Fall vase_1", "Collision vase_1 stool_1"]),
+        ("An iron slides off the table onto a shoe.", ["Fall iron_1", "Collision iron_1 shoe_1"]),
+        ("The van brakes and stands still 2 s later.", ["Stop van_1"]),
     ],
 )  # fmt: skip
 def test_reads_what_stands_for_something_else(prompt: str, expected: list[str]) -> None:

@@ -1,0 +1,214 @@
+"""Verbs that say nothing without their noun, and other ways round: "gives it a nudge".
+
+"Gives the stack a nudge" is nudging it, "gets a push from a cart" being pushed by one, "what the
+ball does is hit the bottle" hitting it, "leaves the pin standing" missing it.
+"""
+
+from __future__ import annotations
+
+from esg.draft.elements import Element, Mention, Verb, Word
+from esg.draft.gaps import word_at
+from esg.draft.verbphrases import verb_readings
+
+_BLOWS = frozenset(
+    {"nudge", "push", "shove", "kick", "knock", "bump", "tap", "hit", "whack", "smack", "blow",
+     "prod", "poke", "shunt", "thump", "jolt", "clip", "slap", "punch", "bash", "touch", "clout",
+     "peck", "butt", "flick", "swipe", "wallop"}
+)  # fmt: skip
+"""Nouns that are what is given."""
+_GIVING = frozenset({"give", "deal", "land", "deliver", "fetch"})
+_GETTING = frozenset({"get", "receive", "take", "suffer"})
+_MEETINGS = frozenset({"collision", "crash", "impact", "contact", "run-in", "accident"})
+_LEFT = frozenset({"standing", "upright", "untouched", "unscathed", "alone", "undisturbed"})
+_PLACES = {
+    "ahead": "front", "in front": "front", "behind": "rear", "beside": "other", "opposite": "other",
+}  # fmt: skip
+
+
+def lighten(elements: list[Element]) -> list[Element]:
+    """Makes plain verbs of light verbs and their nouns.
+
+    Args:
+        elements: Noun phrases, verbs and small words in the order of the text.
+    """
+    out: list[Element] = []
+    i = 0
+    while i < len(elements):
+        used = (
+            _versus(elements, i, out)
+            or _given(elements, i, out)
+            or _received(elements, i, out)
+            or _meeting(elements, i, out)
+            or _does_it(elements, i, out)
+            or _left_alone(elements, i, out)
+            or _together(elements, i, out)
+            or _beside(elements, i, out)
+        )
+        if used:
+            i += used
+            continue
+        out.append(elements[i])
+        i += 1
+    return out
+
+
+def _mention(elements: list[Element], i: int) -> Mention | None:
+    e = elements[i] if 0 <= i < len(elements) else None
+    return e if isinstance(e, Mention) else None
+
+
+def _blow(elements: list[Element], i: int) -> tuple[str, int]:
+    """The noun of a contact and the elements it takes ("a good shove"); "" for a thing."""
+    m = _mention(elements, i)
+    if m is not None:
+        plain = m.noun is None and not m.pronoun and m.possessor is None
+        return (m.head, 1) if plain and m.head in _BLOWS else ("", 0)
+    for n in range(i, i + 4):
+        w = word_at(elements, n)
+        if w is None or w.kind not in ("unknown", "adv"):
+            return "", 0
+        if n > i and w.low in _BLOWS:
+            return w.low, n + 1 - i
+    return "", 0
+
+
+def _as_verb(v: Verb, blow: str) -> Verb:
+    """The verb of a blow's noun, in the form of the light verb."""
+    readings = [r for r in verb_readings(blow) if r.form == "base"]
+    lemma, sense, note = (readings[0].lemma, readings[0].sense, readings[0].note) if readings else (
+        "hit", "hit", "",
+    )  # fmt: skip
+    if blow in ("blow", "jolt", "touch"):
+        lemma, sense = "hit", "hit"
+    return Verb(
+        v.start, v.end, lemma, sense, v.form, note, v.passive, v.negated, v.auxiliary,
+        v.infinitive, v.modal,
+    )  # fmt: skip
+
+
+def _given(elements: list[Element], i: int, out: list[Element]) -> int:
+    """ "gives the stack a nudge", "gives a nudge to the stack"."""
+    give = elements[i]
+    if not isinstance(give, Verb) or give.lemma not in _GIVING or give.passive:
+        return 0
+    one = _mention(elements, i + 1)
+    blow, used = _blow(elements, i + 2)
+    if one is not None and blow and not one.attribute:
+        out += [_as_verb(give, blow), one]
+        return 2 + used
+    blow, used = _blow(elements, i + 1)
+    to, thing = word_at(elements, i + 1 + used), _mention(elements, i + 2 + used)
+    if blow and to is not None and to.low in ("to", "on") and thing is not None:
+        out += [_as_verb(give, blow), thing]
+        return 3 + used
+    return 0
+
+
+def _received(elements: list[Element], i: int, out: list[Element]) -> int:
+    """ "gets a push from a cart": is pushed by it."""
+    get = elements[i]
+    if not isinstance(get, Verb) or get.lemma not in _GETTING:
+        return 0
+    blow, used = _blow(elements, i + 1)
+    link, agent = word_at(elements, i + 1 + used), _mention(elements, i + 2 + used)
+    if not blow or agent is None or agent.attribute:
+        return 0
+    if link is None or link.low not in ("from", "by"):
+        return 0
+    verb = _as_verb(get, blow)
+    verb.form, verb.passive, verb.auxiliary = "pp", True, "gets"
+    out += [verb, Word(link.start, link.end, "prep", "by"), agent]
+    return 3 + used
+
+
+def _meeting(elements: list[Element], i: int, out: list[Element]) -> int:
+    """ "has a collision with a bus": hits it."""
+    have, noun = elements[i], _mention(elements, i + 1)
+    link, met = word_at(elements, i + 2), _mention(elements, i + 3)
+    if not isinstance(have, Verb) or have.lemma not in ("have", "suffer", "cause") or noun is None:
+        return 0
+    if noun.head not in _MEETINGS or link is None or link.low != "with" or met is None:
+        return 0
+    out += [Verb(have.start, noun.end, "hit", "hit", have.form, negated=have.negated), met]
+    return 4
+
+
+def _does_it(elements: list[Element], i: int, out: list[Element]) -> int:
+    """ "What the ball does is hit the bottle": it hits the bottle."""
+    what, thing = word_at(elements, i), _mention(elements, i + 1)
+    does = elements[i + 2] if i + 2 < len(elements) else None
+    if what is None or what.low != "what" or thing is None or not isinstance(does, Verb):
+        return 0
+    is_ = elements[i + 3] if i + 3 < len(elements) else None
+    if isinstance(is_, Mention) and does.passive and does.auxiliary == "is":
+        verb, used = does, 3  # "does is hit" in one group
+    elif isinstance(is_, Word) and does.sense == "be" and does.auxiliary == "is":
+        reading = next((r for r in verb_readings(is_.low) if r.form == "base"), None)
+        if reading is None:
+            return 0
+        verb, used = Verb(is_.start, is_.end, reading.lemma, reading.sense, "s", reading.note), 4
+    elif isinstance(is_, Verb) and does.sense == "be" and not does.negated:
+        verb, used = is_, 4
+    else:
+        return 0
+    verb.form, verb.infinitive, verb.passive, verb.auxiliary = "s", False, False, ""
+    out += [thing, verb]
+    return used
+
+
+def _left_alone(elements: list[Element], i: int, out: list[Element]) -> int:
+    """ "leaves the other one standing": misses it."""
+    leave, thing = elements[i], _mention(elements, i + 1)
+    how = elements[i + 2] if i + 2 < len(elements) else None
+    if not isinstance(leave, Verb) or leave.lemma != "leave" or leave.passive or thing is None:
+        return 0
+    word = getattr(how, "low", "") or (getattr(how, "lemma", "") + "ing")
+    if word not in _LEFT or thing.attribute:
+        return 0
+    leave.lemma, leave.sense = "miss", "miss"
+    out += [leave, thing]
+    return 3
+
+
+def _together(elements: list[Element], i: int, out: list[Element]) -> int:
+    """ "they both fall": both."""
+    they, both = _mention(elements, i), _mention(elements, i + 1)
+    if they is None or both is None or they.pronoun not in ("they", "we") or both.head:
+        return 0
+    if both.pronoun != "both" and both.determiner != "both":
+        return 0
+    both.start, both.pronoun = they.start, "both"
+    out.append(both)
+    return 2
+
+
+def _beside(elements: list[Element], i: int, out: list[Element]) -> int:
+    """ "shoves the one ahead": the front one."""
+    one, where = _mention(elements, i), word_at(elements, i + 1)
+    if one is None or where is None or one.pronoun != "one" or one.determiner != "the":
+        return 0
+    place = _PLACES.get(where.low)
+    after = elements[i + 2] if i + 2 < len(elements) else None
+    if one.adjectives or place is None or isinstance(after, Mention):
+        return 0
+    one.adjectives.append(place)
+    one.end = where.end
+    out.append(one)
+    return 2
+
+
+def _versus(elements: list[Element], i: int, out: list[Element]) -> int:
+    """ "Man versus door: ...": a title."""
+    if out and not (isinstance(out[-1], Word) and out[-1].low in ".;!?\n"):
+        return 0
+    one, link, other = _mention(elements, i), word_at(elements, i + 1), _mention(elements, i + 2)
+    colon = word_at(elements, i + 3)
+    if one is None or link is None or other is None or colon is None or colon.low not in ":.—–-":
+        return 0
+    if link.low not in ("versus", "vs", "v", "against", "meets") or len(elements) < i + 6:
+        return 0
+    again = {e.head for e in elements[i + 4 :] if isinstance(e, Mention)}
+    if not {one.head, other.head} <= again:
+        return 0
+    out.append(Word(one.start, colon.end, "adv", "heading"))
+    return 4
