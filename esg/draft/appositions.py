@@ -121,6 +121,7 @@ def _explains(
 
 
 def _take_over(noun: Mention, added: Mention) -> None:
+    noun.end = added.end
     noun.adjectives += [a for a in added.adjectives if a not in noun.adjectives]
     noun.amounts += added.amounts
     unknown = noun.noun is None or noun.head not in lex.nouns()

@@ -72,6 +72,11 @@ def _blow(elements: list[Element], i: int) -> tuple[str, int]:
     return "", 0
 
 
+def _told(elements: list[Element], i: int, used: int) -> Word:
+    """The place of a noun that its verb now tells."""
+    return Word(elements[i].start, elements[i + used - 1].end, "adv", "indeed")
+
+
 def _as_verb(v: Verb, blow: str) -> Verb:
     """The verb of a blow's noun, in the form of the light verb."""
     readings = [r for r in verb_readings(blow) if r.form == "base"]
@@ -94,12 +99,12 @@ def _given(elements: list[Element], i: int, out: list[Element]) -> int:
     one = _mention(elements, i + 1)
     blow, used = _blow(elements, i + 2)
     if one is not None and blow and not one.attribute:
-        out += [_as_verb(give, blow), one]
+        out += [_as_verb(give, blow), one, _told(elements, i + 2, used)]
         return 2 + used
     blow, used = _blow(elements, i + 1)
     to, thing = word_at(elements, i + 1 + used), _mention(elements, i + 2 + used)
     if blow and to is not None and to.low in ("to", "on") and thing is not None:
-        out += [_as_verb(give, blow), thing]
+        out += [_as_verb(give, blow), _told(elements, i + 1, used), thing]
         return 3 + used
     return 0
 
@@ -117,7 +122,8 @@ def _received(elements: list[Element], i: int, out: list[Element]) -> int:
         return 0
     verb = _as_verb(get, blow)
     verb.form, verb.passive, verb.auxiliary = "pp", True, "gets"
-    out += [verb, Word(link.start, link.end, "prep", "by"), agent]
+    by = Word(link.start, link.end, "prep", "by")
+    out += [verb, _told(elements, i + 1, used), by, agent]
     return 3 + used
 
 

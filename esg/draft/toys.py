@@ -40,7 +40,9 @@ def as_toy(noun: Noun, head: str, adjectives: Iterable[str]) -> Noun:
     said = WORDS.intersection(adjectives)
     if not said or noun.kind in _OWN_SIZE or {"structural", "decal"} & noun.traits:
         return noun
-    alive = noun.kind == "animal" and (head.split()[-1] in _BREEDS or said == frozenset({"miniature"}))
+    alive = noun.kind == "animal" and (
+        head.split()[-1] in _BREEDS or said == frozenset({"miniature"})
+    )
     if alive:
         l, w, h = (0.5 * d for d in noun.dimensions_cm)  # noqa: E741
         return replace(noun, dimensions_cm=(l, w, h), mass_kg=noun.mass_kg / 8.0)
