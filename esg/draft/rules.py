@@ -14,6 +14,7 @@ from esg.draft.expand import expand
 from esg.draft.interpret import Interpreter
 from esg.draft.light_verbs import lighten
 from esg.draft.modality import mark_unreal
+from esg.draft.modifiers import join_modifiers
 from esg.draft.nominals import verbalize
 from esg.draft.reorder import reorder
 from esg.draft.screening import contradictions, nothing_to_draw, screen, too_long, too_much
@@ -61,7 +62,7 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
         UserError: If the prompt is empty, too long, not English, or names no object.
     """
     text = screen(prompt)
-    tokens = tokenize(text, pos_tags(text))
+    tokens = join_modifiers(tokenize(text, pos_tags(text)), text)
     elements = lighten(appose(from_sheet(Chunker(text, tokens).run())))
     elements = elide(verbalize(reorder(elements, text)))
     clauses = ClauseBuilder(elements)
