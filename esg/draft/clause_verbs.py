@@ -17,6 +17,14 @@ _SHOWING = frozenset({"show", "see", "depict", "capture", "film", "picture", "fe
 _FAILING = frozenset({"fail", "fails", "failed", "refuse", "refuses", "refused", "failing"})
 
 
+_SCENE = frozenset({"at", "in", "on", "inside"})
+_AIMING = frozenset(
+    {"hit", "launch", "fall", "topple", "drop", "knock", "own", "roll", "slide", "fly", "bounce",
+     "pocket", "jump", "overtake", "reach", "miss", "scatter", "leap", "tow"}
+)  # fmt: skip
+"""Senses that take "at", "in" or "on" for what they end at."""
+
+
 class ClauseVerbs(ClauseNouns):
     """Opens a frame for every verb."""
 
@@ -352,6 +360,10 @@ class ClauseVerbs(ClauseNouns):
                 late = item.amount is not None and item.amount.dimension == "time"
                 if late and frame.subordinate == "after" and not item.prep:
                     item.prep = UNTIL_MAIN  # "half a second after being kicked, the ball ..."
+                if self._sets_the_scene(frame, item):
+                    assert frame.subject is not None
+                    self.attachments.append((frame.subject, item))
+                    continue
                 frame.phrases.append(item)
             elif isinstance(item, str):
                 frame.adverbs.append(item)
@@ -365,3 +377,12 @@ class ClauseVerbs(ClauseNouns):
             s.main = frame
         s.boundary, s.boundary_kind = False, ""
         s.prep = ""
+
+    @staticmethod
+    def _sets_the_scene(frame: Frame, p: Phrase) -> bool:
+        """ "At the market, a cat pounces on a ball": where it is, not what the verb aims at."""
+        m, subject = p.mention, frame.subject
+        if m is None or subject is None or m.attribute or m.pronoun or subject.pronoun:
+            return False
+        before = m.end <= subject.start < frame.verb.start
+        return before and p.prep in _SCENE and frame.verb.sense in _AIMING

@@ -6,7 +6,7 @@ from esg.draft.elements import Mention
 from esg.draft.entities import Entity
 from esg.draft.frames import Frame
 from esg.draft.quantities import Amount
-from esg.draft.scene import Scene
+from esg.draft.scene import MAX_TIME_S, Scene
 from esg.draft.timeline import TimelineBuilder
 from esg.draft.world import World
 from esg.graph.models import NodeEvent, Quantity
@@ -151,7 +151,7 @@ class Core:
                 out += [("", a) for a in m.amounts]
         if f.subject is not None:
             out += [("", a) for a in f.subject.amounts if a.dimension == "speed"]
-        return out
+        return [(p, a) for p, a in out if a.dimension != "time" or a.high <= MAX_TIME_S]
 
     def quantity(self, f: Frame, dimension: str) -> tuple[str, Amount] | None:
         return next(((p, a) for p, a in self.amounts(f) if a.dimension == dimension), None)

@@ -64,6 +64,7 @@ def _opens(before: list[Token]) -> bool:
     if last.low in lex.DETERMINERS or last.low in _OWNERS:
         return True
     more = last.tag == "ADJ" and last.kind == "word" and not verb_readings(last.low)
+    more = more or _degree(last)
     if last.text == "," and len(before) > 1 and before[-2].tag == "ADJ":
         return len(before) > 2 and _opens(before[:-2])
     return more and len(before) > 1 and _opens(before[:-1])

@@ -81,6 +81,15 @@ _ENTRIES: tuple[tuple[tuple[str, ...], Literal["prep", "adv", "sub"], str], ...]
     (("full", "of"), "prep", "with"),
     (("except", "for"), "prep", "without"),
     (("except",), "prep", "without"),
+    (("despite",), "prep", "despite"),
+    (("notwithstanding",), "prep", "despite"),
+    (("in", "spite", "of"), "prep", "despite"),
+    (("regardless", "of"), "prep", "despite"),
+    (("for", "fun"), "adv", "on purpose"),
+    (("on", "purpose"), "adv", "on purpose"),
+    (("by", "accident"), "adv", "accidentally"),
+    (("by", "mistake"), "adv", "accidentally"),
+    (("by", "chance"), "adv", "accidentally"),
     *(
         (("on", "the", k, x), "adv", "first" if k == "first" else "again")
         for k in ("first", "second", "third", "next", "last")

@@ -331,7 +331,8 @@ class NounHeads(NounQuestions):
             m.head, m.plural = lex.singular(self._low(k))
             if k == j and self._is_name(j, m):
                 m.head, m.plural, m.noun = self._low(k), False, lex.nouns()["person"]
-            m.attribute = k > j and m.head in lex.ATTRIBUTES  # "of infinite mass"
+            titled = k == j and k + 1 < len(tokens) and tokens[k + 1].text == ":"
+            m.attribute = m.head in lex.ATTRIBUTES and not titled  # "Night has fallen."
             m.known = m.attribute or m.noun is not None
             j = k + 1
         elif m.count is not None and m.count != 0 and (j > i):

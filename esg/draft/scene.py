@@ -49,6 +49,8 @@ class Scene:
 
 STRUCK = frozenset({"ball", "billiard", "projectile"})
 """Kinds of things that are struck, thrown and bounce."""
+MAX_TIME_S = 600.0
+"""Longest scene [s]."""
 SELF_POWERED = frozenset(
     {"vehicle", "person", "animal", "robot", "cart", "toyvehicle", "watercraft", "flyer"}
 )

@@ -7,7 +7,7 @@ import re
 from esg.draft import lexicon as lex
 from esg.draft.markup import plain
 from esg.draft.quantities import Amount, find_amounts
-from esg.draft.scene import Scene
+from esg.draft.scene import MAX_TIME_S, Scene
 from esg.draft.verbphrases import verb_readings
 from esg.graph.models import NodeEvent, TimelineSystem
 from esg.outcomes import UserError
@@ -16,7 +16,6 @@ MAX_CHARACTERS = 20_000
 LIGHT_SPEED_CM_S = 2.99792458e10
 MAX_SPEED_CM_S = 15_000.0
 MAX_MASS_KG = 1e5
-MAX_TIME_S = 600.0
 
 
 def _is_english(word: str) -> bool:
@@ -44,6 +43,17 @@ MAX_OBJECTS = 400
 """Most objects of a scene."""
 _MARK = "[\u200b\u200c\u2060]+"
 _MARKED = re.compile(rf"[^\W\d_]+(?:{_MARK}[^\W\d_]+)+")
+
+
+_BEFORE_THE_SCENE = re.compile(r"\s+(?:ago|earlier|before|previously|beforehand)\b", re.IGNORECASE)
+_LATER = re.compile(r"\s+(?:later|after)\b", re.IGNORECASE)
+
+
+def _background(text: str, a: Amount) -> bool:
+    """ "came loose an hour ago", "Half an hour later, ...": no time of the scene."""
+    opens = not re.sub(r"(?i)\b(?:about|some|half)\b|\W", "", text[: a.start])
+    later = opens and _LATER.match(text, a.end) is not None
+    return later or _BEFORE_THE_SCENE.match(text, a.end) is not None
 
 
 def _joined(m: re.Match[str]) -> str:
@@ -116,7 +126,7 @@ def screen(prompt: str) -> str:
             problems.append(f'"{a.text}" is faster than light')
         elif a.dimension == "speed" and abs(a.high) > MAX_SPEED_CM_S:
             problems.append(f'"{a.text}" is more than the fastest simulated speed, 150 m/s')
-        elif a.dimension == "time" and a.high > MAX_TIME_S:
+        elif a.dimension == "time" and a.high > MAX_TIME_S and not _background(text, a):
             problems.append(f'"{a.text}" is more than the longest scene, 600 s')
     if re.search(
         r"\b(?:faster than|at|exceeding|beyond) (?:the speed of )?light(?:'s speed)?\b",

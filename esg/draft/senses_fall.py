@@ -170,11 +170,11 @@ class FallSenses(LaunchSenses):
         if edge is not None and self._off_the_edge(f, edge, actors, self._time(f)):
             self._landing(f, actors)
             return
+        where = f.phrase("off", "from", "out of", "over", "down", "onto", "on", "into", "in")
         if (
             upright
             and not {"off", "out"} & {*f.adverbs, f.verb.extra.get("particle", "")}
-            and f.phrase("off", "from", "out of", "over", "down", "onto", "on", "into", "in")
-            is None
+            and (where is None or where.mention is None or where.mention.attribute)
             and a_rests_low(self, upright[0])
         ):
             self._read_as("topple", f, s, [])
