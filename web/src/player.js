@@ -135,7 +135,8 @@ export function createPlayer(stage, view) {
   function decalLift(i) {
     const area = (b) => b.half[0] * b.half[1];
     const larger = data.bodies.filter((b, j) => !b.collides && (area(b) > area(data.bodies[i]) || (area(b) === area(data.bodies[i]) && j < i)));
-    return 0.004 * (1 + larger.length);
+    // Their upper side counts: a floor is drawn a centimetre thick.
+    return 0.004 * (1 + larger.length) - 2 * data.bodies[i].half[2];
   }
 
   function castOf() {
