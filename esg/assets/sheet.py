@@ -149,3 +149,37 @@ def contact_sheet(
         sheet.paste(tile.resize((size, size), Image.Resampling.BOX), (x, y))
         draw.text((x + 3, y + size), config.asset_name.split("/")[-1][: size // 6], fill="black")
     sheet.quantize(128).save(path, optimize=True)
+
+
+def library_sheet(path: Path, *, columns: int = 18, size: int = 96) -> int:
+    """Writes the contact sheet of all parametric kinds that are no other kind's size.
+
+    Returns:
+        How many kinds it shows.
+    """
+    from esg.assets.library import catalogue
+    from esg.assets.stage import configure
+    from esg.graph.models import AssetRequirement
+
+    configs = [
+        configure(
+            e.name,
+            AssetRequirement(
+                asset_category=e.name,
+                asset_description=e.description,
+                expected_dimensions_cm=e.dimensions_cm,
+                expected_mass_kg=e.mass_kg,
+                is_movable=e.movable,
+            ),
+        )
+        for e in catalogue()
+        if "like" not in dict(e.params)
+    ]
+    contact_sheet(configs, path, columns=columns, size=size)
+    return len(configs)
+
+
+if __name__ == "__main__":
+    import sys
+
+    print(f"{library_sheet(Path(sys.argv[1]))} kinds in {sys.argv[1]}")
