@@ -34,7 +34,10 @@ from esg.outcomes import UserError
 from esg.paths import cache_dir
 from esg.store.files import atomic_write
 
-STARTUP_TIMEOUT_S = 90.0
+STARTUP_TIMEOUT_S = 300.0
+"""Six commands that start at once on two cores need 100 s; an API that ends is noticed at once."""
+TEMPLATE_WAIT_S = 120.0
+"""So long a command waits for the one that makes the template, then makes its own."""
 ROOM_BYTES = 64 * 2**20
 """Free space that the API's database and the engines' scratch files need."""
 PREFIX = "esg-prefect-"
@@ -61,11 +64,18 @@ _UNUSED_SERVICES = (
 )
 
 _SERVE = (
-    "import gc, runpy\n"
+    "import gc, socket, sys\n"
     "gc.set_threshold(100_000, 20, 20)\n"
-    "runpy.run_module('uvicorn', run_name='__main__', alter_sys=True)\n"
+    "import uvicorn\n"
+    "app = 'prefect.server.api.server:create_app'\n"
+    "config = uvicorn.Config(app, factory=True, log_level='critical', timeout_keep_alive=30)\n"
+    "uvicorn.Server(config).run(sockets=[socket.socket(fileno=int(sys.argv[1]))])\n"
 )
-"""Uvicorn, which searches for garbage less often: a seventh of its start goes into that."""
+"""Uvicorn, which searches for garbage less often: a seventh of its start goes into that.
+
+It is handed a socket that is bound already: between finding a free port and binding it another
+command could take it, and this one would talk to an API that ends with the other command.
+"""
 
 
 def configure() -> None:
@@ -96,23 +106,21 @@ class EmbeddedServer:
         database = self._folder / "prefect.db"
         with contextlib.suppress(OSError):  # an unwritable cache: migrate the private copy instead
             copy_whole(prepare_template(), database)
-        self._port = _free_port()
-        self._process = subprocess.Popen(
-            [
-                *(sys.executable, "-c", _SERVE, "--factory"),
-                "prefect.server.api.server:create_app",
-                *("--host", "127.0.0.1", "--port", str(self._port)),
-                *("--log-level", "critical", "--timeout-keep-alive", "30"),
-            ],
-            env=_server_environment(database, migrate=not database.exists()),
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.DEVNULL,
-            stderr=(self._folder / "server.log").open("wb"),
-            # Ctrl-C in a terminal reaches the whole process group: the API has to outlive the
-            # command's last words to it, or the command waits for a server that is gone.
-            start_new_session=True,
-            preexec_fn=_die_with_parent if sys.platform == "linux" else None,
-        )
+        with socket.socket() as bound, (self._folder / "server.log").open("wb") as log:
+            bound.bind(("127.0.0.1", 0))
+            self._port = int(bound.getsockname()[1])
+            self._process = subprocess.Popen(
+                [sys.executable, "-c", _SERVE, str(bound.fileno())],
+                env=_server_environment(database, migrate=not database.exists()),
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.DEVNULL,
+                stderr=log,
+                pass_fds=(bound.fileno(),),
+                # Ctrl-C in a terminal reaches the whole process group: the API has to outlive the
+                # command's last words to it, or the command waits for a server that is gone.
+                start_new_session=True,
+                preexec_fn=_die_with_parent if sys.platform == "linux" else None,
+            )
         os.environ["PREFECT_API_URL"] = f"http://127.0.0.1:{self._port}/api"
         atexit.register(self.stop)
 
@@ -207,6 +215,31 @@ def prepare_template() -> Path:
         return template
     configure()
     template.parent.mkdir(parents=True, exist_ok=True)
+    with _alone(template.with_suffix(".lock")):
+        if not template.exists():  # another command may have made it meanwhile
+            _migrate(template)
+    return template
+
+
+@contextlib.contextmanager
+def _alone(path: Path) -> Iterator[None]:
+    """Lets one command at a time into the body; the system lets go of a command that dies."""
+    try:
+        import fcntl
+    except ImportError:  # no such locks: each makes its own, the last one stays
+        yield
+        return
+    with path.open("a") as file:
+        deadline = time.monotonic() + TEMPLATE_WAIT_S
+        while time.monotonic() < deadline:  # a file system without locks must not hang a command
+            with contextlib.suppress(OSError):
+                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                break
+            time.sleep(0.2)
+        yield
+
+
+def _migrate(template: Path) -> None:
     with tempfile.TemporaryDirectory(prefix="esg-prefect-") as folder:
         database = Path(folder) / "prefect.db"
         env = _server_environment(database, migrate=True)
@@ -223,7 +256,6 @@ def prepare_template() -> Path:
             raise UserError(f"Prefect could not create its database: {last[0]}", exit_code=1)
         _fold_wal(database)
         copy_whole(database, template)
-    return template
 
 
 def copy_whole(source: Path, target: Path) -> None:
@@ -292,12 +324,6 @@ def _home() -> Path:
 
 def template_path() -> Path:
     return _home() / f"template-{metadata.version('prefect')}.db"
-
-
-def _free_port() -> int:
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return int(probe.getsockname()[1])
 
 
 def _die_with_parent() -> None:
