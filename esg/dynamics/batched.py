@@ -18,6 +18,7 @@ from esg.dynamics.loss_shapes import MISSED
 from esg.dynamics.niches import Niche, apart, broad, everywhere
 from esg.dynamics.panel import GOOD_LOSS, WORST_SHARE, Found, Panel, prior
 from esg.dynamics.plan import Plan
+from esg.dynamics.progress import least_gain, nearing, poor, stalled
 from esg.dynamics.simulate import ENSEMBLE
 
 Floats = NDArray[np.float64]
@@ -38,15 +39,8 @@ WIDE_BROOD = 24
 """Most candidates of a place where an engine plays many in the time of one."""
 OTHERS = 3
 """Places apart that the reference engine plays where it disagrees with the surrogate."""
-FAR_GAIN = 0.05
-"""What rounds have to gain while an event is missed."""
-NEARER, POOR = 1.0, 2.0
-"""A round that misses an event has to come nearer by this much, or the search looks further
-afield; it also does where events happen with this worst case or more and rounds do not help."""
 BROKEN = 1e6
 """Loss of a candidate that cannot be played."""
-PATIENCE = 3
-"""Rounds without progress after which a search gives up on what is still missing."""
 REFERENCE_SHARE = 0.4
 """Rounds of the reference engine as a share of the surrogate's."""
 AGREED = 1.2
@@ -202,7 +196,8 @@ def _explore(plan: Plan, panel: Panel, rng: np.random.Generator, max_rounds: int
         return begun
     if not (broad(plan) > 0.0).any():
         return pool.explored(stalled=True)
-    history = [pool.best]
+    history, enough = [pool.best], poor(plan)
+    gain = least_gain(plan)
     cloud = Cloud(plan, scale)
     for _ in range(max_rounds):
         thetas = cloud.draw(rng, POPULATION)
@@ -211,11 +206,14 @@ def _explore(plan: Plan, panel: Panel, rng: np.random.Generator, max_rounds: int
         pool.consider(elites[:FINALISTS], cloud.kept[:FINALISTS])
         history.append(pool.best)
         panel.note("explore", "surrogate", POPULATION, pool.best)
-        ended = stalled(history, reached=pool.best < MISSED)
-        if pool.good or (ended and pool.best < POOR):
+        ended = stalled(history, reached=pool.best < MISSED, gain=gain)
+        if pool.good or (ended and pool.best < enough):
             return pool.explored(stalled=ended)
-        if ended or not nearing(history):
+        if ended or not nearing(history, enough):
             break
+    else:
+        if pool.best < enough:
+            return pool.explored(stalled=False)
     return _explore_widely(plan, pool, rng, max_rounds)
 
 
@@ -386,19 +384,3 @@ def _polish(
         if not last:
             losses = look()
     return best, "rounds spent"
-
-
-def nearing(history: list[float]) -> bool:
-    """Whether the last round came nearer, or hardly anything is missing any more."""
-    gained = history[-2] - history[-1]
-    return history[-1] <= POOR or gained >= min(NEARER, 0.1 * history[-2])
-
-
-def stalled(history: list[float], *, reached: bool) -> bool:
-    """The last rounds gained nothing; twice as many are granted while an event is missing."""
-    patience = PATIENCE if reached else 2 * PATIENCE
-    if len(history) < patience + 2:
-        return False
-    earlier, now = min(history[:-patience]), min(history)
-    # Far from an event losses differ little: there any gain is one.
-    return earlier - now < (max(0.02, 0.02 * earlier) if reached else FAR_GAIN)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from types import SimpleNamespace
 from typing import Any, cast
 
 import numpy as np
@@ -14,6 +15,7 @@ from esg.dynamics.losses import Assessment
 from esg.dynamics.niches import Niche, apart, broad, everywhere
 from esg.dynamics.panel import GOOD_LOSS, Found, Previewed
 from esg.dynamics.plan import Plan
+from esg.dynamics.progress import POOR, poor
 from esg.dynamics.simulate import ENSEMBLE
 from esg.dynamics.variables import Variable
 
@@ -28,8 +30,10 @@ def variable(
     return Variable("x", low, high, initial, initial, spread, fixed, "m")
 
 
-def plan_of(*variables: Variable) -> Plan:
-    return Plan(variables, *(cast(Any, None),) * 4, duration=1.0)
+def plan_of(*variables: Variable, events: int = 1) -> Plan:
+    story = cast(Any, SimpleNamespace(outcomes=(None,) * events))
+    none = cast(Any, None)
+    return Plan(variables, none, story, none, none, duration=1.0)
 
 
 class Field:
@@ -193,6 +197,22 @@ def test_the_basin_of_the_start_does_not_hold_the_search() -> None:
 
     best, _ = found_in(Field(plan, loss))
     assert best.good() and best.theta == pytest.approx([8.0, 8.0], abs=0.2)
+
+
+def test_what_many_events_cost_together_is_no_reason_to_look_further_afield() -> None:
+    """Eight events at 0.4 each are as well met as one at 0.4 is; one at 3.2 is not."""
+    far = [variable(0, 10, 5.0, 0.01), variable(0, 10, 5.0, 0.01)]
+
+    def loss(thetas: Floats) -> Floats:
+        return 3.2 + np.linalg.norm(thetas - 5.0, axis=1)
+
+    many, one = Field(plan_of(*far, events=8), loss), Field(plan_of(*far), loss)
+    for field in (many, one):
+        found_in(field)
+    assert "sample" not in many.phases and "sample" in one.phases
+    assert many.explored < 0.7 * one.explored
+    assert poor(plan_of(*far, events=2)) == poor(plan_of(*far)) == POOR
+    assert poor(plan_of(*far, events=1000)) < MISSED
 
 
 def test_where_newton_disagrees_another_place_is_tried_before_it_polishes() -> None:
