@@ -25,8 +25,8 @@ MAX_MODELS = 12
 
 MAX_WORLDS_CPU = 128
 MIN_WORLDS_PER_THREAD = 8
-MANY_SHAPES, MIN_CROWDED_WORLDS = 24, 4
-"""Worlds with so many moving shapes take long enough for fewer of them to pay for a thread."""
+"""Fewer do not pay for a thread: each needs a model of its own, which takes as long to build as half
+of eight crowded worlds take to play."""
 MAX_WORLDS_CUDA = 16384
 _BUCKETS = (1, 4, 8, 16, 32, 64, 128)
 
@@ -82,9 +82,7 @@ class NewtonEngine:
         most = MAX_WORLDS_CUDA
         if self.device == "cpu":
             share = -(-len(order) // self.threads)
-            shapes = sum(len(b.shapes) for b in scene.bodies if not b.static)
-            least = MIN_WORLDS_PER_THREAD if shapes < MANY_SHAPES else MIN_CROWDED_WORLDS
-            most = int(np.clip(share, least, MAX_WORLDS_CPU))
+            most = int(np.clip(share, MIN_WORLDS_PER_THREAD, MAX_WORLDS_CPU))
         job = _Job(start, ground_contacts, self.device)
         parts = [order[k : k + most] for k in range(0, len(order), most)]
         # Models are shared by all callers in the process, and one model serves one batch at a time.
