@@ -14,9 +14,6 @@ from esg.dynamics.story import Phase, Story, read_story, rebounds, stranded
 from esg.engines.scene import Region, SimScene
 from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, TimelineNode
 
-ALOFT_M = 0.2
-"""Height above the ground from which on a body that stands on nothing counts as flying [m]."""
-
 
 class Cast:
     """Scene, story and nominal parameters of one document, and what follows from them.
@@ -99,16 +96,10 @@ class Cast:
         if stranded(self.story, phase, lambda name: self.scene.body(name).static):
             return True
         actor = phase.edge.actor
-        if phase.end.event is NodeEvent.FALL and (self.story.soars(actor) or self.aloft(actor)):
+        if phase.end.event is NodeEvent.FALL and self.story.soars(actor):
             # What flies under its own power falls when nothing carries it on any more.
             return True
         return (phase.edge.event is EdgeEvent.TOWARD and nothing) or self.rebounds(phase)
-
-    def aloft(self, actor: str) -> bool:
-        """Whether a body starts in the air, on nothing that could carry it."""
-        body = self.scene.body(actor)
-        bottom = body.position[2] - body.half_extents[2]
-        return bottom > ALOFT_M and support_of(self.doc, actor) is None
 
     def rebounds(self, phase: Phase) -> bool:
         """Whether a driver rolls back from what does not give way, before its brake sets in."""

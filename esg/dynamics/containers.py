@@ -145,7 +145,7 @@ def resized(
 
     wanted = kind or doc.asset_requirement[key]
     mass = config.mass_kg if wanted.mass_is_prescribed else factor**3 * config.mass_kg
-    return configure(
+    made = configure(
         key,
         wanted.model_copy(
             update={
@@ -155,7 +155,12 @@ def resized(
                 "mass_is_prescribed": True,
             }
         ),
-    ).model_copy(update={"is_movable": config.is_movable})
+    )
+    kept: dict[str, object] = {"is_movable": config.is_movable}
+    if kind is None:
+        # Feet that do not slip and the like were chosen before.
+        kept |= {"friction": config.friction, "restitution": config.restitution}
+    return made.model_copy(update=kept)
 
 
 def with_assets(doc: EsgDocument, changed: dict[str, AssetConfiguration]) -> EsgDocument:

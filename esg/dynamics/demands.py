@@ -9,6 +9,8 @@ from esg.graph.models import NodeEvent, TimelineNode
 
 KEPT = 0.77
 """Share of its speed that something struck has when it meets the next thing."""
+FELT_NS, FELT_MPS = 0.25, 2.5
+"""Impulse of a hit that surely counts, and the highest speed that is asked for it alone."""
 BACK_KEPT, LEAST_BACK = 0.9, 0.2
 """The same of what bounced off something, and the least share that counts as coming back."""
 
@@ -17,6 +19,11 @@ def passed_on(mover: Prop, target: Prop) -> float:
     """Speed of a resting body after a central hit, over the mover's."""
     gain = 1.0 + 0.5 * (mover.restitution + target.restitution)
     return gain * mover.mass / (mover.mass + target.mass)
+
+
+def felt(mover: Prop, target: Prop) -> float:
+    """Impulse of a hit of two free bodies over its speed [kg]."""
+    return passed_on(mover, target) * target.mass
 
 
 def thrown_back_share(restitution: float, *, rolling: bool) -> float:
@@ -49,6 +56,13 @@ def demanded(stage: Stage, node: TimelineNode, a: str, b: str) -> float:
     return _after(stage, node, b, KEPT) / passed_on(pa, pb)
 
 
+def _felt(mover: Prop, target: Prop) -> float:
+    """Speed [m/s] at which a hit in the middle of a chain surely counts; balls lie closer."""
+    if mover.rolls and target.rolls:
+        return 0.0
+    return min(FELT_NS / felt(mover, target), FELT_MPS)
+
+
 def _after(stage: Stage, node: TimelineNode, b: str, kept: float) -> float:
     """Least speed [m/s] of b right after an event, for the next thing that it hits."""
     if stage.story.topples(stage.member(b)):
@@ -62,7 +76,7 @@ def _after(stage: Stage, node: TimelineNode, b: str, kept: float) -> float:
         if c in stage.tracks or stage.prop(c).fixed:
             return 0.0
         body, target, name = stage.prop(b), stage.prop(c), stage.member(c)
-        needed = demanded(stage, later, b, c)
+        needed = max(demanded(stage, later, b, c), _felt(body, target))
         if stage.story.topples(name):
             needed = max(needed, topple_speed(body, target, flies=False))
         if stage.story.falls(name):

@@ -128,7 +128,7 @@ def _rear_end(
     stage: Stage, node: TimelineNode, behind: str, chase: Phase, front: str, lead: Phase
 ) -> None:
     """One runs into the back of another that brakes or is slower."""
-    if stage.overtaken.get(behind, ("", 0.0))[0] == front:
+    if behind in stage.overtaken and stage.overtaken[behind][0] == front:
         cut_in(stage, node, behind, chase, front, lead)
         return
     rear, ahead = stage.tracks[behind], stage.tracks[front]

@@ -18,7 +18,7 @@ from esg.dynamics.recording import Bools, Floats, Recording
 from esg.engines.scene import Body
 from esg.graph.models import NodeEvent, TimelineNode
 from esg.metrics.geometry import first_pass, gets_ahead
-from esg.units import quat_rotate, yaw_from_quat
+from esg.units import GRAVITY_MPS2, quat_rotate, yaw_from_quat
 
 AddTerm = Callable[[str, Floats], None]
 
@@ -40,6 +40,8 @@ NEAR_M = 0.25
 TOPPLED_DEG = 47.0
 """A little over the 45 degrees that count."""
 TILT_SCALE_DEG = 15.0
+BRISK = 2.5
+"""Usual time from a hit to its topple, over the root of height by gravity."""
 
 
 def collision(
@@ -281,7 +283,16 @@ def topple(
     most = np.where(late, tilt, 0.0).max(axis=1)
     add(f"{node.id}/weak", np.maximum(70.0 - most, 0.0) / 70.0 * 0.3)
     short = (TOPPLED_DEG - np.minimum(most, TOPPLED_DEG)) / TILT_SCALE_DEG
-    return rec.first((tilt > TOPPLED_DEG) & late), short**2
+    time = rec.first((tilt > TOPPLED_DEG) & late)
+    before = rec.story.previous_outcome(node.id)
+    if before is not None and rec.story.nodes[before].event is NodeEvent.COLLISION:
+        # What hangs over its edge after a hit falls back in another engine.
+        height = 2.0 * rec.scene.bodies[rec.members(node.participants[0])[0]].half_extents[2]
+        struck = np.isfinite(time) & np.isfinite(earliest) & (earliest > 0.0)
+        wait = np.where(struck, time, 0.0) - np.where(struck, earliest, 0.0)
+        fall = math.sqrt(height / GRAVITY_MPS2)
+        add(f"{node.id}/slow", 0.15 * np.clip(wait / fall - BRISK, 0.0, 4.0))
+    return time, short**2
 
 
 def tilt_of(loss: float) -> float:

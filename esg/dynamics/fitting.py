@@ -32,6 +32,7 @@ from esg.dynamics.stagecraft import (
     top_surface,
 )
 from esg.dynamics.story import Phase, Story, bounds
+from esg.dynamics.surfaces import fit_ice
 from esg.dynamics.tipping import stand_of
 from esg.dynamics.toppling import hits
 from esg.graph.models import AssetConfiguration, EdgeEvent, EsgDocument, NodeEvent, TimelineNode
@@ -81,7 +82,7 @@ def fit_motion(doc: EsgDocument, story: Story) -> EsgDocument:
     Returns:
         The document; only `asset_configurations` may differ.
     """
-    for rule in (_roomy, _sloped, _felt, _slippery, _bouncy, _pushed_on, _steady):
+    for rule in (fit_ice, _roomy, _sloped, _felt, _slippery, _bouncy, _pushed_on, _steady):
         doc = with_assets(doc, rule(doc, story))
     return doc
 

@@ -35,10 +35,11 @@ THROWN_BACK = 0.3
 """Share of its speed from which something that hits a heavier body counts as thrown back."""
 APART_S = 0.14
 """Least time between two hits of a chain."""
-DOWN_S = 0.3
-"""Time in which a struck body falls over."""
-BALL_GAP = 0.45
-"""Share of the usual gap between balls of a chain."""
+DOWN_S, FALLEN, THIN_FALLEN = 0.3, 0.85, 0.7
+"""Time in which a struck body falls over, and the shares of its height that are out of its reach
+until it is down: of a broad body, and of one thin as a domino, which slides less."""
+BALL_GAP, NARROW = 0.45, 1.5
+"""Share of the usual gap between balls of a chain; narrow things, in ball's widths, are as near."""
 BOUNCE_RAD, BOUNCE_KEPT = math.radians(25.0), 0.75
 """Angle at which a ball meets a wall it bounces off, and what it keeps of its speed along it."""
 
@@ -167,13 +168,17 @@ def chain(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
         return
     pa, pb = stage.prop(a), stage.prop(b)
     gap = _coasting_gap(stage, pa, pb, track.speed) * stage.tight
-    if pa.height > 2.5 * pa.length and not pa.rolls:
+    thin = pa.height > 2.5 * pa.length and not pa.rolls
+    if thin:
         # Tall and thin: it topples onto the next one, which stands within its reach.
         gap = min(gap, 0.5 * pa.height)
     if _falls_before(stage, node, a):
         # It is to be down before it arrives.
         slides = sliding_distance(track.speed, 0.5 * (pa.friction + pa.rough))
         gap = max(gap, min(DOWN_S * track.speed, 0.5 * slides))
+        if not (pa.rolls or stage.airborne):
+            # It reaches as far as it is high, and touches what is nearer while it still stands.
+            gap = max(gap, (THIN_FALLEN if thin else FALLEN) * pa.height)
     prescribed = stage.prescribed_time(node)
     if prescribed is not None:
         wait = max(prescribed - track.time, 0.05)
@@ -188,6 +193,9 @@ def chain(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
     jitter = float(stage.rng.uniform(-0.3, 0.3)) * pb.half_lateral(yaw - track.heading)
     if pb.rolls and goes_on(stage, node, b):
         # Off its middle it would leave the line on which the next one lies.
+        jitter = 0.0
+    if stage.story.topples(stage.member(b)):
+        # A hit past its middle turns it instead.
         jitter = 0.0
     off = beside_the_middle(pa, pb, track.heading - yaw)
     jitter = -off if off else jitter
@@ -241,7 +249,7 @@ def _coasting_gap(stage: Stage, body: Prop, target: Prop, speed: float) -> float
     """
     reach = 50.0 if body.rolls else sliding_distance(speed, 0.5 * (body.friction + body.rough))
     preferred = float(stage.rng.uniform(0.28, 0.36)) * speed
-    if body.rolls and target.rolls:
+    if body.rolls and (target.rolls or max(target.length, target.width) < NARROW * body.width):
         preferred *= BALL_GAP
     far = 0.4 * reach
     if not body.rolls:

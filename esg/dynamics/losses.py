@@ -21,7 +21,7 @@ from esg.graph.models import EdgeEvent, EventConstraint, NodeEvent, TimelineNode
 from esg.units import yaw_from_quat
 
 CHAIN_GAP_S = 0.1
-CHAIN_MARGIN_S, CLOSE = 0.03, 0.4
+CHAIN_MARGIN_S, FALLEN_MARGIN_S, CLOSE = 0.03, 0.1, 0.4
 """A hit this much later than that survives another engine; loss of one that is not later at all."""
 TIME_SCALE_S = 0.1
 SPEED_SCALE_MPS = 0.25
@@ -161,6 +161,10 @@ class _Assessor:
         if node.event is NodeEvent.COLLISION and self._is(previous, NodeEvent.COLLISION):
             # What follows too closely counts as one hit in another engine.
             spare = (time - earliest) / CHAIN_MARGIN_S
+            self._term(f"{node.id}/close", np.where(done, CLOSE * np.clip(1 - spare, 0, 1), 0.0))
+        if node.event is NodeEvent.COLLISION and self._is(previous, NodeEvent.TOPPLE):
+            # It leans against what it hits before another engine counts it as toppled.
+            spare = (time - earliest) / FALLEN_MARGIN_S
             self._term(f"{node.id}/close", np.where(done, CLOSE * np.clip(1 - spare, 0, 1), 0.0))
         if node.event is NodeEvent.COLLISION and self._is(previous, NodeEvent.FALL):
             early = np.clip(SETTLED_S - (time - earliest + CHAIN_GAP_S), 0.0, SETTLED_S)

@@ -59,7 +59,7 @@ def overtake(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) -> 
     stage.places[a] = (*frame.apply(0.0, 0.0), frame.angle)
     beside = pa.half_width + pb.half_width + (asked_distance(stage, node, a) or BESIDE_M)
     _put_beside(stage, a, b, (track.x, track.y), track.heading, beside, slow * track.time)
-    stage.overtaken[b] = (a, track.time)
+    stage.overtaken[b] = (a, track.time, (track.x, track.y))
     return True
 
 
@@ -69,7 +69,7 @@ def cut_in(
     """Who has overtaken comes before the other, at a small angle, slows down and is run into."""
     rear, ahead = stage.tracks[behind], stage.tracks[front]
     side, back = stage.prop(front), stage.prop(behind)
-    passed = stage.overtaken[behind][1]
+    _, passed, place = stage.overtaken[behind]
     fast, slow = ahead.speed, stage.nominal[f"{chase.edge.id}/speed"]
     reach = side.half_length + back.half_length
     gained = (fast - slow) * (ahead.time - passed)
@@ -91,7 +91,7 @@ def cut_in(
     shift = across - OVERLAP * back.half_width
     angle = math.asin(min(0.3, shift / max(total - 0.8 * clear, 1.0)))
     beside = across + 0.8 * clear * math.sin(angle)
-    _put_beside(stage, front, behind, ahead.points[1], ahead.heading + angle, beside, slow * passed)
+    _put_beside(stage, front, behind, place, ahead.heading + angle, beside, slow * passed)
 
 
 def _slowing(

@@ -161,13 +161,19 @@ class Composer(Cast):
             )
             heading += rate * (end - start) if edge.event is EdgeEvent.TURN else 0.0
             if last and edge.event is EdgeEvent.TURN:
-                # Let go while it turns, it would go on turning.
+                # Let go while it turns, it would go on turning; what flies would sink.
                 out.append(
                     HoldVelocity(
-                        actor, end, end + STRAIGHT_S, abs(speed), heading,
+                        actor,
+                        end,
+                        math.inf if soars else end + STRAIGHT_S,
+                        abs(speed),
+                        heading,
                         roll_radius=body.roll_radius,
+                        until_contact=self._others(actor) if soars else (),
+                        climb=0.0 if soars else None,
                     )
-                )  # fmt: skip
+                )
             speed = max(0.0, speed + acceleration * (min(end, duration) - start))
             # What follows a hit follows it when it happens, not when the hold would have ended.
             clock = min(end, max(start, v.get(f"{phase.end.id}/time", self.told(phase.end, end))))

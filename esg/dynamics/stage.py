@@ -55,7 +55,7 @@ class Stage:
         thrown_back: Actors that bounced off something.
         way_back: Least way [m] from there to what an actor meets next behind its start.
         met: What each actor met last.
-        overtaken: Who was overtaken, by whom and when [s].
+        overtaken: Who was overtaken, by whom, when [s] and where on that one's way [m].
         lifted: An actor without a place of its own that starts on the anchor beside its target.
         edge_run: Distance [m] from the lead's start to the anchor's edge, None if it does not
             matter.
@@ -86,7 +86,7 @@ class Stage:
         self.thrown_back: set[str] = set()
         self.way_back: dict[str, float] = {}
         self.met: dict[str, str] = {}
-        self.overtaken: dict[str, tuple[str, float]] = {}
+        self.overtaken: dict[str, tuple[str, float, tuple[float, float]]] = {}
         self._next_phase = {a: 0 for a in self.tracks}
         self.tight = tight
         actors = sorted(

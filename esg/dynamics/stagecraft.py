@@ -17,6 +17,8 @@ SLICK = 0.35
 """Friction below which the ground counts as ice."""
 LONGEST_CLIMBER_M = 1.2
 """What is longer does not get up on a table."""
+LONGEST_SLIDE_S = 1.3
+"""Longest time of a slide nobody gave a time for."""
 TO_EDGE_M = 0.15
 """Way of what is knocked off a table to its edge."""
 
@@ -148,7 +150,7 @@ def slide(
     """
     deceleration = max(coasting_drag(body), 0.02 * GRAVITY_MPS2)
     if duration is None:
-        duration = float(rng.uniform(0.35, 0.5)) * speed / deceleration
+        duration = min(float(rng.uniform(0.35, 0.5)) * speed / deceleration, LONGEST_SLIDE_S)
     elif adjustable:
         speed = max(speed, 1.5 * deceleration * duration)
     left = max(speed - deceleration * duration, 0.3)

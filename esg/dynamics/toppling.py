@@ -9,10 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+import math
 import re
 
 from esg.dynamics.containers import resized, with_assets
-from esg.dynamics.demands import KEPT, passed_on
+from esg.dynamics.demands import FELT_NS, KEPT, passed_on
 from esg.dynamics.slopes import fastest_down, rides
 from esg.dynamics.stage import FASTEST_MPS
 from esg.dynamics.stagecraft import Prop, fall_speed, prop
@@ -37,6 +38,10 @@ FALLS_TOO = 0.5
 """Share of a stated speed that counts where something thrown falls as well."""
 HANDY_KG = 5.0
 """Up to this mass something comes in small."""
+SPARE, HARDLY_SMALLER = 0.7, 0.7
+"""Share of the highest speed that is to suffice, and the least size that is given for it."""
+HARD_MPS = 12.0
+"""Speed from which on a hit is a hard one."""
 USUAL_CARRIED_MPS = 3.0
 """Speed with which something that was struck arrives at the next thing, where it is open."""
 LARGER = (1.25, 1.5, 2.0)
@@ -119,37 +124,70 @@ def _fitted(doc: EsgDocument, story: Story, knock: Knock) -> EsgDocument:
     flies = story.is_active(knock.mover) and story.flies(knock.mover)
     stand = stand_of(target)
 
-    def missing(body: Prop, mass: float, size: float, flies: bool) -> bool:
+    def missing(body: Prop, mass: float, size: float, flies: bool, limit: float) -> bool:
         other = replace(target, mass=target.mass * mass * size**3)
         at = stand.scaled(size)
         speed = topple_speed(body, other, flies=flies, stand=at) if topples else 0.0
         if knock.pushed:
             speed = max(speed, fall_speed(body, other))
-        return speed > knock.limit
+        return speed > limit
 
     free_mass = not wanted.mass_is_prescribed
     open_size = free_mass and not wanted.dimensions_are_prescribed and topples
     said = f"{wanted.asset_description} {nodes[knock.target].label}".lower()
     sizes = SMALL if target.mass <= HANDY_KG else SIZES
     sizes = sizes if open_size and not STATED_SIZE.search(said) else (1.0,)
-    lightest = LIGHTEST if free_mass else 1.0
-    for size in sizes:
-        if not missing(mover, lightest, size, flies):
-            mass = _largest(lambda m, size=size: not missing(mover, m, size, flies), lightest)
-            return _changed(doc, keys[1], size, mass)
+
+    def chosen(body: Prop, flies: bool, limit: float, fast: float) -> tuple[float, float] | None:
+        """Size and mass, over the usual ones, at which a hit of at most `limit` suffices."""
+        for size in sizes:
+            if not free_mass:
+                least = 1.0
+            else:
+                # Not so light that the hit would hardly count.
+                least = max(LIGHTEST, _felt_mass(body, target, fast) / (target.mass * size**3))
+            if least > 1.0 and size < 1.0:
+                continue
+            least = min(least, 1.0)
+            if not missing(body, least, size, flies, limit):
+                mass = _largest(
+                    lambda m, size=size: not missing(body, m, size, flies, limit), least
+                )
+                return size, mass
+        return None
+
+    # With something to spare at first: engines differ in what a hit just about tips over.
+    spare = SPARE * min(knock.limit, HARD_MPS)
+    found = chosen(mover, flies, spare, knock.limit) if topples else None
+    if found is None or found[0] < HARDLY_SMALLER:
+        found = chosen(mover, flies, knock.limit, knock.limit)
+    if found is not None:
+        return _changed(doc, keys[1], *found)
     if topples and _comes_in_all_sizes(doc, keys[0]):
         for factor in LARGER:
-            larger = _larger(mover, factor)
-            for size in sizes:
-                if not missing(larger, lightest, size, flies):
-                    made = resized(doc, keys[0], doc.asset_configurations[keys[0]], factor)
-                    return _changed(with_assets(doc, {keys[0]: made}), keys[1], size, lightest)
+            made = resized(doc, keys[0], doc.asset_configurations[keys[0]], factor)
+            limit = knock.limit
+            if not story.is_active(knock.mover):
+                # Hollow: what is struck itself is the slower the heavier it is.
+                made = scaled(made, 1.0 / factor)
+            with_larger = with_assets(doc, {keys[0]: made})
+            if not story.is_active(knock.mover):
+                limit = carried(with_larger, story, knock.mover, knock.node)
+            found = chosen(prop(with_larger, knock.mover), flies, limit, limit)
+            if found is not None:
+                return _changed(with_larger, keys[1], *found)
     if topples and _may_be_thrown(doc, story, knock, mover):
-        for size in sizes:
-            if not missing(mover, lightest, size, True):
-                mass = _largest(lambda m, size=size: not missing(mover, m, size, True), lightest)
-                return _changed(_thrown(doc, knock.mover), keys[1], size, mass)
-    return _changed(doc, keys[1], 1.0, lightest)
+        found = chosen(mover, True, knock.limit, knock.limit)
+        if found is not None:
+            return _changed(_thrown(doc, knock.mover), keys[1], *found)
+    return _changed(doc, keys[1], 1.0, LIGHTEST if free_mass else 1.0)
+
+
+def _felt_mass(mover: Prop, target: Prop, speed: float) -> float:
+    """Least mass [kg] of a target that feels a hit of a speed; infinity where none does."""
+    gain = 1.0 + 0.5 * (mover.restitution + target.restitution)
+    reduced = FELT_NS / max(gain * speed, 1e-9)
+    return math.inf if reduced >= mover.mass else reduced * mover.mass / (mover.mass - reduced)
 
 
 def _largest(holds: Callable[[float], bool], lightest: float) -> float:
@@ -161,16 +199,6 @@ def _largest(holds: Callable[[float], bool], lightest: float) -> float:
         middle = 0.5 * (low + high)
         low, high = (middle, high) if holds(middle) else (low, middle)
     return low
-
-
-def _larger(mover: Prop, factor: float) -> Prop:
-    return replace(
-        mover,
-        length=factor * mover.length,
-        width=factor * mover.width,
-        height=factor * mover.height,
-        mass=factor**3 * mover.mass,
-    )
 
 
 def _comes_in_all_sizes(doc: EsgDocument, key: str) -> bool:

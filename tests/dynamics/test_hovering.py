@@ -7,11 +7,14 @@ import math
 import numpy as np
 import pytest
 
-from esg.dynamics import build_scene, start_hints
+from esg.assets import resolve
+from esg.draft import draft
+from esg.dynamics import build_scene, fit_assets, start_hints
 from esg.dynamics.plan import make_plan
 from esg.engines.base import get_engine
 from esg.engines.program import HoldVelocity, batch_programs
 from esg.graph.models import Actor, EsgDocument, TimelineEdge, TimelineNode
+from esg.layout import solve
 from tests.dynamics.stage import asset, document, lay_out
 
 DRONE = asset("drone", (40, 40, 15), 1.2)
@@ -117,3 +120,16 @@ def test_it_flies_on_past_what_it_does_not_touch():
 def test_what_is_thrown_is_not_held_up():
     _, program, _ = played(flight((60, 60, 200), motion="Toward"))
     assert not any(isinstance(p, HoldVelocity) for p in program.primitives)
+
+
+def test_what_turns_last_flies_straight_on_at_its_height():
+    doc = fit_assets(resolve(draft("A drone flies forward for 2 seconds and turns left.")))
+    laid = solve(doc, hints=start_hints(doc))
+    scene = build_scene(laid)
+    plan = make_plan(laid, scene)
+    batch = batch_programs([plan.compile(plan.initial())], scene.names)
+    rollout = get_engine("physx").rollout(scene, batch, duration=8.0)
+    i = scene.index("drone_1")
+    assert rollout.position[0, -1, i, 2] == pytest.approx(rollout.position[0, 0, i, 2], abs=1e-3)
+    moved = rollout.position[0, -1, i] - rollout.position[0, -241, i]
+    assert float(np.linalg.norm(moved)) > 1.0

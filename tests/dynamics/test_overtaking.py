@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import pytest
 
 from esg.assets import resolve
 from esg.draft import draft
 from esg.dynamics import build_scene, fit_assets, optimize, start_hints
-from esg.dynamics.choreography import choreograph
+from esg.dynamics.choreography import _tell, choreograph
+from esg.dynamics.stage import Stage
+from esg.dynamics.story import read_story
 from esg.engines.base import get_engine
 from esg.engines.program import batch_programs, program_from_json
 from esg.graph.models import EsgDocument
@@ -89,3 +93,22 @@ def test_touching_before_passing_is_no_overtaking() -> None:
     verdict = judge(scene, slow, rollout, suite)
     passing = next(e for e in verdict.events if e.id.endswith("overtakes"))
     assert not passing.completed and "does not get ahead" in passing.reason
+
+
+def test_where_it_cuts_in_is_where_it_has_passed_whatever_came_before() -> None:
+    """A first stretch does not move the two apart at the place of passing."""
+    doc = _cast(CUT_IN)
+    stage = Stage(doc, read_story(doc), {"car_1", "truck_1"}, np.random.default_rng(0))
+    told = []
+    for first in (0.0, 12.0):
+        stage = Stage(doc, read_story(doc), {"car_1", "truck_1"}, np.random.default_rng(0))
+        if first:
+            stage.tracks["car_1"].straight(first, 1.0, 12.0)
+            stage.tracks["car_1"].time = 0.0
+        _tell(stage)
+        car, truck = stage.tracks["car_1"], stage.overtaken["truck_1"]
+        told.append((stage.places["truck_1"], truck[2], car.time))
+    (x0, y0, _), (passed0, _), _ = told[0][0], told[0][1], told[0][2]
+    (x1, y1, _), (passed1, _), _ = told[1][0], told[1][1], told[1][2]
+    assert passed1 - passed0 == pytest.approx(12.0, abs=1e-6)
+    assert math.hypot(x1 - x0 - 12.0, y1 - y0) == pytest.approx(0.0, abs=1e-6)
