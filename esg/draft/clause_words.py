@@ -12,6 +12,9 @@ PROPERTIES = frozenset(
 OWNED = PROPERTIES | {"speed", "velocity"}
 _BEFORE_AMOUNTS = frozenset({"of", "at", ",", "(", "about", "-", "–", "—"})
 _PARTICLES = frozenset({"off", "over", "down", "up", "away", "out", "back"})
+_HAPPENING = frozenset({"own", "roll", "slide", "fall", "hit", "knock", "topple", "enter", "stop",
+                        "brake", "turn"})  # fmt: skip
+"""Senses of relative clauses whose time is their own ("a robot that leaves after 2 s")."""
 _SIZES = frozenset({"tall", "high", "wide", "long", "thick", "deep", "diameter", "in diameter"})
 
 
@@ -90,6 +93,11 @@ class ClauseWords:
         if w.kind == "qty" and w.amount is not None:
             phrase = Phrase(s.prep, None, w.amount)
             nxt = self.elements[i + 1] if i + 1 < len(self.elements) else None
+            if w.amount.dimension == "time" and s.boundary and self._set_off_by_commas(i):
+                phrase.prep = s.prep or "after"
+                s.loose.append(phrase)  # "and, a good three seconds on, hits"
+                s.prep = ""
+                return s
             if isinstance(nxt, Word) and nxt.low in ("later", "afterwards", "afterward"):
                 phrase.prep = "after"
                 rest = self.elements[i + 2 : i + 4]
@@ -100,7 +108,8 @@ class ClauseWords:
                     return s
             pair = i >= 2 and isinstance(self.elements[i - 2], Word)
             pair = pair and getattr(self.elements[i - 2], "amount", None) is not None
-            if phrase.prep == "after" and s.frame is not None and s.frame.reduced:
+            told = s.frame is not None and s.frame.relative and s.frame.verb.sense in _HAPPENING
+            if phrase.prep == "after" and s.frame is not None and s.frame.reduced and not told:
                 main = s.frame.parent or s.main
                 if main is not None and isinstance(nxt, Word) and not self._more_told(i):
                     main.phrases.append(phrase)  # "hits a block lying there 5 seconds later"
@@ -155,6 +164,16 @@ class ClauseWords:
                 s.loose.append(w.low)
             return s
         return s
+
+    def _set_off_by_commas(self, i: int) -> bool:
+        """Whether a time stands between commas and a verb follows."""
+        verb = self.elements[i + 2] if i + 2 < len(self.elements) else None
+        before = next(
+            (e for e in reversed(self.elements[:i]) if getattr(e, "kind", "") != "prep"), None
+        )
+        commas = getattr(before, "low", "") == "," and self._next_low(i + 1) == ","
+        finite = isinstance(verb, Verb) and verb.form in ("s", "past") and not verb.infinitive
+        return commas and finite
 
     def _opens_clause(self, i: int) -> bool:
         """ "and after 2 s a box falls": a time between a conjunction and the next subject."""

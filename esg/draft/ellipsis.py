@@ -32,6 +32,9 @@ def elide(elements: list[Element]) -> list[Element]:
                 continue
             if verb.sense == "hit" and e.pronoun == "one":
                 continue  # "two cars collide, one at 2 m/s and the other at 3 m/s"
+        if isinstance(e, Mention) and verb is not None and _in_turn(elements, i, verb):
+            out += [e, replace(verb, start=e.end, end=e.end, form="s", extra=dict(verb.extra))]
+            continue
         if isinstance(e, Verb):
             verb = e
         elif verb is not None and _second_turn(elements, i, verb):
@@ -42,6 +45,31 @@ def elide(elements: list[Element]) -> list[Element]:
 
 
 _TRAVELLING = frozenset({"own", "roll", "slide", "fly", "approach", "leave", "coast"})
+
+
+def _in_turn(elements: list[Element], i: int, verb: Verb) -> bool:
+    """ "The first falls at 1 s, the second at 2 s": the same, of another one, at its own time."""
+    before, at, time = word_at(elements, i - 1), word_at(elements, i + 1), word_at(elements, i + 2)
+    e = elements[i]
+    if before is None or not (before.kind == "conj" or before.low in (",", ";")):
+        return False
+    if at is None or time is None or at.low not in ("at", "after") or time.amount is None:
+        return False
+    if time.amount.dimension != "time" or not isinstance(e, Mention) or verb.passive:
+        return False
+    one = e.pronoun == "one" and e.determiner == "the"
+    if verb.sense not in _ALONE or not (one or e.letters):
+        return False
+    k = next((n for n in range(i) if elements[n].end >= verb.end), i)
+    if k + 1 < i and isinstance(elements[k + 1], Mention):
+        return False  # "hits ball B at 2 s, ball C at 3 s": another object
+    after = word_at(elements, i + 3)
+    return i + 3 >= len(elements) or (after is not None and after.kind in _CLOSES)
+
+
+_ALONE = frozenset(
+    {"topple", "fall", "stop", "brake", "turn", "own", "roll", "accelerate", "slide"}
+)
 
 
 def _named_speed(e: Element) -> bool:

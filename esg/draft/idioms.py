@@ -187,10 +187,19 @@ def _leaves_alone(f: Frame) -> str:
 
 def _comes_down(f: Frame) -> str:
     """ "The top box comes down": it falls, where what flies or drives arrives."""
-    comes = f.verb.lemma in ("come", "go") and f.verb.sense == "own" and f.object is None
-    down = f.adverbs[-1:] == ["down"] and not f.phrases
-    driven = _STEERED - {""} | {"watercraft"}
-    return "fall" if comes and down and _thing(f.subject) and _kind(f.subject) not in driven else ""
+    if f.verb.lemma not in ("come", "go") or f.verb.sense != "own" or f.object is not None:
+        return ""
+    bare = [p for p in f.phrases if p.prep == "down" and p.mention is None]  # "goes down 1 s in"
+    if (f.adverbs[-1:] != ["down"] and not bare) or any(p.mention for p in f.phrases):
+        return ""
+    if not _thing(f.subject) or _kind(f.subject) in _STEERED - {""} | {"watercraft"}:
+        return ""
+    for p in bare:
+        p.prep = ""
+    upright = _kind(f.subject) in ("pin", "domino") or (
+        f.subject is not None and f.subject.noun is not None and "topples" in f.subject.noun.traits
+    )
+    return "topple" if upright and f.verb.lemma == "go" else "fall"
 
 
 def _stands_still(f: Frame) -> str:
@@ -199,6 +208,37 @@ def _stands_still(f: Frame) -> str:
     timed = any(p.amount is not None and p.amount.dimension == "time" for p in f.phrases)
     later = "later" in f.adverbs or any(p.prep in ("after", "within", "in") for p in f.phrases)
     return "stop" if stands and "still" in f.adverbs and timed and later else ""
+
+
+def _brought_down(f: Frame) -> str:
+    """ "The tower is brought down by a marble": it topples from a hit."""
+    down = f.verb.lemma in ("bring", "take", "send", "fetch") and "down" in f.adverbs
+    agent = f.phrase("by")
+    if not down or not f.verb.passive or agent is None or not _thing(agent.mention):
+        return ""
+    f.verb.extra = {**f.verb.extra, "transitive": "1", "contact": "1"}
+    return "topple"
+
+
+def _speed_changes(f: Frame) -> str:
+    """ "Its speed drops to 4 m/s": it slows down."""
+    m = f.subject
+    if m is None or not m.attribute or m.head not in ("speed", "velocity", "pace"):
+        return ""
+    if not any(p.amount is not None and p.amount.dimension == "speed" for p in f.phrases):
+        return ""
+    falls = f.verb.lemma in ("drop", "fall", "decrease", "sink", "reduce", "decline", "go", "come")
+    rises = f.verb.lemma in ("rise", "increase", "climb", "grow", "jump", "build")
+    if not (falls or rises):
+        return ""
+    if m.possessor is not None:
+        f.subject = m.possessor
+    elif m.determiner in ("its", "his", "her", "their"):
+        word = {"its": "it", "his": "he", "her": "she", "their": "they"}[m.determiner]
+        f.subject = Mention(m.start, m.end, pronoun=word, text=word)
+    else:
+        return ""
+    return "slow" if falls else "accelerate"
 
 
 def _is_let_go(f: Frame) -> str:
@@ -235,7 +275,8 @@ def _swings_round(f: Frame) -> str:
 _READINGS: tuple[Callable[[Frame], str], ...] = (
     _takes_out, _parts, _breaks_it, _shuts_on, _steps_on, _jumps_on, _lets_off, _tosses,
     _hits_ground, _buries, _swings_round, _against, _knocks_over,
-    _comes_down, _stands_still, _bats_off, _is_let_go, _flies_over, _takes_along, _pulled_over,
+    _comes_down, _brought_down, _speed_changes, _stands_still,
+    _bats_off, _is_let_go, _flies_over, _takes_along, _pulled_over,
     _not_avoided, _leaves_alone,
 )  # fmt: skip
 

@@ -214,10 +214,13 @@ class Interpreter(References):
         handler = getattr(self, f"_do_{sense}", None)
         if handler is None:
             self.scene.ignored[(f.verb.start, f.verb.end)] = "no physical meaning"
+            self._hand_on(f)
             return
+        self._high_up(f, subject)
         handler(f, subject, objects)
         self._speed_of_noun(f, subject)
         self._far_away(f, subject)
+        self._hand_on(f)
         for p, a in self.amounts(f):
             span = self._precedes(a) or (p == "for" and sense in ("fall", "drop"))
             if a.dimension == "time" and span and (a.start, a.end) not in self.scene.used:

@@ -36,6 +36,7 @@ def lighten(elements: list[Element]) -> list[Element]:
     while i < len(elements):
         used = (
             _versus(elements, i, out)
+            or _title(elements, i, out)
             or _given(elements, i, out)
             or _received(elements, i, out)
             or _meeting(elements, i, out)
@@ -43,13 +44,29 @@ def lighten(elements: list[Element]) -> list[Element]:
             or _left_alone(elements, i, out)
             or _together(elements, i, out)
             or _beside(elements, i, out)
+            or _from_one(elements, i, out)
+            or _first_met(elements, i, out)
+            or _time_passes(elements, i, out)
+            or _object_of(elements, i, out)
         )
         if used:
             i += used
             continue
+        _no_ditch(elements, i)
         out.append(elements[i])
         i += 1
     return out
+
+
+def _no_ditch(elements: list[Element], i: int) -> None:
+    """ "closes the gap", "the gap between two jeeps is 15 m": a distance."""
+    gap, before = _mention(elements, i), elements[i - 1] if i else None
+    link = word_at(elements, i + 1)
+    if gap is None or gap.head != "gap":
+        return
+    closes = isinstance(before, Verb) and before.lemma in ("close", "narrow", "widen", "shut")
+    if closes or (link is not None and link.low in ("between", "of")):
+        gap.noun, gap.attribute = None, True
 
 
 def _mention(elements: list[Element], i: int) -> Mention | None:
@@ -218,3 +235,104 @@ def _versus(elements: list[Element], i: int, out: list[Element]) -> int:
         return 0
     out.append(Word(one.start, colon.end, "adv", "heading"))
     return 4
+
+
+def _from_one(elements: list[Element], i: int, out: list[Element]) -> int:
+    """ "One push from the child and the swing hits": the child pushes the swing, which hits."""
+    if out and not (isinstance(out[-1], Word) and out[-1].low in ".;!?\n:"):
+        return 0
+    blow, used = _blow(elements, i)
+    one, push = _mention(elements, i), elements[i + 1] if i + 1 < len(elements) else None
+    if one is not None and one.pronoun == "one" and not one.adjectives and isinstance(push, Verb):
+        blow, used = (push.lemma, 2) if push.lemma in _BLOWS and push.form == "base" else ("", 0)
+    link, agent = word_at(elements, i + used), _mention(elements, i + used + 1)
+    conj, thing = word_at(elements, i + used + 2), _mention(elements, i + used + 3)
+    if not blow or link is None or link.low not in ("from", "by", "of") or agent is None:
+        return 0
+    if conj is None or conj.low != "and" or thing is None or agent.attribute or thing.attribute:
+        return 0
+    verb = _as_verb(Verb(elements[i].start, elements[i + used - 1].end, "hit", "hit", "s"), blow)
+    it = Mention(thing.end, thing.end, pronoun="it", text="it")
+    out += [agent, verb, thing, conj, it]
+    return used + 4
+
+
+def _first_met(elements: list[Element], i: int, out: list[Element]) -> int:
+    """ "The first thing it meets is a deckchair": it meets a deckchair."""
+    what, subject = _mention(elements, i), _mention(elements, i + 1)
+    verb = elements[i + 2] if i + 2 < len(elements) else None
+    is_ = elements[i + 3] if i + 3 < len(elements) else None
+    met = _mention(elements, i + 4)
+    if what is None or subject is None or met is None or what.head not in ("thing", "object"):
+        return 0
+    if not isinstance(verb, Verb) or not isinstance(is_, Verb) or is_.sense != "be" or is_.negated:
+        return 0
+    if verb.sense not in ("hit", "reach", "enter", "knock") or verb.passive:
+        return 0
+    verb.sense = "hit" if verb.sense == "reach" else verb.sense
+    out += [Word(what.start, what.end, "adv", "then"), subject, verb, met]
+    return 5
+
+
+def _object_of(elements: list[Element], i: int, out: list[Element]) -> int:
+    """ "the hatchback it shunts at 5 m/s": a clause of the noun, without "that"."""
+    head, subject = _mention(elements, i), _mention(elements, i + 1)
+    verb = elements[i + 2] if i + 2 < len(elements) else None
+    after = elements[i + 3] if i + 3 < len(elements) else None
+    if head is None or subject is None or subject.pronoun not in ("it", "he", "she", "they"):
+        return 0
+    if head.pronoun or head.attribute or not isinstance(verb, Verb) or verb.passive:
+        return 0
+    if verb.sense not in ("hit", "knock") or verb.infinitive or verb.form not in ("s", "past"):
+        return 0
+    if isinstance(after, Mention):
+        return 0
+    out += [head, Word(subject.start, subject.start, "rel", "that"), subject, verb]
+    return 3
+
+
+def _time_passes(elements: list[Element], i: int, out: list[Element]) -> int:
+    """ "three seconds pass and they bump": three seconds later."""
+    time, verb = word_at(elements, i), elements[i + 1] if i + 1 < len(elements) else None
+    if time is None or time.amount is None or time.amount.dimension != "time":
+        return 0
+    if not isinstance(verb, Verb) or verb.lemma not in ("pass", "elapse", "go") or verb.infinitive:
+        return 0
+    k = i + 2
+    while (w := word_at(elements, k)) is not None and w.low in (
+        "by",
+        ",",
+        "and",
+        "before",
+        "until",
+    ):
+        k += 1
+    if k == i + 2 or not isinstance(elements[k] if k < len(elements) else None, Mention):
+        return 0
+    out += [
+        time,
+        Word(verb.start, verb.end, "adv", "later"),
+        Word(verb.end, verb.end, "punct", ","),
+    ]
+    return k - i
+
+
+def _title(elements: list[Element], i: int, out: list[Element]) -> int:
+    """ "Crash test: ...": words that name no object, in front of a colon."""
+    if out and not (isinstance(out[-1], Word) and out[-1].low in ".;!?\n"):
+        return 0
+    k = i
+    while k < len(elements) and k < i + 3:
+        e = elements[k]
+        if isinstance(e, Word) and e.low == ":":
+            break
+        unknown = isinstance(e, Word) and e.kind == "unknown"
+        named = isinstance(e, Mention) and not (e.known or e.noun or e.determiner or e.amounts)
+        if not (unknown or (named and not e.letters)):
+            return 0
+        k += 1
+    colon = word_at(elements, k)
+    if k < i + 2 or colon is None or colon.low != ":" or k + 2 >= len(elements):
+        return 0
+    out.append(Word(elements[i].start, colon.end, "adv", "heading"))
+    return k + 1 - i

@@ -15,6 +15,7 @@ _SUFFIXES: dict[str, tuple[tuple[str, str], ...]] = {
     "mass": ((r"in\s+(?:weight|mass)", ""),),
     "time": (
         (r"mark", "start"),
+        (r"on(?=\s*,)", ""),
         (r"in(?=\s*[,.;])", "start"),
         (
             r"(?:(?:later\s+than|after|from|since|past)\s+(?:the\s+)?(?:very\s+)?"

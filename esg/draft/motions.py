@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from esg.draft.frames import Frame
-from esg.draft.lengths import Lengths
+from esg.draft.leftovers import Leftovers
 from esg.draft.quantities import Amount
 from esg.draft.scene import SELF_POWERED, SPEEDS, Relation
 from esg.draft.timeline import LAUNCHES, START, Motion
@@ -19,7 +19,7 @@ _ON_WHEELS = frozenset({"taxi", "roll", "drive", "skid", "slide", "park", "coast
 _WINGED = frozenset({"bee", "butterfly", "fly", "beetle", "dragonfly", "wasp", "moth", "bat"})
 
 
-class Motions(Lengths):
+class Motions(Leftovers):
     """Starts motions."""
 
     def _outcomes(self, f: Frame, actors: list[str]) -> None:

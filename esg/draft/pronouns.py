@@ -206,9 +206,23 @@ class Pronouns(Registry):
                 chosen.place, chosen.label = where, f"{where} {chosen.head}"
                 self._rename(chosen, self._new_id(slug(chosen.label)))
                 return [chosen.id]  # "the rear one ... the front one"
+        if end and not group:
+            fore = FRONT if end in REAR else REAR
+            like = [e for e in self.entities.values() if fore & {e.place, *e.adjectives}]
+            if like and not any(e.place == end for e in self.entities.values()):
+                return [
+                    self.add(
+                        like[-1].noun, like[-1].head, adjectives=[end],
+                        label=f"{end} {like[-1].head}", known=like[-1].known, origin=m.start,
+                    ).id
+                ]  # fmt: skip
         if "next" in m.adjectives and not self.groups:
             solid = [e for e in self.entities.values() if "structural" not in e.noun.traits]
             before = avoid or (self.subjects[-1] if self.subjects else [])
+            last = next((ids for ids in reversed(self.salience) if not set(ids) <= {*before}), [])
+            alone = len(last) == 1 and last[0] in self.entities and bool(before)
+            if alone and self.entities[before[0]].noun.kind in ("person", "animal", "vehicle"):
+                before = last  # "past one table, brushes against the next"
             model = [e for e in solid if e.id in before[:1]]
             if solid:  # "A domino falls and hits the next one", "One ball ..., the next one ..."
                 like = (model or solid)[-1]

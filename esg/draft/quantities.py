@@ -29,7 +29,8 @@ _APPROX = (
     r"|close to|more or less|barely)\s*)?"
 )
 _BOUND = (
-    r"(?:(?P<bound>not over|not above|no higher than|not under|not below|upwards? of|in excess of"
+    r"(?:(?P<bound>not over|not above|no higher than|not under|not below|upwards? of|inside(?: of)?"
+    r"|in excess of"
     r"|north of|at least|no less than|not less than|more than|greater than|faster than|over"
     r"|above|no faster than|not faster than|no earlier than|not earlier than|no sooner than"
     r"|not before|no slower than|not slower than|a maximum of|a minimum of|at most"
@@ -338,6 +339,8 @@ def _sides(m: re.Match[str]) -> Amount | None:
 
 def _article_counts(m: re.Match[str], unit: str, dimension: Dimension) -> bool:
     """Whether "a <unit>" is a quantity ("after a second") and not a noun ("a second car")."""
+    if dimension == "time" and re.match(r"\s+of\s+\w+ing\b", m.string[m.end() :]):
+        return True  # "within a second of leaving the hand"
     if dimension == "mass" and _AND_A_HALF.match(m.string, m.end()):
         return True
     if dimension not in ("time", "length"):

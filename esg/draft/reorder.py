@@ -18,7 +18,9 @@ _MOVING = frozenset(
     {"own", "roll", "slide", "fly", "fall", "drop", "spin", "bounce", "coast", "leave", "swing",
      "continue", "land", "topple", "swerve"}
 )  # fmt: skip
-_INTRANSITIVE = frozenset({"shoot", "trickle", "cartwheel", "pitch", "launch", "spurt", "shy"})
+_INTRANSITIVE = frozenset(
+    {"shoot", "trickle", "cartwheel", "pitch", "launch", "spurt", "shy", "burst"}
+)
 """Verbs of launching that things do by themselves where no object can be meant."""
 _PARTICLES = frozenset(
     {"over", "down", "off", "up", "out", "in", "away", "along", "round", "around", "back", "past",

@@ -63,7 +63,7 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     """
     text = screen(prompt)
     tokens = join_modifiers(tokenize(text, pos_tags(text)), text)
-    elements = lighten(appose(from_sheet(Chunker(text, tokens).run())))
+    elements = from_sheet(lighten(appose(Chunker(text, tokens).run())))
     elements = elide(verbalize(reorder(elements, text)))
     clauses = ClauseBuilder(elements)
     clauses.run()

@@ -75,7 +75,8 @@ class ContactSenses(FallSenses):
         if flat and movers and not f.verb.passive and self._crashes_down(f, movers):
             return
         encounter = f.verb.lemma == "meet" and all(self.kind(m) in SELF_POWERED for m in movers)
-        if encounter and not targets and not {"head-on", "hard"} & set(f.adverbs):
+        opposed = any("each other" in g.adverbs for g in self.told if g.sentence <= f.sentence)
+        if encounter and not targets and not opposed and not {"head-on", "hard"} & set(f.adverbs):
             self._motion(f, movers, None)  # "two trains meet at a bridge"
             return
         if not targets and len(movers) >= 2:

@@ -173,6 +173,8 @@ class MotionSenses(SteerSenses):
     def _do_fly(self, f: Frame, s: list[str], o: list[str]) -> None:
         if s and self._flies_itself(s[0]):
             self._motion(f, s, "own")
+        elif self.quantity(f, "angle") is not None and s and not self._moved_by_others(s[0]):
+            self._motion_of_things(f, s, "throw")  # "flies off at an angle of 40 degrees"
         else:
             self._motion(f, s, "throw")
 

@@ -22,6 +22,8 @@ class ToppleSenses(ContactSenses):
             p = f.phrase("into", "against", "on")
             if p is not None and p.mention is not None and s:
                 self._do_hit(f, s, [])
+            elif len(s) == 2 and not f.phrases and f.verb.lemma in ("knock", "bang", "crack"):
+                self._mutual(f, s, self._time(f))  # "slide together and knock"
             return
         if self._already_hit(f, s, o):
             self.use(f, "consequence of the collision")

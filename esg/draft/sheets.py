@@ -46,8 +46,41 @@ def from_sheet(elements: list[Element]) -> list[Element]:
         if label and (row := _row(part, label, things)) is not None:
             out += row
             continue
-        out += _named_event(part, things)
+        out += _telegram(_named_event(part, things))
     return out
+
+
+_TOWARD = frozenset({"into", "onto", "against", "at", "to", "toward", "towards"})
+
+
+def _telegram(part: list[Element]) -> list[Element]:
+    """ "Hatchback, 1,150 kg, 64 km/h, into a barrier.": its mass, its speed, where it goes."""
+    if any(isinstance(e, Verb) for e in part):
+        return part
+    k = 0
+    while k < len(part) and not isinstance(part[k], Mention):
+        e = part[k]
+        if not (isinstance(e, Word) and (e.kind in ("adv", "unknown") or e.low == ":")):
+            return part
+        k += 1
+    thing = part[k] if k < len(part) else None
+    if not isinstance(thing, Mention) or thing.attribute or thing.pronoun:
+        return part
+    told: list[Word] = []
+    n = k + 1
+    while n < len(part) and isinstance(w := part[n], Word) and (w.amount or w.low in ",()"):
+        told += [w] if w.amount is not None else []
+        n += 1
+    to, aim = word_at(part, n), part[n + 1] if n + 1 < len(part) else None
+    if not told or to is None or to.low not in _TOWARD or not isinstance(aim, Mention):
+        return part
+    speeds = [w for w in told if w.amount and w.amount.dimension == "speed"]
+    if len(speeds) != 1 or any(w.amount and w.amount.dimension == "time" for w in told):
+        return part
+    thing.amounts += [w.amount for w in told if w.amount and w not in speeds]
+    goes = Verb(thing.end, thing.end, "go", "own", "s")
+    at = Word(speeds[0].start, speeds[0].start, "prep", "at")
+    return [*part[:k], thing, goes, at, speeds[0], *part[n:]]
 
 
 def _sentences(elements: list[Element]) -> list[list[Element]]:

@@ -11,7 +11,11 @@ from esg.draft.scene import Relation, Scene
 from esg.graph.models import Quantity
 
 _APART = re.compile(r"[\s,]*(?:from\s+(?:each\s+other|one\s+another)\s*)?apart\b", re.IGNORECASE)
-_AHEAD = re.compile(r"\s*(?:straight\s+)?(?:ahead|away|further\s+(?:on|down|along)|off)\b", re.I)
+_AHEAD = re.compile(
+    r"\s*(?:straight\s+)?(?:ahead|away|further\s+(?:on|down|along)|off"
+    r"|(?:down|up|along)\s+the\s+\w+)\b",
+    re.IGNORECASE,
+)
 _BETWEEN = re.compile(
     r"\s*(?:(?:of\s+\w+\s+)?(?:lie|lies|are|is|separates?|divides?|part|parts)\b(?:\s+between)?"
     r"|(?:of\s+\w+\s+)?between)\s",
@@ -110,7 +114,7 @@ def _pair(text: str, a: Amount, mentions: list[Mention], scene: Scene) -> list[s
             near = [ids for m, ids in before if "." not in text[m.end : a.start]]
             one = near[-1] if near else next((ids for _, ids in after[1:]), [])
             return _two([one, first[1]]) if one else []
-    if _AHEAD.match(text, a.end) and before:
+    if _AHEAD.match(text, a.end) and before and not _TRAVELS.search(lead):
         other = before[-1][1][0]
         mover = _comes_to(other, scene) or next(
             (ids[0] for _, ids in reversed(before) if ids[0] != other), ""

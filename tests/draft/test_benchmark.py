@@ -116,10 +116,11 @@ def test_the_wide_prompts_are_labelled_for_development_alone() -> None:
             assert ("value" in want) != ("range" in want), row["id"]
 
 
-def test_the_prose_prompts_are_labelled_for_development_alone() -> None:
-    rows = drafting.load("dev", ["prose"])
-    assert len(rows) == 122 and not drafting.load("test", ["prose"])
-    assert [r["id"] for r in rows] == [f"prose-{i:03d}" for i in range(1, 123)]
+@pytest.mark.parametrize(("name", "count"), [("prose", 122), ("prose2", 40)])
+def test_the_prose_prompts_are_labelled_for_development_alone(name: str, count: int) -> None:
+    rows = drafting.load("dev", [name])
+    assert not drafting.load("test", [name])
+    assert [r["id"] for r in rows] == [f"{name}-{i:03d}" for i in range(1, count + 1)]
     for row in rows:
         assert row["band"] in drafting.BANDS and row["objects"], row["id"]
         for event in row["events"]:

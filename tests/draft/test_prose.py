@@ -69,6 +69,17 @@ def gaps(prompt: str) -> list[tuple[set[str], object]]:
          ["Collision cat_1 vase_1", "Fall vase_1", "Collision vase_1 stool_1"]),
         ("An iron slides off the table onto a shoe.", ["Fall iron_1", "Collision iron_1 shoe_1"]),
         ("The van brakes and stands still 2 s later.", ["Stop van_1"]),
+        ("One shove from the clown and the barrel hits a post.",
+         ["Collision clown_1 barrel_1", "Collision barrel_1 post_1"]),
+        ("A cart rolls on, and the first thing it hits is a bollard.",
+         ["Collision cart_1 bollard_1"]),
+        ("The tower is brought down by a ball.", ["Collision ball_1 tower_1", "Topple tower_1"]),
+        ("The van it rams is parked. A bus drives up.", []),
+        ("Crash test: hatchback, 900 kg, 50 km/h, into a block.",
+         ["Collision hatchback_1 block_1"]),
+        ("Two trams head for each other and meet.", ["Collision tram_1 tram_2"]),
+        ("A boy runs past one bench and bumps into the next.",
+         ["Miss boy_1 bench_1", "Collision boy_1 bench_2"]),
     ],
 )  # fmt: skip
 def test_reads_what_stands_for_something_else(prompt: str, expected: list[str]) -> None:
@@ -121,6 +132,35 @@ def test_reads_speeds_told_for_each(prompt: str, expected: dict[str, float]) -> 
 )  # fmt: skip
 def test_reads_gaps_between_things(prompt: str, pair: set[str], cm: float) -> None:
     assert (pair, cm) in gaps(prompt)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "kind", "seconds"),
+    [
+        ("A van closes the gap to a bus in 2 s and hits it.", NodeEvent.COLLISION, 2.0),
+        ("A pram rolls off and, a good three seconds on, thumps into a post.",
+         NodeEvent.COLLISION, 3.0),
+        ("Two karts drive at each other; four seconds pass and they collide.",
+         NodeEvent.COLLISION, 4.0),
+        ("A table carries a robot that falls off it after 2 s.", NodeEvent.FALL, 2.0),
+        ("The first domino topples at 1 s, the second at 3 s.", NodeEvent.TOPPLE, 3.0),
+    ],
+)  # fmt: skip
+def test_reads_times_told_apart_from_their_verb(
+    prompt: str, kind: NodeEvent, seconds: float
+) -> None:
+    timeline = drafted(prompt).timeline_system
+    assert timeline is not None
+    last = [n for n in timeline.sequence_graph.nodes if n.event is kind][-1]
+    assert last.time_is_prescribed and last.timestamp == pytest.approx(seconds)
+
+
+def test_reads_a_height_that_is_no_way() -> None:
+    """ "Floats down from 3 m up" says where it starts."""
+    timeline = drafted("A feather floats down from 3 m up and lands on a cat.").timeline_system
+    assert timeline is not None
+    told = [c for n in timeline.sequence_graph.nodes for c in n.constraints]
+    assert [(c.quantity, c.value) for c in told] == [("height", 300.0)]
 
 
 def test_a_way_is_no_gap() -> None:
