@@ -153,6 +153,8 @@ class References(MotionSenses):
         for p in f.phrases:
             if p.mention is not None:
                 self.ids(p.mention, avoid=subject + objects)
+        subject[:] = map(self.world.current, subject)  # which a phrase may have made more precise
+        objects[:] = map(self.world.current, objects)
         if f.subject is not None and not f.subject.pronoun:
             into = f.phrase("into", "against")
             met = into.mention.entities if into is not None and into.mention is not None else []
