@@ -14,14 +14,13 @@ from esg.engines.fleet_arena import Buffer
 from esg.engines.fleet_builder import Blueprint, Wanted
 from esg.engines.fleet_jobs import Job, Pieces, Played, SceneShapes
 from esg.engines.newton_kernels import FIXED_POINT
-from esg.engines.newton_setup import STEPS_PER_GRAPH
 from esg.engines.newton_worlds import NewtonWorlds, Singles
 from esg.engines.program import FIELDS
 from esg.engines.scene import ContactLog
 from esg.units import quat_multiply, quat_rotate
 
 CHUNK_FRAMES = 8
-"""Frames whose pairs are summed up before they are packed; a multiple of STEPS_PER_GRAPH / 4."""
+"""Frames whose pairs are summed up before they are packed; a graph's steps go into their steps."""
 _LEAST_PRIMITIVES = 8
 POINTS_PER_WORLD, POINTS_PER_SHAPE = 16, 4
 """Room for contact points: generous, since one scene that needs more plays all of them again."""
@@ -230,10 +229,10 @@ class FleetModel(NewtonWorlds):
                 self._clock[3] = n
                 self.clock.assign(self._clock)
             target = (first + n) * every
-            launches = -(-(target - done) // STEPS_PER_GRAPH)
+            launches = -(-(target - done) // self.graph_steps)
             for _ in range(launches):
                 wp.capture_launch(graph)
-            done += launches * STEPS_PER_GRAPH
+            done += launches * self.graph_steps
             wp.launch(
                 kernels.pack_pairs,
                 dim=(n, self.n_pairs),

@@ -25,8 +25,8 @@ MAX_MODELS = 12
 
 MAX_WORLDS_CPU = 128
 MIN_WORLDS_PER_THREAD = 8
-"""Fewer do not pay for a thread: each needs a model of its own, which takes as long to build as half
-of eight crowded worlds take to play."""
+"""Fewer do not pay for a thread: each needs a model of its own, which takes as long to build as
+four crowded worlds take to play."""
 MAX_WORLDS_CUDA = 16384
 _BUCKETS = (1, 4, 8, 16, 32, 64, 128)
 

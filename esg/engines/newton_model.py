@@ -235,7 +235,7 @@ class NewtonModel(NewtonWorlds):
             self.depth.zero_()
             self.moments.zero_()
             target = (first_frame + n_frames) * self.record_every
-            launches = -(-(target - int(done)) // STEPS_PER_GRAPH)
+            launches = -(-(target - int(done)) // self.graph_steps)
             graph = self.prepare()
             for _ in range(launches):
                 wp.capture_launch(graph)

@@ -12,6 +12,7 @@ from esg.engines.newton_setup import (
     RESTITUTION_THRESHOLD_MPS,
     SPECULATIVE_GAP_M,
     STEPS_PER_GRAPH,
+    STEPS_PER_GRAPH_CPU,
     quiet_warp,
     share_kernels,
     sort_few_contacts,
@@ -43,6 +44,7 @@ class NewtonWorlds:
         sort_few_contacts()
         self.device, self.n_worlds, self.n_bodies = device, n_worlds, n_bodies
         self._by_chunk = by_chunk
+        self.graph_steps = STEPS_PER_GRAPH_CPU if device.startswith("cpu") else STEPS_PER_GRAPH
         self._graphs: dict[object, Any] = {}
         self._primitives = 0
         self.dt, self.has_friction_change = 0.0, False
@@ -224,7 +226,7 @@ class NewtonWorlds:
                 if not self._graphs:
                     self._warm_up()
                 with wp.ScopedCapture(device=self.device) as capture:
-                    for _ in range(STEPS_PER_GRAPH):
+                    for _ in range(self.graph_steps):
                         self._step()
             self._graphs[key] = capture.graph
         return self._graphs[key]
