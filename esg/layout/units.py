@@ -135,7 +135,7 @@ class UnitBuilder:
         for unit in planned:
             for name in set_on_supports(unit, self.supports, self.shape, falling):
                 parent = self.supports.of[name].parent
-                self.notes.append(f"{name} was planned beside {parent} and is set on it")
+                self.notes.append(f"{name} was planned beside or in {parent} and is set on it")
         return self.units
 
     def _is_queue(self, unit: Unit) -> bool:

@@ -52,7 +52,7 @@ def test_what_is_planned_behind_a_table_stands_on_it():
         scene(jug_1="jug", jug_2="jug"), Placement("jug_1", 300, 10), Placement("jug_2", 600, 0)
     )
     assert out.feasible, out.reason
-    assert "jug_1 was planned beside table_1" in out.reason
+    assert "jug_1 was planned beside or in table_1" in out.reason
     places = [local(out, "table_1", n) for n in ("jug_1", "jug_2")]
     for (x, y), n in zip(places, ("jug_1", "jug_2"), strict=True):
         assert 0.0 <= out.poses[n].position_cm[2] - 75.0 < 0.1
@@ -118,3 +118,27 @@ def test_the_upper_end_of_a_thing_without_surfaces_is_its_highest_part():
     top = surface_for(lamp)
     assert top.center_cm == (0.0, 0.0, 150.0)
     assert top.half_extents_cm == (2.0, 2.0)
+
+
+def test_what_is_planned_inside_a_part_of_its_support_moves_to_where_there_is_room():
+    """A bed of 200 cm with a headboard across one end."""
+    board = (
+        b.box("board", 10, 90, 60).proxies[0].model_copy(update={"position_cm": (-90.0, 0.0, 80.0)})
+    )
+    bed = b.asset(
+        "bed",
+        (*b.box("frame", 200, 90, 50).proxies, board),
+        (200, 90, 110),
+        support_surfaces=(
+            SupportSurface(name="top", center_cm=(0, 0, 50), half_extents_cm=(100, 45)),
+        ),
+    )
+    doc = b.document(
+        {"bed": bed, "crate": ASSETS["crate"]}, {"bed_1": "bed", "x_1": "crate"},
+        [("x_1", "on", "bed_1")],
+    )  # fmt: skip
+    hints = StartHints((Constellation((Placement("bed_1", 0, 0), Placement("x_1", -80, 0))),))
+    out = solve(doc, hints=hints).layout_result
+    assert out is not None
+    assert out.feasible, out.reason
+    assert local(out, "bed_1", "x_1")[0] >= -85 + 20 - 1.01
