@@ -140,7 +140,8 @@ class Interpreter(References):
             if riding and self.kind(subject[0]) == "person" and mount not in objects:
                 subject = [mount]  # "a girl on a skateboard ... she hits a hydrant"
         if sense not in STATES:
-            moving = [i for i in subject if self._aimable(i)]
+            still = ("water", "hole")
+            moving = [i for i in subject if self._aimable(i) and self.kind(i) not in still]
             if subject and not moving and not f.verb.passive:
                 self.scene.ignored[(f.verb.start, f.verb.end)] = "the ground does not act"
                 return
