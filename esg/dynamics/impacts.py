@@ -28,6 +28,7 @@ from esg.dynamics.stagecraft import (
     target_yaw,
     top_surface,
 )
+from esg.dynamics.tipping import first_touch, stand_of
 from esg.graph.models import NodeEvent, TimelineNode
 from esg.units import GRAVITY_MPS2
 
@@ -38,6 +39,8 @@ APART_S = 0.14
 DOWN_S, FALLEN, THIN_FALLEN = 0.3, 0.85, 0.7
 """Time in which a struck body falls over, and the shares of its height that are out of its reach
 until it is down: of a broad body, and of one thin as a domino, which slides less."""
+FARTHEST_AHEAD = 1.2
+"""Longest way, over its height, that the base of a body runs ahead while it tips back."""
 BALL_GAP, NARROW = 0.45, 1.5
 """Share of the usual gap between balls of a chain; narrow things, in ball's widths, are as near."""
 BOUNCE_RAD, BOUNCE_KEPT = math.radians(25.0), 0.75
@@ -179,6 +182,9 @@ def chain(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
         if not (pa.rolls or stage.airborne):
             # It reaches as far as it is high, and touches what is nearer while it still stands.
             gap = max(gap, (THIN_FALLEN if thin else FALLEN) * pa.height)
+            if _kicked(stage, node, a):
+                ahead = math.sqrt(pa.height / GRAVITY_MPS2) * track.speed
+                gap = max(gap, min(ahead, FARTHEST_AHEAD * pa.height))
     prescribed = stage.prescribed_time(node)
     if prescribed is not None:
         wait = max(prescribed - track.time, 0.05)
@@ -239,6 +245,23 @@ def _falls_before(stage: Stage, node: TimelineNode, a: str) -> bool:
         n.id in before and n.event is NodeEvent.TOPPLE and a in map(stage.key, n.participants)
         for n in stage.story.nodes.values()
     )
+
+
+def _kicked(stage: Stage, node: TimelineNode, a: str) -> bool:
+    """Whether a body was hit below its centre: its base runs ahead while it tips back."""
+    body = stage.prop(a)
+    stand = stand_of(body)
+    before = stage.story.ancestors(node.id)
+    for hit in stage.story.nodes.values():
+        keys = list(map(stage.key, hit.participants))
+        if hit.id not in before or hit.event is not NodeEvent.COLLISION or a not in keys:
+            continue
+        for mover in keys:
+            flies = mover in stage.tracks and stage.story.flies(mover)
+            if mover != a and not flies:
+                touch = first_touch(stage.prop(mover), body, stand, flies=False)
+                return touch is not None and touch.height < stand.height
+    return False
 
 
 def _coasting_gap(stage: Stage, body: Prop, target: Prop, speed: float) -> float:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 from esg.assets import resolve
@@ -9,11 +11,13 @@ from esg.draft import draft
 from esg.dynamics import fit_assets
 from esg.dynamics.choreography import choreograph
 from esg.dynamics.demands import FELT_NS, felt, passed_on, thrown_back_share
+from esg.dynamics.impacts import FARTHEST_AHEAD
 from esg.dynamics.stagecraft import prop
 from esg.dynamics.story import read_story
 from esg.dynamics.tipping import topple_speed
 from esg.dynamics.toppling import carried, fastest
 from esg.graph.models import EsgDocument, NodeEvent
+from esg.units import GRAVITY_MPS2
 
 
 def cast(prompt: str) -> EsgDocument:
@@ -110,3 +114,14 @@ def test_what_is_made_smaller_keeps_the_feet_that_it_was_given() -> None:
     assert bin_.height < prop(usual, "bin_1").height
     assert bin_.friction > 0.6
     assert topple_speed(wheel, bin_, flies=False) < 10.0
+
+
+def test_what_is_hit_below_its_centre_has_room_to_tip_back_while_its_base_runs_ahead() -> None:
+    doc = cast("A skateboard hits a trash can, and the trash can falls over and hits a bench.")
+    [places] = choreograph(doc).hints.constellations
+    at = {p.node: p.x_cm / 100.0 for p in places.placements}
+    board, can, bench = (prop(doc, n) for n in ("skateboard_1", "trash_can_1", "bench_1"))
+    gap = at["bench_1"] - at["trash_can_1"] - can.half_length - min(bench.length, bench.width) / 2
+    speed = passed_on(board, can) * nominal(doc, "skateboard_1")
+    ahead = math.sqrt(can.height / GRAVITY_MPS2) * speed
+    assert gap > 0.95 * min(ahead, FARTHEST_AHEAD * can.height) > 0.86 * can.height
