@@ -25,6 +25,8 @@ ACTION_LEAD_S, ACTION_TAIL_S = 0.6, 0.4
 """Fixed cameras keep in view what happens so long before the first event and after the last."""
 ROOM_ALONE = 0.9
 """Room on every side of a single body, in its own sizes."""
+HIDDEN = 0.3
+"""Share of its size below which what a moment is about counts as hidden."""
 
 
 def frame_at(rollout: Rollout, time: float) -> int:
@@ -118,6 +120,49 @@ def viewpoint(
             score = min(seen) + 0.5 * sum(seen) / len(seen) - preference
             if score > best_score + 1e-9:
                 best, best_score = view, score
+    return best
+
+
+def camera_of_moment(
+    scene: SimScene,
+    rollout: Rollout,
+    moment: Moment,
+    view: tuple[float, float],
+    renderer: Renderer,
+) -> Camera:
+    """The camera of one moment: from the common viewpoint unless something hides it there.
+
+    Args:
+        scene: The bodies.
+        rollout: Their motion.
+        moment: What happens.
+        view: Azimuth and elevation that all moments share [rad].
+        renderer: Draws the ids of what is seen; left posed at the moment.
+    """
+    frame = frame_at(rollout, moment.time)
+    pose(renderer, rollout, frame)
+    shared = camera_for(scene, rollout, moment, frame, *view)
+    best, best_seen = shared, _visibility(scene, rollout, moment, frame, shared, renderer)
+    if best_seen >= HIDDEN:
+        return shared
+    for turn, rise in (
+        (0, 25),
+        (40, 0),
+        (-40, 0),
+        (40, 25),
+        (-40, 25),
+        (90, 10),
+        (-90, 10),
+        (0, 45),
+    ):
+        elevation = min(view[1] + math.radians(rise), math.radians(75))
+        other = (view[0] + math.radians(turn), elevation)
+        camera = camera_for(scene, rollout, moment, frame, *other)
+        seen = _visibility(scene, rollout, moment, frame, camera, renderer)
+        if seen > best_seen + 0.05:
+            best, best_seen = camera, seen
+        if best_seen >= 2 * HIDDEN:
+            break
     return best
 
 

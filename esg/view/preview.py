@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from esg.engines.scene import Rollout, SimScene
 from esg.graph.models import EsgDocument
 from esg.view.camera import Camera
-from esg.view.framing import PANEL_PX, camera_for, frame_at, pose, viewpoint
+from esg.view.framing import PANEL_PX, camera_for, camera_of_moment, frame_at, pose, viewpoint
 from esg.view.moments import Moment, failures, moments_of
 from esg.view.parts import scene_parts
 from esg.view.render import SAMPLES, Renderer
@@ -74,7 +74,7 @@ def preview(
     shots: list[Shot] = []
     for moment in moments:
         frame = frame_at(rollout, moment.time)
-        shots.append(Shot(frame, camera_for(scene, rollout, moment, frame, *view)))
+        shots.append(Shot(frame, camera_of_moment(scene, rollout, moment, view, renderers[0])))
     film = loop_shots(scene, rollout, moments, view) if loop else []
     images = _render(renderers, rollout, [*shots, *film])
     panels: list[Panel] = []

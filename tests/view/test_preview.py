@@ -22,9 +22,16 @@ from esg.metrics.models import EventVerdict, LayoutVerdict, SceneVerdict
 from esg.view import preview as previews
 from esg.view.camera import box_corners
 from esg.view.cameras import action_cameras
-from esg.view.framing import camera_for, corners_of, frame_at, points_in_view
+from esg.view.framing import (
+    camera_for,
+    camera_of_moment,
+    corners_of,
+    frame_at,
+    points_in_view,
+    pose,
+)
 from esg.view.moments import failures, moments_of
-from esg.view.render import Part
+from esg.view.render import Part, Renderer
 from tests.report.folders import HIT_S, rollout, scene
 
 DOC = EsgDocument(
@@ -182,3 +189,30 @@ def test_an_event_without_bodies_is_named_by_its_id() -> None:
         "collision (e1): not completed (no cone)",
         "collision: red ball x box: not completed (the pair never touches)",
     ]
+
+
+def test_a_moment_behind_something_is_seen_from_elsewhere() -> None:
+    """A wall between the common viewpoint and the bodies hides both; without it nothing changes."""
+    replay = rollout()
+    moment = moments_of(scene(), replay, verdict(EVENT), DOC)[1]
+    frame = frame_at(replay, moment.time)
+    view = (np.pi / 2, np.radians(24))
+    shared = camera_for(scene(), replay, moment, frame, *view)
+    bodies = [
+        Part(i, m.vertices, m.faces, (0.6, 0.2, 0.2))
+        for i, m in enumerate(
+            trimesh.creation.box(2 * np.array(b.half_extents)) for b in scene().bodies
+        )
+    ]
+    middle = 0.5 * (np.array(shared.eye) + np.array(shared.target))
+    wall = trimesh.creation.box(
+        (2.0, 0.05, 6.0), trimesh.transformations.translation_matrix(middle)
+    )
+    hidden = [*bodies, Part(-1, wall.vertices, wall.faces, (0.5, 0.5, 0.5))]
+    for parts, stays in ((bodies, True), (hidden, False)):
+        renderer = Renderer(parts, len(scene().bodies), 96, 64)
+        camera = camera_of_moment(scene(), replay, moment, view, renderer)
+        assert (camera == shared) is stays
+        pose(renderer, replay, frame)
+        seen = renderer.visible(camera, moment.focus)
+        assert min(seen[i] for i in moment.focus) > 20
