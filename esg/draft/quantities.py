@@ -7,6 +7,7 @@ as prepositions, ordinals and nouns.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 import re
 from typing import Literal
 
@@ -149,6 +150,12 @@ class Amount:
 
 def find_amounts(text: str) -> list[Amount]:
     """All quantities with units in `text`, left to right, not overlapping."""
+    return list(_found(text))
+
+
+@lru_cache(maxsize=4)
+def _found(text: str) -> tuple[Amount, ...]:
+    """The quantities of the last few texts, which several steps of a draft ask for."""
     taken: list[tuple[int, int]] = []
     out: list[Amount] = []
     special = [(m, _sides(m)) for m in _PRODUCT.finditer(text)]
@@ -184,7 +191,7 @@ def find_amounts(text: str) -> list[Amount]:
             position = m.end()
     known = [(a.dimension, a.start, a.end, _unit_size(a)) for a in out]
     out += [_of_words(w, text) for w in without_unit(text, known)]
-    return sorted(out, key=lambda a: a.start)
+    return tuple(sorted(out, key=lambda a: a.start))
 
 
 def _of_words(w: Worded, text: str) -> Amount:
