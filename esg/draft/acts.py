@@ -365,20 +365,13 @@ class Acts(Motions):
                 continue
             fell = any(n.event is NodeEvent.FALL and one in n.participants for n in self.tl.nodes)
             pushed = f.verb.lemma in PUSHING or mover in self.rolling
+            pushed = pushed or any(
+                n.event is NodeEvent.TOPPLE and mover in n.participants for n in self.tl.nodes
+            )  # a domino that tips over onto those on a table
             if self.aim.get(mover) == host:
                 continue
             if not fell and (one == mover or pushed):
                 self.place([other], [host], "on")
-
-    def _fits_on(self, node: str, host: str) -> bool:
-        """Whether something movable can share a table top or shelf."""
-        top = self.e(host).noun
-        if "support" not in top.traits or "incline" in top.traits or not self.movable(node):
-            return False
-        if self.kind(node) in ("person", "vehicle") or self.structural(node):
-            return False
-        size = self.e(node).dimensions_cm or self.e(node).noun.dimensions_cm
-        return max(size) <= 0.5 * max(top.dimensions_cm[:2])
 
     def _comes_down_a_slope(self, mover: str) -> bool:
         """Whether something is on its way down a ramp: it arrives faster than it set off."""

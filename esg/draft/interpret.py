@@ -303,7 +303,9 @@ class Interpreter(References):
         for m in (f.subject, f.object, *[p.mention for p in f.phrases]):
             if m is None or not (2 <= len(m.entities) <= 3):
                 continue
-            if {"both", "each"} & {m.determiner, m.pronoun}:
+            told = m is f.object and m.count == len(m.entities) and not m.vague and not m.single
+            felled = told and f.verb.sense in ("knock", "topple")  # "mows down two cones"
+            if {"both", "each"} & {m.determiner, m.pronoun} or felled:
                 out |= set(m.entities)
         return out
 

@@ -192,6 +192,16 @@ class Places(Core):
         mine, other = self.e(thing).noun, self.e(host).noun
         return mine.mass_kg < 2.0 * other.mass_kg and other.kind not in ("region", "water", "hole")
 
+    def _fits_on(self, node: str, host: str) -> bool:
+        """Whether something movable can share a table top or shelf."""
+        top = self.e(host).noun
+        if "support" not in top.traits or "incline" in top.traits or not self.movable(node):
+            return False
+        if self.kind(node) in ("person", "vehicle") or self.structural(node):
+            return False
+        size = self.e(node).dimensions_cm or self.e(node).noun.dimensions_cm
+        return max(size) <= 0.5 * max(top.dimensions_cm[:2])
+
     def _free(self, nodes: list[str]) -> None:
         for node in nodes:
             if not self.structural(node):

@@ -64,6 +64,9 @@ def gaps(prompt: str) -> list[tuple[set[str], object]]:
         ("A tin gets a knock from a trolley.", ["Collision trolley_1 tin_1"]),
         ("What the puck does is hit the post.", ["Collision puck_1 post_1"]),
         ("The ball leaves the pin standing.", ["Miss ball_1 pin_1"]),
+        ("A bicycle knocks over two cones.",
+         ["Collision bicycle_1 cone_1", "Collision bicycle_1 cone_2", "Topple cone_1",
+          "Topple cone_2"]),
         ("Car versus wall: a car drives into a wall.", ["Collision car_1 wall_1"]),
         ("The vase that the cat knocked off the shelf hits a stool.",
          ["Collision cat_1 vase_1", "Fall vase_1", "Collision vase_1 stool_1"]),
@@ -211,3 +214,14 @@ def test_what_has_no_place_is_a_warning() -> None:
     coverage = draft("A wheel spinning at 60 rpm hits a kerb.").coverage
     assert coverage is not None
     assert any("60 rpm" in w for w in coverage.warnings)
+
+
+def test_a_domino_that_tips_stands_where_the_others_do() -> None:
+    doc = drafted("A domino tips over and knocks down a row of four dominoes on a desk.")
+    nodes = doc.spatial_relation_graph.nodes
+    regions = {n.semantic_region for name, n in nodes.items() if name.startswith("domino")}
+    assert len(nodes) == 7 and regions == {nodes["domino_2"].semantic_region} != {None}
+
+
+def test_streams_do_not_act() -> None:
+    assert story("A jeep fords a stream, which glides past a buoy.") == []
