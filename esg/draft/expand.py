@@ -56,7 +56,7 @@ def expand(scene: Scene, prompt: str, restricted: bool) -> list[str]:
         _rename_regions(scene, table)
         _set_on_table(scene, table)
     _fill_targets(scene, reasons)
-    _elevated_targets(scene)
+    _elevated_targets(scene, prompt)
     _topple_shots(scene, prompt)
     _roll_down(scene, prompt, reasons)
     if not restricted:
@@ -131,8 +131,8 @@ def _fill_targets(scene: Scene, reasons: list[str]) -> None:
             scene.supported_by.setdefault(actor, table)
 
 
-def _elevated_targets(scene: Scene) -> None:
-    """A body on the ground cannot hit what stands on a table: it is thrown instead."""
+def _elevated_targets(scene: Scene, prompt: str) -> None:
+    """A body on the ground cannot hit what stands on a table or hangs: it is thrown instead."""
     raised = {
         t
         for t, host in scene.supported_by.items()
@@ -141,6 +141,8 @@ def _elevated_targets(scene: Scene) -> None:
         and scene.world.entities[host].noun.dimensions_cm[2] > 25.0
         and "incline" not in scene.world.entities[host].noun.traits
     }
+    if re.search(r"\broll", prompt.lower()) is None:
+        raised |= {i for i, e in scene.world.entities.items() if e.noun.kind == "hoop"}
     from esg.graph.models import ForceDirection
 
     edges = scene.timeline.edges

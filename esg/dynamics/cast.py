@@ -80,6 +80,11 @@ class Cast:
         after = (p for p in self.story.phases[actor] if p.start.id == phase.end.id)
         region = next((p.end.region for p in after if p.end.region), None)
         center = region_center(self.scene, region) if region else None
+        under = self.target(phase)
+        if under is not None and (region is None or region.split("/")[0] != under):
+            top = self.scene.body(under)  # it bounces off that, on to something else
+            center = np.array(top.position)
+            center[2] += top.origin_offset[2]
         if center is None:
             return None
         way = (center - np.array(self.scene.body(actor).position))[:2]

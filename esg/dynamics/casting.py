@@ -10,6 +10,7 @@ from __future__ import annotations
 import itertools
 import math
 
+from esg.dynamics.bounces import let_go_sideways, lively_tops
 from esg.dynamics.containers import fit_containers, resized, with_assets
 from esg.dynamics.fitting import fit_motion
 from esg.dynamics.openings import fit_openings
@@ -55,7 +56,7 @@ def fit_assets(doc: EsgDocument) -> EsgDocument:
     """
     if doc.timeline_system is None:
         return doc
-    doc = _thrown(doc)
+    doc = let_go_sideways(_thrown(doc))
     story = read_story(doc)
     doc = _freed(doc, story)
     changed: dict[str, AssetConfiguration] = {}
@@ -68,6 +69,7 @@ def fit_assets(doc: EsgDocument) -> EsgDocument:
     doc = with_assets(doc, fit_openings(doc, story))
     doc = fit_motion(with_assets(doc, fit_containers(doc, story)), story)
     doc = with_assets(doc, _springy(doc, story))
+    doc = with_assets(doc, lively_tops(doc, story))
     doc = with_assets(doc, _for_transfer(doc, story))
     return fit_toppled(doc, story)
 

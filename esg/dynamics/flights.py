@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 import math
 
 from esg.dynamics.kinematics import Frame, half_along
-from esg.dynamics.stage import Stage
+from esg.dynamics.stage import Stage, speed_is_fixed
 from esg.dynamics.story import Phase, Story
 from esg.dynamics.throws import opens_upwards, region_of
 from esg.graph.models import NamedRegion, NodeEvent, ProxyKind, TimelineNode
@@ -19,6 +19,10 @@ BANK_S, BANK_FALL_MPS = 0.125, 1.5
 """A bank shot: time from the board to the hoop, and how fast the ball falls at the board."""
 LOW_M = 0.6
 """What is lower is landed on, what is higher is hit in its side."""
+HIGHEST_HIT_M = 1.4
+"""Height at which a wall is hit that something bounces off."""
+LEAST_HAND_M = 0.4
+"""Least height from which something is thrown at a wall."""
 CLEAR_M = 0.05
 LEAST_FLIGHT_S = 0.3
 FLAT = 0.25
@@ -123,6 +127,45 @@ def slowed(stage: Stage, a: str, share: float) -> None:
     """Leaves a flight a share of its speed, after a hit of something that gives way."""
     arc = stage.arcs[a]
     stage.arcs[a] = replace(arc, speed=share * arc.speed)
+
+
+def hits_level(stage: Stage, node: TimelineNode, a: str, b: str) -> bool:
+    """Has a flight meet a wall at its highest point, where friction has nothing to slow down.
+
+    Args:
+        stage: The stage.
+        node: The hit.
+        a: The body in flight.
+        b: The wall.
+
+    Returns:
+        Whether the flight could be changed to that: from its own start, at a free speed.
+    """
+    phase = next((p for p in stage.story.phases.get(a, ()) if p.end.id == node.id), None)
+    if phase is None or a not in stage.arcs or phase is not stage.story.phases[a][0]:
+        return False
+    name = f"{phase.edge.id}/"
+    duration = stage.nominal.get(f"{name}flight_time")
+    if duration is None or speed_is_fixed(phase):
+        return False
+    pa, pb, arc = stage.prop(a), stage.prop(b), stage.arcs[a]
+    height = min(max(0.5 * pb.height, 0.6), HIGHEST_HIT_M)
+    rise = height - 0.5 * pa.height - LEAST_HAND_M
+    if rise < CLEAR_M or height > pb.height - 0.5 * pa.height:
+        return False
+    if not phase.end.time_is_prescribed:
+        faster = min(duration, math.sqrt(2.0 * rise / GRAVITY_MPS2))
+        stage.tracks[a].time -= duration - faster
+        arc = replace(arc, speed=arc.speed * duration / faster)
+        duration = stage.nominal[f"{name}flight_time"] = faster
+    bottom = height - 0.5 * GRAVITY_MPS2 * duration**2 - 0.5 * pa.height
+    if bottom < CLEAR_M:
+        return False
+    stage.heights[a] = bottom
+    stage.arcs[a] = replace(arc, z=height, rise=0.0)
+    stage.nominal[f"{name}goal_beyond"] = -pa.half_width
+    stage.nominal[f"{name}goal_above"] = height
+    return True
 
 
 def thrown_back(stage: Stage, a: str, heading: float, restitution: float, tilt: float) -> None:

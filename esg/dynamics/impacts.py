@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from esg.dynamics.demands import thrown_back_share
-from esg.dynamics.flights import slowed, thrown_back
+from esg.dynamics.flights import hits_level, slowed, thrown_back
 from esg.dynamics.kinematics import (
     Frame,
     Track,
@@ -88,8 +88,9 @@ def _bounce(stage: Stage, node: TimelineNode, a: str, b: str, restitution: float
     """A ball or puck that goes on to something else after a hit of a wall comes straight back.
 
     What waits for it lies behind its start: how much of the speed along a wall friction takes in
-    a bounce is what engines agree on least. Where the time is too short for that, or something is
-    thrown, the wall is turned by `BOUNCE_RAD`, so that the way back does not lead over the start.
+    a bounce is what engines agree on least. What is thrown meets the wall squarely, too, as it
+    neither rises nor falls. Where the time is too short for that, or the speed of a throw is
+    stated, the wall is turned by `BOUNCE_RAD`, so that the way back does not lead over the start.
     """
     pa, pb = stage.prop(a), stage.prop(b)
     if a not in stage.tracks or a not in stage.frames:
@@ -103,8 +104,9 @@ def _bounce(stage: Stage, node: TimelineNode, a: str, b: str, restitution: float
     side = float(stage.rng.choice([-1.0, 1.0]))
     rolling = pa.rolls and not stage.story.flies(a)
     back = thrown_back_share(restitution, rolling=rolling)
-    least = _way_back(stage, node, a, b, max(back, 0.1) * track.speed)
-    tilt = BOUNCE_RAD if least is None else 0.0
+    level = hits_level(stage, node, a, b)
+    least = None if level else _way_back(stage, node, a, b, max(back, 0.1) * track.speed)
+    tilt = BOUNCE_RAD if least is None and not level else 0.0
     if least is not None:
         stage.way_back[a] = least
     normal = max(back, 0.1) * math.cos(tilt)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from esg.dynamics.bounces import bounce_on
 from esg.dynamics.caroms import carom, is_carom
 from esg.dynamics.demands import demanded
 from esg.dynamics.encounters import brake_into, covers, meeting, run_into, waits_at_obstacle
@@ -73,6 +74,8 @@ def collision(stage: Stage, node: TimelineNode) -> None:
     if len(node.participants) < 2:
         plain(stage, node)
         return
+    if node.id in stage.time:
+        return  # planned with what led there
     a, b = stage.key(node.participants[0]), stage.key(node.participants[1])
     incoming = dict(stage.incoming(node))
     if a not in incoming and b in incoming:
@@ -91,6 +94,8 @@ def collision(stage: Stage, node: TimelineNode) -> None:
         _approach(stage, node, a, incoming[a], b)
     else:
         chain(stage, node, a, b)
+    if stage.met.get(a, b) != b and node.id in stage.time:
+        return  # it goes on from there already
     if a in incoming and stage.story.flies(a) and node.event is NodeEvent.COLLISION:
         leaves(stage, node, a, b)
     if banked_into(stage, node, a, b) is not None:
@@ -109,6 +114,8 @@ def enters(stage: Stage, node: TimelineNode) -> None:
     owner = (node.region or "/").split("/")[0]
     incoming = dict(stage.incoming(node))
     if owner not in stage.doc.spatial_relation_graph.nodes:
+        return
+    if mover in incoming and node.id in stage.time and owner in stage.places:
         return
     if mover in incoming:
         if mover in stage.arcs and owner not in stage.places:
@@ -149,6 +156,8 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
     track, pa, pb = stage.tracks[a], stage.prop(a), stage.prop(b)
     first = stage.story.phases[a][0]
     if b not in stage.places and bank(stage, node, a, phase, b):
+        return
+    if bounce_on(stage, node, a, phase, b):
         return
     if is_dropped(phase) or (phase.edge.params.speed is None and is_dropped(first)):
         drop(stage, node, a, b)

@@ -254,7 +254,10 @@ class Composer(Cast):
                 v[f"{edge.id}/flight_time"],
                 body.linear_damping,
             )
-            return SetVelocity(actor, time, _vec(velocity), (0.0, 0.0, 0.0))
+            spin = (0.0, 0.0, 0.0)
+            if f"{edge.id}/spin" in self.nominal and body.roll_radius > 0.0:
+                spin = _rolling(velocity, body.roll_radius)
+            return SetVelocity(actor, time, _vec(velocity), spin)
         speed = v[f"{edge.id}/speed"]
         elevation = v.get(f"{edge.id}/elevation", 0.0)
         velocity = speed * (math.cos(elevation) * flat + np.array([0, 0, math.sin(elevation)]))
@@ -279,7 +282,7 @@ class Composer(Cast):
                 (-turn * float(flat[1]), turn * float(flat[0]), 0.0),
             )
         if body.roll_radius > 0.0 and not self.story.flies(actor) and edge.params.spin != "slide":
-            spin = (-velocity[1] / body.roll_radius, velocity[0] / body.roll_radius, 0.0)
+            spin = _rolling(velocity, body.roll_radius)
         return SetVelocity(actor, time, _vec(velocity), spin)
 
 
@@ -288,6 +291,11 @@ def _until(primitive: Primitive, time: float) -> Primitive:
     if isinstance(primitive, HoldVelocity) and primitive.end > time > primitive.start:
         return replace(primitive, end=time)
     return primitive
+
+
+def _rolling(v: NDArray[np.float64], radius: float) -> tuple[float, float, float]:
+    """Angular velocity [rad/s] of a body that rolls along the ground as it moves."""
+    return (-float(v[1]) / radius, float(v[0]) / radius, 0.0)
 
 
 def _vec(v: NDArray[np.float64]) -> tuple[float, float, float]:

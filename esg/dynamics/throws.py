@@ -16,6 +16,8 @@ from esg.units import GRAVITY_MPS2
 
 HIGHEST_HAND_M = 1.7
 """Height up to which a throw starts level with its target."""
+LOW_DROP_M = 0.2
+"""What is dropped from a height starts at least this far above its target."""
 TOSS_M = 0.35
 """Height over a low container from which something is tossed into it."""
 
@@ -96,6 +98,19 @@ def is_dropped(phase: Phase) -> bool:
     return bounds(speed, (0.0, 0.0))[1] <= 1.0
 
 
+def asked_height(stage: Stage, node: TimelineNode, a: str) -> float | None:
+    """The height [m] at which the prompt has a body start, None if it states none."""
+    stated = [c for n in (node, *stage.story.nodes.values()) for c in n.constraints]
+    return next(
+        (
+            sum(bounds(c.value, (1, 1))[:2]) / 200.0
+            for c in stated
+            if c.quantity == "height" and c.object == stage.member(a)
+        ),
+        None,
+    )
+
+
 def drop(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
     """A body let go above its target, at the prescribed height or a metre up."""
     pb = stage.prop(b)
@@ -112,15 +127,10 @@ def drop(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
         # Into the hoop, not onto its post.
         cx, cy, _ = region.center_cm
         x, y = Frame(x, y, yaw or 0.0).apply(cx / 100.0, cy / 100.0)
-    stated = [c for n in (node, *stage.story.nodes.values()) for c in n.constraints]
-    height = next(
-        (
-            sum(bounds(c.value, (1, 1))[:2]) / 200.0
-            for c in stated
-            if c.quantity == "height" and c.object == stage.member(a)
-        ),
-        1.0,
-    )
+    stated = asked_height(stage, node, a)
+    height = 1.0 if stated is None else stated
+    if stated is not None and stated > pb.height + LOW_DROP_M:
+        height = stated - pb.height  # a height is above the ground, if it can be
     stage.places[a] = (x, y, 0.0)
     stage.frames[a] = Frame(x, y, 0.0)
     stage.heights[a] = pb.height + height
