@@ -6,6 +6,7 @@ from dataclasses import replace
 import re
 
 from esg.draft import lexicon as lex
+from esg.draft.dodging import dodge
 from esg.draft.elements import Mention
 from esg.draft.entities import ORDINALS
 from esg.draft.frames import Frame, Phrase
@@ -90,6 +91,7 @@ class Interpreter(References):
         # references are resolved in the order of the text, events in the order of time
         self.told = frames
         self._refer_all(frames)
+        dodge(frames, self.text)
         for m, p in attachments:
             self.attachment(m, p)
         before = -1

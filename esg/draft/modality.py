@@ -20,6 +20,10 @@ _BUT = re.compile(r"\b(?:but|yet|though|although|only to)\b|;\s*however\b", re.I
 _TURNED_OUT = re.compile(
     r"\b(?:instead|however|unfortunately|luckily|fortunately)\b", re.IGNORECASE
 )
+_COUNTERFACTUAL = re.compile(
+    r"\b(?:should|would|could|might)(?:n[\u2019']t)?\s+(?:\w+\s+)?have\b|\bought to have\b",
+    re.IGNORECASE,
+)
 _ENDS = re.compile(r"[.;!?\n]")
 
 _WISHES = frozenset(
@@ -74,6 +78,8 @@ def mark_unreal(frames: list[Frame], text: str) -> None:
 
 def _reason(f: Frame, earlier: list[Frame], later: list[Frame], text: str) -> str:
     """Why a frame is not asserted; "" if it is."""
+    if _COUNTERFACTUAL.search(text, f.verb.start, f.verb.end):
+        return "it did not happen"
     if f.verb.sense not in _EVENTS and f.verb.sense not in ("own", "roll", "slide", "fly"):
         return ""
     if _ends_in(f, text):
@@ -94,14 +100,15 @@ def _reason(f: Frame, earlier: list[Frame], later: list[Frame], text: str) -> st
         return "it was only meant to happen"
     if f.subordinate == "before" and _stopped_first(f, [*earlier[-1:], *later[:1]]):
         return "it stops before that"
-    if "tried" in f.verb.extra and f.verb.sense not in _TRIED_IS_DONE:
+    done = f.verb.sense in _TRIED_IS_DONE and f.verb.lemma != "dodge"
+    if "tried" in f.verb.extra and not done:
         return "an attempt"
     governor = _governor(f, earlier)
     if governor is not None:
         lemma = governor.verb.lemma
         if lemma in _WISHES and not _spoken(governor):
             return "a wish"
-        if lemma in _ATTEMPTS and f.verb.sense not in _TRIED_IS_DONE:
+        if lemma in _ATTEMPTS and not done:
             return "an attempt"
         purpose = f.link == "purpose" and f.causer is None and f.verb.sense != "miss"
         if purpose and contrast and governor.verb.sense not in ("be", "noop", "posture"):

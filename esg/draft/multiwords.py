@@ -83,6 +83,8 @@ _ENTRIES: tuple[tuple[tuple[str, ...], Literal["prep", "adv", "sub"], str], ...]
     (("except",), "prep", "without"),
     (("despite",), "prep", "despite"),
     (("notwithstanding",), "prep", "despite"),
+    (("unlike",), "prep", "despite"),
+    (("in", "contrast", "to"), "prep", "despite"),
     (("in", "spite", "of"), "prep", "despite"),
     (("regardless", "of"), "prep", "despite"),
     (("for", "fun"), "adv", "on purpose"),

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from esg.draft.acts import Acts
 from esg.draft.entities import BODY_PARTS, OWN_PARTS
 from esg.draft.frames import Frame, Phrase
@@ -14,6 +16,7 @@ _OVERTURNED = frozenset({"person", "seat", "furniture", "appliance", "upright", 
 """What falls over where it stands, like those upright by themselves."""
 _TWO_WHEELED = frozenset({"bicycle", "motorcycle", "scooter", "tricycle"})
 _SOURCES = ("off", "from", "out of", "over", "down")
+_LOOSE = re.compile(r"\b(?:loose|adrift|unhooked|uncoupled)\b", re.IGNORECASE)
 _LANDINGS = ("onto", "on", "into", "in", "through", "to", "upon", "against")
 
 
@@ -147,6 +150,11 @@ class FallSenses(LaunchSenses):
                     self._hit(f, [t], others[:1])
 
     def _do_fall(self, f: Frame, s: list[str], o: list[str]) -> None:
+        if _LOOSE.search(self.text, f.verb.start, f.verb.end) and s:
+            rolling = all({"wheeled", "floating"} & self.e(i).noun.traits for i in s)
+            if rolling or all(self.kind(i) in SELF_POWERED for i in s):
+                self.scene.ignored[(f.verb.start, f.verb.end)] = "it is on its own from here on"
+                return  # "a trailer comes loose from a pickup"
         slope = f.phrase("down")
         if (
             slope is not None

@@ -33,6 +33,9 @@ class OutcomeSenses(ToppleSenses):
             by = f.phrase("by")
             o, s = s, list(by.mention.entities) if by and by.mention else []
         bodies = o
+        if f.verb.lemma == "sink" and any(self.kind(x) == "watercraft" for x in o or s):
+            self.scene.ignored[(f.verb.start, f.verb.end)] = "sinking is not simulated"
+            return
         if f.verb.lemma == "sink" and not o:
             p = f.phrase("in", "into")
             bodies = s

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 import pytest
 
+from benchmarks.drafting import load
 from esg.draft import draft
 from esg.graph import verify
 from esg.outcomes import UserError
@@ -76,6 +78,71 @@ def test_how_it_happens_is_no_thing(end: str) -> None:
         ("Fall", "ball_1"),
         ("Collision", "ball_1", "chair_1"),
     ]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "expected"),
+    [
+        (
+            "A boy throws a snowball at a girl. She ducks, and it hits a wall.",
+            [("Miss", "snowball_1", "girl_1"), ("Collision", "snowball_1", "wall_1")],
+        ),
+        (
+            "A bull charges at a matador, who jumps out of the way.",
+            [("Miss", "bull_1", "matador_1")],
+        ),
+        (
+            "A boy throws a snowball at a girl, who tries to dodge.",
+            [("Collision", "snowball_1", "girl_1")],
+        ),
+        (
+            "A forklift should have turned left. It drives on and hits a shelf.",
+            [("Collision", "forklift_1", "shelf_1")],
+        ),
+        (
+            "If he had looked up, the waiter would have avoided the chair. Instead he hits it.",
+            [("Collision", "waiter_1", "chair_1")],
+        ),
+        (
+            "A boat hits a dinghy and sinks it.",
+            [("Collision", "boat_1", "dinghy_1")],
+        ),
+        (
+            "A snail overtakes a tortoise that has fallen asleep.",
+            [("Miss", "snail_1", "tortoise_1")],
+        ),
+        (
+            "A trailer comes loose from a pickup. It hits a hedge.",
+            [("Collision", "trailer_1", "hedge_1")],
+        ),
+        (
+            "Two sledges glide down a hill and both slide into a hay bale.",
+            [("Collision", "sledge_1", "hay_bale_1"), ("Collision", "sledge_2", "hay_bale_1")],
+        ),
+        (
+            "Unlike the red balloon, the blue one hits a fan.",
+            [("Collision", "blue_balloon_1", "fan_1")],
+        ),
+    ],
+)
+def test_what_is_dodged_or_did_not_happen_is_no_hit(
+    prompt: str, expected: list[tuple[Any, ...]]
+) -> None:
+    assert events(prompt) == expected
+
+
+_PLAIN = [r for r in load("dev", ("single", "chain", "multi_phase")) if len(r["events"]) > 1][::5]
+
+
+@pytest.mark.parametrize("row", _PLAIN, ids=lambda row: row["id"])
+def test_what_a_thing_looks_like_and_where_it_is_change_no_event(row: dict[str, Any]) -> None:
+    """The events of a story are the same with modifiers before its nouns and a setting."""
+    plain = events(row["prompt"])
+    nouns = "|".join(re.escape(o["phrase"].split()[-1]) for o in row["objects"])
+    dressed = re.sub(rf"\b([Aa]n?|[Tt]he) ({nouns})\b", r"\1 badly dented \2", row["prompt"])
+    dressed = re.sub(r"\b([Aa])n badly", r"\1 badly", dressed)
+    assert events(dressed) == plain
+    assert events(f"The sun is setting. {row['prompt']} The spectators cheer.") == plain
 
 
 def test_a_scene_of_hours_is_still_refused() -> None:
