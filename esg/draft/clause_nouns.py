@@ -204,8 +204,8 @@ class ClauseNouns(ClauseWords):
         if aimed and s.frame is not None and s.frame.verb.sense == "launch":
             s.frame.phrases.append(phrase)  # "throws a ball at a wall": not a ball at a wall
             return
-        along = phrase.prep == "with" and phrase.mention is not None
-        if along and s.frame is not None and phrase.mention.pronoun in ("it", "them"):
+        along = phrase.mention if phrase.prep == "with" else None
+        if s.frame is not None and along is not None and along.pronoun in ("it", "them"):
             s.frame.phrases.append(phrase)  # "takes the pin with it"
             return
         if phrase.prep == "by" and s.frame is not None and s.frame.verb.passive:

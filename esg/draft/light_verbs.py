@@ -327,8 +327,8 @@ def _title(elements: list[Element], i: int, out: list[Element]) -> int:
         if isinstance(e, Word) and e.low == ":":
             break
         unknown = isinstance(e, Word) and e.kind == "unknown"
-        named = isinstance(e, Mention) and not (e.known or e.noun or e.determiner or e.amounts)
-        if not (unknown or (named and not e.letters)):
+        told = isinstance(e, Mention) and (e.known or e.noun or e.determiner or e.amounts)
+        if not (unknown or isinstance(e, Mention)) or told or getattr(e, "letters", None):
             return 0
         k += 1
     colon = word_at(elements, k)

@@ -189,7 +189,9 @@ def _found(text: str) -> tuple[Amount, ...]:
             out.append(amount)
             taken.append((amount.start, amount.end))
             position = m.end()
-    known = [(a.dimension, a.start, a.end, _unit_size(a)) for a in out]
+    known: list[tuple[Dimension, int, int, float]] = [
+        (a.dimension, a.start, a.end, _unit_size(a)) for a in out
+    ]
     out += [_of_words(w, text) for w in without_unit(text, known)]
     return tuple(sorted(out, key=lambda a: a.start))
 

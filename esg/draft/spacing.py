@@ -80,7 +80,7 @@ def _pair(text: str, a: Amount, mentions: list[Mention], scene: Scene) -> list[s
     named = [(m, ids) for m in mentions if (ids := _things(m, scene))]
     before = [(m, ids) for m, ids in named if m.end <= a.start]
     after = [(m, ids) for m, ids in named if m.start >= a.end]
-    plural = next((ids for m, ids in reversed(before) if len(ids) > 1), [])
+    plural = next((ids for _, ids in reversed(before) if len(ids) > 1), [])
     lead = text[max(0, a.start - 90) : a.start]
     if (stated := _GAP_BETWEEN.search(lead)) is not None:
         inside = [ids for m, ids in before if m.start >= a.start - len(lead) + stated.start()]
