@@ -13,6 +13,7 @@ from esg.dynamics.aim import aim_heading
 from esg.dynamics.cast import Cast
 from esg.dynamics.flights import flown_to
 from esg.dynamics.kinematics import ballistic_velocity, wrap_angle
+from esg.dynamics.stagecraft import support_of
 from esg.dynamics.story import REACH_BRAKE_DAMPING, Phase, turn_of
 from esg.engines.program import AdjustProperties, HoldVelocity, Primitive, SetVelocity
 from esg.engines.scene import Body
@@ -24,6 +25,8 @@ AFTER_HIT_DAMPING = 4.0
 
 STRAIGHT_S = 1.0
 """How long an actor drives on straight after a turn that nothing follows [s]."""
+SHAKEN_S = 0.15
+"""From the hit of a support until something on it sets off to fall [s]."""
 
 Values = dict[str, float]
 
@@ -86,6 +89,7 @@ class Composer(Cast):
         for k, phase in enumerate(phases):
             edge = phase.edge
             start = max(clock, self.node_time(phase.start, v, clock))
+            start = max(start, self._shaken_at(actor) if k == 0 else 0.0)
             end = self.phase_end(phase, v, start, duration)
             last = k + 1 == len(phases)
             if self.coasts(phase):
@@ -201,6 +205,21 @@ class Composer(Cast):
             until_contact=self._others(actor),
             climb=0.0,
         )
+
+    def _shaken_at(self, actor: str) -> float:
+        """When what stands on something that is hit first, and then falls off it, sets off [s]."""
+        first = self.story.phases[actor][0]
+        support = support_of(self.doc, actor)
+        if support is None or first.end.event is not NodeEvent.FALL:
+            return 0.0
+        for node in self.story.nodes.values():
+            if node.id == first.end.id:
+                break
+            if node.event is NodeEvent.COLLISION and support in node.participants:
+                told = self.nominal.get(f"{node.id}/event_time")
+                if told is not None and actor not in node.participants:
+                    return told + SHAKEN_S
+        return 0.0
 
     def _others(self, actor: str) -> tuple[str, ...]:
         """Everything whose touch ends a flight."""

@@ -115,6 +115,18 @@ def test_who_brakes_into_something_on_foot_slows_down_step_by_step() -> None:
     assert 1.0 < at_the_hit < 3.0
 
 
+def test_what_is_shaken_off_a_table_waits_for_the_hit_of_the_table() -> None:
+    """The lamp does not fall before the dog has run into what it stands on."""
+    doc = cast("A dog runs into the coffee table and the lamp falls off.")
+    hit = choreograph(doc).nominal["dog_1_coffee_table_1_collision/event_time"]
+    falls = next(p for p in first_program(doc) if isinstance(p, SetVelocity))
+    assert falls.body == "lamp_1"
+    assert falls.time == pytest.approx(hit + 0.15)
+    alone = next(p for p in first_program(cast("A lamp falls off a coffee table.")))
+    assert isinstance(alone, SetVelocity)
+    assert alone.time == 0.0
+
+
 def test_what_slides_is_braked_before_it_rests() -> None:
     """Friction stops a sled of a stated speed; its brake sets in while it slides."""
     doc = cast("A sled slides at 7 m/s, brakes and hits a snowman.")
