@@ -128,6 +128,10 @@ class World(Members):
 
     def _driven(self, m: Mention) -> list[str]:
         """ "The bus driver": the bus."""
+        return self._compound(m)
+
+    def _compound(self, m: Mention) -> list[str]:
+        """The vehicle that a phrase names before its head: "a car roof"; made if not yet there."""
         for a in m.adjectives:
             noun = lex.nouns().get(a)
             if noun is None or noun.kind not in ("vehicle", "flyer", "watercraft"):
@@ -153,6 +157,12 @@ class World(Members):
         """What a part belongs to: "the dog's tail", "the open door of a car", "its roof"."""
         owner = m.possessor
         body = m.head in BODY_PARTS
+        if m.part and m.determiner in ("a", "an", "one") and m.noun is not None:
+            same = [e for e in self.entities.values() if e.noun == m.noun and e.id not in avoid]
+            if len(same) == 1 and same[0].head == m.head and not m.adjectives:
+                return [same[0].id]  # "drives under a table and hits a table leg"
+        if owner is None and m.head in OWN_PARTS and not subject and self._compound(m):
+            return self._compound(m)
         if owner is None and m.head in _BODYWORK and m.determiner in ("the", "a"):
             cars = [e.id for e in self.entities.values() if e.noun.kind == "vehicle"]
             if m.attribute and not cars:  # "falls on the bonnet": of a car that is not named
@@ -230,6 +240,9 @@ class World(Members):
             return ids
         if "other" in m.adjectives or "remaining" in m.adjectives:
             last = self.salience[-1] if self.salience else []
+            among = {e.id for e in names}
+            if not avoid and self.subjects and not m.plural and set(self.subjects[-1]) <= among:
+                last = self.subjects[-1]  # "the cone hits another cone, and the other cone ..."
             rest = [e.id for e in names if e.id not in last and e.id not in avoid]
             return rest if m.plural else rest[:1]
         alike = [e for e in self.entities.values() if self._same_kind(m, e)]

@@ -40,6 +40,20 @@ def told(doc: EsgDocument) -> list[str]:
                 "Topple second_bicycle_1",
             ],
         ),
+        # the other one is not the subject of the clause before; parts belong to what is there
+        (
+            "A truck hits a traffic cone, the cone hits another cone, and the other cone hits a wall.",
+            [
+                "Collision truck_1 traffic_cone_1",
+                "Collision traffic_cone_1 traffic_cone_2",
+                "Collision traffic_cone_2 wall_1",
+            ],
+        ),
+        (
+            "A toy car drives under a table and hits a table leg.",
+            ["Collision toy_car_1 table_1"],
+        ),
+        ("A branch falls onto a car roof.", ["Collision branch_1 car_1"]),
         # one of many: bounded counts, and a plural whose member is named afterwards
         (
             "A bowling ball strikes ten pins and at least one of them falls.",
