@@ -163,9 +163,10 @@ class ClauseNouns(ClauseWords):
         if m.attribute and m.head in OWNED and m.determiner in ("its", "his", "her", "their"):
             self.attachments.append((subject.possessor or subject, Phrase("with", m)))
             return True
-        bare = m.attribute and m.head in PROPERTIES and not m.determiner and s.last is not None
-        if bare and s.boundary_kind == "conj" and not s.last.attribute:
-            self.attachments.append((s.last, Phrase("with", m)))  # "height 5 cm and radius 1 cm"
+        bare = m.attribute and m.head in PROPERTIES and not m.determiner
+        last = s.last
+        if bare and s.boundary_kind == "conj" and last is not None and not last.attribute:
+            self.attachments.append((last, Phrase("with", m)))  # "height 5 cm and radius 1 cm"
             return True
         told = s.frame is not None and s.frame.verb.sense in ("weigh", "measure") and s.boundary
         if told and not m.attribute and m is not subject:
@@ -269,9 +270,10 @@ class ClauseNouns(ClauseWords):
                 owner.possessor = phrase.mention  # "the speed of the car"
                 return
             last = s.last or s.subject
-            part = last is not None and last.head in OWN_PARTS - {"door"} and not last.possessor
-            if part and phrase.prep == "of" and phrase.mention is not None and not s.boundary:
-                last.possessor = phrase.mention  # "a wheel of the cart hits a stone"
+            owned = phrase.prep == "of" and phrase.mention is not None and not s.boundary
+            part = last if last is not None and last.head in OWN_PARTS - {"door"} else None
+            if owned and part is not None and not part.possessor:
+                part.possessor = phrase.mention  # "a wheel of the cart hits a stone"
                 return
             if s.subject is not None and noun_attached and not s.boundary:
                 self.attachments.append((s.last or s.subject, phrase))

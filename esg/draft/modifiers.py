@@ -30,6 +30,8 @@ _SET = {
     "ice": frozenset({"cold"}),
 }
 """Nouns and adjectives that only strengthen the adjective after them."""
+_MOST = 12
+"""Most words in front of a noun that are looked back over for its determiner."""
 _OWNERS = frozenset({"'s", "my", "your", "our", "his", "her", "its", "their"})
 
 
@@ -58,16 +60,21 @@ def join_modifiers(tokens: list[Token], text: str) -> list[Token]:
 
 def _opens(before: list[Token]) -> bool:
     """Whether modifiers of a noun can follow."""
-    if not before:
-        return False
-    last = before[-1]
-    if last.low in lex.DETERMINERS or last.low in _OWNERS:
-        return True
-    more = last.tag == "ADJ" and last.kind == "word" and not verb_readings(last.low)
-    more = more or _degree(last)
-    if last.text == "," and len(before) > 1 and before[-2].tag == "ADJ":
-        return len(before) > 2 and _opens(before[:-2])
-    return more and len(before) > 1 and _opens(before[:-1])
+    n = len(before)
+    for _ in range(_MOST):
+        if n <= 0:
+            return False
+        last = before[n - 1]
+        if last.low in lex.DETERMINERS or last.low in _OWNERS:
+            return True
+        if last.text == "," and n > 1 and before[n - 2].tag == "ADJ":
+            n -= 2
+            continue
+        plain = last.tag == "ADJ" and last.kind == "word" and not verb_readings(last.low)
+        if not plain and not _degree(last):
+            return False
+        n -= 1
+    return False
 
 
 def _modifier(tokens: list[Token], i: int) -> int:

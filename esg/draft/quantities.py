@@ -236,9 +236,9 @@ def _amount(m: re.Match[str]) -> Amount | None:
     else:
         low_a, low_b = low_a * factor, low_b * factor
     if groups.get("tol"):
-        tolerance = float(str(groups["tol"]).replace(",", "")) * factor
-        if groups.get("percent"):
-            tolerance = 0.01 * tolerance / factor * low_b
+        told = parse_number(str(groups["tol"]))
+        share = 0.01 * low_b if groups.get("percent") else factor
+        tolerance = told * share if isinstance(told, float) else 0.0
         low_a, low_b = low_a - tolerance, low_b + tolerance
     if groups.get("between") and not groups.get("hi"):
         start = m.start("lo")  # a lone "from" is a preposition

@@ -125,6 +125,8 @@ def _row(part: list[Element], label: str, things: list[Mention]) -> list[Element
     """A line of a sheet as a sentence; None if it cannot be one."""
     end = part[-1] if isinstance(part[-1], Word) and part[-1].low in _ENDS else None
     body = part[2 : -1 if end is not None else None]
+    if not body:
+        return None
     stop = Word(part[-1].end, part[-1].end, "punct", ".") if end is None else end
     heading = Word(part[0].start, part[1].end, "adv", "heading")
     if label == "event":

@@ -66,7 +66,7 @@ def settle_ambiguous(nodes: list[Draft], edges: list[TimelineEdge]) -> None:
             since = by_id.get(c.since or "") if c.quantity == "time_since" else None
             if since is None or since.event is not NodeEvent.TRIGGER or since.time is not None:
                 continue
-            own = since.participants[0] == n.participants[0]
+            own = since.participants[:1] == n.participants[:1]
             if own and not since.constraints and not since.after and since.id not in led_to:
                 since.time, since.time_prescribed = EARLY_S, True
 

@@ -139,6 +139,8 @@ def bounce_on(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
     reach, yaw = (along, 0.0) if along <= across else (across, math.pi / 2)
     stated = asked_height(stage, node, a)
     above = LETS_GO_M if stated is None else stated - top if stated > top else stated
+    if above <= 0.0:
+        return False
     falls = math.sqrt(2.0 * above / GRAVITY_MPS2)
     up = 0.5 * (pa.restitution + pb.restitution) * GRAVITY_MPS2 * falls
     back, height = _meets(stage, follows, pa, pc)

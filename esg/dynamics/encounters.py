@@ -15,10 +15,14 @@ from esg.dynamics.overtaking import cut_in
 from esg.dynamics.stage import FASTEST_MPS, Stage, speed_is_fixed
 from esg.dynamics.stagecraft import approach_distance, coasting_drag, min_hit_speed
 from esg.dynamics.story import Phase, bounds
+from esg.dynamics.throws import asked_height, drop_height, is_dropped
 from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
+from esg.units import GRAVITY_MPS2
 
 SLOWEST_MPS = 0.3
 """Least guessed speed of what meets in time where there is little room."""
+LONGEST_FALL_S = 1.5
+"""Longest time of a drop whose height is open: 11 m."""
 MEETING_HEIGHT_M = 1.2
 """Height at which bodies are thrown at each other."""
 AFTER_HIT_S, BEHIND_M = 1.2, 0.5
@@ -33,7 +37,14 @@ def waits_at_obstacle(stage: Stage, name: str) -> bool:
 
 
 def meeting(stage: Stage, node: TimelineNode, a: str, pa: Phase, b: str, pb: Phase) -> None:
-    """Two active bodies meet: one catches up with the other, or they run at each other."""
+    """Two active bodies meet: one catches up with the other, or they run at each other.
+
+    What is dropped is let go over the place that the other one has come to by then.
+    """
+    if is_dropped(pa) != is_dropped(pb):
+        falling, mover, phase = (a, b, pb) if is_dropped(pa) else (b, a, pa)
+        _dropped_onto(stage, node, falling, mover, phase)
+        return
     braking = [p.edge.event is EdgeEvent.BRAKE for p in (pa, pb)]
     leader = None if braking[0] != braking[1] else _goes_ahead(stage, node, a, b)
     rear = braking[0] != braking[1] or leader is not None or _same_direction(stage, a, b)
@@ -46,7 +57,7 @@ def meeting(stage: Stage, node: TimelineNode, a: str, pa: Phase, b: str, pb: Pha
     time = stage.prescribed_time(node)
     start = max(stage.tracks[a].time, stage.tracks[b].time)
     for actor, phase in ((a, pa), (b, pb)):
-        speed = stage.speed(actor, phase)
+        speed = max(stage.speed(actor, phase), SLOWEST_MPS)
         if time is not None and not phase.edge.speed_is_prescribed:
             # Where there is no room for the way of the whole time, it is slower.
             speed = max(speed * stage.tight, min(speed, SLOWEST_MPS))
@@ -72,6 +83,32 @@ def meeting(stage: Stage, node: TimelineNode, a: str, pa: Phase, b: str, pb: Pha
     for actor in (a, b):
         ox, oy = stage.frames[actor].apply(0.0, 0.0)
         stage.places[actor] = (ox, oy, stage.frames[actor].angle)
+
+
+def _dropped_onto(stage: Stage, node: TimelineNode, a: str, b: str, phase: Phase) -> None:
+    """A body falls onto another one that is on its way, `phase` being the other one's."""
+    pb, fall, track = stage.prop(b), stage.tracks[a], stage.tracks[b]
+    height, time = drop_height(stage, node, a, pb), stage.prescribed_time(node)
+    if time is not None and asked_height(stage, node, a) is None:
+        # It is let go at the start: the height is what takes so long.
+        height = 0.5 * GRAVITY_MPS2 * min(max(time - fall.time, 0.2), LONGEST_FALL_S) ** 2
+    fall.time += math.sqrt(2.0 * height / GRAVITY_MPS2)
+    speed = stage.speed(b, phase)
+    duration = max(0.2, fall.time - track.time)
+    if phase.edge.event is EdgeEvent.BRAKE:
+        way, duration, left = brake_into(stage, phase, track.speed or speed, fall.time, track.time)
+    else:
+        stage.nominal[f"{phase.edge.id}/speed"] = left = speed
+        way = covers(stage, b, phase, speed, duration)
+    track.straight(way, duration, left)
+    if stage.story.flies(b):
+        stage.heights.setdefault(b, MEETING_HEIGHT_M)
+    frame = stage.frames.setdefault(b, Frame())
+    stage.places.setdefault(b, (*frame.apply(0.0, 0.0), frame.angle + stage.reverse_yaw(b)))
+    x, y = frame.apply(track.x, track.y)
+    stage.places[a] = (x, y, 0.0)
+    stage.frames[a] = Frame(x, y, 0.0)
+    stage.heights[a] = stage.heights.get(b, 0.0) + pb.height + height
 
 
 def run_into(

@@ -87,8 +87,8 @@ def impact(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
 def _bounce(stage: Stage, node: TimelineNode, a: str, b: str, restitution: float) -> None:
     """A ball or puck that goes on to something else after a hit of a wall comes straight back.
 
-    What waits for it lies behind its start: how much of the speed along a wall friction takes in
-    a bounce is what engines agree on least. What is thrown meets the wall squarely, too, as it
+    What waits for it lies behind its start: engines differ in how much of the speed along a
+    wall friction takes in a bounce. What is thrown meets the wall squarely, too, as it
     neither rises nor falls. Where the time is too short for that, or the speed of a throw is
     stated, the wall is turned by `BOUNCE_RAD`, so that the way back does not lead over the start.
     """

@@ -127,11 +127,17 @@ def drop(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
         # Into the hoop, not onto its post.
         cx, cy, _ = region.center_cm
         x, y = Frame(x, y, yaw or 0.0).apply(cx / 100.0, cy / 100.0)
-    stated = asked_height(stage, node, a)
-    height = 1.0 if stated is None else stated
-    if stated is not None and stated > pb.height + LOW_DROP_M:
-        height = stated - pb.height  # a height is above the ground, if it can be
+    height = drop_height(stage, node, a, pb)
     stage.places[a] = (x, y, 0.0)
     stage.frames[a] = Frame(x, y, 0.0)
     stage.heights[a] = pb.height + height
-    stage.tracks[a].time += math.sqrt(2.0 * height / 9.81)
+    stage.tracks[a].time += math.sqrt(2.0 * height / GRAVITY_MPS2)
+
+
+def drop_height(stage: Stage, node: TimelineNode, a: str, target: Prop) -> float:
+    """Height [m] over its target from which a body is let go: as the prompt states, or a metre."""
+    stated = asked_height(stage, node, a)
+    if stated is None:
+        return 1.0
+    # A height is above the ground, if it can be.
+    return stated - target.height if stated > target.height + LOW_DROP_M else stated

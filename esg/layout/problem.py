@@ -16,15 +16,9 @@ from esg.layout.hints import StartHints
 from esg.layout.obstacles import CLEAR_HEIGHT_CM, Obstacle, Prism, obstacles
 from esg.layout.ordering import break_parent_cycles, implied_faces, placement_order
 from esg.layout.pairs import collision_pairs
+from esg.layout.roles import falling_nodes, ground_nodes
 from esg.layout.shapes import CIRCLE
-from esg.layout.supports import (
-    Shape,
-    SupportMap,
-    falling_nodes,
-    find_supports,
-    ground_nodes,
-    shapes,
-)
+from esg.layout.supports import Shape, SupportMap, find_supports, shapes
 from esg.layout.units import Unit, UnitBuilder
 
 PARAMS = 6

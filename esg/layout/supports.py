@@ -9,11 +9,11 @@ from typing import Literal
 from esg.graph.models import (
     AssetConfiguration,
     EsgDocument,
-    NodeEvent,
     RegionType,
     RelationType,
     SupportSurface,
 )
+from esg.layout.roles import ground_nodes
 from esg.layout.shapes import CIRCLE, Footprint, bounds, footprints
 
 REST_GAP_CM = 0.01
@@ -21,7 +21,6 @@ REST_GAP_CM = 0.01
 CEILING_CM = 260.0
 SHELF_THICKNESS_CM = 4.0
 """Room that a shelf and the air below it take from what stands on the next lower one."""
-GROUND_WORDS = ("ground", "floor", "terrain")
 
 Rect = tuple[float, float, float, float]
 
@@ -77,39 +76,6 @@ def shapes(doc: EsgDocument) -> dict[str, Shape]:
     """Returns the geometry of every node; instances of one asset share it."""
     per_asset = {k: shape_of(c) for k, c in doc.asset_configurations.items()}
     return {n: per_asset[v.asset_id] for n, v in doc.spatial_relation_graph.nodes.items()}
-
-
-def falling_nodes(doc: EsgDocument) -> frozenset[str]:
-    """Nodes that fall or topple in the story: they may start over the edge of what carries them."""
-    if doc.timeline_system is None:
-        return frozenset()
-    return frozenset(
-        n.participants[0]
-        for n in doc.timeline_system.sequence_graph.nodes
-        if n.event in (NodeEvent.FALL, NodeEvent.TOPPLE) and n.participants
-    )
-
-
-def ground_nodes(doc: EsgDocument) -> tuple[str, ...]:
-    """Structural nodes that are the ground itself: by name, else by what they are made of.
-
-    The name decides first, because roads and pitches are ground too in a wider sense.
-    """
-    graph = doc.spatial_relation_graph
-    structural = [n for n, node in graph.nodes.items() if node.is_structural]
-
-    def words(text: str) -> set[str]:
-        return set(text.lower().replace("_", " ").replace("-", " ").split())
-
-    named = tuple(n for n in structural if words(n) & set(GROUND_WORDS))
-    if named:
-        return named
-    out = []
-    for n in structural:
-        config = doc.asset_configurations[graph.nodes[n].asset_id]
-        if words(f"{config.category} {config.asset_name}") & set(GROUND_WORDS):
-            out.append(n)
-    return tuple(out[:1])
 
 
 TOP_CM = 2.0

@@ -12,7 +12,8 @@ import numpy as np
 from esg.graph.models import EsgDocument, RelationType
 from esg.layout.hints import Constellation, Corridor, StartHints
 from esg.layout.patterns import Pose2, arrange, is_domino_like
-from esg.layout.supports import Shape, SupportMap, falling_nodes, ground_nodes, stand_on
+from esg.layout.roles import falling_nodes, ground_nodes
+from esg.layout.supports import Shape, SupportMap, stand_on
 
 RIGID_PATTERNS = ("pins", "rack", "row", "column", "queue", "stack")
 

@@ -225,3 +225,13 @@ def test_a_domino_that_tips_stands_where_the_others_do() -> None:
 
 def test_streams_do_not_act() -> None:
     assert story("A jeep fords a stream, which glides past a buoy.") == []
+
+
+def test_an_event_that_a_sheet_leaves_open_is_no_line_of_it() -> None:
+    assert story("Ball: 2 kg, 3 m/s. Box: 3 kg. Event: . The ball hits the box.") == [
+        "Collision ball_1 box_1"
+    ]
+
+
+def test_a_noun_phrase_may_be_thousands_of_words_long() -> None:
+    assert story("A " + "very " * 2500 + "red ball hits a box.") == ["Collision red_ball_1 box_1"]

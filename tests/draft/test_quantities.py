@@ -156,3 +156,18 @@ def test_quantities_as_people_spell_them(text: str, dimension: str, value: float
 @pytest.mark.parametrize("text", ["a 16:9 picture at 12:30", "two stones fall", "a 1:24 scale car"])
 def test_what_only_looks_like_a_quantity(text: str) -> None:
     assert [a for a in find_amounts(text) if a.dimension in ("time", "mass")] == []
+
+
+@pytest.mark.parametrize(
+    ("text", "low", "high"),
+    [
+        ("5 m ± 1/2 m", 450.0, 550.0),
+        ("5 m plus or minus 1 1/2 m", 350.0, 650.0),
+        ("5 m give or take ½ m", 450.0, 550.0),
+        ("5 m +/- 1,5 m", 350.0, 650.0),
+        ("5 m ± 10 percent", 450.0, 550.0),
+    ],
+)
+def test_a_tolerance_is_a_number_like_any_other(text: str, low: float, high: float) -> None:
+    (amount,) = find_amounts(f"The gap is {text} wide.")
+    assert (amount.low, amount.high) == pytest.approx((low, high))

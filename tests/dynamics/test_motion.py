@@ -245,3 +245,26 @@ def test_what_accelerates_from_standstill_gets_there() -> None:
     """A start at no speed at all has a finite time of arrival."""
     doc = cast("A jeep accelerates from standstill and rams a barrier.")
     assert 0.5 < choreograph(doc).nominal["jeep_1_barrier_1_collision/event_time"] < 8.0
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A car drives forward at 5 m/s. A ball is dropped onto the car.",
+        "A car drives forward at 5 m/s. A ball is dropped onto the car from 6 m.",
+    ],
+)
+def test_what_is_dropped_onto_what_drives_is_let_go_where_it_will_be(prompt: str) -> None:
+    doc = cast(prompt)
+    spots = places(doc)
+    car, ball = spots["car_1"], spots["ball_1"]
+    assert ball.z_cm is not None
+    top = config(doc, "car_1").dimensions_cm[2]
+    height = (ball.z_cm - top) / 100.0
+    assert height == pytest.approx(1.0 if "6 m" not in prompt else 6.0 - top / 100.0)
+    way = math.hypot(ball.x_cm - car.x_cm, ball.y_cm - car.y_cm)
+    assert way == pytest.approx(500.0 * math.sqrt(2.0 * height / GRAVITY_MPS2), rel=0.01)
+
+
+def test_two_that_are_dropped_and_meet_are_planned_at_all() -> None:
+    assert places(cast("Two balls are dropped and collide with each other."))
