@@ -21,8 +21,9 @@ from esg.units import GRAVITY_MPS2
 
 SLOWEST_MPS = 0.3
 """Least guessed speed of what meets in time where there is little room."""
-LONGEST_FALL_S = 1.5
-"""Longest time of a drop whose height is open: 11 m."""
+LONGEST_FALL_S, LANDS_AFTER_S = 2.0, 0.4
+"""Longest time of a drop whose height is open (20 m), and from what its target does before to its
+end."""
 MEETING_HEIGHT_M = 1.2
 """Height at which bodies are thrown at each other."""
 AFTER_HIT_S, BEHIND_M = 1.2, 0.5
@@ -85,22 +86,27 @@ def meeting(stage: Stage, node: TimelineNode, a: str, pa: Phase, b: str, pb: Pha
         stage.places[actor] = (ox, oy, stage.frames[actor].angle)
 
 
-def _dropped_onto(stage: Stage, node: TimelineNode, a: str, b: str, phase: Phase) -> None:
-    """A body falls onto another one that is on its way, `phase` being the other one's."""
+def _dropped_onto(stage: Stage, node: TimelineNode, a: str, b: str, phase: Phase | None) -> None:
+    """A body falls onto another one that is on its way in `phase`, or rests where that is None."""
     pb, fall, track = stage.prop(b), stage.tracks[a], stage.tracks[b]
     height, time = drop_height(stage, node, a, pb), stage.prescribed_time(node)
-    if time is not None and asked_height(stage, node, a) is None:
+    if asked_height(stage, node, a) is None:
         # It is let go at the start: the height is what takes so long.
-        height = 0.5 * GRAVITY_MPS2 * min(max(time - fall.time, 0.2), LONGEST_FALL_S) ** 2
+        usual = max(math.sqrt(2.0 * height / GRAVITY_MPS2), track.time - fall.time + LANDS_AFTER_S)
+        lasts = usual if time is None else max(time - fall.time, 0.2)
+        height = 0.5 * GRAVITY_MPS2 * min(lasts, LONGEST_FALL_S) ** 2
     fall.time += math.sqrt(2.0 * height / GRAVITY_MPS2)
-    speed = stage.speed(b, phase)
-    duration = max(0.2, fall.time - track.time)
-    if phase.edge.event is EdgeEvent.BRAKE:
-        way, duration, left = brake_into(stage, phase, track.speed or speed, fall.time, track.time)
-    else:
-        stage.nominal[f"{phase.edge.id}/speed"] = left = speed
-        way = covers(stage, b, phase, speed, duration)
-    track.straight(way, duration, left)
+    if phase is not None:
+        speed = stage.speed(b, phase)
+        duration = max(0.2, fall.time - track.time)
+        if phase.edge.event is EdgeEvent.BRAKE:
+            before = track.speed or speed
+            way, duration, left = brake_into(stage, phase, before, fall.time, track.time)
+        else:
+            stage.nominal[f"{phase.edge.id}/speed"] = left = speed
+            way = covers(stage, b, phase, speed, duration)
+        track.straight(way, duration, left)
+    stage.time[node.id] = max(fall.time, track.time)
     if stage.story.flies(b):
         stage.heights.setdefault(b, MEETING_HEIGHT_M)
     frame = stage.frames.setdefault(b, Frame())
@@ -124,6 +130,9 @@ def run_into(
         front: Who met the obstacle.
         lead: Its phase that ends there, None where it rests.
     """
+    if is_dropped(chase):
+        _dropped_onto(stage, node, behind, front, lead)
+        return
     rear, ahead = stage.tracks[behind], stage.tracks[front]
     speed = stage.speed(behind, chase, min_hit_speed(stage.prop(behind), stage.prop(front)))
     time = stage.prescribed_time(node) or ahead.time + AFTER_HIT_S

@@ -266,5 +266,15 @@ def test_what_is_dropped_onto_what_drives_is_let_go_where_it_will_be(prompt: str
     assert way == pytest.approx(500.0 * math.sqrt(2.0 * height / GRAVITY_MPS2), rel=0.01)
 
 
+@pytest.mark.parametrize("met", ["wall", "cone"])
+def test_what_is_dropped_onto_what_ran_into_something_falls_for_long_enough(met: str) -> None:
+    doc = cast(f"A car hits a {met}, then a box is dropped onto the car.")
+    top = config(doc, "car_1").dimensions_cm[2]
+    falls = math.sqrt(2.0 * (places(doc)["box_1"].z_cm - top) / 100.0 / GRAVITY_MPS2)
+    nominal = choreograph(doc).nominal
+    assert nominal["box_1_car_1_collision/event_time"] == pytest.approx(falls)
+    assert falls > nominal[f"car_1_{met}_1_collision/event_time"] + 0.3
+
+
 def test_two_that_are_dropped_and_meet_are_planned_at_all() -> None:
     assert places(cast("Two balls are dropped and collide with each other."))
