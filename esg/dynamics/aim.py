@@ -150,12 +150,30 @@ def _past_what_stands_on(
             at = float(side @ (middle - goal))
             wide = float(np.hypot(*body.half_extents[:2])) + reach
             taken.append((at - wide, at + wide))
-    corners = np.array([(x, y) for x in (low[0], high[0]) for y in (low[1], high[1])])
-    ends = [float(v) for v in (side @ (corners - goal).T)[[0, -1]]]
-    room = max(0.0, min(max(ends), -min(ends)) - reach)
+    room = max(0.0, _to_the_edge(target, goal, side) - reach)
     tries = sorted([0.0, *(end for pair in taken for end in pair)], key=lambda d: (abs(d), d))
     free = [d for d in tries if abs(d) <= room and not any(a < d < b for a, b in taken)]
     return (free[0] if free else 0.0) * side
+
+
+def _to_the_edge(body: Body, point: Floats, along: Floats) -> float:
+    """Way [m] from a point over a body to the nearer edge of its box, along a line both ways.
+
+    Args:
+        body: It stands upright.
+        point: World point [m], shape [2].
+        along: Unit vector in the plane, shape [2].
+    """
+    turn = np.array(body.quaternion) * (-1.0, -1.0, -1.0, 1.0)
+    to_body = np.array([*point, body.position[2]]) - np.array(body.position)
+    at = (quat_rotate(turn, to_body) - np.array(body.origin_offset))[:2]
+    way = quat_rotate(turn, np.array([*along, 0.0]))[:2]
+    ends = [
+        (half - abs(p)) / abs(w)
+        for half, p, w in zip(body.half_extents, at, way, strict=False)
+        if abs(w) > 1e-6
+    ]
+    return float(min(ends))
 
 
 def next_goal(scene: SimScene, story: Story, node_id: str, body: str) -> Floats | None:

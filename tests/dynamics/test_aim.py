@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+import math
 
 import numpy as np
 import pytest
@@ -11,17 +12,18 @@ from esg.dynamics import build_scene
 from esg.dynamics.plan import Plan, make_plan
 from esg.engines.base import get_engine
 from esg.engines.program import batch_programs
-from esg.engines.scene import Body, Shape
+from esg.engines.scene import Body, Shape, SimScene
+from esg.units import quat_multiply, quat_rotate
 from tests.dynamics import stories
 from tests.dynamics.stage import lay_out
 
 RADIUS_M = 0.04
 
 
-def crowded(*across: float, height: float = 0.15) -> tuple[Plan, np.ndarray]:
+def crowded(*across: float, height: float = 0.15, turn_deg: float = 0.0) -> tuple[Plan, np.ndarray]:
     """A throw at a table with bottles that far across its middle; the way the throw leads."""
     doc = lay_out(stories.throw_hits_table_at_1s(), 1)
-    scene = build_scene(doc)
+    scene = turned(build_scene(doc), math.radians(turn_deg))
     ball, table = scene.body("b_1"), scene.body("table_1")
     way = np.array(table.position)[:2] - np.array(ball.position)[:2]
     way = way / np.linalg.norm(way)
@@ -40,6 +42,21 @@ def crowded(*across: float, height: float = 0.15) -> tuple[Plan, np.ndarray]:
         for k, at in enumerate(across)
     )
     return make_plan(doc, scene.with_bodies((*scene.bodies, *bottles)), seed=0), way
+
+
+def turned(scene: SimScene, angle: float) -> SimScene:
+    """All of a scene turned about the world's vertical axis."""
+    q = np.array([0.0, 0.0, math.sin(angle / 2), math.cos(angle / 2)])
+    return scene.with_bodies(
+        tuple(
+            replace(
+                b,
+                position=tuple(quat_rotate(q, np.array(b.position)).tolist()),
+                quaternion=tuple(quat_multiply(q, np.array(b.quaternion)).tolist()),
+            )
+            for b in scene.bodies
+        )
+    )
 
 
 def touched_first(plan: Plan) -> str:
@@ -71,6 +88,13 @@ def test_a_throw_passes_beside_what_stands_on_its_target(bottles: tuple[float, .
     radius = plan.scene.body("b_1").half_extents[0]
     assert min(abs(at - b) for b in bottles) > radius + RADIUS_M
     assert touched_first(plan) == "table_1"
+
+
+@pytest.mark.parametrize("turn_deg", [0.0, 30.0, 45.0, 90.0, 135.0])
+def test_a_throw_passes_beside_it_in_every_direction(turn_deg: float) -> None:
+    plan, way = crowded(0.0, turn_deg=turn_deg)
+    level, its = crowded(0.0)
+    assert across(plan, way) == pytest.approx(across(level, its), abs=1e-3)
 
 
 def test_a_target_without_a_clear_place_is_aimed_at_straight() -> None:
