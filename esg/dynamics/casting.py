@@ -12,11 +12,12 @@ import math
 
 from esg.dynamics.bounces import let_go_sideways, lively_tops
 from esg.dynamics.containers import fit_containers, resized, with_assets
+from esg.dynamics.demands import passed_on, run_on_speed
 from esg.dynamics.fitting import fit_motion
 from esg.dynamics.openings import fit_openings
 from esg.dynamics.stagecraft import climb_height, prop, support_of, top_surface
 from esg.dynamics.story import Phase, Story, bounds, read_story
-from esg.dynamics.toppling import LIGHTEST, fit_toppled, launched, scaled
+from esg.dynamics.toppling import LIGHTEST, fastest, fit_toppled, hits, launched, scaled
 from esg.graph.models import (
     AssetConfiguration,
     EdgeEvent,
@@ -71,6 +72,7 @@ def fit_assets(doc: EsgDocument) -> EsgDocument:
     doc = with_assets(doc, _springy(doc, story))
     doc = with_assets(doc, lively_tops(doc, story))
     doc = with_assets(doc, _for_transfer(doc, story))
+    doc = with_assets(doc, _for_pushes(doc, story))
     return fit_toppled(doc, story)
 
 
@@ -230,6 +232,49 @@ def _for_transfer(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguratio
             if share != 1.0:
                 out[key] = scaled(doc.asset_configurations[key], share)
     return out
+
+
+def _for_pushes(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]:
+    """Masses at which what is run into slides or rolls on to what it shall hit: a parked truck.
+
+    Of v_b = (1 + e) m_a / (m_a + m_b) v_a at the highest speed that the mover may have.
+    """
+    nodes = doc.spatial_relation_graph.nodes
+    out: dict[str, AssetConfiguration] = {}
+    for node, a, b in hits(doc, story):
+        keys = nodes[a].asset_id, nodes[b].asset_id
+        first, second = prop(doc, a), prop(doc, b)
+        if story.is_active(b) or not story.is_active(a) or second.fixed or keys[0] == keys[1]:
+            continue
+        if story.topples(b) or not _pushed_into(story, node, b):
+            continue
+        speed = ARRIVES * fastest(story, a, node.id)
+        more = run_on_speed(second) / max(passed_on(first, second) * speed, 1e-9)
+        if more <= 1.0:
+            continue
+        share = min(more * first.mass / (first.mass + second.mass), ARRIVES)
+        factor = (1.0 / share - 1.0) * first.mass / second.mass
+        target = mover = 1.0
+        if not doc.asset_requirement[keys[1]].mass_is_prescribed:
+            target = max(math.sqrt(factor), LIGHTEST)
+        if not doc.asset_requirement[keys[0]].mass_is_prescribed:
+            mover = min(target / factor, HEAVIEST)
+        if not doc.asset_requirement[keys[1]].mass_is_prescribed:
+            target = max(min(mover * factor, 1.0), LIGHTEST)
+        for key, times in zip(keys, (mover, target), strict=True):
+            if times != 1.0:
+                out[key] = scaled(doc.asset_configurations[key], times)
+    return out
+
+
+def _pushed_into(story: Story, node: TimelineNode, b: str) -> bool:
+    """Whether what is hit goes on to hit something that does not move by itself."""
+    return any(
+        n.event is NodeEvent.COLLISION
+        and b in n.participants
+        and not any(story.is_active(p) for p in n.participants)
+        for n in story.after(node.id)
+    )
 
 
 def _transfers(story: Story) -> list[tuple[TimelineNode, str, str, float]]:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
+
 from esg.dynamics.stage import Stage
-from esg.dynamics.stagecraft import Prop, fall_speed
+from esg.dynamics.stagecraft import Prop, coasting_drag, fall_speed
 from esg.dynamics.tipping import topple_speed
 from esg.graph.models import NodeEvent, TimelineNode
 
@@ -11,6 +13,11 @@ KEPT = 0.77
 """Share of its speed that something struck has when it meets the next thing."""
 FELT_NS, FELT_MPS = 0.25, 2.5
 """Impulse of a hit that surely counts, and the highest speed that is asked for it alone."""
+FELT_SPARE = 1.2
+"""Over the speed of such a hit: a light thing loses some on its way there."""
+RUN_ON_M, RUN_ON_S = 0.2, 0.28
+"""Way on which something struck surely gets to what stands ahead of it, and time it slides at
+least: two hits closer than a tenth of a second are one."""
 BACK_KEPT, LEAST_BACK = 0.9, 0.2
 """The same of what bounced off something, and the least share that counts as coming back."""
 
@@ -24,6 +31,20 @@ def passed_on(mover: Prop, target: Prop) -> float:
 def felt(mover: Prop, target: Prop) -> float:
     """Impulse of a hit of two free bodies over its speed [kg]."""
     return passed_on(mover, target) * target.mass
+
+
+def felt_speed(mover: Prop, target: Prop) -> float:
+    """Speed [m/s] with which something light sets out so that its hit surely counts: a marble."""
+    whole = (1.0 + 0.5 * (mover.restitution + target.restitution)) * mover.mass
+    return FELT_SPARE * FELT_NS / max(whole if target.fixed else felt(mover, target), 1e-9)
+
+
+def run_on_speed(body: Prop) -> float:
+    """Least speed [m/s] after a hit of what shall get to the next thing; 0 for what rolls."""
+    if body.rolls:
+        return 0.0
+    drag = coasting_drag(body)
+    return max(math.sqrt(2.0 * drag * RUN_ON_M), RUN_ON_S * drag)
 
 
 def thrown_back_share(restitution: float, *, rolling: bool) -> float:
@@ -73,13 +94,16 @@ def _after(stage: Stage, node: TimelineNode, b: str, kept: float) -> float:
         if later.event is not NodeEvent.COLLISION or b not in keys or not others:
             continue
         c = others[0]
-        if c in stage.tracks or stage.prop(c).fixed:
-            return 0.0
         body, target, name = stage.prop(b), stage.prop(c), stage.member(c)
+        if c in stage.tracks:
+            return 0.0
+        runs = 0.0 if b in stage.tracks else run_on_speed(body)
+        if target.fixed:
+            return runs
         needed = max(demanded(stage, later, b, c), _felt(body, target))
         if stage.story.topples(name):
             needed = max(needed, topple_speed(body, target, flies=False))
         if stage.story.falls(name):
             needed = max(needed, fall_speed(body, target))
-        return needed / kept
+        return max(needed / kept, runs)
     return 0.0

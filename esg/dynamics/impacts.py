@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from esg.dynamics.demands import thrown_back_share
+from esg.dynamics.demands import KEPT, thrown_back_share
 from esg.dynamics.flights import hits_level, slowed, thrown_back
 from esg.dynamics.kinematics import (
     Frame,
@@ -34,13 +34,15 @@ from esg.units import GRAVITY_MPS2
 
 THROWN_BACK = 0.3
 """Share of its speed from which something that hits a heavier body counts as thrown back."""
-APART_S = 0.14
+APART_S = 0.16
 """Least time between two hits of a chain."""
 DOWN_S, FALLEN, THIN_FALLEN = 0.3, 0.85, 0.7
 """Time in which a struck body falls over, and the shares of its height that are out of its reach
 until it is down: of a broad body, and of one thin as a domino, which slides less."""
 FARTHEST_AHEAD = 1.2
 """Longest way, over its height, that the base of a body runs ahead while it tips back."""
+LEAST_LEFT = 0.3
+"""Least share of its speed that is reckoned with where something has slid to what it hits."""
 BALL_GAP, NARROW = 0.45, 1.5
 """Share of the usual gap between balls of a chain; narrow things, in ball's widths, are as near."""
 BOUNCE_RAD, BOUNCE_KEPT = math.radians(25.0), 0.75
@@ -207,12 +209,21 @@ def chain(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
         jitter = 0.0
     off = beside_the_middle(pa, pb, track.heading - yaw)
     jitter = -off if off else jitter
-    reach = gap + pa.half_length + half_along(pb.length, pb.width, yaw - track.heading)
+    # What was met broadside goes on broadside.
+    ahead = pa.half_length
+    if a in stage.places:
+        ahead = half_along(pa.length, pa.width, stage.places[a][2] - track.heading)
+    reach = gap + ahead + half_along(pb.length, pb.width, yaw - track.heading)
     reach = _landing(stage, node, a, b, track.speed) or reach
     c, s = math.cos(track.heading), math.sin(track.heading)
     stage.places[b] = (track.x + reach * c - jitter * s, track.y + reach * s + jitter * c, yaw)
     bring_support(stage, b, stage.places[b][0], stage.places[b][1], track.heading)
-    track.straight(gap, gap / max(track.speed, 0.1), track.speed)
+    left = track.speed
+    if not (pa.rolls or stage.airborne or _falls_before(stage, node, a)):
+        # It slides there, and arrives turned or tilted.
+        slower = math.sqrt(max(left**2 - 2.0 * _drag(stage, pa) * gap, (LEAST_LEFT * left) ** 2))
+        left = slower if pa.wheeled else KEPT * slower
+    track.straight(gap, gap / max(0.5 * (track.speed + left), 0.1), left)
 
 
 def _drag(stage: Stage, body: Prop) -> float:

@@ -6,7 +6,7 @@ import math
 
 from esg.dynamics.bounces import bounce_on
 from esg.dynamics.caroms import carom, is_carom
-from esg.dynamics.demands import demanded
+from esg.dynamics.demands import demanded, felt_speed
 from esg.dynamics.encounters import brake_into, covers, meeting, run_into, waits_at_obstacle
 from esg.dynamics.falls import can_land, land, tip_onto
 from esg.dynamics.flights import bank, banked_into, flies_on, leaves, took_off
@@ -177,6 +177,8 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
     if stage.story.falls(stage.member(b)) and phase.edge.event is EdgeEvent.TOWARD:
         needed = max(needed, fall_speed(pa, pb))
     needed = max(needed, demanded(stage, node, a, b))
+    if not chained:
+        needed = max(needed, felt_speed(pa, pb))
     speed = stage.speed(a, phase, max(least, needed), needed)
     if again and not phase.edge.speed_is_prescribed:
         # Gently: the next one is to find it.

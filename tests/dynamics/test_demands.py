@@ -12,7 +12,7 @@ from esg.dynamics import fit_assets
 from esg.dynamics.choreography import choreograph
 from esg.dynamics.demands import FELT_NS, felt, passed_on, thrown_back_share
 from esg.dynamics.impacts import FARTHEST_AHEAD
-from esg.dynamics.stagecraft import prop
+from esg.dynamics.stagecraft import coasting_drag, prop
 from esg.dynamics.story import read_story
 from esg.dynamics.tipping import topple_speed
 from esg.dynamics.toppling import carried, fastest
@@ -125,3 +125,64 @@ def test_what_is_hit_below_its_centre_has_room_to_tip_back_while_its_base_runs_a
     speed = passed_on(board, can) * nominal(doc, "skateboard_1")
     ahead = math.sqrt(can.height / GRAVITY_MPS2) * speed
     assert gap > 0.95 * min(ahead, FARTHEST_AHEAD * can.height) > 0.86 * can.height
+
+
+def test_a_marble_is_fast_enough_for_its_hit_to_be_felt() -> None:
+    doc = cast("The first domino falls over after being hit by a marble.")
+    marble, domino = prop(doc, "marble_1"), prop(doc, "domino_1")
+    assert felt(marble, domino) * nominal(doc, "marble_1") > 1.1 * FELT_NS
+
+
+@pytest.mark.parametrize(
+    ("prompt", "mover", "pushed"),
+    [
+        (
+            "A shopping cart rolls into a parked van and the van is pushed into a wall.",
+            "shopping_cart_1",
+            "van_1",
+        ),
+        (
+            "A runaway cart hits a parked car, and the car is pushed into a fence.",
+            "cart_1",
+            "car_1",
+        ),
+    ],
+)
+def test_what_is_pushed_on_by_something_light_is_light_enough_for_that(
+    prompt: str, mover: str, pushed: str
+) -> None:
+    doc, usual = cast(prompt), resolve(draft(prompt))
+    a, b = prop(doc, mover), prop(doc, pushed)
+    assert b.mass < 0.95 * prop(usual, pushed).mass
+    assert b.mass > 0.29 * prop(usual, pushed).mass
+    reach = (passed_on(a, b) * nominal(doc, mover)) ** 2 / (2.0 * coasting_drag(b))
+    assert reach > 0.1
+
+
+def test_what_was_met_broadside_stands_a_short_way_before_what_it_is_pushed_into() -> None:
+    doc = cast("A runaway trailer hits a parked truck, and the truck is pushed into a gate.")
+    told = choreograph(doc)
+    at = {p.node: p for k in told.hints.constellations for p in k.placements}
+    trailer, truck, gate = (prop(doc, n) for n in ("trailer_1", "truck_1", "gate_1"))
+    between = math.dist(
+        (at["truck_1"].x_cm, at["truck_1"].y_cm), (at["gate_1"].x_cm, at["gate_1"].y_cm)
+    )
+    gap = between / 100.0 - 0.5 * truck.width - 0.5 * gate.length
+    reach = (passed_on(trailer, truck) * nominal(doc, "trailer_1")) ** 2
+    assert 0.0 < gap < 0.8 * reach / (2.0 * coasting_drag(truck))
+
+
+def test_a_chain_of_light_things_reckons_with_what_sliding_costs() -> None:
+    doc = cast(
+        "A truck hits a traffic cone at 5 m/s, the cone hits a second cone, "
+        "and the second cone hits a barrel."
+    )
+    at = {p.node: p for k in choreograph(doc).hints.constellations for p in k.placements}
+    first, second, last = (
+        (at[n].x_cm / 100.0, at[n].y_cm / 100.0)
+        for n in ("traffic_cone_1", "second_cone_1", "barrel_1")
+    )
+    # PhysX at 240 Hz: the second cone comes to rest after 0.88 m.
+    cone, barrel = prop(doc, "second_cone_1"), prop(doc, "barrel_1")
+    assert math.dist(second, last) - 0.5 * cone.length - 0.5 * barrel.width < 0.75
+    assert math.dist(first, second) > 1.5
