@@ -127,7 +127,7 @@ def parse_number(text: str) -> float | tuple[float, float] | None:
     for word in re.split(r"[\s-]+", t):
         if word in ("and", "a", "an", ""):
             continue
-        if word.isdigit():
+        if word.isdecimal():
             seen, current = True, current + float(word)
             continue
         if word == "quarter":

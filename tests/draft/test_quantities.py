@@ -6,6 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 import pytest
 
+from esg.draft import draft
 from esg.draft.numerals import parse_number
 from esg.draft.quantities import find_amounts
 
@@ -171,3 +172,10 @@ def test_what_only_looks_like_a_quantity(text: str) -> None:
 def test_a_tolerance_is_a_number_like_any_other(text: str, low: float, high: float) -> None:
     (amount,) = find_amounts(f"The gap is {text} wide.")
     assert (amount.low, amount.high) == pytest.approx((low, high))
+
+
+def test_a_unit_without_its_number_is_no_quantity() -> None:
+    """The raised two of "m/s²" is a digit, and no number."""
+    assert parse_number("²") is None
+    doc = draft("A cart brakes at m/s² from 9 m/s and hits a wall.")
+    assert doc.timeline_system is not None
