@@ -21,6 +21,8 @@ HARD_BRAKE = 2.5
 OVERLAP = 0.3
 """Offset of the two at the hit, as a share of the other's half width."""
 LONGEST_S = 6.0
+SLOWER = 0.9
+"""Speed of who was overtaken, at most, over the other's."""
 
 
 def overtake(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) -> bool:
@@ -70,7 +72,9 @@ def cut_in(
     rear, ahead = stage.tracks[behind], stage.tracks[front]
     side, back = stage.prop(front), stage.prop(behind)
     _, passed, place = stage.overtaken[behind]
-    fast, slow = ahead.speed, stage.nominal[f"{chase.edge.id}/speed"]
+    fast, key = ahead.speed, f"{chase.edge.id}/speed"
+    # What goes on after it was overtaken is still the slower one.
+    slow = stage.nominal.setdefault(key, min(stage.speed(behind, chase), SLOWER * fast))
     reach = side.half_length + back.half_length
     gained = (fast - slow) * (ahead.time - passed)
     wait = 0.0

@@ -79,7 +79,9 @@ def _cue_run(stage: Stage, chain: list[str]) -> tuple[float, float] | None:
 
 
 def _least(stage: Stage, chain: list[str]) -> float:
-    """Speed [m/s] below which the first hit of a shot would not count."""
+    """Speed [m/s] below which the first hit of a shot would not count; 0 where it hits none."""
+    if len(chain) < 2:
+        return 0.0
     return COUNTS * min_hit_speed(stage.prop(chain[-1]), stage.prop(chain[-2]))
 
 

@@ -131,9 +131,9 @@ def slope_of(doc: EsgDocument, name: str) -> Slope | None:
         return None
     x = np.linspace(start + 1e-3, end - 1e-3, count)
     z = np.max([_top(c[:, [0, 2]], x) for c in parts], axis=0)
-    fall = -np.diff(np.concatenate([[surface.center_cm[2]], z]))
     if not np.isfinite(z).all() or z[-1] > min(100.0 * LIP_M, 0.5 * surface.center_cm[2]):
         return None
+    fall = -np.diff(np.concatenate([[surface.center_cm[2]], z]))
     if fall.max() > STEEPEST * (x[1] - x[0]) + 1.0 or fall.min() < -0.5:
         return None
     return Slope(x / 100.0, z / 100.0)

@@ -278,3 +278,15 @@ def test_what_is_dropped_onto_what_ran_into_something_falls_for_long_enough(met:
 
 def test_two_that_are_dropped_and_meet_are_planned_at_all() -> None:
     assert places(cast("Two balls are dropped and collide with each other."))
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A truck is driving in the left lane at 15 m/s. A car in the right lane overtakes it, cuts "
+        "in and brakes. The truck hits the car from behind. Then it is hit by a ball.",
+        "Every second a ball drops into the bucket, three in all. A car crashes into it after that.",
+    ],
+)
+def test_stories_that_go_on_after_their_usual_end_are_planned(prompt: str) -> None:
+    assert places(cast(prompt))

@@ -28,7 +28,7 @@ from esg.dynamics.stagecraft import prop
 from esg.dynamics.story import read_story
 from esg.engines.base import get_engine
 from esg.engines.program import batch_programs
-from esg.graph.models import AssetConfiguration, EsgDocument
+from esg.graph.models import AssetConfiguration, EsgDocument, Proxy, ProxyKind
 from esg.layout import solve
 from esg.units import GRAVITY_MPS2
 
@@ -55,6 +55,20 @@ def test_a_ramp_and_a_chute_have_a_slope_stairs_and_tables_have_none() -> None:
     chute = slope_of(cast("A ball rolls down a chute and hits a box."), "chute_1")
     assert chute is not None
     assert chute.steepness > ramp.steepness
+
+
+def test_a_gap_before_a_surface_is_no_slope() -> None:
+    doc = cast("A ball rolls down a ramp and hits a box.")
+    key = doc.spatial_relation_graph.nodes["ramp_1"].asset_id
+    ramp = doc.asset_configurations[key]
+    boxes = tuple(
+        Proxy(kind=ProxyKind.BOX, size_cm=(5, 50, 2), position_cm=(x, 0, z))
+        for x, z in ((-100, 78), (100, 2))
+    )
+    apart = ramp.model_copy(update={"proxies": boxes})
+    doc = doc.model_copy(update={"asset_configurations": {**doc.asset_configurations, key: apart}})
+    with np.errstate(invalid="raise"):
+        assert slope_of(doc, "ramp_1") is None
 
 
 def test_a_ramp_is_one_piece_so_that_nothing_catches_on_a_seam() -> None:
