@@ -18,7 +18,7 @@ from esg.dynamics.slopes import fastest_down, rides
 from esg.dynamics.stage import FASTEST_MPS
 from esg.dynamics.stagecraft import Prop, fall_speed, prop
 from esg.dynamics.story import Story, bounds
-from esg.dynamics.tipping import stand_of, topple_speed
+from esg.dynamics.tipping import first_touch, stand_of, topple_speed
 from esg.graph.models import (
     AssetConfiguration,
     EdgeEvent,
@@ -44,6 +44,9 @@ HARD_MPS = 12.0
 """Speed from which on a hit is a hard one."""
 USUAL_CARRIED_MPS = 3.0
 """Speed with which something that was struck arrives at the next thing, where it is open."""
+SLOW_MPS, SLOPES, LOADED = 4.0, 0.1, 2.5
+"""Highest speed of a slow hit, how far down it points at least on a slope, and the largest share
+of its mass that what is hit so is given."""
 LARGER = (1.25, 1.5, 2.0)
 """Factors on the size of a mover that comes in all sizes."""
 STATED_SIZE = re.compile(r"\b(tall|large|big|huge|giant|enormous|massive|full[- ]size[d]?)\b")
@@ -78,7 +81,7 @@ def fit_toppled(doc: EsgDocument, story: Story) -> EsgDocument:
         story: Its timeline.
     """
     for knock in _knocks(doc, story):
-        doc = _fitted(doc, story, knock)
+        doc = _not_overrun(_fitted(doc, story, knock), story, knock)
     return doc
 
 
@@ -181,6 +184,30 @@ def _fitted(doc: EsgDocument, story: Story, knock: Knock) -> EsgDocument:
         if found is not None:
             return _changed(_thrown(doc, knock.mover), keys[1], *found)
     return _changed(doc, keys[1], 1.0, LIGHTEST if free_mass else 1.0)
+
+
+def _not_overrun(doc: EsgDocument, story: Story, knock: Knock) -> EsgDocument:
+    """A struck ball no heavier than the slope (a cone) that it knocks over, where masses allow.
+
+    A slow heavier ball presses a slope down and drives it ahead, which sets it upright again. One
+    of its mass stays behind.
+    """
+    mover, target = prop(doc, knock.mover), prop(doc, knock.target)
+    nodes = doc.spatial_relation_graph.nodes
+    keys = nodes[knock.mover].asset_id, nodes[knock.target].asset_id
+    wanted = [doc.asset_requirement[k] for k in keys]
+    if not story.topples(knock.target) or story.is_active(knock.mover) or not mover.rolls:
+        return doc
+    if target.fixed or knock.limit > SLOW_MPS or any(r.mass_is_prescribed for r in wanted):
+        return doc
+    stand = stand_of(target)
+    touch = first_touch(mover, target, stand, flies=False)
+    if touch is None or touch.height < stand.height or touch.normal[1] > -SLOPES:
+        return doc
+    lighter = min(max(target.mass / mover.mass, LIGHTEST), 1.0)
+    heavier = min(max(lighter * mover.mass / target.mass, 1.0), LOADED)
+    doc = _changed(doc, keys[0], 1.0, lighter)
+    return _changed(doc, keys[1], 1.0, heavier)
 
 
 def _felt_mass(mover: Prop, target: Prop, speed: float) -> float:
