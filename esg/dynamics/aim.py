@@ -150,6 +150,9 @@ def _past_what_stands_on(
             at = float(side @ (middle - goal))
             wide = float(np.hypot(*body.half_extents[:2])) + reach
             taken.append((at - wide, at + wide))
+    if not taken or not side.any():
+        # Room for it, or straight above: there is no across.
+        return np.zeros(2)
     room = max(0.0, _to_the_edge(target, goal, side) - reach)
     tries = sorted([0.0, *(end for pair in taken for end in pair)], key=lambda d: (abs(d), d))
     free = [d for d in tries if abs(d) <= room and not any(a < d < b for a, b in taken)]
