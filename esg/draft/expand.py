@@ -131,6 +131,20 @@ def _fill_targets(scene: Scene, reasons: list[str]) -> None:
             scene.supported_by.setdefault(actor, table)
 
 
+def _says_roll(prompt: str) -> bool:
+    return re.search(r"\broll", prompt.lower()) is not None
+
+
+def _throw_instead(scene: Scene, k: int) -> None:
+    """Makes a throw of the timeline's k-th motion, which was to roll or slide."""
+    from esg.graph.models import ForceDirection
+
+    edge = scene.timeline.edges[k]
+    params = edge.params.model_copy(update={"spin": "none", "elevation_deg": (-10.0, 60.0)})
+    scene.timeline.edges[k] = edge.model_copy(update={"params": params})
+    scene.timeline.tracks[edge.actor].direction = ForceDirection.ANY_3D
+
+
 def _elevated_targets(scene: Scene, prompt: str) -> None:
     """A body on the ground cannot hit what stands on a table or hangs: it is thrown instead."""
     raised = {
@@ -141,41 +155,33 @@ def _elevated_targets(scene: Scene, prompt: str) -> None:
         and scene.world.entities[host].noun.dimensions_cm[2] > 25.0
         and "incline" not in scene.world.entities[host].noun.traits
     }
-    if re.search(r"\broll", prompt.lower()) is None:
+    if not _says_roll(prompt):
         raised |= {i for i, e in scene.world.entities.items() if e.noun.kind == "hoop"}
-    from esg.graph.models import ForceDirection
-
-    edges = scene.timeline.edges
-    for k, edge in enumerate(edges):
+    for k, edge in enumerate(scene.timeline.edges):
         if (
             edge.target in raised
             and edge.actor not in scene.supported_by
             and edge.event.value == "Toward"
             and edge.params.spin in ("roll", "slide")
         ):
-            params = edge.params.model_copy(update={"spin": "none", "elevation_deg": (-10.0, 60.0)})
-            edges[k] = edge.model_copy(update={"params": params})
-            scene.timeline.tracks[edge.actor].direction = ForceDirection.ANY_3D
+            _throw_instead(scene, k)
 
 
 def _topple_shots(scene: Scene, prompt: str) -> None:
     """What hits a tall thing far below its middle slides it along: it is kicked up instead."""
-    from esg.graph.models import ForceDirection, NodeEvent
+    from esg.graph.models import NodeEvent
 
-    if re.search(r"\broll", prompt.lower()):
+    if _says_roll(prompt):
         return
     toppled = {n.participants[0] for n in scene.timeline.nodes if n.event is NodeEvent.TOPPLE}
-    edges = scene.timeline.edges
-    for k, edge in enumerate(edges):
+    for k, edge in enumerate(scene.timeline.edges):
         if edge.target not in toppled or edge.event.value != "Toward":
             continue
         height = scene.world.entities[edge.target].noun.dimensions_cm[2]
         if edge.params.spin != "none" and (
             scene.world.entities[edge.actor].noun.dimensions_cm[2] < 0.5 * height
         ):
-            params = edge.params.model_copy(update={"spin": "none", "elevation_deg": (-10.0, 60.0)})
-            edges[k] = edge.model_copy(update={"params": params})
-            scene.timeline.tracks[edge.actor].direction = ForceDirection.ANY_3D
+            _throw_instead(scene, k)
 
 
 def _roll_down(scene: Scene, prompt: str, reasons: list[str]) -> None:

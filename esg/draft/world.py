@@ -98,7 +98,7 @@ class World(Members):
             ]
             if m.possessor is not None:
                 return self.resolve(m.possessor)
-            ridden = self._driven(m) if m.drives else []
+            ridden = self._compound(m) if m.drives else []
             if ridden:
                 return ridden
             if driven and m.determiner != "a":
@@ -126,12 +126,8 @@ class World(Members):
             return found
         return self._create(m)
 
-    def _driven(self, m: Mention) -> list[str]:
-        """ "The bus driver": the bus."""
-        return self._compound(m)
-
     def _compound(self, m: Mention) -> list[str]:
-        """The vehicle that a phrase names before its head: "a car roof"; made if not yet there."""
+        """The vehicle that "the bus driver" or "a car roof" names first; made if not there yet."""
         for a in m.adjectives:
             noun = lex.nouns().get(a)
             if noun is None or noun.kind not in ("vehicle", "flyer", "watercraft"):
@@ -161,8 +157,10 @@ class World(Members):
             same = [e for e in self.entities.values() if e.noun == m.noun and e.id not in avoid]
             if len(same) == 1 and same[0].head == m.head and not m.adjectives:
                 return [same[0].id]  # "drives under a table and hits a table leg"
-        if owner is None and m.head in OWN_PARTS and not subject and self._compound(m):
-            return self._compound(m)
+        if owner is None and m.head in OWN_PARTS and not subject:
+            vehicle = self._compound(m)
+            if vehicle:
+                return vehicle
         if owner is None and m.head in _BODYWORK and m.determiner in ("the", "a"):
             cars = [e.id for e in self.entities.values() if e.noun.kind == "vehicle"]
             if m.attribute and not cars:  # "falls on the bonnet": of a car that is not named

@@ -10,22 +10,21 @@ from __future__ import annotations
 
 import math
 
+from esg.dynamics.flights import CLEAR_M, LOW_M, mouth_height
 from esg.dynamics.kinematics import Frame, half_along
 from esg.dynamics.stage import Stage
 from esg.dynamics.stagecraft import Prop, prop, top_surface
 from esg.dynamics.story import Phase, Story, read_story
-from esg.dynamics.throws import asked_height, is_dropped, opens_upwards
+from esg.dynamics.throws import asked_height, is_dropped, region_of
 from esg.graph.models import AssetConfiguration, EdgeEvent, EsgDocument, NodeEvent, TimelineNode
 from esg.units import GRAVITY_MPS2
 
 LIVELY = 0.85
 """Restitution of a top that something bounces off to go on."""
-LOW_M = 0.6
-"""What is lower is met from above in any case, what is higher only by what falls."""
 LETS_GO_M = 1.0
 """Height over a top from which something is let go, where the prompt states none."""
-FROM_EDGE_M, CLEAR_M = 0.12, 0.05
-"""From the edge to where the ball comes down, at most; room between what it leaves and meets."""
+FROM_EDGE_M = 0.12
+"""From the edge to where the ball comes down, at most."""
 BEFORE_M = 0.25
 """Least way along the ground from the start to the middle of the top."""
 DROPPED_CM_S = 250.0
@@ -178,13 +177,7 @@ def bounce_on(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
 
 def _meets(stage: Stage, phase: Phase, body: Prop, met: Prop) -> tuple[float, float]:
     """Offset of the place to come down from the middle of what is met, and its height [m]."""
-    owner, _, name = (phase.end.region or "").partition("/")
-    nodes = stage.doc.spatial_relation_graph.nodes
-    if owner in nodes:
-        regions = stage.doc.asset_configurations[nodes[owner].asset_id].regions
-        region = next((r for r in regions if r.name == name), None)
-        if region is not None:
-            lift = 0.5 if opens_upwards(regions, name) else 0.0
-            high = (region.center_cm[2] + lift * region.half_extents_cm[2]) / 100.0
-            return -region.center_cm[0] / 100.0, high
+    region = region_of(stage, phase.end)
+    if region is not None:
+        return -region.center_cm[0] / 100.0, mouth_height(stage, phase.end, region)
     return 0.0, (met.height if met.height < LOW_M else 0.6 * met.height) + 0.5 * body.height

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from esg.dynamics.kinematics import impact_speed
 from esg.dynamics.stage import Stage
 from esg.dynamics.stagecraft import Prop, coasting_drag, fall_speed
 from esg.dynamics.tipping import topple_speed
@@ -24,8 +25,8 @@ BACK_KEPT, LEAST_BACK = 0.9, 0.2
 
 def passed_on(mover: Prop, target: Prop) -> float:
     """Speed of a resting body after a central hit, over the mover's."""
-    gain = 1.0 + 0.5 * (mover.restitution + target.restitution)
-    return gain * mover.mass / (mover.mass + target.mass)
+    restitution = 0.5 * (mover.restitution + target.restitution)
+    return impact_speed(mover.mass, target.mass, 1.0, restitution)
 
 
 def felt(mover: Prop, target: Prop) -> float:

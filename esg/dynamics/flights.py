@@ -8,7 +8,7 @@ import math
 from esg.dynamics.kinematics import Frame, half_along
 from esg.dynamics.stage import Stage, speed_is_fixed
 from esg.dynamics.story import Phase, Story
-from esg.dynamics.throws import opens_upwards, region_of
+from esg.dynamics.throws import is_lobbed, region_of
 from esg.graph.models import NamedRegion, NodeEvent, ProxyKind, TimelineNode
 from esg.units import GRAVITY_MPS2
 
@@ -198,8 +198,7 @@ def flies_on(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
     region = region_of(stage, node) if node.event is NodeEvent.ENTER_REGION else None
     yaw, back = arc.heading + math.pi, 0.0
     if region is not None:
-        lift = 0.5 if _upwards(stage, node) else 0.0
-        height = (region.center_cm[2] + lift * region.half_extents_cm[2]) / 100.0
+        height = mouth_height(stage, node, region)
         back = region.center_cm[0] / 100.0
     elif pb.height < LOW_M:
         height = pb.height + 0.5 * pa.height
@@ -226,10 +225,10 @@ def flies_on(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
     stage.met[a] = b
 
 
-def _upwards(stage: Stage, node: TimelineNode) -> bool:
-    owner, _, name = (node.region or "").partition("/")
-    nodes = stage.doc.spatial_relation_graph.nodes
-    return opens_upwards(stage.doc.asset_configurations[nodes[owner].asset_id].regions, name)
+def mouth_height(stage: Stage, node: TimelineNode, region: NamedRegion) -> float:
+    """Height [m] at which something comes into the region of an event."""
+    lift = 0.5 if is_lobbed(stage, node) else 0.0
+    return (region.center_cm[2] + lift * region.half_extents_cm[2]) / 100.0
 
 
 def banked_into(stage: Stage, node: TimelineNode, a: str, b: str) -> TimelineNode | None:

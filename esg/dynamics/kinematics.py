@@ -92,11 +92,10 @@ def slowing(speed: float, damping: float, drag: float, duration: float) -> tuple
 
     v(t) = (v0 + a/c) exp(-c t) - a/c, until it rests.
     """
-    if drag < 1e-6 or damping < 1e-6:
-        left = speed * math.exp(-damping * duration) - drag * duration
-        if drag < 1e-6:
-            return braking_distance(speed, damping, duration), left
-        return sliding_travel(speed, drag, duration), max(0.0, left)
+    if drag < 1e-6:
+        return braking_distance(speed, damping, duration), speed * math.exp(-damping * duration)
+    if damping < 1e-6:
+        return sliding_travel(speed, drag, duration), max(0.0, speed - drag * duration)
     duration = min(duration, stopping_way(speed, damping, drag)[1])
     ends, fades = drag / damping, math.exp(-damping * duration)
     way = (speed + ends) * (1.0 - fades) / damping - ends * duration

@@ -35,6 +35,24 @@ class Composer(Cast):
     """Turns phases and values into primitives and start poses."""
 
     @cached_property
+    def _shaken(self) -> dict[str, float]:
+        """When what falls off a support that something else hits first sets off [s], by actor."""
+        out: dict[str, float] = {}
+        nodes = list(self.story.nodes.values())
+        for actor, phases in self.story.phases.items():
+            fall, support = phases[0].end, support_of(self.doc, actor)
+            if support is None or fall.event is not NodeEvent.FALL:
+                continue
+            before = nodes[: next(k for k, n in enumerate(nodes) if n.id == fall.id)]
+            for node in before:
+                told = self.nominal.get(f"{node.id}/event_time")
+                hit = node.event is NodeEvent.COLLISION and support in node.participants
+                if hit and told is not None and actor not in node.participants:
+                    out[actor] = told + SHAKEN_S
+                    break
+        return out
+
+    @cached_property
     def _headings(self) -> dict[str, float]:
         """Where every actor heads before theta turns it [rad]: the same for all candidates."""
         return {actor: self._heading(actor) for actor in self.story.phases}
@@ -89,7 +107,7 @@ class Composer(Cast):
         for k, phase in enumerate(phases):
             edge = phase.edge
             start = max(clock, self.node_time(phase.start, v, clock))
-            start = max(start, self._shaken_at(actor) if k == 0 else 0.0)
+            start = max(start, self._shaken.get(actor, 0.0) if k == 0 else 0.0)
             end = self.phase_end(phase, v, start, duration)
             last = k + 1 == len(phases)
             if self.coasts(phase):
@@ -205,21 +223,6 @@ class Composer(Cast):
             until_contact=self._others(actor),
             climb=0.0,
         )
-
-    def _shaken_at(self, actor: str) -> float:
-        """When what stands on something that is hit first, and then falls off it, sets off [s]."""
-        first = self.story.phases[actor][0]
-        support = support_of(self.doc, actor)
-        if support is None or first.end.event is not NodeEvent.FALL:
-            return 0.0
-        for node in self.story.nodes.values():
-            if node.id == first.end.id:
-                break
-            if node.event is NodeEvent.COLLISION and support in node.participants:
-                told = self.nominal.get(f"{node.id}/event_time")
-                if told is not None and actor not in node.participants:
-                    return told + SHAKEN_S
-        return 0.0
 
     def _others(self, actor: str) -> tuple[str, ...]:
         """Everything whose touch ends a flight."""

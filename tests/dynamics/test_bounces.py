@@ -7,19 +7,14 @@ import math
 import numpy as np
 import pytest
 
-from esg.assets import resolve
-from esg.draft import draft
-from esg.dynamics import build_scene, fit_assets, start_hints
+from esg.dynamics import build_scene, start_hints
 from esg.dynamics.plan import make_plan
 from esg.engines.base import get_engine
 from esg.engines.program import SetVelocity, batch_programs
 from esg.graph.models import EsgDocument
 from esg.layout import solve
 from esg.units import GRAVITY_MPS2
-
-
-def _cast(prompt: str) -> EsgDocument:
-    return fit_assets(resolve(draft(prompt)))
+from tests.dynamics.stories import cast
 
 
 def _launch(doc: EsgDocument) -> tuple[SetVelocity, np.ndarray, np.ndarray, float]:
@@ -36,7 +31,7 @@ def _launch(doc: EsgDocument) -> tuple[SetVelocity, np.ndarray, np.ndarray, floa
 
 def test_what_is_dropped_to_bounce_on_drifts_over_the_edge() -> None:
     """Slowly, from the stated height above the ground, spinning as if it rolled."""
-    doc = _cast("A ball is dropped from 3 m onto a table, bounces off and lands in a basket.")
+    doc = cast("A ball is dropped from 3 m onto a table, bounces off and lands in a basket.")
     launch, start, _, radius = _launch(doc)
     assert start[2] - radius == pytest.approx(3.0, abs=0.02)
     across = math.hypot(*launch.linear[:2])
@@ -48,7 +43,7 @@ def test_what_is_dropped_to_bounce_on_drifts_over_the_edge() -> None:
 
 def test_it_comes_down_in_what_waits_beside_the_top() -> None:
     """The ball enters the basket in two engines that differ in the friction of a bounce."""
-    doc = _cast("A ball is dropped from 2 m onto a crate, bounces off and lands in a basket.")
+    doc = cast("A ball is dropped from 2 m onto a crate, bounces off and lands in a basket.")
     laid = solve(doc, hints=start_hints(doc))
     scene = build_scene(laid)
     plan = make_plan(laid, scene)
@@ -64,13 +59,13 @@ def test_it_comes_down_in_what_waits_beside_the_top() -> None:
 
 def test_what_is_only_dropped_falls_straight_down() -> None:
     """Without a second target nothing drifts."""
-    launch, _, _, _ = _launch(_cast("A ball is dropped from 2 m onto a crate."))
+    launch, _, _, _ = _launch(cast("A ball is dropped from 2 m onto a crate."))
     assert launch.linear[:2] == pytest.approx((0.0, 0.0))
 
 
 def test_a_wall_is_met_squarely_at_the_top_of_the_flight() -> None:
     """What neither rises nor falls has no speed along the wall that friction could take."""
-    doc = _cast("A ball is thrown at a wall and bounces off it into a box.")
+    doc = cast("A ball is thrown at a wall and bounces off it into a box.")
     launch, start, wall, radius = _launch(doc)
     speed = math.hypot(*launch.linear[:2])
     way = float(np.linalg.norm((wall - start)[:2])) - 0.1 - radius

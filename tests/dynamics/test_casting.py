@@ -7,9 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from esg.assets import resolve
-from esg.draft import draft
-from esg.dynamics import build_scene, fit_assets, start_hints
+from esg.dynamics import build_scene, start_hints
 from esg.dynamics.choreography import choreograph
 from esg.dynamics.containers import SNUG, entries, is_filled
 from esg.dynamics.feasibility import impossible
@@ -26,10 +24,7 @@ from esg.engines.program import HoldVelocity, SetVelocity
 from esg.graph.models import AssetConfiguration, EsgDocument, ForceDirection
 from esg.layout import solve
 from esg.units import GRAVITY_MPS2
-
-
-def cast(prompt: str) -> EsgDocument:
-    return fit_assets(resolve(draft(prompt)))
+from tests.dynamics.stories import cast
 
 
 def staged(prompt: str) -> EsgDocument:

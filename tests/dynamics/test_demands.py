@@ -8,7 +8,6 @@ import pytest
 
 from esg.assets import resolve
 from esg.draft import draft
-from esg.dynamics import fit_assets
 from esg.dynamics.choreography import choreograph
 from esg.dynamics.demands import FELT_NS, felt, passed_on, thrown_back_share
 from esg.dynamics.impacts import FARTHEST_AHEAD
@@ -18,10 +17,7 @@ from esg.dynamics.tipping import topple_speed
 from esg.dynamics.toppling import carried, fastest
 from esg.graph.models import EsgDocument, NodeEvent
 from esg.units import GRAVITY_MPS2
-
-
-def cast(prompt: str) -> EsgDocument:
-    return fit_assets(resolve(draft(prompt)))
+from tests.dynamics.stories import cast
 
 
 def nominal(doc: EsgDocument, actor: str) -> float:

@@ -7,9 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from esg.assets import resolve
-from esg.draft import draft
-from esg.dynamics import build_scene, fit_assets, start_hints
+from esg.dynamics import build_scene, start_hints
 from esg.dynamics.choreography import choreograph
 from esg.dynamics.flights import Arc, flown_to
 from esg.dynamics.plan import make_plan
@@ -21,10 +19,7 @@ from esg.graph.models import EsgDocument, NamedRegion
 from esg.layout import solve
 from esg.metrics.geometry import first_pass
 from esg.units import GRAVITY_MPS2
-
-
-def _cast(prompt: str) -> EsgDocument:
-    return fit_assets(resolve(draft(prompt)))
+from tests.dynamics.stories import cast
 
 
 def _places(doc: EsgDocument) -> dict[str, np.ndarray]:
@@ -49,7 +44,7 @@ def test_an_arc_comes_down_as_it_would_in_free_fall() -> None:
 
 def test_a_car_that_flies_off_a_ramp_drives_to_it() -> None:
     """It starts on the ground, meets the ramp's foot, and takes off there, steeper than the ramp."""
-    doc = _cast("A car hits a ramp at 12 m/s and flies into a haystack.")
+    doc = cast("A car hits a ramp at 12 m/s and flies into a haystack.")
     story = read_story(doc)
     assert story.takes_off("car_1")
     assert not story.soars("car_1")
@@ -71,7 +66,7 @@ def test_a_car_that_flies_off_a_ramp_drives_to_it() -> None:
 
 def test_a_throw_past_something_is_meant_for_what_is_behind_it() -> None:
     """One flight to the bale; the scarecrow stands beside the line, not on it."""
-    doc = _cast("A frisbee flies past a scarecrow without touching it and hits a hay bale.")
+    doc = cast("A frisbee flies past a scarecrow without touching it and hits a hay bale.")
     story = read_story(doc)
     first = story.phases["frisbee_1"][0]
     assert "scarecrow_1" in first.end.participants
@@ -87,7 +82,7 @@ def test_a_throw_past_something_is_meant_for_what_is_behind_it() -> None:
 
 def test_a_ball_off_the_backboard_is_thrown_over_the_rim() -> None:
     """It flies, meets the board above the hoop, and what is left of its speed covers the gap."""
-    doc = _cast("A basketball bounces off the backboard and goes through the hoop.")
+    doc = cast("A basketball bounces off the backboard and goes through the hoop.")
     story = read_story(doc)
     assert story.flies("basketball_1")
     edge = story.phases["basketball_1"][0].edge.id
@@ -102,7 +97,7 @@ def test_a_ball_off_the_backboard_is_thrown_over_the_rim() -> None:
 
 
 def test_what_falls_through_a_hoop_lands_below_it() -> None:
-    doc = _cast("A stone is thrown through a hoop and lands in a bucket.")
+    doc = cast("A stone is thrown through a hoop and lands in a bucket.")
     at = _places(doc)
     hoop = at["hoop_1"]
     region = _region(doc, "hoop_1")
@@ -127,7 +122,7 @@ def test_what_falls_through_a_hoop_lands_below_it() -> None:
 )
 def test_what_is_entered_has_an_inside(prompt: str, owner: str) -> None:
     """The region that the event names exists, and no part of the body fills its middle."""
-    doc = _cast(prompt)
+    doc = cast(prompt)
     regions = [n.region for n in read_story(doc).nodes.values() if n.region]
     asked = [r.split("/")[1] for r in regions if r.startswith(f"{owner}/")]
     if not asked:
@@ -141,11 +136,11 @@ def test_what_is_entered_has_an_inside(prompt: str, owner: str) -> None:
 
 def test_what_is_low_meets_a_leg_and_not_the_air_between_two() -> None:
     """A toy car is lower than a table's top: the table is moved so that a leg is in its way."""
-    doc = _cast("A toy car drives into a table.")
+    doc = cast("A toy car drives into a table.")
     car, table = prop(doc, "toy_car_1"), prop(doc, "table_1")
     off = beside_the_middle(car, table, math.pi / 2)
     assert abs(off) > 0.5 * car.width
-    tall = prop(_cast("A van drives into a table."), "van_1")
+    tall = prop(cast("A van drives into a table."), "van_1")
     assert beside_the_middle(tall, table, math.pi / 2) == 0.0 or tall.height < table.height
 
 

@@ -7,9 +7,7 @@ import math
 
 import pytest
 
-from esg.assets import resolve
-from esg.draft import draft
-from esg.dynamics import build_scene, fit_assets, start_hints
+from esg.dynamics import build_scene, start_hints
 from esg.dynamics.choreography import choreograph
 from esg.dynamics.kinematics import (
     back_spin,
@@ -25,10 +23,7 @@ from esg.graph.models import AssetConfiguration, EsgDocument
 from esg.layout import solve
 from esg.layout.hints import Placement
 from esg.units import GRAVITY_MPS2
-
-
-def cast(prompt: str) -> EsgDocument:
-    return fit_assets(resolve(draft(prompt)))
+from tests.dynamics.stories import cast
 
 
 def config(doc: EsgDocument, name: str) -> AssetConfiguration:

@@ -7,9 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from esg.assets import resolve
-from esg.draft import draft
-from esg.dynamics import build_scene, fit_assets, optimize, start_hints
+from esg.dynamics import build_scene, optimize, start_hints
 from esg.dynamics.choreography import _tell, choreograph
 from esg.dynamics.stage import Stage
 from esg.dynamics.story import read_story
@@ -18,6 +16,7 @@ from esg.engines.program import batch_programs, program_from_json
 from esg.graph.models import EsgDocument
 from esg.layout import solve
 from esg.metrics import expectations_from_timeline, judge
+from tests.dynamics.stories import cast
 
 CUT_IN = (
     "A car overtakes a slower truck and then brakes in front of it. The truck cannot stop in time "
@@ -25,12 +24,8 @@ CUT_IN = (
 )
 
 
-def _cast(prompt: str, seed: int = 0) -> EsgDocument:
-    return fit_assets(resolve(draft(prompt, seed=seed), seed=seed))
-
-
 def _laid_out(prompt: str, seed: int = 0) -> EsgDocument:
-    doc = _cast(prompt, seed)
+    doc = cast(prompt, seed)
     return solve(doc, seed=seed, hints=start_hints(doc, seed=seed))
 
 
@@ -63,7 +58,7 @@ def test_who_overtakes_and_brakes_is_hit_from_behind(seed: int) -> None:
 
 def test_who_is_overtaken_drives_all_the_while() -> None:
     """Its stated speed is kept; what overtakes is as much faster as passing it takes."""
-    doc = _cast("A car overtakes a truck driving at 8 m/s and then turns right.")
+    doc = cast("A car overtakes a truck driving at 8 m/s and then turns right.")
     found = choreograph(doc, seed=0)
     assert found.nominal["truck_1_drive/speed"] == pytest.approx(8.0)
     assert found.nominal["car_1_drive/speed"] > 10.0
@@ -97,7 +92,7 @@ def test_touching_before_passing_is_no_overtaking() -> None:
 
 def test_where_it_cuts_in_is_where_it_has_passed_whatever_came_before() -> None:
     """A first stretch does not move the two apart at the place of passing."""
-    doc = _cast(CUT_IN)
+    doc = cast(CUT_IN)
     stage = Stage(doc, read_story(doc), {"car_1", "truck_1"}, np.random.default_rng(0))
     told = []
     for first in (0.0, 12.0):

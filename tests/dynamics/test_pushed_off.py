@@ -4,18 +4,12 @@ from __future__ import annotations
 
 import pytest
 
-from esg.assets import resolve
-from esg.draft import draft
-from esg.dynamics import build_scene, fit_assets, start_hints
+from esg.dynamics import build_scene, start_hints
 from esg.dynamics.choreography import choreograph
 from esg.dynamics.plan import make_plan
 from esg.engines.program import HoldVelocity
-from esg.graph.models import EsgDocument
 from esg.layout import solve
-
-
-def _cast(prompt: str) -> EsgDocument:
-    return fit_assets(resolve(draft(prompt)))
+from tests.dynamics.stories import cast
 
 
 @pytest.mark.parametrize(
@@ -36,7 +30,7 @@ def test_what_is_pushed_off_starts_at_the_edge(
     prompt: str, pusher: str, pushed: str, table: str
 ) -> None:
     """Neither floats beyond the table, and what it lands on is not on the table."""
-    doc = _cast(prompt)
+    doc = cast(prompt)
     node = doc.spatial_relation_graph.nodes[table]
     surface = doc.asset_configurations[node.asset_id].support_surfaces[0]
     found = [c for c in choreograph(doc).hints.constellations if c.anchor == table]
@@ -51,7 +45,7 @@ def test_what_is_pushed_off_starts_at_the_edge(
 
 def test_who_turns_last_goes_on_straight() -> None:
     """Let go while it turns, a car would spin on."""
-    doc = _cast("A car drives at 8 m/s and turns left after 2 seconds.")
+    doc = cast("A car drives at 8 m/s and turns left after 2 seconds.")
     doc = solve(doc, seed=0, hints=start_hints(doc))
     plan = make_plan(doc, build_scene(doc), seed=0)
     holds = [p for p in plan.compile(plan.initial()).primitives if isinstance(p, HoldVelocity)]

@@ -8,9 +8,7 @@ import math
 import numpy as np
 import pytest
 
-from esg.assets import resolve
-from esg.draft import draft
-from esg.dynamics import build_scene, fit_assets, start_hints
+from esg.dynamics import build_scene, start_hints
 from esg.dynamics.choreography import choreograph
 from esg.dynamics.plan import make_plan
 from esg.dynamics.slopes import (
@@ -31,12 +29,9 @@ from esg.engines.program import batch_programs
 from esg.graph.models import AssetConfiguration, EsgDocument, Proxy, ProxyKind
 from esg.layout import solve
 from esg.units import GRAVITY_MPS2
+from tests.dynamics.stories import cast
 
 WEDGE = Slope(np.linspace(-0.7, 1.25, 98), np.linspace(0.8, 0.0, 98))
-
-
-def cast(prompt: str) -> EsgDocument:
-    return fit_assets(resolve(draft(prompt)))
 
 
 def config(doc: EsgDocument, name: str) -> AssetConfiguration:

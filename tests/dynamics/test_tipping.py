@@ -9,7 +9,6 @@ import pytest
 
 from esg.assets import resolve
 from esg.draft import draft
-from esg.dynamics import fit_assets
 from esg.dynamics.choreography import choreograph
 from esg.dynamics.feasibility import impossible
 from esg.dynamics.stagecraft import Prop, prop
@@ -21,7 +20,8 @@ from esg.dynamics.tipping import (
     tip_speed,
     topple_speed,
 )
-from esg.graph.models import EsgDocument, ForceDirection
+from esg.graph.models import ForceDirection
+from tests.dynamics.stories import cast
 
 
 def _pair(mover: str, target: str) -> tuple[Prop, Prop]:
@@ -77,12 +77,8 @@ def test_what_rolls_presses_down_on_what_it_hits() -> None:
     assert tip_speed(ball, light, small, touch) > tip_speed(ball, light, small, free)
 
 
-def _cast(prompt: str) -> EsgDocument:
-    return fit_assets(resolve(draft(prompt)))
-
-
 def test_what_a_rolling_ball_cannot_tip_is_said_at_once() -> None:
-    doc = _cast("A soccer ball rolls at 5 m/s into a 71 cm tall traffic cone and knocks it over.")
+    doc = cast("A soccer ball rolls at 5 m/s into a 71 cm tall traffic cone and knocks it over.")
     [why] = impossible(doc, read_story(doc)).values()
     assert "below its centre of mass" in why
     assert doc.asset_configurations["cone_01"].dimensions_cm[2] == pytest.approx(71.0)
@@ -95,8 +91,8 @@ def test_the_closed_forms_bound_never_exceeds_what_is_sure() -> None:
 
 
 def test_what_hits_is_thrown_and_what_rolls_stays_on_the_ground() -> None:
-    hit = _cast("A soccer ball hits a traffic cone at 4.5 m/s and the traffic cone topples.")
-    roll = _cast("A soccer ball rolls into a traffic cone and knocks it over.")
+    hit = cast("A soccer ball hits a traffic cone at 4.5 m/s and the traffic cone topples.")
+    roll = cast("A soccer ball rolls into a traffic cone and knocks it over.")
     force = [
         d.timeline_system.actors["soccer_ball_1"].force_direction
         for d in (hit, roll)
@@ -106,12 +102,12 @@ def test_what_hits_is_thrown_and_what_rolls_stays_on_the_ground() -> None:
 
 
 def test_what_is_knocked_over_is_not_fixed_to_the_ground() -> None:
-    doc = _cast("A skateboard rolls into a bollard and knocks it over.")
+    doc = cast("A skateboard rolls into a bollard and knocks it over.")
     assert not prop(doc, "bollard_1").fixed
 
 
 def test_what_falls_comes_down_on_what_it_shall_hit() -> None:
-    doc = _cast("An apple falls from a tree branch into a wheelbarrow.")
+    doc = cast("An apple falls from a tree branch into a wheelbarrow.")
     places = {p.node: p for c in choreograph(doc).hints.constellations for p in c.placements}
     apple, barrow = places["apple_1"], places["wheelbarrow_1"]
     # Above the middle of its tray, which is in front of the middle of the whole.
