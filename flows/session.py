@@ -34,7 +34,9 @@ def session(processes: int, watch: Watcher | None = None) -> Iterator[Callable[.
     with prefect_api() as api, WorkerPool(processes) as pool, run_context(pool, watch):
         if processes:
             pool.warm(warm_up)
-        else:
+        # Batches import the engines in threads of this process, with workers too.
+        load_usd()
+        if not processes:
             threading.Thread(target=warm_up, daemon=True).start()
         # Prefect reads its environment when first imported: after `prefect_api` has set it.
         from prefect.settings import (
@@ -55,12 +57,24 @@ def session(processes: int, watch: Watcher | None = None) -> Iterator[Callable[.
         yield call
 
 
+def load_usd() -> None:
+    """Loads USD's libraries, which no thread may do while another one imports anything native.
+
+    Their constructors let go of Python's lock while the loader's is held and then wait for it; a
+    thread that holds Python's and waits for the loader's (any import of a compiled module) never
+    gives it back, and the command hangs without a word.
+    """
+    with contextlib.suppress(ImportError):  # reported by the stage that needs it
+        from pxr import Sdf, Usd, UsdGeom, UsdPhysics, UsdShade  # noqa: F401
+
+
 def warm_up() -> None:
     """Imports what scenes need and silences it; results do not depend on it."""
     with contextlib.suppress(Exception):  # a missing library is reported by the stage that needs it
         from esg.engines.newton_model import quiet_warp
 
         quiet_warp()
+        load_usd()
         import newton  # pyright: ignore[reportUnusedImport]
         import newton.sensors  # noqa: F401
         import sapien  # noqa: F401
