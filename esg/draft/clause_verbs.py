@@ -73,6 +73,8 @@ class ClauseVerbs(ClauseNouns):
             frame.subject = (
                 s.subject if s.subject is not None and not s.boundary else self._agent(previous)
             )
+            if v.form == "ing" and not v.auxiliary and previous.relative and self._runs_on(i):
+                frame.subject = previous.subject  # "a vase that wobbles before tumbling down"
         elif v.form == "ing" and not v.auxiliary:
             self._participle(s, frame, previous)
         elif (
@@ -267,6 +269,10 @@ class ClauseVerbs(ClauseNouns):
             if isinstance(e, Verb) or (isinstance(e, Word) and e.low in ".;,"):
                 return False
         return False
+
+    def _runs_on(self, i: int) -> bool:
+        """Whether the conjunction before a participle follows the clause without a comma."""
+        return getattr((self.elements[i - 2 : i - 1] or [None])[0], "low", "") != ","
 
     def _after_comma(self, i: int) -> bool:
         """ "..., which lands on a drum, and falls": back to the main clause."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-_ENTRIES: tuple[tuple[tuple[str, ...], Literal["prep", "adv", "sub"], str], ...] = (
+_ENTRIES: tuple[tuple[tuple[str, ...], Literal["prep", "adv", "sub", "conj"], str], ...] = (
     (("in", "front", "of"), "prep", "in front of"),
     (("at", "the", "same", "time"), "adv", "simultaneously"),
     (("at", "the", "same", "moment"), "adv", "simultaneously"),
@@ -24,6 +24,8 @@ _ENTRIES: tuple[tuple[tuple[str, ...], Literal["prep", "adv", "sub"], str], ...]
     (("just", "after"), "prep", "after"),
     (("versus",), "prep", "against"),
     (("vs",), "prep", "against"),
+    (("as", "well", "as"), "conj", "and"),
+    (("as", "well"), "adv", "also"),
     (("wide", "of"), "prep", "past"),
     (("clear", "of"), "prep", "away from"),
     (("out", "from", "under"), "prep", "from"),

@@ -5,6 +5,7 @@ from __future__ import annotations
 from esg.draft import lexicon as lex
 from esg.draft.elements import Mention
 from esg.draft.entities import FRONT, ORDINALS, REAR, STACKED, Entity, slug
+from esg.draft.persons import named_by_no_person
 from esg.draft.registry import Registry
 
 _WAYS = frozenset({"stairs", "ramp"})
@@ -26,6 +27,10 @@ class Pronouns(Registry):
                     continue
                 if len(ids) == 1 and self.entities[ids[0]].noun.kind == "person":
                     return ids
+            if p not in ("someone", "everyone") and not m.determiner:
+                being = named_by_no_person(p, self.entities, self.salience, subject, avoid)
+                if being:
+                    return being
             if p in ("he", "she", "someone") and subject:
                 person = lex.nouns()["person"]
                 return [self.add(person, "person", label=p, origin=m.start).id]

@@ -360,6 +360,16 @@ class References(MotionSenses):
             and (m.pronoun == "it") == (len(self._patient) == 1)
         ):
             self.world.resolved[id(m)] = m.entities = list(self._patient)
+        if (
+            m is not None
+            and m.pronoun in ("he", "she")
+            and id(m) not in self.world.resolved
+            and (f.verb.sense in RIDDEN or f.verb.sense == "own")
+            and len(self._last_subject) == 1
+            and self.kind(self._last_subject[0]) in SELF_POWERED
+            and not any(e.noun.kind == "person" for e in self.world.entities.values())
+        ):  # "The truck begins to brake and he stops"
+            self.world.resolved[id(m)] = m.entities = list(self._last_subject)
         self._part_that_hits(f)
         dropped = f.verb.sense in ("miss", "hit", "land") and self._dropped
         if (

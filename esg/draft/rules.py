@@ -16,6 +16,7 @@ from esg.draft.light_verbs import lighten
 from esg.draft.modality import mark_unreal
 from esg.draft.modifiers import join_modifiers
 from esg.draft.nominals import verbalize
+from esg.draft.persons import mark_persons
 from esg.draft.reorder import reorder
 from esg.draft.screening import contradictions, nothing_to_draw, screen, too_long, too_much
 from esg.draft.sheets import from_sheet
@@ -64,7 +65,7 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     text = screen(prompt)
     tokens = join_modifiers(tokenize(text, pos_tags(text)), text)
     elements = from_sheet(lighten(appose(Chunker(text, tokens).run())))
-    elements = elide(verbalize(reorder(elements, text)))
+    elements = mark_persons(elide(verbalize(reorder(elements, text))))
     clauses = ClauseBuilder(elements)
     clauses.run()
     mark_unreal(clauses.frames, text)

@@ -148,7 +148,10 @@ class ContactSenses(FallSenses):
         if p is None or p.mention is None or not all(map(self.structural, p.mention.entities)):
             return False
         for mover in movers:
-            if mover in self.scene.supported_by:
+            fresh = mover not in self.tl.tracks and self.kind(mover) not in SELF_POWERED
+            if fresh and p.prep == "to":
+                self._place_where_hit(mover)  # "strikes a shelf; a crate crashes to the ground"
+            if mover in self.scene.supported_by or (fresh and p.prep == "to"):
                 self.event(NodeEvent.FALL, (mover,), f, self._time(f))
         return any(m in self.scene.supported_by for m in movers)
 

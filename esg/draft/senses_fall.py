@@ -17,6 +17,8 @@ _OVERTURNED = frozenset({"person", "seat", "furniture", "appliance", "upright", 
 _TWO_WHEELED = frozenset({"bicycle", "motorcycle", "scooter", "tricycle"})
 _SOURCES = ("off", "from", "out of", "over", "down")
 _LOOSE = re.compile(r"\b(?:loose|adrift|unhooked|uncoupled)\b", re.IGNORECASE)
+STANDING_CM = 60.0
+"""A thing that is this tall stands on the ground."""
 _LANDINGS = ("onto", "on", "into", "in", "through", "to", "upon", "against")
 
 
@@ -174,6 +176,11 @@ class FallSenses(LaunchSenses):
                 return
         upright = [a for a in actors if self._falls_over(a)]
         self._on_what_was_hit(f, fresh)
+        ground = f.phrase("to")
+        if ground is not None and ground.mention is not None and actors:
+            if all(map(self.structural, ground.mention.entities)) and not self._tall(actors[0]):
+                self._place_where_hit(actors[0])  # "a vase tumbles to the floor"
+                upright = []
         edge = f.phrase("off", "over", "from", "out of") or f.phrase("at")
         if edge is not None and self._off_the_edge(f, edge, actors, self._time(f)):
             self._landing(f, actors)
@@ -290,6 +297,23 @@ class FallSenses(LaunchSenses):
             return True
         runs = node in self.tl.tracks and node not in self.scene.supported_by
         return runs and e.noun.kind == "animal" and not self._airborne(node)
+
+    def _tall(self, node: str) -> bool:
+        """Whether it is so tall that it stands on the ground rather than on something."""
+        size = self.e(node).dimensions_cm or self.e(node).noun.dimensions_cm
+        tall = size[2] >= STANDING_CM or self.kind(node) in ("person", "animal", "wall")
+        return tall or self.kind(node) == "domino" or node in self.leaning
+
+    def _place_where_hit(self, thing: str) -> None:
+        """Puts what comes down to the floor on what was hit, or on what its striker stands on."""
+        if thing in self.scene.supported_by or thing in self.tl.tracks:
+            return
+        hits = [n.participants for n in self.tl.nodes if n.event is NodeEvent.COLLISION]
+        strikers = {a for a, b in hits if b == thing}
+        for a, b in reversed(hits):
+            if thing not in (a, b) and (a in strikers or not strikers) and self._fits_on(thing, b):
+                self.place([thing], [b], "on")
+                return
 
     def _landed_before(self, f: Frame, source: Phrase) -> bool:
         """Whether what it falls from is named after what it first lands in."""

@@ -97,6 +97,10 @@ class SteerSenses(ControlSenses):
             self.event(kind, (actor,), f, ends, turn_direction=direction, turn_degrees=degrees)
 
     def _do_swerve(self, f: Frame, s: list[str], o: list[str]) -> None:
+        sides = {p.mention.head for p in f.phrases if p.mention is not None} | {*f.adverbs}
+        if f.verb.lemma == "dodge" and not sides & {"left", "right"}:
+            self._read_as("avoid", f, s, o)  # it says that it is not hit, not where it goes
+            return
         direction = (
             "right"
             if "right" in f.adverbs

@@ -1,0 +1,58 @@
+"""Persons that the lexicon does not know, and "he" and "him" where no person is named."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from esg.draft import lexicon as lex
+from esg.draft.elements import Element, Mention, Word
+from esg.draft.entities import Entity
+
+_BEINGS = frozenset({"animal", "robot"})
+_DRIVEN = frozenset({"vehicle", "toyvehicle", "watercraft", "flyer"})
+
+
+def mark_persons(elements: list[Element]) -> list[Element]:
+    """Reads "a lumberjack, who ..." as a person: an unknown noun that "who" refers to."""
+    before: list[Element] = []
+    for e in elements:
+        if isinstance(e, Word) and e.kind == "rel" and e.low == "who":
+            named = [x for x in before[-2:] if not (isinstance(x, Word) and x.low == ",")]
+            m = named[-1] if named else None
+            if isinstance(m, Mention) and m.noun is None and m.head and not m.attribute:
+                m.noun = lex.nouns()["person"]
+        before.append(e)
+    return elements
+
+
+def named_by_no_person(
+    word: str,
+    entities: Mapping[str, Entity],
+    salience: Sequence[Sequence[str]],
+    subject: bool,
+    avoid: Sequence[str],
+) -> list[str]:
+    """What "he" or "him" means where no known person was named.
+
+    Args:
+        word: The pronoun.
+        entities: Things named so far.
+        salience: Referent sets, most recent last.
+        subject: Whether it is the subject of its clause.
+        avoid: What it cannot mean.
+
+    Returns:
+        One id: a thing with an unknown name, which is a person from now on; else an animal or a
+        robot; for an object also a vehicle ("overtakes him"). Empty if there is none.
+    """
+    alone = [
+        entities[ids[0]]
+        for ids in reversed(salience)
+        if len(ids) == 1 and ids[0] in entities and ids[0] not in avoid
+    ]
+    for e in alone:
+        if e.noun.kind == "generic" and not e.known and e.group is None:
+            e.noun = lex.nouns()["person"]
+            return [e.id]
+    kinds = _BEINGS if subject or word in ("she", "her") else _BEINGS | _DRIVEN
+    return next(([e.id] for e in alone if e.noun.kind in kinds), [])
