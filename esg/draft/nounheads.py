@@ -160,7 +160,7 @@ class NounHeads(NounQuestions):
                 token is not None
                 and token.kind == "word"
                 and token.tag in ("NOUN", "PROPN")
-                and not self._looks_like_verb(j, m)
+                and not (self._looks_like_verb(j, m) or self._numbers(j))
                 and not plural
                 and len(token.text) > 1
                 and token.low not in lex.ADVERBS
@@ -193,6 +193,7 @@ class NounHeads(NounQuestions):
             low
             and (low in lex.PARTS or lex.singular(low)[0] in lex.PARTS)
             and (m.determiner or m.adjectives or self._low(j + 1) == "of")
+            and not self._part_alone(j, m)
         ):
             after = self._match_noun(j + 1)
             if after is not None and not verb_readings(self._low(j + 1)):

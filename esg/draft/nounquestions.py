@@ -7,6 +7,9 @@ from esg.draft.elements import Mention, Verb
 from esg.draft.letters import Letters
 from esg.draft.verbphrases import verb_readings
 
+_NUMERALS = frozenset({"one", "two", "three", "four", "five"})
+_ALSO_THINGS = frozenset({"bumper", "lid", "wing", "handle", "headlight", "rim", "hull", "base"})
+"""Parts that are things where nothing is named that they are parts of."""
 _LETTING = frozenset({"make", "let", "have", "watch", "see"})
 _MEASURES = frozenset({"mass", "weight", "radius", "diameter", "height", "width", "length"})
 _BEFORE_COLORS = frozenset({*".,;:!?", "and", "into", "off", "then"})
@@ -15,6 +18,17 @@ _BEFORE_COLORS = frozenset({*".,;:!?", "and", "into", "off", "then"})
 
 class NounQuestions(Letters):
     """What a word is where a noun phrase may stand or end."""
+
+    def _numbers(self, j: int) -> bool:
+        """ "car number one", "ball number 3": a name follows."""
+        token = self._tok(j + 1)
+        numeral = token is not None and (token.kind == "number" or token.low in _NUMERALS)
+        return self._low(j) == "number" and numeral
+
+    def _part_alone(self, j: int, m: Mention) -> bool:
+        """ "hits a bumper", "by a mobile base": with an article of its own it is no part."""
+        owned = self._low(j + 1) == "of" or self._match_noun(j + 1) is not None
+        return m.determiner in ("a", "an") and self._low(j) in _ALSO_THINGS and not owned
 
     def _ends_phrase(self, k: int) -> bool:
         """Whether a base form ends its noun phrase ("a cat bowl.") and is no verb."""

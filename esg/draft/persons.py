@@ -52,7 +52,7 @@ def named_by_no_person(
     ]
     for e in alone:
         if e.noun.kind == "generic" and not e.known and e.group is None:
-            e.noun = lex.nouns()["person"]
+            e.noun, e.known = lex.nouns()["person"], True
             return [e.id]
     kinds = _BEINGS if subject or word in ("she", "her") else _BEINGS | _DRIVEN
     return next(([e.id] for e in alone if e.noun.kind in kinds), [])

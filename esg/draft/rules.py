@@ -20,6 +20,7 @@ from esg.draft.persons import mark_persons
 from esg.draft.reorder import reorder
 from esg.draft.screening import contradictions, nothing_to_draw, screen, too_long, too_much
 from esg.draft.sheets import from_sheet
+from esg.draft.similes import drop_similes
 from esg.draft.spacing import space
 from esg.draft.syntax import Chunker
 from esg.draft.tokens import pos_tags, tokenize
@@ -64,7 +65,7 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     """
     text = screen(prompt)
     tokens = join_modifiers(tokenize(text, pos_tags(text)), text)
-    elements = from_sheet(lighten(appose(Chunker(text, tokens).run())))
+    elements = from_sheet(lighten(appose(drop_similes(Chunker(text, tokens).run()))))
     elements = mark_persons(elide(verbalize(reorder(elements, text))))
     clauses = ClauseBuilder(elements)
     clauses.run()

@@ -157,6 +157,11 @@ class FallSenses(LaunchSenses):
             if rolling or all(self.kind(i) in SELF_POWERED for i in s):
                 self.scene.ignored[(f.verb.start, f.verb.end)] = "it is on its own from here on"
                 return  # "a trailer comes loose from a pickup"
+        met = f.phrase("off")
+        hosts = met.mention.entities if met is not None and met.mention is not None else o
+        if f.verb.lemma == "come" and self._rebounds(s, hosts):
+            self._read_as("hit", f, s, hosts[:1])  # "comes off the defender's knee"
+            return
         slope = f.phrase("down")
         if (
             slope is not None
@@ -297,6 +302,12 @@ class FallSenses(LaunchSenses):
             return True
         runs = node in self.tl.tracks and node not in self.scene.supported_by
         return runs and e.noun.kind == "animal" and not self._airborne(node)
+
+    def _rebounds(self, things: list[str], hosts: list[str]) -> bool:
+        """Whether what comes off is a ball or puck, and what it comes off holds none."""
+        flying = things and all(self.kind(i) in ("ball", "billiard", "sliding") for i in things)
+        firm = ("person", "post", "goal", "wall", "animal", "robot", "hoop")
+        return bool(flying and hosts) and self.kind(hosts[0]) in firm
 
     def _tall(self, node: str) -> bool:
         """Whether it is so tall that it stands on the ground rather than on something."""

@@ -27,12 +27,21 @@ class LaunchSenses(StateSenses):
                 ball = self._at_hand(s)
                 if ball and f.verb.lemma not in ("push", "shove"):
                     agents, things = s, [ball]  # "he shoots again"
+        if not f.verb.passive and self._throws_off(agents, things) and not f.phrases:
+            for thing in things:
+                self.event(NodeEvent.FALL, (thing,), f, self._time(f))
+            return
         if not things:
             p = f.phrase("against", "on", "at")
             if p is not None and p.mention is not None and agents:
                 self._read_as("hit", f, agents, p.mention.entities)
             return
         self._launch_by(f, agents, things)
+
+    def _throws_off(self, agents: list[str], things: list[str]) -> bool:
+        """ "The horse throws its rider": who rides comes down."""
+        ridden = len(agents) == 1 and self.kind(agents[0]) in SELF_POWERED - {"person", "robot"}
+        return ridden and bool(things) and all(self.kind(i) == "person" for i in things)
 
     def _at_hand(self, agents: list[str]) -> str:
         """The ball or stone that was spoken of last."""

@@ -212,7 +212,7 @@ class MotionSenses(SteerSenses):
                 if self.structural(other):
                     self._ensure_drop(f, actor)
                     self.use(f, "bounce on the ground")
-                elif self.last_hit == (actor, other) and p.prep in ("off", "from"):
+                elif {*(self.last_hit or ())} == {actor, other} and p.prep in ("off", "from"):
                     self.use(f, "rebound of the collision")
                 elif p.prep == "into" and self._takes_up(actor, other):
                     self._met_first(f, actor, other)

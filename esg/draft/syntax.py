@@ -19,6 +19,12 @@ _HEADINGS = frozenset(
      "system", "user", "assistant", "title", "setting", "action", "input", "output", "example",
      "scenario", "story", "instruction", "instructions", "request"}
 )  # fmt: skip
+_TITLES = frozenset(
+    {"puzzle", "demo", "test", "experiment", "simulation", "clip", "video", "level", "case",
+     "report", "update", "log", "challenge", "exercise", "problem", "question", "idea", "concept",
+     "caption", "benchmark", "variant", "trial", "sequence", "storyboard", "demonstration", "event"}
+)  # fmt: skip
+"""Last words of titles that have more than one ("Physics puzzle:")."""
 _ASKING = frozenset({"can", "could", "will", "would", "may", "does", "did", "is", "are"})
 _BOUNDS = (
     ("at", "least"), ("at", "most"), ("no", "fewer", "than"), ("no", "more", "than"),
@@ -167,6 +173,10 @@ class Chunker(NounPhrases):
         if previous is not None and not (isinstance(previous, Word) and previous.low in ".;!?-"):
             return 0
         token = self.tokens[i]
+        titled = self._title(i)
+        if titled:
+            self.elements.append(Word(token.start, self.tokens[i + titled - 1].end, "adv", "heading"))
+            return titled
         n = 2 if self._tok(i + 1) is not None and self.tokens[i + 1].kind == "number" else 1
         colon = self._tok(i + n)
         if token.kind != "word" or colon is None or colon.text != ":":
@@ -178,6 +188,17 @@ class Chunker(NounPhrases):
             return 0
         self.elements.append(Word(token.start, colon.end, "adv", "heading"))
         return n + 1
+
+    def _title(self, i: int) -> int:
+        """ "Pushing task:", "Physics puzzle:": the words of a title and its colon."""
+        for n in (2, 3, 4):
+            colon = self._tok(i + n)
+            words = self.tokens[i : i + n]
+            if colon is None or any(t.kind != "word" for t in words):
+                return 0
+            if colon.text == ":":
+                return n + 1 if words[-1].low in _HEADINGS | _TITLES else 0
+        return 0
 
     def _verb_after_amount(self, i: int) -> bool:
         """ "with a mass of 25 kg slides": a noun cannot follow a quantity that "of" introduces."""
