@@ -321,7 +321,7 @@ class NounHeads(NounQuestions):
                 and self._unknown_noun(k + 1)
                 and tokens[k + 1].tag in ("NOUN", "PROPN", "")
                 and tokens[k].tag != ""
-            ):
+            ) or self._noun_then_verb(k + 1, m):
                 m.adjectives.append(self._low(k))
                 k += 1
             nxt = self._match_noun(k + 1) if k + 1 < len(tokens) else None

@@ -25,10 +25,20 @@ class NounQuestions(Letters):
         numeral = token is not None and (token.kind == "number" or token.low in _NUMERALS)
         return self._low(j) == "number" and numeral
 
+    def _noun_then_verb(self, k: int, m: Mention) -> bool:
+        """ "an airport shuttle waits": no bare verb follows "a" where a finite one does."""
+        if m.determiner not in ("a", "an") or self._match_noun(k) is not None:
+            return False
+        readings, after = verb_readings(self._low(k)), verb_readings(self._low(k + 1))
+        bare = bool(readings) and all(r.form == "base" for r in readings)
+        return bare and any(r.form == "s" for r in after) and self._match_noun(k + 1) is None
+
     def _part_alone(self, j: int, m: Mention) -> bool:
         """ "hits a bumper", "by a mobile base": with an article of its own it is no part."""
         owned = self._low(j + 1) == "of" or self._match_noun(j + 1) is not None
-        return m.determiner in ("a", "an") and self._low(j) in _ALSO_THINGS and not owned
+        pinball = self._low(j) == "bumper" and "pinball" in self.text.lower()
+        own = m.determiner in ("a", "an") and self._low(j) in _ALSO_THINGS
+        return (own or pinball) and not owned
 
     def _ends_phrase(self, k: int) -> bool:
         """Whether a base form ends its noun phrase ("a cat bowl.") and is no verb."""

@@ -221,6 +221,9 @@ class Reader:
                     for p, _, _ in PHRASES.get(low if low != "wound" else "wind", [])
                 )
             return True
+        dangles = isinstance(previous, Word) and previous.low in ("behind", "ahead", "opposite")
+        if dangles and "s" in forms and isinstance((self.elements[-2:-1] or [None])[0], Mention):
+            return True  # "bike behind hits bumper"
         if isinstance(previous, Word) and previous.kind == "prep" and not (forms & {"ing"}):
             return not (nounish or adjectival) and previous.low != "by"
         if isinstance(previous, Mention):
@@ -371,6 +374,7 @@ class Reader:
         """ "One rolls away and another hits a box": a verb, as no plural follows "another"."""
         single = m.determiner in ("another", "each", "either", "neither") and not m.adjectives
         ordinal = m.determiner == "the" and m.adjectives[-1:] and m.adjectives[-1] in ORDINALS
+        single = single or (m.determiner == "the" and m.adjectives == ["other"])
         forms = {r.form for r in verb_readings(self._low(j))}
         object_ = self._low(j + 1) in lex.DETERMINERS | lex.PRONOUNS | {"nothing", "neither"}
         if "past" in forms and object_ and (single or ordinal):

@@ -323,6 +323,10 @@ class References(MotionSenses):
         """Whether something was acted on in this sentence."""
         return self._patient_at == sentence
 
+    def _as_one(self, things: list[str]) -> bool:
+        """Whether several things go by one name ("a tower of blocks")."""
+        return self.e(things[0]).group in self.world.collective
+
     def _named_between(self, subject: Mention | None, m: Mention) -> bool:
         """Whether the clause names something before a pronoun ("hits the nine and pots it")."""
         if subject is None:
@@ -357,7 +361,7 @@ class References(MotionSenses):
             and not self._run_into_falls(f)
             and (f.verb.sense != "drop" or f.object is None)
             and self._patient
-            and (m.pronoun == "it") == (len(self._patient) == 1)
+            and (m.pronoun == "it") == (len(self._patient) == 1 or self._as_one(self._patient))
         ):
             self.world.resolved[id(m)] = m.entities = list(self._patient)
         if (

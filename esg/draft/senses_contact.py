@@ -27,7 +27,8 @@ class ContactSenses(FallSenses):
     def _do_hit(self, f: Frame, s: list[str], o: list[str]) -> None:
         struck = s if f.verb.passive else o
         out = f.verb.lemma != "take" or "out" in self.text[f.verb.start : f.verb.end + 5].split()
-        if f.verb.lemma in _FELLING and out and struck and self.kind(struck[0]) in ("pin", "domino"):
+        felled = f.verb.lemma in _FELLING and out and bool(struck)
+        if felled and self.kind(struck[0]) in ("pin", "domino"):
             self._read_as("knock", f, s, o)  # "takes out eight pins"
             for pin in struck if len(struck) <= 3 else struck[:1]:
                 self.event(NodeEvent.TOPPLE, (pin,), f, None)

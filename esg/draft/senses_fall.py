@@ -17,6 +17,7 @@ _OVERTURNED = frozenset({"person", "seat", "furniture", "appliance", "upright", 
 _TWO_WHEELED = frozenset({"bicycle", "motorcycle", "scooter", "tricycle"})
 _SOURCES = ("off", "from", "out of", "over", "down")
 _LOOSE = re.compile(r"\b(?:loose|adrift|unhooked|uncoupled)\b", re.IGNORECASE)
+_HANGING = frozenset({"chandelier"})
 STANDING_CM = 60.0
 """A thing that is this tall stands on the ground."""
 _LANDINGS = ("onto", "on", "into", "in", "through", "to", "upon", "against")
@@ -182,10 +183,11 @@ class FallSenses(LaunchSenses):
         upright = [a for a in actors if self._falls_over(a)]
         self._on_what_was_hit(f, fresh)
         ground = f.phrase("to")
-        if ground is not None and ground.mention is not None and actors:
-            if all(map(self.structural, ground.mention.entities)) and not self._tall(actors[0]):
-                self._place_where_hit(actors[0])  # "a vase tumbles to the floor"
-                upright = []
+        floor = ground.mention.entities if ground is not None and ground.mention else ["?"]
+        down = bool(actors) and "?" not in floor and all(map(self.structural, floor))
+        if down and not self._tall(actors[0]):
+            self._place_where_hit(actors[0])  # "a vase tumbles to the floor"
+            upright = []
         edge = f.phrase("off", "over", "from", "out of") or f.phrase("at")
         if edge is not None and self._off_the_edge(f, edge, actors, self._time(f)):
             self._landing(f, actors)
@@ -294,6 +296,8 @@ class FallSenses(LaunchSenses):
     def _falls_over(self, node: str) -> bool:
         """Whether "falls" means that it topples, where it stands on the ground."""
         e = self.e(node)
+        if e.noun.name in _HANGING and node not in self.scene.supported_by:
+            return False
         if "topples" in e.noun.traits or e.noun.kind in _UPRIGHT | _OVERTURNED:
             return True
         if e.pattern == "stack" and e.in_group and not e.place:

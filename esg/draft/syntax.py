@@ -175,7 +175,9 @@ class Chunker(NounPhrases):
         token = self.tokens[i]
         titled = self._title(i)
         if titled:
-            self.elements.append(Word(token.start, self.tokens[i + titled - 1].end, "adv", "heading"))
+            self.elements.append(
+                Word(token.start, self.tokens[i + titled - 1].end, "adv", "heading")
+            )
             return titled
         n = 2 if self._tok(i + 1) is not None and self.tokens[i + 1].kind == "number" else 1
         colon = self._tok(i + n)

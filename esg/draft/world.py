@@ -64,6 +64,9 @@ class World(Members):
         if self._arranges(m):
             m.attribute = True  # "in a triangle": how a plural stands, no object
             return []
+        beside = m.head in ("neighbour", "neighbor") and m.determiner in ("its", "their")
+        if beside and avoid and self.entities[avoid[0]].noun.kind != "person":
+            m.pronoun, m.adjectives, m.determiner, m.noun = "one", ["next"], "the", None
         whole = self._whole(m, subject, avoid)
         if whole:
             return whole
@@ -121,6 +124,8 @@ class World(Members):
         found = self._existing(m, avoid)
         if found and m.possessor is not None and not m.possessor.pronoun and set(found) <= {*avoid}:
             found = []  # "the police boat follows the smuggler's boat"
+        if found and set(found) <= {*avoid} and self.entities[found[0]].head != m.head:
+            found = []  # "a curling stone hits the guard stone": not itself
         if found:
             self._enrich(m, found)
             return found

@@ -1,0 +1,136 @@
+"""Readings that prompts of other hands needed: persons, reports, titles, similes, falls."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from esg.draft import draft
+from esg.graph import verify
+from esg.graph.models import EsgDocument
+
+POINTS = {"Collision", "EnterRegion", "Fall", "Topple", "Stop", "HeadingReached", "Reach", "Miss"}
+
+
+def read(prompt: str) -> tuple[EsgDocument, list[tuple[Any, ...]]]:
+    """The verified draft and its point events."""
+    doc = draft(prompt)
+    assert verify(doc) == ()
+    nodes = doc.timeline_system.sequence_graph.nodes if doc.timeline_system else ()
+    return doc, [(n.event.value, *n.participants) for n in nodes if n.event.value in POINTS]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "expected"),
+    [
+        # who runs on after "before", "after"
+        (
+            "A dog bumps a jug that sways before tumbling to the floor.",
+            [("Collision", "dog_1", "jug_1"), ("Fall", "jug_1")],
+        ),
+        # persons and drivers
+        (
+            "A wainwright stands by the road. A cart hits him.",
+            [("Collision", "cart_1", "wainwright_1")],
+        ),
+        ("A goat trots along and a dog overtakes him.", [("Miss", "dog_1", "goat_1")]),
+        ("The lorry slows down and he stops at a gate.", [("Stop", "lorry_1")]),
+        # reports and titles
+        (
+            "Claimant states that a crate fell on his wagon, slid off and hit a gate.",
+            [
+                ("Collision", "crate_1", "wagon_1"),
+                ("Fall", "crate_1"),
+                ("Collision", "crate_1", "gate_1"),
+            ],
+        ),
+        ("Sorting task: a ball rolls into a box.", [("Collision", "ball_1", "box_1")]),
+        # names by number
+        (
+            "Truck number one waits, truck number two hits truck number one.",
+            [("Collision", "truck_two", "truck_one")],
+        ),
+        # the other one does
+        (
+            "Two mopeds race. One of them stops and the other hits a bench.",
+            [("Stop", "moped_1"), ("Collision", "moped_2", "bench_1")],
+        ),
+        # parts on their own
+        (
+            "A tin is intercepted by a mobile base. It bounces off it and misses a vase.",
+            [("Collision", "mobile_base_1", "tin_1"), ("Miss", "tin_1", "vase_1")],
+        ),
+        # dodging says no side
+        ("A boy dodges a puddle.", [("Miss", "boy_1", "puddle_1")]),
+        (
+            "A boy dodges a puddle to the right.",
+            [("HeadingReached", "boy_1"), ("Miss", "boy_1", "puddle_1")],
+        ),
+        # what is taken out, thrown off, comes off
+        (
+            "A ball flattens a skittle.",
+            [("Collision", "ball_1", "skittle_1"), ("Topple", "skittle_1")],
+        ),
+        ("The donkey throws its rider.", [("Fall", "rider_1")]),
+        (
+            "The puck comes off the referee's leg and slides into a box.",
+            [("Collision", "puck_1", "referee_1"), ("Collision", "puck_1", "box_1")],
+        ),
+        (
+            "The parcel comes off the shelf and hits a cat.",
+            [("Fall", "parcel_1"), ("Collision", "parcel_1", "cat_1")],
+        ),
+        # what comes down to the ground stood on what was hit
+        (
+            "A forklift bumps a shelf; a jar wobbles and then crashes to the ground.",
+            [("Collision", "forklift_1", "shelf_1"), ("Fall", "jar_1")],
+        ),
+        # what hangs does not topple
+        (
+            "The chandelier plunges onto the piano.",
+            [("Collision", "chandelier_1", "piano_1")],
+        ),
+        # not itself
+        (
+            "A curling stone hits the guard stone and stops.",
+            [("Collision", "curling_stone_1", "guard_stone_1"), ("Stop", "curling_stone_1")],
+        ),
+        # a compound with a verb's spelling
+        (
+            "An airport shuttle brakes and rams a bollard.",
+            [("Collision", "shuttle_1", "bollard_1")],
+        ),
+        # telegrams
+        (
+            "van stops at crosswalk, bike behind hits cone",
+            [("Stop", "van_1"), ("Collision", "bike_1", "cone_1")],
+        ),
+    ],
+)
+def test_the_right_things_meet(prompt: str, expected: list[tuple[Any, ...]]) -> None:
+    """Read each event between the things that the prompt means."""
+    _, found = read(prompt)
+    assert found == expected
+
+
+def test_a_neighbour_of_a_thing_is_another_one() -> None:
+    """Let "its neighbour" be a second domino, and "as well" no well."""
+    doc, found = read("A domino tips and strikes its neighbour, which topples as well.")
+    assert len(doc.spatial_relation_graph.nodes) == 3
+    assert [e[0] for e in found] == ["Topple", "Collision", "Topple"]
+    assert found[1][2] == found[2][1] != found[0][1]
+
+
+def test_a_simile_draws_nothing() -> None:
+    """Read "like dominoes" as the manner of a fall; keep what is named in its own right."""
+    doc, _ = read("A row of scooters topples like dominoes after a van backs into the first one.")
+    assert not any("domino" in name for name in doc.spatial_relation_graph.nodes)
+    doc, _ = read("Something like a brick falls onto a car.")
+    assert any("brick" in name for name in doc.spatial_relation_graph.nodes)
+
+
+def test_a_tower_that_is_hit_falls() -> None:
+    """Let "it falls down" after a throw at a tower be about the tower."""
+    _, found = read("There is a tower of cups. A girl throws a sock at it and it falls down.")
+    assert found == [("Collision", "sock_1", "cup_1"), ("Topple", "cup_1")]
