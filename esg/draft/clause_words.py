@@ -139,7 +139,7 @@ class ClauseWords:
             return s
         if w.kind == "adv":
             if w.low in ("then", "next", "simultaneously", "meanwhile") and w.low != "next":
-                s.link = "simultaneously" if w.low in ("simultaneously", "meanwhile") else "then"
+                s.link = w.low if w.low in ("simultaneously", "meanwhile") else "then"
                 if w.low == "then" and s.boundary_kind != "rel":
                     s.boundary, s.boundary_kind = (
                         True,

@@ -73,6 +73,12 @@ class Core:
         """What leans on something, so that it tips over when it falls."""
         self.told_hits: set[tuple[int, str, str]] = set()
         """Collisions by the clause that tells them."""
+        self.of_frame: list[tuple[Frame, str]] = []
+        """Point events in the order told, with the clauses that tell them."""
+        self.before: dict[str, str | None] = {}
+        """By point event, what was told last before it."""
+        self.at_once = -1
+        """The sentence whose events all happen at the same moment."""
         self._rereading: set[tuple[int, str]] = set()
         """Frames with the senses they have been read as."""
         self.rates: dict[str, tuple[Amount, float]] = {}
@@ -151,7 +157,8 @@ class Core:
                 out += [("", a) for a in m.amounts]
         if f.subject is not None:
             out += [("", a) for a in f.subject.amounts if a.dimension == "speed"]
-        return [(p, a) for p, a in out if a.dimension != "time" or a.high <= MAX_TIME_S]
+        told = [(p, a) for p, a in out if a.dimension != "time" or a.high <= MAX_TIME_S]
+        return [(p, a) for p, a in told if a.measure != "period"]  # "every second": what recurs
 
     def quantity(self, f: Frame, dimension: str) -> tuple[str, Amount] | None:
         return next(((p, a) for p, a in self.amounts(f) if a.dimension == dimension), None)

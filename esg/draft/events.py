@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from typing import Any
 
+from esg.draft.concurrence import Concurrence
 from esg.draft.core import Time
 from esg.draft.elements import Mention
-from esg.draft.event_coreference import EventCoreference
 from esg.draft.frames import Frame
 from esg.draft.quantities import Amount
 from esg.draft.scene import SELF_POWERED, pocket_name
@@ -19,10 +18,9 @@ HIGHEST_CM = 2e4
 """Highest start of a fall, as the verifier has it."""
 PUSHING = frozenset({"push", "shove", "nudge", "prod"})
 """Verbs of moving a thing by touching it."""
-_GOES_ON = re.compile(r"\b(?:then|next|afterwards?|later|finally|subsequently)\b", re.IGNORECASE)
 
 
-class Events(EventCoreference):
+class Events(Concurrence):
     """Adds events to the timeline."""
 
     def _representatives(self, targets: list[str], movers: list[str]) -> list[str]:
@@ -65,7 +63,7 @@ class Events(EventCoreference):
 
     def _time(self, f: Frame) -> Time | None:
         for p, a in self.amounts(f):
-            if a.dimension == "time" and self._precedes(a):
+            if a.dimension == "time" and (self._precedes(a) or self._apart(a)):
                 continue
             if a.dimension == "time" and a.low == a.high == 0.0:
                 self.use(a, "the start")
@@ -84,11 +82,12 @@ class Events(EventCoreference):
                 "later",
             ):
                 value: Quantity = a.value
-                if p == "within" or a.bound == "max" or (p == "before" and a.bound is None):
+                before = p == "before" or (p == "by" and a.low == a.high)
+                if p == "within" or a.bound == "max" or (before and a.bound is None):
                     value = (0.05 * a.high, a.high)
                 elif a.bound == "min":
                     value = (a.low, 2.0 * a.low + 1.0)
-                mode = "at" if p == "at" or a.measure == "start" else "after"
+                mode = "at" if p in ("at", "by") or a.measure == "start" else "after"
                 return value, a, mode
         return None
 
@@ -108,7 +107,10 @@ class Events(EventCoreference):
         if kind is NodeEvent.FALL and time is not None and self._lands_before(f, mover, time[1]):
             time = None  # "falls from the ceiling onto a table after 2 s": the time of the landing
             self.before_fall = (f, self.tl.last_event)
-        previous = self.tl.last_event
+        partner = self._partner(kind, participants, f)
+        if partner is not None:
+            self.tl.last_event = self.before.get(partner[0])
+        previous = told_before = self.tl.last_event
         if time is not None and self.before_fall is not None and self.before_fall[0] is f:
             previous = self.before_fall[1]
         node_id = ""
@@ -116,7 +118,7 @@ class Events(EventCoreference):
             time = None
         if time is not None and previous is not None and self._on_its_own(f, participants, time):
             time = (time[0], time[1], "at")
-        if time is not None and not self.text[time[1].end :].lstrip().lower().startswith("later"):
+        if time is not None and not self._later(time[1]):
             previous = self._begun(previous, mover)
         if time is not None and (previous is None or time[2] == "at") and not stop_timed:
             node_id = self.tl.event(
@@ -126,9 +128,13 @@ class Events(EventCoreference):
             node_id = self.tl.event(kind, participants, self.describe(f), **extra)
         draft = self.tl.node(node_id)
         assert draft is not None
+        self.of_frame.append((f, node_id))
+        self.before[node_id] = told_before
         if time is not None:
             self.use(time[1], f"time of {node_id}")
-            if stop_timed:
+            if stop_timed and time[2] == "at" and time[1].bound is None:
+                draft.time, draft.time_prescribed = time[0], True
+            elif stop_timed:
                 braked = any(e.to == node_id and e.event.value == "Brake" for e in self.tl.edges)
                 if braked:
                     draft.constraints.append(
@@ -151,6 +157,7 @@ class Events(EventCoreference):
                         quantity="time_since", object=mover, value=time[0], since=previous
                     )
                 )
+        self._coincide(draft, partner)
         self._ends_gap(draft, f, previous)
         lasting = next(
             (
@@ -184,22 +191,6 @@ class Events(EventCoreference):
             return previous
         begun = next((e.from_ for e in self.tl.edges if e.to == node.id and e.event in changed), "")
         return None if begun == START else begun or previous
-
-    def _on_its_own(self, f: Frame, participants: tuple[str, ...], time: Time) -> bool:
-        """Whether a time counts from the start: nothing that takes part has met with anything yet.
-
-        "The red ball hits a box after 1 s and the blue ball hits a barrel after 2 s" are two
-        stories; "later", "then" and a time in front of the clause go on from the one before.
-        """
-        amount = time[1]
-        follows = self.text[: amount.start].rstrip().lower().endswith("after")
-        if not follows or amount.start < f.verb.start or amount.measure:
-            return False
-        begins = f.verb.start if f.subject is None else min(f.subject.start, f.verb.start)
-        if _GOES_ON.search(self.text[max(0, begins - 20) : amount.start]):
-            return False
-        met = {p for n in self.tl.nodes for p in n.participants}
-        return not met & set(participants)
 
     def _lands_before(self, f: Frame, mover: str, amount: Amount) -> bool:
         """Whether a clause says on what its mover lands, and only then a time."""

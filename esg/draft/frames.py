@@ -221,6 +221,9 @@ def in_order(frames: list[Frame]) -> list[Frame]:
                 i += 1
             out.append(f)
             f.link = "then"
+        elif link == "sub:simultaneously":
+            f.link = "simultaneously"
+            out.append(f)
         elif link == "sub:while":
             f.link = "while"
             out.append(f)

@@ -15,7 +15,7 @@ _ON_THE_WAY = frozenset(
 )  # fmt: skip
 """Senses of clauses that lead up to the next one."""
 _LASTS = re.compile(r"(?:over|(?:with)?in) the (?:course|space) of|within|inside|in under", re.I)
-_SETS_OFF = frozenset({"start", "set", "depart", "leave", "begin", "drive", "pull"})
+SETS_OFF = frozenset({"start", "set", "depart", "leave", "begin", "drive", "pull"})
 _ABOVE = re.compile(r"\s*(?:up\b|above\b|high\b|over the)", re.IGNORECASE)
 _FLIGHTS = frozenset({"own", "fly", "land", "noop", "roll", "slide", "bounce"})
 
@@ -41,7 +41,7 @@ class Leftovers(Lengths):
         """ "closes the gap in 2 s and hits it": the time of what comes next in the sentence."""
         if f.verb.sense not in _ON_THE_WAY or a.measure or self.gap is not None:
             return
-        if f.verb.lemma in _SETS_OFF or f.verb.extra.get("start"):
+        if f.verb.lemma in SETS_OFF or f.verb.extra.get("start"):
             return  # "after 3 s it drives off and hits": when it sets off
         if p not in ("in", "within", "over") and not _LASTS.match(a.text):
             return

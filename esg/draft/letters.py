@@ -59,8 +59,10 @@ class Letters(VerbGroups):
             token = self._tok(k)
             if token is None:
                 return None
-            if token.kind == "word" and re.fullmatch(r"[A-Z]", token.text):
+            if token.kind == "word" and re.fullmatch(r"[A-Z]\d{0,2}", token.text):
                 return token.text
+            if token.kind == "number" and token.text[0] == "#":
+                return token.text[1:]
             if token.low in _NAMING and not m.determiner and not m.plural and m.count is None:
                 return token.low if self._match_noun(k + 1) is None else None
             if token.kind == "word" and re.fullmatch(r"[b-hj-z]", token.text):
@@ -72,10 +74,13 @@ class Letters(VerbGroups):
                     return "A"
                 if nxt in ("and", "'s") and not m.determiner:
                     return "A"
-            if token.kind == "number" and re.fullmatch(r"#?\d{1,2}", token.text):
+            if token.kind == "number" and re.fullmatch(r"\d{1,2}", token.text):
                 nxt = self._tok(k + 1)
                 if nxt is None or nxt.kind != "word" or not self._match_noun(k + 1):
-                    return token.text.lstrip("#")
+                    return token.text
+                bare = (not m.determiner and m.count is None) or token.text == "1"
+                if bare and any(r.form == "s" for r in verb_readings(nxt.low)):
+                    return token.text  # "ball 1 rams ball 2"
             return None
 
         if not m.head or m.pronoun or m.attribute:

@@ -16,6 +16,10 @@ _SUFFIXES: dict[str, tuple[tuple[str, str], ...]] = {
     "time": (
         (r"mark", "start"),
         (r"on(?=\s*,)", ""),
+        (r"(?:of|after)\s+(?:that|this)(?=\s*[,.;]|\s+(?:an?|the|it)\b)", ""),
+        (r"(?:has|have)\s+(?:passed|elapsed|gone\s+by)", ""),
+        (r"after\s+(?:it|he|she|they)\s+(?:starts?|begins?|started|began|sets?\s+off)"
+         r"(?:\s+(?:moving|rolling|driving|to\s+(?:move|roll|drive)))?(?=\s*[,.;])", "start"),
         (r"in(?=\s*[,.;])", "start"),
         (
             r"(?:(?:later\s+than|after|from|since|past)\s+(?:the\s+)?(?:very\s+)?"

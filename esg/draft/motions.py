@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from esg.draft.frames import Frame
-from esg.draft.leftovers import Leftovers
+from esg.draft.leftovers import SETS_OFF, Leftovers
 from esg.draft.quantities import Amount
 from esg.draft.scene import SELF_POWERED, SPEEDS, Relation
 from esg.draft.timeline import LAUNCHES, START, Motion
@@ -16,6 +16,8 @@ _TALL_CM = 50.0
 
 _IN_THE_AIR = frozenset({"fly", "soar", "cruise", "glide", "flutter", "swoop", "hover", "dive"})
 _ON_WHEELS = frozenset({"taxi", "roll", "drive", "skid", "slide", "park", "coast"})
+_WITH_OFF = frozenset({"drive", "pull", "take", "move", "head", "ride", "walk", "set"})
+"""Verbs that say that something sets off only with "off", "away" or "out"."""
 _WINGED = frozenset({"bee", "butterfly", "fly", "beetle", "dragonfly", "wasp", "moth", "bat"})
 
 
@@ -97,19 +99,41 @@ class Motions(Leftovers):
         since = track.at
         if since != START and self.tl.node(since) is None:
             return
+        begin = None if since == START else since
+        node = self._stand(actor, amount.value, begin, f"{actor} has waited {amount.text}")
+        self.use(amount, f"time of {node}")
+
+    def _sets_off_late(self, f: Frame, actors: list[str]) -> None:
+        """ "After 3 s it drives off", "starts to roll at 2 s": it stands still until then."""
+        begins = f.verb.lemma in SETS_OFF or f.verb.extra.get("start")
+        if f.verb.lemma in _WITH_OFF:  # not "after 3 s a car drives into a wall"
+            words = {*self.text[f.verb.start : f.verb.end].lower().split(), *f.adverbs}
+            begins = bool(words & {"off", "away", "out"})
+        met = f.phrase("into", "against", "onto") is not None
+        time = self._time(f) if begins and not met else None
+        for actor in actors:
+            track = self.tl.track(actor)
+            if time is None or track.motion is not None or self.kind(actor) not in SELF_POWERED:
+                continue
+            since = track.at if track.at != START else self.tl.last_event
+            if time[2] == "at" or self._on_its_own(f, (actor,), time):
+                since = None
+            self._stand(actor, time[0], since, f"{actor} sets off")
+            self.use(time[1], "when it sets off")
+
+    def _stand(self, actor: str, until: Quantity, since: str | None, description: str) -> str:
+        """Stands still for a time since an event, or until a time since the start."""
         self.tl.move(actor, Motion("own", 0.0), self._direction(actor, "own"))
-        node = self.tl.trigger(actor, f"{actor} has waited {amount.text}")
+        node = self.tl.trigger(actor, description)
         draft = self.tl.node(node)
         assert draft is not None
-        if since == START:
-            draft.time, draft.time_prescribed = amount.value, True
+        if since is None:
+            draft.time, draft.time_prescribed = until, True
         else:
             draft.constraints.append(
-                EventConstraint(
-                    quantity="time_since", object=actor, value=amount.value, since=since
-                )
+                EventConstraint(quantity="time_since", object=actor, value=until, since=since)
             )
-        self.use(amount, f"time of {node}")
+        return node
 
     def _own(
         self, actor: str, speed: Quantity | None, prescribed: bool, target: str | None = None
@@ -168,6 +192,7 @@ class Motions(Leftovers):
             return
         target = self._target(f, actors)
         aim = next((t for t in target if self._aimable(t)), None)
+        self._sets_off_late(f, actors)
         for actor in actors:
             if aim is not None:
                 self.aim[actor] = aim
@@ -211,9 +236,7 @@ class Motions(Leftovers):
                 held = actor in self.scene.supported_by or self.e(actor).pattern == "stack"
                 if held or slid:
                     self.event(NodeEvent.FALL, (actor,), f, self._time(f))
-        duration = next(
-            (a for p, a in self.amounts(f) if a.dimension == "time" and p == "for"), None
-        )
+        duration = next((a for p, a in self.amounts(f) if self._lasts(p, a)), None)
         if duration is not None:
             for actor in actors:
                 track = self.tl.tracks.get(actor)
@@ -225,6 +248,12 @@ class Motions(Leftovers):
                 motion.duration = duration.value
             self.use(duration, "duration")
         self._outcomes(f, actors)
+
+    @staticmethod
+    def _lasts(prep: str, a: Amount) -> bool:
+        """Whether a time says how long a motion lasts: "for", "over", "during the first 2 s"."""
+        first = a.text.lower().startswith(("for the", "during the", "over", "through"))
+        return a.dimension == "time" and (prep == "for" or first)
 
     def _skids(self, f: Frame, actor: str) -> bool:
         """ "brakes, skids for 2 s": sliding on locked wheels is how it brakes."""

@@ -4,10 +4,27 @@ from __future__ import annotations
 
 from typing import Literal
 
+_ADV: Literal["adv"] = "adv"
+_SUB: Literal["sub"] = "sub"
 _ENTRIES: tuple[tuple[tuple[str, ...], Literal["prep", "adv", "sub", "conj"], str], ...] = (
     (("in", "front", "of"), "prep", "in front of"),
-    (("at", "the", "same", "time"), "adv", "simultaneously"),
-    (("at", "the", "same", "moment"), "adv", "simultaneously"),
+    *(
+        ((*words, k, *more), kind, "simultaneously")
+        for words in (
+            ("at", "the", "same"),
+            ("at", "the", "very same"),
+            ("at", "exactly", "the", "same"),
+            ("at", "precisely", "the", "same"),
+            ("in", "the", "same"),
+            ("at", "one", "and", "the", "same"),
+        )
+        for k in ("time", "moment", "instant", "point")
+        for more, kind in (((), _ADV), (("as",), _SUB))
+    ),
+    (("concurrently",), "adv", "simultaneously"),
+    (("synchronously",), "adv", "simultaneously"),
+    (("in", "unison"), "adv", "simultaneously"),
+    (("in", "parallel"), "adv", "meanwhile"),
     (("as", "soon", "as"), "sub", "once"),
     (("so", "that"), "sub", "so"),
     (("such", "that"), "sub", "so"),
@@ -35,7 +52,7 @@ _ENTRIES: tuple[tuple[tuple[str, ...], Literal["prep", "adv", "sub", "conj"], st
     (("in", "doing", "so"), "adv", "thereby"),
     (("whereupon",), "adv", "then"),
     (("upon", "which"), "adv", "then"),
-    (("at", "which", "point"), "adv", "then"),
+    *((("at", "which", k), "adv", "then") for k in ("point", "moment", "instant", "time")),
     (("in", "its", "turn"), "adv", "then"),
     (("in", "their", "turn"), "adv", "then"),
     (("after", "this"), "adv", "then"),

@@ -22,7 +22,7 @@ class NounPhrases(NounStarts):
         m = Mention(tokens[i].start, tokens[i].end)
         low = self._low(j)
         if self._lone_letter(j):
-            m.letters, m.head, m.determiner = [tokens[j].text], "@", "the"
+            m.letters, m.head, m.determiner = [tokens[j].text.lstrip("#")], "@", "the"
             m.text, m.end = tokens[j].text, tokens[j].end
             while (
                 self._low(j + 1) == "and"
@@ -162,6 +162,10 @@ class NounPhrases(NounStarts):
                 if nxt in EXTENTS:
                     m.adjectives.append(f"@{token.amount.start}:{nxt}")
                     j += 1
+                continue
+            if token.kind == "number" and token.text[0] == "#" and self._match_noun(j + 1):
+                m.letters.append(token.text[1:])  # "the No. 4 car"
+                j += 1
                 continue
             listed = self._tok(j + 1)
             if token.text == "," and m.amounts and listed is not None and listed.kind == "qty":

@@ -30,6 +30,11 @@ class NounStarts(NounHeads):
         if len(token.text) > 2 and token.text[0].isupper():
             named = (e.letters for e in self.elements if isinstance(e, Mention))
             return any(token.text in names for names in named)  # "Rex stops"
+        if re.fullmatch(r"#\d{1,3}|[A-Z]\d{1,2}", token.text):
+            named = {x for e in self.elements if isinstance(e, Mention) for x in e.letters}
+            start = token.text[0] if token.text[0] != "#" else ""
+            alike = any(re.fullmatch(rf"{start}\d+", x) for x in named)
+            return alike and self._match_noun(j + 1) is None  # "Robot R1 stops. R2 hits R1."
         if not re.fullmatch(r"[A-Z]", token.text):
             return False
         known = {x for e in self.elements if isinstance(e, Mention) for x in e.letters}

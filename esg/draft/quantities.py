@@ -36,7 +36,8 @@ _BOUND = (
     r"|above|no faster than|not faster than|no earlier than|not earlier than|no sooner than"
     r"|not before|no slower than|not slower than|a maximum of|a minimum of|at most"
     r"|no more than|not more than|less than|fewer than|slower than|under|below|up to"
-    r"|no later than|not later than|(?:(?:with)?in|during|for) the (?:very )?first|not exceeding"
+    r"|no later than|not later than|not after"
+    r"|(?:(?:with)?in|during|for) the (?:very )?first|not exceeding"
     r"|within|in under|in less than|exceeding|max\.?|min\.?|maximum|minimum|[<>≤≥]=?)\s*\b)?"
 )
 _PLUS_MINUS = r"(?:±|\+/-|\+-|plus or minus|plus/minus|,?\s*give or take)"
@@ -93,9 +94,11 @@ _METRE_AND = re.compile(
 )
 """ "one metre twenty"."""
 _BOTH_BOUNDS = re.compile(
-    rf"\b(?:at least|no less than|more than|over|above)\s+(?P<lo>{NUMBER})[\s-]*(?:{UNIT})?"
-    rf",?\s*(?:but|and|yet)\s+(?:at most|no more than|not more than|less than|under|below|up to"
-    rf"|not over|not above)\s+(?P<hi>{NUMBER})[\s-]*(?P<unit>{UNIT})?(?![a-z0-9])",
+    r"\b(?:at least|no less than|more than|over|above|after|not before"
+    rf"|(?:no|not) (?:earlier|sooner) than)\s+(?P<lo>{NUMBER})[\s-]*(?:{UNIT})?"
+    r",?\s*(?:but|and|yet)\s+(?:at most|no more than|not more than|less than|under|below|up to"
+    r"|not over|not above|not after|before|(?:no|not) later than)"
+    rf"\s+(?P<hi>{NUMBER})[\s-]*(?P<unit>{UNIT})?(?![a-z0-9])",
     re.IGNORECASE,
 )
 _AND_A_HALF = re.compile(
@@ -106,6 +109,12 @@ _SMALLER = re.compile(
 )
 """The rest of "6 feet 2 inches", "1 min 30 s"."""
 _PRODUCT = product(DIGITS, LENGTH_UNIT)
+_DELAY = re.compile(
+    r"(?:\b(?:(?P<with>with)|(?P<over>over|through(?:out)?))\s+)?\b(?:an?|the)\s+(?:(?:further|total|short|brief|additional)\s+)?"
+    r"(?:delay|pause|gap|interval|lag|wait|period|duration|stretch|span)\s+of\s+$",
+    re.IGNORECASE,
+)
+""" "after a delay of", "over a period of": words that only say that a time follows."""
 _SPEEDING = re.compile(r"\b(?:speed|speeds|sped|speeding|goes|going|accelerat\w+)\s+$", re.I)
 _LOW_BOUNDS = (
     "at least", "no less", "not less", "no slower", "not slower", "a minimum", "min", ">", "≥",
@@ -219,6 +228,7 @@ def _amount(m: re.Match[str]) -> Amount | None:
     if groups["unit"].lower() == "t" and re.match(r"T|t[-']", m.string[m.start("unit") :]):
         return None  # "2 T-shirts"
     start = m.start()
+    delay = _DELAY.search(m.string, max(0, start - 40), start) if dimension == "time" else None
     lo_word = groups["lo"].strip().lower()
     if lo_word in ("a", "an") and not _article_counts(m, groups["unit"], dimension):
         return None
@@ -263,6 +273,8 @@ def _amount(m: re.Match[str]) -> Amount | None:
         bound = "min" if word.startswith(_LOW_BOUNDS) else "max"
     if word.endswith("the first"):
         measure = "start"
+    if delay is not None and not word:
+        start, measure = delay.start(), "later" if delay["with"] else measure
     if groups.get("plus") and bound is None:
         bound = "min"
     open_side = bounded(m.string, end)

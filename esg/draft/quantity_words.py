@@ -72,6 +72,12 @@ _NTH_SECOND = re.compile(
     rf"(?P<nth>{'|'.join(_ORDINALS)})\s+second\b(?=\s*(?:[,.;]|$|do\b|does\b|the\b|an?\b|it\b|of\b))",
     re.IGNORECASE,
 )
+_NTH = rf"(?:{'|'.join(_ORDINALS)}|\d+(?:st|nd|rd|th))"
+_BETWEEN_NTH = re.compile(
+    rf"\b(?:some(?:time|where)\s+)?between\s+the\s+(?P<lo>{_NTH})(?:\s+second)?\s+and\s+(?:the\s+)?"
+    rf"(?P<hi>{_NTH})\s+seconds?\b",
+    re.IGNORECASE,
+)
 _EVERY = re.compile(
     rf"\b(?:every|once\s+a|once\s+every|once\s+per)\s+(?:(?P<n>{NUMBER})\s*)?"
     r"(?P<unit>s|seconds?|minutes?)\b(?=\s*(?:[,.;]|$|an?\b|the\b|another\b|one\b|and\b))",
@@ -130,6 +136,7 @@ def worded(text: str) -> Iterator[Worded]:
     for m in _MIN_SEC.finditer(text):
         at = 60.0 * float(m["min"]) + float(m["sec"])
         yield Worded("time", at, at, m.start(), m.end())
+    yield from _between_nth(text)
     yield from _nth_second(text)
     for m in _EVERY.finditer(text):
         count = parse_number(m["n"]) if m["n"] else 1.0
@@ -156,6 +163,17 @@ def _nth_second(text: str) -> Iterator[Worded]:
             yield Worded("time", n, n, at, m.end(), "max", "start")
         elif n > 1.0:
             yield Worded("time", n - 1.0, n, at, m.end(), None, "start")
+
+
+def _between_nth(text: str) -> Iterator[Worded]:
+    """ "between the second and the third second": from 2 to 3 s."""
+
+    def number(word: str) -> float:
+        return float(_ORDINALS.index(word) + 1 if word in _ORDINALS else word[:-2])
+
+    for m in _BETWEEN_NTH.finditer(text):
+        low, high = sorted((number(m["lo"].lower()), number(m["hi"].lower())))
+        yield Worded("time", low, high, m.start(), m.end(), None, "start")
 
 
 def bounded(text: str, at: int) -> tuple[int, Bound] | None:

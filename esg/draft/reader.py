@@ -6,12 +6,15 @@ from esg.draft import lexicon as lex
 from esg.draft.elements import Element, Mention, Token, Verb, Word
 from esg.draft.entities import ORDINALS
 from esg.draft.numerals import parse_number
+from esg.draft.tokens import is_name
 from esg.draft.verbphrases import PHRASES, verb_readings
 
 _NOUNS_FIRST = frozenset(
     {"back", "left", "ground", "wound", "found", "end", "step", "set", "lead", "rest"}
 )
 """Forms of verbs that are something else unless a noun precedes them."""
+_ALSO_NOUNS = frozenset({"can", "has", "have", "had", "having", "might", "will"})
+"""Modals that are nouns or main verbs too."""
 
 
 class Reader:
@@ -124,7 +127,8 @@ class Reader:
             return self.tokens[i].tag in ("VERB", "")
         low = nxt.low
         return (
-            low in lex.DETERMINERS
+            self._individual(i + 1)
+            or low in lex.DETERMINERS
             or low in lex.PRONOUNS
             or low in lex.PREPOSITIONS
             or nxt.kind in ("qty",)
@@ -132,6 +136,14 @@ class Reader:
             or low == "to"
             or (nxt.kind == "punct" and self.tokens[i].tag in ("VERB", ""))
         )
+
+    def _individual(self, i: int) -> bool:
+        """ "then rams pallet P2", "and hits car 3", "rams R2": a name in place of an article."""
+        noun = self._match_noun(i)
+        if noun is not None and noun[2]:
+            return False
+        name = self._tok(i + (noun[1] if noun is not None else 0))
+        return name is not None and is_name(name, after_noun=noun is not None)
 
     def _noun_soon(self, i: int) -> bool:
         """Whether adjectives and then a noun follow without a determiner."""
@@ -178,15 +190,7 @@ class Reader:
             return low != "'s" or isinstance(previous, Mention)
         if low in ("cannot", "can't", "couldn't"):
             return True
-        if low in lex.MODALS and low not in (
-            "can",
-            "has",
-            "have",
-            "had",
-            "having",
-            "might",
-            "will",
-        ):
+        if low in lex.MODALS - _ALSO_NOUNS:
             return True
         if low in ("will", "can", "might", "has", "have", "had", "having"):
             return isinstance(previous, Mention) or low in ("has", "have", "had", "having")

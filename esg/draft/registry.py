@@ -372,7 +372,9 @@ class Registry(Matching):
         if m.head == "@":
             like = [e for e in self.entities.values() if e.letter]
             if like:
-                m.noun, m.head = like[-1].noun, like[-1].head  # "ball A hits ball B; B hits C"
+                alike = [e for e in like if e.letter[0] == letter[0] and len(letter) > 1]
+                model = (alike or like)[-1]  # "ball A hits ball B; B hits C", "robot R1 ... R2"
+                m.noun, m.head = model.noun, model.head
         noun = m.noun or unknown_noun(m.head)
         plain = [a for a in m.adjectives if not a.startswith("@")]
         entity = self.add(

@@ -111,12 +111,12 @@ class ControlSenses(OutcomeSenses):
             self._do_slow(f, s, o)
             return
         actors = s or [a for a, t in self.tl.tracks.items() if t.motion is not None][-1:]
+        lasting = next((a for p, a in self.amounts(f) if self._lasts(p, a)), None)
         for actor in actors:
-            self._brake(f, actor, self._time(f))
-        lasting = next(
-            (a for p, a in self.amounts(f) if a.dimension == "time" and p == "for"), None
-        )
+            time = self._time(f)
+            self._brake(f, actor, None if time is not None and time[1] is lasting else time)
         if lasting is not None and actors:
+            lasting = replace(lasting, high=lasting.low) if lasting.bound == "min" else lasting
             self.gap = lasting  # "brakes for 2 s and then hits"
         found = self.quantity(f, "speed")
         rate = self.quantity(f, "acceleration")
@@ -315,14 +315,12 @@ class ControlSenses(OutcomeSenses):
             self._start_motion(f, [actor])
             track = self.tl.track(actor)
         motion = track.motion
-        if (
-            motion is not None
-            and motion.mode in ("own", "accelerate")
-            and track.role is Role.ACTIVE
-        ):
+        driven = motion is not None and motion.mode in ("own", "accelerate")
+        if driven and track.role is Role.ACTIVE:
             self._brake(f, actor, None)
         node = self.event(NodeEvent.STOP, (actor,), f, time)
-        self._stands_after(node)
+        if driven:  # "for 2 s it drives, then it brakes and stops": the brake is told
+            self._stands_after(node)
         self._rate_of_braking(actor, node)
         self._stops_short(f, actor, node)
 

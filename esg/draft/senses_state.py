@@ -12,6 +12,7 @@ from esg.draft.frames import Frame, Phrase
 from esg.draft.places import RELATION_PREPS
 from esg.draft.quantities import Amount
 from esg.draft.scene import SELF_POWERED, Relation
+from esg.graph.models import NodeEvent
 
 _WAITING = frozenset({"wait", "pause", "stay", "remain", "stand", "sit", "idle", "queue", "rest"})
 _PATTERN_VERBS = {
@@ -138,6 +139,10 @@ class StateSenses(Consequences):
         if lasting is not None and f.verb.lemma in _WAITING and not f.reduced:
             for actor in s:
                 if self.kind(actor) in SELF_POWERED:
+                    track = self.tl.tracks.get(actor)
+                    if track is not None and track.motion is not None and not track.closed:
+                        self.event(NodeEvent.TRIGGER, (actor,), f, None)  # "drives for 4 s, waits"
+                        track.motion = None
                     self.waiting[actor] = lasting
                     self.use(lasting, "waiting time")
         if f.verb.lemma == "stick" and not f.reduced and s and self._at_end(f, s[0], "at"):
@@ -317,4 +322,5 @@ class StateSenses(Consequences):
         speed = self.quantity(f, "speed")
         if speed is not None and len(s) == 1:
             self.stated[s[0]] = speed[1]
+        self._sets_off_late(f, s)
         self._starts_apart(f, s)

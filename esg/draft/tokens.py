@@ -10,7 +10,8 @@ from esg.draft.elements import Token
 from esg.draft.quantities import find_amounts
 
 _WORD = re.compile(
-    r"\d+-(?:ball|wheeler|year-old)s?\b|[A-Za-zÀ-ɏ]+(?:[-'’][A-Za-zÀ-ɏ]+)*|\d+(?:st|nd|rd|th)\b"
+    r"(?:[#№]|\b(?:[Nn](?:o|r|um)\.|[Nn]umber(?=\s)))\s*\d{1,3}\b(?!\.\d)|\b[A-Z]\d{1,2}\b"
+    r"|\d+-(?:ball|wheeler|year-old)s?\b|[A-Za-zÀ-ɏ]+(?:[-'’][A-Za-zÀ-ɏ]+)*|\d+(?:st|nd|rd|th)\b"
     r"|#?\d+(?:\.\d+)?|[^\sA-Za-z0-9]"
     r"|\n(?=\s*(?:[-*•]|\d+[.)]\s|\n|[A-Z]|[a-z]+:))"
 )
@@ -22,6 +23,12 @@ _CONTRACTED = re.compile(
     re.IGNORECASE,
 )
 """What "'s" means "is" after ("it's" also where "its" is meant)."""
+
+
+def is_name(token: Token, *, after_noun: bool) -> bool:
+    """Whether a token names one of several alike: "R1", "#5"; after a noun a bare number too."""
+    pattern = r"#?\d{1,3}|[A-Z]\d{1,2}" if after_noun else r"#\d+|[A-Z]\d{1,2}"
+    return token.kind in ("word", "number") and re.fullmatch(pattern, token.text) is not None
 
 
 def tokenize(text: str, tags: list[tuple[int, str]] | None = None) -> list[Token]:
@@ -37,6 +44,13 @@ def tokenize(text: str, tags: list[tuple[int, str]] | None = None) -> list[Token
             if word == "\n":  # a new line that starts a new sentence
                 out.append(Token(".", m.start(), m.end(), "punct"))
                 continue
+            if len(word) > 1 and word[-1].isdigit() and not word[0].isdigit():
+                if len(word) <= 3 and word[0].isalpha():
+                    out.append(Token(word, m.start(), m.end(), "word"))  # "robot R1"
+                else:  # "car no. 7", "crate #3"
+                    name = "#" + re.sub(r"\D", "", word)
+                    out.append(Token(name, m.start(), m.end(), "number"))
+                continue
             if word[0].isalpha():
                 is_ = _CONTRACTED.match(text, m.start())
                 if is_ is not None and is_.end() == m.end():
@@ -51,7 +65,7 @@ def tokenize(text: str, tags: list[tuple[int, str]] | None = None) -> list[Token
                     out.append(Token("'s", cut, m.end(), "word"))
                     continue
                 out.append(Token(word, m.start(), m.end(), "word"))
-            elif word[0].isdigit() or (word[0] == "#" and len(word) > 1):
+            elif word[0].isdigit():
                 kind = "word" if re.search(r"[a-z]", word) else "number"
                 out.append(Token(word, m.start(), m.end(), kind))
             else:
@@ -63,7 +77,8 @@ def tokenize(text: str, tags: list[tuple[int, str]] | None = None) -> list[Token
         cursor = amount.end
     words(cursor, len(text))
     for token in out:
-        token.tag = by_start.get(token.start, "")
+        named = token.kind == "word" and token.text[-1].isdigit()  # "R1" is no noun
+        token.tag = "NUM" if named else by_start.get(token.start, "")
     return out
 
 

@@ -108,6 +108,8 @@ def plan_times(nodes: list[Draft], edges: list[TimelineEdge]) -> dict[str, Inter
                 between = [
                     m.id for m in nodes if m.id in ancestors[n.id] and since in ancestors[m.id]
                 ]
+                if asked <= 0.0:
+                    continue  # at the same time: the same window
                 cap[since] = max(0.05, (0.3 if between else 0.8) * asked)
                 for name in between:  # what happens meanwhile has to fit in
                     share = 0.5 * asked / len(between)
@@ -119,6 +121,8 @@ def plan_times(nodes: list[Draft], edges: list[TimelineEdge]) -> dict[str, Inter
             ready = max((spans[p][1] for p in before[n.id] if p in spans), default=0.0)
             if n.time is not None and n.time_prescribed:
                 low, high = _bounds(n.time)
+                if low < ready < high:
+                    low = ready  # "brakes at 3 s and stops by 5 s"
                 spans[n.id] = (round(low, 4), round(high, 4))
                 continue
             if n.id in relative and relative[n.id][0] in spans:
@@ -147,7 +151,8 @@ def plan_times(nodes: list[Draft], edges: list[TimelineEdge]) -> dict[str, Inter
         for n in nodes:
             if n.time is None or not n.time_prescribed:
                 continue
-            limit = _bounds(n.time)[0]
+            low, high = _bounds(n.time)
+            limit = max(low, 0.5 * high)  # an upper bound leaves half of it to what comes before
             latest = max(
                 (spans[p][1] for p in ancestors[n.id] if not by_id[p].time_prescribed), default=0.0
             )
