@@ -300,10 +300,15 @@ def _by_ordinal(found: list[_Candidate], wanted: Phrase) -> list[_Candidate]:
     written = [c for c in found if words & c.words]
     if written:
         return written
-    ordered = sorted(found, key=lambda c: (_number(c.body.name), c.index))
+    # "a wagon, a second wagon": the first is the one that nobody calls the second.
+    others = [{p.ordinal for p in c.fields if p.ordinal is not None} for c in found]
+    before = sum(1 for own in others if own and 0 < min(own) < wanted.ordinal)
     if wanted.ordinal == -1:
-        return ordered[-1:]
-    return ordered[wanted.ordinal - 1 : wanted.ordinal]
+        return sorted(found, key=lambda c: (_number(c.body.name), c.index))[-1:]
+    plain = [c for c, own in zip(found, others, strict=True) if not own]
+    ordered = sorted(plain, key=lambda c: (_number(c.body.name), c.index))
+    place = wanted.ordinal - 1 - before
+    return ordered[place : place + 1]
 
 
 def _by_position(found: list[_Candidate], wanted: Phrase) -> list[_Candidate]:

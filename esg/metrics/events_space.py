@@ -24,6 +24,9 @@ from esg.metrics.regions import container_regions
 from esg.metrics.replay import Replay
 from esg.units import quat_rotate
 
+_LOWER_M = 0.01
+"""Lower than this below its support, a body that rests has come down."""
+
 
 def _inside(
     replay: Replay, body: int, region: int | None, container: int | None
@@ -96,10 +99,13 @@ def falls(replay: Replay, q: Query) -> Iterator[Found]:
         supported[begin] = True
         if (support := q.bound.get("from")) is not None and support.bodies:
             over = np.any([_over(replay, i, s) for s in support.bodies], axis=0)
-            supported &= over
-            if not supported[begin:].any():
-                yield Found(None, (i,), f"was never on {support.phrase!r}")
-                continue
+            if not (supported & over)[begin:].any():
+                # What stood on something that topples is on its way when that counts as toppled.
+                if not _slid_off(z, supported, over, begin):
+                    yield Found(None, (i,), f"was never on {support.phrase!r}")
+                    continue
+            else:
+                supported &= over
         level = np.maximum.accumulate(np.where(supported, z, -math.inf)[begin:])
         drop = level - z[begin:]
         height = 2.0 * replay.scene.bodies[i].half_extents[2]
@@ -111,6 +117,18 @@ def falls(replay: Replay, q: Query) -> Iterator[Found]:
         else:
             most = float(np.max(drop, initial=0.0, where=np.isfinite(drop)))
             yield Found(None, (i,), f"drops by {most:.2f} m (needs {0.5 * height:.2f} m)")
+
+
+def _slid_off(
+    z: NDArray[np.float64], supported: NDArray[np.bool_], over: NDArray[np.bool_], begin: int
+) -> bool:
+    """Whether what stood on its support before frame `begin` is still coming down then."""
+    on_it = np.flatnonzero((supported & over)[:begin])
+    if not len(on_it):
+        return False
+    last = int(on_it[-1])
+    rested = supported[last:begin] & (z[last:begin] < z[last] - _LOWER_M)
+    return not rested.any()
 
 
 def _over(replay: Replay, body: int, support: int) -> NDArray[np.bool_]:

@@ -67,6 +67,11 @@ PLAIN_CARS = scene(
 BALLS = scene(
     ball("ball_1", label="ball A"), ball("ball_2", label="ball B"), ball("ball_3", label="ball C")
 )
+WAGONS = scene(
+    thing("second_wagon_1", "second wagon", "cart"),
+    thing("wagon_1", "freight wagon", "cart"),
+    thing("wagon_2", "freight wagon", "cart"),
+)
 PLAIN_BALLS = scene(*(ball(f"ball_{k}") for k in (1, 2, 3)))
 ALLEY = scene(
     ball("bowling_ball_1", label="bowling ball", category="bowling ball"),
@@ -147,6 +152,10 @@ TABLE = [
     (PLAIN_BALLS, "Ball #3", ["ball_3"]),
     (PLAIN_BALLS, "last ball", ["ball_3"]),
     (PLAIN_BALLS, "fourth ball", []),
+    (WAGONS, "first wagon", ["wagon_1"]),
+    (WAGONS, "second wagon", ["second_wagon_1"]),
+    (WAGONS, "third wagon", ["wagon_2"]),
+    (WAGONS, "fourth wagon", []),
     (OFFICE, "second crate", ["crate_2"]),
     (OFFICE, "3rd crate", ["crate_3"]),
     (OFFICE, "wooden crates", ["crate_1", "crate_2", "crate_3"]),

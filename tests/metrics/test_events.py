@@ -419,6 +419,21 @@ def test_falls_from_a_support_it_was_never_on():
     assert "was never on" in world.event(type="falls", object="vase", **{"from": "table"}).reason
 
 
+@pytest.mark.parametrize(("leaves", "completed"), [(0.8, True), (0.3, False)])
+def test_falls_from_what_has_toppled_under_it(leaves, completed):
+    """On its way down when the pedestal counts as toppled; not if it lies there already."""
+    pedestal = body("pedestal_1", Shape("box", (0.3, 0.3, 0.45)))
+    world = World().add(pedestal, z=0.45, pitch_deg=turning(90))
+    world.add(body("vase_1"), x=line(0.0, 3.0, leaves), z=fall(leaves, 1.05, 0.1))
+    events = [
+        {"id": "e1", "type": "topples", "object": "pedestal"},
+        {"id": "e2", "type": "falls", "object": "vase", "from": "pedestal", "after": ["e1"]},
+    ]
+    toppled, fallen = world.judge(events).events
+    assert toppled.completed
+    assert fallen.completed is completed
+
+
 def test_a_dropped_ball_falls():
     world = World().add(ball("ball_1"), z=fall(0.0, 2.0, 0.1))
     assert world.event(type="falls", object="ball").completed
