@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 
 from esg.dynamics.story import Story, bounds
+from esg.dynamics.throws import fallen, is_dropped
 from esg.graph.models import (
     AssetConfiguration,
     AssetRequirement,
@@ -29,6 +30,8 @@ DULLEST = 0.4
 """Least share of its usual restitution that the thing keeps."""
 REBOUND = 0.7
 """Largest share of the container's depth that a bounce may reach."""
+DOUBT = 0.1
+"""Restitution that is unsure: even with so much more nothing bounces out again."""
 USUAL_DROP_M = 1.0
 """Height from which things come down that nobody gave a height for."""
 
@@ -85,8 +88,9 @@ def fit_containers(doc: EsgDocument, story: Story) -> dict[str, AssetConfigurati
         if not comes_down(story, node, thing):
             continue
         depth = 0.02 * mouth.half_extents_cm[2] * grow
-        drop = max(_drop_height(story, node), _comes_through(doc, story, node))
-        pair = 2.0 * math.sqrt(REBOUND * depth / drop)
+        drop = max(_drop_height(story, node, thing), _comes_through(doc, story, node))
+        livelier = max(math.sqrt(depth / drop) - DOUBT, 0.0)
+        pair = 2.0 * min(math.sqrt(REBOUND * depth / drop), livelier)
         softest = max(pair - body.restitution, 0.0)
         if softest < holder.restitution:
             out[keys[1]] = holder.model_copy(update={"restitution": round(softest, 3)})
@@ -182,7 +186,7 @@ def _comes_through(doc: EsgDocument, story: Story, node: TimelineNode) -> float:
     return max(heights)
 
 
-def _drop_height(story: Story, node: TimelineNode) -> float:
+def _drop_height(story: Story, node: TimelineNode, thing: str) -> float:
     """Height [m] whose fall is as fast as the thing comes down: a long flight goes high."""
     flight = 0.0
     if node.time_is_prescribed:
@@ -192,4 +196,6 @@ def _drop_height(story: Story, node: TimelineNode) -> float:
         if c.quantity == "time_since" and c.since in story.nodes:
             low, high, _ = bounds(c.value, (0.0, 0.0))
             flight = max(flight, 0.5 * (low + high))
+    if any(p.end.id == node.id and is_dropped(p) for p in story.phases.get(thing, ())):
+        return max(USUAL_DROP_M, fallen(flight))
     return max(USUAL_DROP_M, GRAVITY_MPS2 * flight * flight / 8.0 + 0.5)

@@ -19,6 +19,9 @@ FELT_SPARE = 1.2
 RUN_ON_M, RUN_ON_S = 0.2, 0.28
 """Way on which something struck surely gets to what stands ahead of it, and time it slides at
 least: two hits closer than a tenth of a second are one."""
+ROLLS_AT = 0.6
+"""Share of its speed that a ball struck by a rolling one keeps until it rolls: five sevenths, less
+what its back spin takes."""
 BACK_KEPT, LEAST_BACK = 0.9, 0.2
 """The same of what bounced off something, and the least share that counts as coming back."""
 
@@ -54,6 +57,42 @@ def thrown_back_share(restitution: float, *, rolling: bool) -> float:
     A ball's spin still rolls it forward: that takes two sevenths, once the ground has turned it.
     """
     return 5.0 / 7.0 * restitution - 2.0 / 7.0 if rolling else restitution
+
+
+def gentlest(stage: Stage, node: TimelineNode, a: str, b: str) -> tuple[float, int]:
+    """Speed [m/s] of a ball at which all hits of the chain of balls before it are felt.
+
+    Args:
+        stage: The stage.
+        node: Its hit.
+        a: The ball.
+        b: The first ball it hits.
+
+    Returns:
+        The speed, and the number of hits; faster balls lie farther apart, and are missed sooner.
+    """
+    speed, least, chain = 1.0, math.inf, [a, b]
+    while True:
+        mover, target = stage.prop(chain[-2]), stage.prop(chain[-1])
+        speed *= passed_on(mover, target)
+        least = min(least, target.mass * speed)
+        speed *= ROLLS_AT
+        node, onto = _onto_ball(stage, node, chain)
+        if onto is None:
+            return FELT_NS / max(least, 1e-9), len(chain) - 1
+        chain.append(onto)
+
+
+def _onto_ball(
+    stage: Stage, node: TimelineNode, chain: list[str]
+) -> tuple[TimelineNode, str | None]:
+    """The next hit of the last ball of a chain, and the resting ball that it hits."""
+    for later in stage.story.after(node.id):
+        keys = [stage.key(p) for p in later.participants]
+        others = [k for k in keys if k not in chain and k not in stage.tracks]
+        if later.event is NodeEvent.COLLISION and chain[-1] in keys and others:
+            return later, others[0] if stage.prop(others[0]).rolls else None
+    return node, None
 
 
 def demanded(stage: Stage, node: TimelineNode, a: str, b: str) -> float:

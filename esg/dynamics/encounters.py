@@ -13,17 +13,24 @@ from esg.dynamics.kinematics import (
 )
 from esg.dynamics.overtaking import cut_in
 from esg.dynamics.stage import FASTEST_MPS, Stage, speed_is_fixed
-from esg.dynamics.stagecraft import approach_distance, coasting_drag, min_hit_speed
+from esg.dynamics.stagecraft import (
+    approach_distance,
+    coasting_drag,
+    ground_restitution,
+    min_hit_speed,
+)
 from esg.dynamics.story import Phase, bounds
-from esg.dynamics.throws import asked_height, drop_height, is_dropped
+from esg.dynamics.throws import asked_height, drop_height, fallen, is_dropped
 from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
 from esg.units import GRAVITY_MPS2
 
 SLOWEST_MPS = 0.3
 """Least guessed speed of what meets in time where there is little room."""
-LONGEST_FALL_S, LANDS_AFTER_S = 2.0, 0.4
-"""Longest time of a drop whose height is open (20 m), and from what its target does before to its
-end."""
+LANDS_AFTER_S = 0.4
+"""From what the target of a drop does before to the drop's end, where its height is open."""
+LANDS_S, MEETS_AFTER_S = 0.55, 0.12
+"""Fall of the lower one of two that are let go one above the other, and from its landing to their
+meeting."""
 MEETING_HEIGHT_M = 1.2
 """Height at which bodies are thrown at each other."""
 AFTER_HIT_S, BEHIND_M = 1.2, 0.5
@@ -42,6 +49,9 @@ def meeting(stage: Stage, node: TimelineNode, a: str, pa: Phase, b: str, pb: Pha
 
     What is dropped is let go over the place that the other one has come to by then.
     """
+    if is_dropped(pa) and is_dropped(pb):
+        _dropped_together(stage, node, a, b)
+        return
     if is_dropped(pa) != is_dropped(pb):
         falling, mover, phase = (a, b, pb) if is_dropped(pa) else (b, a, pa)
         _dropped_onto(stage, node, falling, mover, phase)
@@ -86,6 +96,34 @@ def meeting(stage: Stage, node: TimelineNode, a: str, pa: Phase, b: str, pb: Pha
         stage.places[actor] = (ox, oy, stage.frames[actor].angle)
 
 
+def _dropped_together(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
+    """Two that are let go at once: one above the other, which meets it as it bounces back.
+
+    Until the lower one lands their gap stays; from then on it closes at (1 + e) g t.
+    """
+    goes_on_falling = [n for n in stage.story.after(node.id) if n.event is NodeEvent.FALL]
+    stated = {n: asked_height(stage, node, n) for n in (a, b)}
+    falls_on = any(b in map(stage.key, n.participants) for n in goes_on_falling)
+    if (stated[b] or 0.0, falls_on) > (stated[a] or 0.0, not falls_on):
+        a, b = b, a
+    lower = stage.prop(b)
+    time = stage.prescribed_time(node)
+    begun = max(stage.tracks[a].time, stage.tracks[b].time)
+    height = stated[b] or fallen(LANDS_S if time is None else time - begun - MEETS_AFTER_S)
+    lands = math.sqrt(2.0 * height / GRAVITY_MPS2)
+    restitution = 0.5 * (lower.restitution + ground_restitution(stage.doc))
+    gap = (1.0 + restitution) * GRAVITY_MPS2 * lands * MEETS_AFTER_S
+    above = stated[a]
+    if above is not None and above > height + lower.height + 0.05:
+        gap = above - height - lower.height
+    for actor, bottom in ((b, height), (a, height + lower.height + gap)):
+        stage.tracks[actor].time = begun + lands + MEETS_AFTER_S
+        stage.places[actor] = (0.0, 0.0, 0.0)
+        stage.frames[actor] = Frame()
+        stage.heights[actor] = bottom
+    stage.time[node.id] = stage.tracks[a].time
+
+
 def _dropped_onto(stage: Stage, node: TimelineNode, a: str, b: str, phase: Phase | None) -> None:
     """A body falls onto another one that is on its way in `phase`, or rests where that is None."""
     pb, fall, track = stage.prop(b), stage.tracks[a], stage.tracks[b]
@@ -93,8 +131,7 @@ def _dropped_onto(stage: Stage, node: TimelineNode, a: str, b: str, phase: Phase
     if asked_height(stage, node, a) is None:
         # It is let go at the start: the height is what takes so long.
         usual = max(math.sqrt(2.0 * height / GRAVITY_MPS2), track.time - fall.time + LANDS_AFTER_S)
-        lasts = usual if time is None else max(time - fall.time, 0.2)
-        height = 0.5 * GRAVITY_MPS2 * min(lasts, LONGEST_FALL_S) ** 2
+        height = fallen(usual if time is None else time - fall.time)
     fall.time += math.sqrt(2.0 * height / GRAVITY_MPS2)
     if phase is not None:
         speed = stage.speed(b, phase)

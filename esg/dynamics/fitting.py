@@ -10,6 +10,7 @@ import math
 
 import numpy as np
 
+from esg.dynamics.chains import fit_chains
 from esg.dynamics.containers import resized, with_assets
 from esg.dynamics.slopes import (
     AT_FOOT_M,
@@ -82,7 +83,17 @@ def fit_motion(doc: EsgDocument, story: Story) -> EsgDocument:
     Returns:
         The document; only `asset_configurations` may differ.
     """
-    for rule in (fit_ice, _roomy, _sloped, _felt, _slippery, _bouncy, _pushed_on, _steady):
+    for rule in (
+        fit_ice,
+        _roomy,
+        _sloped,
+        _felt,
+        _slippery,
+        _bouncy,
+        fit_chains,
+        _pushed_on,
+        _steady,
+    ):
         doc = with_assets(doc, rule(doc, story))
     return doc
 

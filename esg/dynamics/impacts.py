@@ -43,6 +43,8 @@ FARTHEST_AHEAD = 1.2
 """Longest way, over its height, that the base of a body runs ahead while it tips back."""
 LEAST_LEFT = 0.3
 """Least share of its speed that is reckoned with where something has slid to what it hits."""
+NEXT_BALL_S = (0.15, 0.19)
+"""Time between the hits of a chain of balls."""
 BALL_GAP, NARROW = 0.45, 1.5
 """Share of the usual gap between balls of a chain; narrow things, in ball's widths, are as near."""
 BOUNCE_RAD, BOUNCE_KEPT = math.radians(25.0), 0.75
@@ -189,13 +191,19 @@ def chain(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
             if _kicked(stage, node, a):
                 ahead = math.sqrt(pa.height / GRAVITY_MPS2) * track.speed
                 gap = max(gap, min(ahead, FARTHEST_AHEAD * pa.height))
+    rubs = 0.5 * (pa.friction + stage.ground_friction())
+    rolled: float | None = None
+    if pa.rolls and pb.rolls and node.event is NodeEvent.COLLISION:
+        # It slides at first, against its back spin: later balls of a chain are much slower.
+        lasts = float(stage.rng.uniform(*NEXT_BALL_S))
+        gap, rolled = rolling_travel(track.speed, rubs, lasts * stage.tight, track.spin)
+        gap = max(gap, 0.05)
     prescribed = stage.prescribed_time(node)
     if prescribed is not None:
         wait = max(prescribed - track.time, 0.05)
         slows = braking_distance(1.0, pa.damping, wait) / wait
         gap = max(0.1, sliding_travel(track.speed, _drag(stage, pa), wait) * slows)
         if pa.rolls:
-            rubs = 0.5 * (pa.friction + stage.ground_friction())
             gap = max(0.05, rolling_travel(track.speed, rubs, wait, track.spin)[0] * slows)
     yaw = target_yaw(pb, track.heading, stage.rng)
     if node.event is NodeEvent.ENTER_REGION:
@@ -218,7 +226,7 @@ def chain(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
     c, s = math.cos(track.heading), math.sin(track.heading)
     stage.places[b] = (track.x + reach * c - jitter * s, track.y + reach * s + jitter * c, yaw)
     bring_support(stage, b, stage.places[b][0], stage.places[b][1], track.heading)
-    left = track.speed
+    left = track.speed if rolled is None else rolled
     if not (pa.rolls or stage.airborne or _falls_before(stage, node, a)):
         # It slides there, and arrives turned or tilted.
         slower = math.sqrt(max(left**2 - 2.0 * _drag(stage, pa) * gap, (LEAST_LEFT * left) ** 2))

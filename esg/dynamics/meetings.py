@@ -6,7 +6,7 @@ import math
 
 from esg.dynamics.bounces import bounce_on
 from esg.dynamics.caroms import carom, is_carom
-from esg.dynamics.demands import demanded, felt_speed
+from esg.dynamics.demands import demanded, felt_speed, gentlest
 from esg.dynamics.encounters import brake_into, covers, meeting, run_into, waits_at_obstacle
 from esg.dynamics.falls import can_land, land, tip_onto
 from esg.dynamics.flights import bank, banked_into, flies_on, leaves, took_off
@@ -53,6 +53,8 @@ SLID = 0.55
 """Share of its speed with which something slid along the ground arrives."""
 CHAINED = 0.6
 """Share of the usual impulse and run-up of a ball that starts a chain of balls."""
+LONG_CHAIN = 4
+"""Number of hits of a chain of balls from which on it goes as gently as its last hit allows."""
 STANDSTILL_MPS, CRAWL_MPS = 0.5, 0.05
 """Speed with which something that accelerates sets off at most, and that of what stands still."""
 GENTLE = 0.4
@@ -180,6 +182,9 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
     if not chained:
         needed = max(needed, felt_speed(pa, pb))
     speed = stage.speed(a, phase, max(least, needed), needed)
+    if chained and not phase.edge.speed_is_prescribed:
+        gently, hits = gentlest(stage, node, a, b)
+        speed = speed if hits < LONG_CHAIN else min(speed, max(gently, least, needed))
     if again and not phase.edge.speed_is_prescribed:
         # Gently: the next one is to find it.
         speed = max(least, needed, GENTLE * speed)

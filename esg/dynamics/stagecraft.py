@@ -11,7 +11,7 @@ from esg.dynamics.kinematics import half_along
 from esg.graph.models import AssetConfiguration, EsgDocument, NamedRegion, SupportSurface
 from esg.units import GRAVITY_MPS2
 
-GROUND_FRICTION = 0.7
+GROUND_FRICTION, GROUND_RESTITUTION = 0.7, 0.3
 """Of the ground, where nothing else is known."""
 SLICK = 0.35
 """Friction below which the ground counts as ice."""
@@ -82,9 +82,20 @@ def prop(doc: EsgDocument, name: str) -> Prop:
 
 def ground_friction(doc: EsgDocument) -> float:
     """Friction of the ground bodies slide and roll on."""
+    ground = _ground(doc)
+    return GROUND_FRICTION if ground is None else ground.friction
+
+
+def ground_restitution(doc: EsgDocument) -> float:
+    """Restitution of the ground bodies land on."""
+    ground = _ground(doc)
+    return GROUND_RESTITUTION if ground is None else ground.restitution
+
+
+def _ground(doc: EsgDocument) -> AssetConfiguration | None:
     nodes = doc.spatial_relation_graph.nodes
     grounds = (doc.asset_configurations[n.asset_id] for n in nodes.values() if n.is_structural)
-    return next((c.friction for c in grounds if not c.proxies), GROUND_FRICTION)
+    return next((c for c in grounds if not c.proxies), None)
 
 
 def default_speed(body: Prop) -> float:

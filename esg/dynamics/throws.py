@@ -18,6 +18,8 @@ HIGHEST_HAND_M = 1.7
 """Height up to which a throw starts level with its target."""
 LOW_DROP_M = 0.2
 """What is dropped from a height starts at least this far above its target."""
+SHORTEST_FALL_S, LONGEST_FALL_S = 0.2, 2.0
+"""Of a drop whose height is open."""
 TOSS_M = 0.35
 """Height over a low container from which something is tossed into it."""
 
@@ -112,7 +114,7 @@ def asked_height(stage: Stage, node: TimelineNode, a: str) -> float | None:
 
 
 def drop(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
-    """A body let go above its target, at the prescribed height or a metre up."""
+    """A body let go above its target, at the prescribed height, or as high as its time asks."""
     pb = stage.prop(b)
     region = region_of(stage, node)
     if a in stage.places and b not in stage.places:
@@ -134,10 +136,23 @@ def drop(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
     stage.tracks[a].time += math.sqrt(2.0 * height / GRAVITY_MPS2)
 
 
+def fallen(duration: float) -> float:
+    """Way [m] of a free fall in a given time, which a drop of more than 20 m is not given."""
+    return 0.5 * GRAVITY_MPS2 * min(max(duration, SHORTEST_FALL_S), LONGEST_FALL_S) ** 2
+
+
 def drop_height(stage: Stage, node: TimelineNode, a: str, target: Prop) -> float:
-    """Height [m] over its target from which a body is let go: as the prompt states, or a metre."""
+    """Height [m] over its target from which a body is let go.
+
+    As the prompt states it, else what its time to the hit takes, else a metre.
+    """
     stated = asked_height(stage, node, a)
     if stated is None:
-        return 1.0
+        time = stage.prescribed_time(node)
+        if time is None:
+            return 1.0
+        # What enters something does so with its middle.
+        deep = 0.5 * stage.prop(a).height if node.event is NodeEvent.ENTER_REGION else 0.0
+        return fallen(time - stage.tracks[a].time) - deep
     # A height is above the ground, if it can be.
     return stated - target.height if stated > target.height + LOW_DROP_M else stated
