@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 
 import pytest
@@ -65,8 +66,8 @@ def test_balls_of_a_long_chain_are_lively_and_lie_ever_closer() -> None:
     assert prop(doc, "ball_a").restitution == LIVELIEST
     spots = places(doc)
     x = [spots[f"ball_{n}"].x_cm for n in "abcdefg"]
-    gaps = [b - a - 100.0 * prop(doc, "ball_a").width for a, b in zip(x[1:], x[2:], strict=False)]
-    assert all(later < 0.9 * sooner for sooner, later in zip(gaps, gaps[1:], strict=False))
+    gaps = [b - a - 100.0 * prop(doc, "ball_a").width for a, b in itertools.pairwise(x[1:])]
+    assert all(later < 0.9 * sooner for sooner, later in itertools.pairwise(gaps))
 
 
 def test_balls_of_a_short_chain_stay_as_they_are() -> None:
