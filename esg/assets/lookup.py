@@ -61,6 +61,7 @@ AMBIGUOUS_HEADS = frozenset(
         "ring",
         "glass",
         "cue",
+        "gun",
     ]
 )
 """Nouns that name a library entry alone but mean something else as the head of a compound."""

@@ -63,6 +63,12 @@ def _resized(requirement: AssetRequirement, said: Entry) -> bool:
     return normalize(words) not in names and SIZED.search(words) is not None
 
 
+def dressed(one: Entry, other: Entry) -> bool:
+    """Whether two entries are one body in different clothes."""
+    same = one.builder == other.builder and one.dimensions_cm == other.dimensions_cm
+    return same and any(key == "dress" for key, _ in (*one.params, *other.params))
+
+
 def restated(requirement: AssetRequirement) -> AssetRequirement:
     """The requirement for the entry that the words name; unchanged if they name no other.
 
@@ -75,6 +81,9 @@ def restated(requirement: AssetRequirement) -> AssetRequirement:
     filed = exact(requirement.asset_category.replace("_", " "))
     if filed is not None and filed.name in said.parents and policy(said) == "free":
         # A kind of the category that takes any size ("brick wall"): the expectation holds.
+        return requirement.model_copy(update={"asset_category": said.name})
+    if filed is not None and dressed(said, filed):
+        # The same body in other clothes: nothing is said about size and mass.
         return requirement.model_copy(update={"asset_category": said.name})
     if filed is None and "any_size" in said.flags and not guessed(requirement):
         # A box of cereal is a box, of the size that was expected of it.

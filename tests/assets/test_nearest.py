@@ -25,7 +25,7 @@ NAMES = [
     ("accordion", "suitcase"),
     ("armadillo", "turtle"),
     ("platypus", "duck"),
-    ("walrus", "fish"),
+    ("walrus", "seal"),
     ("flamingo", "bird"),
     ("sloth", "monkey"),
     ("hyena", "dog"),

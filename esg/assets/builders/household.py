@@ -281,24 +281,3 @@ def backpack(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     )
     s.proxy_slab((-L / 2, L * 0.45), (-W / 2, W / 2), (0, H * 0.78))
     s.proxy_slab((-L * 0.42, L * 0.26), (-W * 0.4, W * 0.4), (H * 0.78, H * 0.96), 0.7)
-
-
-@builder("figure")
-def figure(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Standing person (mannequin) facing +X, drawn at 30 x 50 x 172 on a base plate."""
-    skin = rgb(214, 172, 140)
-    s.slab((-15, 15), (-20, 20), (0, 2), DARK)
-    for y in (-1, 1):
-        s.lathe(
-            [(0, 2), (6, 2), (6.5, 40), (9, 82), (0, 86)], rgb(50, 60, 90), center=(0, 9 * y, 0)
-        )
-        s.slab((-8, 14), (9 * y - 5, 9 * y + 5), (2, 9), DARK)
-        s.rod(4.2, (0, 20.5 * y, 136), (2, 20.8 * y, 92), c)
-        s.ball(4.2, (2, 20.8 * y, 88), skin)
-    s.ball(1, (0, 0, 112), c, scale=(12, 19, 33), rough=0.9)
-    s.rod(5, (0, 0, 140), (0, 0, 152), skin)
-    s.ball(1, (1, 0, 160), skin, scale=(9.5, 8, 12))
-    s.proxy_slab((-15, 15), (-20, 20), (0, 2), 4)
-    s.proxy_slab((-9, 9), (-18, 18), (2, 86), 0.8)
-    s.proxy_slab((-12, 12), (-25, 25), (86, 142), 0.9)
-    s.proxy_cylinder(9, (142, 172), 0.8)
