@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from esg.draft.elements import Mention
 from esg.draft.entities import Entity
-from esg.draft.frames import Frame
+from esg.draft.frames import Frame, Phrase
 from esg.draft.quantities import Amount
 from esg.draft.scene import MAX_TIME_S, Scene
+from esg.draft.shares import dealt
 from esg.draft.timeline import TimelineBuilder
 from esg.draft.world import World
 from esg.graph.models import NodeEvent, Quantity
@@ -96,6 +97,25 @@ class Core:
         self.thrown: dict[int, list[str]] = {}
         """What the person of a subject phrase launched last."""
 
+        self.attached: list[tuple[Mention, Phrase]] = []
+        """Noun phrases with a place or a property."""
+        world.facts = self._facts
+
+    def _facts(self, node: str) -> list[Amount]:
+        """The quantities that the prompt tells of a node, in the order of the text."""
+        out: list[Amount] = []
+        for m, p in self.attached:
+            listed = [p.mention, *p.mention.coordinated] if p.mention is not None else []
+            told = [a for x in listed if x.attribute for a in x.amounts]
+            told += [p.amount] if p.amount is not None else []
+            if told and node in m.entities:
+                out += dealt(told, len(m.entities))[m.entities.index(node)]
+        for f in self.told:
+            ids = f.subject.entities if f.subject is not None else []
+            if node in ids:
+                out += dealt([a for _, a in self.amounts(f)], len(ids))[ids.index(node)]
+        return out
+
     def e(self, node: str) -> Entity:
         return self.world.entities[node]
 
@@ -157,6 +177,7 @@ class Core:
                 out += [("", a) for a in m.amounts]
         if f.subject is not None:
             out += [("", a) for a in f.subject.amounts if a.dimension == "speed"]
+        out = [(p, part) for p, a in out for part in a.shares or (a,)]
         told = [(p, a) for p, a in out if a.dimension != "time" or a.high <= MAX_TIME_S]
         return [(p, a) for p, a in told if a.measure != "period"]  # "every second": what recurs
 

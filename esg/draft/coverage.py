@@ -95,7 +95,8 @@ def account(
         if token.kind != "qty" or token.amount is None:
             continue
         a = token.amount
-        note = scene.used.get((a.start, a.end))
+        spans = ((x.start, x.end) for x in (a, *a.shares))
+        note = next((scene.used[s] for s in spans if s in scene.used), None)
         inside = any(
             a in m.amounts and (m.entities or id(m) in scene.world.resolved) and not m.attribute
             for m in mentions

@@ -89,7 +89,7 @@ class Interpreter(References):
 
     def run(self, frames: list[Frame], attachments: list[tuple[Mention, Phrase]]) -> Scene:
         # references are resolved in the order of the text, events in the order of time
-        self.told = frames
+        self.told, self.attached = frames, attachments
         self._refer_all(frames)
         dodge(frames, self.text)
         for m, p in attachments:

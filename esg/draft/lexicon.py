@@ -114,6 +114,7 @@ def longest_noun() -> int:
 
 _IRREGULAR_PLURALS = {
     "men": "man", "women": "woman", "people": "person", "children": "child", "mice": "mouse",
+    "radii": "radius",
     "geese": "goose", "feet": "foot", "teeth": "tooth", "oxen": "ox", "knives": "knife",
     "shelves": "shelf", "bookshelves": "bookshelf", "leaves": "leaf", "wolves": "wolf",
     "loaves": "loaf", "dice": "die", "buses": "bus", "boxes": "box", "dominoes": "domino",

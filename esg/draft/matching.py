@@ -5,6 +5,7 @@ from __future__ import annotations
 from esg.draft import lexicon as lex
 from esg.draft.elements import Mention
 from esg.draft.entities import FRONT, ORDINALS, REAR, Entity
+from esg.draft.ranks import Facts, told_apart
 
 _COMPARED = (
     frozenset({"lighter", "heavier"}),
@@ -42,10 +43,13 @@ _ANYTHING = frozenset({"object", "thing", "item", "body", "prop", "entity", "pro
 class Matching:
     """Comparison of noun phrases with entities."""
 
+    facts: Facts = staticmethod(lambda node: [])
+    """What the prompt tells of a node."""
+
     def _matches(self, m: Mention, e: Entity) -> bool:
         if m.letters:
             return e.letter in m.letters and (m.head == "@" or self._same_kind(m, e))
-        if not self._same_kind(m, e):
+        if not self._same_kind(m, e) or told_apart(m, e, self.facts):
             return False
         for a in m.adjectives:
             if a in lex.COLORS and e.color is not None and lex.COLORS[a] != e.color:

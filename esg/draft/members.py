@@ -6,6 +6,7 @@ from esg.draft import lexicon as lex
 from esg.draft.elements import Mention
 from esg.draft.entities import COUNTED_FROM, FRONT, ORDINALS, OTHER, REAR, STACKED, Entity, slug
 from esg.draft.pronouns import Pronouns
+from esg.draft.ranks import measured, same_quantity
 
 _LEVELS = {-1: "top", 0: "bottom", 1: "middle"}
 
@@ -81,6 +82,7 @@ class Members(Pronouns):
             and e.id not in avoid
             and self._matches(m, e)
             and e.noun == m.noun
+            and (same_quantity(m, e, self.facts) or not measured(m))
             and (not colors or e.color in colors)
         ]
         return [pool[0].id] if pool else []

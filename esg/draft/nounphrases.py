@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from esg.draft import lexicon as lex
 from esg.draft.elements import Mention, Word
-from esg.draft.entities import ORDINALS
 from esg.draft.nominals import RETOLD_NOUNS
 from esg.draft.nounstarts import EXTENTS, NounStarts
+from esg.draft.ranks import ALONE
 from esg.draft.verbphrases import verb_readings
 
 
@@ -204,7 +204,7 @@ class NounPhrases(NounStarts):
                 m.text = self.text[tokens[j - 1].start : m.end]
                 self.elements.append(m)
                 return j
-            if m.determiner == "the" and m.adjectives and m.adjectives[-1] in ORDINALS:
+            if m.determiner == "the" and m.adjectives and m.adjectives[-1] in ALONE:
                 nxt = self._low(j + 1)
                 after = nxt in lex.PRONOUNS or nxt in lex.DETERMINERS
                 after = after or (noun is None and nxt in lex.PREPOSITIONS - {"of"})

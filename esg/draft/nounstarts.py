@@ -131,7 +131,18 @@ class NounStarts(NounHeads):
         finite = any(r.form in ("s", "past") for r in verb_readings(self._low(k)))
         if finite and self._low(i - 1) == "at" and self._low(k + 1) in lex.DETERMINERS:
             return True  # "a motorboat at 18 knots rams a pontoon"
+        if not finite and self._plurally(i, k):
+            return True
         return finite and self._low(i - 1) in _OF_A_SIZE
+
+    def _plurally(self, i: int, k: int) -> bool:
+        """ "crates of 5 kg and 9 kg stand on a shelf": a bare verb, after what measures many."""
+        amount = self.tokens[i].amount
+        listed = amount is not None and bool(amount.shares)
+        low, after = self._low(k), self._low(k + 1)
+        bare = any(r.form == "base" for r in verb_readings(low)) and lex.singular(low)[0] == low
+        goes_on = after in lex.PREPOSITIONS | lex.DETERMINERS | lex.ADVERBS or after == ""
+        return bare and listed and (goes_on or after in ("and", ",", "."))
 
     def _noun_at_or_after(self, k: int) -> bool:
         for j in range(k, min(k + 5, len(self.tokens))):

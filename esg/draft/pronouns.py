@@ -6,6 +6,7 @@ from esg.draft import lexicon as lex
 from esg.draft.elements import Mention
 from esg.draft.entities import FRONT, ORDINALS, REAR, STACKED, Entity, slug
 from esg.draft.persons import named_by_no_person
+from esg.draft.ranks import extreme, rank, same_quantity
 from esg.draft.registry import Registry
 
 _WAYS = frozenset({"stairs", "ramp"})
@@ -183,7 +184,29 @@ class Pronouns(Registry):
         )
         return [e.id]
 
+    def _ranked(self, m: Mention, things: list[Entity]) -> list[str]:
+        """ "the heavier one", "the tallest bottle": by what is known of sizes, masses, speeds."""
+        word = rank(m)
+        best = extreme(word, things, self.facts) if word else None
+        return [best.id] if best is not None else []
+
+    def _comparable(self, avoid: list[str]) -> list[Entity]:
+        """What "the heavier one" may be: the plural told last, else two things of one kind, else
+        whatever can move.
+        """
+        group = next(reversed(list(self.groups.values())), [])
+        told = dict.fromkeys(i for ids in self.salience for i in ids if i not in avoid)
+        recent = [self.entities[i] for i in told if i in self.entities]
+        alike = [e for e in recent if sum(e.noun == x.noun for x in recent) > 1]
+        movable = [e for e in recent if e.movable]
+        return [self.entities[i] for i in group] or alike or movable
+
     def _one_of(self, m: Mention, avoid: list[str]) -> list[str]:
+        comparable = self._comparable(avoid)
+        if found := self._ranked(m, comparable):
+            return found
+        if heavy := [e.id for e in comparable if same_quantity(m, e, self.facts)]:
+            return heavy[:1]  # "the 5 kg one"
         for a in m.adjectives:
             for group in reversed(list(self.groups.values())):
                 for i in group:

@@ -135,6 +135,7 @@ class Amount:
         bound: "min" or "max" for one-sided statements ("at least 3 s"), else None.
         measure: What its words say it measures: diameter, side, start ("2 s after the start").
         sides: Lengths of the sides where several are given ("20 x 30 x 40 cm").
+        shares: The values of a list that is one quantity ("1 kg, 2 kg and 3 kg").
     """
 
     dimension: Dimension
@@ -146,6 +147,7 @@ class Amount:
     bound: Literal["min", "max"] | None = None
     measure: str = ""
     sides: tuple[float, ...] = ()
+    shares: tuple[Amount, ...] = ()
 
     @property
     def value(self) -> float | tuple[float, float]:

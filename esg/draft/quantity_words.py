@@ -99,6 +99,14 @@ _BARE = re.compile(
     re.IGNORECASE,
 )
 """A number that ends its phrase and has no unit."""
+_LISTED = re.compile(
+    rf"(?<![\w.])(?P<list>{NUMBER}(?:\s*,\s*{NUMBER})*)\s*,?\s*(?:and|&)\s*$", re.IGNORECASE
+)
+_LEADING = re.compile(
+    r"(?:\b(?:at|of|with|weigh|weighs|weighing|mass|masses|speeds?|velocit(?:y|ies)|radi(?:us|i)"
+    r"|diameters?|heights?|lengths?|widths?|are|is|about|from|after)|[:(=])\s*$",
+    re.IGNORECASE,
+)
 _NAMED_BARE = re.compile(
     rf",\s+(?:and\s+)?(?:the|an?)\s+(?:\w+\s+){{1,2}}(?P<lo>{NUMBER})(?=\s*(?:[.;]|$))",
     re.IGNORECASE,
@@ -199,6 +207,13 @@ def without_unit(text: str, known: list[tuple[Dimension, int, int, float]]) -> I
         text: The prompt.
         known: Dimension, span and unit (its size in document units) of the quantities found.
     """
+    listed: list[tuple[Dimension, int, int, float]] = []
+    for dimension, start, _, factor in known:
+        for value, lo, hi in _before(text, start):
+            if not any(s < hi and lo < e for _, s, e, _ in known):
+                yield Worded(dimension, value * factor, value * factor, lo, hi)
+                listed.append((dimension, lo, hi, factor))
+    known = [*known, *listed]
     for m in _BARE.finditer(text):
         lead = m["lead"].lower()
         wanted = "mass" if lead.startswith("weigh") else "speed"
@@ -210,6 +225,21 @@ def without_unit(text: str, known: list[tuple[Dimension, int, int, float]]) -> I
         before = [k for k in known if sentence <= k[1] < m.start()]
         if len(before) == 1 and before[0][0] in ("mass", "speed"):
             yield from _like(text, m, before[0][0], known)
+
+
+def _before(text: str, at: int) -> list[tuple[float, int, int]]:
+    """The numbers of "1, 2 and 3 kg" in front of its last one, with their spans."""
+    m = _LISTED.search(text, max(0, text.rfind(".", 0, max(at - 12, 0))), at)
+    if m is None:
+        return []
+    several = m["list"].count(",") > 0 or m["list"].count(" and ") > 0
+    if not several and not _LEADING.search(text, 0, m.start("list")):
+        return []  # "car 1 and 2 m/s"
+    numbers = [
+        (parse_number(n.group()), n.start(), n.end())
+        for n in re.compile(NUMBER, re.IGNORECASE).finditer(text, *m.span("list"))
+    ]
+    return [(x, s, e) for x, s, e in numbers if isinstance(x, float) and x > 0.0]
 
 
 def _like(

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from esg.draft import lexicon as lex
 from esg.draft.elements import Element, Mention, Token, Verb, Word
-from esg.draft.entities import ORDINALS
 from esg.draft.numerals import parse_number
+from esg.draft.ranks import ALONE
 from esg.draft.tokens import is_name
 from esg.draft.verbphrases import PHRASES, verb_readings
 
@@ -377,7 +377,7 @@ class Reader:
     def _one_does(self, j: int, m: Mention) -> bool:
         """ "One rolls away and another hits a box": a verb, as no plural follows "another"."""
         single = m.determiner in ("another", "each", "either", "neither") and not m.adjectives
-        ordinal = m.determiner == "the" and m.adjectives[-1:] and m.adjectives[-1] in ORDINALS
+        ordinal = m.determiner == "the" and m.adjectives[-1:] and m.adjectives[-1] in ALONE
         single = single or (m.determiner == "the" and m.adjectives == ["other"])
         forms = {r.form for r in verb_readings(self._low(j))}
         object_ = self._low(j + 1) in lex.DETERMINERS | lex.PRONOUNS | {"nothing", "neither"}

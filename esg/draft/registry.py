@@ -9,6 +9,7 @@ from esg.draft.elements import Mention
 from esg.draft.entities import FRONT, ORDINALS, REAR, Entity, plural, slug, unknown_noun
 from esg.draft.matching import Matching
 from esg.draft.quantities import Amount
+from esg.draft.shares import dealt
 from esg.draft.sizes import HOLLOW, holding, inclined, sized
 from esg.draft.toys import as_toy
 
@@ -163,6 +164,9 @@ class Registry(Matching):
             return max(1, min(m.count, MAX_COUNT))
         if not m.plural and m.pattern is None:
             return 1
+        listed = [a for a in m.amounts if a.shares]
+        if m.plural and listed:
+            return len(listed[0].shares)  # "2 kg and 3 kg crates"
         if noun.kind == "pin":
             return 10
         if noun.kind == "domino":
@@ -190,22 +194,20 @@ class Registry(Matching):
         return "scatter"
 
     def _enrich(self, m: Mention, ids: list[str]) -> None:
-        for i in ids:
+        for k, i in enumerate(ids):
             e = self.entities[i]
-            self._amounts(m, e)
+            self._amounts(m, e, k, len(ids))
             if e.group is None:
                 for a in m.adjectives:
                     if a in lex.COLORS and e.color is None:
                         e.adjectives.append(a)
 
-    def _amounts(self, m: Mention, e: Entity) -> None:
-        shared = m.plural and sum(a.dimension == "mass" for a in m.amounts) > 1
-        for amount in m.amounts:
-            if shared and amount.dimension == "mass":
-                continue  # "two boys of 30 kg and 40 kg": one each
-            word = next(
-                (a.split(":")[1] for a in m.adjectives if a.startswith(f"@{amount.start}:")), ""
-            )
+    def _amounts(self, m: Mention, e: Entity, k: int = 0, number: int = 1) -> None:
+        """What a noun phrase says of thing k of a number ("two boys of 30 kg and 40 kg")."""
+        said = {part: a.start for a in m.amounts for part in a.shares or (a,)}
+        for amount in dealt(m.amounts, number)[k]:
+            at = f"@{said[amount]}:"
+            word = next((a.split(":")[1] for a in m.adjectives if a.startswith(at)), "")
             self.apply_amount(e, amount, word)
 
     def apply_amount(self, e: Entity, amount: Amount, word: str = "") -> str:
@@ -306,11 +308,10 @@ class Registry(Matching):
         group = slug(" ".join([*[a for a in plain if a in lex.COLORS], plural(m.head)]))
         base = group
         n = 2
-        masses = [a for a in m.amounts if a.dimension == "mass"]
         while group in self.groups:
             group, n = f"{base}_{n}", n + 1
         ids: list[str] = []
-        for _ in range(count):
+        for k in range(count):
             label = (
                 f"{m.group_word} of {plural(m.head)}" if m.group_word in _NAMED_GROUPS else m.head
             )
@@ -324,9 +325,7 @@ class Registry(Matching):
                 known=m.noun is not None,
                 origin=m.start,
             )
-            self._amounts(m, e)
-            if len(masses) == count:
-                self.apply_amount(e, masses[len(ids)])
+            self._amounts(m, e, k, count)
             ids.append(e.id)
         self.groups[group] = ids
         if m.count is None or m.vague:

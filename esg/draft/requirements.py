@@ -7,6 +7,7 @@ from typing import Any
 from esg.draft import lexicon as lex
 from esg.draft.entities import ORDINALS, Entity, slug
 from esg.draft.scene import Scene
+from esg.draft.sizes import dimensions_of, mass_of
 from esg.graph.models import AssetRequirement
 
 GROUND = "ground_1"
@@ -29,12 +30,7 @@ _OUTDOOR_KINDS = frozenset(
 )
 _ICY = frozenset({"ice", "icy", "rink", "frozen", "iced"})
 """What makes a ground or a water slippery."""
-_OPEN_WATER = {"river": (6000.0, 1500.0), "canal": (6000.0, 1200.0), "sea": (8000.0, 6000.0)} | {
-    w: (6000.0, 4000.0) for w in ("lake", "ocean", "harbor", "harbour", "bay", "lagoon", "loch")
-}
-"""Length and width [cm] of waters that boats are on."""
 GROUND_SIZE_CM = (12000.0, 12000.0, 2.0)
-_MAX_SIZE_CM, _MIN_SIZE_CM = 9000.0, 0.1
 
 
 def environment(scene: Scene) -> tuple[str, str]:
@@ -68,43 +64,9 @@ def environment(scene: Scene) -> tuple[str, str]:
     return "outdoor", "generic"
 
 
-def _dimensions(e: Entity) -> tuple[float, float, float]:
-    if e.dimensions_cm is not None:
-        d = list(e.dimensions_cm)
-    else:
-        d = list(e.noun.dimensions_cm)
-        if e.noun.kind == "water":
-            d[:2] = _OPEN_WATER.get(e.head.split()[-1], d[:2])
-        for a in e.adjectives:
-            if a in lex.SIZES:
-                d = [x * lex.SIZES[a] for x in d]
-            elif a in lex.STRETCHES and e.noun.shape != "sphere":
-                d = [x * s for x, s in zip(d, lex.STRETCHES[a], strict=True)]
-    limit = 1e5 if "structural" in e.noun.traits else _MAX_SIZE_CM
-    low = max(_MIN_SIZE_CM, 0.11)
-    return tuple(round(min(max(x, low), limit), 3) for x in d)  # type: ignore[return-value]
-
-
-def _mass(e: Entity, size: tuple[float, float, float]) -> float:
-    if e.mass_kg is not None:
-        return e.mass_kg
-    base = e.noun.dimensions_cm
-    ratio = (size[0] * size[1] * size[2]) / (base[0] * base[1] * base[2])
-    mass = e.noun.mass_kg * ratio
-    material = next((a for a in e.adjectives if a in lex.MATERIALS), None)
-    if material is not None:
-        own = next((d for n, d in lex.MATERIALS.values() if n == e.noun.material), 900.0)
-        mass *= min(max(lex.MATERIALS[material][1] / own, 0.05), 15.0)
-    for a in e.adjectives:
-        mass *= lex.WEIGHTS.get(a, 1.0)
-    volume = size[0] * size[1] * size[2] * 1e-6
-    mass = min(max(mass * e.mass_factor, volume * 1.5), volume * 20_000.0)
-    return round(min(max(mass, 0.0011), 99_000.0), 5)
-
-
 def requirement(e: Entity) -> AssetRequirement:
     """What a node needs: category, description, size, mass."""
-    size = _dimensions(e)
+    size = dimensions_of(e)
     structural = "structural" in e.noun.traits
     movable = e.movable
     material = next(
@@ -131,7 +93,7 @@ def requirement(e: Entity) -> AssetRequirement:
         asset_category=e.noun.category if e.known else slug(e.head),
         asset_description=description,
         expected_dimensions_cm=size,
-        expected_mass_kg=_mass(e, size) if not structural else e.noun.mass_kg,
+        expected_mass_kg=mass_of(e, size) if not structural else e.noun.mass_kg,
         is_movable=movable,
         mass_is_prescribed=e.mass_prescribed,
         dimensions_are_prescribed=e.dimensions_prescribed,

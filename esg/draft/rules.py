@@ -20,6 +20,7 @@ from esg.draft.persons import mark_persons
 from esg.draft.reorder import reorder
 from esg.draft.reports import drop_reports
 from esg.draft.screening import contradictions, nothing_to_draw, screen, too_long, too_much
+from esg.draft.shares import count, own_nouns
 from esg.draft.sheets import from_sheet
 from esg.draft.similes import drop_similes
 from esg.draft.spacing import space
@@ -67,10 +68,11 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     text = screen(prompt)
     tokens = join_modifiers(tokenize(text, pos_tags(text)), text)
     elements = drop_reports(drop_similes(Chunker(text, tokens).run()))
-    elements = from_sheet(lighten(appose(elements)))
+    elements = from_sheet(lighten(appose(own_nouns(elements))))
     elements = mark_persons(elide(verbalize(reorder(elements, text))))
     clauses = ClauseBuilder(elements)
     clauses.run()
+    count(clauses.attachments)
     mark_unreal(clauses.frames, text)
     world = World()
     world.file_of_two = _ONE_AFTER_OTHER.search(text) is not None

@@ -12,6 +12,7 @@ from esg.draft.frames import Frame, Phrase
 from esg.draft.places import RELATION_PREPS
 from esg.draft.quantities import Amount
 from esg.draft.scene import SELF_POWERED, Relation
+from esg.draft.shares import dealt
 from esg.graph.models import NodeEvent
 
 _WAITING = frozenset({"wait", "pause", "stay", "remain", "stand", "sit", "idle", "queue", "rest"})
@@ -40,21 +41,23 @@ class StateSenses(Consequences):
 
     def attachment(self, m: Mention, p: Phrase) -> None:
         """A noun phrase with a prepositional phrase: a place or a property."""
-        owners = m.entities or self.ids(m)
+        owners = self._sharers(m.entities or self.ids(m), p)
         if p.amount is not None:
-            for o in owners:
-                if p.amount.dimension == "speed":
-                    self.stated[o] = p.amount
-                elif self.world.apply_amount(self.e(o), p.amount):
-                    self.use(p.amount, o)
+            for o, own in zip(owners, dealt([p.amount], len(owners)), strict=True):
+                for a in own:
+                    if a.dimension == "speed":
+                        self.stated[o] = a
+                    elif self.world.apply_amount(self.e(o), a):
+                        self.use(a, o)
             return
         if p.mention is None:
             return
         if p.mention.attribute:
             self._arrange(owners, p)
             listed = [p.mention, *[c for c in p.mention.coordinated if c.attribute]]
-            for a in [a for c in listed for a in c.amounts]:
-                for o in owners:
+            told = dealt([a for c in listed for a in c.amounts], len(owners))
+            for o, own in zip(owners, told, strict=True):
+                for a in own:
                     if a.dimension == "speed":
                         self.stated[o] = a
                     elif a.dimension == "length" and p.prep == "at" and p.mention.head == "height":
@@ -74,6 +77,15 @@ class StateSenses(Consequences):
                         self.scene.relations.append(Relation(o, owners[0], "near"))
             return
         self.place(owners, others, p.prep, p.mention.part)
+
+    def _sharers(self, owners: list[str], p: Phrase) -> list[str]:
+        """ "two balls, red and blue, with masses of 1 kg and 3 kg": all that a list is told of."""
+        told = p.mention.amounts if p.mention is not None and p.mention.attribute else []
+        number = max((len(a.shares) for a in [*told, *([p.amount] if p.amount else [])]), default=0)
+        if number < 2 or len(owners) != 1:
+            return owners
+        wholes = [*self.world.groups.values(), *self.world.salience[::-1]]
+        return next((w for w in wholes if len(w) == number and w[-1] == owners[0]), owners)
 
     def attachment_with(self, owners: list[str], others: list[str]) -> None:
         host = self.e(owners[0]).noun
@@ -181,22 +193,24 @@ class StateSenses(Consequences):
         self.use(f, "mass")
 
     def _do_have(self, f: Frame, s: list[str], o: list[str]) -> None:
-        for _, a in self.amounts(f):
-            word = f.object.head if f.object is not None else ""
-            for t in s:
-                if self.world.apply_amount(self.e(t), a, word):
-                    self.use(a, t)
+        word = f.object.head if f.object is not None else ""
+        self._measured(f, s, word)
         if s and o and f.phrase("on", "in", "inside") is None:
             self.attachment_with(s, o)
         self._places(f, o)
         self.use(f, "property")
 
     def _do_measure(self, f: Frame, s: list[str], o: list[str]) -> None:
-        for _, a in self.amounts(f):
-            for t in s:
-                if self.world.apply_amount(self.e(t), a):
-                    self.use(a, t)
+        self._measured(f, s)
         self.use(f, "size")
+
+    def _measured(self, f: Frame, things: list[str], word: str = "") -> None:
+        """What the quantities of a clause say of things, one value each where there are as many."""
+        told = dealt([a for _, a in self.amounts(f)], len(things))
+        for t, own in zip(things, told, strict=True):
+            for a in own:
+                if self.world.apply_amount(self.e(t), a, word):
+                    self.use(a, t)
 
     def _do_contain(self, f: Frame, s: list[str], o: list[str]) -> None:
         if s and o:

@@ -1,9 +1,10 @@
-"""Stated sizes: which side of a thing a length is, and how large what holds two litres is."""
+"""Sizes and masses of things: stated, or by their kind; which side of a thing a length is."""
 
 from __future__ import annotations
 
 import math
 
+from esg.draft import lexicon as lex
 from esg.draft.entities import Entity
 from esg.draft.quantities import Amount
 
@@ -12,6 +13,11 @@ HOLLOW = frozenset({"tableware", "bottle", "container", "barrel", "box", "applia
 _FILLED = 0.6
 """Share of its bounding box that a vessel holds."""
 _MOST_INCLINED_DEG = 80.0
+_OPEN_WATER = {"river": (6000.0, 1500.0), "canal": (6000.0, 1200.0), "sea": (8000.0, 6000.0)} | {
+    w: (6000.0, 4000.0) for w in ("lake", "ocean", "harbor", "harbour", "bay", "lagoon", "loch")
+}
+"""Length and width [cm] of waters that boats are on."""
+_MAX_SIZE_CM, _MIN_SIZE_CM = 9000.0, 0.1
 
 
 def _now(e: Entity) -> list[float]:
@@ -74,3 +80,39 @@ def inclined(e: Entity, degrees: float) -> list[float]:
     angle = min(max(abs(degrees), 1.0), _MOST_INCLINED_DEG)
     dims[2] = max(2.0, dims[0] * math.tan(math.radians(angle)))
     return dims
+
+
+def dimensions_of(e: Entity) -> tuple[float, float, float]:
+    """Length, width and height [cm] of a thing as it is asked for."""
+    if e.dimensions_cm is not None:
+        d = list(e.dimensions_cm)
+    else:
+        d = list(e.noun.dimensions_cm)
+        if e.noun.kind == "water":
+            d[:2] = _OPEN_WATER.get(e.head.split()[-1], d[:2])
+        for a in e.adjectives:
+            if a in lex.SIZES:
+                d = [x * lex.SIZES[a] for x in d]
+            elif a in lex.STRETCHES and e.noun.shape != "sphere":
+                d = [x * s for x, s in zip(d, lex.STRETCHES[a], strict=True)]
+    limit = 1e5 if "structural" in e.noun.traits else _MAX_SIZE_CM
+    low = max(_MIN_SIZE_CM, 0.11)
+    return tuple(round(min(max(x, low), limit), 3) for x in d)  # type: ignore[return-value]
+
+
+def mass_of(e: Entity, size: tuple[float, float, float]) -> float:
+    """Mass [kg] of a thing of a size: stated, or by its kind, material and adjectives."""
+    if e.mass_kg is not None:
+        return e.mass_kg
+    base = e.noun.dimensions_cm
+    ratio = (size[0] * size[1] * size[2]) / (base[0] * base[1] * base[2])
+    mass = e.noun.mass_kg * ratio
+    material = next((a for a in e.adjectives if a in lex.MATERIALS), None)
+    if material is not None:
+        own = next((d for n, d in lex.MATERIALS.values() if n == e.noun.material), 900.0)
+        mass *= min(max(lex.MATERIALS[material][1] / own, 0.05), 15.0)
+    for a in e.adjectives:
+        mass *= lex.WEIGHTS.get(a, 1.0)
+    volume = size[0] * size[1] * size[2] * 1e-6
+    mass = min(max(mass * e.mass_factor, volume * 1.5), volume * 20_000.0)
+    return round(min(max(mass, 0.0011), 99_000.0), 5)

@@ -8,6 +8,7 @@ import re
 from esg.draft.elements import Mention
 from esg.draft.quantities import Amount, find_amounts
 from esg.draft.scene import Relation, Scene
+from esg.draft.shares import parts
 from esg.graph.models import Quantity
 
 _APART = re.compile(r"[\s,]*(?:from\s+(?:each\s+other|one\s+another)\s*)?apart\b", re.IGNORECASE)
@@ -57,7 +58,7 @@ def space(text: str, mentions: list[Mention], scene: Scene) -> None:
     """
     for a in find_amounts(text):
         span = (a.start, a.end)
-        inside = any(a in m.amounts for m in mentions)
+        inside = any(a in parts(m.amounts) for m in mentions)
         if a.dimension != "length" or span in scene.used or inside:
             continue
         pair = _pair(text, a, mentions, scene)

@@ -8,6 +8,7 @@ from typing import Any
 
 from esg.draft.elements import Token
 from esg.draft.quantities import find_amounts
+from esg.draft.shares import joined
 
 _WORD = re.compile(
     r"(?:[#№]|\b(?:[Nn](?:o|r|um)\.|[Nn]umber(?=\s)))\s*\d{1,3}\b(?!\.\d)|\b[A-Z]\d{1,2}\b"
@@ -35,7 +36,7 @@ def tokenize(text: str, tags: list[tuple[int, str]] | None = None) -> list[Token
     """Splits text into words, numbers, punctuation and whole quantities."""
     out: list[Token] = []
     cursor = 0
-    amounts = find_amounts(text)
+    amounts = joined(find_amounts(text), text)
     by_start = dict(tags or [])
 
     def words(lo: int, hi: int) -> None:

@@ -13,6 +13,7 @@ from esg.draft.entities import (
     WORN,
 )
 from esg.draft.members import Members
+from esg.draft.ranks import measured, same_quantity
 
 _BODYWORK = frozenset({"bonnet", "windscreen", "windshield", "tailgate"})
 _TOPS = frozenset({"roof", "windscreen", "windshield", "bonnet", "tailgate"})
@@ -251,6 +252,12 @@ class World(Members):
         alike = [e for e in self.entities.values() if self._same_kind(m, e)]
         if m.counted_from and (found := self._counted(m, alike)):
             return found
+        if not names and definite and len(alike) == 1 and alike[0].id not in avoid and measured(m):
+            names = alike  # "A ball weighs 10 kg. The 5 kg ball ...": the same, contradicted
+        if found := self._ranked(m, [e for e in names if e.id not in avoid] or names):
+            return found
+        if not m.plural:  # "the 2 kg ball hits the 5 kg ball"
+            names = [e for e in names if same_quantity(m, e, self.facts)] or names
         ordinal = next((a for a in m.adjectives if a in ORDINALS or a in ("last", "final")), None)
         if ordinal is not None:
             found = self._ordinal(m, ordinal)

@@ -1,0 +1,141 @@
+"""Quantities told one after the other for several things: "three balls of 1 kg, 2 kg and 3 kg"."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from itertools import groupby
+import re
+
+from esg.draft.elements import Element, Mention, Word
+from esg.draft.frames import Phrase
+from esg.draft.quantities import Amount
+
+_SHARED = frozenset({"mass", "length", "speed", "volume"})
+_BETWEEN = re.compile(r"\s*(?:[,;/]|,?\s*(?:and|&)(?:\s+the\s+(?:other|last))?)\s*")
+_TELLING = frozenset({"of", "with", "at", "weighing", "measuring", "from"})
+
+
+def joined(amounts: Sequence[Amount], text: str) -> list[Amount]:
+    """Quantities of one kind with nothing but commas and "and" in between, as one each.
+
+    Args:
+        amounts: The quantities of the prompt, left to right.
+        text: The prompt.
+
+    Returns:
+        The quantities; a list of them is one, whose `shares` are the parts.
+    """
+    runs: list[list[Amount]] = []
+    for a in amounts:
+        last = runs[-1][-1] if runs else None
+        if (
+            last is not None
+            and a.dimension == last.dimension
+            and a.dimension in _SHARED
+            and not (a.sides or last.sides or a.bound or last.bound)
+            and _BETWEEN.fullmatch(text, last.end, a.start)
+        ):
+            runs[-1].append(a)
+        else:
+            runs.append([a])
+    return [r[0] if len(r) == 1 else _one(r, text) for r in runs]
+
+
+def _one(run: list[Amount], text: str) -> Amount:
+    return replace(
+        run[-1],
+        low=min(a.low for a in run),
+        high=max(a.high for a in run),
+        start=run[0].start,
+        text=text[run[0].start : run[-1].end],
+        shares=tuple(run),
+    )
+
+
+def parts(amounts: Iterable[Amount]) -> list[Amount]:
+    """The quantities with every list taken apart."""
+    return [part for a in amounts for part in a.shares or (a,)]
+
+
+def dealt(amounts: Iterable[Amount], number: int) -> list[list[Amount]]:
+    """Which quantities each of several things has.
+
+    Args:
+        amounts: What is told of all of them, lists as one quantity or as several.
+        number: How many things there are.
+
+    Returns:
+        One list a thing: of as many values of one kind as there are things each has its own, in
+        order; of everything else each has all.
+    """
+    out: list[list[Amount]] = [[] for _ in range(number)]
+    for dimension, same in groupby(parts(amounts), key=lambda a: a.dimension):
+        values = list(same)
+        own = number > 1 and len(values) == number and dimension in _SHARED
+        for k in range(number):
+            out[k] += [values[k]] if own else values
+    return out
+
+
+def count(attachments: Iterable[tuple[Mention, Phrase]]) -> None:
+    """Sets the number of a plural from the list of values it has ("balls of 1 kg and 2 kg")."""
+    for m, p in attachments:
+        told = p.mention.amounts if p.mention is not None and p.mention.attribute else []
+        lists = [a for a in [*told, *([p.amount] if p.amount else [])] if a.shares]
+        if m.plural and m.count is None and m.pattern is None and p.prep in _TELLING and lists:
+            m.count = len(lists[0].shares)
+
+
+def own_nouns(elements: list[Element]) -> list[Element]:
+    """Gives quantities that stand for a noun their noun.
+
+    Args:
+        elements: What the chunker found.
+
+    Returns:
+        The elements; in "a 2 kg and a 4 kg cart" there are two carts, and "the 5 kg one" is one
+        noun phrase.
+    """
+    out: list[Element] = []
+    for e in reversed(elements):
+        out.insert(0, e)
+        if _is_amount(e) and len(out) > 1 and isinstance(out[1], Mention):
+            one = out[1]
+            if one.pronoun == "one" and not one.adjectives and not one.amounts:
+                assert isinstance(e, Word) and e.amount is not None
+                out[:2] = [replace(one, start=e.start, amounts=[e.amount], determiner="the")]
+        elif _article(e) and len(out) > 3 and _is_amount(out[1]) and _and(out[2]):
+            like, told = out[3], out[1]
+            if isinstance(like, Mention) and like.amounts and like.head and not like.plural:
+                assert isinstance(told, Word) and told.amount is not None
+                assert isinstance(e, Word)
+                out[:2] = [
+                    replace(
+                        like,
+                        start=e.start,
+                        end=told.end,
+                        determiner=e.low,
+                        amounts=[told.amount],
+                        adjectives=[a for a in like.adjectives if not a.startswith("@")],
+                        coordinated=[],
+                        entities=[],
+                    )
+                ]
+        elif isinstance(e, Word) and e.low == "the" and len(out) > 1:
+            one = out[1]
+            if isinstance(one, Mention) and one.pronoun == "one" and one.amounts:
+                out[:2] = [replace(one, start=e.start)]
+    return out
+
+
+def _is_amount(e: Element) -> bool:
+    return isinstance(e, Word) and e.amount is not None and e.amount.dimension in _SHARED
+
+
+def _article(e: Element) -> bool:
+    return isinstance(e, Word) and e.low in ("a", "an", "the", "one")
+
+
+def _and(e: Element) -> bool:
+    return isinstance(e, Word) and e.low in ("and", ",")
