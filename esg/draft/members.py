@@ -6,7 +6,7 @@ from esg.draft import lexicon as lex
 from esg.draft.elements import Mention
 from esg.draft.entities import COUNTED_FROM, FRONT, ORDINALS, OTHER, REAR, STACKED, Entity, slug
 from esg.draft.pronouns import Pronouns
-from esg.draft.ranks import measured, same_quantity
+from esg.draft.ranks import RANKS, extreme, measured, same_quantity
 
 _LEVELS = {-1: "top", 0: "bottom", 1: "middle"}
 
@@ -60,6 +60,10 @@ class Members(Pronouns):
                 self.entities[i].pattern = "stack"
             like = Mention(m.start, m.end, head=m.head, noun=m.noun, adjectives=[m.pick])
             return self._of_stack(like, [self.entities[i] for i in ids])
+        if m.pick in RANKS:
+            best = extreme(m.pick, [self.entities[i] for i in ids], self.facts)
+            if best is not None:
+                return [best.id]  # "the heavier of two crates"
         k = ORDINALS.get(
             m.pick, len(ids) - 1 if m.pick in ("last", "final", "rightmost", "rear") else 0
         )

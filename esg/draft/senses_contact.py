@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import re
+
 from esg.draft.core import Time
 from esg.draft.frames import Frame, Phrase
+from esg.draft.quantities import Amount
 from esg.draft.scene import SELF_POWERED
 from esg.draft.senses_fall import FallSenses
 from esg.graph.models import EventConstraint, NodeEvent
@@ -14,6 +17,13 @@ _NO_THINGS = frozenset(
 )
 """Objects of "blocks", "hits" and the like that nothing touches."""
 _STUMBLING = frozenset({"trip", "stumble"})
+_BESIDE = re.compile(
+    r"\s*(?:,\s*)?(?:\(|at|with\s+(?:an?\s+)?(?:constant\s+)?(?:speed|velocity)\s+of|doing|going"
+    r"|(?:which\s+is\s+|that\s+is\s+)?(?:moving|travell?ing|driving|rolling|sliding|coming)"
+    r"(?:\s+\w+){0,4}\s+(?:at|with))\s*",
+    re.IGNORECASE,
+)
+"""What may stand between a thing and its own speed."""
 _CATCHING = frozenset({"catch", "block", "intercept", "parry", "deflect"})
 
 
@@ -121,6 +131,7 @@ class ContactSenses(FallSenses):
                     for i in ids
                     if i not in movers and not self.structural(i)
                 ][:1]
+        self._comes_too(f, movers, targets)
         self._kinematics(f, movers, targets)
         if f.verb.extra.get("motion") == "reverse":
             self._reverse(movers)
@@ -148,6 +159,37 @@ class ContactSenses(FallSenses):
             self._outcomes(f, targets[:1])
         elif o and f.phrase("into", "onto", "toward", "towards") is not None and nodes:
             self._knock_on(f, targets[:1])
+
+    def _comes_too(self, f: Frame, movers: list[str], targets: list[str]) -> None:
+        """ "A car at 10 m/s collides with a truck at 15 m/s": both have a speed, so both move."""
+        end = max((m.end for m in self.mentions if set(m.entities) & {*targets}), default=-1)
+        told = [p for p in f.phrases if self._speed_in(p) is not None]
+        own = [p for p in told if p is told[0] and len(told) > 1]
+        known = own or any(m in self.stated or m in self.own_speed for m in movers)
+        last = self._speed_in(told[-1]) if told else None
+        if last is not None and known and len(targets) == 1 and not f.verb.passive:
+            between = self.text[end : last.start] if end < last.start else ""
+            if end > f.verb.end and _BESIDE.fullmatch(between):
+                self.stated[targets[0]] = last
+                f.phrases = [p for p in f.phrases if p is not told[-1]]
+        for t in targets if not f.verb.passive else ():
+            track = self.tl.tracks.get(t)
+            still = track is None or (track.motion is None and not track.hit)
+            going = track.motion if track is not None else None
+            if t in self.stated and going is not None and not going.prescribed:
+                going.speed, going.prescribed = self.stated[t].value, True
+                self.use(self.stated[t], "speed")
+            if t in self.stated and still and self.movable(t) and t not in movers:
+                head_on = "head-on" in f.adverbs and bool(movers)
+                self.own_speed[t] = self.stated[t]
+                self._start_motion(f, [t], None, movers[0] if head_on else None)
+
+    @staticmethod
+    def _speed_in(p: Phrase) -> Amount | None:
+        """The speed that a phrase tells: "at 15 m/s", "with a speed of 1 m/s"."""
+        told = p.mention.amounts if p.mention is not None and p.mention.attribute else []
+        found = [a for a in [*told, *([p.amount] if p.amount else [])] if a.dimension == "speed"]
+        return found[0] if found and not found[0].shares else None
 
     @staticmethod
     def _meets_with(f: Frame, p: Phrase) -> bool:
@@ -246,6 +288,7 @@ class ContactSenses(FallSenses):
         ]
         if not moving:
             driven = any(self.kind(m) in SELF_POWERED for m in (a, b))
+            driven = driven or all(m in self.stated or m in self.own_speed for m in (a, b))
             for m in (a, b) if driven else (a,):
                 if self.movable(m):
                     self._start_motion(f, [m], None, b if m == a else a)

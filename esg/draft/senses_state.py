@@ -41,7 +41,11 @@ class StateSenses(Consequences):
 
     def attachment(self, m: Mention, p: Phrase) -> None:
         """A noun phrase with a prepositional phrase: a place or a property."""
-        owners = self._sharers(m.entities or self.ids(m), p)
+        owners = m.entities or self.ids(m)
+        at = p.amount.start if p.amount is not None else p.mention.start if p.mention else -1
+        later = [i for c in m.coordinated if c.start > at >= m.end for i in c.entities]
+        owners = [i for i in owners if i not in later] or owners  # "the first at 2 m/s, the second"
+        owners = self._sharers(owners, p)
         if p.amount is not None:
             for o, own in zip(owners, dealt([p.amount], len(owners)), strict=True):
                 for a in own:

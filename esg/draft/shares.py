@@ -7,13 +7,19 @@ from dataclasses import replace
 from itertools import groupby
 import re
 
-from esg.draft.elements import Element, Mention, Word
+from esg.draft import lexicon as lex
+from esg.draft.elements import Element, Mention, Verb, Word
 from esg.draft.frames import Phrase
 from esg.draft.quantities import Amount
 
 _SHARED = frozenset({"mass", "length", "speed", "volume"})
 _BETWEEN = re.compile(r"\s*(?:[,;/]|,?\s*(?:and|&)(?:\s+the\s+(?:other|last))?)\s*")
 _TELLING = frozenset({"of", "with", "at", "weighing", "measuring", "from"})
+
+
+_COLORS = frozenset(lex.COLORS)
+_OPENING = frozenset({",", "(", "-", "–", "—", ":"})
+_EACH = frozenset({"each", "apiece"})
 
 
 def joined(amounts: Sequence[Amount], text: str) -> list[Amount]:
@@ -98,7 +104,13 @@ def own_nouns(elements: list[Element]) -> list[Element]:
         noun phrase.
     """
     out: list[Element] = []
-    for e in reversed(elements):
+    for k in range(len(elements) - 1, -1, -1):
+        e = elements[k]
+        if isinstance(e, Mention) and {e.head, e.pronoun} & _EACH and k:
+            before = elements[k - 1]
+            amount = before.amount if isinstance(before, Word) else None
+            if amount is not None and amount.dimension == "speed":
+                continue  # "at 10 m/s each"
         out.insert(0, e)
         if _is_amount(e) and len(out) > 1 and isinstance(out[1], Mention):
             one = out[1]
@@ -126,7 +138,58 @@ def own_nouns(elements: list[Element]) -> list[Element]:
             one = out[1]
             if isinstance(one, Mention) and one.pronoun == "one" and one.amounts:
                 out[:2] = [replace(one, start=e.start)]
+    return _coloured(out)
+
+
+def _coloured(elements: list[Element]) -> list[Element]:
+    """ "two balls, one red and one blue,": a red ball and a blue ball."""
+    out: list[Element] = []
+    k = 0
+    while k < len(elements):
+        e = elements[k]
+        end, colors = _colors(elements, k + 1) if isinstance(e, Mention) else (k, [])
+        if isinstance(e, Mention) and e.plural and e.count == len(colors) > 1 and e.head:
+            for n, color in enumerate(colors):
+                if n:
+                    out.append(Word(e.end, e.end, "conj", "and"))
+                own = [*e.adjectives, color]
+                out.append(
+                    replace(
+                        e, plural=False, count=None, determiner="a", adjectives=own,
+                        text=f"{color} {e.head}", coordinated=[], entities=[],
+                        amounts=dealt(e.amounts, len(colors))[n],
+                    )
+                )  # fmt: skip
+            k = end
+        else:
+            out.append(e)
+            k += 1
     return out
+
+
+def _colors(elements: list[Element], at: int) -> tuple[int, list[str]]:
+    """The colours between a comma, dash or bracket and the next one, and where they end."""
+    opening = elements[at] if at < len(elements) else None
+    if not (isinstance(opening, Word) and opening.low in _OPENING):
+        return at, []
+    found: list[str] = []
+    for k in range(at + 1, len(elements)):
+        e = elements[k]
+        adjectives = e.adjectives if isinstance(e, Mention) else []
+        if isinstance(e, Word) and e.low in lex.COLORS:
+            found.append(e.low)
+        elif isinstance(e, Mention) and e.pronoun == "one" and not set(adjectives) - _COLORS:
+            found += adjectives
+        elif isinstance(e, Word) and (e.low in ("and", "one", "the", "other") or e.low == ","):
+            more = elements[k + 1] if k + 1 < len(elements) else None
+            colored = getattr(more, "low", "") in (*lex.COLORS, "one", "and", "the", "other")
+            if not colored and getattr(more, "pronoun", "") != "one":
+                return (k + 1, found) if e.low == "," else (at, [])
+        elif isinstance(e, Word) and e.kind == "punct":
+            return (k + 1 if e.low not in ".;" else k), found
+        else:
+            return (k, found) if isinstance(e, Verb) else (at, [])
+    return len(elements), found
 
 
 def _is_amount(e: Element) -> bool:

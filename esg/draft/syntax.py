@@ -6,6 +6,8 @@ towards ..."); spaCy's tags only settle words that the lexicon does not know.
 
 from __future__ import annotations
 
+import re
+
 from esg.draft import lexicon as lex
 from esg.draft.elements import Element, Mention, Verb, Word
 from esg.draft.multiwords import MULTIWORDS
@@ -34,6 +36,10 @@ _BOUNDS = (
 )  # fmt: skip
 """What bounds a count: "at least two of the pins"."""
 _SO_AS_TO = (("in", "order", "to"), ("so", "as", "to"))
+
+
+_AIMS = frozenset({"into", "onto", "at", "against", "toward", "towards", "off", "down", "over"})
+"""What follows what is pushed or dropped: "Drop A onto B"."""
 
 
 class Chunker(NounPhrases):
@@ -108,6 +114,9 @@ class Chunker(NounPhrases):
         used = self._multiword(i)
         if used:
             return i + used
+        named = self._noun_phrase(i) if self._named_thing(i) else None
+        if named is not None:
+            return named
         if self._verb_here(i) or self._verb_after_amount(i):
             j = self._verb_group(i)
             if j is not None:
@@ -201,6 +210,16 @@ class Chunker(NounPhrases):
             if colon.text == ":":
                 return n + 1 if words[-1].low in _HEADINGS | _TITLES else 0
         return 0
+
+    def _named_thing(self, i: int) -> bool:
+        """ "Block A slides into block B": a verb's form, but a noun with its letter."""
+        letter = self._tok(i + 1)
+        if letter is None or not re.fullmatch(r"[A-Z]|#?\d", letter.text):
+            return False
+        if letter.text[-1].isdigit() and letter.kind != "number":
+            return False
+        clear = not isinstance(self._previous(), Mention) and self._match_noun(i) is not None
+        return clear and self._low(i + 2) not in _AIMS
 
     def _verb_after_amount(self, i: int) -> bool:
         """ "with a mass of 25 kg slides": a noun cannot follow a quantity that "of" introduces."""

@@ -1,0 +1,135 @@
+"""Lists of quantities, things told apart by quantities, and speeds of what is hit."""
+
+from __future__ import annotations
+
+import pytest
+
+from esg.draft import draft
+from esg.graph.models import EsgDocument
+from esg.outcomes import UserError
+
+
+def _masses(doc: EsgDocument) -> list[float]:
+    return [r.expected_mass_kg for r in doc.asset_requirement.values() if r.mass_is_prescribed]
+
+
+def _events(prompt: str) -> list[tuple[str, ...]]:
+    timeline = draft(prompt).timeline_system
+    assert timeline is not None
+    return [
+        (n.event.value, *n.participants)
+        for n in timeline.sequence_graph.nodes
+        if n.event.value in ("Collision", "Fall", "Topple", "EnterRegion")
+    ]
+
+
+def _speeds(prompt: str) -> dict[str, object]:
+    timeline = draft(prompt).timeline_system
+    assert timeline is not None
+    return {
+        e.actor: e.params.speed
+        for e in timeline.sequence_graph.edges
+        if e.speed_is_prescribed and e.params is not None
+    }
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "Three balls of 1 kg, 2 kg and 3 kg roll into a wall.",
+        "Three balls with masses of 1 kg, 2 kg and 3 kg roll into a wall.",
+        "Three balls with masses 1, 2 and 3 kg roll into a wall.",
+        "Three balls of different masses (1 kg, 2 kg and 3 kg) are lined up; a cart hits the first.",
+        "Three balls weighing 1 kg, 2 kg and 3 kg stand on a shelf. The heaviest falls.",
+        "Balls of 1 kg, 2 kg and 3 kg stand in a row; a cart hits the first.",
+        "Balls A, B and C weigh 1 kg, 2 kg and 3 kg. Ball A rolls into ball B.",
+        "A red, a blue and a green ball weigh 1 kg, 2 kg and 3 kg. The red one hits the blue one.",
+        "A 1 kg, a 2 kg and a 3 kg ball roll into a wall.",
+    ],
+)
+def test_a_list_of_masses_is_dealt_out(prompt: str) -> None:
+    assert _masses(draft(prompt)) == [1.0, 2.0, 3.0]
+
+
+def test_a_list_for_one_thing_is_a_contradiction() -> None:
+    with pytest.raises(UserError, match="contradicts itself"):
+        draft("A ball weighs 10 kg and 5 kg and rolls into a wall.")
+
+
+def test_another_ball_of_its_own_mass_is_no_member_of_the_row() -> None:
+    doc = draft("Three balls of 1 kg, 2 kg and 3 kg are lined up; a 4 kg ball hits the first.")
+    assert _masses(doc) == [1.0, 2.0, 3.0, 4.0]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "speeds"),
+    [
+        ("Three balls roll at 1, 2 and 3 m/s toward a wall.", [100.0, 200.0, 300.0]),
+        ("Two cars drive toward each other at 5 m/s and 10 m/s and collide.", [500.0, 1000.0]),
+        ("A 2 kg ball at 3 m/s and a 1 kg ball at 5 m/s collide.", [300.0, 500.0]),
+        ("A car at 10 m/s collides head-on with a truck at 15 m/s.", [1000.0, 1500.0]),
+        ("A car at 20 m/s rear-ends a truck at 10 m/s.", [2000.0, 1000.0]),
+        ("A ball with a speed of 3 m/s hits a ball with a speed of 1 m/s.", [300.0, 100.0]),
+        ("Two cars of 1 t and 2 t crash head-on at 10 m/s each.", [1000.0, 1000.0]),
+        ("Two spheres collide; the first at 2 m/s, the second at rest.", [200.0]),
+        ("A ball hits a cart at 5 m/s.", [500.0]),
+    ],
+)
+def test_everything_has_its_own_speed(prompt: str, speeds: list[float]) -> None:
+    assert list(_speeds(prompt).values()) == speeds
+
+
+@pytest.mark.parametrize(
+    ("prompt", "event"),
+    [
+        (
+            "Three crates of 5 kg, 10 kg and 15 kg stand on a shelf. The heaviest falls.",
+            ("Fall", "crate_3"),
+        ),
+        (
+            "Three bottles, 20 cm, 25 cm and 30 cm tall, stand on a table; a ball hits the tallest.",
+            ("Collision", "ball_1", "bottle_3"),
+        ),
+        (
+            "Two balls roll toward a wall at 2 m/s and 4 m/s. The faster one hits it.",
+            ("Collision", "ball_2", "wall_1"),
+        ),
+        (
+            "A 5 kg ball and a 2 kg ball lie on a table. The 2 kg ball hits the 5 kg one.",
+            ("Collision", "ball_2", "ball_1"),
+        ),
+        (
+            "Two balls of 5 kg and 2 kg lie on a table. The lighter hits the heavier.",
+            ("Collision", "ball_2", "ball_1"),
+        ),
+        (
+            "The heavier of two crates (5 kg and 20 kg) slides into a wall.",
+            ("Collision", "crate_2", "wall_1"),
+        ),
+        (
+            "A big crate and a small crate stand in a row. A ball hits the bigger one.",
+            ("Collision", "ball_1", "crate_1"),
+        ),
+        (
+            "A tall bottle and a short bottle stand on a table. A ball hits the shorter one.",
+            ("Collision", "ball_1", "bottle_2"),
+        ),
+    ],
+)
+def test_things_are_told_apart_by_what_they_measure(prompt: str, event: tuple[str, ...]) -> None:
+    assert _events(prompt) == [event]
+
+
+@pytest.mark.parametrize(
+    "apposition", [", red and blue,", ", one red and one blue,", " (one red, one blue)"]
+)
+def test_colours_beside_a_plural_name_its_members(apposition: str) -> None:
+    assert _events(f"Two balls{apposition} collide.") == [
+        ("Collision", "red_ball_1", "blue_ball_1")
+    ]
+
+
+def test_a_block_with_a_letter_is_no_verb() -> None:
+    prompt = "Block A of mass 2 kg slides at 3 m/s into block B of mass 5 kg."
+    assert _events(prompt) == [("Collision", "block_a", "block_b")]
+    assert _masses(draft(prompt)) == [2.0, 5.0]
