@@ -18,7 +18,8 @@ _HOLDING = frozenset({"carry", "have", "tow", "follow", "launch", "drop", "hit",
 _SIDES = frozenset({"height", "length", "width", "diameter", "radius", "depth", "size"})
 _MEASURES = _SIDES | frozenset({"mass", "weight", "speed", "velocity"})
 _MEDIA = frozenset(
-    {"close-up", "shot", "clip", "video", "footage", "animation", "view", "image", "film",
+    {"close-up", "scene", "movie", "gif", "render", "rendering", "shot", "clip", "video",
+     "footage", "animation", "view", "image", "film",
      "simulation", "recording", "sequence"}
 )  # fmt: skip
 _BLOWS = frozenset(
@@ -114,6 +115,8 @@ def _by_agent(elements: list[Element], i: int, out: list[Element]) -> bool:
         before = out[out.index(before) - 1]
     if before is None or (isinstance(before, Word) and before.low in ".;:!?\n,(-–—"):
         return v.form != "base" or before is None
+    if isinstance(before, Word) and before.kind == "sub":
+        return before.low in ("when", "once", "if", "until", "after", "as")
     told = any(isinstance(x, Verb) and "agent" in x.extra for x in out[-8:])
     return isinstance(before, Word) and before.kind == "conj" and told
 
@@ -123,7 +126,10 @@ def _told_by_noun(elements: list[Element], i: int, out: list[Element]) -> int:
     noun, link = elements[i], word_at(elements, i + 1)
     if not isinstance(noun, Mention) or noun.possessor is not None:
         return 0
-    noise = noun.head in _NOISES and not noun.determiner and not noun.known and not noun.adjectives
+    starts = not out or (isinstance(out[-1], Word) and out[-1].low in ".;!?\n")
+    well = starts and noun.head == "well" and link is not None and link.low == ","
+    noise = (noun.head in _NOISES or well) and not noun.determiner and not noun.adjectives
+    noise = noise and (well or not noun.known)
     if noise and (link is None or link.kind == "punct" or not link.low):
         out.append(Word(noun.start, noun.end, "adv", "suddenly"))
         return 1

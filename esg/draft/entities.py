@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 import re
 import unicodedata
 
@@ -133,8 +133,18 @@ def plural(noun: str) -> str:
     return noun + "s"
 
 
+_PEOPLE = re.compile(
+    r"(?:woman|smith|monger|keeper|dresser|herder|ologist|ographer|istrator|cellist|violinist"
+    r"|in-law|brother|sister|mother|father)$|^(?:step|grand|ex-|god|vice-)(?!stand)\w+"
+)
+"""Words that name persons by how they are built."""
+
+
 def unknown_noun(head: str) -> lex.Noun:
-    """A sized stand-in for a noun outside the lexicon."""
+    """A sized stand-in for a noun outside the lexicon: a box, or a person ("bookkeeper")."""
+    if _PEOPLE.search(head):
+        like = lex.nouns()["person"]
+        return replace(like, name=head, description=f"{head}, a person", synonyms=())
     return lex.Noun(
         name=head,
         kind="generic",

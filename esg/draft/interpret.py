@@ -42,46 +42,18 @@ _NAMED_EVENTS = {
 """Nouns for events, and the point events they name."""
 _UNDER_WAY = re.compile(r"(?:halfway|midway|on the way|on (?:its|his|her|their) way)\b", re.I)
 _ANIMAL_VERBS = frozenset(
-    {
-        "run",
-        "walk",
-        "jog",
-        "gallop",
-        "trot",
-        "jump",
-        "leap",
-        "hop",
-        "crawl",
-        "sprint",
-        "dash",
-        "charge",
-        "sleep",
-        "sit",
-        "chase",
-        "wander",
-        "swim",
-        "climb",
-        "stroll",
-        "march",
-        "pursue",
-    }
-)
+    {"run", "walk", "jog", "gallop", "trot", "jump", "leap", "hop", "crawl", "sprint", "dash",
+     "charge", "sleep", "sit", "chase", "wander", "swim", "climb", "stroll", "march", "pursue"}
+)  # fmt: skip
 
-_VEHICLE_VERBS = frozenset(
-    {
-        "drive",
-        "brake",
-        "accelerate",
-        "overtake",
-        "park",
-        "steer",
-        "cruise",
-        "merge",
-        "reverse",
-        "swerve",
-        "speed",
-    }
+_PERSON_VERBS = frozenset(
+    {"kick", "throw", "toss", "hurl", "fling", "lob", "dribble", "juggle", "flick", "serve", "putt"}
 )
+"""What only somebody does to a thing."""
+_VEHICLE_VERBS = frozenset(
+    {"drive", "brake", "accelerate", "overtake", "park", "steer", "cruise", "merge", "reverse",
+     "swerve", "speed"}
+)  # fmt: skip
 
 
 class Interpreter(References):
@@ -391,6 +363,7 @@ class Interpreter(References):
         if entity.known or entity.noun.kind != "generic":
             return
         model = "dog" if lemma in _ANIMAL_VERBS else "car" if lemma in _VEHICLE_VERBS else None
+        model = "person" if lemma in _PERSON_VERBS else model
         if model is not None:
             like = lex.nouns()[model]
             entity.noun = replace(

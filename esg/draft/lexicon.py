@@ -100,6 +100,8 @@ def nouns() -> dict[str, Noun]:
     for noun, synonyms in entries:
         for synonym in synonyms:
             table.setdefault(synonym, noun)
+    for name in _words("persons"):
+        table.setdefault(name, table["person"])
     # Tokens part the possessive: "rubik 's cube".
     for name in [n for n in table if "'s " in n]:
         table.setdefault(name.replace("'s ", " 's "), table[name])

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from esg.draft.elements import Element, Mention, Verb, Word
 from esg.draft.gaps import word_at
+from esg.draft.tellings import told_otherwise
 from esg.draft.verbphrases import verb_readings
 
 _BLOWS = frozenset(
@@ -46,8 +47,8 @@ def lighten(elements: list[Element]) -> list[Element]:
             or _beside(elements, i, out)
             or _from_one(elements, i, out)
             or _first_met(elements, i, out)
-            or _time_passes(elements, i, out)
             or _object_of(elements, i, out)
+            or told_otherwise(elements, i, out)
         )
         if used:
             i += used
@@ -74,7 +75,7 @@ def _mention(elements: list[Element], i: int) -> Mention | None:
     return e if isinstance(e, Mention) else None
 
 
-def _blow(elements: list[Element], i: int) -> tuple[str, int]:
+def blow_at(elements: list[Element], i: int) -> tuple[str, int]:
     """The noun of a contact and the elements it takes ("a good shove"); "" for a thing."""
     m = _mention(elements, i)
     if m is not None:
@@ -94,7 +95,7 @@ def _told(elements: list[Element], i: int, used: int) -> Word:
     return Word(elements[i].start, elements[i + used - 1].end, "adv", "indeed")
 
 
-def _as_verb(v: Verb, blow: str) -> Verb:
+def as_verb(v: Verb, blow: str) -> Verb:
     """The verb of a blow's noun, in the form of the light verb."""
     readings = [r for r in verb_readings(blow) if r.form == "base"]
     lemma, sense, note = (readings[0].lemma, readings[0].sense, readings[0].note) if readings else (
@@ -114,14 +115,14 @@ def _given(elements: list[Element], i: int, out: list[Element]) -> int:
     if not isinstance(give, Verb) or give.lemma not in _GIVING or give.passive:
         return 0
     one = _mention(elements, i + 1)
-    blow, used = _blow(elements, i + 2)
+    blow, used = blow_at(elements, i + 2)
     if one is not None and blow and not one.attribute:
-        out += [_as_verb(give, blow), one, _told(elements, i + 2, used)]
+        out += [as_verb(give, blow), one, _told(elements, i + 2, used)]
         return 2 + used
-    blow, used = _blow(elements, i + 1)
+    blow, used = blow_at(elements, i + 1)
     to, thing = word_at(elements, i + 1 + used), _mention(elements, i + 2 + used)
     if blow and to is not None and to.low in ("to", "on") and thing is not None:
-        out += [_as_verb(give, blow), _told(elements, i + 1, used), thing]
+        out += [as_verb(give, blow), _told(elements, i + 1, used), thing]
         return 3 + used
     return 0
 
@@ -131,13 +132,13 @@ def _received(elements: list[Element], i: int, out: list[Element]) -> int:
     get = elements[i]
     if not isinstance(get, Verb) or get.lemma not in _GETTING:
         return 0
-    blow, used = _blow(elements, i + 1)
+    blow, used = blow_at(elements, i + 1)
     link, agent = word_at(elements, i + 1 + used), _mention(elements, i + 2 + used)
     if not blow or agent is None or agent.attribute:
         return 0
     if link is None or link.low not in ("from", "by"):
         return 0
-    verb = _as_verb(get, blow)
+    verb = as_verb(get, blow)
     verb.form, verb.passive, verb.auxiliary = "pp", True, "gets"
     by = Word(link.start, link.end, "prep", "by")
     out += [verb, _told(elements, i + 1, used), by, agent]
@@ -241,7 +242,7 @@ def _from_one(elements: list[Element], i: int, out: list[Element]) -> int:
     """ "One push from the child and the swing hits": the child pushes the swing, which hits."""
     if out and not (isinstance(out[-1], Word) and out[-1].low in ".;!?\n:"):
         return 0
-    blow, used = _blow(elements, i)
+    blow, used = blow_at(elements, i)
     one, push = _mention(elements, i), elements[i + 1] if i + 1 < len(elements) else None
     if one is not None and one.pronoun == "one" and not one.adjectives and isinstance(push, Verb):
         blow, used = (push.lemma, 2) if push.lemma in _BLOWS and push.form == "base" else ("", 0)
@@ -251,7 +252,7 @@ def _from_one(elements: list[Element], i: int, out: list[Element]) -> int:
         return 0
     if conj is None or conj.low != "and" or thing is None or agent.attribute or thing.attribute:
         return 0
-    verb = _as_verb(Verb(elements[i].start, elements[i + used - 1].end, "hit", "hit", "s"), blow)
+    verb = as_verb(Verb(elements[i].start, elements[i + used - 1].end, "hit", "hit", "s"), blow)
     it = Mention(thing.end, thing.end, pronoun="it", text="it")
     out += [agent, verb, thing, conj, it]
     return used + 4
@@ -289,32 +290,6 @@ def _object_of(elements: list[Element], i: int, out: list[Element]) -> int:
         return 0
     out += [head, Word(subject.start, subject.start, "rel", "that"), subject, verb]
     return 3
-
-
-def _time_passes(elements: list[Element], i: int, out: list[Element]) -> int:
-    """ "three seconds pass and they bump": three seconds later."""
-    time, verb = word_at(elements, i), elements[i + 1] if i + 1 < len(elements) else None
-    if time is None or time.amount is None or time.amount.dimension != "time":
-        return 0
-    if not isinstance(verb, Verb) or verb.lemma not in ("pass", "elapse", "go") or verb.infinitive:
-        return 0
-    k = i + 2
-    while (w := word_at(elements, k)) is not None and w.low in (
-        "by",
-        ",",
-        "and",
-        "before",
-        "until",
-    ):
-        k += 1
-    if k == i + 2 or not isinstance(elements[k] if k < len(elements) else None, Mention):
-        return 0
-    out += [
-        time,
-        Word(verb.start, verb.end, "adv", "later"),
-        Word(verb.end, verb.end, "punct", ","),
-    ]
-    return k - i
 
 
 def _title(elements: list[Element], i: int, out: list[Element]) -> int:

@@ -11,7 +11,10 @@ import re
 
 from esg.draft.frames import Frame
 
-NEAR = re.compile(r"\b(?:almost|nearly|practically|all but)\s+(?:\w+ly\s+)?$", re.IGNORECASE)
+NEAR = re.compile(
+    r"\b(?:almost|nearly|practically|all but)\s+(?:(?!immedi|instant|direct|simult)\w+ly\s+)?$",
+    re.IGNORECASE,
+)
 _IN_GROUP = re.compile(r"\b(?:almost|nearly)\b", re.IGNORECASE)
 _NEVER = re.compile(r"\bnever\s+(?:\w+ly\s+)?$", re.IGNORECASE)
 _ABOUT_TO = re.compile(r"\b(?:about|unable|too\s+\w+|reluctant|afraid)\s*$", re.IGNORECASE)

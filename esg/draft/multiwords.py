@@ -34,11 +34,61 @@ _ENTRIES: tuple[tuple[tuple[str, ...], Literal["prep", "adv", "sub", "conj"], st
     (("which", "means", "that"), "sub", "so"),
     (("to", "such", "an", "extent", "that"), "sub", "so"),
     (("so", "much", "so", "that"), "sub", "so"),
-    (("the", "instant"), "sub", "once"),
-    (("immediately", "after"), "prep", "after"),
-    (("right", "after"), "prep", "after"),
-    (("shortly", "after"), "prep", "after"),
-    (("just", "after"), "prep", "after"),
+    *(
+        ((*lead, noun, *end), "sub", "once")
+        for noun in ("instant", "moment", "minute")
+        for lead in (("the",), ("the", "very"), ("at", "the"), ("at", "the", "very"))
+        for end in ((), ("that",), ("when",), ("in", "which"), ("at", "which"))
+    ),
+    *(
+        ((how, word), "prep", word)
+        for how in (
+            "immediately",
+            "right",
+            "shortly",
+            "just",
+            "directly",
+            "soon",
+            "straight",
+            "only",
+            "long",
+        )
+        for word in ("after", "before")
+        if (how, word) != ("only", "before")
+    ),
+    (("due", "to", "the", "fact", "that"), "sub", "because"),
+    (("owing", "to", "the", "fact", "that"), "sub", "because"),
+    (("because", "of", "the", "fact", "that"), "sub", "because"),
+    (("given", "that"), "sub", "because"),
+    (("seeing", "that"), "sub", "because"),
+    (("now", "that"), "sub", "because"),
+    (("in", "such", "a", "way", "that"), "sub", "so"),
+    (("in", "such", "a", "manner", "that"), "sub", "so"),
+    (("this", "means", "that"), "sub", "so"),
+    (("that", "means", "that"), "sub", "so"),
+    *(
+        ((*which, word), "adv", "then")
+        for which in (("that", "is"), ("that's",), ("this", "is"), ("which", "is"))
+        for word in ("why", "when", "how")
+    ),
+    (("and", "that", "is", "why"), "adv", "then"),
+    (("and", "that", "is", "when"), "adv", "then"),
+    (("seconds", "later"), "adv", "then"),
+    (("moments", "later"), "adv", "then"),
+    (("minutes", "later"), "adv", "then"),
+    (("shortly", "afterwards"), "adv", "then"),
+    (("soon", "afterwards"), "adv", "then"),
+    (("as", "you", "can", "see"), "adv", "indeed"),
+    (("as", "we", "can", "see"), "adv", "indeed"),
+    (("as", "one", "can", "see"), "adv", "indeed"),
+    (("as", "can", "be", "seen"), "adv", "indeed"),
+    (("as", "expected"), "adv", "indeed"),
+    *(
+        (("almost", word), "adv", "immediately")
+        for word in ("immediately", "instantly", "directly", "simultaneously")
+    ),
+    (("almost", "at", "once"), "adv", "immediately"),
+    (("nearly", "at", "once"), "adv", "immediately"),
     (("versus",), "prep", "against"),
     (("vs",), "prep", "against"),
     (("as", "well", "as"), "conj", "and"),

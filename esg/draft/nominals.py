@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from esg.draft.elements import Element, Mention, Verb, Word
+from esg.draft.light_verbs import as_verb, blow_at
 
 _HITS = frozenset({"collision", "impact", "crash", "hit", "strike", "contact", "smash"})
 _BEFORE = frozenset({"before", "after", "until", "upon", "on", "following"})
@@ -14,6 +15,9 @@ RETOLD_NOUNS = frozenset(
 """Nouns for an event that the prompt has told before ("after the bounce it hits a cup")."""
 _GOES_ON = frozenset({"with", "of", "against", "into", "between", "on", "off", "from", "to"})
 _BACK = frozenset({"after", "because of", "upon", "following", "on", "by", "with", "from", "in"})
+_FROM = frozenset({"after", "because of", "under", "upon", "on", "following", "from", "due to"})
+_NO_BLOWS = frozenset({"fall", "landing", "bounce", "rebound", "event", "incident", "accident",
+                       "contact"})  # fmt: skip
 _HAPPEN = frozenset({"happen", "occur", "take"})
 _SUBORDINATE = {"before": "before", "until": "until"}
 
@@ -34,7 +38,8 @@ def verbalize(elements: list[Element]) -> list[Element]:
         e = elements[i]
         used = _referred_back(elements, i, out) or _between(elements, i, out)
         used = used or _avoided(elements, i, out) or _takes_place(elements, i, out)
-        used = used or _compared(elements, i, out)
+        used = used or _compared(elements, i, out) or _after_a_blow(elements, i, out)
+        used = used or _there_is(elements, i, out)
         if used:
             i += used
             continue
@@ -124,6 +129,52 @@ def _between(elements: list[Element], i: int, out: list[Element]) -> int:
     end = place.end if isinstance(place, Mention) and taking else verb.end
     out.append(Word(verb.start, end, "adv", "indeed"))
     return 7 if taking else 6
+
+
+def _after_a_blow(elements: list[Element], i: int, out: list[Element]) -> int:
+    """ "falls because of a collision with a cart", "after a bump from a dog": (being) hit by it."""
+    prep = elements[i]
+    if not isinstance(prep, Word) or prep.low not in _FROM or prep.kind not in ("prep", "sub"):
+        return 0
+    noun = elements[i + 1] if i + 1 < len(elements) else None
+    head, used = getattr(noun, "head", ""), 1
+    if not (isinstance(noun, Mention) and head in RETOLD_NOUNS and noun.noun is None):
+        head, used = blow_at(elements, i + 1)
+    link = _word(elements, i + 1 + used)
+    met = elements[i + 2 + used] if i + 2 + used < len(elements) else None
+    if not head or head in _NO_BLOWS or link is None or not isinstance(met, Mention):
+        return 0
+    if met.attribute or getattr(noun, "determiner", "") in ("this", "that"):
+        return 0
+    passive = link.low in ("by", "from", "of")
+    if not passive and (link.low not in ("with", "against", "into") or head not in _HITS):
+        return 0
+    out.append(Word(prep.start, prep.end, "sub", "after"))
+    end = elements[i + used].end
+    verb = Verb(elements[i + 1].start, end, "hit", "hit", "pp" if passive else "ing")
+    verb = as_verb(verb, head) if passive and head not in _HITS else verb
+    verb.passive = passive
+    out += [verb, Word(link.start, link.end, "prep", "by"), met] if passive else [verb, met]
+    return 3 + used
+
+
+def _there_is(elements: list[Element], i: int, out: list[Element]) -> int:
+    """ "There is a collision between a ball and a vase": they collide."""
+    there, be = _word(elements, i), elements[i + 1] if i + 1 < len(elements) else None
+    parts = elements[i + 2 : i + 7]
+    if there is None or there.low != "there" or len(parts) < 5:
+        return 0
+    if not isinstance(be, Verb) or be.sense != "be" or be.negated or be.modal:
+        return 0
+    noun, link, one, conj, other = parts
+    if not (isinstance(noun, Mention) and noun.attribute and noun.head in _HITS):
+        return 0
+    if not (isinstance(link, Word) and link.low == "between" and isinstance(one, Mention)):
+        return 0
+    if not (isinstance(conj, Word) and conj.low == "and" and isinstance(other, Mention)):
+        return 0
+    out += [one, conj, other, Verb(there.start, noun.end, "collide", "hit", "s")]
+    return 7
 
 
 def _takes_place(elements: list[Element], i: int, out: list[Element]) -> int:

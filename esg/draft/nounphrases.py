@@ -42,6 +42,11 @@ class NounPhrases(NounStarts):
             m.text = self.text[m.start : m.end]
             self.elements.append(m)
             return j + 2
+        if low == "the" and self._low(j + 1) in ("latter", "former") and self._alone(j + 2):
+            m.pronoun, m.end = self._low(j + 1), tokens[j + 1].end
+            m.text = self.text[m.start : m.end]
+            self.elements.append(m)
+            return j + 2
         if low in ("this", "that", "these", "those") and self._verb_next(j + 1):
             m.pronoun, m.text, m.end = low, tokens[j].text, tokens[j].end
             self.elements.append(m)

@@ -71,6 +71,15 @@ class NounStarts(NounHeads):
         finite = any(r.form in ("s", "past") for r in verb_readings(self._low(j)))
         return finite and (nxt in lex.DETERMINERS or nxt in lex.PRONOUNS or nxt in lex.PREPOSITIONS)
 
+    def _alone(self, j: int) -> bool:
+        """Whether a phrase ends before token j: a verb, a mark or a small word follows."""
+        token = self._tok(j)
+        if token is None or token.kind == "punct":
+            return True
+        forms = {r.form for r in verb_readings(token.low)}
+        small = lex.PREPOSITIONS | lex.MODALS | {"and", "but", "who", "which", "then"}
+        return bool(forms & {"s", "past"}) or token.low in small or token.low.endswith("ly")
+
     def _count(self, j: int, m: Mention) -> int:
         token = self._tok(j)
         if token is None or token.kind == "qty":

@@ -102,6 +102,13 @@ class Pronouns(Registry):
             if len(recent) >= 2:
                 return recent[:2][::-1]
             return recent
+        if p in ("latter", "former"):
+            two = list(dict.fromkeys(i for i in self.movers if i in self.entities))
+            if len(two) < 2:
+                last = [i for ids in self.salience[-6:] for i in ids if i in self.entities]
+                solid = [i for i in last if "structural" not in self.entities[i].noun.traits]
+                two = list(dict.fromkeys(reversed(solid)))[:2][::-1]
+            return two[-1:] if p == "latter" else two[:1]
         if p in ("one", "another", "other"):
             named = next((a for a in m.adjectives if a in ORDINALS), None)
             told = [e.id for e in self.entities.values() if named and e.place == named]

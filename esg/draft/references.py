@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from esg.draft import lexicon as lex
+from esg.draft.anaphora import Anaphora
 from esg.draft.elements import Mention
-from esg.draft.entities import ACTING_PARTS, ORDINALS
+from esg.draft.entities import ACTING_PARTS
 from esg.draft.frames import Frame
 from esg.draft.scene import SELF_POWERED
-from esg.draft.senses_motion import MotionSenses
 
 _FLYING_ON = frozenset({"bounce", "roll", "slide", "fly", "enter", "spin"})
 """Senses of "it" after a throw that are about the thing thrown."""
@@ -27,17 +27,8 @@ _STACKING = frozenset({"stack", "pile", "heap"})
 _STACKS = frozenset({"stack", "pile", "heap", "tower", "pyramid"})
 
 
-class References(MotionSenses):
+class References(Anaphora):
     """Resolves the noun phrases of frames before they are read."""
-
-    _last_had_object = _acts_on = False
-    """Whether a clause of the subject before, of the present one, acts on something."""
-    _met: tuple[list[str], int] = ([], -1)
-    """What the clause before runs into, and its sentence."""
-    _acted: tuple[Mention | None, tuple[str, ...], int] = (None, (), -1)
-    """Subject, objects and sentence of the clause before."""
-    _shot: tuple[list[str], list[str]] = ([], [])
-    """What was thrown or rolled last, and at what."""
 
     def _refer_all(self, frames: list[Frame]) -> None:
         """Resolves every noun phrase, frame by frame and in the order of the text."""
@@ -134,6 +125,7 @@ class References(MotionSenses):
             ):
                 self.world.resolved[id(m)] = m.entities = list(self._topic[1])
         self._it_again(f, subject)
+        self._made_to(f)
         self._one_thrown_by_each(f, subject)
         self._it_is_the_target(f, subject)
         self._it_of_the_next(f, subject)
@@ -158,6 +150,12 @@ class References(MotionSenses):
         if f.subject is not None and not f.subject.pronoun:
             into = f.phrase("into", "against")
             met = into.mention.entities if into is not None and into.mention is not None else []
+            hits = f.verb.sense in ("hit", "knock") and not f.verb.passive and not f.verb.negated
+            with_ = f.phrase("with") if hits else None
+            met = met or (objects if hits else [])
+            if with_ is not None and with_.mention is not None:
+                met = met or with_.mention.entities
+            self._hitter = subject[0] if hits and len(subject) == 1 else ""
             self._met = (
                 [i for i in met if self._aimable(i) and not self._enterable(i)],
                 f.sentence,
@@ -237,53 +235,6 @@ class References(MotionSenses):
             self.world.resolved[id(m)] = m.entities = list(whole)
             m.attribute = False
 
-    def _it_is_the_target(self, f: Frame, subject: list[str]) -> None:
-        """ "The first misses, the second hits it": what all of them were thrown at."""
-        m, (shot, target) = f.object, self._shot
-        if m is None or m.pronoun != "it" or id(m) in self.world.resolved or not subject:
-            return
-        mates = self.world.groups.get(self.e(subject[0]).group or "", [])
-        one_of_them = subject[0] in shot and len(shot) > 1 and set(shot) <= set(mates)
-        if one_of_them and len(target) == 1 and self._last_subject != subject:
-            self.world.resolved[id(m)] = m.entities = list(target)
-
-    def _run_into_falls(self, f: Frame) -> bool:
-        """ "slides into a bottle, so it tips over": what is run into."""
-        m, (met, sentence) = f.subject, self._met
-        if m is None or m.pronoun != "it" or sentence != f.sentence or len(met) != 1:
-            return False
-        upright = f.verb.sense == "topple" or (f.verb.sense == "fall" and not f.phrases)
-        if not upright or met[0] not in self.world.entities or not self.movable(met[0]):
-            return False
-        self.world.resolved[id(m)] = m.entities = list(met)
-        return True
-
-    def _it_again(self, f: Frame, subject: list[str]) -> None:
-        """ "moves it over a box and drops it": what the same subject acted on just before."""
-        m, (before, things, sentence) = f.object, self._acted
-        if m is None or m.pronoun != "it" or id(m) in self.world.resolved or len(things) != 1:
-            return
-        same = f.subject is not None and f.subject is before and sentence == f.sentence
-        if same and things[0] not in subject and things[0] in self.world.entities:
-            self.world.resolved[id(m)] = m.entities = list(things)
-
-    def _it_of_the_next(self, f: Frame, subject: list[str]) -> None:
-        """ "The first truck stops, the second truck rams it": the first truck."""
-        m, before = f.object, self._subject_before
-        if m is None or m.pronoun != "it" or id(m) in self.world.resolved:
-            return
-        if self._last_subject != subject:
-            before, acted = self._last_subject, self._acts_on
-        else:
-            acted = self._last_had_object
-        if len(subject) != 1 or len(before) != 1 or subject == before or acted:
-            return
-        mine, other = self.e(subject[0]), self.e(before[0])
-        words = {mine.place, *mine.adjectives}
-        placed = mine.place in ORDINALS or bool({"last", "rear", "final"} & words)
-        if mine.noun == other.noun and placed:
-            self.world.resolved[id(m)] = m.entities = list(before)
-
     def _one_thrown_by_each(self, f: Frame, subject: list[str]) -> None:
         """ "Two boys throw stones": as many stones as boys, if the prompt gives no number."""
         o = f.object
@@ -327,17 +278,10 @@ class References(MotionSenses):
         """Whether several things go by one name ("a tower of blocks")."""
         return self.e(things[0]).group in self.world.collective
 
-    def _named_between(self, subject: Mention | None, m: Mention) -> bool:
-        """Whether the clause names something before a pronoun ("hits the nine and pots it")."""
-        if subject is None:
-            return False
-        start, end = subject.end, m.start
-        between = [x for x in self.mentions if start <= x.start < end and not x.pronoun]
-        return any(x.entities and not self.structural(x.entities[0]) for x in between)
-
     def _subject(self, f: Frame) -> list[str]:
         """Referents of the subject; what falls after a push is the thing pushed."""
         m = f.subject
+        self._named_later(f)
         if (
             m is not None
             and m.pronoun == "it"
@@ -357,8 +301,8 @@ class References(MotionSenses):
             m is not None
             and m.pronoun in ("it", "they")
             and id(m) not in self.world.resolved
-            and f.verb.sense in ("fall", "topple", "land", "pocket", "drop")
             and not self._run_into_falls(f)
+            and f.verb.sense in ("fall", "topple", "land", "pocket", "drop")
             and (f.verb.sense != "drop" or f.object is None)
             and self._patient
             and (m.pronoun == "it") == (len(self._patient) == 1 or self._as_one(self._patient))

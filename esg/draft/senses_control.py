@@ -13,6 +13,9 @@ from esg.draft.timeline import Motion
 from esg.draft.windows import Draft
 from esg.graph.models import EventConstraint, NodeEvent, Quantity, Role
 
+_SHOWN = frozenset({"show", "picture", "film", "animate", "render", "depict", "simulate", "draw"})
+"""Requests whose participles tell what happens."""
+
 
 class ControlSenses(OutcomeSenses):
     """Intentional changes of speed under own power."""
@@ -224,8 +227,9 @@ class ControlSenses(OutcomeSenses):
         finite = f.relative and f.verb.form in ("s", "past") and not f.verb.passive
         tracks = [self.tl.tracks.get(a) for a in actors]
         told = finite and any(t is not None and t.under_way for t in tracks)
-        if (f.reduced and not told) or (
-            f.verb.passive and not any(a in self.tl.tracks for a in actors)
+        brought = f.verb.passive and f.verb.lemma == "bring"
+        if (f.reduced and not told and not self._shown(f)) or (
+            f.verb.passive and not brought and not any(a in self.tl.tracks for a in actors)
         ):
             moving = [
                 a for a in actors if a in self.tl.tracks and self.tl.tracks[a].motion is not None
@@ -262,6 +266,12 @@ class ControlSenses(OutcomeSenses):
                 self.use(way, "distance travelled")
             self._pauses(f, actor)
         self._places_loosely(f, actors)
+
+    @staticmethod
+    def _shown(f: Frame) -> bool:
+        """ "Show a motorcycle stopping": what is asked for, no state of it."""
+        asked = f.parent
+        return asked is not None and asked.subject is None and asked.verb.lemma in _SHOWN
 
     def _stands_by_now(self, actor: str) -> bool:
         """Whether the last thing told of an actor is that it stopped."""

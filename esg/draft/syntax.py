@@ -36,6 +36,7 @@ _BOUNDS = (
 )  # fmt: skip
 """What bounds a count: "at least two of the pins"."""
 _SO_AS_TO = (("in", "order", "to"), ("so", "as", "to"))
+_MOMENTS = frozenset({"instant", "moment", "minute"})
 
 
 _AIMS = frozenset({"into", "onto", "at", "against", "toward", "towards", "off", "down", "over"})
@@ -69,7 +70,7 @@ class Chunker(NounPhrases):
                 return j
             self.elements.append(Word(token.start, token.end, "qty", token.low, token.amount))
             return i + 1
-        used = self._multiword(i) if low == "to" else 0
+        used = self._multiword(i) if low in ("to", "which", "that") else 0
         if used:
             return i + used
         if (low, self._low(i + 1), self._low(i + 2)) in _SO_AS_TO and verb_readings(
@@ -261,6 +262,14 @@ class Chunker(NounPhrases):
                     continue
                 if words in (("on", "to"), ("in", "to")) and verb_readings(self._low(i + 2)):
                     continue
+                if (
+                    kind == "sub"
+                    and words[-1] in _MOMENTS
+                    and not self._clause_follows(i + len(words) - 1)
+                ):
+                    continue  # "at the moment of impact"
+                if kind == "prep" and low in ("after", "before") and words[-1] == low:
+                    kind = "sub" if self._clause_follows(i + len(words) - 1) else kind
                 start, end = self.tokens[i].start, self.tokens[i + len(words) - 1].end
                 self.elements.append(Word(start, end, kind, low))
                 return len(words)
@@ -271,7 +280,7 @@ class Chunker(NounPhrases):
 
     def _previous_is_turn(self) -> bool:
         p = self._previous()
-        return isinstance(p, Verb) and p.sense == "turn"
+        return isinstance(p, Verb) and p.sense in ("turn", "swerve")
 
     def _verb_after_to(self, i: int) -> bool:
         """Whether an ambiguous word after "to" is an infinitive ("to hit the ball")."""
@@ -304,6 +313,7 @@ class Chunker(NounPhrases):
             )
             and not verb_readings(self._low(first + 1))
             and self._low(first + 1) not in lex.MODALS
+            and (self._low(first + 1) != "by" or first > i + 1)
         ):
             return False
         for j in range(i + 1, min(i + 14, len(self.tokens))):

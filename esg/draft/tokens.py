@@ -17,6 +17,15 @@ _WORD = re.compile(
     r"|\n(?=\s*(?:[-*•]|\d+[.)]\s|\n|[A-Z]|[a-z]+:))"
 )
 
+_SHORT = {"ll": "will", "re": "are", "ve": "have", "d": "would"}
+"""What short forms after "'" stand for ("it'll", "they're"); "'d" before what one would do."""
+_SHORTENED = re.compile(
+    r"((?:i|you|he|she|it|we|they|there|that|this|who|what|which|one))['’]"
+    r"(ll|re|ve|d(?=\s+(?:like|love|prefer|want|need|rather)\b))(?![\w'’])",
+    re.IGNORECASE,
+)
+_TITLES = frozenset({"mr", "mrs", "ms", "dr", "prof", "capt", "sgt", "messrs"})
+"""What a full stop after it does not end ("Mr. Smith")."""
 _CONTRACTED = re.compile(
     r"(?:there|that(?!'s (?:how|why|where|when|what|the way))|he|she|here|who|what"
     r"|it(?='s\s+(?:an?|the|in|on|at|not|been|being|about|just|now"
@@ -52,7 +61,15 @@ def tokenize(text: str, tags: list[tuple[int, str]] | None = None) -> list[Token
                     name = "#" + re.sub(r"\D", "", word)
                     out.append(Token(name, m.start(), m.end(), "number"))
                 continue
+            if word == "." and out and out[-1].low in _TITLES and out[-1].end == m.start():
+                continue
             if word[0].isalpha():
+                short = _SHORTENED.match(text, m.start())
+                if short is not None and short.end() == m.end():
+                    out.append(Token(short[1], m.start(), short.end(1), "word"))
+                    full = _SHORT[short[2].lower()]
+                    out.append(Token(full, short.end(1), m.end(), "word"))
+                    continue
                 is_ = _CONTRACTED.match(text, m.start())
                 if is_ is not None and is_.end() == m.end():
                     cut = m.end() - 2
@@ -69,6 +86,8 @@ def tokenize(text: str, tags: list[tuple[int, str]] | None = None) -> list[Token
             elif word[0].isdigit():
                 kind = "word" if re.search(r"[a-z]", word) else "number"
                 out.append(Token(word, m.start(), m.end(), kind))
+            elif word == "&":
+                out.append(Token("and", m.start(), m.end(), "word"))
             else:
                 out.append(Token(word, m.start(), m.end(), "punct"))
 

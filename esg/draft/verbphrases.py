@@ -115,6 +115,24 @@ _phrase(
     "turn",
 )  # not "takes the left pin with it"
 _phrase("hang", r"(?:an?\s+)(?P<dir>left|right)", "turn")
+for _v in ("make", "take", "do", "perform", "execute", "complete"):
+    _phrase(_v, rf"(?:an?\s+){_ADJ}(?P<dir>u|left|right)(?:-hand)?[- ]turn", "turn")
+    _phrase(
+        _v,
+        r"(?:an?\s+)(?:sharp|hard|quick|sudden|tight|wide)\s+(?P<dir>left|right)"
+        r"(?=\s*(?:[.,;!]|$|(?:and|at|into|onto|then|after|before|to)\b))",
+        "turn",
+    )
+_phrase("let", r"(?:slip|fall|drop|go\s+of)(?=\s+(?:an?|the|his|her|its|their|it|them)\b)", "drop")
+_phrase("lose", r"(?:hold|(?:(?:his|her|its|the|their)\s+)?grip)\s+(?:of|on)", "drop")
+_phrase("spill", r"(?=(?:off|from|out of)\b)", "fall", particle="down")
+_phrase("crash", r"down(?=\s+(?:from|off)\b)", "fall", particle="down")
+_phrase("flip", rf"over{_NO_OBJECT}", "topple")
+_phrase("fall", r"(?:to\s+(?:one|the|its)\s+side|sideways|flat)(?!\s+of\b)", "topple")
+_phrase("come", r"in\s+contact\s+with", "hit", obj="1")
+_phrase("get", r"in(?:to)?\s+contact\s+with", "hit", obj="1")
+_phrase("reach", r"(?:a|its)\s+(?:\w+\s+)?(?:stop|halt|standstill)", "stop", via="come")
+_phrase("end", r"(?:its|his|her|their)\s+(?:motion|movement|run|journey)", "stop", via="come")
 _phrase("do", rf"(?:an?\s+){_ADJ}(?P<dir>u|left|right)[- ]?turn", "turn")
 _phrase("perform", rf"(?:an?\s+){_ADJ}(?P<dir>u|left|right)[- ]?turn", "turn")
 _phrase("turn", r"(?P<dir>around|back)", "turn")

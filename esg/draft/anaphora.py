@@ -1,0 +1,122 @@
+"""What "it" means when the clauses around it decide."""
+
+from __future__ import annotations
+
+from esg.draft.elements import Mention
+from esg.draft.entities import ORDINALS, Entity
+from esg.draft.frames import Frame
+from esg.draft.nominals import RETOLD_NOUNS
+from esg.draft.senses_motion import MotionSenses
+
+_DRIVEN = frozenset({"own", "hit", "roll", "slide", "fall", "topple", "fly", "enter", "reach"})
+"""Senses of what "it" does in "hits X so hard that it ..."."""
+
+
+def _mass(e: Entity) -> float:
+    return e.mass_kg or e.noun.mass_kg
+
+
+class Anaphora(MotionSenses):
+    """Resolves "it" by who acted on what in the clauses before."""
+
+    _last_had_object = _acts_on = False
+    """Whether a clause of the subject before, of the present one, acts on something."""
+    _met: tuple[list[str], int] = ([], -1)
+    """What the clause before runs into, and its sentence."""
+    _hitter = ""
+    """What runs into it, if the clause says so by a verb of contact."""
+    _acted: tuple[Mention | None, tuple[str, ...], int] = (None, (), -1)
+    """Subject, objects and sentence of the clause before."""
+    _shot: tuple[list[str], list[str]] = ([], [])
+    """What was thrown or rolled last, and at what."""
+
+    def _it_is_the_target(self, f: Frame, subject: list[str]) -> None:
+        """ "The first misses, the second hits it": what all of them were thrown at."""
+        m, (shot, target) = f.object, self._shot
+        if m is None or m.pronoun != "it" or id(m) in self.world.resolved or not subject:
+            return
+        mates = self.world.groups.get(self.e(subject[0]).group or "", [])
+        one_of_them = subject[0] in shot and len(shot) > 1 and set(shot) <= set(mates)
+        if one_of_them and len(target) == 1 and self._last_subject != subject:
+            self.world.resolved[id(m)] = m.entities = list(target)
+
+    def _run_into_falls(self, f: Frame) -> bool:
+        """ "slides into a bottle, so it tips over": what is run into."""
+        m, (met, sentence) = f.subject, self._met
+        if m is None or m.pronoun != "it" or id(m) in self.world.resolved or len(met) != 1:
+            return False
+        if met[0] not in self.world.entities or not self.movable(met[0]):
+            return False
+        hitter = self.world.entities.get(self._hitter) if self._hitter else None
+        upright = f.verb.sense == "topple" or (f.verb.sense == "fall" and not f.phrases)
+        leaves = f.verb.sense in ("fall", "roll", "slide") and f.phrase("off", "from") is not None
+        driven = f.subordinate == "so" and hitter is not None and f.verb.sense in _DRIVEN
+        if (upright or driven) and sentence == f.sentence:
+            pass
+        elif hitter is None or sentence < f.sentence - 1 or not (upright or leaves):
+            return False
+        elif upright and _mass(self.e(met[0])) >= _mass(hitter):
+            met = [hitter.id]  # "The scooter hits a truck. It falls over.": the scooter
+        elif f.verb.sense == "roll" and "round" in hitter.noun.traits - self.e(met[0]).noun.traits:
+            return False  # "A ball hits a box, and it rolls off the table": the ball
+        self.world.resolved[id(m)] = m.entities = list(met)
+        return True
+
+    def _made_to(self, f: Frame) -> None:
+        """ "hits a vase, which makes it fall", "The impact makes it fall": what was hit."""
+        m, s, (met, sentence) = f.object, f.subject, self._met
+        if m is None or m.pronoun != "it" or id(m) in self.world.resolved or s is None:
+            return
+        if f.verb.sense != "cause" or len(met) != 1 or sentence < f.sentence - 1:
+            return
+        event = (s.attribute and s.head in RETOLD_NOUNS) or s.pronoun in ("this", "that")
+        if f.relative and f.parent is not None and f.parent.verb.sense == "hit":
+            event = s in (f.parent.object, *[p.mention for p in f.parent.phrases])
+        if event and met[0] in self.world.entities:
+            self.world.resolved[id(m)] = m.entities = list(met)
+
+    def _it_again(self, f: Frame, subject: list[str]) -> None:
+        """ "moves it over a box and drops it": what the same subject acted on just before."""
+        m, (before, things, sentence) = f.object, self._acted
+        if m is None or m.pronoun != "it" or id(m) in self.world.resolved or len(things) != 1:
+            return
+        same = f.subject is not None and f.subject is before and sentence == f.sentence
+        if same and things[0] not in subject and things[0] in self.world.entities:
+            self.world.resolved[id(m)] = m.entities = list(things)
+
+    def _it_of_the_next(self, f: Frame, subject: list[str]) -> None:
+        """ "The first truck stops, the second truck rams it": the first truck."""
+        m, before = f.object, self._subject_before
+        if m is None or m.pronoun != "it" or id(m) in self.world.resolved:
+            return
+        if self._last_subject != subject:
+            before, acted = self._last_subject, self._acts_on
+        else:
+            acted = self._last_had_object
+        if len(subject) != 1 or len(before) != 1 or subject == before or acted:
+            return
+        mine, other = self.e(subject[0]), self.e(before[0])
+        words = {mine.place, *mine.adjectives}
+        placed = mine.place in ORDINALS or bool({"last", "rear", "final"} & words)
+        if mine.noun == other.noun and placed:
+            self.world.resolved[id(m)] = m.entities = list(before)
+
+    def _named_between(self, subject: Mention | None, m: Mention) -> bool:
+        """Whether the clause names something before a pronoun ("hits the nine and pots it")."""
+        if subject is None:
+            return False
+        start, end = subject.end, m.start
+        between = [x for x in self.mentions if start <= x.start < end and not x.pronoun]
+        return any(x.entities and not self.structural(x.entities[0]) for x in between)
+
+    def _named_later(self, f: Frame) -> None:
+        """ "As it hits a block, a marble stops": the subject of the main clause to come."""
+        main = f.main.subject if f.main is not None else None
+        if not f.subordinate or main is None or main.pronoun or main.start < f.verb.start:
+            return
+        for m in (f.subject, f.object, *[p.mention for p in f.phrases]):
+            if m is None or m.pronoun != "it" or id(m) in self.world.resolved:
+                continue
+            if self.world.salience or main.attribute:
+                return
+            self.world.resolved[id(m)] = m.entities = self.ids(main, subject=True)
