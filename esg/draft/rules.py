@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from esg.draft.absolutes import absolutes
 from esg.draft.appositions import appose
 from esg.draft.build import DocumentBuilder, is_restricted
 from esg.draft.clauses import ClauseBuilder
@@ -69,7 +70,7 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     tokens = join_modifiers(tokenize(text, pos_tags(text)), text)
     elements = drop_reports(drop_similes(Chunker(text, tokens).run()))
     elements = from_sheet(lighten(appose(own_nouns(elements))))
-    elements = mark_persons(elide(verbalize(reorder(elements, text))))
+    elements = mark_persons(absolutes(elide(verbalize(reorder(elements, text)))))
     clauses = ClauseBuilder(elements)
     clauses.run()
     count(clauses.attachments)
