@@ -5,7 +5,9 @@ from __future__ import annotations
 from esg.draft.elements import Element, Mention, Verb, Word
 
 _STATES = frozenset({"be", "have", "posture", "park", "contain", "weigh", "measure", "noop"})
-_OF_WHAT_IS_THERE = frozenset({"the", "its", "his", "her", "their", "one", "both", "each", "another"})
+_OF_WHAT_IS_THERE = frozenset(
+    {"the", "its", "his", "her", "their", "one", "both", "each", "another"}
+)
 _ENDS = frozenset(".;!?:\n")
 _CLOSING = frozenset({"conj", "sub", "rel"})
 

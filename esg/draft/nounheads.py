@@ -70,6 +70,7 @@ class NounHeads(NounQuestions):
                 k += n
             j = first
             m.noun, m.head, m.plural = entry, phrase, plural or m.plural
+            k += self._piled(k, m)
             following_qty = self._tok(k + 1)
             if phrase in ("weight", "mass") and (
                 (
@@ -374,13 +375,6 @@ class NounHeads(NounQuestions):
                 pass
         self.elements.append(m)
         return j
-
-    @staticmethod
-    def _names_it(m: Mention, low: str) -> bool:
-        """Whether an abstract noun before another one says what that is ("space station")."""
-        return (
-            bool(m.determiner) and m.determiner not in lex.PRONOUNS and low not in lex.GROUP_WORDS
-        )
 
     def _inner(self, j: int, m: Mention) -> int | None:
         """ "a roll of tape": the thing itself, from the start of the whole phrase."""

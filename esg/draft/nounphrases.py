@@ -47,7 +47,9 @@ class NounPhrases(NounStarts):
             m.text = self.text[m.start : m.end]
             self.elements.append(m)
             return j + 2
-        if low in ("this", "that", "these", "those") and self._verb_next(j + 1):
+        if self._is_she(i) or (
+            low in ("this", "that", "these", "those") and self._verb_next(j + 1)
+        ):
             m.pronoun, m.text, m.end = low, tokens[j].text, tokens[j].end
             self.elements.append(m)
             return j + 1

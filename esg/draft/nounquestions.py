@@ -40,6 +40,51 @@ class NounQuestions(Letters):
         own = m.determiner in ("a", "an") and self._low(j) in _ALSO_THINGS
         return (own or pinball) and not owned
 
+    @staticmethod
+    def _names_it(m: Mention, low: str) -> bool:
+        """Whether an abstract noun before another one says what that is ("space station")."""
+        return (
+            bool(m.determiner) and m.determiner not in lex.PRONOUNS and low not in lex.GROUP_WORDS
+        )
+
+    def _piled(self, k: int, m: Mention) -> int:
+        """ "the tyre stack", "a book pile": several things; the words that say so."""
+        word = self._low(k)
+        if word not in ("stack", "pile", "heap") or not m.determiner or m.group_word or m.plural:
+            return 0
+        nxt = self._tok(k + 1)
+        small = lex.PREPOSITIONS - {"of", "up", "on", "onto"} | {"and", "but", "or", "is", "which"}
+        if not (nxt is None or nxt.kind == "punct" or nxt.low in small or self._finite(k + 1)):
+            return 0
+        m.pattern, m.group_word, m.plural, m.count = "stack", word, True, None
+        return 1
+
+    def _finite(self, k: int) -> bool:
+        """Whether a verb in -s or of the past stands here."""
+        return any(r.form in ("s", "past") for r in verb_readings(self._low(k)))
+
+    def _is_she(self, i: int) -> bool:
+        """ "hits her on the leg", "runs into her": no noun follows that could be hers."""
+        nxt = self._tok(i + 1)
+        if self._low(i) != "her":
+            return False
+        closed = lex.PREPOSITIONS | lex.SUBORDINATORS | {"and", "but", "or", "then", "who", "which"}
+        if nxt is None or nxt.kind in ("punct", "qty") or nxt.low in closed:
+            return True
+        return nxt.low in lex.ADVERBS and not self._noun_soon(i + 1)
+
+    def _waiting_place(self, i: int, j: int, m: Mention) -> bool:
+        """ "waits at the stop", "passes a stop": where buses stop, not that something does."""
+        passes = self._low(i - 1) in ("passes", "passing", "past", "near", "behind", "opposite")
+        at = self._low(i - 1) in ("at", "from") and m.determiner == "the"
+        return bool(m.determiner) and (passes or at) and self._low(j + 1) != "of"
+
+    def _many_do(self, j: int, m: Mention) -> bool:
+        """ "both fall": what comes after "both" or "all" is plural, or a verb."""
+        low = self._low(j)
+        many = m.determiner in ("both", "all", "some", "many", "several") and not m.adjectives
+        return many and lex.singular(low)[0] == low and bool(verb_readings(low))
+
     def _ends_phrase(self, k: int) -> bool:
         """Whether a base form ends its noun phrase ("a cat bowl.") and is no verb."""
         if any(r.form != "base" for r in verb_readings(self._low(k))):

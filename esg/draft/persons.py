@@ -5,10 +5,16 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from esg.draft import lexicon as lex
-from esg.draft.elements import Element, Mention, Word
+from esg.draft.elements import Element, Mention, Verb, Word
 from esg.draft.entities import Entity
 
 _BEINGS = frozenset({"animal", "robot"})
+_PEOPLE = ("er", "or", "ist", "ian", "ee", "man", "woman", "boy", "girl")
+_PERSONS_DO = frozenset(
+    {"walk", "run", "leap", "jump", "climb", "sit", "throw", "kick", "carry", "grab", "trip",
+     "stumble", "stagger", "dive", "jog", "sprint", "ride", "pedal", "hop", "kneel", "lean", "crawl"}
+)  # fmt: skip
+"""What things named by the likes of "receiver" do not do."""
 _DRIVEN = frozenset({"vehicle", "toyvehicle", "watercraft", "flyer"})
 
 
@@ -21,6 +27,10 @@ def mark_persons(elements: list[Element]) -> list[Element]:
             m = named[-1] if named else None
             if isinstance(m, Mention) and m.noun is None and m.head and not m.attribute:
                 m.noun = lex.nouns()["person"]
+        elif isinstance(e, Verb) and before and e.lemma in _PERSONS_DO and not e.passive:
+            m = before[-1]
+            if isinstance(m, Mention) and m.noun is None and m.head.endswith(_PEOPLE):
+                m.noun = None if m.attribute or m.pronoun else lex.nouns()["person"]
         before.append(e)
     return elements
 

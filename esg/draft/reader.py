@@ -240,6 +240,14 @@ class Reader:
             before = self.elements[-3:-1]
             if forms & {"s", "past"} and [type(e) for e in before] == [Mention, Mention]:
                 return noun is None  # "the tray he was carrying crashes"
+            own = previous.form == "ing" and not previous.auxiliary and bool(before)
+            if (
+                own
+                and isinstance(before[-1], Mention)
+                and "s" in forms
+                and (noun is None or nxt in lex.DETERMINERS | lex.PRONOUNS)
+            ):
+                return True  # "a car changing lanes knocks it over"
             after_that = [getattr(e, "kind", "") for e in before[-1:]] == ["rel"]
             if after_that and forms & {"s", "past"} and (noun is None or nxt in lex.DETERMINERS):
                 return True  # "a ball that is rolling hits a box"
@@ -368,12 +376,6 @@ class Reader:
         small = lex.PREPOSITIONS - {"of"} | lex.ADVERBS | {"and"}
         return (nxt.kind in ("qty", "punct") and nxt.text != ":") or nxt.low in small
 
-    def _waiting_place(self, i: int, j: int, m: Mention) -> bool:
-        """ "waits at the stop", "passes a stop": where buses stop, not that something does."""
-        passes = self._low(i - 1) in ("passes", "passing", "past", "near", "behind", "opposite")
-        at = self._low(i - 1) in ("at", "from") and m.determiner == "the"
-        return bool(m.determiner) and (passes or at) and self._low(j + 1) != "of"
-
     def _one_does(self, j: int, m: Mention) -> bool:
         """ "One rolls away and another hits a box": a verb, as no plural follows "another"."""
         single = m.determiner in ("another", "each", "either", "neither") and not m.adjectives
@@ -384,12 +386,6 @@ class Reader:
         if "past" in forms and object_ and (single or ordinal):
             return True  # "the second hit it"
         return bool(single or (ordinal and self._match_noun(j) is None)) and "s" in forms
-
-    def _many_do(self, j: int, m: Mention) -> bool:
-        """ "both fall": what comes after "both" or "all" is plural, or a verb."""
-        low = self._low(j)
-        many = m.determiner in ("both", "all", "some", "many", "several") and not m.adjectives
-        return many and lex.singular(low)[0] == low and bool(verb_readings(low))
 
     def _noun_not_verb(self, k: int, m: Mention) -> bool:
         """ "a cereal bowl off the chair": a bare verb does not follow a singular noun phrase."""

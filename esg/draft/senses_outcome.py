@@ -12,6 +12,11 @@ class OutcomeSenses(ToppleSenses):
     """Targets that are entered or missed."""
 
     def _do_enter(self, f: Frame, s: list[str], o: list[str]) -> None:
+        onto = f.phrase("onto", "on", "against")
+        met = onto.mention.entities if onto is not None and onto.mention is not None else []
+        if s and not o and f.phrase("into", "in") is None and any(map(self._aimable, met)):
+            self._read_as("land", f, s, [])  # "splashes onto a parked car"
+            return
         wet = f.phrase("into", "in")
         named = [*o, *(wet.mention.entities if wet is not None and wet.mention else [])]
         if f.verb.lemma == "splash" and not any(map(self._enterable, named)):

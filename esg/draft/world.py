@@ -51,7 +51,9 @@ class World(Members):
         return ids
 
     def _one(self, m: Mention, subject: bool, avoid: list[str]) -> list[str]:
-        if m.attribute and m.head in lex.GROUP_WORDS and m.determiner in ("the", "this", "that"):
+        told = any(a.endswith("ing") for a in m.adjectives)  # "the chasing group": another one
+        named = m.attribute and m.head in lex.GROUP_WORDS and not told
+        if named and m.determiner in ("the", "this", "that"):
             whole = next(reversed(list(self.groups.values())), None)  # "the stack collapses"
             if whole is not None:
                 return list(whole)
@@ -308,7 +310,8 @@ class World(Members):
         if bare and not structural and not definite:
             # a bare singular ("car hits wall") repeats an object only if one is there
             singles = [e for e in names if e.group is None]
-            return [singles[-1].id] if singles else []
+            if singles or not (few and {"left", "right"} & {*m.adjectives}):
+                return [singles[-1].id] if singles else []
         color = next((a for a in m.adjectives if a in lex.COLORS), None)
         if color is not None:
             exact = [e for e in names if e.color == lex.COLORS[color]]
