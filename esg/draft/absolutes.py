@@ -1,4 +1,4 @@
-"""Participles with a subject of their own: ", the last one hitting a dog", "with the lid coming off"."""
+"""Participles with a subject of their own: ", the last one hitting a dog", "with the lid off"."""
 
 from __future__ import annotations
 

@@ -12,7 +12,8 @@ _BEINGS = frozenset({"animal", "robot"})
 _PEOPLE = ("er", "or", "ist", "ian", "ee", "man", "woman", "boy", "girl")
 _PERSONS_DO = frozenset(
     {"walk", "run", "leap", "jump", "climb", "sit", "throw", "kick", "carry", "grab", "trip",
-     "stumble", "stagger", "dive", "jog", "sprint", "ride", "pedal", "hop", "kneel", "lean", "crawl"}
+     "stumble", "stagger", "dive", "jog", "sprint", "ride", "pedal", "hop", "kneel", "lean",
+     "crawl"}
 )  # fmt: skip
 """What things named by the likes of "receiver" do not do."""
 _DRIVEN = frozenset({"vehicle", "toyvehicle", "watercraft", "flyer"})

@@ -12,6 +12,7 @@ from esg.draft.scene import SELF_POWERED
 _FLYING_ON = frozenset({"bounce", "roll", "slide", "fly", "enter", "spin"})
 """Senses of "it" after a throw that are about the thing thrown."""
 _HALTING = frozenset({"stop", "catch", "grab", "avoid", "dodge", "intercept", "block", "follow"})
+_DRIVING = frozenset({"brake", "accelerate", "reverse", "swerve", "drive", "park"})
 _MOVING = frozenset({"own", "roll", "slide", "fly", "fall", "drop", "launch", "coast", "leave"})
 RIDDEN = frozenset(
     {"hit", "miss", "brake", "slow", "stop", "turn", "swerve", "enter", "overtake", "reach",
@@ -69,6 +70,9 @@ class References(Anaphora):
             if m is not None and not m.pronoun and m.start < f.subject.start:
                 self.ids(m)
         subject = self._subject(f)
+        if (f.verb.lemma in _DRIVING and f.object is None) or f.verb.sense == "overtake":
+            fit = [i for i in subject if self.kind(i) in ("person", "generic")]
+            self.world.drivers |= set(fit)
         for m in self.mentions:
             between = f.subject is not None and f.subject.start < m.start < f.verb.start
             named = bool(m.head or m.pronoun)

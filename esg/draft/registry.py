@@ -48,6 +48,8 @@ class Registry(Matching):
         """Referent sets, most recent last."""
         self.subjects: list[list[str]] = []
         self.resolved: dict[int, list[str]] = {}
+        self.drivers: set[str] = set()
+        """Persons that the prompt lets brake, overtake and the like."""
         self.movers: list[str] = []
         """What the clause that is being read is about."""
         self.warnings: list[str] = []

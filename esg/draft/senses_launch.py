@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from esg.draft import lexicon as lex
 from esg.draft.frames import Frame
 from esg.draft.scene import SELF_POWERED
 from esg.draft.senses_state import StateSenses
@@ -11,6 +12,8 @@ from esg.graph.models import NodeEvent
 
 _BY_HAND = frozenset({"push", "shove", "nudge", "prod"})
 _THROWN = frozenset({"ball", "billiard", "sliding", "projectile", "rock"})
+_GUNS = frozenset({"cannon", "catapult", "tank", "gun"})
+_SHOTS = frozenset({"ball", "projectile", "rock"})
 
 
 class LaunchSenses(StateSenses):
@@ -23,6 +26,8 @@ class LaunchSenses(StateSenses):
             things = s
         else:
             agents, things = (s, o) if o else ([], s)
+            if not o and f.verb.lemma in ("fire", "shoot") and (shot := self._shot_by(s)):
+                agents, things = s, shot
             if not o and s and all(self.kind(x) == "person" for x in s):
                 ball = self._at_hand(s)
                 if ball and f.verb.lemma not in ("push", "shove"):
@@ -42,6 +47,16 @@ class LaunchSenses(StateSenses):
         """ "The horse throws its rider": who rides comes down."""
         ridden = len(agents) == 1 and self.kind(agents[0]) in SELF_POWERED - {"person", "robot"}
         return ridden and bool(things) and all(self.kind(i) == "person" for i in things)
+
+    def _shot_by(self, agents: list[str]) -> list[str]:
+        """ "A cannon fires at the gate": a ball, which the prompt may name afterwards."""
+        if len(agents) != 1 or self.e(agents[0]).noun.name not in _GUNS:
+            return []
+        shots = [i for i, e in self.world.entities.items() if e.noun.kind in _SHOTS]
+        if shots:
+            return shots[:1]
+        noun = lex.nouns()["cannonball"]
+        return [self.world.add(noun, noun.name, label=noun.name, mentioned=False).id]
 
     def _at_hand(self, agents: list[str]) -> str:
         """The ball or stone that was spoken of last."""

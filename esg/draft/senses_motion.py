@@ -184,6 +184,8 @@ class MotionSenses(SteerSenses):
             self.place(s, under.mention.entities, "on")
         elif s and not self._moved_by_others(s[0]):
             self._motion(f, s, None)
+        elif s and f.phrase("into", "against", "off") is not None:
+            self._read_as("slide", f, s, o)  # hit by a car, it spins into a wall
         self.scene.ignored[(f.verb.start, f.verb.end)] = "spin is not prescribed"
 
     def _do_bounce(self, f: Frame, s: list[str], o: list[str]) -> None:

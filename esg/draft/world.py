@@ -95,6 +95,9 @@ class World(Members):
             return found
         if m.noun is not None and "structural" in m.noun.traits:
             m.letters = []
+        own = self._own_vehicle(m, subject, avoid)
+        if own:
+            return own
         if m.role and m.noun is not None:
             driven = [
                 ids
@@ -133,6 +136,23 @@ class World(Members):
             self._enrich(m, found)
             return found
         return self._create(m)
+
+    def _own_vehicle(self, m: Mention, subject: bool, avoid: list[str]) -> list[str]:
+        """ "The insured brakes and a lorry hits his car": who drives is drawn as the vehicle."""
+        if m.noun is None or m.noun.kind != "vehicle":
+            return []
+        if m.possessor is not None:
+            ids = self.resolve(m.possessor) if m.possessor.head else []
+        elif m.determiner in ("his", "her"):
+            word = "he" if m.determiner == "his" else "she"
+            ids = self._pronoun(Mention(m.start, m.end, pronoun=word), False, avoid)
+        else:
+            return []
+        if len(ids) != 1 or ids[0] not in self.drivers or ids[0] in avoid:
+            return []
+        driver = self.entities[ids[0]]
+        driver.noun, driver.known = m.noun, True
+        return ids
 
     def _compound(self, m: Mention) -> list[str]:
         """The vehicle that "the bus driver" or "a car roof" names first; made if not there yet."""

@@ -106,6 +106,49 @@ def read(prompt: str) -> tuple[EsgDocument, list[tuple[Any, ...]]]:
             "van stops at crosswalk, bike behind hits cone",
             [("Stop", "van_1"), ("Collision", "bike_1", "cone_1")],
         ),
+        # participles with a subject of their own
+        (
+            "Three lemons roll down a ramp, the last one hitting a cat.",
+            [("Collision", "last_lemon_1", "cat_1")],
+        ),
+        (
+            "A brick strikes the jar, the jar falling from the table.",
+            [("Collision", "brick_1", "jar_1"), ("Fall", "jar_1")],
+        ),
+        (
+            "The lorry brakes, its trailer slamming into a wall.",
+            [("Collision", "trailer_1", "wall_1")],
+        ),
+        # her, his car
+        (
+            "A girl stands still. A dog runs into her.",
+            [("Collision", "dog_1", "girl_1")],
+        ),
+        (
+            "The insured braked, and a lorry ran into the back of his car.",
+            [("Collision", "lorry_1", "insured_1")],
+        ),
+        # who does what
+        (
+            "A car changing lanes knocks a moped over.",
+            [("Collision", "car_1", "moped_1"), ("Topple", "moped_1")],
+        ),
+        (
+            "A boy throws a ball, the receiver leaps, and the ball hits him.",
+            [("Collision", "ball_1", "receiver_1")],
+        ),
+        # guns, what breaks through, what splashes onto
+        ("A cannon fires at a wall.", [("Collision", "cannonball_1", "wall_1")]),
+        ("The boulder breaks through a fence.", [("Collision", "boulder_1", "fence_1")]),
+        (
+            "A paint pot rolls off a ledge and splashes onto a parked car.",
+            [("Fall", "pot_1"), ("Collision", "pot_1", "car_1")],
+        ),
+        # tilting is not toppling
+        (
+            "The tray tilts and a spoon slides off it.",
+            [("Fall", "spoon_1")],
+        ),
     ],
 )
 def test_the_right_things_meet(prompt: str, expected: list[tuple[Any, ...]]) -> None:
@@ -134,3 +177,10 @@ def test_a_tower_that_is_hit_falls() -> None:
     """Let "it falls down" after a throw at a tower be about the tower."""
     _, found = read("There is a tower of cups. A girl throws a sock at it and it falls down.")
     assert found == [("Collision", "sock_1", "cup_1"), ("Topple", "cup_1")]
+
+
+def test_a_stack_named_after_its_noun_is_several_things() -> None:
+    """Let "the book pile" be books, one of which is hit."""
+    doc, found = read("A ball rolls into the book pile.")
+    assert sum(name.startswith("book") for name in doc.spatial_relation_graph.nodes) == 3
+    assert found == [("Collision", "ball_1", "book_1")]
