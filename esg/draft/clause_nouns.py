@@ -165,7 +165,12 @@ class ClauseNouns(ClauseWords):
             return True
         bare = m.attribute and m.head in PROPERTIES and not m.determiner
         last = s.last
-        if bare and s.boundary_kind == "conj" and last is not None and not last.attribute:
+        if (
+            bare
+            and s.boundary_kind in ("conj", "comma")
+            and last is not None
+            and not last.attribute
+        ):
             self.attachments.append((last, Phrase("with", m)))  # "height 5 cm and radius 1 cm"
             return True
         told = s.frame is not None and s.frame.verb.sense in ("weigh", "measure") and s.boundary

@@ -106,6 +106,12 @@ class ClauseWords:
                     s.loose.append(phrase)  # "and, 1.5 s later, crashes"
                     s.prep = ""
                     return s
+            link = self.elements[i - 2] if i >= 2 else None
+            joined = isinstance(link, Word) and link.kind == "conj" and s.prep == "after"
+            if w.amount.dimension == "time" and joined and isinstance(nxt, Verb):
+                s.loose.append(phrase)  # "accelerates and after 2 s hits"
+                s.prep = ""
+                return s
             pair = i >= 2 and isinstance(self.elements[i - 2], Word)
             pair = pair and getattr(self.elements[i - 2], "amount", None) is not None
             told = s.frame is not None and s.frame.relative and s.frame.verb.sense in _HAPPENING
@@ -269,13 +275,21 @@ class ClauseWords:
         noun = (
             before if isinstance(previous, Word) and previous.low in _BEFORE_AMOUNTS else previous
         )
-        if not isinstance(noun, Mention) or noun.pronoun:
+        if not isinstance(noun, Mention):
+            return False
+        sized = noun.pronoun == "one" and noun.determiner == "the" and self._size_word(i) != ""
+        if noun.pronoun and not (sized and w.amount.dimension == "length"):
             return False
         if noun.attribute:
             of = isinstance(previous, Word) and previous.low == "of"
             if noun.possessor is not None or (w.amount.dimension == "time" and not of):
                 return False  # "to the right within 6 s"
             noun.amounts.append(w.amount)
+            s.prep = ""
+            return True
+        inclined = noun.noun is not None and "incline" in noun.noun.traits
+        if inclined and w.amount.dimension == "angle":
+            noun.amounts.append(w.amount)  # "a slope of 15 degrees"
             s.prep = ""
             return True
         if w.amount.dimension not in ("mass", "length", "volume") or (

@@ -164,6 +164,8 @@ class NounPhrases(NounStarts):
                     break
                 if j == i and self._finite_after_of(i, k):
                     break
+                if j == i and nxt in EXTENTS and self._last_of_sizes(i, k):
+                    break
                 m.amounts.append(token.amount)
                 j = k
                 if nxt in EXTENTS:

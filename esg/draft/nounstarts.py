@@ -153,6 +153,11 @@ class NounStarts(NounHeads):
         goes_on = after in lex.PREPOSITIONS | lex.DETERMINERS | lex.ADVERBS or after == ""
         return bare and listed and (goes_on or after in ("and", ",", "."))
 
+    def _last_of_sizes(self, i: int, k: int) -> bool:
+        """ "a glass 15 cm tall and 7 cm wide tips over": its second side, and the verb."""
+        listed = self._low(i - 1) in ("and", ",") and self._low(i - 2) in EXTENTS
+        return listed and any(r.form in ("s", "past") for r in verb_readings(self._low(k + 1)))
+
     def _noun_at_or_after(self, k: int) -> bool:
         for j in range(k, min(k + 5, len(self.tokens))):
             low = self._low(j)

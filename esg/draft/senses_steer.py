@@ -3,10 +3,17 @@
 from __future__ import annotations
 
 from esg.draft.frames import Frame
-from esg.draft.quantities import find_amounts
+from esg.draft.quantities import Amount, find_amounts
 from esg.draft.senses_control import ControlSenses
 from esg.draft.timeline import Motion
-from esg.graph.models import NodeEvent
+from esg.graph.models import EventConstraint, NodeEvent
+
+
+def _rates(degrees: float, lasting: Amount | None) -> tuple[float, float]:
+    """The rates of a turn [deg/s]: as long as it lasts, or what vehicles and walkers do."""
+    if lasting is None or lasting.low <= 0.0:
+        return (20.0, 120.0)
+    return (0.9 * degrees / lasting.high, 1.1 * degrees / lasting.low)
 
 
 class SteerSenses(ControlSenses):
@@ -72,12 +79,14 @@ class SteerSenses(ControlSenses):
             if track.motion is None:
                 self._start_motion(f, [actor], "own")
             time, ends = self._time(f), None
+            lasting = self._lasting(f) if kind is NodeEvent.HEADING_REACHED else None
+            time = None if lasting is not None else time
             if time is not None and (isinstance(time[0], tuple) or f.phrase("by") is not None):
                 time, ends = None, time  # "turns right within 6 s": when the turn is done
             speed, prescribed = (
                 (track.motion.speed, track.motion.prescribed) if track.motion else (None, False)
             )
-            self.event(NodeEvent.TRIGGER, (actor,), f, time, stem="turn_start")
+            begin = self.event(NodeEvent.TRIGGER, (actor,), f, time, stem="turn_start")
             track.closed = True
             self.tl.move(
                 actor,
@@ -89,12 +98,29 @@ class SteerSenses(ControlSenses):
                     {
                         "turn_direction": direction,
                         "turn_degrees": degrees,
-                        "turn_rate_deg_s": (20.0, 120.0),
+                        "turn_rate_deg_s": _rates(degrees, lasting),
                     },
                 ),
                 self._direction(actor, "own"),
             )
-            self.event(kind, (actor,), f, ends, turn_direction=direction, turn_degrees=degrees)
+            end = self.event(
+                kind, (actor,), f, ends, turn_direction=direction, turn_degrees=degrees
+            )
+            done = self.tl.node(end)
+            if lasting is not None and done is not None:
+                done.constraints.append(
+                    EventConstraint(
+                        quantity="time_since", object=actor, value=lasting.value, since=begin
+                    )
+                )
+                self.use(lasting, f"duration of the turn up to {end}")
+
+    def _lasting(self, f: Frame) -> Amount | None:
+        """ "turns right by 90 degrees in 1 s": how long it takes, if the angle is stated too."""
+        if self.quantity(f, "angle") is None:
+            return None
+        times = [p.amount for p in f.phrases if p.amount and p.prep in ("in", "over", "during")]
+        return next((a for a in times if a.dimension == "time" and a.measure != "start"), None)
 
     def _do_swerve(self, f: Frame, s: list[str], o: list[str]) -> None:
         sides = {p.mention.head for p in f.phrases if p.mention is not None} | {*f.adverbs}

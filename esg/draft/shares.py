@@ -19,6 +19,8 @@ _TELLING = frozenset({"of", "with", "at", "weighing", "measuring", "from"})
 
 _COLORS = frozenset(lex.COLORS)
 _OPENING = frozenset({",", "(", "-", "–", "—", ":"})
+_SLOPED = frozenset({"incline", "inclined", "tilt", "tilted", "slope", "sloped", "angle", "angled",
+                     "pitch", "pitched", "sloping", "raise", "raised", "set"})  # fmt: skip
 _EACH = frozenset({"each", "apiece"})
 
 
@@ -111,7 +113,17 @@ def own_nouns(elements: list[Element]) -> list[Element]:
             amount = before.amount if isinstance(before, Word) else None
             if amount is not None and amount.dimension == "speed":
                 continue  # "at 10 m/s each"
+        if isinstance(e, Mention) and e.pronoun == "another" and out and _is_time(out[0]):
+            before = elements[k - 1] if k else None
+            if isinstance(before, Word) and before.kind == "sub":
+                before.kind = "prep"  # "after another 2 s it stops" is no clause of its own
+            continue
         out.insert(0, e)
+        if isinstance(e, Verb) and e.lemma in _SLOPED and k and (angle := _inclination(out)):
+            thing = elements[k - 1]
+            if isinstance(thing, Mention) and thing.noun and "incline" in thing.noun.traits:
+                thing.amounts.append(angle)  # "a ramp inclined at 20 degrees"
+                del out[:3]
         if _is_amount(e) and len(out) > 1 and isinstance(out[1], Mention):
             one = out[1]
             if one.pronoun == "one" and not one.adjectives and not one.amounts:
@@ -194,6 +206,18 @@ def _colors(elements: list[Element], at: int) -> tuple[int, list[str]]:
 
 def _is_amount(e: Element) -> bool:
     return isinstance(e, Word) and e.amount is not None and e.amount.dimension in _SHARED
+
+
+def _is_time(e: Element) -> bool:
+    return isinstance(e, Word) and e.amount is not None and e.amount.dimension == "time"
+
+
+def _inclination(out: list[Element]) -> Amount | None:
+    """The angle of "inclined at 20 degrees"."""
+    prep, angle = out[1:2], out[2:3]
+    told = angle[0].amount if angle and isinstance(angle[0], Word) else None
+    at = bool(prep) and isinstance(prep[0], Word) and prep[0].low in ("at", "by", "to", "with")
+    return told if at and told is not None and told.dimension == "angle" else None
 
 
 def _article(e: Element) -> bool:

@@ -40,7 +40,7 @@ def from_sheet(elements: list[Element]) -> list[Element]:
     things: list[Mention] = []
     out: list[Element] = []
     for part in parts:
-        part = _is_a(part)
+        part = _parked(_is_a(part))
         label = _label(part)
         label = label if listed > 1 or label == "gap" else ""
         if label and (row := _row(part, label, things)) is not None:
@@ -48,6 +48,21 @@ def from_sheet(elements: list[Element]) -> list[Element]:
             continue
         out += _telegram(_named_event(part, things))
     return out
+
+
+def _parked(part: list[Element]) -> list[Element]:
+    """ "Car B: 1200 kg, parked.": a state, not what it does."""
+    colon, last = word_at(part, 1), next((e for e in reversed(part) if not _ending(e)), None)
+    alone = sum(isinstance(e, Verb) for e in part) == 1 and isinstance(last, Verb)
+    if colon is None or colon.low != ":" or not alone or last.lemma not in ("park", "stop"):
+        return part
+    return [
+        Word(e.start, e.end, "adv", "at rest") if e is last and e.form != "s" else e for e in part
+    ]
+
+
+def _ending(e: Element) -> bool:
+    return isinstance(e, Word) and e.kind == "punct"
 
 
 _TOWARD = frozenset({"into", "onto", "against", "at", "to", "toward", "towards"})

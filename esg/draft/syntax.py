@@ -13,6 +13,7 @@ from esg.draft.elements import Element, Mention, Verb, Word
 from esg.draft.multiwords import MULTIWORDS
 from esg.draft.nominals import RETOLD_NOUNS
 from esg.draft.nounphrases import NounPhrases
+from esg.draft.nounstarts import EXTENTS
 from esg.draft.numerals import parse_number
 from esg.draft.verbphrases import verb_readings
 
@@ -115,6 +116,10 @@ class Chunker(NounPhrases):
         used = self._multiword(i)
         if used:
             return i + used
+        size = self._previous()
+        if low in EXTENTS and isinstance(size, Word) and size.kind == "qty":
+            self.elements.append(Word(token.start, token.end, "unknown", low))
+            return i + 1  # "15 cm tall and 7 cm wide tips over"
         named = self._noun_phrase(i) if self._named_thing(i) else None
         if named is not None:
             return named

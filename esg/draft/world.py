@@ -88,6 +88,14 @@ class World(Members):
                 return found
         if m.pronoun:
             found = self._pronoun(m, subject, avoid)
+            if (
+                m.amounts
+                and found
+                and not any(
+                    same_quantity(m, e, self.facts) for e in map(self.entities.__getitem__, found)
+                )
+            ):
+                self._enrich(m, found)  # "the second, 12 cm tall"
             like = self.entities.get(avoid[0]) if len(avoid) == 1 else None
             if not found and m.determiner == "another" and like is not None and like.known:
                 copy = Mention(m.start, m.end, head=like.head, noun=like.noun, text=like.head)

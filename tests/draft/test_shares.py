@@ -133,3 +133,69 @@ def test_a_block_with_a_letter_is_no_verb() -> None:
     prompt = "Block A of mass 2 kg slides at 3 m/s into block B of mass 5 kg."
     assert _events(prompt) == [("Collision", "block_a", "block_b")]
     assert _masses(draft(prompt)) == [2.0, 5.0]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "sizes"),
+    [
+        ("A glass 15 cm tall and 7 cm wide stands on a table.", {"glass_1": (None, 7.0, 15.0)}),
+        (
+            "Ball A (mass 2 kg, radius 10 cm) hits ball B (mass 1 kg, radius 8 cm).",
+            {"ball_a": (20.0, 20.0, 20.0), "ball_b": (16.0, 16.0, 16.0)},
+        ),
+        (
+            "The first domino, 10 cm tall, hits the second, 12 cm tall.",
+            {"domino_1": (None, None, 10.0), "domino_2": (None, None, 12.0)},
+        ),
+        ("A sphere (r = 0.1 m) rolls into a wall.", {"sphere_1": (20.0, 20.0, 20.0)}),
+    ],
+)
+def test_sizes_reach_their_things(prompt: str, sizes: dict[str, tuple[float | None, ...]]) -> None:
+    doc = draft(prompt)
+    nodes = doc.spatial_relation_graph.nodes
+    for name, size in sizes.items():
+        node = next(n for i, n in nodes.items() if i.startswith(name))
+        got = doc.asset_requirement[node.asset_id].expected_dimensions_cm
+        assert all(x is None or x == y for x, y in zip(size, got, strict=True))
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A ball with m = 2 kg and v = 3 m/s hits a box with m = 5 kg.",
+        "A ball (m=2 kg, v_0=3 m/s) hits a box (m = 5 kg, v = 0).",
+    ],
+)
+def test_symbols_are_quantities(prompt: str) -> None:
+    assert _masses(draft(prompt)) == [2.0, 5.0]
+    assert _speeds(prompt) == {"ball_1": 300.0}
+
+
+@pytest.mark.parametrize(
+    "slope", ["a slope of 20 degrees", "a ramp inclined at 20°", "a 20 degree ramp"]
+)
+def test_ramps_are_as_steep_as_stated(slope: str) -> None:
+    doc = draft(f"A barrel rolls down {slope} and hits a tree.")
+    ramp = next(r for r in doc.asset_requirement.values() if r.asset_category == "ramp")
+    length, _, height = ramp.expected_dimensions_cm
+    assert height / length == pytest.approx(0.364, abs=1e-3)
+
+
+def test_a_turn_lasts_as_long_as_stated() -> None:
+    timeline = draft(
+        "A robot drives forward for 2 s, turns right by 90 degrees in 1 s and drives into a box."
+    ).timeline_system
+    assert timeline is not None
+    nodes = {n.event.value: n for n in timeline.sequence_graph.nodes}
+    assert nodes["Trigger"].timestamp == 2.0
+    since = nodes["HeadingReached"].constraints
+    assert [(c.quantity, c.value) for c in since if c.quantity == "time_since"] == [
+        ("time_since", 1.0)
+    ]
+
+
+def test_another_two_seconds_are_no_other_car() -> None:
+    prompt = (
+        "The van waits for 3 seconds, then it accelerates and after another 2 s it hits a fence."
+    )
+    assert _events(prompt) == [("Collision", "van_1", "fence_1")]
