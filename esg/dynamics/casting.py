@@ -18,6 +18,7 @@ from esg.dynamics.openings import fit_openings
 from esg.dynamics.stagecraft import climb_height, prop, support_of, top_surface
 from esg.dynamics.story import Phase, Story, bounds, read_story
 from esg.dynamics.toppling import LIGHTEST, fastest, fit_toppled, hits, launched, scaled
+from esg.dynamics.upright import fit_upright
 from esg.graph.models import (
     AssetConfiguration,
     EdgeEvent,
@@ -60,6 +61,7 @@ def fit_assets(doc: EsgDocument) -> EsgDocument:
     doc = let_go_sideways(_thrown(doc))
     story = read_story(doc)
     doc = _freed(doc, story)
+    doc = with_assets(doc, fit_upright(doc, story))
     changed: dict[str, AssetConfiguration] = {}
     nodes = doc.spatial_relation_graph.nodes
     for name in _set_in_motion(doc, story):

@@ -19,6 +19,9 @@ CLEAN = 0.7
 """The same for a long body, over sqrt(g l / 2): it tips as long as half of it is over the edge."""
 COUNTS_AS_FALL = 0.75
 """Share of its height by which a body has to come down for its fall to be one."""
+FALLEN, PAST_HALF, NEAR = 0.82, 1.4, 0.3
+"""How far from the foot of what tips over something stands, over the one's height, over its own and
+at least over the one's: it is met well after half of the fall, which is when that counts as one."""
 MEETINGS = (NodeEvent.COLLISION, NodeEvent.REACH, NodeEvent.ENTER_REGION)
 
 
@@ -172,5 +175,6 @@ def tip_onto(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
     if b in stage.places:
         return
     heading = track.heading + frame.angle
-    reach = pa.half_length + pb.half_length + min(0.5 * pa.height, 0.6 * pb.height)
+    reach = pa.half_length + pb.half_length
+    reach += min(FALLEN * pa.height, max(PAST_HALF * pb.height, NEAR * pa.height))
     stage.places[b] = (ax + reach * math.cos(heading), ay + reach * math.sin(heading), heading)

@@ -39,6 +39,8 @@ APART_S = 0.16
 DOWN_S, FALLEN, THIN_FALLEN = 0.3, 0.85, 0.7
 """Time in which a struck body falls over, and the shares of its height that are out of its reach
 until it is down: of a broad body, and of one thin as a domino, which slides less."""
+IN_ORDER_S = 0.1
+"""Least time between two events of which one follows the other."""
 FARTHEST_AHEAD = 1.2
 """Longest way, over its height, that the base of a body runs ahead while it tips back."""
 LEAST_LEFT = 0.3
@@ -184,12 +186,13 @@ def chain(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
     if _falls_before(stage, node, a):
         # It is to be down before it arrives.
         slides = sliding_distance(track.speed, 0.5 * (pa.friction + pa.rough))
-        gap = max(gap, min(DOWN_S * track.speed, 0.5 * slides))
+        falls = max(DOWN_S, math.sqrt(pa.height / GRAVITY_MPS2) + IN_ORDER_S)
+        gap = max(gap, min(falls * track.speed, 0.5 * slides))
         if not (pa.rolls or stage.airborne):
             # It reaches as far as it is high, and touches what is nearer while it still stands.
             gap = max(gap, (THIN_FALLEN if thin else FALLEN) * pa.height)
             if _kicked(stage, node, a):
-                ahead = math.sqrt(pa.height / GRAVITY_MPS2) * track.speed
+                ahead = (math.sqrt(pa.height / GRAVITY_MPS2) + IN_ORDER_S) * track.speed
                 gap = max(gap, min(ahead, FARTHEST_AHEAD * pa.height))
     rubs = 0.5 * (pa.friction + stage.ground_friction())
     rolled: float | None = None

@@ -44,6 +44,8 @@ HARD_MPS = 12.0
 """Speed from which on a hit is a hard one."""
 USUAL_CARRIED_MPS = 3.0
 """Speed with which something that was struck arrives at the next thing, where it is open."""
+LOW_KICK = 0.25
+"""Height of a touch, over that of the centre of mass, below which it kicks the foot away."""
 SLOW_MPS, SLOPES, LOADED = 4.0, 0.1, 2.5
 """Highest speed of a slow hit, how far down it points at least on a slope, and the largest share
 of its mass that what is hit so is given."""
@@ -126,6 +128,11 @@ def _fitted(doc: EsgDocument, story: Story, knock: Knock) -> EsgDocument:
     topples = story.topples(knock.target)
     flies = story.is_active(knock.mover) and story.flies(knock.mover)
     stand = stand_of(target)
+    if topples and _falls_on(story, knock) and _may_be_thrown(doc, story, knock, mover):
+        touch = first_touch(mover, target, stand, flies=False)
+        if touch is not None and touch.height < LOW_KICK * stand.height:
+            # Kicked at its foot it would fall back onto what hit it.
+            doc, flies = _thrown(doc, knock.mover), True
 
     def missing(body: Prop, mass: float, size: float, flies: bool, limit: float) -> bool:
         other = replace(target, mass=target.mass * mass * size**3)
@@ -184,6 +191,14 @@ def _fitted(doc: EsgDocument, story: Story, knock: Knock) -> EsgDocument:
         if found is not None:
             return _changed(_thrown(doc, knock.mover), keys[1], *found)
     return _changed(doc, keys[1], 1.0, LIGHTEST if free_mass else 1.0)
+
+
+def _falls_on(story: Story, knock: Knock) -> bool:
+    """Whether what is knocked over shall hit something else as it falls."""
+    return any(
+        n.event is NodeEvent.COLLISION and knock.target in n.participants
+        for n in story.after(knock.node.id)
+    )
 
 
 def _not_overrun(doc: EsgDocument, story: Story, knock: Knock) -> EsgDocument:
