@@ -295,7 +295,7 @@ class Acts(Motions):
             return told
         first = participants[0]
         track = self.tl.tracks.get(first)
-        if track is None or not track.under_way:
+        if track is None or not track.under_way or track.waiting:
             if not self.movable(first):
                 self._free([first])
             if self.movable(first):
@@ -304,7 +304,7 @@ class Acts(Motions):
 
     def _ensure_mover(self, f: Frame, mover: str, target: str | None) -> None:
         track = self.tl.tracks.get(mover)
-        if track is not None and track.under_way:
+        if track is not None and track.under_way and not track.waiting:
             return
         self._start_motion(f, [mover], None, target)
 

@@ -101,6 +101,9 @@ class NounStarts(NounHeads):
                 return j + 1
             return j
         low = token.low
+        after = {r.form for r in verb_readings(self._low(j + 1))}
+        if low == "one" and m.determiner == "another" and "s" in after:
+            return j  # "another one tips over"
         if low in lex.VAGUE_COUNTS and low not in (
             "some",
             "both",

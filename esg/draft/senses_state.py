@@ -259,9 +259,11 @@ class StateSenses(Consequences):
             self._pattern_of(t, pattern)
         for _, a in self.amounts(f):
             if a.dimension == "length" and self.text[a.end : a.end + 7].strip().startswith("apart"):
-                for one, other in pairwise(things):
+                rows = self.world.groups.values()
+                whole = next((g for g in rows if things[:1] and things[0] in g), things)
+                for one, other in pairwise(things if len(things) > 1 else whole):
                     self.scene.relations.append(Relation(one, other, "near", a.value))
-                self.use(a, "distance")
+                    self.use(a, "distance")
         for p in f.phrases:
             if p.mention is None or p.mention.attribute:
                 self._arrange(things, p)

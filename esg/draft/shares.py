@@ -119,6 +119,8 @@ def own_nouns(elements: list[Element]) -> list[Element]:
                 before.kind = "prep"  # "after another 2 s it stops" is no clause of its own
             continue
         out.insert(0, e)
+        if isinstance(e, Verb) and e.lemma in ("space", "spaced") and _is_amount(*out[1:2]):
+            del out[0]  # "spaced 30 cm apart"
         if isinstance(e, Verb) and e.lemma in _SLOPED and k and (angle := _inclination(out)):
             thing = elements[k - 1]
             if isinstance(thing, Mention) and thing.noun and "incline" in thing.noun.traits:
@@ -204,7 +206,7 @@ def _colors(elements: list[Element], at: int) -> tuple[int, list[str]]:
     return len(elements), found
 
 
-def _is_amount(e: Element) -> bool:
+def _is_amount(e: Element | None = None) -> bool:
     return isinstance(e, Word) and e.amount is not None and e.amount.dimension in _SHARED
 
 

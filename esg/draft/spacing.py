@@ -81,7 +81,7 @@ def _pair(text: str, a: Amount, mentions: list[Mention], scene: Scene) -> list[s
     named = [(m, ids) for m in mentions if (ids := _things(m, scene))]
     before = [(m, ids) for m, ids in named if m.end <= a.start]
     after = [(m, ids) for m, ids in named if m.start >= a.end]
-    plural = next((ids for _, ids in reversed(before) if len(ids) > 1), [])
+    plural = next((w for m, ids in reversed(before) if (w := _all(m, ids, scene))), [])
     lead = text[max(0, a.start - 90) : a.start]
     if (stated := _GAP_BETWEEN.search(lead)) is not None:
         inside = [ids for m, ids in before if m.start >= a.start - len(lead) + stated.start()]
@@ -140,6 +140,13 @@ def _things(m: Mention, scene: Scene) -> list[str]:
     ids = [world.current(i) for i in world.resolved.get(id(m), m.entities)]
     fit = [i for i in ids if i in world.entities]
     return [i for i in fit if "structural" not in world.entities[i].noun.traits]
+
+
+def _all(m: Mention, ids: list[str], scene: Scene) -> list[str]:
+    """What a plural names, also where one of it is picked ("the second of four bottles")."""
+    if len(ids) > 1 or not (m.pick or m.single):
+        return ids if len(ids) > 1 else []
+    return next((list(g) for g in scene.world.groups.values() if ids[0] in g), [])
 
 
 def _comes_to(other: str, scene: Scene) -> str:

@@ -323,6 +323,9 @@ class Chunker(NounPhrases):
             return False
         for j in range(i + 1, min(i + 14, len(self.tokens))):
             t = self.tokens[j]
+            going = any(r.form in ("ing", "pp") for r in verb_readings(self._low(j + 1)))
+            if t.text == "," and going and any(x.text == "," for x in self.tokens[j + 1 : j + 8]):
+                return True  # "when the truck, going 10 m/s, brakes"
             if t.kind == "punct" and t.text in ".;,!?":
                 return False
             readings = verb_readings(t.low)

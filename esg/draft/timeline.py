@@ -70,6 +70,14 @@ class Track:
         """Whether it moves: by itself, or carried on by what hit it."""
         return self.motion is not None or (self.hit and self.role is Role.PASSIVE)
 
+    @property
+    def waiting(self) -> bool:
+        """Whether it stands still until an event that has been told."""
+        standing = (
+            self.motion is not None and self.motion.mode == "own" and self.motion.speed == 0.0
+        )
+        return standing and self.closed
+
 
 class TimelineBuilder:
     """Collects motions and events in order of time."""

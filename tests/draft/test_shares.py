@@ -199,3 +199,39 @@ def test_another_two_seconds_are_no_other_car() -> None:
         "The van waits for 3 seconds, then it accelerates and after another 2 s it hits a fence."
     )
     assert _events(prompt) == [("Collision", "van_1", "fence_1")]
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A ball hits the second of four bottles, which are 25 cm apart.",
+        "A ball hits one of four bottles spaced 25 cm apart.",
+        "Four bottles spaced 25 cm apart stand on a table; a ball hits the first.",
+    ],
+)
+def test_a_spacing_is_that_of_the_whole_row(prompt: str) -> None:
+    relations = draft(prompt).spatial_relation_graph.edges.binary_relations
+    near = [r for r in relations if r.distance_cm == 25.0]
+    assert len(near) == 3
+    assert all("bottle" in r.from_ and "bottle" in r.to for r in near)
+
+
+def test_who_starts_late_drives_at_a_speed_afterwards() -> None:
+    prompt = "The first car starts at 0 s, the second at 1 s; they both hit the same wall."
+    timeline = draft(prompt).timeline_system
+    assert timeline is not None
+    last = {e.actor: e.params.speed for e in timeline.sequence_graph.edges if e.params}
+    assert last["second_car_1"] == last["first_car_1"] != 0.0
+
+
+def test_a_clause_goes_on_after_its_participle() -> None:
+    prompt = "A crate slides off a truck when the truck, going 10 m/s, brakes within 2 s."
+    timeline = draft(prompt).timeline_system
+    assert timeline is not None
+    brakes = [e.actor for e in timeline.sequence_graph.edges if e.params and e.params.damping]
+    assert brakes == ["truck_1"]
+
+
+def test_another_one_is_a_thing_and_what_follows_a_verb() -> None:
+    prompt = "A domino 5 cm in front of another one tips over and hits it."
+    assert _events(prompt) == [("Topple", "domino_1"), ("Collision", "domino_1", "domino_2")]
