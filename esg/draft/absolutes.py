@@ -23,6 +23,7 @@ def absolutes(elements: list[Element]) -> list[Element]:
         place of the participle. A participle after a mere list ("a dog, a man carrying a box"), or
         one whose noun has a finite verb of its own, stays.
     """
+    elements = _partitive(elements)
     out: list[Element] = []
     told = False
     for i, e in enumerate(elements):
@@ -63,3 +64,22 @@ def _participle_of(elements: list[Element], i: int, out: list[Element]) -> Verb 
         if isinstance(e, Verb) and e.form in ("s", "past") and not e.infinitive:
             return None  # "..., the car coming from the left hits it"
     return verb
+
+
+def _partitive(elements: list[Element]) -> list[Element]:
+    """ ", one of which hits a dog": "and one hits a dog"; "neither ... nor ... yields": denied."""
+    out: list[Element] = []
+    denied = False
+    for i, e in enumerate(elements):
+        low = e.low if isinstance(e, Word) else ""
+        of, one = (out[-1], out[-2]) if len(out) > 1 else (None, None)
+        whole = low in ("which", "whom") and isinstance(of, Word) and of.low == "of"
+        if whole and isinstance(one, Mention) and one.pronoun:
+            out[-2:] = [Word(one.start, one.start, "conj", "and"), one]
+            continue
+        nor = any(isinstance(x, Word) and x.low == "nor" for x in elements[i + 1 : i + 4])
+        denied = (denied or (low == "neither" and nor)) and low not in _ENDS | {","}
+        if denied and isinstance(e, Verb):
+            e.negated, denied = True, False
+        out.append(e)
+    return out

@@ -98,8 +98,7 @@ class ClauseNouns(ClauseWords):
             s.subject = m
             s.last = m
             s.boundary = False
-            told = m.attribute and s.frame is not None
-            s.boundary_kind = "objrel" if s.boundary_kind == "rel" else "own" if told else ""
+            s.boundary_kind = "objrel" if s.boundary_kind == "rel" else "own"
             return
         if prep:
             if s.sub and s.frame is None:
@@ -153,6 +152,10 @@ class ClauseNouns(ClauseWords):
         elif frame.object2 is None:
             frame.object2 = m
         s.last, s.last_after_prep = m, False
+
+    def _runs_on(self, i: int) -> bool:
+        """Whether the conjunction before a participle follows the clause without a comma."""
+        return getattr((self.elements[i - 2 : i - 1] or [None])[0], "low", "") != ","
 
     def _stated_of_it(self, s: State, m: Mention, i: int) -> bool:
         """ "its radius is 12 cm and its mass 4 kg", "one ball weighs 5 g, the other 8 g"."""

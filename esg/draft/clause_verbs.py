@@ -53,7 +53,7 @@ class ClauseVerbs(ClauseNouns):
             frame.opening = previous is None
         elif s.boundary_kind == "own":
             frame.subject, s.boundary_kind = s.subject, ""  # "hits a bus whose mass is 12 tons"
-            frame.reduced, frame.parent = True, previous
+            frame.reduced, frame.parent, frame.opening = True, previous, previous is None
         elif s.boundary and s.boundary_kind == "rel":
             frame.subject = s.relative
             frame.reduced = frame.relative = True
@@ -74,7 +74,7 @@ class ClauseVerbs(ClauseNouns):
                 s.subject if s.subject is not None and not s.boundary else self._agent(previous)
             )
             if v.form == "ing" and not v.auxiliary and previous.relative and self._runs_on(i):
-                frame.subject = previous.subject  # "a vase that wobbles before tumbling down"
+                frame.subject = previous.subject  # "that wobbles before tumbling down"
         elif v.form == "ing" and not v.auxiliary:
             self._participle(s, frame, previous)
         elif (
@@ -91,7 +91,9 @@ class ClauseVerbs(ClauseNouns):
             causer = previous.parent
             assert causer is not None
             frame.subject, frame.causer, frame.link = causer.object, causer, "cause"
-        elif self._awaits_main(previous, v) and previous.object is s.relative is not None:
+        elif self._awaits_main(previous, v) and (
+            previous.object is s.relative is not None or self._whose(previous, s)
+        ):
             frame.subject, frame.parent = s.relative, previous  # "the tray he carries falls"
         elif self._awaits_main(previous, v) or self._serial(previous, v, s):
             frame.subject = self._agent(previous)
@@ -186,6 +188,12 @@ class ClauseVerbs(ClauseNouns):
         return previous.opening and v.sense not in ("posture", "park", "contain")
 
     @staticmethod
+    def _whose(previous: Frame, s: State) -> bool:
+        """ "A car whose wheel came off hits a wall": the car does."""
+        m = s.relative
+        return m is not None and previous.subject is not None and m.end <= previous.subject.start
+
+    @staticmethod
     def _serial(previous: Frame, v: Verb, s: State) -> bool:
         """ "marble go down ramp hit cup": bare verbs in a row have one subject."""
         bare = previous.verb.form == "base" and not previous.verb.infinitive
@@ -269,10 +277,6 @@ class ClauseVerbs(ClauseNouns):
             if isinstance(e, Verb) or (isinstance(e, Word) and e.low in ".;,"):
                 return False
         return False
-
-    def _runs_on(self, i: int) -> bool:
-        """Whether the conjunction before a participle follows the clause without a comma."""
-        return getattr((self.elements[i - 2 : i - 1] or [None])[0], "low", "") != ","
 
     def _after_comma(self, i: int) -> bool:
         """ "..., which lands on a drum, and falls": back to the main clause."""

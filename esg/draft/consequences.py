@@ -105,7 +105,8 @@ class Consequences(Acts):
         elif self._at_last(f, "off") and f.verb.sense in ("knock", "launch", "cause"):
             for b in self._representatives(bodies, []):
                 self._beside_its_mates(b)
-                if b in self.scene.supported_by:
+                stacked = self.e(b).pattern == "stack" and self.e(b).in_group
+                if b in self.scene.supported_by or stacked:
                     self.event(NodeEvent.FALL, (b,), f, None)
 
     @staticmethod

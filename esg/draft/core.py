@@ -27,6 +27,8 @@ class Core:
         self.aim: dict[str, str] = {}
         """Last thing an actor moves towards."""
         self.last_hit: tuple[str, str] | None = None
+        self.upon_it: set[int] = set()
+        """Mentions of what another thing carries ("a cart with a box on it")."""
         self.mentions: list[Mention] = []
         self.told: list[Frame] = []
         """All clauses, in order of time."""

@@ -64,6 +64,7 @@ class Interpreter(References):
         self.told, self.attached = frames, attachments
         self._refer_all(frames)
         dodge(frames, self.text)
+        self.upon(attachments)
         for m, p in attachments:
             self.attachment(m, p)
         before = -1

@@ -236,6 +236,9 @@ class NounHeads(NounQuestions):
             if after is not None and self._names_it(m, low) and not acts:
                 m.adjectives.append(low)  # "the space station", "a storm lantern"
                 return self._head(i, j + 1, m)
+            if self._names_it(m, low) and self._plain_noun(j + 1):
+                m.adjectives.append(low)  # "a weather vane"
+                return self._head(i, j + 1, m)
             m.attribute = True
             m.head = low if low in lex.ATTRIBUTES else lex.singular(low)[0]
             j += 1
@@ -340,10 +343,13 @@ class NounHeads(NounQuestions):
             m.known = m.attribute or m.noun is not None
             j = k + 1
         elif m.count is not None and m.count != 0 and (j > i):
-            if m.determiner == "the" or j == i + 1:
+            if m.determiner in ("the", "this", "that") or j == i + 1:
                 m.pronoun = "ones" if m.count > 1 else "one"
             else:
                 return None
+        elif self._like_a_verb(j, m):
+            m.head, m.known = low, False
+            j += 1
         else:
             return None
         j = self._letters(j, m)

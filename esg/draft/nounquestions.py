@@ -3,13 +3,20 @@
 from __future__ import annotations
 
 from esg.draft import lexicon as lex
-from esg.draft.elements import Mention, Verb
+from esg.draft.elements import Mention, Verb, Word
 from esg.draft.letters import Letters
+from esg.draft.ranks import ALONE
 from esg.draft.verbphrases import verb_readings
 
 _NUMERALS = frozenset({"one", "two", "three", "four", "five"})
 _ALSO_THINGS = frozenset({"bumper", "lid", "wing", "handle", "headlight", "rim", "hull", "base"})
 """Parts that are things where nothing is named that they are parts of."""
+_TERRAIN = frozenset(
+    {"bump", "dip", "bend", "jump", "turn", "drop", "fall", "rise", "run", "walk", "climb", "go",
+     "try", "look", "rest", "halt", "start", "roll", "spin", "drift", "dive", "leap", "hunt"}
+)  # fmt: skip
+"""Verbs whose nouns name no thing."""
+_MEETING = frozenset({"into", "onto", "on", "against", "off", "past", "toward", "towards"})
 _LETTING = frozenset({"make", "let", "have", "watch", "see"})
 _MEASURES = frozenset({"mass", "weight", "radius", "diameter", "height", "width", "length"})
 _BEFORE_COLORS = frozenset({*".,;:!?", "and", "into", "off", "then"})
@@ -62,6 +69,39 @@ class NounQuestions(Letters):
     def _finite(self, k: int) -> bool:
         """Whether a verb in -s or of the past stands here."""
         return any(r.form in ("s", "past") for r in verb_readings(self._low(k)))
+
+    def _plain_noun(self, j: int) -> bool:
+        """Whether the tagger's noun stands here, which nothing else could be."""
+        token = self._tok(j)
+        tagged = token is not None and token.tag in ("NOUN", "PROPN") and token.low.isalpha()
+        if not tagged or token is None or token.low.endswith("s"):
+            return False
+        closed = lex.PREPOSITIONS | lex.ADVERBS | lex.DETERMINERS | lex.PRONOUNS | lex.ATTRIBUTES
+        return token.low not in closed and not verb_readings(token.low)
+
+    def _like_a_verb(self, j: int, m: Mention) -> bool:
+        """ "lands on a shield", "hits a slipper.": after an article and where things are met."""
+        low, nxt, before = self._low(j), self._tok(j + 1), self._previous()
+        readings = verb_readings(low)
+        if m.determiner not in ("a", "an") or not readings or low in _TERRAIN | lex.ATTRIBUTES:
+            return False
+        if any(r.form != "base" for r in readings):
+            return False
+        met = isinstance(before, Verb) and before.sense in ("hit", "land", "miss", "overtake")
+        met = met or (isinstance(before, Word) and before.low in _MEETING)
+        ends = nxt is None or nxt.kind == "punct" or nxt.low in lex.PREPOSITIONS | {"and", "but"}
+        return met and ends and nxt is not None and nxt.low != "of"
+
+    def _one_does(self, j: int, m: Mention) -> bool:
+        """ "One rolls away and another hits a box": a verb, as no plural follows "another"."""
+        single = m.determiner in ("another", "each", "either", "neither") and not m.adjectives
+        ordinal = m.determiner == "the" and m.adjectives[-1:] and m.adjectives[-1] in ALONE
+        single = single or (m.determiner == "the" and m.adjectives == ["other"])
+        forms = {r.form for r in verb_readings(self._low(j))}
+        object_ = self._low(j + 1) in lex.DETERMINERS | lex.PRONOUNS | {"nothing", "neither"}
+        if "past" in forms and object_ and (single or ordinal):
+            return True  # "the second hit it"
+        return bool(single or (ordinal and self._match_noun(j) is None)) and "s" in forms
 
     def _is_she(self, i: int) -> bool:
         """ "hits her on the leg", "runs into her": no noun follows that could be hers."""

@@ -109,6 +109,10 @@ class Pronouns(Registry):
                 solid = [i for i in last if "structural" not in self.entities[i].noun.traits]
                 two = list(dict.fromkeys(reversed(solid)))[:2][::-1]
             return two[-1:] if p == "latter" else two[:1]
+        if p == "one" and m.determiner in ("this", "that") and not m.adjectives:
+            for ids in reversed(self.salience):  # "hits the red ball and this one rolls away"
+                if len(ids) == 1 and "structural" not in self.entities[ids[0]].noun.traits:
+                    return list(ids)
         if p in ("one", "another", "other"):
             named = next((a for a in m.adjectives if a in ORDINALS), None)
             told = [e.id for e in self.entities.values() if named and e.place == named]
@@ -134,8 +138,14 @@ class Pronouns(Registry):
                     return list(ids)
         for ids in reversed(self.salience):
             if ids and not set(ids) <= set(avoid):
-                return list(ids)
+                grown = p == "it" and all(self._grown_up(i) for i in ids)
+                return [] if grown else list(ids)
         return []
+
+    def _grown_up(self, i: str) -> bool:
+        """Whether "it" is no word for a person ("the child ... it" is one)."""
+        e = self.entities[i]
+        return e.noun.kind == "person" and e.head in ("person", "he", "she", "man", "woman")
 
     def _last_two_alike(self) -> list[str]:
         """The subjects of the clauses before, if they are of one kind ("and both brake")."""
@@ -256,7 +266,9 @@ class Pronouns(Registry):
             before = avoid or (self.subjects[-1] if self.subjects else [])
             last = next((ids for ids in reversed(self.salience) if not set(ids) <= {*before}), [])
             alone = len(last) == 1 and last[0] in self.entities and bool(before)
-            if alone and self.entities[before[0]].noun.kind in ("person", "animal", "vehicle"):
+            passed = alone and self.entities[last[0]].label.lower().startswith("one ")
+            kinds = ("person", "animal", "vehicle", "flyer", "watercraft", "robot", "toyvehicle")
+            if passed or (alone and self.entities[before[0]].noun.kind in kinds):
                 before = last  # "past one table, brushes against the next"
             model = [e for e in solid if e.id in before[:1]]
             if solid:  # "A domino falls and hits the next one", "One ball ..., the next one ..."

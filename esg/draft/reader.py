@@ -5,7 +5,6 @@ from __future__ import annotations
 from esg.draft import lexicon as lex
 from esg.draft.elements import Element, Mention, Token, Verb, Word
 from esg.draft.numerals import parse_number
-from esg.draft.ranks import ALONE
 from esg.draft.tokens import is_name
 from esg.draft.verbphrases import PHRASES, verb_readings
 
@@ -248,6 +247,10 @@ class Reader:
                 and (noun is None or nxt in lex.DETERMINERS | lex.PRONOUNS)
             ):
                 return True  # "a car changing lanes knocks it over"
+            within = [getattr(e, "kind", "") for e in before[:1]] == ["rel"]
+            clause = within and isinstance(before[-1], Mention) and bool(forms & {"s", "past"})
+            if clause and (noun is None or nxt in lex.DETERMINERS | lex.PREPOSITIONS):
+                return True  # "the trolley whose brakes fail rolls into a pond"
             after_that = [getattr(e, "kind", "") for e in before[-1:]] == ["rel"]
             if after_that and forms & {"s", "past"} and (noun is None or nxt in lex.DETERMINERS):
                 return True  # "a ball that is rolling hits a box"
@@ -375,17 +378,6 @@ class Reader:
             return True  # "Hits shed door."
         small = lex.PREPOSITIONS - {"of"} | lex.ADVERBS | {"and"}
         return (nxt.kind in ("qty", "punct") and nxt.text != ":") or nxt.low in small
-
-    def _one_does(self, j: int, m: Mention) -> bool:
-        """ "One rolls away and another hits a box": a verb, as no plural follows "another"."""
-        single = m.determiner in ("another", "each", "either", "neither") and not m.adjectives
-        ordinal = m.determiner == "the" and m.adjectives[-1:] and m.adjectives[-1] in ALONE
-        single = single or (m.determiner == "the" and m.adjectives == ["other"])
-        forms = {r.form for r in verb_readings(self._low(j))}
-        object_ = self._low(j + 1) in lex.DETERMINERS | lex.PRONOUNS | {"nothing", "neither"}
-        if "past" in forms and object_ and (single or ordinal):
-            return True  # "the second hit it"
-        return bool(single or (ordinal and self._match_noun(j) is None)) and "s" in forms
 
     def _noun_not_verb(self, k: int, m: Mention) -> bool:
         """ "a cereal bowl off the chair": a bare verb does not follow a singular noun phrase."""

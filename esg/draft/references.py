@@ -167,7 +167,8 @@ class References(Anaphora):
         if f.subject is not None and not f.reduced:
             aims = f.phrase("at", "toward", "towards", "against", "to") is not None
             self._acted = (f.subject, () if aims else tuple(objects), f.sentence)
-        struck = f.verb.sense in ("launch", "drop") and not f.verb.passive
+        set_going = f.verb.sense in ("roll", "slide") and f.object is not None
+        struck = (f.verb.sense in ("launch", "drop") or set_going) and not f.verb.passive
         self._launched = list(objects) if struck else []
         self._dropped = f.verb.sense == "drop"
         aimed = f.phrase("at", "toward", "towards", "against")
@@ -278,6 +279,10 @@ class References(Anaphora):
         """Whether something was acted on in this sentence."""
         return self._patient_at == sentence
 
+    def _sends(self, f: Frame) -> bool:
+        """ "slides the glass down the bar, and it knocks a cup off": the glass."""
+        return f.verb.sense == "knock" and f.object is not None and not f.verb.passive
+
     def _as_one(self, things: list[str]) -> bool:
         """Whether several things go by one name ("a tower of blocks")."""
         return self.e(things[0]).group in self.world.collective
@@ -328,7 +333,7 @@ class References(Anaphora):
             m is not None
             and m.pronoun == "it"
             and id(m) not in self.world.resolved
-            and (f.verb.sense in _FLYING_ON or dropped or f.link == "until")
+            and (f.verb.sense in _FLYING_ON or dropped or f.link == "until" or self._sends(f))
             and len(self._launched) == 1
         ):
             self.world.resolved[id(m)] = m.entities = list(self._launched)

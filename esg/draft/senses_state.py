@@ -26,6 +26,7 @@ _PATTERN_VERBS = {
 }
 """Arrangement of a plural by the verb that says how it stands."""
 _LEANT_ON_CM = 60.0
+_UPON = ("on", "in", "inside", "upon")
 _LEANING = frozenset({"lean", "prop"})
 _HANGING = frozenset({"hang", "suspend", "mount", "attach", "fix", "dangle", "fasten"})
 _HUNG_BY = frozenset({"on", "against", "from", "to", "at", "off"})
@@ -38,6 +39,17 @@ _RESTING = frozenset({"rest", "lie", "settle", "lodge"})
 
 class StateSenses(Consequences):
     """Descriptions of how things are at the start."""
+
+    def upon(self, attachments: list[tuple[Mention, Phrase]]) -> None:
+        """ "a cart with a box on it": what "it" is that the box is on."""
+        bearers = {id(p.mention): m for m, p in attachments if p.prep == "with" and p.mention}
+        for m, p in attachments:
+            bearer = bearers.get(id(m))
+            it = p.mention is not None and p.mention.pronoun in ("it", "them")
+            if bearer is None or not it or p.mention is None or p.prep not in _UPON:
+                continue
+            p.mention.entities = self.world.resolved[id(p.mention)] = list(bearer.entities)
+            self.upon_it.add(id(m))
 
     def attachment(self, m: Mention, p: Phrase) -> None:
         """A noun phrase with a prepositional phrase: a place or a property."""
@@ -70,6 +82,8 @@ class StateSenses(Consequences):
                         self.use(a, o)
             return
         others = p.mention.entities or self.ids(p.mention, avoid=owners)
+        if p.prep == "with" and id(p.mention) in self.upon_it:
+            return
         if p.prep == "with":
             # "a table with bottles on it": the on-phrase places them; else they rest on a support
             for o in others:

@@ -149,6 +149,62 @@ def read(prompt: str) -> tuple[EsgDocument, list[tuple[Any, ...]]]:
             "The tray tilts and a spoon slides off it.",
             [("Fall", "spoon_1")],
         ),
+        # whose: of the noun before
+        (
+            "A barrel slams into a van, whose mirror breaks off.",
+            [("Collision", "barrel_1", "van_1"), ("Fall", "mirror_1")],
+        ),
+        (
+            "A lorry whose wheel came off hits a wall.",
+            [("Collision", "lorry_1", "wall_1"), ("Fall", "wheel_1")],
+        ),
+        (
+            "A truck whose driver is asleep rams a gate.",
+            [("Collision", "truck_1", "gate_1")],
+        ),
+        # of which, neither ... nor
+        (
+            "A cow bumps two barrels, one of which rolls into a goat.",
+            [("Collision", "cow_1", "barrel_1"), ("Collision", "barrel_2", "goat_1")],
+        ),
+        (
+            "Neither the tram nor the taxi stops, so they collide.",
+            [("Collision", "tram_1", "taxi_1")],
+        ),
+        # this one, it that was slid
+        (
+            "The green ball hits the red ball and this one rolls into the hole.",
+            [("Collision", "green_ball_1", "red_ball_1"), ("EnterRegion", "red_ball_1")],
+        ),
+        (
+            "She slides the mug down the counter, and it knocks a jar off the end.",
+            [("Collision", "mug_1", "jar_1"), ("Fall", "jar_1")],
+        ),
+        # the one on it, the top one
+        (
+            "A cart with a block on top of it runs into a wall, so the block slides off.",
+            [("Collision", "cart_1", "wall_1"), ("Fall", "block_1")],
+        ),
+        (
+            "A forklift hits a stack of pallets, knocking the top pallet off.",
+            [("Collision", "forklift_1", "top_pallet_1"), ("Fall", "top_pallet_1")],
+        ),
+        # nouns spelled like verbs, abstract words before a noun
+        (
+            "A coconut hits a shield.",
+            [("Collision", "coconut_1", "shield_1")],
+        ),
+        (
+            "A weather vane falls onto a car.",
+            [("Collision", "vane_1", "car_1")],
+        ),
+        # the next one of what was dodged
+        (
+            "The drone dodges one balloon but collides with the next.",
+            [("Miss", "drone_1", "balloon_1"), ("Collision", "drone_1", "balloon_2")],
+        ),
+        ("The ball comes back off the post.", [("Collision", "ball_1", "post_1")]),
+        ("The cap blows off and lands on a dog.", [("Collision", "cap_1", "dog_1")]),
     ],
 )
 def test_the_right_things_meet(prompt: str, expected: list[tuple[Any, ...]]) -> None:
