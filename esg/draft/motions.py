@@ -311,6 +311,9 @@ class Motions(Leftovers):
         held = body in self.scene.supported_by or body in self.scene.attached
         down = f.phrase("off", "from", "out of", "over") is not None or "off" in f.adverbs
         lifted = body in self.scene.heights or self._airborne(body)
+        in_row = e.pattern == "row" and e.group is not None and not (held or down or lifted)
+        if in_row and self._moved_by_others(body):
+            return True  # "hits the first of a row of books, which fall one after another"
         upright = body in self.leaning or ("topples" in e.noun.traits and tall)
         return upright and not (held or down or lifted)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from esg.draft import lexicon as lex
 from esg.draft.elements import Mention
 from esg.draft.entities import BODY_PARTS, COUNTED_FROM, ORDINALS, STACKED
-from esg.draft.nounquestions import NounQuestions
+from esg.draft.rowphrases import RowPhrases
 from esg.draft.verbphrases import verb_readings
 
 _PIECES = frozenset({"roll", "piece", "slice", "sheet", "lump", "chunk", "coil", "reel", "spool"})
@@ -26,11 +26,8 @@ _WAYS = frozenset(
 _VESSELS = frozenset({"tableware", "bottle", "box", "container", "barrel"})
 
 
-class NounHeads(NounQuestions):
+class NounHeads(RowPhrases):
     """Reads the head of a noun phrase whose modifiers have been read."""
-
-    def _noun_phrase(self, i: int) -> int | None:
-        raise NotImplementedError
 
     def _head(self, i: int, j: int, m: Mention) -> int | None:
         tokens = self.tokens
@@ -182,6 +179,8 @@ class NounHeads(NounQuestions):
                     m.adjectives.append(m.head)
                     m.head, m.noun, m.plural, m.known = single, None, is_plural, False
                     j += 1
+        elif low == "rest" and m.determiner == "the" and not m.adjectives:
+            j = self._the_rest(j, m)
         elif low in _PIECES and self._low(j + 1) == "of" and (inner := self._inner(j + 2, m)):
             return inner
         elif low in BODY_PARTS and (
@@ -352,7 +351,7 @@ class NounHeads(NounQuestions):
             j += 1
         else:
             return None
-        j = self._letters(j, m)
+        j = self._member_of_row(j, m) or self._letters(j, m)
         if set(m.adjectives) & ORDINALS.keys() and self._low(j + 1) in ("the", "top", "bottom"):
             k = j + 2 if self._low(j + 1) == "the" else j + 1
             if self._low(j) == "from" and self._low(k) in COUNTED_FROM:

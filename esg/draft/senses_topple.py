@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from esg.draft.entities import OTHER
 from esg.draft.frames import Frame
 from esg.draft.senses_contact import ContactSenses
 from esg.graph.models import NodeEvent
@@ -94,9 +95,10 @@ class ToppleSenses(ContactSenses):
             and f.subject.determiner in ("each", "every")
             and f.object is not None
             and "next" in f.object.adjectives
-            and len(s) > 1
+            and s
         ):
-            s, o = s[:1], s[1:2]
+            mates = self.world.groups.get(self.e(s[0]).group or "", s)
+            s, o = (mates[:1], mates[1:2]) if len(mates) > 1 else (s, o)
         if f.verb.passive:
             by = f.phrase("by")
             o, s = s, list(by.mention.entities) if by is not None and by.mention is not None else []
@@ -116,7 +118,8 @@ class ToppleSenses(ContactSenses):
             self._struck_before(f, b)
             if b not in self.tl.tracks and not o:
                 self._shaken(f, b)
-                b = self._collapsing(b)
+                b = self._passed_on(f, b)
+                b = self._collapsing(b) if b not in self.tl.tracks else b
             tipped = f.verb.lemma == "tip" and bool(o)
             if tipped and b not in self.tl.tracks:
                 self._free([b])
@@ -126,6 +129,24 @@ class ToppleSenses(ContactSenses):
                 self._start_motion(f, [b], "slide")
             self.event(NodeEvent.TOPPLE, (b,), f, self._time(f))
         self._knock_on(f, bodies)
+
+    def _passed_on(self, f: Frame, body: str) -> str:
+        """Who topples first of a plural one of which was hit.
+
+        "Hits the head pin, and every pin goes down": the head pin. "Hits the first domino; the
+        remaining ones fall over": the next one, to which the row passes the blow on.
+        """
+        e, hit, m = self.e(body), self.last_hit, f.subject
+        mates = self.world.groups.get(e.group or "", [])
+        if hit is None or hit[1] not in mates or hit[1] == body or m is None:
+            return body
+        every = m.determiner in ("every", "all", "each") or m.pronoun in ("all", "they", "each")
+        down = any(n.event is NodeEvent.TOPPLE and hit[1] in n.participants for n in self.tl.nodes)
+        if every and not OTHER & {*m.adjectives} and not down:
+            return hit[1]
+        if e.pattern == "row" and body != mates[-1]:
+            self._carried_along(body)
+        return body
 
     def _collapsing(self, body: str) -> str:
         """The top member of a stack that nothing has touched: the bottom one rarely tips."""

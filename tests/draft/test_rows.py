@@ -1,0 +1,78 @@
+"""Members of rows, and what a blow on one of them does to the others."""
+
+from __future__ import annotations
+
+import pytest
+
+from esg.draft import draft
+from esg.graph import verify
+from esg.graph.models import EdgeEvent, NodeEvent, SequenceGraph
+
+
+def told(prompt: str) -> tuple[SequenceGraph, dict[str, str | None]]:
+    """Timeline, and every object with the arrangement of its plural."""
+    doc = draft(prompt)
+    assert not verify(doc) and doc.timeline_system is not None
+    things = {k: v.group_pattern for k, v in doc.spatial_relation_graph.nodes.items()}
+    return doc.timeline_system.sequence_graph, things
+
+
+def points(graph: SequenceGraph, kind: NodeEvent) -> list[tuple[str, ...]]:
+    return [n.participants for n in graph.nodes if n.event is kind]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "struck", "members"),
+    [
+        ("A toy car hits the first domino in a row of six.", "first_domino_1", 6),
+        ("A marble rolls into the first book in a line of six books.", "first_book_1", 6),
+        ("A stone hits the last bottle of a row of six bottles.", "last_bottle_1", 6),
+        ("A ball hits the first in a row of four bottles.", "first_bottle_1", 4),
+        ("The third can in a row of five is hit by a stone.", "third_can_1", 5),
+    ],
+)
+def test_a_member_is_told_by_its_row(prompt: str, struck: str, members: int) -> None:
+    graph, things = told(prompt)
+    ((_, target),) = points(graph, NodeEvent.COLLISION)
+    assert target == struck
+    assert sum(pattern == "row" for pattern in things.values()) == members
+
+
+def test_the_remaining_ones_of_a_row_are_carried_along_by_the_blow() -> None:
+    graph, _ = told(
+        "A marble hits the first of five dominoes in a row; the rest of them fall over."
+    )
+    (hit,) = [n for n in graph.nodes if n.event is NodeEvent.COLLISION]
+    assert hit.participants == ("marble_1", "first_domino_1")
+    graph, _ = told("A marble hits the first of five dominoes in a row; the remaining ones topple.")
+    (toppled,) = points(graph, NodeEvent.TOPPLE)
+    ((carried),) = [e for e in graph.edges if e.actor == toppled[0]]
+    assert toppled != ("first_domino_1",)
+    assert carried.event is EdgeEvent.INERTIAL_CONNECTOR and carried.from_ == hit.id
+
+
+def test_every_one_of_a_plural_includes_the_one_that_was_hit() -> None:
+    graph, _ = told("A bowling ball strikes the head pin, and every pin goes down.")
+    ((_, head),) = points(graph, NodeEvent.COLLISION)
+    assert points(graph, NodeEvent.TOPPLE) == [(head,)]
+
+
+def test_each_member_knocks_over_the_next_from_the_first_on() -> None:
+    graph, _ = told(
+        "A finger pushes the first of seven dominoes, and each domino knocks over the next."
+    )
+    assert points(graph, NodeEvent.COLLISION) == [
+        ("finger_1", "first_domino_1"),
+        ("first_domino_1", "domino_2"),
+    ]
+
+
+def test_books_of_a_row_that_was_hit_fall_over() -> None:
+    graph, _ = told("A ball rolls into the first book in a line of six, which fall one by one.")
+    assert points(graph, NodeEvent.TOPPLE) == [("first_book_1",)]
+    assert not points(graph, NodeEvent.FALL)
+
+
+def test_the_rest_is_no_object() -> None:
+    _, things = told("A ball knocks down two pins and misses the rest.")
+    assert not any("rest" in name for name in things)
