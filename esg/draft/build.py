@@ -220,7 +220,7 @@ class DocumentBuilder:
                 if wall is not None and wall in self.world.entities:
                     region = self._face_of(wall)
                 elif host is not None and host in self.world.entities:
-                    region = self._region(host, e.id in self.scene.inside_of)
+                    region = self._region(self._top_of_stack(host, e), e.id in self.scene.inside_of)
                 elif (road := self._road_under(e)) is not None:
                     region = self._region(road)
                 else:
@@ -235,6 +235,13 @@ class DocumentBuilder:
                 group_pattern=self._pattern(e),
                 is_static=(bool(fixed & e.noun.traits) or e.static) and not e.freed,
             )
+
+    def _top_of_stack(self, host: str, e: Entity) -> str:
+        """Of a stack its last member, which lies on top; others carry what they are said to."""
+        below = self.world.entities[host]
+        members = [x for x in self.world.entities.values() if x.group == below.group and x.in_group]
+        stacked = self._pattern(below) == "stack" and e not in members
+        return members[-1].id if stacked and members[0] is below else host
 
     def _road_under(self, e: Entity) -> str | None:
         """The road or lane that something waits on, if nothing of its plural takes part in events.

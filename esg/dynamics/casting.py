@@ -14,6 +14,7 @@ from esg.dynamics.bounces import let_go_sideways, lively_tops
 from esg.dynamics.containers import fit_containers, resized, with_assets
 from esg.dynamics.demands import passed_on, run_on_speed
 from esg.dynamics.fitting import fit_motion
+from esg.dynamics.loads import fit_loads
 from esg.dynamics.openings import fit_openings
 from esg.dynamics.stagecraft import climb_height, prop, support_of, top_surface
 from esg.dynamics.story import Phase, Story, bounds, read_story
@@ -56,6 +57,7 @@ def fit_assets(doc: EsgDocument) -> EsgDocument:
         The document; only `asset_configurations` may differ, who is thrown, and whether what is
         knocked over is fixed to the ground.
     """
+    doc = with_assets(doc, fit_loads(doc))
     if doc.timeline_system is None:
         return doc
     doc = let_go_sideways(_thrown(doc))

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 
+from esg.dynamics.stagecraft import support_of, top_surface
 from esg.dynamics.story import Story, bounds
 from esg.dynamics.throws import fallen, is_dropped
 from esg.graph.models import (
@@ -32,6 +33,8 @@ REBOUND = 0.7
 """Largest share of the container's depth that a bounce may reach."""
 DOUBT = 0.1
 """Restitution that is unsure: even with so much more nothing bounces out again."""
+BELOW_EDGE, LOWEST = 0.7, 0.3
+"""Height of a container over that of the edge above it, and its least share of the usual one."""
 USUAL_DROP_M = 1.0
 """Height from which things come down that nobody gave a height for."""
 
@@ -80,12 +83,21 @@ def fit_containers(doc: EsgDocument, story: Story) -> dict[str, AssetConfigurati
             if found is not None and not is_filled(hollow, found):
                 holder, mouth = hollow, found
                 out[keys[1]] = hollow
-        grow, shrink = _factors(doc, keys, body, mouth)
+        falls = comes_down(story, node, thing)
+        highest = _below_edge(doc, thing, owner) if falls else math.inf
+        if holder.dimensions_cm[2] > highest:
+            lower = _lowered(doc, keys[1], holder, highest)
+            found = next((r for r in lower.regions if r.name == mouth.name), None)
+            if found is not None:
+                holder, mouth = lower, found
+                out[keys[1]] = lower
+        most = min(LARGER, max(highest / holder.dimensions_cm[2], 1.0))
+        grow, shrink = _factors(doc, keys, body, mouth, most)
         if grow > 1.0:
             holder = out[keys[1]] = resized(doc, keys[1], holder, grow)
         if shrink < 1.0:
             body = out[keys[0]] = resized(doc, keys[0], body, shrink)
-        if not comes_down(story, node, thing):
+        if not falls:
             continue
         depth = 0.02 * mouth.half_extents_cm[2] * grow
         drop = max(_drop_height(story, node, thing), _comes_through(doc, story, node))
@@ -98,6 +110,37 @@ def fit_containers(doc: EsgDocument, story: Story) -> dict[str, AssetConfigurati
             dull = max(pair, DULLEST * body.restitution)
             out[keys[0]] = body.model_copy(update={"restitution": round(dull, 3)})
     return out
+
+
+def _below_edge(doc: EsgDocument, thing: str, owner: str) -> float:
+    """Greatest height [cm] of a container that stands below the edge off which its content comes.
+
+    What slides off a belt 80 cm high cannot end up in a bin of 95 cm. Infinite where nothing asks
+    for a low one, or the prompt gives its size.
+    """
+    edge = support_of(doc, thing)
+    key = doc.spatial_relation_graph.nodes[owner].asset_id
+    if edge is None or edge == owner or support_of(doc, owner) is not None:
+        return math.inf
+    if doc.asset_requirement[key].dimensions_are_prescribed:
+        return math.inf
+    return BELOW_EDGE * top_surface(doc, edge).center_cm[2]
+
+
+def _lowered(
+    doc: EsgDocument, key: str, config: AssetConfiguration, height: float
+) -> AssetConfiguration:
+    """The same container, lower: what is never broad and low (a dustbin) becomes an open box."""
+    length, width, _ = config.dimensions_cm
+    share = max(height / config.dimensions_cm[2], LOWEST)
+    size = (length, width, share * config.dimensions_cm[2])
+    low = resized(doc, key, config, share, dimensions=size)
+    if min(low.dimensions_cm[:2]) > SNUG * min(length, width):
+        return low
+    box = doc.asset_requirement[key].model_copy(
+        update={"asset_category": "open box", "asset_description": "open box"}
+    )
+    return resized(doc, key, config, share, box, dimensions=size)
 
 
 def is_filled(config: AssetConfiguration, mouth: NamedRegion) -> bool:
@@ -121,9 +164,13 @@ def _hollow(doc: EsgDocument, key: str, config: AssetConfiguration) -> AssetConf
 
 
 def _factors(
-    doc: EsgDocument, keys: tuple[str, str], body: AssetConfiguration, mouth: NamedRegion
+    doc: EsgDocument,
+    keys: tuple[str, str],
+    body: AssetConfiguration,
+    mouth: NamedRegion,
+    most: float = LARGER,
 ) -> tuple[float, float]:
-    """How much larger the container and smaller the thing must be, as far as they are open."""
+    """How much larger the container (`most` at most) and smaller the thing must be, where open."""
     room = 2.0 * min(mouth.half_extents_cm[:2])
     across = max(body.dimensions_cm[:2])
     missing = across / max(SNUG * room, 1e-6)
@@ -131,7 +178,7 @@ def _factors(
     if missing <= 1.0 or keys[0] == keys[1]:
         return grow, shrink
     if not doc.asset_requirement[keys[1]].dimensions_are_prescribed:
-        grow = min(missing, LARGER)
+        grow = min(missing, most)
     if not doc.asset_requirement[keys[0]].dimensions_are_prescribed:
         shrink = max(grow / missing, SMALLER)
     return grow, shrink
@@ -143,17 +190,24 @@ def resized(
     config: AssetConfiguration,
     factor: float,
     kind: AssetRequirement | None = None,
+    *,
+    dimensions: tuple[float, float, float] | None = None,
 ) -> AssetConfiguration:
-    """The same thing larger or smaller; its mass follows unless it is prescribed."""
+    """The same thing larger or smaller; its mass follows unless it is prescribed.
+
+    `dimensions` [cm] make it so long, wide and high where that kind of thing comes in such
+    proportions, else the factor must say how large.
+    """
     from esg.assets.stage import configure
 
     wanted = kind or doc.asset_requirement[key]
+    size = dimensions or tuple(factor * d for d in config.dimensions_cm)
     mass = config.mass_kg if wanted.mass_is_prescribed else factor**3 * config.mass_kg
     made = configure(
         key,
         wanted.model_copy(
             update={
-                "expected_dimensions_cm": tuple(factor * d for d in config.dimensions_cm),
+                "expected_dimensions_cm": size,
                 "expected_mass_kg": mass,
                 "dimensions_are_prescribed": True,
                 "mass_is_prescribed": True,
