@@ -74,6 +74,8 @@ def _partitive(elements: list[Element]) -> list[Element]:
         low = e.low if isinstance(e, Word) else ""
         of, one = (out[-1], out[-2]) if len(out) > 1 else (None, None)
         whole = low in ("which", "whom") and isinstance(of, Word) and of.low == "of"
+        if whole and isinstance(one, Word) and one.low in ("one", "both", "some"):
+            one = Mention(one.start, one.end, pronoun=one.low, text=one.low)
         if whole and isinstance(one, Mention) and one.pronoun:
             out[-2:] = [Word(one.start, one.start, "conj", "and"), one]
             continue

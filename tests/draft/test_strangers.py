@@ -165,7 +165,7 @@ def read(prompt: str) -> tuple[EsgDocument, list[tuple[Any, ...]]]:
         # of which, neither ... nor
         (
             "A cow bumps two barrels, one of which rolls into a goat.",
-            [("Collision", "cow_1", "barrel_1"), ("Collision", "barrel_2", "goat_1")],
+            [("Collision", "cow_1", "barrel_1"), ("Collision", "barrel_1", "goat_1")],
         ),
         (
             "Neither the tram nor the taxi stops, so they collide.",
