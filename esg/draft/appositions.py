@@ -17,6 +17,10 @@ _THINGS = frozenset(
      "variety", "version", "piece", "fellow", "creature", "machine", "vehicle", "animal", "object"}
 )  # fmt: skip
 """Heads of appositions that say nothing but what their adjectives do."""
+_ANYTHING = frozenset(
+    {"object", "thing", "item", "body", "toy", "shape", "prop", "participant", "element", "actor",
+     "solid", "character"}
+)  # fmt: skip
 _OF_SEVERAL = (" of the two", " of the three", " of the pair", " of the lot", " of them", " of all")
 _OPENS = ".;:!?\n—–-("
 _TOO = frozenset({"too", "as well", "likewise", "also"})
@@ -35,7 +39,11 @@ def appose(elements: list[Element]) -> list[Element]:
     i = 0
     while i < len(elements):
         e = elements[i]
-        used = _joined(elements, i, out) or _likewise(elements, i, out)
+        used = (
+            _named_one_by_one(elements, i, out)
+            or _joined(elements, i, out)
+            or _likewise(elements, i, out)
+        )
         used = used or _neither(elements, i, out)
         if used:
             i += used
@@ -47,6 +55,29 @@ def appose(elements: list[Element]) -> list[Element]:
         out.append(e)
         i += 1
     return out
+
+
+def _named_one_by_one(elements: list[Element], i: int, out: list[Element]) -> int:
+    """ "two objects: a car and a fence", "two balls, a red one and a blue one": what they are."""
+    all_, mark = elements[i], word_at(elements, i + 1)
+    if not isinstance(all_, Mention) or all_.head not in _ANYTHING or not all_.plural:
+        return 0
+    if mark is not None and mark.low == "here":  # "Two things are here, a car and a fence"
+        return 0
+    if mark is None or mark.low not in (":", ",", "—", "–", "-") or all_.pronoun:
+        return 0
+    named, k = 0, i + 2
+    while k < len(elements):
+        e = elements[k]
+        if isinstance(e, Mention) and e.determiner in ("a", "an", "one") and not e.pronoun:
+            named += 1
+        elif not (isinstance(e, Word) and (e.low == "," or e.kind == "conj")):
+            break
+        k += 1
+    if named < 2 or (all_.count is not None and all_.count != named):
+        return 0
+    out.append(Word(all_.start, mark.end, "adv", "indeed"))
+    return 2
 
 
 def _joined(elements: list[Element], i: int, out: list[Element]) -> int:

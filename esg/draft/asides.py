@@ -136,7 +136,9 @@ def _told_by_noun(elements: list[Element], i: int, out: list[Element]) -> int:
     thing = elements[i + 2] if i + 2 < len(elements) else None
     if link is None or not isinstance(thing, Mention) or thing.attribute or noun.noun is not None:
         return 0
-    if noun.head in _MEDIA and link.low == "of":
+    acts = elements[i + 3] if i + 3 < len(elements) else None
+    doing = isinstance(acts, Verb) and acts.form == "ing" and not acts.auxiliary
+    if noun.head in _MEDIA and (link.low == "of" or (link.low == "with" and doing)):
         out.append(Word(noun.start, link.end, "adv", "indeed"))
         return 2
     if noun.head not in _BLOWS or link.low not in ("of", "from", "by", "with"):

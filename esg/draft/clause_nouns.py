@@ -189,6 +189,8 @@ class ClauseNouns(ClauseWords):
         if not m.attribute or i < 2 or i + 1 >= len(els):
             return False
         owner, mark, value = els[i - 2], els[i - 1], els[i + 1]
+        if getattr(value, "low", "") in (":", "=", "of", "is") and i + 2 < len(els):
+            value = els[i + 2]  # "(mass: 5 kg)"
         if not (isinstance(owner, Mention) and isinstance(mark, Word) and isinstance(value, Word)):
             return False
         if mark.low not in "(,–—-" or value.amount is None or owner.pronoun or owner.attribute:

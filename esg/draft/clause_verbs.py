@@ -81,7 +81,7 @@ class ClauseVerbs(ClauseNouns):
             not s.boundary
             and previous.object is not None
             and s.last is previous.object
-            and v.form in ("base", "pp")
+            and (v.form in ("base", "pp") or (v.form == "past" and v.lemma in _UNCHANGED))
             and previous.verb.sense in ("cause", "noop")
         ):
             frame.subject = previous.object
@@ -330,6 +330,9 @@ class ClauseVerbs(ClauseNouns):
             it = previous.subject is not None and previous.subject.pronoun == "it"
             if it and previous.verb.lemma == "take" and previous.object is not None:
                 frame.subject = previous.object  # "it takes the tram 6 s to stop"
+            for_ = previous.phrase("for") if it and previous.verb.lemma == "take" else None
+            if for_ is not None:
+                frame.subject = for_.mention  # "it takes 2 s for a tram to stop"
             frame.link = "purpose"
             frame.parent = previous
             frame.verb.negated = frame.verb.negated or previous.verb.lemma in _FAILING

@@ -186,7 +186,8 @@ class ClauseWords:
         before = self.elements[i - 2] if i >= 2 else None
         subject = next((e for e in self.elements[i + 1 :] if getattr(e, "low", "") != ","), None)
         joined = isinstance(before, Word) and before.kind == "conj"
-        return joined and isinstance(subject, Mention)
+        now = isinstance(subject, Verb) and subject.form in ("s", "past") and not subject.auxiliary
+        return joined and (isinstance(subject, Mention) or now)  # "and after 2 s hits it"
 
     def _more_told(self, i: int) -> bool:
         """Whether a verb follows in the same clause."""

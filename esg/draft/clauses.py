@@ -113,7 +113,11 @@ class ClauseBuilder(ClauseVerbs):
     @staticmethod
     def _takes_time(f: Frame, following: list[Frame]) -> None:
         """ "needs 5 seconds to stop", "takes 2 s to reach the door": the time of what follows."""
-        if f.verb.lemma not in _TAKING or not following or following[0].link != "purpose":
+        it = f.subject is not None and f.subject.pronoun == "it"
+        until = it and following and following[0].subordinate in ("until", "till", "before")
+        if f.verb.lemma not in _TAKING or not following:
+            return
+        if following[0].link != "purpose" and not until:
             return
         last = following[0]
         for g in following[1:]:  # "takes 1.5 s to roll downhill and thump into a gate"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from esg.draft.elements import Element, Mention, Verb, Word
+from esg.draft.impacts import name_impacts
 from esg.draft.light_verbs import as_verb, blow_at
 
 _HITS = frozenset({"collision", "impact", "crash", "hit", "strike", "contact", "smash"})
@@ -39,7 +40,7 @@ def verbalize(elements: list[Element]) -> list[Element]:
         used = _referred_back(elements, i, out) or _between(elements, i, out)
         used = used or _avoided(elements, i, out) or _takes_place(elements, i, out)
         used = used or _compared(elements, i, out) or _after_a_blow(elements, i, out)
-        used = used or _there_is(elements, i, out)
+        used = used or _there_is(elements, i, out) or name_impacts(elements, i, out)
         if used:
             i += used
             continue

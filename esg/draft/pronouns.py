@@ -9,12 +9,17 @@ from esg.draft.persons import named_by_no_person
 from esg.draft.ranks import extreme, rank, same_quantity
 from esg.draft.registry import Registry
 
+_NEAR = 80
+"""Characters within which "former" and "latter" mean the same two things."""
 _WAYS = frozenset({"stairs", "ramp"})
 """What things move along."""
 
 
 class Pronouns(Registry):
     """Referents of phrases without a noun of their own."""
+
+    _two: tuple[int, list[str]] = (-1, [])
+    """Where "the former" or "the latter" was told last, and of which two things."""
 
     def _of_stack(self, m: Mention, names: list[Entity]) -> list[str]:
         raise NotImplementedError
@@ -104,10 +109,13 @@ class Pronouns(Registry):
             return recent
         if p in ("latter", "former"):
             two = list(dict.fromkeys(i for i in self.movers if i in self.entities))
+            if 0 <= m.start - self._two[0] < _NEAR:
+                two = self._two[1]  # "the former hits the latter"
             if len(two) < 2:
                 last = [i for ids in self.salience[-6:] for i in ids if i in self.entities]
                 solid = [i for i in last if "structural" not in self.entities[i].noun.traits]
                 two = list(dict.fromkeys(reversed(solid)))[:2][::-1]
+            self._two = (m.start, two)
             return two[-1:] if p == "latter" else two[:1]
         if p == "one" and m.determiner in ("this", "that") and not m.adjectives:
             for ids in reversed(self.salience):  # "hits the red ball and this one rolls away"
@@ -118,6 +126,13 @@ class Pronouns(Registry):
             told = [e.id for e in self.entities.values() if named and e.place == named]
             if named and told:
                 return told[-1:]  # "a third car hits the second"
+            if named and m.determiner == "the" and not self.groups and m.adjectives == [named]:
+                solid = [e.id for e in self.entities.values() if self._counts(e)]
+                pair = next((ids for ids in reversed(self.salience) if len(ids) == 2), solid)
+                solid = list(pair) if len(solid) != 2 else solid
+                placed = any(e.place in ORDINALS for e in self.entities.values())
+                if len(solid) == 2 and ORDINALS[named] < 2 and not placed:
+                    return [solid[ORDINALS[named]]]  # "a car and a fence. The first one hits"
             return self._one_of(m, avoid)
         # it, itself, this, that
         pools = [self.subjects, self.salience] if subject else [self.salience]
@@ -146,6 +161,12 @@ class Pronouns(Registry):
         """Whether "it" is no word for a person ("the child ... it" is one)."""
         e = self.entities[i]
         return e.noun.kind == "person" and e.head in ("person", "he", "she", "man", "woman")
+
+    @staticmethod
+    def _counts(e: Entity) -> bool:
+        """Whether it is a thing of its own, no ground, road or place."""
+        traits = e.noun.traits
+        return not ({"ground", "decal"} & traits) and ("structural" not in traits or e.mentioned)
 
     def _last_two_alike(self) -> list[str]:
         """The subjects of the clauses before, if they are of one kind ("and both brake")."""

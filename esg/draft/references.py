@@ -24,6 +24,7 @@ STATES = frozenset(
 )
 
 
+_SPEEDS = frozenset({"speed", "velocity", "pace"})
 _STACKING = frozenset({"stack", "pile", "heap"})
 _STACKS = frozenset({"stack", "pile", "heap", "tower", "pyramid"})
 
@@ -185,6 +186,14 @@ class References(Anaphora):
                 for mate in self.world.groups.get(self.e(i).group or "", []):
                     self.e(mate).pattern = "stack"
         speed = self.quantity(f, "speed")
+        s = f.subject
+        its = s is not None and s.attribute and s.head in _SPEEDS and s.possessor is None
+        its = its and s is not None and s.determiner in ("its", "his", "her")
+        if its and not subject and len(self._last_subject) == 1:
+            subject = list(self._last_subject)  # "Its speed is 3 m/s."
+        owned = f.verb.sense == "have" and f.object is not None and f.object.head in _SPEEDS
+        if owned and speed is not None and len(subject) == 1:
+            self.stated[subject[0]] = speed[1]  # "has a speed of 3 m/s and hits"
         if (
             f.verb.sense == "be"
             and f.subject is not None

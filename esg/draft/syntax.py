@@ -28,6 +28,7 @@ _TITLES = frozenset(
      "caption", "benchmark", "variant", "trial", "sequence", "storyboard", "demonstration", "event"}
 )  # fmt: skip
 """Last words of titles that have more than one ("Physics puzzle:")."""
+_ASKED = lex.DETERMINERS | {"you", "we", "i", "it", "they", "there"}
 _ASKING = frozenset({"can", "could", "will", "would", "may", "does", "did", "is", "are"})
 _BOUNDS = (
     ("at", "least"), ("at", "most"), ("no", "fewer", "than"), ("no", "more", "than"),
@@ -62,7 +63,9 @@ class Chunker(NounPhrases):
         used = self._heading(i)
         if used:
             return i + used
-        if low in _ASKING and self._previous() is None and self._low(i + 1) in lex.DETERMINERS:
+        previous = self._previous()
+        opens = previous is None or (isinstance(previous, Word) and previous.low in ".;!?\n")
+        if low in _ASKING and opens and self._low(i + 1) in _ASKED:
             self.elements.append(Word(token.start, token.end, "adv", "indeed"))
             return i + 1  # "Can a ball hit a box?"
         if token.kind == "qty":

@@ -9,6 +9,12 @@ from __future__ import annotations
 from esg.draft.elements import Element, Mention, Verb, Word
 from esg.draft.gaps import word_at
 
+_AIMS = frozenset(
+    {"goal", "idea", "aim", "point", "thing", "task", "plan", "story", "situation", "scenario",
+     "fact", "truth", "outcome", "result", "effect", "consequence", "upshot", "wish", "setup"}
+)  # fmt: skip
+"""What a prompt says of itself: "The goal is that a car hits a fence"."""
+_FILM = frozenset({"frame", "picture", "shot", "view", "scene", "image", "screen"})
 _RESULTS = frozenset({("lead", "to"), ("result", "in")})
 _THESE = frozenset({"this", "that", "the"})
 _REPORTING = frozenset(
@@ -30,7 +36,8 @@ def told_otherwise(elements: list[Element], i: int, out: list[Element]) -> int:
         How many elements they stand for; 0 if nothing is to change.
     """
     return (
-        _time_passes(elements, i, out)
+        _into_view(elements, i, out)
+        or _time_passes(elements, i, out)
         or _following_time(elements, i, out)
         or _reported(elements, i, out)
         or _leads_to(elements, i, out)
@@ -41,6 +48,30 @@ def told_otherwise(elements: list[Element], i: int, out: list[Element]) -> int:
 def _mention(elements: list[Element], i: int) -> Mention | None:
     e = elements[i] if 0 <= i < len(elements) else None
     return e if isinstance(e, Mention) else None
+
+
+def _into_view(elements: list[Element], i: int, out: list[Element]) -> int:
+    """ "enters the frame", "rolls into view": it comes, and enters nothing."""
+    verb, into = elements[i], word_at(elements, i + 1)
+    if not isinstance(verb, Verb) or verb.passive or verb.negated:
+        return 0
+    k = i + 1 if into is None else i + 2
+    seen = _mention(elements, k)
+    if seen is None or seen.head not in _FILM or seen.adjectives or seen.possessor is not None:
+        return 0
+    if seen.determiner not in ("the", "") or (into is not None and into.low not in ("into", "in")):
+        return 0
+    if into is None and verb.lemma not in ("enter", "leave", "exit", "cross"):
+        return 0
+    if into is not None and verb.sense not in ("own", "roll", "slide", "fly", "enter"):
+        return 0
+    if getattr(elements[k + 1] if k + 1 < len(elements) else None, "low", "") == "of":
+        return 0
+    if verb.sense not in ("roll", "slide", "fly"):
+        verb.lemma, verb.sense = "come", "own"
+    verb.end = seen.end
+    out.append(verb)
+    return k + 1 - i
 
 
 def _following_time(elements: list[Element], i: int, out: list[Element]) -> int:
@@ -57,6 +88,11 @@ def _reported(elements: list[Element], i: int, out: list[Element]) -> int:
     """ "I saw how", "My friend says that", "The clip shows how": a heading of what is told."""
     who, verb = _mention(elements, i), elements[i + 1] if i + 1 < len(elements) else None
     how = word_at(elements, i + 2)
+    aim = who is not None and who.head in _AIMS and isinstance(verb, Verb) and verb.sense == "be"
+    aim = aim and isinstance(verb, Verb) and not verb.negated
+    if aim and how is not None and how.low == "that" and (not out or _sentence_ends(out[-1])):
+        out.append(Word(elements[i].start, how.end, "adv", "heading"))
+        return 3
     if who is None or not isinstance(verb, Verb) or verb.lemma not in _REPORTING or how is None:
         return 0
     if verb.negated or verb.passive or (out and not _sentence_ends(out[-1])):
@@ -153,6 +189,7 @@ def _time_passes(elements: list[Element], i: int, out: list[Element]) -> int:
         "and",
         "before",
         "until",
+        "then",
     ):
         k += 1
     if k == i + 2 or not isinstance(elements[k] if k < len(elements) else None, Mention):

@@ -24,7 +24,7 @@ _SHORTENED = re.compile(
     r"(ll|re|ve|d(?=\s+(?:like|love|prefer|want|need|rather)\b))(?![\w'’])",
     re.IGNORECASE,
 )
-_TITLES = frozenset({"mr", "mrs", "ms", "dr", "prof", "capt", "sgt", "messrs"})
+_TITLES = frozenset({"mr", "mrs", "ms", "dr", "prof", "capt", "sgt", "messrs", "vs", "approx"})
 """What a full stop after it does not end ("Mr. Smith")."""
 _CONTRACTED = re.compile(
     r"(?:there|that(?!'s (?:how|why|where|when|what|the way))|he|she|here|who|what"

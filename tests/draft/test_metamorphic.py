@@ -118,6 +118,54 @@ def test_what_is_made_to_fall_is_what_was_hit(effect: str) -> None:
     ]
 
 
+@pytest.mark.parametrize(
+    "told",
+    [
+        "A car approaches a fence. A collision occurs.",
+        "A car approaches a fence. There is a collision.",
+        "A car approaches a fence, resulting in a collision.",
+        "A car approaches a fence; contact!",
+        "Crash of a car into a fence.",
+        "Simulate a collision between a car and a fence.",
+        "Please simulate the collision of a car with a fence.",
+        "The car and the fence come into contact.",
+        "A fence is involved in a collision with a car.",
+        "A fence receives a bump from a car.",
+        "Can you make a car hit a fence?",
+        "The goal is that a car hits a fence.",
+        "A scene with a car hitting a fence.",
+        "There are two objects: a car and a fence. The first one hits the second one.",
+        "Take a car and a fence. Let the former hit the latter.",
+        "A car enters the frame from the left and hits a fence.",
+        "It takes 2 s for a car to hit a fence.",
+        "It takes 2 s until a car hits a fence.",
+        "A car moves and after 2 s hits a fence.",
+        "2 s go by, then a car hits a fence.",
+        "A car has a speed of 3 m/s and hits a fence.",
+        "A car is set in motion at 3 m/s and hits a fence.",
+    ],
+)
+def test_a_collision_is_one_however_it_is_named(told: str) -> None:
+    doc = draft(told)
+    assert verify(doc) == ()
+    assert [(t[0], frozenset(t[1:])) for t in events(told)] == [
+        ("Collision", frozenset({"car_1", "fence_1"}))
+    ]
+    assert doc.timeline_system is not None
+    hit = next(n for n in doc.timeline_system.sequence_graph.nodes if n.event.value == "Collision")
+    assert hit.time_is_prescribed == ("2 s" in told)
+    speeds = [
+        e.params.speed for e in doc.timeline_system.sequence_graph.edges if e.actor == "car_1"
+    ]
+    assert ((300.0, 300.0) in speeds or 300.0 in speeds) == ("3 m/s" in told)
+
+
+def test_no_collision_is_told_by_its_noun_alone() -> None:
+    """A collision that is avoided, feared or of something else is none."""
+    assert events("A car avoids a collision with a bus.") == [("Miss", "car_1", "bus_1")]
+    assert events("A car drives toward a wall. There is no collision.") == []
+
+
 def test_the_former_is_the_first_of_two() -> None:
     assert events("A car rams a bin. The former then stops.") == [
         ("Collision", "car_1", "bin_1"),
