@@ -330,9 +330,8 @@ class ClauseVerbs(ClauseNouns):
             it = previous.subject is not None and previous.subject.pronoun == "it"
             if it and previous.verb.lemma == "take" and previous.object is not None:
                 frame.subject = previous.object  # "it takes the tram 6 s to stop"
-            for_ = previous.phrase("for") if it and previous.verb.lemma == "take" else None
-            if for_ is not None:
-                frame.subject = for_.mention  # "it takes 2 s for a tram to stop"
+            if it and previous.verb.lemma == "take" and (whom := previous.phrase("for")):
+                frame.subject = whom.mention  # "it takes 2 s for a tram to stop"
             frame.link = "purpose"
             frame.parent = previous
             frame.verb.negated = frame.verb.negated or previous.verb.lemma in _FAILING
