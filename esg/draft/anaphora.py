@@ -8,6 +8,7 @@ from esg.draft.frames import Frame
 from esg.draft.nominals import RETOLD_NOUNS
 from esg.draft.senses_motion import MotionSenses
 
+_ALONG = frozenset({"along", "through", "across", "over", "past", "down", "up", "around"})
 _DRIVEN = frozenset({"own", "hit", "roll", "slide", "fall", "topple", "fly", "enter", "reach"})
 """Senses of what "it" does in "hits X so hard that it ..."."""
 
@@ -83,6 +84,51 @@ class Anaphora(MotionSenses):
         same = f.subject is not None and f.subject is before and sentence == f.sentence
         if same and things[0] not in subject and things[0] in self.world.entities:
             self.world.resolved[id(m)] = m.entities = list(things)
+
+    def _it_is_no_way(self, f: Frame, subject: list[str]) -> None:
+        """ "A vase stands there. A cat walks along the sill and brushes against it": the vase."""
+        mentions = [f.object, *[p.mention for p in f.phrases]]
+        m = next((x for x in mentions if x is not None and x.pronoun == "it"), None)
+        before, ways = self._ways
+        self._ways = (f.sentence, ways if before == f.sentence else set())
+        if m is not None and id(m) not in self.world.resolved and ways and before == f.sentence:
+            found = self.world._pronoun(m, False, subject)  # pyright: ignore[reportPrivateUsage]
+            earlier = self._stood.get(f.sentence - 1, [])
+            if set(found) <= ways and earlier and not set(earlier) & {*subject, *ways}:
+                self.world.resolved[id(m)] = m.entities = list(earlier)
+        if not f.reduced and f.sentence not in self._stood:
+            thing = f.object.entities if f.object is not None and f.object.entities else subject
+            lone = len(thing) == 1 and self.kind(thing[0]) != "person"
+            self._stood[f.sentence] = list(thing) if lone and self.movable(thing[0]) else []
+
+    def _note_ways(self, f: Frame) -> None:
+        """Remembers what a clause goes along or through, which "it" rarely means."""
+        for p in f.phrases:
+            if p.prep in _ALONG and p.mention is not None and f.object is None:
+                self._ways[1].update(p.mention.entities)
+
+    def _it_of_the_main_clause(self, f: Frame) -> None:
+        """ "A barrel rolls off a cart after the cart hits a stone. It rolls on": the barrel."""
+        m = f.subject
+        main, last = self._mains.get(f.sentence - 1, ([], []))
+        if m is None or m.pronoun != "it" or id(m) in self.world.resolved:
+            return
+        if not f.start_of_sentence or len(main) != 1 or not last or last == main:
+            return
+        if f.verb.sense in ("fall", "topple") or main[0] not in self.world.entities:
+            return
+        if self.kind(main[0]) != "person" and self.movable(main[0]):
+            self.world.resolved[id(m)] = m.entities = list(main)
+
+    def _note_main(self, f: Frame, subject: list[str]) -> None:
+        """Remembers the subject of a sentence's main clause, and that of a clause after it."""
+        main = self._mains.get(f.sentence, ([], []))[0]
+        if not subject or f.reduced:
+            return
+        if f.subordinate in ("", "so"):
+            self._mains[f.sentence] = (list(subject), [])
+        elif main:
+            self._mains[f.sentence] = (main, list(subject))
 
     def _it_of_the_next(self, f: Frame, subject: list[str]) -> None:
         """ "The first truck stops, the second truck rams it": the first truck."""

@@ -27,6 +27,12 @@ class Core:
         self.aim: dict[str, str] = {}
         """Last thing an actor moves towards."""
         self.last_hit: tuple[str, str] | None = None
+        self._ways: tuple[int, set[str]] = (-1, set())
+        """A sentence, and what its clauses go along or through."""
+        self._stood: dict[int, list[str]] = {}
+        """What the first clause of a sentence is about: its lone object, else its subject."""
+        self._mains: dict[int, tuple[list[str], list[str]]] = {}
+        """Subject of a sentence's last main clause, and of a subordinate clause after it."""
         self.upon_it: set[int] = set()
         """Mentions of what another thing carries ("a cart with a box on it")."""
         self.mentions: list[Mention] = []

@@ -18,6 +18,10 @@ NEAR = re.compile(
 _IN_GROUP = re.compile(r"\b(?:almost|nearly)\b", re.IGNORECASE)
 _NEVER = re.compile(r"\bnever\s+(?:\w+ly\s+)?$", re.IGNORECASE)
 _ABOUT_TO = re.compile(r"\b(?:about|unable|too\s+\w+|reluctant|afraid)\s*$", re.IGNORECASE)
+_WAS_MEANT_TO = re.compile(
+    r"\b(?:was|were)\s+(?:only\s+|originally\s+|actually\s+)?(?:supposed|meant|intended)\s*$",
+    re.IGNORECASE,
+)
 _MEANT_TO = re.compile(r"\b(?:supposed|meant|expected|intended)\s*$", re.IGNORECASE)
 _BUT = re.compile(r"\b(?:but|yet|though|although|only to)\b|;\s*however\b", re.IGNORECASE)
 _TURNED_OUT = re.compile(
@@ -99,6 +103,8 @@ def _reason(f: Frame, earlier: list[Frame], later: list[Frame], text: str) -> st
         return "it is prevented"
     if f.verb.infinitive and _ABOUT_TO.search(before):
         return "about to: it does not happen yet"
+    if f.verb.infinitive and _WAS_MEANT_TO.search(before):
+        return "it was only meant to happen"
     if f.verb.infinitive and _MEANT_TO.search(before) and contrast:
         return "it was only meant to happen"
     if f.subordinate == "before" and _stopped_first(f, [*earlier[-1:], *later[:1]]):

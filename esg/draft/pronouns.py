@@ -144,6 +144,7 @@ class Pronouns(Registry):
                     if i not in avoid
                     and "structural" not in self.entities[i].noun.traits
                     and self.entities[i].noun.kind != "person"
+                    and self.entities[i].noun.name != "arm"
                     and (self.entities[i].noun.kind not in _WAYS or not self._anything_else(avoid))
                 ]
                 if len(ids) == 1 and fits:

@@ -130,6 +130,7 @@ class References(Anaphora):
             ):
                 self.world.resolved[id(m)] = m.entities = list(self._topic[1])
         self._it_again(f, subject)
+        self._it_is_no_way(f, subject)
         self._made_to(f)
         self._one_thrown_by_each(f, subject)
         self._it_is_the_target(f, subject)
@@ -215,6 +216,8 @@ class References(Anaphora):
                 self._subject_before, self._last_had_object = self._last_subject, self._acts_on
                 self._acts_on = False
             self._acts_on = self._acts_on or bool(objects)
+        self._note_ways(f)
+        self._note_main(f, subject)
         self._last_subject = subject or self._last_subject
         if f.verb.sense == "be" and subject:
             for word in f.adverbs:  # "the first car is red"
@@ -336,6 +339,7 @@ class References(Anaphora):
             and not any(e.noun.kind == "person" for e in self.world.entities.values())
         ):  # "The truck begins to brake and he stops"
             self.world.resolved[id(m)] = m.entities = list(self._last_subject)
+        self._it_of_the_main_clause(f)
         self._part_that_hits(f)
         dropped = f.verb.sense in ("miss", "hit", "land") and self._dropped
         if (

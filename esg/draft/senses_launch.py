@@ -120,7 +120,8 @@ class LaunchSenses(StateSenses):
             self._consequence(f, things)
             return
         bodily = [a for a in agents if self.kind(a) != "person"]
-        if bodily and f.verb.sense in ("launch",) and mode in ("slide", "roll"):
+        flung = f.verb.lemma == "kick" and "up" in f.adverbs  # "a pebble kicked up by a lorry"
+        if bodily and not flung and f.verb.sense == "launch" and mode in ("slide", "roll"):
             # a robot, car or ball that pushes something hits it
             self._kinematics(f, bodily, things)
             if not self._already_hit(f, bodily, things):

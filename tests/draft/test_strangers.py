@@ -205,6 +205,28 @@ def read(prompt: str) -> tuple[EsgDocument, list[tuple[Any, ...]]]:
         ),
         ("The ball comes back off the post.", [("Collision", "ball_1", "post_1")]),
         ("The cap blows off and lands on a dog.", [("Collision", "cap_1", "dog_1")]),
+        # it: not a way, not a part of the clause after the main one
+        (
+            "A jar is on the shelf. A cat walks along the wall and brushes against it.",
+            [("Collision", "cat_1", "jar_1")],
+        ),
+        (
+            "A barrel rolls off a cart after the cart hits a stone. It rolls into a fence.",
+            [
+                ("Collision", "cart_1", "stone_1"),
+                ("Fall", "barrel_1"),
+                ("Collision", "barrel_1", "fence_1"),
+            ],
+        ),
+        # what is kicked up is thrown, what was meant does not happen
+        (
+            "A pebble kicked up by a passing lorry strikes a coach.",
+            [("Collision", "pebble_1", "coach_1")],
+        ),
+        (
+            "A tyre was meant to stop at the hedge. It hits a van.",
+            [("Collision", "tyre_1", "van_1")],
+        ),
     ],
 )
 def test_the_right_things_meet(prompt: str, expected: list[tuple[Any, ...]]) -> None:
