@@ -246,5 +246,9 @@ _ENTRIES: tuple[tuple[tuple[str, ...], Literal["prep", "adv", "sub", "conj"], st
     (("half", "empty"), "adv", "indeed"),
     (("in", "motion"), "adv", "in motion"),
 )
-MULTIWORDS = tuple(sorted(_ENTRIES, key=lambda m: -len(m[0])))
-"""(words, kind, what they read as), the longest first, so that a part never hides the whole."""
+MULTIWORDS: dict[str, list[tuple[tuple[str, ...], Literal["prep", "adv", "sub", "conj"], str]]] = {}
+"""(words, kind, what they read as) by the first word, the longest first, so that a part never hides
+the whole.
+"""
+for _entry in sorted(_ENTRIES, key=lambda m: -len(m[0])):
+    MULTIWORDS.setdefault(_entry[0][0], []).append(_entry)

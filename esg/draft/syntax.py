@@ -241,7 +241,10 @@ class Chunker(NounPhrases):
 
     def _bounded_count(self, i: int) -> int:
         """Words that bound a count: "at least two pins fall"."""
+        first = self._low(i)
         for words in _BOUNDS:
+            if words[0] != first:
+                continue
             k = i + len(words)
             counted = self._tok(k)
             if counted is None or any(self._low(i + n) != w for n, w in enumerate(words)):
@@ -258,7 +261,7 @@ class Chunker(NounPhrases):
         return 0
 
     def _multiword(self, i: int) -> int:
-        for words, kind, low in MULTIWORDS:
+        for words, kind, low in MULTIWORDS.get(self._low(i), ()):
             if all(self._low(i + k) == w for k, w in enumerate(words)):
                 if words[0] in ("left", "right") and self._previous_is_turn():
                     continue
