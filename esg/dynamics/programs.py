@@ -13,7 +13,7 @@ from esg.dynamics.aim import aim_heading
 from esg.dynamics.cast import Cast
 from esg.dynamics.flights import flown_to
 from esg.dynamics.kinematics import ballistic_velocity, wrap_angle
-from esg.dynamics.stagecraft import support_of
+from esg.dynamics.stagecraft import stacked_with, support_of
 from esg.dynamics.story import REACH_BRAKE_DAMPING, Phase, turn_of
 from esg.engines.program import AdjustProperties, HoldVelocity, Primitive, SetVelocity
 from esg.engines.scene import Body
@@ -43,10 +43,11 @@ class Composer(Cast):
             fall, support = phases[0].end, support_of(self.doc, actor)
             if support is None or fall.event is not NodeEvent.FALL:
                 continue
+            under = {support, *stacked_with(self.doc, support)}
             before = nodes[: next(k for k, n in enumerate(nodes) if n.id == fall.id)]
             for node in before:
                 told = self.nominal.get(f"{node.id}/event_time")
-                hit = node.event is NodeEvent.COLLISION and support in node.participants
+                hit = node.event is NodeEvent.COLLISION and under & set(node.participants)
                 if hit and told is not None and actor not in node.participants:
                     out[actor] = told + SHAKEN_S
                     break

@@ -209,6 +209,15 @@ def support_of(doc: EsgDocument, name: str) -> str | None:
     return None if config is None or not config.proxies else parent
 
 
+def stacked_with(doc: EsgDocument, name: str) -> list[str]:
+    """The members of the stack that a node belongs to; none if it lies in no stack."""
+    nodes = doc.spatial_relation_graph.nodes
+    group = nodes[name].group
+    if group is None or nodes[name].group_pattern != "stack":
+        return []
+    return [n for n, v in nodes.items() if v.group == group]
+
+
 def top_surface(doc: EsgDocument, name: str) -> SupportSurface:
     """The highest surface things stand on; of a body that names none, the middle of its top."""
     config = doc.asset_configurations[doc.spatial_relation_graph.nodes[name].asset_id]

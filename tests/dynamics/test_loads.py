@@ -6,7 +6,10 @@ import pytest
 
 from esg.assets import resolve
 from esg.draft import draft
-from esg.dynamics import fit_assets, start_hints
+from esg.dynamics import build_scene, fit_assets, start_hints
+from esg.dynamics.choreography import choreograph
+from esg.dynamics.plan import make_plan
+from esg.engines.program import SetVelocity
 from esg.graph.models import AssetConfiguration, EsgDocument
 from esg.layout import solve
 
@@ -73,3 +76,14 @@ def test_what_stands_on_a_stack_stands_on_its_top() -> None:
     height = [placed.poses[n].position_cm[2] for n in (*stack, "bucket_1")]
     assert height == sorted(height)
     assert len(set(height)) == len(height)
+
+
+def test_what_falls_off_a_stack_waits_until_the_stack_is_hit() -> None:
+    """Whichever member is hit, the bucket on top sets off after that."""
+    _, doc = _cast("A forklift hits a stack of pallets and a bucket standing on top of it falls.")
+    doc = solve(doc, hints=start_hints(doc))
+    plan = make_plan(doc, build_scene(doc), seed=0)
+    hit = choreograph(doc).nominal["forklift_1_pallet_1_collision/event_time"]
+    pushes = [p for p in plan.compile(plan.initial()).primitives if p.body == "bucket_1"]
+    assert isinstance(pushes[0], SetVelocity)
+    assert pushes[0].time > hit
