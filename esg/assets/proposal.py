@@ -16,7 +16,8 @@ SIZED = re.compile(
     re.IGNORECASE,
 )
 """Words that make a thing larger or smaller than it usually is."""
-TOY = re.compile(r"\b(toy|model|miniature)\b", re.IGNORECASE)
+TOY = re.compile(r"\b(toy|miniature|scale model|model(?=\s+[a-z]{3,}))\b", re.IGNORECASE)
+"""Words that make a toy: "model car", not "fashion model" or "Model T"."""
 """A toy of something has the size and mass that are expected of it, however large the thing is."""
 _STRETCH = (0.04, 25.0)
 """Range for another noun that the entry stands for (a pebble for a rock)."""

@@ -168,6 +168,9 @@ class Acts(Motions):
             if not goal and self.kind(actor) in ("ball", "sliding"):
                 posts = any(self.e(i).head.split()[-1] in _GOALMOUTH for i in named if i in known)
                 goal = self._implied_goal(actor) if posts else ""
+            table = self.world.billiards or any(e.noun.kind == "billiard" for e in known.values())
+            if not goal and table and self.kind(actor) in ("billiard", "ball"):
+                self._read_as("pocket", f, [], [actor])  # "goes in off the cushion"
             if goal and (self._enterable(goal) or self._holds(goal)):
                 self._ensure_mover(f, actor, goal)
                 self.enter(f, actor, goal, None, time)
@@ -228,7 +231,7 @@ class Acts(Motions):
         if self.structural(other):
             return
         visits = f.verb.lemma in _VISITING and self.e(other).head.split()[-1] in _PLACES
-        if visits and self.kind(actor) in SELF_POWERED:
+        if visits and p.prep != "through" and self.kind(actor) in SELF_POWERED:
             self.pending[actor] = (NodeEvent.REACH, f, other, time)  # "comes into the station"
             return
         barrier = noun.kind in ("wall", "street") or noun.name in ("hedge", "bush")

@@ -27,6 +27,9 @@ def factor_of(match: re.Match[str]) -> float:
         value = parse_number(word.removesuffix("times").strip())
         return value if isinstance(value, float) and value > 0.0 else 1.0
     if word.endswith(" of"):
+        percent = re.match(r"\d+(?=\s*(?:%|per))", word)
+        if percent is not None:
+            return 0.01 * float(percent.group())
         share = parse_number(f"{word} a")
         return share if isinstance(share, float) and share > 0.0 else 1.0
     if word:
@@ -79,8 +82,8 @@ def _nearest(mentions: list[Mention], scene: Scene, at: int, *, before: bool) ->
 
 _OWN = re.compile(
     r"\b(?:at|with|doing|does)\s+(?:only\s+|about\s+|just\s+)?"
-    r"(?P<word>half|twice|double|(?:\w+|\d+(?:\.\d+)?)\s+times|a\s+(?:third|quarter)\s+of"
-    r"|(?:two|three)\s+(?:thirds|quarters)\s+of)\s+(?:its|their|his|her|this|that|the)\s+"
+    r"(?P<word>half|twice|double|(?:\w+|\d+(?:\.\d+)?)\s+times|\d+\s*(?:%|per\s*cent)\s+of"
+    r"|(?:an?|one|two|three|four)\s+(?:third|quarter|fifth|tenth)s?\s+of)\s+(?:its|their|his|her|this|that|the)\s+"
     r"(?:\w+'s\s+)?(?:speed|velocity|pace)\b(?P<of>\s+of\b)?",
     re.IGNORECASE,
 )
@@ -139,8 +142,12 @@ def _shares_of_speed(text: str, mentions: list[Mention], scene: Scene) -> None:
     """ "the blue one at half its speed": a share of the speed of what was told before."""
     for match in _OWN.finditer(text):
         left = _nearest(mentions, scene, match.start(), before=True)
-        if left is None or scene.timeline.stated_speed(left.id) is not None:
+        if left is not None and match["of"] and scene.timeline.stated_speed(left.id) is not None:
+            of = _nearest(mentions, scene, match.end(), before=False)
+            left = _mover(mentions, scene, match.start(), {of.id}) if of is not None else None
+        if left is None:
             continue
+        own = scene.timeline.stated_speed(left.id)
         if match["of"]:
             right = _nearest(mentions, scene, match.end(), before=False)
         else:
@@ -153,9 +160,11 @@ def _shares_of_speed(text: str, mentions: list[Mention], scene: Scene) -> None:
             ]
             right = scene.world.entities.get(others[0]) if others else None
         known = scene.timeline.stated_speed(right.id) if right is not None else None
-        if known is None:
+        if known is None or own not in (None, known):  # the same: taken over with the verb
             continue
         low, high = known if isinstance(known, tuple) else (known, known)
         ratio = factor_of(match)
         a, b = ratio * low, ratio * high
-        scene.timeline.set_speed(left.id, a if a == b else (a, b), prescribed=True)
+        value = a if a == b else (a, b)
+        if not scene.timeline.leaves_hit_at(left.id, value):
+            scene.timeline.set_speed(left.id, value, prescribed=True)

@@ -16,7 +16,7 @@ _TALL_CM = 50.0
 
 _IN_THE_AIR = frozenset({"fly", "soar", "cruise", "glide", "flutter", "swoop", "hover", "dive"})
 _ON_WHEELS = frozenset({"taxi", "roll", "drive", "skid", "slide", "park", "coast"})
-_WITH_OFF = frozenset({"drive", "pull", "take", "move", "head", "ride", "walk", "set"})
+_WITH_OFF = frozenset({"drive", "pull", "take", "move", "head", "ride", "walk", "set", "go"})
 """Verbs that say that something sets off only with "off", "away" or "out"."""
 _WINGED = frozenset({"bee", "butterfly", "fly", "beetle", "dragonfly", "wasp", "moth", "bat"})
 
@@ -108,7 +108,7 @@ class Motions(Leftovers):
         begins = f.verb.lemma in SETS_OFF or f.verb.extra.get("start")
         if f.verb.lemma in _WITH_OFF:  # not "after 3 s a car drives into a wall"
             words = {*self.text[f.verb.start : f.verb.end].lower().split(), *f.adverbs}
-            begins = bool(words & {"off", "away", "out"})
+            begins = bool(words & {"off", "away", "out", "again", "on"})
         met = f.phrase("into", "against", "onto") is not None
         time = self._time(f) if begins and not met else None
         for actor in actors:

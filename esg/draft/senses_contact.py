@@ -51,6 +51,8 @@ class ContactSenses(FallSenses):
             o = [i for i in o if i not in s]
         if f.verb.passive and f.verb.lemma == "stick" and o and f.phrase("by") is None:
             f.verb.passive = False  # "gets stuck in a bush"
+        if f.verb.passive and self._caught(f, s):
+            return
         if f.verb.passive:
             by = f.phrase("by")
             by = by or f.phrase("with")
@@ -190,6 +192,24 @@ class ContactSenses(FallSenses):
         told = p.mention.amounts if p.mention is not None and p.mention.attribute else []
         found = [a for a in [*told, *([p.amount] if p.amount else [])] if a.dimension == "speed"]
         return found[0] if found and not found[0].shares else None
+
+    def _caught(self, f: Frame, s: list[str]) -> bool:
+        """ "is squeezed between it and the wall", "is pinned against a wall by a car"."""
+        between, against = f.phrase("between"), f.phrase("against")
+        p = between or against
+        if p is None or p.mention is None or len(s) != 1:
+            return False
+        others = [i for i in p.mention.entities if i != s[0]]
+        by = f.phrase("by")
+        if between is None:
+            others = [*(by.mention.entities if by and by.mention else []), *others]
+        movers = [i for i in others if self.movable(i) and self.kind(i) in SELF_POWERED]
+        moving = [i for i in movers if i in self.tl.tracks] or movers
+        if len(others) != 2 or not moving:
+            return False
+        self._hit(f, moving[:1], s, self._time(f))
+        self._hit(f, s, [i for i in others if i != moving[0]])
+        return True
 
     @staticmethod
     def _meets_with(f: Frame, p: Phrase) -> bool:

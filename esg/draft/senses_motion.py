@@ -15,6 +15,8 @@ class MotionSenses(SteerSenses):
         if s and o and self.kind(s[0]) == "person" and self.kind(o[0]) in STRUCK:
             self._launch_by(f, s, o)  # "the batsman drives the ball past the bowler"
             return
+        if f.verb.passive and f.verb.lemma in ("squeeze", "crush", "press") and self._caught(f, s):
+            return
         by = f.phrase("by")
         actors = list(s)
         if f.verb.passive and by is not None:

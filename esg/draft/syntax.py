@@ -149,6 +149,9 @@ class Chunker(NounPhrases):
         j = self._noun_phrase(i)
         if j is not None:
             return j
+        if low == "in" and self._low(i + 1) == "off":
+            self.elements.append(Word(token.start, token.end, "adv", "in"))
+            return i + 1  # "goes in off the cushion"
         if low in lex.PREPOSITIONS or low in lex.SUBORDINATORS:
             self.elements.append(Word(token.start, token.end, "prep", low))
             return i + 1

@@ -299,6 +299,19 @@ class TimelineBuilder:
         if track is not None and track.motion is not None and track.motion.mode != "coast":
             track.motion.speed, track.motion.prescribed = speed, prescribed
 
+    def leaves_hit_at(self, actor: str, speed: Quantity) -> bool:
+        """Prescribes the speed of a passive body after its last hit; False if there is none."""
+        track = self.tracks.get(actor)
+        if track is None or track.role is not Role.PASSIVE:
+            return False
+        for node in reversed(self.nodes):
+            if node.event is NodeEvent.COLLISION and actor in node.participants[1:]:
+                node.constraints.append(
+                    EventConstraint(quantity="speed_after", object=actor, value=speed)
+                )
+                return True
+        return False
+
     def forget_duration(self, node_id: str) -> None:
         """Leaves open how long the segments up to an event last."""
         for k, e in enumerate(self.edges):

@@ -7,7 +7,7 @@ import re
 from typing import Any
 
 from esg.draft.elements import Token
-from esg.draft.quantities import find_amounts
+from esg.draft.quantities import Amount, find_amounts
 from esg.draft.shares import joined
 
 _WORD = re.compile(
@@ -35,10 +35,26 @@ _CONTRACTED = re.compile(
 """What "'s" means "is" after ("it's" also where "its" is meant)."""
 
 
+_SHARE = re.compile(
+    r"\b(?:at|with|doing|does)\s+(?:only\s+|about\s+|just\s+|roughly\s+)?"
+    r"(?:half|twice|double|(?:\w+|\d+(?:\.\d+)?)\s+times|\d+\s*(?:%|per\s*cent)\s+of"
+    r"|(?:an?|one|two|three|four)\s+(?:half|halves|third|quarter|fifth|tenth)s?\s+of)\s+"
+    r"(?:its|their|his|her|this|that|the)\s+(?:\w+['’]s\s+)?"
+    r"(?:(?:own|initial|original|former|previous|first|starting)\s+)?(?:speed|velocity|pace)\b"
+    r"(?:\s+(?:it|they|he|she)\s+had(?:\s+before)?)?",
+    re.IGNORECASE,
+)
+""" "at two thirds of its speed": how fast, in terms of another speed, and no object."""
+
+
 def is_name(token: Token, *, after_noun: bool) -> bool:
     """Whether a token names one of several alike: "R1", "#5"; after a noun a bare number too."""
     pattern = r"#?\d{1,3}|[A-Z]\d{1,2}" if after_noun else r"#\d+|[A-Z]\d{1,2}"
     return token.kind in ("word", "number") and re.fullmatch(pattern, token.text) is not None
+
+
+def _start(span: Amount | re.Match[str]) -> int:
+    return span.start() if isinstance(span, re.Match) else span.start
 
 
 def tokenize(text: str, tags: list[tuple[int, str]] | None = None) -> list[Token]:
@@ -91,7 +107,18 @@ def tokenize(text: str, tags: list[tuple[int, str]] | None = None) -> list[Token
             else:
                 out.append(Token(word, m.start(), m.end(), "punct"))
 
-    for amount in amounts:
+    shares = [
+        m
+        for m in _SHARE.finditer(text)
+        if not any(m.start() < a.end and a.start < m.end() for a in amounts)
+    ]
+    for span in sorted([*amounts, *shares], key=_start):
+        if isinstance(span, re.Match):
+            words(cursor, span.start())
+            out.append(Token("quickly", span.start(), span.end(), "word"))
+            cursor = span.end()
+            continue
+        amount = span
         words(cursor, amount.start)
         out.append(Token(amount.text, amount.start, amount.end, "qty", amount))
         cursor = amount.end

@@ -1,0 +1,122 @@
+"""Shares of a speed, things caught between two others, balls that go in off something, makes of cars."""
+
+from __future__ import annotations
+
+import pytest
+
+from esg.assets.proposal import is_toy
+from esg.draft import draft
+from esg.graph import verify
+from esg.graph.models import EsgDocument, NodeEvent, TimelineEdge
+
+
+def drafted(prompt: str) -> EsgDocument:
+    doc = draft(prompt)
+    assert not verify(doc)
+    return doc
+
+
+def points(doc: EsgDocument) -> list[tuple[str, ...]]:
+    assert doc.timeline_system is not None
+    graph = doc.timeline_system.sequence_graph
+    skip = (NodeEvent.SCENE_START, NodeEvent.TRIGGER)
+    return [(n.event.value, *n.participants) for n in graph.nodes if n.event not in skip]
+
+
+def drives(doc: EsgDocument, actor: str) -> list[TimelineEdge]:
+    assert doc.timeline_system is not None
+    return [e for e in doc.timeline_system.sequence_graph.edges if e.actor == actor]
+
+
+@pytest.mark.parametrize(
+    ("share", "speed"),
+    [
+        ("a quarter of the speed of puck A", 75.0),
+        ("two thirds of its speed", 200.0),
+        ("half the speed of puck A", 150.0),
+        ("20% of its speed", 60.0),
+    ],
+)
+def test_a_share_of_a_speed_after_a_hit_is_no_object_and_no_fall(share: str, speed: float) -> None:
+    doc = drafted(f"Puck A moves at 3 m/s and hits puck B, which slides off at {share}.")
+    assert points(doc) == [("Collision", "puck_a", "puck_b")]
+    assert set(doc.spatial_relation_graph.nodes) == {"ground_1", "puck_a", "puck_b"}
+    assert doc.timeline_system is not None
+    (hit,) = [n for n in doc.timeline_system.sequence_graph.nodes if len(n.participants) == 2]
+    (after,) = hit.constraints
+    assert (after.quantity, after.object) == ("speed_after", "puck_b")
+    assert after.value == pytest.approx(speed)
+
+
+def test_a_share_of_another_speed_is_the_movers() -> None:
+    doc = drafted("A truck drives at 5 m/s. A car overtakes it at twice the speed of the truck.")
+    assert drives(doc, "car_1")[0].params.speed == 1000.0
+    assert drives(doc, "truck_1")[0].params.speed == 500.0
+    doc = drafted("A blue car drives at 10 m/s, a red car at half that speed.")
+    assert drives(doc, "red_car_1")[0].params.speed == 500.0
+
+
+@pytest.mark.parametrize(
+    ("prompt", "mover", "body", "other"),
+    [
+        ("A van reverses and a box is squeezed between it and a wall.", "van_1", "box_1", "wall_1"),
+        ("A bicycle is pinned against a wall by a car.", "car_1", "bicycle_1", "wall_1"),
+        ("A car is pinned between two trucks.", "truck_1", "car_1", "truck_2"),
+        (
+            "A forklift moves, and a pallet is crushed between the forklift and a shelf.",
+            "forklift_1", "pallet_1", "shelf_1",
+        ),
+    ],
+)  # fmt: skip
+def test_what_is_caught_between_two_things_is_hit_and_hits(
+    prompt: str, mover: str, body: str, other: str
+) -> None:
+    assert points(drafted(prompt)) == [("Collision", mover, body), ("Collision", body, other)]
+
+
+def test_a_ball_goes_in_off_what_it_touches() -> None:
+    assert points(drafted("A ball hits the post and goes in off the goalkeeper.")) == [
+        ("Collision", "ball_1", "post_1"),
+        ("Collision", "ball_1", "goalkeeper_1"),
+        ("EnterRegion", "ball_1"),
+    ]
+    off_cushion = drafted("The cue ball hits the red ball, which goes in off the cushion.")
+    assert points(off_cushion)[1:] == [("EnterRegion", "red_ball_1")]
+
+
+def test_a_tunnel_stands_there_and_is_no_arrival_where_one_drives_through() -> None:
+    doc = drafted("A train drives through a tunnel and hits a cow.")
+    assert "tunnel_1" in doc.spatial_relation_graph.nodes
+    assert points(doc) == [("Collision", "train_1", "cow_1")]
+
+
+def test_splitting_things_is_hitting_them() -> None:
+    doc = drafted("The cue ball splits the pair of red balls.")
+    assert points(doc) == [("Collision", "cue_ball_1", "red_ball_1")]
+
+
+def test_models_of_cars_and_fashion_models_are_full_sized() -> None:
+    for prompt, name, side in (
+        ("A Model T hits a wall.", "model_t_1", 0),
+        ("A fashion model walks into a chair.", "fashion_model_1", 2),
+    ):
+        doc = drafted(prompt)
+        key = doc.spatial_relation_graph.nodes[name].asset_id
+        assert doc.asset_requirement[key].expected_dimensions_cm[side] > 150.0
+        assert not is_toy(doc.asset_requirement[key])
+    doc = drafted("A model airplane hits a tree.")
+    key = doc.spatial_relation_graph.nodes["airplane_1"].asset_id
+    assert is_toy(doc.asset_requirement[key])
+
+
+def test_moving_again_after_a_time_follows_a_pause() -> None:
+    doc = drafted("A bus drives, stops, and after 2 s moves again and hits a bin.")
+    assert doc.timeline_system is not None
+    waited = [
+        c.value
+        for n in doc.timeline_system.sequence_graph.nodes
+        if n.event is NodeEvent.TRIGGER
+        for c in n.constraints
+        if c.quantity == "time_since"
+    ]
+    assert waited == [2.0]
