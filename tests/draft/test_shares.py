@@ -235,3 +235,13 @@ def test_a_clause_goes_on_after_its_participle() -> None:
 def test_another_one_is_a_thing_and_what_follows_a_verb() -> None:
     prompt = "A domino 5 cm in front of another one tips over and hits it."
     assert _events(prompt) == [("Topple", "domino_1"), ("Collision", "domino_1", "domino_2")]
+
+
+def test_what_is_launched_late_rests_until_then() -> None:
+    timeline = draft("At t = 1 s a ball starts rolling; at t = 3 s it hits a cube.").timeline_system
+    assert timeline is not None
+    times = [(n.event.value, n.timestamp) for n in timeline.sequence_graph.nodes[1:]]
+    assert times == [("Trigger", 1.0), ("Collision", 3.0)]
+    speeds = [e.params.speed for e in timeline.sequence_graph.edges if e.params]
+    assert speeds[0] == 0.0
+    assert speeds[1] != 0.0
