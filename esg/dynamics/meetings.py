@@ -6,7 +6,7 @@ import math
 
 from esg.dynamics.bounces import bounce_on
 from esg.dynamics.caroms import carom, is_carom
-from esg.dynamics.demands import demanded, felt_speed, gentlest
+from esg.dynamics.demands import demanded, felt_speed, gentlest, passed_on
 from esg.dynamics.encounters import brake_into, covers, meeting, run_into, waits_at_obstacle
 from esg.dynamics.falls import can_land, land, tip_onto
 from esg.dynamics.flights import bank, banked_into, flies_on, leaves, took_off
@@ -35,6 +35,8 @@ from esg.dynamics.throws import (
     is_dropped,
     is_lobbed,
     level_height,
+    putts,
+    sends_on,
     slowest_passage,
 )
 from esg.dynamics.tipping import topple_speed
@@ -53,6 +55,8 @@ SLID = 0.55
 """Share of its speed with which something slid along the ground arrives."""
 CHAINED = 0.6
 """Share of the usual impulse and run-up of a ball that starts a chain of balls."""
+PUTT_MPS, PUTT_NS = 2.0, 0.15
+"""Speed that a swing gives to a ball that shall roll into something, and the least impulse."""
 LONG_CHAIN = 4
 """Number of hits of a chain of balls from which on it goes as gently as its last hit allows."""
 STANDSTILL_MPS, CRAWL_MPS = 0.5, 0.05
@@ -66,7 +70,10 @@ FRESH = 0.8
 FLIGHT_S, LONGEST_THROW_M = 0.3, 12.0
 """Usual flight time of a throw at something, and its longest way."""
 LEVEL_S, LEAST_LEVEL_M = 0.2, 0.15
-"""Flight time and least way of a throw of stated speed that shall knock something over."""
+"""Flight time and least way of a throw of stated speed that shall knock something over, and of one
+that shall send something on."""
+MIDDLE = 0.5
+"""Share of its height at which something is hit that is sent on."""
 TAKE_OFF = math.tan(math.radians(30.0))
 """Slope at which what drives takes off."""
 
@@ -188,6 +195,8 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
     if again and not phase.edge.speed_is_prescribed:
         # Gently: the next one is to find it.
         speed = max(least, needed, GENTLE * speed)
+    if putts(stage, node, a, b) and not phase.edge.speed_is_prescribed:
+        speed = min(speed, max(PUTT_MPS, PUTT_NS / pb.mass) / passed_on(pa, pb))
     asked = asked_distance(stage, node, a) if node.event not in GAPPED else None
     if asked is not None and not speed_is_fixed(phase):
         speed = asked / max(0.15, prescribed - track.time) if prescribed is not None else speed
@@ -225,7 +234,7 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
             speed = min(speed, max(slowest_passage(stage, node) / STAY_S, 0.3))
         if flies and not lobbed and stage.anchor is None:
             run = max(run, min(FLIGHT_S * speed, LONGEST_THROW_M))
-            if topples and speed_is_fixed(phase):
+            if (topples and speed_is_fixed(phase)) or sends_on(stage, node, b):
                 run = max(LEVEL_S * speed, LEAST_LEVEL_M)
         if prescribed is not None:
             duration = max(0.15, prescribed - track.time)
@@ -269,6 +278,8 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
         stage.heights[a] = hand_height(stage, node, b, pa, pb)
         if topples and speed_is_fixed(phase) and support_of(stage.doc, stage.member(b)) is None:
             stage.heights[a] = level_height(pb, pa, duration)
+        elif sends_on(stage, node, b):
+            stage.heights[a] = level_height(pb, pa, duration, MIDDLE)
         stage.nominal[f"{phase.edge.id}/flight_time"] = duration
         took_off(stage, a, phase, track.time)
     join(stage, a, b, node)

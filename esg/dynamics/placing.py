@@ -15,6 +15,7 @@ from esg.dynamics.solid import beside_the_middle
 from esg.dynamics.stage import Stage
 from esg.dynamics.stagecraft import Prop, coasting_drag, support_of, target_yaw
 from esg.dynamics.story import REACH_BRAKE_DAMPING, bounds
+from esg.dynamics.throws import is_swung
 from esg.graph.models import EsgDocument, NodeEvent, RegionType, TimelineNode
 
 
@@ -74,7 +75,8 @@ def join(stage: Stage, a: str, b: str, node: TimelineNode, gap: float = 0.0) -> 
         end = (bx - reach * math.cos(heading), by - reach * math.sin(heading))
         stage.frames[a] = frame_mapping((track.x, track.y), track.heading, end, heading)
     x, y = stage.frames[a].apply(0.0, 0.0)
-    stage.places[a] = (x, y, stage.frames[a].angle + stage.reverse_yaw(a))
+    turned = math.pi / 2 if is_swung(stage, node, a, b) else stage.reverse_yaw(a)
+    stage.places[a] = (x, y, stage.frames[a].angle + turned)
 
 
 def _was_struck(stage: Stage, node: TimelineNode, b: str) -> bool:

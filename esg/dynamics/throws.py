@@ -20,17 +20,59 @@ LOW_DROP_M = 0.2
 """What is dropped from a height starts at least this far above its target."""
 SHORTEST_FALL_S, LONGEST_FALL_S = 0.2, 2.0
 """Of a drop whose height is open."""
+LOW_M = 0.6
+"""What is lower is hit from above by a hand's throw."""
+SWUNG = 3.0
+"""Length over width and height from which on something is swung."""
 TOSS_M = 0.35
 """Height over a low container from which something is tossed into it."""
 
 
-def level_height(target: Prop, thrown: Prop, duration: float) -> float:
+def level_height(target: Prop, thrown: Prop, duration: float, share: float = FLIES_AT) -> float:
     """Height [m] of the bottom at release of what, let go level, hits a body well above its middle.
 
     A slow throw that comes from higher up falls onto its target instead of knocking it over.
+
+    Args:
+        target: What is hit.
+        thrown: What hits it.
+        duration: Of the flight [s].
+        share: Of its height at which the target is hit.
     """
     drop = 0.5 * GRAVITY_MPS2 * duration * duration
-    return max(FLIES_AT * target.height + drop - 0.5 * thrown.height, 0.05)
+    return max(share * target.height + drop - 0.5 * thrown.height, 0.05)
+
+
+def sends_on(stage: Stage, node: TimelineNode, b: str) -> bool:
+    """Whether something low on the ground shall go on to the next thing after being thrown at.
+
+    From above it would be pressed to the ground instead.
+    """
+    body = stage.prop(b)
+    if node.event is not NodeEvent.COLLISION or b in stage.tracks or body.fixed:
+        return False
+    if body.height > LOW_M or support_of(stage.doc, stage.member(b)) is not None:
+        return False
+    return any(
+        n.event in (NodeEvent.COLLISION, NodeEvent.ENTER_REGION)
+        and b in map(stage.key, n.participants)
+        for n in stage.story.after(node.id)
+    )
+
+
+def is_swung(stage: Stage, node: TimelineNode, a: str, b: str) -> bool:
+    """Whether something long comes broadside to what it sends on: a bat or a club meets a ball."""
+    body = stage.prop(a)
+    long = body.length > SWUNG * max(body.width, body.height) and not body.wheeled
+    return long and stage.story.flies(a) and sends_on(stage, node, b)
+
+
+def putts(stage: Stage, node: TimelineNode, a: str, b: str) -> bool:
+    """Whether a sends a ball into something by flying at it: gently, or it jumps over."""
+    if not stage.prop(b).rolls or not (stage.story.flies(a) and sends_on(stage, node, b)):
+        return False
+    on = [n for n in stage.story.after(node.id) if b in map(stage.key, n.participants)]
+    return bool(on) and on[0].event is NodeEvent.ENTER_REGION
 
 
 def hand_height(stage: Stage, node: TimelineNode, b: str, thrown: Prop, target: Prop) -> float:
