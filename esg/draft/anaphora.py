@@ -49,6 +49,8 @@ class Anaphora(MotionSenses):
         if met[0] not in self.world.entities or not self.movable(met[0]):
             return False
         hitter = self.world.entities.get(self._hitter) if self._hitter else None
+        if hitter is not None and hitter.noun.name == "arm":
+            hitter = None  # "An elbow catches a box. It goes over the edge.": the box
         upright = f.verb.sense == "topple" or (f.verb.sense == "fall" and not f.phrases)
         leaves = f.verb.sense in ("fall", "roll", "slide") and f.phrase("off", "from") is not None
         driven = f.subordinate == "so" and hitter is not None and f.verb.sense in _DRIVEN

@@ -30,6 +30,11 @@ class FallSenses(LaunchSenses):
         if not f.verb.passive and not o and f.object is not None and f.object.attribute:
             self.scene.ignored[(f.verb.start, f.verb.end)] = "nothing is let go"
             return  # "releases the brakes"
+        beyond = "over" in f.adverbs or f.phrase("behind", "beyond", "over", "past") is not None
+        under_way = bool(s) and all(i in self.tl.tracks or i in self.stated for i in s)
+        if beyond and under_way and not (o or f.verb.passive or s[0] in self.scene.supported_by):
+            self.use(f, "end of the flight")  # "clips the net and drops over"
+            return
         things = s if f.verb.passive or not o else o
         agents = [x for x in s if x not in things]
         if agents:
