@@ -8,6 +8,7 @@ from esg.draft.frames import Frame
 from esg.draft.nominals import RETOLD_NOUNS
 from esg.draft.senses_motion import MotionSenses
 
+_TAKING = frozenset({"catch", "grab", "pick", "hold", "carry", "retrieve", "fetch"})
 _ALONG = frozenset({"along", "through", "across", "over", "past", "down", "up", "around"})
 _DRIVEN = frozenset({"own", "hit", "roll", "slide", "fall", "topple", "fly", "enter", "reach"})
 """Senses of what "it" does in "hits X so hard that it ..."."""
@@ -28,6 +29,8 @@ class Anaphora(MotionSenses):
     """What runs into it, if the clause says so by a verb of contact."""
     _acted: tuple[Mention | None, tuple[str, ...], int] = (None, (), -1)
     """Subject, objects and sentence of the clause before."""
+    _handled: tuple[str, ...] = ()
+    """What the clause before acts on, whatever it is aimed at."""
     _shot: tuple[list[str], list[str]] = ([], [])
     """What was thrown or rolled last, and at what."""
 
@@ -81,6 +84,8 @@ class Anaphora(MotionSenses):
     def _it_again(self, f: Frame, subject: list[str]) -> None:
         """ "moves it over a box and drops it": what the same subject acted on just before."""
         m, (before, things, sentence) = f.object, self._acted
+        if f.verb.sense == "launch" or f.verb.lemma in _TAKING:
+            things = self._handled  # "kicks the ball against a wall, catches it"
         if m is None or m.pronoun != "it" or id(m) in self.world.resolved or len(things) != 1:
             return
         same = f.subject is not None and f.subject is before and sentence == f.sentence
@@ -95,7 +100,7 @@ class Anaphora(MotionSenses):
         self._ways = (f.sentence, ways if before == f.sentence else set())
         if m is not None and id(m) not in self.world.resolved and ways and before == f.sentence:
             found = self.world._pronoun(m, False, subject)  # pyright: ignore[reportPrivateUsage]
-            earlier = self._stood.get(f.sentence - 1, [])
+            earlier = self._stood.get(f.sentence - (not set(found) <= self._reasons), [])
             if set(found) <= ways and earlier and not set(earlier) & {*subject, *ways}:
                 self.world.resolved[id(m)] = m.entities = list(earlier)
         if not f.reduced and f.sentence not in self._stood:
@@ -106,8 +111,9 @@ class Anaphora(MotionSenses):
     def _note_ways(self, f: Frame) -> None:
         """Remembers what a clause goes along or through, which "it" rarely means."""
         for p in f.phrases:
-            if p.prep in _ALONG and p.mention is not None and f.object is None:
+            if p.mention is not None and f.object is None and p.prep in _ALONG | {"for"}:
                 self._ways[1].update(p.mention.entities)
+                self._reasons |= set(p.mention.entities if p.prep == "for" else ())
 
     def _it_of_the_main_clause(self, f: Frame) -> None:
         """ "A barrel rolls off a cart after the cart hits a stone. It rolls on": the barrel."""

@@ -145,6 +145,17 @@ class Consequences(Acts):
         self.tl.carry(body, last.id)
         return True
 
+    def _place_where_hit(self, thing: str) -> None:
+        """Puts what comes down to the floor on what was hit, or on what its striker stands on."""
+        if thing in self.scene.supported_by or thing in self.tl.tracks:
+            return
+        hits = [n.participants for n in self.tl.nodes if n.event is NodeEvent.COLLISION]
+        strikers = {a for a, b in hits if b == thing}
+        for a, b in reversed(hits):
+            if thing not in (a, b) and (a in strikers or not strikers) and self._fits_on(thing, b):
+                self.place([thing], [b], "on")
+                return
+
     def _struck_before(self, f: Frame, body: str) -> None:
         """ "thrown at a bottle, which falls": the fall implies the hit."""
         if body in self.tl.tracks:

@@ -29,6 +29,8 @@ class Core:
         self.last_hit: tuple[str, str] | None = None
         self._ways: tuple[int, set[str]] = (-1, set())
         """A sentence, and what its clauses go along or through."""
+        self._reasons: set[str] = set()
+        """What something is done for ("brakes for a cow")."""
         self._stood: dict[int, list[str]] = {}
         """What the first clause of a sentence is about: its lone object, else its subject."""
         self._mains: dict[int, tuple[list[str], list[str]]] = {}

@@ -118,8 +118,11 @@ def _after_parenthesis(elements: list[Element], i: int) -> int:
     """Past ", unable to stop," or ", frightened," between a subject and its verb; else i itself."""
     if getattr(elements[i] if i < len(elements) else None, "low", "") != ",":
         return i
-    for k in range(i + 1, min(i + 8, len(elements))):
+    which = getattr(elements[i + 1] if i + 1 < len(elements) else None, "kind", "") == "rel"
+    for k in range(i + 1 + which, min(i + 8 + 6 * which, len(elements))):
         e = elements[k]
+        if which and not (isinstance(e, Word) and e.low in (",", ".", ";", "!", "?", ":")):
+            continue  # ", which follows it at 10 m/s,"
         if isinstance(e, Word) and (e.kind in ("conj", "sub", "rel") or e.low in ".;!?:"):
             return i
         if isinstance(e, Verb) and not e.infinitive and (e.auxiliary or e.form in ("s", "base")):

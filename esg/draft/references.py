@@ -169,6 +169,7 @@ class References(Anaphora):
         if f.subject is not None and not f.reduced:
             aims = f.phrase("at", "toward", "towards", "against", "to") is not None
             self._acted = (f.subject, () if aims else tuple(objects), f.sentence)
+            self._handled = tuple(objects)
         set_going = f.verb.sense in ("roll", "slide") and f.object is not None
         struck = (f.verb.sense in ("launch", "drop") or set_going) and not f.verb.passive
         self._launched = list(objects) if struck else []
@@ -208,7 +209,7 @@ class References(Anaphora):
         self._patient = objects or self._patient
         lone_object = f.object is not None and len(objects) == 1 and self._aimable(objects[0])
         if lone_object and (struck or f.verb.sense in _MOVING):
-            self._last_moving = list(objects)
+            self._last_moving = list(self._handled if struck and self._handled else objects)
         elif f.verb.sense in _MOVING and len(subject) == 1 and self.kind(subject[0]) != "person":
             self._last_moving = list(subject)
         if subject and not f.reduced:

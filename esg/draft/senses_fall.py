@@ -206,6 +206,10 @@ class FallSenses(LaunchSenses):
         ):
             self._read_as("topple", f, s, [])
             return
+        low = [a for a in upright if a_rests_low(self, a)]
+        if len(low) < len(actors) and low and where is None and not f.adverbs:
+            self._read_as("topple", f, low, [])  # one of them falls off what he rides
+            actors = [a for a in actors if a not in low]
         source = f.phrase(*_SOURCES)
         if source is not None and source.mention is not None and not source.mention.entities:
             source = None
@@ -323,17 +327,6 @@ class FallSenses(LaunchSenses):
         size = self.e(node).dimensions_cm or self.e(node).noun.dimensions_cm
         tall = size[2] >= STANDING_CM or self.kind(node) in ("person", "animal", "wall")
         return tall or self.kind(node) == "domino" or node in self.leaning
-
-    def _place_where_hit(self, thing: str) -> None:
-        """Puts what comes down to the floor on what was hit, or on what its striker stands on."""
-        if thing in self.scene.supported_by or thing in self.tl.tracks:
-            return
-        hits = [n.participants for n in self.tl.nodes if n.event is NodeEvent.COLLISION]
-        strikers = {a for a, b in hits if b == thing}
-        for a, b in reversed(hits):
-            if thing not in (a, b) and (a in strikers or not strikers) and self._fits_on(thing, b):
-                self.place([thing], [b], "on")
-                return
 
     def _landed_before(self, f: Frame, source: Phrase) -> bool:
         """Whether what it falls from is named after what it first lands in."""

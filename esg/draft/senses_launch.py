@@ -32,8 +32,12 @@ class LaunchSenses(StateSenses):
                 ball = self._at_hand(s)
                 if ball and f.verb.lemma not in ("push", "shove"):
                     agents, things = s, [ball]  # "he shoots again"
-        if not f.verb.passive and self._throws_off(agents, things) and not f.phrases:
-            for thing in things:
+        off, thrown = f.phrase("off"), things
+        if not o and off is not None and off.mention is not None:
+            thrown = off.mention.entities  # "throws off the rider"
+        elsewhere = any(p is not off for p in f.phrases)
+        if not f.verb.passive and not elsewhere and self._throws_off(s, thrown):
+            for thing in thrown:
                 self.event(NodeEvent.FALL, (thing,), f, self._time(f))
             return
         if not things:

@@ -16,6 +16,7 @@ from esg.draft.members import Members
 from esg.draft.ranks import measured, same_quantity
 
 _BODYWORK = frozenset({"bonnet", "windscreen", "windshield", "tailgate"})
+_ON_THE_GREEN = frozenset({"on", "onto", "across", "over", "to", "at"})
 _TOPS = frozenset({"roof", "windscreen", "windshield", "bonnet", "tailgate"})
 
 
@@ -82,6 +83,10 @@ class World(Members):
             return []
         if m.count == 0:
             return []
+        green = m.pronoun == "one" and m.adjectives == ["green"]
+        if green and m.after_prep in _ON_THE_GREEN and self._golf():
+            m.attribute = True  # "bounces on the green": no ball
+            return []
         if m.pronoun and m.counted_from:
             whole = next((ids for ids in reversed(self.salience) if len(ids) > 1), [])
             if found := self._counted(m, [self.entities[self.current(i)] for i in whole]):
@@ -138,7 +143,9 @@ class World(Members):
         found = self._existing(m, avoid)
         if found and m.possessor is not None and not m.possessor.pronoun and set(found) <= {*avoid}:
             found = []  # "the police boat follows the smuggler's boat"
-        if found and set(found) <= {*avoid} and self.entities[found[0]].head != m.head:
+        another = bool({"next", "other", "following", "adjacent"} & {*m.adjectives})
+        another = another or bool(found and self.entities[found[0]].head != m.head)
+        if found and set(found) <= {*avoid} and another:
             found = []  # "a curling stone hits the guard stone": not itself
         if found:
             self._enrich(m, found)

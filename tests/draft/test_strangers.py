@@ -227,6 +227,49 @@ def read(prompt: str) -> tuple[EsgDocument, list[tuple[Any, ...]]]:
             "A tyre was meant to stop at the hedge. It hits a van.",
             [("Collision", "tyre_1", "van_1")],
         ),
+        # a relative clause between a subject and its verb
+        (
+            "The first car stops at the crossing, and the second car, which follows it, hits it.",
+            [("Stop", "first_car_1"), ("Collision", "second_car_1", "first_car_1")],
+        ),
+        # the next one is another one
+        (
+            "A domino falls and hits the next domino, which knocks over a cup.",
+            [
+                ("Topple", "domino_1"),
+                ("Collision", "domino_1", "domino_2"),
+                ("Collision", "domino_2", "cup_1"),
+                ("Topple", "cup_1"),
+            ],
+        ),
+        # who rides falls off, who walks falls over
+        (
+            "A boy on a scooter runs into a girl, and both fall to the ground.",
+            [("Collision", "scooter_1", "girl_1"), ("Topple", "girl_1"), ("Fall", "boy_1")],
+        ),
+        ("A horse jumps over a fence and throws off the rider.", [("Fall", "rider_1")]),
+        # what is caught was thrown
+        (
+            "A man kicks a ball against a wall, catches it and throws it into a basket.",
+            [
+                ("Collision", "ball_1", "wall_1"),
+                ("Collision", "man_1", "ball_1"),
+                ("EnterRegion", "ball_1"),
+            ],
+        ),
+        # the green, over the net, an elbow
+        (
+            "A golf ball is hit from the tee, bounces twice on the green and rolls into the hole.",
+            [("EnterRegion", "golf_ball_1")],
+        ),
+        (
+            "The ball clips the net, drops over and bounces twice.",
+            [("Collision", "ball_1", "net_1")],
+        ),
+        (
+            "An elbow catches a box. It goes over the edge and lands on a can.",
+            [("Collision", "elbow_1", "box_1"), ("Fall", "box_1"), ("Collision", "box_1", "can_1")],
+        ),
     ],
 )
 def test_the_right_things_meet(prompt: str, expected: list[tuple[Any, ...]]) -> None:
