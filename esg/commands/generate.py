@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+import re
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from cyclopts import Parameter
@@ -13,6 +14,8 @@ if TYPE_CHECKING:
 
 Strategy = Literal["batched", "hybrid", "fd", "ad", "none"]
 Collision = Literal["exact", "proxy", "sdf"]
+ASSUMED = 0.5
+"""Confidence up to which a drafted heading is a default and no wish."""
 
 
 def generate(
@@ -152,12 +155,24 @@ def summarize(state: SceneState, folder: Path) -> dict[str, Any]:
                 i["text"] for i in coverage.get("items", []) if i["status"] == "not_understood"
             ],
         },
-        "relations_not_met": [r["edge"] for r in relations if not r["satisfied"]],
+        "relations_not_met": [
+            r["edge"] for r in relations if not r["satisfied"] and r["edge"] not in _assumed(doc)
+        ],
         "cached_stages": state.cached_stages,
         "stages": [
             {k: e[k] for k in ("stage", "cached", "seconds", "error") if k in e} for e in state.log
         ],
         "seconds": round(state.seconds, 3),
+    }
+
+
+def _assumed(doc: dict[str, Any]) -> set[str]:
+    """Headings that nobody asked for: what nothing turns is drafted to face the front."""
+    edges = doc["spatial_relation_graph"]["edges"]["binary_relations"]
+    return {
+        f"{e['from']} face {e['to']}"
+        for e in edges
+        if e["relation_type"] == "face" and e["confidence"] <= ASSUMED
     }
 
 
@@ -181,7 +196,9 @@ def describe(summary: dict[str, Any]) -> str:
             lines.append(f"  {mark:8} {' '.join(p for p in parts if p)}")
         for item in metrics["constraints"]:
             measured = "not measured" if item["measured"] is None else f"{item['measured']:.3g}"
-            lines.append(f"  score {item['score']:.2f} {item['constraint']}: {measured}")
+            # The sign that tells a name from a word means nothing to a reader.
+            asked = re.sub(r"(?<!\S)=(?=\S)", "", item["constraint"])
+            lines.append(f"  score {item['score']:.2f} {asked}: {measured}")
         layout = "valid" if metrics["slr"] else "INVALID"
         proof = {
             "class": "the emitted class, compiled and run in PhysX",

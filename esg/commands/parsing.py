@@ -109,7 +109,9 @@ def _unknown_option(error: UnknownOptionError) -> str:
     if " " in given:
         return f"{given!r} starts with a dash and is read as an option; put -- before it"
     names = [n for a in error.argument_collection if a.parse for n in a.names]
-    near = difflib.get_close_matches(given, names, n=1, cutoff=0.6)
+    # Without the dashes, which make all of them alike.
+    near = difflib.get_close_matches(given.lstrip("-"), [n.lstrip("-") for n in names], n=1)
+    near = [n for n in names if n.lstrip("-") in near]
     return f"there is no option {given}" + (f"; did you mean {near[0]}?" if near else "")
 
 

@@ -3,8 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+import contextlib
 import sys
+import threading
 import time
+from typing import TextIO
+
+from esg.commands.live import LOG_EVERY_S, duration
 
 SAMPLES = (
     ("A red ball rolls across the floor and hits a wooden box.", "exact"),
@@ -36,16 +41,60 @@ def setup() -> int:
 
 def _step(name: str, work: Callable[[], object]) -> None:
     start = time.perf_counter()
-    _show(f"{name} ...")
-    work()
-    _show("")
+    with _Clock(name):
+        work()
     print(f"{name}: {time.perf_counter() - start:.1f} s", flush=True)
 
 
+class _Clock:
+    """Says what is being done and for how long, since one kernel may take a minute.
+
+    A terminal has one line that is written over every second; a file or a pipe gets a line every
+    `LOG_EVERY_S`.
+
+    Args:
+        name: Of the step.
+        stream: Where to.
+        every_s: Between two lines [s]; None decides by the stream.
+    """
+
+    current: _Clock | None = None
+
+    def __init__(self, name: str, stream: TextIO = sys.stderr, every_s: float | None = None):
+        self.doing, self._stream, self._tty = name, stream, stream.isatty()
+        self._every_s = every_s or (1.0 if self._tty else LOG_EVERY_S)
+        self._over = threading.Event()
+        self._thread = threading.Thread(target=self._tell, name="esg-setup", daemon=True)
+
+    def __enter__(self) -> _Clock:
+        self._start = time.monotonic()
+        _Clock.current = self
+        self._thread.start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._over.set()
+        self._thread.join()
+        _Clock.current = None
+        if self._tty:
+            print("\r\x1b[K", end="", file=self._stream, flush=True)
+
+    def _tell(self) -> None:
+        while True:
+            waited = f"{self.doing} ... {duration(time.monotonic() - self._start)}"
+            line = f"\r\x1b[K{waited}" if self._tty else f"{waited}\n"
+            if self._tty or time.monotonic() - self._start >= self._every_s:
+                # A closed pipe or a full disk is no reason to fail.
+                with contextlib.suppress(OSError, ValueError):
+                    print(line, end="", file=self._stream, flush=True)
+            if self._over.wait(self._every_s):
+                return
+
+
 def _show(text: str) -> None:
-    """The line that is overwritten: only on a terminal."""
-    if sys.stderr.isatty():
-        print(f"\r\x1b[K{text}", end="", file=sys.stderr, flush=True)
+    """What the running step is doing now."""
+    if _Clock.current is not None:
+        _Clock.current.doing = text
 
 
 def _line(name: str, done: int, total: int) -> None:

@@ -119,3 +119,24 @@ def test_generate_says_what_it_did_not_understand() -> None:
     }
     assert "warning: not met: lamp_1 adjacent book_1" in describe(summary)
     assert 'warning: "zorple" is not in the lexicon' in describe(summary)
+
+
+def test_a_default_heading_is_no_wish_that_was_not_met(tmp_path: Path) -> None:
+    """What nothing turns is drafted to face the front; who asked for none is told of none."""
+    from esg.commands.generate import summarize
+    from esg.outcomes import Outcome
+    from esg.pipeline import SceneRequest, SceneState
+
+    def edge(subject: str, target: str, confidence: float) -> dict[str, object]:
+        wish = {"from": subject, "to": target, "relation_type": "face"}
+        return wish | {"confidence": confidence}
+
+    edges = [edge("car_1", "ground_1", 0.5), edge("dog_1", "car_1", 0.8)]
+    names = [f"{e['from']} face {e['to']}" for e in edges]
+    document = {
+        "spatial_relation_graph": {"edges": {"binary_relations": edges}},
+        "layout_result": {"relations": [{"edge": n, "satisfied": False} for n in names]},
+    }
+    (tmp_path / "esg.json").write_text(json.dumps(document))
+    state = SceneState(SceneRequest("x"), outcome=Outcome.SOLVED)
+    assert summarize(state, tmp_path)["relations_not_met"] == ["dog_1 face car_1"]

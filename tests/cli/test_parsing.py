@@ -147,3 +147,12 @@ def run_shell(line: str, cwd: Path) -> subprocess.CompletedProcess[str]:
          f'from esg.cli import main; main()" "$1" {line}', sys.executable, str(ROOT)],
         capture_output=True, text=True, cwd=cwd, timeout=60, check=False,
     )  # fmt: skip
+
+
+@pytest.mark.parametrize(("given", "guess"), [("--engine", ""), ("--sed", "--seed"), ("-o", "")])
+def test_an_option_is_guessed_by_its_letters_alone(given: str, guess: str) -> None:
+    """Two dashes make all options alike: --engine is no misspelt --render."""
+    with pytest.raises(UserError) as error:
+        parse(build_app(), ["generate", "x", given, "3"])
+    assert ("did you mean" in str(error.value)) is bool(guess)
+    assert guess in str(error.value)

@@ -328,3 +328,27 @@ def test_engines_are_laid_over_each_other(
     driver.execute_script("document.getElementById('engine-rapier').click()")
     wait(driver, blue.replace("return red;", f"return red > {before} + 100;"))
     assert chrome.complaints(driver) == []
+
+
+def test_a_long_name_fits_a_telephone(driver: Any, tmp_path: Path) -> None:
+    """Scenes of `esg generate` are called by their prompt: nothing may reach beyond 420 pixels."""
+    name = "a_chef_pushes_a_shopping_cart_past_a_fruit_stall-448326a4"
+    write_scene(tmp_path / name, reason="x" * 200)
+    write_scene(tmp_path / "other", outcome="crashed", completed=False)
+    path = write_report(load_run(tmp_path), tmp_path / "report.html")
+    narrow = {"width": 420, "height": 900, "deviceScaleFactor": 1, "mobile": True}
+    driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", narrow)
+    try:
+        chrome.open_page(driver, path)
+        widest = "return document.documentElement.scrollWidth"
+        assert driver.execute_script(widest) <= 420
+        told = driver.execute_script("return document.querySelector('#outcomes').textContent")
+        assert told == "1 crashed1 solved"
+        open_scene(driver, name)
+        unfold = "document.querySelectorAll('details').forEach((e) => (e.open = true))"
+        driver.execute_script(unfold)
+        assert driver.execute_script(widest) <= 420
+        event = driver.execute_script("return document.querySelector('.events strong').textContent")
+        assert event and "ball_1" not in event
+    finally:
+        driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})

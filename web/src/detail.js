@@ -1,6 +1,6 @@
 // The page of one scene.
 import { imageUrl, index, scene as load } from "./data.js";
-import { badge, bytes, h, number, percent, words } from "./dom.js";
+import { badge, breakable, bytes, called, h, number, percent, words } from "./dom.js";
 import { spatialGraph, timelineGraph } from "./graph.js";
 import { Motion } from "./motion.js";
 import { createPlayer } from "./player.js";
@@ -20,7 +20,7 @@ export async function detail(s) {
   const element = h(
     "article",
     { class: "detail" },
-    h("h1", { class: "row" }, s.id, badge(s.outcome)),
+    h("h1", { class: "row wrap" }, h("span", {}, breakable(s.id)), badge(s.outcome)),
     prompt(s, data.document.coverage),
     s.problems.map((p) => h("p", { class: "warn" }, p)),
     s.reason && h("p", { class: s.outcome === "solved" ? "" : "warn" }, s.reason),
@@ -185,7 +185,7 @@ function events(view, player) {
           e.time_s !== null && e.time_s !== undefined
             ? h("button", { type: "button", class: "time", onclick: () => player()?.seek(e.time_s) }, `${e.time_s.toFixed(2)} s`)
             : h("span", { class: "time" }, "–"),
-          h("strong", {}, `${e.id} ${e.type}`),
+          h("strong", { title: e.id }, called(e)),
           ` ${e.bodies.map(words).join(", ")} `,
           h("span", { class: "faint" }, e.completed ? measured(e) : `not completed: ${e.reason}`),
         ),
@@ -193,6 +193,9 @@ function events(view, player) {
     ),
   );
 }
+
+// Without the signs that tell names from words, and without the value: it stands in the next column.
+const plainly = (constraint) => words(constraint.replace(/(^|\s)=(?=\S)/g, "$1").replace(/\s+(=|<=|>=|in)\s.*$/, ""));
 
 const target = (t) => (Array.isArray(t) ? `${number(t[0])} to ${number(t[1])}` : number(t));
 
@@ -214,9 +217,9 @@ function constraints(data) {
           h(
             "tr",
             { class: c.score < 1 ? "failed" : "" },
-            h("th", { scope: "row" }, c.constraint),
-            h("td", {}, `${target(c.target)} ${c.unit}`),
-            h("td", { title: c.reason || undefined }, c.measured === null ? "–" : `${number(c.measured)} ${c.unit}`),
+            h("th", { scope: "row", title: c.constraint }, plainly(c.constraint)),
+            h("td", { class: "whole" }, `${target(c.target)} ${c.unit}`),
+            h("td", { class: "whole", title: c.reason || undefined }, c.measured === null ? "–" : `${number(c.measured)} ${c.unit}`),
             h("td", {}, percent(100 * c.score)),
           ),
         ),

@@ -52,3 +52,12 @@ const OUTCOMES = {
 export function badge(outcome) {
   return h("span", { class: `badge ${OUTCOMES[outcome] ?? "bad"}` }, words(outcome));
 }
+
+// A name that may break after its underscores and hyphens, and is copied as it is.
+export const breakable = (name) => String(name).split(/(?<=[_-])/).flatMap((part) => [part, h("wbr")]).slice(0, -1);
+
+// An event as people call it: its name, unless that only repeats its type (beside it stands who).
+export function called(e) {
+  const made = e.id === e.type || e.id.endsWith(`_${e.type}`) || e.bodies?.length && e.bodies.every((b) => e.id.includes(b));
+  return made ? words(e.type) : `${e.id} ${words(e.type)}`;
+}

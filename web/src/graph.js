@@ -15,6 +15,8 @@ export function spatialGraph(document) {
     add(graph, name, [n.label || words(name), asset ? `${words(asset.category)}, ${number(asset.mass_kg)} kg` : n.asset_id], n.is_structural ? "structure" : n.mentioned ? "object" : "added");
   }
   for (const e of spatial.edges?.binary_relations ?? []) {
+    // A default, and no wish: what nothing turns faces the front.
+    if (e.relation_type === "face" && e.confidence <= 0.5) continue;
     if (graph.hasNode(e.from) && graph.hasNode(e.to)) connect(graph, e.from, e.to, words(e.relation_type));
   }
   (spatial.edges?.multi_relations ?? []).forEach((m, k) => {

@@ -1,6 +1,6 @@
 // The overview: figures of the run, filters, and a card for every scene.
 import { index, thumbnail } from "./data.js";
-import { badge, h, number, percent, words } from "./dom.js";
+import { badge, breakable, called, h, number, percent, words } from "./dom.js";
 
 const state = { text: "", outcome: "", event: "", problem: "", sort: "order", down: false };
 
@@ -45,11 +45,13 @@ export function summary() {
     ]);
   }
   const rows = [
-    ["Events completed", (c) => `${number(c.ecr_mean)} ± ${number(c.ecr_std, 2)} of ${c.events}`],
+    ["Events completed", (c) => (c.events ? `${number(c.ecr_mean)} ± ${number(c.ecr_std, 2)} of ${c.events}` : "no events")],
     ["Scene layout rate", (c) => percent(c.slr)],
     ["Parameter accuracy", (c) => percent(c.ppa)],
     ["Time a scene", (c) => `${number(c.seconds_per_scene)} s`],
   ];
+  const ended = new Map();
+  for (const s of index.scenes) ended.set(s.outcome, (ended.get(s.outcome) ?? 0) + 1);
   const damaged = index.scenes.filter((s) => s.problems.length).length;
   const about = ["suite", "strategy", "engine", "runs"].filter((k) => facts[k] !== undefined);
   return h(
@@ -62,6 +64,11 @@ export function summary() {
       `${index.scenes.length} scenes`,
       about.map((k) => ` · ${k} ${facts[k]}`),
       before.name ? ` · last run: ${before.name}` : "",
+    ),
+    h(
+      "p",
+      { class: "row wrap", id: "outcomes" },
+      [...ended].sort((a, b) => b[1] - a[1] || (a[0] < b[0] ? -1 : 1)).map(([o, n]) => h("span", {}, `${n} `, badge(o))),
     ),
     index.problems.map((p) => h("p", { class: "warn" }, p)),
     damaged
@@ -236,13 +243,13 @@ function card(s) {
       "a",
       { class: "card", href: `#/scene/${encodeURIComponent(s.id)}` },
       h("div", { class: "thumb" }, h("span", { class: "faint" }, "no picture")),
-      h("div", { class: "row" }, h("strong", {}, s.id), badge(s.outcome)),
+      h("div", { class: "row" }, h("strong", {}, breakable(s.id)), badge(s.outcome)),
       h("p", { class: "prompt" }, s.prompt),
       h("p", { class: "faint" }, facts.join(" · ")),
       missing,
       s.problems.map((p) => h("p", { class: "warn" }, p)),
       failed.length && s.outcome !== "solved"
-        ? h("p", { class: "warn" }, failed.map((e) => `${e.id} ${e.type}: ${e.reason}`).join("; "))
+        ? h("p", { class: "warn" }, failed.map((e) => `${called(e)}: ${e.reason}`).join("; "))
         : s.reason && s.outcome !== "solved"
           ? h("p", { class: "warn" }, s.reason)
           : null,

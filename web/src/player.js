@@ -198,6 +198,8 @@ export function createPlayer(stage, view) {
     const size = 400;
     texture.repeat.set(size / (2 * tile), size / (2 * tile));
     const plane = new Mesh(new PlaneGeometry(size, size), new MeshStandardMaterial({ color, map: texture, roughness: 1 }));
+    // Millimetres are within the error of depth on triangles this large: roads sank in small players.
+    Object.assign(plane.material, { polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 16 });
     plane.position.z = -0.004;
     plane.receiveShadow = true;
     world.add(plane);

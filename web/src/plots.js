@@ -3,7 +3,7 @@ import { h, number, s as svg, words } from "./dom.js";
 
 const W = 560;
 const H = 210;
-const PAD = { left: 46, right: 12, top: 12, bottom: 26 };
+const PAD = { left: 46, right: 12, top: 24, bottom: 26 };
 const TOLERANCE = { s: 0.3, "m/s": 1, kg: 0.5, m: 0.1, deg: 5 };
 const MAX_LINES = 6;
 
@@ -162,7 +162,7 @@ function chart({ title, unit, time, lines, bands, moments, events, seek, format 
       svg("text", { x: PAD.left - 6, y: y(v) + 4, "text-anchor": "end" }, format(v)),
     ]),
     ticks(0, end, 6).map((t) => svg("text", { x: x(t), y: H - 8, "text-anchor": "middle" }, number(t))),
-    svg("text", { x: W - PAD.right, y: PAD.top + 4, "text-anchor": "end", class: "title" }, unit ? `${title} [${unit}]` : title),
+    svg("text", { x: W - PAD.right, y: PAD.top - 9, "text-anchor": "end", class: "title" }, unit ? `${title} [${unit}]` : title),
     lines.map((line, k) => svg("path", { class: `line line-${k}`, d: path(time, line.ys, x, y) })),
     events
       .filter((e) => e.time_s !== null && e.time_s !== undefined)
