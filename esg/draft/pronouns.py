@@ -6,7 +6,7 @@ from esg.draft import lexicon as lex
 from esg.draft.elements import Mention
 from esg.draft.entities import FRONT, ORDINALS, REAR, STACKED, Entity, slug
 from esg.draft.persons import named_by_no_person
-from esg.draft.ranks import extreme, rank, same_quantity
+from esg.draft.ranks import RANKS, extreme, rank, same_quantity
 from esg.draft.registry import Registry
 
 _NEAR = 80
@@ -223,10 +223,16 @@ class Pronouns(Registry):
         )
         return [e.id]
 
-    def _ranked(self, m: Mention, things: list[Entity]) -> list[str]:
+    def _ranked(self, m: Mention, things: list[Entity], avoid: list[str]) -> list[str]:
         """ "the heavier one", "the tallest bottle": by what is known of sizes, masses, speeds."""
         word = rank(m)
         best = extreme(word, things, self.facts) if word else None
+        if best is None and word and len(things) == 2 and things[0].group:
+            end = RANKS[word]  # "the smaller one turns, but the larger one scrapes it"
+            other = self.ends.get((end[0], -end[1]), "")
+            taken = {*avoid, self.current(other) if other else ""}
+            free = [e for e in things if e.id not in taken] or things
+            best = self.entities.get(self.current(self.ends.setdefault(end, free[0].id)))
         return [best.id] if best is not None else []
 
     def _comparable(self, avoid: list[str]) -> list[Entity]:
@@ -242,7 +248,7 @@ class Pronouns(Registry):
 
     def _one_of(self, m: Mention, avoid: list[str]) -> list[str]:
         comparable = self._comparable(avoid)
-        if found := self._ranked(m, comparable):
+        if found := self._ranked(m, comparable, avoid):
             return found
         if heavy := [e.id for e in comparable if same_quantity(m, e, self.facts)]:
             return heavy[:1]  # "the 5 kg one"

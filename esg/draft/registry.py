@@ -48,6 +48,8 @@ class Registry(Matching):
         """Referent sets, most recent last."""
         self.subjects: list[list[str]] = []
         self.resolved: dict[int, list[str]] = {}
+        self.ends: dict[tuple[str, float], str] = {}
+        """Of two things alike, which is the larger, slower and so on, once said."""
         self.drivers: set[str] = set()
         """Persons that the prompt lets brake, overtake and the like."""
         self.movers: list[str] = []

@@ -35,6 +35,9 @@ class FallSenses(LaunchSenses):
         if beyond and under_way and not (o or f.verb.passive or s[0] in self.scene.supported_by):
             self.use(f, "end of the flight")  # "clips the net and drops over"
             return
+        if f.verb.lemma == "unload" and not o and not f.verb.passive:
+            self.scene.ignored[(f.verb.start, f.verb.end)] = "what is unloaded is not said"
+            return
         things = s if f.verb.passive or not o else o
         agents = [x for x in s if x not in things]
         if agents:
@@ -371,9 +374,11 @@ class FallSenses(LaunchSenses):
                 self.place([t], [host], "on")
 
     def _do_land(self, f: Frame, s: list[str], o: list[str]) -> None:
+        whole = len(s) > 1 and self.e(s[0]).group in self.world.collective
+        s = self._representatives(s, []) if whole else s  # "a stack of books lands on a dog"
         for actor in s:
             self._struck_before(f, actor)
-            if actor not in self.tl.tracks:
+            if actor not in self.tl.tracks and not self._moved_by_others(actor):
                 self._start_motion(f, [actor], "drop")
                 ground = f.phrase("on", "onto", "in", "upon")
                 under = ground.mention.entities if ground and ground.mention else []

@@ -270,6 +270,19 @@ def read(prompt: str) -> tuple[EsgDocument, list[tuple[Any, ...]]]:
             "An elbow catches a box. It goes over the edge and lands on a can.",
             [("Collision", "elbow_1", "box_1"), ("Fall", "box_1"), ("Collision", "box_1", "can_1")],
         ),
+        # the smaller and the larger one; a stack lands once
+        (
+            "Two boats sail along; the smaller one turns right, but the larger one scrapes it.",
+            [("HeadingReached", "boat_1"), ("Collision", "boat_2", "boat_1")],
+        ),
+        (
+            "A stack of books falls off the desk and lands on a dog.",
+            [("Fall", "book_1"), ("Collision", "book_1", "dog_1")],
+        ),
+        (
+            "While a truck is unloading, a crate slides down the ramp and hits a worker.",
+            [("Collision", "crate_1", "worker_1")],
+        ),
     ],
 )
 def test_the_right_things_meet(prompt: str, expected: list[tuple[Any, ...]]) -> None:
