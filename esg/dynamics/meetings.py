@@ -213,7 +213,7 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
             # What it is to arrive with is less than what it starts with.
             speed = max(speed, min(needed / SLID, FASTEST_MPS))
         speed, distance, duration, left = slide(pa, speed, wait, stage.rng, adjustable=free)
-        distance = max(distance, descent(stage, b), _room_after(stage, a, b))
+        distance = max(distance, descent(stage, a, b), _room_after(stage, a, b))
         stage.nominal[f"{phase.edge.id}/speed"] = speed
     else:
         rate, first = _gains(stage, a, phase, speed)
@@ -226,7 +226,7 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
         if returns(stage, node, a, b):
             run = min(run, max(RETURN_M, RETURN_S * speed))
         run = min(run, _fresh_run(stage, a, phase, speed))
-        run = max(run, descent(stage, b))
+        run = max(run, descent(stage, a, b))
         flies = stage.story.flies(a) and not stage.story.soars(a)
         inside = node.event is NodeEvent.ENTER_REGION
         lobbed = flies and is_lobbed(stage, node)
@@ -356,11 +356,15 @@ def _room_after(stage: Stage, a: str, b: str) -> float:
     return max(first.length, first.width, 0.8 * fallen) + 0.5 * second.half_length + 0.3
 
 
-def descent(stage: Stage, b: str) -> float:
+def descent(stage: Stage, a: str, b: str) -> float:
     """Least run [m] on a support whose target waits on the ground: past the support's end."""
-    if stage.anchor is None or support_of(stage.doc, stage.member(b)) == stage.anchor:
-        return 0.0
-    if stage.member(b) == stage.anchor:
+
+    def is_below(key: str) -> bool:
+        name = stage.member(key)
+        return name != stage.anchor and support_of(stage.doc, name) != stage.anchor
+
+    before = stage.met.get(a)
+    if stage.anchor is None or not is_below(b) or (before is not None and is_below(before)):
         return 0.0
     return stage.prop(stage.anchor).length + 0.4
 

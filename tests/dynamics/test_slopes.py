@@ -173,3 +173,13 @@ def test_the_ride_as_told_hits_in_time(prompt: str) -> None:
     ]
     assert hits
     assert hits[0] == pytest.approx(told[name], abs=0.25)
+
+
+def test_the_second_target_at_the_foot_of_a_ramp_is_no_ramp_length_behind_the_first() -> None:
+    """Who has hit something on the ground has left the ramp."""
+    doc = cast("A ball rolls down a ramp, knocks over a bottle and hits a box.")
+    found = choreograph(doc).hints.constellations
+    places = {p.node: p for c in found for p in c.placements}
+    gap = places["box_1"].x_cm - places["bottle_1"].x_cm
+    node = doc.spatial_relation_graph.nodes["ramp_1"]
+    assert 0.0 < gap < doc.asset_configurations[node.asset_id].dimensions_cm[0]
