@@ -14,6 +14,18 @@ GC_THRESHOLD = 100_000
 that stay: Python's 700 cost a fifth of it."""
 
 
+INTERRUPTED = "interrupted; finished stages are kept, run the same command again to go on"
+
+
+def interrupted(error: BaseException | None) -> bool:
+    """Whether an error is Ctrl-C that a library caught and raised as one of its own."""
+    while error is not None:
+        if isinstance(error, KeyboardInterrupt) or "KeyboardInterrupt" in str(error):
+            return True
+        error = error.__cause__ or error.__context__
+    return False
+
+
 def build_app():  # the return type would import cyclopts for nothing
     """The command-line application."""
     from cyclopts import App
@@ -46,8 +58,7 @@ def main() -> None:
     except UserError as error:
         code = fail(str(error), error.exit_code, as_json)
     except KeyboardInterrupt:
-        message = "interrupted; finished stages are kept, run the same command again to go on"
-        code = fail(message, 130, as_json)
+        code = fail(INTERRUPTED, 130, as_json)
     except BrokenPipeError:
         silence()  # the reader (head, less) has closed: nothing more to tell it
         code = 1
@@ -59,6 +70,8 @@ def main() -> None:
         told = f"{error.filename or 'output'}: {error.strerror or error}"
         code = fail(told, 1, as_json and error.filename is not None)
     except Exception as error:
+        if interrupted(error):
+            sys.exit(fail(INTERRUPTED, 130, as_json))
         if os.environ.get("ESG_DEBUG"):
             raise
         what = " ".join(f"{type(error).__name__}: {error}".split())

@@ -189,6 +189,7 @@ class DatasetFolder:
         import fcntl
 
         name = f".lock-{shard.index}-of-{shard.count}"
+        fresh = not (self.path / name).exists()
         try:
             self.path.mkdir(parents=True, exist_ok=True)
             file = (self.path / name).open("a")
@@ -204,7 +205,12 @@ class DatasetFolder:
                     f"another process is working on {self.label}; wait for it, give each its own "
                     "--shard, or choose another --out"
                 ) from None
-            yield
+            try:
+                yield
+            except UserError:
+                if fresh and not (self.path / PLAN).exists():
+                    (self.path / name).unlink(missing_ok=True)  # a folder of somebody else
+                raise
 
 
 @contextlib.contextmanager

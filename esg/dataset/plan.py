@@ -275,7 +275,8 @@ def read_prompts(path: Path) -> list[Prompt]:
     if problems:
         shown = problems[:20]
         more = [f"  and {len(problems) - 20} more"] if len(problems) > 20 else []
-        raise UserError("\n".join([f"--prompts {path}: {len(problems)} problems", *shown, *more]))
+        count = "1 problem" if len(problems) == 1 else f"{len(problems)} problems"
+        raise UserError("\n".join([f"--prompts {path}: {count}", *shown, *more]))
     if not out:
         raise UserError(f"--prompts {path} holds no prompts; write one a line")
     return out

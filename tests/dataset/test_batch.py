@@ -305,8 +305,13 @@ def test_folders_of_others_and_other_settings_are_refused(tmp_path: Path) -> Non
     (tmp_path / "mine").mkdir()
     (tmp_path / "mine" / "thesis.txt").write_text("")
     spec = DatasetSpec(source="sample", n=4)
-    with pytest.raises(UserError, match="holds files but no dataset"):
-        DatasetFolder(tmp_path / "mine").begin(spec, [], resume=True)
+    mine = DatasetFolder(tmp_path / "mine")
+    with (
+        pytest.raises(UserError, match="holds files but no dataset"),
+        mine.locked(Shard(index=1, count=1)),
+    ):
+        mine.begin(spec, [], resume=True)
+    assert [p.name for p in mine.path.iterdir()] == ["thesis.txt"]
     folder = DatasetFolder(tmp_path / "a")
     folder.begin(spec, [], resume=False)
     with pytest.raises(UserError, match="add --resume"):
