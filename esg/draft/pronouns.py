@@ -207,6 +207,8 @@ class Pronouns(Registry):
                 ball = lex.nouns()["ball"]
                 label = f"{colors[0]} ball"
                 return [self.add(ball, "ball", adjectives=colors, label=label, origin=m.start).id]
+        elif ordinal is not None and self._beyond_last(ordinal):
+            model = self.entities[next(reversed(list(self.groups.values())))[0]]
         elif ordinal is not None and not any(e.group for e in solid):
             model = next((e for e in solid if e.place in ORDINALS and e.place != ordinal), None)
         if model is None or (model.id in avoid and not ordinal and model.color is None):
@@ -245,6 +247,11 @@ class Pronouns(Registry):
         alike = [e for e in recent if sum(e.noun == x.noun for x in recent) > 1]
         movable = [e for e in recent if e.movable]
         return [self.entities[i] for i in group] or alike or movable
+
+    def _beyond_last(self, ordinal: str) -> bool:
+        """ "passes three gates and hits the fourth": one more than the plural has."""
+        group = next(reversed(list(self.groups.values())), [])
+        return ordinal in ORDINALS and len(group) > 1 and ORDINALS[ordinal] == len(group)
 
     def _one_of(self, m: Mention, avoid: list[str]) -> list[str]:
         comparable = self._comparable(avoid)

@@ -123,6 +123,13 @@ class Chunker(NounPhrases):
         if low in EXTENTS and isinstance(size, Word) and size.kind == "qty":
             self.elements.append(Word(token.start, token.end, "unknown", low))
             return i + 1  # "15 cm tall and 7 cm wide tips over"
+        if self._last_of_compound(i) and (j := self._noun_phrase(i)) is not None:
+            head, first = self.elements.pop(), self.elements.pop()
+            if isinstance(head, Mention) and isinstance(first, Mention):
+                head.start, head.text = first.start, f"{first.text} {head.text}"
+                head.adjectives.insert(0, first.head)
+            self.elements.append(head)
+            return j  # "Rain barrel topples"
         named = self._noun_phrase(i) if self._named_thing(i) else None
         if named is not None:
             return named
@@ -222,6 +229,17 @@ class Chunker(NounPhrases):
             if colon.text == ":":
                 return n + 1 if words[-1].low in _HEADINGS | _TITLES else 0
         return 0
+
+    def _last_of_compound(self, i: int) -> bool:
+        """ "Rain barrel topples": after a bare noun a verb has an ending, and one follows."""
+        first = self._previous()
+        bare = isinstance(first, Mention) and not (first.plural or first.determiner or first.count)
+        if not bare or first.pronoun or first.letters or first.end + 1 != self.tokens[i].start:
+            return False
+        forms = {r.form for r in verb_readings(self._low(i))}
+        follows = verb_readings(self._low(i + 1))
+        finite = any(r.form in ("s", "past") for r in follows) or self._low(i + 1) in ("is", "was")
+        return forms == {"base"} and finite and self._match_noun(i) is not None
 
     def _named_thing(self, i: int) -> bool:
         """ "Block A slides into block B": a verb's form, but a noun with its letter."""

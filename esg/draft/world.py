@@ -11,6 +11,7 @@ from esg.draft.entities import (
     OWN_PARTS,
     REAR,
     WORN,
+    Entity,
 )
 from esg.draft.members import Members
 from esg.draft.ranks import measured, same_quantity
@@ -169,6 +170,15 @@ class World(Members):
         driver.noun, driver.known = m.noun, True
         return ids
 
+    def _next(self, names: list[Entity], avoid: list[str]) -> list[str]:
+        """ "bumps the next wagon": the one after it in its row, else one more."""
+        group = next((self.entities[i].group for i in avoid if i in self.entities), None)
+        row = self.groups.get(group or "", [])
+        k = max((row.index(i) for i in avoid if i in row), default=-1)
+        later = [e.id for e in names if e.id in row[k + 1 :]] if row else []
+        rest = [e.id for e in names if e.id not in avoid]
+        return (later or rest)[:1]
+
     def _compound(self, m: Mention) -> list[str]:
         """The vehicle that "the bus driver" or "a car roof" names first; made if not there yet."""
         for a in m.adjectives:
@@ -291,7 +301,13 @@ class World(Members):
             return found
         if not names and definite and len(alike) == 1 and alike[0].id not in avoid and measured(m):
             names = alike  # "A ball weighs 10 kg. The 5 kg ball ...": the same, contradicted
+<<<<<<< HEAD
         if found := self._ranked(m, [e for e in names if e.id not in avoid] or names, avoid):
+=======
+        if "next" in m.adjectives and not m.plural and names:
+            return self._next(names, avoid)
+        if found := self._ranked(m, [e for e in names if e.id not in avoid] or names):
+>>>>>>> 08b70f6 (Read the next one, the one beyond a row, and compound nouns without an article)
             return found
         if not m.plural:  # "the 2 kg ball hits the 5 kg ball"
             names = [e for e in names if same_quantity(m, e, self.facts)] or names

@@ -245,3 +245,25 @@ def test_what_is_launched_late_rests_until_then() -> None:
     speeds = [e.params.speed for e in timeline.sequence_graph.edges if e.params]
     assert speeds[0] == 0.0
     assert speeds[1] != 0.0
+
+
+@pytest.mark.parametrize(
+    ("prompt", "events"),
+    [
+        (
+            "A skier passes three gates and hits the fourth.",
+            [("Collision", "skier_1", "fourth_gate_1")],
+        ),
+        ("A wagon bumps the next wagon.", [("Collision", "wagon_1", "wagon_2")]),
+        (
+            "The first of three boxes hits the next box.",
+            [("Collision", "first_box_1", "box_2")],
+        ),
+        (
+            "Rain barrel topples after being struck by a rolling tyre.",
+            [("Collision", "tyre_1", "barrel_1"), ("Topple", "barrel_1")],
+        ),
+    ],
+)
+def test_one_more_of_a_row(prompt: str, events: list[tuple[str, ...]]) -> None:
+    assert _events(prompt) == events
