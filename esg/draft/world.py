@@ -301,13 +301,9 @@ class World(Members):
             return found
         if not names and definite and len(alike) == 1 and alike[0].id not in avoid and measured(m):
             names = alike  # "A ball weighs 10 kg. The 5 kg ball ...": the same, contradicted
-<<<<<<< HEAD
-        if found := self._ranked(m, [e for e in names if e.id not in avoid] or names, avoid):
-=======
         if "next" in m.adjectives and not m.plural and names:
             return self._next(names, avoid)
-        if found := self._ranked(m, [e for e in names if e.id not in avoid] or names):
->>>>>>> 08b70f6 (Read the next one, the one beyond a row, and compound nouns without an article)
+        if found := self._ranked(m, [e for e in names if e.id not in avoid] or names, avoid):
             return found
         if not m.plural:  # "the 2 kg ball hits the 5 kg ball"
             names = [e for e in names if same_quantity(m, e, self.facts)] or names
