@@ -16,6 +16,7 @@ from esg.dynamics.demands import passed_on, run_on_speed
 from esg.dynamics.fitting import fit_motion
 from esg.dynamics.loads import fit_loads
 from esg.dynamics.openings import fit_openings
+from esg.dynamics.slopes import fastest_down, rides
 from esg.dynamics.stagecraft import climb_height, prop, support_of, top_surface
 from esg.dynamics.story import Phase, Story, bounds, read_story
 from esg.dynamics.toppling import LIGHTEST, fastest, fit_toppled, hits, launched, scaled
@@ -245,6 +246,7 @@ def _for_pushes(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]
     """
     nodes = doc.spatial_relation_graph.nodes
     out: dict[str, AssetConfiguration] = {}
+    riders = {(end.id, actor) for end, actor, _, _ in rides(doc, story)}
     for node, a, b in hits(doc, story):
         keys = nodes[a].asset_id, nodes[b].asset_id
         first, second = prop(doc, a), prop(doc, b)
@@ -252,7 +254,10 @@ def _for_pushes(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]
             continue
         if story.topples(b) or not _pushed_into(story, node, b):
             continue
-        speed = ARRIVES * fastest(story, a, node.id)
+        speed = fastest(story, a, node.id)
+        if (node.id, a) in riders:
+            speed = min(speed, fastest_down(doc, a) or speed)
+        speed *= ARRIVES
         more = run_on_speed(second) / max(passed_on(first, second) * speed, 1e-9)
         if more <= 1.0:
             continue

@@ -10,6 +10,7 @@ import pytest
 
 from esg.dynamics import build_scene, start_hints
 from esg.dynamics.choreography import choreograph
+from esg.dynamics.demands import passed_on, run_on_speed
 from esg.dynamics.plan import make_plan
 from esg.dynamics.slopes import (
     Ride,
@@ -183,3 +184,11 @@ def test_the_second_target_at_the_foot_of_a_ramp_is_no_ramp_length_behind_the_fi
     gap = places["box_1"].x_cm - places["bottle_1"].x_cm
     node = doc.spatial_relation_graph.nodes["ramp_1"]
     assert 0.0 < gap < doc.asset_configurations[node.asset_id].dimensions_cm[0]
+
+
+def test_what_is_pushed_on_by_something_off_a_ramp_is_light_enough_for_that() -> None:
+    doc = cast("A skateboard rolls down a ramp, bumps into a plastic bin and the bin hits a curb.")
+    board, waste = prop(doc, "skateboard_1"), prop(doc, "bin_1")
+    came = fastest_down(doc, "skateboard_1")
+    assert came is not None
+    assert 0.9 * passed_on(board, waste) * came >= 0.99 * run_on_speed(waste)
