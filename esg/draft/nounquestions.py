@@ -61,7 +61,8 @@ class NounQuestions(Letters):
             return 0
         nxt = self._tok(k + 1)
         small = lex.PREPOSITIONS - {"of", "up", "on", "onto"} | {"and", "but", "or", "is", "which"}
-        if not (nxt is None or nxt.kind == "punct" or nxt.low in small or self._finite(k + 1)):
+        ends = nxt is None or nxt.kind in ("punct", "qty", "number") or nxt.low in small
+        if not (ends or self._finite(k + 1)):
             return 0
         m.pattern, m.group_word, m.plural, m.count = "stack", word, True, None
         return 1

@@ -318,3 +318,9 @@ def test_a_stack_named_after_its_noun_is_several_things() -> None:
     doc, found = read("A ball rolls into the book pile.")
     assert sum(name.startswith("book") for name in doc.spatial_relation_graph.nodes) == 3
     assert found == [("Collision", "ball_1", "book_1")]
+    doc, found = read("A kart hits a tire stack 3 seconds after the start.")
+    assert sum(name.startswith("tire") for name in doc.spatial_relation_graph.nodes) == 3
+    assert found == [("Collision", "kart_1", "tire_1")]
+    hit = doc.timeline_system.sequence_graph.nodes[-1]
+    assert hit.time_is_prescribed
+    assert hit.timestamp == 3.0
