@@ -30,7 +30,19 @@ from esg.outcomes import UserError
 
 PROMPTS = Path(__file__).resolve().parents[1] / "data" / "prompts"
 BANDS = ("single", "quantified", "chain", "multi_phase")
-FILES = (*BANDS, "varied", "cold", "wide", "wide2", "prose", "stranger", "prose2", "stranger2", "stranger3", "stranger4")
+FILES = (
+    *BANDS,
+    "varied",
+    "cold",
+    "wide",
+    "wide2",
+    "prose",
+    "stranger",
+    "prose2",
+    "stranger2",
+    "stranger3",
+    "stranger4",
+)
 """All but the bands hold further prompts of all four bands, for development only."""
 HELD_OUT = ("test", "blind")
 """Splits for totals only: who improves the drafter reads no miss of them. `blind` is a file of its
