@@ -134,13 +134,14 @@ def _lowered(
     length, width, _ = config.dimensions_cm
     share = max(height / config.dimensions_cm[2], LOWEST)
     size = (length, width, share * config.dimensions_cm[2])
-    low = resized(doc, key, config, share, dimensions=size)
+    lighter = share ** (1.0 / 3.0)  # only as much lighter as it is lower: it shall not tip
+    low = resized(doc, key, config, lighter, dimensions=size)
     if min(low.dimensions_cm[:2]) > SNUG * min(length, width):
         return low
     box = doc.asset_requirement[key].model_copy(
         update={"asset_category": "open box", "asset_description": "open box"}
     )
-    return resized(doc, key, config, share, box, dimensions=size)
+    return resized(doc, key, config, lighter, box, dimensions=size)
 
 
 def is_filled(config: AssetConfiguration, mouth: NamedRegion) -> bool:
