@@ -152,3 +152,22 @@ def account(
         warnings.insert(0, f"{NOTHING_HAPPENS} ({words}): the scene shows none of it.")
     items.sort(key=lambda i: (i.start, i.end))
     return Coverage(items=tuple(items), warnings=tuple(dict.fromkeys(warnings)))
+
+
+def in_prompt(coverage: Coverage, text: str, prompt: str) -> Coverage:
+    """A record of where words went, with its places in the prompt as it was typed.
+
+    Args:
+        coverage: Places in `text`.
+        text: What was read: the prompt without markup, with symbols spelled out.
+        prompt: What was typed.
+    """
+    if text == prompt:
+        return coverage
+    items = []
+    for item in coverage.items:
+        found = [m.start() for m in re.finditer(re.escape(item.text), prompt)] if item.text else []
+        start = min(found, key=lambda k: abs(k - item.start), default=min(item.start, len(prompt)))
+        end = start + len(item.text) if found else min(item.end, len(prompt))
+        items.append(item.model_copy(update={"start": start, "end": max(start, end)}))
+    return coverage.model_copy(update={"items": tuple(items)})

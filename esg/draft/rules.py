@@ -9,7 +9,7 @@ from esg.draft.appositions import appose
 from esg.draft.build import DocumentBuilder, is_restricted
 from esg.draft.clauses import ClauseBuilder
 from esg.draft.comparisons import compare, compare_speeds
-from esg.draft.coverage import account
+from esg.draft.coverage import account, in_prompt
 from esg.draft.ellipsis import elide
 from esg.draft.expand import expand
 from esg.draft.interpret import Interpreter
@@ -95,7 +95,7 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     reasons = expand(scene, text, restricted)
     timeline = scene.timeline.build()
     too_long(timeline)
-    coverage = account(text, elements, clauses.mentions, scene, tokens)
+    coverage = in_prompt(account(text, elements, clauses.mentions, scene, tokens), text, prompt)
     expanded = text + ("" if not reasons else " [" + "; ".join(reasons) + "]")
     document = DocumentBuilder(scene, prompt, seed).build(timeline, coverage, restricted, expanded)
     return document

@@ -103,3 +103,11 @@ def test_what_is_not_understood_is_a_warning() -> None:
     assert missing
     for text in missing:
         assert any(text in warning for warning in doc.coverage.warnings), text
+
+
+def test_places_of_words_are_those_of_the_prompt_as_typed() -> None:
+    prompt = "A block slides with v = 3 m/s towards a box (m = 4 kg) and hits it 2 s later."
+    doc = draft(prompt)
+    assert not verify(doc)
+    later = [i for i in doc.coverage.items if i.text in ("later", "2 s", "4 kg", "hits")]
+    assert later and all(prompt[i.start : i.end] == i.text for i in later)
