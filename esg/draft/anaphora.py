@@ -54,8 +54,11 @@ class Anaphora(MotionSenses):
         hitter = self.world.entities.get(self._hitter) if self._hitter else None
         if hitter is not None and hitter.noun.name == "arm":
             hitter = None  # "An elbow catches a box. It goes over the edge.": the box
+        off = "off" in f.adverbs or f.verb.extra.get("particle") == "off"
+        leaves = f.verb.sense in ("fall", "roll", "slide")
+        leaves = leaves and (off or f.phrase("off", "from") is not None)
         upright = f.verb.sense == "topple" or (f.verb.sense == "fall" and not f.phrases)
-        leaves = f.verb.sense in ("fall", "roll", "slide") and f.phrase("off", "from") is not None
+        upright = upright and not leaves
         driven = f.subordinate == "so" and hitter is not None and f.verb.sense in _DRIVEN
         if (upright or driven) and sentence == f.sentence:
             pass
@@ -76,6 +79,9 @@ class Anaphora(MotionSenses):
         if f.verb.sense != "cause" or len(met) != 1 or sentence < f.sentence - 1:
             return
         event = (s.attribute and s.head in RETOLD_NOUNS) or s.pronoun in ("this", "that")
+        hard = f.verb.infinitive and f.parent is not None and s is f.parent.subject
+        driven = f.causer is not None and f.causer.verb.sense in ("hit", "knock")
+        event = event or hard or driven  # "hits it hard enough to make it fall"
         if f.relative and f.parent is not None and f.parent.verb.sense == "hit":
             event = s in (f.parent.object, *[p.mention for p in f.parent.phrases])
         if event and met[0] in self.world.entities:

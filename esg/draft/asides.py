@@ -104,6 +104,8 @@ def _by_agent(elements: list[Element], i: int, out: list[Element]) -> bool:
     k = i + 1
     while (small := word_at(elements, k)) is not None and small.low in _ADVERBS:
         k += 1
+    if small is not None and small.low in ("into", "against", "with"):
+        k += 1  # "crashed into by a forklift"
     by = word_at(elements, k)
     agent = elements[k + 1] if k + 1 < len(elements) else None
     if by is None or by.low != "by" or not isinstance(agent, Mention) or agent.attribute:

@@ -60,6 +60,10 @@ class ClauseVerbs(ClauseNouns):
             frame.parent = previous
             frame.resulting = self._goes_on(i)
         elif v.form == "ing" and after_prep in ("without", "by", "from") and previous is not None:
+            if after_prep == "by" and v.sense in ("hit", "knock"):
+                s.sub = s.sub or "after"  # "makes it fall by hitting it"
+                while previous.causer is not None:
+                    previous = previous.causer
             frame.subject, frame.parent = self._agent(previous), previous
             frame.link = "then"
         elif v.infinitive and previous is not None:
@@ -316,8 +320,9 @@ class ClauseVerbs(ClauseNouns):
         return False
 
     def _infinitive(self, s: State, frame: Frame, previous: Frame) -> None:
-        if previous.verb.sense in CAUSE_SENSES | {"hit"} and previous.object is not None:
-            frame.subject = previous.object
+        whom = s.last if s.last is not None and s.last.after_prep == "for" else None
+        if previous.verb.sense in CAUSE_SENSES | {"hit"} and (whom or previous.object):
+            frame.subject = whom or previous.object  # "hits it hard enough for it to fall"
             frame.causer = previous
             frame.link = "cause"
         elif previous.verb.sense in CAUSE_SENSES and previous.verb.passive:

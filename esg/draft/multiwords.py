@@ -59,6 +59,7 @@ _ENTRIES: tuple[tuple[tuple[str, ...], Literal["prep", "adv", "sub", "conj"], st
     (("due", "to", "the", "fact", "that"), "sub", "because"),
     (("owing", "to", "the", "fact", "that"), "sub", "because"),
     (("because", "of", "the", "fact", "that"), "sub", "because"),
+    (("enough", "that"), "sub", "so"),
     (("given", "that"), "sub", "because"),
     (("seeing", "that"), "sub", "because"),
     (("now", "that"), "sub", "because"),

@@ -71,6 +71,7 @@ class References(Anaphora):
             if m is not None and not m.pronoun and m.start < f.subject.start:
                 self.ids(m)
         subject = self._subject(f)
+        self._made_to(f)
         if (f.verb.lemma in _DRIVING and f.object is None) or f.verb.sense == "overtake":
             fit = [i for i in subject if self.kind(i) in ("person", "generic")]
             self.world.drivers |= set(fit)
@@ -131,7 +132,6 @@ class References(Anaphora):
                 self.world.resolved[id(m)] = m.entities = list(self._topic[1])
         self._it_again(f, subject)
         self._it_is_no_way(f, subject)
-        self._made_to(f)
         self._one_thrown_by_each(f, subject)
         self._it_is_the_target(f, subject)
         self._it_of_the_next(f, subject)
@@ -235,6 +235,8 @@ class References(Anaphora):
         if moving and not f.reduced and f.sentence not in self._lead:
             single = not objects and lone and self._aimable(subject[0])
             self._lead[f.sentence] = subject[0] if single else ""
+        if f.verb.sense == "be" and f.subject is None and len(objects) == 1:
+            self.world.subjects.append(list(objects))  # "There is a vase on a shelf. It ..."
         if f.verb.sense in ("be", "posture", "have", "park") and (subject or objects):
             self._topic = (f.sentence, subject or objects)
 

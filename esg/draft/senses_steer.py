@@ -23,7 +23,12 @@ class SteerSenses(ControlSenses):
         if s and not any(self.movable(a) for a in s):
             self.scene.ignored[(f.verb.start, f.verb.end)] = "a fixed object does not turn"
             return
+        driven = [i for i in o[:1] if self.kind(i) == "vehicle"]
+        if driven and s and self.kind(s[0]) == "person" and f.subject is not None:
+            self.mounts[id(f.subject)] = driven  # "The driver turns his car left and hits a tree"
+            s, o = driven, []
         own = f.object is not None and f.object.determiner in ("its", "his", "her")
+        own = own and not driven
         if own and f.object is not None and (not o or o[:1] != s[:1]):
             self.scene.ignored[(f.verb.start, f.verb.end)] = "a part turns, not the whole"
             return

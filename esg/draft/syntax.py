@@ -159,6 +159,10 @@ class Chunker(NounPhrases):
         if low == "in" and self._low(i + 1) == "off":
             self.elements.append(Word(token.start, token.end, "adv", "in"))
             return i + 1  # "goes in off the cushion"
+        verb = self._previous()
+        leaves = isinstance(verb, Verb) and verb.sense in ("fall", "roll", "slide", "knock")
+        if low == "of" and leaves and self._low(i + 1) in lex.DETERMINERS:
+            low = "off"  # "falls of the shelf"
         if low in lex.PREPOSITIONS or low in lex.SUBORDINATORS:
             self.elements.append(Word(token.start, token.end, "prep", low))
             return i + 1

@@ -36,7 +36,8 @@ def told_otherwise(elements: list[Element], i: int, out: list[Element]) -> int:
         How many elements they stand for; 0 if nothing is to change.
     """
     return (
-        _into_view(elements, i, out)
+        _speed_drops(elements, i, out)
+        or _into_view(elements, i, out)
         or _time_passes(elements, i, out)
         or _following_time(elements, i, out)
         or _reported(elements, i, out)
@@ -48,6 +49,26 @@ def told_otherwise(elements: list[Element], i: int, out: list[Element]) -> int:
 def _mention(elements: list[Element], i: int) -> Mention | None:
     e = elements[i] if 0 <= i < len(elements) else None
     return e if isinstance(e, Mention) else None
+
+
+def _speed_drops(elements: list[Element], i: int, out: list[Element]) -> int:
+    """ "The truck's speed drops to zero", "its speed falls": it slows down, and nothing falls."""
+    speed, verb = _mention(elements, i), elements[i + 1] if i + 1 < len(elements) else None
+    if speed is None or speed.head not in ("speed", "velocity", "pace") or not speed.attribute:
+        return 0
+    if not isinstance(verb, Verb) or verb.sense not in ("fall", "drop", "topple", "slide"):
+        return 0
+    thing = speed.possessor
+    if thing is None and speed.determiner in ("its", "his", "her"):
+        thing = Mention(speed.start, speed.start + len(speed.determiner), pronoun="it", text="it")
+    if thing is None:
+        return 0
+    to, zero = word_at(elements, i + 2), elements[i + 3] if i + 3 < len(elements) else None
+    nought = getattr(zero, "low", "") or getattr(zero, "head", "")
+    stops = to is not None and to.low == "to" and nought in ("zero", "0", "nothing", "nil")
+    lemma, sense = ("stop", "stop") if stops else ("slow", "slow")
+    out += [thing, Verb(verb.start, verb.end, lemma, sense, verb.form, extra={"via": "come"})]
+    return 4 if stops else 2
 
 
 def _into_view(elements: list[Element], i: int, out: list[Element]) -> int:

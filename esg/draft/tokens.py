@@ -24,6 +24,14 @@ _SHORTENED = re.compile(
     r"(ll|re|ve|d(?=\s+(?:like|love|prefer|want|need|rather)\b))(?![\w'’])",
     re.IGNORECASE,
 )
+_TYPOS = {
+    "teh": "the", "hte": "the", "adn": "and", "nad": "and", "wich": "which", "whcih": "which",
+    "becuase": "because", "untill": "until", "befor": "before", "thier": "their", "wiht": "with",
+    "thne": "then", "tehn": "then", "agianst": "against", "itno": "into", "towrads": "towards",
+    "aftre": "after", "whihc": "which", "fron": "from", "ontop": "on",
+}  # fmt: skip
+"""Slips of the pen in small words."""
+_MEANT = frozenset(_TYPOS.values())
 _TITLES = frozenset({"mr", "mrs", "ms", "dr", "prof", "capt", "sgt", "messrs", "vs", "approx"})
 """What a full stop after it does not end ("Mr. Smith")."""
 _CONTRACTED = re.compile(
@@ -86,6 +94,9 @@ def tokenize(text: str, tags: list[tuple[int, str]] | None = None) -> list[Token
                     full = _SHORT[short[2].lower()]
                     out.append(Token(full, short.end(1), m.end(), "word"))
                     continue
+                if (meant := _TYPOS.get(word.lower())) is not None:
+                    out.append(Token(meant, m.start(), m.end(), "word"))
+                    continue
                 is_ = _CONTRACTED.match(text, m.start())
                 if is_ is not None and is_.end() == m.end():
                     cut = m.end() - 2
@@ -126,6 +137,8 @@ def tokenize(text: str, tags: list[tuple[int, str]] | None = None) -> list[Token
     for token in out:
         named = token.kind == "word" and token.text[-1].isdigit()  # "R1" is no noun
         token.tag = "NUM" if named else by_start.get(token.start, "")
+        if token.low in _MEANT and text[token.start : token.end].lower() in _TYPOS:
+            token.tag = ""
     return out
 
 

@@ -129,6 +129,26 @@ _phrase("spill", r"(?=(?:off|from|out of)\b)", "fall", particle="down")
 _phrase("crash", r"down(?=\s+(?:from|off)\b)", "fall", particle="down")
 _phrase("flip", rf"over{_NO_OBJECT}", "topple")
 _phrase("fall", r"(?:to\s+(?:one|the|its)\s+side|sideways|flat)(?!\s+of\b)", "topple")
+_phrase(
+    "change",
+    r"(?:(?:its|his|her|the)\s+)?(?:direction|course|heading)\s+to\s+the\s+(?P<dir>left|right)",
+    "turn",
+)
+for _v in ("make", "do", "perform", "execute"):
+    _phrase(
+        _v,
+        r"an?\s+(?:(?:full|complete|sudden|emergency|brief|short|quick|abrupt|hard|final|dead)\s+)?"
+        r"(?:stop|halt)",
+        "stop",
+        via="come",
+    )
+_phrase("cease", r"(?:to\s+move|moving|(?:all\s+)?motion)", "stop", via="come")
+for _v in ("decelerate", "slow", "brake"):
+    _phrase(_v, r"(?:down\s+)?to\s+(?:zero|0(?:\s*m/s)?)(?!\d|\.\d)", "stop", via=_v)
+for _v in ("disappear", "vanish"):
+    _phrase(_v, r"(?=(?:into|in)\s+(?:an?|the|its)\b)", "enter")
+_phrase("steer", r"(?=(?:around|round)\s)", "own")
+_phrase("avoid", r"colliding\s+with", "avoid")
 _phrase("set", r"in(?:to)?\s+motion", "launch")
 _phrase("come", r"in\s+contact\s+with", "hit", obj="1")
 _phrase("get", r"in(?:to)?\s+contact\s+with", "hit", obj="1")
@@ -149,7 +169,7 @@ _phrase(
 )
 _phrase("fall", r"short\s+of", "miss")
 _phrase("come", r"off", "fall", particle="off")
-_phrase("come", r"down(?=\s+(?:from|off|on|onto)\b(?!\s+\d))", "fall", particle="down")
+_phrase("come", r"down(?=\s+(?:from|off|on|onto|into)\b(?!\s+\d))", "fall", particle="down")
 _phrase("take", r"(?:an?|the)\s+(?:\w+\s+)?(?:corner|bend|curve)", "turn")
 for _v in ("break", "come", "work"):
     _phrase(_v, r"(?:loose|away|free)(?=\s+(?:from|of)\b)", "fall", particle="down")
