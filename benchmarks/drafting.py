@@ -42,6 +42,8 @@ FILES = (
     "stranger2",
     "stranger3",
     "stranger4",
+    "plain",
+    "plain2",
 )
 """All but the bands hold further prompts of all four bands, for development only."""
 HELD_OUT = ("test", "blind")
