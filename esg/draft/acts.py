@@ -49,6 +49,9 @@ _PLACES = frozenset(
 )  # fmt: skip
 """Where "into" is an arrival and no crash."""
 
+_LIDDED = frozenset({"toolbox", "suitcase", "gift box", "chest", "safe"})
+"""What is closed unless something falls "in" it."""
+
 
 class Acts(Motions):
     """Collisions and entries."""
@@ -134,6 +137,7 @@ class Acts(Motions):
         noun = self.e(host).noun
         open_ = noun.kind == "generic" or (noun.kind == "cart" and noun.name in _OPEN_CARTS)
         open_ = open_ or noun.name in ("tray", "container", "barrel")
+        open_ = open_ or (prep == "in" and noun.name in _LIDDED)  # what it lands in stood open
         return prep in ("into", "in", "through") and (self._holds(host) or open_)
 
     def _bounces_over(self, actor: str, host: str) -> bool:
@@ -343,6 +347,11 @@ class Acts(Motions):
                 self._share_support(f, mover, target)
                 self._ensure_mover(f, mover, target)
                 out.append(self.event(NodeEvent.COLLISION, (mover, target), f, time))
+                for one, other in ((mover, target), (target, mover)):
+                    arrival = self.pending.get(one)
+                    same = arrival is not None and arrival[1].sentence == f.sentence
+                    if same and arrival[0] is NodeEvent.REACH and arrival[2] == other:
+                        del self.pending[one]  # "throws it to a dog, which catches it": once
                 self.last_hit = (mover, target)
                 time = None
         return out

@@ -44,6 +44,18 @@ class Anaphora(MotionSenses):
         if one_of_them and len(target) == 1 and self._last_subject != subject:
             self.world.resolved[id(m)] = m.entities = list(target)
 
+    def _struck_on_its_way(self, f: Frame) -> bool:
+        """ "A ball hits a cushion before it falls into a pocket": what hits goes on."""
+        m, main = f.subject, f.main
+        if m is None or m.pronoun != "it" or f.subordinate != "before" or main is None:
+            return False
+        round_ = main.subject is not None and "round" in getattr(main.subject.noun, "traits", ())
+        ids = main.subject.entities if round_ and main.subject is not None else []
+        if main.verb.sense != "hit" or main.verb.passive or len(ids) != 1 or not f.phrases:
+            return False
+        self.world.resolved[id(m)] = m.entities = list(ids)
+        return True
+
     def _run_into_falls(self, f: Frame) -> bool:
         """ "slides into a bottle, so it tips over": what is run into."""
         m, (met, sentence) = f.subject, self._met
@@ -86,6 +98,15 @@ class Anaphora(MotionSenses):
             event = s in (f.parent.object, *[p.mention for p in f.parent.phrases])
         if event and met[0] in self.world.entities:
             self.world.resolved[id(m)] = m.entities = list(met)
+
+    def _sent_back(self, f: Frame, subject: list[str]) -> None:
+        """ "throws a ball to a seal, which hits it back": the ball."""
+        m, before = f.object, f.parent
+        if m is None or m.pronoun != "it" or id(m) in self.world.resolved or before is None:
+            return
+        sent = before.object.entities if before.object is not None else []
+        if f.relative and before.verb.sense == "launch" and len(sent) == 1 and sent != subject:
+            self.world.resolved[id(m)] = m.entities = list(sent)
 
     def _it_again(self, f: Frame, subject: list[str]) -> None:
         """ "moves it over a box and drops it": what the same subject acted on just before."""

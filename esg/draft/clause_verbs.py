@@ -12,6 +12,7 @@ _LETTING = frozenset({"let", "make", "have", "watch"})
 UNTIL_MAIN = "until main clause"
 _UNCHANGED = frozenset({"hit", "let", "put", "set", "cut", "burst", "upset"})
 """Verbs whose past is spelled like the infinitive."""
+_AMONG_VEHICLES = frozenset({"rear-end", "t-bone", "sideswipe"})
 _ASKING = frozenset({"want", "like", "need", "wish", "ask", "tell", "order", "allow", "expect"})
 _SHOWING = frozenset({"show", "see", "depict", "capture", "film", "picture", "feature", "watch"})
 _FAILING = frozenset({"fail", "fails", "failed", "refuse", "refuses", "refused", "failing"})
@@ -122,6 +123,7 @@ class ClauseVerbs(ClauseNouns):
             and v.form != "ing"
             and previous.verb.sense
             not in ("be", "posture", "park", "weigh", "measure", "have", "contain")
+            and not self._of_a_vehicle(previous, v)
         ):
             # ", which rolls away and hits C": the relative clause goes on
             frame.subject, frame.relative, frame.reduced = previous.subject, True, True
@@ -129,9 +131,17 @@ class ClauseVerbs(ClauseNouns):
         elif v.lemma in _LETTING and v.form != "ing" and previous.subject is None:
             frame.parent = previous  # "Push the ball and let it roll": still the reader's doing
         else:
-            frame.subject = self._agent(self._before_what_it_lets(previous, v))
+            before = self._before_what_it_waits_for(self._before_what_it_lets(previous, v), s, v)
+            frame.subject = self._agent(before)
             frame.parent = previous
         self._finish(s, frame)
+
+    @staticmethod
+    def _of_a_vehicle(previous: Frame, v: Verb) -> bool:
+        """ "brakes for a duck that crosses the road and is rear-ended": not the duck."""
+        who = previous.subject.noun if previous.subject is not None else None
+        beast = who is not None and who.kind in ("animal", "person")
+        return beast and v.passive and v.lemma in _AMONG_VEHICLES
 
     @staticmethod
     def _by_agent(s: State, frame: Frame, previous: Frame | None) -> bool:
@@ -167,6 +177,15 @@ class ClauseVerbs(ClauseNouns):
         ):
             previous = previous.causer
         return previous
+
+    def _before_what_it_waits_for(self, previous: Frame, s: State, v: Verb) -> Frame:
+        """ "waits until the tram has passed and follows it": who waits follows it."""
+        perfect = previous.verb.auxiliary in ("has", "have", "had") and not v.auxiliary
+        if not (perfect and previous.subordinate and s.boundary and v.form in ("s", "past")):
+            return previous
+        mine = [g for g in self.frames if g.sentence == previous.sentence and not g.reduced]
+        mains = [g for g in mine if not g.subordinate and g.verb.start < previous.verb.start]
+        return mains[-1] if mains and mains[-1].verb.form == v.form else previous
 
     @staticmethod
     def _caused_after_relative(previous: Frame, v: Verb, s: State) -> bool:

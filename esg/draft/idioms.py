@@ -10,7 +10,7 @@ from collections.abc import Callable
 from itertools import pairwise
 
 from esg.draft.elements import Mention
-from esg.draft.frames import Frame
+from esg.draft.frames import Frame, Phrase
 
 _PARTING = frozenset({"break", "snap", "crack", "chip", "split", "tear", "come", "peel", "wobble"})
 _BREAKING = frozenset({"break", "shatter", "crack", "splinter", "burst", "smash"})
@@ -22,6 +22,8 @@ _STEERED = _TRAVELLING | frozenset({"watercraft", "flyer", "toyvehicle", ""})
 _ROUND = frozenset({"ball", "billiard", "sliding", "projectile"})
 _BATTING = frozenset({"bat", "swipe", "whisk", "poke", "paw"})
 _TOSSED = frozenset({"game", "tableware", "food", "ball", "billiard", "projectile", "electronics"})
+_BENDS = frozenset({"curve", "bend", "corner"})
+_ALONG_BENDS = frozenset({"around", "round", "through", "along"})
 _SURFACES = frozenset({"patch", "slick", "spot", "stretch"})
 """What a vehicle hits and drives over."""
 
@@ -272,12 +274,42 @@ def _swings_round(f: Frame) -> str:
     return "swing" if turns and f.subject is not None and _kind(f.subject) not in _STEERED else ""
 
 
+def _runs_onto_the_street(f: Frame) -> str:
+    """ "A child runs into the street": onto it, which nothing hits."""
+    m = f.object
+    runs = f.verb.lemma == "run" and f.verb.sense == "hit" and not f.verb.passive
+    if not runs or m is None or not _structural(m) or f.verb.extra.get("motion") != "own":
+        return ""
+    f.object = None
+    f.phrases.insert(0, Phrase("onto", m))
+    return "own"
+
+
+def _follows_a_bend(f: Frame) -> str:
+    """ "goes around a curve to the left": a turn to the side that is told."""
+    if f.verb.sense not in ("own", "roll", "fly") or f.object is not None:
+        return ""
+    bends = [
+        p.mention
+        for p in f.phrases
+        if p.prep in _ALONG_BENDS and p.mention is not None and p.mention.head in _BENDS
+    ]
+    phrased = {p.mention.head for p in f.phrases if p.mention is not None}
+    told = {*f.adverbs} | phrased
+    told |= {a.removesuffix("-hand").removesuffix("hand") for m in bends for a in m.adjectives}
+    sides = {"left", "right"} & told
+    if not bends or len(sides) != 1 or not bends[0].attribute:
+        return ""
+    f.adverbs.extend(sides - {*f.adverbs} - phrased)
+    return "turn"
+
+
 _READINGS: tuple[Callable[[Frame], str], ...] = (
     _takes_out, _parts, _breaks_it, _shuts_on, _steps_on, _jumps_on, _lets_off, _tosses,
     _hits_ground, _buries, _swings_round, _against, _knocks_over,
     _comes_down, _brought_down, _speed_changes, _stands_still,
     _bats_off, _is_let_go, _flies_over, _takes_along, _pulled_over,
-    _not_avoided, _leaves_alone,
+    _not_avoided, _leaves_alone, _runs_onto_the_street, _follows_a_bend,
 )  # fmt: skip
 
 

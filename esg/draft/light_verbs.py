@@ -191,6 +191,8 @@ def _left_alone(elements: list[Element], i: int, out: list[Element]) -> int:
         return 0
     leave.lemma, leave.sense = "miss", "miss"
     out += [leave, thing]
+    if how is not None:
+        out.append(Word(how.start, how.end, "adv", word))
     return 3
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from esg.draft import lexicon as lex
 from esg.draft.elements import Mention
 from esg.draft.entities import FRONT, ORDINALS, REAR, STACKED, Entity, slug
+from esg.draft.meetings import meeting
 from esg.draft.persons import named_by_no_person
 from esg.draft.ranks import RANKS, extreme, rank, same_quantity
 from esg.draft.registry import Registry
@@ -98,6 +99,8 @@ class Pronouns(Registry):
             recent: list[str] = []
             for ids in reversed(self.salience):
                 for i in ids:
+                    if subject and p == "they" and self.entities[i].noun.kind in _WAYS:
+                        continue  # "rolls down the ramp, and they collide"
                     if i not in recent and "structural" not in self.entities[i].noun.traits:
                         recent.append(i)
                 if len(recent) >= 2 and (p != "both" or len(recent) > 3):
@@ -105,7 +108,8 @@ class Pronouns(Registry):
             alike = [i for i in recent if self.entities[i].noun == self.entities[recent[0]].noun]
             recent = alike if p == "both" and len(alike) > 1 else recent
             if len(recent) >= 2:
-                return recent[:2][::-1]
+                met = meeting(self.subjects, recent, self.entities) if subject else []
+                return met or recent[:2][::-1]
             return recent
         if p in ("latter", "former"):
             two = list(dict.fromkeys(i for i in self.movers if i in self.entities))

@@ -11,7 +11,10 @@ from esg.draft.scene import SELF_POWERED
 
 _FLYING_ON = frozenset({"bounce", "roll", "slide", "fly", "enter", "spin"})
 """Senses of "it" after a throw that are about the thing thrown."""
-_HALTING = frozenset({"stop", "catch", "grab", "avoid", "dodge", "intercept", "block", "follow"})
+_HALTING = frozenset(
+    {"stop", "catch", "grab", "avoid", "dodge", "intercept", "block", "follow", "pick", "lift",
+     "collect", "snatch"}
+)  # fmt: skip
 _DRIVING = frozenset({"brake", "accelerate", "reverse", "swerve", "drive", "park"})
 _MOVING = frozenset({"own", "roll", "slide", "fly", "fall", "drop", "launch", "coast", "leave"})
 RIDDEN = frozenset(
@@ -126,10 +129,12 @@ class References(Anaphora):
                 and len(self._topic[1]) == 1
                 and self._topic[1] != subject
                 and id(m) not in self.world.resolved
+                and not self._just_acted_on(f)
                 and f.subject is not None
                 and (f.subject.determiner in ("a", "an") or f.subject.attribute)
             ):
                 self.world.resolved[id(m)] = m.entities = list(self._topic[1])
+        self._sent_back(f, subject)
         self._it_again(f, subject)
         self._it_is_no_way(f, subject)
         self._one_thrown_by_each(f, subject)
@@ -240,6 +245,10 @@ class References(Anaphora):
         if f.verb.sense in ("be", "posture", "have", "park") and (subject or objects):
             self._topic = (f.sentence, subject or objects)
 
+    def _just_acted_on(self, f: Frame) -> bool:
+        """ "hits the van and pushes it": the same subject acted on a thing just before."""
+        return self._acted[0] is f.subject and any(map(self.movable, self._acted[1]))
+
     def _part_that_hits(self, f: Frame) -> None:
         """ "The cart rolls on, its wheel hits a stone": the cart does."""
         m = f.subject
@@ -325,6 +334,7 @@ class References(Anaphora):
             m is not None
             and m.pronoun in ("it", "they")
             and id(m) not in self.world.resolved
+            and not self._struck_on_its_way(f)
             and not self._run_into_falls(f)
             and f.verb.sense in ("fall", "topple", "land", "pocket", "drop")
             and (f.verb.sense != "drop" or f.object is None)

@@ -30,6 +30,12 @@ LARGEST_CM, LIGHTEST_KG = 9000.0, 1e-3
 MAX_COUNT = 40
 """Most members of one plural."""
 
+_TWINS = frozenset(
+    {"scissor", "scissors", "plier", "pliers", "tong", "tongs", "tweezer", "tweezers", "shear",
+     "shears", "binocular", "binoculars", "headphone", "headphones"}
+)  # fmt: skip
+"""What is called a pair and is one thing."""
+
 
 class Registry(Matching):
     """Entities and groups in order of mention."""
@@ -264,6 +270,8 @@ class Registry(Matching):
         if m.noun is None and _PEOPLE.search(m.head):
             m.noun = lex.nouns()["person"]
         noun = m.noun or unknown_noun(m.head)
+        if m.group_word == "pair" and m.head in _TWINS:
+            m.count, m.plural, m.group_word = None, False, ""  # "a pair of scissors" is one thing
         if noun.name == "net" and m.after_prep in ("into", "in") and not self.net_sport:
             noun = lex.nouns()["goal"]
         elif noun.name == "cup" and self._golf() and m.after_prep in _TO_THE_HOLE:

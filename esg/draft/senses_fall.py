@@ -125,6 +125,10 @@ class FallSenses(LaunchSenses):
             if self.structural(other):
                 if self.kind(t) == "flyer":
                     continue  # it lands
+                leaper = self.kind(t) in ("person", "animal") and f.verb.sense == "land"
+                if leaper and t not in self.scene.supported_by and t not in self.scene.heights:
+                    self.use(f, "end of a jump")
+                    continue
                 if (
                     self._airborne(t)
                     and t not in self.scene.supported_by
@@ -170,6 +174,10 @@ class FallSenses(LaunchSenses):
         hosts = met.mention.entities if met is not None and met.mention is not None else o
         if f.verb.lemma == "come" and self._rebounds(s, hosts):
             self._read_as("hit", f, s, hosts[:1])  # "comes off the defender's knee"
+            return
+        towed = f.verb.lemma == "come" and bool(s) and not hosts and met is None
+        if towed and all(self.e(i).noun.name == "trailer" for i in s):
+            self.scene.ignored[(f.verb.start, f.verb.end)] = "it is on its own from here on"
             return
         slope = f.phrase("down")
         if (

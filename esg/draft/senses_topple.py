@@ -113,8 +113,8 @@ class ToppleSenses(ContactSenses):
         else:
             bodies = self._representatives(s, []) if not f.verb.passive else []
         for b in bodies:
-            if not self.movable(b):
-                continue
+            if not self.movable(b) or (len(s) > 1 and self._has_toppled(b)):
+                continue  # "a bike falls over, and all the bikes fall over": once
             self._struck_before(f, b)
             if b not in self.tl.tracks and not o:
                 self._shaken(f, b)

@@ -60,7 +60,7 @@ def _speed_drops(elements: list[Element], i: int, out: list[Element]) -> int:
         return 0
     thing = speed.possessor
     if thing is None and speed.determiner in ("its", "his", "her"):
-        thing = Mention(speed.start, speed.start + len(speed.determiner), pronoun="it", text="it")
+        thing = Mention(speed.start, speed.end, pronoun="it", text="it")
     if thing is None:
         return 0
     to, zero = word_at(elements, i + 2), elements[i + 3] if i + 3 < len(elements) else None

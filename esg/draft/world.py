@@ -227,6 +227,8 @@ class World(Members):
             if m.head in WORN and kinds & {"person"} and m.after_prep != "off":
                 return ids
             own = m.head in OWN_PARTS and not subject
+            if m.head == "roof" and not subject and kinds == {"building"}:
+                return ids  # "lands on the roof of a shed"
             return ids if own and kinds & {"vehicle", "cart", "watercraft", "flyer"} else []
         if m.head in _TOPS and m.determiner == "the" and not subject and not m.adjectives:
             last = [i for ids in self.salience[-3:] for i in ids if i in self.entities]
