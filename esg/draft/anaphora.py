@@ -10,6 +10,7 @@ from esg.draft.senses_motion import MotionSenses
 
 _TAKING = frozenset({"catch", "grab", "pick", "hold", "carry", "retrieve", "fetch"})
 _ALONG = frozenset({"along", "through", "across", "over", "past", "down", "up", "around"})
+_BESIDE = frozenset({"in front of", "next to", "near", "beside", "at", "by", "behind", "on"})
 _DRIVEN = frozenset({"own", "hit", "roll", "slide", "fall", "topple", "fly", "enter", "reach"})
 """Senses of what "it" does in "hits X so hard that it ..."."""
 
@@ -98,6 +99,23 @@ class Anaphora(MotionSenses):
             event = s in (f.parent.object, *[p.mention for p in f.parent.phrases])
         if event and met[0] in self.world.entities:
             self.world.resolved[id(m)] = m.entities = list(met)
+
+    def _it_stopped_there(self, f: Frame, subject: list[str]) -> None:
+        """ "A van stops in front of a school, and a car hits it": the van."""
+        s, m = f.subject, f.object
+        mentions = [x for x in (m, *[p.mention for p in f.phrases]) if x is not None]
+        it = next((x for x in mentions if x.pronoun == "it"), None)
+        if it is None or id(it) in self.world.resolved or s is None or s.pronoun:
+            return
+        before = [g for g in self.told if g.sentence == f.sentence and g.verb.start < s.start]
+        last = before[-1] if before else None
+        if last is None or last.verb.sense not in ("stop", "park", "brake", "wait"):
+            return
+        stopped = last.subject.entities if last.subject is not None else []
+        where = {p.prep for p in last.phrases if p.mention is not None and p.mention.entities}
+        placed = last.object is None and bool(where) and where <= _BESIDE
+        if placed and len(stopped) == 1 and stopped != subject and stopped[0] not in subject:
+            self.world.resolved[id(it)] = it.entities = list(stopped)
 
     def _sent_back(self, f: Frame, subject: list[str]) -> None:
         """ "throws a ball to a seal, which hits it back": the ball."""

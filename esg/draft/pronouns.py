@@ -45,7 +45,11 @@ class Pronouns(Registry):
         if p in ("i", "we", "you", "something", "everything"):
             return []
         if p == "another" and not self.groups:
-            others = avoid or (self.subjects[-1] if subject and self.subjects else [])
+            last = self.salience[-1] if self.salience and m.after_prep == "to" else []
+            one = len(last) == 1 and self.entities[last[0]].label.lower().startswith("one ")
+            others = (
+                last if one else avoid or (self.subjects[-1] if subject and self.subjects else [])
+            )
             solid = (self.entities[i] for i in others)
             model = next((e for e in solid if "structural" not in e.noun.traits), None)
             if model is not None:

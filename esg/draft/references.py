@@ -134,6 +134,7 @@ class References(Anaphora):
                 and (f.subject.determiner in ("a", "an") or f.subject.attribute)
             ):
                 self.world.resolved[id(m)] = m.entities = list(self._topic[1])
+        self._it_stopped_there(f, subject)
         self._sent_back(f, subject)
         self._it_again(f, subject)
         self._it_is_no_way(f, subject)

@@ -10,6 +10,9 @@ from esg.graph.models import NodeEvent
 _LOW_CM = 40.0
 """Height of a pallet or a platform: what hits it hits what stands on it."""
 
+_OF_ONES_OWN = frozenset({"brake", "stop", "slow", "swerve", "avoid", "wait", "accelerate"})
+"""What somebody does who is forced to, and no blow does to him."""
+
 
 class ToppleSenses(ContactSenses):
     """Bodies that are knocked on or over."""
@@ -58,6 +61,8 @@ class ToppleSenses(ContactSenses):
             and not self._already_hit(f, s, o)
             and f.causer is None
         ):
+            if any(g.causer is f and g.verb.sense in _OF_ONES_OWN for g in self.told):
+                return  # "forces a cyclist to brake": by being in the way
             if self.kind(s[0]) != "person":
                 self._hit(f, s, o, self._time(f))
             else:

@@ -81,6 +81,19 @@ def read(prompt: str) -> list[tuple[Any, ...]]:
             "A jeep tows a trailer. The trailer comes off and rolls into a fence.",
             [("Collision", "trailer_1", "fence_1")],
         ),
+        (
+            "The ball is passed from one player to another.",
+            [("Reach", "ball_1", "second_player_1")],
+        ),
+        # what stopped, who is forced
+        (
+            "A van stops in front of a school, and a car that follows it hits it from behind.",
+            [("Stop", "van_1"), ("Collision", "car_1", "van_1")],
+        ),
+        (
+            "A jeep comes out of a yard and forces a cyclist to brake. The cyclist falls.",
+            [("Topple", "cyclist_1")],
+        ),
         # bends, lids, roofs, chimneys
         ("A tram goes around a bend to the left.", [("HeadingReached", "tram_1")]),
         (
