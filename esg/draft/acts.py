@@ -6,6 +6,7 @@ from typing import Any
 
 from esg.draft import lexicon as lex
 from esg.draft.core import Time
+from esg.draft.decks import is_deck
 from esg.draft.events import PUSHING
 from esg.draft.frames import Frame, Phrase
 from esg.draft.motions import Motions
@@ -38,6 +39,24 @@ _EDGES = frozenset({"edge", "end", "side", "rim", "lip"})
 _VISITING = frozenset(
     {"come", "go", "pull", "move", "drive", "walk", "ride", "sail", "head", "turn", "run", "step"}
 )
+_GROUNDED = frozenset(
+    {
+        "drive",
+        "ride",
+        "walk",
+        "run",
+        "roll",
+        "slide",
+        "move",
+        "cycle",
+        "go",
+        "rumble",
+        "race",
+        "speed",
+    }
+    | {"travel", "skate", "trundle", "taxi", "come", "stroll", "rattle", "head", "crawl"}
+)
+"""What goes "over" a bridge by these goes on it."""
 _HOLDING = frozenset({"hand", "hands", "grip", "grasp", "arms", "fingers"})
 _OPEN_CARTS = frozenset({"cart", "shopping cart", "wheelbarrow", "mine cart", "trailer"})
 _OPENINGS = frozenset({"hole", "water"})
@@ -104,7 +123,9 @@ class Acts(Motions):
                         fallen.add(actor)
                     elif p.prep == "off" and {self.kind(actor), self.kind(other)} == {"billiard"}:
                         self._hit(f, [actor], [other], time)  # "goes in off the blue"
-                    elif p.prep == "over" and self._over_its_top(f, actor, other):
+                    elif p.prep == "over" and (
+                        self._over_its_top(f, actor, other) or self._over_a_deck(f, actor, other)
+                    ):
                         self.place([actor], [other], "on")
                 elif p.prep == "onto" and not self.structural(other):
                     self._hit(f, [actor], [other], time)
@@ -158,6 +179,10 @@ class Acts(Motions):
         """ "A cup slides over the table": on it, unlike a ball that is kicked over a bench."""
         sliding = f.verb.sense in ("slide", "roll") and not f.verb.passive
         return sliding and self.kind(other) == "table" and self._fits_on(actor, other)
+
+    def _over_a_deck(self, f: Frame, actor: str, other: str) -> bool:
+        """ "Drives over a pier", unlike what flies or jumps over it."""
+        return is_deck(self.e(other)) and f.verb.lemma in _GROUNDED and not self._airborne(actor)
 
     def _goes_in(self, f: Frame, actors: list[str], time: Time | None) -> None:
         """ "bounces off the rim and goes in": into the goal, hoop or hole named before."""

@@ -156,8 +156,6 @@ class DocumentBuilder:
             category, text = "open_box", f"{e.head}: open box without a lid"
         elif e.noun.kind == "hole":
             category, text = "tunnel", f"{e.head}: small low tunnel that a ball rolls into"
-        elif e.noun.kind == "water":
-            category, text = "goal", f"{e.head}: small opening on the ground that a ball rolls into"
         else:
             return required
         size = required.expected_dimensions_cm

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 
 from esg.draft import lexicon as lex
+from esg.draft.decks import is_driven, lay_decks
 from esg.draft.entities import Entity
 from esg.draft.scene import Scene
 from esg.graph.models import NodeEvent
@@ -56,6 +57,7 @@ def expand(scene: Scene, prompt: str, restricted: bool) -> list[str]:
         _rename_regions(scene, table)
         _set_on_table(scene, table)
     _fill_targets(scene, reasons)
+    lay_decks(scene)
     _elevated_targets(scene, prompt)
     _topple_shots(scene, prompt)
     _roll_down(scene, prompt, reasons)
@@ -72,6 +74,7 @@ def expand(scene: Scene, prompt: str, restricted: bool) -> list[str]:
             dynamic
             and "vehicle" in kinds
             and _find(scene, "road", "parking lot", "crossroad") is None
+            and not any(is_driven(scene, i) for i in entities)
         ):
             _add(scene, "road", reasons, "vehicles drive on a road")
         turns = any(

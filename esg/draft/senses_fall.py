@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from esg.draft.acts import Acts
+from esg.draft.decks import is_deck
 from esg.draft.entities import BODY_PARTS, OWN_PARTS
 from esg.draft.frames import Frame, Phrase
 from esg.draft.scene import SELF_POWERED
@@ -143,11 +144,25 @@ class FallSenses(LaunchSenses):
                 "region",
                 "water",
             ):
+                if self.kind(other) == "water":
+                    self._off_a_deck(f, t)
                 self.enter(f, t, other, p.mention, self._time(f))
             else:
                 self._hit(f, [t], p.mention.entities, self._time(f))
         self._lands_again(f, moved, p)
         return True
+
+    def _off_a_deck(self, f: Frame, thing: str) -> None:
+        """What falls into the water leaves the quay or bridge that was named."""
+        decks = [i for i, e in self.world.entities.items() if is_deck(e)]
+        told = any(n.event is NodeEvent.FALL and thing in n.participants for n in self.tl.nodes)
+        host = self.scene.supported_by.get(thing)
+        if len(decks) != 1 or told or thing in decks or self._airborne(thing):
+            return
+        if host is None:
+            self.place([thing], decks, "on")
+        if host in (None, decks[0]):
+            self.event(NodeEvent.FALL, (thing,), f, None)
 
     def _lands_again(self, f: Frame, moved: list[str], first: Phrase) -> None:
         """ "falls into a funnel, out of it onto a ramp and from the ramp into a cup"."""

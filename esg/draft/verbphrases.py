@@ -18,6 +18,27 @@ def _phrase(lemma: str, rest: str, sense: str, **extra: str) -> None:
 
 
 _NO_OBJECT = r"(?!\s+(?:an?|the|its|his|her|their|some)\b)"
+DECKS = frozenset(
+    {
+        "pier",
+        "jetty",
+        "quay",
+        "wharf",
+        "dock",
+        "breakwater",
+        "mole",
+        "pontoon",
+        "bridge",
+        "overpass",
+    }
+    | {"viaduct", "platform", "deck", "bay", "terrace", "veranda", "stage", "roof", "rooftop"}
+    | {"apron"}
+)
+"""Last words of large things that one walks and drives about on."""
+DECK_PHRASE = r"(?:(?!(?:on|at|near|by|and|in|from|of|into|onto|off|with)\b)[\w.'-]+\s+){1,6}?"
+"""What stands before such a word in its phrase, the article included."""
+_DECK = rf"{DECK_PHRASE}(?:{'|'.join(sorted(DECKS))})\b"
+_NO_DECK = rf"(?!\s+{_DECK})"
 _NO_EDGE = r"(?!\s+(?:an?|the|its|their)\s+(?:\w+\s+)?(?:edge|side|end|rim|lip|brink|cliff)\b)"
 _ADJ = r"(?:(?:[a-z-]+)\s+)?"
 for _v in ("kick", "throw", "toss", "hit", "push"):  # "is kicked over the crossbar"
@@ -73,7 +94,7 @@ _phrase("pull", r"(?:over|down)(?=\s+(?:an?|the|its)\b)", "topple", transitive="
 _phrase("take", r"off", "own")
 _phrase("set", r"off", "own")
 _phrase("set", r"out", "own")
-_phrase("drive", r"off", "own")
+_phrase("drive", rf"off(?!\s+(?:(?:an?|the|its)\s+(?:edge|end|side|rim)\b|{_DECK}))", "own")
 for _v in ("run", "go", "race", "rush", "dash", "sprint", "jump", "dive", "swim"):
     _phrase(
         _v,
@@ -83,7 +104,7 @@ for _v in ("run", "go", "race", "rush", "dash", "sprint", "jump", "dive", "swim"
     )
 _phrase("run", r"into", "hit", motion="own")
 _phrase("run", rf"over{_NO_EDGE}", "hit", motion="own")
-_phrase("drive", rf"over{_NO_EDGE}", "hit", motion="own")
+_phrase("drive", rf"over{_NO_EDGE}{_NO_DECK}", "hit", motion="own")
 _phrase("bump", r"into", "hit")
 _phrase("knock", r"(?:over|down)", "topple", transitive="1", contact="1")
 _phrase("kick", r"(?:over|down)", "topple", transitive="1", contact="1")

@@ -27,6 +27,9 @@ ROOMY = 1.5
 """Least width of a shell over that of what goes in."""
 AREA_CM = 100.0
 """Height of the space over what is drawn flat."""
+LOW = 0.65
+"""The same over the height of what falls there: its middle is in it once it lies there, not before
+it has fallen."""
 
 
 def fit_openings(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]:
@@ -65,11 +68,15 @@ def _opened(
     words = f"{nodes[owner].label} {owner.replace('_', ' ')}".lower().split()
     if not config.proxies:
         length, width, height = config.dimensions_cm
+        high = AREA_CM
+        if _falls_first(story, node, thing):
+            body = doc.asset_configurations[nodes[thing].asset_id]
+            high = min(high, max(LOW * body.dimensions_cm[2], 1.0))
         over = NamedRegion(
             name=name,
             kind="area",
-            center_cm=(0.0, 0.0, height + 0.5 * AREA_CM),
-            half_extents_cm=(0.5 * length, 0.5 * width, 0.5 * AREA_CM),
+            center_cm=(0.0, 0.0, height + 0.5 * high),
+            half_extents_cm=(0.5 * length, 0.5 * width, 0.5 * high),
         )
         return config.model_copy(update={"regions": (*config.regions, over)})
     if "net" in words or config.category == "goal":
@@ -83,6 +90,14 @@ def _opened(
                 return made
         return None
     return _shell(config, doc.asset_configurations[nodes[thing].asset_id], name)
+
+
+def _falls_first(story: Story, node: TimelineNode, thing: str) -> bool:
+    """Whether a thing falls off something before it enters."""
+    for other in story.nodes.values():
+        if other.event is NodeEvent.FALL and thing in other.participants:
+            return node.id in {n.id for n in story.after(other.id)}
+    return False
 
 
 def _remade(

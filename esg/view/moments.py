@@ -41,7 +41,7 @@ def moments_of(
     """The start, every completed event in order of time, and the moment after the last."""
     events = [e for e in verdict.events if e.completed and e.time_s is not None] if verdict else []
     events = sorted(events, key=lambda e: e.time_s or 0.0)[:MAX_EVENTS]
-    cast = _cast(scene, rollout, verdict)
+    cast = _with_openings(scene, doc, _cast(scene, rollout, verdict))
     company = _company(scene, doc, cast)
     end = float(rollout.time[-1])
     if events:
@@ -106,6 +106,21 @@ def _cast(scene: SimScene, rollout: Rollout, verdict: SceneVerdict | None) -> tu
     if not cast:
         cast = {i for i, b in enumerate(scene.bodies) if b.mentioned and b.collides}
     return tuple(sorted(cast)) or tuple(range(len(scene.bodies)))
+
+
+def _with_openings(scene: SimScene, doc: EsgDocument, cast: tuple[int, ...]) -> tuple[int, ...]:
+    """The cast and the goal, hole or basket it enters; what is flat fills the picture."""
+    timeline = doc.timeline_system
+    if timeline is None:
+        return cast
+    names = {scene.bodies[i].name for i in cast}
+    owners = {
+        (n.region or "").partition("/")[0]
+        for n in timeline.sequence_graph.nodes
+        if names & set(n.participants)
+    }
+    solid = {scene.index(n) for n in owners if n in scene.names and scene.body(n).collides}
+    return tuple(sorted({*cast, *solid}))
 
 
 def _name(scene: SimScene, name: str) -> str:

@@ -15,7 +15,15 @@ from numpy.typing import NDArray
 from esg.engines.scene import Rollout, SimScene
 from esg.graph.models import EsgDocument
 from esg.view.camera import Camera
-from esg.view.framing import PANEL_PX, camera_for, camera_of_moment, frame_at, pose, viewpoint
+from esg.view.framing import (
+    PANEL_PX,
+    camera_for,
+    camera_of_moment,
+    corners_of,
+    frame_at,
+    pose,
+    viewpoint,
+)
 from esg.view.moments import Moment, failures, moments_of
 from esg.view.parts import scene_parts
 from esg.view.render import SAMPLES, Renderer
@@ -81,7 +89,8 @@ def preview(
     since = 0.0
     for moment, shot, image in zip(moments, shots, images[: len(shots)], strict=True):
         trails = _trails(rollout, moment.focus, since, moment.time)
-        image = draw_trail(image, shot.camera, trails)
+        specks = [] if panels else [corners_of(scene, rollout, shot.frame, i) for i in moment.focus]
+        image = draw_trail(image, shot.camera, trails, specks)
         panels.append(Panel(image, moment.title, moment.caption))
         since = moment.time
     if loop:

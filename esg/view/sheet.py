@@ -35,15 +35,23 @@ class Panel:
     caption: str
 
 
+SPECK_PX = 9
+"""What is smaller in a picture gets a ring of this radius, where that is asked for."""
+
+
 def draw_trail(
-    image: NDArray[np.uint8], camera: Camera, trails: Sequence[NDArray[np.float64]]
+    image: NDArray[np.uint8],
+    camera: Camera,
+    trails: Sequence[NDArray[np.float64]],
+    specks: Sequence[NDArray[np.float64]] = (),
 ) -> NDArray[np.uint8]:
-    """Draws where bodies came from, as half-transparent lines.
+    """Draws where bodies came from, as half-transparent lines, and rings around tiny ones.
 
     Args:
         image: Shape [height, width, 3].
         camera: That took it.
         trails: World paths [m], each of shape [n, 3].
+        specks: Corners [m] of bodies that get a ring where they are hardly seen, each [8, 3].
     """
     from PIL import Image, ImageDraw
 
@@ -60,6 +68,12 @@ def draw_trail(
             x, y = points[-1]
             r = 2.5 * scale
             draw.ellipse((x - r, y - r, x + r, y + r), fill=(*TRAIL, 220))
+    for box in specks:
+        pixels, ahead = camera.project(box, scale * width, scale * height)
+        if ahead.all() and float(np.ptp(pixels, axis=0).max()) < SPECK_PX * scale:
+            x, y = (float(c) for c in pixels.mean(axis=0))
+            r = SPECK_PX * scale
+            draw.ellipse((x - r, y - r, x + r, y + r), outline=(*TRAIL, 255), width=2 * scale)
     layer = layer.resize((width, height), Image.Resampling.LANCZOS)
     base = Image.fromarray(image).convert("RGBA")
     return np.asarray(Image.alpha_composite(base, layer).convert("RGB"))

@@ -14,13 +14,17 @@ import trimesh
 from esg.graph.models import (
     EsgDocument,
     Node,
+    NodeEvent,
     SceneDefinition,
     SceneParameters,
+    SequenceGraph,
     SpatialRelationGraph,
+    TimelineNode,
+    TimelineSystem,
 )
 from esg.metrics.models import EventVerdict, LayoutVerdict, SceneVerdict
 from esg.view import preview as previews
-from esg.view.camera import box_corners
+from esg.view.camera import Camera, box_corners
 from esg.view.cameras import action_cameras
 from esg.view.framing import (
     camera_for,
@@ -32,6 +36,7 @@ from esg.view.framing import (
 )
 from esg.view.moments import failures, moments_of
 from esg.view.render import Part, Renderer
+from esg.view.sheet import draw_trail
 from tests.report.folders import HIT_S, rollout, scene
 
 DOC = EsgDocument(
@@ -130,6 +135,29 @@ def test_what_else_the_prompt_names_is_in_the_first_picture() -> None:
     assert len(points) == 16
     close = points_in_view(scene(), rollout(), replace(start, reach=2.0), 0)
     assert len(close) == 8
+
+
+def test_what_is_entered_is_in_the_first_picture() -> None:
+    """A ball that goes into a box far away: the box is no mere company."""
+    enters = EVENT.model_copy(update={"type": "enters", "bodies": ("ball_1",)})
+    assert moments_of(scene(), rollout(), verdict(enters), DOC)[0].focus == (0,)
+    node = TimelineNode(
+        id="e1", event=NodeEvent.ENTER_REGION, participants=("ball_1",), region="box_1/inside"
+    )
+    timeline = TimelineSystem(sequence_graph=SequenceGraph(nodes=(node,), edges=()))
+    told = DOC.model_copy(update={"timeline_system": timeline})
+    found = moments_of(scene(), rollout(), verdict(enters), told)
+    assert [m.focus for m in found] == [(0, 1), (0,), (0, 1)]
+
+
+def test_specks_get_a_ring() -> None:
+    """A body of a few pixels is pointed at, one that can be seen is not."""
+    blank = np.full((320, 480, 3), 255, np.uint8)
+    box = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], float)
+    camera = Camera((10.0, 0.0, 1.0), (0.0, 0.0, 0.0))
+    assert (draw_trail(blank, camera, [], [box]) == blank).all()
+    ringed = draw_trail(blank, camera, [], [0.01 * box])
+    assert 20 < int((ringed != blank).any(axis=2).sum()) < 800
 
 
 @pytest.fixture
