@@ -21,6 +21,11 @@ _ENTRIES: tuple[tuple[tuple[str, ...], Literal["prep", "adv", "sub", "conj"], st
         for k in ("time", "moment", "instant", "point")
         for more, kind in (((), _ADV), (("as",), _SUB))
     ),
+    *(
+        ((to, "the", side, "side", "of"), "prep", to)
+        for to in ("into", "against", "onto")
+        for side in ("left", "right", "left-hand", "right-hand", "near", "far")
+    ),
     (("concurrently",), "adv", "simultaneously"),
     (("synchronously",), "adv", "simultaneously"),
     (("in", "unison"), "adv", "simultaneously"),

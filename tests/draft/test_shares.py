@@ -267,3 +267,14 @@ def test_what_is_launched_late_rests_until_then() -> None:
 )
 def test_one_more_of_a_row(prompt: str, events: list[tuple[str, ...]]) -> None:
     assert _events(prompt) == events
+
+
+@pytest.mark.parametrize(
+    ("prompt", "event"),
+    [
+        ("The ball goes into the right side of the goal.", ("EnterRegion", "ball_1")),
+        ("A car crashes into the left side of a van.", ("Collision", "car_1", "van_1")),
+    ],
+)
+def test_a_side_is_part_of_what_it_is_the_side_of(prompt: str, event: tuple[str, ...]) -> None:
+    assert _events(prompt) == [event]
