@@ -19,8 +19,6 @@ _TERRAIN = frozenset(
 _MEETING = frozenset({"into", "onto", "on", "against", "off", "past", "toward", "towards"})
 _LETTING = frozenset({"make", "let", "have", "watch", "see"})
 _MEASURES = frozenset({"mass", "weight", "radius", "diameter", "height", "width", "length"})
-_BEFORE_COLORS = frozenset({*".,;:!?", "and", "into", "off", "then"})
-"""What stands before a colour that names a ball."""
 
 
 class NounQuestions(Letters):

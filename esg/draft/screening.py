@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 
 from esg.draft import lexicon as lex
@@ -128,6 +129,8 @@ def screen(prompt: str) -> str:
             problems.append(f'"{a.text}" is more than the fastest simulated speed, 150 m/s')
         elif a.dimension == "time" and a.high > MAX_TIME_S and not _background(text, a):
             problems.append(f'"{a.text}" is more than the longest scene, 600 s')
+        elif not (math.isfinite(a.low) and math.isfinite(a.high)):
+            problems.append(f'"{a.text}" is more than a number can hold')
     if re.search(
         r"\b(?:faster than|at|exceeding|beyond) (?:the speed of )?light(?:'s speed)?\b",
         text.lower(),

@@ -21,7 +21,6 @@ _LOOSE = re.compile(r"\b(?:loose|adrift|unhooked|uncoupled)\b", re.IGNORECASE)
 _HANGING = frozenset({"chandelier"})
 STANDING_CM = 60.0
 """A thing that is this tall stands on the ground."""
-_LANDINGS = ("onto", "on", "into", "in", "through", "to", "upon", "against")
 
 
 class FallSenses(LaunchSenses):

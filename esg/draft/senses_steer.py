@@ -8,10 +8,13 @@ from esg.draft.senses_control import ControlSenses
 from esg.draft.timeline import Motion
 from esg.graph.models import EventConstraint, NodeEvent
 
+_LEAST_TURN_S = 0.01
+"""A turn told to last less has no rate of its own."""
+
 
 def _rates(degrees: float, lasting: Amount | None) -> tuple[float, float]:
     """The rates of a turn [deg/s]: as long as it lasts, or what vehicles and walkers do."""
-    if lasting is None or lasting.low <= 0.0:
+    if lasting is None or lasting.low < _LEAST_TURN_S:
         return (20.0, 120.0)
     return (0.9 * degrees / lasting.high, 1.1 * degrees / lasting.low)
 

@@ -1,6 +1,6 @@
 """Standing what the story tips over on its end: a plank, a book, a board usually drawn flat.
 
-What lies flat cannot fall over. The prompt says how large it is, not which way up it stands.
+What lies flat cannot fall over. A board whose size the prompt states keeps its sides as they are.
 """
 
 from __future__ import annotations

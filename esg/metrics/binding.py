@@ -302,7 +302,7 @@ def _by_ordinal(found: list[_Candidate], wanted: Phrase) -> list[_Candidate]:
         return written
     # "a wagon, a second wagon": the first is the one that nobody calls the second.
     others = [{p.ordinal for p in c.fields if p.ordinal is not None} for c in found]
-    before = sum(1 for own in others if own and 0 < min(own) < wanted.ordinal)
+    before = len({n for own in others for n in own if 0 < n < wanted.ordinal})
     if wanted.ordinal == -1:
         return sorted(found, key=lambda c: (_number(c.body.name), c.index))[-1:]
     plain = [c for c, own in zip(found, others, strict=True) if not own]

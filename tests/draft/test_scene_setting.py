@@ -151,3 +151,20 @@ def test_a_scene_of_hours_is_still_refused() -> None:
         draft("A car drives for 2 hours and hits a wall.")
     with pytest.raises(UserError, match="longest scene"):
         draft("A car starts. Two hours later it hits a wall.")
+
+
+@pytest.mark.parametrize(
+    "prompt", ["A ball rolls 1e400 m and stops.", "A ball moves at 1e308 m 18 km/h and slows down."]
+)
+def test_a_length_that_no_number_holds_is_refused(prompt: str) -> None:
+    """Refuse it in words: it is infinite in centimetres, and no constraint takes that."""
+    with pytest.raises(UserError, match="number can hold"):
+        draft(prompt)
+
+
+def test_a_turn_that_takes_no_time_has_usual_rates() -> None:
+    """Draft it: an angle over next to nothing is infinite."""
+    doc = draft("A car turns right by 90 degrees in 1e-320 s.")
+    assert doc.timeline_system is not None
+    rates = [e.params.turn_rate_deg_s for e in doc.timeline_system.sequence_graph.edges]
+    assert (20.0, 120.0) in rates

@@ -72,6 +72,12 @@ WAGONS = scene(
     thing("wagon_1", "freight wagon", "cart"),
     thing("wagon_2", "freight wagon", "cart"),
 )
+TRAINS = scene(
+    thing("wagon_1", "first wagon", "cart"),
+    thing("wagon_2", "first wagon", "cart"),
+    thing("wagon_3", "freight wagon", "cart"),
+    thing("wagon_4", "freight wagon", "cart"),
+)
 PLAIN_BALLS = scene(*(ball(f"ball_{k}") for k in (1, 2, 3)))
 ALLEY = scene(
     ball("bowling_ball_1", label="bowling ball", category="bowling ball"),
@@ -156,6 +162,8 @@ TABLE = [
     (WAGONS, "second wagon", ["second_wagon_1"]),
     (WAGONS, "third wagon", ["wagon_2"]),
     (WAGONS, "fourth wagon", []),
+    (TRAINS, "second wagon", ["wagon_3"]),
+    (TRAINS, "third wagon", ["wagon_4"]),
     (OFFICE, "second crate", ["crate_2"]),
     (OFFICE, "3rd crate", ["crate_3"]),
     (OFFICE, "wooden crates", ["crate_1", "crate_2", "crate_3"]),
