@@ -17,6 +17,12 @@ class Phrase:
     amount: Amount | None = None
 
     @property
+    def told(self) -> list[Amount]:
+        """The quantities it tells of what it belongs to: "of 2 kg", "with a mass of 2 kg"."""
+        named = self.mention.amounts if self.mention is not None and self.mention.attribute else []
+        return [*named, *([self.amount] if self.amount is not None else [])]
+
+    @property
     def mention_plural(self) -> bool:
         """Whether it names several things."""
         return self.mention is not None and (self.mention.plural or (self.mention.count or 1) > 1)

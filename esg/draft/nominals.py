@@ -110,23 +110,29 @@ def _referred_back(elements: list[Element], i: int, out: list[Element]) -> int:
     return 3 if comma and not timed else 2
 
 
+def _named_hit(parts: list[Element]) -> list[Element]:
+    """The two things and their "and" of "collision between A and B", or nothing."""
+    if len(parts) < 5:
+        return []
+    noun, link, one, conj, other = parts
+    if not (isinstance(noun, Mention) and noun.attribute and noun.head in _HITS):
+        return []
+    if not (isinstance(link, Word) and link.low == "between" and isinstance(one, Mention)):
+        return []
+    if not (isinstance(conj, Word) and conj.low == "and" and isinstance(other, Mention)):
+        return []
+    return [one, conj, other]
+
+
 def _between(elements: list[Element], i: int, out: list[Element]) -> int:
     """ "The collision between A and B happens at 3 s": A and B collide at 3 s."""
-    parts = elements[i : i + 6]
-    if len(parts) < 6:
-        return 0
-    noun, link, one, conj, other, verb = parts
-    if not (isinstance(noun, Mention) and noun.attribute and noun.head in _HITS):
-        return 0
-    if not (isinstance(link, Word) and link.low == "between" and isinstance(one, Mention)):
-        return 0
-    if not (isinstance(conj, Word) and conj.low == "and" and isinstance(other, Mention)):
-        return 0
-    if not (isinstance(verb, Verb) and verb.lemma in _HAPPEN):
+    named = _named_hit(elements[i : i + 5])
+    verb = elements[i + 5] if i + 5 < len(elements) else None
+    if not (named and isinstance(verb, Verb) and verb.lemma in _HAPPEN):
         return 0
     place = elements[i + 6] if i + 6 < len(elements) else None
     taking = isinstance(place, Mention) and place.head == "place"
-    out += [one, conj, other, Verb(noun.start, noun.end, "collide", "hit", "s")]
+    out += [*named, Verb(elements[i].start, elements[i].end, "collide", "hit", "s")]
     end = place.end if isinstance(place, Mention) and taking else verb.end
     out.append(Word(verb.start, end, "adv", "indeed"))
     return 7 if taking else 6
@@ -162,19 +168,12 @@ def _after_a_blow(elements: list[Element], i: int, out: list[Element]) -> int:
 def _there_is(elements: list[Element], i: int, out: list[Element]) -> int:
     """ "There is a collision between a ball and a vase": they collide."""
     there, be = _word(elements, i), elements[i + 1] if i + 1 < len(elements) else None
-    parts = elements[i + 2 : i + 7]
-    if there is None or there.low != "there" or len(parts) < 5:
+    named = _named_hit(elements[i + 2 : i + 7])
+    if there is None or there.low != "there" or not named:
         return 0
     if not isinstance(be, Verb) or be.sense != "be" or be.negated or be.modal:
         return 0
-    noun, link, one, conj, other = parts
-    if not (isinstance(noun, Mention) and noun.attribute and noun.head in _HITS):
-        return 0
-    if not (isinstance(link, Word) and link.low == "between" and isinstance(one, Mention)):
-        return 0
-    if not (isinstance(conj, Word) and conj.low == "and" and isinstance(other, Mention)):
-        return 0
-    out += [one, conj, other, Verb(there.start, noun.end, "collide", "hit", "s")]
+    out += [*named, Verb(there.start, elements[i + 2].end, "collide", "hit", "s")]
     return 7
 
 

@@ -73,18 +73,21 @@ def _value(e: Entity, quantity: str, facts: Facts) -> float | None:
 
 def told_apart(m: Mention, e: Entity, facts: Facts) -> bool:
     """Whether a noun phrase states another mass or size than the one that a thing has."""
-    stated = _stated(m)
-    if stated is None:
-        return False
-    known = _known(e, stated.dimension, facts)
-    return bool(known) and not any(math.isclose(stated.middle, x, rel_tol=1e-6) for x in known)
+    return _agrees(m, e, facts) is False
 
 
 def same_quantity(m: Mention, e: Entity, facts: Facts) -> bool:
     """Whether a noun phrase states the mass or the size that a thing was said to have."""
+    return _agrees(m, e, facts) is True
+
+
+def _agrees(m: Mention, e: Entity, facts: Facts) -> bool | None:
+    """Whether what a noun phrase states is what a thing has; None if one of both is not told."""
     stated = _stated(m)
     known = _known(e, stated.dimension, facts) if stated is not None else []
-    return stated is not None and any(math.isclose(stated.middle, x, rel_tol=1e-6) for x in known)
+    if stated is None or not known:
+        return None
+    return any(math.isclose(stated.middle, x, rel_tol=1e-6) for x in known)
 
 
 def measured(m: Mention) -> bool:

@@ -189,9 +189,8 @@ class ContactSenses(FallSenses):
     @staticmethod
     def _speed_in(p: Phrase) -> Amount | None:
         """The speed that a phrase tells: "at 15 m/s", "with a speed of 1 m/s"."""
-        told = p.mention.amounts if p.mention is not None and p.mention.attribute else []
-        found = [a for a in [*told, *([p.amount] if p.amount else [])] if a.dimension == "speed"]
-        return found[0] if found and not found[0].shares else None
+        found = next((a for a in p.told if a.dimension == "speed"), None)
+        return found if found is not None and not found.shares else None
 
     def _caught(self, f: Frame, s: list[str]) -> bool:
         """ "is squeezed between it and the wall", "is pinned against a wall by a car"."""

@@ -98,8 +98,7 @@ class StateSenses(Consequences):
 
     def _sharers(self, owners: list[str], p: Phrase) -> list[str]:
         """ "two balls, red and blue, with masses of 1 kg and 3 kg": all that a list is told of."""
-        told = p.mention.amounts if p.mention is not None and p.mention.attribute else []
-        number = max((len(a.shares) for a in [*told, *([p.amount] if p.amount else [])]), default=0)
+        number = max((len(a.shares) for a in p.told), default=0)
         if number < 2 or len(owners) != 1:
             return owners
         wholes = [*self.world.groups.values(), *self.world.salience[::-1]]

@@ -89,8 +89,7 @@ def dealt(amounts: Iterable[Amount], number: int) -> list[list[Amount]]:
 def count(attachments: Iterable[tuple[Mention, Phrase]]) -> None:
     """Sets the number of a plural from the list of values it has ("balls of 1 kg and 2 kg")."""
     for m, p in attachments:
-        told = p.mention.amounts if p.mention is not None and p.mention.attribute else []
-        lists = [a for a in [*told, *([p.amount] if p.amount else [])] if a.shares]
+        lists = [a for a in p.told if a.shares]
         if m.plural and m.count is None and m.pattern is None and p.prep in _TELLING and lists:
             m.count = len(lists[0].shares)
 
@@ -106,53 +105,62 @@ def own_nouns(elements: list[Element]) -> list[Element]:
         noun phrase.
     """
     out: list[Element] = []
-    for k in range(len(elements) - 1, -1, -1):
-        e = elements[k]
-        if isinstance(e, Mention) and {e.head, e.pronoun} & _EACH and k:
-            before = elements[k - 1]
-            amount = before.amount if isinstance(before, Word) else None
-            if amount is not None and amount.dimension == "speed":
-                continue  # "at 10 m/s each"
-        if isinstance(e, Mention) and e.pronoun == "another" and out and _is_time(out[0]):
-            before = elements[k - 1] if k else None
-            if isinstance(before, Word) and before.kind == "sub":
-                before.kind = "prep"  # "after another 2 s it stops" is no clause of its own
+    for k in range(len(elements) - 1, -1, -1):  # a noun comes after what stands for it
+        if _says_nothing(elements, k, out):
             continue
-        out.insert(0, e)
-        if isinstance(e, Verb) and e.lemma in ("space", "spaced") and _is_amount(*out[1:2]):
-            del out[0]  # "spaced 30 cm apart"
-        if isinstance(e, Verb) and e.lemma in _SLOPED and k and (angle := _inclination(out)):
-            thing = elements[k - 1]
-            if isinstance(thing, Mention) and thing.noun and "incline" in thing.noun.traits:
-                thing.amounts.append(angle)  # "a ramp inclined at 20 degrees"
-                del out[:3]
-        if _is_amount(e) and len(out) > 1 and isinstance(out[1], Mention):
-            one = out[1]
-            if one.pronoun == "one" and not one.adjectives and not one.amounts:
-                assert isinstance(e, Word) and e.amount is not None
-                out[:2] = [replace(one, start=e.start, amounts=[e.amount], determiner="the")]
-        elif _article(e) and len(out) > 3 and _is_amount(out[1]) and _and(out[2]):
-            like, told = out[3], out[1]
-            if isinstance(like, Mention) and like.amounts and like.head and not like.plural:
-                assert isinstance(told, Word) and told.amount is not None
-                assert isinstance(e, Word)
-                out[:2] = [
-                    replace(
-                        like,
-                        start=e.start,
-                        end=told.end,
-                        determiner=e.low,
-                        amounts=[told.amount],
-                        adjectives=[a for a in like.adjectives if not a.startswith("@")],
-                        coordinated=[],
-                        entities=[],
-                    )
-                ]
-        elif isinstance(e, Word) and e.low == "the" and len(out) > 1:
-            one = out[1]
-            if isinstance(one, Mention) and one.pronoun == "one" and one.amounts:
-                out[:2] = [replace(one, start=e.start)]
+        out.insert(0, elements[k])
+        _lean(elements[k - 1] if k else None, out)
+        _name(out)
     return _coloured(out)
+
+
+def _says_nothing(elements: list[Element], k: int, after: list[Element]) -> bool:
+    """ "at 10 m/s each", "another 2 s", "spaced 30 cm apart": words that add nothing."""
+    e, before = elements[k], elements[k - 1] if k else None
+    if isinstance(e, Verb):
+        return e.lemma in ("space", "spaced") and _is_amount(*after[:1])
+    if not isinstance(e, Mention):
+        return False
+    told = before.amount if isinstance(before, Word) else None
+    if {e.head, e.pronoun} & _EACH and told is not None and told.dimension == "speed":
+        return True
+    more = e.pronoun == "another" and bool(after) and _is_time(after[0])
+    if more and isinstance(before, Word) and before.kind == "sub":
+        before.kind = "prep"  # "after another 2 s it stops" is no clause of its own
+    return more
+
+
+def _lean(thing: Element | None, out: list[Element]) -> None:
+    """ "a ramp inclined at 20 degrees": the angle is the ramp's."""
+    verb = out[0] if out else None
+    angle = _inclination(out) if isinstance(verb, Verb) and verb.lemma in _SLOPED else None
+    if angle and isinstance(thing, Mention) and thing.noun and "incline" in thing.noun.traits:
+        thing.amounts.append(angle)
+        del out[:3]
+
+
+def _name(out: list[Element]) -> None:
+    """Gives the quantity in front its noun: "the 5 kg one", "a 2 kg and a 4 kg cart"."""
+    first, second = out[0] if out else None, out[1] if len(out) > 1 else None
+    if not isinstance(first, Word):
+        return
+    one = isinstance(second, Mention) and second.pronoun == "one"
+    if _is_amount(first) and isinstance(second, Mention):
+        if one and first.amount and not second.adjectives and not second.amounts:
+            out[:2] = [replace(second, start=first.start, amounts=[first.amount], determiner="the")]
+    elif _article(first) and len(out) > 3 and _is_amount(second) and _and(out[2]):
+        like = out[3]
+        if isinstance(like, Mention) and like.amounts and like.head and not like.plural:
+            assert isinstance(second, Word) and second.amount is not None
+            sizes = [a for a in like.adjectives if not a.startswith("@")]
+            out[:2] = [
+                replace(
+                    like, start=first.start, end=second.end, determiner=first.low,
+                    amounts=[second.amount], adjectives=sizes, coordinated=[], entities=[],
+                )
+            ]  # fmt: skip
+    elif first.low == "the" and isinstance(second, Mention) and one and second.amounts:
+        out[:2] = [replace(second, start=first.start)]
 
 
 def _coloured(elements: list[Element]) -> list[Element]:
