@@ -106,6 +106,8 @@ class Core:
         """What the person of a subject phrase rides or drives."""
         self.thrown: dict[int, list[str]] = {}
         """What the person of a subject phrase launched last."""
+        self.launched_by: dict[str, list[str]] = {}
+        """What each person launched last."""
 
         self.attached: list[tuple[Mention, Phrase]] = []
         """Noun phrases with a place or a property."""

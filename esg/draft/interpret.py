@@ -174,6 +174,7 @@ class Interpreter(References):
                 and all(self.kind(i) == "person" for i in subject)
             ):
                 subject = list(flying)
+        subject, objects = self._what_the_thrower_misses(f, subject, objects)
         for node in subject if not f.verb.passive else []:
             self._guess_kind(node, f.verb.lemma)
         if (
@@ -201,6 +202,27 @@ class Interpreter(References):
             span = self._precedes(a) or (p == "for" and sense in ("fall", "drop"))
             if a.dimension == "time" and span and (a.start, a.end) not in self.scene.used:
                 self.gap, self.gap_of = a, f  # "falls for 0.6 s before it hits a bucket"
+
+    def _what_the_thrower_misses(
+        self, f: Frame, subject: list[str], objects: list[str]
+    ) -> tuple[list[str], list[str]]:
+        """ "She throws a ball at a can. She misses it and hits a box": the ball does both."""
+        shot = self.launched_by.get(subject[0], []) if len(subject) == 1 else []
+        tracks = {t: self.tl.tracks.get(t) for t in shot}
+        flying = [t for t, k in tracks.items() if k is not None and k.motion and not k.closed]
+        missed = f.verb.sense == "miss"
+        if f.verb.passive or f.verb.sense not in ("miss", "hit") or not flying:
+            return subject, objects
+        aims = [t for t in [self.aim.get(flying[0])] if t] or self._target_of_mates(flying[0])
+        target = next(iter(aims), "")
+        itself = set(objects) <= set(flying)  # "kicks another ball and hits it"
+        mates = self.world.groups.get(self.e(target).group or "", []) if target else []
+        told = itself and (missed or target)
+        if not told and objects[:1] != [target] and not set(objects) & set(mates):
+            return subject, objects
+        if f.subject is not None:
+            self.thrown[id(f.subject)] = flying
+        return flying, (aims[:1] if not missed else []) if itself else objects
 
     def _one_time_each(self, f: Frame) -> list[Frame]:
         """ "The cars brake after 2 s and 3 s": a clause for each member, with its own time."""
@@ -289,6 +311,8 @@ class Interpreter(References):
         mentions = [f.subject, f.object, f.object2, *[p.mention for p in f.phrases]]
         about = {i for m in mentions if m is not None for i in m.entities}
         about |= {t for m in mentions if m is not None for t in self.thrown.get(id(m), [])}
+        if f.verb.sense in ("miss", "hit"):
+            about |= {t for i in list(about) for t in self.launched_by.get(i, [])}
         for i in list(about):  # "the first misses": of those thrown at it the turn is the next's
             about |= set(self.world.groups.get(self.e(i).group or "", []))
         for actor, (kind, g, target, _) in list(self.pending.items()):

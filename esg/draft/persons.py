@@ -16,6 +16,15 @@ _PERSONS_DO = frozenset(
      "crawl"}
 )  # fmt: skip
 """What things named by the likes of "receiver" do not do."""
+_HE = frozenset(
+    {"boy", "father", "dad", "grandfather", "grandpa", "brother", "uncle", "son", "king", "prince",
+     "guy", "gentleman", "waiter", "groom", "husband", "nephew", "lad", "monk", "santa", "cowboy"}
+)  # fmt: skip
+_SHE = frozenset(
+    {"girl", "mother", "mum", "mom", "grandmother", "grandma", "sister", "aunt", "daughter",
+     "queen", "princess", "lady", "waitress", "bride", "wife", "niece", "nun", "ballerina",
+     "cowgirl", "actress"}
+)  # fmt: skip
 _DRIVEN = frozenset({"vehicle", "toyvehicle", "watercraft", "flyer"})
 
 
@@ -34,6 +43,20 @@ def mark_persons(elements: list[Element]) -> list[Element]:
                 m.noun = None if m.attribute or m.pronoun else lex.nouns()["person"]
         before.append(e)
     return elements
+
+
+def of_other_gender(word: str, head: str) -> bool:
+    """Whether "he" or "she" is no word for somebody called a woman or a boy.
+
+    Args:
+        word: The pronoun.
+        head: The noun by which a person goes.
+    """
+    female = head in _SHE or head.endswith("woman")
+    male = head in _HE or (head.endswith("man") and not female)
+    return (word in ("he", "him", "himself") and female) or (
+        word in ("she", "her", "herself") and male
+    )
 
 
 def named_by_no_person(

@@ -6,7 +6,7 @@ from esg.draft import lexicon as lex
 from esg.draft.elements import Mention
 from esg.draft.entities import FRONT, ORDINALS, REAR, STACKED, Entity, slug
 from esg.draft.meetings import meeting
-from esg.draft.persons import named_by_no_person
+from esg.draft.persons import named_by_no_person, of_other_gender
 from esg.draft.ranks import RANKS, extreme, rank, same_quantity
 from esg.draft.registry import Registry
 
@@ -29,11 +29,15 @@ class Pronouns(Registry):
         p = m.pronoun
         if p in ("he", "she", "him", "her", "himself", "herself", "someone", "everyone"):
             other = p in ("him", "her") and not subject  # never the subject of its own clause
-            for ids in reversed(self.salience):
-                if other and ids[:1] == avoid[:1]:
-                    continue
-                if len(ids) == 1 and self.entities[ids[0]].noun.kind == "person":
-                    return ids
+            people = [
+                ids
+                for ids in reversed(self.salience)
+                if len(ids) == 1 and self.entities[ids[0]].noun.kind == "person"
+                and not (other and ids[:1] == avoid[:1])
+            ]  # fmt: skip
+            like = (x for x in people if not of_other_gender(p, self.entities[x[0]].head))
+            if who := next(like, next(iter(people), None)):
+                return who
             if p not in ("someone", "everyone") and not m.determiner:
                 being = named_by_no_person(p, self.entities, self.salience, subject, avoid)
                 if being:

@@ -27,6 +27,8 @@ STATES = frozenset(
 )
 
 
+_PLACES = frozenset({"on", "in", "under", "at", "by", "near", "beside", "next to", "behind",
+                     "in front of", "on top of"})  # fmt: skip
 _SPEEDS = frozenset({"speed", "velocity", "pace"})
 _STACKING = frozenset({"stack", "pile", "heap"})
 _STACKS = frozenset({"stack", "pile", "heap", "tower", "pyramid"})
@@ -157,6 +159,7 @@ class References(Anaphora):
         for p in f.phrases:
             if p.mention is not None:
                 self.ids(p.mention, avoid=subject + objects)
+        self._rather_than_its_place(f)
         subject[:] = map(self.world.current, subject)  # which a phrase may have made more precise
         objects[:] = map(self.world.current, objects)
         if f.subject is not None and not f.subject.pronoun:
@@ -245,6 +248,14 @@ class References(Anaphora):
             self.world.subjects.append(list(objects))  # "There is a vase on a shelf. It ..."
         if f.verb.sense in ("be", "posture", "have", "park") and (subject or objects):
             self._topic = (f.sentence, subject or objects)
+
+    def _rather_than_its_place(self, f: Frame) -> None:
+        """ "throws a stone at a bottle on a wall. It hits it": the bottle, not the wall."""
+        told = {id(m) for m in (f.object, *[p.mention for p in f.phrases]) if m is not None}
+        for host, p in self.attached:
+            placed = p.prep in _PLACES and id(p.mention) in told
+            if placed and id(host) in told and host.entities:
+                self.world.note(list(host.entities))
 
     def _just_acted_on(self, f: Frame) -> bool:
         """ "hits the van and pushes it": the same subject acted on a thing just before."""

@@ -194,6 +194,7 @@ class LaunchSenses(StateSenses):
         self._distance(f, moved, aim)
         for m in [f.subject] if f.subject is not None else []:
             self.thrown[id(m)] = moved
+            self.launched_by.update((i, moved) for i in m.entities if self.kind(i) == "person")
         self._outcomes(f, moved)
         self._consequence(f, moved)
         self._aim_at(f, moved, aim)
