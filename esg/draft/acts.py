@@ -10,7 +10,8 @@ from esg.draft.decks import is_deck
 from esg.draft.events import PUSHING
 from esg.draft.frames import Frame, Phrase
 from esg.draft.motions import Motions
-from esg.draft.scene import SELF_POWERED, STRUCK
+from esg.draft.scene import SELF_POWERED, SPEEDS, STRUCK
+from esg.draft.underway import goes_on
 from esg.graph.models import NodeEvent
 
 _GOALMOUTH = frozenset({"post", "goalpost", "crossbar", "keeper", "goalkeeper", "goalie", "rim"})
@@ -371,6 +372,7 @@ class Acts(Motions):
                 self._settle_others(mover, target)
                 self._share_support(f, mover, target)
                 self._ensure_mover(f, mover, target)
+                self._was_under_way(f, target)
                 out.append(self.event(NodeEvent.COLLISION, (mover, target), f, time))
                 for one, other in ((mover, target), (target, mover)):
                     arrival = self.pending.get(one)
@@ -380,6 +382,14 @@ class Acts(Motions):
                 self.last_hit = (mover, target)
                 time = None
         return out
+
+    def _was_under_way(self, f: Frame, target: str) -> None:
+        """Sets what is hit in motion, where the prompt goes on as if it were: "then brakes"."""
+        e = self.e(target)
+        if target in self.tl.tracks or e.noun.kind not in SELF_POWERED or target in self.still:
+            return
+        if goes_on(self.told, f.verb, target, e.adjectives, self.text):
+            self._own(target, SPEEDS.get(e.noun.kind, (50.0, 600.0)), False)
 
     def _settle_others(self, mover: str, target: str) -> None:
         """What was sent at a thing before arrives before the next one does."""

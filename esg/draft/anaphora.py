@@ -6,11 +6,14 @@ from esg.draft.elements import Mention
 from esg.draft.entities import ORDINALS, Entity
 from esg.draft.frames import Frame
 from esg.draft.nominals import RETOLD_NOUNS
+from esg.draft.scene import SELF_POWERED
 from esg.draft.senses_motion import MotionSenses
 
 _TAKING = frozenset({"catch", "grab", "pick", "hold", "carry", "retrieve", "fetch"})
 _ALONG = frozenset({"along", "through", "across", "over", "past", "down", "up", "around"})
 _BESIDE = frozenset({"in front of", "next to", "near", "beside", "at", "by", "behind", "on"})
+_STEERED = frozenset({"brake", "slow", "accelerate", "swerve", "turn", "reverse", "overtake"})
+"""Senses of what only does them that drives or walks."""
 _DRIVEN = frozenset({"own", "hit", "roll", "slide", "fall", "topple", "fly", "enter", "reach"})
 """Senses of what "it" does in "hits X so hard that it ..."."""
 
@@ -83,6 +86,18 @@ class Anaphora(MotionSenses):
             return False  # "A ball hits a box, and it rolls off the table": the ball
         self.world.resolved[id(m)] = m.entities = list(met)
         return True
+
+    def _what_can_drive(self, f: Frame) -> None:
+        """ "When a can hits the bus, it brakes": of two that met, the one that drives."""
+        m, (met, sentence) = f.subject, self._met
+        if m is None or m.pronoun != "it" or id(m) in self.world.resolved or len(met) != 1:
+            return
+        hitter = self.world.entities.get(self._hitter) if self._hitter else None
+        if f.verb.sense not in _STEERED or f.verb.passive or sentence < f.sentence - 1:
+            return
+        drives = met[0] in self.world.entities and self.kind(met[0]) in SELF_POWERED
+        if hitter is not None and drives and hitter.noun.kind not in SELF_POWERED:
+            self.world.resolved[id(m)] = m.entities = list(met)
 
     def _made_to(self, f: Frame) -> None:
         """ "hits a vase, which makes it fall", "The impact makes it fall": what was hit."""

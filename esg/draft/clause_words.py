@@ -11,7 +11,7 @@ PROPERTIES = frozenset(
 )
 OWNED = PROPERTIES | {"speed", "velocity"}
 _BEFORE_AMOUNTS = frozenset({"of", "at", ",", "(", "about", "-", "–", "—"})
-_PARTICLES = frozenset({"off", "over", "down", "up", "away", "out", "back"})
+_PARTICLES = frozenset({"off", "over", "down", "up", "away", "out", "back", "on"})
 _HAPPENING = frozenset({"own", "roll", "slide", "fall", "hit", "knock", "topple", "enter", "stop",
                         "brake", "turn"})  # fmt: skip
 """Senses of relative clauses whose time is their own ("a robot that leaves after 2 s")."""

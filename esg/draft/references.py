@@ -365,6 +365,7 @@ class References(Anaphora):
         ):  # "The truck begins to brake and he stops"
             self.world.resolved[id(m)] = m.entities = list(self._last_subject)
         self._it_of_the_main_clause(f)
+        self._what_can_drive(f)
         self._part_that_hits(f)
         dropped = f.verb.sense in ("miss", "hit", "land") and self._dropped
         if (

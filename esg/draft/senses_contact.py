@@ -137,6 +137,9 @@ class ContactSenses(FallSenses):
         self._kinematics(f, movers, targets)
         if f.verb.extra.get("motion") == "reverse":
             self._reverse(movers)
+        for m in movers if f.verb.lemma == "run" else ():
+            if self._moved_by_others(m) and self.kind(m) in ("person", "animal"):
+                self._start_motion(f, [m], "own", next(iter(targets), None))
         changing = [m for m in movers if self._brakes_now(m) or self._comes_down_a_slope(m)]
         nodes = self._hit(f, movers, targets, time)
         self._speed_at_hit(f, nodes, changing)

@@ -21,7 +21,8 @@ class ControlSenses(OutcomeSenses):
     """Intentional changes of speed under own power."""
 
     def _do_accelerate(self, f: Frame, s: list[str], o: list[str]) -> None:
-        actors = [a for a in s or o if not self._free_body(a) and self.movable(a)]
+        able = [a for a in s or o if self.movable(a)]
+        actors = [a for a in able if self._speeds_up(a) or not self._free_body(a)]
         if not actors and (s or o):
             self.scene.ignored[(f.verb.start, f.verb.end)] = "gravity does it"
             return
@@ -86,6 +87,10 @@ class ControlSenses(OutcomeSenses):
                 self.tl.track(actor).closed = True
         self.use(f, "acceleration")
         self._outcomes(f, actors)
+
+    def _speeds_up(self, actor: str) -> bool:
+        """Whether what was hit can drive, walk or fly faster by itself, as no cart does."""
+        return self._moved_by_others(actor) and self.kind(actor) in SELF_POWERED - {"cart"}
 
     def _free_body(self, actor: str) -> bool:
         """Whether it was launched or hit, so that nothing drives it."""

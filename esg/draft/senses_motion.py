@@ -7,6 +7,8 @@ from esg.draft.scene import SELF_POWERED, STRUCK
 from esg.draft.senses_steer import SteerSenses
 from esg.graph.models import NodeEvent
 
+_ON_FOOT = frozenset({"run", "rush", "race"})
+
 
 class MotionSenses(SteerSenses):
     """Motions and where they lead."""
@@ -71,6 +73,8 @@ class MotionSenses(SteerSenses):
             mode = None
         elif actors and self.kind(actors[0]) in SELF_POWERED:
             mode = "own"
+        if actors and f.verb.lemma in _ON_FOOT and self.kind(actors[0]) in ("person", "animal"):
+            mode = "own"  # also what was hit: "is hit by a ball and runs into a fence"
         self._motion(f, actors, mode)
         if f.verb.lemma in ("charge", "lunge", "leap", "pounce", "spring", "fly", "dive"):
             self._aim_at(f, actors, next(iter(self._target(f, actors)), None))
@@ -146,7 +150,8 @@ class MotionSenses(SteerSenses):
         self.rolling.update(actors)
         if f.subject is not None and actors == o:
             self.thrown[id(f.subject)] = list(o)
-        if actors and self.kind(actors[0]) in SELF_POWERED and not o:
+        driven = actors and self.kind(actors[0]) in SELF_POWERED and not self._sent_off(f, actors)
+        if driven and not o:
             self._motion(f, actors, "own")
             return
         self._motion(
@@ -167,10 +172,17 @@ class MotionSenses(SteerSenses):
             return
         actors = o if o and (not s or self.kind(s[0]) == "person") else s
         self.rolling.update(actors)
-        if actors and self.kind(actors[0]) in SELF_POWERED - {"person", "cart"} and not o:
+        driven = actors and self.kind(actors[0]) in SELF_POWERED - {"person", "cart"}
+        if driven and not o and not self._sent_off(f, actors):
             self._motion(f, actors, "own")
             return
         self._motion(f, actors, "slide")
+
+    def _sent_off(self, f: Frame, actors: list[str]) -> bool:
+        """Whether a hit makes it roll or slide: what only drives or walks by itself."""
+        if {"away", "off", "on"} & set(f.adverbs) and not f.phrases:
+            return False
+        return all(self._moved_by_others(a) and self.kind(a) != "robot" for a in actors)
 
     def _do_fly(self, f: Frame, s: list[str], o: list[str]) -> None:
         if s and self._flies_itself(s[0]):
