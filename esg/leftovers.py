@@ -48,10 +48,11 @@ def sweep_leftovers(prefix: str, root: Path | None = None, now: float | None = N
 
 def _abandoned(folder: Path, now: float) -> bool:
     try:
-        pid, started = (folder / OWNER).read_text().split()
+        pid, started = (folder / OWNER).read_text(encoding="ascii").split()
+        number = int(pid)
     except (OSError, ValueError):
         return now - folder.stat().st_mtime > _UNKNOWN_AFTER_S
-    return _started(int(pid)) != started
+    return _started(number) != started
 
 
 def _started(pid: int) -> str:

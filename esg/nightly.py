@@ -70,7 +70,7 @@ def conclude_suite(
     """
     from esg.commands.bench import results, write_json
     from esg.commands.database import database_path, record_run
-    from esg.commands.generate import report_failures
+    from esg.failures import report_failures
     from esg.metrics import load_suite
     from esg.report.run import RUN_FILE
     from esg.scenefolder import publish
@@ -79,9 +79,8 @@ def conclude_suite(
     request = states[0].request
     moment = now or datetime.datetime.now(datetime.UTC)
     folder = out / loaded.suite / f"{moment:%Y-%m-%dT%H%M%SZ}"
-    for state in states:
-        publish(state, folder)
-    report_failures(list(states), folder)
+    folders = [publish(state, folder) for state in states]
+    report_failures(states, folders, folder)
     document = results(loaded, list(states), runs, request.seed, request.strategy, request.engine)
     db = database or database_path()
     run_id = record_run(list(states), "bench", suite=loaded.suite, seeds=runs, database=database)
@@ -133,8 +132,8 @@ def _report(folder: Path, db: Path) -> str:
         path = folder / "report.html"
         write_report(load_run(folder, database=db), path)
     except Exception as error:
-        import sys
+        from esg.commands.console import warn
 
-        print(f"esg: no report: {type(error).__name__}: {error}", file=sys.stderr)
+        warn([f"no report: {type(error).__name__}: {error}"])
         return ""
     return str(path)

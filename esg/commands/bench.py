@@ -47,7 +47,7 @@ def bench(
     """
     from esg.commands.console import note_first_use
     from esg.commands.database import record_run
-    from esg.commands.generate import exit_code, report_failures
+    from esg.commands.generate import exit_code
     from esg.commands.inputs import (
         check_device,
         check_seed,
@@ -57,6 +57,7 @@ def bench(
         in_range,
     )
     from esg.commands.live import live
+    from esg.failures import report_failures
     from esg.metrics import comparison_table, load_suite
     from esg.pipeline import STAGES, recall
     from esg.report.run import RUN_FILE
@@ -91,9 +92,8 @@ def bench(
 
                 states = call(flow, *arguments)
         bar.show("writing")
-        for state in states:
-            publish(state, out)
-        report_failures(states, out)
+        folders = [publish(state, out) for state in states]
+        report_failures(states, folders, out)
         bar.show("ingesting")
         run_id = record_run(states, "bench", suite=loaded.suite, seeds=runs)
         result = results(loaded, states, runs, seed, strategy, engine)

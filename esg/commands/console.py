@@ -15,17 +15,23 @@ def quiet_native_output() -> None:
     """Keeps libraries that write to the file descriptors themselves off stdout and stderr.
 
     Python's `sys.stdout` and `sys.stderr` go on to the real ones. `ESG_DEBUG=1` leaves everything
-    as it is.
+    as it is. A stream that was closed by who started us leads nowhere: without that the next file
+    to be opened would get its number, and with it what libraries print.
     """
+    for number, name in ((0, "stdin"), (1, "stdout"), (2, "stderr")):
+        if getattr(sys, name) is None:
+            handle = os.open(os.devnull, os.O_RDWR)
+            if handle != number:
+                os.dup2(handle, number)
+                os.close(handle)
+            setattr(sys, name, open(number, "r+", encoding="utf-8", closefd=False))  # noqa: SIM115
     if os.environ.get("ESG_DEBUG"):
         return
     warnings.simplefilter("ignore")
     os.environ.setdefault("PYTHONWARNINGS", "ignore")  # for worker processes
     nowhere = os.open(os.devnull, os.O_WRONLY)
     for number, name in ((1, "stdout"), (2, "stderr")):
-        stream: TextIO | None = getattr(sys, name)
-        if stream is None:  # closed by who started us: printing does nothing
-            continue
+        stream: TextIO = getattr(sys, name)
         with contextlib.suppress(OSError, ValueError):
             stream.flush()
             real = os.dup(number)
@@ -42,14 +48,12 @@ def emit(document: Any) -> None:
 
 def flush() -> None:
     """Sends on what was printed, if anybody takes it."""
-    if sys.stdout is not None:
-        sys.stdout.flush()
+    sys.stdout.flush()
 
 
 def silence() -> None:
     """Drops what is printed from here on: the reader of stdout is gone, or its disk is full."""
-    if sys.stdout is not None:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def fail(message: str, exit_code: int, as_json: bool) -> int:
@@ -66,7 +70,7 @@ def fail(message: str, exit_code: int, as_json: bool) -> int:
     if as_json:
         emit({"error": message, "exit_code": exit_code})
         flush()
-    print(f"esg: {message}", file=sys.stderr)
+    warn([message])
     return exit_code
 
 
@@ -84,9 +88,15 @@ def note_first_use() -> None:
 
 
 def warn(problems: Iterable[str]) -> None:
-    """Says on stderr, a line each, what the command had to do without."""
-    for problem in problems:
-        print(f"esg: {problem}", file=sys.stderr)
+    """Says on stderr, a line each, what the command had to do without.
+
+    A stderr that is closed or full takes nothing, which changes no exit code.
+    """
+    try:
+        for problem in problems:
+            print(f"esg: {problem}", file=sys.stderr, flush=True)
+    except OSError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stderr.fileno())
 
 
 class Progress:

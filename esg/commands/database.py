@@ -41,10 +41,10 @@ def record_run(
     import datetime
     import hashlib
     import platform
-    import sys
 
     from esg import __version__
     from esg.codeversion import code_version
+    from esg.commands.console import warn
     from esg.outcomes import UserError
     from esg.pipeline import STAGES
     from esg.stages import REPLAY_RATE_HZ
@@ -73,6 +73,6 @@ def record_run(
         ingest(db, parts.values())
     except (OSError, UserError) as error:
         why = f"{error.filename}: {error.strerror}" if isinstance(error, OSError) else str(error)
-        print(f"esg: the run is not in the database {db}: {why}", file=sys.stderr)
+        warn([f"the run is not in the database {db}: {why}"])
         return None
     return run.run_id

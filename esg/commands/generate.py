@@ -51,6 +51,7 @@ def generate(
     from esg.commands.database import record_run
     from esg.commands.inputs import check_device, check_seed, checked, clean_prompt
     from esg.commands.live import live
+    from esg.failures import report_failures
     from esg.outcomes import UserError
     from esg.pipeline import recall
     from esg.requests import generate_requests
@@ -80,7 +81,7 @@ def generate(
             raise UserError(state.reason)
         bar.show("writing")
         folder = publish(state, out)
-        report_failures([state], out)
+        report_failures([state], [folder], out, adding=True)
         bar.show("ingesting")
         record_run([state], "generate")
     summary = summarize(state, folder)
@@ -109,22 +110,6 @@ def exit_code(states: list[SceneState]) -> int:
     from esg.pipeline import failures
 
     return 3 if failures(states) else 0
-
-
-def report_failures(states: list[SceneState], out: Path) -> None:
-    """Writes `failures.jsonl` for the scenes that did not end well; none, no file."""
-    import json
-
-    from esg.pipeline import failures
-
-    path = out / "failures.jsonl"
-    rows = failures(states)
-    if not rows:
-        path.unlink(missing_ok=True)
-        return
-    partial = path.with_suffix(".tmp")
-    partial.write_text("".join(json.dumps(r, ensure_ascii=False) + "\n" for r in rows))
-    partial.replace(path)
 
 
 def summarize(state: SceneState, folder: Path) -> dict[str, Any]:

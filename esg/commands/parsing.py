@@ -31,7 +31,7 @@ def parse(app: App, tokens: Sequence[str]) -> Callable[[], Any]:
     """
     from cyclopts.exceptions import CycloptsError, UnknownOptionError, UnusedCliTokensError
 
-    left, problems = list(tokens), list[str]()
+    left, problems = _without_fractions(app, list(tokens))
     command, unknown = "", False
     complained: set[str] = set()
     while len(problems) < MAX_MISTAKES:
@@ -51,8 +51,42 @@ def parse(app: App, tokens: Sequence[str]) -> Callable[[], Any]:
         else:
             if not problems:
                 return lambda: function(*bound.args, **bound.kwargs)
+            command = command or " ".join(app.parse_commands(left)[0])
             break
     raise UserError(f"{listed(problems)}\n`{f'esg {command}'.rstrip()} --help` lists what it takes")
+
+
+def _without_fractions(app: App, tokens: list[str]) -> tuple[list[str], list[str]]:
+    """A command line without the fractions given for whole numbers, and what is wrong with them.
+
+    The parser itself would round `--seed 1.5`.
+
+    Args:
+        app: The application.
+        tokens: The command line.
+    """
+    command = app.parse_commands(tokens)[1][-1]
+    if not getattr(command.default_command, "__module__", "").startswith("esg."):
+        return tokens, []  # no command, or the parser's own --help and --version
+    names = {
+        name
+        for argument in command.assemble_argument_collection()
+        if int in (argument.hint, *get_args(argument.hint))
+        for name in argument.names
+    }
+    left, problems, k = list[str](), list[str](), 0
+    while k < len(tokens) and tokens[k] != "--":
+        name, given, value = tokens[k].partition("=")
+        size = 1 if given else 2
+        if not given:
+            value = tokens[k + 1] if k + 1 < len(tokens) else ""
+        if name in names and "." in value:
+            problems.append(f"{name} {value}: {_WANTED[int]}")
+            k += size
+        else:
+            left.append(tokens[k])
+            k += 1
+    return left + tokens[k:], problems
 
 
 def _message(error: CycloptsError, complained: set[str]) -> str:
@@ -65,6 +99,7 @@ def _message(error: CycloptsError, complained: set[str]) -> str:
     from cyclopts.exceptions import (
         CoercionError,
         MissingArgumentError,
+        RepeatArgumentError,
         UnknownCommandError,
         UnknownOptionError,
         UnusedCliTokensError,
@@ -89,6 +124,8 @@ def _message(error: CycloptsError, complained: set[str]) -> str:
             name = name.removeprefix("--").upper()
         return f"{name} is missing"
     complained.add(name)
+    if isinstance(error, RepeatArgumentError):
+        return f"{error.token.keyword or name} is given more than once"
     if isinstance(error, CoercionError) and error.token is not None:
         given = f"{error.token.keyword or name} {error.token.value}"
         if get_origin(error.target_type) is Literal:

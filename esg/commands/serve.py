@@ -24,7 +24,7 @@ def serve(
     *,
     cron: str | None = None,
     once: Annotated[bool, Parameter(negative="")] = False,
-    suite: list[Path] | None = None,
+    suite: Annotated[list[Path] | None, Parameter(negative="")] = None,
     runs: int = 3,
     seed: int = 0,
     strategy: Literal["batched", "hybrid", "fd", "ad", "none"] = "batched",

@@ -36,7 +36,14 @@ from tests.cli.test_cli import ROOT, esg
             ["--out is missing", "--runner z: choose process", "--seed q: give"],
         ),
         (["db", "prune", "--db", "x", "--keep-days", "z"], ["--keep-days z: give a number"]),
-        (["draft", "x", "--seed", "3", "--seed", "4"], ["--seed"]),
+        (["draft", "x", "--seed", "3", "--seed", "4"], ["--seed is given more than once"]),
+        (["draft", "x", "--seed", "1.5"], ["--seed 1.5: give a whole number"]),
+        (
+            ["render", "--cameras=1.0", "--seed", "2.", "--fps", "z"],
+            ["--cameras 1.0: give a whole", "--seed 2.: give", "--fps z: give a number",
+             "SCENE is missing"],
+        ),
+        (["serve", "--empty-suite", "--once"], ["there is no option --empty-suite"]),
         (["draft", "x", "--json=maybe"], ["--json maybe: takes no value"]),
     ],
 )  # fmt: skip
@@ -49,6 +56,13 @@ def test_every_mistake_of_a_line_is_told(line: list[str], lines: list[str]) -> N
     assert len(problems or [text]) <= len(lines)
     assert text.endswith("--help` lists what it takes")
     assert error.value.exit_code == 2
+
+
+def test_numbers_with_a_point_stay_where_they_belong() -> None:
+    parse(build_app(), ["replay", "x", "--dt", "0.004"])
+    parse(build_app(), ["draft", "--seed", "2", "--", "--a ball of 1.5 kg"])
+    with pytest.raises(UserError, match=r"--hz 240\.5: give a whole number"):
+        parse(build_app(), ["replay", "0.5", "--hz", "240.5"])
 
 
 def test_a_good_line_calls_its_command(capsys: pytest.CaptureFixture[str]) -> None:
