@@ -134,6 +134,9 @@ class Acts(Motions):
                     self.place([actor], [other], "on" if p.prep == "down" else "near")
                 elif p.prep in ("along", "across") and "support" in self.e(other).noun.traits:
                     self.place([actor], [other], "on")
+                elif p.prep in ("toward", "towards") and p.mention.part in _EDGES:
+                    if self._elevated(other) and self._fits_on(actor, other):
+                        self.place([actor], [other], "on")  # "rolls toward the edge of the desk"
                 elif p.prep == "past" and self._touches_later(f, other):
                     self.use(f, "on the way to the contact")
                 elif p.prep == "past":

@@ -255,6 +255,12 @@ def _takes_along(f: Frame) -> str:
     return "hit" if f.verb.lemma == "take" and along and _thing(f.object) else ""
 
 
+def _gets_there(f: Frame) -> str:
+    """ "The girl gets there first": to where she was going."""
+    there = f.verb.lemma == "get" and f.verb.sense == "noop" and "there" in f.adverbs
+    return "reach" if there and f.object is None and not f.phrases else ""
+
+
 def _flies_over(f: Frame) -> str:
     """ "The ball goes over": no ball topples."""
     goes = f.verb.lemma == "go" and f.verb.sense == "topple" and f.object is None
@@ -308,7 +314,7 @@ _READINGS: tuple[Callable[[Frame], str], ...] = (
     _takes_out, _parts, _breaks_it, _shuts_on, _steps_on, _jumps_on, _lets_off, _tosses,
     _hits_ground, _buries, _swings_round, _against, _knocks_over,
     _comes_down, _brought_down, _speed_changes, _stands_still,
-    _bats_off, _is_let_go, _flies_over, _takes_along, _pulled_over,
+    _bats_off, _is_let_go, _gets_there, _flies_over, _takes_along, _pulled_over,
     _not_avoided, _leaves_alone, _runs_onto_the_street, _follows_a_bend,
 )  # fmt: skip
 
@@ -327,6 +333,20 @@ def read_idioms(frames: list[Frame]) -> None:
                 break
     _slips(frames)
     _comes_back_off(frames)
+    _falls_along(frames)
+
+
+def _falls_along(frames: list[Frame]) -> None:
+    """ "slides off the desk, taking a cup with it": the cup falls from there, too."""
+    for before, f in pairwise(frames):
+        along = f.phrase("with")
+        taken = along is not None and along.mention is not None and bool(along.mention.pronoun)
+        off = before.phrase("off", "from", "out of")
+        leaves = off is not None and before.verb.sense in ("fall", "slide", "roll", "drop")
+        if f.verb.lemma != "take" or not taken or not leaves or f.object is None or off is None:
+            continue
+        f.subject, f.object, f.verb.sense = f.object, None, "fall"
+        f.link, f.phrases = "then", [Phrase(off.prep, off.mention)]
 
 
 def _comes_back_off(frames: list[Frame]) -> None:

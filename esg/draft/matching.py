@@ -16,7 +16,7 @@ _COMPARED = (
     frozenset({"shorter", "longer"}),
 )
 """Comparatives that tell two objects of one kind apart."""
-_HYPERNYMS: dict[str, frozenset[str]] = {
+HYPERNYMS: dict[str, frozenset[str]] = {
     "vehicle": frozenset({"vehicle", "cart", "robot", "toyvehicle"}),
     "animal": frozenset({"animal"}),
     "toy": frozenset({"toy", "toyvehicle", "block", "game"}),
@@ -27,6 +27,7 @@ _HYPERNYMS: dict[str, frozenset[str]] = {
     "person": frozenset({"person"}),
     "child": frozenset({"person"}),
 }
+"""Kinds of what a wider noun can name."""
 _NUMBERS = frozenset(
     {"one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten"}
     | {"eleven", "twelve", "thirteen", "fourteen", "fifteen"}
@@ -90,7 +91,7 @@ class Matching:
             return "structural" not in e.noun.traits
         if m.head == "water" and e.noun.kind == "water":
             return m.determiner == "the"  # "a lake ... the water"
-        if m.head in _HYPERNYMS and e.noun.kind in _HYPERNYMS[m.head]:
+        if m.head in HYPERNYMS and e.noun.kind in HYPERNYMS[m.head]:
             return True
         if m.noun is not None and e.known:
             if m.noun.name == e.noun.name:

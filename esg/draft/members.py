@@ -5,9 +5,13 @@ from __future__ import annotations
 from esg.draft import lexicon as lex
 from esg.draft.elements import Mention
 from esg.draft.entities import COUNTED_FROM, FRONT, ORDINALS, OTHER, REAR, STACKED, Entity, slug
+from esg.draft.matching import HYPERNYMS
 from esg.draft.pronouns import Pronouns
 from esg.draft.ranks import RANKS, extreme, measured, same_quantity
 
+_CHILDREN = frozenset({"boy", "girl"})
+_PEOPLE = {"child": _CHILDREN, "kid": _CHILDREN, "person": _CHILDREN | {"man", "woman"}}
+"""Whom a plural of persons may consist of, told by a definite phrase."""
 _LEVELS = {-1: "top", 0: "bottom", 1: "middle"}
 
 
@@ -90,6 +94,27 @@ class Members(Pronouns):
             and (not colors or e.color in colors)
         ]
         return [pool[0].id] if pool else []
+
+    def _kind_of_member(self, m: Mention, avoid: list[str]) -> list[str]:
+        """ "Two vehicles meet. The truck stops, the bus ...": members told apart by their kind."""
+        if m.determiner != "the" or m.plural or m.noun is None or m.adjectives or m.letters:
+            return []
+        if (m.count or 1) > 1 or m.part or m.attribute or m.possessor is not None:
+            return []
+        for ids in self.groups.values():
+            free = [self.entities[i] for i in ids]
+            free = [e for e in free if not (e.place or e.letter) and e.id not in avoid]
+            wide = free[0].head if free else ""
+            kinds = HYPERNYMS.get(wide, frozenset())
+            wider = m.noun.kind in kinds and (wide not in _PEOPLE or m.head in _PEOPLE[wide])
+            if len(ids) > 3 or not wider or m.head == wide:
+                continue
+            e = free[0]
+            e.noun, e.head, e.known = m.noun, m.head, True
+            e.label = e.place = m.head
+            self._rename(e, self._new_id(slug(m.head)))
+            return [e.id]
+        return []
 
     def _specialize(self, m: Mention, e: Entity) -> None:
         """A member of a plural gets its own name ("two cars ... the front car")."""

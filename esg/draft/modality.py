@@ -32,6 +32,7 @@ _COUNTERFACTUAL = re.compile(
     re.IGNORECASE,
 )
 _ENDS = re.compile(r"[.;!?\n]")
+_NO_ONE = re.compile(r"\bno[ -]one$", re.IGNORECASE)
 
 _WISHES = frozenset(
     {"want", "hope", "wish", "intend", "plan", "threaten", "fear", "expect", "prepare", "avoid",
@@ -79,7 +80,9 @@ def mark_unreal(frames: list[Frame], text: str) -> None:
                 f.verb.negated = True
             elif f.verb.sense in _EVENTS and f.verb.sense != "miss":
                 f.unreal = "almost: it does not happen"
-        if f.subject is not None and f.subject.head in ("nothing", "nobody"):
+        if f.subject is not None and (
+            f.subject.head in ("nothing", "nobody") or _NO_ONE.search(text, 0, f.subject.end)
+        ):
             f.unreal = "nothing does it"
 
 

@@ -193,6 +193,8 @@ class Motions(Leftovers):
         target = self._target(f, actors)
         aim = next((t for t in target if self._aimable(t)), None)
         self._sets_off_late(f, actors)
+        told = [(a, self.tl.tracks.get(a)) for a in actors]
+        fresh = [a for a, t in told if t is None or (t.motion is None and not t.hit)]
         for actor in actors:
             if aim is not None:
                 self.aim[actor] = aim
@@ -229,6 +231,8 @@ class Motions(Leftovers):
         self.use(f, "motion")
         self._distance(f, actors, aim)
         if "off" in f.adverbs:
+            if f.verb.sense in ("roll", "slide") and f.phrase("off", "from") is None:
+                self._on_what_was_hit(f, fresh)  # "bumps the shelf; two candles roll off"
             for actor in actors:
                 slid = f.verb.lemma in ("slide", "slip") and self._lies_on_something(actor)
                 came = actor in self.came_down and f.verb.lemma in ("roll", "tumble")
@@ -291,6 +295,18 @@ class Motions(Leftovers):
                     for other in actors:
                         if other != one:
                             self.scene.relations.append(Relation(one, other, kind))
+
+    def _on_what_was_hit(self, f: Frame, things: list[str]) -> None:
+        """ "pushed into a shelf, causing three jars to fall down": they stood on the shelf."""
+        if self.last_hit is None or not (
+            {"down", "off"} & {*f.adverbs, f.verb.extra.get("particle", "")}
+        ):
+            return
+        host = self.last_hit[1]
+        for t in things:
+            fits = host in self.world.entities and self._fits_on(t, host)
+            if fits and t not in self.scene.supported_by and t not in self.last_hit:
+                self.place([t], [host], "on")
 
     def _reverse(self, actors: list[str]) -> None:
         for actor in actors:

@@ -118,6 +118,9 @@ class NounStarts(NounHeads):
         if isinstance(value, float) and value.is_integer() and value >= 1:
             nxt = self._tok(j + 1)
             following = self._match_noun(j + 1)
+            if self._one_of_the_set(value, following, m):
+                m.letters = [str(int(value))]  # "the seven pin"
+                return j + 1
             if low == "one" and following is not None and following[2]:
                 return j  # "one slides into the other"
             if low == "one" and (
@@ -132,6 +135,15 @@ class NounStarts(NounHeads):
             m.count = int(value)
             return j + 1
         return j
+
+    @staticmethod
+    def _one_of_the_set(
+        value: float, noun: tuple[lex.Noun, int, bool, str] | None, m: Mention
+    ) -> bool:
+        """ "the seven pin", "the six ball": a name, as the noun is singular."""
+        if noun is None or noun[2] or m.determiner != "the" or value < 2:
+            return False
+        return noun[0].kind in ("pin", "billiard")
 
     def _finite_verb(self, j: int) -> bool:
         """ "going 60 hits a wall": a verb with its object, not sixty of something."""

@@ -95,6 +95,10 @@ class ContactSenses(FallSenses):
         ):
             self.place(movers, targets, host.prep)
             targets = []
+        over = self.text[f.verb.start : f.verb.end].lower().endswith("over")
+        if over and targets and all(map(self._enterable, targets)):
+            self._motion(f, movers, None)  # "runs over the hole": a path
+            return
         flat = all(map(self.structural, targets))
         if flat and movers and not f.verb.passive and self._crashes_down(f, movers):
             return

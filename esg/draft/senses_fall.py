@@ -383,18 +383,6 @@ class FallSenses(LaunchSenses):
         last = next((n for n in reversed(self.tl.nodes) if body in n.participants), None)
         return last is not None and last.event is NodeEvent.COLLISION
 
-    def _on_what_was_hit(self, f: Frame, things: list[str]) -> None:
-        """ "pushed into a shelf, causing three jars to fall down": they stood on the shelf."""
-        if self.last_hit is None or not (
-            {"down", "off"} & {*f.adverbs, f.verb.extra.get("particle", "")}
-        ):
-            return
-        host = self.last_hit[1]
-        for t in things:
-            fits = host in self.world.entities and self._fits_on(t, host)
-            if fits and t not in self.scene.supported_by and t not in self.last_hit:
-                self.place([t], [host], "on")
-
     def _do_land(self, f: Frame, s: list[str], o: list[str]) -> None:
         whole = len(s) > 1 and self.e(s[0]).group in self.world.collective
         s = self._representatives(s, []) if whole else s  # "a stack of books lands on a dog"

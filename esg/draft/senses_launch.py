@@ -123,6 +123,8 @@ class LaunchSenses(StateSenses):
             self._knock_on(f, things)  # "hits three wagons; the last one is pushed into a buffer"
             self._consequence(f, things)
             return
+        if f.verb.lemma == "blow":
+            agents = []  # the air that a fan moves touches it, not the fan
         bodily = [a for a in agents if self.kind(a) != "person"]
         flung = f.verb.lemma == "kick" and "up" in f.adverbs  # "a pebble kicked up by a lorry"
         if bodily and not flung and f.verb.sense == "launch" and mode in ("slide", "roll"):

@@ -172,8 +172,10 @@ class MotionSenses(SteerSenses):
             return
         actors = o if o and (not s or self.kind(s[0]) == "person") else s
         self.rolling.update(actors)
-        driven = actors and self.kind(actors[0]) in SELF_POWERED - {"person", "cart"}
-        if driven and not o and not self._sent_off(f, actors):
+        gliding = f.verb.lemma == "glide" and bool(actors) and self.kind(actors[0]) == "person"
+        driven = bool(actors) and self.kind(actors[0]) in SELF_POWERED - {"person", "cart"}
+        driven = gliding or (driven and not self._sent_off(f, actors))  # a skater glides along
+        if driven and not o:
             self._motion(f, actors, "own")
             return
         self._motion(f, actors, "slide")
@@ -281,7 +283,9 @@ class MotionSenses(SteerSenses):
         targets = o or self._hit_targets(f, s, [])
         for actor in s:
             target = next((t for t in targets if t != actor and not self.structural(t)), None)
-            if target is None:
+            if target is None and f.verb.lemma in ("get", "arrive"):
+                target = self.aim.get(actor)  # "runs to the swing and gets there first"
+            if target is None or target == actor:
                 self._motion(f, [actor], None)
                 continue
             into = self.tl.node(self.tl.last_event or "")

@@ -15,7 +15,9 @@ from esg.draft.scene import SELF_POWERED, Relation
 from esg.draft.shares import dealt
 from esg.graph.models import NodeEvent
 
-_WAITING = frozenset({"wait", "pause", "stay", "remain", "stand", "sit", "idle", "queue", "rest"})
+_WAITING = frozenset(
+    {"wait", "pause", "stay", "remain", "stand", "sit", "idle", "queue", "rest", "hover"}
+)
 _PATTERN_VERBS = {
     "stack": "stack",
     "pile": "stack",
@@ -342,7 +344,9 @@ class StateSenses(Consequences):
     def _do_carry(self, f: Frame, s: list[str], o: list[str]) -> None:
         if s and o:
             self.place(o, s, "on")
-        if s and any(p.prep in _CARRIED_ALONG for p in f.phrases):
+        if s and o and f.verb.lemma in ("carry", "transport") and not self.movable(s[0]):
+            self._motion(f, o, "slide")  # "a conveyor carries a box past a guard"
+        elif s and any(p.prep in _CARRIED_ALONG for p in f.phrases):
             self._motion(f, s, None)
         self.use(f, "carrying")
 

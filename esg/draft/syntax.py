@@ -326,6 +326,18 @@ class Chunker(NounPhrases):
             return True
         return token is not None and token.tag == "VERB"
 
+    def _goes_on(self, j: int) -> bool:
+        """Whether a finite verb stands at token j, after a conjunction, and no noun."""
+        j += self._low(j) in ("then", "also", "finally")
+        finite = any(r.form in ("s", "past") for r in verb_readings(self._low(j)))
+        plural = self._match_noun(j) is not None and not self._acts_on_something(j + 1)
+        return finite and not plural
+
+    def _acts_on_something(self, j: int) -> bool:
+        low = self._low(j)
+        small = lex.DETERMINERS | lex.PREPOSITIONS | lex.PRONOUNS | lex.ADVERBS
+        return low in small or low in ("", ".", ",")
+
     def _clause_follows(self, i: int) -> bool:
         """Whether a subordinator starts a clause ("after it hits") and not "after 3 seconds"."""
         token = self._tok(i + 1)
@@ -359,6 +371,8 @@ class Chunker(NounPhrases):
                 return True  # "when the truck, going 10 m/s, brakes"
             if t.kind == "punct" and t.text in ".;,!?":
                 return False
+            if t.low in ("and", "but", "or", "then") and j > i + 1 and self._goes_on(j + 1):
+                return False  # "stops before the wall and turns", "just before a gate but hits it"
             readings = verb_readings(t.low)
             if (readings or t.low in lex.MODALS) and (
                 self._low(j) not in lex.nouns() or self._low(j - 1) not in lex.DETERMINERS

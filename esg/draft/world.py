@@ -18,6 +18,8 @@ from esg.draft.ranks import measured, same_quantity
 
 _BODYWORK = frozenset({"bonnet", "windscreen", "windshield", "tailgate"})
 _ON_THE_GREEN = frozenset({"on", "onto", "across", "over", "to", "at"})
+_STACKS = frozenset({"tower", "pyramid", "column"})
+"""What things that have been stacked are together."""
 _TOPS = frozenset({"roof", "windscreen", "windshield", "bonnet", "tailgate"})
 
 
@@ -59,8 +61,13 @@ class World(Members):
             whole = next(reversed(list(self.groups.values())), None)  # "the stack collapses"
             if whole is not None:
                 return list(whole)
-        if m.determiner in ("the", "this", "that") and not m.adjectives and not m.letters:
+        whole = set(m.adjectives) <= {"whole", "entire"}
+        if m.determiner in ("the", "this", "that") and whole and not m.letters:
             named = [g for g, word in self.group_words.items() if word == m.head]
+            if m.head in _STACKS:  # "three blocks are stacked, and the tower is hit"
+                named = named or [
+                    g for g, ids in self.groups.items() if self.entities[ids[0]].pattern == "stack"
+                ]
             if named and all(e.head != m.head for e in self.entities.values()):
                 return list(self.groups[named[-1]])  # "a tower of cups ... the tower"
         if self.billiards and m.head in ("cushion", "rail"):
@@ -151,7 +158,7 @@ class World(Members):
         if found:
             self._enrich(m, found)
             return found
-        return self._create(m)
+        return self._kind_of_member(m, avoid) or self._create(m)
 
     def _own_vehicle(self, m: Mention, subject: bool, avoid: list[str]) -> list[str]:
         """ "The insured brakes and a lorry hits his car": who drives is drawn as the vehicle."""
@@ -220,14 +227,17 @@ class World(Members):
                 m.attribute, m.noun, m.part = False, lex.nouns()["car"], ""
             return cars[-1:] if m.attribute else []
         if owner is not None:
-            ids = self.resolve(owner) if self._owns(owner) else []
+            named = owner.determiner in ("the", "a", "an") and m.head == "roof"
+            ids = self.resolve(owner) if self._owns(owner) or named else []
             kinds = {self.entities[i].noun.kind for i in ids}
             if body and kinds & {"person", "animal", "robot", "tool"}:
                 return ids
+            if body and kinds & {"seat", "furniture", "table"}:
+                return ids  # "slides from the arm of the sofa"
             if m.head in WORN and kinds & {"person"} and m.after_prep != "off":
                 return ids
             own = m.head in OWN_PARTS and not subject
-            if m.head == "roof" and not subject and kinds == {"building"}:
+            if m.head == "roof" and not subject and kinds in ({"building"}, {"generic"}):
                 return ids  # "lands on the roof of a shed"
             return ids if own and kinds & {"vehicle", "cart", "watercraft", "flyer"} else []
         if m.head in _TOPS and m.determiner == "the" and not subject and not m.adjectives:
