@@ -44,6 +44,7 @@ FILES = (
     "stranger4",
     "plain",
     "plain2",
+    "plain4",
     "plain3",
 )
 """All but the bands hold further prompts of all four bands, for development only."""
