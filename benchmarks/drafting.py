@@ -44,8 +44,8 @@ FILES = (
     "stranger4",
     "plain",
     "plain2",
-    "plain4",
     "plain3",
+    "plain4",
 )
 """All but the bands hold further prompts of all four bands, for development only."""
 HELD_OUT = ("test", "blind")

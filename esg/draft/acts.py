@@ -7,9 +7,9 @@ from typing import Any
 from esg.draft import lexicon as lex
 from esg.draft.core import Time
 from esg.draft.decks import is_deck
+from esg.draft.edges import EDGES, Edges
 from esg.draft.events import PUSHING
 from esg.draft.frames import Frame, Phrase
-from esg.draft.motions import Motions
 from esg.draft.scene import SELF_POWERED, SPEEDS, STRUCK
 from esg.draft.underway import goes_on
 from esg.graph.models import NodeEvent
@@ -35,8 +35,6 @@ _GOING = frozenset(
         "tumble",
     }
 )
-_ENDS = frozenset({"end", "side", "corner", "ends", "sides", "corners"})
-_EDGES = frozenset({"edge", "end", "side", "rim", "lip"})
 _VISITING = frozenset(
     {"come", "go", "pull", "move", "drive", "walk", "ride", "sail", "head", "turn", "run", "step"}
 )
@@ -73,7 +71,7 @@ _LIDDED = frozenset({"toolbox", "suitcase", "gift box", "chest", "safe"})
 """What is closed unless something falls "in" it."""
 
 
-class Acts(Motions):
+class Acts(Edges):
     """Collisions and entries."""
 
     def _outcomes(self, f: Frame, actors: list[str]) -> None:
@@ -134,7 +132,7 @@ class Acts(Motions):
                     self.place([actor], [other], "on" if p.prep == "down" else "near")
                 elif p.prep in ("along", "across") and "support" in self.e(other).noun.traits:
                     self.place([actor], [other], "on")
-                elif p.prep in ("toward", "towards") and p.mention.part in _EDGES:
+                elif p.prep in ("toward", "towards") and p.mention.part in EDGES:
                     if self._elevated(other) and self._fits_on(actor, other):
                         self.place([actor], [other], "on")  # "rolls toward the edge of the desk"
                 elif p.prep == "past" and self._touches_later(f, other):
@@ -173,12 +171,6 @@ class Acts(Motions):
         vessel = self.kind(host) != "box" and self.kind(actor) in STRUCK
         return actor in self.came_down or (vessel and self._holds(host))
 
-    def _from_an_end(self, f: Frame, p: Phrase, other: str) -> bool:
-        """Whether a motion starts at the end of a table or shelf, and stays on it."""
-        end = p.mention is not None and bool(_ENDS & set(p.mention.part.split()))
-        top = self.e(other).noun.traits
-        return end and "support" in top and "incline" not in top and f.verb.sense != "fall"
-
     def _over_its_top(self, f: Frame, actor: str, other: str) -> bool:
         """ "A cup slides over the table": on it, unlike a ball that is kicked over a bench."""
         sliding = f.verb.sense in ("slide", "roll") and not f.verb.passive
@@ -213,44 +205,6 @@ class Acts(Motions):
         name = "basketball hoop" if self.e(ball).noun.name == "basketball" else "goal"
         return self.world.add(lex.nouns()[name], name, mentioned=False).id
 
-    def _off_the_edge(self, f: Frame, p: Phrase, actors: list[str], time: Time | None) -> bool:
-        """ "falls off the end", "over its edge": of the support it moves on."""
-        m = p.mention
-        falls = f.verb.sense in ("fall", "drop")  # "falls at the end of the bar"
-        if m is None or m.part not in _EDGES:
-            return False
-        if p.prep not in ("off", "over") and not (falls and p.prep in ("at", "from")):
-            return False
-        hosts = [i for i in m.entities if i not in actors]
-        if hosts and not self._elevated(hosts[0]):
-            return False
-        for actor in actors:
-            if hosts:
-                self.place([actor], hosts[:1], "on")
-            if not hosts and actor not in self.scene.supported_by:
-                near = self._carrier_named(actor)
-                if not near:
-                    return False
-                self.place([actor], [near], "on")
-            self.event(NodeEvent.FALL, (actor,), f, time)
-        return bool(actors)
-
-    def _comes_down(self, f: Frame, actor: str, p: Phrase) -> bool:
-        """ "slides down to the ground" from the heap it lies on."""
-        assert p.mention is not None
-        down = "down" in self.text[f.verb.end : p.mention.start].lower().split()
-        rests = actor in self.scene.supported_by or self._lies_on_something(actor)
-        return down and rests and self.kind(actor) not in ("person", "animal")
-
-    def _carrier_named(self, actor: str) -> str:
-        """What the prompt spoke of last that the actor can stand or run on."""
-        for ids in reversed(self.world.salience):
-            for i in ids:
-                known = i in self.world.entities and i != actor and not self.structural(i)
-                if known and {"support", "incline"} & self.e(i).noun.traits:
-                    return i
-        return ""
-
     def _go_into(
         self,
         f: Frame,
@@ -266,6 +220,9 @@ class Acts(Motions):
         visits = f.verb.lemma in _VISITING and self.e(other).head.split()[-1] in _PLACES
         if visits and p.prep != "through" and self.kind(actor) in SELF_POWERED:
             self.pending[actor] = (NodeEvent.REACH, f, other, time)  # "comes into the station"
+            return
+        if p.prep == "through" and self._opening(others):
+            self.use(f, "a way, no thing that is met")
             return
         barrier = noun.kind in ("wall", "street") or noun.name in ("hedge", "bush")
         breaks = p.prep == "through" and barrier and not p.mention_plural

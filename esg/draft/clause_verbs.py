@@ -48,7 +48,11 @@ class ClauseVerbs(ClauseNouns):
         s.link = "then"
         if s.boundary_kind == "objrel":
             frame.subject = s.subject
-            frame.object = s.relative
+            if s.relative_prep:
+                frame.phrases.append(Phrase(s.relative_prep, s.relative))
+                s.relative_prep = ""
+            else:
+                frame.object = s.relative
             s.boundary_kind = ""
             frame.reduced = True
             frame.opening = previous is None
@@ -235,6 +239,16 @@ class ClauseVerbs(ClauseNouns):
             return frame.object
         return frame.subject
 
+    def _who_went_on(self, previous: Frame) -> Mention | None:
+        """ ", which runs into a trough, upsetting it": what the relative clause is about."""
+        told = [g for g in self.frames if g.subject is previous.subject and g.relative]
+        going = previous.relative and any(
+            g.resulting and g.sentence == previous.sentence for g in told
+        )
+        if going and previous.verb.sense not in ("be", "posture", "park", "have", "noop"):
+            return previous.subject
+        return self._agent(previous)
+
     def _first(self, s: State, frame: Frame, i: int) -> None:
         v = frame.verb
         frame.subject = s.subject
@@ -367,11 +381,11 @@ class ClauseVerbs(ClauseNouns):
         elif v.sense in ("weigh", "measure", "have", "contain") and s.last is not None:
             frame.subject, frame.reduced, frame.parent = s.last, True, previous
         elif v.sense in CAUSE_SENSES or v.extra.get("transitive"):
-            frame.subject = self._agent(previous)
+            frame.subject = self._who_went_on(previous)
             frame.link = "cause"
             frame.causer = previous
         elif s.boundary or s.last is None or s.last is previous.subject:
-            frame.subject = self._agent(previous)
+            frame.subject = self._who_went_on(previous)
             frame.link = (
                 "then" if v.sense in ("hit", "stop", "topple", "enter", "land", "miss") else "while"
             )

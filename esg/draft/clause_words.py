@@ -75,7 +75,12 @@ class ClauseWords:
             if nxt is None or (
                 isinstance(nxt, Word) and (nxt.kind in ends or nxt.low in ("too", "again"))
             ):
-                if s.frame is not None:
+                if getattr(nxt, "kind", "") == "rel" and getattr(nxt, "low", "") in (
+                    "which",
+                    "whom",
+                ):
+                    s.relative_prep = w.low  # "a rack from which a box falls"
+                elif s.frame is not None:
                     s.frame.adverbs.append(w.low)  # a particle: "knocking them over"
                 return s
             if w.low in _PARTICLES and isinstance(nxt, Word) and nxt.kind in ("prep", "to"):

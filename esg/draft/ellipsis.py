@@ -35,6 +35,9 @@ def elide(elements: list[Element]) -> list[Element]:
         if isinstance(e, Mention) and verb is not None and _in_turn(elements, i, verb):
             out += [e, replace(verb, start=e.end, end=e.end, form="s", extra=dict(verb.extra))]
             continue
+        if isinstance(e, Mention) and verb is not None and _each_the_next(elements, i, verb):
+            out += [e, replace(verb, start=e.end, end=e.end, form="s", extra=dict(verb.extra))]
+            continue
         if isinstance(e, Verb):
             verb = e
         elif verb is not None and _second_turn(elements, i, verb):
@@ -67,6 +70,26 @@ def _in_turn(elements: list[Element], i: int, verb: Verb) -> bool:
     return i + 3 >= len(elements) or (after is not None and after.kind in _CLOSES)
 
 
+def _each_the_next(elements: list[Element], i: int, verb: Verb) -> bool:
+    """ "The first bumps the second, and the second the third": two things, no verb between."""
+    before, whom = word_at(elements, i - 1), elements[i + 1] if i + 1 < len(elements) else None
+    who, after = elements[i], word_at(elements, i + 2)
+    if verb.sense not in _ON_THINGS or verb.passive or not isinstance(whom, Mention):
+        return False
+    joined = before is not None and (before.kind == "conj" or before.low in (",", ";"))
+    both = isinstance(who, Mention) and not who.attribute and not whom.attribute
+    told = both and all(
+        m.letters or (m.determiner and (m.pronoun or m.noun is not None))
+        for m in (who, whom)
+        if isinstance(m, Mention)
+    )
+    ends = i + 2 >= len(elements) or (after is not None and after.kind in _CLOSES)
+    k = next((n for n in range(i) if elements[n].end >= verb.end), i)
+    object_ = k + 1 < i and isinstance(elements[k + 1], Mention)
+    return joined and told and ends and object_
+
+
+_ON_THINGS = frozenset({"hit", "knock", "overtake", "miss", "follow", "topple"})
 _ALONE = frozenset(
     {"topple", "fall", "stop", "brake", "turn", "own", "roll", "accelerate", "slide"}
 )

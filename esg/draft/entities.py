@@ -42,6 +42,7 @@ ACTING_PARTS = OWN_PARTS | frozenset(
     {"brush", "blade", "shovel", "bow", "prow", "stern", "keel", "hull", "rotor", "propeller"}
     | {"axle", "front", "rear", "side", "boom", "jib", "hook", "claw", "gripper", "fork", "forks"}
     | {"plow", "plough", "mast", "basket", "gondola", "body", "corner", "back end", "undercarriage"}
+    | {"bucket", "shovel", "arm", "cab", "cabin", "oar", "rudder", "anchor", "outrigger", "ladder"}
 )
 """Parts of a machine with which it hits things ("its brush touches a box")."""
 WORN = frozenset({"pad", "glove", "boot", "shoe", "sneaker", "sleeve", "jersey", "shirt", "coat"})

@@ -87,6 +87,8 @@ class State:
     last: Mention | None = None
     last_after_prep: bool = False
     prep: str = ""
+    relative_prep: str = ""
+    """The preposition of a relative clause ("from which a box falls")."""
 
 
 def finite_ahead(elements: list[Element], i: int) -> bool:

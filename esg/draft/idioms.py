@@ -24,6 +24,7 @@ _BATTING = frozenset({"bat", "swipe", "whisk", "poke", "paw"})
 _TOSSED = frozenset({"game", "tableware", "food", "ball", "billiard", "projectile", "electronics"})
 _BENDS = frozenset({"curve", "bend", "corner"})
 _ALONG_BENDS = frozenset({"around", "round", "through", "along"})
+_STANDSTILLS = frozenset({"stop", "halt", "standstill", "rest"})
 _SURFACES = frozenset({"patch", "slick", "spot", "stretch"})
 """What a vehicle hits and drives over."""
 
@@ -310,12 +311,38 @@ def _follows_a_bend(f: Frame) -> str:
     return "turn"
 
 
+def _to_a_stop(f: Frame) -> str:
+    """ "slows down from 3 m/s to a stop": it stops."""
+    to = f.phrase("to")
+    named = to is not None and to.mention is not None and to.mention.head in _STANDSTILLS
+    if f.verb.sense not in ("slow", "brake") or not named:
+        return ""
+    f.phrases.remove(to) if to is not None else None
+    f.verb.extra["via"] = "slow"
+    return "stop"
+
+
+def _stumbles_over(f: Frame) -> str:
+    """ "stumbles over a stool into a waiter": it touches both."""
+    over = f.phrase("over")
+    tripped = f.verb.lemma == "stumble" and over is not None and _thing(over.mention)
+    return "hit" if tripped else ""
+
+
+def _into_the_water(f: Frame) -> str:
+    """ "comes down in the river": a descent that ends there."""
+    wet = f.phrase("in", "into")
+    down = f.verb.lemma == "come" and "down" in f.adverbs
+    return "fall" if down and wet is not None and _kind(wet.mention) == "water" else ""
+
+
 _READINGS: tuple[Callable[[Frame], str], ...] = (
     _takes_out, _parts, _breaks_it, _shuts_on, _steps_on, _jumps_on, _lets_off, _tosses,
     _hits_ground, _buries, _swings_round, _against, _knocks_over,
     _comes_down, _brought_down, _speed_changes, _stands_still,
     _bats_off, _is_let_go, _gets_there, _flies_over, _takes_along, _pulled_over,
     _not_avoided, _leaves_alone, _runs_onto_the_street, _follows_a_bend,
+    _to_a_stop, _stumbles_over, _into_the_water,
 )  # fmt: skip
 
 

@@ -123,6 +123,8 @@ class Interpreter(References):
             subject = moving
         if sense in _ACTED_ON:
             objects = [i for i in objects if self._aimable(i)]
+        if sense in ("roll", "slide") and not f.verb.passive:
+            objects = [i for i in objects if "decal" not in self.e(i).noun.traits]
         self._settle_aims(f)
         self.instead = _INSTEAD.search(self._sentence(f)) is not None or (
             _BUT.search(self.text, max(0, f.verb.start - 30), f.verb.start) is not None

@@ -5,7 +5,7 @@ from __future__ import annotations
 from esg.draft import lexicon as lex
 from esg.draft.elements import Mention
 from esg.draft.entities import FRONT, ORDINALS, REAR, STACKED, Entity, slug
-from esg.draft.meetings import meeting
+from esg.draft.meetings import before_this, meeting, the_others
 from esg.draft.persons import named_by_no_person, of_other_gender
 from esg.draft.ranks import RANKS, extreme, rank, same_quantity
 from esg.draft.registry import Registry
@@ -75,6 +75,10 @@ class Pronouns(Registry):
                         m.start, m.end, head=like.head, noun=like.noun, count=m.count, plural=True
                     )
                 )
+        if p == "ones" and m.count is None and m.adjectives == ["other"]:
+            rest = the_others(self.salience, self.groups, self.entities)
+            if rest:
+                return rest
         if p in (
             "they",
             "them",
@@ -135,6 +139,9 @@ class Pronouns(Registry):
                     return list(ids)
         if p in ("one", "another", "other"):
             named = next((a for a in m.adjectives if a in ORDINALS), None)
+            like = before_this(named, avoid, self.entities)
+            if like:
+                return like
             told = [e.id for e in self.entities.values() if named and e.place == named]
             if named and told:
                 return told[-1:]  # "a third car hits the second"

@@ -279,6 +279,8 @@ class Reader:
             and any(isinstance(e, Verb) for e in self.elements)
         ):
             return True  # "..., slides, and hits"
+        if previous.kind == "rel" and "s" in forms and not (verb_readings(nxt) and nxt != "open"):
+            return True  # ", which swings round": no plural without an article
         if nounish and noun is not None:
             inflected = forms & {"past", "pp", "ing"}
             if previous.kind in ("conj", "adv", "punct", "rel"):

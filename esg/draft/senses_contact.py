@@ -16,6 +16,9 @@ _NO_THINGS = frozenset(
     {"way", "path", "course", "air", "speed", "time", "sky", "direction", "limit"}
 )
 """Objects of "blocks", "hits" and the like that nothing touches."""
+_PLACES_HIT = frozenset(
+    {"middle", "center", "centre", "mark", "target", "side", "end", "back", "top"}
+)
 _STUMBLING = frozenset({"trip", "stumble"})
 _BESIDE = re.compile(
     r"\s*(?:,\s*)?(?:\(|at|with\s+(?:an?\s+)?(?:constant\s+)?(?:speed|velocity)\s+of|doing|going"
@@ -125,6 +128,10 @@ class ContactSenses(FallSenses):
             return
         if not targets and f.verb.lemma in _STUMBLING:
             self.use(f, "stumbles")
+            return
+        named = f.object is not None and f.object.attribute and f.object.head not in _PLACES_HIT
+        if not targets and named and not f.verb.passive and f.object.determiner in ("a", "an"):
+            self.scene.ignored[(f.verb.start, f.verb.end)] = "what is hit was not understood"
             return
         if not targets and movers:
             aimed = self.aim.get(movers[0]) or self._aim_of_mates(movers[0])

@@ -96,6 +96,9 @@ class FallSenses(LaunchSenses):
         return [i for ids in self.world.salience for i in ids if i in self.world.entities]
 
     def _landing(self, f: Frame, moved: list[str]) -> bool:
+        for way in f.phrases:
+            if way.prep == "through" and way.mention and self._opening(way.mention.entities):
+                way.prep = "by way of"  # "drops through a hatch onto a cart"
         p = f.phrase("onto", "on", "into", "in", "through", "to", "upon")
         if p is None and f.verb.sense in ("fall", "topple"):
             p = f.phrase("against")

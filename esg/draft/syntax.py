@@ -285,11 +285,19 @@ class Chunker(NounPhrases):
                 return len(words)
         return 0
 
+    def _many_reverse(self) -> bool:
+        """Whether a plural stands here whose verb is still to come."""
+        previous, before = self._previous(), self.elements[-2] if len(self.elements) > 1 else None
+        opens = before is None or getattr(before, "low", "") in (*".;!?,:", "and", "but", "then")
+        return opens and isinstance(previous, Mention) and previous.plural
+
     def _multiword(self, i: int) -> int:
         for words, kind, low in MULTIWORDS.get(self._low(i), ()):
             if all(self._low(i + k) == w for k, w in enumerate(words)):
                 if words[0] in ("left", "right") and self._previous_is_turn():
                     continue
+                if words == ("back", "into") and self._many_reverse():
+                    continue  # "Two vans back into each other"
                 if words[0] in ("at", "in", "on") and self._low(i + len(words)) in ("of", "to"):
                     continue  # "at the end of the ramp", "on the way to the door"
                 if words[-1] in ("that", "this") and self._low(i + len(words)) in RETOLD_NOUNS:

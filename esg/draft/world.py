@@ -20,6 +20,8 @@ _BODYWORK = frozenset({"bonnet", "windscreen", "windshield", "tailgate"})
 _ON_THE_GREEN = frozenset({"on", "onto", "across", "over", "to", "at"})
 _STACKS = frozenset({"tower", "pyramid", "column"})
 """What things that have been stacked are together."""
+_CABS = frozenset({"cab", "cabin", "cockpit"})
+"""Parts where somebody sits; words for buildings, too, unless they are somebody's."""
 _TOPS = frozenset({"roof", "windscreen", "windshield", "bonnet", "tailgate"})
 
 
@@ -79,6 +81,8 @@ class World(Members):
         beside = m.head in ("neighbour", "neighbor") and m.determiner in ("its", "their")
         if beside and avoid and self.entities[avoid[0]].noun.kind != "person":
             m.pronoun, m.adjectives, m.determiner, m.noun = "one", ["next"], "the", None
+        if m.head == "leader" and m.determiner == "the" and self._of_a_file():
+            m.pronoun, m.adjectives, m.head, m.noun = "one", ["leading"], "", None
         whole = self._whole(m, subject, avoid)
         if whole:
             return whole
@@ -236,7 +240,7 @@ class World(Members):
                 return ids  # "slides from the arm of the sofa"
             if m.head in WORN and kinds & {"person"} and m.after_prep != "off":
                 return ids
-            own = m.head in OWN_PARTS and not subject
+            own = m.head in OWN_PARTS | _CABS and not subject
             if m.head == "roof" and not subject and kinds in ({"building"}, {"generic"}):
                 return ids  # "lands on the roof of a shed"
             return ids if own and kinds & {"vehicle", "cart", "watercraft", "flyer"} else []
@@ -246,18 +250,29 @@ class World(Members):
             hut = [i for i in built if self.entities[i].head != m.head]
             if hut:
                 return hut[-1:]  # "throws it at the hut. It bounces off the roof"
+        if m.head == "fork" and m.plural and m.determiner in ("its", "the") and owner is None:
+            named = (i for ids in reversed(self.salience) for i in ids if i in self.entities)
+            lifts = (i for i in named if "fork" in self.entities[i].noun.name)
+            return list(next(([i] for i in lifts), []))  # "slides off its forks"
         if body and m.determiner == "the" and m.after_prep in ("in", "on") and m.noun is None:
             last = [i for ids in self.salience[-2:] for i in ids if i in self.entities]
             hit = [i for i in last if self.entities[i].noun.kind in ("person", "animal")]
             return hit[-1:]  # "hits him in the midriff"
         if m.determiner in ("his", "her", "its", "their") and (
-            body or (m.head in OWN_PARTS and not subject)
+            body or (m.head in OWN_PARTS | _CABS and not subject)
         ):
             word = {"his": "he", "her": "she", "its": "it", "their": "they"}[m.determiner]
             ids = self._pronoun(Mention(m.start, m.end, pronoun=word), subject, avoid)
             person = all(self.entities[i].noun.kind == "person" for i in ids)
             return list(avoid) if ids and person and word == "it" else ids
         return []
+
+    def _of_a_file(self) -> bool:
+        """Whether a plural was named that one can lead ("three lorries ... the leader")."""
+        whole = next(reversed(list(self.groups.values())), [])
+        named = any(e.head == "leader" for e in self.entities.values())
+        kinds = ("vehicle", "person", "animal", "watercraft", "flyer", "robot")
+        return len(whole) > 1 and not named and self.entities[whole[0]].noun.kind in kinds
 
     @staticmethod
     def _owns(m: Mention) -> bool:

@@ -1,0 +1,116 @@
+"""Readings that plain prompts of vehicles, animals and loads needed."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from esg.draft import draft
+from tests.draft.told import events
+
+
+@pytest.mark.parametrize(
+    ("prompt", "expected"),
+    [
+        # along what it touches
+        (
+            "A bus scrapes along a kiosk and hits a tree.",
+            [("Collision", "bus_1", "kiosk_1"), ("Collision", "bus_1", "tree_1")],
+        ),
+        # the verb that is understood between two things
+        (
+            "The first keg nudges the second, and the second the third.",
+            [
+                ("Collision", "first_keg_1", "second_keg_1"),
+                ("Collision", "second_keg_1", "third_keg_1"),
+            ],
+        ),
+        # a verb in -s after "which" is no plural
+        (
+            "A van rolls into a gate, which swings open and hits a bin.",
+            [("Collision", "van_1", "gate_1"), ("Collision", "bin_1", "gate_1")],
+        ),
+        # what a plural does backwards
+        ("Two vans back into each other.", [("Collision", "van_1", "van_2")]),
+        # who goes on after ", which": what the relative clause is about
+        (
+            "A wolf chases a goat, which runs into a churn, upsetting it.",
+            [("Collision", "goat_1", "churn_1"), ("Topple", "churn_1")],
+        ),
+        # openings are passed
+        ("A bag drops through a hatch onto a cart.", [("Collision", "bag_1", "cart_1")]),
+        (
+            "A basketball drops through the hoop.",
+            [("EnterRegion", "basketball_1")],
+        ),
+        # stumbling touches what it is over, and what it ends at
+        (
+            "A clown stumbles over a crate into a table.",
+            [("Collision", "clown_1", "crate_1"), ("Collision", "clown_1", "table_1")],
+        ),
+        # a thing that was not understood is not replaced by another one
+        ("A ship passes a buoy, and its mast hits a wobblement.", None),
+        # parts of machines act for them
+        (
+            "A digger turns left and its bucket hits a fence.",
+            [("HeadingReached", "digger_1"), ("Collision", "digger_1", "fence_1")],
+        ),
+        (
+            "A truck brakes and a rock falls on the driver's cab.",
+            [("Collision", "rock_1", "truck_1")],
+        ),
+        # loads leave the vehicle that was named
+        (
+            "A lorry stops and a barrel rolls off the back.",
+            [("Stop", "lorry_1"), ("Fall", "barrel_1")],
+        ),
+        (
+            "A forklift stops and a pallet slides off its forks.",
+            [("Stop", "forklift_1"), ("Fall", "pallet_1")],
+        ),
+        # all but the ones told of
+        (
+            "Three logs lie on a hill. The first log hits a goat, and the rest roll into a pond.",
+            [
+                ("Collision", "first_log_1", "goat_1"),
+                ("EnterRegion", "log_2"),
+                ("EnterRegion", "log_3"),
+            ],
+        ),
+        # the first of its own kind
+        (
+            "Five ducks cross a road. A bus stops for them. A second bus runs into the first one.",
+            [("Stop", "bus_1"), ("Collision", "second_bus_1", "bus_1")],
+        ),
+        # from which it falls
+        (
+            "A cart hits a shelf, from which a jar falls on a dog.",
+            [
+                ("Collision", "cart_1", "shelf_1"),
+                ("Fall", "jar_1"),
+                ("Collision", "jar_1", "dog_1"),
+            ],
+        ),
+        ("A balloon sinks and comes down in a lake.", [("EnterRegion", "balloon_1")]),
+    ],
+)
+def test_reading(prompt: str, expected: list[tuple[Any, ...]] | None) -> None:
+    if expected is None:
+        assert not [e for e in events(prompt) if e[0] == "Collision" and "buoy_1" in e]
+        return
+    assert events(prompt) == expected
+
+
+def test_leader_is_one_of_the_file() -> None:
+    doc = draft("Three buses drive in a convoy. The leader brakes, and the second bus hits it.")
+    buses = [n for n in doc.spatial_relation_graph.nodes if "bus" in n]
+    assert len(buses) == 3
+    assert not any("leader" in n for n in doc.spatial_relation_graph.nodes)
+
+
+def test_slowing_to_a_stop_takes_its_time() -> None:
+    doc = draft("The tram slows down from 8 m/s to a stop within 5 s.")
+    assert doc.timeline_system is not None
+    stop = [n for n in doc.timeline_system.sequence_graph.nodes if n.event.value == "Stop"]
+    assert [c.quantity for c in stop[0].constraints] == ["time_to_stop"]
