@@ -13,6 +13,7 @@ import math
 from esg.dynamics.bounces import let_go_sideways, lively_tops
 from esg.dynamics.containers import fit_containers, resized, with_assets
 from esg.dynamics.demands import passed_on, run_on_speed
+from esg.dynamics.dominoes import fit_falling
 from esg.dynamics.fitting import fit_motion
 from esg.dynamics.loads import fit_loads
 from esg.dynamics.openings import fit_openings
@@ -72,6 +73,7 @@ def fit_assets(doc: EsgDocument) -> EsgDocument:
         if not config.is_movable:
             changed[nodes[name].asset_id] = config.model_copy(update={"is_movable": True})
     doc = with_assets(doc, {**changed, **_solid(doc, story), **_grown(doc, story)})
+    doc = with_assets(doc, fit_falling(doc, story))
     doc = with_assets(doc, fit_openings(doc, story))
     doc = fit_motion(with_assets(doc, fit_containers(doc, story)), story)
     doc = with_assets(doc, _springy(doc, story))

@@ -13,6 +13,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.dynamics.gap import bounding_radius, surface_gap
+from esg.dynamics.hits import (
+    HIT_LIMIT_S,
+    MAX_DEPTH_M,
+    MAX_RECHECK_M,
+    MIN_IMPULSE_NS,
+    RECHECK_S,
+    first_hit,
+)
 from esg.dynamics.moves import TURNED_RAD
 from esg.dynamics.recording import Bools, Floats, Recording
 from esg.engines.scene import Body
@@ -22,13 +30,10 @@ from esg.units import GRAVITY_MPS2, quat_rotate, yaw_from_quat
 
 AddTerm = Callable[[str, Floats], None]
 
-HIT_LIMIT_S = 15.0
-MIN_IMPULSE_NS = 0.1
 SAFE_IMPULSE_NS = 0.25
-MAX_DEPTH_M = 0.05
 SAFE_DEPTH_M = 0.035
-MAX_RECHECK_M = 0.02
-RECHECK_S = 0.2
+EARLY_SCALE_S, MOST_EARLY = 0.1, 3.0
+"""Scale of how much too early the last hit came, and the most that it costs."""
 SPARE_S = 0.15
 """A recording goes on for so much longer: in another engine the hit may come later."""
 STOP_SPEED_MPS = 0.1
@@ -48,58 +53,25 @@ def collision(
     rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm
 ) -> tuple[Floats, Floats]:
     a, b = rec.members(node.participants[0]), rec.members(node.participants[-1])
-    time, impulse, depth, recheck, struck = _first_hit(rec, a, b, earliest)
-    hit = np.isfinite(time) & (time <= HIT_LIMIT_S)
+    found = first_hit(rec, a, b, earliest)
+    end = float(rec.t[-1])
+    hit, good = np.isfinite(found.time) & (found.time <= HIT_LIMIT_S), found.sound(end)
     # A hit is looked at again after a while: the recording has to go on for as long.
-    short = np.where(hit, time, 0.0) + RECHECK_S - float(rec.t[-1])
-    good = hit & (impulse > MIN_IMPULSE_NS) & (depth < MAX_DEPTH_M) & (recheck <= MAX_RECHECK_M)
-    good &= short <= 0.0
-    unsound = 0.5 + np.maximum(depth - MAX_DEPTH_M, 0.0) / 0.02
-    unsound += np.maximum(recheck - MAX_RECHECK_M, 0.0) / 0.02
-    unsound += np.maximum(MIN_IMPULSE_NS - impulse, 0.0) / MIN_IMPULSE_NS
+    short = found.short(end)
+    unsound = 0.5 + np.maximum(found.depth - MAX_DEPTH_M, 0.0) / 0.02
+    unsound += np.maximum(found.recheck - MAX_RECHECK_M, 0.0) / 0.02
+    unsound += np.maximum(MIN_IMPULSE_NS - found.impulse, 0.0) / MIN_IMPULSE_NS
     unsound += np.maximum(short, 0.0) / RECHECK_S
     missed = (_miss_distance(rec, a, b, hit, earliest) / DISTANCE_SCALE_M) ** 2
+    early = 0.5 + np.minimum(found.early / EARLY_SCALE_S, MOST_EARLY)
+    missed = missed + np.where(np.isfinite(found.early), early, 0.0)
     far = np.where(hit, np.minimum(unsound, 8.0), missed)
-    soft = np.maximum(SAFE_IMPULSE_NS - impulse, 0.0) / SAFE_IMPULSE_NS
-    soft = soft + np.maximum(depth - SAFE_DEPTH_M, 0.0) / 0.02
+    soft = np.maximum(SAFE_IMPULSE_NS - found.impulse, 0.0) / SAFE_IMPULSE_NS
+    soft = soft + np.maximum(found.depth - SAFE_DEPTH_M, 0.0) / 0.02
     soft = soft + np.maximum(short + SPARE_S, 0.0) / SPARE_S
     add(f"{node.id}/weak", np.where(good, soft, 0.0))
-    add(f"{node.id}/glance", np.where(good, 0.3 * struck, 0.0))
-    return np.where(good, time, np.inf), far
-
-
-def _first_hit(
-    rec: Recording, a: list[int], b: list[int], earliest: Floats
-) -> tuple[Floats, Floats, Floats, Floats, Floats]:
-    """Time, impulse, depth, depth 0.2 s later and glancing measure of the first hit."""
-    log = rec.r.contacts
-    pair = (np.isin(log.a, a) & np.isin(log.b, b)) | (np.isin(log.a, b) & np.isin(log.b, a))
-    rows = np.flatnonzero(pair)
-    time = np.full(rec.n, np.inf)
-    late = rows[log.time[rows] >= earliest[log.world[rows]] - 1e-9]
-    np.minimum.at(time, log.world[late], log.time[late])
-    # A touch that began before the earliest time and goes on is not a new hit; one that began
-    # in time but is re-examined 0.2 s later must have separated or rest lightly.
-    impulse, depth = np.zeros(rec.n), np.zeros(rec.n)
-    recheck, glance = np.zeros(rec.n), np.zeros(rec.n)
-    start = time[log.world[rows]]
-    after = log.time[rows] - start
-    burst = rows[(after >= -1e-9) & (after < 0.05)]
-    np.add.at(impulse, log.world[burst], log.impulse[burst])
-    first = rows[(after >= -1e-9) & (after < 1.5 / rec.fps)]
-    np.maximum.at(depth, log.world[first], log.depth[first])
-    later = rows[np.abs(after - RECHECK_S) < 0.75 / rec.fps]
-    np.maximum.at(recheck, log.world[later], log.depth[later])
-    for row in first[::-1]:
-        w = log.world[row]
-        frame = max(int(log.frame[row]) - 1, 0)
-        va = rec.r.linear_velocity[w, frame, log.a[row]].astype(float)
-        vb = rec.r.linear_velocity[w, frame, log.b[row]].astype(float)
-        relative = va - vb
-        size = float(np.linalg.norm(relative))
-        if size > 1e-6:
-            glance[w] = 1.0 - abs(float(relative @ log.normal[row])) / size
-    return time, impulse, depth, recheck, glance
+    add(f"{node.id}/glance", np.where(good, 0.3 * found.glance, 0.0))
+    return np.where(good, found.time, np.inf), far
 
 
 def _miss_distance(
@@ -144,7 +116,7 @@ def reach(
     time = rec.first(near)
     none = ~np.isfinite(time)
     far = (_miss_distance(rec, a, b, ~none, earliest) / DISTANCE_SCALE_M) ** 2
-    hit = np.isfinite(_first_hit(rec, a, b, earliest)[0])
+    hit = np.isfinite(first_hit(rec, a, b, earliest).time)
     add(f"{node.id}/touch", np.where(hit, 0.5, 0.0))
     return time, far
 
@@ -153,7 +125,7 @@ def miss(
     rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm
 ) -> tuple[Floats, Floats]:
     a, b = rec.members(node.participants[0]), rec.members(node.participants[-1])
-    first = _first_hit(rec, a, b, np.zeros(rec.n))[0]
+    first = first_hit(rec, a, b, np.zeros(rec.n)).time
     if rec.story.meet_again(node) and a and b:
         return _passing(rec, a[0], b[0], first)
     hit = np.isfinite(first)
@@ -228,7 +200,10 @@ def enter(
     half = np.array(region.half_extents)
     outside = np.linalg.norm(np.maximum(np.abs(local) - half, 0.0), axis=-1)
     late = rec.t[None, :] >= earliest[:, None]
-    inside = (outside <= 0.0) & late
+    inside = outside <= 0.0
+    # What is inside already does not enter.
+    new = np.concatenate([np.zeros((rec.n, 1), bool), inside[:, 1:] & ~inside[:, :-1]], axis=1)
+    inside &= np.maximum.accumulate(new & late, axis=1)
     hold = max(1, round(0.2 * rec.fps))
     stays = inside.copy()
     longest = inside.any(axis=1).astype(float)
@@ -267,18 +242,25 @@ def stop(rec: Recording, node: TimelineNode, earliest: Floats, _: AddTerm) -> tu
     return rec.first(still), speed[:, -1]
 
 
-def _tilt(rec: Recording, body: int) -> Floats:
-    """Angle between a body's first and present upright direction [deg], shape [W, T]."""
+def _since(rec: Recording, earliest: Floats) -> NDArray[np.int64]:
+    """The last frame at or before a time, from which on changes count, shape [W]."""
+    frame = np.floor(np.nan_to_num(earliest, posinf=0.0) * rec.fps + 0.25).astype(np.int64)
+    return np.clip(frame, 0, len(rec.t) - 1)
+
+
+def _tilt(rec: Recording, body: int, since: NDArray[np.int64]) -> Floats:
+    """Angle between a body's upright direction at a frame and at present [deg], shape [W, T]."""
     q = rec.r.quaternion[:, :, body].astype(float)
-    start = quat_rotate(q[:, :1] * np.array([-1.0, -1.0, -1.0, 1.0]), np.array([0.0, 0.0, 1.0]))
-    up = quat_rotate(q, np.broadcast_to(start, (*q.shape[:2], 3)))[..., 2]
-    return np.degrees(np.arccos(np.clip(up, -1.0, 1.0)))
+    up = quat_rotate(q, np.array([0.0, 0.0, 1.0]))
+    rest = up[np.arange(rec.n), since][:, None]
+    return np.degrees(np.arccos(np.clip((up * rest).sum(axis=-1), -1.0, 1.0)))
 
 
 def topple(
     rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm
 ) -> tuple[Floats, Floats]:
-    tilt = np.max([_tilt(rec, body) for body in rec.members(node.participants[0])], axis=0)
+    since = _since(rec, earliest)
+    tilt = np.max([_tilt(rec, body, since) for body in rec.members(node.participants[0])], axis=0)
     late = rec.t[None, :] >= earliest[:, None]
     most = np.where(late, tilt, 0.0).max(axis=1)
     add(f"{node.id}/weak", np.maximum(70.0 - most, 0.0) / 70.0 * 0.3)
@@ -306,7 +288,8 @@ def fall(
     body = rec.scene.index(node.participants[0])
     z = rec.r.position[:, :, body, 2].astype(float)
     need = 1.05 * rec.scene.bodies[body].half_extents[2]
-    drop = z[:, :1] - z
+    # What has come down before the event that it follows does not count.
+    drop = z[np.arange(rec.n), _since(rec, earliest)][:, None] - z
     late = rec.t[None, :] >= earliest[:, None]
     most = np.where(late, drop, 0.0).max(axis=1)
     # Without a drop the way to the edge of the support still tells good from bad.

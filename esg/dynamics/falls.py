@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 import math
 
+from esg.dynamics.dominoes import REACH, are_slabs, down_first
 from esg.dynamics.kinematics import Frame
 from esg.dynamics.stage import Stage
 from esg.dynamics.stagecraft import Prop, coasting_drag, support_of, top_surface
@@ -176,5 +177,8 @@ def tip_onto(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
         return
     heading = track.heading + frame.angle
     reach = pa.half_length + pb.half_length
-    reach += min(FALLEN * pa.height, max(PAST_HALF * pb.height, NEAR * pa.height))
+    if are_slabs(pa, pb) and down_first(pa.height, knocked=False):
+        reach += REACH * pa.height
+    else:
+        reach += min(FALLEN * pa.height, max(PAST_HALF * pb.height, NEAR * pa.height))
     stage.places[b] = (ax + reach * math.cos(heading), ay + reach * math.sin(heading), heading)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from esg.dynamics.demands import KEPT, thrown_back_share
+from esg.dynamics.dominoes import REACH, are_slabs, down_first
 from esg.dynamics.flights import hits_level, slowed, thrown_back
 from esg.dynamics.kinematics import (
     Frame,
@@ -38,7 +39,9 @@ APART_S = 0.16
 """Least time between two hits of a chain."""
 DOWN_S, FALLEN, THIN_FALLEN = 0.3, 0.85, 0.7
 """Time in which a struck body falls over, and the shares of its height that are out of its reach
-until it is down: of a broad body, and of one thin as a domino, which slides less."""
+until it is down: of a broad body, and of one thin as a pin, which slides less."""
+DOMINO_GAP = 0.7
+"""Gap of dominoes over their height: nearer ones hit each other within a tenth of a second."""
 IN_ORDER_S = 0.1
 """Least time between two events of which one follows the other."""
 FARTHEST_AHEAD = 1.2
@@ -182,7 +185,7 @@ def chain(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
     thin = pa.height > 2.5 * pa.length and not pa.rolls
     if thin:
         # Tall and thin: it topples onto the next one, which stands within its reach.
-        gap = min(gap, 0.5 * pa.height)
+        gap = DOMINO_GAP * pa.height if are_slabs(pa, pb) else min(gap, 0.5 * pa.height)
     if _falls_before(stage, node, a):
         # It is to be down before it arrives.
         slides = sliding_distance(track.speed, 0.5 * (pa.friction + pa.rough))
@@ -191,6 +194,8 @@ def chain(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
         if not (pa.rolls or stage.airborne):
             # It reaches as far as it is high, and touches what is nearer while it still stands.
             gap = max(gap, (THIN_FALLEN if thin else FALLEN) * pa.height)
+            if are_slabs(pa, pb) and down_first(pa.height, knocked=True):
+                gap = REACH * pa.height
             if _kicked(stage, node, a):
                 ahead = (math.sqrt(pa.height / GRAVITY_MPS2) + IN_ORDER_S) * track.speed
                 gap = max(gap, min(ahead, FARTHEST_AHEAD * pa.height))

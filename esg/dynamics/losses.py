@@ -145,10 +145,12 @@ class _Assessor:
         previous = self.rec.story.previous_outcome(node.id)
         earliest = np.zeros(self.rec.n)
         ready = np.ones(self.rec.n, bool)
+        for before in self.rec.story.previous_outcomes(node.id):
+            ready &= self.result.completed[before]
+            earliest = np.maximum(earliest, np.nan_to_num(self.result.time[before]))
         if previous is not None:
-            ready = self.result.completed[previous].copy()
-            earliest = np.where(ready, self.result.time[previous], 0.0)
-            if node.event in (NodeEvent.COLLISION, NodeEvent.ENTER_REGION):
+            earliest = np.where(ready, earliest, 0.0)
+            if node.event is NodeEvent.COLLISION:
                 earliest = earliest + CHAIN_GAP_S
         measure = MEASURES[node.event]
         time, far = measure(self.rec, node, np.where(ready, earliest, np.inf), self._term)

@@ -137,11 +137,14 @@ class Story:
                 stack.extend(self.before.get(current, ()))
         return seen
 
+    def previous_outcomes(self, node_id: str) -> list[str]:
+        """All physics events this one follows, in causal order."""
+        before = self.ancestors(node_id)
+        return [n.id for n in self.outcomes if n.id in before]
+
     def previous_outcome(self, node_id: str) -> str | None:
-        """The latest physics event this one follows, or None."""
-        order = list(self.nodes)
-        ids = [n.id for n in self.outcomes if n.id in self.ancestors(node_id)]
-        return max(ids, key=order.index) if ids else None
+        """The last of the physics events this one follows, or None."""
+        return next(reversed(self.previous_outcomes(node_id)), None)
 
 
 def read_story(doc: EsgDocument) -> Story:

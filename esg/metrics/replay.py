@@ -188,7 +188,7 @@ class Replay:
             return ()
         rows = rows[np.argsort(c.time[rows], kind="stable")]
         gap = max(HIT_GAP_S, 1.5 * self.frame_s)
-        starts = _hit_starts(c.time[rows], c.impulse[rows], gap)
+        starts = hit_starts(c.time[rows], c.impulse[rows], gap)
         window = max(IMPULSE_WINDOW_S, IMPULSE_FRAMES * self.frame_s) - 0.25 * self.frame_s
         out = []
         for k, start in enumerate(starts):
@@ -261,7 +261,7 @@ class Replay:
         return tuple(out)
 
 
-def _hit_starts(time: Floats, impulse: Floats, gap: float) -> NDArray[np.int64]:
+def hit_starts(time: Floats, impulse: Floats, gap: float) -> NDArray[np.int64]:
     """Indices of the rows (sorted by time) at which a hit of the pair starts."""
     new = np.diff(time, prepend=-math.inf) > gap
     begin = 0
