@@ -26,6 +26,16 @@ def interrupted(error: BaseException | None) -> bool:
     return False
 
 
+def _remedy(error: OSError) -> str:
+    """What the system says, and what to do about it where that is known."""
+    from pathlib import Path
+
+    from esg.store.files import explained
+
+    error = explained(error, Path(error.filename or "output"))
+    return error.strerror or str(error)
+
+
 def build_app():  # the return type would import cyclopts for nothing
     """The command-line application."""
     from cyclopts import App
@@ -67,7 +77,7 @@ def main() -> None:
             raise
         if error.filename is None:
             silence()  # the output itself cannot be written
-        told = f"{error.filename or 'output'}: {error.strerror or error}"
+        told = f"{error.filename or 'output'}: {_remedy(error)}"
         code = fail(told, 1, as_json and error.filename is not None)
     except Exception as error:
         if interrupted(error):

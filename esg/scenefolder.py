@@ -15,6 +15,7 @@ import time
 from esg.outcomes import UserError
 from esg.pipeline import SceneState
 from esg.stages import DOCUMENT, ROLLOUT
+from esg.store.files import explained, refused
 
 _DOCUMENT_STAGES = ("draft", "resolve", "layout", "optimize")
 _MARKS = ("prompt.txt", "log.jsonl")
@@ -45,16 +46,12 @@ def publish(state: SceneState, out: Path) -> Path:
         out.mkdir(parents=True, exist_ok=True)
         work = Path(tempfile.mkdtemp(prefix=f".{target.name}.", suffix=".tmp", dir=out))
     except OSError as error:
-        from esg.store.files import explained
-
         raise UserError(f"cannot write to --out {out}: {explained(error, out).strerror}") from None
     try:
-        _fill(state, work)
-        work.chmod(0o755)
-        _replace(work, target)
-    except OSError as error:
-        shutil.rmtree(work, ignore_errors=True)
-        raise UserError(f"cannot write {target}: {error.strerror}", exit_code=1) from None
+        with refused(target):
+            _fill(state, work)
+            work.chmod(0o755)
+            _replace(work, target)
     except BaseException:
         shutil.rmtree(work, ignore_errors=True)
         raise
@@ -158,7 +155,5 @@ def check_writable(out: Path) -> None:
         probe = tempfile.mkdtemp(prefix=".esg-probe-", dir=existing)
         os.rmdir(probe)
     except OSError as error:
-        from esg.store.files import explained
-
         why = explained(error, existing).strerror
         raise UserError(f"cannot write to --out {out}: {why}") from None

@@ -78,7 +78,7 @@ def _import(
         write_file(folder / "meshes" / f"{record['mesh_sha256']}.glb", mesh)
         write_file(folder / "assets" / f"{key}.json", json.dumps(record, indent=1).encode())
     except OSError as error:
-        raise GenerationError(f"cannot keep it in {folder}: {error.strerror}") from None
+        raise GenerationError(f"cannot keep it: {error.filename}: {error.strerror}") from None
 
 
 def generate_asset(

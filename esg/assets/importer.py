@@ -19,6 +19,7 @@ import numpy as np
 from esg.assets.sources import Source, read_folder, read_sh3f, slug
 from esg.assets.store import library_root, write_index
 from esg.outcomes import UserError
+from esg.store.files import atomic_file, explained, refused, unwritable
 
 IMPORT_VERSION = 2
 MAX_FACES = 60_000
@@ -78,9 +79,10 @@ def import_folder(
         (folder / "assets").mkdir(parents=True, exist_ok=True)
         (folder / "meshes").mkdir(exist_ok=True)
     except OSError as error:
-        raise UserError(f"cannot write the library {folder}: {error.strerror}") from None
+        why = explained(error, folder).strerror
+        raise UserError(f"cannot write the library {folder}: {why}") from None
     seen = 0
-    with tempfile.TemporaryDirectory() as unpacked:
+    with refused(folder), tempfile.TemporaryDirectory() as unpacked:
         for source in _sources(path, Path(unpacked)):
             if limit is not None and seen >= limit:
                 break
@@ -90,7 +92,8 @@ def import_folder(
             _import_one(source, folder, report, convex)
     if not seen:
         raise UserError(f"{path}: found no .sh3f, .glb, .gltf, .obj, .stl or .ply to import")
-    write_index(folder)
+    with refused(folder):
+        write_index(folder)
     return report
 
 
@@ -132,14 +135,15 @@ def _import_one(source: Source, folder: Path, report: ImportReport, convex: bool
     except FileNotFoundError:
         report.problems.append((source.key, f"model file {source.path.name} is missing"))
     except Exception as error:  # one broken model must not stop the rest
+        if unwritable(error):
+            raise
         report.problems.append((source.key, f"{type(error).__name__}: {error}"))
 
 
 def write_file(path: Path, data: bytes) -> None:
     """Writes under a temporary name and renames, so that no reader sees half a file."""
-    partial = path.with_suffix(path.suffix + ".part")
-    partial.write_bytes(data)
-    partial.replace(path)
+    with atomic_file(path) as file:
+        file.write(data)
 
 
 _AXES = {"x": 0, "y": 1, "z": 2}

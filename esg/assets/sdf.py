@@ -106,9 +106,9 @@ def voxel_sdf(
     if stored is not None and stored.is_file():
         with np.load(stored) as archive:
             return VoxelSdf(archive["values"], origin, cell)
-    import warp as wp
+    from esg.engines.newton_setup import quiet_warp
 
-    wp.config.quiet = True
+    wp = quiet_warp()
     mesh = wp.Mesh(
         points=wp.array(vertices.astype(np.float32), dtype=wp.vec3, device=device),
         indices=wp.array(np.asarray(faces).flatten().astype(np.int32), dtype=int, device=device),

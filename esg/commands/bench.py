@@ -49,6 +49,7 @@ def bench(
     from esg.commands.database import record_run
     from esg.commands.generate import exit_code
     from esg.commands.inputs import (
+        check_cache,
         check_device,
         check_seed,
         check_target,
@@ -73,6 +74,7 @@ def bench(
         lambda: check_workers(workers),
         lambda: None if out is None else check_writable(out),
         lambda: None if json is None else check_target("--json", json, "a JSON file"),
+        check_cache,
     )
     if out is None:
         out = Path("runs") / _folder(loaded.suite, strategy, engine, close_loop, collision)

@@ -68,21 +68,21 @@ def dataset(
         json: Print one JSON document with counts and paths.
     """
     from esg.commands.console import emit, progress
-    from esg.commands.inputs import check_device, check_workers, checked
+    from esg.commands.inputs import check_cache, check_device, check_workers, checked
     from esg.dataset.folder import DatasetFolder
     from esg.dataset.plan import DatasetSpec, Shard
     from esg.dataset.remote import Remote, is_url, staging_folder
-    from esg.scenefolder import check_writable
 
     going_on = resume and prompts is None and sample is None
-    part, device, planned, *_ = checked(
+    part, device, planned, out, *_ = checked(
         lambda: Shard.parse(shard),
         lambda: check_device(device),
         lambda: None if going_on else _source(prompts, sample, counterfactual, distribution),
+        lambda: _place(out),
         lambda: _seed(seed),
         lambda: check_workers(workers, 1),
         lambda: _check_batch(batch, counterfactual),
-        lambda: check_writable(staging_folder(out) if is_url(out) else Path(out)),
+        check_cache,
     )
     remote = Remote(out) if is_url(out) else None
     folder = DatasetFolder(staging_folder(out) if remote else Path(out), out)
@@ -109,6 +109,16 @@ def dataset(
     else:
         print(describe(summary))
     return 3 if summary["failed"] else 0
+
+
+def _place(out: str) -> str:
+    """An --out that can be written, as a path or a URL."""
+    from esg.dataset.remote import checked_place, is_url, staging_folder
+    from esg.scenefolder import check_writable
+
+    place = checked_place(out)
+    check_writable(staging_folder(place) if is_url(place) else Path(place))
+    return place
 
 
 def _source(

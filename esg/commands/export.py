@@ -33,6 +33,7 @@ def export(
     from esg.commands.stored import is_stored, open_scene
     from esg.outcomes import UserError
     from esg.scenefolder import check_writable
+    from esg.store.files import refused
 
     with contextlib.ExitStack() as stack:
         folder, _ = checked(
@@ -43,10 +44,8 @@ def export(
             raise UserError(f"{scene} is in the run database, not in a folder: give --out")
         target = folder if out is None else out
         check_writable(target)
-        try:
+        with refused(target):
             files = _mcap(folder, target) if to == "mcap" else _export(folder, to, target)
-        except OSError as error:
-            raise UserError(f"cannot write {target}: {error.strerror}", exit_code=1) from None
     if json:
         emit({"scene": scene, "to": to, "files": [str(f) for f in files]})
     else:
@@ -83,14 +82,14 @@ def _mcap(folder: Path, target: Path) -> list[Path]:
     from esg.graph import load_document
     from esg.metrics import expectations_from_timeline, judge
     from esg.outcomes import UserError
+    from esg.store.files import atomic_write
     from esg.store.mcap_log import write_mcap
 
     source = folder / "rollout.mcap"
     path = target / source.name
     if _is_whole_mcap(source):
         if path.resolve() != source.resolve():
-            target.mkdir(parents=True, exist_ok=True)
-            shutil.copyfile(source, path)
+            atomic_write(path, lambda partial: shutil.copyfile(source, partial))
         return [path]
     if not (folder / "manifest.json").exists():
         raise UserError(f"{folder} holds no compiled scene; its log.jsonl says why")

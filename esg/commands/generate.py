@@ -49,7 +49,7 @@ def generate(
     """
     from esg.commands.console import emit, note_first_use
     from esg.commands.database import record_run
-    from esg.commands.inputs import check_device, check_seed, checked, clean_prompt
+    from esg.commands.inputs import check_cache, check_device, check_seed, checked, clean_prompt
     from esg.commands.live import live
     from esg.failures import report_failures
     from esg.outcomes import UserError
@@ -57,12 +57,13 @@ def generate(
     from esg.requests import generate_requests
     from esg.scenefolder import check_writable, publish
 
-    prompt, _, device, seed, pictures = checked(
+    prompt, _, device, seed, pictures, _ = checked(
         lambda: clean_prompt(prompt),
         lambda: check_writable(out),
         lambda: check_device(device),
         lambda: check_seed(seed),
         lambda: _pictures(render) if render else None,
+        check_cache,
     )
     with live(1) as bar:
         # A scene that is already in the store needs no scheduler: the answer comes at once.

@@ -156,6 +156,22 @@ def check_target(option: str, path: Path, what: str) -> Path:
     return path
 
 
+def check_cache() -> None:
+    """Finds out early whether results can be kept on the way.
+
+    Raises:
+        UserError: If the cache folder cannot be written.
+    """
+    from esg.paths import cache_dir
+    from esg.scenefolder import check_writable
+
+    try:
+        check_writable(cache_dir())
+    except UserError as error:
+        told = str(error).replace("--out", "the cache folder (ESG_CACHE_DIR)")
+        raise UserError(told, exit_code=1) from None
+
+
 def check_device(device: str) -> str:
     """A device name.
 

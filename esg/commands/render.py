@@ -99,6 +99,7 @@ def run(folder: Path, out: Path, chosen: Settings) -> dict[str, Any]:
     from esg.outcomes import UserError
     from esg.report.replays import replays_of
     from esg.report.run import read_scene
+    from esg.store.files import atomic_write, refused
     from esg.view.capture import capture, frame_indices
     from esg.view.truth_sheet import truth_sheet
 
@@ -123,7 +124,9 @@ def run(folder: Path, out: Path, chosen: Settings) -> dict[str, Any]:
             on_frames=lambda n: bar.step("rendering", n),
         )
     events = [e.time_s for e in verdict.events if e.completed and e.time_s is not None]
-    truth_sheet(path, path / "sheet.png", min(events, default=0.0))
+    moment = min(events, default=0.0)
+    with refused(path / "sheet.png"):
+        atomic_write(path / "sheet.png", lambda partial: truth_sheet(path, partial, moment))
     manifest = json.loads((path / "manifest.json").read_bytes())
     return {
         "scene": str(folder),

@@ -59,7 +59,14 @@ def serve(
     from esg.commands.bench import MAX_RUNS
     from esg.commands.console import emit
     from esg.commands.database import database_path
-    from esg.commands.inputs import check_device, check_seed, check_workers, checked, in_range
+    from esg.commands.inputs import (
+        check_cache,
+        check_device,
+        check_seed,
+        check_workers,
+        checked,
+        in_range,
+    )
     from esg.metrics import load_suite
     from esg.scenefolder import check_writable
 
@@ -72,6 +79,7 @@ def serve(
         lambda: check_workers(workers),
         *(partial(load_suite, path) for path in suites),
         lambda: check_writable(out),
+        check_cache,
     )
     options: dict[str, Any] = {
         "suites": [str(p.resolve()) for p in suites], "out": str(out.resolve()),

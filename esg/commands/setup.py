@@ -25,9 +25,11 @@ def setup() -> int:
     from pathlib import Path
     import tempfile
 
+    from esg.commands.inputs import check_cache
     from esg.engines import warmup
     from esg.paths import cache_dir
 
+    check_cache()
     _step("scheduler database", _prefect)
     _step("engine kernels", lambda: warmup(progress=_line))
     _step("surrogate kernels", _surrogate)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+import tempfile
 from typing import Literal, get_args
 
 from esg.engines.base import get_engine
@@ -11,6 +12,7 @@ from esg.engines.manifest import Manifest, load_manifest
 from esg.engines.program import batch_programs
 from esg.engines.scene import Rollout
 from esg.outcomes import UserError
+from esg.store.files import TEMPORARY
 
 Target = Literal["unreal", "usd", "mjcf", "glb"]
 FRAMES_PER_SECOND = 60
@@ -48,26 +50,41 @@ def export(
         raise UserError(f"{folder} holds no manifest.json: compile the scene first")
     manifest = load_manifest(folder / "manifest.json")
     target.mkdir(parents=True, exist_ok=True)
+    # A disk that fills up on the way leaves earlier exports as they were.
+    with tempfile.TemporaryDirectory(prefix=".export-", suffix=TEMPORARY, dir=target) as aside:
+        work = Path(aside)
+        files: list[Path] = []
+        for file in _write(folder, manifest, to, work, rollout):
+            path = target / file.relative_to(work)
+            path.parent.mkdir(parents=True, exist_ok=True)
+            file.replace(path)
+            files.append(path)
+    return files
+
+
+def _write(
+    folder: Path, manifest: Manifest, to: Target, out: Path, rollout: Rollout | None
+) -> list[Path]:
     if to == "unreal":
         from esg.compile.plugin import write_plugin
 
-        return write_plugin(folder, target)
+        return write_plugin(folder, out)
     if to == "mjcf":
         from esg.compile.mjcf import scene_mjcf
 
-        path = target / "scene.xml"
+        path = out / "scene.xml"
         path.write_text(scene_mjcf(manifest), "utf-8", newline="\n")
         return [path]
     rollout = animation(folder, manifest) if rollout is None else thinned(rollout)
     if to == "glb":
         from esg.compile.glb import scene_glb
 
-        path = target / "scene.glb"
+        path = out / "scene.glb"
         path.write_bytes(scene_glb(manifest.scene, rollout, folder))
         return [path]
     from esg.compile.usd import write_usd
 
-    return write_usd(manifest, rollout, folder, target)
+    return write_usd(manifest, rollout, folder, out)
 
 
 def animation(folder: Path, manifest: Manifest) -> Rollout:

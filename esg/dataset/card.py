@@ -70,7 +70,7 @@ def _rows(out: Path, table: str, columns: Sequence[str]) -> Iterable[dict[str, A
     from esg.store.tables import part_files
 
     for path in part_files(out, table):
-        with pq.ParquetFile(path) as file:
+        with pq.ParquetFile(path.absolute()) as file:
             for batch in file.iter_batches(columns=list(columns)):
                 yield from batch.to_pylist()
 

@@ -80,7 +80,7 @@ class DatasetFolder:
                     f"--out:\n{lines}"
                 )
         elif self.path.exists() and any(
-            p for p in self.path.iterdir() if not p.name.startswith(".")
+            p for p in self.path.iterdir() if not p.name.startswith(".") and not _is_unbegun(p)
         ):
             raise UserError(f"{self.label} holds files but no dataset; choose another --out")
         run = self._run(spec)
@@ -176,7 +176,7 @@ class DatasetFolder:
                 file.write(f"{text.rstrip()}\n".encode())
         except OSError as error:
             raise UserError(
-                f"cannot write to --out {self.label}: {error.strerror or error}"
+                f"cannot write to --out {self.label}: {error.strerror or error}", exit_code=1
             ) from None
 
     @contextlib.contextmanager
@@ -211,6 +211,16 @@ class DatasetFolder:
                 if fresh and not (self.path / PLAN).exists():
                     (self.path / name).unlink(missing_ok=True)  # a folder of somebody else
                 raise
+
+
+def _is_unbegun(path: Path) -> bool:
+    """Whether this is all there is of a dataset that another shard just begins, or whose
+    beginning a kill or a full disk cut off.
+    """
+    if path.name != PLAN.parent.name or not path.is_dir():
+        return False
+    known = {PROMPTS.name, RUN.name}
+    return all(p.name in known or p.name.startswith(".") for p in path.iterdir())
 
 
 @contextlib.contextmanager

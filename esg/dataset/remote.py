@@ -11,7 +11,9 @@ from collections.abc import Generator, Iterable
 import contextlib
 import hashlib
 from pathlib import Path
+import re
 from typing import Any
+from urllib.parse import unquote, urlsplit
 
 from esg.outcomes import UserError
 
@@ -21,7 +23,25 @@ _INFO = "meta/info.json"
 
 def is_url(text: str) -> bool:
     """Whether an --out names a remote place."""
-    return "://" in text and not text.startswith("file://")
+    return "://" in text
+
+
+def checked_place(text: str) -> str:
+    """An --out as a path or a URL; `file://` URLs become paths.
+
+    Raises:
+        UserError: If it is neither, such as s3:/name.
+    """
+    scheme, _, rest = text.partition(":/")
+    if not rest or not re.fullmatch(r"[a-z][a-z0-9+.-]+", scheme):
+        return text
+    if scheme == "file":
+        return unquote(urlsplit(text).path)
+    if not rest.startswith("/"):
+        raise UserError(
+            f"--out {text}: a URL has two slashes ({scheme}://...), a folder is meant by ./{text}"
+        )
+    return text
 
 
 def staging_folder(url: str) -> Path:

@@ -16,12 +16,12 @@ import os
 from pathlib import Path
 from typing import Any
 
-from esg.outcomes import UserError
 from esg.report.meshes import MeshLibrary
 from esg.report.payload import index_entry, scene_chunk, thumbnail
 from esg.report.replays import replays_of
 from esg.report.run import Run, SceneEntry
 from esg.scenereading import collected
+from esg.store.files import refused
 
 STATIC = Path(__file__).parent / "static"
 
@@ -85,17 +85,14 @@ def write_report(
     }
     partial = path.with_name(f".{path.name}.{os.getpid()}.tmp")
     try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        with partial.open("w", encoding="utf-8", newline="\n") as file:
-            for piece in page(title, index, _chunks(run.scenes, engines, problems, after)):
-                file.write(piece)
-        partial.replace(path)
-    except OSError as error:
+        with refused(path):
+            path.parent.mkdir(parents=True, exist_ok=True)
+            with partial.open("w", encoding="utf-8", newline="\n") as file:
+                for piece in page(title, index, _chunks(run.scenes, engines, problems, after)):
+                    file.write(piece)
+            partial.replace(path)
+    finally:
         partial.unlink(missing_ok=True)
-        raise UserError(f"cannot write {path}: {error.strerror}") from None
-    except BaseException:
-        partial.unlink(missing_ok=True)
-        raise
     return path
 
 

@@ -103,6 +103,12 @@ def writing(db: Path, *, fresh: bool = False) -> Generator[DuckDBPyConnection]:
     """A connection to a private copy of the database, which replaces it when the block succeeds."""
     import duckdb
 
+    place = str(db.absolute())
+    if "?" in place or "\\" in place:
+        raise UserError(
+            f"DuckDB opens no file with ? or \\ in its path: {place}; set ESG_DB to another place",
+            exit_code=1,
+        )
     work = temporary_name(db)
     try:
         db.parent.mkdir(parents=True, exist_ok=True)

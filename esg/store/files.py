@@ -12,6 +12,8 @@ import time
 from typing import IO
 import uuid
 
+from esg.outcomes import UserError
+
 TEMPORARY = ".tmp"
 
 _REMEDIES = {
@@ -42,6 +44,25 @@ def explained(error: OSError, path: Path) -> OSError:
         return error
     text = f"{os.strerror(error.errno or 0)}; {remedy}"
     return type(error)(error.errno, text, str(path))
+
+
+@contextlib.contextmanager
+def refused(path: Path) -> Generator[None]:
+    """Tells of a disk that cannot be written in one message with the remedy.
+
+    Args:
+        path: What the block writes.
+
+    Raises:
+        UserError: For a full, read-only or forbidden disk; other errors pass.
+    """
+    try:
+        yield
+    except OSError as error:
+        if not unwritable(error):
+            raise
+        why = explained(error, path).strerror
+        raise UserError(f"cannot write {path}: {why}", exit_code=1) from None
 
 
 def temporary_name(path: Path) -> Path:
@@ -76,7 +97,7 @@ def atomic_file(path: Path) -> Generator[IO[bytes]]:
         temporary.unlink(missing_ok=True)
 
 
-def atomic_write(path: Path, write: Callable[[Path], None]) -> None:
+def atomic_write(path: Path, write: Callable[[Path], object]) -> None:
     """Lets `write` fill a temporary file by name, then renames it to `path`.
 
     Raises:

@@ -140,6 +140,11 @@ def to_table(table: str, rows: Sequence[Mapping[str, Any]]) -> pa.Table:
     return pa.Table.from_pylist([dict(r) for r in ordered], schema=arrow_schema(table))
 
 
+def _local(path: Path) -> str:
+    """A path that Arrow takes for no URL, as it does with `run:1/scenes.parquet`."""
+    return str(Path(path).absolute())
+
+
 def write_part(data: pa.Table, path: Path, *, row_group: int = ROW_GROUP_SCENES) -> None:
     """Writes one Parquet file, whole or not at all.
 
@@ -150,7 +155,7 @@ def write_part(data: pa.Table, path: Path, *, row_group: int = ROW_GROUP_SCENES)
 
     def write(temporary: Path) -> None:
         pq.write_table(
-            data, temporary, compression=COMPRESSION, row_group_size=max(1, row_group),
+            data, _local(temporary), compression=COMPRESSION, row_group_size=max(1, row_group),
             store_schema=True,
         )  # fmt: skip
 
@@ -197,7 +202,7 @@ def table_of(path: Path) -> str:
     import pyarrow.parquet as pq
 
     try:
-        metadata = pq.read_schema(path).metadata or {}
+        metadata = pq.read_schema(_local(path)).metadata or {}
     except FileNotFoundError:
         raise UserError(f"{path} does not exist; check the path") from None
     except (pa.ArrowInvalid, OSError) as error:
@@ -229,7 +234,7 @@ def read_table(path: Path, columns: Sequence[str] | None = None) -> pa.Table:
 
     table = table_of(path)
     try:
-        data = pq.read_table(path, columns=None if columns is None else list(columns))
+        data = pq.read_table(_local(path), columns=None if columns is None else list(columns))
     except (pa.ArrowInvalid, OSError) as error:
         raise UserError(
             f"{path} is damaged ({str(error).splitlines()[0]}); delete it and run again"
@@ -263,6 +268,6 @@ def iter_rows(paths: Iterable[Path]) -> Iterator[dict[str, Any]]:
 
     for path in paths:
         table_of(path)
-        with pq.ParquetFile(path) as file:
+        with pq.ParquetFile(_local(path)) as file:
             for batch in file.iter_batches(batch_size=ROW_GROUP_SCENES):
                 yield from batch.to_pylist()

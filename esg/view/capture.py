@@ -20,6 +20,7 @@ import numpy as np
 
 from esg.engines.scene import Rollout, SimScene
 from esg.outcomes import UserError
+from esg.store.files import explained, refused
 from esg.view import png16, truth
 from esg.view.camera import Camera
 from esg.view.cameras import action_cameras
@@ -138,16 +139,17 @@ def capture(
         folder.parent.mkdir(parents=True, exist_ok=True)
         work = Path(tempfile.mkdtemp(prefix=f".{folder.name}.", suffix=".tmp", dir=folder.parent))
     except OSError as error:
-        raise UserError(f"cannot write to {folder}: {error.strerror}") from None
+        raise UserError(f"cannot write to {folder}: {explained(error, folder).strerror}") from None
     try:
         views = list(cameras or ())
         aspect = settings.size[0] / settings.size[1]
         views = views or action_cameras(scene, rollout, verdict, doc, settings.cameras, aspect)
-        _write(scene, rollout, doc, views, work, settings, on_frames)
-        work.chmod(0o755)
-        if folder.exists():
-            shutil.rmtree(folder)
-        os.replace(work, folder)
+        with refused(folder):
+            _write(scene, rollout, doc, views, work, settings, on_frames)
+            work.chmod(0o755)
+            if folder.exists():
+                shutil.rmtree(folder)
+            os.replace(work, folder)
     except BaseException:
         shutil.rmtree(work, ignore_errors=True)
         raise

@@ -135,7 +135,7 @@ def write_sheet(
     path.parent.mkdir(parents=True, exist_ok=True)
     info = PngInfo()
     info.add_text(PANELS, json.dumps(boxes))
-    sheet.save(path, optimize=False, compress_level=6, pnginfo=info)
+    sheet.save(path, "PNG", optimize=False, compress_level=6, pnginfo=info)
     return path
 
 

@@ -140,3 +140,17 @@ def test_a_default_heading_is_no_wish_that_was_not_met(tmp_path: Path) -> None:
     (tmp_path / "esg.json").write_text(json.dumps(document))
     state = SceneState(SceneRequest("x"), outcome=Outcome.SOLVED)
     assert summarize(state, tmp_path)["relations_not_met"] == ["dog_1 face car_1"]
+
+
+def test_a_cache_that_cannot_be_written_is_told_at_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "file").write_text("")
+    monkeypatch.setenv("ESG_CACHE_DIR", str(tmp_path / "file" / "cache"))
+    suite = str(ROOT / "data" / "suites" / "paper.yaml")
+    lines = (["generate", "A ball."], ["bench", suite], ["setup"], ["serve", "--once"])
+    for line in (*lines, ["dataset", "--sample", "2", "--out", "d"]):
+        done = esg(*line, cwd=tmp_path)
+        assert done.returncode == 1, done.stderr
+        assert "the cache folder (ESG_CACHE_DIR)" in done.stderr
+    assert [p.name for p in tmp_path.iterdir()] == ["file"]

@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 
 from esg.commands.dataset import dataset, describe
+from esg.dataset.folder import _is_unbegun
 from esg.outcomes import UserError
 
 
@@ -27,6 +28,7 @@ from esg.outcomes import UserError
         ({"prompts": Path("nope.txt"), "counterfactual": True}, "--counterfactual belongs to"),
         ({"sample": 3, "distribution": Path("nope.yaml")}, "nope.yaml does not exist"),
         ({"sample": 3, "device": "tpu"}, "--device 'tpu'"),
+        ({"sample": 0, "out": "s3:/x"}, "two slashes(.|\n)*--sample 0|--sample 0(.|\n)*two slash"),
         ({"resume": True}, "either --prompts FILE or --sample N"),
     ],
 )
@@ -34,9 +36,20 @@ def test_mistakes_leave_nothing_behind(
     tmp_path: Path, options: dict[str, Any], message: str
 ) -> None:
     with pytest.raises(UserError, match=message) as error:
-        dataset(out=str(tmp_path / "set"), **options)
+        dataset(**{"out": str(tmp_path / "set"), **options})
     assert error.value.exit_code == 2
     assert not (tmp_path / "set").exists()
+
+
+@pytest.mark.parametrize("left", [[], ["run.json"], ["prompts.jsonl", "run.json", ".plan.tmp"]])
+def test_what_a_cut_off_beginning_left_is_no_other_folder(tmp_path: Path, left: list[str]) -> None:
+    meta = tmp_path / "meta"
+    meta.mkdir()
+    for name in left:
+        (meta / name).write_text("{}")
+    assert _is_unbegun(meta)
+    (meta / "mine.txt").write_text("")
+    assert not _is_unbegun(meta)
 
 
 def test_a_place_that_cannot_be_written_is_told(tmp_path: Path) -> None:

@@ -15,7 +15,7 @@ from esg import stages
 from esg.commands import dataset as command
 from esg.dataset import running as module
 from esg.dataset.batch import make_batch
-from esg.dataset.remote import Remote, is_url, staging_folder
+from esg.dataset.remote import Remote, checked_place, is_url, staging_folder
 from esg.outcomes import UserError
 from tests.dataset import fakes
 from tests.dataset.test_batch import below
@@ -74,6 +74,11 @@ def download(url: str, folder: Path) -> Path:
 def test_what_is_a_url() -> None:
     assert is_url("s3://bucket/x")
     assert not is_url("runs/set")
+    assert checked_place("file:///data/my%20set") == "/data/my set"
+    for fine in ("runs/set", "s3://bucket/x?scheme=http", "./s3:/x", "C:/x", "run:1"):
+        assert checked_place(fine) == fine
+    with pytest.raises(UserError, match="two slashes"):
+        checked_place("s3:/bucket/x")
     assert staging_folder("s3://a/b") != staging_folder("s3://a/c")
 
 

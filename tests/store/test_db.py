@@ -469,3 +469,11 @@ def test_a_killed_ingest_leaves_the_old_database(db, parts):
 def test_snapshot_is_a_database(db, tmp_path):
     copy = snapshot(db, tmp_path / "copies" / "a.duckdb")
     assert counts(copy) == counts(db)
+
+
+def test_a_folder_that_duckdb_cannot_name_is_told(parts, tmp_path):
+    for name in ("really?", "back\\slash"):
+        with pytest.raises(UserError, match="set ESG_DB") as told:
+            ingest(tmp_path / name / "esg.duckdb", [parts])
+        assert told.value.exit_code == 1
+        assert not (tmp_path / name).exists()

@@ -20,6 +20,7 @@ from esg.store.tables import (
     KEYS,
     TABLES,
     arrow_schema,
+    iter_rows,
     part_files,
     read_table,
     table_of,
@@ -206,3 +207,11 @@ def test_unfinished_parts_are_not_read(tmp_path):
     (tmp_path / "scenes" / ".q.parquet.123-abc.tmp").write_bytes(b"half")
     assert [p.name for p in part_files(tmp_path, "scenes")] == ["p.parquet"]
     assert files.sweep(tmp_path / "scenes", older_than_s=-1) == 1
+
+
+@pytest.mark.parametrize("name", ["run:1", "s3:x", "{a,b} [1] é", "-x"])
+def test_a_relative_folder_is_no_url(tmp_path, monkeypatch, name):
+    monkeypatch.chdir(tmp_path)
+    paths = write_tables(Path(name), [record(run_info(), "S1", 0)], name="p")
+    assert {t: read_table(p).num_rows for t, p in paths.items()}["metrics"] == 2
+    assert [r["scene_key"] for r in iter_rows([paths["scenes"]])] == ["run-1/paper/S1/0"]
