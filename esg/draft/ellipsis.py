@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from esg.draft.elements import Element, Mention, Verb, Word
-from esg.draft.gaps import word_at
+from esg.draft.gaps import finite, is_prep, word_at
 
 _SIDES = frozenset({"left", "right"})
 _STEERED = frozenset({"own", "turn", "roll", "slide", "fly", "reverse", "brake", "stop", "swerve",
@@ -38,6 +38,12 @@ def elide(elements: list[Element]) -> list[Element]:
         if isinstance(e, Mention) and verb is not None and _each_the_next(elements, i, verb):
             out += [e, replace(verb, start=e.end, end=e.end, form="s", extra=dict(verb.extra))]
             continue
+        again = _hit_too(elements, i)
+        if again is not None:
+            if isinstance(out[-1], Word) and out[-1].low == "then":
+                out.pop()
+            out += [replace(again, start=e.start, end=e.start, extra=dict(again.extra)), e]
+            continue
         if isinstance(e, Verb):
             verb = e
         elif verb is not None and _second_turn(elements, i, verb):
@@ -48,6 +54,38 @@ def elide(elements: list[Element]) -> list[Element]:
 
 
 _TRAVELLING = frozenset({"own", "roll", "slide", "fly", "approach", "leave", "coast"})
+
+
+def _hit_too(elements: list[Element], i: int) -> Verb | None:
+    """ "hits a tent, which collapses, and then a stove": the verb of what else is hit."""
+    again = word_at(elements, i)
+    named = again is None or (again.low in ("into", "against") and again.kind == "prep")
+    end = word_at(elements, i + 1 + (again is not None))
+    if not named:
+        return None
+    thing = elements[i] if again is None else elements[min(i + 1, len(elements) - 1)]
+    ends = end is not None and end.low in (".", ";", ",", "!", "and", "but")
+    if not isinstance(thing, Mention) or not (ends or thing is elements[-1]):
+        return None
+    before = [x for x in elements[max(0, i - 10) : i] if not _adverb(x)]
+    if len(before) < 6 or not _is(before[-1], "and", "then") or not _is(before[-2], ","):
+        return None
+    state, rel = before[-3], before[-4]
+    heads = before[:-4]
+    if not isinstance(state, Verb) or not isinstance(rel, Word) or rel.kind != "rel":
+        return None
+    while heads and (isinstance(heads[-1], Mention) or is_prep(heads[-1]) or _is(heads[-1], ",")):
+        heads.pop()
+    main = finite(heads[-1]) if heads else None
+    return main if main is not None and main.sense in ("hit", "knock") else None
+
+
+def _adverb(e: Element) -> bool:
+    return isinstance(e, Word) and e.kind == "adv"
+
+
+def _is(e: Element, *words: str) -> bool:
+    return isinstance(e, Word) and e.low in words
 
 
 def _in_turn(elements: list[Element], i: int, verb: Verb) -> bool:

@@ -26,7 +26,9 @@ ORDINALS = {
     "tenth": 9,
 }
 FRONT = frozenset({"front", "lead", "leading", "foremost"})
-REAR = frozenset({"rear", "hind", "back", "trailing", "following", "hindmost", "rearmost"})
+REAR = frozenset(
+    {"rear", "hind", "back", "trailing", "following", "hindmost", "rearmost", "rear-most"}
+)
 BODY_PARTS = frozenset(
     {"arm", "hand", "fist", "finger", "foot", "leg", "head", "tail", "paw", "hoof", "nose"}
     | {"elbow", "shoulder", "knee", "hip", "chest", "trunk", "horn", "beak", "wing", "mouth"}

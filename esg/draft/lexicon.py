@@ -262,7 +262,7 @@ ARRANGEMENTS: dict[str, str] = {
     "stack": "stack", "heap": "stack", "column": "column", "queue": "queue", "rack": "rack",
     "file": "queue", "line": "row", "row": "row", "circle": "ring", "ring": "ring",
     "semicircle": "ring", "arc": "ring", "cluster": "scatter", "group": "scatter",
-    "bunch": "scatter",
+    "bunch": "scatter", "convoy": "queue", "procession": "queue", "parade": "queue",
 }  # fmt: skip
 """What "standing in a ..." says about a plural."""
 SHAPES_OF_GROUPS = frozenset({"triangle", "formation", "circle", "semicircle", "arc", "line"})

@@ -21,9 +21,6 @@ _GIVING = frozenset({"give", "deal", "land", "deliver", "fetch"})
 _GETTING = frozenset({"get", "receive", "take", "suffer"})
 _MEETINGS = frozenset({"collision", "crash", "impact", "contact", "run-in", "accident"})
 _LEFT = frozenset({"standing", "upright", "untouched", "unscathed", "alone", "undisturbed"})
-_PLACES = {
-    "ahead": "front", "in front": "front", "behind": "rear", "beside": "other", "opposite": "other",
-}  # fmt: skip
 
 
 def lighten(elements: list[Element]) -> list[Element]:
@@ -44,7 +41,6 @@ def lighten(elements: list[Element]) -> list[Element]:
             or _does_it(elements, i, out)
             or _left_alone(elements, i, out)
             or _together(elements, i, out)
-            or _beside(elements, i, out)
             or _from_one(elements, i, out)
             or _first_met(elements, i, out)
             or _object_of(elements, i, out)
@@ -205,21 +201,6 @@ def _together(elements: list[Element], i: int, out: list[Element]) -> int:
         return 0
     both.start, both.pronoun = they.start, "both"
     out.append(both)
-    return 2
-
-
-def _beside(elements: list[Element], i: int, out: list[Element]) -> int:
-    """ "shoves the one ahead": the front one."""
-    one, where = _mention(elements, i), word_at(elements, i + 1)
-    if one is None or where is None or one.pronoun != "one" or one.determiner != "the":
-        return 0
-    place = _PLACES.get(where.low)
-    after = elements[i + 2] if i + 2 < len(elements) else None
-    if one.adjectives or place is None or isinstance(after, Mention):
-        return 0
-    one.adjectives.append(place)
-    one.end = where.end
-    out.append(one)
     return 2
 
 

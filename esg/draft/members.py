@@ -12,6 +12,7 @@ from esg.draft.ranks import RANKS, extreme, measured, same_quantity
 _CHILDREN = frozenset({"boy", "girl"})
 _PEOPLE = {"child": _CHILDREN, "kid": _CHILDREN, "person": _CHILDREN | {"man", "woman"}}
 """Whom a plural of persons may consist of, told by a definite phrase."""
+_SIDES = {"left": 0, "middle": 1, "right": -1}
 _LEVELS = {-1: "top", 0: "bottom", 1: "middle"}
 
 
@@ -29,6 +30,16 @@ class Members(Pronouns):
         members = self.groups[stacked[-1].group or ""]
         k = STACKED[word] if STACKED[word] <= 0 else len(members) // 2
         return [self._name_by_place(members[k], _LEVELS[STACKED[word]])]
+
+    def _by_side(self, m: Mention, names: list[Entity]) -> list[str]:
+        """ "the crate on the right", "the middle truck": by where it stands in its row."""
+        side = next((a for a in m.adjectives if a in _SIDES), "")
+        exact = [e.id for e in names if side and e.place == side]
+        row = next((self.groups[e.group] for e in reversed(names) if e.group in self.groups), [])
+        if exact or not side or len(row) < 2 + (side == "middle"):
+            return exact[-1:]
+        e = self.entities[row[_SIDES[side] if side != "middle" else len(row) // 2]]
+        return [] if e.place or e.letter else [self._name_by_place(e.id, side)]
 
     def _name_by_place(self, name: str, place: str) -> str:
         """Gives a member of a row or stack the name of its place; returns its id."""

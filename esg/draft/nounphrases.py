@@ -204,6 +204,7 @@ class NounPhrases(NounStarts):
                 (ends_in_s or lex.singular(token.low)[0] in lex.ATTRIBUTES)
                 and m.determiner in ("a", "an")
                 and m.adjectives
+                and not m.group_word
                 and not self._known_adjective(m.adjectives[-1])
                 and any(r.form == "s" for r in verb_readings(token.low))
             ):
@@ -211,6 +212,11 @@ class NounPhrases(NounStarts):
                 m.head, m.known = lex.singular(m.adjectives.pop())[0], False
                 m.end = tokens[j - 1].end
                 m.text = self.text[tokens[j - 1].start : m.end]
+                self.elements.append(m)
+                return j
+            if self._side_acts(j, m):
+                m.head, m.attribute, m.end = m.adjectives.pop(), True, tokens[j - 1].end
+                m.text = self.text[m.start : m.end]
                 self.elements.append(m)
                 return j
             if m.determiner == "the" and m.adjectives and m.adjectives[-1] in ALONE:

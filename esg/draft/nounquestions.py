@@ -102,6 +102,16 @@ class NounQuestions(Letters):
             return True  # "the second hit it"
         return bool(single or (ordinal and self._match_noun(j) is None)) and "s" in forms
 
+    def _side_acts(self, j: int, m: Mention) -> bool:
+        """ "The crate on the right slides": a side and a verb, no slide."""
+        side = m.determiner == "the" and m.adjectives in (["left"], ["right"])
+        on = self._previous()
+        if not side or not isinstance(on, Word) or on.low not in ("on", "to") or m.count:
+            return False
+        whose = self.elements[-2] if len(self.elements) > 1 else None
+        s = any(r.form == "s" for r in verb_readings(self._low(j)))
+        return s and isinstance(whose, Mention) and lex.singular(self._low(j))[0] != self._low(j)
+
     def _is_she(self, i: int) -> bool:
         """ "hits her on the leg", "runs into her": no noun follows that could be hers."""
         nxt = self._tok(i + 1)

@@ -29,7 +29,9 @@ RANKS: dict[str, tuple[str, float]] = {
 }
 """Comparatives and superlatives: what they compare, and which end they mean."""
 
-ALONE = RANKS.keys() | ORDINALS.keys() | {"last", "final"}
+ALONE = RANKS.keys() | ORDINALS.keys() | {
+    "last", "final", "rearmost", "rear-most", "hindmost", "foremost", "leftmost", "rightmost",
+}  # fmt: skip
 """What stands for a thing without its noun: "the second", "the heavier", "the last"."""
 Facts = Callable[[str], list[Amount]]
 """The quantities that the prompt tells of a node, wherever it does."""

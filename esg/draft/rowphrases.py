@@ -8,7 +8,7 @@ from esg.draft.entities import ORDINALS
 from esg.draft.nounquestions import NounQuestions
 from esg.draft.numerals import parse_number
 
-_ENDS = frozenset({"last", "final", "leading", "rearmost"})
+_ENDS = frozenset({"last", "final", "leading", "rearmost", "rear-most"})
 
 
 class RowPhrases(NounQuestions):

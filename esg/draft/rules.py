@@ -18,6 +18,7 @@ from esg.draft.modality import mark_unreal
 from esg.draft.modifiers import join_modifiers
 from esg.draft.nominals import verbalize
 from esg.draft.persons import mark_persons
+from esg.draft.positions import positioned
 from esg.draft.reorder import reorder
 from esg.draft.reports import drop_reports
 from esg.draft.screening import contradictions, nothing_to_draw, screen, too_long, too_much
@@ -69,7 +70,7 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     text = screen(prompt)
     tokens = join_modifiers(tokenize(text, pos_tags(text)), text)
     elements = drop_reports(drop_similes(Chunker(text, tokens).run()))
-    elements = from_sheet(lighten(appose(own_nouns(elements))))
+    elements = from_sheet(lighten(positioned(appose(own_nouns(elements)))))
     elements = mark_persons(absolutes(elide(verbalize(reorder(elements, text)))))
     clauses = ClauseBuilder(elements)
     clauses.run()

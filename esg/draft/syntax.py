@@ -302,6 +302,9 @@ class Chunker(NounPhrases):
                     continue  # "at the end of the ramp", "on the way to the door"
                 if words[-1] in ("that", "this") and self._low(i + len(words)) in RETOLD_NOUNS:
                     continue  # "because of that bump"
+                one = self._previous() if words == ("at", "the", "end") else None
+                if isinstance(one, Mention) and one.pronoun == "one" and one.determiner == "the":
+                    continue  # "the one at the end"
                 if words == ("down", "to") and verb_readings(self._low(i + 2)):
                     continue
                 if words in (("on", "to"), ("in", "to")) and verb_readings(self._low(i + 2)):
@@ -314,10 +317,18 @@ class Chunker(NounPhrases):
                     continue  # "at the moment of impact"
                 if kind == "prep" and low in ("after", "before") and words[-1] == low:
                     kind = "sub" if self._clause_follows(i + len(words) - 1) else kind
+                if words == ("from", "behind") and self._thing_named(i + 2):
+                    kind, low = "prep", "behind"  # "runs out from behind a bus"
                 start, end = self.tokens[i].start, self.tokens[i + len(words) - 1].end
                 self.elements.append(Word(start, end, kind, low))
                 return len(words)
         return 0
+
+    def _thing_named(self, i: int) -> bool:
+        """Whether a noun phrase with an article or a pronoun starts here."""
+        low = self._low(i)
+        named = low in lex.DETERMINERS or self._match_noun(i) is not None
+        return named or low in ("it", "them", "him", "her", "its", "his", "their")
 
     def _verb_soon(self, i: int) -> bool:
         return any(verb_readings(self._low(k)) for k in range(i, min(i + 6, len(self.tokens))))

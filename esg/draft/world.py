@@ -96,7 +96,9 @@ class World(Members):
         if m.count == 0:
             return []
         green = m.pronoun == "one" and m.adjectives == ["green"]
-        if green and m.after_prep in _ON_THE_GREEN and self._golf():
+        balls = [e for e in self.entities.values() if e.noun.kind in ("ball", "billiard")]
+        golf = self._golf() or (balls and all(e.noun.name == "golf ball" for e in balls))
+        if green and m.after_prep in _ON_THE_GREEN and golf:
             m.attribute = True  # "bounces on the green": no ball
             return []
         if m.pronoun and m.counted_from:
@@ -365,6 +367,8 @@ class World(Members):
             beside = any(w in m.text for w in ("behind", "following", "in front"))
             if beside and names and all(e.group is None and not e.place for e in names):
                 return []  # "A car stops. The car behind hits it.": another one
+        if definite and not m.plural and (sided := self._by_side(m, names)):
+            return sided
         if not names:
             return []
         few = 2 <= len(names) <= 6 and len({e.group for e in names}) == 1 and names[0].group

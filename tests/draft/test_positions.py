@@ -1,0 +1,116 @@
+"""Members told by where they are, and what else is hit after a relative clause."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from tests.draft.told import events
+
+
+@pytest.mark.parametrize(
+    ("prompt", "told"),
+    [
+        (
+            "Two vans drive in line. The rear van hits the one in front.",
+            [("Collision", "rear_van_1", "front_van_1")],
+        ),
+        (
+            "A tram stops and the one behind it runs into it.",
+            [("Stop", "tram_1"), ("Collision", "rear_tram_1", "tram_1")],
+        ),
+        (
+            "Three carts stand in a row. The one on the left rolls into the one in the middle.",
+            [("Collision", "left_cart_1", "middle_cart_1")],
+        ),
+        (
+            "Three crates stand in a row. The crate on the right slides into the middle one.",
+            [("Collision", "right_crate_1", "middle_crate_1")],
+        ),
+        (
+            "Four carts wait in a queue. A horse hits the one at the back, which is pushed into "
+            "the one in front of it.",
+            [("Collision", "horse_1", "rear_cart_1"), ("Collision", "rear_cart_1", "cart_3")],
+        ),
+        (
+            "Of three trucks, the rear-most hits the middle one.",
+            [("Collision", "rear_truck_1", "middle_truck_1")],
+        ),
+        (
+            "Two cans stand on a wall. A stone hits the left one. A second stone hits the other.",
+            [
+                ("Collision", "stone_1", "left_can_1"),
+                ("Collision", "second_stone_1", "can_2"),
+            ],
+        ),
+        (
+            "Five dominoes stand in a row. The one at the end is pushed and falls.",
+            [("Topple", "last_domino_1")],
+        ),
+        (
+            "A red car drives behind a blue car. The red car hits the one in front.",
+            [("Collision", "red_car_1", "blue_car_1")],
+        ),
+        (
+            "The box in the middle of the table is hit by a ball.",
+            [("Collision", "ball_1", "box_1")],
+        ),
+    ],
+)
+def test_members_by_position(prompt: str, told: list[tuple[Any, ...]]) -> None:
+    """Find the member that is in front, behind, in the middle, at an end or on a side."""
+    assert events(prompt) == told
+
+
+@pytest.mark.parametrize(
+    ("prompt", "told"),
+    [
+        (
+            "A barrel hits a sign, which falls over, and then a kiosk.",
+            [
+                ("Collision", "barrel_1", "sign_1"),
+                ("Topple", "sign_1"),
+                ("Collision", "barrel_1", "kiosk_1"),
+            ],
+        ),
+        (
+            "A van crashes into a tent, which collapses, and then into a tree.",
+            [
+                ("Collision", "van_1", "tent_1"),
+                ("Topple", "tent_1"),
+                ("Collision", "van_1", "tree_1"),
+            ],
+        ),
+        (
+            "A van crashes into a tent, which collapses, and a dog runs away.",
+            [("Collision", "van_1", "tent_1"), ("Topple", "tent_1")],
+        ),
+    ],
+)
+def test_hits_this_which_falls_and_then_that(prompt: str, told: list[tuple[Any, ...]]) -> None:
+    """Understand the verb again after what happens to the first thing."""
+    assert events(prompt) == told
+
+
+@pytest.mark.parametrize(
+    ("prompt", "told"),
+    [
+        (
+            "A girl runs out from behind a van and is hit by a scooter.",
+            [("Collision", "scooter_1", "girl_1")],
+        ),
+        ("A van is hit from behind by a truck.", [("Collision", "truck_1", "van_1")]),
+        (
+            "A forklift rams a column of stacked barrels.",
+            [("Collision", "forklift_1", "barrel_1")],
+        ),
+        (
+            "A golf ball rolls past the hole and hits the flag lying on the green.",
+            [("Miss", "golf_ball_1", "hole_1"), ("Collision", "golf_ball_1", "flag_1")],
+        ),
+    ],
+)
+def test_phrases_that_were_subjects_and_verbs(prompt: str, told: list[tuple[Any, ...]]) -> None:
+    """Read "from behind a van", "stacked barrels" and "the green" as what they are."""
+    assert events(prompt) == told
