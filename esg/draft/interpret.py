@@ -21,7 +21,7 @@ _THINGS_DO_TO = frozenset({"knock", "topple", "scatter"})
 _BREAKING = frozenset({"break", "shatter", "burst", "splinter", "crack"})
 _ACTED_ON = frozenset(
     {"slow", "stop", "brake", "accelerate", "turn", "reverse", "launch", "tow", "topple",
-     "knock", "drop", "cause", "pocket", "scatter", "spin"}
+     "knock", "drop", "cause", "pocket", "scatter", "spin", "roll", "slide"}
 )  # fmt: skip
 """Senses whose object moves, so that it cannot be the ground."""
 _INSTEAD = re.compile(r"\binstead\b(?! of)", re.IGNORECASE)
