@@ -56,6 +56,8 @@ _GROUNDED = frozenset(
     | {"travel", "skate", "trundle", "taxi", "come", "stroll", "rattle", "head", "crawl"}
 )
 """What goes "over" a bridge by these goes on it."""
+WAYS = frozenset({"way", "path", "course", "trajectory"})
+"""Parts of what moves that something gets in."""
 _HOLDING = frozenset({"hand", "hands", "grip", "grasp", "arms", "fingers"})
 _OPEN_CARTS = frozenset({"cart", "shopping cart", "wheelbarrow", "mine cart", "trailer"})
 _OPENINGS = frozenset({"hole", "water"})
@@ -85,8 +87,8 @@ class Acts(Edges):
                 self._hit(f, actors, [i for i in solid if i not in actors][:1])
             self._goes_in(f, actors, time)
         for p in f.phrases:
-            if p.mention is None:
-                continue
+            if p.mention is None or p.mention.part in WAYS:
+                continue  # "walks into the path of a tram"
             if self._off_the_edge(f, p, actors, time):
                 fallen.update(actors)
                 continue

@@ -76,7 +76,7 @@ class ClauseNouns(ClauseWords):
         ):
             s.boundary, s.boundary_kind, new_clause = True, "comma", True
         if (
-            isinstance(previous, Mention)
+            (isinstance(previous, Mention) or "state" in getattr(previous, "extra", ()))
             and not prep
             and not s.boundary
             and s.frame is not None
@@ -95,6 +95,9 @@ class ClauseNouns(ClauseWords):
             return  # "and this time it goes in"
         if s.relative is not None and s.boundary and s.boundary_kind in ("rel", "whose"):
             # object relative: "the box that the ball hits"
+            whole = s.frame.object or s.frame.subject if s.frame is not None else None
+            if whole is not None and m.determiner == "the" and m.head == s.relative.head:
+                s.relative = whole  # "a fence behind a van, which the van backs into"
             s.subject = m
             s.last = m
             s.boundary = False

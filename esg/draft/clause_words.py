@@ -12,6 +12,8 @@ PROPERTIES = frozenset(
 OWNED = PROPERTIES | {"speed", "velocity"}
 _BEFORE_AMOUNTS = frozenset({"of", "at", ",", "(", "about", "-", "–", "—"})
 _PARTICLES = frozenset({"off", "over", "down", "up", "away", "out", "back", "on"})
+_AIMED = frozenset({"into", "against", "onto", "at", "through", "toward", "towards", "with"})
+"""Prepositions that may stand at the end of a relative clause."""
 _HAPPENING = frozenset({"own", "roll", "slide", "fall", "hit", "knock", "topple", "enter", "stop",
                         "brake", "turn"})  # fmt: skip
 """Senses of relative clauses whose time is their own ("a robot that leaves after 2 s")."""
@@ -80,7 +82,7 @@ class ClauseWords:
                     "whom",
                 ):
                     s.relative_prep = w.low  # "a rack from which a box falls"
-                elif s.frame is not None:
+                elif s.frame is not None and not self._of_what_went_before(s, w):
                     s.frame.adverbs.append(w.low)  # a particle: "knocking them over"
                 return s
             if w.low in _PARTICLES and isinstance(nxt, Word) and nxt.kind in ("prep", "to"):
@@ -318,6 +320,16 @@ class ClauseWords:
         noun.amounts.append(w.amount)
         self._quantified = noun
         s.prep = ""
+        return True
+
+    @staticmethod
+    def _of_what_went_before(s: State, w: Word) -> bool:
+        """ "a log, which it drives into": the preposition of the object in front."""
+        f = s.frame
+        if f is None or f.object is None or f.object is not s.relative or w.low not in _AIMED:
+            return False
+        f.phrases.append(Phrase(w.low, f.object))
+        f.object = None
         return True
 
     def _flush(self, s: State) -> None:

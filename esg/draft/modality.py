@@ -51,6 +51,7 @@ _SHOWING = frozenset(
     {"follow", "show", "pan", "zoom", "track", "watch", "see", "move", "look", "film", "focus",
      "stay", "face", "capture"}
 )  # fmt: skip
+_DOES = frozenset({"does", "did", "do"})
 _SPEAKERS = frozenset({"i", "we", "you"})
 
 
@@ -69,11 +70,15 @@ def mark_unreal(frames: list[Frame], text: str) -> None:
             continue
         earlier = [g for g in told[:k] if g.sentence == f.sentence]
         later = [g for g in told[k + 1 :] if g.sentence == f.sentence]
-        reason = _reason(f, earlier, later, text)
+        true = _comes_true(f, told[k + 1 : k + 2], text)
+        reason = "" if true else _reason(f, earlier, later, text)
         if reason:
             f.unreal = reason
         if _NEVER.search(text, max(0, f.verb.start - 24), f.verb.start):
             f.verb.negated = True
+        if true:
+            f.link = "then"
+            continue
         close = NEAR.search(text, max(0, f.verb.start - 24), f.verb.start)
         if close or _IN_GROUP.search(text, f.verb.start, f.verb.end):
             if f.verb.sense == "hit":
@@ -130,6 +135,16 @@ def _reason(f: Frame, earlier: list[Frame], later: list[Frame], text: str) -> st
     if progressive and interrupted and f.verb.sense in ("overtake", "pass"):
         return "under way when something else happens"
     return ""
+
+
+def _comes_true(f: Frame, following: list[Frame], text: str) -> bool:
+    """ "is about to hit a deer, and it does": told to happen after all."""
+    for g in following:
+        again = g.object is not None and g.object.end <= f.verb.end + 60 and g.reduced
+        bare = (g.object is None or again) and not g.phrases and not g.verb.negated
+        does = (text[g.verb.start : g.verb.end].lower().split() or [""])[0] in _DOES
+        return bare and does and g.sentence <= f.sentence + 1 and g.subject is not None
+    return False
 
 
 def _ends_in(f: Frame, text: str) -> bool:

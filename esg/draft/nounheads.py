@@ -35,6 +35,8 @@ class NounHeads(RowPhrases):
         noun = self._match_noun(j) if j < len(tokens) else None
         if noun is not None and noun[3] == "corner" and self._low(j + 1) == "of":
             noun = None  # of a room or a table, not of the street
+        if noun is not None and noun[3] == "path" and m.determiner and self._low(j + 1) == "of":
+            noun = None  # "into the path of a tram": no footpath
         if noun is not None and m.determiner in ("both", "all") and self._many_do(j, m):
             noun = None  # "and both slide into a bale"
         phrase_start = tokens[j].start if j < len(tokens) else m.end

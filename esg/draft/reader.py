@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from esg.draft import lexicon as lex
 from esg.draft.elements import Element, Mention, Token, Verb, Word
 from esg.draft.numerals import parse_number
@@ -14,6 +16,10 @@ _NOUNS_FIRST = frozenset(
 """Forms of verbs that are something else unless a noun precedes them."""
 _ALSO_NOUNS = frozenset({"can", "has", "have", "had", "having", "might", "will"})
 """Modals that are nouns or main verbs too."""
+
+_TURNS_GREEN = re.compile(
+    r"\s+(?:\w+\s+){1,2}?(?:to\s+|back\s+to\s+)?(?:red|green|amber)\b", re.IGNORECASE
+)
 
 
 class Reader:
@@ -66,7 +72,13 @@ class Reader:
             last, plural = lex.singular(self._low(i).replace("-", " "))
             if last in table:
                 return table[last], 1, plural, last
+        if self._low(i) in ("light", "lights") and self._of_traffic(i):
+            return table["traffic light"], 1, False, "traffic light"
         return None
+
+    def _of_traffic(self, i: int) -> bool:
+        """ "The lights turn green": no lamps."""
+        return _TURNS_GREEN.match(self.text, self.tokens[i].end) is not None
 
     def _acts(self, i: int) -> bool:
         """Whether a word in -s that could be a plural is the verb of the noun before it."""

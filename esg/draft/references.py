@@ -376,4 +376,7 @@ class References(Anaphora):
             and len(self._launched) == 1
         ):
             self.world.resolved[id(m)] = m.entities = list(self._launched)
-        return self.ids(m, subject=True)
+        whom = f.object if f.reduced and m is not None and m.pronoun == "it" else None
+        whom = whom or next((p.mention for p in f.phrases if f.reduced and m and m.pronoun), None)
+        told = whom is not None and m is not None and whom.start < m.start
+        return self.ids(m, subject=True, avoid=whom.entities if told and whom else None)

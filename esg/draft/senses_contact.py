@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from esg.draft.acts import WAYS
 from esg.draft.core import Time
 from esg.draft.frames import Frame, Phrase
 from esg.draft.quantities import Amount
@@ -19,6 +20,7 @@ _NO_THINGS = frozenset(
 _PLACES_HIT = frozenset(
     {"middle", "center", "centre", "mark", "target", "side", "end", "back", "top"}
 )
+_AHEAD = frozenset({"in front of", "before"})
 _STUMBLING = frozenset({"trip", "stumble"})
 _BESIDE = re.compile(
     r"\s*(?:,\s*)?(?:\(|at|with\s+(?:an?\s+)?(?:constant\s+)?(?:speed|velocity)\s+of|doing|going"
@@ -60,6 +62,8 @@ class ContactSenses(FallSenses):
             by = f.phrase("by")
             by = by or f.phrase("with")
             movers = by.mention.entities if by is not None and by.mention is not None else []
+            if not movers:
+                movers = self._whose_way(f, s)
             if not movers:
                 movers = [
                     a for a, t in self.tl.tracks.items() if t.motion is not None and a not in s
@@ -175,6 +179,24 @@ class ContactSenses(FallSenses):
             self._outcomes(f, targets[:1])
         elif o and f.phrase("into", "onto", "toward", "towards") is not None and nodes:
             self._knock_on(f, targets[:1])
+
+    def _whose_way(self, f: Frame, struck: list[str]) -> list[str]:
+        """ "gets in the way of a tram and is hit", "runs in front of a bus": by that."""
+        for g in reversed(
+            self.told[: next(k for k, x in enumerate(self.told) if x.verb is f.verb)]
+        ):
+            if g.sentence < f.sentence - 1:
+                break
+            about = g.subject is not None and set(g.subject.entities) & {*struck}
+            for p in [Phrase("", g.object), *g.phrases] if about else ():
+                m = p.mention
+                if m is not None and m.head in WAYS and m.possessor is not None:
+                    m = m.possessor  # "in a bus's way"
+                elif m is None or (m.part not in WAYS and p.prep not in _AHEAD):
+                    continue
+                if set(m.entities) - {*struck}:
+                    return [i for i in m.entities if i not in struck and self.movable(i)][:1]
+        return []
 
     def _comes_too(self, f: Frame, movers: list[str], targets: list[str]) -> None:
         """ "A car at 10 m/s collides with a truck at 15 m/s": both have a speed, so both move."""

@@ -361,3 +361,13 @@ class StateSenses(Consequences):
             self.stated[s[0]] = speed[1]
         self._sets_off_late(f, s)
         self._starts_apart(f, s)
+        self._starts_off(f, s, o)
+
+    def _starts_off(self, f: Frame, s: list[str], o: list[str]) -> None:
+        """ "The light turns green and the van starts": it drives off, and nothing more is told."""
+        fresh = [a for a in s if not self.tl.track(a).motion and not self.tl.track(a).hit]
+        driven = [a for a in fresh if self.kind(a) in SELF_POWERED]
+        at = next((k for k, g in enumerate(self.told) if g.verb is f.verb), 0)
+        later = {i for g in self.told[at + 1 :] if g.subject for i in g.subject.entities}
+        if driven and not o and not f.phrases and not later & {*driven}:
+            self._motion(f, driven, None)

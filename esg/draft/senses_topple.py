@@ -106,7 +106,9 @@ class ToppleSenses(ContactSenses):
             s, o = (mates[:1], mates[1:2]) if len(mates) > 1 else (s, o)
         if f.verb.passive:
             by = f.phrase("by")
-            o, s = s, list(by.mention.entities) if by is not None and by.mention is not None else []
+            agent = list(by.mention.entities) if by is not None and by.mention is not None else []
+            knocked = f.verb.extra.get("contact") and not self._moved_by_others(s[0] if s else "")
+            o, s = s, agent or (self._whose_way(f, s) if knocked else [])
         if o:
             bodies = self._representatives(o, s)
             movers = [m for m in s if self.kind(m) != "person"] or s

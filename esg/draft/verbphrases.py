@@ -17,7 +17,7 @@ def _phrase(lemma: str, rest: str, sense: str, **extra: str) -> None:
     PHRASES.setdefault(lemma, []).append((pattern, sense, extra))
 
 
-_NO_OBJECT = r"(?!\s+(?:an?|the|its|his|her|their|some)\b)"
+_NO_OBJECT = r"(?!\s+(?:an?|the|its|his|her|their|some|it|him|them|one|two|three|another)\b)"
 DECKS = frozenset(
     {
         "pier",
