@@ -73,12 +73,12 @@ def conclude_suite(
     from esg.failures import report_failures
     from esg.metrics import load_suite
     from esg.report.run import RUN_FILE
-    from esg.scenefolder import publish
+    from esg.scenefolder import publish, safe_name
 
     loaded = load_suite(suite)
     request = states[0].request
     moment = now or datetime.datetime.now(datetime.UTC)
-    folder = out / loaded.suite / f"{moment:%Y-%m-%dT%H%M%SZ}"
+    folder = out / (safe_name(loaded.suite) or "suite") / f"{moment:%Y-%m-%dT%H%M%SZ}"
     folders = [publish(state, folder) for state in states]
     report_failures(states, folders, folder)
     document = results(loaded, list(states), runs, request.seed, request.strategy, request.engine)

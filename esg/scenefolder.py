@@ -101,7 +101,12 @@ def folder_name(state: SceneState) -> str:
     if not name and "draft" in state.artifacts:
         document = json.loads((state.artifact("draft") / DOCUMENT).read_bytes())
         name = document["scene_definition"]["scene_id"]
-    return re.sub(r"[^A-Za-z0-9._-]+", "_", name).strip("._")[:120] or "scene"
+    return safe_name(name) or "scene"
+
+
+def safe_name(text: str) -> str:
+    """A text as the name of a file or folder: one level, only characters safe everywhere."""
+    return re.sub(r"[^A-Za-z0-9._-]+", "_", text).strip("._")[:120]
 
 
 def _fill(state: SceneState, folder: Path) -> None:

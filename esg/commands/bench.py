@@ -121,7 +121,11 @@ def bench(
 
 
 def _folder(suite: str, strategy: str, engine: str, close_loop: bool, collision: str) -> str:
-    name = f"bench-{suite}-{strategy}-{engine}" + ("-closed" if close_loop else "")
+    from esg.scenefolder import safe_name
+
+    name = f"bench-{safe_name(suite) or 'suite'}-{strategy}-{engine}" + (
+        "-closed" if close_loop else ""
+    )
     return name if collision == "exact" else f"{name}-{collision}"
 
 

@@ -47,6 +47,7 @@ def record_run(
     from esg.commands.console import warn
     from esg.outcomes import UserError
     from esg.pipeline import STAGES
+    from esg.scenefolder import safe_name
     from esg.stages import REPLAY_RATE_HZ
     from esg.store import RunInfo, ingest, record_of, write_tables
 
@@ -54,7 +55,7 @@ def record_run(
     request = states[0].request
     versions = "".join(code_version(stage) for stage in STAGES)
     run = RunInfo(
-        run_id=f"{kind}-{suite + '-' if suite else ''}{now:%Y%m%dT%H%M%S%f}-{os.getpid()}",
+        run_id=f"{'-'.join(filter(None, (kind, safe_name(suite))))}-{now:%Y%m%dT%H%M%S%f}-{os.getpid()}",
         kind=kind,
         started_at=now,
         suite=suite,

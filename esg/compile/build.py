@@ -283,12 +283,19 @@ def _compile_unit(
                 out.update(_compile_unit(cxx, include, [item]))
             return out
         key, files = unit[0]
-        message = done.stderr.strip().replace(f"{work}/", "")
+        message = _error_first(done.stderr.strip().replace(f"{work}/", ""))
         return {key: ClassError(f"{files.folder}/unreal/{files.name}.cpp", [message])}
     seconds = (time.perf_counter() - start) / len(unit)
     for key, _ in unit:
         _write(root / f"{key}.ref", target.name)
     return {key: Library(target, _entry(key), seconds) for key, _ in unit}
+
+
+def _error_first(said: str) -> str:
+    """A compiler's output that begins with its first error, not with where that was included."""
+    lines = said.splitlines()
+    first = next((k for k, line in enumerate(lines) if re.search(r"\berror:", line)), 0)
+    return "\n".join(lines[first:] + lines[:first])
 
 
 def _check_room(said: str, folder: Path) -> None:

@@ -13,8 +13,10 @@ import shutil
 
 from esg.compile.assets import mesh_file
 from esg.compile.build import ClassFiles
+from esg.compile.lint import lint
 from esg.compile.replay import load_imports
 from esg.outcomes import UserError
+from esg.scenereading import damaged
 
 PLUGIN = "ESGScenes"
 _TEMPLATES = Path(__file__).parent / "templates"
@@ -31,12 +33,15 @@ def write_plugin(folder: Path, out: Path) -> list[Path]:
         The files written, sorted.
 
     Raises:
-        UserError: If the folder holds no class.
+        UserError: If the folder holds no class, or one that is damaged.
     """
     try:
         files = ClassFiles.read(folder)
     except OSError as error:
         raise UserError(f"{folder}: no compiled scene: {error}") from None
+    complaints = lint(files.header, files.source, files.name)
+    if complaints:
+        raise damaged(folder / "unreal", "; ".join(complaints))
     imports = load_imports(folder / "unreal" / "imports.json")
     root = out / PLUGIN
     source = root / "Source" / PLUGIN

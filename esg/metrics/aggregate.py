@@ -12,6 +12,8 @@ from typing import Any
 
 from esg.metrics.models import SceneVerdict, Suite, SuiteScene
 
+NONE_LISTED = "none listed"
+"""Instead of a rate of events where a suite asks for none."""
 PAPER_RESULTS = Path(__file__).parent / "data" / "paper_results.json"
 
 
@@ -134,7 +136,9 @@ def comparison_rows(bench: Mapping[str, Any]) -> list[dict[str, str]]:
         row = {
             "scene": scene["id"],
             "events": str(scene["n_events"]),
-            "ours": _pm(statistics.fmean(completed), statistics.pstdev(completed)),
+            "ours": _pm(statistics.fmean(completed), statistics.pstdev(completed))
+            if scene["n_events"]
+            else NONE_LISTED,
             "slr": f"{100 * statistics.fmean(scene['slr']):.0f}%",
             "ppa": _percent([x for c in scene["ppa"] for x in c["scores"]]),
             "outcome": _tally(scene["outcome"]),
@@ -148,7 +152,7 @@ def comparison_rows(bench: Mapping[str, Any]) -> list[dict[str, str]]:
     total = {
         "scene": "Total",
         "events": str(totals["events"]),
-        "ours": _pm(totals["ecr_mean"], totals["ecr_std"]),
+        "ours": _pm(totals["ecr_mean"], totals["ecr_std"]) if totals["events"] else NONE_LISTED,
         "slr": f"{totals['slr']:.0f}%",
         "ppa": "" if totals["ppa"] is None else f"{totals['ppa']:.1f}%",
         "outcome": "",

@@ -108,7 +108,7 @@ def _suite(data: dict[Any, Any], problems: Problems) -> Suite | None:
     report_unknown("file", data, _SUITE_FIELDS, problems, strict=False)
     title = data.get("suite")
     if not isinstance(title, str | int) or not str(title).strip():
-        problems.add("/suite", f"is {title!r}", "give the suite a name")
+        problems.add("/suite", f"is {show(title)}", "give the suite a name")
     scenes = data.get("scenes")
     if not isinstance(scenes, list) or not scenes:
         problems.add("/scenes", f"is {show(scenes)}", "list at least one scene with id and prompt")

@@ -140,6 +140,8 @@ def writing(db: Path, *, fresh: bool = False) -> Generator[DuckDBPyConnection]:
 
 def _refused(db: Path, error: BaseException) -> UserError:
     why = final_names(first_line(error))
+    if "Could not read" in why:
+        return broken(db, error)
     full = os.strerror(errno.ENOSPC) in str(error)
     remedy = "; free some space, or choose a folder on another disk" if full else ""
     return UserError(f"{db} cannot be written: {why}{remedy}", exit_code=1)

@@ -316,6 +316,15 @@ def test_plugin_has_all_parts_and_the_proven_class(folder: Path, tmp_path: Path)
     assert "Not checked" in readme and "@CLASS@" not in readme
 
 
+def test_plugin_refuses_a_class_that_was_cut_off(tmp_path: Path) -> None:
+    folder = folder_of(tmp_path / "scene", *scenes.marbles())
+    source = next((folder / "unreal").glob("*.cpp"))
+    source.write_text(source.read_text()[: source.stat().st_size // 2])
+    with pytest.raises(UserError, match=r"unreal is damaged .*run the command"):
+        export(folder, "unreal", tmp_path / "out")
+    assert not list((tmp_path / "out").iterdir())
+
+
 def test_plugin_refuses_meshes_outside_the_folder(tmp_path: Path) -> None:
     folder = folder_of(tmp_path / "scene", *scenes.marbles())
     path = folder / "unreal" / "imports.json"

@@ -92,6 +92,25 @@ def test_a_suite_without_constraints_has_no_ppa():
     assert totals["ppa"] is None
 
 
+def test_a_scene_without_listed_events_has_no_rate():
+    asked, open_ = (
+        SuiteScene(id="B", prompt="b", events=tuple(CHAIN[:1])),
+        SuiteScene(id="C", prompt="c"),
+    )
+    suite = Suite(suite="b", scenes=(asked, open_))
+    runs = {s.id: [SceneRun(0, good(s), "solved", 1.0)] for s in suite.scenes}
+    text = comparison_table(bench_json(suite, runs, strategy="none", engine="physx", dt=0.01))
+    rows = {line.split("|")[1].strip(): line for line in text.splitlines()}
+    assert "1.0 ± 0.0" in rows["B"] and "none listed" not in rows["B"]
+    assert "none listed" in rows["C"] and "±" not in rows["C"]
+    assert "1.0 ± 0.0" in rows["Total"]
+    alone = Suite(suite="c", scenes=(open_,))
+    text = comparison_table(
+        bench_json(alone, {"C": runs["C"]}, strategy="none", engine="physx", dt=0.01)
+    )
+    assert text.count("none listed") == 2 and "±" not in text
+
+
 def test_every_scene_needs_the_same_number_of_runs():
     with pytest.raises(ValueError, match="same number of runs"):
         bench_json(SUITE, {"A": []}, strategy="none", engine="physx", dt=0.01)

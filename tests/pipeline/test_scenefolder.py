@@ -6,13 +6,14 @@ from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 import json
 from pathlib import Path
+import re
 
 import pytest
 
 from esg import scenefolder
 from esg.outcomes import Outcome, UserError
 from esg.pipeline import SceneRequest, SceneState, artifact_store, scratch_store
-from esg.scenefolder import check_writable, folder_name, is_scene_folder, publish
+from esg.scenefolder import check_writable, folder_name, is_scene_folder, publish, safe_name
 from esg.store.artifacts import artifact_key
 
 
@@ -42,6 +43,15 @@ def state(tmp_path: Path) -> Iterator[SceneState]:
 
 def test_folder_is_named_after_the_scene_and_safe(state: SceneState) -> None:
     assert folder_name(state) == "a_scene_1"
+
+
+def test_no_name_leaves_the_folder_it_is_for() -> None:
+    from esg.commands.bench import _folder
+
+    for name in ("../../x", "a/b", "..", "my suite", "日本", "a\\b\n"):
+        assert "/" not in _folder(name, "none", "physx", False, "exact")
+        assert re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9._-]*|", safe_name(name))
+    assert safe_name("paper") == "paper"
 
 
 def test_publishes_documents_log_and_prompt(state: SceneState, tmp_path: Path) -> None:
