@@ -54,8 +54,9 @@ def record_run(
     now = datetime.datetime.now(datetime.UTC)
     request = states[0].request
     versions = "".join(code_version(stage) for stage in STAGES)
+    title = "-".join(filter(None, (kind, safe_name(suite))))
     run = RunInfo(
-        run_id=f"{'-'.join(filter(None, (kind, safe_name(suite))))}-{now:%Y%m%dT%H%M%S%f}-{os.getpid()}",
+        run_id=f"{title}-{now:%Y%m%dT%H%M%S%f}-{os.getpid()}",
         kind=kind,
         started_at=now,
         suite=suite,
