@@ -18,7 +18,11 @@ class ClauseNouns(ClauseWords):
         """Whether a noun goes on a list of objects, so that the verb ahead has another subject."""
         if s.frame is None or s.last is None or not isinstance(previous, Word):
             return False
-        if s.last is s.frame.subject or len(s.last.coordinated) < 2:
+        if s.last is s.frame.subject:
+            return False
+        if self._before_a_bare_verb(i):
+            return True
+        if len(s.last.coordinated) < 2:
             return False
         if previous.kind == "conj" and getattr(self.elements[i - 2], "low", "") == ",":
             return False  # ", and a cat and a dog run": a clause of its own
@@ -31,6 +35,34 @@ class ClauseNouns(ClauseWords):
             if isinstance(e, Word) and e.kind == "conj":
                 nouns += 1
             if isinstance(e, Word) and e.low in ".;:!?":
+                return False
+        return False
+
+    def _before_a_bare_verb(self, i: int) -> bool:
+        """Whether a noun ends a list, and a verb without a subject follows its conjunction.
+
+        "Rides past a sandbox and a seesaw and stops": the verb goes on with the subject before.
+        """
+        relative = False
+        after = self.elements[i + 1 :]
+        for k, e in enumerate(after):
+            if isinstance(e, Verb):
+                if relative or (e.form == "ing" and not e.auxiliary):
+                    relative = False
+                    continue  # "a truck that waits and hits", "a bus waiting there and stops"
+                return False
+            if not isinstance(e, Word):
+                continue
+            if e.kind == "rel":
+                relative = True
+            elif e.kind == "conj" and e.low in ("and", "but"):
+                rest = [x for x in after[k + 1 : k + 4] if getattr(x, "kind", "") != "adv"]
+                nxt = rest[0] if rest else None
+                if isinstance(nxt, Verb):
+                    return nxt.form in ("s", "past") and not nxt.passive and not nxt.auxiliary
+                if not isinstance(nxt, Mention):
+                    return False
+            elif e.kind in ("punct", "sub", "conj") and e.low != ",":
                 return False
         return False
 

@@ -18,14 +18,15 @@ _APART = re.compile(
 )
 """What stands between a length and the thing it is measured from."""
 
+_PAINTED = frozenset({"crosswalk", "finish line"})
+"""What lies on a road and ends: a road itself, or a crossing of two, is under who stops."""
+
 
 class Lengths(Events):
     """Reads lengths that are no sizes."""
 
     def _apart_from(self, a: Amount) -> str | None:
-        """The thing that a length is measured from ("1 m in front of a barrier"), if it has a
-        surface: lines and crossings are painted on the road.
-        """
+        """The thing that a length is measured from ("1 m in front of a barrier", "a crosswalk")."""
         for m in sorted(self.mentions, key=lambda m: m.start):
             if m.start < a.end:
                 continue
@@ -35,7 +36,8 @@ class Lengths(Events):
             if not m.entities or m.attribute or m.part in ("edge", "end", "start", "corner"):
                 return None
             found = self.world.current(m.entities[0])
-            return found if not self.structural(found) else None
+            way = self.structural(found) and self.e(found).noun.name not in _PAINTED
+            return None if way else found
         return None
 
     def _lengths(self, f: Frame) -> list[Amount]:
@@ -75,6 +77,8 @@ class Lengths(Events):
                 for actor in actors:
                     self.scene.relations.append(Relation(actor, aim, "near", a.value))
                 self.use(a, "distance at the start")
+            elif after.startswith("apart"):
+                continue  # "two balls 4 m apart roll": the gap at the start (`spacing`)
             elif f.verb.sense in ("own", "roll", "slide", "fly", "launch", "reverse") and actors:
                 track = self.tl.tracks.get(actors[0])
                 if track is not None and (track.motion is not None or track.hit):

@@ -94,7 +94,9 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     too_much(scene)
     restricted = is_restricted(text)
     reasons = expand(scene, text, restricted)
-    timeline = scene.timeline.build()
+    stated = [r for r in scene.relations if r.distance is not None]
+    gaps = {frozenset((r.source, r.target)): r.distance for r in stated if r.distance is not None}
+    timeline = scene.timeline.build(gaps)
     too_long(timeline)
     coverage = in_prompt(account(text, elements, clauses.mentions, scene, tokens), text, prompt)
     expanded = text + ("" if not reasons else " [" + "; ".join(reasons) + "]")

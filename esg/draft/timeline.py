@@ -37,6 +37,8 @@ _EDGES: dict[str, EdgeEvent] = {
     "drop": EdgeEvent.TOWARD,
     "fly": EdgeEvent.TOWARD,
 }
+_STEADY = frozenset({EdgeEvent.UNIFORM_MOTION, EdgeEvent.TOWARD})
+Gaps = dict[frozenset[str], Quantity]
 LAUNCHES = frozenset({"roll", "slide", "throw", "drop", "fly"})
 
 
@@ -335,8 +337,33 @@ class TimelineBuilder:
 
     # -- result ----------------------------------------------------------------------------------
 
-    def build(self) -> TimelineSystem | None:
-        """The timeline system, or None if nothing moves."""
+    def _expect(self, gaps: Gaps) -> None:
+        """How long the first motions take whose way and speed are stated."""
+        for n in self.nodes:
+            if n.event is not NodeEvent.COLLISION or len(n.participants) != 2:
+                continue
+            lead = {e.actor: e for e in self.edges if e.to == n.id}
+            speeds = [
+                e.params.speed
+                for e in lead.values()
+                if e.from_ == START and e.speed_is_prescribed and e.event in _STEADY
+            ]
+            way = gaps.get(frozenset(n.participants))
+            if way is None:
+                stated = [c.value for c in n.constraints if c.quantity == "distance" and not c.to]
+                way = stated[0] if stated and len(lead) == 1 else None
+            fixed = [v for v in speeds if isinstance(v, float | int) and v > 0.0]
+            if way is None or not fixed or len(fixed) != len(lead):
+                continue
+            long = 0.5 * sum(way) if isinstance(way, tuple) else way
+            n.usual = round(long / sum(fixed), 4)
+
+    def build(self, gaps: Gaps | None = None) -> TimelineSystem | None:
+        """The timeline system, or None if nothing moves.
+
+        Args:
+            gaps: Stated distances of pairs at the start [cm].
+        """
         self.finish()
         if not self.nodes:
             return None
@@ -348,6 +375,7 @@ class TimelineBuilder:
         }
         edges = [self._repair(e, actors) for e in self.edges if e.actor in actors]
         settle_ambiguous(self.nodes, edges)
+        self._expect(gaps or {})
         spans = plan_times(self.nodes, edges)
         nodes = [
             TimelineNode(

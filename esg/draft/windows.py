@@ -16,6 +16,8 @@ from esg.graph.models import (
 
 START = "scene_start"
 GAP_S = 0.1
+EARLIER, LATER = 0.8, 1.3
+"""How much sooner or later than by its stated way and speed something may happen."""
 EARLY_S: Interval = (0.1, 0.2)
 """When a manoeuvre begins that begins at once [s]."""
 _DURATIONS: dict[NodeEvent, tuple[float, float]] = {
@@ -45,6 +47,8 @@ class Draft:
     time_prescribed: bool = False
     constraints: list[EventConstraint] = field(default_factory=list)
     extra: dict[str, Any] = field(default_factory=dict)
+    usual: float | None = None
+    """Time from the event before that follows from what the prompt states [s]."""
     after: list[str] = field(default_factory=list)
     """Events that come before without a common actor."""
 
@@ -132,6 +136,8 @@ def plan_times(nodes: list[Draft], edges: list[TimelineEdge]) -> dict[str, Inter
                 spans[n.id] = (round(low, 4), round(max(low, high), 4))
                 continue
             short, long = _DURATIONS[n.event]
+            if n.usual is not None:
+                short, long = EARLIER * n.usual, LATER * n.usual
             gap = GAP_S * min(scale, 1.0)
             low = ready + (short if not before[n.id] else gap) * scale
             low = low if before[n.id] else short * scale

@@ -22,6 +22,8 @@ _STACKS = frozenset({"tower", "pyramid", "column"})
 """What things that have been stacked are together."""
 _CABS = frozenset({"cab", "cabin", "cockpit"})
 """Parts where somebody sits; words for buildings, too, unless they are somebody's."""
+_BEHIND_THE_HEAD = 4
+"""Index of the pin straight behind the first one of a triangle (1, 2-3, 4-5-6)."""
 _TOPS = frozenset({"roof", "windscreen", "windshield", "bonnet", "tailgate"})
 
 
@@ -348,8 +350,9 @@ class World(Members):
         if level:
             return level
         place = next((a for a in m.adjectives if a in FRONT | REAR), None)
-        first_pin = place is not None or "head" in m.adjectives
-        if first_pin and not names and m.noun is not None and m.noun.kind == "pin":
+        pin = m.noun is not None and m.noun.kind == "pin"
+        place = "front" if pin and "head" in m.adjectives else place
+        if place is not None and not names and pin:
             self._create(Mention(m.start, m.end, head=m.head, noun=m.noun, plural=True))
             names = [e for e in self.entities.values() if self._matches(m, e)]
         if place is not None:
@@ -360,6 +363,9 @@ class World(Members):
             member = [e for e in names if e.group is not None and not e.place]
             if member:
                 chosen = member[0] if want == "front" else member[-1]
+                if want == "rear" and chosen.pattern == "pins" and len(member) > _BEHIND_THE_HEAD:
+                    rack = self.groups[chosen.group or ""]  # "the head pin ... the pin behind it"
+                    chosen = self.entities[rack[_BEHIND_THE_HEAD]]
                 self._specialize(m, chosen)
                 return [chosen.id]
             if bare and not definite:
@@ -396,7 +402,8 @@ class World(Members):
             if exact:
                 return [exact[-1].id]
             member = [e for e in names if e.group is not None and not e.letter]
-            if member and member[0].noun.kind != "billiard":
+            counted = bool(member) and member[0].group not in self.vague
+            if member and (counted or member[0].noun.kind != "billiard"):
                 self._specialize(m, member[0])
                 return [member[0].id]
             return []

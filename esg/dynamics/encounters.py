@@ -12,6 +12,7 @@ from esg.dynamics.kinematics import (
     stopping_damping,
 )
 from esg.dynamics.overtaking import cut_in
+from esg.dynamics.placing import gap_at_start
 from esg.dynamics.stage import FASTEST_MPS, Stage, speed_is_fixed
 from esg.dynamics.stagecraft import (
     approach_distance,
@@ -67,9 +68,16 @@ def meeting(stage: Stage, node: TimelineNode, a: str, pa: Phase, b: str, pb: Pha
         return
     time = stage.prescribed_time(node)
     start = max(stage.tracks[a].time, stage.tracks[b].time)
+    speeds = {n: max(stage.speed(n, p), SLOWEST_MPS) for n, p in ((a, pa), (b, pb))}
+    apart = gap_at_start(stage, a, b) if start <= 0.0 else None
+    if apart is not None and time is None:
+        time = apart / sum(speeds.values())
+    elif apart is not None and not any(speed_is_fixed(p) for p in (pa, pb)):
+        closing = apart / (time or 1.0)
+        speeds = {n: v * closing / sum(speeds.values()) for n, v in speeds.items()}
     for actor, phase in ((a, pa), (b, pb)):
-        speed = max(stage.speed(actor, phase), SLOWEST_MPS)
-        if time is not None and not phase.edge.speed_is_prescribed:
+        speed = speeds[actor]
+        if time is not None and apart is None and not phase.edge.speed_is_prescribed:
             # Where there is no room for the way of the whole time, it is slower.
             speed = max(speed * stage.tight, min(speed, SLOWEST_MPS))
         stage.nominal[f"{phase.edge.id}/speed"] = speed

@@ -170,8 +170,7 @@ def _gaps(rec: Recording, a: list[int], b: list[int], gap: Callable[..., Floats]
     for i in a:
         for j in b:
             x, y = rec.scene.bodies[i], rec.scene.bodies[j]
-            if x.shapes and y.shapes:
-                out = np.minimum(out, gap(x, y, p[:, :, i], q[:, :, i], p[:, :, j], q[:, :, j]))
+            out = np.minimum(out, gap(x, y, p[:, :, i], q[:, :, i], p[:, :, j], q[:, :, j]))
     return out
 
 

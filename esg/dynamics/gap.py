@@ -59,10 +59,16 @@ def signed_distance(shape: Shape, p: Floats) -> Floats:
 
 
 @lru_cache(maxsize=1024)
+def _surfaces(body: Body) -> tuple[Shape, ...]:
+    """What a body is measured by: its shapes, or its bounds where it has none (a painted line)."""
+    return body.shapes or (Shape("box", body.half_extents),)
+
+
+@lru_cache(maxsize=1024)
 def bounding_radius(body: Body) -> float:
     """Radius [m] of a sphere around the centre of mass that holds all `surface_gap` measures."""
     far = 0.0
-    for shape in body.shapes:
+    for shape in _surfaces(body):
         # A hull's distances are those of its bounding box; half the diagonal holds either.
         points = np.abs(_samples(shape)[0]).max(axis=0)
         half = np.maximum(np.array(shape.size), points)
@@ -78,7 +84,7 @@ def surface_gap(
     """Distance between the surfaces of two bodies [m], negative inside.
 
     Args:
-        a, b: Bodies with shapes.
+        a, b: Bodies; one without shapes is measured by its bounds.
         pos_a, pos_b: Centres of mass [m], shape [..., 3].
         quat_a, quat_b: Orientations (x, y, z, w), shape [..., 4].
 
@@ -96,11 +102,11 @@ def _one_way(
     turn = to_b @ _matrix(quat_a)
     offset = to_b @ (np.asarray(pos_a) - np.asarray(pos_b))[..., None]
     best = np.full(np.shape(pos_a)[:-1], np.inf)
-    for target in b.shapes:
+    for target in _surfaces(b):
         frame = _matrix(target.quaternion).T
         # Points of a's frame [3, n] in the target's, shape [3, ..., n].
         into, shift = frame @ turn, frame @ (offset - np.array(target.position)[:, None])
-        for source in a.shapes:
+        for source in _surfaces(a):
             local, radius = _samples(source)
             points = quat_rotate(np.array(source.quaternion), local) + np.array(source.position)
             p = np.moveaxis(into @ points.T + shift, -2, 0)

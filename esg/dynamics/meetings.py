@@ -15,7 +15,7 @@ from esg.dynamics.impacts import chain, impact, returns
 from esg.dynamics.kinematics import lob_time
 from esg.dynamics.moves import plain
 from esg.dynamics.overtaking import overtake
-from esg.dynamics.placing import asked_distance, goes_on, join, struck_again
+from esg.dynamics.placing import asked_distance, gap_at_start, goes_on, join, struck_again
 from esg.dynamics.slopes import descend, goes_down
 from esg.dynamics.stage import FASTEST_MPS, Stage, speed_is_fixed
 from esg.dynamics.stagecraft import (
@@ -198,6 +198,8 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
     if putts(stage, node, a, b) and not phase.edge.speed_is_prescribed:
         speed = min(speed, max(PUTT_MPS, PUTT_NS / pb.mass) / passed_on(pa, pb))
     asked = asked_distance(stage, node, a) if node.event not in GAPPED else None
+    if asked is None and node.event is NodeEvent.COLLISION and track.time <= 0.0:
+        asked = gap_at_start(stage, a, b) if b not in stage.places else None
     if asked is not None and not speed_is_fixed(phase):
         speed = asked / max(0.15, prescribed - track.time) if prescribed is not None else speed
     if goes_down(stage, a, b) is not None:

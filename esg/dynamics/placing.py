@@ -37,6 +37,16 @@ def asked_distance(stage: Stage, node: TimelineNode, a: str) -> float | None:
     return None
 
 
+def gap_at_start(stage: Stage, a: str, b: str) -> float | None:
+    """How far [m] the prompt has two things from each other at the start, or None."""
+    pair = {stage.member(a), stage.member(b)}
+    for e in stage.doc.spatial_relation_graph.edges.binary_relations:
+        if e.distance_cm is not None and {e.from_, e.to} == pair:
+            low, high, _ = bounds(e.distance_cm, (100.0, 100.0))
+            return max(0.005 * (low + high), 0.1)
+    return None
+
+
 def gap_left(stage: Stage, node: TimelineNode) -> tuple[str, str, float] | None:
     """Who the prompt has end how far from what ("stops 1 m in front of a wall"): a, b, gap [m]."""
     for c in node.constraints:

@@ -25,6 +25,8 @@ AFTER_HIT_DAMPING = 4.0
 
 STRAIGHT_S = 1.0
 """How long an actor drives on straight after a turn that nothing follows [s]."""
+STILL_MPS = 0.07
+"""Speed of what has come to rest [m/s]."""
 SHAKEN_S = 0.15
 """From the hit of a support until something on it sets off to fall [s]."""
 
@@ -118,6 +120,7 @@ class Composer(Cast):
                 out = [_until(p, start) for p in out]
             if edge.event is EdgeEvent.TOWARD or self.story.tips(phase):
                 out.append(self.launch(actor, body, phase, v, start, heading))
+                out += self._rolls_out(actor, body, phase, v, start, end) if last else []
                 clock = start
                 continue
             if f"{edge.id}/stopping" in v:
@@ -211,6 +214,28 @@ class Composer(Cast):
             if last and phase.end.event in (NodeEvent.REACH, NodeEvent.STOP):
                 out.append(AdjustProperties(actor, end, linear_damping=REACH_BRAKE_DAMPING))
         return out
+
+    def _rolls_out(
+        self, actor: str, body: Body, phase: Phase, v: Values, start: float, end: float
+    ) -> list[Primitive]:
+        """What rolls and shall come to rest is slowed as grass or a carpet does it.
+
+        A ball has no rolling resistance of its own; damped alike, its speed and spin stay in step.
+        """
+        speed = v.get(f"{phase.edge.id}/speed", 0.0)
+        stops = phase.end.event is NodeEvent.STOP and phase.edge.params.spin == "roll"
+        if not stops or body.roll_radius <= 0.0 or self.story.flies(actor) or end <= start:
+            return []
+        damping = max(math.log(max(speed, STILL_MPS) / STILL_MPS) / (end - start), 0.1)
+        return [
+            AdjustProperties(actor, start, linear_damping=damping, angular_damping=damping),
+            AdjustProperties(
+                actor,
+                end,
+                linear_damping=REACH_BRAKE_DAMPING,
+                angular_damping=REACH_BRAKE_DAMPING,
+            ),
+        ]
 
     def _hover(self, actor: str, time: float, speed: float, heading: float) -> HoldVelocity:
         """Slows down in the air as a brake does on the ground, and stays there."""

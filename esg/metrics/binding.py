@@ -78,6 +78,7 @@ class _Candidate:
     level: float
     fields: list[Phrase] = field(default_factory=list)
     words: set[str] = field(default_factory=set)
+    called: frozenset[str] = frozenset()
 
 
 def bind(phrase: str, scene: SimScene, *, target: bool = False) -> Binding:
@@ -202,7 +203,8 @@ def _candidate(index: int, body: Body, wanted: Phrase) -> _Candidate | None:
     words = {w for p in fields for w in p.modifiers}
     words |= {canonical_modifier(w) for p in fields for w in p.text.split()}
     words |= {canonical_modifier(w) for w in normalize(body.description).split()}
-    return _Candidate(index, body, level, fields, words)
+    called = frozenset(p.word for p in (label, name) if p is not None)
+    return _Candidate(index, body, level, fields, words, called)
 
 
 def _bind_bodies(wanted: Phrase, scene: SimScene) -> tuple[int, ...]:
@@ -217,6 +219,9 @@ def _bind_bodies(wanted: Phrase, scene: SimScene) -> tuple[int, ...]:
     found = [c for c in found if c.level == best]
     if any(c.body.mentioned for c in found):
         found = [c for c in found if c.body.mentioned]
+    if not wanted.plural or wanted.word != wanted.head:
+        # Of a sedan and a hatchback, both cars, "the sedan" is the one that is called so.
+        found = [c for c in found if wanted.word in c.called] or found
     # Words that at least one candidate carries decide between candidates; others say nothing.
     for word in wanted.modifiers:
         if word in COLORS or word in POSITIONS:

@@ -195,6 +195,7 @@ class Phrase:
     Args:
         text: Normalised text.
         head: Canonical singular head noun, "" if there is none.
+        word: The head as it is written, singular ("sedan", whose canonical head is "car").
         modifiers: Canonical words before the head, in order, without articles and counts.
         identifier: Letter or number that names one of several ("ball A" -> "a", "car 2" -> "2").
         ordinal: 1 for "first", -1 for "last", None without.
@@ -204,6 +205,7 @@ class Phrase:
 
     text: str
     head: str
+    word: str
     modifiers: tuple[str, ...]
     identifier: str | None
     ordinal: int | None
@@ -283,7 +285,7 @@ def parse(text: str) -> Phrase:
         kept.append("billiard")
     head, implied = _split_head(stem)
     modifiers = tuple(canonical_modifier(m) for m in (*kept, *implied, *_place_words(tail)))
-    return Phrase(norm, head, modifiers, identifier, ordinal, count, plural)
+    return Phrase(norm, head, stem, modifiers, identifier, ordinal, count, plural)
 
 
 def _place_words(tail: list[str]) -> list[str]:

@@ -78,6 +78,12 @@ TRAINS = scene(
     thing("wagon_3", "freight wagon", "cart"),
     thing("wagon_4", "freight wagon", "cart"),
 )
+KINDS = scene(
+    thing("hatchback_1", "900 kg hatchback", "car"),
+    thing("sedan_1", "1500 kg sedan", "car"),
+    thing("mug_1", "", "cup"),
+    thing("cup_1", "", "cup"),
+)
 PLAIN_BALLS = scene(*(ball(f"ball_{k}") for k in (1, 2, 3)))
 ALLEY = scene(
     ball("bowling_ball_1", label="bowling ball", category="bowling ball"),
@@ -164,6 +170,12 @@ TABLE = [
     (WAGONS, "fourth wagon", []),
     (TRAINS, "second wagon", ["wagon_3"]),
     (TRAINS, "third wagon", ["wagon_4"]),
+    # Two kinds with one head: each is what it is called, "automobile" is either.
+    (KINDS, "sedan", ["sedan_1"]),
+    (KINDS, "the hatchback", ["hatchback_1"]),
+    (KINDS, "mug", ["mug_1"]),
+    (KINDS, "cars", ["hatchback_1", "sedan_1"]),
+    (KINDS, "automobile", ["hatchback_1", "sedan_1"]),
     (OFFICE, "second crate", ["crate_2"]),
     (OFFICE, "3rd crate", ["crate_3"]),
     (OFFICE, "wooden crates", ["crate_1", "crate_2", "crate_3"]),

@@ -1,0 +1,105 @@
+"""Lists that end before a verb, counted members by colour, and lengths between things."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from esg.draft import draft
+from tests.draft.told import events as read
+
+
+@pytest.mark.parametrize(
+    ("prompt", "expected"),
+    [
+        (
+            "A girl rides past a sandbox and a seesaw and hits the slide.",
+            [("Miss", "girl_1", "sandbox_1"), ("Collision", "girl_1", "slide_1")],
+        ),
+        (
+            "A dog runs between a table and a chair and bumps into a vase.",
+            [("Collision", "dog_1", "vase_1")],
+        ),
+        (
+            "A cat hits a vase and a lamp and then falls off the shelf.",
+            [("Collision", "cat_1", "vase_1"), ("Collision", "cat_1", "lamp_1"), ("Fall", "cat_1")],
+        ),
+        (
+            "A cart bumps a cone and a cone and a box fall over.",
+            [("Collision", "cart_1", "cone_1"), ("Topple", "cone_2"), ("Topple", "box_1")],
+        ),
+        (
+            "A ball rolls past a cup and a plate rolls off the table.",
+            [("Miss", "ball_1", "cup_1"), ("Fall", "plate_1")],
+        ),
+    ],
+)
+def test_a_verb_after_a_list_goes_on_with_the_subject(
+    prompt: str, expected: list[tuple[Any, ...]]
+) -> None:
+    """Let what passes a list of things do what follows, not the last thing of the list."""
+    assert read(prompt) == expected
+
+
+def test_coloured_balls_are_among_those_counted() -> None:
+    """Take the white and the blue ball out of the four; keep them apart from "several"."""
+    told = "balls lie on a pool table. The red ball hits the blue ball."
+
+    def balls(prompt: str) -> int:
+        return sum("ball" in n for n in draft(prompt).spatial_relation_graph.nodes)
+
+    assert balls(f"Four billiard {told}") == 4
+    assert balls(f"Several billiard {told}") == 6
+
+
+def test_the_pin_behind_the_head_pin_stands_straight_behind_it() -> None:
+    """Let the first pin of the triangle hit the fifth, which is in line with it."""
+    prompt = "A bowling ball strikes the head pin, and the head pin hits the pin behind it."
+    doc = draft(prompt)
+    names = [n for n in doc.spatial_relation_graph.nodes if "pin" in n]
+    assert names.index("rear_pin_1") == 4
+    assert read(prompt)[:2] == [
+        ("Collision", "bowling_ball_1", "pin_1"),
+        ("Collision", "pin_1", "rear_pin_1"),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "target"),
+    [
+        ("A bus brakes and stops 5 m before a crosswalk.", "crosswalk_1"),
+        ("A car brakes and stops 2 m short of the stop line.", "stop_line_1"),
+    ],
+)
+def test_gaps_are_left_to_what_is_painted_on_the_road(prompt: str, target: str) -> None:
+    """Measure a stop from a crosswalk or a line as from a gate."""
+    doc = draft(prompt)
+    assert doc.timeline_system is not None
+    stop = doc.timeline_system.sequence_graph.nodes[-1]
+    assert [c.to for c in stop.constraints if c.quantity == "distance"] == [target]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "seconds"),
+    [
+        ("A car drives at 5 m/s into a wall 30 m ahead.", 6.0),
+        ("Two cars are 20 m apart and drive toward each other at 5 m/s until they collide.", 2.0),
+        ("A robot drives at 1.5 m/s and bumps into a pallet that lies 3 m in front of it.", 2.0),
+    ],
+)
+def test_windows_follow_from_a_stated_way_and_speed(prompt: str, seconds: float) -> None:
+    """Leave the time that the way takes, some of it on either side."""
+    doc = draft(prompt)
+    assert doc.timeline_system is not None
+    hit = next(n for n in doc.timeline_system.sequence_graph.nodes if n.event.value == "Collision")
+    assert hit.window is not None
+    assert hit.window[0] < seconds - 0.1
+    assert hit.window[1] > seconds + 0.1
+
+
+def test_balls_apart_that_roll_are_apart_at_the_start() -> None:
+    """Read "two balls 4 m apart roll" as a gap, not as the way of one of them."""
+    doc = draft("Two balls 4 m apart roll toward each other and collide after 2 seconds.")
+    edges = doc.spatial_relation_graph.edges.binary_relations
+    assert [e.distance_cm for e in edges if e.distance_cm is not None] == [400.0]
