@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from esg.draft.elements import Element, Mention, Verb, Word
 from esg.draft.gaps import word_at
+from esg.draft.headlines import heading
 from esg.draft.tellings import told_otherwise
 from esg.draft.verbphrases import verb_readings
 
@@ -34,6 +35,7 @@ def lighten(elements: list[Element]) -> list[Element]:
     while i < len(elements):
         used = (
             _versus(elements, i, out)
+            or heading(elements, i, out)
             or _title(elements, i, out)
             or _given(elements, i, out)
             or _received(elements, i, out)

@@ -75,6 +75,9 @@ class References(Anaphora):
             m = p.mention  # "Of four stacked tins, the top one is hit"
             if m is not None and not m.pronoun and m.start < f.subject.start:
                 self.ids(m)
+        for p in f.phrases if f.verb.sense == "reach" else []:
+            if p.mention is not None:
+                p.mention.after_prep = "to"  # "arrives at the depot": no scene, but where to
         subject = self._subject(f)
         self._made_to(f)
         if (f.verb.lemma in _DRIVING and f.object is None) or f.verb.sense == "overtake":

@@ -12,6 +12,7 @@ from esg.draft.comparisons import compare, compare_speeds
 from esg.draft.coverage import account, in_prompt
 from esg.draft.ellipsis import elide
 from esg.draft.expand import expand
+from esg.draft.headlines import spelled_out
 from esg.draft.interpret import Interpreter
 from esg.draft.light_verbs import lighten
 from esg.draft.modality import mark_unreal
@@ -67,7 +68,7 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     Raises:
         UserError: If the prompt is empty, too long, not English, or names no object.
     """
-    text = screen(prompt)
+    text = spelled_out(screen(prompt))
     tokens = join_modifiers(tokenize(text, pos_tags(text)), text)
     elements = drop_reports(drop_similes(Chunker(text, tokens).run()))
     elements = from_sheet(lighten(positioned(appose(own_nouns(elements)))))

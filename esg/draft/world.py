@@ -17,6 +17,13 @@ from esg.draft.members import Members
 from esg.draft.ranks import measured, same_quantity
 
 _BODYWORK = frozenset({"bonnet", "windscreen", "windshield", "tailgate"})
+_DURING = frozenset({"in", "at", "inside", "within", "around", "across", "of", "from"})
+_SCENES = frozenset(
+    {"harbor", "harbour", "port", "marina", "airport", "depot", "mine", "quarry", "zoo", "shipyard",
+     "racetrack", "speedway", "circus", "resort", "university", "college", "campus", "prison",
+     "seaport", "airfield", "rail yard", "railyard", "junkyard", "scrapyard", "carnival"}
+)  # fmt: skip
+"""Unknown names of where scenes take place."""
 _ON_THE_GREEN = frozenset({"on", "onto", "across", "over", "to", "at"})
 _STACKS = frozenset({"tower", "pyramid", "column"})
 """What things that have been stacked are together."""
@@ -76,6 +83,12 @@ class World(Members):
                 return list(self.groups[named[-1]])  # "a tower of cups ... the tower"
         if self.billiards and m.head in ("cushion", "rail"):
             m.attribute = True  # of the billiard table, which every ball touches anyway
+            return []
+        if self.billiards and m.head == "pool" and not m.determiner and m.after_prep in _DURING:
+            m.attribute = True  # "a break shot in pool"
+            return []
+        if m.noun is None and m.head in _SCENES and m.after_prep in _DURING:
+            m.attribute = True  # "collide in a harbor": where it takes place
             return []
         if self._arranges(m):
             m.attribute = True  # "in a triangle": how a plural stands, no object
