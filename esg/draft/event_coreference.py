@@ -29,7 +29,8 @@ class EventCoreference(Places):
 
         A second telling concerns the same things, and nothing has happened to them in between.
         """
-        if kind not in _RETOLD or _AGAIN.search(self._sentence(f)):
+        back = f.subordinate in ("after", "before") and f.verb.form == "ing"
+        if kind not in _RETOLD or (_AGAIN.search(self._sentence(f)) and not back):
             return ""
         among = set(participants)
         for node in reversed(self.tl.nodes):

@@ -24,6 +24,9 @@ _BATTING = frozenset({"bat", "swipe", "whisk", "poke", "paw"})
 _TOSSED = frozenset({"game", "tableware", "food", "ball", "billiard", "projectile", "electronics"})
 _BENDS = frozenset({"curve", "bend", "corner"})
 _ALONG_BENDS = frozenset({"around", "round", "through", "along"})
+_HELD = frozenset(
+    {"rope", "line", "reins", "rein", "handle", "handlebar", "leash", "lead", "wheel", "string"}
+)
 _STANDSTILLS = frozenset({"stop", "halt", "standstill", "rest"})
 _SURFACES = frozenset({"patch", "slick", "spot", "stretch"})
 """What a vehicle hits and drives over."""
@@ -329,6 +332,39 @@ def _stumbles_over(f: Frame) -> str:
     return "hit" if tripped else ""
 
 
+def _lets_the_rope_go(f: Frame) -> str:
+    """ "The skier lets go of the rope": nothing falls."""
+    m = f.object
+    held = m is not None and m.head in _HELD and f.verb.sense == "drop" and not f.verb.passive
+    nothing = m is None and f.verb.lemma == "let" and _kind(f.subject) == "person" and not f.phrases
+    return "noop" if held or nothing else ""
+
+
+def _jams(f: Frame) -> str:
+    """ "The cable jams": nothing is hit."""
+    met = f.object is not None or any(p.mention is not None for p in f.phrases)
+    alone = f.verb.lemma in ("jam", "stick", "snag") and f.verb.sense == "hit"
+    return "noop" if alone and not met and not f.verb.passive else ""
+
+
+def _from_one_to_the_next(f: Frame) -> str:
+    """ "leaps from rock to rock": a way, no arrival."""
+    start, end = f.phrase("from"), f.phrase("to")
+    a, b = (p.mention if p is not None else None for p in (start, end))
+    if a is not None and b is not None and a.head and a.head == b.head and not b.determiner:
+        f.phrases = [p for p in f.phrases if p is not start and p is not end]
+    return ""
+
+
+def _steers(f: Frame) -> str:
+    """ "Somebody steers the raft": no turn without a side."""
+    sides = {"left", "right", "round", "around", "away", "back", "clockwise"}
+    named = {p.mention.head for p in f.phrases if p.mention is not None}
+    if f.verb.lemma != "steer" or f.verb.sense != "turn" or f.object is None:
+        return ""
+    return "" if sides & {*f.adverbs, *named} or "dir" in f.verb.extra else "own"
+
+
 def _into_the_water(f: Frame) -> str:
     """ "comes down in the river": a descent that ends there."""
     wet = f.phrase("in", "into")
@@ -343,6 +379,7 @@ _READINGS: tuple[Callable[[Frame], str], ...] = (
     _bats_off, _is_let_go, _gets_there, _flies_over, _takes_along, _pulled_over,
     _not_avoided, _leaves_alone, _runs_onto_the_street, _follows_a_bend,
     _to_a_stop, _stumbles_over, _into_the_water,
+    _lets_the_rope_go, _jams, _from_one_to_the_next, _steers,
 )  # fmt: skip
 
 

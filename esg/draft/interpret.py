@@ -292,6 +292,9 @@ class Interpreter(References):
         two = list(dict.fromkeys(i for i in fit if self._aimable(i)))[:2]
         for actor in subject[:1]:
             for other in reversed(two):
+                pair = (NodeEvent.MISS, (actor, other))
+                if any((n.event, n.participants) == pair for n in self.tl.nodes):
+                    continue  # "drives past a cat and a dog. It hits neither"
                 self._do_miss(replace(f, object=None), [actor], [other])
         self.use(f, "misses")
 

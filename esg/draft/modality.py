@@ -32,6 +32,7 @@ _COUNTERFACTUAL = re.compile(
     re.IGNORECASE,
 )
 _ENDS = re.compile(r"[.;!?\n]")
+_NOBODY = re.compile(r"\b(?:nobody|no[ -]one)\s+$", re.IGNORECASE)
 _NO_ONE = re.compile(r"\bno[ -]one$", re.IGNORECASE)
 
 _WISHES = frozenset(
@@ -89,6 +90,8 @@ def mark_unreal(frames: list[Frame], text: str) -> None:
             f.subject.head in ("nothing", "nobody") or _NO_ONE.search(text, 0, f.subject.end)
         ):
             f.unreal = "nothing does it"
+        if f.subject is None and _NOBODY.search(text, max(0, f.verb.start - 12), f.verb.start):
+            f.unreal = "nobody does it"
 
 
 def _reason(f: Frame, earlier: list[Frame], later: list[Frame], text: str) -> str:

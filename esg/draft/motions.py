@@ -158,6 +158,18 @@ class Motions(Leftovers):
             else:
                 self._own(actor, speed, prescribed, target)
 
+    @staticmethod
+    def each_passed(f: Frame, o: list[str]) -> list[str]:
+        """What is passed one by one: "a bus and a van", "both"; of a plural its first member."""
+        m = f.object
+        if m is None or f.verb.passive:
+            return o[:1]
+        if m.pronoun in ("both", "each") or m.determiner in ("both", "each"):
+            return o[:3]
+        named = [x.entities[0] for x in (m, *m.coordinated) if x.entities and not x.attribute]
+        listed = [i for i in dict.fromkeys(named) if i in o]
+        return listed if m.coordinated and len(listed) > 1 else o[:1]
+
     def _natural(self, actor: str) -> str:
         kind = self.kind(actor)
         if kind in SELF_POWERED:

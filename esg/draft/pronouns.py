@@ -94,6 +94,7 @@ class Pronouns(Choices):
             if two:
                 return two
             keep = m.count if m.count in (1, 2, 3) and p in ("them", "these", "those") else None
+            keep = m.count if p == "ones" and not m.adjectives else keep  # "eleven run out"
             for ids in reversed(pool):
                 if len(ids) > 1 and (subject or not set(ids) <= set(avoid)):
                     return list(ids)[:keep]
@@ -134,6 +135,10 @@ class Pronouns(Choices):
                 if len(ids) == 1 and "structural" not in self.entities[ids[0]].noun.traits:
                     return list(ids)
         if p in ("one", "another", "other"):
+            if (p == "other" or "other" in m.adjectives) and m.determiner == "the":
+                other = self._other_of_one(m)
+                if other:
+                    return other
             named = next((a for a in m.adjectives if a in ORDINALS), None)
             like = before_this(named, avoid, self.entities)
             if like:
@@ -172,6 +177,22 @@ class Pronouns(Choices):
                 grown = p == "it" and all(self._grown_up(i) for i in ids)
                 return [] if grown else list(ids)
         return []
+
+    def _other_of_one(self, m: Mention) -> list[str]:
+        """ "One forklift waits; the other one drives off": a second forklift."""
+        alone = [e for e in self.entities.values() if e.label.lower().startswith("one ")]
+        if len(alone) != 1 or self.groups:
+            return []
+        model = alone[0]
+        like = [e for e in self.entities.values() if e.noun == model.noun and e.id != model.id]
+        if like:
+            return [like[0].id] if len(like) == 1 else []
+        return [
+            self.add(
+                model.noun, model.head, adjectives=["other"], label=f"other {model.head}",
+                known=model.known, origin=m.start,
+            ).id
+        ]  # fmt: skip
 
     def _grown_up(self, i: str) -> bool:
         """Whether "it" is no word for a person ("the child ... it" is one)."""

@@ -177,7 +177,7 @@ class ContactSenses(FallSenses):
         tail = f.phrase("off")
         if tail is not None and tail.mention is not None and targets:
             self._outcomes(f, targets[:1])
-        elif o and f.phrase("into", "onto", "toward", "towards") is not None and nodes:
+        elif o and f.phrase("into", "onto", "toward", "towards", "against") is not None and nodes:
             self._knock_on(f, targets[:1])
 
     def _whose_way(self, f: Frame, struck: list[str]) -> list[str]:

@@ -302,6 +302,10 @@ class ControlSenses(OutcomeSenses):
         """Whether the subject brings something else to a stop."""
         moved = self.tl.tracks.get(s[0])
         own = moved is not None and moved.motion is not None
+        going = self.tl.tracks.get(o[0])
+        afoot = self.kind(s[0]) in ("person", "animal", "robot")
+        if own and afoot and going is not None and going.motion is not None:
+            return self.movable(o[0])  # "runs after the cart and stops it"
         return f.object is not None and not own and self.movable(o[0])
 
     def _under_way(self, body: str) -> bool:

@@ -159,7 +159,9 @@ class FallSenses(LaunchSenses):
         decks = [i for i, e in self.world.entities.items() if is_deck(e)]
         told = any(n.event is NodeEvent.FALL and thing in n.participants for n in self.tl.nodes)
         host = self.scene.supported_by.get(thing)
-        if len(decks) != 1 or told or thing in decks or self._airborne(thing):
+        towed = [r for r in self.scene.relations if r.source == thing and r.kind == "behind"]
+        afloat = any(self.kind(r.target) == "watercraft" for r in towed)
+        if len(decks) != 1 or told or thing in decks or self._airborne(thing) or afloat:
             return
         if host is None:
             self.place([thing], decks, "on")

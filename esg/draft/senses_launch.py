@@ -32,11 +32,13 @@ class LaunchSenses(StateSenses):
                 ball = self._at_hand(s)
                 if ball and f.verb.lemma not in ("push", "shove"):
                     agents, things = s, [ball]  # "he shoots again"
-        off, thrown = f.phrase("off"), things
+        off, thrown = f.phrase("off", "out"), things
         if not o and off is not None and off.mention is not None:
             thrown = off.mention.entities  # "throws off the rider"
         elsewhere = any(p is not off for p in f.phrases)
-        if not f.verb.passive and not elsewhere and self._throws_off(s, thrown):
+        out = off is not None and off.prep == "out" and not o and len(s) == 1
+        out = out and bool(thrown) and self.kind(s[0]) != "person"  # "tips over, throwing out ..."
+        if not f.verb.passive and not elsewhere and (out or self._throws_off(s, thrown)):
             for thing in thrown:
                 self.event(NodeEvent.FALL, (thing,), f, self._time(f))
             return
@@ -82,8 +84,9 @@ class LaunchSenses(StateSenses):
         if s and by and not handed:
             self._start_motion(f, [x for x in s if self.movable(x)])
             o = o or self._passed_by(f, s)
-            for other in o[:1]:
-                self.place(s, [other], "behind")
+            for other in self.each_passed(f, o):
+                if other == o[0]:
+                    self.place(s, [other], "behind")
                 self.event(NodeEvent.MISS, (s[0], other), f, self._time(f), stem="passes")
             self.use(f, "passing")
             return

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from esg.draft.frames import Frame
-from esg.draft.scene import SELF_POWERED, STRUCK
+from esg.draft.scene import SELF_POWERED, STRUCK, Relation
 from esg.draft.senses_steer import SteerSenses
 from esg.graph.models import NodeEvent
 
@@ -98,7 +98,13 @@ class MotionSenses(SteerSenses):
         for actor in s:
             if o:
                 self.aim.setdefault(actor, o[0])
-                self.place([actor], o, "behind")
+                gap = self.quantity(f, "length")
+                if gap is not None and gap[0] == "at" and actor not in self.scene.travel:
+                    relation = Relation(actor, o[0], "behind", gap[1].value)
+                    self.scene.relations.append(relation)  # "follows it at a distance of 15 m"
+                    self.use(gap[1], "distance")
+                else:
+                    self.place([actor], o, "behind")
                 track = self.tl.tracks.get(o[0])
                 if (track is None and self.movable(o[0])) or (
                     track is not None

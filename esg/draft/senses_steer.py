@@ -166,9 +166,10 @@ class SteerSenses(ControlSenses):
             track = self.tl.tracks.get(actor)
             if track is None or track.motion is None:
                 self._start_motion(f, [actor])
-            for other in o[:1]:
+            for other in self.each_passed(f, o):
                 if other != actor and not self.structural(other):
-                    self.place([actor], [other], "behind")
+                    if other == o[0]:
+                        self.place([actor], [other], "behind")
                     self.event(NodeEvent.MISS, (actor, other), f, self._time(f), stem="overtakes")
         self.use(f, "overtaking")
 

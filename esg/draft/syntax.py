@@ -98,7 +98,7 @@ class Chunker(NounPhrases):
                     return j
             self.elements.append(Word(token.start, token.end, "prep", "to"))
             return i + 1
-        if low in ("which", "who", "whose") or (
+        if low in ("which", "who", "whose", "whom") or (
             low == "that"
             and isinstance(self._previous(), Mention)
             and (self._verb_ahead(i + 1) or self._clause_of_noun(i))

@@ -234,6 +234,7 @@ _phrase(
     "lose", r"(?:control|traction|grip|(?:its|his|her|their)\s+(?:grip|balance|footing))", "noop"
 )
 _phrase("catch", r"fire", "noop")
+_phrase("catch", r"up\s+(?:with|to)", "approach")
 _phrase("stick", r"(?:in|into|to)", "hit")
 _phrase("run", r"out(?!\s+of)", "own")
 _phrase("fall", r"apart|asleep|silent", "noop")

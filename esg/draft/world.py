@@ -27,6 +27,7 @@ _SCENES = frozenset(
 _ON_THE_GREEN = frozenset({"on", "onto", "across", "over", "to", "at"})
 _STACKS = frozenset({"tower", "pyramid", "column"})
 """What things that have been stacked are together."""
+_ANIMAL_PARTS = frozenset({"beak", "paw", "hoof", "snout", "wing", "tail", "horn", "trunk", "claw"})
 _CABS = frozenset({"cab", "cabin", "cockpit"})
 """Parts where somebody sits; words for buildings, too, unless they are somebody's."""
 _BEHIND_THE_HEAD = 4
@@ -280,9 +281,17 @@ class World(Members):
         ):
             word = {"his": "he", "her": "she", "its": "it", "their": "they"}[m.determiner]
             ids = self._pronoun(Mention(m.start, m.end, pronoun=word), subject, avoid)
+            if m.head in _ANIMAL_PARTS and word == "it":
+                ids = self._last_animal() or ids  # "a boy in a boat throws a crust at its wing"
             person = all(self.entities[i].noun.kind == "person" for i in ids)
             return list(avoid) if ids and person and word == "it" else ids
         return []
+
+    def _last_animal(self) -> list[str]:
+        """The animal or aircraft that was named last."""
+        named = (i for ids in reversed(self.salience) for i in ids if i in self.entities)
+        winged = (i for i in named if self.entities[i].noun.kind in ("animal", "flyer"))
+        return [i for i in (next(winged, ""),) if i]
 
     def _of_a_file(self) -> bool:
         """Whether a plural was named that one can lead ("three lorries ... the leader")."""

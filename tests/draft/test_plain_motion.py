@@ -93,6 +93,64 @@ from tests.draft.told import events
             ],
         ),
         ("A balloon sinks and comes down in a lake.", [("EnterRegion", "balloon_1")]),
+        # the other of one
+        (
+            "One boat turns left, the other hits a pier.",
+            [("HeadingReached", "boat_1"), ("Collision", "boat_2", "pier_1")],
+        ),
+        # what nobody does
+        ("Nobody stops the cart, and it hits a wall.", [("Collision", "cart_1", "wall_1")]),
+        # each of those that are passed
+        (
+            "A car passes a bus and a van.",
+            [("Miss", "car_1", "bus_1"), ("Miss", "car_1", "van_1")],
+        ),
+        (
+            "Two vans drive. A car overtakes both.",
+            [("Miss", "car_1", "van_1"), ("Miss", "car_1", "van_2")],
+        ),
+        # who stops it runs after it
+        ("A dog chases a cart and stops it.", [("Stop", "cart_1")]),
+        # on its back
+        (
+            "Two boars collide, and the smaller one is thrown onto its back.",
+            [("Collision", "boar_1", "boar_2"), ("Topple", "boar_1")],
+        ),
+        # told again, though the sentence has "again"
+        (
+            "A van drives into a garage and drives out again 9 s after driving into it.",
+            None,
+        ),
+        ("The rower steers the raft, and it hits a rock.", [("Collision", "raft_1", "rock_1")]),
+        ("The diver lets go of the rope and hits a buoy.", [("Collision", "diver_1", "buoy_1")]),
+        (
+            "A chamois leaps from rock to rock and hits a bush.",
+            [("Collision", "chamois_1", "bush_1")],
+        ),
+        ("The door jams, and a dog hits a box.", [("Collision", "dog_1", "box_1")]),
+        # the hive of the beehive
+        (
+            "A goat hits a beehive, and the hive falls over.",
+            [("Collision", "goat_1", "beehive_1"), ("Topple", "beehive_1")],
+        ),
+        # against what it is crushed
+        (
+            "A cart crushes a basket against a wall.",
+            [("Collision", "cart_1", "basket_1"), ("Collision", "basket_1", "wall_1")],
+        ),
+        # the middle of three
+        (
+            "Three carts stand in a row. A bus hits the middle one.",
+            [("Collision", "bus_1", "cart_2")],
+        ),
+        (
+            "A sled hits a stump and tips over, throwing out a bag.",
+            [("Collision", "sled_1", "stump_1"), ("Topple", "sled_1"), ("Fall", "bag_1")],
+        ),
+        (
+            "A goat trots past two huts. A boy in the second hut throws a nut that hits its tail.",
+            None,
+        ),
     ],
 )
 def test_reading(prompt: str, expected: list[tuple[Any, ...]] | None) -> None:
