@@ -218,8 +218,6 @@ class Choices(Registry):
             level = self._of_stack(m, [self.entities[i] for i in stacks[-1]]) if stacks else []
             if level:
                 return level
-        if len(last_group or ()) > 2 and "middle" in m.adjectives:
-            return [last_group[len(last_group) // 2]]
         if last_group and "next" in m.adjectives:
             return last_group[1:2]
         if last_group:

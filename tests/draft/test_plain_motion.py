@@ -141,7 +141,7 @@ from tests.draft.told import events
         # the middle of three
         (
             "Three carts stand in a row. A bus hits the middle one.",
-            [("Collision", "bus_1", "cart_2")],
+            [("Collision", "bus_1", "middle_cart_1")],
         ),
         (
             "A sled hits a stump and tips over, throwing out a bag.",
