@@ -118,7 +118,8 @@ class Acts(Edges):
                 ):
                     slips = p.prep == "off" and f.verb.sense in ("roll", "slide", "fall", "drop")
                     high = self._elevated(other) or (slips and self._carries(other, actor))
-                    if high and (p.prep != "over" or p.mention.part):
+                    high = high or (p.prep == "off" and f.verb.lemma in ("jump", "leap", "hop"))
+                    if high and self.movable(actor) and (p.prep != "over" or p.mention.part):
                         self.place([actor], [other], "on")
                         self.event(NodeEvent.FALL, (actor,), f, time)
                         fallen.add(actor)

@@ -6,6 +6,7 @@ from esg.draft.elements import Mention
 from esg.draft.entities import ORDINALS, Entity
 from esg.draft.frames import Frame
 from esg.draft.nominals import RETOLD_NOUNS
+from esg.draft.persons import of_other_gender
 from esg.draft.scene import SELF_POWERED
 from esg.draft.senses_motion import MotionSenses
 
@@ -138,7 +139,14 @@ class Anaphora(MotionSenses):
         if m is None or m.pronoun != "it" or id(m) in self.world.resolved or before is None:
             return
         sent = before.object.entities if before.object is not None else []
-        if f.relative and before.verb.sense == "launch" and len(sent) == 1 and sent != subject:
+        to = before.phrase("to", "toward", "towards")
+        arrives = to is not None and to.mention is f.subject
+        arrives = arrives and (before.object is None or before.verb.lemma == "come")
+        arrives = arrives and before.verb.sense != "launch"
+        if f.relative and arrives and before.subject is not None and f.verb.sense == "launch":
+            sent = before.subject.entities  # "comes off the post to a player, who shoots it in"
+        launched = before.verb.sense == "launch" or arrives
+        if f.relative and launched and len(sent) == 1 and sent != subject:
             self.world.resolved[id(m)] = m.entities = list(sent)
 
     def _it_again(self, f: Frame, subject: list[str]) -> None:
@@ -179,9 +187,15 @@ class Anaphora(MotionSenses):
         """ "A barrel rolls off a cart after the cart hits a stone. It rolls on": the barrel."""
         m = f.subject
         main, last = self._mains.get(f.sentence - 1, ([], []))
-        if m is None or m.pronoun != "it" or id(m) in self.world.resolved:
+        if m is None or m.pronoun not in ("it", "he", "she") or id(m) in self.world.resolved:
             return
         if not f.start_of_sentence or len(main) != 1 or not last or last == main:
+            return
+        if m.pronoun != "it":  # "A nurse comes out as a guest gets up. She brakes": the nurse
+            who = self.world.entities.get(main[0])
+            person = who is not None and who.noun.kind == "person"
+            if person and who is not None and not of_other_gender(m.pronoun, who.head):
+                self.world.resolved[id(m)] = m.entities = list(main)
             return
         if f.verb.sense in ("fall", "topple") or main[0] not in self.world.entities:
             return

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from esg.draft import lexicon as lex
+from esg.draft.contrasts import contrasting
 from esg.draft.elements import Mention
 from esg.draft.entities import FRONT, ORDINALS, REAR, STACKED, Entity, slug
 from esg.draft.positions import NEIGHBOUR
@@ -129,6 +130,18 @@ class Choices(Registry):
             return found
         if heavy := [e.id for e in comparable if same_quantity(m, e, self.facts)]:
             return heavy[:1]  # "the 5 kg one"
+        same, unlike = contrasting(m, self.entities.values())
+        if same and same not in avoid:
+            return [same]
+        if unlike is not None:  # "the heavy book hits the light one"
+            named = [a for a in m.adjectives if not a.startswith("@")]
+            label = " ".join([*named, unlike.head])
+            return [
+                self.add(
+                    unlike.noun, unlike.head, adjectives=named, label=label,
+                    known=unlike.known, origin=m.start,
+                ).id
+            ]  # fmt: skip
         for a in m.adjectives:
             for group in reversed(list(self.groups.values())):
                 for i in group:

@@ -46,6 +46,8 @@ class Mention:
     group_word: str = ""
     single: bool = False
     """ "one of the three eggs": a single member."""
+    subset: int = 0
+    """2 in "two of the ten pins": how many members."""
     stacked: bool = False
     """ "the top crate of the stack": one level of a stack."""
     counted_from: str = ""

@@ -22,6 +22,7 @@ _STEERED = _TRAVELLING | frozenset({"watercraft", "flyer", "toyvehicle", ""})
 _ROUND = frozenset({"ball", "billiard", "sliding", "projectile"})
 _BATTING = frozenset({"bat", "swipe", "whisk", "poke", "paw"})
 _TOSSED = frozenset({"game", "tableware", "food", "ball", "billiard", "projectile", "electronics"})
+_LOOSE_GROUND = frozenset({"snow", "sand", "gravel", "earth", "soil", "mud", "rubble"})
 _BENDS = frozenset({"curve", "bend", "corner"})
 _ALONG_BENDS = frozenset({"around", "round", "through", "along"})
 _HELD = frozenset(
@@ -265,6 +266,28 @@ def _gets_there(f: Frame) -> str:
     return "reach" if there and f.object is None and not f.phrases else ""
 
 
+def _ground_that_slides(f: Frame) -> str:
+    """ "Snow slides off the roof": a heap of it, not the ground."""
+    m = f.subject
+    off = f.phrase("off", "from", "onto", "down") is not None
+    loose = m is not None and m.head in _LOOSE_GROUND and _structural(m)
+    if loose and m is not None and f.verb.sense in ("slide", "fall") and off:
+        m.noun, m.known = None, False
+    return ""
+
+
+def _deflects(f: Frame) -> str:
+    """ "A defender deflects it with his arm": it hits him."""
+    deflects = f.verb.lemma == "deflect" and f.verb.sense == "bounce" and not f.verb.passive
+    return "hit" if deflects and _thing(f.object) else ""
+
+
+def _dribbles(f: Frame) -> str:
+    """ "A striker dribbles past a defender": a way that he goes, with a ball of his own."""
+    runs = f.verb.lemma == "dribble" and f.verb.sense == "launch" and not f.verb.passive
+    return "own" if runs and f.object is None and _kind(f.subject) == "person" else ""
+
+
 def _flies_over(f: Frame) -> str:
     """ "The ball goes over": no ball topples."""
     goes = f.verb.lemma == "go" and f.verb.sense == "topple" and f.object is None
@@ -274,6 +297,8 @@ def _flies_over(f: Frame) -> str:
 def _buries(f: Frame) -> str:
     """ "A plough buries a bicycle": under what it moves, not by a hit."""
     buries = f.verb.lemma == "bury" and f.verb.sense == "hit" and not f.verb.extra
+    slides = f.subject is not None and f.subject.head in ("snow", "sand", "mud", "rubble", "debris")
+    buries = buries and not slides
     return "noop" if buries and _kind(f.subject) in ("vehicle", "person", "animal") else ""
 
 
@@ -376,7 +401,8 @@ _READINGS: tuple[Callable[[Frame], str], ...] = (
     _takes_out, _parts, _breaks_it, _shuts_on, _steps_on, _jumps_on, _lets_off, _tosses,
     _hits_ground, _buries, _swings_round, _against, _knocks_over,
     _comes_down, _brought_down, _speed_changes, _stands_still,
-    _bats_off, _is_let_go, _gets_there, _flies_over, _takes_along, _pulled_over,
+    _bats_off, _is_let_go, _gets_there, _deflects, _dribbles, _ground_that_slides,
+    _flies_over, _takes_along, _pulled_over,
     _not_avoided, _leaves_alone, _runs_onto_the_street, _follows_a_bend,
     _to_a_stop, _stumbles_over, _into_the_water,
     _lets_the_rope_go, _jams, _from_one_to_the_next, _steers,

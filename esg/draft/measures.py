@@ -45,6 +45,13 @@ _COMPILED = {
 }
 
 
+_ON_A_SLOPE = re.compile(
+    r"\b(?:down|up|on|onto|off|along|over|across|from|of|to|into)\s+(?:an?|the|its|this)\s+"
+    r"[\d.]+[\s-]*(?:degrees?|deg|°)$",
+    re.IGNORECASE,
+)
+
+
 def suffix(text: str, at: int, dimension: str) -> tuple[int, str]:
     """Where a quantity's words end, and what they say it measures.
 
@@ -56,6 +63,8 @@ def suffix(text: str, at: int, dimension: str) -> tuple[int, str]:
     Returns:
         The end, and diameter, side, start (a time counted from the start of the scene) or "".
     """
+    if dimension == "angle" and _ON_A_SLOPE.search(text, max(0, at - 40), at):
+        return at, ""  # "down a 5-degree slope": a thing
     for pattern, measure in _COMPILED.get(dimension, ()):
         m = pattern.match(text, at)
         if m is not None:

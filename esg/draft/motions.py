@@ -250,6 +250,7 @@ class Motions(Leftovers):
                 came = actor in self.came_down and f.verb.lemma in ("roll", "tumble")
                 slid = slid or (came and self._lies_on_something(actor))
                 held = actor in self.scene.supported_by or self.e(actor).pattern == "stack"
+                held = held or (actor in fresh and self._tipped(actor))
                 if held or slid:
                     self.event(NodeEvent.FALL, (actor,), f, self._time(f))
         duration = next((a for p, a in self.amounts(f) if self._lasts(p, a)), None)
@@ -307,6 +308,17 @@ class Motions(Leftovers):
                     for other in actors:
                         if other != one:
                             self.scene.relations.append(Relation(one, other, kind))
+
+    def _tipped(self, actor: str) -> bool:
+        """ "The seesaw tips and a boy slides off": from what has just toppled."""
+        last = self.tl.node(self.tl.last_event or "")
+        tipped = last is not None and last.event is NodeEvent.TOPPLE
+        if not tipped or last is None or actor in last.participants:
+            return False
+        host = last.participants[0]
+        if self._fits_on(actor, host):
+            self.place([actor], [host], "on")
+        return self.kind(host) not in ("person", "animal")
 
     def _on_what_was_hit(self, f: Frame, things: list[str]) -> None:
         """ "pushed into a shelf, causing three jars to fall down": they stood on the shelf."""

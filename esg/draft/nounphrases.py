@@ -6,6 +6,7 @@ from esg.draft import lexicon as lex
 from esg.draft.elements import Mention, Word
 from esg.draft.nominals import RETOLD_NOUNS
 from esg.draft.nounstarts import EXTENTS, NounStarts
+from esg.draft.numerals import parse_number
 from esg.draft.ranks import ALONE
 from esg.draft.verbphrases import verb_readings
 
@@ -64,6 +65,9 @@ class NounPhrases(NounStarts):
             j += 2
         elif low in ("all", "both") and self._low(j + 1) in lex.DETERMINERS:
             j += 1
+        elif self._part_of_plural(j):
+            m.subset = int(parse_number(low) or 0)
+            j += 2
         # determiner
         if self._low(j) in lex.DETERMINERS:
             m.determiner = self._low(j)
@@ -222,7 +226,8 @@ class NounPhrases(NounStarts):
             if m.determiner == "the" and m.adjectives and m.adjectives[-1] in ALONE:
                 nxt = self._low(j + 1)
                 after = nxt in lex.PRONOUNS or nxt in lex.DETERMINERS
-                after = after or (noun is None and nxt in lex.PREPOSITIONS - {"of"})
+                plural = noun is None or (ends_in_s and m.count is None)
+                after = after or (plural and nxt in (lex.PREPOSITIONS | lex.ADVERBS) - {"of"})
                 if after and any(r.form == "s" for r in verb_readings(token.low)):
                     m.pronoun, m.end = "one", tokens[j - 1].end  # "the second hits it"
                     m.text = self.text[m.start : m.end]

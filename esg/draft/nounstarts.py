@@ -19,6 +19,9 @@ _OF_A_SIZE = frozenset(
 """Words in front of an amount that no noun follows."""
 
 
+_OWNED_BY = frozenset({"the", "these", "those", "its", "his", "her", "their"})
+
+
 class NounStarts(NounHeads):
     """Questions about the first words of a noun phrase."""
 
@@ -144,6 +147,18 @@ class NounStarts(NounHeads):
         if noun is None or noun[2] or m.determiner != "the" or value < 2:
             return False
         return noun[0].kind in ("pin", "billiard")
+
+    def _part_of_plural(self, j: int) -> bool:
+        """ "two of the ten pins": some of a plural that a noun names."""
+        value = parse_number(self._low(j)) if self._low(j) not in ("a", "an", "half") else None
+        few = isinstance(value, float) and value.is_integer() and 2 <= value <= 12
+        if not few or self._low(j + 1) != "of" or self._low(j + 2) not in _OWNED_BY:
+            return False
+        for k in range(j + 3, min(j + 7, len(self.tokens))):
+            noun = self._match_noun(k)
+            if noun is not None:
+                return noun[2] or self._match_noun(k + noun[1]) is not None
+        return False
 
     def _finite_verb(self, j: int) -> bool:
         """ "going 60 hits a wall": a verb with its object, not sixty of something."""

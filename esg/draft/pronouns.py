@@ -45,7 +45,8 @@ class Pronouns(Choices):
         if p in ("i", "we", "you", "something", "everything"):
             return []
         if p == "another" and not self.groups:
-            last = self.salience[-1] if self.salience and m.after_prep == "to" else []
+            told = (ids for ids in reversed(self.salience) if not set(ids) <= {*avoid})
+            last = next(told, []) if not subject else []
             one = len(last) == 1 and self.entities[last[0]].label.lower().startswith("one ")
             others = (
                 last if one else avoid or (self.subjects[-1] if subject and self.subjects else [])
@@ -64,6 +65,9 @@ class Pronouns(Choices):
                 return [other.id]
         if p == "ones" and m.count and m.count > 1 and "other" in m.adjectives and avoid:
             known = self.groups.get(self.entities[avoid[0]].group or "", [])
+            rest = [i for i in known if i not in avoid]
+            if len(rest) == m.count:
+                return rest  # "one of three skaters takes the other two down"
             if not known and "structural" not in self.entities[avoid[0]].noun.traits:
                 like = self.entities[avoid[0]]
                 return self._create(

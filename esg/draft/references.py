@@ -9,7 +9,9 @@ from esg.draft.entities import ACTING_PARTS
 from esg.draft.frames import Frame
 from esg.draft.scene import SELF_POWERED
 
-_FLYING_ON = frozenset({"bounce", "roll", "slide", "fly", "enter", "spin"})
+_FLYING_ON = frozenset(
+    {"bounce", "roll", "slide", "fly", "enter", "spin", "stop", "miss", "reach", "continue"}
+)
 """Senses of "it" after a throw that are about the thing thrown."""
 _HALTING = frozenset(
     {"stop", "catch", "grab", "avoid", "dodge", "intercept", "block", "follow", "pick", "lift",
@@ -320,7 +322,8 @@ class References(Anaphora):
 
     def _sends(self, f: Frame) -> bool:
         """ "slides the glass down the bar, and it knocks a cup off": the glass."""
-        return f.verb.sense == "knock" and f.object is not None and not f.verb.passive
+        acts = f.verb.sense in ("knock", "hit") and f.object is not None and not f.verb.passive
+        return acts and f.object is not None and f.object.pronoun != "it"
 
     def _as_one(self, things: list[str]) -> bool:
         """Whether several things go by one name ("a tower of blocks")."""

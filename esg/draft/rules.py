@@ -9,6 +9,7 @@ from esg.draft.appositions import appose
 from esg.draft.build import DocumentBuilder, is_restricted
 from esg.draft.clauses import ClauseBuilder
 from esg.draft.comparisons import compare, compare_speeds
+from esg.draft.coordination import coordinate
 from esg.draft.coverage import account, in_prompt
 from esg.draft.ellipsis import elide
 from esg.draft.expand import expand
@@ -71,7 +72,7 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     text = spelled_out(screen(prompt))
     tokens = join_modifiers(tokenize(text, pos_tags(text)), text)
     elements = drop_reports(drop_similes(Chunker(text, tokens).run()))
-    elements = from_sheet(lighten(positioned(appose(own_nouns(elements)))))
+    elements = from_sheet(lighten(positioned(appose(coordinate(own_nouns(elements))))))
     elements = mark_persons(absolutes(elide(verbalize(reorder(elements, text)))))
     clauses = ClauseBuilder(elements)
     clauses.run()

@@ -136,11 +136,19 @@ class MotionSenses(SteerSenses):
         self._motion(f, s, None)
 
     def _do_leave(self, f: Frame, s: list[str], o: list[str]) -> None:
+        flung = (
+            bool(s)
+            and self.kind(s[0]) in STRUCK | {"sliding", "rock"}
+            and not self._moved_by_others(s[0])
+        )
+        if flung and self.quantity(f, "angle") is not None:
+            self._motion_of_things(f, s, "throw")  # "leaves the boot at an angle of 30 degrees"
+            return
         self._motion(f, s, None)
 
     def _pushes(self, f: Frame, s: list[str], o: list[str]) -> bool:
         """ "hits a bale, rolling it into a fence": the object is moved by the hit."""
-        if s and o and self.kind(s[0]) != "person" and s[0] != o[0]:
+        if s and o and self.kind(s[0]) != "person" and s[0] != o[0] and self.movable(o[0]):
             self._do_knock(f, s, o)
             self.use(f, "consequence of the collision")
             return True

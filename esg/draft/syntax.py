@@ -394,7 +394,8 @@ class Chunker(NounPhrases):
                 return False  # "stops before the wall and turns", "just before a gate but hits it"
             readings = verb_readings(t.low)
             if (readings or t.low in lex.MODALS) and (
-                self._low(j) not in lex.nouns() or self._low(j - 1) not in lex.DETERMINERS
+                (self._low(j) not in lex.nouns() and self._low(j) not in lex.ATTRIBUTES)
+                or self._low(j - 1) not in lex.DETERMINERS
             ):
                 if t.low in lex.nouns() and j == i + 1:
                     return any(r.form == "ing" for r in readings)

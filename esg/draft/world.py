@@ -57,7 +57,11 @@ class World(Members):
                 ids = self._picked(m, ids)
             elif m.single and len(ids) > 1:
                 ids = ids[:1]
+            elif m.subset and len(ids) > m.subset:
+                ids = ids[: m.subset]
             for other in m.coordinated:
+                if other.pronoun == "another" and m.text.lower().startswith("one "):
+                    self.note(ids)  # "hits one tin, then another"
                 extra = self.resolve(other, avoid=avoid)
                 ids = ids + [e for e in extra if e not in ids]
             self.resolved[key] = ids

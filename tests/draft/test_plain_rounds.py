@@ -76,6 +76,83 @@ from tests.draft.told import events
             "Three cubes are stacked. A ball hits the whole tower.",
             [("Collision", "ball_1", "cube_1")],
         ),
+        # what was sent off is what "it" is
+        (
+            "A girl rolls a hoop toward a bench, and it stops in front of the bench.",
+            [("Stop", "hoop_1")],
+        ),
+        (
+            "A man pushes a trolley toward a lift, and it hits a bin.",
+            [("Collision", "man_1", "trolley_1"), ("Collision", "trolley_1", "bin_1")],
+        ),
+        (
+            "The ball rolls to a striker, who shoots it into the goal.",
+            [("EnterRegion", "ball_1")],
+        ),
+        # one that an adjective tells apart
+        (
+            "The wooden cube bumps the plastic one and knocks it over.",
+            [
+                ("Collision", "cube_1", "cube_2"),
+                ("Topple", "cube_2"),
+            ],
+        ),
+        (
+            "A stone flies past one tin and hits another.",
+            [("Miss", "stone_1", "tin_1"), ("Collision", "stone_1", "second_tin_1")],
+        ),
+        # nouns and verbs that a conjunction leaves out
+        (
+            "The green ball does not touch the post, but the yellow one does.",
+            [("Miss", "green_ball_1", "post_1"), ("Collision", "yellow_ball_1", "post_1")],
+        ),
+        (
+            "The left and the right cart hit a wall.",
+            [("Collision", "left_cart_1", "wall_1"), ("Collision", "right_cart_1", "wall_1")],
+        ),
+        (
+            "The rider on the black horse stops, the one on the white horse jumps over the fence "
+            "and hits a gate.",
+            [("Stop", "black_horse_1"), ("Collision", "white_horse_1", "gate_1")],
+        ),
+        # some of a plural
+        (
+            "A cart hits two of the five bins.",
+            [("Collision", "cart_1", "bin_1")],
+        ),
+        (
+            "One of the three boys slides and takes the other two down.",
+            [
+                ("Collision", "boy_1", "boy_2"),
+                ("Collision", "boy_1", "boy_3"),
+                ("Topple", "boy_2"),
+                ("Topple", "boy_3"),
+            ],
+        ),
+        # verbs and what they act on
+        ("A keeper deflects the puck with his stick.", [("Collision", "keeper_1", "puck_1")]),
+        ("The runner dribbles past a guard.", [("Miss", "runner_1", "guard_1")]),
+        ("A boy on a tricycle stops pedalling.", []),
+        (
+            "The second sledge hits the first, and the first slides into a tree.",
+            [
+                ("Collision", "second_sledge_1", "first_sledge_1"),
+                ("Collision", "first_sledge_1", "tree_1"),
+            ],
+        ),
+        (
+            "Snow slides off the roof and buries a bench.",
+            [("Fall", "snow_1"), ("Collision", "snow_1", "bench_1")],
+        ),
+        (
+            "The seesaw tips over and a doll slides off.",
+            [("Topple", "seesaw_1"), ("Fall", "doll_1")],
+        ),
+        ("A girl jumps off the pony.", [("Fall", "girl_1")]),
+        (
+            "A puck does not stop before the line but glides on and hits a shoe.",
+            [("Collision", "puck_1", "shoe_1")],
+        ),
     ],
 )
 def test_plain_sentences(prompt: str, expected: list[tuple[Any, ...]]) -> None:
@@ -95,3 +172,18 @@ def test_hovering_takes_its_time() -> None:
     spans = [c.value for n in doc.timeline_system.sequence_graph.nodes for c in n.constraints]
     stamps = [n.timestamp for n in doc.timeline_system.sequence_graph.nodes]
     assert 4.0 in [*spans, *stamps]
+
+
+def test_measures_after_a_conjunction_and_each() -> None:
+    doc = draft("A puck leaves the stick at 12 m/s and an angle of 25 degrees.")
+    assert doc.timeline_system is not None
+    edges = doc.timeline_system.sequence_graph.edges
+    assert any(e.params.elevation_deg == 25.0 and e.params.speed == 1200.0 for e in edges)
+    doc = draft("Two bowls, each 20 cm in diameter, stand on a table.")
+    bowls = [n for n in doc.spatial_relation_graph.nodes.values() if n.label == "bowl"]
+    assert all(doc.asset_requirement[b.asset_id].dimensions_are_prescribed for b in bowls)
+
+
+def test_a_slope_of_some_degrees_is_a_thing() -> None:
+    doc = draft("A barrel rolls down a 10-degree slope.")
+    assert any("slope" in name for name in doc.spatial_relation_graph.nodes)
