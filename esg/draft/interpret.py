@@ -185,6 +185,9 @@ class Interpreter(References):
             and sense not in ("be", "posture", "weigh", "fall", "topple")
         ):
             subject = list(self.mounts[id(f.subject)])
+        over = sense == "topple" and f.verb.lemma == "roll" and not f.verb.passive
+        if over and subject and "round" in self.e(subject[0]).noun.traits:
+            f.verb.sense = sense = "roll"  # "a ball rolls over and hits it": comes over
         against = f.phrase("on", "against", "at")
         if f.verb.lemma in ("end", "wind", "finish") and sense in ("noop", "reach"):
             sense = "end"

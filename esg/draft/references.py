@@ -187,7 +187,7 @@ class References(Anaphora):
         set_going = f.verb.sense in ("roll", "slide") and f.object is not None
         struck = (f.verb.sense in ("launch", "drop") or set_going) and not f.verb.passive
         self._launched = list(objects) if struck else []
-        self._dropped = f.verb.sense == "drop"
+        self._dropped = f.verb.sense == "drop" or set_going
         aimed = f.phrase("at", "toward", "towards", "against")
         if f.verb.sense in ("launch", "hit") and aimed is not None and aimed.mention is not None:
             self._shot = (objects or subject, list(aimed.mention.entities))
@@ -231,6 +231,8 @@ class References(Anaphora):
                 self._subject_before, self._last_had_object = self._last_subject, self._acts_on
                 self._acts_on = False
             self._acts_on = self._acts_on or bool(objects)
+        if f.verb.sense in ("posture", "park") and subject and f.phrase(*_PLACES) is not None:
+            self.world.note(list(subject))  # "a tower stands on a table": "it" is the tower
         self._note_ways(f)
         self._note_main(f, subject)
         self._last_subject = subject or self._last_subject

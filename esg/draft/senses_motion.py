@@ -148,7 +148,9 @@ class MotionSenses(SteerSenses):
 
     def _pushes(self, f: Frame, s: list[str], o: list[str]) -> bool:
         """ "hits a bale, rolling it into a fence": the object is moved by the hit."""
-        if s and o and self.kind(s[0]) != "person" and s[0] != o[0] and self.movable(o[0]):
+        rolls = self.kind(s[0]) == "animal" and not f.reduced if s else False
+        other = bool(s and o) and self.kind(s[0]) != "person" and s[0] != o[0]
+        if other and not rolls and self.movable(o[0]):
             self._do_knock(f, s, o)
             self.use(f, "consequence of the collision")
             return True
@@ -160,7 +162,7 @@ class MotionSenses(SteerSenses):
             return
         if self._pushes(f, s, o):
             return
-        actors = o if o and (not s or self.kind(s[0]) == "person") else s
+        actors = o if o and (not s or self.kind(s[0]) in ("person", "animal")) else s
         self.rolling.update(actors)
         if f.subject is not None and actors == o:
             self.thrown[id(f.subject)] = list(o)
@@ -210,6 +212,14 @@ class MotionSenses(SteerSenses):
 
     def _do_spin(self, f: Frame, s: list[str], o: list[str]) -> None:
         under = f.phrase("on", "upon")
+        about = "around" in f.adverbs or "round" in f.adverbs or self.quantity(f, "angle")
+        met = any(
+            n.event is NodeEvent.COLLISION and {*s} & {*n.participants} for n in self.tl.nodes
+        )
+        own = bool(s) and not met and self.kind(s[0]) in SELF_POWERED
+        if own and about and f.phrase("to", "into") is None:
+            self._read_as("turn", f, s, o)  # "the robot spins around", which no hit makes it do
+            return
         if s and under is not None and under.mention is not None and under.mention.entities:
             self.place(s, under.mention.entities, "on")
         elif s and not self._moved_by_others(s[0]):
@@ -296,7 +306,9 @@ class MotionSenses(SteerSenses):
             return
         targets = o or self._hit_targets(f, s, [])
         for actor in s:
-            target = next((t for t in targets if t != actor and not self.structural(t)), None)
+            lines = [t for t in targets if self.e(t).noun.name == "finish line"]
+            told = [t for t in targets if t != actor and not self.structural(t)]
+            target = next(iter(told or lines), None)
             if target is None and f.verb.lemma in ("get", "arrive"):
                 target = self.aim.get(actor)  # "runs to the swing and gets there first"
             if target is None or target == actor:

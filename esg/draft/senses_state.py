@@ -346,7 +346,7 @@ class StateSenses(Consequences):
             self.place(o, s, "on")
         if s and o and f.verb.lemma in ("carry", "transport") and not self.movable(s[0]):
             self._motion(f, o, "slide")  # "a conveyor carries a box past a guard"
-        elif s and any(p.prep in _CARRIED_ALONG for p in f.phrases):
+        elif s and (self.quantity(f, "speed") or any(p.prep in _CARRIED_ALONG for p in f.phrases)):
             self._motion(f, s, None)
         self.use(f, "carrying")
 

@@ -1,4 +1,4 @@
-"""Who throws something and then "misses" or "hits": the thing thrown does; whom "she" means."""
+"""What throwers hit, whom "she" and what "it" mean."""
 
 from __future__ import annotations
 
@@ -58,3 +58,47 @@ def test_it_is_not_the_place(verb: str) -> None:
     """Hit the bottle that stands on the wall, not the wall, when "it" is told."""
     told = events(f"A boy throws a stone at a bottle on a wall. The stone {verb} it.")
     assert told == [("Collision", "stone_1", "bottle_1")]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "told"),
+    [
+        (
+            "A waiter slides a glass across the bar; it hits a bottle.",
+            [("Collision", "glass_1", "bottle_1")],
+        ),
+        (
+            "A tower of cups stands on a table. A toy train turns left and knocks it down.",
+            [
+                ("HeadingReached", "toy_train_1"),
+                ("Collision", "toy_train_1", "cup_1"),
+                ("Topple", "cup_1"),
+            ],
+        ),
+        (
+            "The bear rolls a barrel into the lake, and the barrel bumps a canoe.",
+            [("EnterRegion", "barrel_1"), ("Collision", "barrel_1", "canoe_1")],
+        ),
+        (
+            "A vase stands on a shelf. A ball rolls over and knocks it down.",
+            [("Collision", "ball_1", "vase_1"), ("Topple", "vase_1")],
+        ),
+    ],
+)
+def test_it_after_what_is_set_going(prompt: str, told: list[tuple[Any, ...]]) -> None:
+    """Mean what was set going, or what stands there, not what carries it."""
+    assert events(prompt) == told
+
+
+@pytest.mark.parametrize(
+    ("prompt", "told"),
+    [
+        ("A cart reaches the exit after 5 s.", [("Reach", "cart_1", "exit_1")]),
+        ("A runner reaches the finish line.", [("Reach", "runner_1", "finish_line_1")]),
+        ("A robot spins around by 180 degrees.", [("HeadingReached", "robot_1")]),
+        ("A man carries a ladder at 1 m/s into a lamp.", [("Collision", "man_1", "lamp_1")]),
+    ],
+)
+def test_small_words_that_were_lost(prompt: str, told: list[tuple[Any, ...]]) -> None:
+    """Draw exits, finish lines, pirouettes and who carries something at a speed."""
+    assert events(prompt) == told
