@@ -15,6 +15,7 @@ import multiprocessing
 import os
 from pathlib import Path
 import queue
+import signal
 import threading
 import time
 from typing import Any, TypeVar
@@ -28,6 +29,10 @@ RECYCLE_AFTER = 400
 
 MAX_MEMORY_BYTES = 3 * 2**30
 """Resident memory beyond which a worker process is replaced after its call."""
+
+
+STOP_AFTER_S = 3.0
+"""From asking a worker to stop to killing it."""
 
 
 class WorkerDied(RuntimeError):
@@ -55,6 +60,7 @@ class WorkerPool:
         # Processes share the cores: one engine thread each, unless there is but one process.
         self._all = [_Slot(max_memory_bytes, processes > 1) for _ in range(processes)]
         self._local = threading.Lock()
+        self._stopped = threading.Event()
         for slot in self._all:
             self._slots.put(slot)
 
@@ -67,15 +73,28 @@ class WorkerPool:
 
         Raises:
             WorkerDied: If two processes in a row ended during the call.
+            KeyboardInterrupt: If the pool was stopped before the call ended.
         """
         if self.processes == 0:
             with self._local:
+                self._go_on()
                 return function(*args)
         slot = self._slots.get()
         try:
-            return slot.run(function, args, self._recycle_after)
+            self._go_on()
+            return slot.run(function, args, self._recycle_after, self._go_on)
         finally:
             self._slots.put(slot)
+
+    def _go_on(self) -> None:
+        if self._stopped.is_set():
+            raise KeyboardInterrupt
+
+    def stop(self) -> None:
+        """Interrupts running calls and refuses further ones, from any thread or signal handler."""
+        self._stopped.set()
+        for slot in self._all:
+            slot.stop()
 
     def warm(self, function: Callable[..., Any], *args: Any) -> None:
         """Starts `function(*args)` in every worker without waiting for it."""
@@ -122,7 +141,13 @@ class _Slot:
             return future
         return self._executor.submit(function, *args)
 
-    def run(self, function: Callable[..., T], args: tuple[Any, ...], recycle_after: int) -> T:
+    def run(
+        self,
+        function: Callable[..., T],
+        args: tuple[Any, ...],
+        recycle_after: int,
+        go_on: Callable[[], None],
+    ) -> T:
         if self._calls >= recycle_after or self._memory() > self._max_memory:
             self.close()
         for _ in range(2):
@@ -132,6 +157,7 @@ class _Slot:
                 return future.result()
             except BrokenProcessPool:
                 self.close()
+                go_on()
         raise WorkerDied(
             f"the worker process ended twice during {function.__name__}; "
             "a crash in native code or not enough memory"
@@ -148,6 +174,14 @@ class _Slot:
                 total += int(pages) * os.sysconf("SC_PAGE_SIZE")
         return total
 
+    def stop(self) -> None:
+        """Interrupts the process, and ends it where native code does not listen."""
+        for process in tuple((getattr(self._executor, "_processes", None) or {}).values()):
+            process.terminate()
+            killer = threading.Timer(STOP_AFTER_S, process.kill)
+            killer.daemon = True
+            killer.start()
+
     def close(self) -> None:
         if self._executor is not None:
             self._executor.shutdown(wait=True, cancel_futures=True)
@@ -157,6 +191,10 @@ class _Slot:
 def _begin(parent: int, tell: Any, sharing: bool) -> None:
     if sharing:
         os.environ.setdefault("ESG_THREADS", "1")
+    # A terminal's Ctrl-C reaches workers too: the command decides what becomes of them, and lets
+    # them leave no temporary folder behind.
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
     forward_to(tell)
     _end_with_parent(parent)
 

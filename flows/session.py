@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 import contextlib
 import os
+import signal
 import threading
 from typing import Any, TypeVar
 
@@ -31,7 +32,12 @@ def session(processes: int, watch: Watcher | None = None) -> Iterator[Callable[.
         A function that calls a flow once the API answers: `call(flow, *args, **kwargs)`.
     """
     stage_limits()  # a mistake in them is told before anything starts
-    with prefect_api() as api, WorkerPool(processes) as pool, run_context(pool, watch):
+    with (
+        prefect_api() as api,
+        WorkerPool(processes) as pool,
+        stopping(pool),
+        run_context(pool, watch),
+    ):
         if processes:
             pool.warm(warm_up)
         # Batches import the engines in threads of this process, with workers too.
@@ -55,6 +61,29 @@ def session(processes: int, watch: Watcher | None = None) -> Iterator[Callable[.
                 return flow(*args, **kwargs)
 
         yield call
+
+
+@contextlib.contextmanager
+def stopping(pool: WorkerPool) -> Iterator[None]:
+    """Lets Ctrl-C stop the workers in the body: Prefect would wait for all batches to end.
+
+    Args:
+        pool: Of the workers.
+    """
+    before = signal.getsignal(signal.SIGINT)
+    if threading.current_thread() is not threading.main_thread() or not callable(before):
+        yield
+        return
+
+    def stop(number: int, frame: Any) -> None:
+        pool.stop()
+        before(number, frame)
+
+    signal.signal(signal.SIGINT, stop)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
 def load_usd() -> None:

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 import os
 from pathlib import Path
+import signal
 import subprocess
 import sys
 import time
 
 import pytest
 
+from esg import workers
 from esg.workers import WorkerDied, WorkerPool, default_processes
 
 
@@ -84,6 +88,52 @@ def test_workers_end_when_the_command_is_killed() -> None:
             return
         time.sleep(0.1)
     pytest.fail("the worker outlived its command")
+
+
+def sleep_and_tidy(mark: str) -> None:
+    try:
+        Path(mark).write_text("busy")
+        time.sleep(60.0)
+    finally:
+        Path(mark).unlink()
+
+
+def deaf(mark: str) -> None:
+    signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGTERM])  # as in native code
+    Path(mark).write_text("busy")
+    time.sleep(60.0)
+
+
+@pytest.mark.parametrize("function", [sleep_and_tidy, deaf])
+def test_a_stopped_pool_interrupts_its_calls(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, function: Callable[[str], None]
+) -> None:
+    monkeypatch.setattr(workers, "STOP_AFTER_S", 0.3)
+    marks = [tmp_path / "0", tmp_path / "1"]
+    with WorkerPool(2) as pool, ThreadPoolExecutor(3) as threads:
+        calls = [threads.submit(pool.run, function, str(mark)) for mark in marks]
+        waiting = threads.submit(pool.run, process_id)
+        while not all(mark.exists() for mark in marks):
+            time.sleep(0.02)
+        pool.stop()
+        for call in (*calls, waiting):
+            with pytest.raises(KeyboardInterrupt):
+                call.result(timeout=20)
+    assert [mark.exists() for mark in marks] == [function is deaf] * 2
+
+
+def test_a_pool_without_processes_stops_before_the_next_call() -> None:
+    pool = WorkerPool(0)
+    pool.stop()
+    with pytest.raises(KeyboardInterrupt):
+        pool.run(process_id)
+
+
+def test_a_terminals_interrupt_does_not_reach_workers() -> None:
+    with WorkerPool(1) as pool:
+        number = pool.run(process_id)
+        os.kill(number, signal.SIGINT)
+        assert pool.run(process_id) == number
 
 
 def test_few_scenes_need_no_processes() -> None:
