@@ -25,6 +25,7 @@ from esg.metrics.phrases import (
     RELATED,
     Phrase,
     canonical_modifier,
+    members_of,
     parse,
 )
 from esg.metrics.regions import bind_regions, loose_regions
@@ -106,6 +107,9 @@ def bind(phrase: str, scene: SimScene, *, target: bool = False) -> Binding:
         if regions:
             return Binding(phrase, regions=regions, plural=parsed.plural)
     bodies = _bind_bodies(parsed, scene)
+    members = None if bodies else members_of(parsed)
+    if members is not None and (made_of := _bind_bodies(members, scene)):
+        parsed, bodies = members, made_of
     if not bodies and target:
         regions = loose_regions(parsed, scene)
         if regions:

@@ -6,7 +6,7 @@ are folded the same way ("trash can", "trash-can" and "dustbin" all become head 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 import re
 
@@ -53,6 +53,19 @@ _COLLECTIVE = {
     "set", "row", "group", "pair", "stack", "pile", "rack", "line", "cluster", "bunch", "column",
     "number", "couple", "tower", "pyramid", "queue", "collection", "heap", "dozen", "rest",
 }  # fmt: skip
+COMPOUNDS = {
+    "stack",
+    "pile",
+    "heap",
+    "tower",
+    "pyramid",
+    "cluster",
+    "bunch",
+    "column",
+    "queue",
+    "row",
+}
+"""Collectives that may follow what they are made of: a tire stack, a brick pile."""
 _PREPOSITIONS = {
     "on", "in", "at", "by", "near", "under", "behind", "beside", "next", "of", "with", "without",
     "from", "to", "inside", "above", "below", "along", "across", "over", "that", "which", "for",
@@ -286,6 +299,21 @@ def parse(text: str) -> Phrase:
     head, implied = _split_head(stem)
     modifiers = tuple(canonical_modifier(m) for m in (*kept, *implied, *_place_words(tail)))
     return Phrase(norm, head, stem, modifiers, identifier, ordinal, count, plural)
+
+
+def members_of(phrase: Phrase) -> Phrase | None:
+    """What a collective behind a noun is made of: a "tire stack" of tires; None for other phrases.
+
+    It names the set as "a stack of tires" does.
+    """
+    if phrase.head not in COMPOUNDS or not phrase.modifiers or phrase.identifier:
+        return None
+    what = phrase.modifiers[-1]
+    if what in COLORS or what in POSITIONS or what in ORDINALS:
+        return None
+    head, implied = _split_head(singular(what))
+    modifiers = (*phrase.modifiers[:-1], *implied)
+    return replace(phrase, head=head, modifiers=modifiers, plural=True, count=None)
 
 
 def _place_words(tail: list[str]) -> list[str]:

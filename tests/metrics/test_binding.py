@@ -318,3 +318,29 @@ def test_no_text_raises(text):
         found = bind(text, where, target=True)
         assert found.bound or found.problem
     assert math.isfinite(len(parse(text).head))
+
+
+@pytest.mark.parametrize(
+    ("phrase", "names"),
+    [
+        ("tire stack", ["tire_1", "tire_2"]),
+        ("the old brick pile", ["brick_1", "brick_2"]),
+        ("water tower", ["water_tower_1"]),
+        ("red stack", []),
+        ("bottle rack", []),
+    ],
+)
+def test_a_collective_behind_what_it_is_made_of_means_its_members(
+    phrase: str, names: list[str]
+) -> None:
+    yard = scene(
+        *(thing(f"{n}_{k}", n, n) for n in ("tire", "brick", "bottle") for k in (1, 2)),
+        thing("water_tower_1", "water tower"),
+    )
+    found = bind(phrase, yard)
+    assert sorted(found.names(yard)) == names
+    assert bool(found.problem) == (not names)
+
+
+def test_a_stack_of_one_is_no_stack() -> None:
+    assert bind("tire stack", scene(thing("tire_1", "tire", "tire"))).problem
