@@ -11,7 +11,7 @@ from __future__ import annotations
 import itertools
 
 from esg.dynamics.demands import FELT_NS, ROLLS_AT, passed_on
-from esg.dynamics.stagecraft import Prop, default_speed, prop
+from esg.dynamics.stagecraft import Prop, default_speed, prop, support_of
 from esg.dynamics.story import Story
 from esg.dynamics.toppling import hits, scaled
 from esg.graph.models import AssetConfiguration, EsgDocument
@@ -20,6 +20,8 @@ LONG = 4
 """Number of hits from which on a chain of balls is long."""
 LIVELIEST = 0.95
 """Restitution of ivory or glass."""
+SMOOTH, SPRINGY = 0.15, 0.6
+"""Friction of a smooth underside and restitution of hard wood."""
 HEAVIEST = 2.5
 """Largest share of the usual mass: a solid ball against a hollow one."""
 
@@ -55,6 +57,36 @@ def fit_chains(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]:
         factor = FELT_NS / max(_last_impulse([prop(doc, n) for n in chain]), 1e-9)
         for key in keys if factor > 1.0 else ():
             out[key] = scaled(out[key], min(factor, HEAVIEST))
+    return out
+
+
+def fit_sliding(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]:
+    """What slides on from hit to hit, the middle of a row of crates, is of smooth hard wood.
+
+    Two hits lie a tenth of a second apart, in which friction takes a slider most of what the hit
+    before left it: of a rough crate one engine's has stopped where another's arrives.
+    """
+    nodes = doc.spatial_relation_graph.nodes
+    follows: dict[str, tuple[str, ...]] = {}
+    for _, a, b in hits(doc, story):
+        follows[a] = (*follows.get(a, ()), b)
+    carried = {
+        b
+        for _, a, b in hits(doc, story)
+        if not (story.is_active(b) or story.topples(b) or story.falls(b))
+    }
+    out: dict[str, AssetConfiguration] = {}
+    for name in sorted(carried):
+        body = prop(doc, name)
+        if body.rolls or body.wheeled or body.fixed or support_of(doc, name) is not None:
+            continue
+        onto = [b for b in follows.get(name, ()) if not story.is_active(b)]
+        struck = any(name in follows.get(a, ()) for a in carried)
+        key = nodes[name].asset_id
+        config = doc.asset_configurations[key]
+        if onto and (struck or any(follows.get(b) for b in onto)) and config.friction > SMOOTH:
+            lively = max(config.restitution, SPRINGY)
+            out[key] = config.model_copy(update={"friction": SMOOTH, "restitution": lively})
     return out
 
 

@@ -80,7 +80,8 @@ def land(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
     """Puts b where a comes down."""
     flight, track = stage.airborne[a], stage.tracks[a]
     pb = stage.prop(b)
-    beside = flight.height - pb.height < COUNTS_AS_FALL * stage.prop(a).height
+    into = node.event is NodeEvent.ENTER_REGION
+    beside = not into and flight.height - pb.height < COUNTS_AS_FALL * stage.prop(a).height
     duration = flight.time_to(0.0 if beside else pb.height)
     track.straight(flight.speed * duration, duration, flight.speed)
     frame = stage.frames.setdefault(a, Frame())

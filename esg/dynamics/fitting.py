@@ -10,7 +10,7 @@ import math
 
 import numpy as np
 
-from esg.dynamics.chains import fit_chains
+from esg.dynamics.chains import fit_chains, fit_sliding
 from esg.dynamics.containers import resized, with_assets
 from esg.dynamics.slopes import (
     AT_FOOT_M,
@@ -91,6 +91,7 @@ def fit_motion(doc: EsgDocument, story: Story) -> EsgDocument:
         _slippery,
         _bouncy,
         fit_chains,
+        fit_sliding,
         _pushed_on,
         _steady,
     ):

@@ -35,7 +35,7 @@ from esg.units import GRAVITY_MPS2
 
 THROWN_BACK = 0.3
 """Share of its speed from which something that hits a heavier body counts as thrown back."""
-APART_S = 0.16
+APART_S = 0.22
 """Least time between two hits of a chain."""
 DOWN_S, FALLEN, THIN_FALLEN = 0.3, 0.85, 0.7
 """Time in which a struck body falls over, and the shares of its height that are out of its reach
@@ -181,7 +181,11 @@ def chain(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
     if track is None or b in stage.places:
         return
     pa, pb = stage.prop(a), stage.prop(b)
-    gap = _coasting_gap(stage, pa, pb, track.speed) * stage.tight
+    gap = _coasting_gap(stage, pa, pb, track.speed)
+    if not pa.rolls and not pb.fixed and goes_on(stage, node, b):
+        # Sliding on costs speed that the next ones need.
+        gap = min(gap, sliding_travel(track.speed, coasting_drag(pa), APART_S))
+    gap *= stage.tight
     thin = pa.height > 2.5 * pa.length and not pa.rolls
     if thin:
         # Tall and thin: it topples onto the next one, which stands within its reach.
@@ -238,7 +242,7 @@ def chain(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
     if not (pa.rolls or stage.airborne or _falls_before(stage, node, a)):
         # It slides there, and arrives turned or tilted.
         slower = math.sqrt(max(left**2 - 2.0 * _drag(stage, pa) * gap, (LEAST_LEFT * left) ** 2))
-        left = slower if pa.wheeled else KEPT * slower
+        left = slower if pa.wheeled else min(KEPT * left, slower)
     track.straight(gap, gap / max(0.5 * (track.speed + left), 0.1), left)
 
 

@@ -61,6 +61,8 @@ LONG_CHAIN = 4
 """Number of hits of a chain of balls from which on it goes as gently as its last hit allows."""
 STANDSTILL_MPS, CRAWL_MPS = 0.5, 0.05
 """Speed with which something that accelerates sets off at most, and that of what stands still."""
+CALM_MPS = 4.0
+"""Speed at which something that is no wheel and no ball slides on and stays on the ground."""
 GENTLE = 0.4
 """Share of the usual speed of a hit after which another one hits the same thing."""
 STAY_S = 0.28
@@ -192,6 +194,11 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
     if chained and not phase.edge.speed_is_prescribed:
         gently, hits = gentlest(stage, node, a, b)
         speed = speed if hits < LONG_CHAIN else min(speed, max(gently, least, needed))
+    if prescribed is None and not phase.edge.speed_is_prescribed and sends_sliding(stage, node, b):
+        # Faster, it would tumble, and pass over the next one in another engine.
+        low, high, _ = bounds(phase.edge.params.speed, (0.0, 0.0))
+        calm = max(CALM_MPS / passed_on(pa, pb), least, needed, (0.9 * low + 0.1 * high) / 100.0)
+        speed = min(speed, calm)
     if again and not phase.edge.speed_is_prescribed:
         # Gently: the next one is to find it.
         speed = max(least, needed, GENTLE * speed)
@@ -285,6 +292,21 @@ def _approach(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
         stage.nominal[f"{phase.edge.id}/flight_time"] = duration
         took_off(stage, a, phase, track.time)
     join(stage, a, b, node)
+
+
+def sends_sliding(stage: Stage, node: TimelineNode, b: str) -> bool:
+    """Whether something without wheels that is hit here shall slide into what goes on, too."""
+    body = stage.prop(b)
+    if body.rolls or body.wheeled or body.fixed:
+        return False
+    if stage.story.topples(stage.member(b)) or stage.story.falls(stage.member(b)):
+        return False
+    for later in stage.story.after(node.id):
+        keys = list(map(stage.key, later.participants))
+        others = [k for k in keys if k != b]
+        if later.event is NodeEvent.COLLISION and b in keys and others:
+            return others[0] not in stage.tracks and goes_on(stage, later, others[0])
+    return False
 
 
 def timed_push(stage: Stage, node: TimelineNode, mover: Prop, b: str) -> float:

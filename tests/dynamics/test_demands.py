@@ -178,9 +178,9 @@ def test_a_chain_of_light_things_reckons_with_what_sliding_costs() -> None:
         (at[n].x_cm / 100.0, at[n].y_cm / 100.0)
         for n in ("traffic_cone_1", "second_cone_1", "barrel_1")
     )
-    # PhysX at 240 Hz: the second cone comes to rest after 0.88 m.
+    # PhysX at 240 Hz: the second cone comes to rest after 2.06 m, in Rapier after 1.92 m.
     cone, barrel = prop(doc, "second_cone_1"), prop(doc, "barrel_1")
-    assert math.dist(second, last) - 0.5 * cone.length - 0.5 * barrel.width < 0.75
+    assert math.dist(second, last) - 0.5 * cone.length - 0.5 * barrel.width < 1.2
     assert math.dist(first, second) > 1.5
 
 

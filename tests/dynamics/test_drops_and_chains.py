@@ -9,7 +9,9 @@ import pytest
 
 from esg.dynamics.chains import LIVELIEST, ball_chains
 from esg.dynamics.choreography import choreograph
-from esg.dynamics.stagecraft import ground_restitution, prop
+from esg.dynamics.demands import passed_on
+from esg.dynamics.meetings import CALM_MPS
+from esg.dynamics.stagecraft import default_speed, ground_restitution, prop
 from esg.dynamics.story import read_story
 from esg.graph.models import EsgDocument
 from esg.layout.hints import Placement
@@ -74,3 +76,37 @@ def test_balls_of_a_short_chain_stay_as_they_are() -> None:
     doc = cast("Ball A hits ball B, and ball B hits ball C.")
     assert not ball_chains(doc, read_story(doc))
     assert prop(doc, "ball_a").restitution < LIVELIEST
+
+
+ROW = "A forklift hits a crate, the crate slides into a second crate, and the second crate hits a third crate."
+
+
+def test_crates_that_slide_from_hit_to_hit_are_smooth_and_start_calmly() -> None:
+    doc = cast(ROW)
+    first, second, third = (prop(doc, n) for n in ("crate_1", "second_crate_1", "third_crate_1"))
+    assert first.friction == second.friction == 0.15
+    told = choreograph(doc).nominal
+    sent = passed_on(prop(doc, "forklift_1"), first) * told["forklift_1_drive/speed"]
+    assert sent >= CALM_MPS
+    assert told["forklift_1_drive/speed"] < 0.9 * default_speed(prop(doc, "forklift_1"))
+    spots = places(doc)
+    gaps = [
+        0.01 * (spots[b].x_cm - spots[a].x_cm) - 0.5 * (p.length + q.length)
+        for a, b, p, q in (
+            ("crate_1", "second_crate_1", first, second),
+            ("second_crate_1", "third_crate_1", second, third),
+        )
+    ]
+    times = [
+        told["crate_1_second_crate_1_collision/event_time"]
+        - told["forklift_1_crate_1_collision/event_time"],
+        told["second_crate_1_third_crate_1_collision/event_time"]
+        - told["crate_1_second_crate_1_collision/event_time"],
+    ]
+    assert all(0.1 < g < 1.6 for g in gaps)
+    assert all(t > 0.15 for t in times)
+
+
+def test_what_slides_into_one_thing_only_keeps_its_underside() -> None:
+    doc = cast("A forklift hits a crate and the crate slides into a barrel.")
+    assert prop(doc, "crate_1").friction > 0.3

@@ -55,3 +55,18 @@ def test_who_turns_last_goes_on_straight() -> None:
     assert after.turn_rate == 0.0 and after.start == pytest.approx(turn.end)
     assert after.heading == pytest.approx(turn.heading + turn.turn_rate * (turn.end - turn.start))
     assert after.speed == pytest.approx(turn.speed)
+
+
+def test_what_slides_off_into_something_hardly_lower_comes_down_in_it() -> None:
+    """Put beside it, as what it would run into, the bin would be out of its reach."""
+    doc = cast("A parcel slides off the end of a conveyor belt and drops into a bin.")
+    nodes = doc.spatial_relation_graph.nodes
+    belt, bin_, parcel = (
+        doc.asset_configurations[nodes[f"{n}_1"].asset_id]
+        for n in ("conveyor_belt", "bin", "parcel")
+    )
+    lower = belt.support_surfaces[0].center_cm[2] - bin_.dimensions_cm[2]
+    assert lower < parcel.dimensions_cm[2]
+    places = {p.node: p for c in choreograph(doc).hints.constellations for p in c.placements}
+    beyond = places["bin_1"].x_cm - 0.5 * bin_.dimensions_cm[0] - 0.5 * belt.dimensions_cm[0]
+    assert beyond < 0.5 * parcel.dimensions_cm[0]
