@@ -311,9 +311,10 @@ def members_of(phrase: Phrase) -> Phrase | None:
     what = phrase.modifiers[-1]
     if what in COLORS or what in POSITIONS or what in ORDINALS:
         return None
-    head, implied = _split_head(singular(what))
+    stem = singular(what)
+    head, implied = _split_head(stem)
     modifiers = (*phrase.modifiers[:-1], *implied)
-    return replace(phrase, head=head, modifiers=modifiers, plural=True, count=None)
+    return replace(phrase, head=head, word=stem, modifiers=modifiers, plural=True, count=None)
 
 
 def _place_words(tail: list[str]) -> list[str]:
