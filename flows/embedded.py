@@ -323,6 +323,7 @@ def _home() -> Path:
 
 
 def template_path() -> Path:
+    """The migrated database that private APIs start from, one a version of Prefect."""
     return _home() / f"template-{metadata.version('prefect')}.db"
 
 

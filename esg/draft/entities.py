@@ -121,6 +121,7 @@ class Entity:
 
 
 def slug(text: str) -> str:
+    """A text as part of a name: lower case, ASCII, words joined by underscores."""
     plain = unicodedata.normalize("NFKD", text).encode("ascii", "ignore").decode()
     return re.sub(r"[^a-z0-9]+", "_", plain.lower()).strip("_")
 

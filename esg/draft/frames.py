@@ -144,6 +144,7 @@ def _after_parenthesis(elements: list[Element], i: int) -> int:
 
 
 def next_verb(elements: list[Element], i: int) -> Verb | None:
+    """The first verb from place `i` on in the same sentence."""
     for e in elements[i:]:
         if isinstance(e, Verb):
             return e

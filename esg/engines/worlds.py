@@ -60,6 +60,7 @@ class Frames:
 
     @property
     def n_frames(self) -> int:
+        """Number of recorded frames."""
         return len(self.time)
 
 

@@ -38,6 +38,7 @@ class CheckReport:
 
     @property
     def ok(self) -> bool:
+        """Whether nothing is wrong."""
         return not self.violations
 
     @property

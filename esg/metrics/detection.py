@@ -48,6 +48,7 @@ class Found:
 
     @property
     def completed(self) -> bool:
+        """Whether the event happened."""
         return self.time is not None
 
 
@@ -77,4 +78,5 @@ def runs(mask: NDArray[np.bool_]) -> Iterator[tuple[int, int]]:
 
 
 def duration_of(replay: Replay, start: int, stop: int) -> float:
+    """Time from frame `start` to the last frame before `stop` [s]."""
     return float(replay.time[stop - 1] - replay.time[start])

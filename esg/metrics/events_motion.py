@@ -23,6 +23,7 @@ from esg.metrics.replay import Replay
 
 
 def moves(replay: Replay, q: Query) -> Iterator[Found]:
+    """Motion under own power that lasts for `MOVING_FOR_S`."""
     for i in q.bound["object"].bodies:
         controls = replay.motions(i)
         if not controls:
@@ -46,6 +47,7 @@ def moves(replay: Replay, q: Query) -> Iterator[Found]:
 
 
 def brakes(replay: Replay, q: Query) -> Iterator[Found]:
+    """Slowing down to half of the speed or less after the program brakes."""
     for i in q.bound["object"].bodies:
         name = replay.scene.bodies[i].name
         reason = f"the program never brakes {name}"
@@ -74,6 +76,7 @@ def brakes(replay: Replay, q: Query) -> Iterator[Found]:
 
 
 def stops(replay: Replay, q: Query) -> Iterator[Found]:
+    """Coming to rest after having moved, for each body that may be meant."""
     for i in q.bound["object"].bodies:
         speed = replay.speed[:, i]
         moved = np.maximum.accumulate(speed) > MOVING_MPS
@@ -92,6 +95,7 @@ def stops(replay: Replay, q: Query) -> Iterator[Found]:
 
 
 def turns(replay: Replay, q: Query) -> Iterator[Found]:
+    """Turning by the asked angle to the asked side, measured from the last turning back."""
     wanted = q.event.degrees
     sign = 1.0 if q.event.direction == "left" else -1.0
     for i in q.bound["object"].bodies:

@@ -62,6 +62,7 @@ def _volumes(replay: Replay, target: Binding) -> list[tuple[int | None, int | No
 
 
 def enters(replay: Replay, q: Query) -> Iterator[Found]:
+    """The centre of the object comes into the target and stays, or drops through its floor."""
     begin = replay.after(q.since)
     for i in q.bound["object"].bodies:
         reason = f"the centre of {replay.scene.bodies[i].name} never enters the target"
@@ -89,6 +90,7 @@ def enters(replay: Replay, q: Query) -> Iterator[Found]:
 
 
 def falls(replay: Replay, q: Query) -> Iterator[Found]:
+    """Losing support and coming down, from what it stood on if that is named."""
     begin = max(replay.after(q.since) - 1, 0)
     g = abs(replay.scene.gravity[2])
     for i in q.bound["object"].bodies:
@@ -143,6 +145,7 @@ def _over(replay: Replay, body: int, support: int) -> NDArray[np.bool_]:
 
 
 def topples(replay: Replay, q: Query) -> Iterator[Found]:
+    """Tilting by more than `TOPPLED_DEG` from the attitude after the event before."""
     begin = replay.after(q.since)
     for i in q.bound["object"].bodies:
         up = replay.up(i)
@@ -201,6 +204,7 @@ def _outside(replay: Replay, body: int, region: int) -> NDArray[np.float64]:
 
 
 def reaches(replay: Replay, q: Query) -> Iterator[Found]:
+    """Coming within `REACH_M` of the target's surface from farther away."""
     begin = replay.after(q.since)
     target = q.bound["target"]
     for i in q.bound["object"].bodies:

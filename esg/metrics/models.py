@@ -225,6 +225,7 @@ class SceneVerdict(_Frozen):
 
     @property
     def n_events(self) -> int:
+        """Number of events that were asked for."""
         return len(self.events)
 
     @property

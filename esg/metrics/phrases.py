@@ -227,14 +227,17 @@ class Phrase:
 
     @property
     def classes(self) -> frozenset[str]:
+        """Modifiers that tell kinds of things apart, such as `billiard`."""
         return frozenset(m for m in self.modifiers if m in CLASS_MODIFIERS)
 
     @property
     def colors(self) -> frozenset[str]:
+        """Modifiers that are colours."""
         return frozenset(m for m in self.modifiers if m in COLORS)
 
     @property
     def positions(self) -> frozenset[str]:
+        """Modifiers that say where among others, such as `left`."""
         return frozenset(m for m in self.modifiers if m in POSITIONS)
 
 

@@ -28,6 +28,7 @@ START = "start"
 def read_constraints(
     items: Any, where: str, ids: list[str], events: list[SuiteEvent], problems: Problems
 ) -> list[SuiteConstraint]:
+    """The constraints of one scene; mistakes are added to `problems`."""
     if items is None:
         return []
     if not isinstance(items, list):

@@ -17,10 +17,12 @@ class Problems:
         self.lines: list[str] = []
 
     def add(self, place: str, what: str, remedy: str) -> None:
+        """Takes in one mistake: its place, what is wrong there and what to write."""
         self.lines.append(f"{place}: {what}; {remedy}")
 
 
 def read_number(value: Any, place: str, problems: Problems) -> float | None:
+    """A finite number; anything else is added to `problems` and gives None."""
     if isinstance(value, bool) or not isinstance(value, int | float):
         problems.add(place, f"is {show(value)}", "write a plain number, with the unit in `unit`")
         return None
@@ -50,17 +52,20 @@ def report_unknown(
 
 
 def closest(value: Any, known: tuple[str, ...]) -> str:
+    """The known word that was probably meant, as a question; nothing if none is near."""
     match = difflib.get_close_matches(str(value), known, n=1, cutoff=0.6)
     return f"did you mean {match[0]!r}? " if match else ""
 
 
 def kind_of(value: Any) -> str:
+    """What a YAML value is, in words for people."""
     return {"list": "list", "str": "text", "int": "number", "float": "number"}.get(
         type(value).__name__, type(value).__name__
     )
 
 
 def show(value: Any) -> str:
+    """A value as a message shows it: cut to one line."""
     if value is None:
         return "missing"
     text = repr(value)

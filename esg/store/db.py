@@ -158,6 +158,7 @@ def broken(db: Path, error: BaseException) -> UserError:
 
 
 def first_line(error: BaseException) -> str:
+    """The first line of a message, or the name of an error that has none."""
     return str(error).strip().splitlines()[0] if str(error).strip() else type(error).__name__
 
 

@@ -2,26 +2,16 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 import pytest
 
 from esg.draft import draft
 from esg.graph import verify
+from tests.draft import told
 
-_TOLD = {"Collision", "EnterRegion", "Fall", "Topple", "Stop", "HeadingReached", "Reach", "Miss"}
-
-
-def events(prompt: str) -> list[tuple[Any, ...]]:
-    """Point events of a verifier-clean draft: type, participants, region."""
-    doc = draft(prompt)
-    assert verify(doc) == ()
-    nodes = doc.timeline_system.sequence_graph.nodes if doc.timeline_system else ()
-    return [
-        (n.event.value, *n.participants, *([n.region] if n.region else []))
-        for n in nodes
-        if n.event.value in _TOLD
-    ]
+events = partial(told.events, regions=True)
 
 
 @pytest.mark.parametrize(
