@@ -31,7 +31,7 @@ _COLLISION = re.compile(
 )
 _DOMINO = re.compile(
     rf"^(?:an?\s+|the\s+)?domino (?:effect|chain|reaction)\s*(?:,|:|-|with|of|using)\s*"
-    rf"(?P<row>{_COUNT}\s+(?P<thing>[\w -]*?)s)\b(?P<rest>.*)$",
+    rf"(?P<row>{_COUNT}\s+[\w -]*?s)\b(?P<rest>.*)$",
     re.IGNORECASE | re.DOTALL,
 )
 _STRIKE = re.compile(
@@ -58,8 +58,7 @@ def spelled_out(text: str) -> str:
         if noun is not None and noun.kind in _DRIVEN:
             return f"Two {m['what']}s collide{m['rest']}"
     if (m := _DOMINO.match(text)) and not _verb(m["rest"]):
-        row = f"{m['row']} stand in a row{m['rest'].rstrip('. ')}."
-        return f"{row} The first {m['thing']} topples and hits the second {m['thing']}."
+        return f"{m['row']} stand in a row{m['rest'].rstrip('. ')} and topple one after another."
     return text
 
 

@@ -65,7 +65,10 @@ def fit_assets(doc: EsgDocument) -> EsgDocument:
     doc = let_go_sideways(_thrown(doc))
     story = read_story(doc)
     doc = _freed(doc, story)
-    doc = with_assets(doc, fit_upright(doc, story))
+    upright = fit_upright(doc, story)
+    doc = with_assets(doc, upright)
+    if upright:
+        doc = with_assets(doc, fit_loads(doc))  # a row of them needs more room than they took flat
     changed: dict[str, AssetConfiguration] = {}
     nodes = doc.spatial_relation_graph.nodes
     for name in _set_in_motion(doc, story):

@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from esg.dynamics.containers import resized
 from esg.dynamics.stagecraft import support_of
 from esg.graph.models import AssetConfiguration, EsgDocument
+from esg.layout.patterns import DOMINO_PITCH_OVER_HEIGHT, is_domino_like
 from esg.layout.supports import FULL, SHELF_THICKNESS_CM
 
 LARGER, SMALLER = 2.0, 0.4
@@ -32,8 +33,7 @@ def fit_loads(doc: EsgDocument) -> dict[str, AssetConfiguration]:
     for support, load in _loads(doc).items():
         key = doc.spatial_relation_graph.nodes[support].asset_id
         config = doc.asset_configurations[key]
-        keys = [doc.spatial_relation_graph.nodes[n].asset_id for n in load]
-        sizes = [doc.asset_configurations[k].dimensions_cm for k in keys]
+        keys, sizes = _blocks(doc, load)
         areas = _areas(config)
         if len(load) < 2 or _has_room(areas, sizes, 1.0):
             continue
@@ -52,6 +52,26 @@ def fit_loads(doc: EsgDocument) -> dict[str, AssetConfiguration]:
         for k in sorted(set(keys) - given) if f < 1.0 else ():
             out[k] = resized(doc, k, doc.asset_configurations[k], f)
     return out
+
+
+def _blocks(doc: EsgDocument, load: list[str]) -> tuple[list[str], list[tuple[float, ...]]]:
+    """Assets and extents [cm] of what stands side by side; a row of slabs as long as its pitch."""
+    keys: list[str] = []
+    sizes: list[tuple[float, ...]] = []
+    rows: set[str] = set()
+    for name in load:
+        node = doc.spatial_relation_graph.nodes[name]
+        size = doc.asset_configurations[node.asset_id].dimensions_cm
+        if node.group is not None and node.group_pattern == "row" and is_domino_like(*size):
+            if node.group in rows:
+                continue
+            rows.add(node.group)
+            mates = sum(doc.spatial_relation_graph.nodes[n].group == node.group for n in load)
+            pitch = DOMINO_PITCH_OVER_HEIGHT * size[2]
+            size = (size[0] + (mates - 1) * pitch, *size[1:])
+        keys.append(node.asset_id)
+        sizes.append(tuple(size))
+    return keys, sizes
 
 
 def _factors(last: float) -> Iterator[float]:

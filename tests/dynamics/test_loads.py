@@ -12,6 +12,7 @@ from esg.dynamics.plan import make_plan
 from esg.engines.program import SetVelocity
 from esg.graph.models import AssetConfiguration, EsgDocument
 from esg.layout import solve
+from esg.layout.patterns import DOMINO_PITCH_OVER_HEIGHT
 
 
 def _cast(prompt: str) -> tuple[EsgDocument, EsgDocument]:
@@ -87,3 +88,14 @@ def test_what_falls_off_a_stack_waits_until_the_stack_is_hit() -> None:
     pushes = [p for p in plan.compile(plan.initial()).primitives if p.body == "bucket_1"]
     assert isinstance(pushes[0], SetVelocity)
     assert pushes[0].time > hit
+
+
+def test_a_row_of_slabs_has_room_to_topple() -> None:
+    """Make a shelf long enough for ten books that stand on their ends at their pitch."""
+    doc = fit_assets(resolve(draft("Ten books stand in a row on a shelf. The first book topples.")))
+    nodes = doc.spatial_relation_graph.nodes
+    books = [doc.asset_configurations[v.asset_id] for v in nodes.values() if v.group]
+    shelf = doc.asset_configurations[nodes["shelf_1"].asset_id]
+    assert len(books) == 10
+    length, _, height = books[0].dimensions_cm
+    assert max(shelf.dimensions_cm) >= 9 * DOMINO_PITCH_OVER_HEIGHT * height + length
