@@ -58,7 +58,7 @@ _GROUNDED = frozenset(
 """What goes "over" a bridge by these goes on it."""
 WAYS = frozenset({"way", "path", "course", "trajectory"})
 """Parts of what moves that something gets in."""
-_HOLDING = frozenset({"hand", "hands", "grip", "grasp", "arms", "fingers"})
+_HOLDING = frozenset({"gripper", "hand", "hands", "grip", "grasp", "arms", "fingers"})
 _OPEN_CARTS = frozenset({"cart", "shopping cart", "wheelbarrow", "mine cart", "trailer"})
 _OPENINGS = frozenset({"hole", "water"})
 _TOUCHES = frozenset({"hit", "knock", "topple"})

@@ -229,6 +229,21 @@ class Anaphora(MotionSenses):
         if mine.noun == other.noun and placed:
             self.world.resolved[id(m)] = m.entities = list(before)
 
+    def _it_of_the_owner(self, f: Frame) -> None:
+        """ "A crate falls, its parachute does not open, and it hits a barn": the crate."""
+        m = f.subject
+        if m is None or m.pronoun != "it" or id(m) in self.world.resolved:
+            return
+        before = [g for g in self.told if g.sentence == f.sentence and g.verb.start < m.start]
+        last = max(before, key=lambda g: g.verb.start, default=None)
+        part = last.subject if last is not None else None
+        idle = last is not None and (last.verb.negated or last.verb.sense in ("noop", "be"))
+        if part is None or part.determiner != "its" or not idle:
+            return
+        owner = self._subject_before
+        if len(owner) == 1 and owner != part.entities and owner[0] in self.world.entities:
+            self.world.resolved[id(m)] = m.entities = list(owner)
+
     def _named_between(self, subject: Mention | None, m: Mention) -> bool:
         """Whether the clause names something before a pronoun ("hits the nine and pots it")."""
         if subject is None:

@@ -74,6 +74,8 @@ class Choices(Registry):
                 ball = lex.nouns()["ball"]
                 label = f"{colors[0]} ball"
                 return [self.add(ball, "ball", adjectives=colors, label=label, origin=m.start).id]
+        elif ordinal is not None and (one := self._single_before(ordinal)) is not None:
+            model = one  # "the first coach changes horses, the second one passes it"
         elif ordinal is not None and self._beyond_last(ordinal):
             model = self.entities[next(reversed(list(self.groups.values())))[0]]
         elif ordinal is not None and not any(e.group for e in solid):
@@ -114,6 +116,12 @@ class Choices(Registry):
         alike = [e for e in recent if sum(e.noun == x.noun for x in recent) > 1]
         movable = [e for e in recent if e.movable]
         return [self.entities[i] for i in group] or alike or movable
+
+    def _single_before(self, ordinal: str) -> Entity | None:
+        """A thing of no plural that the prompt called "the first", before its like."""
+        placed = [e for e in self.entities.values() if e.place in ORDINALS and e.group is None]
+        before = [e for e in placed if e.place != ordinal]
+        return before[-1] if before and len(before) == len(placed) else None
 
     def _beyond_last(self, ordinal: str) -> bool:
         """ "passes three gates and hits the fourth": one more than the plural has."""

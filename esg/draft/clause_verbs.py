@@ -89,7 +89,10 @@ class ClauseVerbs(ClauseNouns):
         elif (
             not s.boundary
             and previous.object is not None
-            and s.last is previous.object
+            and (
+                s.last is previous.object
+                or (s.last_after_prep and v.form == "base" and previous.verb.lemma == "make")
+            )
             and (v.form in ("base", "pp") or (v.form == "past" and v.lemma in _UNCHANGED))
             and previous.verb.sense in ("cause", "noop")
         ):

@@ -30,7 +30,8 @@ REAR = frozenset(
     {"rear", "hind", "back", "trailing", "following", "hindmost", "rearmost", "rear-most"}
 )
 BODY_PARTS = frozenset(
-    {"arm", "hand", "fist", "finger", "foot", "leg", "head", "tail", "paw", "hoof", "nose"}
+    {"gripper"}
+    | {"arm", "hand", "fist", "finger", "foot", "leg", "head", "tail", "paw", "hoof", "nose"}
     | {"elbow", "shoulder", "knee", "hip", "chest", "trunk", "horn", "beak", "wing", "mouth"}
     | {"jaw", "ear", "hair", "belly", "stomach", "toe", "heel", "wrist", "ankle", "thumb", "back"}
     | {"midriff", "stomach", "face", "shin", "thigh", "ribs", "forehead", "chin", "neck", "flank"}

@@ -247,6 +247,8 @@ class Events(Concurrence):
             into = kind in (NodeEvent.COLLISION, NodeEvent.ENTER_REGION) and actor == name
             leaves = f.phrase("off", "from", "out of") is not None or {"off", "out"} & {*f.adverbs}
             leaves = leaves or f.verb.lemma in ("come", "break", "detach")
+            down = "down" in {*f.adverbs, f.verb.extra.get("particle", "")} and not f.phrases
+            leaves = leaves or down  # "two drums fall down and one of them hits a man"
             if event is NodeEvent.FALL and f.verb.sense == "fall" and (leaves or not into):
                 self.event(event, (name,), f, time)
                 continue

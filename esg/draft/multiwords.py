@@ -197,6 +197,8 @@ _ENTRIES: tuple[tuple[tuple[str, ...], Literal["prep", "adv", "sub", "conj"], st
     (("in", "to"), "prep", "into"),
     (("as", "well", "as"), "prep", "with"),
     (("one", "by", "one"), "adv", "one by one"),
+    (("to", "and", "fro"), "adv", "indeed"),
+    (("back", "and", "forth"), "adv", "indeed"),
     (("one", "after", "another"), "adv", "one by one"),
     (("one", "after", "the", "other"), "adv", "one by one"),
     (("in", "a", "row"), "adv", "in a row"),

@@ -226,7 +226,7 @@ class References(Anaphora):
             self._last_moving = list(self._handled if struck and self._handled else objects)
         elif f.verb.sense in _MOVING and len(subject) == 1 and self.kind(subject[0]) != "person":
             self._last_moving = list(subject)
-        if subject and not f.reduced:
+        if subject and (not f.reduced or (f.relative and f.verb.sense in STATES)):
             if self._last_subject != subject:
                 self._subject_before, self._last_had_object = self._last_subject, self._acts_on
                 self._acts_on = False
@@ -274,6 +274,8 @@ class References(Anaphora):
         if m is None or id(m) in self.world.resolved:
             return
         touches = f.verb.sense in ("hit", "knock", "miss") and not f.verb.passive and f.object
+        touches = touches or (f.verb.sense == "topple" and f.object and "contact" in f.verb.extra)
+        touches = touches or (f.verb.sense in ("turn", "swerve") and m.head in ("bow", "prow"))
         if not touches or m.head not in ACTING_PARTS or m.plural:
             return
         if m.determiner != "its" and m.possessor is None:
@@ -335,6 +337,7 @@ class References(Anaphora):
         """Referents of the subject; what falls after a push is the thing pushed."""
         m = f.subject
         self._named_later(f)
+        self._it_of_the_owner(f)
         if (
             m is not None
             and m.pronoun == "it"

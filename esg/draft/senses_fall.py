@@ -189,6 +189,9 @@ class FallSenses(LaunchSenses):
             if rolling or all(self.kind(i) in SELF_POWERED for i in s):
                 self.scene.ignored[(f.verb.start, f.verb.end)] = "it is on its own from here on"
                 return  # "a trailer comes loose from a pickup"
+        if "in" in f.adverbs and not f.phrases and any(map(self._enterable, self._named())):
+            self._goes_in(f, s, self._time(f))  # "pushes until the rubble falls in"
+            return
         met = f.phrase("off")
         hosts = met.mention.entities if met is not None and met.mention is not None else o
         if f.verb.lemma == "come" and self._rebounds(s, hosts):

@@ -353,6 +353,9 @@ class World(Members):
                 last = self.subjects[-1]  # "the cone hits another cone, and the other cone ..."
             rest = [e.id for e in names if e.id not in last and e.id not in avoid]
             return rest if m.plural else rest[:1]
+        if not m.plural and " " in m.text:
+            exact = [e for e in names if e.label.lower() == m.text.lower()]
+            names = exact or names  # "a patrol boat ... a sailing boat ... the sailing boat"
         alike = [e for e in self.entities.values() if self._same_kind(m, e)]
         if m.counted_from and (found := self._counted(m, alike)):
             return found
