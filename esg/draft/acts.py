@@ -145,7 +145,23 @@ class Acts(Edges):
                 elif p.prep == "to" and self.structural(other) and self._comes_down(f, actor, p):
                     self.event(NodeEvent.FALL, (actor,), f, time)
                 elif p.prep == "to" and not self.structural(other) and not p.mention.attribute:
-                    self.pending[actor] = (NodeEvent.REACH, f, other, time)
+                    self._heads_for(f, actor, other, time)
+
+    def _heads_for(self, f: Frame, actor: str, other: str, time: Time | None) -> None:
+        """ "runs to the ball and carries it to a bench": one arrival after the other.
+
+        What is thrown or passed to somebody is for him to take: no arrival is told.
+        """
+        sent = f.verb.sense in ("launch", "pass") and self.kind(other) in ("person", "animal")
+        sent = sent and f.phrase("from") is None  # "from one player to another" is a way
+        if sent and self.kind(actor) in STRUCK | {"sliding"}:
+            self.use(f, "for somebody to take")
+            return
+        before = self.pending.get(actor)
+        another = before is not None and before[0] is NodeEvent.REACH and before[2] != other
+        if another and before is not None and before[1] is not f:
+            self._settle(actor, None)
+        self.pending[actor] = (NodeEvent.REACH, f, other, time)
 
     def _touches_later(self, f: Frame, other: str) -> bool:
         """ "runs past a scooter and brushes it": no miss."""

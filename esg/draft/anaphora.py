@@ -202,6 +202,21 @@ class Anaphora(MotionSenses):
         if self.kind(main[0]) != "person" and self.movable(main[0]):
             self.world.resolved[id(m)] = m.entities = list(main)
 
+    def _after_a_when_clause(self, f: Frame) -> None:
+        """ "A vase sways when a dog bumps a shelf, and then it falls": the vase."""
+        m = f.subject
+        if m is None or m.pronoun != "it" or f.subordinate or id(m) in self.world.resolved:
+            return
+        told = [g for g in self.told if g.sentence == f.sentence and g.verb.start < m.start]
+        last = max(told, key=lambda g: g.verb.start, default=None)
+        main = last.main if last is not None and last.subordinate in ("when", "as") else None
+        if last is None or main is None or main.subject is None or main.subject.pronoun:
+            return
+        first = main.verb.start < last.verb.start and main.verb.sense in ("noop", "posture", "be")
+        who = main.subject.entities
+        if first and len(who) == 1 and self.movable(who[0]) and self.kind(who[0]) != "person":
+            self.world.resolved[id(m)] = m.entities = list(who)
+
     def _note_main(self, f: Frame, subject: list[str]) -> None:
         """Remembers the subject of a sentence's main clause, and that of a clause after it."""
         main = self._mains.get(f.sentence, ([], []))[0]

@@ -33,6 +33,7 @@ _COUNTERFACTUAL = re.compile(
 )
 _ENDS = re.compile(r"[.;!?\n]")
 _NOBODY = re.compile(r"\b(?:nobody|no[ -]one)\s+$", re.IGNORECASE)
+_NONE_OF = re.compile(r"none\s+of\b", re.IGNORECASE)
 _STOPS_DOING = re.compile(
     r"\s+(?:(?:pedall?|accelerat|push|kick|paddl|row|pull|steer|swing|blow|sweep|pump|brak|talk"
     r"|play|bark|wav|danc|laugh|sing|shak|wobbl|swerv)ing)\b",
@@ -80,6 +81,8 @@ def mark_unreal(frames: list[Frame], text: str) -> None:
         reason = "" if true else _reason(f, earlier, later, text)
         if reason:
             f.unreal = reason
+        if f.subject is not None and _NONE_OF.match(text, f.subject.start):
+            f.verb.negated = True
         if f.verb.sense == "stop" and _STOPS_DOING.match(text, f.verb.end):
             f.unreal = "it stops doing something, not moving"
         if _NEVER.search(text, max(0, f.verb.start - 24), f.verb.start):

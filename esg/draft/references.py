@@ -186,7 +186,9 @@ class References(Anaphora):
             self._handled = tuple(objects)
         set_going = f.verb.sense in ("roll", "slide") and f.object is not None
         struck = (f.verb.sense in ("launch", "drop") or set_going) and not f.verb.passive
-        self._launched = list(objects) if struck else []
+        driven = f.verb.sense == "hit" and f.object is not None and not f.verb.passive
+        driven = driven and f.phrase("against", "toward", "towards", "into") is not None
+        self._launched = list(objects) if struck or driven else []
         self._dropped = f.verb.sense == "drop" or set_going
         aimed = f.phrase("at", "toward", "towards", "against")
         if f.verb.sense in ("launch", "hit") and aimed is not None and aimed.mention is not None:
@@ -338,6 +340,7 @@ class References(Anaphora):
         m = f.subject
         self._named_later(f)
         self._it_of_the_owner(f)
+        self._after_a_when_clause(f)
         if (
             m is not None
             and m.pronoun == "it"

@@ -18,6 +18,7 @@ _OVERTURNED = frozenset({"person", "seat", "furniture", "appliance", "upright", 
 _TWO_WHEELED = frozenset({"bicycle", "motorcycle", "scooter", "tricycle"})
 _SOURCES = ("off", "from", "out of", "over", "down")
 _LOOSE = re.compile(r"\b(?:loose|adrift|unhooked|uncoupled)\b", re.IGNORECASE)
+_OTHER_SIDE = re.compile(r"\s+(?:down\s+)?on\s+(?:the|its)\s+(?:other|far)\s+side", re.IGNORECASE)
 _HANGING = frozenset({"chandelier"})
 STANDING_CM = 60.0
 """A thing that is this tall stands on the ground."""
@@ -31,6 +32,7 @@ class FallSenses(LaunchSenses):
             self.scene.ignored[(f.verb.start, f.verb.end)] = "nothing is let go"
             return  # "releases the brakes"
         beyond = "over" in f.adverbs or f.phrase("behind", "beyond", "over", "past") is not None
+        beyond = beyond or _OTHER_SIDE.match(self.text, f.verb.end) is not None
         under_way = bool(s) and all(i in self.tl.tracks or i in self.stated for i in s)
         if beyond and under_way and not (o or f.verb.passive or s[0] in self.scene.supported_by):
             self.use(f, "end of the flight")  # "clips the net and drops over"

@@ -153,6 +153,35 @@ from tests.draft.told import events
             "A puck does not stop before the line but glides on and hits a shoe.",
             [("Collision", "puck_1", "shoe_1")],
         ),
+        # "it" after a when-clause, after a blow, and one arrival after the other
+        (
+            "The jug trembles when a cat bumps into the counter, and then it falls off the shelf.",
+            [("Collision", "cat_1", "counter_1"), ("Fall", "jug_1")],
+        ),
+        (
+            "A keeper punches the ball against a post, and it bounces into the goal.",
+            [
+                ("Collision", "keeper_1", "ball_1"),
+                ("Collision", "ball_1", "post_1"),
+                ("EnterRegion", "ball_1"),
+            ],
+        ),
+        (
+            "A dog runs to a stick and carries it to a tree.",
+            [("Reach", "dog_1", "stick_1"), ("Reach", "dog_1", "tree_1")],
+        ),
+        # what is passed to somebody arrives at nobody
+        ("A boy kicks a ball and passes it to a girl.", []),
+        # none of them does, and no support is left behind the net
+        ("None of the four cups falls off the table.", []),
+        (
+            "The shuttlecock hits the net and drops on the other side.",
+            [("Collision", "shuttlecock_1", "net_1")],
+        ),
+        (
+            "A toboggan slides into a pile of snow.",
+            [("Collision", "toboggan_1", "pile_of_snow_1")],
+        ),
     ],
 )
 def test_plain_sentences(prompt: str, expected: list[tuple[Any, ...]]) -> None:
