@@ -17,6 +17,23 @@ that stay: Python's 700 cost a fifth of it."""
 INTERRUPTED = "interrupted; finished stages are kept, run the same command again to go on"
 
 
+EXTRAS = {
+    "cma": "baselines", "coacd": "convex", "dask": "dask", "distributed": "dask",
+    "open_clip": "clip", "openai": "llm", "prefect_dask": "dask", "prefect_ray": "ray",
+    "pydantic_ai": "llm", "ray": "ray", "torch": "clip",
+}  # fmt: skip
+"""Packages that are not always installed, and the extra that brings them."""
+
+
+def missing(module: str) -> str:
+    """What to install when a package is not there; nothing if it is one of our own."""
+    package = module.partition(".")[0]
+    if package in ("", "esg", "tasks", "flows"):
+        return ""
+    extra = f"[{EXTRAS[package]}]" if package in EXTRAS else ""
+    return f'this needs the package {package}: pip install "esg-scenes{extra}"'
+
+
 def interrupted(error: BaseException | None) -> bool:
     """Whether an error is Ctrl-C that a library caught and raised as one of its own."""
     while error is not None:
@@ -84,6 +101,8 @@ def main() -> None:
             sys.exit(fail(INTERRUPTED, 130, as_json))
         if os.environ.get("ESG_DEBUG"):
             raise
+        if isinstance(error, ModuleNotFoundError) and (told := missing(error.name or "")):
+            sys.exit(fail(told, 2, as_json))
         what = " ".join(f"{type(error).__name__}: {error}".split())
         code = fail(f"a defect of this software: {what}; ESG_DEBUG=1 shows where", 1, as_json)
     sys.exit(code if isinstance(code, int) else 0)
