@@ -153,6 +153,8 @@ def next_verb(elements: list[Element], i: int) -> Verb | None:
     return None
 
 
+_MANOEUVRES = frozenset({"turn", "brake", "slow", "swerve", "reverse", "overtake"})
+"""Senses of what somebody does at the wheel, which no hit makes him do."""
 _MOVING = frozenset(
     {
         "own",
@@ -173,6 +175,13 @@ _MOVING = frozenset(
 )
 
 
+def _manoeuvre_before_the_hit(f: Frame) -> bool:
+    """ "collides with a car that turns left": the turn that leads to it, not what comes of it."""
+    if not f.relative or f.resulting or f.verb.passive or f.verb.sense not in _MANOEUVRES:
+        return False
+    return f.parent is not None and f.parent.verb.sense == "hit" and not f.parent.verb.passive
+
+
 def background_first(frames: list[Frame]) -> list[Frame]:
     """What a noun is already doing ("hit by a van moving at 12 m/s") precedes its clause."""
     out: list[Frame] = []
@@ -184,6 +193,7 @@ def background_first(frames: list[Frame]) -> list[Frame]:
             and (
                 (progressive and (f.verb.sense in _MOVING or f.verb.lemma == "do"))
                 or (f.verb.passive and f.verb.sense in ("launch", "drop") and not f.resulting)
+                or _manoeuvre_before_the_hit(f)
             )
             and out
             and out[-1].sentence == f.sentence

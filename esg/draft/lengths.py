@@ -18,6 +18,7 @@ _APART = re.compile(
 )
 """What stands between a length and the thing it is measured from."""
 
+_FROM_AFAR = re.compile(r"from\s+a\s+distance\s+of\s+(?:about\s+)?$", re.IGNORECASE)
 _PAINTED = frozenset({"crosswalk", "finish line"})
 """What lies on a road and ends: a road itself, or a crossing of two, is under who stops."""
 
@@ -77,7 +78,7 @@ class Lengths(Events):
                 for actor in actors:
                     self.scene.relations.append(Relation(actor, aim, "near", a.value))
                 self.use(a, "distance at the start")
-            elif after.startswith("apart"):
+            elif after.startswith("apart") or _FROM_AFAR.search(self.text[: a.start]):
                 continue  # "two balls 4 m apart roll": the gap at the start (`spacing`)
             elif f.verb.sense in ("own", "roll", "slide", "fly", "launch", "reverse") and actors:
                 track = self.tl.tracks.get(actors[0])

@@ -288,6 +288,10 @@ class Registry(Matching):
             or any(e.noun.name == "basketball" for e in self.entities.values())
         ):
             noun = lex.nouns()["basketball hoop"]
+        elif noun.name == "stump" and any(
+            e.noun.name == "cricket ball" for e in self.entities.values()
+        ):
+            noun = lex.nouns()["cricket stump"]
         elif noun.name == "roof tile" and m.plural and m.determiner == "the":
             noun = lex.nouns()["floor"]  # "over the edge onto the tiles"
         elif m.head == "ball":

@@ -224,6 +224,8 @@ class LaunchSenses(StateSenses):
         for p, a in self.amounts(f):
             if self.text[a.end : a.end + 6].strip().startswith(("away", "apart")):
                 continue
+            if self.text[max(0, a.start - 14) : a.start].rstrip().endswith("distance of"):
+                continue  # "thrown from a distance of 3 m"
             drop = f.verb.sense in ("fall", "drop") and p == ""
             if a.dimension == "length" and drop:
                 self._start_height(things, a)  # "falls 2 m onto a bucket"

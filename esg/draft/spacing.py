@@ -38,6 +38,7 @@ _FROM = re.compile(
     r"|to\s+the\s+(?:left|right)\s+of|left\s+of|right\s+of|clear\s+of)\s+",
     re.IGNORECASE,
 )
+_GAPS = frozenset({"distance", "gap", "spacing", "separation", "interval"})
 _EACH_OTHER = re.compile(r"(?:each\s+other|one\s+another)\b", re.IGNORECASE)
 _TRAVELS = re.compile(
     r"\b(?:fall|drop|fell|jump|leap|mov|roll|slid|driv|travel|run|walk|go|fl[iey]|climb|brak|stop"
@@ -58,7 +59,8 @@ def space(text: str, mentions: list[Mention], scene: Scene) -> None:
     """
     for a in find_amounts(text):
         span = (a.start, a.end)
-        inside = any(a in parts(m.amounts) for m in mentions)
+        things = [m for m in mentions if not (m.attribute and m.head in _GAPS)]
+        inside = any(a in parts(m.amounts) for m in things)
         if a.dimension != "length" or span in scene.used or inside:
             continue
         pair = _pair(text, a, mentions, scene)

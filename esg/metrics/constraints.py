@@ -125,6 +125,10 @@ def _bodies(c: SuiteConstraint, world: Scored) -> tuple[tuple[int, ...], str]:
     if not binding.bodies:
         return (), binding.problem or f"{c.object!r} binds to no body"
     decided = tuple(i for i in binding.bodies if i in took_part)
+    if not decided and not binding.plural:
+        # "A skater" beside two others who only stand there: the one that the events are about.
+        acting = {i for found in world.found.values() for i in found.bodies}
+        decided = tuple(i for i in binding.bodies if i in acting)
     return decided or binding.bodies, ""
 
 

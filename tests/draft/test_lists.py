@@ -103,3 +103,52 @@ def test_balls_apart_that_roll_are_apart_at_the_start() -> None:
     doc = draft("Two balls 4 m apart roll toward each other and collide after 2 seconds.")
     edges = doc.spatial_relation_graph.edges.binary_relations
     assert [e.distance_cm for e in edges if e.distance_cm is not None] == [400.0]
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "Two karts drive toward each other at 4 m/s from a distance of 16 m and collide.",
+        "A ball is thrown at a box from a distance of 16 m.",
+    ],
+)
+def test_from_a_distance_is_a_gap_at_the_start(prompt: str) -> None:
+    """Read "from a distance of 16 m" as neither a way nor a height."""
+    doc = draft(prompt)
+    edges = doc.spatial_relation_graph.edges.binary_relations
+    assert [e.distance_cm for e in edges if e.distance_cm is not None] == [1600.0]
+    assert doc.timeline_system is not None
+    assert not any(n.constraints for n in doc.timeline_system.sequence_graph.nodes)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "expected"),
+    [
+        (
+            "A bus hits a car that turns left in front of it.",
+            [("HeadingReached", "car_1"), ("Collision", "bus_1", "car_1")],
+        ),
+        (
+            "A car hits a ball that rolls into a box.",
+            [("Collision", "car_1", "ball_1"), ("Collision", "ball_1", "box_1")],
+        ),
+    ],
+)
+def test_a_turn_told_behind_that_comes_before_its_hit(
+    prompt: str, expected: list[tuple[Any, ...]]
+) -> None:
+    """Let who is hit turn first, but roll on only after the hit."""
+    assert read(prompt) == expected
+
+
+def test_floors_of_shops_and_halls_are_floors() -> None:
+    """Stand on the shop floor, not on a shop."""
+    doc = draft("A robot arm stands on the shop floor. A cart hits the robot arm.")
+    assert list(doc.spatial_relation_graph.nodes) == ["ground_1", "robot_arm_1", "cart_1"]
+
+
+def test_stumps_of_a_cricket_ball_are_no_trees() -> None:
+    """Knock over thin sticks, not tree stumps."""
+    doc = draft("A cricket ball moving at 20 m/s knocks over the stumps.")
+    node = doc.spatial_relation_graph.nodes["stump_1"]
+    assert doc.asset_requirement[node.asset_id].expected_dimensions_cm[0] < 10.0

@@ -87,6 +87,16 @@ def test_mass_is_the_simulated_one():
     assert (found.score, found.score_strict) == (1.0, pytest.approx(1 - 0.2 / 7))
 
 
+def test_of_several_alike_the_one_that_acts_is_measured():
+    """Take the speed of the ball that hits the box, not of another ball that lies there."""
+    world = World().add(ball("ball_1"), x=line(0.0, 2.0)).add(ball("ball_2"), x=-9.0)
+    world.add(body("box_1"), x=2.2).touch(1.0, "ball_1", "box_1")
+    world.run(SetVelocity("ball_1", 0.0, (2, 0, 0)))
+    event = SuiteEvent(id="e1", type="collision", a="ball", b="box")
+    found = measured(world, [event], kind="initial", quantity="speed", object="ball", at="start")
+    assert found.measured == pytest.approx(2.0, rel=1e-3)
+
+
 def test_speed_at_start_is_what_the_program_sets():
     world = World().add(body("car_1"), x=line(0.0, 10.0)).run(HoldVelocity("car_1", 0, 3, 10, 0))
     found = measured(world, [], kind="initial", quantity="speed", object="car", at="start")
