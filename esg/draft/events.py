@@ -331,6 +331,12 @@ class Events(Concurrence):
             )
             return
         for t in things:
+            before = self.scene.heights.get(t)
+            if before is not None:
+                if before != a.value:
+                    name, low = self.e(t).label, before if isinstance(before, float) else before[0]
+                    self.world.conflicts.append(f"{name} starts at {low:g} cm and {a.low:g} cm")
+                continue
             self.scene.heights[t] = a.value
             self.tl.start_constraints.append(
                 EventConstraint(quantity="height", object=t, value=a.value)

@@ -12,6 +12,7 @@ from esg.draft.entities import ORDINALS
 from esg.draft.frames import Frame, Phrase
 from esg.draft.references import RIDDEN, STATES, References
 from esg.draft.scene import SELF_POWERED, Scene
+from esg.draft.underway import by_the_clock
 from esg.draft.windows import Draft
 from esg.graph.models import EventConstraint, NodeEvent, Role
 
@@ -63,6 +64,7 @@ class Interpreter(References):
         # references are resolved in the order of the text, events in the order of time
         self.told, self.attached = frames, attachments
         self._refer_all(frames)
+        self.told = frames = by_the_clock(frames)
         dodge(frames, self.text)
         self.upon(attachments)
         for m, p in attachments:

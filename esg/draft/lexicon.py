@@ -237,6 +237,7 @@ MODALS = _words("auxiliaries")
 ADVERBS = _words("adverbs")
 SUBORDINATORS = _words("subordinators")
 PARTS = _words("parts")
+GARMENTS = _words("garments")
 ATTRIBUTES = _words("attributes")
 """Nouns that name no object: measures, events, media."""
 SUBSTANCES = _words("substances")

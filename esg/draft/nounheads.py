@@ -12,7 +12,7 @@ _PIECES = frozenset({"roll", "piece", "slice", "sheet", "lump", "chunk", "coil",
 _RUNNING_GEAR = frozenset({"wheels", "castors", "casters", "rollers", "rails", "skates", "runners"})
 
 
-_SINGULAR = frozenset({"a", "an", "each", "every", "this", "that"})
+_SINGULAR = frozenset({"a", "an", "another", "each", "every", "this", "that"})
 _MOSTLY_NOUNS = frozenset(
     {"cannon", "hammer", "hook", "bank", "motor", "scoop", "jet", "paddle", "sandwich", "spiral",
      "loop", "stream", "lance", "drum"}
@@ -224,6 +224,9 @@ class NounHeads(RowPhrases):
         elif low == "stop" and self._waiting_place(i, j, m):
             m.noun, m.head = lex.nouns()["bus stop"], "stop"
             j += 1
+        elif low and self._does_next(j, m):
+            m.head, m.known = low, False  # "a steel hook is hit"
+            j += 1
         elif (
             low
             and {low, lex.singular(low)[0]} & lex.ATTRIBUTES
@@ -257,12 +260,19 @@ class NounHeads(RowPhrases):
             if m.determiner or m.count:
                 m.pronoun = low
             j += 1
-        elif m.determiner in lex.PRONOUNS and not m.adjectives and j == i + 1 and m.count is None:
+        elif (
+            m.determiner in lex.PRONOUNS
+            and not m.adjectives
+            and j == i + 1
+            and m.count is None
+            and not (m.determiner == "another" and self._unknown_noun(j))
+        ):
             m.pronoun = m.determiner
             if m.determiner in ("his", "her", "my", "our", "your", "its", "their"):
                 return None
         elif (
-            m.determiner in ("both", "each", "all", "some", "many", "several", "another")
+            not (m.determiner == "another" and self._unknown_noun(j))
+            and m.determiner in ("both", "each", "all", "some", "many", "several", "another")
             and j == i + 1
         ):
             m.pronoun = m.determiner

@@ -13,10 +13,25 @@ _ALSO_THINGS = frozenset({"bumper", "lid", "wing", "handle", "headlight", "rim",
 """Parts that are things where nothing is named that they are parts of."""
 _TERRAIN = frozenset(
     {"bump", "dip", "bend", "jump", "turn", "drop", "fall", "rise", "run", "walk", "climb", "go",
-     "try", "look", "rest", "halt", "start", "roll", "spin", "drift", "dive", "leap", "hunt"}
+     "try", "look", "rest", "halt", "start", "roll", "spin", "drift", "dive", "leap", "hunt",
+     "touch", "drive", "wave", "poke", "prod", "squeeze", "stroke", "ride", "swim", "sprint",
+     "dash", "lunge", "charge", "throw", "pass", "shove", "pull", "bounce", "hop", "skip", "surf",
+     "wobble",
+     "slap", "pat", "punch", "blow", "whack", "smack", "dribble", "putt", "serve", "cast", "rush",
+     "gallop", "trot", "jog", "march", "stroll", "sweep", "toss", "pitch", "lob", "rebound",
+     "twist",
+     "tumble", "slip", "skid", "stumble", "stagger", "trip", "lurch", "jerk", "roar", "cry",
+     "glide",
+     "chase", "pursuit", "dump", "buckle", "burst", "draw", "return", "delay", "break", "struggle"}
 )  # fmt: skip
 """Verbs whose nouns name no thing."""
-_MEETING = frozenset({"into", "onto", "on", "against", "off", "past", "toward", "towards"})
+_MEETING = frozenset(
+    {"into", "onto", "on", "against", "off", "past", "toward", "towards", "by", "under", "behind"}
+)
+_ARTICLES = frozenset({"a", "an", "the", "another"})
+_TOOLS = frozenset({"saw", "shot"})
+"""Things whose names are also the past of a verb."""
+_IS = frozenset({"is", "are", "was", "were", "gets", "got", "has", "had"})
 _LETTING = frozenset({"make", "let", "have", "watch", "see"})
 _MEASURES = frozenset({"mass", "weight", "radius", "diameter", "height", "width", "length"})
 
@@ -82,14 +97,28 @@ class NounQuestions(Letters):
         """ "lands on a shield", "hits a slipper.": after an article and where things are met."""
         low, nxt, before = self._low(j), self._tok(j + 1), self._previous()
         readings = verb_readings(low)
-        if m.determiner not in ("a", "an") or not readings or low in _TERRAIN | lex.ATTRIBUTES:
+        if m.determiner not in _ARTICLES or not readings or low in _TERRAIN | lex.ATTRIBUTES:
             return False
         if any(r.form != "base" for r in readings):
             return False
         met = isinstance(before, Verb) and before.sense in ("hit", "land", "miss", "overtake")
         met = met or (isinstance(before, Word) and before.low in _MEETING)
+        if m.determiner == "the" and isinstance(before, Word) and before.low == "off":
+            return False  # "off the tee"
         ends = nxt is None or nxt.kind == "punct" or nxt.low in lex.PREPOSITIONS | {"and", "but"}
         return met and ends and nxt is not None and nxt.low != "of"
+
+    def _does_next(self, j: int, m: Mention) -> bool:
+        """ "The saw falls", "a steel hook is hit": who does what the verb behind it says."""
+        nxt, forms = self._low(j + 1), {r.form for r in verb_readings(self._low(j))}
+        if (forms != {"base"} and self._low(j) not in _TOOLS) or m.determiner not in _ARTICLES:
+            return False
+        if self._low(j) in _TERRAIN | lex.ATTRIBUTES:
+            return False
+        if m.adjectives and m.adjectives[-1] in ALONE | lex.PLACE_ADJECTIVES:
+            return False
+        finite = any(r.form == "s" for r in verb_readings(nxt)) and self._match_noun(j + 1) is None
+        return finite or nxt in _IS
 
     def _one_does(self, j: int, m: Mention) -> bool:
         """ "One rolls away and another hits a box": a verb, as no plural follows "another"."""

@@ -13,6 +13,7 @@ from esg.draft.coordination import coordinate
 from esg.draft.coverage import account, in_prompt
 from esg.draft.ellipsis import elide
 from esg.draft.expand import expand
+from esg.draft.garments import undress
 from esg.draft.headlines import spelled_out
 from esg.draft.interpret import Interpreter
 from esg.draft.light_verbs import lighten
@@ -73,7 +74,7 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     tokens = join_modifiers(tokenize(text, pos_tags(text)), text)
     elements = drop_reports(drop_similes(Chunker(text, tokens).run()))
     elements = from_sheet(lighten(positioned(appose(coordinate(own_nouns(elements))))))
-    elements = mark_persons(absolutes(elide(verbalize(reorder(elements, text)))))
+    elements = undress(mark_persons(absolutes(elide(verbalize(reorder(elements, text))))))
     clauses = ClauseBuilder(elements)
     clauses.run()
     count(clauses.attachments)

@@ -84,6 +84,7 @@ class LaunchSenses(StateSenses):
         if s and by and not handed:
             self._start_motion(f, [x for x in s if self.movable(x)])
             o = o or self._passed_by(f, s)
+            o = [x for x in o if x != s[0]]
             for other in self.each_passed(f, o):
                 if other == o[0]:
                     self.place(s, [other], "behind")

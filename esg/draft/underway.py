@@ -1,6 +1,8 @@
-"""What is on its way when it is hit: "a ball hits a car, which then brakes", "... drives on"."""
+"""When what is told takes place: before a hit that it goes on after, and by the clock."""
 
 from __future__ import annotations
+
+from itertools import pairwise
 
 from esg.draft.elements import Verb
 from esg.draft.frames import Frame
@@ -43,3 +45,24 @@ def goes_on(told: list[Frame], verb: Verb, actor: str, words: list[str], text: s
         on = on or f.verb.sense == "continue"
         return f.verb.sense in _CONTROL or (on and f.verb.sense in _DRIVING)
     return False
+
+
+def by_the_clock(frames: list[Frame]) -> list[Frame]:
+    """ "At 4 s it hits a lamp. At 2 s it hits a car.": the clauses, the earlier sentence first.
+
+    Args:
+        frames: Clauses in the order told.
+    """
+    now = -1.0
+    keys: list[float] = []
+    spoken = -1
+    for f in frames:
+        times = [(p.prep, p.amount) for p in f.phrases if p.amount is not None]
+        at = [a for p, a in times if a.dimension == "time" and (p == "at" or a.measure == "start")]
+        if at and f.sentence != spoken and not f.subordinate and not f.unreal:
+            now, spoken = at[0].low, f.sentence
+        keys.append(now)
+    if all(a <= b for a, b in pairwise(keys)):
+        return frames
+    order = sorted(range(len(frames)), key=lambda k: keys[k])
+    return [frames[k] for k in order]
