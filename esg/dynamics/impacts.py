@@ -18,7 +18,7 @@ from esg.dynamics.kinematics import (
     sliding_distance,
     sliding_travel,
 )
-from esg.dynamics.placing import bring_support, goes_on
+from esg.dynamics.placing import bring_support, goes_on, hits_on
 from esg.dynamics.solid import beside_the_middle
 from esg.dynamics.stage import Stage
 from esg.dynamics.stagecraft import (
@@ -35,8 +35,8 @@ from esg.units import GRAVITY_MPS2
 
 THROWN_BACK = 0.3
 """Share of its speed from which something that hits a heavier body counts as thrown back."""
-APART_S = 0.22
-"""Least time between two hits of a chain."""
+APART_S, IN_ROW_S = 0.16, 0.22
+"""Least time between two hits of a chain, and between those of a row of three or more."""
 DOWN_S, FALLEN, THIN_FALLEN = 0.3, 0.85, 0.7
 """Time in which a struck body falls over, and the shares of its height that are out of its reach
 until it is down: of a broad body, and of one thin as a pin, which slides less."""
@@ -181,10 +181,11 @@ def chain(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
     if track is None or b in stage.places:
         return
     pa, pb = stage.prop(a), stage.prop(b)
-    gap = _coasting_gap(stage, pa, pb, track.speed)
-    if not pa.rolls and not pb.fixed and goes_on(stage, node, b):
+    in_row = _in_row(stage, node, a, b)
+    gap = _coasting_gap(stage, pa, pb, track.speed, IN_ROW_S if in_row else APART_S)
+    if not pa.rolls and not pb.fixed and hits_on(stage, node, b):
         # Sliding on costs speed that the next ones need.
-        gap = min(gap, sliding_travel(track.speed, coasting_drag(pa), APART_S))
+        gap = min(gap, sliding_travel(track.speed, coasting_drag(pa), IN_ROW_S))
     gap *= stage.tight
     thin = pa.height > 2.5 * pa.length and not pa.rolls
     if thin:
@@ -297,7 +298,21 @@ def _kicked(stage: Stage, node: TimelineNode, a: str) -> bool:
     return False
 
 
-def _coasting_gap(stage: Stage, body: Prop, target: Prop, speed: float) -> float:
+def _in_row(stage: Stage, node: TimelineNode, a: str, b: str) -> bool:
+    """Whether a hit of something carried leads to another one, or follows from one."""
+    if hits_on(stage, node, b):
+        return True
+    before = stage.story.ancestors(node.id)
+    return any(
+        n.id in before
+        and n.event is NodeEvent.COLLISION
+        and a in (keys := list(map(stage.key, n.participants)))
+        and not any(k in stage.tracks for k in keys)
+        for n in stage.story.nodes.values()
+    )
+
+
+def _coasting_gap(stage: Stage, body: Prop, target: Prop, speed: float, apart_s: float) -> float:
     """Free run [m] to the next target that a body set in motion surely covers.
 
     A ball that hits a ball off its centre by x sends it off by x over their radii, so that each
@@ -310,5 +325,5 @@ def _coasting_gap(stage: Stage, body: Prop, target: Prop, speed: float) -> float
     far = 0.4 * reach
     if not body.rolls:
         # What follows within a tenth of a second counts as the same hit.
-        far = max(far, min(sliding_travel(speed, coasting_drag(body), APART_S), 0.75 * reach))
+        far = max(far, min(sliding_travel(speed, coasting_drag(body), apart_s), 0.75 * reach))
     return max(0.05, min(preferred, far, 2.5))

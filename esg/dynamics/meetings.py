@@ -15,7 +15,14 @@ from esg.dynamics.impacts import chain, impact, returns
 from esg.dynamics.kinematics import lob_time
 from esg.dynamics.moves import plain
 from esg.dynamics.overtaking import overtake
-from esg.dynamics.placing import asked_distance, gap_at_start, goes_on, join, struck_again
+from esg.dynamics.placing import (
+    asked_distance,
+    gap_at_start,
+    goes_on,
+    hits_on,
+    join,
+    struck_again,
+)
 from esg.dynamics.slopes import descend, goes_down
 from esg.dynamics.stage import FASTEST_MPS, Stage, speed_is_fixed
 from esg.dynamics.stagecraft import (
@@ -305,7 +312,7 @@ def sends_sliding(stage: Stage, node: TimelineNode, b: str) -> bool:
         keys = list(map(stage.key, later.participants))
         others = [k for k in keys if k != b]
         if later.event is NodeEvent.COLLISION and b in keys and others:
-            return others[0] not in stage.tracks and goes_on(stage, later, others[0])
+            return others[0] not in stage.tracks and hits_on(stage, later, others[0])
     return False
 
 

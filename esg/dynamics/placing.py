@@ -25,6 +25,14 @@ def goes_on(stage: Stage, node: TimelineNode, b: str) -> bool:
     return any(b in map(stage.key, n.participants) for n in later)
 
 
+def hits_on(stage: Stage, node: TimelineNode, b: str) -> bool:
+    """Whether the target is to hit something else after this hit."""
+    return any(
+        n.event is NodeEvent.COLLISION and b in map(stage.key, n.participants)
+        for n in stage.story.after(node.id)
+    )
+
+
 def asked_distance(stage: Stage, node: TimelineNode, a: str) -> float | None:
     """Distance [m] the prompt has `a` cover until the event, or None.
 
