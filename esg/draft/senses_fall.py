@@ -5,11 +5,9 @@ from __future__ import annotations
 import re
 
 from esg.draft.acts import Acts
-from esg.draft.decks import is_deck
-from esg.draft.entities import BODY_PARTS, OWN_PARTS
 from esg.draft.frames import Frame, Phrase
+from esg.draft.landings import Landings
 from esg.draft.scene import SELF_POWERED
-from esg.draft.senses_launch import LaunchSenses
 from esg.graph.models import NodeEvent
 
 _UPRIGHT = frozenset({"domino", "plant", "post", "wall", "building", "structure"})
@@ -24,7 +22,7 @@ STANDING_CM = 60.0
 """A thing that is this tall stands on the ground."""
 
 
-class FallSenses(LaunchSenses):
+class FallSenses(Landings):
     """Bodies that lose their support, and where they come down."""
 
     def _do_drop(self, f: Frame, s: list[str], o: list[str]) -> None:
@@ -94,96 +92,21 @@ class FallSenses(LaunchSenses):
                     continue  # "drops behind the net" after a throw: it leaves no support
                 self.pending[t] = (NodeEvent.FALL, f, None, self._time(f))
 
-    def _named(self) -> list[str]:
-        return [i for ids in self.world.salience for i in ids if i in self.world.entities]
-
-    def _landing(self, f: Frame, moved: list[str]) -> bool:
-        for way in f.phrases:
-            if way.prep == "through" and way.mention and self._opening(way.mention.entities):
-                way.prep = "by way of"  # "drops through a hatch onto a cart"
-        p = f.phrase("onto", "on", "into", "in", "through", "to", "upon")
-        if p is None and f.verb.sense in ("fall", "topple"):
-            p = f.phrase("against")
+    def _leans_over(self, f: Frame, actors: list[str]) -> bool:
+        """ "the first book falls against the second": it tips over beside it."""
+        p = f.phrase("against")
         m = p.mention if p is not None else None
-        own_side = m is not None and m.determiner == "its" and not m.entities
-        built = m is not None and m.determiner == "its" and bool(moved)
-        own_side = own_side or (built and self.kind(moved[0]) in SELF_POWERED - {"person"})
-        if own_side and m is not None and m.head in BODY_PARTS | OWN_PARTS:
-            self.use(f, "landing")
-            return True
-        if p is None or p.mention is None or not p.mention.entities:
+        met = [i for i in m.entities if i not in actors and self._aimable(i)] if m else []
+        alone = f.phrase(*_SOURCES) is None and "off" not in f.adverbs
+        solid = [a for a in actors if "round" not in self.e(a).noun.traits and self.movable(a)]
+        beings = any(self.kind(a) in ("person", "animal") for a in actors)
+        if not met or not alone or not solid or beings or self._airborne(solid[0]):
             return False
-        other = p.mention.entities[0]
-        if self.structural(other) and p.mention.start < f.verb.start:
-            return False  # "In a café a waiter drops a tray": where, not where to
-        owned = p.mention.determiner in ("its", "his", "her", "their")
-        itself = not set(p.mention.entities) - set(moved)
-        if owned and itself and p.mention.head in BODY_PARTS | OWN_PARTS:
-            self.use(f, "landing")  # "lands on its wheels"
-            if f.verb.sense == "fall" and moved and self.kind(moved[0]) == "person":
-                self.event(NodeEvent.TOPPLE, (moved[0],), f, self._time(f))  # "flat on his face"
-            return True
-        self.came_down.update(moved)
-        for t in moved:
-            if t == other:
-                continue
-            if self.structural(other):
-                if self.kind(t) == "flyer":
-                    continue  # it lands
-                leaper = self.kind(t) in ("person", "animal") and f.verb.sense == "land"
-                if leaper and t not in self.scene.supported_by and t not in self.scene.heights:
-                    self.use(f, "end of a jump")
-                    continue
-                if (
-                    self._airborne(t)
-                    and t not in self.scene.supported_by
-                    and f.verb.sense == "land"
-                ):
-                    continue
-                if not any(
-                    n.event is NodeEvent.FALL and t in n.participants for n in self.tl.nodes
-                ):
-                    self.event(NodeEvent.FALL, (t,), f, self._time(f))
-            elif self._takes_up_from_above(other, p.prep) or self.kind(other) in (
-                "region",
-                "water",
-            ):
-                if self.kind(other) == "water":
-                    self._off_a_deck(f, t)
-                self.enter(f, t, other, p.mention, self._time(f))
-            else:
-                self._hit(f, [t], p.mention.entities, self._time(f))
-        self._lands_again(f, moved, p)
+        if solid[0] in self.scene.heights or self._has_toppled(solid[0]):
+            return False
+        self._read_as("topple", f, solid, [])
+        self._hit(f, solid[:1], met[:1])
         return True
-
-    def _off_a_deck(self, f: Frame, thing: str) -> None:
-        """What falls into the water leaves the quay or bridge that was named."""
-        decks = [i for i, e in self.world.entities.items() if is_deck(e)]
-        told = any(n.event is NodeEvent.FALL and thing in n.participants for n in self.tl.nodes)
-        host = self.scene.supported_by.get(thing)
-        towed = [r for r in self.scene.relations if r.source == thing and r.kind == "behind"]
-        afloat = any(self.kind(r.target) == "watercraft" for r in towed)
-        if len(decks) != 1 or told or thing in decks or self._airborne(thing) or afloat:
-            return
-        if host is None:
-            self.place([thing], decks, "on")
-        if host in (None, decks[0]):
-            self.event(NodeEvent.FALL, (thing,), f, None)
-
-    def _lands_again(self, f: Frame, moved: list[str], first: Phrase) -> None:
-        """ "falls into a funnel, out of it onto a ramp and from the ramp into a cup"."""
-        if first not in f.phrases:
-            return
-        for p in f.phrases[f.phrases.index(first) + 1 :]:
-            m = p.mention
-            if m is None or m.attribute or p.prep not in ("onto", "into", "on"):
-                continue
-            others = [i for i in m.entities if i not in moved and not self.structural(i)]
-            for t in moved if others else []:
-                if p.prep == "into":
-                    self._go_into(f, t, others, p, None)
-                else:
-                    self._hit(f, [t], others[:1])
 
     def _do_fall(self, f: Frame, s: list[str], o: list[str]) -> None:
         if _LOOSE.search(self.text, f.verb.start, f.verb.end) and s:
@@ -220,6 +143,8 @@ class FallSenses(LaunchSenses):
             down = f.phrase("off", "from", "out of", "over")
             if down is None and self._landing(f, actors):
                 return
+        if self._leans_over(f, actors):
+            return
         upright = [a for a in actors if self._falls_over(a)]
         self._on_what_was_hit(f, fresh)
         ground = f.phrase("to")

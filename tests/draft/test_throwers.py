@@ -80,6 +80,14 @@ def test_it_is_not_the_place(verb: str) -> None:
             [("EnterRegion", "barrel_1"), ("Collision", "barrel_1", "canoe_1")],
         ),
         (
+            "A ball hits a can on a table, and the can falls against a jug.",
+            [
+                ("Collision", "ball_1", "can_1"),
+                ("Topple", "can_1"),
+                ("Collision", "can_1", "jug_1"),
+            ],
+        ),
+        (
             "A vase stands on a shelf. A ball rolls over and knocks it down.",
             [("Collision", "ball_1", "vase_1"), ("Topple", "vase_1")],
         ),
