@@ -3,7 +3,7 @@
     python -m benchmarks.drafting                  # test third: rules, and scripted variants
     python -m benchmarks.drafting --split dev --show --no-ablation
     python -m benchmarks.drafting --split dev --files wide cold --no-ablation
-    python -m benchmarks.drafting --split blind --no-ablation    # totals of the second held-out set
+    python -m benchmarks.drafting --split blind --no-ablation    # totals of another held-out set
     python -m benchmarks.drafting --soak 100000    # memory and CPU time over many prompts
 
 Expectations in `data/prompts/*.jsonl` were written from the prompts alone. The paper's row is its
@@ -46,11 +46,13 @@ FILES = (
     "plain2",
     "plain3",
     "plain4",
+    "plain5",
 )
 """All but the bands hold further prompts of all four bands, for development only."""
-HELD_OUT = ("test", "blind")
-"""Splits for totals only: who improves the drafter reads no miss of them. `blind` is a file of its
-own, no part of `all`."""
+BLIND = ("blind", "blind2")
+"""Splits that are files of their own, no part of `all`."""
+HELD_OUT = ("test", *BLIND)
+"""Splits for totals only: who improves the drafter reads no miss of them."""
 PAPER = {"single_shot": 76.5, "no_validation": 88.5, "full": 99.0}
 """Usability [%] of the paper's ablation (GPT-4.1, its own prompts), by our variants' names."""
 _TITLES = {
@@ -106,9 +108,9 @@ class Score:
 
 
 def load(split: str | None, files: Iterable[str] = FILES) -> list[dict[str, Any]]:
-    """The corpus without `blind`, or one split of it, or of some files."""
+    """The corpus without `BLIND`, or one split of it, or of some files."""
     rows: list[dict[str, Any]] = []
-    for name in ("blind",) if split == "blind" else files:
+    for name in (split,) if split in BLIND else files:
         for line in (PROMPTS / f"{name}.jsonl").read_text(encoding="utf-8").splitlines():
             row = json.loads(line)
             if split in (None, "all", row["split"]):
@@ -427,7 +429,7 @@ def run(
 def main(argv: list[str] | None = None) -> int:
     """Prints the table; returns the exit code."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--split", choices=("test", "dev", "all", "blind"), default="test")
+    parser.add_argument("--split", choices=("test", "dev", "all", *BLIND), default="test")
     parser.add_argument("--files", nargs="+", choices=FILES, default=FILES, help="only these files")
     parser.add_argument("--drafter", choices=("rules", "llm"), default="rules")
     parser.add_argument("--show", action="store_true", help="list every miss")

@@ -24,18 +24,20 @@ UNITS |= dict.fromkeys(("size", "height", "distance"), "m")
 UNITS |= dict.fromkeys(("time", "time_since", "time_to_stop"), "s")
 
 
-def test_blind_labels_are_well_formed() -> None:
+@pytest.mark.parametrize(
+    ("split", "ids", "bands"),
+    [
+        ("blind", [f"blind-{n:03d}" for n in range(1, 151)], (40, 30, 40, 40)),
+        ("blind2", [f"held-{n:03d}" for n in range(1, 151, 2)], (15, 15, 23, 22)),
+    ],
+)
+def test_blind_labels_are_well_formed(split: str, ids: list[str], bands: tuple[int, ...]) -> None:
     """Known types and fields; whatever an event or a quantity is of is among the objects."""
-    rows = drafting.load("blind")
-    assert [r["id"] for r in rows] == [f"blind-{n:03d}" for n in range(1, 151)]
-    assert {b: sum(r["band"] == b for r in rows) for b in drafting.BANDS} == {
-        "single": 40,
-        "quantified": 30,
-        "chain": 40,
-        "multi_phase": 40,
-    }
+    rows = drafting.load(split)
+    assert [r["id"] for r in rows] == ids
+    assert tuple(sum(r["band"] == b for r in rows) for b in drafting.BANDS) == bands
     for row in rows:
-        assert row["split"] == "blind"
+        assert row["split"] == split
         known = {o["phrase"] for o in row["objects"]}
         # A table's pocket is part of the table; the corpus does not list it.
         assert known and all(o.get("count", 2) >= 2 for o in row["objects"]), row["id"]
@@ -52,15 +54,16 @@ def test_blind_labels_are_well_formed() -> None:
             assert want["event"] in types if "event" in want else want["object"] in known
 
 
-def test_blind_prompts_are_new_and_no_part_of_all() -> None:
+@pytest.mark.parametrize("split", drafting.BLIND)
+def test_blind_prompts_are_new_and_no_part_of_all(split: str) -> None:
     """No blind prompt is in the rest of the corpus, and `all` stays what it was."""
     old = {r["prompt"].lower() for r in drafting.load("all")}
-    blind = [r["prompt"].lower() for r in drafting.load("blind")]
+    blind = [r["prompt"].lower() for r in drafting.load(split)]
     assert len(set(blind)) == len(blind) and not old & set(blind)
     assert {r["split"] for r in drafting.load("all")} == {"dev", "test"}
 
 
-@pytest.mark.parametrize("split", ["test", "blind", "all", None])
+@pytest.mark.parametrize("split", ["test", *drafting.BLIND, "all", None])
 def test_misses_of_held_out_prompts_stay_closed(
     split: str | None, capsys: pytest.CaptureFixture[str]
 ) -> None:
