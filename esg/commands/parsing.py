@@ -80,7 +80,7 @@ def _without_fractions(app: App, tokens: list[str]) -> tuple[list[str], list[str
         size = 1 if given else 2
         if not given:
             value = tokens[k + 1] if k + 1 < len(tokens) else ""
-        if name in names and "." in value:
+        if name in names and "." in value and not value.startswith("--"):
             problems.append(f"{name} {value}: {_WANTED[int]}")
             k += size
         else:

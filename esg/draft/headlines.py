@@ -6,6 +6,7 @@ import re
 
 from esg.draft import lexicon as lex
 from esg.draft.elements import Element, Mention, Verb, Word
+from esg.draft.entities import plural
 from esg.draft.verbphrases import verb_readings
 
 _LABELS = frozenset(
@@ -56,7 +57,7 @@ def spelled_out(text: str) -> str:
     if (m := _CRASH.match(text)) and not _verb(m["rest"]):
         noun = lex.nouns().get(m["what"].lower())
         if noun is not None and noun.kind in _DRIVEN:
-            return f"Two {m['what']}s collide{m['rest']}"
+            return f"Two {plural(m['what'])} collide{m['rest']}"
     if (m := _DOMINO.match(text)) and not _verb(m["rest"]):
         return f"{m['row']} stand in a row{m['rest'].rstrip('. ')} and topple one after another."
     return text

@@ -38,6 +38,7 @@ from tests.cli.test_cli import ROOT, esg
         (["db", "prune", "--db", "x", "--keep-days", "z"], ["--keep-days z: give a number"]),
         (["draft", "x", "--seed", "3", "--seed", "4"], ["--seed is given more than once"]),
         (["draft", "x", "--seed", "1.5"], ["--seed 1.5: give a whole number"]),
+        (["draft", "x", "--seed", "--a.b"], ["--seed: give a value", "there is no option --a.b"]),
         (
             ["render", "--cameras=1.0", "--seed", "2.", "--fps", "z"],
             ["--cameras 1.0: give a whole", "--seed 2.: give", "--fps z: give a number",

@@ -26,6 +26,8 @@ from tests.draft.told import events
             [("Collision", "bowling_ball_1", "bowling_pin_1"), ("Topple", "bowling_pin_1")],
         ),
         ("bus crash into a wall", [("Collision", "bus_1", "wall_1")]),
+        ("Bus crash at an intersection", [("Collision", "bus_1", "bus_2")]),
+        ("ferry collision", [("Collision", "ferry_1", "ferry_2")]),
     ],
 )
 def test_headlines_tell_their_event(prompt: str, told: list[tuple[Any, ...]]) -> None:
