@@ -113,7 +113,7 @@ class Motions(Leftovers):
         time = self._time(f) if begins and not met else None
         for actor in actors:
             track = self.tl.track(actor)
-            if time is None or track.motion is not None:
+            if time is None or track.motion is not None or not self.movable(actor):
                 continue
             since = track.at if track.at != START else self.tl.last_event
             if time[2] == "at" or self._on_its_own(f, (actor,), time):

@@ -185,7 +185,7 @@ class Pronouns(Choices):
     def _other_of_one(self, m: Mention) -> list[str]:
         """ "One forklift waits; the other one drives off": a second forklift."""
         alone = [e for e in self.entities.values() if e.label.lower().startswith("one ")]
-        if len(alone) != 1 or self.groups:
+        if len(alone) != 1 or self.groups or "structural" in alone[0].noun.traits:
             return []
         model = alone[0]
         like = [e for e in self.entities.values() if e.noun == model.noun and e.id != model.id]

@@ -182,9 +182,8 @@ class ContactSenses(FallSenses):
 
     def _whose_way(self, f: Frame, struck: list[str]) -> list[str]:
         """ "gets in the way of a tram and is hit", "runs in front of a bus": by that."""
-        for g in reversed(
-            self.told[: next(k for k, x in enumerate(self.told) if x.verb is f.verb)]
-        ):
+        now = next((k for k, x in enumerate(self.told) if x.verb is f.verb), 0)
+        for g in reversed(self.told[:now]):
             if g.sentence < f.sentence - 1:
                 break
             about = g.subject is not None and set(g.subject.entities) & {*struck}

@@ -251,8 +251,8 @@ class ControlSenses(OutcomeSenses):
             if not self.movable(actor):
                 continue
             time = self._time(f)
-            if time is None and self._stands_by_now(actor):
-                self.use(f, "stands already")  # "pulls up at a light and stops"
+            if (time is None and self._stands_by_now(actor)) or self._hangs_still(actor):
+                self.use(f, "stands already")  # "pulls up at a light and stops", "the clock stops"
                 continue
             rest = f.phrase("against")
             if rest is not None and rest.mention is not None:
@@ -284,6 +284,12 @@ class ControlSenses(OutcomeSenses):
         moves = track is not None and track.motion is not None and not track.closed
         last = next((n for n in reversed(self.tl.nodes) if actor in n.participants), None)
         return last is not None and last.event is NodeEvent.STOP and not moves
+
+    def _hangs_still(self, actor: str) -> bool:
+        """Whether it hangs on a wall or from a ceiling and nothing has moved it."""
+        track = self.tl.tracks.get(actor)
+        moved = track is not None and (track.motion is not None or track.hit)
+        return actor in self.scene.attached and not moved
 
     @staticmethod
     def _count_from(end: Draft, earlier: str | None) -> None:

@@ -8,6 +8,7 @@ from itertools import pairwise
 from esg.draft import lexicon as lex
 from esg.draft.consequences import Consequences
 from esg.draft.elements import Mention
+from esg.draft.entities import BODY_PARTS
 from esg.draft.frames import Frame, Phrase
 from esg.draft.places import RELATION_PREPS
 from esg.draft.quantities import Amount
@@ -96,7 +97,15 @@ class StateSenses(Consequences):
                     else:
                         self.scene.relations.append(Relation(o, owners[0], "near"))
             return
+        if p.prep == "on" and p.mention.head in BODY_PARTS:
+            # "slides down a ramp on its belly": how it lies, not where the ramp is
+            owners = [o for o in owners if not self._carries_beings(o)]
         self.place(owners, others, p.prep, p.mention.part)
+
+    def _carries_beings(self, node: str) -> bool:
+        """Whether people and animals are on it, not it on them: slopes, furniture."""
+        traits = self.e(node).noun.traits
+        return bool({"support", "incline"} & traits) or not self.movable(node)
 
     def _sharers(self, owners: list[str], p: Phrase) -> list[str]:
         """ "two balls, red and blue, with masses of 1 kg and 3 kg": all that a list is told of."""

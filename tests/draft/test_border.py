@@ -85,3 +85,20 @@ def test_a_mass_below_the_lightest_is_raised_and_reported() -> None:
     assert asset.expected_mass_kg == pytest.approx(1e-3)
     assert any("lightest object" in w for w in doc.coverage.warnings)
     assert not verify(doc)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "events"),
+    [
+        ("A cat hits a box. A boy slides down a slide on his back.", ["Collision", "Trigger"]),
+        ("A plane lands in one field and a glider lands in the other one.", ["Trigger", "Trigger"]),
+        ("A clock hangs on the wall. It stops after 3 seconds.", []),
+        ("A ball hits a lamp that hangs from the ceiling; the lamp stops.", ["Collision", "Stop"]),
+        ("A slide leaves after 2 s.", []),
+    ],
+)
+def test_nothing_is_carried_or_set_going_that_cannot_be(prompt: str, events: list[str]) -> None:
+    doc = draft(prompt)
+    assert verify(doc) == ()
+    nodes = doc.timeline_system.sequence_graph.nodes if doc.timeline_system else ()
+    assert [n.event.value for n in nodes if n.participants] == events
