@@ -21,9 +21,11 @@ class Token:
     tag: str = ""
     """spaCy's coarse part of speech, if a model is there."""
 
-    @property
-    def low(self) -> str:
-        return self.text.lower()
+    low: str = field(init=False, repr=False, compare=False)
+    """The text in lower case."""
+
+    def __post_init__(self) -> None:
+        self.low = self.text.lower()
 
 
 @dataclass

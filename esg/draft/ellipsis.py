@@ -59,10 +59,11 @@ _TRAVELLING = frozenset({"own", "roll", "slide", "fly", "approach", "leave", "co
 def _hit_too(elements: list[Element], i: int) -> Verb | None:
     """ "hits a tent, which collapses, and then a stove": the verb of what else is hit."""
     again = word_at(elements, i)
-    named = again is None or (again.low in ("into", "against") and again.kind == "prep")
-    end = word_at(elements, i + 1 + (again is not None))
-    if not named:
+    if isinstance(elements[i], Verb) or i < 6:
         return None
+    if again is not None and (again.kind != "prep" or again.low not in ("into", "against")):
+        return None
+    end = word_at(elements, i + 1 + (again is not None))
     thing = elements[i] if again is None else elements[min(i + 1, len(elements) - 1)]
     ends = end is not None and end.low in (".", ";", ",", "!", "and", "but")
     if not isinstance(thing, Mention) or not (ends or thing is elements[-1]):

@@ -68,8 +68,10 @@ class Frame:
     def phrase(self, *preps: str) -> Phrase | None:
         """First phrase with one of the prepositions that has a mention; objects before measures."""
         found = [p for p in self.phrases if p.prep in preps and p.mention is not None]
+        if not found:
+            return None
         things = (p for p in found if p.mention is not None and not p.mention.attribute)
-        return next(things, found[0] if found else None)
+        return next(things, found[0])
 
 
 @dataclass

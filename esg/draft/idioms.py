@@ -164,9 +164,10 @@ def _knocks_over(f: Frame) -> str:
 
 def _bats_off(f: Frame) -> str:
     """ "A cat bats a pen off the desk": a blow, not a throw."""
+    if f.verb.lemma not in _BATTING or f.verb.sense != "launch" or f.verb.passive:
+        return ""
     off = f.phrase("off", "from", "out of") is not None or "off" in f.adverbs
-    bats = f.verb.lemma in _BATTING and f.verb.sense == "launch" and not f.verb.passive
-    return "knock" if bats and off and _thing(f.object) and _thing(f.subject) else ""
+    return "knock" if off and _thing(f.object) and _thing(f.subject) else ""
 
 
 def _pulled_over(f: Frame) -> str:
@@ -188,8 +189,10 @@ def _not_avoided(f: Frame) -> str:
 
 def _leaves_alone(f: Frame) -> str:
     """ "leaves the pin untouched": misses it."""
+    if f.verb.lemma != "leave":
+        return ""
     alone = {"untouched", "unscathed", "unharmed", "undisturbed"} & set(f.adverbs)
-    return "miss" if f.verb.lemma == "leave" and alone and _thing(f.object) else ""
+    return "miss" if alone and _thing(f.object) else ""
 
 
 def _comes_down(f: Frame) -> str:
@@ -212,16 +215,18 @@ def _comes_down(f: Frame) -> str:
 def _stands_still(f: Frame) -> str:
     """ "and stands still 3 s later": it has stopped."""
     stands = f.verb.sense == "posture" and f.verb.lemma in ("stand", "be", "sit")
+    if not stands or "still" not in f.adverbs:
+        return ""
     timed = any(p.amount is not None and p.amount.dimension == "time" for p in f.phrases)
     later = "later" in f.adverbs or any(p.prep in ("after", "within", "in") for p in f.phrases)
-    return "stop" if stands and "still" in f.adverbs and timed and later else ""
+    return "stop" if timed and later else ""
 
 
 def _brought_down(f: Frame) -> str:
     """ "The tower is brought down by a marble": it topples from a hit."""
     down = f.verb.lemma in ("bring", "take", "send", "fetch") and "down" in f.adverbs
-    agent = f.phrase("by")
-    if not down or not f.verb.passive or agent is None or not _thing(agent.mention):
+    agent = f.phrase("by") if down and f.verb.passive else None
+    if agent is None or not _thing(agent.mention):
         return ""
     f.verb.extra = {**f.verb.extra, "transitive": "1", "contact": "1"}
     return "topple"
@@ -255,9 +260,9 @@ def _is_let_go(f: Frame) -> str:
 
 def _takes_along(f: Frame) -> str:
     """ "topples and takes a lamp with it": it hits the lamp."""
-    own = f.phrase("with")
+    own = f.phrase("with") if f.verb.lemma == "take" else None
     along = own is not None and own.mention is not None and own.mention.pronoun in ("it", "them")
-    return "hit" if f.verb.lemma == "take" and along and _thing(f.object) else ""
+    return "hit" if along and _thing(f.object) else ""
 
 
 def _gets_there(f: Frame) -> str:
@@ -269,9 +274,10 @@ def _gets_there(f: Frame) -> str:
 def _ground_that_slides(f: Frame) -> str:
     """ "Snow slides off the roof": a heap of it, not the ground."""
     m = f.subject
+    if m is None or m.head not in _LOOSE_GROUND or not _structural(m):
+        return ""
     off = f.phrase("off", "from", "onto", "down") is not None
-    loose = m is not None and m.head in _LOOSE_GROUND and _structural(m)
-    if loose and m is not None and f.verb.sense in ("slide", "fall") and off:
+    if f.verb.sense in ("slide", "fall") and off:
         m.noun, m.known = None, False
     return ""
 
@@ -329,11 +335,13 @@ def _follows_a_bend(f: Frame) -> str:
         for p in f.phrases
         if p.prep in _ALONG_BENDS and p.mention is not None and p.mention.head in _BENDS
     ]
+    if not bends:
+        return ""
     phrased = {p.mention.head for p in f.phrases if p.mention is not None}
     told = {*f.adverbs} | phrased
     told |= {a.removesuffix("-hand").removesuffix("hand") for m in bends for a in m.adjectives}
     sides = {"left", "right"} & told
-    if not bends or len(sides) != 1 or not bends[0].attribute:
+    if len(sides) != 1 or not bends[0].attribute:
         return ""
     f.adverbs.extend(sides - {*f.adverbs} - phrased)
     return "turn"
@@ -341,20 +349,18 @@ def _follows_a_bend(f: Frame) -> str:
 
 def _to_a_stop(f: Frame) -> str:
     """ "slows down from 3 m/s to a stop": it stops."""
-    to = f.phrase("to")
-    named = to is not None and to.mention is not None and to.mention.head in _STANDSTILLS
-    if f.verb.sense not in ("slow", "brake") or not named:
+    to = f.phrase("to") if f.verb.sense in ("slow", "brake") else None
+    if to is None or to.mention is None or to.mention.head not in _STANDSTILLS:
         return ""
-    f.phrases.remove(to) if to is not None else None
+    f.phrases.remove(to)
     f.verb.extra["via"] = "slow"
     return "stop"
 
 
 def _stumbles_over(f: Frame) -> str:
     """ "stumbles over a stool into a waiter": it touches both."""
-    over = f.phrase("over")
-    tripped = f.verb.lemma == "stumble" and over is not None and _thing(over.mention)
-    return "hit" if tripped else ""
+    over = f.phrase("over") if f.verb.lemma == "stumble" else None
+    return "hit" if over is not None and _thing(over.mention) else ""
 
 
 def _lets_the_rope_go(f: Frame) -> str:
@@ -383,18 +389,18 @@ def _from_one_to_the_next(f: Frame) -> str:
 
 def _steers(f: Frame) -> str:
     """ "Somebody steers the raft": no turn without a side."""
-    sides = {"left", "right", "round", "around", "away", "back", "clockwise"}
-    named = {p.mention.head for p in f.phrases if p.mention is not None}
     if f.verb.lemma != "steer" or f.verb.sense != "turn" or f.object is None:
         return ""
+    sides = {"left", "right", "round", "around", "away", "back", "clockwise"}
+    named = {p.mention.head for p in f.phrases if p.mention is not None}
     return "" if sides & {*f.adverbs, *named} or "dir" in f.verb.extra else "own"
 
 
 def _into_the_water(f: Frame) -> str:
     """ "comes down in the river": a descent that ends there."""
-    wet = f.phrase("in", "into")
     down = f.verb.lemma == "come" and "down" in f.adverbs
-    return "fall" if down and wet is not None and _kind(wet.mention) == "water" else ""
+    wet = f.phrase("in", "into") if down else None
+    return "fall" if wet is not None and _kind(wet.mention) == "water" else ""
 
 
 _READINGS: tuple[Callable[[Frame], str], ...] = (
@@ -429,11 +435,11 @@ def read_idioms(frames: list[Frame]) -> None:
 def _falls_along(frames: list[Frame]) -> None:
     """ "slides off the desk, taking a cup with it": the cup falls from there, too."""
     for before, f in pairwise(frames):
-        along = f.phrase("with")
+        along = f.phrase("with") if f.verb.lemma == "take" else None
         taken = along is not None and along.mention is not None and bool(along.mention.pronoun)
-        off = before.phrase("off", "from", "out of")
-        leaves = off is not None and before.verb.sense in ("fall", "slide", "roll", "drop")
-        if f.verb.lemma != "take" or not taken or not leaves or f.object is None or off is None:
+        leaves = before.verb.sense in ("fall", "slide", "roll", "drop")
+        off = before.phrase("off", "from", "out of") if taken and leaves else None
+        if off is None or f.object is None:
             continue
         f.subject, f.object, f.verb.sense = f.object, None, "fall"
         f.link, f.phrases = "then", [Phrase(off.prep, off.mention)]

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import csv
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 
 DATA = Path(__file__).parent / "data"
@@ -109,9 +109,18 @@ def nouns() -> dict[str, Noun]:
 
 
 @cache
-def longest_noun() -> int:
-    """Words in the longest entry."""
-    return max(len(n.split()) for n in nouns())
+def longest_nouns() -> dict[str, int]:
+    """Most words of an entry by its first word, where entries have several; at most all there are.
+
+    Tokens may keep the hyphens of an entry or part it there, so either may end the first word.
+    """
+    limit = max(len(n.split()) for n in nouns())
+    found: dict[str, int] = {}
+    for name in nouns():
+        cuts = [k for k, c in enumerate(name) if c in " -"]
+        for left, k in enumerate(reversed(cuts), start=2):
+            found[name[:k]] = max(found.get(name[:k], 0), min(left, limit))
+    return found
 
 
 _IRREGULAR_PLURALS = {
@@ -126,6 +135,7 @@ _IRREGULAR_PLURALS = {
 _NOT_PLURAL = _words("singular in -s")
 
 
+@lru_cache(maxsize=16384)
 def singular(word: str) -> tuple[str, bool]:
     """Singular of a noun and whether the word was a plural."""
     w = word.lower()

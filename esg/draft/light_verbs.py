@@ -6,6 +6,8 @@ ball does is hit the bottle" hitting it, "leaves the pin standing" missing it.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from esg.draft.elements import Element, Mention, Verb, Word
 from esg.draft.gaps import word_at
 from esg.draft.headlines import heading
@@ -33,21 +35,11 @@ def lighten(elements: list[Element]) -> list[Element]:
     out: list[Element] = []
     i = 0
     while i < len(elements):
-        used = (
-            _versus(elements, i, out)
-            or heading(elements, i, out)
-            or _title(elements, i, out)
-            or _given(elements, i, out)
-            or _received(elements, i, out)
-            or _meeting(elements, i, out)
-            or _does_it(elements, i, out)
-            or _left_alone(elements, i, out)
-            or _together(elements, i, out)
-            or _from_one(elements, i, out)
-            or _first_met(elements, i, out)
-            or _object_of(elements, i, out)
-            or told_otherwise(elements, i, out)
-        )
+        used = 0
+        for reading in _READINGS[type(elements[i])]:
+            used = reading(elements, i, out)
+            if used:
+                break
         if used:
             i += used
             continue
@@ -59,10 +51,10 @@ def lighten(elements: list[Element]) -> list[Element]:
 
 def _no_ditch(elements: list[Element], i: int) -> None:
     """ "closes the gap", "the gap between two jeeps is 15 m": a distance."""
-    gap, before = _mention(elements, i), elements[i - 1] if i else None
-    link = word_at(elements, i + 1)
+    gap = _mention(elements, i)
     if gap is None or gap.head != "gap":
         return
+    before, link = elements[i - 1] if i else None, word_at(elements, i + 1)
     closes = isinstance(before, Verb) and before.lemma in ("close", "narrow", "widen", "shut")
     if closes or (link is not None and link.low in ("between", "of")):
         gap.noun, gap.attribute = None, True
@@ -146,9 +138,9 @@ def _received(elements: list[Element], i: int, out: list[Element]) -> int:
 def _meeting(elements: list[Element], i: int, out: list[Element]) -> int:
     """ "has a collision with a bus": hits it."""
     have, noun = elements[i], _mention(elements, i + 1)
-    link, met = word_at(elements, i + 2), _mention(elements, i + 3)
     if not isinstance(have, Verb) or have.lemma not in ("have", "suffer", "cause") or noun is None:
         return 0
+    link, met = word_at(elements, i + 2), _mention(elements, i + 3)
     if noun.head not in _MEETINGS or link is None or link.low != "with" or met is None:
         return 0
     out += [Verb(have.start, noun.end, "hit", "hit", have.form, negated=have.negated), met]
@@ -158,8 +150,10 @@ def _meeting(elements: list[Element], i: int, out: list[Element]) -> int:
 def _does_it(elements: list[Element], i: int, out: list[Element]) -> int:
     """ "What the ball does is hit the bottle": it hits the bottle."""
     what, thing = word_at(elements, i), _mention(elements, i + 1)
+    if what is None or what.low != "what" or thing is None:
+        return 0
     does = elements[i + 2] if i + 2 < len(elements) else None
-    if what is None or what.low != "what" or thing is None or not isinstance(does, Verb):
+    if not isinstance(does, Verb):
         return 0
     is_ = elements[i + 3] if i + 3 < len(elements) else None
     if isinstance(is_, Mention) and does.passive and does.auxiliary == "is":
@@ -210,9 +204,11 @@ def _versus(elements: list[Element], i: int, out: list[Element]) -> int:
     """ "Man versus door: ...": a title."""
     if out and not (isinstance(out[-1], Word) and out[-1].low in ".;!?\n"):
         return 0
-    one, link, other = _mention(elements, i), word_at(elements, i + 1), _mention(elements, i + 2)
     colon = word_at(elements, i + 3)
-    if one is None or link is None or other is None or colon is None or colon.low not in ":.—–-":
+    if colon is None:
+        return 0
+    one, link, other = _mention(elements, i), word_at(elements, i + 1), _mention(elements, i + 2)
+    if one is None or link is None or other is None or colon.low not in ":.—–-":
         return 0
     if link.low not in ("versus", "vs", "v", "against", "meets") or len(elements) < i + 6:
         return 0
@@ -246,10 +242,12 @@ def _from_one(elements: list[Element], i: int, out: list[Element]) -> int:
 def _first_met(elements: list[Element], i: int, out: list[Element]) -> int:
     """ "The first thing it meets is a deckchair": it meets a deckchair."""
     what, subject = _mention(elements, i), _mention(elements, i + 1)
+    if what is None or subject is None or what.head not in ("thing", "object"):
+        return 0
     verb = elements[i + 2] if i + 2 < len(elements) else None
     is_ = elements[i + 3] if i + 3 < len(elements) else None
     met = _mention(elements, i + 4)
-    if what is None or subject is None or met is None or what.head not in ("thing", "object"):
+    if met is None:
         return 0
     if not isinstance(verb, Verb) or not isinstance(is_, Verb) or is_.sense != "be" or is_.negated:
         return 0
@@ -263,10 +261,10 @@ def _first_met(elements: list[Element], i: int, out: list[Element]) -> int:
 def _object_of(elements: list[Element], i: int, out: list[Element]) -> int:
     """ "the hatchback it shunts at 5 m/s": a clause of the noun, without "that"."""
     head, subject = _mention(elements, i), _mention(elements, i + 1)
-    verb = elements[i + 2] if i + 2 < len(elements) else None
-    after = elements[i + 3] if i + 3 < len(elements) else None
     if head is None or subject is None or subject.pronoun not in ("it", "he", "she", "they"):
         return 0
+    verb = elements[i + 2] if i + 2 < len(elements) else None
+    after = elements[i + 3] if i + 3 < len(elements) else None
     if head.pronoun or head.attribute or not isinstance(verb, Verb) or verb.passive:
         return 0
     if verb.sense not in ("hit", "knock") or verb.infinitive or verb.form not in ("s", "past"):
@@ -296,3 +294,12 @@ def _title(elements: list[Element], i: int, out: list[Element]) -> int:
         return 0
     out.append(Word(elements[i].start, colon.end, "adv", "heading"))
     return k + 1 - i
+
+
+_READINGS: dict[type[Element], tuple[Callable[[list[Element], int, list[Element]], int], ...]] = {
+    Mention: (_versus, heading, _title, _together, _from_one, _first_met, _object_of,
+              told_otherwise),
+    Verb: (heading, _given, _received, _meeting, _left_alone, told_otherwise),
+    Word: (heading, _title, _does_it, _from_one, told_otherwise),
+}  # fmt: skip
+"""What may be told around the plain way, by what it begins with."""

@@ -150,9 +150,10 @@ class NounStarts(NounHeads):
 
     def _part_of_plural(self, j: int) -> bool:
         """ "two of the ten pins": some of a plural that a noun names."""
+        if self._low(j + 1) != "of" or self._low(j + 2) not in _OWNED_BY:
+            return False
         value = parse_number(self._low(j)) if self._low(j) not in ("a", "an", "half") else None
-        few = isinstance(value, float) and value.is_integer() and 2 <= value <= 12
-        if not few or self._low(j + 1) != "of" or self._low(j + 2) not in _OWNED_BY:
+        if not (isinstance(value, float) and value.is_integer() and 2 <= value <= 12):
             return False
         for k in range(j + 3, min(j + 7, len(self.tokens))):
             noun = self._match_noun(k)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 import re
 
 _ONES = [
@@ -68,6 +69,7 @@ SIGN = r"(?:minus\s+|negative\s+|(?<![\w.])[-−](?=\d|\.\d))"
 NUMBER = rf"(?:{SIGN}?{DIGITS}|{SIGN}?\b{WORD_NUMBER}(?![a-z]))"
 
 
+@lru_cache(maxsize=4096)
 def parse_number(text: str) -> float | tuple[float, float] | None:
     """Value of a number in digits or words; "a few" and "several" give an interval.
 

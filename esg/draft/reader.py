@@ -22,6 +22,14 @@ _TURNS_GREEN = re.compile(
 )
 
 
+NounMatch = tuple[lex.Noun, int, bool, str]
+"""A noun of the lexicon: entry, tokens used, plural, phrase."""
+_ADJECTIVES = frozenset().union(
+    lex.COLORS, lex.MATERIALS, lex.SIZES, lex.STRETCHES, lex.WEIGHTS, lex.PLACE_ADJECTIVES,
+    lex.PLAIN_ADJECTIVES,
+)  # fmt: skip
+
+
 class Reader:
     """Tokens read so far as elements, and questions about the next ones."""
 
@@ -29,20 +37,29 @@ class Reader:
         self.text = text
         self.tokens = tokens
         self.elements: list[Element] = []
+        self._lows = tuple("" if t.kind == "punct" else t.low for t in tokens)
+        self._nouns_at: dict[int, NounMatch | None] = {}
 
     def _tok(self, i: int) -> Token | None:
         return self.tokens[i] if 0 <= i < len(self.tokens) else None
 
     def _low(self, i: int) -> str:
-        token = self._tok(i)
-        return token.low if token is not None and token.kind != "punct" else ""
+        return self._lows[i] if 0 <= i < len(self._lows) else ""
 
-    def _match_noun(self, i: int) -> tuple[lex.Noun, int, bool, str] | None:
+    def _match_noun(self, i: int) -> NounMatch | None:
         """Longest lexicon noun at token i: entry, tokens used, plural, phrase."""
+        if i not in self._nouns_at:  # asked several times, of tokens that stay as they are
+            self._nouns_at[i] = self._find_noun(i)
+        return self._nouns_at[i]
+
+    def _find_noun(self, i: int) -> NounMatch | None:
         table = lex.nouns()
-        for n in range(min(lex.longest_noun(), len(self.tokens) - i), 0, -1):
+        if not 0 <= i < len(self.tokens):
+            return None
+        most = lex.longest_nouns().get(self.tokens[i].low, 1)
+        for n in range(min(most, len(self.tokens) - i), 0, -1):
             window = self.tokens[i : i + n]
-            if any(t.kind not in ("word",) and not (t.kind == "number" and n > 1) for t in window):
+            if any(t.kind != "word" and (t.kind != "number" or n == 1) for t in window):
                 continue
             words = [t.low for t in window]
             phrase = " ".join(words)
@@ -111,8 +128,7 @@ class Reader:
     def _known_adjective(low: str) -> bool:
         if "-" in low and any(p in lex.COLORS or p in lex.SIZES for p in low.split("-")):
             return True
-        classes = (lex.COLORS, lex.MATERIALS, lex.SIZES, lex.STRETCHES, lex.WEIGHTS)
-        return any(low in c for c in (*classes, lex.PLACE_ADJECTIVES, lex.PLAIN_ADJECTIVES))
+        return low in _ADJECTIVES
 
     def _is_adjective(self, i: int) -> bool:
         token = self._tok(i)

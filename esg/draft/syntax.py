@@ -293,7 +293,7 @@ class Chunker(NounPhrases):
 
     def _multiword(self, i: int) -> int:
         for words, kind, low in MULTIWORDS.get(self._low(i), ()):
-            if all(self._low(i + k) == w for k, w in enumerate(words)):
+            if self._lows[i : i + len(words)] == words:
                 if words[0] in ("left", "right") and self._previous_is_turn():
                     continue
                 if words == ("back", "into") and self._many_reverse():

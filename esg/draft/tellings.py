@@ -35,15 +35,21 @@ def told_otherwise(elements: list[Element], i: int, out: list[Element]) -> int:
     Returns:
         How many elements they stand for; 0 if nothing is to change.
     """
-    return (
-        _speed_drops(elements, i, out)
-        or _into_view(elements, i, out)
-        or _time_passes(elements, i, out)
-        or _following_time(elements, i, out)
-        or _reported(elements, i, out)
-        or _leads_to(elements, i, out)
-        or _cleft(elements, i, out)
-    )
+    e = elements[i]
+    if isinstance(e, Mention):
+        return (
+            _speed_drops(elements, i, out)
+            or _reported(elements, i, out)
+            or _leads_to(elements, i, out)
+            or _cleft(elements, i, out)
+        )
+    if isinstance(e, Verb):
+        return (
+            _into_view(elements, i, out)
+            or _following_time(elements, i, out)
+            or _leads_to(elements, i, out)
+        )
+    return _time_passes(elements, i, out) or _leads_to(elements, i, out)
 
 
 def _mention(elements: list[Element], i: int) -> Mention | None:
@@ -134,8 +140,10 @@ def _after(elements: list[Element], i: int) -> Element | None:
 def _leads_to(elements: list[Element], i: int, out: list[Element]) -> int:
     """ "which leads to it falling", "This results in the vase falling": makes it fall."""
     lead, to = elements[i], word_at(elements, i + 1)
+    if to is None:
+        return 0
     thing, act = _mention(elements, i + 2), elements[i + 3] if i + 3 < len(elements) else None
-    if to is None or thing is None or not isinstance(act, Verb) or act.form != "ing":
+    if thing is None or not isinstance(act, Verb) or act.form != "ing":
         return 0
     this = isinstance(lead, Mention) and lead.head == "result" and lead.determiner in _THESE
     word = getattr(lead, "lemma", "") or getattr(lead, "low", "")

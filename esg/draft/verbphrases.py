@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 import re
 
 from esg.draft import lexicon as lex
@@ -279,6 +280,7 @@ _EXTRA_FORMS = {
 }
 
 
+@lru_cache(maxsize=16384)
 def verb_readings(word: str) -> tuple[lex.VerbForm, ...]:
     """Readings of a word as a verb, phrase heads included."""
     low = word.lower()
