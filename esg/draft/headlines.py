@@ -27,16 +27,16 @@ _CRASH = re.compile(
 )
 _COLLISION = re.compile(
     rf"^(?:an?\s+|the\s+)?(?P<how>rear-end|head-on|t-bone|frontal)?\s*(?:crash|collision|accident)"
-    rf"\s*(?:,|:|-|with|of|between)\s*(?P<two>{_COUNT}\s+[\w -]*?s)\b(?P<rest>.*)$",
+    rf"\s*(?:,|:|-|with|of|between)\s*(?P<two>{_COUNT}\s+[\w -]*?\ws)\b(?P<rest>.*)$",
     re.IGNORECASE | re.DOTALL,
 )
 _DOMINO = re.compile(
     rf"^(?:an?\s+|the\s+)?domino (?:effect|chain|reaction)\s*(?:,|:|-|with|of|using)\s*"
-    rf"(?P<row>{_COUNT}\s+[\w -]*?s)\b(?P<rest>.*)$",
+    rf"(?P<row>{_COUNT}\s+[\w -]*?\ws)\b(?P<rest>.*)$",
     re.IGNORECASE | re.DOTALL,
 )
 _STRIKE = re.compile(
-    r"^(?:an?\s+|the\s+)?(?:bowling strike|strike (?:in|at) bowling)\s*[.!]?$", re.IGNORECASE
+    r"^(?:an?\s+|the\s+)?(?:bowling strike|strike (?:in|at) bowling)\s*[.!]*$", re.IGNORECASE
 )
 
 

@@ -22,7 +22,7 @@ from tests.draft.told import events
             [("Topple", "book_1")],
         ),
         (
-            "Bowling strike!",
+            "Bowling strike!!",
             [("Collision", "bowling_ball_1", "bowling_pin_1"), ("Topple", "bowling_pin_1")],
         ),
         ("bus crash into a wall", [("Collision", "bus_1", "wall_1")]),
@@ -43,6 +43,7 @@ def test_headlines_tell_their_event(prompt: str, told: list[tuple[Any, ...]]) ->
         "A van crash makes a sign fall over.",
         "Two cars collide.",
         "A test crash.",
+        "Domino effect with 12 s",
     ],
 )
 def test_sentences_stay_as_they_are(prompt: str) -> None:
