@@ -18,6 +18,7 @@ from esg.assets.sources import parse_properties
 from esg.assets.stage import configure
 from esg.graph.models import AssetRequirement
 from esg.outcomes import UserError
+from tests.disks import small_files
 
 
 @pytest.fixture(autouse=True)
@@ -174,3 +175,10 @@ def test_missing_textures_are_reported_and_the_model_goes_in(tmp_path: Path) -> 
         "cube": "warning: texture lost.jpg is missing",
         "bare": "warning: texture gone.mtl is missing",
     }
+
+
+def test_a_full_disk_stops_the_import_and_blames_no_model(folder: Path, library: Path) -> None:
+    with pytest.raises(UserError, match=r"cannot write .*raise the limit"), small_files(300):
+        import_folder(folder, library="mine")
+    assert not [p for p in library.rglob("*") if p.is_file() and p.stat().st_size]
+    assert sorted(import_folder(folder, library="mine").imported) == ["orb", "wedge"]

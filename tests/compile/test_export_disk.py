@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator
-import contextlib
 from pathlib import Path
-import resource
 
 import pytest
 import scenes
@@ -14,17 +11,7 @@ from test_export import folder_of, replayed
 from esg.compile.export import export
 from esg.outcomes import UserError
 from esg.store.files import refused
-
-
-@contextlib.contextmanager
-def small_files(size: int) -> Generator[None]:
-    """No file may grow beyond `size` bytes, as on a disk that is nearly full."""
-    before = resource.getrlimit(resource.RLIMIT_FSIZE)
-    resource.setrlimit(resource.RLIMIT_FSIZE, (size, before[1]))
-    try:
-        yield
-    finally:
-        resource.setrlimit(resource.RLIMIT_FSIZE, before)
+from tests.disks import small_files
 
 
 def content(folder: Path) -> dict[str, bytes]:

@@ -51,3 +51,11 @@ def test_ownerless_folders_stay_for_a_day(tmp_path: Path) -> None:
     assert sweep_leftovers(PREFIX) == 0
     assert sweep_leftovers(PREFIX, now=time.time() + 90000) == 1
     assert (tmp_path / "others-x").exists()
+
+
+@pytest.mark.parametrize("owner", [b"one two\n", b"\xff\xfe 1\n", b""])
+def test_a_damaged_owner_s_folder_stays_for_a_day(tmp_path: Path, owner: bytes) -> None:
+    folder = owned_folder(PREFIX)
+    (folder / OWNER).write_bytes(owner)
+    assert sweep_leftovers(PREFIX) == 0
+    assert sweep_leftovers(PREFIX, now=time.time() + 90000) == 1

@@ -15,6 +15,7 @@ from esg.outcomes import Outcome, UserError
 from esg.pipeline import SceneRequest, SceneState, artifact_store, scratch_store
 from esg.scenefolder import check_writable, folder_name, is_scene_folder, publish, safe_name
 from esg.store.artifacts import artifact_key
+from tests.disks import small_files
 
 
 @pytest.fixture
@@ -138,3 +139,16 @@ def test_check_writable_names_the_obstacle(tmp_path: Path) -> None:
 def test_other_folders_are_no_scene_folders(tmp_path: Path) -> None:
     assert not is_scene_folder(tmp_path)
     assert not is_scene_folder(tmp_path / "missing")
+
+
+def test_a_full_disk_keeps_the_scene_that_was_there(state: SceneState, tmp_path: Path) -> None:
+    folder = publish(state, tmp_path / "out")
+    (folder / "mine.txt").write_text("kept")
+    with (
+        pytest.raises(UserError, match=r"cannot write .*raise the limit") as told,
+        small_files(5),
+    ):
+        publish(state, tmp_path / "out")
+    assert told.value.exit_code == 1
+    assert [p.name for p in (tmp_path / "out").iterdir()] == [folder.name]
+    assert (folder / "mine.txt").read_text() == "kept"

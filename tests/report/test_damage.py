@@ -16,6 +16,7 @@ from esg.outcomes import UserError
 from esg.report import load_run, write_report
 from esg.report.run import read_scene
 from esg.scenereading import read_manifest, read_rollout
+from tests.disks import small_files
 from tests.report.folders import rollout, write_scene
 
 AGAIN = "run the command that made it again"
@@ -212,3 +213,13 @@ def test_a_run_without_damage_says_nothing(tmp_path: Path) -> None:
     page = write_report(load_run(tmp_path), tmp_path / "page.html", on_problem=told.append)
     assert told == []
     assert index_of(page)["problems"] == []
+
+
+def test_a_full_disk_keeps_the_report_that_was_there(tmp_path: Path) -> None:
+    write_scene(tmp_path / "run" / "a")
+    run, page = load_run(tmp_path / "run"), tmp_path / "page.html"
+    page.write_text("old")
+    with pytest.raises(UserError, match=r"cannot write .*raise the limit"), small_files(1000):
+        write_report(run, page)
+    assert page.read_text() == "old"
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["page.html", "run"]
