@@ -150,18 +150,6 @@ def read_metrics(path: Path) -> dict[str, Any]:
     return facts
 
 
-def read_log(path: Path) -> tuple[dict[str, Any], ...]:
-    """Entries of `log.jsonl`.
-
-    Raises:
-        UserError: If one of them cannot be read.
-    """
-    entries, wrong = log_entries(read_text(path))
-    if wrong:
-        raise damaged(path, wrong)
-    return entries
-
-
 def log_entries(text: str) -> tuple[tuple[dict[str, Any], ...], str]:
     """The entries that can be read, and what is wrong with the first that cannot.
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from esg.draft.elements import Element, Mention, Verb, Word
-from esg.draft.gaps import finite, is_prep, word_at
+from esg.draft.gaps import finite, is_prep, is_word, word_at
 
 _SIDES = frozenset({"left", "right"})
 _STEERED = frozenset({"own", "turn", "roll", "slide", "fly", "reverse", "brake", "stop", "swerve",
@@ -69,13 +69,15 @@ def _hit_too(elements: list[Element], i: int) -> Verb | None:
     if not isinstance(thing, Mention) or not (ends or thing is elements[-1]):
         return None
     before = [x for x in elements[max(0, i - 10) : i] if not _adverb(x)]
-    if len(before) < 6 or not _is(before[-1], "and", "then") or not _is(before[-2], ","):
+    if len(before) < 6 or not is_word(before[-1], "and", "then") or not is_word(before[-2], ","):
         return None
     state, rel = before[-3], before[-4]
     heads = before[:-4]
     if not isinstance(state, Verb) or not isinstance(rel, Word) or rel.kind != "rel":
         return None
-    while heads and (isinstance(heads[-1], Mention) or is_prep(heads[-1]) or _is(heads[-1], ",")):
+    while heads and (
+        isinstance(heads[-1], Mention) or is_prep(heads[-1]) or is_word(heads[-1], ",")
+    ):
         heads.pop()
     main = finite(heads[-1]) if heads else None
     return main if main is not None and main.sense in ("hit", "knock") else None
@@ -83,10 +85,6 @@ def _hit_too(elements: list[Element], i: int) -> Verb | None:
 
 def _adverb(e: Element) -> bool:
     return isinstance(e, Word) and e.kind == "adv"
-
-
-def _is(e: Element, *words: str) -> bool:
-    return isinstance(e, Word) and e.low in words
 
 
 def _in_turn(elements: list[Element], i: int, verb: Verb) -> bool:

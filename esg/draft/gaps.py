@@ -15,11 +15,24 @@ _DRIVEN = frozenset({"vehicle", "person", "animal", "robot", "cart", "toyvehicle
 
 
 def word_at(elements: list[Element], i: int) -> Word | None:
+    """The small word at a place, if one stands there."""
     e = elements[i] if 0 <= i < len(elements) else None
     return e if isinstance(e, Word) else None
 
 
+def mention_at(elements: list[Element], i: int) -> Mention | None:
+    """The noun phrase at a place, if one stands there."""
+    e = elements[i] if 0 <= i < len(elements) else None
+    return e if isinstance(e, Mention) else None
+
+
+def is_word(e: Element, *words: str) -> bool:
+    """Whether an element is one of some small words."""
+    return isinstance(e, Word) and e.low in words
+
+
 def is_prep(e: Element) -> bool:
+    """Whether an element is a preposition."""
     return isinstance(e, Word) and e.kind in ("prep", "to")
 
 

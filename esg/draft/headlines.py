@@ -7,6 +7,7 @@ import re
 from esg.draft import lexicon as lex
 from esg.draft.elements import Element, Mention, Verb, Word
 from esg.draft.entities import plural
+from esg.draft.gaps import is_word
 from esg.draft.verbphrases import verb_readings
 
 _LABELS = frozenset(
@@ -82,23 +83,19 @@ def heading(elements: list[Element], i: int, out: list[Element]) -> int:
     """
     if i or out:
         return 0
-    colon = next((k for k, e in enumerate(elements[: _LONGEST + 1]) if _is(e, ":")), 0)
+    colon = next((k for k, e in enumerate(elements[: _LONGEST + 1]) if is_word(e, ":")), 0)
     head, rest = elements[:colon], elements[colon + 1 :]
     told = any(isinstance(e, Verb) and e.form in ("s", "past", "base") for e in rest)
     named = any(isinstance(e, Mention) for e in rest[:4])
     if not head or not told or not named or not any(map(_label, head)):
         return 0
-    if any(_is(e, ".", ";", "!", "?") for e in head):
+    if any(is_word(e, ".", ";", "!", "?") for e in head):
         return 0
     does = [isinstance(e, Verb) and e.form not in ("pp", "ing") for e in head]
     if any(does[:-1]) or getattr(head[-1], "form", "") == "s":
         return 0  # "Two boys throw stones at a can: ..."
     out.append(Word(head[0].start, elements[colon].end, "adv", "heading"))
     return colon + 1
-
-
-def _is(e: Element, *words: str) -> bool:
-    return isinstance(e, Word) and e.low in words
 
 
 def _label(e: Element) -> bool:

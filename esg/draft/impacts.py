@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from esg.draft.elements import Element, Mention, Verb, Word
-from esg.draft.gaps import word_at
+from esg.draft.gaps import mention_at, word_at
 
 _HITS = frozenset({"collision", "crash", "impact", "smash", "contact", "clash"})
 _OCCUR = frozenset({"occur", "happen", "follow", "ensue", "result", "take"})
@@ -31,14 +31,9 @@ def name_impacts(elements: list[Element], i: int, out: list[Element]) -> int:
     )
 
 
-def _mention(elements: list[Element], i: int) -> Mention | None:
-    e = elements[i] if 0 <= i < len(elements) else None
-    return e if isinstance(e, Mention) else None
-
-
 def _impact(elements: list[Element], i: int) -> bool:
     """Whether a collision is named at i; "crash" and "smash" alone are read as unknown words."""
-    noun, word = _mention(elements, i), word_at(elements, i)
+    noun, word = mention_at(elements, i), word_at(elements, i)
     if noun is not None:
         plain = noun.possessor is None and noun.determiner != "no"
         return noun.attribute and noun.head in _HITS and plain
@@ -53,8 +48,12 @@ def _of_two(elements: list[Element], i: int, out: list[Element]) -> int:
     """ "A collision between a car and a van.", "Show the crash of a car into a fence."."""
     if not _impact(elements, i):
         return 0
-    link, one, joint = word_at(elements, i + 1), _mention(elements, i + 2), word_at(elements, i + 3)
-    other = _mention(elements, i + 4)
+    link, one, joint = (
+        word_at(elements, i + 1),
+        mention_at(elements, i + 2),
+        word_at(elements, i + 3),
+    )
+    other = mention_at(elements, i + 4)
     if link is None or one is None or joint is None or other is None or one.attribute:
         return 0
     joints = {"between": ("and",), "of": ("and", "with", "into", "against", "on")}
@@ -94,7 +93,7 @@ def _takes_part(elements: list[Element], i: int, out: list[Element]) -> int:
     if into is None or into.low not in ("in", "into") or not _impact(elements, k + 1):
         return 0
     end = elements[k + 1].end
-    link, met = word_at(elements, k + 2), _mention(elements, k + 3)
+    link, met = word_at(elements, k + 2), mention_at(elements, k + 3)
     if link is not None and link.low == "with" and met is not None:
         out += [Verb(verb.start, end, "hit", "hit", "s", modal=verb.modal), met]
         return k + 4 - i
@@ -132,7 +131,7 @@ def _occurs(elements: list[Element], i: int, out: list[Element]) -> int:
         return 0
     if not _impact(elements, i) or not _two(out):
         return 0
-    noun = _mention(elements, i)
+    noun = mention_at(elements, i)
     verb = elements[i + 1] if i + 1 < len(elements) else None
     if noun is not None and noun.determiner == "a" and isinstance(verb, Verb):
         k = i + 1 + (verb.lemma == "take")

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from esg.draft.elements import Element, Mention, Verb, Word
-from esg.draft.gaps import word_at
+from esg.draft.gaps import mention_at, word_at
 from esg.draft.headlines import heading
 from esg.draft.tellings import told_otherwise
 from esg.draft.verbphrases import verb_readings
@@ -51,7 +51,7 @@ def lighten(elements: list[Element]) -> list[Element]:
 
 def _no_ditch(elements: list[Element], i: int) -> None:
     """ "closes the gap", "the gap between two jeeps is 15 m": a distance."""
-    gap = _mention(elements, i)
+    gap = mention_at(elements, i)
     if gap is None or gap.head != "gap":
         return
     before, link = elements[i - 1] if i else None, word_at(elements, i + 1)
@@ -60,14 +60,9 @@ def _no_ditch(elements: list[Element], i: int) -> None:
         gap.noun, gap.attribute = None, True
 
 
-def _mention(elements: list[Element], i: int) -> Mention | None:
-    e = elements[i] if 0 <= i < len(elements) else None
-    return e if isinstance(e, Mention) else None
-
-
 def blow_at(elements: list[Element], i: int) -> tuple[str, int]:
     """The noun of a contact and the elements it takes ("a good shove"); "" for a thing."""
-    m = _mention(elements, i)
+    m = mention_at(elements, i)
     if m is not None:
         plain = m.noun is None and not m.pronoun and m.possessor is None
         return (m.head, 1) if plain and m.head in _BLOWS else ("", 0)
@@ -104,13 +99,13 @@ def _given(elements: list[Element], i: int, out: list[Element]) -> int:
     give = elements[i]
     if not isinstance(give, Verb) or give.lemma not in _GIVING or give.passive:
         return 0
-    one = _mention(elements, i + 1)
+    one = mention_at(elements, i + 1)
     blow, used = blow_at(elements, i + 2)
     if one is not None and blow and not one.attribute:
         out += [as_verb(give, blow), one, _told(elements, i + 2, used)]
         return 2 + used
     blow, used = blow_at(elements, i + 1)
-    to, thing = word_at(elements, i + 1 + used), _mention(elements, i + 2 + used)
+    to, thing = word_at(elements, i + 1 + used), mention_at(elements, i + 2 + used)
     if blow and to is not None and to.low in ("to", "on") and thing is not None:
         out += [as_verb(give, blow), _told(elements, i + 1, used), thing]
         return 3 + used
@@ -123,7 +118,7 @@ def _received(elements: list[Element], i: int, out: list[Element]) -> int:
     if not isinstance(get, Verb) or get.lemma not in _GETTING:
         return 0
     blow, used = blow_at(elements, i + 1)
-    link, agent = word_at(elements, i + 1 + used), _mention(elements, i + 2 + used)
+    link, agent = word_at(elements, i + 1 + used), mention_at(elements, i + 2 + used)
     if not blow or agent is None or agent.attribute:
         return 0
     if link is None or link.low not in ("from", "by"):
@@ -137,10 +132,10 @@ def _received(elements: list[Element], i: int, out: list[Element]) -> int:
 
 def _meeting(elements: list[Element], i: int, out: list[Element]) -> int:
     """ "has a collision with a bus": hits it."""
-    have, noun = elements[i], _mention(elements, i + 1)
+    have, noun = elements[i], mention_at(elements, i + 1)
     if not isinstance(have, Verb) or have.lemma not in ("have", "suffer", "cause") or noun is None:
         return 0
-    link, met = word_at(elements, i + 2), _mention(elements, i + 3)
+    link, met = word_at(elements, i + 2), mention_at(elements, i + 3)
     if noun.head not in _MEETINGS or link is None or link.low != "with" or met is None:
         return 0
     out += [Verb(have.start, noun.end, "hit", "hit", have.form, negated=have.negated), met]
@@ -149,7 +144,7 @@ def _meeting(elements: list[Element], i: int, out: list[Element]) -> int:
 
 def _does_it(elements: list[Element], i: int, out: list[Element]) -> int:
     """ "What the ball does is hit the bottle": it hits the bottle."""
-    what, thing = word_at(elements, i), _mention(elements, i + 1)
+    what, thing = word_at(elements, i), mention_at(elements, i + 1)
     if what is None or what.low != "what" or thing is None:
         return 0
     does = elements[i + 2] if i + 2 < len(elements) else None
@@ -174,7 +169,7 @@ def _does_it(elements: list[Element], i: int, out: list[Element]) -> int:
 
 def _left_alone(elements: list[Element], i: int, out: list[Element]) -> int:
     """ "leaves the other one standing": misses it."""
-    leave, thing = elements[i], _mention(elements, i + 1)
+    leave, thing = elements[i], mention_at(elements, i + 1)
     how = elements[i + 2] if i + 2 < len(elements) else None
     if not isinstance(leave, Verb) or leave.lemma != "leave" or leave.passive or thing is None:
         return 0
@@ -190,7 +185,7 @@ def _left_alone(elements: list[Element], i: int, out: list[Element]) -> int:
 
 def _together(elements: list[Element], i: int, out: list[Element]) -> int:
     """ "they both fall": both."""
-    they, both = _mention(elements, i), _mention(elements, i + 1)
+    they, both = mention_at(elements, i), mention_at(elements, i + 1)
     if they is None or both is None or they.pronoun not in ("they", "we") or both.head:
         return 0
     if both.pronoun != "both" and both.determiner != "both":
@@ -207,7 +202,11 @@ def _versus(elements: list[Element], i: int, out: list[Element]) -> int:
     colon = word_at(elements, i + 3)
     if colon is None:
         return 0
-    one, link, other = _mention(elements, i), word_at(elements, i + 1), _mention(elements, i + 2)
+    one, link, other = (
+        mention_at(elements, i),
+        word_at(elements, i + 1),
+        mention_at(elements, i + 2),
+    )
     if one is None or link is None or other is None or colon.low not in ":.—–-":
         return 0
     if link.low not in ("versus", "vs", "v", "against", "meets") or len(elements) < i + 6:
@@ -224,11 +223,11 @@ def _from_one(elements: list[Element], i: int, out: list[Element]) -> int:
     if out and not (isinstance(out[-1], Word) and out[-1].low in ".;!?\n:"):
         return 0
     blow, used = blow_at(elements, i)
-    one, push = _mention(elements, i), elements[i + 1] if i + 1 < len(elements) else None
+    one, push = mention_at(elements, i), elements[i + 1] if i + 1 < len(elements) else None
     if one is not None and one.pronoun == "one" and not one.adjectives and isinstance(push, Verb):
         blow, used = (push.lemma, 2) if push.lemma in _BLOWS and push.form == "base" else ("", 0)
-    link, agent = word_at(elements, i + used), _mention(elements, i + used + 1)
-    conj, thing = word_at(elements, i + used + 2), _mention(elements, i + used + 3)
+    link, agent = word_at(elements, i + used), mention_at(elements, i + used + 1)
+    conj, thing = word_at(elements, i + used + 2), mention_at(elements, i + used + 3)
     if not blow or link is None or link.low not in ("from", "by", "of") or agent is None:
         return 0
     if conj is None or conj.low != "and" or thing is None or agent.attribute or thing.attribute:
@@ -241,12 +240,12 @@ def _from_one(elements: list[Element], i: int, out: list[Element]) -> int:
 
 def _first_met(elements: list[Element], i: int, out: list[Element]) -> int:
     """ "The first thing it meets is a deckchair": it meets a deckchair."""
-    what, subject = _mention(elements, i), _mention(elements, i + 1)
+    what, subject = mention_at(elements, i), mention_at(elements, i + 1)
     if what is None or subject is None or what.head not in ("thing", "object"):
         return 0
     verb = elements[i + 2] if i + 2 < len(elements) else None
     is_ = elements[i + 3] if i + 3 < len(elements) else None
-    met = _mention(elements, i + 4)
+    met = mention_at(elements, i + 4)
     if met is None:
         return 0
     if not isinstance(verb, Verb) or not isinstance(is_, Verb) or is_.sense != "be" or is_.negated:
@@ -260,7 +259,7 @@ def _first_met(elements: list[Element], i: int, out: list[Element]) -> int:
 
 def _object_of(elements: list[Element], i: int, out: list[Element]) -> int:
     """ "the hatchback it shunts at 5 m/s": a clause of the noun, without "that"."""
-    head, subject = _mention(elements, i), _mention(elements, i + 1)
+    head, subject = mention_at(elements, i), mention_at(elements, i + 1)
     if head is None or subject is None or subject.pronoun not in ("it", "he", "she", "they"):
         return 0
     verb = elements[i + 2] if i + 2 < len(elements) else None

@@ -7,7 +7,7 @@ it falls" and "once 2 s have passed" tell what plain clauses and times do.
 from __future__ import annotations
 
 from esg.draft.elements import Element, Mention, Verb, Word
-from esg.draft.gaps import word_at
+from esg.draft.gaps import mention_at, word_at
 
 _AIMS = frozenset(
     {"goal", "idea", "aim", "point", "thing", "task", "plan", "story", "situation", "scenario",
@@ -52,14 +52,9 @@ def told_otherwise(elements: list[Element], i: int, out: list[Element]) -> int:
     return _time_passes(elements, i, out) or _leads_to(elements, i, out)
 
 
-def _mention(elements: list[Element], i: int) -> Mention | None:
-    e = elements[i] if 0 <= i < len(elements) else None
-    return e if isinstance(e, Mention) else None
-
-
 def _speed_drops(elements: list[Element], i: int, out: list[Element]) -> int:
     """ "The truck's speed drops to zero", "its speed falls": it slows down, and nothing falls."""
-    speed, verb = _mention(elements, i), elements[i + 1] if i + 1 < len(elements) else None
+    speed, verb = mention_at(elements, i), elements[i + 1] if i + 1 < len(elements) else None
     if speed is None or speed.head not in ("speed", "velocity", "pace") or not speed.attribute:
         return 0
     if not isinstance(verb, Verb) or verb.sense not in ("fall", "drop", "topple", "slide"):
@@ -83,7 +78,7 @@ def _into_view(elements: list[Element], i: int, out: list[Element]) -> int:
     if not isinstance(verb, Verb) or verb.passive or verb.negated:
         return 0
     k = i + 1 if into is None else i + 2
-    seen = _mention(elements, k)
+    seen = mention_at(elements, k)
     if seen is None or seen.head not in _FILM or seen.adjectives or seen.possessor is not None:
         return 0
     if seen.determiner not in ("the", "") or (into is not None and into.low not in ("into", "in")):
@@ -113,7 +108,7 @@ def _following_time(elements: list[Element], i: int, out: list[Element]) -> int:
 
 def _reported(elements: list[Element], i: int, out: list[Element]) -> int:
     """ "I saw how", "My friend says that", "The clip shows how": a heading of what is told."""
-    who, verb = _mention(elements, i), elements[i + 1] if i + 1 < len(elements) else None
+    who, verb = mention_at(elements, i), elements[i + 1] if i + 1 < len(elements) else None
     how = word_at(elements, i + 2)
     aim = who is not None and who.head in _AIMS and isinstance(verb, Verb) and verb.sense == "be"
     aim = aim and isinstance(verb, Verb) and not verb.negated
@@ -142,7 +137,7 @@ def _leads_to(elements: list[Element], i: int, out: list[Element]) -> int:
     lead, to = elements[i], word_at(elements, i + 1)
     if to is None:
         return 0
-    thing, act = _mention(elements, i + 2), elements[i + 3] if i + 3 < len(elements) else None
+    thing, act = mention_at(elements, i + 2), elements[i + 3] if i + 3 < len(elements) else None
     if thing is None or not isinstance(act, Verb) or act.form != "ing":
         return 0
     this = isinstance(lead, Mention) and lead.head == "result" and lead.determiner in _THESE
@@ -163,7 +158,7 @@ def _leads_to(elements: list[Element], i: int, out: list[Element]) -> int:
 
 def _cleft(elements: list[Element], i: int, out: list[Element]) -> int:
     """ "It is only when a cat bumps it that a mug falls": when a cat bumps it, a mug falls."""
-    it, be = _mention(elements, i), elements[i + 1] if i + 1 < len(elements) else None
+    it, be = mention_at(elements, i), elements[i + 1] if i + 1 < len(elements) else None
     if it is None or it.pronoun != "it" or not isinstance(be, Verb) or be.sense != "be":
         return 0
     k = i + 2

@@ -24,8 +24,6 @@ OWN_POWER = (
     EdgeEvent.BRAKE,
 )
 POWERED = (EdgeEvent.UNIFORM_MOTION, EdgeEvent.ACCELERATED_MOTION)
-CONTROLLED = (NodeEvent.SCENE_START, NodeEvent.TRIGGER, NodeEvent.HEADING_REACHED)
-"""Node events whose time the program sets; all others are outcomes of physics."""
 REACH_BRAKE_DAMPING = 9.0
 """Linear damping [1/s] with which a body stops that reaches a place without a hit."""
 
