@@ -10,7 +10,8 @@ from esg.draft.dodging import dodge
 from esg.draft.elements import Mention
 from esg.draft.entities import ORDINALS
 from esg.draft.frames import Frame, Phrase
-from esg.draft.references import RIDDEN, STATES, References
+from esg.draft.in_turn import InTurn
+from esg.draft.references import RIDDEN, STATES
 from esg.draft.scene import SELF_POWERED, Scene
 from esg.draft.underway import by_the_clock
 from esg.draft.windows import Draft
@@ -57,7 +58,7 @@ _VEHICLE_VERBS = frozenset(
 )  # fmt: skip
 
 
-class Interpreter(References):
+class Interpreter(InTurn):
     """Walks over frames in order of time and fills a Scene."""
 
     def run(self, frames: list[Frame], attachments: list[tuple[Mention, Phrase]]) -> Scene:
@@ -230,53 +231,6 @@ class Interpreter(References):
         if f.subject is not None:
             self.thrown[id(f.subject)] = flying
         return flying, (aims[:1] if not missed else []) if itself else objects
-
-    def _one_time_each(self, f: Frame) -> list[Frame]:
-        """ "The cars brake after 2 s and 3 s": a clause for each member, with its own time."""
-        m = f.subject
-        timed = [p for p in f.phrases if p.amount is not None and p.amount.dimension == "time"]
-        at = [p for p in timed if p.prep in ("after", "at", "in", "")]
-        if m is None or len(at) < 2 or len(at) != len(timed):
-            return [f]
-        shared = self._times_of_objects(f, timed)
-        if len(shared) > 1:
-            return shared
-        many = m.plural or bool(m.coordinated) or len(m.entities) > 1
-        if not many or len(m.entities) < len(at) or (len(m.entities) > len(at) and m.count):
-            return [f]
-        return self._members_in_turn(f, m, timed, at)
-
-    @staticmethod
-    def _times_of_objects(f: Frame, timed: list[Phrase]) -> list[Frame]:
-        """ "hits the wall after 1 s and the box after 3 s": a clause for each object."""
-        o = f.object
-        if o is None or not o.coordinated or len(timed) != len(o.coordinated) + 1:
-            return [f]
-        things = [o, *o.coordinated]
-        spans = [t.start for t in things] + [10**9]
-        out: list[Frame] = []
-        for k, (thing, p) in enumerate(zip(things, timed, strict=True)):
-            assert p.amount is not None
-            if not spans[k] < p.amount.start < spans[k + 1]:
-                return [f]
-            mine = [i for i in thing.entities if not any(i in c.entities for c in things[k + 1 :])]
-            own = replace(thing, entities=mine, coordinated=[])
-            rest = [q for q in f.phrases if q not in timed]
-            at = replace(p, prep=p.prep if k == 0 else "at")  # both from the start
-            out.append(replace(f, object=own, phrases=[*rest, at]))
-        return out
-
-    def _members_in_turn(
-        self, f: Frame, m: Mention, timed: list[Phrase], at: list[Phrase]
-    ) -> list[Frame]:
-        prep = at[0].prep or "after"
-        out: list[Frame] = []
-        for k, p in enumerate(at):
-            rest = [q for q in f.phrases if q not in timed]
-            own = replace(m, entities=[m.entities[k]], coordinated=[], amounts=[])
-            start = prep if k == 0 or self.tl.last_event is not None else "at"
-            out.append(replace(f, subject=own, phrases=[*rest, replace(p, prep=start)]))
-        return out
 
     def _unreal(self, f: Frame, subject: list[str], objects: list[str]) -> None:
         """What does not happen: at most the direction of a motion that is under way."""

@@ -6,7 +6,8 @@ from esg.draft.frames import Frame
 from esg.draft.leftovers import SETS_OFF, Leftovers
 from esg.draft.quantities import Amount
 from esg.draft.scene import SELF_POWERED, SPEEDS, Relation
-from esg.draft.timeline import LAUNCHES, START, Motion
+from esg.draft.timeline import LAUNCHES, START
+from esg.draft.tracks import Motion
 from esg.graph.models import EventConstraint, ForceDirection, NodeEvent, Quantity
 
 _AIRBORNE = frozenset({"projectile", "tool", "tableware", "book", "rock"})

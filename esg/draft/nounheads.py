@@ -392,18 +392,3 @@ class NounHeads(RowPhrases):
                 pass
         self.elements.append(m)
         return j
-
-    def _inner(self, j: int, m: Mention) -> int | None:
-        """ "a roll of tape": the thing itself, from the start of the whole phrase."""
-        size = len(self.elements)
-        end = self._noun_phrase(j)
-        if end is None or len(self.elements) != size + 1:
-            del self.elements[size:]
-            return None
-        thing = self.elements[-1]
-        if not isinstance(thing, Mention):
-            del self.elements[size:]
-            return None
-        thing.start, thing.determiner = m.start, m.determiner or thing.determiner
-        thing.count, thing.plural = m.count or 1, False
-        return end

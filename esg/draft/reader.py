@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import re
-
 from esg.draft import lexicon as lex
-from esg.draft.elements import Element, Mention, Token, Verb, Word
-from esg.draft.numerals import parse_number
+from esg.draft.elements import Element, Mention, Verb, Word
+from esg.draft.nounlookup import NounLookup
 from esg.draft.tokens import is_name
 from esg.draft.verbphrases import PHRASES, verb_readings
 
@@ -17,85 +15,15 @@ _NOUNS_FIRST = frozenset(
 _ALSO_NOUNS = frozenset({"can", "has", "have", "had", "having", "might", "will"})
 """Modals that are nouns or main verbs too."""
 
-_TURNS_GREEN = re.compile(
-    r"\s+(?:\w+\s+){1,2}?(?:to\s+|back\s+to\s+)?(?:red|green|amber)\b", re.IGNORECASE
-)
 
-
-NounMatch = tuple[lex.Noun, int, bool, str]
-"""A noun of the lexicon: entry, tokens used, plural, phrase."""
 _ADJECTIVES = frozenset().union(
     lex.COLORS, lex.MATERIALS, lex.SIZES, lex.STRETCHES, lex.WEIGHTS, lex.PLACE_ADJECTIVES,
     lex.PLAIN_ADJECTIVES,
 )  # fmt: skip
 
 
-class Reader:
+class Reader(NounLookup):
     """Tokens read so far as elements, and questions about the next ones."""
-
-    def __init__(self, text: str, tokens: list[Token]) -> None:
-        self.text = text
-        self.tokens = tokens
-        self.elements: list[Element] = []
-        self._lows = tuple("" if t.kind == "punct" else t.low for t in tokens)
-        self._nouns_at: dict[int, NounMatch | None] = {}
-
-    def _tok(self, i: int) -> Token | None:
-        return self.tokens[i] if 0 <= i < len(self.tokens) else None
-
-    def _low(self, i: int) -> str:
-        return self._lows[i] if 0 <= i < len(self._lows) else ""
-
-    def _match_noun(self, i: int) -> NounMatch | None:
-        """Longest lexicon noun at token i: entry, tokens used, plural, phrase."""
-        if i not in self._nouns_at:  # asked several times, of tokens that stay as they are
-            self._nouns_at[i] = self._find_noun(i)
-        return self._nouns_at[i]
-
-    def _find_noun(self, i: int) -> NounMatch | None:
-        table = lex.nouns()
-        if not 0 <= i < len(self.tokens):
-            return None
-        most = lex.longest_nouns().get(self.tokens[i].low, 1)
-        for n in range(min(most, len(self.tokens) - i), 0, -1):
-            window = self.tokens[i : i + n]
-            if any(t.kind != "word" and (t.kind != "number" or n == 1) for t in window):
-                continue
-            words = [t.low for t in window]
-            phrase = " ".join(words)
-            last, plural = lex.singular(words[-1])
-            single = " ".join([*words[:-1], last])
-            for candidate, is_plural in ((phrase, False), (single, plural)):
-                if candidate in table:
-                    if candidate == phrase and single != phrase and single in table:
-                        continue
-                    if (
-                        is_plural
-                        and table[candidate].kind == "ground"
-                        and self._lands_on(i + n - 1)
-                    ):
-                        return None
-                    if n > 1 and is_plural and self._subject_and_verb(i, words):
-                        continue
-                    if n > 1 and is_plural and parse_number(words[0]) is not None:
-                        continue  # "eight balls" are not "the eight ball"
-                    return table[candidate], n, is_plural or words[-1] == "billiards", candidate
-            dashed = "-".join(words)
-            if n > 1 and dashed in table:
-                return table[dashed], n, False, dashed
-        if i < len(self.tokens) and self._low(i).removesuffix("s").endswith("-year-old"):
-            return table["child"], 1, self._low(i).endswith("s"), "child"
-        if i < len(self.tokens) and "-" in self._low(i):
-            last, plural = lex.singular(self._low(i).replace("-", " "))
-            if last in table:
-                return table[last], 1, plural, last
-        if self._low(i) in ("light", "lights") and self._of_traffic(i):
-            return table["traffic light"], 1, False, "traffic light"
-        return None
-
-    def _of_traffic(self, i: int) -> bool:
-        """ "The lights turn green": no lamps."""
-        return _TURNS_GREEN.match(self.text, self.tokens[i].end) is not None
 
     def _acts(self, i: int) -> bool:
         """Whether a word in -s that could be a plural is the verb of the noun before it."""
@@ -105,21 +33,6 @@ class Reader:
         if nxt is None or nxt.kind in ("punct", "qty"):
             return True
         return nxt.low in lex.PREPOSITIONS | lex.DETERMINERS | lex.ADVERBS | lex.PRONOUNS | {"and"}
-
-    def _lands_on(self, i: int) -> bool:
-        """ "The brick lands on a car": a verb, no ground."""
-        verb = any(r.form == "s" for r in verb_readings(self._low(i)))
-        return verb and self._low(i + 1) in lex.PREPOSITIONS
-
-    def _subject_and_verb(self, i: int, words: list[str]) -> bool:
-        """ "The bus stops at the crossing": a subject with its verb, not several bus stops."""
-        if i == 0 or self._low(i - 1) not in ("a", "an", "the", "this", "that", "each", "every"):
-            return False
-        if " ".join(words[:-1]) not in lex.nouns():
-            return False
-        nxt = self._low(i + len(words))
-        plural_verb = nxt in lex.MODALS or nxt in ("are", "were", "have", "that", "which", "of")
-        return not plural_verb and any(r.form == "s" for r in verb_readings(words[-1]))
 
     def _previous(self) -> Element | None:
         return self.elements[-1] if self.elements else None
@@ -419,3 +332,17 @@ class Reader:
         done = isinstance(previous, Verb) and previous.sense not in ("cause", "noop")
         one = one or (done and bool(m.determiner))  # "knocks its food bowl off": it has its verb
         return bare and one and nxt not in lex.DETERMINERS and nxt not in lex.PRONOUNS
+
+    def _thing_named(self, i: int) -> bool:
+        """Whether a noun phrase with an article or a pronoun starts here."""
+        low = self._low(i)
+        named = low in lex.DETERMINERS or self._match_noun(i) is not None
+        return named or low in ("it", "them", "him", "her", "its", "his", "their")
+
+    def _verb_soon(self, i: int) -> bool:
+        return any(verb_readings(self._low(k)) for k in range(i, min(i + 6, len(self.tokens))))
+
+    def _acts_on_something(self, j: int) -> bool:
+        low = self._low(j)
+        small = lex.DETERMINERS | lex.PREPOSITIONS | lex.PRONOUNS | lex.ADVERBS
+        return low in small or low in ("", ".", ",")

@@ -11,19 +11,10 @@ from esg.draft.matching import Matching
 from esg.draft.quantities import Amount
 from esg.draft.shares import dealt
 from esg.draft.sizes import HOLLOW, holding, inclined, sized
+from esg.draft.surroundings import noun_here
 from esg.draft.toys import as_toy
 
 _NAMED_GROUPS = frozenset({"tower", "pyramid", "pile", "heap", "convoy"})
-
-_TO_THE_HOLE = frozenset({"into", "in", "past", "to", "toward", "towards", "around"})
-_AT_A_BAR = frozenset({"along", "on", "at", "across", "off", "behind", "down", "onto", "from"})
-_ROOMS = frozenset({"garage", "shop", "store", "school", "church", "hotel", "barn", "apartment"})
-_BALLS = {
-    "golfer": "golf ball", "batter": "baseball", "pitcher": "baseball", "batsman": "cricket ball",
-    "goalkeeper": "soccer ball", "goalie": "soccer ball", "striker": "soccer ball",
-    "footballer": "soccer ball", "tennis player": "tennis ball", "bowling alley": "bowling ball",
-}  # fmt: skip
-"""The ball of who plays with it."""
 _PEOPLE = re.compile(r"(?:man|men|woman|women|person|ist|player|keeper|worker|driver|officer)$")
 """Endings of nouns for people."""
 LARGEST_CM, LIGHTEST_KG = 9000.0, 1e-3
@@ -50,8 +41,8 @@ class Registry(Matching):
         self.collective: set[str] = set()
         """Groups that "it" can mean ("a tower of blocks")."""
         self.salience: list[list[str]] = []
-        self.renamed: dict[str, str] = {}
         """Referent sets, most recent last."""
+        self.renamed: dict[str, str] = {}
         self.subjects: list[list[str]] = []
         self.resolved: dict[int, list[str]] = {}
         self.ends: dict[tuple[str, float], str] = {}
@@ -272,31 +263,8 @@ class Registry(Matching):
         noun = m.noun or unknown_noun(m.head)
         if m.group_word == "pair" and m.head in _TWINS:
             m.count, m.plural, m.group_word = None, False, ""  # "a pair of scissors" is one thing
-        if noun.name == "net" and m.after_prep in ("into", "in") and not self.net_sport:
-            noun = lex.nouns()["goal"]
-        elif noun.name == "cup" and self._golf() and m.after_prep in _TO_THE_HOLE:
-            noun = lex.nouns()["hole"]
-        elif noun.name == "building" and m.after_prep in ("in", "inside") and m.head in _ROOMS:
-            noun = lex.nouns()["floor"]  # "in a garage a ball rolls": where the scene is
-        elif m.head == "bar" and noun.name in ("gold bar", "floor") and m.after_prep in _AT_A_BAR:
-            noun = lex.nouns()["counter"]
-        elif m.text.lower().split()[-1:] == ["bar"] and m.after_prep in ("in", "inside"):
-            noun = lex.nouns()["floor"]  # "in a bar a glass slides": where the scene is
-        elif noun.name == "hoop" and (
-            m.after_prep == "through"
-            or (m.after_prep in ("into", "in") and self._ball_game())
-            or any(e.noun.name == "basketball" for e in self.entities.values())
-        ):
-            noun = lex.nouns()["basketball hoop"]
-        elif noun.name == "stump" and any(
-            e.noun.name == "cricket ball" for e in self.entities.values()
-        ):
-            noun = lex.nouns()["cricket stump"]
-        elif noun.name == "roof tile" and m.plural and m.determiner == "the":
-            noun = lex.nouns()["floor"]  # "over the edge onto the tiles"
-        elif m.head == "ball":
-            played = (_BALLS.get(e.head) for e in self.entities.values())
-            noun = lex.nouns()[next((b for b in played if b), noun.name)]
+        named, movers = list(self.entities.values()), self._movers()
+        noun = noun_here(m, noun, named, movers, net_sport=self.net_sport)
         if "structural" in noun.traits and "decal" not in noun.traits:
             return ["ground_1"] if "ground_1" in self.entities else self._ground(noun, m)
         if m.determiner == "another" or "other" in m.adjectives:
@@ -358,18 +326,9 @@ class Registry(Matching):
                 self._rename(e, self._new_id(slug(e.label)))
         return list(self.groups[group])
 
-    def _ball_game(self) -> bool:
-        """Whether a ball, or someone who may have one, goes for the hoop."""
-        movers = [self.entities[i] for i in self.movers if i in self.entities]
-        return not movers or any(e.noun.kind in ("ball", "person") for e in movers)
-
-    def _golf(self) -> bool:
-        """Whether what the clause is about is a golf ball, or the prompt's only ball is one."""
-        movers = [self.entities[i] for i in self.movers if i in self.entities]
-        if any(e.noun.name == "golf ball" for e in movers):
-            return True
-        people = all(e.noun.kind == "person" for e in movers)
-        return people and any(e.noun.name == "golf ball" for e in self.entities.values())
+    def _movers(self) -> list[Entity]:
+        """What the clause is about, as far as it is there."""
+        return [self.entities[i] for i in self.movers if i in self.entities]
 
     def _letter(self, m: Mention, letter: str) -> str:
         """Names a member of a plural, or creates the individual."""

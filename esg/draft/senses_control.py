@@ -9,7 +9,7 @@ from esg.draft.frames import Frame
 from esg.draft.quantities import Amount
 from esg.draft.scene import SELF_POWERED
 from esg.draft.senses_outcome import OutcomeSenses
-from esg.draft.timeline import Motion
+from esg.draft.tracks import Motion
 from esg.draft.windows import Draft
 from esg.graph.models import EventConstraint, NodeEvent, Quantity, Role
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from esg.draft.frames import Frame
 from esg.draft.quantities import Amount, find_amounts
 from esg.draft.senses_control import ControlSenses
-from esg.draft.timeline import Motion
+from esg.draft.tracks import Motion
 from esg.graph.models import EventConstraint, NodeEvent
 
 _LEAST_TURN_S = 0.01

@@ -324,15 +324,6 @@ class Chunker(NounPhrases):
                 return len(words)
         return 0
 
-    def _thing_named(self, i: int) -> bool:
-        """Whether a noun phrase with an article or a pronoun starts here."""
-        low = self._low(i)
-        named = low in lex.DETERMINERS or self._match_noun(i) is not None
-        return named or low in ("it", "them", "him", "her", "its", "his", "their")
-
-    def _verb_soon(self, i: int) -> bool:
-        return any(verb_readings(self._low(k)) for k in range(i, min(i + 6, len(self.tokens))))
-
     def _previous_is_turn(self) -> bool:
         p = self._previous()
         return isinstance(p, Verb) and p.sense in ("turn", "swerve")
@@ -351,11 +342,6 @@ class Chunker(NounPhrases):
         finite = any(r.form in ("s", "past") for r in verb_readings(self._low(j)))
         plural = self._match_noun(j) is not None and not self._acts_on_something(j + 1)
         return finite and not plural
-
-    def _acts_on_something(self, j: int) -> bool:
-        low = self._low(j)
-        small = lex.DETERMINERS | lex.PREPOSITIONS | lex.PRONOUNS | lex.ADVERBS
-        return low in small or low in ("", ".", ",")
 
     def _clause_follows(self, i: int) -> bool:
         """Whether a subordinator starts a clause ("after it hits") and not "after 3 seconds"."""
