@@ -166,7 +166,22 @@ def _word_by_word(model: Any) -> bool:
     """
     rules = model.get_pipe("attribute_ruler").patterns
     asked = [p for rule in rules if "POS" in rule["attrs"] for p in rule["patterns"]]
-    return all(len(p) == 1 or any("DEP" in token for token in p) for p in asked)
+    plain = [p for p in asked if not any("DEP" in token for token in p)]
+    return all(len(p) == 1 and p[0].keys() <= {"TAG", "LOWER", "IS_SPACE"} for p in plain) and all(
+        isinstance(low, str) or low.keys() == {"IN"}
+        for p in plain
+        if (low := p[0].get("LOWER")) is not None
+    )
+
+
+@cache
+def _told_words() -> frozenset[str]:
+    """Words that the model's rules name; all others with one tag are alike to them."""
+    rules = _spacy_model().get_pipe("attribute_ruler").patterns
+    lows = [t.get("LOWER", "") for rule in rules for p in rule["patterns"] for t in p]
+    return frozenset(
+        w for low in lows for w in ([low] if isinstance(low, str) else low.get("IN", ()))
+    )
 
 
 @lru_cache(maxsize=16384)
@@ -184,4 +199,8 @@ def pos_tags(text: str) -> list[tuple[int, str]]:
     model = _spacy_model()
     if model is None:
         return []
-    return [(t.idx, t.pos_ or _coarse(t.text, t.tag_)) for t in model(text)]
+    told = _told_words()
+    return [
+        (t.idx, t.pos_ or _coarse(t.lower_ if t.lower_ in told or t.is_space else "x", t.tag_))
+        for t in model(text)
+    ]
