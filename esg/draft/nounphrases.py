@@ -124,7 +124,8 @@ class NounPhrases(NounStarts):
         if (
             word in lex.GROUP_WORDS
             and self._low(j + 1 + adjective_skip) == "of"
-            and (self._match_noun(j) or (None, 1))[1] < 3  # "a pile of snow" is one thing
+            # "a pile of snow" is one thing, "a tower of blocks" several
+            and ((self._match_noun(j) or (None, 1))[1] < 3 or lex.singular(self._low(j + 2))[1])
             and not (word in ("wall",) and self._low(j + 2 + adjective_skip) in lex.DETERMINERS)
         ):
             m.pattern = lex.GROUP_WORDS[word]

@@ -71,3 +71,14 @@ def test_headings_and_scenes_are_no_things(prompt: str, absent: str) -> None:
 def test_what_comes_before_a_colon_may_be_a_thing() -> None:
     """Keep things that the sentence after the colon goes on about."""
     assert events("Two cars: one brakes, the other hits it.") == [("Collision", "car_2", "car_1")]
+
+
+def test_a_tower_of_blocks_is_several_and_a_pile_of_snow_is_one() -> None:
+    """Draw the members of what is stacked, and one heap of a substance."""
+    assert events("A toy car hits a tower of blocks and the top block falls down.") == [
+        ("Collision", "toy_car_1", "top_block_1"),
+        ("Fall", "top_block_1"),
+    ]
+    assert events("A truck drives into a pile of snow.") == [
+        ("Collision", "truck_1", "pile_of_snow_1")
+    ]
