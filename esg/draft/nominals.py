@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from esg.draft.elements import Element, Mention, Verb, Word
 from esg.draft.impacts import name_impacts
 from esg.draft.light_verbs import as_verb, blow_at
@@ -105,9 +107,20 @@ def _referred_back(elements: list[Element], i: int, out: list[Element]) -> int:
     timed = isinstance(previous, Word) and previous.amount is not None and e.low == "after"
     if not timed and e.low in ("on", "with", "by", "from", "in") and noun.determiner == "its":
         return 0
+    if _is_the_first(noun, out) and not timed:
+        they = Mention(e.start, e.start, pronoun="they", text="they")
+        conj = Word(e.start, e.start, "conj", "and")
+        out += [they, _hit(replace(noun, start=e.start, end=e.start), "s"), conj]
     out.append(Word(e.start, noun.end, "adv", "later" if timed else "then"))
     comma = isinstance(after, Word) and after.low == ","
     return 3 if comma and not timed else 2
+
+
+def _is_the_first(noun: Mention, out: list[Element]) -> bool:
+    """ "Two cars drive toward each other. After the crash ...": which is told only by its noun."""
+    meet = any(isinstance(x, Word) and x.low == "each other" for x in out)
+    told = any(isinstance(x, Verb) and x.sense in ("hit", "knock", "miss", "stop") for x in out)
+    return noun.head in _HITS and meet and not told
 
 
 def _named_hit(parts: list[Element]) -> list[Element]:

@@ -56,3 +56,21 @@ def test_starts_at_the_light() -> None:
     assert "traffic_light_1" in doc.spatial_relation_graph.nodes
     assert doc.timeline_system is not None
     assert {e.actor for e in doc.timeline_system.sequence_graph.edges} == {"van_1"}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "told"),
+    [
+        (
+            "Two vans drive toward each other. After the crash, one of them turns over.",
+            [("Collision", "van_1", "van_2"), ("Topple", "van_1")],
+        ),
+        (
+            "Two vans drive toward each other and crash. After the crash, one of them turns over.",
+            [("Collision", "van_1", "van_2"), ("Topple", "van_1")],
+        ),
+    ],
+)
+def test_a_crash_told_only_by_its_noun(prompt: str, told: list[tuple[str, ...]]) -> None:
+    """Let what comes toward each other meet "after the crash", once."""
+    assert events(prompt) == told
