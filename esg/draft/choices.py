@@ -17,6 +17,23 @@ class Choices(Registry):
     def _of_stack(self, m: Mention, names: list[Entity]) -> list[str]:
         raise NotImplementedError
 
+    def _one_more(self, like: Entity, words: list[str], m: Mention) -> list[str]:
+        """Another thing of a kind that is there, told apart by the phrase's words."""
+        label = " ".join([*words, like.head])
+        e = self.add(
+            like.noun, like.head, adjectives=words, label=label, known=like.known, origin=m.start
+        )
+        return [e.id]
+
+    def _name_by_place(self, name: str, place: str) -> str:
+        """Gives a member of a row or stack the name of its place; returns its id."""
+        e = self.entities[name]
+        if not e.letter and (not e.place or e.place in STACKED) and e.place != place:
+            e.place, e.label = place, f"{place} {e.head}"
+            e.adjectives.append(place)
+            self._rename(e, self._new_id(slug(e.label)))
+        return e.id
+
     def _neighbour(self, m: Mention, avoid: list[str]) -> list[str]:
         """ "the one in front (of it)": the next one of its row, the other one, or one more."""
         last = next((ids for ids in reversed(self.salience) if len(ids) == 1), [])
@@ -35,24 +52,14 @@ class Choices(Registry):
         where = [e.id for e in self.entities.values() if e.place == place and e is not anchor]
         if where or alike:
             return where[-1:]
-        return [
-            self.add(
-                anchor.noun, anchor.head, adjectives=[place], label=f"{place} {anchor.head}",
-                known=anchor.known, origin=m.start,
-            ).id
-        ]  # fmt: skip
+        return self._one_more(anchor, [place], m)
 
-    def _middle(self, avoid: list[str]) -> list[str]:
+    def _middle(self) -> list[str]:
         """ "the middle one": of the row told last."""
         row = next((g for g in reversed(list(self.groups.values())) if len(g) > 2), [])
-        e = self.entities[row[len(row) // 2]] if row else None
-        if e is None or self.entities[row[0]].pattern == "stack":
+        if not row or self.entities[row[0]].pattern == "stack":
             return []
-        if not e.letter and not e.place:
-            e.place, e.label = "middle", f"middle {e.head}"
-            e.adjectives.append("middle")
-            self._rename(e, self._new_id(slug(e.label)))
-        return [e.id]
+        return [self._name_by_place(row[len(row) // 2], "middle")]
 
     def _another_like(self, m: Mention, avoid: list[str]) -> list[str]:
         """ "The first runner falls, the second ...", "a blue car ... the red one", "the yellow"."""
@@ -82,17 +89,7 @@ class Choices(Registry):
             model = next((e for e in solid if e.place in ORDINALS and e.place != ordinal), None)
         if model is None or (model.id in avoid and not ordinal and model.color is None):
             return []
-        named = [ordinal] if ordinal else colors
-        label = " ".join([*[x for x in named if x], model.head])
-        e = self.add(
-            model.noun,
-            model.head,
-            adjectives=[x for x in named if x],
-            label=label,
-            known=model.known,
-            origin=m.start,
-        )
-        return [e.id]
+        return self._one_more(model, [ordinal] if ordinal else colors, m)
 
     def _ranked(self, m: Mention, things: list[Entity], avoid: list[str]) -> list[str]:
         """ "the heavier one", "the tallest bottle": by what is known of sizes, masses, speeds."""
@@ -131,7 +128,7 @@ class Choices(Registry):
     def _one_of(self, m: Mention, avoid: list[str]) -> list[str]:
         if NEIGHBOUR in m.adjectives and (near := self._neighbour(m, avoid)):
             return near
-        if "middle" in m.adjectives and (mid := self._middle(avoid)):
+        if "middle" in m.adjectives and (mid := self._middle()):
             return mid
         comparable = self._comparable(avoid)
         if found := self._ranked(m, comparable, avoid):
@@ -142,14 +139,7 @@ class Choices(Registry):
         if same and same not in avoid:
             return [same]
         if unlike is not None:  # "the heavy book hits the light one"
-            named = [a for a in m.adjectives if not a.startswith("@")]
-            label = " ".join([*named, unlike.head])
-            return [
-                self.add(
-                    unlike.noun, unlike.head, adjectives=named, label=label,
-                    known=unlike.known, origin=m.start,
-                ).id
-            ]  # fmt: skip
+            return self._one_more(unlike, [a for a in m.adjectives if not a.startswith("@")], m)
         for a in m.adjectives:
             for group in reversed(list(self.groups.values())):
                 for i in group:
@@ -182,12 +172,7 @@ class Choices(Registry):
             fore = FRONT if end in REAR else REAR
             like = [e for e in self.entities.values() if fore & {e.place, *e.adjectives}]
             if like and not any(e.place == end for e in self.entities.values()):
-                return [
-                    self.add(
-                        like[-1].noun, like[-1].head, adjectives=[end],
-                        label=f"{end} {like[-1].head}", known=like[-1].known, origin=m.start,
-                    ).id
-                ]  # fmt: skip
+                return self._one_more(like[-1], [end], m)
         if "next" in m.adjectives and not self.groups:
             solid = [e for e in self.entities.values() if "structural" not in e.noun.traits]
             before = avoid or (self.subjects[-1] if self.subjects else [])
@@ -199,13 +184,7 @@ class Choices(Registry):
                 before = last  # "past one table, brushes against the next"
             model = [e for e in solid if e.id in before[:1]]
             if solid:  # "A domino falls and hits the next one", "One ball ..., the next one ..."
-                like = (model or solid)[-1]
-                label = f"next {like.head}"
-                other = self.add(
-                    like.noun, like.head, adjectives=["next"], label=label,
-                    known=like.known, origin=m.start,
-                )  # fmt: skip
-                return [other.id]
+                return self._one_more((model or solid)[-1], ["next"], m)
         fresh = self._another_like(m, avoid)
         if fresh:
             return fresh

@@ -47,12 +47,8 @@ def coordinate(elements: list[Element]) -> list[Element]:
                 out += said
                 i += 1
                 continue
-            amount = word_at(elements, i + 1)
-            turned = amount is not None and amount.amount is not None
-            if turned and e.lemma in _TURNING | {"be"} and not e.passive and amount is not None:
-                whole = amount.amount is not None and amount.amount.dimension == "angle"
-                if whole and "turn" in amount.low and _is_do(e):
-                    e = replace(e, lemma="turn", sense="turn")
+            if _makes_turn(e, word_at(elements, i + 1)):
+                e = replace(e, lemma="turn", sense="turn")
         out.append(e)
         i += 1
     return out
@@ -70,8 +66,12 @@ def _rides(elements: list[Element], i: int) -> bool:
     return kind in _MOUNTS and isinstance(verb, Verb)
 
 
-def _is_do(v: Verb) -> bool:
-    return v.sense != "be" or v.auxiliary in ("does", "do", "did")
+def _makes_turn(v: Verb, what: Word | None) -> bool:
+    """ "does a quarter turn", "makes a half turn": turns by it."""
+    if what is None or what.amount is None or what.amount.dimension != "angle" or v.passive:
+        return False
+    does = v.sense != "be" or v.auxiliary in ("does", "do", "did")
+    return does and v.lemma in _TURNING | {"be"} and "turn" in what.low
 
 
 def _takes_noun(elements: list[Element], i: int) -> None:

@@ -111,6 +111,8 @@ class Core:
 
         self.attached: list[tuple[Mention, Phrase]] = []
         """Noun phrases with a place or a property."""
+        self._stand_there: dict[int, list[Mention]] = {}
+        """What stands at the place that a phrase names."""
         world.facts = self._facts
 
     def _facts(self, node: str) -> list[Amount]:

@@ -41,15 +41,6 @@ class Members(Pronouns):
         e = self.entities[row[_SIDES[side] if side != "middle" else len(row) // 2]]
         return [] if e.place or e.letter else [self._name_by_place(e.id, side)]
 
-    def _name_by_place(self, name: str, place: str) -> str:
-        """Gives a member of a row or stack the name of its place; returns its id."""
-        e = self.entities[name]
-        if not e.letter and (not e.place or e.place in STACKED) and e.place != place:
-            e.place, e.label = place, f"{place} {e.head}"
-            e.adjectives.append(place)
-            self._rename(e, self._new_id(slug(e.label)))
-        return e.id
-
     def _counted(self, m: Mention, names: list[Entity]) -> list[str]:
         """ "the second crate from the left", "the third from the top"."""
         ordinal = next((ORDINALS[a] for a in m.adjectives if a in ORDINALS), 0)

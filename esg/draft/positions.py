@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from esg.draft.elements import Element, Mention, Verb, Word
-from esg.draft.gaps import word_at
+from esg.draft.gaps import mention_at, word_at
 
 _ADVERBS = {
     "ahead": "front", "in front": "front", "front": "front", "behind": "rear", "beside": "other",
@@ -48,18 +48,19 @@ def _picks(m: Mention) -> bool:
 
 def _place(elements: list[Element], i: int, m: Mention) -> int:
     """Reads the place after a mention into it; returns how many elements it took."""
-    where, after = word_at(elements, i + 1), _at(elements, i + 2)
+    where, after = word_at(elements, i + 1), mention_at(elements, i + 2)
     if where is None:
         return 0
     named = m.pronoun != "one"
-    if where.low in _RELATIVE and isinstance(after, Mention) and after.pronoun in _IT:
-        last = m.pronoun == "one" and not isinstance(_at(elements, i + 3), Mention)
+    if where.low in _RELATIVE and after is not None and after.pronoun in _IT:
+        last = not named and mention_at(elements, i + 3) is None
         return _read(m, _RELATIVE[where.low], after.end, 2, beside=True) if last else 0
-    if not named and where.low in _ADVERBS and not isinstance(after, Mention):
+    if not named and where.low in _ADVERBS and after is None:
         return _read(m, _ADVERBS[where.low], where.end, 1, beside=True)
-    if where.low == "in" and isinstance(after, Word) and after.low == "front":
-        return 0 if named else _read(m, "front", after.end, 2, beside=True)
-    if where.low not in ("in", "on", "at", "to") or not isinstance(after, Mention):
+    front = word_at(elements, i + 2)
+    if where.low == "in" and front is not None and front.low == "front":
+        return 0 if named else _read(m, "front", front.end, 2, beside=True)
+    if where.low not in ("in", "on", "at", "to") or after is None:
         return 0
     place = _ENDS.get(after.head or (after.adjectives or [""])[-1], "")
     bare = not after.adjectives or (after.pronoun == "one" and len(after.adjectives) == 1)
@@ -68,14 +69,13 @@ def _place(elements: list[Element], i: int, m: Mention) -> int:
         return 0
     if after.determiner not in ("", "the") or (named and not _goes_on(elements, i + 3)):
         return 0
-    if where.low == "in" and place == "front" and not after.determiner:
-        return 0 if named else _read(m, place, after.end, 2, beside=True)
-    return _read(m, place, after.end, 2)
+    beside = where.low == "in" and place == "front" and not after.determiner
+    return 0 if beside and named else _read(m, place, after.end, 2, beside=beside)
 
 
 def _goes_on(elements: list[Element], k: int) -> bool:
     """Whether the clause goes on with a verb, or ends ("slides into the box on the left.")."""
-    e = _at(elements, k)
+    e = elements[k] if k < len(elements) else None
     return e is None or isinstance(e, Verb) or (isinstance(e, Word) and e.low in ".,;:!?")
 
 
@@ -85,7 +85,3 @@ def _read(m: Mention, place: str, end: int, used: int, beside: bool = False) -> 
         m.adjectives.append(NEIGHBOUR)
     m.end = max(m.end, end)
     return used
-
-
-def _at(elements: list[Element], i: int) -> Element | None:
-    return elements[i] if 0 <= i < len(elements) else None

@@ -54,15 +54,7 @@ class Pronouns(Choices):
             solid = (self.entities[i] for i in others)
             model = next((e for e in solid if "structural" not in e.noun.traits), None)
             if model is not None:
-                other = self.add(
-                    model.noun,
-                    model.head,
-                    adjectives=["second"],
-                    label=f"second {model.head}",
-                    known=model.known,
-                    origin=m.start,
-                )
-                return [other.id]
+                return self._one_more(model, ["second"], m)
         if p == "ones" and m.count and m.count > 1 and "other" in m.adjectives and avoid:
             known = self.groups.get(self.entities[avoid[0]].group or "", [])
             rest = [i for i in known if i not in avoid]
@@ -191,12 +183,7 @@ class Pronouns(Choices):
         like = [e for e in self.entities.values() if e.noun == model.noun and e.id != model.id]
         if like:
             return [like[0].id] if len(like) == 1 else []
-        return [
-            self.add(
-                model.noun, model.head, adjectives=["other"], label=f"other {model.head}",
-                known=model.known, origin=m.start,
-            ).id
-        ]  # fmt: skip
+        return self._one_more(model, ["other"], m)
 
     def _grown_up(self, i: str) -> bool:
         """Whether "it" is no word for a person ("the child ... it" is one)."""

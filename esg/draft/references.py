@@ -42,6 +42,9 @@ class References(Anaphora):
     def _refer_all(self, frames: list[Frame]) -> None:
         """Resolves every noun phrase, frame by frame and in the order of the text."""
         framed = self.framed
+        for host, p in self.attached:
+            if p.mention is not None and p.prep in _PLACES:
+                self._stand_there.setdefault(id(p.mention), []).append(host)
         items: list[tuple[int, int, Frame | Mention]] = []
         for f in frames:
             mentions = [f.subject, f.object, f.object2, *[p.mention for p in f.phrases]]
@@ -260,11 +263,12 @@ class References(Anaphora):
 
     def _rather_than_its_place(self, f: Frame) -> None:
         """ "throws a stone at a bottle on a wall. It hits it": the bottle, not the wall."""
-        told = {id(m) for m in (f.object, *[p.mention for p in f.phrases]) if m is not None}
-        for host, p in self.attached:
-            placed = p.prep in _PLACES and id(p.mention) in told
-            if placed and id(host) in told and host.entities:
-                self.world.note(list(host.entities))
+        told = [m for m in (f.object, *[p.mention for p in f.phrases]) if m is not None]
+        here = {id(m) for m in told}
+        for m in told:
+            for host in self._stand_there.get(id(m), ()):
+                if id(host) in here and host.entities:
+                    self.world.note(list(host.entities))
 
     def _just_acted_on(self, f: Frame) -> bool:
         """ "hits the van and pushes it": the same subject acted on a thing just before."""
