@@ -27,7 +27,7 @@ FREE = ("rusty oil drum", "office swivel chair", "supermarket trolley", "bottle 
 
 def resolve_twenty() -> dict[str, Any]:
     """CPU time of resolving twenty objects: first and median of nine warm repetitions [s]."""
-    from esg.assets.embed import _embed_one
+    from esg.assets.library.embed import _embed_one
     from esg.assets.stage import configure
     from esg.graph.models import AssetRequirement
 
@@ -58,7 +58,7 @@ class _Stopped(Exception):
 
 def import_run(folder: Path, seconds: float | None, record: Path | None) -> dict[str, Any]:
     """One run of an import, added to the figures of the earlier ones."""
-    from esg.assets.importer import import_folder
+    from esg.assets.imports.importer import import_folder
 
     earlier = json.loads(record.read_text()) if record and record.is_file() else {"runs": []}
     start, cpu = time.monotonic(), time.process_time()

@@ -32,10 +32,10 @@ from benchmarks.theta import Case, Stopwatch, cold, completed, panel, suite_scen
 from esg.assets import resolve
 from esg.draft import draft
 from esg.dynamics import build_scene, fit_assets, start_hints
-from esg.dynamics.plan import Plan, make_plan
-from esg.dynamics.proxies import coarse, simple_document
-from esg.dynamics.refine import REFINE_STEPS, Staged, refine
-from esg.dynamics.search import run_strategy
+from esg.dynamics.plan.plan import Plan, make_plan
+from esg.dynamics.search.refine import REFINE_STEPS, Staged, refine
+from esg.dynamics.search.search import run_strategy
+from esg.dynamics.story.proxies import coarse, simple_document
 from esg.engines.base import VERIFY_DT_S
 from esg.graph.models import EsgDocument, Pose
 from esg.layout import solve
@@ -63,7 +63,7 @@ def lay_out(scene: SuiteScene, seed: int, layout: str, kind: str | None) -> Laid
         scene: The suite's scene.
         seed: Of drafting, choreography and layout.
         layout: line or side.
-        kind: Simple proxies (`esg.dynamics.proxies`), or None.
+        kind: Simple proxies (`esg.dynamics.story.proxies`), or None.
     """
     doc = fit_assets(resolve(draft(scene.prompt, seed=seed), seed=seed))
     known = simple_document(doc, kind) if kind else doc

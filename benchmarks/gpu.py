@@ -130,7 +130,7 @@ def _rollout(case: Case, worlds: int, rate: int, device: str) -> Rollout:
 
 
 def _problems(count: int) -> list[Any]:
-    from esg.layout.problem import build_problem
+    from esg.layout.problem.problem import build_problem
 
     return [build_problem(generate(FIRST_GRAPH + k, OBJECTS), k, None) for k in range(count)]
 

@@ -33,7 +33,7 @@ def settle_cm(doc: EsgDocument) -> dict[str, float]:
     """
     import numpy as np
 
-    from esg.dynamics.build import build_scene
+    from esg.dynamics.plan.build import build_scene
     from esg.engines.base import get_engine
     from esg.engines.program import FIELDS, ProgramBatch
 
@@ -136,7 +136,7 @@ def ablation(count: int, device: str) -> list[dict[str, Any]]:
 
 def scaling(device: str) -> list[dict[str, Any]]:
     """Wall and processor seconds of the search over objects and starts, warm, one thread."""
-    from esg.layout.problem import build_problem
+    from esg.layout.problem.problem import build_problem
     from esg.layout.search import run_search
 
     rows = []
@@ -160,7 +160,7 @@ def scaling(device: str) -> list[dict[str, Any]]:
 
 def batch(count: int, device: str) -> list[dict[str, Any]]:
     """Seconds of one search over many ten-object scenes: 64 different ones, repeated."""
-    from esg.layout.problem import build_problem
+    from esg.layout.problem.problem import build_problem
     from esg.layout.search import run_search
 
     start = time.perf_counter()

@@ -26,9 +26,9 @@ from esg.graph.models import (
     SpatialRelationGraph,
     SupportSurface,
 )
-from esg.layout.check import World, binary_violation
-from esg.layout.problem import build_problem
-from esg.layout.units import compose
+from esg.layout.judge.check import World, binary_violation
+from esg.layout.problem.problem import build_problem
+from esg.layout.problem.units import compose
 
 
 def _asset(

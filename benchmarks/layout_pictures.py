@@ -11,7 +11,7 @@ from pathlib import Path
 from PIL import Image, ImageDraw
 
 from esg.graph.models import EsgDocument
-from esg.layout.shapes import CIRCLE, footprints
+from esg.layout.problem.shapes import CIRCLE, footprints
 
 TILE = 240
 MARGIN = 16

@@ -21,11 +21,11 @@ import time
 
 import numpy as np
 
-from esg.assets.embed import embed
-from esg.assets.index import Index, active_index, texts_of
-from esg.assets.library import normalize
-from esg.assets.lookup import exact, head_phrase
-from esg.assets.retrieve import GATE, confidence, rank
+from esg.assets.library.catalogue import normalize
+from esg.assets.library.embed import embed
+from esg.assets.library.index import Index, active_index, texts_of
+from esg.assets.library.lookup import exact, head_phrase
+from esg.assets.library.retrieve import GATE, confidence, rank
 
 ROOT = Path(__file__).parents[1]
 

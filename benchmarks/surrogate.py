@@ -22,9 +22,9 @@ from typing import Any
 import numpy as np
 
 from benchmarks.engines import Case, balls, car_bin_table
-from esg.dynamics.build import build_scene
-from esg.dynamics.differentiate import Regime, check_gradient, regimes, starts
-from esg.dynamics.plan import Plan, make_plan
+from esg.dynamics.gradient.differentiate import Regime, check_gradient, regimes, starts
+from esg.dynamics.plan.build import build_scene
+from esg.dynamics.plan.plan import Plan, make_plan
 from esg.engines import get_engine
 from esg.engines.program import Program, SetVelocity, batch_programs
 from esg.engines.scene import Body, Rollout, Shape, SimScene, Variation
@@ -158,7 +158,7 @@ def _busy(case: Case, name: str, device: str, worlds: int) -> tuple[float, float
 
 def speed(newton_worlds: int) -> None:
     """Prints the speed of the surrogate and of the reference engine in one run."""
-    from esg.engines.newton_model import quiet_warp
+    from esg.engines.newton.model import quiet_warp
 
     devices = [str(d) for d in quiet_warp().get_devices()]
     print("| scene | device | worlds | surrogate, s per s | newton, s per s | ratio | "

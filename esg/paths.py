@@ -41,6 +41,6 @@ def kernel_cache_dir() -> Path:
 def kernels_compiled() -> bool:
     """Whether this machine has compiled the kernels of a search before (`esg setup`)."""
     try:
-        return any(kernel_cache_dir().glob("wp_esg.engines.surrogate_kernels_*"))
+        return any(kernel_cache_dir().glob("wp_esg.engines.surrogate.kernels_*"))
     except OSError:
         return False

@@ -10,7 +10,7 @@ from esg.graph.models import AssetConfiguration, EsgDocument, RetrievalCandidate
 if TYPE_CHECKING:
     import trimesh
 
-    from esg.assets.library import Entry
+    from esg.assets.library.catalogue import Entry
 
 
 def resolve(doc: EsgDocument, *, seed: int = 0) -> EsgDocument:
@@ -22,27 +22,27 @@ def resolve(doc: EsgDocument, *, seed: int = 0) -> EsgDocument:
 
 def build_mesh(config: AssetConfiguration) -> trimesh.Scene:
     """The asset's geometry [cm] in its local frame: origin bottom centre, front +X, Z up."""
-    from esg.assets.mesh import build_mesh as run
+    from esg.assets.geometry.mesh import build_mesh as run
 
     return run(config)
 
 
 def write_meshes(doc: EsgDocument, folder: Path) -> dict[str, str]:
     """Writes each configuration's GLB (metres, Y up, front +X); returns SHA-256 by asset id."""
-    from esg.assets.mesh import write_meshes as run
+    from esg.assets.geometry.mesh import write_meshes as run
 
     return run(doc, folder)
 
 
 def search(text: str, k: int = 5) -> list[RetrievalCandidate]:
     """The k library entries nearest in meaning to a text, best first."""
-    from esg.assets.retrieve import rank
+    from esg.assets.library.retrieve import rank
 
     return rank(text, k=k)
 
 
 def catalogue() -> tuple[Entry, ...]:
     """Every entry of the embedded library and of all imported ones."""
-    from esg.assets.index import active_index
+    from esg.assets.library.index import active_index
 
     return active_index().entries

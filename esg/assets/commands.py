@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from esg.assets.library import Entry
+from esg.assets.library.catalogue import Entry
 from esg.graph.models import AssetRequirement
 from esg.outcomes import UserError
 
@@ -36,8 +36,8 @@ def list_assets(library: str | None = None) -> list[dict[str, Any]]:
 def search_assets(text: str, count: int = 5) -> dict[str, Any]:
     """The assets nearest in meaning to a text, and what a scene that names it would get."""
     from esg.assets import catalogue
-    from esg.assets.lookup import exact
-    from esg.assets.retrieve import GATE, confidence, rank
+    from esg.assets.library.lookup import exact
+    from esg.assets.library.retrieve import GATE, confidence, rank
 
     entries = {_name(e): e for e in catalogue()}
     found = exact(text)
@@ -78,8 +78,8 @@ def show(name: str) -> dict[str, Any]:
         UserError: For an unknown name, with the nearest ones.
     """
     from esg.assets import catalogue, search
-    from esg.assets.lookup import exact
-    from esg.assets.retrieve import Decision
+    from esg.assets.library.lookup import exact
+    from esg.assets.library.retrieve import Decision
     from esg.assets.stage import build_configuration
 
     entry = next((e for e in catalogue() if _name(e) == name), None) or exact(name)
@@ -110,7 +110,7 @@ def show(name: str) -> dict[str, Any]:
 
 def import_assets(path: str | Path, library: str | None = None, **options: Any) -> dict[str, Any]:
     """Imports a folder or a `.sh3f` and says what happened."""
-    from esg.assets.importer import import_folder
+    from esg.assets.imports.importer import import_folder
 
     report = import_folder(path, library=library, **options)
     return {

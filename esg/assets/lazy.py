@@ -16,4 +16,4 @@ class LazyModule:
         return getattr(import_module(self._name), attribute)
 
 
-shapes: Any = LazyModule("esg.assets.shapes")
+shapes: Any = LazyModule("esg.assets.geometry.shapes")

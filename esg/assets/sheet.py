@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.assets.mesh import build_mesh
+from esg.assets.geometry.mesh import build_mesh
 from esg.graph.models import AssetConfiguration
 
 _FOV = 0.55
@@ -157,7 +157,7 @@ def library_sheet(path: Path, *, columns: int = 18, size: int = 96) -> int:
     Returns:
         How many kinds it shows.
     """
-    from esg.assets.library import catalogue
+    from esg.assets.library.catalogue import catalogue
     from esg.assets.stage import configure
     from esg.graph.models import AssetRequirement
 

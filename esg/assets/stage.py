@@ -8,12 +8,8 @@ import re
 from typing import TYPE_CHECKING, Any
 
 from esg.assets.colors import find_color
-from esg.assets.library import Entry, build_sketch, entries_by_name, uniform_factor
-from esg.assets.massprops import mass_properties
-from esg.assets.materials import MATERIALS, Material, find_material, is_usual
-from esg.assets.proposal import choose_dimensions, choose_mass, is_toy
-from esg.assets.retrieve import Decision, decide
-from esg.assets.rolling import (
+from esg.assets.geometry.massprops import mass_properties
+from esg.assets.geometry.rolling import (
     FLAGS,
     as_drawn,
     lying_assets,
@@ -22,7 +18,11 @@ from esg.assets.rolling import (
     rolling,
     turned_size,
 )
-from esg.assets.sketch import Sketch
+from esg.assets.geometry.sketch import Sketch
+from esg.assets.library.catalogue import Entry, build_sketch, entries_by_name, uniform_factor
+from esg.assets.library.proposal import choose_dimensions, choose_mass, is_toy
+from esg.assets.library.retrieve import Decision, decide
+from esg.assets.materials import MATERIALS, Material, find_material, is_usual
 from esg.graph.models import (
     AssetConfiguration,
     AssetRequirement,
@@ -33,7 +33,7 @@ from esg.graph.models import (
 )
 
 if TYPE_CHECKING:
-    from esg.assets.providers import Generator
+    from esg.assets.imports.providers import Generator
 
 VERSION = "1"
 WHEELED_FRICTION = 0.1
@@ -54,7 +54,7 @@ def resolve(doc: EsgDocument, *, seed: int = 0) -> EsgDocument:
         The document with configurations and one more provenance entry, which names the generator
         and what it failed at (those requirements get a plain body).
     """
-    from esg.assets.providers import chosen_generator
+    from esg.assets.imports.providers import chosen_generator
 
     generator = chosen_generator()
     failures: dict[str, str] = {}
@@ -83,7 +83,7 @@ def resolve(doc: EsgDocument, *, seed: int = 0) -> EsgDocument:
 
 
 def _library_state() -> dict[str, str]:
-    from esg.assets.index import active_index
+    from esg.assets.library.index import active_index
 
     return {"library": active_index().fingerprint}
 
@@ -107,8 +107,8 @@ def configure(
         failures: Receives why the generator gave nothing, by asset id.
         rolled: Whether the story rolls it on its rim; None lets the size decide.
     """
-    from esg.assets.nearest import nearest, usual_size
-    from esg.assets.wording import restated
+    from esg.assets.library.nearest import nearest, usual_size
+    from esg.assets.library.wording import restated
 
     said = restated(requirement)
     if said is not requirement:
@@ -117,8 +117,8 @@ def configure(
     requirement = usual_size(requirement)
     decision = decide(requirement)
     if decision.entry is None and generator is not None:
-        from esg.assets.generated import generate_asset
-        from esg.assets.providers import GenerationError
+        from esg.assets.imports.generated import generate_asset
+        from esg.assets.imports.providers import GenerationError
 
         try:
             return generate_asset(key, requirement, decision, generator, seed)
@@ -137,7 +137,7 @@ def build_configuration(
     if decision.entry is None:
         return _fallback(key, requirement, decision)
     if decision.entry.library != "parametric":
-        from esg.assets.imported import configure_imported
+        from esg.assets.imports.imported import configure_imported
 
         return configure_imported(key, requirement, decision)
     return _parametric(key, requirement, decision.entry, decision, rolled)
@@ -196,7 +196,7 @@ def _parametric(
 
 
 def _material_color(requirement: AssetRequirement, entry: Entry) -> tuple[float, float, float]:
-    from esg.assets.sketch import BRASS, CARDBOARD, CONCRETE, DARK, GLASS, STEEL, WOOD
+    from esg.assets.geometry.sketch import BRASS, CARDBOARD, CONCRETE, DARK, GLASS, STEEL, WOOD
 
     asked = find_material(requirement.material)
     words, colon, _ = requirement.asset_description.partition(":")

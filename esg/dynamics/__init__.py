@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from esg.engines.scene import SimScene
     from esg.graph.models import EsgDocument
-    from esg.layout.hints import StartHints
+    from esg.layout.problem.hints import StartHints
 
 
 def build_scene(doc: EsgDocument) -> SimScene:
-    """The physical scene of a laid-out document, in SI (esg.dynamics.build)."""
-    from esg.dynamics.build import build_scene as run
+    """The physical scene of a laid-out document, in SI (esg.dynamics.plan.build)."""
+    from esg.dynamics.plan.build import build_scene as run
 
     return run(doc)
 
@@ -20,16 +20,16 @@ def build_scene(doc: EsgDocument) -> SimScene:
 def fit_assets(doc: EsgDocument) -> EsgDocument:
     """Assets adapted to what the timeline needs, as far as the prompt leaves them open.
 
-    Part of stage 2 (esg.dynamics.casting).
+    Part of stage 2 (esg.dynamics.casting.casting).
     """
-    from esg.dynamics.casting import fit_assets as run
+    from esg.dynamics.casting.casting import fit_assets as run
 
     return run(doc)
 
 
 def start_hints(doc: EsgDocument, *, seed: int = 0) -> StartHints:
     """Start constellations of the timeline's participants (esg.dynamics.choreography)."""
-    from esg.dynamics.choreography import start_hints as run
+    from esg.dynamics.choreography.choreography import start_hints as run
 
     return run(doc, seed=seed)
 
@@ -43,8 +43,8 @@ def optimize(
     rounds_closed: int = 0,
     collision: str = "exact",
 ) -> EsgDocument:
-    """Fills `dynamics_result` (esg.dynamics.search)."""
-    from esg.dynamics.search import optimize as run
+    """Fills `dynamics_result` (esg.dynamics.search.search)."""
+    from esg.dynamics.search.search import optimize as run
 
     return run(
         doc,

@@ -61,7 +61,7 @@ def get_engine(name: str, device: str = "cpu") -> Engine:
         UserError: For an unknown name, or a device the engine does not run on.
     """
     if name == "newton":
-        from esg.engines.newton_engine import NewtonEngine
+        from esg.engines.newton.engine import NewtonEngine
 
         return NewtonEngine(device=device)
     if name == "physx":
@@ -73,7 +73,7 @@ def get_engine(name: str, device: str = "cpu") -> Engine:
 
         return RapierEngine()
     if name == SURROGATE:
-        from esg.engines.surrogate import SurrogateEngine
+        from esg.engines.surrogate.engine import SurrogateEngine
 
         return SurrogateEngine(device=device)
     raise UserError(f"unknown engine {name!r}; choose one of {', '.join(ENGINES)}")

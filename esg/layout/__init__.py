@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from esg.layout.config import LayoutConfig
-    from esg.layout.hints import Constellation, Corridor, Placement, StartHints
+    from esg.layout.problem.hints import Constellation, Corridor, Placement, StartHints
     from esg.layout.solver import solve, solve_batch
 
 __all__ = [
@@ -20,9 +20,10 @@ __all__ = [
 ]
 
 _HOME = {
-    "Constellation": "hints", "Corridor": "hints", "Placement": "hints", "StartHints": "hints",
-    "LayoutConfig": "config", "solve": "solver", "solve_batch": "solver",
-}  # fmt: skip
+    **dict.fromkeys(("Constellation", "Corridor", "Placement", "StartHints"), "problem.hints"),
+    "LayoutConfig": "config",
+    **dict.fromkeys(("solve", "solve_batch"), "solver"),
+}
 
 
 def __getattr__(name: str) -> Any:

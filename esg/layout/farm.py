@@ -20,7 +20,7 @@ from typing import Any
 from esg.graph.models import EsgDocument, LayoutResult
 from esg.layout.clock import Clock
 from esg.layout.config import LayoutConfig
-from esg.layout.hints import StartHints
+from esg.layout.problem.hints import StartHints
 
 PORTION = 256
 """Most scenes that a process builds before it asks for their search."""

@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 
 from esg.layout.config import LayoutConfig
-from esg.layout.join import PLAIN, Arrays, join, merge
-from esg.layout.problem import LayoutProblem
+from esg.layout.problem.join import PLAIN, Arrays, join, merge
+from esg.layout.problem.problem import LayoutProblem
 
 LANES = 8
 """Threads that share the candidates of a unit and the terms of an energy on a GPU."""
@@ -80,7 +80,7 @@ class SearchRequest:
     """Joined scenes to search.
 
     Args:
-        data: Scenes (`esg.layout.join`).
+        data: Scenes (`esg.layout.problem.join`).
         seeds: One per scene.
         unit_count: Units of every scene.
         config: Settings.
@@ -149,7 +149,7 @@ VECTORS = {"edge_node": 3, "pair": 2}
 def _upload(data: Arrays, device: str) -> Any:
     """Copies joined scenes to the device, as the kernels' struct."""
     wp = _warp()
-    from esg.layout.planar import Problem
+    from esg.layout.kernels.planar import Problem
 
     floats = {2: wp.vec2, 3: wp.vec3, 4: wp.vec4}
     ints = {2: wp.vec2i, 3: wp.vec3i}
@@ -184,7 +184,7 @@ def evaluate(
 def evaluate_arrays(data: Arrays, units: np.ndarray, config: LayoutConfig) -> np.ndarray:
     """`evaluate` for joined scenes; unit poses of shape [units, 3]."""
     wp = _warp()
-    from esg.layout import evaluation
+    from esg.layout.kernels import evaluation
 
     problem = _upload(data, config.device)
     scenes = len(data["scene_node"]) - 1
@@ -241,7 +241,7 @@ def search_arrays(
     """`run_search` for joined scenes, in one batch.
 
     Args:
-        data: Joined scenes (`esg.layout.join`).
+        data: Joined scenes (`esg.layout.problem.join`).
         seeds: Shape [scenes].
         config: Settings.
         staged: Whether many threads share a start; None does on a GPU.
@@ -250,7 +250,7 @@ def search_arrays(
         What all starts found.
     """
     wp = _warp()
-    from esg.layout.proposals import Settings
+    from esg.layout.kernels.proposals import Settings
 
     settings = Settings()
     settings.candidates = config.candidates
@@ -278,7 +278,7 @@ def _sequential(
 ) -> Searched:
     """One thread searches one start; starts are shared between the threads of a CPU."""
     wp = _warp()
-    from esg.layout import kernels
+    from esg.layout.kernels import cpu as kernels
 
     device = config.device
     threads = len(where[0])
@@ -334,7 +334,7 @@ def _staged(
 ) -> Searched:
     """Many threads share a start: a few small launches per unit and per step."""
     wp = _warp()
-    from esg.layout import stages
+    from esg.layout.kernels import gpu as stages
 
     threads = len(where[0])
     nodes, units = int(where[2][-1]), int(where[3][-1])

@@ -10,15 +10,15 @@ from typing import Any
 import numpy as np
 
 from esg.graph.models import EsgDocument, LayoutResult, Pose, Provenance
-from esg.layout.check import intrusions, penetrations, relation_reports
 from esg.layout.clock import Clock
 from esg.layout.config import LayoutConfig
-from esg.layout.hints import StartHints
-from esg.layout.join import join
-from esg.layout.problem import LayoutProblem, build_problem
-from esg.layout.resting import unsupported
+from esg.layout.judge.check import intrusions, penetrations, relation_reports
+from esg.layout.judge.resting import unsupported
+from esg.layout.judge.selection import HARD_RELATIONS, Found, choose_all
+from esg.layout.problem.hints import StartHints
+from esg.layout.problem.join import join
+from esg.layout.problem.problem import LayoutProblem, build_problem
 from esg.layout.search import EvaluateRequest, Request, SearchRequest, answer, batches
-from esg.layout.selection import HARD_RELATIONS, Found, choose_all
 from esg.outcomes import UserError
 
 VERSION = "1"

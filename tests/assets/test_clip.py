@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from esg.assets.embed import embed, embedder
-from esg.assets.index import texts_hash
-from esg.assets.library import catalogue
+from esg.assets.library.catalogue import catalogue
+from esg.assets.library.embed import embed, embedder
+from esg.assets.library.index import texts_hash
 from esg.outcomes import UserError
 
 
@@ -38,7 +38,7 @@ class Grad:
 
 @pytest.fixture
 def loaded(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> list[Any]:
-    from esg.assets import clip
+    from esg.assets.library import clip
 
     calls: list[Any] = []
 
@@ -74,7 +74,7 @@ def loaded(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> list[Any]:
 def test_local_weights_are_loaded_once_and_give_unit_vectors(
     loaded: list[Any], tmp_path: Path
 ) -> None:
-    from esg.assets.clip import embed_images
+    from esg.assets.library.clip import embed_images
 
     out = embed(["car", "wheelie bin"])
     np.testing.assert_allclose(np.linalg.norm(out, axis=1), 1.0, rtol=1e-6)
@@ -106,7 +106,7 @@ def test_bad_settings_are_one_message(loaded: list[Any], monkeypatch: pytest.Mon
 
 
 def test_without_the_extra_it_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
-    from esg.assets import clip
+    from esg.assets.library import clip
 
     monkeypatch.setitem(sys.modules, "open_clip", None)
     clip._towers.cache_clear()

@@ -6,8 +6,8 @@ import math
 
 import pytest
 
+from esg.assets.library.wording import restated
 from esg.assets.stage import configure
-from esg.assets.wording import restated
 from esg.graph.models import AssetRequirement
 
 

@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 import trimesh
 
-from esg.assets.boxes import box_parts, margin, steadied
-from esg.assets.convex import available, convex_parts
-from esg.assets.describe import sample
-from esg.assets.fitting import fit_proxies, support_surfaces
-from esg.assets.massprops import proxy_moments
-from esg.assets.sdf import voxel_sdf
+from esg.assets.geometry.boxes import box_parts, margin, steadied
+from esg.assets.geometry.convex import available, convex_parts
+from esg.assets.geometry.fitting import fit_proxies, support_surfaces
+from esg.assets.geometry.massprops import proxy_moments
+from esg.assets.geometry.sdf import voxel_sdf
+from esg.assets.imports.describe import sample
 
 
 def raised(mesh: trimesh.Trimesh) -> trimesh.Trimesh:

@@ -18,15 +18,15 @@ import pytest
 import trimesh
 
 from esg.assets import build_mesh, resolve, write_meshes
-from esg.assets.generated import generate_asset, prompt_of
-from esg.assets.providers import (
+from esg.assets.imports.generated import generate_asset, prompt_of
+from esg.assets.imports.providers import (
     GenerationError,
     TrellisPackage,
     TrellisService,
     check_glb,
     chosen_generator,
 )
-from esg.assets.retrieve import decide
+from esg.assets.library.retrieve import decide
 from esg.graph.models import AssetRequirement
 from esg.outcomes import UserError
 from tests.assets.worlds import EMPTY
@@ -285,7 +285,7 @@ def test_local_package_is_loaded_and_run(monkeypatch: pytest.MonkeyPatch) -> Non
         sys.modules["trellis.utils.postprocessing_utils"],
         False,
     )
-    monkeypatch.setattr("esg.assets.providers._PIPELINES", {})
+    monkeypatch.setattr("esg.assets.imports.providers._PIPELINES", {})
     package = TrellisPackage("some/weights")
     assert package.generate("a cup", 5)[:4] == b"glTF"
     assert package.generate("a cup", 6)[:4] == b"glTF"

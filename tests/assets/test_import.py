@@ -12,9 +12,9 @@ import trimesh
 
 from esg.assets import build_mesh, search
 from esg.assets.commands import import_assets, list_assets, show
-from esg.assets.importer import frame, import_folder
-from esg.assets.retrieve import decide
-from esg.assets.sources import parse_properties
+from esg.assets.imports.importer import frame, import_folder
+from esg.assets.imports.sources import parse_properties
+from esg.assets.library.retrieve import decide
 from esg.assets.stage import configure
 from esg.graph.models import AssetRequirement
 from esg.outcomes import UserError

@@ -9,7 +9,7 @@ import pytest
 from shapely.geometry import MultiPoint, Point
 
 from esg.assets import build_mesh, catalogue
-from esg.assets.library import Entry, entries_by_name
+from esg.assets.library.catalogue import Entry, entries_by_name
 from esg.assets.materials import MATERIALS
 from esg.assets.stage import configure
 from esg.graph.models import AssetConfiguration, ProxyKind
@@ -166,7 +166,11 @@ def test_every_module_of_builders_is_loaded() -> None:
     from esg.assets import builders
 
     folder = Path(str(builders.__file__)).parent
-    registering = {p.stem for p in folder.glob("*.py") if "\n@builder(" in p.read_text("utf-8")}
+    registering = {
+        ".".join(p.relative_to(folder).with_suffix("").parts)
+        for p in folder.rglob("*.py")
+        if "\n@builder(" in p.read_text("utf-8")
+    }
     assert registering == set(builders._MODULES)
     builders.load_builders()
     assert {e.builder for e in ENTRIES} <= set(builders.BUILDERS)

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 import numpy as np
 import pytest
 
-from esg.assets.massprops import mass_properties
+from esg.assets.geometry.massprops import mass_properties
 from esg.graph.models import Proxy, ProxyKind
 from esg.units import quat_from_euler_deg, quat_rotate
 

@@ -10,8 +10,8 @@ import pytest
 import trimesh
 
 from esg.assets import build_mesh, resolve, write_meshes
-from esg.assets.library import entries_by_name
-from esg.assets.mesh import glb_bytes
+from esg.assets.geometry.mesh import glb_bytes
+from esg.assets.library.catalogue import entries_by_name
 from esg.assets.stage import configure
 from esg.outcomes import UserError
 from tests.assets.worlds import EMPTY, requirement

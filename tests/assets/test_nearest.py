@@ -7,10 +7,10 @@ import math
 
 import pytest
 
-from esg.assets.hypernyms import TABLE_FILE, _table, kin
-from esg.assets.library import Entry, entries_by_name, normalize
-from esg.assets.proposal import guessed
-from esg.assets.retrieve import GATE
+from esg.assets.library.catalogue import Entry, entries_by_name, normalize
+from esg.assets.library.hypernyms import TABLE_FILE, _table, kin
+from esg.assets.library.proposal import guessed
+from esg.assets.library.retrieve import GATE
 from esg.assets.stage import configure
 from esg.draft.entities import UNKNOWN_MASS_KG, unknown_noun
 from esg.graph.models import AssetRequirement

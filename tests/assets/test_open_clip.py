@@ -14,11 +14,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from esg.assets import clip
-from esg.assets.embed import embed
-from esg.assets.index import Index, compute_vectors, owners, texts_hash
-from esg.assets.library import catalogue
-from esg.assets.retrieve import rank
+from esg.assets.library import clip
+from esg.assets.library.catalogue import catalogue
+from esg.assets.library.embed import embed
+from esg.assets.library.index import Index, compute_vectors, owners, texts_hash
+from esg.assets.library.retrieve import rank
 from esg.outcomes import UserError
 
 pytest.importorskip("open_clip")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from esg.assets import build_mesh, catalogue
-from esg.assets.library import Entry, entries_by_name
+from esg.assets.library.catalogue import Entry, entries_by_name
 from esg.assets.stage import configure
 from esg.graph.models import AssetRequirement
 from tests.assets.worlds import requirement

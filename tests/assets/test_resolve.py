@@ -7,7 +7,7 @@ import math
 import pytest
 
 from esg.assets import resolve
-from esg.assets.library import entries_by_name
+from esg.assets.library.catalogue import entries_by_name
 from esg.assets.stage import configure
 from esg.graph.models import AssetRequirement
 from tests.assets.worlds import EMPTY, requirement
@@ -169,6 +169,6 @@ def test_twenty_known_objects_need_no_embedding(monkeypatch: pytest.MonkeyPatch)
     def refuse(*_: object) -> None:
         raise AssertionError("the model was loaded for a known noun")
 
-    monkeypatch.setattr("esg.assets.embed._model", refuse)
+    monkeypatch.setattr("esg.assets.library.embed._model", refuse)
     for name in list(entries_by_name())[:20]:
         assert configure("x", known(name)).asset_name == name

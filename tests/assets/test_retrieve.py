@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 
 from esg.assets import search
-from esg.assets.embed import embed
-from esg.assets.index import INDEX_FILE, texts_hash, unpack
-from esg.assets.library import catalogue, entries_by_name, lexicon, singular
-from esg.assets.lookup import exact, head_match
-from esg.assets.retrieve import GATE, confidence, is_foreign, rank
+from esg.assets.library.catalogue import catalogue, entries_by_name, lexicon, singular
+from esg.assets.library.embed import embed
+from esg.assets.library.index import INDEX_FILE, texts_hash, unpack
+from esg.assets.library.lookup import exact, head_match
+from esg.assets.library.retrieve import GATE, confidence, is_foreign, rank
 
 DATA = Path(__file__).parents[2] / "data"
 
@@ -26,7 +26,7 @@ def queries(name: str) -> list[tuple[str, set[str]]]:
 
 def test_stored_index_is_in_sync_with_the_catalogue() -> None:
     data = files("esg.assets.data").joinpath(INDEX_FILE).read_bytes()
-    assert unpack(data, catalogue()) is not None, "run python -m esg.assets.index"
+    assert unpack(data, catalogue()) is not None, "run python -m esg.assets.library.index"
     assert len(texts_hash(catalogue())) == 64
 
 

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 from esg.assets import build_mesh, resolve
-from esg.assets.library import catalogue, entries_by_name
-from esg.assets.rolling import FLAGS
+from esg.assets.geometry.rolling import FLAGS
+from esg.assets.library.catalogue import catalogue, entries_by_name
 from esg.assets.stage import configure
 from esg.draft import draft
-from esg.dynamics.build import make_body
+from esg.dynamics.plan.build import make_body
 from esg.engines.base import get_engine
 from esg.engines.program import Program, SetVelocity, batch_programs
 from esg.engines.scene import SimScene

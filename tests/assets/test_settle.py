@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from esg.assets.library import entries_by_name
+from esg.assets.library.catalogue import entries_by_name
 from esg.assets.stage import configure
-from esg.dynamics.build import make_body
+from esg.dynamics.plan.build import make_body
 from esg.engines.base import get_engine
 from esg.engines.program import Program, SetVelocity, batch_programs
 from esg.engines.scene import SimScene

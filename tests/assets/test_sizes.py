@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from esg.assets import build_mesh, catalogue
-from esg.assets.library import Entry, entries_by_name
+from esg.assets.library.catalogue import Entry, entries_by_name
 from esg.assets.stage import configure
 from esg.graph.models import ProxyKind
 from tests.assets.worlds import requirement

@@ -7,10 +7,10 @@ import math
 import numpy as np
 import pytest
 
-from esg.assets.library import Entry, catalogue, entries_by_name
-from esg.assets.massprops import mass_properties
+from esg.assets.geometry.massprops import mass_properties
+from esg.assets.library.catalogue import Entry, catalogue, entries_by_name
 from esg.assets.stage import configure
-from esg.dynamics.build import make_body
+from esg.dynamics.plan.build import make_body
 from esg.engines.base import get_engine
 from esg.engines.program import Program, batch_programs
 from esg.engines.scene import SimScene
@@ -86,7 +86,7 @@ def test_a_ball_dropped_into_any_vessel_stays_in_and_the_vessel_stands() -> None
 @pytest.mark.parametrize("factor", [1.0, 1.6])
 def test_opening_a_vessel_left_its_mass_properties(name: str, factor: float) -> None:
     """They are those of the solid shapes that the builder weighs, at any scale."""
-    from esg.assets.library import build_sketch
+    from esg.assets.library.catalogue import build_sketch
 
     entry = entries_by_name()[name]
     l, w, h = entry.dimensions_cm  # noqa: E741

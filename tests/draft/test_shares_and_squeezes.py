@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from esg.assets.proposal import is_toy
+from esg.assets.library.proposal import is_toy
 from esg.draft import draft
 from esg.graph import verify
 from esg.graph.models import EsgDocument, NodeEvent, TimelineEdge

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from esg.dynamics import build_scene
-from esg.dynamics.plan import Plan, make_plan
+from esg.dynamics.plan.plan import Plan, make_plan
 from esg.engines.base import get_engine
 from esg.engines.program import batch_programs
 from esg.engines.scene import Body, Shape, SimScene
@@ -110,7 +110,7 @@ def test_what_the_story_speaks_of_is_not_avoided() -> None:
     nodes[last] = nodes[last].model_copy(
         update={"participants": (*nodes[last].participants, "bottle_0")}
     )
-    from esg.dynamics.aim import aim_heading
+    from esg.dynamics.plan.aim import aim_heading
 
     phase = plan.story.phases["b_1"][0]
     ball, table = plan.scene.body("b_1"), plan.scene.body("table_1")

@@ -7,14 +7,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from esg.dynamics import build_scene, bystanders
-from esg.dynamics.event_measures import NEAR_M, gap_over_time
-from esg.dynamics.gap import bounding_radius, surface_gap
-from esg.dynamics.panel import REFERENCE_DT_S, Panel
-from esg.dynamics.plan import Plan, make_plan
-from esg.dynamics.recording import Recording
-from esg.dynamics.search import optimize
-from esg.dynamics.simulate import ENSEMBLE, Simulator
+from esg.dynamics import build_scene
+from esg.dynamics.losses.gap import bounding_radius, surface_gap
+from esg.dynamics.losses.measures import NEAR_M, gap_over_time
+from esg.dynamics.losses.recording import Recording
+from esg.dynamics.plan.plan import Plan, make_plan
+from esg.dynamics.search import bystanders
+from esg.dynamics.search.panel import REFERENCE_DT_S, Panel
+from esg.dynamics.search.search import optimize
+from esg.dynamics.search.simulate import ENSEMBLE, Simulator
 from esg.engines import get_engine
 from esg.engines.program import batch_programs
 from esg.engines.scene import Body, Shape
@@ -115,7 +116,7 @@ def test_a_search_ends_with_the_whole_scene(monkeypatch: pytest.MonkeyPatch) -> 
         still = true(plan)
         return still
 
-    monkeypatch.setattr("esg.dynamics.simulate.bystanders", some)
+    monkeypatch.setattr("esg.dynamics.search.simulate.bystanders", some)
     result = optimize(doc, seed=0, max_rounds=2).dynamics_result
     assert result is not None and calls
     scene = build_scene(doc)

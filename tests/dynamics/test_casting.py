@@ -8,18 +8,18 @@ import numpy as np
 import pytest
 
 from esg.dynamics import build_scene, start_hints
-from esg.dynamics.choreography import choreograph
-from esg.dynamics.containers import SNUG, entries, is_filled
-from esg.dynamics.feasibility import impossible
-from esg.dynamics.kinematics import (
+from esg.dynamics.casting.containers import SNUG, entries, is_filled
+from esg.dynamics.choreography.choreography import choreograph
+from esg.dynamics.losses.losses import Assessment
+from esg.dynamics.plan.feasibility import impossible
+from esg.dynamics.plan.plan import make_plan
+from esg.dynamics.story.kinematics import (
     LOB_STEEPNESS,
     ballistic_velocity,
     lob_time,
     rolling_travel,
 )
-from esg.dynamics.losses import Assessment
-from esg.dynamics.plan import make_plan
-from esg.dynamics.story import read_story
+from esg.dynamics.story.story import read_story
 from esg.engines.program import HoldVelocity, SetVelocity
 from esg.graph.models import AssetConfiguration, EsgDocument, ForceDirection
 from esg.layout import solve

@@ -8,13 +8,13 @@ import pytest
 
 from esg.assets import resolve
 from esg.draft import draft
-from esg.dynamics.choreography import choreograph
-from esg.dynamics.demands import FELT_NS, felt, passed_on, thrown_back_share
-from esg.dynamics.impacts import FARTHEST_AHEAD
-from esg.dynamics.stagecraft import coasting_drag, prop
-from esg.dynamics.story import read_story
-from esg.dynamics.tipping import topple_speed
-from esg.dynamics.toppling import carried, fastest
+from esg.dynamics.casting.toppling import carried, fastest
+from esg.dynamics.choreography.choreography import choreograph
+from esg.dynamics.choreography.demands import FELT_NS, felt, passed_on, thrown_back_share
+from esg.dynamics.choreography.impacts import FARTHEST_AHEAD
+from esg.dynamics.story.stagecraft import coasting_drag, prop
+from esg.dynamics.story.story import read_story
+from esg.dynamics.story.tipping import topple_speed
 from esg.graph.models import EsgDocument, NodeEvent
 from esg.units import GRAVITY_MPS2
 from tests.dynamics.stories import cast

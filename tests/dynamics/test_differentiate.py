@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from esg.dynamics.build import build_scene
-from esg.dynamics.differentiate import Regime, ad_valid, check_gradient, gradient, regimes
-from esg.dynamics.plan import make_plan
+from esg.dynamics.gradient.differentiate import Regime, ad_valid, check_gradient, gradient, regimes
+from esg.dynamics.plan.build import build_scene
+from esg.dynamics.plan.plan import make_plan
 from esg.engines.program import (
     AdjustProperties,
     ApplyImpulse,
@@ -17,7 +17,7 @@ from esg.engines.program import (
     batch_programs,
 )
 from esg.engines.scene import SimScene, Variation
-from esg.engines.surrogate_tape import Seeds, TapedRollout
+from esg.engines.surrogate.tape import Seeds, TapedRollout
 from tests.dynamics import stories
 from tests.dynamics.stage import lay_out
 from tests.engines.lab import ball, box

@@ -7,14 +7,14 @@ import math
 
 import pytest
 
-from esg.dynamics.chains import LIVELIEST, ball_chains
-from esg.dynamics.choreography import choreograph
-from esg.dynamics.demands import passed_on
-from esg.dynamics.meetings import CALM_MPS
-from esg.dynamics.stagecraft import default_speed, ground_restitution, prop
-from esg.dynamics.story import read_story
+from esg.dynamics.casting.chains import LIVELIEST, ball_chains
+from esg.dynamics.choreography.choreography import choreograph
+from esg.dynamics.choreography.demands import passed_on
+from esg.dynamics.choreography.meetings import CALM_MPS
+from esg.dynamics.story.stagecraft import default_speed, ground_restitution, prop
+from esg.dynamics.story.story import read_story
 from esg.graph.models import EsgDocument
-from esg.layout.hints import Placement
+from esg.layout.problem.hints import Placement
 from esg.units import GRAVITY_MPS2
 from tests.dynamics.stories import cast
 

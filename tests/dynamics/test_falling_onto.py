@@ -6,11 +6,11 @@ import math
 
 import pytest
 
-from esg.dynamics.choreography import choreograph
-from esg.dynamics.kinematics import half_along
-from esg.dynamics.stagecraft import prop
+from esg.dynamics.choreography.choreography import choreograph
+from esg.dynamics.story.kinematics import half_along
+from esg.dynamics.story.stagecraft import prop
 from esg.graph.models import EsgDocument, ForceDirection
-from esg.layout.hints import Placement
+from esg.layout.problem.hints import Placement
 from esg.units import GRAVITY_MPS2
 from tests.dynamics.stories import cast
 

@@ -8,15 +8,16 @@ from typing import Any
 import numpy as np
 import pytest
 
-from esg.dynamics import batched, fleet
-from esg.dynamics.fleet import Clock, optimize_many
-from esg.dynamics.search import optimize
-from esg.engines import fleet_surrogate
+from esg.dynamics.fleet import fleet
+from esg.dynamics.fleet.fleet import Clock, optimize_many
+from esg.dynamics.search import batched
+from esg.dynamics.search.search import optimize
 from esg.engines.base import get_engine
-from esg.engines.fleet_arena import Buffer
-from esg.engines.fleet_jobs import Expected, SceneShapes, make_job, read
-from esg.engines.fleet_newton import FleetNewton
-from esg.engines.fleet_surrogate import FleetSurrogate
+from esg.engines.fleet import surrogate as fleet_surrogate
+from esg.engines.fleet.arena import Buffer
+from esg.engines.fleet.jobs import Expected, SceneShapes, make_job, read
+from esg.engines.fleet.newton import FleetNewton
+from esg.engines.fleet.surrogate import FleetSurrogate
 from esg.engines.program import HoldVelocity, Program, SetVelocity, batch_programs
 from esg.engines.scene import Body, Rollout, Shape, SimScene, Variation
 from esg.graph.models import EsgDocument

@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 
 from esg.dynamics import build_scene, start_hints
-from esg.dynamics.choreography import choreograph
-from esg.dynamics.flights import Arc, flown_to
-from esg.dynamics.plan import make_plan
-from esg.dynamics.solid import beside_the_middle
-from esg.dynamics.stagecraft import prop
-from esg.dynamics.story import read_story
+from esg.dynamics.choreography.choreography import choreograph
+from esg.dynamics.choreography.flights import Arc, flown_to
+from esg.dynamics.plan.plan import make_plan
+from esg.dynamics.story.solid import beside_the_middle
+from esg.dynamics.story.stagecraft import prop
+from esg.dynamics.story.story import read_story
 from esg.engines.program import HoldVelocity, SetVelocity
 from esg.graph.models import EsgDocument, NamedRegion
 from esg.layout import solve

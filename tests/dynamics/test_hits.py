@@ -9,11 +9,11 @@ from hypothesis import strategies as st
 import numpy as np
 import pytest
 
-from esg.dynamics.event_measures import enter, topple
-from esg.dynamics.hits import first_hit
-from esg.dynamics.losses import assess
-from esg.dynamics.recording import Recording
-from esg.dynamics.story import Story
+from esg.dynamics.losses.hits import first_hit
+from esg.dynamics.losses.losses import assess
+from esg.dynamics.losses.measures import enter, topple
+from esg.dynamics.losses.recording import Recording
+from esg.dynamics.story.story import Story
 from esg.engines.program import Program
 from esg.engines.scene import Body, ContactLog, Region, Rollout, Shape, SimScene
 from esg.graph.models import NodeEvent, TimelineNode

@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 from esg.dynamics import build_scene
-from esg.dynamics.cloud import around, spreads
-from esg.dynamics.horizon import AFTER_S, looked_at_for, told_by
-from esg.dynamics.losses import Assessment
-from esg.dynamics.panel import REFERENCE_DT_S, Panel
-from esg.dynamics.plan import Plan, make_plan
-from esg.dynamics.simulate import ENSEMBLE, Simulator
+from esg.dynamics.losses.losses import Assessment
+from esg.dynamics.plan.horizon import AFTER_S, looked_at_for, told_by
+from esg.dynamics.plan.plan import Plan, make_plan
+from esg.dynamics.search.cloud import around, spreads
+from esg.dynamics.search.panel import REFERENCE_DT_S, Panel
+from esg.dynamics.search.simulate import ENSEMBLE, Simulator
 from esg.engines import get_engine
 from esg.graph.models import NodeEvent
 from tests.dynamics import stories

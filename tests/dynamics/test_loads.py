@@ -7,12 +7,12 @@ import pytest
 from esg.assets import resolve
 from esg.draft import draft
 from esg.dynamics import build_scene, fit_assets, start_hints
-from esg.dynamics.choreography import choreograph
-from esg.dynamics.plan import make_plan
+from esg.dynamics.choreography.choreography import choreograph
+from esg.dynamics.plan.plan import make_plan
 from esg.engines.program import SetVelocity
 from esg.graph.models import AssetConfiguration, EsgDocument
 from esg.layout import solve
-from esg.layout.patterns import DOMINO_PITCH_OVER_HEIGHT
+from esg.layout.problem.patterns import DOMINO_PITCH_OVER_HEIGHT
 
 
 def _cast(prompt: str) -> tuple[EsgDocument, EsgDocument]:

@@ -8,8 +8,9 @@ import math
 import pytest
 
 from esg.dynamics import build_scene, start_hints
-from esg.dynamics.choreography import choreograph
-from esg.dynamics.kinematics import (
+from esg.dynamics.choreography.choreography import choreograph
+from esg.dynamics.plan.plan import make_plan
+from esg.dynamics.story.kinematics import (
     back_spin,
     damping_for_way,
     rolling_travel,
@@ -17,11 +18,10 @@ from esg.dynamics.kinematics import (
     slowing,
     stopping_way,
 )
-from esg.dynamics.plan import make_plan
 from esg.engines.program import HoldVelocity, SetVelocity
 from esg.graph.models import AssetConfiguration, EsgDocument
 from esg.layout import solve
-from esg.layout.hints import Placement
+from esg.layout.problem.hints import Placement
 from esg.units import GRAVITY_MPS2
 from tests.dynamics.stories import cast
 

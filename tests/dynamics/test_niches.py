@@ -9,15 +9,15 @@ from typing import Any, cast
 import numpy as np
 import pytest
 
-from esg.dynamics.batched import MISSED, SAMPLE, SAMPLES, STARTS, SURE, search
-from esg.dynamics.loss_shapes import FARTHEST, UNBRAKED, UNMET, bowl, distance_loss, unbraked
-from esg.dynamics.losses import Assessment
-from esg.dynamics.niches import Niche, apart, broad, everywhere
-from esg.dynamics.panel import GOOD_LOSS, Found, Previewed
-from esg.dynamics.plan import Plan
-from esg.dynamics.progress import POOR, poor
-from esg.dynamics.simulate import ENSEMBLE
-from esg.dynamics.variables import Variable
+from esg.dynamics.losses.losses import Assessment
+from esg.dynamics.losses.shapes import FARTHEST, UNBRAKED, UNMET, bowl, distance_loss, unbraked
+from esg.dynamics.plan.plan import Plan
+from esg.dynamics.plan.variables import Variable
+from esg.dynamics.search.batched import MISSED, SAMPLE, SAMPLES, STARTS, SURE, search
+from esg.dynamics.search.niches import Niche, apart, broad, everywhere
+from esg.dynamics.search.panel import GOOD_LOSS, Found, Previewed
+from esg.dynamics.search.progress import POOR, poor
+from esg.dynamics.search.simulate import ENSEMBLE
 
 Floats = np.ndarray
 MEMBERS = len(ENSEMBLE)

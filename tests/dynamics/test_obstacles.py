@@ -11,18 +11,19 @@ import pytest
 
 from esg.assets import resolve
 from esg.draft import draft
-from esg.dynamics import batched, build_scene, fit_assets, optimize, start_hints
-from esg.dynamics.batched import Explored
-from esg.dynamics.kinematics import braking_distance
-from esg.dynamics.losses import Assessment
-from esg.dynamics.panel import Found
-from esg.dynamics.stagecraft import prop
-from esg.dynamics.tipping import topple_speed
+from esg.dynamics import build_scene, fit_assets, optimize, start_hints
+from esg.dynamics.losses.losses import Assessment
+from esg.dynamics.search import batched
+from esg.dynamics.search.batched import Explored
+from esg.dynamics.search.panel import Found
+from esg.dynamics.story.kinematics import braking_distance
+from esg.dynamics.story.stagecraft import prop
+from esg.dynamics.story.tipping import topple_speed
 from esg.engines.base import get_engine
 from esg.engines.program import batch_programs, program_from_json
 from esg.graph.models import DynamicsResult, EsgDocument
 from esg.layout import solve
-from esg.layout.hints import Placement
+from esg.layout.problem.hints import Placement
 from esg.metrics import expectations_from_timeline, judge
 
 

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 from esg.dynamics import start_hints
-from esg.dynamics.build import build_scene
-from esg.dynamics.gap import surface_gap
-from esg.dynamics.kinematics import Track, ballistic_velocity, braking_distance, frame_mapping
-from esg.dynamics.plan import make_plan
-from esg.dynamics.story import read_story
+from esg.dynamics.losses.gap import surface_gap
+from esg.dynamics.plan.build import build_scene
+from esg.dynamics.plan.plan import make_plan
+from esg.dynamics.story.kinematics import Track, ballistic_velocity, braking_distance, frame_mapping
+from esg.dynamics.story.story import read_story
 from esg.engines.scene import Body, Shape
 from tests.dynamics import stories
 from tests.dynamics.stage import lay_out

@@ -7,12 +7,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from esg.dynamics.batched import Explored, search, settled
-from esg.dynamics.build import build_scene
-from esg.dynamics.panel import GOOD_LOSS, REFERENCE_DT_S, Panel
-from esg.dynamics.plan import make_plan
-from esg.dynamics.search import optimize
-from esg.dynamics.simulate import Simulator
+from esg.dynamics.plan.build import build_scene
+from esg.dynamics.plan.plan import make_plan
+from esg.dynamics.search.batched import Explored, search, settled
+from esg.dynamics.search.panel import GOOD_LOSS, REFERENCE_DT_S, Panel
+from esg.dynamics.search.search import optimize
+from esg.dynamics.search.simulate import Simulator
 from esg.engines.base import get_engine
 from esg.engines.program import batch_programs, program_from_json
 from esg.graph.models import EsgDocument, EventConstraint

@@ -9,10 +9,9 @@ import numpy as np
 import pytest
 
 from esg.dynamics import build_scene, start_hints
-from esg.dynamics.choreography import choreograph
-from esg.dynamics.demands import passed_on, run_on_speed
-from esg.dynamics.plan import make_plan
-from esg.dynamics.slopes import (
+from esg.dynamics.choreography.choreography import choreograph
+from esg.dynamics.choreography.demands import passed_on, run_on_speed
+from esg.dynamics.choreography.slopes import (
     Ride,
     Slope,
     arrival_speed,
@@ -23,8 +22,9 @@ from esg.dynamics.slopes import (
     slope_of,
     slows_enough,
 )
-from esg.dynamics.stagecraft import prop
-from esg.dynamics.story import read_story
+from esg.dynamics.plan.plan import make_plan
+from esg.dynamics.story.stagecraft import prop
+from esg.dynamics.story.story import read_story
 from esg.engines.base import get_engine
 from esg.engines.program import batch_programs
 from esg.graph.models import AssetConfiguration, EsgDocument, Proxy, ProxyKind

@@ -10,12 +10,12 @@ import pytest
 from esg.assets import resolve
 from esg.draft import draft
 from esg.dynamics import fit_assets, start_hints
-from esg.dynamics.choreography import choreograph
-from esg.dynamics.edges import edge_of
-from esg.dynamics.falls import tipping_speed
-from esg.dynamics.proxies import coarse, faceted
-from esg.dynamics.stagecraft import Prop
-from esg.dynamics.tipping import topple_speed
+from esg.dynamics.choreography.choreography import choreograph
+from esg.dynamics.choreography.falls import tipping_speed
+from esg.dynamics.story.edges import edge_of
+from esg.dynamics.story.proxies import coarse, faceted
+from esg.dynamics.story.stagecraft import Prop
+from esg.dynamics.story.tipping import topple_speed
 from esg.engines.scene import Body, Shape, SimScene
 from esg.graph.models import AssetConfiguration, EsgDocument
 

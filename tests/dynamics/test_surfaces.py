@@ -7,8 +7,8 @@ import pytest
 from esg.assets import resolve
 from esg.draft import draft
 from esg.dynamics import fit_assets
-from esg.dynamics.stagecraft import ground_friction, prop
-from esg.dynamics.surfaces import ICE, SAID
+from esg.dynamics.casting.surfaces import ICE, SAID
+from esg.dynamics.story.stagecraft import ground_friction, prop
 
 
 @pytest.mark.parametrize(

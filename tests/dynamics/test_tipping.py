@@ -9,11 +9,11 @@ import pytest
 
 from esg.assets import resolve
 from esg.draft import draft
-from esg.dynamics.choreography import choreograph
-from esg.dynamics.feasibility import impossible
-from esg.dynamics.stagecraft import Prop, prop
-from esg.dynamics.story import read_story
-from esg.dynamics.tipping import (
+from esg.dynamics.choreography.choreography import choreograph
+from esg.dynamics.plan.feasibility import impossible
+from esg.dynamics.story.stagecraft import Prop, prop
+from esg.dynamics.story.story import read_story
+from esg.dynamics.story.tipping import (
     first_touch,
     least_topple_speed,
     stand_of,

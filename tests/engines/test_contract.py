@@ -207,7 +207,7 @@ def test_available_reports_every_engine():
 
 
 def test_newton_keeps_its_model_while_only_values_change():
-    from esg.engines import newton_engine
+    from esg.engines.newton import engine as newton_engine
 
     newton_engine.clear_cache()
     engine = get_engine("newton")
@@ -232,7 +232,8 @@ HEAP = SimScene(
 
 
 def test_newton_makes_room_when_contacts_overflow(monkeypatch):
-    from esg.engines import newton_engine, newton_model
+    from esg.engines.newton import engine as newton_engine
+    from esg.engines.newton import model as newton_model
 
     def run():
         newton_engine.clear_cache()

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from esg.engines.base import get_engine
-from esg.engines.newton_engine import clear_cache
-from esg.engines.newton_setup import quiet_warp, sort_few_contacts
+from esg.engines.newton.engine import clear_cache
+from esg.engines.newton.setup import quiet_warp, sort_few_contacts
 from esg.engines.program import Program, SetVelocity, batch_programs
 from esg.engines.scene import SimScene
 from tests.engines.lab import ball, box
@@ -18,7 +18,7 @@ from tests.engines.lab import ball, box
 def test_pairs_are_sorted_stably(count: int, kinds: int) -> None:
     """Sort the pairs in use by key, keep equal keys in order and leave what is not in use."""
     wp = quiet_warp()
-    from esg.engines.newton_kernels import sort_pairs
+    from esg.engines.newton.kernels import sort_pairs
 
     room = 300
     keys = np.full(2 * room, 2**63 - 1, np.int64)

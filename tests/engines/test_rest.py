@@ -7,10 +7,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from esg.engines import get_engine, surrogate_model
+from esg.engines import get_engine
 from esg.engines.program import Program, SetVelocity, batch_programs
 from esg.engines.rest import at_rest, close_pairs, starts_at_rest
 from esg.engines.scene import Body, Shape, SimScene, Variation
+from esg.engines.surrogate import model as surrogate_model
 
 UNIT = ((0.05, 0.0, 0.0), (0.0, 0.05, 0.0), (0.0, 0.0, 0.05))
 

@@ -90,7 +90,7 @@ def test_a_body_pushed_below_the_ground_is_reported():
 
 
 def test_room_for_contacts_grows(monkeypatch):
-    from esg.engines import surrogate
+    from esg.engines.surrogate import engine as surrogate
 
     full = collide(SHAPES["box"], SHAPES["box"])
     monkeypatch.setattr(surrogate, "CONTACTS", 1)

@@ -10,13 +10,13 @@ import pytest
 from benchmarks.layout_graphs import generate
 from esg.layout import LayoutConfig, solve, solve_batch
 from esg.layout import farm as farm_module
-from esg.layout.check import penetrations, relation_reports, world_poses
 from esg.layout.clock import Clock
-from esg.layout.join import join, merge
-from esg.layout.problem import LayoutProblem, build_problem
-from esg.layout.screen import build_screen, passing
+from esg.layout.judge.check import penetrations, relation_reports, world_poses
+from esg.layout.judge.screen import build_screen, passing
+from esg.layout.problem.join import join, merge
+from esg.layout.problem.problem import LayoutProblem, build_problem
+from esg.layout.problem.units import Pose2
 from esg.layout.search import _staged, search_arrays
-from esg.layout.units import Pose2
 from tests.layout.builders import bin_, box, document, table
 
 SCENES = (9000, 9001, 9002, 9003, 9004, 9005)

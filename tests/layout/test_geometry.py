@@ -11,10 +11,10 @@ import shapely.affinity
 
 from esg.graph.models import Proxy, ProxyKind
 from esg.layout import solve
-from esg.layout.check import plan_separation, prim_penetration
-from esg.layout.edges import near_band
-from esg.layout.shapes import Footprint, footprint, footprints, rotation
-from esg.layout.supports import shape_of
+from esg.layout.judge.check import plan_separation, prim_penetration
+from esg.layout.problem.edges import near_band
+from esg.layout.problem.shapes import Footprint, footprint, footprints, rotation
+from esg.layout.problem.supports import shape_of
 from tests.layout import builders as b
 
 
@@ -54,7 +54,7 @@ def test_kernel_separation_agrees_with_the_check() -> None:
     """The search and the judge measure the same distance."""
     import warp as wp
 
-    from esg.layout import evaluation
+    from esg.layout.kernels import evaluation
 
     rng = np.random.default_rng(1)
     n = 64

@@ -8,7 +8,7 @@ import math
 import pytest
 
 from esg.layout import Constellation, Corridor, Placement, StartHints, solve
-from esg.layout.patterns import arrange
+from esg.layout.problem.patterns import arrange
 from tests.layout import builders as b
 
 ASSETS = {

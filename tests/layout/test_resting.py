@@ -14,7 +14,7 @@ from esg.graph.models import (
     TimelineSystem,
 )
 from esg.layout import Constellation, Placement, StartHints, solve
-from esg.layout.supports import shape_of, surface_for
+from esg.layout.problem.supports import shape_of, surface_for
 from tests.layout import builders as b
 from tests.layout.test_hints import local
 

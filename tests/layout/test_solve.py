@@ -9,8 +9,8 @@ import pytest
 
 from esg.graph.models import EsgDocument, MultiRelation, SemanticRegion
 from esg.layout import LayoutConfig, solve, solve_batch
-from esg.layout.check import penetrations, world_poses
-from esg.layout.problem import build_problem
+from esg.layout.judge.check import penetrations, world_poses
+from esg.layout.problem.problem import build_problem
 from esg.outcomes import UserError
 from tests.layout import builders as b
 

@@ -21,7 +21,7 @@ def test_kernels_that_are_still_to_be_compiled_are_announced(
     monkeypatch.setenv("WARP_CACHE_PATH", str(tmp_path))
     note_first_use()
     assert "esg setup" in capsys.readouterr().err
-    (tmp_path / metadata.version("warp-lang") / "wp_esg.engines.surrogate_kernels_0").mkdir(
+    (tmp_path / metadata.version("warp-lang") / "wp_esg.engines.surrogate.kernels_0").mkdir(
         parents=True
     )
     note_first_use()
@@ -29,7 +29,7 @@ def test_kernels_that_are_still_to_be_compiled_are_announced(
 
 
 def test_the_kernel_cache_is_where_warp_keeps_it() -> None:
-    from esg.engines.newton_model import quiet_warp
+    from esg.engines.newton.model import quiet_warp
 
     wp = quiet_warp()
     assert Path(wp.config.kernel_cache_dir).resolve() == kernel_cache_dir().resolve()

@@ -7,8 +7,8 @@ from dataclasses import replace
 import math
 from typing import Any
 
+from esg.assets.geometry.sketch import CHROME, RUBBER, STEEL, Color, Sketch, rgb
 from esg.assets.lazy import shapes
-from esg.assets.sketch import CHROME, RUBBER, STEEL, Color, Sketch, rgb
 from esg.graph.models import Vec3
 
 Span = tuple[float, float]

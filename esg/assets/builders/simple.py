@@ -6,9 +6,9 @@ import math
 
 from esg.assets.builders import builder
 from esg.assets.builders.common import edge, shade
+from esg.assets.geometry.rotations import ALONG
+from esg.assets.geometry.sketch import Color, Sketch
 from esg.assets.lazy import shapes
-from esg.assets.rotations import ALONG
-from esg.assets.sketch import Color, Sketch
 from esg.graph.models import ProxyKind
 
 
@@ -91,7 +91,7 @@ def ring(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     n = 12
     half = major * math.sin(math.pi / n)
     middle = major * math.cos(math.pi / n)
-    from esg.assets.rotations import turn
+    from esg.assets.geometry.rotations import turn
     from esg.units import quat_multiply
 
     for k in range(n):

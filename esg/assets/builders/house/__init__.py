@@ -1,0 +1,1 @@
+"""Builders of what stands and lies in houses."""

@@ -1,0 +1,333 @@
+"""Food as it lies on a table."""
+
+from __future__ import annotations
+
+import itertools
+import math
+
+from esg.assets.builders import builder
+from esg.assets.builders.common import blob, bone, mirrored, prism, shade, shift
+from esg.assets.geometry.sketch import DARK_WOOD, RED, WHITE, YELLOW, Color, Sketch, rgb
+
+_LEAF = rgb(74, 140, 52)
+_CRUST = rgb(196, 138, 74)
+
+
+@builder("banana")
+def banana(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Banana lying on its side, 19 cm across the bow."""
+    path = []
+    for k in range(9):
+        a = math.radians(-62 + 15.5 * k)
+        t = abs(k - 4) / 4
+        path.append(((12 * math.cos(a) - 9.6, 10.6 * math.sin(a), 1.75), 1.75 - 0.75 * t**2))
+    for (p, pr), (q, qr) in itertools.pairwise(path):
+        bone(s, p, pr, q, qr, c)
+    tip = path[-1][0]
+    bone(s, tip, 0.6, (tip[0] - 1.6, tip[1] + 1.0, 1.75), 0.5, DARK_WOOD)
+    s.proxy_slab((-1.2, 3.6), (-7.5, 7.5), (0, 3.3), 1.0)
+    for side in (-1, 1):
+        s.proxy_slab((-4.6, -1.2), mirrored(side, 5.5, 10), (0.5, 3), 0.8)
+    shift(s, 1.0)
+
+
+@builder("round_food")
+def round_food(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "cake") -> None:
+    """Round flat food: cake, pizza, cheese wheel, burger, doughnut, pie."""
+    if kind == "cake":
+        s.rod(15, (0, 0, 0), (0, 0, 1), WHITE, sections=48)
+        s.rod(13, (0, 0, 1), (0, 0, 9), c, sections=48)
+        s.rod(13.2, (0, 0, 7.6), (0, 0, 9.6), WHITE, sections=48)
+        for k in range(8):
+            a = math.pi * k / 4
+            s.ball(1.4, (10.4 * math.cos(a), 10.4 * math.sin(a), 9.8), rgb(236, 150, 170), detail=2)
+        for k in range(5):
+            a = 2 * math.pi * k / 5
+            p = (5 * math.cos(a), 5 * math.sin(a))
+            s.rod(0.4, (*p, 9.4), (*p, 15), YELLOW, sections=10)
+            s.ball(1, (*p, 15.8), rgb(250, 160, 40), scale=(0.4, 0.4, 0.9), detail=2)
+        s.proxy_cylinder(15, (0, 1), 1.0)
+        s.proxy_cylinder(13, (1, 10), 1.0)
+        s.proxy_cylinder(5.4, (10, 16), 0.02)
+        s.surface("top", 10, (9, 9))
+    elif kind == "pizza":
+        s.rod(16, (0, 0, 0), (0, 0, 1.2), _CRUST, sections=48)
+        s.torus(15, 1.0, (0, 0, 1.2), _CRUST)
+        s.rod(14.4, (0, 0, 1.2), (0, 0, 1.6), c, sections=48)
+        for k, (r, a) in enumerate(
+            ((9, 0.4), (10, 1.5), (8, 2.7), (10, 3.8), (9, 5.0), (3, 2.0), (4, 5.6))
+        ):
+            s.rod(
+                2,
+                (r * math.cos(a), r * math.sin(a), 1.5),
+                (r * math.cos(a), r * math.sin(a), 1.9),
+                RED,
+                sections=20,
+            )
+            s.ball(
+                1,
+                (6.4 * math.cos(a + 0.6 + k), 6.4 * math.sin(a + 0.6 + k), 1.7),
+                _LEAF,
+                scale=(1.2, 0.7, 0.4),
+                detail=2,
+            )
+        s.proxy_cylinder(15.8, (0, 2))
+    elif kind == "cheese":
+        wedge = [(0, 0)] + [
+            (16 * math.cos(math.radians(a)), 16 * math.sin(math.radians(a)))
+            for a in range(-25, 26, 5)
+        ]
+        s.extrude(wedge, (0, 8), c, plane="xy", rough=0.5)
+        s.extrude(
+            [
+                (15.8 * math.cos(math.radians(a)), 15.8 * math.sin(math.radians(a)))
+                for a in range(-25, 26, 5)
+            ]
+            + [
+                (16.4 * math.cos(math.radians(a)), 16.4 * math.sin(math.radians(a)))
+                for a in range(25, -26, -5)
+            ],
+            (0, 8),
+            shade(c, 0.75),
+            plane="xy",
+        )
+        for x, y, r in ((11, 1.6, 1.1), (8, -1.6, 0.8), (13, -3, 1.0), (6, 0.6, 0.6)):
+            s.rod(r, (x, y, 7.98), (x, y, 8.02), shade(c, 0.7), sections=18)
+        s.proxy_hull(
+            [(x, y, z) for z in (0, 8) for x, y in ((0, 0), (15, -6.6), (15, 6.6), (16.2, 0))]
+        )
+        s.surface("top", 8, (4, 2.6), (10, 0))
+        shift(s, -8.2)
+    elif kind == "burger":
+        s.lathe([(0, 0), (5, 0), (5.4, 1), (5, 2), (0, 2)], _CRUST)
+        s.rod(5.5, (0, 0, 2), (0, 0, 3.6), rgb(96, 56, 36), sections=36)
+        s.extrude(
+            [
+                (
+                    (5.7 + 0.4 * (k % 2)) * math.cos(math.pi * k / 12),
+                    (5.7 + 0.4 * (k % 2)) * math.sin(math.pi * k / 12),
+                )
+                for k in range(24)
+            ],
+            (3.6, 4.1),
+            _LEAF,
+            plane="xy",
+        )
+        s.box((9, 9, 0.4), (0, 0, 4.2), YELLOW)
+        s.lathe([(0, 4.4), (5.3, 4.4), (5.6, 5.4), (4.2, 7.4), (0, 8.3)], c, smooth=24)
+        s.proxy_cylinder(5.2, (0, 6.2), 1.0)
+        s.proxy_cylinder(3.6, (6.2, 8.2), 0.8)
+    else:
+        s.torus(3.4, 1.7, (0, 0, 1.7), _CRUST)
+        s.torus(3.4, 1.62, (0, 0, 1.95), c, rough=0.3)
+        for k in range(10):
+            a = 2 * math.pi * k / 10
+            s.ball(
+                1,
+                (3.4 * math.cos(a), 3.4 * math.sin(a) * 1.0, 3.55),
+                (YELLOW, WHITE, _LEAF)[k % 3],
+                scale=(0.35, 0.14, 0.12),
+                detail=1,
+            )
+        s.proxy_cylinder(5.0, (0, 3.5))
+
+
+@builder("long_food")
+def long_food(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "bread") -> None:
+    """Food that lies along X: loaf, hot dog, carrot, cucumber, corn."""
+    if kind == "bread":
+        s.extrude(
+            [
+                (-5.6, 0),
+                (5.6, 0),
+                (5.6, 5),
+                (6.6, 7),
+                (5.4, 10),
+                (0, 11.4),
+                (-5.4, 10),
+                (-6.6, 7),
+                (-5.6, 5),
+            ],
+            (-13, 13),
+            c,
+            plane="yz",
+            soft=1.0,
+            rough=0.95,
+        )
+        for x in (-8, 0, 8):
+            s.box((0.8, 6, 0.8), (x, 0, 11.0), shade(c, 1.3))
+        s.proxy_slab((-13, 13), (-6, 6), (0, 10.8))
+        s.surface("top", 10.8, (11, 3.6))
+    elif kind == "hot_dog":
+        for side in (-1, 1):
+            bone(s, (-6, side * 1.7, 2.0), 2.0, (6, side * 1.7, 2.0), 2.0, c)
+        bone(s, (-7.4, 0, 3.4), 1.4, (7.4, 0, 3.4), 1.4, rgb(150, 62, 42), rough=0.4)
+        s.pipe(0.25, [(-6 + 1.5 * k, 0.6 * (-1) ** k, 4.75) for k in range(9)], YELLOW)
+        s.proxy_slab((-7.6, 7.6), (-3.4, 3.4), (0, 4.6))
+    elif kind == "carrot":
+        s.lathe(
+            [(0, 9), (0.3, 8.6), (1.3, 0), (1.7, -7), (1.2, -8.4), (0, -8.6)][::-1],
+            c,
+            center=(0, 0, 1.7),
+            axis="x",
+            smooth=30,
+        )
+        for side in (-1, 0, 1):
+            bone(s, (-8.4, 0, 1.8), 0.4, (-13, side * 2.0, 2.4 + 0.6 * abs(side)), 0.3, _LEAF)
+        s.proxy_slab((-9, 5), (-1.2, 1.2), (0, 3.1), 1.0)
+        s.proxy_slab((-13, -9), (-1.6, 1.6), (1.0, 3.1), 0.2)
+        shift(s, 2)
+    elif kind == "corn":
+        s.lathe(
+            [(0, -9), (2.0, -8), (2.4, -3), (1.7, 6), (0, 9.5)],
+            YELLOW,
+            center=(0, 0, 2.4),
+            axis="x",
+            smooth=30,
+        )
+        for side in (-1, 1):
+            prism(
+                s,
+                [
+                    (-11, side * 0.6, 2),
+                    (-9, side * 2.4, 1.2),
+                    (-9, side * 2.4, 3.6),
+                    (0, side * 2.9, 2.0),
+                    (0, side * 2.5, 3.4),
+                    (5, side * 2.4, 2.6),
+                    (-9, side * 1.6, 2.4),
+                ],
+                c,
+            )
+        s.rod(0.9, (-11.5, 0, 2.3), (-8.6, 0, 2.3), c)
+        s.proxy_slab((-10.5, 8), (-1.8, 1.8), (0, 4.5))
+        shift(s, 1)
+    else:
+        bone(s, (-11, 0, 2.2), 1.9, (11, 0, 2.2), 2.1, c, rough=0.4, detail=3)
+        s.rod(0.3, (-13.6, 0, 2.2), (-12.6, 0, 2.2), DARK_WOOD, sections=10)
+        s.proxy_slab((-12, 12.6), (-1.6, 1.6), (0.1, 4.1))
+        shift(s, 0.2, 0, -0.1)
+
+
+@builder("garden_food")
+def garden_food(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "pumpkin") -> None:
+    """Pumpkin, pineapple, mushroom, pear, strawberry, pepper, cabbage."""
+    if kind == "pumpkin":
+        for k in range(10):
+            a = 2 * math.pi * k / 10
+            s.ball(
+                1,
+                (7.4 * math.cos(a), 7.4 * math.sin(a), 11),
+                shade(c, 1.0 if k % 2 else 0.92),
+                scale=(7.4, 7.4, 11),
+                rough=0.5,
+            )
+        s.rod(1.8, (0, 0, 19), (0.8, 0, 26), rgb(96, 110, 52), sections=12)
+        s.proxy_cylinder(9, (0, 3), 1.0)
+        s.proxy_cylinder(13.8, (3, 19), 1.0)
+        s.proxy_cylinder(8, (19, 22), 1.0)
+        return
+    if kind == "pineapple":
+        s.lathe(
+            [(0, 0), (4, 0.2), (6, 4), (6.2, 10), (5, 15), (2.6, 17), (0, 17)],
+            c,
+            smooth=30,
+            sections=16,
+            rough=0.9,
+        )
+        for ring, (count, lean, top) in enumerate(((8, 6.0, 24), (6, 3.6, 28), (4, 1.4, 30))):
+            for k in range(count):
+                a = 2 * math.pi * (k + 0.5 * ring) / count
+                bone(
+                    s,
+                    (1.4 * math.cos(a), 1.4 * math.sin(a), 16.6),
+                    0.9,
+                    (lean * math.cos(a), lean * math.sin(a), top),
+                    0.15,
+                    _LEAF,
+                )
+        s.proxy_cylinder(4, (0, 1), 1.0)
+        s.proxy_cylinder(6, (1, 16), 1.0)
+        s.proxy_cylinder(3.4, (16, 29), 0.15)
+        return
+    if kind == "mushroom":
+        s.lathe([(0, 0), (1.6, 0), (1.3, 2), (1.3, 5), (0, 5)], rgb(238, 230, 212))
+        s.lathe([(0, 4.4), (4.2, 4.4), (4.0, 5.6), (2.4, 7.4), (0, 8)], c, smooth=30, rough=0.5)
+        for r, a in ((2.6, 0.4), (2.4, 2.4), (2.8, 4.2), (1.2, 5.4)):
+            s.ball(0.5, (r * math.cos(a), r * math.sin(a), 7.1 - 0.28 * r), WHITE, detail=2)
+        s.proxy_cylinder(1.6, (0, 4.4), 1.0)
+        s.proxy_cylinder(4.0, (4.4, 6.2), 1.0)
+        s.proxy_cylinder(2.4, (6.2, 8), 0.8)
+        return
+    if kind == "pear":
+        s.lathe(
+            [(0, 0.2), (2.2, 0), (3.6, 2.6), (3.0, 5.6), (1.7, 8.2), (1.2, 9.4), (0, 10)],
+            c,
+            smooth=40,
+            rough=0.4,
+        )
+        s.rod(0.2, (0, 0, 9.6), (0.6, 0, 11.4), DARK_WOOD, sections=8)
+        s.proxy_cylinder(2.2, (0, 0.8), 1.0)
+        s.proxy_cylinder(3.3, (0.8, 5.4), 1.0)
+        s.proxy_cylinder(1.6, (5.4, 9.8), 0.9)
+        return
+    if kind == "strawberry":
+        s.ball(1, (0, 0, 1.5), c, scale=(2.1, 1.5, 1.5), rough=0.35)
+        bone(s, (0.4, 0, 1.5), 1.3, (2.4, 0, 1.2), 0.5, c)
+        for k in range(5):
+            a = 2 * math.pi * k / 5
+            s.ball(
+                1,
+                (-1.9, 0.9 * math.cos(a), 1.5 + 0.9 * math.sin(a)),
+                _LEAF,
+                scale=(0.25, 0.6, 0.6),
+                detail=2,
+            )
+        s.proxy_slab((-1.9, 2.4), (-1.0, 1.0), (0, 2.8))
+        shift(s, -0.3)
+        return
+    for k in range(4):
+        a = math.pi / 4 + math.pi * k / 2
+        blob(
+            s,
+            [
+                ((1.9 * math.cos(a), 1.9 * math.sin(a), 2.0), 1.8),
+                ((2.1 * math.cos(a), 2.1 * math.sin(a), 6.6), 2.1),
+            ],
+            c,
+            rough=0.25,
+        )
+    s.rod(0.6, (0, 0, 8), (0.5, 0, 10.2), _LEAF, sections=10)
+    s.proxy_cylinder(2.6, (0.2, 1.2), 1.0)
+    s.proxy_cylinder(3.7, (1.2, 8.6), 1.0)
+    shift(s, 0, 0, -0.2)
+
+
+@builder("ice_cream")
+def ice_cream(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "cup") -> None:
+    """Ice cream in a paper cup, or a cupcake."""
+    s.lathe(
+        [(0, 0), (2.6, 0), (3.8, 5), (0, 5)],
+        rgb(214, 120, 150) if kind == "cup" else _CRUST,
+        sections=24,
+    )
+    if kind == "cup":
+        for x, y, z, tone in (
+            (1.4, 1.2, 5.6, c),
+            (-1.4, 1.0, 5.6, rgb(120, 78, 52)),
+            (0, -1.6, 5.6, rgb(236, 160, 176)),
+        ):
+            s.ball(2.3, (x, y, z), tone, rough=0.7)
+        s.rod(0.5, (-1, 0, 7), (-3, 0.5, 12), _CRUST, sections=14)
+        s.proxy_cylinder(2.6, (0, 1), 1.0)
+        s.proxy_cylinder(3.6, (1, 9), 1.0)
+        return
+    s.lathe(
+        [(0, 4.6), (4.1, 4.8), (3.2, 6.6), (3.4, 7), (2.0, 8.6), (2.2, 8.9), (0, 10.4)],
+        c,
+        rough=0.6,
+    )
+    s.ball(0.9, (0, 0, 10.6), RED)
+    s.proxy_cylinder(2.6, (0, 1), 1.0)
+    s.proxy_cylinder(3.5, (1, 7), 1.0)
+    s.proxy_cylinder(2, (7, 11), 0.6)

@@ -1,0 +1,277 @@
+"""What a room is fitted with: fans, mirrors, chandeliers, aquaria, safes, cribs."""
+
+from __future__ import annotations
+
+import math
+
+from esg.assets.builders import builder
+from esg.assets.builders.common import blob, bone, mirrored, prism, shade, shift
+from esg.assets.geometry.sketch import CHROME, DARK, STEEL, WHITE, WOOD, Color, Sketch, rgb
+
+
+@builder("fan")
+def fan(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Pedestal fan blowing towards +X, 118 cm."""
+    s.rod(19, (0, 0, 0), (0, 0, 3), c)
+    s.rod(1.6, (0, 0, 3), (0, 0, 92), STEEL, metal=0.6, sections=16)
+    s.rod(5.5, (-11, 0, 96), (3, 0, 96), c)
+    for x, r in ((2, 21), (8, 22), (14, 20)):
+        s.torus(r, 0.5, (x, 0, 96), CHROME, axis="x", metal=0.8)
+    for k in range(16):
+        a = 2 * math.pi * k / 16
+        u = (math.cos(a), math.sin(a))
+        s.pipe(
+            0.25,
+            [
+                (14.6, 4 * u[0], 96 + 4 * u[1]),
+                (14, 20 * u[0], 96 + 20 * u[1]),
+                (2, 21 * u[0], 96 + 21 * u[1]),
+            ],
+            CHROME,
+        )
+    for k in range(4):
+        a = 90 * k
+        ca, sa = math.cos(math.radians(a)), math.sin(math.radians(a))
+        pts = [
+            (6 + dx, r * ca - w * sa, 96 + r * sa + w * ca)
+            for r, ws in ((3, (-2, 2)), (17, (-6, 6)))
+            for w in ws
+            for dx in ((-1.2, -0.8) if w < 0 else (0.8, 1.2))
+        ]
+        prism(s, pts, rgb(90, 150, 190))
+    s.rod(4, (12, 0, 96), (15, 0, 96), c)
+    s.proxy_cylinder(19, (0, 3), 5.0)
+    s.proxy_cylinder(2.2, (3, 74), 1.0)
+    s.proxy_slab((-11, 15), (-20, 20), (76, 117), 0.2)
+
+
+@builder("vacuum_cleaner")
+def vacuum_cleaner(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Canister vacuum cleaner with hose and floor nozzle, 100 cm."""
+    blob(s, [((-34, 0, 12), 11), ((-12, 0, 11), 10), ((-34, 0, 16), 11)], c, rough=0.3)
+    for side in (-1, 1):
+        s.rod(7.5, (-38, side * 11, 7.5), (-38, side * 13, 7.5), DARK)
+    s.pipe(1.2, [(-24, 0, 24), (-22, 0, 28), (-38, 0, 29), (-42, 0, 25)], DARK)
+    s.pipe(2.0, [(-4, 0, 14), (6, 4, 30), (14, 6, 52), (10, 2, 74), (18, 0, 78)], DARK)
+    s.rod(1.6, (18, 0, 78), (44, 0, 5), STEEL, metal=0.7, sections=14)
+    s.slab((40, 54), (-14, 14), (0, 5), DARK)
+    s.proxy_slab((-48, -2), (-12, 12), (0, 24), 1.0)
+    s.proxy_slab((40, 54), (-14, 14), (0, 5), 0.4)
+    s.proxy_slab((28, 40), (-2, 2), (16, 48), 0.05)
+    s.proxy_slab((8, 26), (-3, 3), (48, 78), 0.05)
+    shift(s, -4.2)
+
+
+@builder("mirror")
+def mirror(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "mirror") -> None:
+    """Standing mirror, framed picture, window or whiteboard facing +X."""
+    if kind == "window":
+        for y in (-1, 0, 1):
+            s.slab((-3, 3), (y * 57 - 3, y * 57 + 3), (0, 140), c)
+        for z in (0, 68, 134):
+            s.slab((-3, 3), (-60, 60), (z, z + 6), c)
+        s.slab((-0.6, 0.6), (-57, 57), (4, 136), rgb(150, 190, 205), rough=0.05, alpha=0.45)
+        s.slab((-4, 4), (-62, 62), (0, 4), c)
+        s.proxy_slab((-4, 4), (-62, 62), (0, 4), 2.0)
+        s.proxy_slab((-3, 3), (-60, 60), (4, 140))
+        return
+    if kind == "easel":
+        for side in (-1, 1):
+            s.rod(1.6, (18, side * 34, 0), (-6, side * 8, 168), WOOD, sections=12)
+        s.rod(1.6, (-46, 0, 0), (-8, 0, 160), WOOD, sections=12)
+        s.slab((8, 18), (-38, 38), (58, 62), WOOD)
+        prism(
+            s,
+            [(12 + d, y, 62) for d in (0, 2.4) for y in (-36, 36)]
+            + [(2 + d, y, 132) for d in (0, 2.4) for y in (-36, 36)],
+            WHITE,
+        )
+        prism(
+            s,
+            [(13 + d, y, 76) for d in (0, 1.0) for y in (-26, 26)]
+            + [(9.6 + d, y, 100) for d in (0, 1.0) for y in (-26, 20)],
+            c,
+        )
+        for side in (-1, 1):
+            s.proxy_slab((14, 22), mirrored(side, 30, 36), (0, 3), 3.0)
+        s.proxy_slab((-50, -42), (-3, 3), (0, 3), 3.0)
+        s.proxy_slab((-46, 18), (-34, 34), (3, 5), 0.5)
+        s.proxy_slab((2, 12), (-36, 36), (5, 134), 0.3)
+        s.proxy_slab((-9, -3), (-8, 8), (134, 166), 0.3)
+        shift(s, 13)
+        return
+    if kind == "picture":
+        s.slab((-1.5, 1), (-40, 40), (0, 60), rgb(216, 208, 190))
+        for y in (-1, 1):
+            s.slab((-2, 2.4), mirrored(y, 35, 40), (0, 60), c)
+        for z in (0, 55):
+            s.slab((-2, 2.4), (-40, 40), (z, z + 5), c)
+        s.slab((1, 1.3), (-34, 34), (5, 24), rgb(70, 120, 70))
+        s.slab((1, 1.2), (-34, 34), (24, 55), rgb(140, 185, 215))
+        prism(
+            s,
+            [
+                (1.4, -26, 22),
+                (1.4, 4, 22),
+                (1.4, -10, 44),
+                (1.0, -26, 22),
+                (1.0, 4, 22),
+                (1.0, -10, 44),
+            ],
+            rgb(110, 105, 110),
+        )
+        s.slab((-6, 4), (-30, -24), (0, 2), DARK)
+        s.slab((-6, 4), (24, 30), (0, 2), DARK)
+        s.proxy_slab((-6, 4), (-30, 30), (0, 2), 2.0)
+        s.proxy_slab((-2, 2.4), (-40, 40), (2, 60), 1.0)
+        shift(s, 1)
+        return
+    for side in (-1, 1):
+        s.slab((-22, 22), (side * 27 - 2, side * 27 + 2), (0, 4), c)
+        s.slab((-2, 2), (side * 27 - 2, side * 27 + 2), (4, 110), c)
+    s.extrude(
+        [
+            (
+                26 * math.cos(math.pi * k / 12),
+                88 + 72 * math.sin(math.pi * k / 12),
+            )
+            for k in range(24)
+        ],
+        (-1.6, 1.6),
+        c,
+        plane="yz",
+    )
+    s.extrude(
+        [
+            (23 * math.cos(math.pi * k / 12), 88 + 68 * math.sin(math.pi * k / 12))
+            for k in range(24)
+        ],
+        (1.5, 2.0),
+        rgb(176, 204, 214),
+        plane="yz",
+        rough=0.03,
+        metal=0.6,
+    )
+    for side in (-1, 1):
+        s.proxy_slab((-22, 22), (side * 27 - 2, side * 27 + 2), (0, 4), 2.0)
+        s.proxy_slab((-2, 2), (side * 27 - 2, side * 27 + 2), (4, 110), 0.6)
+    s.proxy_slab((-1.6, 2), (-22, 22), (18, 158), 0.8)
+
+
+@builder("chandelier")
+def chandelier(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "chandelier") -> None:
+    """Chandelier resting on its lowest knob ring, 60 cm; or a hand lantern."""
+    if kind == "lantern":
+        s.rod(8, (0, 0, 0), (0, 0, 4), c)
+        s.rod(6.6, (0, 0, 4), (0, 0, 19), (0.98, 0.9, 0.62), rough=0.1, alpha=0.6)
+        s.rod(1.2, (0, 0, 4), (0, 0, 12), WHITE)
+        for k in range(4):
+            a = math.pi / 4 + math.pi * k / 2
+            s.rod(
+                0.5,
+                (7 * math.cos(a), 7 * math.sin(a), 4),
+                (7 * math.cos(a), 7 * math.sin(a), 19),
+                c,
+                sections=8,
+            )
+        s.lathe([(0, 19), (8.4, 19), (5, 24), (0, 25)], c)
+        s.pipe(0.5, [(0, -7, 21), (0, -8, 28), (0, 0, 33), (0, 8, 28), (0, 7, 21)], c)
+        s.proxy_cylinder(8, (0, 24), 1.0)
+        s.proxy_slab((-0.6, 0.6), (-8, 8), (24, 33), 0.1)
+        return
+    s.lathe(
+        [(0, 0), (9, 0), (12, 4), (4, 10), (3, 30), (6, 36), (2, 42), (2, 56), (0, 58)],
+        c,
+        smooth=40,
+        metal=0.8,
+        rough=0.3,
+    )
+    for k in range(8):
+        a = math.pi * k / 4
+        u = (math.cos(a), math.sin(a))
+        s.pipe(
+            0.9,
+            [(4 * u[0], 4 * u[1], 16), (16 * u[0], 16 * u[1], 9), (27 * u[0], 27 * u[1], 18)],
+            c,
+        )
+        s.rod(3, (27 * u[0], 27 * u[1], 18), (27 * u[0], 27 * u[1], 19.5), c, sections=18)
+        s.rod(1.1, (27 * u[0], 27 * u[1], 19.5), (27 * u[0], 27 * u[1], 27), WHITE, sections=14)
+        s.ball(1, (27 * u[0], 27 * u[1], 29), (0.98, 0.86, 0.5), scale=(0.9, 0.9, 2), detail=2)
+    s.proxy_cylinder(11, (0, 10), 2.0)
+    s.proxy_cylinder(29, (10, 28), 0.4)
+    s.proxy_cylinder(5, (28, 57), 0.5)
+
+
+@builder("aquarium")
+def aquarium(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Filled aquarium with gravel, plants and fish, 40 x 80 x 46."""
+    s.slab((-20, 20), (-40, 40), (0, 2), DARK)
+    s.slab((-19.6, 19.6), (-39.6, 39.6), (2, 42), rgb(120, 190, 220), rough=0.02, alpha=0.35)
+    s.slab((-19, 19), (-39, 39), (2, 7), rgb(196, 172, 126))
+    s.slab((-20, 20), (-40, 40), (42, 46), DARK)
+    for y, x, h in ((-28, 4, 26), (-22, -8, 32), (24, 0, 28), (30, 8, 18)):
+        for k in range(3):
+            bone(
+                s,
+                (x, y + k * 1.6, 6),
+                0.9,
+                (x + 3 * math.sin(k), y + k * 2.4, h),
+                0.4,
+                rgb(46, 130, 60),
+            )
+    for x, y, z in ((6, -8, 24), (-4, 10, 30), (8, 14, 17)):
+        s.ball(1, (x, y, z), rgb(236, 120, 40), scale=(1.2, 3.4, 1.8))
+        prism(
+            s,
+            [
+                (x, y - 3, z),
+                (x + 0.3, y - 3, z),
+                (x, y - 5.4, z + 1.8),
+                (x, y - 5.4, z - 1.8),
+                (x + 0.3, y - 5.4, z + 1.8),
+                (x + 0.3, y - 5.4, z - 1.8),
+            ],
+            rgb(236, 120, 40),
+        )
+    s.proxy_slab((-20, 20), (-40, 40), (0, 46))
+    s.surface("lid", 46, (18, 38))
+
+
+@builder("safe")
+def safe(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Steel safe with a dial facing +X, 50 x 50 x 60."""
+    s.slab((-25, 24), (-25, 25), (2, 60), c, rough=0.5, metal=0.3)
+    s.slab((24, 26), (-22, 22), (5, 57), shade(c, 0.8), metal=0.3)
+    s.rod(5, (26, 6, 34), (28.6, 6, 34), CHROME, metal=0.9)
+    s.rod(0.9, (27.4, -12, 34), (27.4, -2, 34), CHROME, metal=0.9)
+    for x in (-20, 18):
+        for y in (-20, 20):
+            s.slab((x - 3, x + 3), (y - 3, y + 3), (0, 2), DARK)
+    s.proxy_slab((-25, 25), (-25, 25), (0, 60))
+    s.surface("top", 60, (23, 23))
+    shift(s, -1.6)
+
+
+@builder("crib")
+def crib(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Baby's crib, 70 x 130 x 95; open above."""
+    for x in (-33, 33):
+        for y in (-63, 63):
+            s.slab((x - 2.4, x + 2.4), (y - 2.4, y + 2.4), (0, 95), c)
+    for z in (28, 88):
+        for side in (-1, 1):
+            s.slab((-33, 33), mirrored(side, 61.6, 64.4), (z, z + 5), c)
+            s.slab(mirrored(side, 31.6, 34.4), (-63, 63), (z, z + 5), c)
+    for side in (-1, 1):
+        for k in range(12):
+            s.rod(0.9, (side * 33, -55 + 10 * k, 32), (side * 33, -55 + 10 * k, 89), c, sections=10)
+        for k in range(6):
+            s.rod(0.9, (-25 + 10 * k, side * 63, 32), (-25 + 10 * k, side * 63, 89), c, sections=10)
+    s.slab((-31, 31), (-61, 61), (33, 43), WHITE)
+    s.walls((-35, 35), (-65, 65), (28, 93), 3)
+    for x in (-33, 33):
+        for y in (-63, 63):
+            s.proxy_slab((x - 2, x + 2), (y - 2, y + 2), (0, 28), 2.0)
+    s.proxy_slab((-31, 31), (-61, 61), (31, 43), 0.4)
+    s.surface("mattress", 43, (29, 58))
+    s.region("inside", (-31, 31), (-61, 61), (43, 93))

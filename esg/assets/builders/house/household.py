@@ -1,0 +1,283 @@
+"""Small things of kitchen, office and playroom."""
+
+from __future__ import annotations
+
+import math
+
+from esg.assets.builders import builder
+from esg.assets.builders.common import edge, shade
+from esg.assets.geometry.sketch import (
+    BRASS,
+    DARK,
+    GLASS,
+    PALE_WOOD,
+    STEEL,
+    Color,
+    Sketch,
+    rgb,
+)
+from esg.assets.lazy import shapes
+
+PAPER = rgb(240, 236, 224)
+
+
+@builder("vase")
+def vase(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Ceramic vase, drawn at 16 x 16 x 30."""
+    s.lathe(
+        [
+            (0, 0),
+            (5, 0),
+            (5.4, 1),
+            (7.9, 12),
+            (7, 19),
+            (3.4, 25),
+            (3.6, 28),
+            (4.8, 30),
+            (4.3, 30),
+            (3.1, 28),
+            (2.9, 25),
+            (5.6, 20),
+            (6.6, 13),
+            (4.4, 1.6),
+            (0, 1.5),
+        ],
+        c,
+        smooth=70,
+        rough=0.15,
+    )
+    s.proxy_cylinder(5.2, (0, 3))
+    s.proxy_cylinder(7.5, (3, 19))
+    s.proxy_cylinder(4.2, (19, 30), 0.7)
+    s.only_weighs()
+    s.proxy_cylinder(5.2, (0, 1.5))
+    s.ring(7.2, (1.5, 19), 2.2)
+    s.ring(7.0, (19, 22), 3.6)
+    s.ring(4.4, (22, 30), 1.0)
+    s.region("inside", (-2.5, 2.5), (-2.5, 2.5), (1.5, 30))
+
+
+@builder("plant")
+def plant(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Potted plant, drawn at 50 x 50 x 80."""
+    s.lathe(
+        [(0, 0), (12, 0), (16, 26), (17, 26), (17, 30), (15, 30), (14, 26), (0, 26)],
+        rgb(178, 96, 62),
+        rough=0.9,
+    )
+    s.rod(1.2, (0, 0, 26), (0, 0, 55), rgb(96, 70, 46))
+    for k in range(9):
+        a = 2 * math.pi * k / 9 * 2
+        r, z = 13 - 0.7 * k, 44 + 3.6 * k
+        s.ball(
+            1.0,
+            (r * math.cos(a), r * math.sin(a), z),
+            shade(c, 0.8 + 0.05 * (k % 4)),
+            scale=(10, 10, 6.5),
+            rough=0.9,
+        )
+    s.proxy_cylinder(14, (0, 30), 6)
+    s.proxy_cylinder(2, (30, 44), 1)
+    s.proxy_cylinder(19, (44, 80), 0.15)
+
+
+@builder("candle", "free")
+def candle(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Pillar candle with a wick."""
+    r = min(L, W) / 2
+    s.lathe([(0, 0), (r, 0), (r, H * 0.9), (r * 0.92, H * 0.92), (0, H * 0.91)], c, rough=0.5)
+    s.rod(r * 0.05, (0, 0, H * 0.9), (0, 0, H), DARK, sections=8)
+    s.proxy_cylinder(r, (0, H * 0.92))
+
+
+@builder("candlestick")
+def candlestick(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Brass candlestick with a candle, drawn at 11 x 11 x 30."""
+    s.lathe(
+        [
+            (0, 0),
+            (5.5, 0),
+            (5, 1.2),
+            (1.4, 3),
+            (1, 6),
+            (1.8, 7),
+            (0.9, 8),
+            (0.9, 11),
+            (2.6, 12),
+            (2.6, 13),
+            (0, 13),
+        ],
+        BRASS,
+        metal=0.8,
+        rough=0.3,
+    )
+    s.rod(1.1, (0, 0, 13), (0, 0, 28.5), c)
+    s.rod(0.1, (0, 0, 28.5), (0, 0, 30), DARK, sections=8)
+    s.proxy_cylinder(5.5, (0, 1.5), 4)
+    s.proxy_cylinder(1.8, (1.5, 28.5), 1)
+
+
+@builder("book", "free")
+def book(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Closed hardback lying flat, spine at -Y."""
+    t = H * 0.08
+    s.slab((-L / 2, L / 2), (-W / 2, W / 2), (0, t), c)
+    s.slab((-L / 2, L / 2), (-W / 2, W / 2), (H - t, H), c)
+    s.slab((-L / 2, L / 2), (-W / 2, -W / 2 + t), (t, H - t), c)
+    s.slab((-L / 2 + 0.4, L / 2 - 0.4), (-W / 2 + t, W / 2 - 0.4), (t, H - t), PAPER, rough=0.95)
+    s.slab((-L * 0.2, L * 0.25), (-W * 0.3, W * 0.3), (H, H + 0.01), shade(c, 1.5))
+    s.proxy_slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H))
+    s.surface("top", H, (L / 2, W / 2))
+
+
+@builder("pen")
+def pen(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Hexagonal pencil lying along X, drawn at 18 x 0.8 x 0.7."""
+    hexagon = [
+        (0.4 * math.cos(math.radians(60 * k)), 0.3464 + 0.4 * math.sin(math.radians(60 * k)))
+        for k in range(6)
+    ]
+    s.extrude(hexagon, (-8, 7), c, plane="yz")
+    s.lathe(
+        [(0, 7), (0.36, 7), (0.05, 9), (0, 9)],
+        PALE_WOOD,
+        center=(0, 0, 0.3464),
+        axis="x",
+        sections=12,
+    )
+    s.rod(0.36, (-9, 0, 0.3464), (-8, 0, 0.3464), rgb(220, 120, 130), sections=16)
+    s.proxy_slab((-9, 8), (-0.3, 0.3), (0, 0.69))
+
+
+@builder("plank", "free")
+def plank(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Sawn plank along X."""
+    s.box((L, W, H), (0, 0, H / 2), c, solid=1, rough=0.85)
+    for y in (-0.3, 0.05, 0.33):
+        s.slab(
+            (-L / 2 + 1, L / 2 - 1),
+            (W * y - W * 0.008, W * y + W * 0.008),
+            (H, H + 0.02),
+            shade(c, 0.8),
+        )
+    s.surface("top", H, (L / 2, W / 2))
+
+
+@builder("toy_block", "free")
+def toy_block(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Letter block with framed faces."""
+    t = min(L, W, H) * 0.1
+    s.box((L - 0.1, W - 0.1, H - 0.1), (0, 0, H / 2), PALE_WOOD)
+    for x in (-1, 1):
+        for y in (-1, 1):
+            s.slab(edge(x, L, t), edge(y, W, t), (0, H), c)
+        for z in ((0, t), (H - t, H)):
+            s.slab(edge(x, L, t), (-W / 2, W / 2), z, c)
+            s.slab((-L / 2, L / 2), edge(x, W, t), z, c)
+    s.proxy_slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H))
+    s.surface("top", H, (L / 2, W / 2))
+
+
+@builder("pendulum_bob")
+def pendulum_bob(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Metal bob with an eyelet, drawn at 10 x 10 x 12; a sphere on a small flat."""
+    s.ball(5, (0, 0, 5), c, metal=0.8, rough=0.2, solid=1, detail=4)
+    s.torus(1.0, 0.3, (0, 0, 10.7), STEEL, axis="y", metal=0.8)
+
+
+@builder("toy_car")
+def toy_car(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Wooden toy car, drawn at 16 x 8 x 7."""
+    s.extrude(
+        [(-8, 1.4), (8, 1.4), (8, 3.6), (4.5, 4), (2.5, 7), (-4, 7), (-6, 4.2), (-8, 4)],
+        (-3.2, 3.2),
+        c,
+        soft=0.4,
+        rough=0.3,
+    )
+    s.extrude([(3.4, 4.4), (2.1, 6.3), (-3.6, 6.3), (-5, 4.4)], (-3.25, 3.25), GLASS, rough=0.1)
+    for x in (-5, 5):
+        for y in (-4, 2.6):
+            s.rod(1.7, (x, y, 1.7), (x, y + 1.4, 1.7), DARK)
+    s.proxy_slab((-8, 8), (-4, 4), (0, 4), 1.0)
+    s.proxy_slab((-5, 3.6), (-3.2, 3.2), (4, 7), 0.5)
+
+
+@builder("teddy")
+def teddy(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Sitting teddy bear facing +X, drawn at 24 x 26 x 32."""
+    s.ball(1, (-1.6, 0, 10), c, scale=(10, 9, 10), rough=1.0)
+    s.ball(7, (0, 0, 23), c, rough=1.0)
+    s.ball(1, (5.6, 0, 21.6), shade(c, 1.25), scale=(3, 3.4, 2.6), rough=1.0)
+    s.ball(0.8, (8.4, 0, 22.4), DARK)
+    for y in (-1, 1):
+        s.ball(2.6, (-0.5, 5.2 * y, 29.3), c, rough=1.0)
+        s.ball(0.8, (6.4, 2.4 * y, 24.8), DARK)
+        s.ball(1, (1, 9.6 * y, 13), c, scale=(3, 3.2, 6), rough=1.0)
+        s.ball(1, (5, 6 * y, 3.2), c, scale=(6.6, 3.6, 3.2), rough=1.0)
+    s.proxy_slab((-11, 11), (-9.4, 9.4), (0, 6))
+    s.proxy_cylinder(9, (6, 18))
+    s.proxy_cylinder(7, (18, 31))
+
+
+@builder("hammer")
+def hammer(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Claw hammer lying flat, drawn at 33 x 13 x 3."""
+    s.rod(1.2, (-16.5, 0, 1.5), (13, 0, 1.5), c, sections=16)
+    s.rod(1.5, (14, -6.5, 1.5), (14, 2, 1.5), STEEL, metal=0.8)
+    s.extrude(
+        [(12.6, 2), (15.4, 2), (16.5, 6.5), (14.6, 5), (13, 6.5)],
+        (0.4, 2.6),
+        STEEL,
+        plane="xy",
+        metal=0.8,
+    )
+    s.proxy_slab((-16.5, 12.5), (-1.1, 1.1), (0, 2.7), 0.3)
+    s.proxy_slab((12.5, 15.5), (-6.5, 6.5), (0, 3), 3.0)
+
+
+@builder("cushion", "free")
+def cushion(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Pillow."""
+
+    s.add(lambda: shapes.pillow((L, W, H)), c, 1.0)
+    s.proxy_slab((-L * 0.45, L * 0.45), (-W * 0.45, W * 0.45), (0, H * 0.95))
+
+
+@builder("backpack", "free")
+def backpack(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Upright rucksack, pocket facing +X."""
+    s.extrude(
+        [
+            (-W / 2, 0),
+            (W / 2, 0),
+            (W / 2, H * 0.75),
+            (W * 0.3, H * 0.96),
+            (-W * 0.3, H * 0.96),
+            (-W / 2, H * 0.75),
+        ],
+        (-L * 0.42, L * 0.26),
+        c,
+        plane="yz",
+        soft=2,
+        rough=0.95,
+    )
+    s.slab(
+        (L * 0.26, L / 2), (-W * 0.34, W * 0.34), (H * 0.06, H * 0.5), shade(c, 0.85), rough=0.95
+    )
+    for y in (-W * 0.22, W * 0.22):
+        s.pipe(
+            0.9, [(-L * 0.4, y, H * 0.85), (-L * 0.48, y, H * 0.6), (-L * 0.4, y, H * 0.1)], DARK
+        )
+    s.pipe(
+        0.6,
+        [
+            (-L * 0.3, -4, H * 0.94),
+            (-L * 0.3, -3, H * 0.99),
+            (-L * 0.3, 3, H * 0.99),
+            (-L * 0.3, 4, H * 0.94),
+        ],
+        DARK,
+    )
+    s.proxy_slab((-L / 2, L * 0.45), (-W / 2, W / 2), (0, H * 0.78))
+    s.proxy_slab((-L * 0.42, L * 0.26), (-W * 0.4, W * 0.4), (H * 0.78, H * 0.96), 0.7)

@@ -1,0 +1,1 @@
+"""Builders of people, animals and figures in their shape."""

@@ -1,0 +1,241 @@
+"""Standing figures: children, statues, snowmen, scarecrows, robots; all face +X."""
+
+from __future__ import annotations
+
+import math
+
+from esg.assets.builders import builder
+from esg.assets.builders.common import blob, bone, shade, shift
+from esg.assets.geometry.sketch import (
+    CHROME,
+    CONCRETE,
+    DARK,
+    ORANGE,
+    RED,
+    RUBBER,
+    STEEL,
+    WOOD,
+    Color,
+    Sketch,
+    rgb,
+)
+
+_SKIN = rgb(222, 180, 148)
+
+
+@builder("child_figure")
+def child_figure(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Standing child, drawn 118 cm tall on a thin base plate."""
+    s.slab((-13, 15), (-15, 15), (0, 1.5), DARK)
+    for side in (-1, 1):
+        bone(s, (0, side * 6.5, 52), 6.4, (0, side * 6.8, 8), 4.2, rgb(52, 74, 120))
+        s.ball(1, (4, side * 6.8, 4.6), rgb(230, 230, 226), scale=(9, 4.4, 3.6))
+        bone(s, (0, side * 13, 84), 4.2, (3, side * 18, 58), 3.2, c)
+        s.ball(3.2, (4, side * 18.4, 54), _SKIN)
+    blob(s, [((0, 0, 54), 10), ((0, 0, 82), 10.5)], c)
+    s.rod(4, (0, 0, 90), (0, 0, 98), _SKIN)
+    s.ball(1, (0, 0, 106), _SKIN, scale=(10.5, 10, 11.5))
+    s.ball(1, (-2, 0, 109), rgb(88, 58, 34), scale=(10.4, 10.6, 9.4))
+    for side in (-1, 1):
+        s.ball(1.1, (9.6, side * 3.6, 106), DARK, detail=2)
+    s.proxy_slab((-13, 15), (-15, 15), (0, 1.5), 4)
+    s.proxy_slab((-8, 12), (-12, 12), (1.5, 50), 0.8)
+    s.proxy_slab((-10, 10), (-20, 20), (50, 94), 0.9)
+    s.proxy_cylinder(10, (94, 118), 0.8)
+    shift(s, -1)
+
+
+@builder("statue")
+def statue(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "standing") -> None:
+    """Stone figure on a plinth, 220 cm; or a bust; or a trophy cup."""
+    if kind == "trophy":
+        s.slab((-6, 6), (-6, 6), (0, 6), DARK)
+        s.slab((5.9, 6.2), (-4, 4), (1.5, 4.5), c)
+        s.lathe(
+            [
+                (0, 6),
+                (4, 6),
+                (1.4, 8),
+                (1.2, 13),
+                (2.4, 14),
+                (6, 18),
+                (8, 28),
+                (8.6, 31),
+                (7.6, 31),
+                (6.8, 27),
+                (0, 17),
+            ],
+            c,
+            smooth=0,
+            rough=0.2,
+            metal=0.9,
+        )
+        for side in (-1, 1):
+            s.pipe(
+                0.7,
+                [
+                    (0, side * 7.6, 28),
+                    (0, side * 11.4, 28),
+                    (0, side * 11, 22),
+                    (0, side * 6.4, 18),
+                ],
+                c,
+            )
+        s.proxy_slab((-6, 6), (-6, 6), (0, 6), 2.0)
+        s.proxy_cylinder(2.4, (6, 14), 1.0)
+        s.proxy_cylinder(7.6, (14, 31), 0.5)
+        return
+    s.slab((-38, 38), (-38, 38), (0, 12), CONCRETE)
+    s.slab((-30, 30), (-30, 30), (12, 62), CONCRETE)
+    s.slab((-35, 35), (-35, 35), (62, 70), CONCRETE)
+    for side in (-1, 1):
+        bone(s, (0, side * 9, 142), 10, (4 * side, side * 10, 78), 7, c)
+        s.ball(1, (4 + 4 * side, side * 10, 73), c, scale=(13, 6, 5))
+    bone(s, (0, 0, 142), 15, (0, 0, 184), 18, c)
+    bone(s, (0, -20, 188), 6.5, (14, -26, 160), 5.5, c)
+    bone(s, (14, -26, 160), 5.5, (24, -14, 150), 5, c)
+    bone(s, (0, 20, 188), 6.5, (2, 28, 146), 5.5, c)
+    bone(s, (-8, 0, 180), 14, (-14, 0, 92), 18, shade(c, 0.92))
+    s.rod(6, (0, 0, 198), (0, 0, 208), c)
+    s.ball(1, (1, 0, 216), c, scale=(10, 9, 12.5))
+    s.proxy_slab((-38, 38), (-38, 38), (0, 12), 1.0)
+    s.proxy_slab((-34, 34), (-34, 34), (12, 70), 1.0)
+    s.proxy_slab((-20, 16), (-24, 24), (70, 200), 0.8)
+    s.proxy_cylinder(10, (200, 228), 0.8)
+
+
+@builder("snowman")
+def snowman(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Three snowballs, a carrot, coal and a hat; 150 cm."""
+    for z, r in ((37, 37), (86, 28), (120, 19)):
+        s.ball(r, (0, 0, z), c, rough=0.95)
+    s.lathe([(0, 0), (39, 0), (34, 7), (0, 8)], c, rough=0.95)
+    bone(s, (17, 0, 120), 3, (34, 0, 118), 0.6, ORANGE)
+    for side in (-1, 1):
+        s.ball(2, (16.6, side * 6.4, 126), DARK, detail=2)
+        s.rod(1.4, (0, side * 24, 92), (4, side * 56, 108), WOOD, sections=10)
+        s.rod(0.9, (3, side * 46, 103), (10, side * 52, 114), WOOD, sections=8)
+    for z in (72, 84, 96):
+        s.ball(2.2, (27.6 - abs(z - 84) * 0.15, 0, z), DARK, detail=2)
+    s.torus(15.5, 3.4, (0, 0, 106), RED)
+    s.rod(20, (0, 0, 135), (0, 0, 137), DARK)
+    s.rod(13, (0, 0, 137), (0, 0, 156), DARK)
+    s.proxy_cylinder(36, (0, 62), 1.0)
+    s.proxy_cylinder(26, (62, 106), 1.0)
+    s.proxy_cylinder(17, (106, 156), 0.7)
+
+
+@builder("scarecrow")
+def scarecrow(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Scarecrow on a post with arms spread, 180 cm, standing on a cross foot."""
+    straw = rgb(218, 186, 96)
+    for axis in ("x", "y"):
+        s.slab(
+            (-34, 34) if axis == "x" else (-5, 5),
+            (-5, 5) if axis == "x" else (-34, 34),
+            (0, 6),
+            WOOD,
+        )
+    s.rod(3.4, (0, 0, 5), (0, 0, 150), WOOD, sections=14)
+    s.rod(2.6, (0, -74, 128), (0, 74, 128), WOOD, sections=14)
+    blob(s, [((0, 0, 92), 15), ((0, 0, 128), 14)], c)
+    for side in (-1, 1):
+        bone(s, (0, side * 12, 128), 9, (0, side * 60, 128), 7, c)
+        s.ball(1, (0, side * 70, 128), straw, scale=(5, 9, 6))
+        bone(s, (0, side * 8, 90), 9, (0, side * 11, 40), 7.5, rgb(64, 74, 104))
+        s.ball(1, (0, side * 11, 33), straw, scale=(7, 7, 7))
+        s.ball(1.6, (12.6, side * 5, 162), DARK, detail=2)
+    s.ball(14, (0, 0, 158), rgb(222, 196, 148))
+    s.rod(24, (0, 0, 167), (0, 0, 169), straw)
+    s.lathe([(0, 0), (14, 0), (8, 18), (0, 20)], straw, center=(0, 0, 169))
+    s.proxy_slab((-34, 34), (-34, 34), (0, 6), 3.0)
+    s.proxy_slab((-7, 7), (-16, 16), (6, 88), 0.6)
+    s.proxy_slab((-14, 14), (-16, 16), (88, 142), 0.6)
+    s.proxy_slab((-8, 8), (-74, 74), (119, 137), 0.2)
+    s.proxy_cylinder(14, (142, 187), 0.3)
+
+
+@builder("robot")
+def robot(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Wheeled service robot with a screen face and two arms, 100 cm."""
+    s.rod(27, (0, 0, 8), (0, 0, 26), DARK)
+    s.lathe([(0, 26), (24, 26), (20, 34), (15, 60), (17, 76), (0, 80)], c, smooth=40, rough=0.3)
+    for side in (-1, 1):
+        s.rod(10, (0, side * 22, 10), (0, side * 28, 10), RUBBER, sections=28)
+        s.rod(5, (side * 20, 0, 5), (side * 20, 0.01 + 4, 5), RUBBER, sections=20)
+        bone(s, (0, side * 17, 70), 3.6, (8, side * 23, 50), 3, shade(c, 0.7))
+        bone(s, (8, side * 23, 50), 3, (24, side * 21, 46), 2.6, shade(c, 0.7))
+        s.ball(3.4, (26, side * 21, 46), DARK)
+    s.rod(5, (0, 0, 78), (0, 0, 84), STEEL)
+    s.slab((-11, 11), (-15, 15), (83, 102), c, rough=0.3)
+    s.slab((10.6, 11.6), (-13, 13), (85, 100), DARK, rough=0.1)
+    for side in (-1, 1):
+        s.rod(2.4, (11.4, side * 5.4, 94), (12.2, side * 5.4, 94), rgb(90, 210, 240))
+    s.rod(0.7, (0, 8, 102), (0, 8, 110), STEEL, sections=8)
+    s.ball(1.4, (0, 8, 110), RED, detail=2)
+    s.proxy_cylinder(27, (0, 26), 2.0)
+    s.proxy_cylinder(18, (26, 83), 0.8)
+    s.proxy_slab((-11, 12), (-15, 15), (83, 102), 0.6)
+
+
+@builder("robot_vacuum")
+def robot_vacuum(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Round robot vacuum, 34 cm across."""
+    s.lathe([(0, 0.8), (15.5, 0.8), (17, 2), (17, 7.4), (16, 8.4), (0, 8.6)], c, rough=0.35)
+    s.lathe([(0, 8.5), (4.6, 8.5), (4.4, 9.6), (0, 9.7)], shade(c, 1.8), center=(-6, 0, 0))
+    s.slab((4, 8), (-2, 2), (8.5, 8.9), CHROME)
+    s.extrude(
+        [
+            (17.0 * math.cos(math.radians(a)), 17.0 * math.sin(math.radians(a)))
+            for a in range(-80, 81, 10)
+        ]
+        + [
+            (17.6 * math.cos(math.radians(a)), 17.6 * math.sin(math.radians(a)))
+            for a in range(80, -81, -10)
+        ],
+        (2.4, 6.8),
+        DARK,
+        plane="xy",
+    )
+    for side in (-1, 1):
+        s.rod(3, (0, side * 11, 3), (0, side * 13, 3), RUBBER, sections=20)
+    s.proxy_cylinder(17.2, (0, 8.6), 1.0)
+    s.proxy_cylinder(4.5, (8.6, 9.7), 0.5, (-6, 0))
+
+
+@builder("robot_arm")
+def robot_arm(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Six-axis industrial arm on a base plate with a gripper, 110 cm."""
+    s.slab((-26, 26), (-26, 26), (0, 4), DARK)
+    s.rod(19, (0, 0, 4), (0, 0, 20), c)
+    s.rod(15, (0, 0, 20), (0, 0, 34), shade(c, 0.8))
+    s.rod(12, (0, -15, 40), (0, 15, 40), c)
+    bone(s, (0, 0, 40), 10, (-8, 0, 96), 8, c)
+    s.rod(9.5, (-8, -12, 98), (-8, 12, 98), shade(c, 0.8))
+    bone(s, (-8, 0, 100), 7.4, (46, 0, 92), 5.4, c)
+    s.rod(6, (46, -6.5, 92), (46, 6.5, 92), DARK)
+    s.rod(4, (46, 0, 92), (46, 0, 78), STEEL)
+    s.slab((42, 50), (-9, 9), (75, 79), DARK)
+    for side in (-1, 1):
+        s.slab((44, 48), (side * 8 - 1.2, side * 8 + 1.2), (62, 75), STEEL)
+    s.proxy_slab((-26, 26), (-26, 26), (0, 4), 3.0)
+    s.proxy_cylinder(18, (4, 36), 1.2)
+    s.proxy_slab((-17, 10), (-12, 12), (36, 107), 0.6)
+    s.proxy_slab((10, 52), (-8, 8), (86, 104), 0.4)
+    s.proxy_slab((41, 51), (-9, 9), (62, 86), 0.3)
+    shift(s, -13)
+
+
+@builder("mannequin_head")
+def mannequin_head(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Portrait bust on a small socle, 45 cm."""
+    s.slab((-9, 9), (-9, 9), (0, 8), DARK)
+    s.rod(5, (0, 0, 8), (0, 0, 14), c)
+    blob(s, [((0, -13, 18), 5), ((0, 13, 18), 5), ((0, 0, 22), 7)], c)
+    s.rod(5, (0, 0, 24), (1, 0, 31), c)
+    s.ball(1, (1, 0, 37), c, scale=(8.4, 7.2, 9.4))
+    bone(s, (8.4, 0, 38), 1.2, (10.2, 0, 35.6), 1.4, c)
+    s.proxy_slab((-9, 9), (-9, 9), (0, 13), 1.5)
+    s.proxy_slab((-6, 6), (-17, 17), (13, 27), 0.8)
+    s.proxy_cylinder(7.6, (27, 46), 0.8, (1, 0))
+    shift(s, -1.3)

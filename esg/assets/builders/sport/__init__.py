@@ -1,0 +1,1 @@
+"""Builders of balls, sports equipment and games."""

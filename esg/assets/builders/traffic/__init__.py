@@ -1,0 +1,1 @@
+"""Builders of what drives, sails, flies and stands along roads."""

@@ -1,0 +1,1 @@
+"""Meshes, collision proxies, signed distance fields and what follows from shapes."""

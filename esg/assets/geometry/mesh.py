@@ -1,0 +1,119 @@
+"""Meshes of configurations: trimesh scenes in cm, and deterministic GLB files.
+
+A GLB follows glTF 2.0: metres, Y up. The asset's front (+X) stays +X; local Z becomes +Y and local
+Y becomes -Z. Readers that want the document's frame apply the inverse (x, y, z) -> 100 (x, -z, y).
+"""
+
+from __future__ import annotations
+
+import hashlib
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from esg.assets.geometry.rolling import is_rolling_form, rolling, turned_size
+from esg.assets.geometry.sketch import Sketch
+from esg.assets.library.catalogue import Entry, build_sketch
+from esg.graph.models import AssetConfiguration, EsgDocument
+from esg.outcomes import UserError
+
+if TYPE_CHECKING:
+    import trimesh
+
+GLTF_FROM_LOCAL = np.array(
+    [[0.01, 0, 0, 0], [0, 0, 0.01, 0], [0, -0.01, 0, 0], [0, 0, 0, 1]], float
+)
+"""From local cm, Z up, to glTF metres, Y up."""
+
+
+def build_mesh(config: AssetConfiguration) -> trimesh.Scene:
+    """The asset's geometry [cm] in its local frame, one coloured closed mesh a part.
+
+    Raises:
+        UserError: If the configuration names an asset that no library on this machine holds.
+    """
+    import trimesh
+    from trimesh.visual.material import PBRMaterial
+
+    from esg.assets.stage import fallback_entry
+
+    entry = fallback_entry(config)
+    if entry is None:
+        from esg.assets.imports.imported import load_imported
+
+        return load_imported(config)
+    scene = trimesh.Scene()
+    for part in configured_sketch(entry, config).parts:
+        mesh = part.mesh()
+        rgba = [round(255 * c) for c in (*part.color, part.alpha)]
+        mesh.visual = trimesh.visual.TextureVisuals(
+            material=PBRMaterial(
+                name=part.name,
+                baseColorFactor=rgba,
+                roughnessFactor=part.roughness,
+                metallicFactor=part.metallic,
+                alphaMode="BLEND" if part.alpha < 1.0 else "OPAQUE",
+            )
+        )
+        scene.add_geometry(mesh, node_name=part.name, geom_name=part.name)
+    return scene
+
+
+def configured_sketch(entry: Entry, config: AssetConfiguration) -> Sketch:
+    """What an entry draws for a configuration: lying, or on its rim."""
+    if not is_rolling_form(entry, config.rolls):
+        return build_sketch(entry, config.dimensions_cm, config.color_rgb)
+    size = turned_size(entry, config.dimensions_cm)
+    return rolling(entry, build_sketch(entry, size, config.color_rgb), size)
+
+
+def glb_bytes(config: AssetConfiguration) -> bytes:
+    """The asset as binary glTF (metres, Y up); the same configuration gives the same bytes."""
+    scene = build_mesh(config)
+    scene.apply_transform(GLTF_FROM_LOCAL)
+    data = scene.export(file_type="glb")
+    if not isinstance(data, bytes):
+        raise UserError(f"{config.asset_name}: the mesh could not be exported as GLB", exit_code=1)
+    return data
+
+
+def write_meshes(doc: EsgDocument, folder: Path) -> dict[str, str]:
+    """Writes the GLB of every configuration at its `mesh_path` below `folder`.
+
+    Returns:
+        SHA-256 of each file by asset id.
+
+    Raises:
+        UserError: If a file cannot be written.
+    """
+    hashes: dict[str, str] = {}
+    for key, config in doc.asset_configurations.items():
+        path = Path(folder) / config.mesh_path
+        data = glb_bytes(config)
+        try:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            partial = path.with_suffix(".part")
+            partial.write_bytes(data)
+            partial.replace(path)
+        except OSError as error:
+            raise UserError(
+                f"cannot write {path}: {error.strerror}; choose another folder"
+            ) from None
+        hashes[key] = hashlib.sha256(data).hexdigest()
+    _write_attribution(doc, Path(folder))
+    return hashes
+
+
+def _write_attribution(doc: EsgDocument, folder: Path) -> None:
+    """Names creator and licence of every borrowed mesh beside the meshes, as their licences ask."""
+    lines = [
+        f"{config.mesh_path}: {config.attribution or config.asset_name} [{config.license}]\n"
+        for _, config in sorted(doc.asset_configurations.items())
+        if config.source in ("library", "generated")
+    ]
+    path = folder / "meshes" / "ATTRIBUTION.txt"
+    if lines:
+        path.write_text("".join(lines), encoding="utf-8")
+    elif path.is_file():
+        path.unlink()

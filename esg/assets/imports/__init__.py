@@ -1,0 +1,1 @@
+"""Assets from outside: importers, generators, the libraries kept on this machine."""

@@ -1,0 +1,118 @@
+"""Imported asset libraries on this machine.
+
+A library is a folder below the root (`ESG_ASSET_LIBRARY`, else the user's data folder):
+`assets/*.json`, `meshes/*.glb`, `index.npz` (embeddings) and `convex/` (cached convex parts).
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+import hashlib
+import json
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from esg.assets.library.catalogue import Entry
+
+if TYPE_CHECKING:
+    from esg.assets.library.index import Index
+
+INDEX_NAME = "index.npz"
+
+
+def library_root() -> Path:
+    """Folder of all imported libraries."""
+    chosen = os.environ.get("ESG_ASSET_LIBRARY")
+    if chosen:
+        return Path(chosen)
+    base = os.environ.get("XDG_DATA_HOME") or str(Path.home() / ".local" / "share")
+    return Path(base) / "esg" / "assets"
+
+
+def library_folders() -> list[Path]:
+    """Folders of finished libraries, sorted by name."""
+    root = library_root()
+    return sorted(p.parent for p in root.glob(f"*/{INDEX_NAME}")) if root.is_dir() else []
+
+
+def read_records(folder: Path) -> list[dict[str, Any]]:
+    """Records of a library, sorted by key."""
+    return [json.loads(p.read_text()) for p in sorted((folder / "assets").glob("*.json"))]
+
+
+def as_entry(record: dict[str, Any], library: str) -> Entry:
+    """A record as a catalogue entry."""
+    return Entry(
+        name=record["key"],
+        parents=tuple(record["parents"]),
+        builder="",
+        params=(),
+        dimensions_cm=tuple(record["dimensions_cm"]),
+        mass_kg=record["mass_kg"],
+        material=record["material"],
+        color_rgb=tuple(record["color_rgb"]),
+        flags=frozenset(record["flags"]),
+        synonyms=(record["name"], *record["tags"]),
+        description=record["description"],
+        library=library,
+        mesh_file=f"meshes/{record['mesh_sha256']}.glb",
+        license=record["license"] or "unknown",
+        attribution=record["attribution"],
+    )
+
+
+def write_index(folder: Path) -> None:
+    """Embeds the library's texts into `index.npz`; unchanged texts cost nothing."""
+    from esg.assets.library.index import pack, unpack
+
+    entries = tuple(as_entry(r, folder.name) for r in read_records(folder))
+    target = folder / INDEX_NAME
+    if target.is_file() and unpack(target.read_bytes(), entries) is not None:
+        target.touch()
+        return
+    partial = target.with_suffix(".part")
+    partial.write_bytes(pack(entries))
+    partial.replace(target)
+
+
+def _state() -> tuple[tuple[str, int], ...]:
+    return tuple((str(f), (f / INDEX_NAME).stat().st_mtime_ns) for f in library_folders())
+
+
+def extended_index(base: Index) -> Index:
+    """The base index followed by all imported entries."""
+    state = _state()
+    return _extended(base.fingerprint, state) if state else base
+
+
+@lru_cache(maxsize=2)
+def _extended(fingerprint: str, state: tuple[tuple[str, int], ...]) -> Index:
+    from esg.assets.library.index import Index, compute_vectors, embedded_index, owners, unpack
+
+    base = embedded_index()
+    entries, vectors = list(base.entries), [base.vectors]
+    digest = hashlib.sha256(fingerprint.encode())
+    for path, _ in state:
+        folder = Path(path)
+        more = tuple(as_entry(r, folder.name) for r in read_records(folder))
+        data = (folder / INDEX_NAME).read_bytes()
+        found = unpack(data, more)
+        vectors.append(compute_vectors(more) if found is None else found)
+        entries += more
+        for entry in more:
+            digest.update(f"{folder.name}/{entry.name}/{entry.mesh_file}\n".encode())
+    everything = tuple(entries)
+    return Index(everything, np.concatenate(vectors), owners(everything), digest.hexdigest()[:16])
+
+
+def find_record(qualified: str) -> tuple[Path, dict[str, Any]] | None:
+    """Library folder and record of an asset named "library/key"; None if it is not here."""
+    library, _, key = qualified.partition("/")
+    folder = library_root() / library
+    path = folder / "assets" / f"{key}.json"
+    if not key or ".." in qualified or not path.is_file():
+        return None
+    return folder, json.loads(path.read_text())

@@ -1,0 +1,270 @@
+"""The catalogue of the embedded parametric library and the geometry of its entries."""
+
+from __future__ import annotations
+
+import csv
+from dataclasses import dataclass
+from functools import lru_cache
+from importlib.resources import files
+import re
+from typing import Any
+
+from esg.assets.geometry.sketch import Sketch, scaled
+from esg.graph.models import Vec3
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One kind of object in a library.
+
+    Args:
+        name: Canonical singular noun with underscores; unique in its library.
+        parents: Chain of broader categories, nearest first.
+        builder: Parametric builder; empty for imported meshes.
+        params: Arguments of the builder; `like` names the entry at whose size a builder that
+            keeps its proportions draws before the whole is scaled (a foal is drawn as a horse).
+        dimensions_cm: Usual (length along +X, width, height).
+        mass_kg: Usual mass.
+        material: Key of the material table.
+        color_rgb: Usual main colour.
+        flags: rolls, wheeled, fixed, decal, container, any_size (comes in all sizes).
+        synonyms: Other names.
+        description: One line for retrieval.
+        reference: Source of dimensions and mass.
+        library: "parametric" or the name of an imported library.
+        mesh_file: Path of an imported mesh, relative to its library.
+        license: Of an imported mesh.
+        attribution: Creator and source of an imported mesh.
+    """
+
+    name: str
+    parents: tuple[str, ...]
+    builder: str
+    params: tuple[tuple[str, Any], ...]
+    dimensions_cm: Vec3
+    mass_kg: float
+    material: str
+    color_rgb: tuple[float, float, float]
+    flags: frozenset[str]
+    synonyms: tuple[str, ...]
+    description: str
+    reference: str = ""
+    library: str = "parametric"
+    mesh_file: str = ""
+    license: str = "Apache-2.0"
+    attribution: str = ""
+
+    @property
+    def movable(self) -> bool:
+        return not self.flags & {"fixed", "decal"}
+
+    @property
+    def text(self) -> str:
+        """What the embedder reads."""
+        name = self.name.replace("_", " ")
+        return (
+            f"{name}, {', '.join(self.synonyms[:4])}: {self.description}"
+            if self.synonyms
+            else f"{name}: {self.description}"
+        )
+
+
+def parse_hex(text: str) -> tuple[float, float, float]:
+    """Colour from "#rrggbb"."""
+    r, g, b = (int(text[i : i + 2], 16) / 255.0 for i in (1, 3, 5))
+    return (r, g, b)
+
+
+def _value(text: str) -> Any:
+    return {"": False, "1": True}.get(text, text)
+
+
+@lru_cache(maxsize=1)
+def catalogue() -> tuple[Entry, ...]:
+    """Every entry of the embedded library, in file order."""
+    text = files("esg.assets.data").joinpath("catalogue.csv").read_text(encoding="utf-8")
+    entries = []
+    for row in csv.DictReader(text.splitlines()):
+        params = tuple(
+            (k, _value(v)) for k, v in (p.split("=") for p in row["params"].split(";") if p)
+        )
+        entries.append(
+            Entry(
+                name=row["name"],
+                parents=tuple(row["parents"].split(";")),
+                builder=row["builder"],
+                params=params,
+                dimensions_cm=(
+                    float(row["length_cm"]),
+                    float(row["width_cm"]),
+                    float(row["height_cm"]),
+                ),
+                mass_kg=float(row["mass_kg"]),
+                material=row["material"],
+                color_rgb=parse_hex(row["color"]),
+                flags=frozenset(f for f in row["flags"].split(";") if f),
+                synonyms=tuple(t for t in row["synonyms"].split(";") if t),
+                description=row["description"],
+                reference=row["reference"] or "",
+            )
+        )
+    return tuple(entries)
+
+
+@lru_cache(maxsize=1)
+def entries_by_name() -> dict[str, Entry]:
+    """The embedded library by canonical name."""
+    return {e.name: e for e in catalogue()}
+
+
+_IRREGULAR = {
+    "taxis": "taxi",
+    "skis": "ski",
+    "kiwis": "kiwi",
+    "people": "person",
+    "men": "man",
+    "women": "woman",
+    "children": "child",
+    "knives": "knife",
+    "shelves": "shelf",
+    "loaves": "loaf",
+    "dice": "die",
+    "buses": "bus",
+    "benches": "bench",
+    "boxes": "box",
+    "glasses": "glass",
+    "dishes": "dish",
+    "torches": "torch",
+    "bushes": "bush",
+    "crosses": "cross",
+    "tomatoes": "tomato",
+    "potatoes": "potato",
+    "dominoes": "domino",
+    "leaves": "leaf",
+    "mattresses": "mattress",
+    "vases": "vase",
+    "wolves": "wolf",
+}
+_INVARIANT = {
+    "stairs",
+    "steps",
+    "bus",
+    "glass",
+    "grass",
+    "moss",
+    "cross",
+    "canvas",
+    "billiards",
+    "chess",
+    "tennis",
+    "scissors",
+    "trousers",
+    "series",
+    "toss",
+    "compass",
+    "mattress",
+    "headphones",
+    "sunglasses",
+    "bushes",
+    "lens",
+    "gas",
+    "shelves",
+    "crossroads",
+}
+
+
+def singular(word: str) -> str:
+    """Singular of an English noun, by rule."""
+    if word in _IRREGULAR:
+        return _IRREGULAR[word]
+    if word in _INVARIANT or len(word) < 4 or not word.endswith("s"):
+        return word
+    if word.endswith(("ss", "us", "is")):  # grass, octopus, tennis
+        return word
+    if word.endswith("ies"):
+        return word[:-3] + "y"
+    if re.search(r"(ch|sh|x|zz|ss)es$", word):
+        return word[:-2]
+    return word[:-1]
+
+
+def normalize(text: str) -> str:
+    """Lower case, single spaces, no underscores or hyphens, last word singular."""
+    words = re.sub(r"[^a-z0-9]+", " ", text.lower()).split()
+    while words and words[0] in {"a", "an", "the", "some", "one", "of", "set", "pair"}:
+        words = words[1:]
+    if words:
+        words[-1] = singular(words[-1])
+    return " ".join(words)
+
+
+@lru_cache(maxsize=1)
+def lexicon() -> dict[str, str]:
+    """Normalized names and synonyms to canonical names; names win over synonyms."""
+    table: dict[str, str] = {}
+    for entry in catalogue():
+        for synonym in entry.synonyms:
+            table.setdefault(normalize(synonym), entry.name)
+    for entry in catalogue():
+        table[normalize(entry.name)] = entry.name
+    return table
+
+
+def build_sketch(entry: Entry, dimensions_cm: Vec3, color: tuple[float, float, float]) -> Sketch:
+    """Draws an entry of the parametric library at the given extents.
+
+    Builders that keep their proportions are drawn at the usual size and scaled by the height ratio
+    if extents are proportional, else by the cube root of the volume ratio.
+    """
+    from esg.assets.builders import BUILDERS, DRAWN, load_builders
+
+    load_builders()
+    sketch = Sketch()
+    if policy(entry) == "free":
+        return _free(entry, dimensions_cm, color)
+    params = dict(entry.params)
+    size = entries_by_name()[params.pop("like")].dimensions_cm if "like" in params else None
+    size = size or entry.dimensions_cm
+    BUILDERS[entry.builder](sketch, *size, color, **params)
+    drawn = DRAWN.get(entry.builder, size)
+    return scaled(sketch, uniform_factor(drawn, dimensions_cm))
+
+
+def _free(entry: Entry, dimensions_cm: Vec3, color: tuple[float, float, float]) -> Sketch:
+    """At any extents: built there, else at the usual volume and scaled, else stretched."""
+    from esg.assets.builders import BUILDERS
+    from esg.assets.geometry.stretch import sound, stretched
+
+    usual = entry.dimensions_cm
+    factor = uniform_factor(usual, dimensions_cm)
+    middling: Vec3 = tuple(d / factor for d in dimensions_cm)  # type: ignore[assignment]
+    for size in (dimensions_cm, middling):
+        sketch = Sketch()
+        try:
+            BUILDERS[entry.builder](sketch, *size, color, **dict(entry.params))
+            if sound(sketch):
+                return sketch if size is dimensions_cm else scaled(sketch, factor)
+        except (ArithmeticError, ValueError):
+            continue
+    sketch = Sketch()
+    BUILDERS[entry.builder](sketch, *usual, color, **dict(entry.params))
+    l, w, h = (b / a for a, b in zip(usual, dimensions_cm, strict=True))  # noqa: E741
+    return stretched(sketch, (l, w, h))
+
+
+def uniform_factor(usual: Vec3, wanted: Vec3) -> float:
+    """Cube root of the volume ratio."""
+    ratio = 1.0
+    for a, b in zip(usual, wanted, strict=True):
+        ratio *= b / a
+    return ratio ** (1.0 / 3.0)
+
+
+def policy(entry: Entry) -> str:
+    """`free` if the entry can be built at any extents, else `uniform`."""
+    from esg.assets.builders import POLICIES, load_builders
+
+    load_builders()
+    if any(key == "like" for key, _ in entry.params):
+        return "uniform"  # drawn at the size of another entry, then scaled as a whole
+    return POLICIES.get(entry.builder, "uniform")

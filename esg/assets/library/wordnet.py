@@ -1,0 +1,216 @@
+"""Makes the table of nouns outside the library from WordNet 3.0 (its licence lies in data/).
+
+    python -m esg.assets.library.wordnet /usr/share/wordnet      (Debian: wordnet-base)
+
+`data/anchors.csv` says which kind of the library stands for a WordNet concept and what is usual
+below it; names and synonyms of the library anchor their own concepts. Every other noun for a
+physical thing goes to the first anchor above it: samovar -> urn -> vase. Run it again after the
+catalogue or the anchors were edited.
+"""
+
+from __future__ import annotations
+
+import csv
+from dataclasses import dataclass
+from importlib.resources import files
+from pathlib import Path
+import re
+import sys
+
+from esg.assets.library.catalogue import Entry, entries_by_name, lexicon, normalize
+from esg.assets.library.hypernyms import TABLE_FILE
+
+_ANIMAL, _ARTIFACT, _FOOD, _OBJECT, _PERSON, _PLANT = 5, 6, 13, 17, 18, 20
+_PHYSICAL = (_ANIMAL, _ARTIFACT, _FOOD, _OBJECT, _PERSON, _PLANT)
+_CLASSES = {"animal": _ANIMAL, "person": _PERSON, "plant": _PLANT, "food": _FOOD}
+_PEOPLE = [
+    "worker.1",
+    "entertainer.1",
+    "athlete.1",
+    "scientist.1",
+    "musician.1",
+    "artist.1",
+    "clergyman.1",
+    "aristocrat.1",
+    "traveler.1",
+    "performer.1",
+    "military_officer.1",
+    "scholar.1",
+    "relative.1",
+    "serviceman.1",
+    "dancer.1",
+    "expert.1",
+    "ruler.1",
+    "magician.1",
+    "acrobat.1",
+]
+"""People are nouns by the thousand; these are roles that a scene may cast."""
+_RUDE = re.compile(
+    r"offensive|slur|disparag|derogat|vulgar|obscen|prostitut|sexual|contempt|homosexual|racist"
+)
+_FLESH = re.compile(
+    r"^\(?(lean |cooked |edible |fatty )*(flesh|meat|tentacles|roe) of|prepared as food"
+)
+"""Animals as food come back as the animals themselves."""
+_WORDS = re.compile(r"[a-z][a-z' -]*")
+
+
+@dataclass(frozen=True)
+class Concept:
+    """A synset: lexicographer file, words, concepts above it, instance of something, gloss."""
+
+    file: int
+    words: tuple[str, ...]
+    above: tuple[str, ...]
+    instance: bool
+    gloss: str
+
+
+@dataclass(frozen=True)
+class WordNet:
+    """The nouns of a WordNet database."""
+
+    concepts: dict[str, Concept]
+    senses: dict[str, tuple[str, ...]]
+
+    def find(self, name: str) -> str:
+        """Offset of "word.2", the second sense of a word."""
+        word, _, sense = name.rpartition(".")
+        return self.senses[word][int(sense) - 1]
+
+
+def read_wordnet(folder: Path) -> WordNet:
+    """Reads data.noun and index.noun (wndb(5WN))."""
+    concepts, senses = {}, {}
+    for line in (folder / "data.noun").read_text(encoding="latin-1").splitlines():
+        if line.startswith("  "):
+            continue
+        head, _, gloss = line.partition(" | ")
+        f = head.split()
+        count = int(f[3], 16)
+        start = 4 + 2 * count
+        pointers = [f[start + 1 + 4 * k : start + 5 + 4 * k] for k in range(int(f[start]))]
+        concepts[f[0]] = Concept(
+            file=int(f[1]),
+            words=tuple(f[4:start:2]),
+            above=tuple(p[1] for p in pointers if p[0] in ("@", "@i")),
+            instance=any(p[0] == "@i" for p in pointers),
+            gloss=gloss.strip(),
+        )
+    for line in (folder / "index.noun").read_text(encoding="latin-1").splitlines():
+        if not line.startswith("  "):
+            f = line.split()
+            senses[f[0]] = tuple(f[-int(f[2]) :])
+    return WordNet(concepts, senses)
+
+
+def _files(kind: Entry) -> tuple[int, ...]:
+    for name, file in _CLASSES.items():
+        if kind.name == name or name in kind.parents:
+            return (file,)
+    return (_ARTIFACT, _OBJECT)
+
+
+def own_anchors(net: WordNet) -> dict[str, tuple[str, str, str]]:
+    """Concepts that the library's own names and synonyms mean, with their kind."""
+    found: dict[str, list[tuple[bool, str]]] = {}
+    for term, name in lexicon().items():
+        kind = entries_by_name()[name]
+        for offset in net.senses.get(term.replace(" ", "_"), ()):
+            if net.concepts[offset].file in _files(kind) and not net.concepts[offset].instance:
+                found.setdefault(offset, []).append((normalize(name) != term, name))
+                break
+    return {offset: (min(kinds)[1], "", "") for offset, kinds in found.items()}
+
+
+def stated_anchors(net: WordNet) -> dict[str, tuple[str, str, str]]:
+    """The anchors of `data/anchors.csv`: kind, longest extent [cm] and mass [kg] by offset."""
+    text = files("esg.assets.data").joinpath("anchors.csv").read_text(encoding="utf-8")
+    return {
+        net.find(row["anchor"]): (row["kind"], row["longest_cm"], row["mass_kg"])
+        for row in csv.DictReader(text.splitlines())
+    }
+
+
+def climb(net: WordNet, start: str, anchors: dict[str, tuple[str, str, str]]) -> str | None:
+    """Offset of the nearest anchor above a concept, breadth first."""
+    level, seen = [start], set()
+    while level:
+        for offset in level:
+            if offset in anchors:
+                return offset if anchors[offset][0] else None
+        seen |= set(level)
+        level = [a for o in level for a in net.concepts[o].above if a not in seen]
+    return None
+
+
+def _above(net: WordNet, start: str) -> set[str]:
+    out, todo = set(), [start]
+    while todo:
+        offset = todo.pop()
+        if offset not in out:
+            out.add(offset)
+            todo += net.concepts[offset].above
+    return out
+
+
+def _usable(net: WordNet, word: str, offset: str, people: set[str]) -> bool:
+    concept = net.concepts[offset]
+    if concept.file not in _PHYSICAL or concept.instance or _RUDE.search(concept.gloss):
+        return False
+    if concept.file == _FOOD and _FLESH.search(concept.gloss):
+        return False
+    spelled = next(w for w in concept.words if w.lower() == word)
+    if spelled != word and concept.file not in (_ARTIFACT, _FOOD):
+        return False  # Latin names of species, names of people and places
+    return concept.file != _PERSON or bool(_above(net, offset) & people)
+
+
+def table(net: WordNet) -> str:
+    """The shipped table: one line an anchor: kind, longest [cm], mass [kg], its word, nouns."""
+    stated = stated_anchors(net)
+    anchors = own_anchors(net) | stated
+    people = {net.find(p) for p in _PEOPLE}
+    known = lexicon()
+    groups: dict[str, list[str]] = {}
+    for word, offsets in sorted(net.senses.items()):
+        text = word.replace("_", " ")
+        if not _WORDS.fullmatch(text) or len(text.split()) > 3:
+            continue
+        single = normalize(text)
+        if single != text and single.replace(" ", "_") in net.senses:
+            continue  # "glasses" must not speak for a glass
+        usable = [o for o in offsets if stated.get(o, ("",))[0] or _usable(net, word, o, people)]
+        # A concept of its own in the list of anchors is what its word means; else the commonest
+        # sense, but fruit before the tree that bears it.
+        usable.sort(
+            key=lambda o: (
+                o not in stated,
+                o in stated and net.concepts[o].words[0].lower() != word,
+                net.concepts[o].file == _PLANT,
+            )
+        )
+        reached = next((a for o in usable if (a := climb(net, o, anchors)) is not None), None)
+        if single in known and reached not in {o for o in usable if o in stated}:
+            continue  # the library knows better, unless the noun's own size is stated
+        if reached is not None:
+            groups.setdefault(reached, []).append(single)
+    lines = [
+        "\t".join(
+            (*anchors[a], net.concepts[a].words[0].lower().replace("_", " "), ";".join(words))
+        )
+        for a, words in groups.items()
+    ]
+    return "\n".join(sorted(lines)) + "\n"
+
+
+def main() -> None:
+    """Writes `data/hypernyms.txt` from the folder of a WordNet database."""
+    net = read_wordnet(Path(sys.argv[1]))
+    target = Path(str(files("esg.assets.data"))) / TABLE_FILE
+    target.write_text(table(net), encoding="utf-8")
+    print(f"wrote {target}: {target.stat().st_size} bytes")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,1 @@
+"""Casting: which bodies, sizes and supports the events of a prompt need."""

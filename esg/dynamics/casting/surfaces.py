@@ -1,0 +1,59 @@
+"""Ice: pucks and curling stones slide on it, and so does what a prompt has slide on the ice."""
+
+from __future__ import annotations
+
+import re
+
+from esg.dynamics.story.stagecraft import prop, support_of
+from esg.dynamics.story.story import Story
+from esg.graph.models import AssetConfiguration, EdgeEvent, EsgDocument
+
+ICE = 0.04
+"""Friction of ice and of what slides on it."""
+SAID = re.compile(
+    r"\b(on|over|across|along|onto)\s+(the\s+|an?\s+)?(\w+\s+)?(ice|rink|ice[- ]rink)\b"
+    r"(?!\s*-?(cream|cube|bucket|chest|box))"
+    r"|\b(icy|frozen)\s+(ground|surface|lake|pond|river|floor|road|street|slope|field)\b",
+    re.I,
+)
+OF_ICE = ("puck", "curling_stone", "curling stone")
+"""Words of categories that are at home there."""
+
+
+def fit_ice(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]:
+    """Ground and bodies as slippery as ice, where something is slid on it.
+
+    Args:
+        doc: A document with assets resolved.
+        story: Its timeline.
+    """
+    nodes = doc.spatial_relation_graph.nodes
+    said = bool(SAID.search(doc.scene_definition.original_description))
+    slid = {a for a in story.phases if _slides(doc, story, a) and (said or _of_ice(doc, a))}
+    if not slid:
+        return {}
+    kinds = {nodes[a].asset_id for a in slid}
+    kinds |= {v.asset_id for n, v in nodes.items() if _of_ice(doc, n)}
+    kinds |= {
+        v.asset_id
+        for v in nodes.values()
+        if v.is_structural and not doc.asset_configurations[v.asset_id].proxies
+    }
+    return {
+        key: config.model_copy(update={"friction": ICE})
+        for key in sorted(kinds)
+        if (config := doc.asset_configurations[key]).friction > ICE
+    }
+
+
+def _slides(doc: EsgDocument, story: Story, actor: str) -> bool:
+    """Whether something is sent sliding over the ground."""
+    body, first = prop(doc, actor), story.phases[actor][0]
+    launched = first.edge.event is EdgeEvent.TOWARD and not story.flies(actor)
+    return launched and not (body.rolls or body.wheeled) and support_of(doc, actor) is None
+
+
+def _of_ice(doc: EsgDocument, name: str) -> bool:
+    """Whether a thing is at home on ice."""
+    category = doc.asset_configurations[doc.spatial_relation_graph.nodes[name].asset_id].category
+    return any(word in category for word in OF_ICE)

@@ -1,0 +1,53 @@
+"""Standing what the story tips over on its end: a plank, a book, a board usually drawn flat.
+
+What lies flat cannot fall over. A board whose size the prompt states keeps its sides as they are.
+"""
+
+from __future__ import annotations
+
+from esg.dynamics.story.story import Story
+from esg.graph.models import AssetConfiguration, EsgDocument, ProxyKind
+
+FLAT, SAME = 0.35, 0.05
+"""Height over length below which a board lies, and what its length may differ."""
+
+
+def fit_upright(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]:
+    """Configurations on their ends of boards that topple, their broad sides in front."""
+    nodes = doc.spatial_relation_graph.nodes
+    out: dict[str, AssetConfiguration] = {}
+    for name, node in nodes.items():
+        if node.is_structural or not story.topples(name):
+            continue
+        config = doc.asset_configurations[node.asset_id]
+        stated = doc.asset_requirement[node.asset_id].dimensions_are_prescribed
+        if not stated and is_board(config):
+            out[node.asset_id] = _on_end(doc, node.asset_id, config)
+    return out
+
+
+def is_board(config: AssetConfiguration) -> bool:
+    """Whether something is a single flat box without wheels."""
+    height = config.dimensions_cm[2]
+    boxes = [p.kind is ProxyKind.BOX for p in config.proxies]
+    return boxes == [True] and not config.is_wheeled and height < FLAT * max(config.dimensions_cm)
+
+
+def _on_end(doc: EsgDocument, key: str, config: AssetConfiguration) -> AssetConfiguration:
+    from esg.assets.stage import configure
+
+    size = tuple(sorted(config.dimensions_cm))
+    made = config
+    # What is only drawn lying (a surfboard) is a plain board of its size on its end.
+    for kind in ({}, {"asset_category": "plank", "asset_description": "upright plank"}):
+        update: dict[str, object] = {
+            **kind,
+            "expected_dimensions_cm": size,
+            "expected_mass_kg": config.mass_kg,
+            "dimensions_are_prescribed": True,
+            "mass_is_prescribed": True,
+        }
+        made = configure(key, doc.asset_requirement[key].model_copy(update=update))
+        if abs(made.dimensions_cm[2] - size[2]) < SAME * size[2]:
+            break
+    return made.model_copy(update={"is_movable": True})

@@ -1,0 +1,149 @@
+"""How hard a first hit must be for what it leads to: a ball that sends a ball into a vase."""
+
+from __future__ import annotations
+
+import math
+
+from esg.dynamics.choreography.stage import Stage
+from esg.dynamics.story.kinematics import impact_speed
+from esg.dynamics.story.stagecraft import Prop, coasting_drag, fall_speed
+from esg.dynamics.story.tipping import topple_speed
+from esg.graph.models import NodeEvent, TimelineNode
+
+KEPT = 0.77
+"""Share of its speed that something struck has when it meets the next thing."""
+FELT_NS, FELT_MPS = 0.25, 2.5
+"""Impulse of a hit that surely counts, and the highest speed that is asked for it alone."""
+FELT_SPARE = 1.2
+"""Over the speed of such a hit: a light thing loses some on its way there."""
+RUN_ON_M, RUN_ON_S = 0.2, 0.28
+"""Way on which something struck surely gets to what stands ahead of it, and time it slides at
+least: two hits closer than a tenth of a second are one."""
+ROLLS_AT = 0.6
+"""Share of its speed that a ball struck by a rolling one keeps until it rolls: five sevenths, less
+what its back spin takes."""
+BACK_KEPT, LEAST_BACK = 0.9, 0.2
+"""The same of what bounced off something, and the least share that counts as coming back."""
+
+
+def passed_on(mover: Prop, target: Prop) -> float:
+    """Speed of a resting body after a central hit, over the mover's."""
+    restitution = 0.5 * (mover.restitution + target.restitution)
+    return impact_speed(mover.mass, target.mass, 1.0, restitution)
+
+
+def felt(mover: Prop, target: Prop) -> float:
+    """Impulse of a hit of two free bodies over its speed [kg]."""
+    return passed_on(mover, target) * target.mass
+
+
+def felt_speed(mover: Prop, target: Prop) -> float:
+    """Speed [m/s] with which something light sets out so that its hit surely counts: a marble."""
+    whole = (1.0 + 0.5 * (mover.restitution + target.restitution)) * mover.mass
+    return FELT_SPARE * FELT_NS / max(whole if target.fixed else felt(mover, target), 1e-9)
+
+
+def run_on_speed(body: Prop) -> float:
+    """Least speed [m/s] after a hit of what shall get to the next thing; 0 for what rolls."""
+    if body.rolls:
+        return 0.0
+    drag = coasting_drag(body)
+    return max(math.sqrt(2.0 * drag * RUN_ON_M), RUN_ON_S * drag)
+
+
+def thrown_back_share(restitution: float, *, rolling: bool) -> float:
+    """Share of its speed with which something comes back from a wall.
+
+    A ball's spin still rolls it forward: that takes two sevenths, once the ground has turned it.
+    """
+    return 5.0 / 7.0 * restitution - 2.0 / 7.0 if rolling else restitution
+
+
+def gentlest(stage: Stage, node: TimelineNode, a: str, b: str) -> tuple[float, int]:
+    """Speed [m/s] of a ball at which all hits of the chain of balls before it are felt.
+
+    Args:
+        stage: The stage.
+        node: Its hit.
+        a: The ball.
+        b: The first ball it hits.
+
+    Returns:
+        The speed, and the number of hits; faster balls lie farther apart, and are missed sooner.
+    """
+    speed, least, chain = 1.0, math.inf, [a, b]
+    while True:
+        mover, target = stage.prop(chain[-2]), stage.prop(chain[-1])
+        speed *= passed_on(mover, target)
+        least = min(least, target.mass * speed)
+        speed *= ROLLS_AT
+        node, onto = _onto_ball(stage, node, chain)
+        if onto is None:
+            return FELT_NS / max(least, 1e-9), len(chain) - 1
+        chain.append(onto)
+
+
+def _onto_ball(
+    stage: Stage, node: TimelineNode, chain: list[str]
+) -> tuple[TimelineNode, str | None]:
+    """The next hit of the last ball of a chain, and the resting ball that it hits."""
+    for later in stage.story.after(node.id):
+        keys = [stage.key(p) for p in later.participants]
+        others = [k for k in keys if k not in chain and k not in stage.tracks]
+        if later.event is NodeEvent.COLLISION and chain[-1] in keys and others:
+            return later, others[0] if stage.prop(others[0]).rolls else None
+    return node, None
+
+
+def demanded(stage: Stage, node: TimelineNode, a: str, b: str) -> float:
+    """Least speed [m/s] of a at its hit of b for what is to fall or topple later by that hit.
+
+    Args:
+        stage: The stage.
+        node: The hit.
+        a: Who arrives.
+        b: What it hits.
+    """
+    pa, pb = stage.prop(a), stage.prop(b)
+    if node.event is not NodeEvent.COLLISION:
+        return 0.0
+    if pb.fixed:
+        rolling = pa.rolls and not stage.story.flies(a)
+        restitution = 0.5 * (pa.restitution + pb.restitution)
+        back = thrown_back_share(restitution, rolling=rolling)
+        return _after(stage, node, a, BACK_KEPT) / max(back, LEAST_BACK)
+    if b in stage.tracks:
+        return 0.0
+    return _after(stage, node, b, KEPT) / passed_on(pa, pb)
+
+
+def _felt(mover: Prop, target: Prop) -> float:
+    """Speed [m/s] at which a hit in the middle of a chain surely counts; balls lie closer."""
+    if mover.rolls and target.rolls:
+        return 0.0
+    return min(FELT_NS / felt(mover, target), FELT_MPS)
+
+
+def _after(stage: Stage, node: TimelineNode, b: str, kept: float) -> float:
+    """Least speed [m/s] of b right after an event, for the next thing that it hits."""
+    if stage.story.topples(stage.member(b)):
+        return 0.0
+    for later in stage.story.after(node.id):
+        keys = [stage.key(p) for p in later.participants]
+        others = [k for k in keys if k != b]
+        if later.event is not NodeEvent.COLLISION or b not in keys or not others:
+            continue
+        c = others[0]
+        body, target, name = stage.prop(b), stage.prop(c), stage.member(c)
+        if c in stage.tracks:
+            return 0.0
+        runs = 0.0 if b in stage.tracks else run_on_speed(body)
+        if target.fixed:
+            return runs
+        needed = max(demanded(stage, later, b, c), _felt(body, target))
+        if stage.story.topples(name):
+            needed = max(needed, topple_speed(body, target, flies=False))
+        if stage.story.falls(name):
+            needed = max(needed, fall_speed(body, target))
+        return max(needed / kept, runs)
+    return 0.0

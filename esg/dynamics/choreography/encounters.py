@@ -1,0 +1,314 @@
+"""Two actors that meet: head-on, one behind the other, or one that waits at what it ran into."""
+
+from __future__ import annotations
+
+import math
+
+from esg.dynamics.choreography.overtaking import cut_in
+from esg.dynamics.choreography.placing import gap_at_start
+from esg.dynamics.choreography.stage import FASTEST_MPS, Stage, speed_is_fixed
+from esg.dynamics.choreography.throws import asked_height, drop_height, fallen, is_dropped
+from esg.dynamics.story.kinematics import (
+    Frame,
+    braking_distance,
+    frame_mapping,
+    slowing,
+    stopping_damping,
+)
+from esg.dynamics.story.stagecraft import (
+    approach_distance,
+    coasting_drag,
+    ground_restitution,
+    min_hit_speed,
+)
+from esg.dynamics.story.story import Phase, bounds
+from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
+from esg.units import GRAVITY_MPS2
+
+SLOWEST_MPS = 0.3
+"""Least guessed speed of what meets in time where there is little room."""
+LANDS_AFTER_S = 0.4
+"""From what the target of a drop does before to the drop's end, where its height is open."""
+LANDS_S, MEETS_AFTER_S = 0.55, 0.12
+"""Fall of the lower one of two that are let go one above the other, and from its landing to their
+meeting."""
+MEETING_HEIGHT_M = 1.2
+"""Height at which bodies are thrown at each other."""
+AFTER_HIT_S, BEHIND_M = 1.2, 0.5
+"""From one's hit of an obstacle to its being run into, and the least gap behind it at the start."""
+
+
+def waits_at_obstacle(stage: Stage, name: str) -> bool:
+    """Whether an actor has run into something and is there, or pushes it along."""
+    if name not in stage.met or name not in stage.tracks or name not in stage.frames:
+        return False
+    return not (stage.story.flies(name) or name in stage.thrown_back or name in stage.airborne)
+
+
+def meeting(stage: Stage, node: TimelineNode, a: str, pa: Phase, b: str, pb: Phase) -> None:
+    """Two active bodies meet: one catches up with the other, or they run at each other.
+
+    What is dropped is let go over the place that the other one has come to by then.
+    """
+    if is_dropped(pa) and is_dropped(pb):
+        _dropped_together(stage, node, a, b)
+        return
+    if is_dropped(pa) != is_dropped(pb):
+        falling, mover, phase = (a, b, pb) if is_dropped(pa) else (b, a, pa)
+        _dropped_onto(stage, node, falling, mover, phase)
+        return
+    braking = [p.edge.event is EdgeEvent.BRAKE for p in (pa, pb)]
+    leader = None if braking[0] != braking[1] else _goes_ahead(stage, node, a, b)
+    rear = braking[0] != braking[1] or leader is not None or _same_direction(stage, a, b)
+    if rear:
+        first = leader == a or (leader is None and _is_front(stage, a))
+        front, behind = (a, b) if braking[0] or first else (b, a)
+        phases = {a: pa, b: pb}
+        _rear_end(stage, node, behind, phases[behind], front, phases[front])
+        return
+    time = stage.prescribed_time(node)
+    start = max(stage.tracks[a].time, stage.tracks[b].time)
+    speeds = {n: max(stage.speed(n, p), SLOWEST_MPS) for n, p in ((a, pa), (b, pb))}
+    apart = gap_at_start(stage, a, b) if start <= 0.0 else None
+    if apart is not None and time is None:
+        time = apart / sum(speeds.values())
+    elif apart is not None and not any(speed_is_fixed(p) for p in (pa, pb)):
+        closing = apart / (time or 1.0)
+        speeds = {n: v * closing / sum(speeds.values()) for n, v in speeds.items()}
+    for actor, phase in ((a, pa), (b, pb)):
+        speed = speeds[actor]
+        if time is not None and apart is None and not phase.edge.speed_is_prescribed:
+            # Where there is no room for the way of the whole time, it is slower.
+            speed = max(speed * stage.tight, min(speed, SLOWEST_MPS))
+        stage.nominal[f"{phase.edge.id}/speed"] = speed
+        if time is None:
+            time = start + approach_distance(stage.prop(actor), speed, stage.rng) / speed
+        track = stage.tracks[actor]
+        duration = max(0.2, time - track.time)
+        track.straight(covers(stage, actor, phase, speed, duration), duration, speed)
+        if stage.story.soars(actor):
+            stage.heights.setdefault(actor, MEETING_HEIGHT_M)
+        elif stage.story.flies(actor):
+            # Thrown at where the other one starts, it would be there in twice the time.
+            stage.nominal[f"{phase.edge.id}/flight_time"] = 2.0 * duration
+            stage.heights[actor] = MEETING_HEIGHT_M
+    frame = stage.frames.setdefault(a, Frame())
+    ta, tb = stage.tracks[a], stage.tracks[b]
+    heading = ta.heading + frame.angle
+    x, y = frame.apply(ta.x, ta.y)
+    reach = stage.prop(a).half_length + stage.prop(b).half_length
+    meet = (x + reach * math.cos(heading), y + reach * math.sin(heading))
+    stage.frames[b] = frame_mapping((tb.x, tb.y), tb.heading, meet, heading + math.pi)
+    for actor in (a, b):
+        ox, oy = stage.frames[actor].apply(0.0, 0.0)
+        stage.places[actor] = (ox, oy, stage.frames[actor].angle)
+
+
+def _dropped_together(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
+    """Two that are let go at once: one above the other, which meets it as it bounces back.
+
+    Until the lower one lands their gap stays; from then on it closes at (1 + e) g t.
+    """
+    goes_on_falling = [n for n in stage.story.after(node.id) if n.event is NodeEvent.FALL]
+    stated = {n: asked_height(stage, node, n) for n in (a, b)}
+    falls_on = any(b in map(stage.key, n.participants) for n in goes_on_falling)
+    if (stated[b] or 0.0, falls_on) > (stated[a] or 0.0, not falls_on):
+        a, b = b, a
+    lower = stage.prop(b)
+    time = stage.prescribed_time(node)
+    begun = max(stage.tracks[a].time, stage.tracks[b].time)
+    height = stated[b] or fallen(LANDS_S if time is None else time - begun - MEETS_AFTER_S)
+    lands = math.sqrt(2.0 * height / GRAVITY_MPS2)
+    restitution = 0.5 * (lower.restitution + ground_restitution(stage.doc))
+    gap = (1.0 + restitution) * GRAVITY_MPS2 * lands * MEETS_AFTER_S
+    above = stated[a]
+    if above is not None and above > height + lower.height + 0.05:
+        gap = above - height - lower.height
+    for actor, bottom in ((b, height), (a, height + lower.height + gap)):
+        stage.tracks[actor].time = begun + lands + MEETS_AFTER_S
+        stage.places[actor] = (0.0, 0.0, 0.0)
+        stage.frames[actor] = Frame()
+        stage.heights[actor] = bottom
+    stage.time[node.id] = stage.tracks[a].time
+
+
+def _dropped_onto(stage: Stage, node: TimelineNode, a: str, b: str, phase: Phase | None) -> None:
+    """A body falls onto another one that is on its way in `phase`, or rests where that is None."""
+    pb, fall, track = stage.prop(b), stage.tracks[a], stage.tracks[b]
+    height, time = drop_height(stage, node, a, pb), stage.prescribed_time(node)
+    if asked_height(stage, node, a) is None:
+        # It is let go at the start: the height is what takes so long.
+        usual = max(math.sqrt(2.0 * height / GRAVITY_MPS2), track.time - fall.time + LANDS_AFTER_S)
+        height = fallen(usual if time is None else time - fall.time)
+    fall.time += math.sqrt(2.0 * height / GRAVITY_MPS2)
+    if phase is not None:
+        speed = stage.speed(b, phase)
+        duration = max(0.2, fall.time - track.time)
+        if phase.edge.event is EdgeEvent.BRAKE:
+            before = track.speed or speed
+            way, duration, left = brake_into(stage, phase, before, fall.time, track.time)
+        else:
+            stage.nominal[f"{phase.edge.id}/speed"] = left = speed
+            way = covers(stage, b, phase, speed, duration)
+        track.straight(way, duration, left)
+    stage.time[node.id] = max(fall.time, track.time)
+    if stage.story.flies(b):
+        stage.heights.setdefault(b, MEETING_HEIGHT_M)
+    frame = stage.frames.setdefault(b, Frame())
+    stage.places.setdefault(b, (*frame.apply(0.0, 0.0), frame.angle + stage.reverse_yaw(b)))
+    x, y = frame.apply(track.x, track.y)
+    stage.places[a] = (x, y, 0.0)
+    stage.frames[a] = Frame(x, y, 0.0)
+    stage.heights[a] = stage.heights.get(b, 0.0) + pb.height + height
+
+
+def run_into(
+    stage: Stage, node: TimelineNode, behind: str, chase: Phase, front: str, lead: Phase | None
+) -> None:
+    """One runs into another that met an obstacle before: from behind, the only way surely free.
+
+    Args:
+        stage: The stage.
+        node: Their meeting.
+        behind: Who comes, without a place so far.
+        chase: Its phase that ends there.
+        front: Who met the obstacle.
+        lead: Its phase that ends there, None where it rests.
+    """
+    if is_dropped(chase):
+        _dropped_onto(stage, node, behind, front, lead)
+        return
+    rear, ahead = stage.tracks[behind], stage.tracks[front]
+    speed = stage.speed(behind, chase, min_hit_speed(stage.prop(behind), stage.prop(front)))
+    time = stage.prescribed_time(node) or ahead.time + AFTER_HIT_S
+    if lead is not None:
+        wait = max(time - ahead.time, 0.2)
+        left = stage.speed(front, lead)
+        if lead.edge.event is EdgeEvent.BRAKE:
+            way, _, left = brake_into(stage, lead, ahead.speed, time, ahead.time)
+        else:
+            if not speed_is_fixed(lead):
+                left = min(left, 0.6 * speed)
+            stage.nominal[f"{lead.edge.id}/speed"] = left
+            way = left * wait
+        ahead.straight(way, wait, left)
+    reach = stage.prop(behind).half_length + stage.prop(front).half_length
+    first = ahead.points[-1]
+    covered = max(math.dist(first, p) for p in ahead.points)
+    least = covered + reach + BEHIND_M
+    duration = max(0.2, time - rear.time)
+    if speed * duration < least and not speed_is_fixed(chase):
+        speed = min(least / duration, max(speed, FASTEST_MPS))
+    if speed * duration < least and stage.prescribed_time(node) is None:
+        duration = least / speed
+    stage.nominal[f"{chase.edge.id}/speed"] = speed
+    rear.straight(speed * duration, duration, speed)
+    stage.time[node.id] = rear.time
+    frame = stage.frames[front]
+    heading = ahead.heading + frame.angle
+    x, y = frame.apply(ahead.x, ahead.y)
+    touch = (x - reach * math.cos(heading), y - reach * math.sin(heading))
+    if behind not in stage.frames:
+        stage.frames[behind] = frame_mapping((rear.x, rear.y), rear.heading, touch, heading)
+    x, y = stage.frames[behind].apply(0.0, 0.0)
+    turned = stage.frames[behind].angle + stage.reverse_yaw(behind)
+    stage.places[behind] = (x, y, turned)
+
+
+def _rear_end(
+    stage: Stage, node: TimelineNode, behind: str, chase: Phase, front: str, lead: Phase
+) -> None:
+    """One runs into the back of another that brakes or is slower."""
+    if behind in stage.overtaken and stage.overtaken[behind][0] == front:
+        cut_in(stage, node, behind, chase, front, lead)
+        return
+    rear, ahead = stage.tracks[behind], stage.tracks[front]
+    speed = stage.speed(behind, chase)
+    began = ahead.time
+    time = stage.prescribed_time(node) or began + float(stage.rng.uniform(1.0, 1.4))
+    if lead.edge.event is EdgeEvent.BRAKE:
+        distance, _, left = brake_into(stage, lead, ahead.speed, time, began)
+    else:
+        left = stage.speed(front, lead)
+        if left >= 0.85 * speed:
+            if speed_is_fixed(chase):
+                left = 0.6 * speed
+            else:
+                speed = left / 0.6
+        stage.nominal[f"{lead.edge.id}/speed"] = left
+        distance = left * (time - began)
+    stage.nominal[f"{chase.edge.id}/speed"] = speed
+    ahead.straight(distance, time - began, left)
+    rear.straight(speed * (time - rear.time), time - rear.time, speed)
+    gap = max(rear.x - ahead.x, 0.3)
+    reach = stage.prop(behind).half_length + stage.prop(front).half_length
+    stage.frames[behind] = Frame()
+    stage.frames[front] = Frame(gap + reach, 0.0, 0.0)
+    stage.places[behind] = (0.0, 0.0, 0.0)
+    stage.places[front] = (gap + reach, 0.0, 0.0)
+
+
+def _goes_ahead(stage: Stage, node: TimelineNode, a: str, b: str) -> str | None:
+    """Which of two drivers runs into something else after their meeting, if only one of them does.
+
+    Head-on the other would be in its way: in a pile-up it is hit from behind.
+    """
+    on = [
+        n
+        for n in (a, b)
+        if not stage.story.flies(n)
+        and stage.prop(n).wheeled
+        and any(
+            p.start.id == node.id
+            and p.end.event in (NodeEvent.COLLISION, NodeEvent.REACH)
+            and not {a, b} >= set(map(stage.key, p.end.participants))
+            for p in stage.story.phases[n]
+        )
+    ]
+    return on[0] if len(on) == 1 and on[0] not in stage.places else None
+
+
+def _same_direction(stage: Stage, a: str, b: str) -> bool:
+    words = " ".join(stage.doc.spatial_relation_graph.nodes[n].label.lower() for n in (a, b))
+    return any(w in words.split() for w in ("front", "rear", "lead", "leading", "following"))
+
+
+def _is_front(stage: Stage, a: str) -> bool:
+    words = stage.doc.spatial_relation_graph.nodes[a].label.lower().split()
+    return any(w in words for w in ("front", "lead", "leading"))
+
+
+def covers(stage: Stage, actor: str, phase: Phase, speed: float, duration: float) -> float:
+    """Way [m] of an actor in a given time: what was let go at a fixed speed slows down.
+
+    Where the speed is open, it starts that much faster instead (`variables.damping_loss`).
+    """
+    let_go = phase.edge.event is EdgeEvent.TOWARD and not stage.story.flies(actor)
+    if not let_go or not speed_is_fixed(phase):
+        return speed * duration
+    return braking_distance(speed, stage.prop(actor).damping, duration)
+
+
+def brake_into(
+    stage: Stage, phase: Phase, speed: float, prescribed: float | None, now: float
+) -> tuple[float, float, float]:
+    """Braking that still ends in a hit: at most half of the speed is left."""
+    low, high, _ = bounds(phase.edge.params.damping, (0.3, 6.0))
+    left = 0.38
+    duration = (
+        max(0.2, prescribed - now) if prescribed is not None else float(stage.rng.uniform(0.7, 1.0))
+    )
+    actor = phase.edge.actor
+    body = stage.prop(actor)
+    drag = 0.0 if stage.story.soars(actor) else coasting_drag(body)
+    powered = stage.story.phases[actor][0].edge.event is not EdgeEvent.TOWARD
+    if powered and not (body.wheeled or body.rolls) and (1.0 - left) * speed < drag * duration:
+        # Its soles would stop it before the hit: it slows down step by step instead.
+        stage.nominal[f"{phase.edge.id}/stopping"] = duration / (1.0 - left)
+        return 0.5 * (1.0 + left) * speed * duration, duration, left * speed
+    if prescribed is None and drag > 0.0:
+        duration = min(duration, 0.7 * (1.0 - left) * speed / drag)
+    damping = min(max(stopping_damping(speed, duration, drag, left * speed), low), high)
+    stage.nominal[f"{phase.edge.id}/damping"] = damping
+    distance, slower = slowing(speed, damping, drag, duration)
+    return distance, duration, slower

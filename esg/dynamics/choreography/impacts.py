@@ -1,0 +1,329 @@
+"""What a hit leads to: the struck body runs on into the next one, or the mover is thrown back."""
+
+from __future__ import annotations
+
+import math
+
+from esg.dynamics.casting.dominoes import REACH, are_slabs, down_first
+from esg.dynamics.choreography.demands import KEPT, thrown_back_share
+from esg.dynamics.choreography.flights import hits_level, slowed, thrown_back
+from esg.dynamics.choreography.placing import bring_support, goes_on, hits_on
+from esg.dynamics.choreography.stage import Stage
+from esg.dynamics.story.kinematics import (
+    Frame,
+    Track,
+    back_spin,
+    braking_distance,
+    half_along,
+    impact_speed,
+    rolling_travel,
+    sliding_distance,
+    sliding_travel,
+)
+from esg.dynamics.story.solid import beside_the_middle
+from esg.dynamics.story.stagecraft import (
+    TO_EDGE_M,
+    Prop,
+    coasting_drag,
+    support_of,
+    target_yaw,
+    top_surface,
+)
+from esg.dynamics.story.tipping import first_touch, stand_of
+from esg.graph.models import NodeEvent, TimelineNode
+from esg.units import GRAVITY_MPS2
+
+THROWN_BACK = 0.3
+"""Share of its speed from which something that hits a heavier body counts as thrown back."""
+APART_S, IN_ROW_S = 0.16, 0.22
+"""Least time between two hits of a chain, and between those of a row of three or more."""
+DOWN_S, FALLEN, THIN_FALLEN = 0.3, 0.85, 0.7
+"""Time in which a struck body falls over, and the shares of its height that are out of its reach
+until it is down: of a broad body, and of one thin as a pin, which slides less."""
+DOMINO_GAP = 0.7
+"""Gap of dominoes over their height: nearer ones hit each other within a tenth of a second."""
+IN_ORDER_S = 0.1
+"""Least time between two events of which one follows the other."""
+FARTHEST_AHEAD = 1.2
+"""Longest way, over its height, that the base of a body runs ahead while it tips back."""
+LEAST_LEFT = 0.3
+"""Least share of its speed that is reckoned with where something has slid to what it hits."""
+NEXT_BALL_S = (0.15, 0.19)
+"""Time between the hits of a chain of balls."""
+BALL_GAP, NARROW = 0.45, 1.5
+"""Share of the usual gap between balls of a chain; narrow things, in ball's widths, are as near."""
+BOUNCE_RAD, BOUNCE_KEPT = math.radians(25.0), 0.75
+"""Angle at which a ball meets a wall it bounces off, and what it keeps of its speed along it."""
+
+BEHIND_M, LONGEST_BACK_S = 0.25, 2.5
+"""From what bounced straight back, where it started, to what it meets; longest time of that way."""
+
+
+def impact(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
+    """After the hit, b runs on along a's heading and a keeps the rest of the momentum."""
+    if a in stage.tracks and a in stage.frames:
+        source, frame = stage.tracks[a], stage.frames[a]
+    else:
+        source, frame = stage.moving.get(a, Track()), Frame()
+    stage.time[node.id] = source.time
+    if node.event is not NodeEvent.COLLISION or b in stage.tracks:
+        return
+    pa, pb = stage.prop(a), stage.prop(b)
+    if b not in stage.places:
+        return
+    restitution = 0.5 * (pa.restitution + pb.restitution)
+    if pb.fixed:
+        _bounce(stage, node, a, b, restitution)
+        return
+    back = (restitution * pb.mass - pa.mass) / (pa.mass + pb.mass)
+    if back > THROWN_BACK and not goes_on(stage, node, b):
+        _bounce(stage, node, a, b, back)
+        return
+    speed = impact_speed(pa.mass, pb.mass, source.speed, restitution)
+    x, y, _ = stage.places[b]
+    heading = source.heading + frame.angle
+    spin = 0.0
+    if pa.rolls and pb.rolls:
+        rubs = 0.5 * (pa.friction + pb.friction)
+        spin = back_spin(pa.mass, pb.mass, source.speed, rubs, speed)
+    stage.moving[b] = Track(x, y, heading, speed, source.time, spin, [(x, y)])
+    left = max(0.05, source.speed - pb.mass / pa.mass * speed)
+    if a in stage.arcs:
+        slowed(stage, a, min(left / max(source.speed, 0.05), 1.0))
+    source.speed = left
+
+
+def _bounce(stage: Stage, node: TimelineNode, a: str, b: str, restitution: float) -> None:
+    """A ball or puck that goes on to something else after a hit of a wall comes straight back.
+
+    What waits for it lies behind its start: engines differ in how much of the speed along a
+    wall friction takes in a bounce. What is thrown meets the wall squarely, too, as it
+    neither rises nor falls. Where the time is too short for that, or the speed of a throw is
+    stated, the wall is turned by `BOUNCE_RAD`, so that the way back does not lead over the start.
+    """
+    pa, pb = stage.prop(a), stage.prop(b)
+    if a not in stage.tracks or a not in stage.frames:
+        return
+    track, frame = stage.tracks[a], stage.frames[a]
+    if pa.wheeled or not goes_on(stage, node, a) or b == stage.anchor:
+        return
+    if any(p.start.id == node.id and stage.strands(p) for p in stage.story.phases[a]):
+        return
+    heading = track.heading + frame.angle
+    side = float(stage.rng.choice([-1.0, 1.0]))
+    rolling = pa.rolls and not stage.story.flies(a)
+    back = thrown_back_share(restitution, rolling=rolling)
+    level = hits_level(stage, node, a, b)
+    least = None if level else _way_back(stage, node, a, b, max(back, 0.1) * track.speed)
+    tilt = BOUNCE_RAD if least is None and not level else 0.0
+    if least is not None:
+        stage.way_back[a] = least
+    normal = max(back, 0.1) * math.cos(tilt)
+    along = BOUNCE_KEPT * math.sin(tilt)
+    x, y = frame.apply(track.x, track.y)
+    # Its centre, where it touches, to the middle of the wall, which faces the ball obliquely.
+    facing = heading + math.pi + side * tilt
+    yaw = facing + (math.pi / 2 if pb.length > 1.15 * pb.width else 0.0)
+    reach = pa.half_width + half_along(pb.length, pb.width, yaw - facing)
+    contact = (
+        x + (pa.half_length - pa.half_width) * math.cos(heading),
+        y + (pa.half_length - pa.half_width) * math.sin(heading),
+    )
+    stage.places[b] = (
+        contact[0] - reach * math.cos(facing),
+        contact[1] - reach * math.sin(facing),
+        yaw,
+    )
+    track.heading = facing + side * math.atan2(along, normal) - frame.angle
+    track.speed *= math.hypot(normal, along)
+    if a in stage.arcs:
+        back = track.heading + frame.angle
+        thrown_back(stage, a, back, restitution, tilt)
+    stage.thrown_back.add(a)
+
+
+def returns(stage: Stage, node: TimelineNode, a: str, b: str) -> bool:
+    """Whether a may come straight back over its start from b, which it meets first, on the ground.
+
+    Args:
+        stage: The stage.
+        node: Their meeting.
+        a: Who bounces off.
+        b: What it bounces off.
+    """
+    if node.event is not NodeEvent.COLLISION or not stage.story.is_active(a):
+        return False
+    if stage.anchor is not None or stage.story.flies(a) or not stage.prop(b).fixed:
+        return False
+    return not (stage.prop(a).wheeled or a in stage.met) and goes_on(stage, node, a)
+
+
+def _way_back(stage: Stage, node: TimelineNode, a: str, b: str, speed: float) -> float | None:
+    """Least way [m] from b back past a's start to what it meets next; None if it takes too long."""
+    track = stage.tracks[a]
+    if not returns(stage, node, a, b) or len(track.points) > 2:
+        return None
+    way = math.dist(track.points[0], (track.x, track.y)) + stage.prop(a).length + BEHIND_M
+    lasts = LONGEST_BACK_S
+    for later in stage.story.after(node.id):
+        if a in map(stage.key, later.participants):
+            asked = stage.prescribed_time(later)
+            lasts = lasts if asked is None else asked - track.time
+            break
+    return way if way < lasts * speed else None
+
+
+def chain(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
+    """A passive body set in motion by an earlier hit runs on into the next one."""
+    if a not in stage.moving and b in stage.moving:
+        a, b = b, a
+    track = stage.moving.get(a)
+    if track is None or b in stage.places:
+        return
+    pa, pb = stage.prop(a), stage.prop(b)
+    in_row = _in_row(stage, node, a, b)
+    gap = _coasting_gap(stage, pa, pb, track.speed, IN_ROW_S if in_row else APART_S)
+    if not pa.rolls and not pb.fixed and hits_on(stage, node, b):
+        # Sliding on costs speed that the next ones need.
+        gap = min(gap, sliding_travel(track.speed, coasting_drag(pa), IN_ROW_S))
+    gap *= stage.tight
+    thin = pa.height > 2.5 * pa.length and not pa.rolls
+    if thin:
+        # Tall and thin: it topples onto the next one, which stands within its reach.
+        gap = DOMINO_GAP * pa.height if are_slabs(pa, pb) else min(gap, 0.5 * pa.height)
+    if _falls_before(stage, node, a):
+        # It is to be down before it arrives.
+        slides = sliding_distance(track.speed, 0.5 * (pa.friction + pa.rough))
+        falls = max(DOWN_S, math.sqrt(pa.height / GRAVITY_MPS2) + IN_ORDER_S)
+        gap = max(gap, min(falls * track.speed, 0.5 * slides))
+        if not (pa.rolls or stage.airborne):
+            # It reaches as far as it is high, and touches what is nearer while it still stands.
+            gap = max(gap, (THIN_FALLEN if thin else FALLEN) * pa.height)
+            if are_slabs(pa, pb) and down_first(pa.height, knocked=True):
+                gap = REACH * pa.height
+            if _kicked(stage, node, a):
+                ahead = (math.sqrt(pa.height / GRAVITY_MPS2) + IN_ORDER_S) * track.speed
+                gap = max(gap, min(ahead, FARTHEST_AHEAD * pa.height))
+    rubs = 0.5 * (pa.friction + stage.ground_friction())
+    rolled: float | None = None
+    if pa.rolls and pb.rolls and node.event is NodeEvent.COLLISION:
+        # It slides at first, against its back spin: later balls of a chain are much slower.
+        lasts = float(stage.rng.uniform(*NEXT_BALL_S))
+        gap, rolled = rolling_travel(track.speed, rubs, lasts * stage.tight, track.spin)
+        gap = max(gap, 0.05)
+    prescribed = stage.prescribed_time(node)
+    if prescribed is not None:
+        wait = max(prescribed - track.time, 0.05)
+        slows = braking_distance(1.0, pa.damping, wait) / wait
+        gap = max(0.1, sliding_travel(track.speed, _drag(stage, pa), wait) * slows)
+        if pa.rolls:
+            gap = max(0.05, rolling_travel(track.speed, rubs, wait, track.spin)[0] * slows)
+    yaw = target_yaw(pb, track.heading, stage.rng)
+    if node.event is NodeEvent.ENTER_REGION:
+        yaw = track.heading + math.pi
+    jitter = float(stage.rng.uniform(-0.3, 0.3)) * pb.half_lateral(yaw - track.heading)
+    if pb.rolls and goes_on(stage, node, b):
+        # Off its middle it would leave the line on which the next one lies.
+        jitter = 0.0
+    if stage.story.topples(stage.member(b)):
+        # A hit past its middle turns it instead.
+        jitter = 0.0
+    off = beside_the_middle(pa, pb, track.heading - yaw)
+    jitter = -off if off else jitter
+    # What was met broadside goes on broadside.
+    ahead = pa.half_length
+    if a in stage.places:
+        ahead = half_along(pa.length, pa.width, stage.places[a][2] - track.heading)
+    reach = gap + ahead + half_along(pb.length, pb.width, yaw - track.heading)
+    reach = _landing(stage, node, a, b, track.speed) or reach
+    c, s = math.cos(track.heading), math.sin(track.heading)
+    stage.places[b] = (track.x + reach * c - jitter * s, track.y + reach * s + jitter * c, yaw)
+    bring_support(stage, b, stage.places[b][0], stage.places[b][1], track.heading)
+    left = track.speed if rolled is None else rolled
+    if not (pa.rolls or stage.airborne or _falls_before(stage, node, a)):
+        # It slides there, and arrives turned or tilted.
+        slower = math.sqrt(max(left**2 - 2.0 * _drag(stage, pa) * gap, (LEAST_LEFT * left) ** 2))
+        left = slower if pa.wheeled else min(KEPT * left, slower)
+    track.straight(gap, gap / max(0.5 * (track.speed + left), 0.1), left)
+
+
+def _drag(stage: Stage, body: Prop) -> float:
+    """Deceleration [m/s^2] of a body that slides on, or coasts, where it all takes place."""
+    ground = 0.0 if body.wheeled else stage.ground_friction()
+    return 0.5 * (body.friction + ground) * GRAVITY_MPS2
+
+
+def _landing(stage: Stage, node: TimelineNode, a: str, b: str, speed: float) -> float | None:
+    """Way [m] from where a body is knocked off its support to what it comes down in, or None."""
+    if node.event is not NodeEvent.ENTER_REGION:
+        return None
+    support = support_of(stage.doc, stage.member(a))
+    before = stage.story.ancestors(node.id)
+    falls = any(
+        n.id in before and n.event is NodeEvent.FALL and a in map(stage.key, n.participants)
+        for n in stage.story.nodes.values()
+    )
+    if not falls or support is None or support_of(stage.doc, stage.member(b)) is not None:
+        return None
+    height = top_surface(stage.doc, support).center_cm[2] / 100.0 - stage.prop(b).height
+    if height < 0.05:
+        return None
+    over_edge = math.sqrt(max(speed**2 - 2.0 * coasting_drag(stage.prop(a)) * TO_EDGE_M, 0.04))
+    return TO_EDGE_M + over_edge * math.sqrt(2.0 * height / GRAVITY_MPS2)
+
+
+def _falls_before(stage: Stage, node: TimelineNode, a: str) -> bool:
+    """Whether a body has toppled by the time of an event."""
+    before = stage.story.ancestors(node.id)
+    return any(
+        n.id in before and n.event is NodeEvent.TOPPLE and a in map(stage.key, n.participants)
+        for n in stage.story.nodes.values()
+    )
+
+
+def _kicked(stage: Stage, node: TimelineNode, a: str) -> bool:
+    """Whether a body was hit below its centre: its base runs ahead while it tips back."""
+    body = stage.prop(a)
+    stand = stand_of(body)
+    before = stage.story.ancestors(node.id)
+    for hit in stage.story.nodes.values():
+        keys = list(map(stage.key, hit.participants))
+        if hit.id not in before or hit.event is not NodeEvent.COLLISION or a not in keys:
+            continue
+        for mover in keys:
+            flies = mover in stage.tracks and stage.story.flies(mover)
+            if mover != a and not flies:
+                touch = first_touch(stage.prop(mover), body, stand, flies=False)
+                return touch is not None and touch.height < stand.height
+    return False
+
+
+def _in_row(stage: Stage, node: TimelineNode, a: str, b: str) -> bool:
+    """Whether a hit of something carried leads to another one, or follows from one."""
+    if hits_on(stage, node, b):
+        return True
+    before = stage.story.ancestors(node.id)
+    return any(
+        n.id in before
+        and n.event is NodeEvent.COLLISION
+        and a in (keys := list(map(stage.key, n.participants)))
+        and not any(k in stage.tracks for k in keys)
+        for n in stage.story.nodes.values()
+    )
+
+
+def _coasting_gap(stage: Stage, body: Prop, target: Prop, speed: float, apart_s: float) -> float:
+    """Free run [m] to the next target that a body set in motion surely covers.
+
+    A ball that hits a ball off its centre by x sends it off by x over their radii, so that each
+    further ball of a chain multiplies an error by the gap in diameters: balls lie close.
+    """
+    reach = 50.0 if body.rolls else sliding_distance(speed, 0.5 * (body.friction + body.rough))
+    preferred = float(stage.rng.uniform(0.28, 0.36)) * speed
+    if body.rolls and (target.rolls or max(target.length, target.width) < NARROW * body.width):
+        preferred *= BALL_GAP
+    far = 0.4 * reach
+    if not body.rolls:
+        # What follows within a tenth of a second counts as the same hit.
+        far = max(far, min(sliding_travel(speed, coasting_drag(body), apart_s), 0.75 * reach))
+    return max(0.05, min(preferred, far, 2.5))

@@ -1,0 +1,193 @@
+"""What the actors do on their own: timed segments, turns, stops and falls."""
+
+from __future__ import annotations
+
+import math
+
+from esg.dynamics.choreography.falls import goes_over_edge, over_edge, tip_over
+from esg.dynamics.choreography.placing import asked_distance, gap_left, join
+from esg.dynamics.choreography.stage import Stage
+from esg.dynamics.story.kinematics import (
+    Frame,
+    braking_distance,
+    damping_for_way,
+    sliding_travel,
+    stopping_damping,
+    stopping_way,
+)
+from esg.dynamics.story.stagecraft import coasting_drag, top_surface
+from esg.dynamics.story.story import Phase, bounds, middle, rebounds, turn_of
+from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
+
+TURNED_RAD = math.radians(10.0)
+"""A turn counts as made this far before its end: between the end of its tolerance and of itself."""
+LONGEST_STOP_S = 10.0
+SLIDES_ON = 0.4
+"""Share of the time to rest after which something that slides is acted upon at the latest."""
+REBOUND_S = 0.15
+"""Time from a hit of something fixed to the brake that follows it."""
+
+
+def controlled(stage: Stage, node: TimelineNode) -> None:
+    """Trigger: its time is the prescribed one, or that of a short run."""
+    prescribed = stage.prescribed_time(node)
+    arrived: list[float] = []
+    for actor, phase in stage.incoming(node):
+        track = stage.tracks[actor]
+        if prescribed is not None:
+            duration = max(0.2, prescribed - track.time)
+        elif rebounds(stage.story, phase, lambda name: stage.prop(name).fixed):
+            track.straight(0.0, REBOUND_S, 0.25 * track.speed)
+            arrived.append(track.time)
+            continue
+        else:
+            duration = float(stage.rng.uniform(1.2, 1.8)) * stage.tight
+        _advance(stage, actor, phase, duration)
+        arrived.append(track.time)
+    if not arrived:
+        low, high = node.window or (1.0, 1.0)
+        arrived = [prescribed if prescribed is not None else max(low, min(high, low + 0.5))]
+    stage.time[node.id] = max(arrived)
+    stage.nominal[f"{node.id}/time"] = stage.time[node.id]
+
+
+def turned(stage: Stage, node: TimelineNode) -> None:
+    """HeadingReached: an arc at a plausible turn rate."""
+    lead = 0.0
+    for actor, phase in stage.incoming(node):
+        track = stage.tracks[actor]
+        speed = stage.speed(actor, phase) if phase.edge.params.speed else track.speed
+        track.speed = speed or stage.speed(actor, phase)
+        stage.nominal[f"{phase.edge.id}/speed"] = track.speed
+        low, high, fixed = bounds(phase.edge.params.turn_rate_deg_s, (25.0, 70.0))
+        rate = math.radians(low if fixed else min(max(45.0, low), high))
+        degrees, sign = turn_of(phase)
+        stage.nominal[f"{phase.edge.id}/turn_rate"] = rate
+        track.arc(sign * math.radians(degrees), rate)
+        lead = TURNED_RAD / rate
+    times = [stage.tracks[a].time for a in stage.tracks if a in node.participants]
+    stage.time[node.id] = max(times, default=1.0) - lead
+
+
+def plain(stage: Stage, node: TimelineNode) -> None:
+    """Stop, Topple, Fall, PositionAt: what remains of the actors' motion, nothing to place."""
+    prescribed = stage.prescribed_time(node)
+    told = False
+    for actor, phase in stage.incoming(node):
+        if goes_over_edge(stage, actor, node):
+            over_edge(stage, actor, phase, node)
+            told = True
+            continue
+        if stage.story.tips(phase):
+            tip_over(stage, actor, phase, node)
+            told = True
+            continue
+        track = stage.tracks[actor]
+        duration = _stop_time(node) if node.event is NodeEvent.STOP else 2.0
+        if prescribed is not None:
+            duration = max(0.3, prescribed - track.time)
+        _advance(stage, actor, phase, duration)
+    apart = gap_left(stage, node)
+    if apart is not None and apart[0] in stage.tracks and apart[1] not in stage.tracks:
+        join(stage, apart[0], apart[1], node, apart[2])
+    if told:
+        return
+    times = [stage.tracks[p].time for p in node.participants if p in stage.tracks]
+    before = [stage.time.get(b, 0.0) for b in stage.story.before.get(node.id, ())]
+    stage.time[node.id] = prescribed or max([*times, *(t + 0.5 for t in before)], default=1.0)
+    if node.event is NodeEvent.FALL:
+        _place_for_fall(stage, node)
+
+
+def _advance(stage: Stage, actor: str, phase: Phase, duration: float) -> None:
+    """Moves an actor through a phase whose end is set by time."""
+    track, edge = stage.tracks[actor], phase.edge
+    if edge.event is EdgeEvent.BRAKE:
+        speed = track.speed or stage.speed(actor, phase)
+        low, high, fixed = bounds(edge.params.damping, (0.3, 8.0))
+        stop = phase.end.event is NodeEvent.STOP
+        if stop:
+            drag = max(coasting_drag(stage.prop(actor)), 0.02)
+            way = asked_distance(stage, phase.end, actor)
+            if way is not None:
+                damping = damping_for_way(speed, way, drag)
+                duration = min(stopping_way(speed, damping, drag)[1], LONGEST_STOP_S)
+            else:
+                damping = stopping_damping(speed, duration, drag)
+        else:
+            damping = -math.log(0.4) / duration
+        damping = low if fixed else min(max(damping, low), high)
+        walker = stage.prop(actor)
+        soars = stage.story.soars(actor)
+        if soars or (
+            stop
+            and not (walker.wheeled or walker.rolls)
+            and _stops_by_itself(stage, actor, duration)
+        ):
+            # Friction alone would stop it sooner: it slows down step by step instead.
+            stage.nominal[f"{edge.id}/stopping"] = duration
+            track.straight(0.5 * speed * duration, duration, 0.0)
+            return
+        stage.nominal[f"{edge.id}/damping"] = damping
+        distance = braking_distance(speed, damping, duration)
+        track.straight(distance, duration, speed * math.exp(-damping * duration))
+        return
+    speed = stage.speed(actor, phase)
+    if edge.event is EdgeEvent.ACCELERATED_MOTION:
+        low, high, fixed = bounds(edge.params.acceleration, (100.0, 400.0))
+        rate = (low if fixed else middle(low, high) if low > 0 else 0.5 * (low + high)) / 100.0
+        start = track.speed if track.time > 0 else (speed if edge.params.speed is not None else 0.5)
+        stage.nominal[f"{edge.id}/acceleration"] = rate
+        stage.nominal[f"{edge.id}/speed"] = start
+        end = max(0.0, start + rate * duration)
+        track.straight(0.5 * (start + end) * duration, duration, end)
+        return
+    stage.nominal[f"{edge.id}/speed"] = speed
+    body = stage.prop(actor)
+    drag = coasting_drag(body)
+    if edge.event is EdgeEvent.TOWARD and drag > 0.0 and not stage.story.flies(actor):
+        if not phase.end.time_is_prescribed:
+            duration = min(duration, SLIDES_ON * speed / drag)  # not at rest by then
+        left = max(0.0, speed - drag * duration)
+        track.straight(sliding_travel(speed, drag, duration), duration, left)
+        return
+    track.straight(speed * duration, duration, speed)
+
+
+def _stops_by_itself(stage: Stage, actor: str, duration: float) -> bool:
+    """Whether something that walks or runs would slide to rest sooner than it is to stop."""
+    phases = stage.story.phases[actor]
+    drag = coasting_drag(stage.prop(actor))
+    powered = phases[0].edge.event is not EdgeEvent.TOWARD
+    return powered and stage.tracks[actor].speed < 1.1 * drag * duration
+
+
+def _stop_time(node: TimelineNode) -> float:
+    """Prescribed or usual duration of a stop [s]."""
+    for c in node.constraints:
+        if c.quantity == "time_to_stop":
+            low, high, _ = bounds(c.value, (2.0, 2.0))
+            return 0.5 * (low + high)
+    return 2.0
+
+
+def _place_for_fall(stage: Stage, node: TimelineNode) -> None:
+    """What shall fall off its support starts near the edge that its motion leads to."""
+    if stage.anchor is None or stage.lifted or not node.participants:
+        return
+    name = stage.key(node.participants[0])
+    if name not in stage.places:
+        return
+    surface = top_surface(stage.doc, stage.anchor)
+    across = surface.half_extents_cm[1] < surface.half_extents_cm[0]
+    edge = surface.half_extents_cm[1 if across else 0] / 100.0
+    x, y, _ = stage.places[name]
+    angle = math.pi / 2 if across else 0.0
+    shift = edge - 0.6 * stage.prop(name).half_length - 0.05 - x
+    moved = {k: (px + shift, py - y, yaw) for k, (px, py, yaw) in stage.places.items()}
+    turn = Frame(angle=angle)
+    for key, (px, py, yaw) in moved.items():
+        cx, cy = surface.center_cm[0] / 100.0, surface.center_cm[1] / 100.0
+        tx, ty = turn.apply(px, py)
+        stage.places[key] = (cx + tx, cy + ty, None if yaw is None else yaw + angle)
+    stage.frames = {a: Frame(*stage.places[a][:2], stage.places[a][2] or 0.0) for a in stage.frames}

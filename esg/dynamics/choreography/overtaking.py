@@ -1,0 +1,163 @@
+"""One driver passes another, and may cut in before it and be run into from behind."""
+
+from __future__ import annotations
+
+import math
+
+from esg.dynamics.choreography.placing import asked_distance
+from esg.dynamics.choreography.stage import FASTEST_MPS, Stage, speed_is_fixed
+from esg.dynamics.story.kinematics import Frame, braking_distance
+from esg.dynamics.story.story import Phase, bounds
+from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
+
+BESIDE_M = 0.6
+"""Gap between two that drive side by side."""
+CLEAR_M = 1.5
+"""How far one is ahead of the other when it cuts in."""
+CUT_IN_S = 1.2
+"""Time it is given for that after they were side by side, beside what the story leaves."""
+HARD_BRAKE = 2.5
+"""Damping [1/s] of who brakes right before another."""
+OVERLAP = 0.3
+"""Offset of the two at the hit, as a share of the other's half width."""
+LONGEST_S = 6.0
+SLOWER = 0.9
+"""Speed of who was overtaken, at most, over the other's."""
+
+
+def overtake(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) -> bool:
+    """Lets a pass b, which drives the same way at a lower speed from the start on.
+
+    Returns:
+        False, and nothing is changed, where b does not drive or the given speeds rule it out.
+    """
+    if b not in stage.tracks or b in stage.frames or stage.story.flies(a):
+        return False
+    slow_phase = stage.story.phases[b][0]
+    if slow_phase.start.event is not NodeEvent.SCENE_START:
+        return False
+    if slow_phase.edge.event not in (EdgeEvent.UNIFORM_MOTION, EdgeEvent.ACCELERATED_MOTION):
+        return False
+    track, pa, pb = stage.tracks[a], stage.prop(a), stage.prop(b)
+    fast, slow = stage.speed(a, phase), stage.speed(b, slow_phase)
+    reach = pa.half_length + pb.half_length
+    gain = (reach + CLEAR_M) / CUT_IN_S
+    if not speed_is_fixed(phase):
+        low = slow if speed_is_fixed(slow_phase) else 0.6 * gain
+        fast = min(max(fast, low + gain), max(FASTEST_MPS, 1.3 * low))
+    if not speed_is_fixed(slow_phase):
+        slow = max(min(slow, fast - gain), 0.35 * fast)
+    if fast < 1.1 * slow:
+        return False
+    prescribed = stage.prescribed_time(node)
+    duration = (reach + CLEAR_M) / (fast - slow)
+    if prescribed is not None:
+        duration = max(prescribed - track.time, 0.2)
+    stage.nominal[f"{phase.edge.id}/speed"] = fast
+    stage.nominal[f"{slow_phase.edge.id}/speed"] = slow
+    track.straight(fast * duration, duration, fast)
+    stage.time[node.id] = stage.nominal[f"{node.id}/time"] = track.time
+    frame = stage.frames.setdefault(a, Frame())
+    stage.places[a] = (*frame.apply(0.0, 0.0), frame.angle)
+    beside = pa.half_width + pb.half_width + (asked_distance(stage, node, a) or BESIDE_M)
+    _put_beside(stage, a, b, (track.x, track.y), track.heading, beside, slow * track.time)
+    stage.overtaken[b] = (a, track.time, (track.x, track.y))
+    return True
+
+
+def cut_in(
+    stage: Stage, node: TimelineNode, behind: str, chase: Phase, front: str, lead: Phase
+) -> None:
+    """Who has overtaken comes before the other, at a small angle, slows down and is run into."""
+    rear, ahead = stage.tracks[behind], stage.tracks[front]
+    side, back = stage.prop(front), stage.prop(behind)
+    _, passed, place = stage.overtaken[behind]
+    fast, key = ahead.speed, f"{chase.edge.id}/speed"
+    # What goes on after it was overtaken is still the slower one.
+    slow = stage.nominal.setdefault(key, min(stage.speed(behind, chase), SLOWER * fast))
+    reach = side.half_length + back.half_length
+    gained = (fast - slow) * (ahead.time - passed)
+    wait = 0.0
+    if gained < reach + CLEAR_M and not lead.start.time_is_prescribed:
+        wait = (reach + CLEAR_M - gained) / (fast - slow)
+        gained = reach + CLEAR_M
+        ahead.straight(fast * wait, wait, fast)
+        stage.time[lead.start.id] = stage.nominal[f"{lead.start.id}/time"] = ahead.time
+    way, duration, left = _slowing(stage, node, lead, ahead.time, fast, slow, gained - reach)
+    began = ahead.time
+    ahead.straight(way, duration, left)
+    rear.straight(slow * (ahead.time - rear.time), ahead.time - rear.time, slow)
+    stage.time[node.id] = ahead.time
+    # Beside each other until it is clear, and before the other when they touch.
+    total = fast * (began - passed) + way
+    clear = fast * reach / (fast - slow)
+    across = side.half_width + back.half_width + BESIDE_M
+    shift = across - OVERLAP * back.half_width
+    angle = math.asin(min(0.3, shift / max(total - 0.8 * clear, 1.0)))
+    beside = across + 0.8 * clear * math.sin(angle)
+    _put_beside(stage, front, behind, place, ahead.heading + angle, beside, slow * passed)
+
+
+def _slowing(
+    stage: Stage,
+    node: TimelineNode,
+    lead: Phase,
+    now: float,
+    fast: float,
+    slow: float,
+    gap: float,
+) -> tuple[float, float, float]:
+    """Way [m], time [s] and last speed of who slows down until the one behind has caught up."""
+    if lead.edge.event is not EdgeEvent.BRAKE:
+        left = fast if speed_is_fixed(lead) else min(fast, 0.4 * slow)
+        stage.nominal[f"{lead.edge.id}/speed"] = left
+        duration = gap / max(slow - left, 0.2)
+        return left * duration, duration, left
+    low, high, _ = bounds(lead.edge.params.damping, (0.3, 6.0))
+    prescribed = stage.prescribed_time(node)
+    damping = min(max(HARD_BRAKE, low), high)
+    step, duration = 0.02, 0.02
+    if prescribed is not None:
+        duration = max(prescribed - now, 0.2)
+        options = [low + k * (high - low) / 50.0 for k in range(51)]
+        damping = min(
+            options,
+            key=lambda c: abs(slow * duration - braking_distance(fast, c, duration) - gap),
+        )
+    else:
+        while slow * duration - braking_distance(fast, damping, duration) < gap:
+            duration += step
+            if duration > LONGEST_S:
+                break
+    stage.nominal[f"{lead.edge.id}/damping"] = damping
+    way = braking_distance(fast, damping, duration)
+    return way, duration, fast * math.exp(-damping * duration)
+
+
+def _put_beside(
+    stage: Stage,
+    a: str,
+    b: str,
+    at: tuple[float, float],
+    heading: float,
+    beside: float,
+    before: float,
+) -> None:
+    """Lets b be to the right of a when that is at a point of its way, coming from behind it.
+
+    Args:
+        stage: The stage.
+        a: Who overtakes.
+        b: Who is overtaken.
+        at: The point, in a's own frame [m].
+        heading: Of b, in a's own frame [rad].
+        beside: Distance of their centres then [m].
+        before: Way of b until then [m].
+    """
+    frame = stage.frames[a]
+    x, y = frame.apply(*at)
+    heading += frame.angle
+    c, s = math.cos(heading), math.sin(heading)
+    x, y = x + beside * s - before * c, y - beside * c - before * s
+    stage.frames[b] = Frame(x, y, heading)
+    stage.places[b] = (x, y, heading)

@@ -1,0 +1,210 @@
+"""Putting what an actor meets where its path leads, with what it stands on."""
+
+from __future__ import annotations
+
+import math
+
+from esg.dynamics.choreography.stage import Stage
+from esg.dynamics.choreography.throws import is_swung
+from esg.dynamics.story.kinematics import (
+    Frame,
+    frame_mapping,
+    half_along,
+    rolling_travel,
+    sliding_travel,
+)
+from esg.dynamics.story.solid import beside_the_middle
+from esg.dynamics.story.stagecraft import Prop, coasting_drag, support_of, target_yaw
+from esg.dynamics.story.story import REACH_BRAKE_DAMPING, bounds
+from esg.graph.models import EsgDocument, NodeEvent, RegionType, TimelineNode
+
+
+def goes_on(stage: Stage, node: TimelineNode, b: str) -> bool:
+    """Whether more is said of the target after this hit."""
+    later = stage.story.after(node.id)
+    return any(b in map(stage.key, n.participants) for n in later)
+
+
+def hits_on(stage: Stage, node: TimelineNode, b: str) -> bool:
+    """Whether the target is to hit something else after this hit."""
+    return any(
+        n.event is NodeEvent.COLLISION and b in map(stage.key, n.participants)
+        for n in stage.story.after(node.id)
+    )
+
+
+def asked_distance(stage: Stage, node: TimelineNode, a: str) -> float | None:
+    """Distance [m] the prompt has `a` cover until the event, or None.
+
+    At an event without a hit it is the gap that is left between the two.
+    """
+    for c in node.constraints:
+        if c.quantity == "distance" and c.to is None and c.object == stage.member(a):
+            low, high, _ = bounds(c.value, (100.0, 100.0))
+            return max(0.005 * (low + high), 0.1)
+    return None
+
+
+def gap_at_start(stage: Stage, a: str, b: str) -> float | None:
+    """How far [m] the prompt has two things from each other at the start, or None."""
+    pair = {stage.member(a), stage.member(b)}
+    for e in stage.doc.spatial_relation_graph.edges.binary_relations:
+        if e.distance_cm is not None and {e.from_, e.to} == pair:
+            low, high, _ = bounds(e.distance_cm, (100.0, 100.0))
+            return max(0.005 * (low + high), 0.1)
+    return None
+
+
+def gap_left(stage: Stage, node: TimelineNode) -> tuple[str, str, float] | None:
+    """Who the prompt has end how far from what ("stops 1 m in front of a wall"): a, b, gap [m]."""
+    for c in node.constraints:
+        if c.quantity == "distance" and c.to is not None:
+            low, high, _ = bounds(c.value, (100.0, 100.0))
+            return stage.key(c.object), stage.key(c.to), 0.005 * (low + high)
+    return None
+
+
+def join(stage: Stage, a: str, b: str, node: TimelineNode, gap: float = 0.0) -> None:
+    """Puts the end of a's track at b's surface, by placing whichever is still free.
+
+    Args:
+        stage: What is placed so far.
+        a, b: The mover and what it comes to.
+        node: The event.
+        gap: What is left between the two [m].
+    """
+    track, pa = stage.tracks[a], stage.prop(a)
+    if b not in stage.places:
+        frame = stage.frames.setdefault(a, Frame() if not stage.places else stage.free_frame())
+        x, y = frame.apply(track.x, track.y)
+        _place_target(stage, a, b, x, y, track.heading + frame.angle, pa, node, gap)
+    elif a not in stage.frames:
+        bx, by, byaw = stage.places[b]
+        pb = stage.prop(b)
+        if _was_struck(stage, node, b):
+            # It is met head-on, on the line along which it was sent.
+            moved = stage.moving[b]
+            heading, wait = moved.heading + math.pi, track.time - moved.time
+            way = sent(stage, b, max(wait, 0.0))
+            bx, by = bx - way * math.cos(heading), by - way * math.sin(heading)
+        else:
+            heading = stage.free_heading(bx, by)
+        reach = pa.half_length + half_along(pb.length, pb.width, heading - (byaw or 0.0)) + gap
+        end = (bx - reach * math.cos(heading), by - reach * math.sin(heading))
+        stage.frames[a] = frame_mapping((track.x, track.y), track.heading, end, heading)
+    x, y = stage.frames[a].apply(0.0, 0.0)
+    turned = math.pi / 2 if is_swung(stage, node, a, b) else stage.reverse_yaw(a)
+    stage.places[a] = (x, y, stage.frames[a].angle + turned)
+
+
+def _was_struck(stage: Stage, node: TimelineNode, b: str) -> bool:
+    """Whether b was set in motion by a hit that this event follows."""
+    if b not in stage.moving or stage.moving[b].speed <= 0.0:
+        return False
+    before = stage.story.ancestors(node.id)
+    return any(
+        n.id in before and n.event is NodeEvent.COLLISION and b in map(stage.key, n.participants)
+        for n in stage.story.nodes.values()
+    )
+
+
+def sent(stage: Stage, b: str, wait: float) -> float:
+    """How far [m] what was struck gets in a given time."""
+    body, moved = stage.prop(b), stage.moving[b]
+    if body.rolls:
+        rubs = 0.5 * (body.friction + stage.ground_friction())
+        return rolling_travel(moved.speed, rubs, wait, moved.spin)[0]
+    return sliding_travel(moved.speed, coasting_drag(body), wait)
+
+
+def struck_again(stage: Stage, node: TimelineNode, a: str, b: str) -> bool:
+    """Whether another actor is to run into b after this hit."""
+    return any(
+        n.event is NodeEvent.COLLISION
+        and b in (keys := list(map(stage.key, n.participants)))
+        and any(k in stage.tracks and k != a for k in keys)
+        for n in stage.story.after(node.id)
+    )
+
+
+def _place_target(
+    stage: Stage,
+    a: str,
+    b: str,
+    x: float,
+    y: float,
+    heading: float,
+    pa: Prop,
+    node: TimelineNode,
+    ahead: float,
+) -> None:
+    """Puts b where a arrives: ahead of it, past it for a Miss, short of it for a Reach."""
+    pb = stage.prop(b)
+    sets_off = _sets_off(stage, node, b)
+    yaw = heading if sets_off else target_yaw(pb, heading, stage.rng)
+    if node.event is NodeEvent.ENTER_REGION:
+        # Its opening towards what comes (`meetings.enters`).
+        yaw = heading + math.pi
+    lateral = float(stage.rng.uniform(-0.12, 0.12)) * min(
+        pb.half_lateral(yaw - heading), pa.half_width
+    )
+    if node.event is NodeEvent.COLLISION and not stage.story.flies(a):
+        off = beside_the_middle(pa, pb, heading - yaw)
+        lateral = -off if off else lateral
+    front = pa.half_length + half_along(pb.length, pb.width, yaw - heading) + ahead
+    if node.event is NodeEvent.MISS:
+        gap = asked_distance(stage, node, a) or 0.25
+        lateral = pa.half_width + pb.half_lateral(yaw - heading) + gap
+        front = 0.0
+    if node.event is NodeEvent.REACH:
+        # Room to come to rest after the hold ends.
+        front += 0.15 + stage.tracks[a].speed / REACH_BRAKE_DAMPING
+        stage.nominal[f"{node.id}/time"] = stage.tracks[a].time
+    cx = x + front * math.cos(heading) - lateral * math.sin(heading)
+    cy = y + front * math.sin(heading) + lateral * math.cos(heading)
+    stage.places[b] = (cx, cy, yaw + stage.reverse_yaw(b) if sets_off else yaw)
+    if sets_off:
+        stage.frames[b] = Frame(cx, cy, heading)
+    bring_support(stage, b, cx, cy, heading)
+
+
+def _sets_off(stage: Stage, node: TimelineNode, b: str) -> bool:
+    """Whether an actor waits until it is hit and then goes on by itself, along the hit's way."""
+    if b not in stage.tracks or b in stage.frames:
+        return False
+    return stage.story.phases[b][0].start.id == node.id
+
+
+def bring_support(stage: Stage, b: str, x: float, y: float, heading: float) -> None:
+    """A target that stands on a table is met near the table's edge: the table comes along."""
+    support = support_of(stage.doc, stage.member(b))
+    if support is None or support == stage.anchor or support in stage.places:
+        return
+    ps = stage.prop(support)
+    yaw = target_yaw(ps, heading, stage.rng)
+    if hangs_on(stage.doc, stage.member(b)):
+        # The wall behind what hangs on it, not under it.
+        pb, own = stage.prop(b), stage.places[b][2] or 0.0
+        behind = half_along(pb.length, pb.width, own - heading)
+        behind += half_along(ps.length, ps.width, yaw - heading)
+        c, s = math.cos(heading), math.sin(heading)
+        stage.places[support] = (x + behind * c, y + behind * s, yaw)
+        return
+    inset = max(
+        0.0, half_along(ps.length, ps.width, yaw - heading) - stage.prop(b).half_length - 0.08
+    )
+    nodes = stage.doc.spatial_relation_graph.nodes
+    if not stage.doc.asset_configurations[nodes[support].asset_id].support_surfaces:
+        # A head, a post: there is only the middle.
+        inset = 0.0
+    elif stage.story.falls(b):
+        # What shall be knocked off stands at the far edge.
+        inset = -inset
+    stage.places[support] = (x + inset * math.cos(heading), y + inset * math.sin(heading), yaw)
+
+
+def hangs_on(doc: EsgDocument, name: str) -> bool:
+    """Whether a node hangs on a wall's face instead of standing on a surface."""
+    graph = doc.spatial_relation_graph
+    region = graph.semantic_regions.get(graph.nodes[name].semantic_region or "")
+    return region is not None and region.region_type is RegionType.ATTACHED_VERTICAL

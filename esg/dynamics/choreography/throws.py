@@ -1,0 +1,200 @@
+"""Throws and drops: from where, and into which opening."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+import math
+
+from esg.dynamics.choreography.stage import Stage
+from esg.dynamics.story.kinematics import Frame
+from esg.dynamics.story.stagecraft import Prop, release_height, support_of, top_surface
+from esg.dynamics.story.story import Phase, bounds
+from esg.dynamics.story.tipping import FLIES_AT
+from esg.engines.scene import Region
+from esg.graph.models import EdgeEvent, NamedRegion, NodeEvent, TimelineNode
+from esg.units import GRAVITY_MPS2
+
+HIGHEST_HAND_M = 1.7
+"""Height up to which a throw starts level with its target."""
+LOW_DROP_M = 0.2
+"""What is dropped from a height starts at least this far above its target."""
+SHORTEST_FALL_S, LONGEST_FALL_S = 0.2, 2.0
+"""Of a drop whose height is open."""
+LOW_M = 0.6
+"""What is lower is hit from above by a hand's throw."""
+SWUNG = 3.0
+"""Length over width and height from which on something is swung."""
+TOSS_M = 0.35
+"""Height over a low container from which something is tossed into it."""
+
+
+def level_height(target: Prop, thrown: Prop, duration: float, share: float = FLIES_AT) -> float:
+    """Height [m] of the bottom at release of what, let go level, hits a body well above its middle.
+
+    A slow throw that comes from higher up falls onto its target instead of knocking it over.
+
+    Args:
+        target: What is hit.
+        thrown: What hits it.
+        duration: Of the flight [s].
+        share: Of its height at which the target is hit.
+    """
+    drop = 0.5 * GRAVITY_MPS2 * duration * duration
+    return max(share * target.height + drop - 0.5 * thrown.height, 0.05)
+
+
+def sends_on(stage: Stage, node: TimelineNode, b: str) -> bool:
+    """Whether something low on the ground shall go on to the next thing after being thrown at.
+
+    From above it would be pressed to the ground instead.
+    """
+    body = stage.prop(b)
+    if node.event is not NodeEvent.COLLISION or b in stage.tracks or body.fixed:
+        return False
+    if body.height > LOW_M or support_of(stage.doc, stage.member(b)) is not None:
+        return False
+    return any(
+        n.event in (NodeEvent.COLLISION, NodeEvent.ENTER_REGION)
+        and b in map(stage.key, n.participants)
+        for n in stage.story.after(node.id)
+    )
+
+
+def is_swung(stage: Stage, node: TimelineNode, a: str, b: str) -> bool:
+    """Whether something long comes broadside to what it sends on: a bat or a club meets a ball."""
+    body = stage.prop(a)
+    long = body.length > SWUNG * max(body.width, body.height) and not body.wheeled
+    return long and stage.story.flies(a) and sends_on(stage, node, b)
+
+
+def putts(stage: Stage, node: TimelineNode, a: str, b: str) -> bool:
+    """Whether a sends a ball into something by flying at it: gently, or it jumps over."""
+    if not stage.prop(b).rolls or not (stage.story.flies(a) and sends_on(stage, node, b)):
+        return False
+    on = [n for n in stage.story.after(node.id) if b in map(stage.key, n.participants)]
+    return bool(on) and on[0].event is NodeEvent.ENTER_REGION
+
+
+def hand_height(stage: Stage, node: TimelineNode, b: str, thrown: Prop, target: Prop) -> float:
+    """Height [m] of a thrown body's bottom at release: what goes in somewhere low is tossed in."""
+    usual = release_height(thrown, target)
+    support = support_of(stage.doc, stage.member(b))
+    if support is not None:
+        raised = top_surface(stage.doc, support).center_cm[2] / 100.0 + 0.5 * target.height
+        usual = max(usual, min(raised, HIGHEST_HAND_M) - 0.5 * thrown.height)
+    if node.event is not NodeEvent.ENTER_REGION:
+        return usual
+    if not is_lobbed(stage, node):
+        region = region_of(stage, node)
+        middle = usual if region is None else region.center_cm[2] / 100.0
+        return max(min(usual, middle), 0.05)
+    return min(usual, max(target.height + TOSS_M, 0.6))
+
+
+def region_of(stage: Stage, node: TimelineNode) -> NamedRegion | None:
+    """The region an event is about."""
+    owner, _, name = (node.region or "").partition("/")
+    nodes = stage.doc.spatial_relation_graph.nodes
+    if owner not in nodes:
+        return None
+    regions = stage.doc.asset_configurations[nodes[owner].asset_id].regions
+    return next((r for r in regions if r.name == name), None)
+
+
+def opens_upwards(regions: Sequence[NamedRegion | Region], name: str) -> bool:
+    """Whether a region is entered from above: a bucket or a hoop, not a goal or a pocket.
+
+    Args:
+        regions: All regions of its owner.
+        name: Its own name.
+    """
+    region = next((r for r in regions if r.name == name), None)
+    if region is None:
+        return True
+    if name.rpartition("/")[2] == "hoop":
+        return True
+    sideways = any(r.kind == "goal" and r.name.rpartition("/")[2] == "goal" for r in regions)
+    return not sideways and region.kind != "goal"
+
+
+def is_lobbed(stage: Stage, node: TimelineNode) -> bool:
+    """Whether what is thrown into the region of an event has to come down into it."""
+    owner, _, name = (node.region or "").partition("/")
+    nodes = stage.doc.spatial_relation_graph.nodes
+    if node.event is not NodeEvent.ENTER_REGION or owner not in nodes:
+        return False
+    return opens_upwards(stage.doc.asset_configurations[nodes[owner].asset_id].regions, name)
+
+
+def slowest_passage(stage: Stage, node: TimelineNode) -> float:
+    """Way [m] through the region of an event at floor level; large where it does not matter."""
+    region = region_of(stage, node)
+    if region is None or region.kind not in ("inside", "hole"):
+        return 100.0
+    return 0.02 * region.half_extents_cm[0]
+
+
+def is_dropped(phase: Phase) -> bool:
+    """Whether a phase lets something go with no speed of its own."""
+    speed = phase.edge.params.speed
+    if phase.edge.event is not EdgeEvent.TOWARD or speed is None:
+        return False
+    return bounds(speed, (0.0, 0.0))[1] <= 1.0
+
+
+def asked_height(stage: Stage, node: TimelineNode, a: str) -> float | None:
+    """The height [m] at which the prompt has a body start, None if it states none."""
+    stated = [c for n in (node, *stage.story.nodes.values()) for c in n.constraints]
+    return next(
+        (
+            sum(bounds(c.value, (1, 1))[:2]) / 200.0
+            for c in stated
+            if c.quantity == "height" and c.object == stage.member(a)
+        ),
+        None,
+    )
+
+
+def drop(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
+    """A body let go above its target, at the prescribed height, or as high as its time asks."""
+    pb = stage.prop(b)
+    region = region_of(stage, node)
+    if a in stage.places and b not in stage.places:
+        # It fell through something: what is below catches it.
+        stage.places[b] = (*stage.places[a][:2], 0.0)
+        stage.tracks[a].time += 0.4
+        stage.time[node.id] = stage.tracks[a].time
+        return
+    stage.places.setdefault(b, (0.0, 0.0, 0.0 if region is None else math.pi))
+    x, y, yaw = stage.places[b]
+    if region is not None:
+        # Into the hoop, not onto its post.
+        cx, cy, _ = region.center_cm
+        x, y = Frame(x, y, yaw or 0.0).apply(cx / 100.0, cy / 100.0)
+    height = drop_height(stage, node, a, pb)
+    stage.places[a] = (x, y, 0.0)
+    stage.frames[a] = Frame(x, y, 0.0)
+    stage.heights[a] = pb.height + height
+    stage.tracks[a].time += math.sqrt(2.0 * height / GRAVITY_MPS2)
+
+
+def fallen(duration: float) -> float:
+    """Way [m] of a free fall in a given time, which a drop of more than 20 m is not given."""
+    return 0.5 * GRAVITY_MPS2 * min(max(duration, SHORTEST_FALL_S), LONGEST_FALL_S) ** 2
+
+
+def drop_height(stage: Stage, node: TimelineNode, a: str, target: Prop) -> float:
+    """Height [m] over its target from which a body is let go.
+
+    As the prompt states it, else what its time to the hit takes, else a metre.
+    """
+    stated = asked_height(stage, node, a)
+    if stated is None:
+        time = stage.prescribed_time(node)
+        if time is None:
+            return 1.0
+        # What enters something does so with its middle.
+        deep = 0.5 * stage.prop(a).height if node.event is NodeEvent.ENTER_REGION else 0.0
+        return fallen(time - stage.tracks[a].time) - deep
+    # A height is above the ground, if it can be.
+    return stated - target.height if stated > target.height + LOW_DROP_M else stated

@@ -1,0 +1,1 @@
+"""The paper's strategies `ad`, `fd` and `hybrid`: gradients of the event losses."""

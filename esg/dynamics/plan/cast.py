@@ -1,0 +1,168 @@
+"""Who takes part in a timeline and how: the questions that planning asks of scene and story."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from esg.dynamics.choreography.flights import flown_to
+from esg.dynamics.plan.aim import aim_point, region_center
+from esg.dynamics.story.stagecraft import support_of
+from esg.dynamics.story.story import Phase, Story, read_story, rebounds, stranded
+from esg.engines.scene import Region, SimScene
+from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, TimelineNode
+
+
+class Cast:
+    """Scene, story and nominal parameters of one document, and what follows from them.
+
+    Args:
+        doc: A document with layout.
+        scene: Its physical scene.
+        nominal: Parameters the choreography chose, by name (SI).
+        look_ahead: Aim with what comes after the first hit in mind.
+    """
+
+    def __init__(
+        self, doc: EsgDocument, scene: SimScene, nominal: dict[str, float], look_ahead: bool
+    ) -> None:
+        self.doc, self.scene, self.look_ahead = doc, scene, look_ahead
+        self.story: Story = self._who_can_move(read_story(doc))
+        self.nominal = nominal
+
+    def _who_can_move(self, story: Story) -> Story:
+        """The story without the motions of what cannot move: decals, fixtures."""
+        bodies = {a: self.scene.body(a) for a in story.phases}
+        phases = {
+            a: p for a, p in story.phases.items() if bodies[a].shapes and not bodies[a].static
+        }
+        return replace(story, phases=phases)
+
+    def drives(self, actor: str) -> bool:
+        """Under its own power on the ground: its body points where it goes."""
+        first = self.story.phases[actor][0].edge.event
+        return first is not EdgeEvent.TOWARD and self.scene.body(actor).roll_radius == 0.0
+
+    def target(self, phase: Phase) -> str | None:
+        """The body a phase is directed at."""
+        names = [p for p in phase.end.participants if p != phase.edge.actor]
+        if phase.end.region:
+            names.append(phase.end.region.split("/")[0])
+        if phase.edge.target:
+            names.append(phase.edge.target)
+        return next((n for n in names if n in self.scene.names), None)
+
+    def region(self, phase: Phase) -> Region | None:
+        """The region a phase ends in."""
+        return next((r for r in self.scene.regions if r.name == phase.end.region), None)
+
+    def throw_goal(self, actor: str, phase: Phase) -> NDArray[np.float64] | None:
+        """The point a throw is aimed at: the region to enter, or the target's broadest part."""
+        banked = self._bank_point(actor, phase)
+        if banked is not None:
+            return banked
+        phase = flown_to(self.story, phase)
+        if phase.end.region:
+            center = region_center(self.scene, phase.end.region)
+            if center is not None:
+                return center
+        target = self.target(phase)
+        body = self.scene.body(actor)
+        return aim_point(body, self.scene.body(target)) if target else None
+
+    def _bank_point(self, actor: str, phase: Phase) -> NDArray[np.float64] | None:
+        """Where the choreography has a ball hit a board to come down in the hoop before it."""
+        above = self.nominal.get(f"{phase.edge.id}/goal_above")
+        if above is None:
+            return None
+        after = (p for p in self.story.phases[actor] if p.start.id == phase.end.id)
+        region = next((p.end.region for p in after if p.end.region), None)
+        center = region_center(self.scene, region) if region else None
+        under = self.target(phase)
+        if under is not None and (region is None or region.split("/")[0] != under):
+            top = self.scene.body(under)  # it bounces off that, on to something else
+            center = np.array(top.position)
+            center[2] += top.origin_offset[2]
+        if center is None:
+            return None
+        way = (center - np.array(self.scene.body(actor).position))[:2]
+        beyond = self.nominal[f"{phase.edge.id}/goal_beyond"]
+        flat = beyond * way / max(float(np.linalg.norm(way)), 1e-9)
+        return center + np.array([flat[0], flat[1], above])
+
+    def coasts(self, phase: Phase) -> bool:
+        """A launched body that is already on its way: nothing new is done to it."""
+        nothing = phase.edge.params.speed is None and phase.edge.params.elevation_deg is None
+        first = self.story.phases[phase.edge.actor][0]
+        if phase is first or self.story.tips(phase):
+            return False
+        if stranded(self.story, phase, lambda name: self.scene.body(name).static):
+            return True
+        actor = phase.edge.actor
+        if phase.end.event is NodeEvent.FALL and self.story.soars(actor):
+            # What flies under its own power falls when nothing carries it on any more.
+            return True
+        return (phase.edge.event is EdgeEvent.TOWARD and nothing) or self.rebounds(phase)
+
+    def rebounds(self, phase: Phase) -> bool:
+        """Whether a driver rolls back from what does not give way, before its brake sets in."""
+        return rebounds(self.story, phase, lambda name: self.scene.body(name).static)
+
+    def pushes_off(self, actor: str, phase: Phase) -> TimelineNode | None:
+        """The fall of what a driven body pushes over an edge: it keeps pushing until then."""
+        if phase.end.event is not NodeEvent.COLLISION or not self.drives(actor):
+            return None
+        target = self.target(phase)
+        after = self.story.after(phase.end.id)
+        falls = (n for n in after if n.event is NodeEvent.FALL and target in n.participants)
+        return next(falls, None)
+
+    def leaves_to_others(self, actor: str, phase: Phase) -> bool:
+        """A driven body whose part ends with a hit that others carry on brakes there.
+
+        Otherwise it would run into the back of what it has just sent on its way, and crush it
+        against the next target.
+        """
+        if phase.end.event is not NodeEvent.COLLISION or self.scene.body(actor).roll_radius:
+            return False
+        after = self.story.after(phase.end.id)
+        return bool(after) and not any(actor in n.participants for n in after)
+
+    def leaves_support(self, actor: str, phase: Phase) -> bool:
+        """Whether a body that stands on something meets what stands on the ground."""
+        target, support = self.target(phase), support_of(self.doc, actor)
+        if support is None or target is None or phase.end.event is not NodeEvent.COLLISION:
+            return False
+        return target != support and support_of(self.doc, target) is None
+
+    def balls_after(self, phase: Phase) -> int:
+        """How many hits of balls by balls follow from the first one, three at most."""
+        target = self.target(phase)
+        count, seen = 0, {phase.edge.actor}
+        for node in self.story.after(phase.end.id):
+            bodies = [p for p in node.participants if p in self.scene.names]
+            if node.event is not NodeEvent.COLLISION or target not in bodies:
+                continue
+            others = [b for b in bodies if b != target and b not in seen]
+            if not others or not self.scene.body(others[0]).roll_radius:
+                continue
+            if not self.scene.body(target).roll_radius:
+                break
+            seen.add(target)
+            target, count = others[0], count + 1
+        return min(count, 3)
+
+    def contacts(self, phase: Phase) -> tuple[str, ...]:
+        """A hold ends at the touch of the target, or of any other member of its group."""
+        names: list[str] = []
+        for p in phase.end.participants:
+            if p != phase.edge.actor and phase.end.event is not NodeEvent.SCENE_START:
+                names += self.story.expand(p)
+        if phase.edge.target and phase.edge.target in self.scene.names:
+            names += self.story.expand(phase.edge.target)
+        seen = dict.fromkeys(
+            n for n in names if n != phase.edge.actor and self.scene.body(n).shapes
+        )
+        return tuple(seen)

@@ -1,0 +1,43 @@
+"""How long a rollout has to be until it has told all that losses ask of it.
+
+A scene plays on after its last event: a recording needs that, a search does not. A world is told by
+the time at which every event has happened and what is looked at after it (whether two bodies have
+parted 0.2 s after a hit) has been seen.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from esg.dynamics.losses.losses import Assessment
+from esg.dynamics.story.story import Story
+from esg.graph.models import NodeEvent, TimelineNode
+
+AFTER_S = {
+    NodeEvent.SCENE_START: 0.1,
+    NodeEvent.TRIGGER: 0.1,
+    NodeEvent.COLLISION: 0.4,
+    NodeEvent.STOP: 0.3,
+    NodeEvent.FALL: 0.3,
+    NodeEvent.HEADING_REACHED: 0.3,
+    NodeEvent.POSITION_AT: 0.3,
+    NodeEvent.ENTER_REGION: 1.0,
+    NodeEvent.TOPPLE: 1.0,
+}
+"""What follows an event and is measured with it [s]. Whoever shall reach or miss something may
+touch it at any later time."""
+
+
+def looked_at_for(node: TimelineNode) -> float:
+    """How long after an event something is measured with it [s]."""
+    return AFTER_S.get(node.event, np.inf)
+
+
+def told_by(story: Story, assessed: Assessment) -> NDArray[np.float64]:
+    """When each world has told everything [s], infinite where an event is missing, shape [W]."""
+    out = np.zeros(len(assessed.total))
+    for node in story.nodes.values():
+        time = np.nan_to_num(assessed.time[node.id], nan=np.inf)
+        out = np.maximum(out, time + looked_at_for(node))
+    return np.where(assessed.all_completed(), out, np.inf)

@@ -1,0 +1,119 @@
+"""From the timeline and theta to the control program: variables with bounds and mask, SI units."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from esg.dynamics.choreography.choreography import choreograph
+from esg.dynamics.plan.horizon import looked_at_for
+from esg.dynamics.plan.programs import Composer, Values
+from esg.dynamics.plan.variables import Declarations, Variable
+from esg.dynamics.story.story import Story
+from esg.engines.program import Primitive, Program
+from esg.engines.scene import SimScene
+from esg.graph.models import EsgDocument
+
+AFTERMATH_S = 1.5
+MAX_DURATION_S = 14.5
+
+
+@dataclass(frozen=True)
+class Plan:
+    """Variables and the function that compiles theta to a program.
+
+    Args:
+        variables: Entries of theta in order.
+        scene: The physical scene at its layout poses.
+        story: The timeline in causal order.
+        compile: theta [n] -> Program.
+        starts: theta [n] -> poses (position [3], quaternion [4]) of re-aimed actors by name.
+        duration: How long the scene plays [s].
+        told: By when the choreography expects everything to have been seen [s] (`horizon`).
+    """
+
+    variables: tuple[Variable, ...]
+    scene: SimScene
+    story: Story
+    compile: Callable[[NDArray[np.float64]], Program]
+    starts: Callable[
+        [NDArray[np.float64]], dict[str, tuple[NDArray[np.float64], NDArray[np.float64]]]
+    ]
+    duration: float
+    told: float = math.inf
+
+    def initial(self) -> NDArray[np.float64]:
+        return np.array([v.initial for v in self.variables])
+
+    def heuristic(self) -> NDArray[np.float64]:
+        return np.array([v.heuristic for v in self.variables])
+
+    def lower(self) -> NDArray[np.float64]:
+        return np.array([v.lower for v in self.variables])
+
+    def upper(self) -> NDArray[np.float64]:
+        return np.array([v.upper for v in self.variables])
+
+    def free(self) -> NDArray[np.bool_]:
+        return np.array([not v.fixed for v in self.variables], bool)
+
+
+def make_plan(doc: EsgDocument, scene: SimScene, *, seed: int = 0, look_ahead: bool = True) -> Plan:
+    """Reads the timeline of a laid-out document into variables and a program compiler.
+
+    Args:
+        doc: The document.
+        scene: Its physical scene.
+        seed: Of the choreography.
+        look_ahead: Aim with what comes after the first hit in mind; False aims straight at the
+            centre of the first target.
+    """
+    return _Planner(doc, scene, choreograph(doc, seed=seed).nominal, look_ahead).plan()
+
+
+class _Planner(Declarations, Composer):
+    def plan(self) -> Plan:
+        names = list(self.variables)
+        variables = tuple(self.variables.values())
+        latest = self._latest()
+        duration = min(MAX_DURATION_S, math.ceil(10.0 * (1.15 * latest + AFTERMATH_S)) / 10.0)
+        told = latest + max(looked_at_for(node) for node in self.story.nodes.values())
+
+        def values(theta: NDArray[np.float64]) -> Values:
+            out = dict(zip(names, map(float, theta), strict=True))
+            return out | {k: out[v] for k, v in self.tied.items()}
+
+        def compile_theta(theta: NDArray[np.float64]) -> Program:
+            v = values(theta)
+            out: list[Primitive] = []
+            for actor, phases in self.story.phases.items():
+                out += self.primitives(actor, phases, v, duration)
+            return Program(tuple(out), duration)
+
+        def starts(
+            theta: NDArray[np.float64],
+        ) -> dict[str, tuple[NDArray[np.float64], NDArray[np.float64]]]:
+            v = values(theta)
+            return {a: self.start_pose(a, v) for a in self.story.phases if self.drives(a)}
+
+        return Plan(variables, self.scene, self.story, compile_theta, starts, duration, told)
+
+    def _latest(self) -> float:
+        """When the last event is expected [s], at least 1."""
+        latest = 1.0
+        for name, variable in self.variables.items():
+            if name.endswith(("/time", "/flight_time")):
+                latest = max(latest, variable.initial)
+        times = [t for k, t in self.nominal.items() if k.endswith("/event_time")]
+        latest = max([latest, *times])
+        for node in self.story.nodes.values():
+            if node.time_is_prescribed:
+                prescribed = (
+                    node.timestamp if node.timestamp is not None else (node.window or (0, 0))[1]
+                )
+                latest = max(latest, prescribed)
+        return float(latest)

@@ -1,0 +1,350 @@
+"""What an actor does: its phases and the values of theta as primitives of the control program."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cached_property
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from esg.dynamics.choreography.flights import flown_to
+from esg.dynamics.plan.aim import aim_heading
+from esg.dynamics.plan.cast import Cast
+from esg.dynamics.story.kinematics import ballistic_velocity, wrap_angle
+from esg.dynamics.story.stagecraft import stacked_with, support_of
+from esg.dynamics.story.story import REACH_BRAKE_DAMPING, Phase, turn_of
+from esg.engines.program import AdjustProperties, HoldVelocity, Primitive, SetVelocity
+from esg.engines.scene import Body
+from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
+from esg.units import quat_from_euler_deg, yaw_from_quat
+
+AFTER_HIT_DAMPING = 4.0
+"""Linear damping [1/s] of a driver who brakes after the hit that was asked for."""
+
+STRAIGHT_S = 1.0
+"""How long an actor drives on straight after a turn that nothing follows [s]."""
+STILL_MPS = 0.07
+"""Speed of what has come to rest [m/s]."""
+SHAKEN_S = 0.15
+"""From the hit of a support until something on it sets off to fall [s]."""
+
+Values = dict[str, float]
+
+
+class Composer(Cast):
+    """Turns phases and values into primitives and start poses."""
+
+    @cached_property
+    def _shaken(self) -> dict[str, float]:
+        """When what falls off a support that something else hits first sets off [s], by actor."""
+        out: dict[str, float] = {}
+        nodes = list(self.story.nodes.values())
+        for actor, phases in self.story.phases.items():
+            fall, support = phases[0].end, support_of(self.doc, actor)
+            if support is None or fall.event is not NodeEvent.FALL:
+                continue
+            under = {support, *stacked_with(self.doc, support)}
+            before = nodes[: next(k for k, n in enumerate(nodes) if n.id == fall.id)]
+            for node in before:
+                told = self.nominal.get(f"{node.id}/event_time")
+                hit = node.event is NodeEvent.COLLISION and under & set(node.participants)
+                if hit and told is not None and actor not in node.participants:
+                    out[actor] = told + SHAKEN_S
+                    break
+        return out
+
+    @cached_property
+    def _headings(self) -> dict[str, float]:
+        """Where every actor heads before theta turns it [rad]: the same for all candidates."""
+        return {actor: self._heading(actor) for actor in self.story.phases}
+
+    def base_heading(self, actor: str) -> float:
+        return self._headings[actor]
+
+    def _heading(self, actor: str) -> float:
+        body = self.scene.body(actor)
+        first = self.story.phases[actor][0]
+        if self.story.flies(actor):
+            first = flown_to(self.story, first)
+        target = self.target(first)
+        straight = first.end.event not in (NodeEvent.TRIGGER, NodeEvent.HEADING_REACHED)
+        yaw = float(yaw_from_quat(body.quaternion))
+        if self.drives(actor) and not straight:
+            return yaw
+        if target is not None and straight and not self.look_ahead:
+            offset = np.array(self.scene.body(target).position) - np.array(body.position)
+            return math.atan2(offset[1], offset[0])
+        if target is None or (self.drives(actor) and first.end.event is NodeEvent.MISS):
+            return yaw
+        heading = aim_heading(self.scene, self.story, body, first, target)
+        if self.drives(actor) and abs(wrap_angle(heading - yaw)) > math.radians(12.0):
+            return yaw
+        return heading
+
+    def start_pose(self, actor: str, v: Values) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Start pose of a driven body: turned by its aim and shifted sideways."""
+        body = self.scene.body(actor)
+        heading = self.base_heading(actor) + v[f"{actor}/aim"]
+        side = np.array([-math.sin(heading), math.cos(heading), 0.0])
+        yaw = heading + (math.pi if self.story.reverses(actor) else 0.0)
+        return (
+            np.array(body.position) + v[f"{actor}/lateral"] * side,
+            quat_from_euler_deg(math.degrees(yaw)),
+        )
+
+    def node_time(self, node: TimelineNode, v: Values, clock: float) -> float:
+        if node.event is NodeEvent.SCENE_START:
+            return 0.0
+        return v.get(f"{node.id}/time", node.timestamp if node.timestamp is not None else clock)
+
+    def primitives(
+        self, actor: str, phases: tuple[Phase, ...], v: Values, duration: float
+    ) -> list[Primitive]:
+        body = self.scene.body(actor)
+        heading = self.base_heading(actor) + v[f"{actor}/aim"]
+        speed, clock = 0.0, 0.0
+        soars = self.story.soars(actor)
+        out: list[Primitive] = []
+        for k, phase in enumerate(phases):
+            edge = phase.edge
+            start = max(clock, self.node_time(phase.start, v, clock))
+            start = max(start, self._shaken.get(actor, 0.0) if k == 0 else 0.0)
+            end = self.phase_end(phase, v, start, duration)
+            last = k + 1 == len(phases)
+            if self.coasts(phase):
+                continue
+            if self.story.tips(phase) or (k > 0 and self.story.flies(actor)):
+                # Nothing may hold it upright or on its course any more.
+                out = [_until(p, start) for p in out]
+            if edge.event is EdgeEvent.TOWARD or self.story.tips(phase):
+                out.append(self.launch(actor, body, phase, v, start, heading))
+                out += self._rolls_out(actor, body, phase, v, start, end) if last else []
+                clock = start
+                continue
+            if f"{edge.id}/stopping" in v:
+                lasts = v[f"{edge.id}/stopping"]
+                # What flies hovers where it stopped.
+                hovers = soars and last and not self.story.falls(actor)
+                out.append(
+                    HoldVelocity(
+                        actor,
+                        start,
+                        math.inf if hovers else start + lasts,
+                        speed=abs(speed),
+                        heading=heading,
+                        acceleration=-abs(speed) / lasts,
+                        roll_radius=body.roll_radius,
+                        until_contact=self._others(actor) if soars else self.contacts(phase),
+                        climb=0.0 if soars else None,
+                    )
+                )
+                speed, clock = 0.0, start + lasts
+                continue
+            if edge.event is EdgeEvent.BRAKE:
+                damping = v[f"{edge.id}/damping"]
+                out.append(AdjustProperties(actor, start, linear_damping=damping))
+                speed *= math.exp(-damping * max(end - start, 0.0))
+                clock = end
+                if not last:
+                    out.append(AdjustProperties(actor, end, linear_damping=body.linear_damping))
+                continue
+            speed = v.get(f"{edge.id}/speed", speed)
+            rate, turn_end = 0.0, end
+            if edge.event is EdgeEvent.TURN:
+                degrees, sign = turn_of(phase)
+                rate = sign * v[f"{edge.id}/turn_rate"]
+                turn_end = start + math.radians(degrees) / abs(rate)
+                end = turn_end
+            acceleration = v.get(f"{edge.id}/acceleration", 0.0)
+            until = self.contacts(phase)
+            pushed = self.pushes_off(actor, phase) if last else None
+            if pushed is not None:
+                end, until = self.nominal.get(f"{pushed.id}/event_time", duration) + 0.3, ()
+            if soars and last and phase.end.event is NodeEvent.MISS:
+                # It flies on past what it does not touch.
+                end = math.inf
+            if k == 0 and self.leaves_support(actor, phase):
+                # Held, it could not tilt with the slope it goes down.
+                flat = np.array([math.cos(heading), math.sin(heading), 0.0])
+                out.append(SetVelocity(actor, start, _vec(abs(speed) * flat)))
+                clock = start
+                continue
+            out.append(
+                HoldVelocity(
+                    actor,
+                    start,
+                    end,
+                    speed=abs(speed),
+                    heading=heading,
+                    acceleration=acceleration,
+                    turn_rate=rate,
+                    roll_radius=body.roll_radius,
+                    until_contact=until,
+                    climb=self.nominal.get(f"{edge.id}/slope", 0.0) * abs(speed) if soars else None,
+                )
+            )
+            heading += rate * (end - start) if edge.event is EdgeEvent.TURN else 0.0
+            if last and edge.event is EdgeEvent.TURN:
+                # Let go while it turns, it would go on turning; what flies would sink.
+                out.append(
+                    HoldVelocity(
+                        actor,
+                        end,
+                        math.inf if soars else end + STRAIGHT_S,
+                        abs(speed),
+                        heading,
+                        roll_radius=body.roll_radius,
+                        until_contact=self._others(actor) if soars else (),
+                        climb=0.0 if soars else None,
+                    )
+                )
+            speed = max(0.0, speed + acceleration * (min(end, duration) - start))
+            # What follows a hit follows it when it happens, not when the hold would have ended.
+            clock = min(end, max(start, v.get(f"{phase.end.id}/time", self.told(phase.end, end))))
+            if soars:
+                if last and phase.end.event in (NodeEvent.REACH, NodeEvent.STOP):
+                    out.append(self._hover(actor, end, speed, heading))
+                continue
+            if last and self.leaves_to_others(actor, phase):
+                hit = self.nominal.get(f"{phase.end.id}/event_time", duration)
+                hit = end if pushed is not None else hit
+                out.append(AdjustProperties(actor, hit, linear_damping=AFTER_HIT_DAMPING))
+            if last and phase.end.event in (NodeEvent.REACH, NodeEvent.STOP):
+                out.append(AdjustProperties(actor, end, linear_damping=REACH_BRAKE_DAMPING))
+        return out
+
+    def _rolls_out(
+        self, actor: str, body: Body, phase: Phase, v: Values, start: float, end: float
+    ) -> list[Primitive]:
+        """What rolls and shall come to rest is slowed as grass or a carpet does it.
+
+        A ball has no rolling resistance of its own; damped alike, its speed and spin stay in step.
+        """
+        speed = v.get(f"{phase.edge.id}/speed", 0.0)
+        stops = phase.end.event is NodeEvent.STOP and phase.edge.params.spin == "roll"
+        if not stops or body.roll_radius <= 0.0 or self.story.flies(actor) or end <= start:
+            return []
+        damping = max(math.log(max(speed, STILL_MPS) / STILL_MPS) / (end - start), 0.1)
+        return [
+            AdjustProperties(actor, start, linear_damping=damping, angular_damping=damping),
+            AdjustProperties(
+                actor,
+                end,
+                linear_damping=REACH_BRAKE_DAMPING,
+                angular_damping=REACH_BRAKE_DAMPING,
+            ),
+        ]
+
+    def _hover(self, actor: str, time: float, speed: float, heading: float) -> HoldVelocity:
+        """Slows down in the air as a brake does on the ground, and stays there."""
+        return HoldVelocity(
+            actor,
+            time,
+            math.inf,
+            speed=abs(speed),
+            heading=heading,
+            acceleration=-abs(speed) * REACH_BRAKE_DAMPING,
+            until_contact=self._others(actor),
+            climb=0.0,
+        )
+
+    def _others(self, actor: str) -> tuple[str, ...]:
+        """Everything whose touch ends a flight."""
+        return tuple(b.name for b in self.scene.bodies if b.name != actor and b.shapes)
+
+    def told(self, node: TimelineNode, otherwise: float) -> float:
+        """When the choreography expects an event [s]; a turn is over when it has been driven."""
+        if node.event is NodeEvent.HEADING_REACHED:
+            return otherwise
+        return self.nominal.get(f"{node.id}/event_time", otherwise)
+
+    def phase_end(self, phase: Phase, v: Values, start: float, duration: float) -> float:
+        name = f"{phase.end.id}/time"
+        if phase.end.event is NodeEvent.TRIGGER and name in v:
+            return max(start + 0.05, v[name])
+        if phase.end.event in (NodeEvent.REACH, NodeEvent.STOP, NodeEvent.MISS) and name in v:
+            return max(start + 0.05, v[name])
+        if phase.end.event is NodeEvent.POSITION_AT and phase.end.timestamp is not None:
+            return max(start + 0.05, phase.end.timestamp)
+        return duration + 1.0
+
+    def _lets_go(
+        self, actor: str, body: Body, phase: Phase, flat: NDArray[np.float64]
+    ) -> NDArray[np.float64]:
+        """Where a flight begins [m]: at its start, or at the ramp that it takes off from."""
+        start = np.array(body.position)
+        before = self.story.phases[actor][: self.story.phases[actor].index(phase)]
+        ramp = self.target(before[-1]) if before and self.story.takes_off(actor) else None
+        if ramp is None or before[-1].end.event is not NodeEvent.COLLISION:
+            return start
+        met = self.scene.body(ramp)
+        way = np.array(met.position)[:2] - start[:2]
+        along = float(way @ flat[:2]) - max(met.half_extents[:2]) - max(body.half_extents[:2])
+        return start + max(along, 0.0) * flat
+
+    def launch(
+        self, actor: str, body: Body, phase: Phase, v: Values, time: float, heading: float
+    ) -> SetVelocity:
+        edge = phase.edge
+        if f"{edge.id}/heading" in v:
+            heading = v[f"{edge.id}/heading"] + v[f"{actor}/aim"]
+        flat = np.array([math.cos(heading), math.sin(heading), 0.0])
+        if f"{edge.id}/flight_time" in v:
+            goal = self.throw_goal(actor, phase)
+            assert goal is not None
+            goal = goal + np.array([0.0, 0.0, v[f"{edge.id}/aim_height"]])
+            offset = goal - self._lets_go(actor, body, phase, flat)
+            flat_offset = float(np.hypot(offset[0], offset[1])) * flat
+            velocity = ballistic_velocity(
+                np.array([flat_offset[0], flat_offset[1], offset[2]]),
+                v[f"{edge.id}/flight_time"],
+                body.linear_damping,
+            )
+            spin = (0.0, 0.0, 0.0)
+            if f"{edge.id}/spin" in self.nominal and body.roll_radius > 0.0:
+                spin = _rolling(velocity, body.roll_radius)
+            return SetVelocity(actor, time, _vec(velocity), spin)
+        speed = v[f"{edge.id}/speed"]
+        elevation = v.get(f"{edge.id}/elevation", 0.0)
+        velocity = speed * (math.cos(elevation) * flat + np.array([0, 0, math.sin(elevation)]))
+        spin = None
+        if self.story.tips(phase):
+            # It turns about its lower front edge: the centre moves at omega times its height.
+            # What has been on its way goes over the side of its narrower base.
+            turn = speed / max(body.half_extents[2], 1e-3)
+            first = phase is self.story.phases[actor][0]
+            if not first:
+                # A wide base rises on its way over the edge; a domino hardly does.
+                if body.half_extents[1] < body.half_extents[0]:
+                    flat = np.array([-flat[1], flat[0], 0.0])
+                rise = turn * min(body.half_extents[:2])
+                velocity = speed * flat + np.array([0.0, 0.0, rise])
+                spin = (-turn * float(flat[1]), turn * float(flat[0]), 0.0)
+                return SetVelocity(actor, time, _vec(velocity), spin)
+            return SetVelocity(
+                actor,
+                time,
+                _vec(speed * flat),
+                (-turn * float(flat[1]), turn * float(flat[0]), 0.0),
+            )
+        if body.roll_radius > 0.0 and not self.story.flies(actor) and edge.params.spin != "slide":
+            spin = _rolling(velocity, body.roll_radius)
+        return SetVelocity(actor, time, _vec(velocity), spin)
+
+
+def _until(primitive: Primitive, time: float) -> Primitive:
+    """The primitive, if it is a hold, ended by `time` at the latest."""
+    if isinstance(primitive, HoldVelocity) and primitive.end > time > primitive.start:
+        return replace(primitive, end=time)
+    return primitive
+
+
+def _rolling(v: NDArray[np.float64], radius: float) -> tuple[float, float, float]:
+    """Angular velocity [rad/s] of a body that rolls along the ground as it moves."""
+    return (-float(v[1]) / radius, float(v[0]) / radius, 0.0)
+
+
+def _vec(v: NDArray[np.float64]) -> tuple[float, float, float]:
+    return (float(v[0]), float(v[1]), float(v[2]))

@@ -1,0 +1,421 @@
+"""The entries of theta: one variable per free or prescribed parameter of the timeline (SI).
+
+Every variable has two starting values: `initial`, from the choreography and the geometry that the
+layout found, and `heuristic`, the middle of the interval the draft wrote down. The strategy `none`
+plays the heuristic values unchanged.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from esg.dynamics.choreography.flights import flown_to
+from esg.dynamics.choreography.throws import opens_upwards
+from esg.dynamics.plan.aim import aim_point
+from esg.dynamics.plan.cast import Cast
+from esg.dynamics.story.story import Phase, bounds, middle
+from esg.dynamics.story.tipping import FLIES_AT
+from esg.engines.scene import Body, Region, SimScene
+from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, TimelineNode
+from esg.units import GRAVITY_MPS2
+
+FASTEST_THROW_CM_S = 2500.0
+"""A hard kick or throw; guessed speeds stay below it."""
+
+OVER_MOUTH = 1.25
+"""Height over the middle of a container at which a throw is aimed, in half heights of it."""
+CHAIN_PRECISION = 0.4
+"""Factor on the first spread of the aim for every ball that a struck ball shall hit."""
+AFTER_EVENT_S = 0.12
+"""What follows an outcome is planned for this long after it."""
+
+
+@dataclass(frozen=True)
+class Variable:
+    """One entry of theta (SI).
+
+    Args:
+        name: "edge id/param", "node id/time" or "actor/aim".
+        lower, upper: Bounds.
+        initial: Where the search starts.
+        heuristic: The draft's own guess, played by strategy `none`.
+        spread: Standard deviation of the first samples.
+        fixed: Prescribed by the prompt: masked out of the search.
+        unit: SI unit.
+    """
+
+    name: str
+    lower: float
+    upper: float
+    initial: float
+    heuristic: float
+    spread: float
+    fixed: bool
+    unit: str
+
+
+Values = dict[str, float]
+Floats = NDArray[np.float64]
+
+
+class Declarations(Cast):
+    """Declares the variables of every actor's phases, with bounds, starts and mask."""
+
+    def __init__(
+        self, doc: EsgDocument, scene: SimScene, nominal: dict[str, float], look_ahead: bool
+    ) -> None:
+        super().__init__(doc, scene, nominal, look_ahead)
+        self.variables: dict[str, Variable] = {}
+        self.tied: dict[str, str] = {}
+        for actor, phases in self.story.phases.items():
+            self.declare(actor, phases)
+
+    def add(
+        self,
+        name: str,
+        low: float,
+        high: float,
+        initial: float,
+        heuristic: float,
+        spread: float,
+        unit: str,
+        *,
+        fixed: bool = False,
+    ) -> None:
+        low, high = min(low, high), max(low, high)
+        self.variables[name] = Variable(
+            name,
+            low,
+            high,
+            min(max(initial, low), high),
+            min(max(heuristic, low), high),
+            spread,
+            fixed or high - low < 1e-12,
+            unit,
+        )
+
+    def declare(self, actor: str, phases: tuple[Phase, ...]) -> None:
+        body = self.scene.body(actor)
+        first = phases[0]
+        limit = 3.0 if self.drives(actor) else 14.0
+        if self.scene.body(actor).roll_radius and body.half_extents[0] < 0.05:
+            limit = 20.0
+        delicate = max(self.balls_after(first), int(f"{actor}/aim" in self.nominal))
+        self.add(
+            f"{actor}/aim",
+            -math.radians(limit),
+            math.radians(limit),
+            self.nominal.get(f"{actor}/aim", 0.0),
+            0.0,
+            math.radians(limit / 6.0) * CHAIN_PRECISION**delicate,
+            "rad",
+        )
+        if self.drives(actor):
+            self.add(f"{actor}/lateral", -0.25, 0.25, 0.0, 0.0, 0.06, "m")
+        for phase in phases:
+            self.declare_phase(actor, body, phase)
+        if first.edge.params.heading_deg is not None and first.edge.event is EdgeEvent.TOWARD:
+            low, high, fixed = bounds(first.edge.params.heading_deg, (0.0, 0.0))
+            self.add(
+                f"{first.edge.id}/heading",
+                math.radians(low),
+                math.radians(high),
+                math.radians(0.5 * (low + high)),
+                math.radians(0.5 * (low + high)),
+                math.radians(max(high - low, 1.0) / 6.0),
+                "rad",
+                fixed=fixed,
+            )
+
+    def declare_phase(self, actor: str, body: Body, phase: Phase) -> None:
+        edge, params = phase.edge, phase.edge.params
+        nominal = self.nominal
+        if self.coasts(phase):
+            return
+        if edge.event is EdgeEvent.TOWARD and self.story.flies(actor):
+            self.declare_throw(actor, body, phase)
+        elif edge.event in (
+            EdgeEvent.UNIFORM_MOTION,
+            EdgeEvent.TOWARD,
+            EdgeEvent.TURN,
+            EdgeEvent.ACCELERATED_MOTION,
+        ) and (edge.event is not EdgeEvent.TURN or params.speed is not None):
+            self.declare_speed(actor, phase)
+        if edge.event is EdgeEvent.ACCELERATED_MOTION:
+            low, high, fixed = bounds(params.acceleration, (50.0, 500.0))
+            start = nominal.get(f"{edge.id}/acceleration", 0.005 * (low + high))
+            self.add(
+                f"{edge.id}/acceleration",
+                low / 100,
+                high / 100,
+                start,
+                0.005 * (low + high),
+                0.1 * (high - low) / 100,
+                "m/s^2",
+                fixed=fixed,
+            )
+        stopping = nominal.get(f"{edge.id}/stopping")
+        if stopping is not None:
+            self.add(
+                f"{edge.id}/stopping",
+                0.5 * stopping,
+                2.0 * stopping,
+                stopping,
+                stopping,
+                0.05 * stopping,
+                "s",
+            )
+        elif edge.event is EdgeEvent.BRAKE:
+            low, high, fixed = bounds(params.damping, (0.3, 8.0))
+            start = nominal.get(f"{edge.id}/damping", 1.5)
+            if not fixed:
+                high = max(high, 1.3 * start)
+            self.add(
+                f"{edge.id}/damping",
+                low,
+                high,
+                start,
+                0.5 * (low + high),
+                0.15 * start,
+                "1/s",
+                fixed=fixed,
+            )
+        if edge.event is EdgeEvent.TURN:
+            low, high, fixed = bounds(params.turn_rate_deg_s, (20.0, 80.0))
+            start = nominal.get(f"{edge.id}/turn_rate", math.radians(45.0))
+            self.add(
+                f"{edge.id}/turn_rate",
+                math.radians(low),
+                math.radians(high),
+                start,
+                math.radians(0.5 * (low + high)),
+                0.08,
+                "rad/s",
+                fixed=fixed,
+            )
+        for node in (phase.start, phase.end):
+            self.declare_time(phase, node)
+
+    def declare_time(self, phase: Phase, node: TimelineNode) -> None:
+        """Times the program sets: triggers, and starts of phases that follow an outcome."""
+        name = f"{node.id}/time"
+        starts_here = any(
+            p.start.id == node.id and not self.coasts(p)
+            for ps in self.story.phases.values()
+            for p in ps
+        )
+        controlled = node.event is NodeEvent.TRIGGER
+        brakes_at_reach = node.event is NodeEvent.REACH and phase.end.id == node.id
+        plain_stop = (
+            node.event is NodeEvent.STOP
+            and phase.end.id == node.id
+            and phase.edge.event is not EdgeEvent.BRAKE
+        )
+        follows_outcome = starts_here and node.event not in (
+            NodeEvent.SCENE_START,
+            NodeEvent.HEADING_REACHED,
+            NodeEvent.TRIGGER,
+        )
+        if name in self.variables or not (
+            controlled or brakes_at_reach or follows_outcome or plain_stop
+        ):
+            return
+        window = node.window or (0.3, 12.0)
+        told = self.nominal.get(f"{node.id}/event_time", 0.5 * (window[0] + window[1]))
+        nominal = self.nominal.get(name, told + (AFTER_EVENT_S if follows_outcome else 0.0))
+        if node.timestamp is not None and node.time_is_prescribed:
+            self.add(
+                name,
+                node.timestamp,
+                node.timestamp,
+                node.timestamp,
+                node.timestamp,
+                0.0,
+                "s",
+                fixed=True,
+            )
+            return
+        low, high = window if node.time_is_prescribed else (0.3 * nominal, 2.5 * nominal + 1.0)
+        self.add(name, low, high, nominal, 0.5 * (window[0] + window[1]), 0.12, "s")
+
+    def declare_speed(self, actor: str, phase: Phase) -> None:
+        edge, params = phase.edge, phase.edge.params
+        name = f"{edge.id}/speed"
+        low, high, fixed = bounds(params.speed, (50.0, 1500.0))
+        nominal = self.nominal.get(name, middle(low, high) / 100.0)
+        if not (fixed or edge.speed_is_prescribed):
+            # A guessed interval gives way to what the choreography needs.
+            low, high = min(low, 60.0 * nominal), max(high, 160.0 * nominal)
+        if self.story.tips(phase):
+            low, high = 50.0 * nominal, 400.0 * nominal
+        tie = self.same_speed_as(phase)
+        if tie is not None:
+            self.tied[name] = tie
+            return
+        after = self.speed_for_transfer(actor, phase)
+        if phase.end.time_is_prescribed:
+            nominal *= math.sqrt(self.damping_loss(actor, phase))
+        self.add(
+            name,
+            low / 100.0,
+            high / 100.0,
+            after or nominal,
+            0.005 * (low + high),
+            max(0.08 * nominal, 0.05),
+            "m/s",
+            fixed=fixed,
+        )
+
+    def same_speed_as(self, phase: Phase) -> str | None:
+        """Actors that start together at one prescribed speed interval share one variable."""
+        if not phase.edge.speed_is_prescribed or phase.edge.params.speed is None:
+            return None
+        for phases in self.story.phases.values():
+            for other in phases:
+                if other is phase:
+                    return None
+                name = f"{other.edge.id}/speed"
+                if (
+                    name in self.variables
+                    and other.start.id == phase.start.id
+                    and other.edge.speed_is_prescribed
+                    and other.edge.params.speed == phase.edge.params.speed
+                    and other.edge.actor != phase.edge.actor
+                ):
+                    return name
+        return None
+
+    def speed_for_transfer(self, actor: str, phase: Phase) -> float | None:
+        """Speed that gives the target its prescribed speed in a central impact."""
+        for c in phase.end.constraints:
+            if c.quantity != "speed_after" or c.object == actor:
+                continue
+            if phase.end.event is NodeEvent.COLLISION and c.object in phase.end.participants:
+                low, high, _ = bounds(c.value, (0.0, 0.0))
+                a, b = self.scene.body(actor), self.scene.body(c.object)
+                gain = (1 + 0.5 * (a.restitution + b.restitution)) * a.mass / (a.mass + b.mass)
+                return 0.005 * (low + high) / gain * self.damping_loss(actor, phase)
+        return None
+
+    def damping_loss(self, actor: str, phase: Phase) -> float:
+        """Factor by which a freely rolling body must start faster to arrive as planned."""
+        body = self.scene.body(actor)
+        if phase.edge.event is not EdgeEvent.TOWARD or body.linear_damping <= 0.0:
+            return 1.0
+        duration = self.nominal.get(f"{phase.end.id}/event_time", 1.0)
+        return float(min(math.exp(body.linear_damping * duration), 3.0))
+
+    def declare_throw(self, actor: str, body: Body, phase: Phase) -> None:
+        edge, params = phase.edge, phase.edge.params
+        phase = flown_to(self.story, phase)
+        banked = f"{edge.id}/goal_above" in self.nominal
+        low, high, fixed = bounds(params.speed, (100.0, FASTEST_THROW_CM_S))
+        if not (fixed or edge.speed_is_prescribed):
+            high = max(high, FASTEST_THROW_CM_S)
+        if fixed:
+            self.add(
+                f"{edge.id}/speed",
+                low / 100,
+                low / 100,
+                low / 100,
+                low / 100,
+                0.0,
+                "m/s",
+                fixed=True,
+            )
+            e_low, e_high, e_fixed = bounds(params.elevation_deg, (-30.0, 75.0))
+            start = self.elevation_for(actor, phase, low / 100.0)
+            self.add(
+                f"{edge.id}/elevation",
+                math.radians(e_low),
+                math.radians(e_high),
+                start,
+                math.radians(0.5 * (e_low + e_high)),
+                0.05,
+                "rad",
+                fixed=e_fixed,
+            )
+            return
+        target = self.target(phase)
+        offset = self._goal_of(actor, edge.id)
+        flight = self.nominal.get(f"{edge.id}/flight_time", 1.0)
+        if offset is not None:
+            span = float(np.linalg.norm(offset[:2] - np.array(body.position)[:2]))
+            fastest = max(span / (high / 100.0), 0.15)
+            self.add(
+                f"{edge.id}/flight_time",
+                fastest,
+                max(2.5, 1.5 * flight),
+                flight,
+                span / max(0.005 * (low + high), 0.5),
+                0.06 * flight,
+                "s",
+            )
+            height = self.scene.body(target).half_extents[2] if target else 0.3
+            region = self.region(phase)
+            mouth = region.half_extents[2] if region and region.kind == "inside" else 0.0
+            if region and not opens_upwards(self._siblings(region), region.name):
+                mouth = 0.0
+            self.add(
+                f"{edge.id}/aim_height",
+                -0.8 * height,
+                max(0.8 * height, 1.5 * mouth),
+                0.45 * height if self.story.topples(target) else OVER_MOUTH * mouth,
+                0.0,
+                0.05 if banked else 0.2 * height,
+                "m",
+            )
+            return
+        speed = middle(max(low, 1.0), high) / 100.0
+        self.add(
+            f"{edge.id}/speed",
+            low / 100,
+            high / 100,
+            speed,
+            0.005 * (low + high),
+            0.1 * speed,
+            "m/s",
+        )
+        e_low, e_high, e_fixed = bounds(params.elevation_deg, (0.0, 60.0))
+        self.add(
+            f"{edge.id}/elevation",
+            math.radians(e_low),
+            math.radians(e_high),
+            math.radians(0.5 * (e_low + e_high)),
+            math.radians(0.5 * (e_low + e_high)),
+            0.1,
+            "rad",
+            fixed=e_fixed,
+        )
+
+    def _goal_of(self, actor: str, edge_id: str) -> Floats | None:
+        phase = next(p for p in self.story.phases[actor] if p.edge.id == edge_id)
+        return self.throw_goal(actor, phase)
+
+    def _siblings(self, region: Region) -> list[Region]:
+        return [r for r in self.scene.regions if r.parent == region.parent]
+
+    def elevation_for(self, actor: str, phase: Phase, speed: float) -> float:
+        """Low-arc launch angle that reaches the target at a given speed."""
+        target = self.target(phase)
+        body = self.scene.body(actor)
+        if target is None:
+            return math.radians(20.0)
+        d = aim_point(body, self.scene.body(target)) - np.array(body.position)
+        x, z, g = float(np.hypot(d[0], d[1])), float(d[2]), GRAVITY_MPS2
+        if self.story.topples(target):
+            struck = self.scene.body(target)
+            foot = float(struck.position[2] + struck.origin_offset[2])
+            z = foot + 2.0 * FLIES_AT * float(struck.half_extents[2]) - float(body.position[2])
+            # Where it touches, not in the middle of what it touches.
+            x = max(x - body.half_extents[0] - 0.5 * min(struck.half_extents[:2]), 0.1)
+        if speed < 0.5 or x < 0.05:
+            return math.radians(-90.0) if x < 0.05 else 0.0
+        root = speed**4 - g * (g * x * x + 2.0 * z * speed * speed)
+        if root < 0.0:
+            return math.radians(45.0)
+        return math.atan2(speed * speed - math.sqrt(root), g * x)

@@ -1,0 +1,1 @@
+"""The search for theta: strategies behind one interface, and what they share."""

@@ -1,0 +1,266 @@
+"""Who judges candidates during the search: the surrogate explores, the reference engine decides.
+
+Both play the same ensemble of perturbations. The surrogate adds two members that the reference
+engine would have to be built anew for: half the step, and round sides replaced by facets.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import partial
+import math
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from esg.dynamics.losses.losses import Assessment
+from esg.dynamics.plan.horizon import told_by
+from esg.dynamics.plan.plan import Plan
+from esg.dynamics.search.simulate import ENSEMBLE, Simulator
+from esg.dynamics.story.proxies import faceted
+from esg.engines.base import Engine, get_engine
+from esg.graph.models import SearchStep
+
+Floats = NDArray[np.float64]
+
+REFERENCE_DT_S = 1.0 / 240.0
+GOOD_LOSS = 0.35
+"""Worst-case loss at which the search stops: all events happen, residuals are small."""
+CENTRED_LOSS = 0.15
+SAME_LOSS = 0.05
+"""What holding bystanders still may change."""
+SPARE_S = 0.15
+"""By how much later the reference engine may see events before it has to play on."""
+MANY, NEARLY_ALL = 0.8, 0.9
+"""The surrogate plays no longer than this share of the last candidates needed, if at least so many
+of them told everything."""
+WORST_SHARE = 0.7
+"""Weight of the worst member of the ensemble; the rest goes to the mean."""
+
+
+@dataclass(frozen=True)
+class Found:
+    """A theta and how it fared in the reference engine.
+
+    Args:
+        theta: Shape [n].
+        worst: Worst-case loss (see `robust_value`).
+        nominal: Of the unperturbed scene, one world.
+        ensemble: Of all members.
+    """
+
+    theta: Floats
+    worst: float
+    nominal: Assessment
+    ensemble: Assessment
+
+    def good(self) -> bool:
+        """A small worst case; or everything holds in all members and the nominal is centred."""
+        return self.worst < GOOD_LOSS or bool(_holds(self.ensemble, 1)[0])
+
+
+@dataclass(frozen=True)
+class Previewed:
+    """How K candidates fared in the surrogate.
+
+    Args:
+        worst: Worst-case losses, shape [K].
+        good: Whether each is as `Found.good` asks, with half the step and other proxies too [K].
+    """
+
+    worst: Floats
+    good: NDArray[np.bool_]
+
+
+class Panel:
+    """The engines of a search and the record of what they were asked.
+
+    Args:
+        plan: What is searched.
+        device: Where the engines run.
+        dt: Step of both engines [s].
+        engines: Name and device -> engine.
+
+    Attributes:
+        breadth: Candidates that the surrogate plays in about the time of one.
+    """
+
+    def __init__(
+        self,
+        plan: Plan,
+        device: str,
+        *,
+        dt: float,
+        engines: Callable[[str, str], Engine] = get_engine,
+    ) -> None:
+        engine = engines("surrogate", device)
+        self.plan, self.device = plan, device
+        self.reference = Simulator(plan, engines("newton", device), dt=dt, hold=True)
+        self.surrogate = Simulator(plan, engine, dt=dt)
+        self.breadth: int = getattr(engine, "breadth", 1)
+        self._others = [Simulator(plan, engine, dt=0.5 * dt)]
+        scene = faceted(plan.scene)
+        if scene is not plan.scene:
+            self._others.append(Simulator(replace(plan, scene=scene), engine, dt=dt))
+        # An engine that is shared by many searches may play several rollouts at once.
+        self._together: Callable[[list[Callable[[], Any]]], list[Any]] | None
+        self._together = getattr(engine, "together", None)
+        self.steps: list[SearchStep] = []
+        self._told: dict[bytes, float] = {}
+        # What plays many worlds in the time of one would wait for two passes instead of one.
+        self._may_stop = self.breadth == 1
+        self._until = plan.told + SPARE_S if self._may_stop else math.inf
+
+    def rebias(self, bias: dict[str, float]) -> None:
+        """Shifts the targets of all engines (`losses.assess`)."""
+        for simulator in (self.reference, self.surrogate, *self._others):
+            simulator.bias = dict(bias)
+
+    @property
+    def evaluations(self) -> int:
+        """Rollouts of the reference engine."""
+        return self.reference.evaluations
+
+    @property
+    def explored(self) -> int:
+        """Rollouts of the surrogate."""
+        return self.surrogate.evaluations + sum(s.evaluations for s in self._others)
+
+    def note(self, phase: str, engine: str, candidates: int, best: float) -> None:
+        """Adds a line to the record of the search."""
+        self.steps.append(
+            SearchStep(phase=phase, engine=engine, candidates=candidates, best=rounded(best))
+        )
+
+    def preview(self, thetas: Floats) -> Previewed:
+        """How candidates fare in the surrogate under the ensemble and in its other two forms."""
+        calls: list[Callable[[], tuple[Assessment, Floats]]] = [
+            partial(_table, self.surrogate, thetas, self._until),
+            *(partial(_column, s, thetas, self._until) for s in self._others),
+        ]
+        played = self._together(calls) if self._together else [call() for call in calls]
+        told = told_by(self.plan.story, played[0][0]).reshape(len(thetas), -1).max(axis=1)
+        self._expect(told)
+        self._told |= {t.tobytes(): float(end) for t, end in zip(thetas, told, strict=True)}
+        worst = robust_value(np.concatenate([table for _, table in played], axis=1))
+        worst = worst + prior(self.plan, thetas)
+        holds = _holds(played[0][0], len(thetas))
+        for other, _ in played[1:]:
+            holds &= other.all_completed() & other.within_tolerance()
+        return Previewed(worst, holds | (worst < GOOD_LOSS))
+
+    def look(self, thetas: Floats) -> Assessment:
+        """The unperturbed scene in the surrogate."""
+        found = self.surrogate.assess(thetas, until=self._until)
+        self._expect(told_by(self.plan.story, found))
+        return found
+
+    def _expect(self, told: Floats) -> None:
+        """Sets how long the next candidates are played, by when the last ones had told all."""
+        if self._may_stop:
+            known = told[np.isfinite(told)]
+            enough = len(known) >= MANY * len(told)
+            self._until = float(np.quantile(known, NEARLY_ALL)) + SPARE_S if enough else math.inf
+
+    def judge(self, thetas: Floats, phase: str = "confirm") -> Found:
+        """Plays thetas under the ensemble in the reference engine and keeps the most robust."""
+        until = max(self._told.get(t.tobytes(), math.inf) for t in thetas) + SPARE_S
+        assessed, table = _table(self.reference, thetas, until)
+        value = robust_value(table) + prior(self.plan, thetas)
+        k = int(np.argmin(value))
+        ensemble = assessed.worlds(slice(k * len(ENSEMBLE), (k + 1) * len(ENSEMBLE)))
+        self.note(phase, "newton", len(thetas), float(value[k]))
+        return Found(thetas[k], float(value[k]), ensemble.worlds(slice(0, 1)), ensemble)
+
+    def whole(self, found: Found) -> Found | None:
+        """What was found, played with all bodies that can move; None if that is something else.
+
+        During the search bodies that no event is about are held still (`bystanders`).
+        """
+        if not self.reference.holds:
+            return found
+        until = float(told_by(self.plan.story, found.nominal)[0]) + SPARE_S
+        nominal = self.reference.assess(found.theta[None], whole=True, until=until)
+        self.note("whole", "newton", 1, float(nominal.total[0]))
+        held = found.nominal
+        same = all(np.array_equal(nominal.completed[k], held.completed[k]) for k in held.completed)
+        if same and abs(float(nominal.total[0] - held.total[0])) < SAME_LOSS:
+            return replace(found, nominal=nominal)
+        self.reference.release()
+        return None
+
+    def judge_while(self, thetas: Floats, candidates: Floats) -> tuple[Found, Callable[[], Floats]]:
+        """Judges thetas, and may play the next candidates at the same time.
+
+        Returns:
+            What `judge` found, and what gives the candidates' losses in the reference engine,
+            shape [K]. They are played when it is called, except by an engine shared by many
+            searches, whose passes take as long with them as without; either way they count as
+            evaluations from that call on.
+        """
+
+        def look() -> Floats:
+            return self.reference.assess(candidates).total
+
+        together = self._together
+        if together is None or not len(candidates):
+            return self.judge(thetas, "polish"), look
+        found, losses = together([lambda: self.judge(thetas, "polish"), look])
+        self.reference.evaluations -= len(candidates)
+
+        def known() -> Floats:
+            self.reference.evaluations += len(candidates)
+            return losses
+
+        return found, known
+
+
+def _holds(assessed: Assessment, count: int) -> NDArray[np.bool_]:
+    """Whether everything holds in all members of `count` ensembles, the nominal centred [count].
+
+    The perturbations themselves move a prescribed speed or time, so that some worst cases cannot
+    become small.
+    """
+    members = len(ENSEMBLE)
+    happens = assessed.all_completed() & assessed.within_tolerance(perturbed=True)
+    centred = assessed.within_tolerance() & (assessed.total < CENTRED_LOSS)
+    return happens.reshape(count, members).all(axis=1) & centred[::members]
+
+
+def _column(
+    simulator: Simulator, thetas: Floats, until: float = math.inf
+) -> tuple[Assessment, Floats]:
+    """The unperturbed scene: the assessment and losses, shape [K, 1]."""
+    assessed = simulator.assess(thetas, until=until)
+    return assessed, assessed.total[:, None]
+
+
+def _table(
+    simulator: Simulator, thetas: Floats, until: float = math.inf
+) -> tuple[Assessment, Floats]:
+    """All members of the ensemble for each theta: the assessment and losses [K, members]."""
+    members = [m for _ in thetas for m in ENSEMBLE]
+    assessed = simulator.assess(np.repeat(thetas, len(ENSEMBLE), axis=0), members, until=until)
+    return assessed, assessed.total.reshape(len(thetas), len(ENSEMBLE))
+
+
+def robust_value(losses: Floats) -> Floats:
+    """Worst case and mean over the members, [K, members] -> [K]."""
+    return WORST_SHARE * losses.max(axis=1) + (1.0 - WORST_SHARE) * losses.mean(axis=1)
+
+
+def prior(plan: Plan, thetas: Floats) -> Floats:
+    """Normalized l2 distance from the initial theta (paper, L_p), at a small weight.
+
+    It says which of two equals to take; a right theta far off is not called bad for it.
+    """
+    spread = np.array([max(v.spread, 1e-9) for v in plan.variables])
+    deviation = np.where(plan.free(), (thetas - plan.initial()) / (6.0 * spread), 0.0)
+    return 0.01 * (deviation**2 / (1.0 + deviation**2)).sum(axis=1)
+
+
+def rounded(value: float) -> float:
+    """A finite number with nine decimals, as documents store it."""
+    return float(np.round(np.nan_to_num(value, nan=0.0, posinf=1e9, neginf=-1e9), 9))

@@ -1,0 +1,1 @@
+"""Worlds of many different scenes in one model and one launch."""

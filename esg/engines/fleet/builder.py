@@ -1,0 +1,111 @@
+"""Builders of Newton models whose worlds are those of several scenes: all that needs no GPU."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from esg.engines.fleet.jobs import SceneShapes
+from esg.engines.newton.setup import CONTACT_GAP_M, quiet_warp
+from esg.engines.newton.shapes import add_shape
+
+Wanted = tuple[tuple[int, int, int], ...]
+"""Per scene of a model: its key, the number of its worlds and the factor on room for contacts."""
+
+_GROUNDS = (-1, -2)
+
+
+@dataclass
+class Blueprint:
+    """A model that has not been put on a device yet.
+
+    Args:
+        builder: Newton's `ModelBuilder` of all worlds.
+        owners: Per scene, the body of every shape of a world; -1 and -2 for the grounds.
+    """
+
+    builder: Any
+    owners: list[NDArray[np.int32]]
+
+
+class Drafts:
+    """Builders of the worlds of scenes, and blueprints made ahead of their use.
+
+    Args:
+        keep: Whether builders are kept for the next model of a scene.
+    """
+
+    def __init__(self, *, keep: bool) -> None:
+        self.keep = keep
+        self._meshes: dict[bytes, Any] = {}
+        self._worlds: dict[int, tuple[Any, NDArray[np.int32]]] = {}
+        self.ready: dict[Wanted, Blueprint] = {}
+
+    def world(self, key: int, shapes: SceneShapes) -> tuple[Any, NDArray[np.int32]]:
+        """The builder of one world of a scene, and the body of every shape."""
+        if key in self._worlds:
+            return self._worlds[key]
+        wp = quiet_warp()
+        import newton
+
+        world = newton.ModelBuilder(up_axis=newton.Axis.Z, gravity=shapes.gravity)
+        newton.solvers.SolverSteel.register_custom_attributes(world)
+        config = newton.ModelBuilder.ShapeConfig(density=0.0, gap=CONTACT_GAP_M)
+        meshes = self._meshes if self.keep else {}
+        made = (world, _add_scene(wp, world, shapes, config, meshes))
+        if self.keep:
+            self._worlds[key] = made
+        return made
+
+    def prepare(self, wanted: Wanted, shapes: list[SceneShapes]) -> None:
+        """Makes a blueprint that `take` will ask for."""
+        self.ready[wanted] = self._make(wanted, shapes)
+
+    def take(self, wanted: Wanted, shapes: list[SceneShapes]) -> Blueprint:
+        """The blueprint of a model; it is made if nobody has prepared it."""
+        ready = self.ready.pop(wanted, None)
+        return self._make(wanted, shapes) if ready is None else ready
+
+    def _make(self, wanted: Wanted, shapes: list[SceneShapes]) -> Blueprint:
+        import newton
+
+        gravity = shapes[0].gravity if shapes else (0.0, 0.0, -9.81)
+        everything = newton.ModelBuilder(up_axis=newton.Axis.Z, gravity=gravity)
+        newton.solvers.SolverSteel.register_custom_attributes(everything)
+        owners = []
+        for (key, worlds, _), s in zip(wanted, shapes, strict=True):
+            world, own = self.world(key, s)
+            owners.append(own)
+            everything.replicate(world, worlds)
+        return Blueprint(everything, owners)
+
+
+def _add_scene(
+    wp: Any, world: Any, s: SceneShapes, config: Any, meshes: dict[bytes, Any]
+) -> NDArray[np.int32]:
+    """Adds grounds, bodies and shapes as `NewtonModel` does; returns the body of every shape."""
+    grounds = [world.add_ground_plane(cfg=config) for _ in range(2)]
+    touches = {False: grounds[1], True: grounds[0]}
+    owners: list[int] = list(_GROUNDS)
+    for b in range(s.n_bodies):
+        if not s.collides[b]:
+            continue
+        owner = -1
+        if not s.static[b]:
+            owner = world.add_body(
+                xform=wp.transform_identity(),
+                mass=float(s.mass[b]),
+                inertia=wp.mat33(s.inertia[b].astype(np.float32).flatten()),
+                lock_inertia=True,
+            )
+        for i in range(s.first[b], s.first[b + 1]):
+            size, origin, turn = s.size[i].tolist(), s.origin[i].tolist(), s.rotation[i].tolist()
+            shape = add_shape(
+                world, owner, s.kind[i], size, origin, turn, s.hulls[i], config, meshes
+            )
+            owners.append(b)
+            world.add_shape_collision_filter_pair(shape, touches[bool(s.wheeled[b])])
+    return np.array(owners, np.int32)

@@ -1,0 +1,1 @@
+"""The reference engine: Newton's Steel solver."""

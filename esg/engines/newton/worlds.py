@@ -1,0 +1,304 @@
+"""Worlds of a Newton model, of one scene or of several: solver, arrays and the captured step."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from esg.engines.newton.setup import (
+    ITERATIONS,
+    RESTITUTION_THRESHOLD_MPS,
+    SPECULATIVE_GAP_M,
+    STEPS_PER_GRAPH,
+    STEPS_PER_GRAPH_CPU,
+    quiet_warp,
+    share_kernels,
+    sort_few_contacts,
+)
+from esg.engines.program import FIELDS
+
+Ints = NDArray[np.int32]
+Singles = NDArray[np.float32]
+
+
+class NewtonWorlds:
+    """What models of one scene and of several share.
+
+    W worlds of at most B bodies each; moving bodies and shapes are numbered through all worlds.
+
+    Args:
+        device: Warp device, such as "cpu" or "cuda:0".
+        n_worlds: W.
+        n_bodies: B.
+        by_chunk: Whether states of one chunk of frames are kept, instead of all.
+    """
+
+    out_q: Any
+    out_qd: Any
+
+    def __init__(self, device: str, n_worlds: int, n_bodies: int, *, by_chunk: bool) -> None:
+        self.wp = quiet_warp()
+        share_kernels()
+        sort_few_contacts()
+        self.device, self.n_worlds, self.n_bodies = device, n_worlds, n_bodies
+        self._by_chunk = by_chunk
+        self.graph_steps = STEPS_PER_GRAPH_CPU if device.startswith("cpu") else STEPS_PER_GRAPH
+        self._graphs: dict[object, Any] = {}
+        self._primitives = 0
+        self.dt, self.has_friction_change = 0.0, False
+
+    def _finalize(
+        self,
+        builder: Any,
+        first_shape: NDArray[np.int64],
+        n_moving: int,
+        points: int,
+        points_per_world: int,
+    ) -> None:
+        """Puts the model on the device and makes its collision pipeline and solver.
+
+        Args:
+            builder: `newton.ModelBuilder` of all worlds.
+            first_shape: Of each world and their number, shape [W + 1].
+            n_moving: Bodies that move in all worlds.
+            points: Room for contact points in all worlds.
+            points_per_world: In the most crowded one.
+
+        Raises:
+            RuntimeError: If Newton laid shapes or bodies out in another order than the kernels of
+                this package expect.
+        """
+        import newton
+
+        wp = self.wp
+        self.model = model = builder.finalize(device=self.device)
+        expected = np.repeat(np.arange(self.n_worlds), np.diff(first_shape))
+        if not np.array_equal(model.shape_world.numpy(), expected):
+            raise RuntimeError("Newton changed the order of shapes in replicated worlds")
+        if model.body_count != n_moving:
+            raise RuntimeError("Newton changed the number of bodies in replicated worlds")
+        cuda = not self.device.startswith("cpu")
+        # On the CPU kernels run in order anyway.
+        mode = wp.DeterministicMode
+        self.pipeline = newton.CollisionPipeline(
+            model,
+            broad_phase="explicit",
+            rigid_contact_max=points,
+            deterministic=cuda,
+            verify_buffers=False,
+            speculative_contact_gap_max=SPECULATIVE_GAP_M,
+        )
+        self.contacts = self.pipeline.contacts()
+        self.solver = newton.solvers.SolverSteel(
+            model,
+            iterations=ITERATIONS,
+            friction_anchor_beta=0.2,
+            restitution_velocity_threshold=RESTITUTION_THRESHOLD_MPS,
+            # One row along the normal and two for friction.
+            free_body_constraint_max=3 * points_per_world,
+            articulation_constraint_max=1,
+            warn_constraint_overflow=False,
+            deterministic=mode.RUN_TO_RUN if cuda else mode.NOT_GUARANTEED,
+        )
+        self.observables = self.solver.observables({"contact_f"}, contacts=self.contacts)
+        self.state, self.other = model.state(), model.state()
+        self.control = model.control()
+
+    def _allocate(
+        self,
+        dynamic: Ints,
+        pair: Ints,
+        first_pair: NDArray[np.int64],
+        first_shape: NDArray[np.int64],
+        owner: NDArray[Any],
+        chunk_frames: int,
+    ) -> None:
+        """Makes the arrays of the kernels.
+
+        Args:
+            dynamic: Number of each moving body, -1 for those that stand still, shape [W, B].
+            pair: Number of each pair of bodies in its world, -1 for those that are not logged; row
+                and column 0 are the ground, shape [W, B + 1, B + 1].
+            first_pair: Of each world and their number, shape [W + 1]; `first_shape` likewise.
+            owner: Body of each shape in its world, negative for the ground.
+            chunk_frames: Frames whose pairs are summed up before they are read.
+        """
+        wp, w, b, c = self.wp, self.n_worlds, self.n_bodies, chunk_frames
+        n_pairs = max(1, int(first_pair[-1]))
+        self.dynamic = wp.array(dynamic, dtype=int)
+        self.pair = wp.array(pair, dtype=int)
+        self.first_pair = wp.array(first_pair.astype(np.int32), dtype=int)
+        self.first_shape = wp.array(first_shape.astype(np.int32), dtype=int)
+        self.shape_body = wp.array(np.maximum(owner, -1).astype(np.int32), dtype=int)
+        self.friction_scale = wp.ones(w, dtype=float)
+        self.touched = wp.full((w, b, b), -1, dtype=int)
+        self.clock = wp.zeros(4, dtype=int)
+        self.grid = wp.zeros(1, dtype=wp.float64)
+        self.impulse = wp.zeros((c, n_pairs), dtype=wp.int64)
+        self.first = wp.full((c, n_pairs), 2**31 - 1, dtype=int)
+        self.depth = wp.zeros((c, n_pairs), dtype=float)
+        self.moments = wp.zeros((c, n_pairs, 6), dtype=wp.int64)
+        self.primitive_counts = wp.zeros(w, dtype=int)
+
+    # -- before a rollout --------------------------------------------------------------------------
+
+    def _load_bodies(self, mass: Singles, inertia: Singles, damping: Singles) -> None:
+        """Writes what moving bodies (D in all worlds) are like.
+
+        Args:
+            mass: [kg], shape [D].
+            inertia: Body axes [kg m^2], shape [D, 3, 3].
+            damping: Linear and angular [1/s], shape [D, 2].
+        """
+        model = self.model
+        model.body_mass.assign(mass)
+        model.body_inv_mass.assign(1.0 / mass)
+        model.body_inertia.assign(inertia)
+        model.body_inv_inertia.assign(np.linalg.inv(inertia.astype(float)))
+        model.steel.rigid_body_linear_damping.assign(damping[:, 0].copy())
+        model.steel.rigid_body_angular_damping.assign(damping[:, 1].copy())
+
+    def _load_shapes(self, mu: Singles, restitution: Singles, pose: Singles) -> None:
+        """Writes materials and poses [S, 7] of all shapes; `_load_bodies` comes before."""
+        import newton
+
+        model, flags = self.model, newton.ModelFlags
+        model.shape_material_mu.assign(mu)
+        model.shape_material_restitution.assign(restitution)
+        model.shape_transform.assign(pose)
+        self.solver.notify_model_changed(flags.BODY_INERTIAL_PROPERTIES | flags.SHAPE_PROPERTIES)
+
+    def _load_states(self, pose: Singles) -> None:
+        """Puts moving bodies at rest where they start, shape [D, 7]."""
+        for state in (self.state, self.other) if len(pose) else ():
+            state.body_q.assign(pose)
+            state.body_qd.zero_()
+            state.joint_q.assign(pose.reshape(-1))
+            state.joint_qd.zero_()
+        self.solver.reset(self.state)
+
+    def _load_programs(
+        self, kind: Ints, body: Ints, until: Ints, table: NDArray[np.float64], count: Ints
+    ) -> None:
+        """Writes programs of P primitives: [W, P], [W, P], [W, P, B], [W, P, FIELDS] and [W].
+
+        Graphs keep addresses: where there is no room for P primitives, they are dropped.
+        """
+        wp, w, p = self.wp, self.n_worlds, kind.shape[1]
+        if p != self._primitives:
+            self._primitives = p
+            self._graphs.clear()
+            self.kind = wp.zeros((w, p), dtype=int)
+            self.body = wp.zeros((w, p), dtype=int)
+            self.until = wp.zeros((w, p, self.n_bodies), dtype=int)
+            self.table = wp.zeros((w, p, FIELDS), dtype=wp.float64)
+            self.done = wp.zeros((w, p), dtype=int)
+            self.active = wp.zeros((w, p), dtype=int)
+        for target, values in ((self.kind, kind), (self.body, body), (self.until, until),
+                               (self.table, table), (self.primitive_counts, count)):  # fmt: skip
+            target.assign(values)
+        self.done.zero_()
+        self.active.zero_()
+
+    def _room(self, primitives: int, least: int) -> int:
+        """Room for a program: the last one's, or a power of two."""
+        needed = max(least, 1 << (max(1, primitives) - 1).bit_length())
+        return max(needed, self._primitives)
+
+    def _start(self, dt: float, record_every: int, chunk_frames: int) -> None:
+        """Sets the time grid to the beginning."""
+        self.touched.fill_(-1)
+        self.grid.fill_(dt)
+        self.dt, self.record_every = dt, record_every
+        self._clock = np.array([0, record_every, 0, chunk_frames], np.int32)
+        self.clock.assign(self._clock)
+
+    # -- steps -------------------------------------------------------------------------------------
+
+    def prepare(self) -> Any:
+        """The captured steps; captures them if something new was loaded."""
+        key = (self.dt, self.has_friction_change)
+        if key not in self._graphs:
+            wp = self.wp
+            with wp.ScopedDevice(self.device):
+                if not self._graphs:
+                    self._warm_up()
+                with wp.ScopedCapture(device=self.device) as capture:
+                    for _ in range(self.graph_steps):
+                        self._step()
+            self._graphs[key] = capture.graph
+        return self._graphs[key]
+
+    def _warm_up(self) -> None:
+        """Compiles and loads all kernels by two eager steps on states that are put back."""
+        import newton
+
+        wp, steel = self.wp, self.model.steel
+        saved = [
+            (a, wp.clone(a))
+            for a in (
+                *(
+                    getattr(s, n)
+                    for s in (self.state, self.other)
+                    for n in ("body_q", "body_qd", "joint_q", "joint_qd")
+                    if getattr(s, n) is not None
+                ),
+                self.clock, self.touched, self.done, self.active, self.impulse, self.first,
+                self.depth, self.moments, self.model.shape_material_mu,
+                steel.rigid_body_linear_damping, steel.rigid_body_angular_damping,
+            )
+        ]  # fmt: skip
+        self._step()
+        self._step()
+        for array, copy in saved:
+            wp.copy(array, copy)
+        self.solver.reset(self.state)
+        self.solver.notify_model_changed(newton.ModelFlags.SHAPE_PROPERTIES)
+
+    def _step(self) -> None:
+        import newton
+
+        from esg.engines.newton import kernels
+
+        wp, model, c = self.wp, self.model, self.contacts
+        s = self.state
+        wp.launch(
+            kernels.run_programs,
+            dim=self.n_worlds,
+            inputs=[
+                self.clock, self.grid, self.primitive_counts, self.kind, self.body, self.until,
+                self.table, self.dynamic, self.first_shape, self.shape_body,
+                self.friction_scale, self.touched, self.done, self.active, model.body_mass,
+                model.steel.rigid_body_linear_damping, model.steel.rigid_body_angular_damping,
+                model.shape_material_mu, model.gravity, s.body_qd, s.joint_qd,
+            ],
+        )  # fmt: skip
+        if self.has_friction_change:
+            self.solver.notify_model_changed(newton.ModelFlags.SHAPE_PROPERTIES)
+        s.clear_forces()
+        self.pipeline.collide(s, c, dt=self.dt)
+        self.solver.step(s, self.other, self.control, c, self.dt, observables=self.observables)
+        wp.launch(
+            kernels.accumulate_contacts,
+            dim=c.rigid_contact_max,
+            inputs=[
+                self.clock, self.grid, c.rigid_contact_count, c.rigid_contact_shape0,
+                c.rigid_contact_shape1, c.rigid_contact_point0, c.rigid_contact_point1,
+                c.rigid_contact_normal, c.rigid_contact_margin0, c.rigid_contact_margin1,
+                self.observables.contact_f, model.shape_body, s.body_q, model.shape_world,
+                self.shape_body, self.first_pair, self.pair, self.touched, self.impulse,
+                self.first, self.depth, self.moments,
+            ],
+        )  # fmt: skip
+        self.state, self.other = self.other, self.state
+        wp.launch(
+            kernels.record_frames,
+            dim=model.body_count,
+            inputs=[
+                self.clock, self.state.body_q, self.state.body_qd, int(self._by_chunk),
+                self.out_q, self.out_qd,
+            ],
+        )  # fmt: skip
+        wp.launch(kernels.advance, dim=1, inputs=[self.clock])

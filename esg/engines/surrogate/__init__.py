@@ -1,0 +1,1 @@
+"""The fused surrogate: whole rollouts of many worlds in one launch, differentiable."""

@@ -1,0 +1,349 @@
+"""From the trace of a rollout to a list of arithmetic operations with a place for every result.
+
+Reverse-mode differentiation needs every intermediate value. Here each change of a velocity or pose
+gets a new place ("version") in a flat array, and all decisions (which contacts press, how many
+sweeps, what the program does) are read from the trace, so that the replay is plain arithmetic.
+"""
+
+from __future__ import annotations
+
+# pyright: basic, reportGeneralTypeIssues=false, reportInvalidTypeForm=false
+import warp as wp
+
+from esg.engines.surrogate.features import Features, describe
+from esg.engines.surrogate.types import Contacts, Model, Trace
+
+wp.set_module_options({"enable_backward": False})
+
+ACT = wp.constant(0)
+FORCES = wp.constant(1)
+PREPARE = wp.constant(2)
+SOLVE = wp.constant(3)
+DELAY = wp.constant(4)
+MOVE = wp.constant(5)
+
+
+@wp.struct
+class Ops:
+    """Operations of all worlds, flat; world w owns first[w] .. first[w + 1] - 1."""
+
+    first: wp.array(dtype=int)
+    kind: wp.array(dtype=int)
+    step: wp.array(dtype=int)
+    a: wp.array(dtype=int)
+    b: wp.array(dtype=int)
+    """Bodies; for ACT `b` is the primitive. A body that impulses do not move is -1."""
+    in_a: wp.array(dtype=int)
+    in_b: wp.array(dtype=int)
+    out_a: wp.array(dtype=int)
+    out_b: wp.array(dtype=int)
+    """Versions of velocities."""
+    pose_a: wp.array(dtype=int)
+    pose_b: wp.array(dtype=int)
+    """Versions of poses; MOVE writes `pose_b`. After a hit in the step before, its `b` is the pose
+    of that step, and `contact`, `impulse_in`, `out_b` are the velocities at the start of that step,
+    of the one before it, and of this one. After a change of control `b` is -2 - its number
+    and `impulse_out` the velocity after it."""
+    contact: wp.array(dtype=int)
+    """Of a contact; for ACT 1 in its first step, plus 2 in the last step of a hold that ends by its
+    time; for FORCES the primitive that set the angular damping."""
+    impulse_in: wp.array(dtype=int)
+    impulse_out: wp.array(dtype=int)
+
+
+@wp.struct
+class Versions:
+    """First version of each world and the current ones while linking."""
+
+    velocity: wp.array(dtype=int)
+    pose: wp.array(dtype=int)
+    impulse: wp.array(dtype=int)
+    now_v: wp.array2d(dtype=int)
+    now_x: wp.array2d(dtype=int)
+    free_v: wp.array2d(dtype=int)
+    """Of the velocity before the contacts of the step, [W, B]."""
+    set_v: wp.array2d(dtype=int)
+    """Of the velocity after the program's actions of the step, [W, B]."""
+    last_i: wp.array2d(dtype=int)
+    """Latest impulse version of a contact of the step, [W, C]."""
+    number: wp.array2d(dtype=int)
+    """Flat index of a contact of the step, [W, C]."""
+    acted: wp.array2d(dtype=int)
+    kick: wp.array2d(dtype=int)
+    """Pose version of a body that was hit within the last step, else -1, [W, B]."""
+    hit: wp.array2d(dtype=int)
+    """Number of the step after a body's last hit, [W, B]."""
+    velocity_at: wp.array3d(dtype=int)
+    late: wp.array(dtype=float)
+    """By pose version, the mean delay of the impulses of the step from there."""
+    pose_at: wp.array3d(dtype=int)
+    """Versions at the start of every step, [W, steps + 1, B]."""
+
+
+@wp.func
+def _acts(model: Model, trace: Trace, w: int, step: int, i: int, holds: int) -> bool:
+    """Whether the program sets a body's velocity in a step; `holds` 1 counts holds too."""
+    for k in range(model.n_primitives):
+        sets = model.action[k] < 2 or (holds == 1 and model.action[k] == 3)
+        if model.target[k] == i and sets and trace.fired[w, step, k] != 0:
+            return True
+    return False
+
+
+@wp.func
+def _unset(model: Model, trace: Trace, w: int, step: int, i: int) -> bool:
+    """Whether the program set no velocity in this step and the one before it."""
+    if step == 0:
+        return False
+    return not _acts(model, trace, w, step, i, 0) and not _acts(model, trace, w, step - 1, i, 0)
+
+
+@wp.func
+def _steady(model: Model, trace: Trace, ver: Versions, w: int, step: int, i: int) -> bool:
+    """Whether a body's velocity did not jump from the last step to this one by program."""
+    if step == 0:
+        return False
+    if trace.awake[w, step - 1, i] == 0 or ver.hit[w, i] == step:
+        return False
+    return _unset(model, trace, w, step, i)
+
+
+@wp.func
+def _speeding(
+    model: Model, trace: Trace, ver: Versions, w: int, step: int, a: int, b: int
+) -> wp.vec4i:
+    zero = ver.velocity[w]
+    out = wp.vec4i(zero, zero, zero, zero)
+    if _steady(model, trace, ver, w, step, a):
+        out[0] = ver.velocity_at[w, step, a]
+        out[1] = ver.velocity_at[w, step - 1, a]
+    if b < 0:
+        return out
+    if _steady(model, trace, ver, w, step, b):
+        out[2] = ver.velocity_at[w, step, b]
+        out[3] = ver.velocity_at[w, step - 1, b]
+    return out
+
+
+@wp.func
+def _control_change(model: Model, trace: Trace, w: int, step: int, i: int) -> int:
+    """Primitive that changes a body's acceleration from this step on, or -1.
+
+    3 k stands for new damping or an impulse by primitive k, 3 k + 1 for the end of hold k by its
+    time, 3 k + 2 for a velocity set by k.
+    """
+    out = int(-1)  # noqa: RUF046, UP018  # a variable to Warp
+    if step == 0:
+        return out
+    for k in range(model.n_primitives):
+        if model.target[k] == i:
+            kind = model.action[k]
+            if kind == 3 and trace.fired[w, step, k] != 0:
+                return -1
+            if kind == 3 and trace.fired[w, step - 1, k] == 2:
+                out = 3 * k + 1
+            if kind == 0 and trace.fired[w, step, k] != 0:
+                out = 3 * k + 2
+            if kind != 3 and kind != 0 and trace.fired[w, step, k] != 0 and out < 0:
+                out = 3 * k
+    return out
+
+
+@wp.func
+def _kicks(model: Model, con: Contacts, trace: Trace, ver: Versions, w: int, step: int, i: int):
+    """Whether a body is hit within the step; its mean delay goes to `late`."""
+    weight = float(0.0)  # noqa: UP018
+    total = float(0.0)  # noqa: UP018
+    for k in range(con.count[w, step]):
+        slot = con.base * step + k
+        if con.a[w, slot] == i or con.b[w, slot] == i:
+            push = con.impulse[w, slot][0]
+            weight += push * con.delay[w, slot]
+            total += push
+    if weight > 0.0 and trace.awake[w, step, i] != 0:
+        ver.late[ver.now_x[w, i]] = weight / total
+        return True
+    return False
+
+
+@wp.kernel(enable_backward=False)
+def link(
+    model: Model,
+    con: Contacts,
+    trace: Trace,
+    steps: wp.array(dtype=int),
+    ops: Ops,
+    feat: Features,
+    ver: Versions,
+):
+    """Writes the operations of one world per thread, up to step `steps[w]`."""
+    w = wp.tid()
+    q = ops.first[w]
+    c = feat.first[w]
+    zero_v = ver.velocity[w]
+    next_v = zero_v + 1 + model.n_bodies
+    # The pose after those of the bodies is the ground's.
+    next_x = ver.pose[w] + model.n_bodies + 1
+    zero_i = ver.impulse[w]
+    next_i = zero_i + 1
+    for i in range(model.n_bodies):
+        ver.now_v[w, i] = zero_v + 1 + i
+        ver.now_x[w, i] = ver.pose[w] + i
+        ver.kick[w, i] = -1
+        ver.velocity_at[w, 0, i] = ver.now_v[w, i]
+        ver.pose_at[w, 0, i] = ver.now_x[w, i]
+    for step in range(steps[w]):
+        for k in range(model.n_primitives):
+            how = trace.fired[w, step, k]
+            if how == 0:
+                continue
+            i = model.target[k]
+            ops.kind[q] = ACT
+            ops.step[q] = step
+            ops.a[q] = i
+            ops.b[q] = k
+            ops.in_a[q] = ver.now_v[w, i]
+            ops.out_a[q] = next_v
+            ops.pose_a[q] = ver.now_x[w, i]
+            ops.contact[q] = wp.where(how == 2, 2, 0) + wp.where(ver.acted[w, k] == 0, 1, 0)
+            ver.acted[w, k] = 1
+            ver.now_v[w, i] = next_v
+            next_v += 1
+            q += 1
+        for i in range(model.n_bodies):
+            ver.set_v[w, i] = ver.now_v[w, i]
+            if model.dynamic[i] == 0 or trace.awake[w, step, i] == 0:
+                continue
+            damper = int(-1)  # noqa: RUF046, UP018  # a variable to Warp
+            spin_damper = int(-1)  # noqa: RUF046, UP018  # a variable to Warp
+            for k in range(model.n_primitives):
+                if model.action[k] == 2 and model.target[k] == i and ver.acted[w, k] != 0:
+                    if not wp.isnan(model.table[w, k, 2]):
+                        damper = k
+                    if not wp.isnan(model.table[w, k, 3]):
+                        spin_damper = k
+            ops.kind[q] = FORCES
+            ops.step[q] = step
+            ops.a[q] = i
+            ops.b[q] = damper
+            ops.contact[q] = spin_damper
+            ops.in_a[q] = ver.now_v[w, i]
+            ops.out_a[q] = next_v
+            ops.pose_a[q] = ver.now_x[w, i]
+            ver.now_v[w, i] = next_v
+            ver.free_v[w, i] = next_v
+            next_v += 1
+            q += 1
+        n_contacts = con.count[w, step]
+        for k in range(n_contacts):
+            slot = con.base * step + k
+            if con.used[w, slot] == 0:
+                continue
+            describe(model, con, feat, w, slot, c, step)
+            feat.speeding[c] = _speeding(model, trace, ver, w, step, con.a[w, slot], con.b[w, slot])
+            ver.number[w, k] = c
+            ver.last_i[w, k] = zero_i
+            _contact_op(model, con, trace, ops, ver, w, step, slot, k, q, PREPARE)
+            q += 1
+            c += 1
+        for _sweep in range(trace.sweeps[w, step]):
+            for k in range(n_contacts):
+                slot = con.base * step + k
+                if con.used[w, slot] == 0:
+                    continue
+                _contact_op(model, con, trace, ops, ver, w, step, slot, k, q, SOLVE)
+                ops.impulse_in[q] = ver.last_i[w, k]
+                ops.impulse_out[q] = next_i
+                ver.last_i[w, k] = next_i
+                next_i += 1
+                if ops.a[q] >= 0:
+                    ops.out_a[q] = next_v
+                    ver.now_v[w, ops.a[q]] = next_v
+                    next_v += 1
+                if ops.b[q] >= 0:
+                    ops.out_b[q] = next_v
+                    ver.now_v[w, ops.b[q]] = next_v
+                    next_v += 1
+                q += 1
+        for k in range(n_contacts):
+            slot = con.base * step + k
+            if con.used[w, slot] == 0:
+                continue
+            _contact_op(model, con, trace, ops, ver, w, step, slot, k, q, DELAY)
+            ops.impulse_in[q] = ver.last_i[w, k]
+            q += 1
+        for i in range(model.n_bodies):
+            if model.dynamic[i] != 0 and trace.awake[w, step, i] != 0:
+                ops.kind[q] = MOVE
+                ops.step[q] = step
+                ops.a[q] = i
+                ops.in_a[q] = ver.now_v[w, i]
+                ops.in_b[q] = ver.free_v[w, i]
+                ops.out_a[q] = next_v
+                ops.pose_a[q] = ver.now_x[w, i]
+                ops.pose_b[q] = next_x
+                hit = _kicks(model, con, trace, ver, w, step, i)
+                ops.b[q] = -1
+                if ver.kick[w, i] >= 0 and not hit and not _acts(model, trace, w, step, i, 1):
+                    ops.b[q] = ver.kick[w, i]
+                    ops.contact[q] = ver.velocity_at[w, step - 1, i]
+                    ops.impulse_in[q] = ver.velocity_at[w, wp.max(step - 2, 0), i]
+                    ops.out_b[q] = ver.velocity_at[w, step, i]
+                change = _control_change(model, trace, w, step, i)
+                if ops.b[q] == -1 and change >= 0 and not hit:
+                    ops.b[q] = -2 - change
+                    ops.contact[q] = ver.velocity_at[w, step, i]
+                    ops.impulse_in[q] = ver.velocity_at[w, step - 1, i]
+                    ops.impulse_out[q] = ver.set_v[w, i]
+                ver.kick[w, i] = -1
+                if hit and _unset(model, trace, w, step, i) and ver.hit[w, i] != step:
+                    ver.kick[w, i] = ver.now_x[w, i]
+                if hit:
+                    ver.hit[w, i] = step + 1
+                ver.now_v[w, i] = next_v
+                ver.now_x[w, i] = next_x
+                next_v += 1
+                next_x += 1
+                q += 1
+        for i in range(model.n_bodies):
+            if step + 1 < trace.awake.shape[1]:
+                rests = trace.awake[w, step + 1, i] == 0
+                if model.dynamic[i] != 0 and rests:
+                    ver.now_v[w, i] = zero_v
+            ver.velocity_at[w, step + 1, i] = ver.now_v[w, i]
+            ver.pose_at[w, step + 1, i] = ver.now_x[w, i]
+
+
+@wp.func
+def _contact_op(
+    model: Model,
+    con: Contacts,
+    trace: Trace,
+    ops: Ops,
+    ver: Versions,
+    w: int,
+    step: int,
+    slot: int,
+    k: int,
+    q: int,
+    kind: int,
+):
+    a = con.a[w, slot]
+    b = con.b[w, slot]
+    ops.kind[q] = kind
+    ops.step[q] = step
+    ops.contact[q] = ver.number[w, k]
+    ops.a[q] = -1
+    ops.b[q] = -1
+    ops.in_a[q] = ver.velocity[w]
+    ops.in_b[q] = ver.velocity[w]
+    ops.pose_a[q] = ver.now_x[w, a]
+    ops.pose_b[q] = ver.pose[w] + model.n_bodies
+    if model.dynamic[a] != 0 and trace.awake[w, step, a] != 0:
+        ops.a[q] = a
+        ops.in_a[q] = ver.now_v[w, a]
+    if b >= 0:
+        ops.pose_b[q] = ver.now_x[w, b]
+        if model.dynamic[b] != 0 and trace.awake[w, step, b] != 0:
+            ops.b[q] = b
+            ops.in_b[q] = ver.now_v[w, b]

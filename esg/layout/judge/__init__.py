@@ -1,0 +1,1 @@
+"""Exact judgement of layouts, and which of them becomes the scene."""

@@ -1,0 +1,1 @@
+"""A scene as the planar problem that the layout search solves."""

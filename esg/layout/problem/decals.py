@@ -1,0 +1,189 @@
+"""Lays roads, lanes and crossings under planned motion.
+
+A decal has no proxies: where it lies is a matter of meaning, not of physics. Decals that planned
+motion refers to, and carriageways that nothing else refers to, join the planned unit.
+"""
+
+from __future__ import annotations
+
+import math
+
+from esg.graph.models import BinaryRelation, EsgDocument, RelationType
+from esg.layout.problem.edges import AXES, adjacent_band, near_band
+from esg.layout.problem.hints import Corridor
+from esg.layout.problem.obstacles import is_road
+from esg.layout.problem.supports import Shape, SupportMap
+from esg.layout.problem.units import Pose2, Unit, compose
+
+CROSSING_WORDS = (
+    "cross",
+    "crossing",
+    "crossroad",
+    "crossroads",
+    "intersection",
+    "junction",
+    "corner",
+)
+UNDERFOOT = (
+    RelationType.ON,
+    RelationType.INSIDE_OF,
+    RelationType.CENTER_OF,
+    RelationType.UNDER,
+    RelationType.ABOVE,
+)
+Segment = tuple[float, float, float, float]
+
+
+def _segments(corridors: list[Corridor]) -> list[Segment]:
+    out = []
+    for c in corridors:
+        for (x0, y0), (x1, y1) in zip(c.points_cm, c.points_cm[1:], strict=False):
+            if math.hypot(x1 - x0, y1 - y0) > 1e-6:
+                out.append((x0, y0, x1, y1))
+    return out
+
+
+def _direction(s: Segment) -> float:
+    return math.atan2(s[3] - s[1], s[2] - s[0])
+
+
+def _distance(s: Segment, x: float, y: float) -> float:
+    dx, dy = s[2] - s[0], s[3] - s[1]
+    t = ((x - s[0]) * dx + (y - s[1]) * dy) / (dx * dx + dy * dy)
+    t = min(max(t, 0.0), 1.0)
+    return math.hypot(x - s[0] - t * dx, y - s[1] - t * dy)
+
+
+def _turn_centre(corridors: list[Corridor]) -> tuple[float, float] | None:
+    """Where the incoming and the outgoing straight of a turning path would meet."""
+    for c in corridors:
+        legs = _segments([c])
+        if len(legs) < 3:
+            continue
+        a, b = legs[0], legs[-1]
+        ux, uy = math.cos(_direction(a)), math.sin(_direction(a))
+        vx, vy = math.cos(_direction(b)), math.sin(_direction(b))
+        det = ux * vy - uy * vx
+        if abs(det) < 0.3:
+            continue
+        t = ((b[2] - a[0]) * vy - (b[3] - a[1]) * vx) / det
+        return a[0] + t * ux, a[1] + t * uy
+    return None
+
+
+def lay_decals(
+    doc: EsgDocument,
+    unit: Unit,
+    free: list[str],
+    supports: SupportMap,
+    shape: dict[str, Shape],
+) -> dict[str, Pose2]:
+    """Chooses poses of decals in a planned unit's frame.
+
+    Args:
+        doc: The document.
+        unit: A planned unit.
+        free: Decals that belong to no unit yet.
+        supports: Supports of all nodes.
+        shape: Geometry of all nodes.
+
+    Returns:
+        Pose per decal that belongs to this motion.
+    """
+    edges = doc.spatial_relation_graph.edges.binary_relations
+    legs = _segments(unit.corridors)
+    longest = max(legs, key=lambda s: math.hypot(s[2] - s[0], s[3] - s[1]), default=None)
+    main = _direction(longest) if longest is not None else 0.0
+    out: dict[str, Pose2] = {}
+    for name in free:
+        # an edge to a member says where the decal lies; riders say it less precisely
+        links = [
+            (e, e.from_ if e.to == name else e.to)
+            for e in edges
+            if name in (e.from_, e.to) and (e.from_ if e.to == name else e.to) in unit.members
+        ]
+        under = [m for e, m in links if e.relation_type in UNDERFOOT]
+        beside = [(e, m) for e, m in links if e.relation_type not in UNDERFOOT]
+        riders = [n for n in unit.members if supports.of[n].parent == name]
+        taken_elsewhere = any(
+            supports.of[n].parent == name and n not in unit.members for n in supports.of
+        )
+        if under:
+            out[name] = _under(shape[name], unit.members[under[0]], legs, main)
+        elif riders or (not beside and is_road(doc, name) and not taken_elsewhere):
+            if _is_crossing(doc, name):
+                centre = _turn_centre(unit.corridors)
+                if centre is not None and longest is not None:
+                    out[name] = (*centre, _direction(legs[0]))
+                    continue
+            out[name] = _along(shape[name], unit, riders, legs, longest, main)
+        elif beside:
+            out[name] = _beside(shape, name, *beside[0], unit, main)
+    return out
+
+
+def _is_crossing(doc: EsgDocument, name: str) -> bool:
+    config = doc.asset_configurations[doc.spatial_relation_graph.nodes[name].asset_id]
+    words = f"{config.category} {name}".lower().replace("_", " ").replace("-", " ").split()
+    return bool(set(words) & set(CROSSING_WORDS))
+
+
+def _lengthwise(decal: Shape, yaw: float) -> float:
+    return yaw if decal.hx >= decal.hy else yaw + 0.5 * math.pi
+
+
+def _under(decal: Shape, rider: Pose2, legs: list[Segment], main: float) -> Pose2:
+    yaw = main
+    if legs:
+        yaw = _direction(min(legs, key=lambda s: _distance(s, rider[0], rider[1])))
+    return (rider[0], rider[1], _lengthwise(decal, yaw))
+
+
+def _along(
+    decal: Shape,
+    unit: Unit,
+    riders: list[str],
+    legs: list[Segment],
+    longest: Segment | None,
+    yaw: float,
+) -> Pose2:
+    c, s = math.cos(-yaw), math.sin(-yaw)
+    points = [p[:2] for p in unit.members.values()] + [p for q in legs for p in (q[:2], q[2:])]
+    along = [c * x - s * y for x, y in points]
+    if riders:
+        lateral = [s * unit.members[n][0] + c * unit.members[n][1] for n in riders]
+    elif longest is not None:
+        lateral = [s * longest[0] + c * longest[1]]
+    else:
+        lateral = [s * x + c * y for x, y in points]
+    middle = 0.5 * (min(along) + max(along))
+    x, y, _ = compose((0.0, 0.0, yaw), (middle, sum(lateral) / len(lateral), 0.0))
+    return (x, y, _lengthwise(decal, yaw))
+
+
+def _beside(
+    shape: dict[str, Shape], name: str, edge: BinaryRelation, member: str, unit: Unit, yaw: float
+) -> Pose2:
+    """Parallel to the motion, on the side where the path does not run."""
+    a, b = shape[name], shape[member]
+    if edge.relation_type is RelationType.ADJACENT:
+        low, high = adjacent_band(a, b)
+    elif edge.relation_type is RelationType.NEAR:
+        low, high = near_band(a, b, math.inf)
+    else:
+        low, high = 5.0, 50.0
+    gap = 0.5 * (low + high)
+    x, y, turn = unit.members[member]
+    rel = turn - yaw
+    reach = b.hx * abs(math.sin(rel)) + b.hy * abs(math.cos(rel))
+    wide = min(a.hx, a.hy)
+    side = 1.0
+    if edge.relation_type in AXES:
+        # a world direction cannot be kept while the unit may still turn; take it for yaw 0
+        axis, sign = AXES[edge.relation_type]
+        sign = -sign if edge.to == name else sign
+        side = sign * (math.cos(yaw) if axis == 1 else -math.sin(yaw)) or 1.0
+        side = math.copysign(1.0, side)
+    offset = side * (wide + reach + gap)
+    dx, dy, _ = compose((0.0, 0.0, yaw), (0.0, offset, 0.0))
+    return (x + dx, y + dy, _lengthwise(a, yaw))
