@@ -11,6 +11,7 @@ import re
 from esg.draft import lexicon as lex
 from esg.draft.decks import is_driven, lay_decks
 from esg.draft.entities import Entity
+from esg.draft.registry import add_entity
 from esg.draft.scene import Scene
 from esg.graph.models import NodeEvent
 
@@ -25,7 +26,7 @@ LARGEST_ON_TABLE_CM = 40.0
 
 def _add(scene: Scene, name: str, reasons: list[str], reason: str) -> str:
     noun = lex.nouns()[name]
-    entity = scene.world.add(noun, name, mentioned=False)
+    entity = add_entity(scene.world, noun, name, mentioned=False)
     reasons.append(f"{name} added: {reason}")
     return entity.id
 

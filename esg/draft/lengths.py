@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import re
 
-from esg.draft.events import Events
+from esg.draft.core import amounts_of, entity_of, mark_used, structural
 from esg.draft.frames import Frame
 from esg.draft.quantities import Amount
+from esg.draft.record import Discourse
+from esg.draft.registry import current_id
 from esg.draft.scene import Relation
 from esg.graph.models import EventConstraint
 
@@ -23,82 +25,84 @@ _PAINTED = frozenset({"crosswalk", "finish line"})
 """What lies on a road and ends: a road itself, or a crossing of two, is under who stops."""
 
 
-class Lengths(Events):
-    """Reads lengths that are no sizes."""
+def _apart_from(d: Discourse, a: Amount) -> str | None:
+    """The thing that a length is measured from ("1 m in front of a barrier", "a crosswalk")."""
+    for m in sorted(d.mentions, key=lambda m: m.start):
+        if m.start < a.end:
+            continue
+        between = d.text[a.end : m.start]
+        if not _APART.fullmatch(between + " ") and not _APART.fullmatch(between):
+            return None
+        if not m.entities or m.attribute or m.part in ("edge", "end", "start", "corner"):
+            return None
+        found = current_id(d.world, m.entities[0])
+        way = structural(d, found) and entity_of(d, found).noun.name not in _PAINTED
+        return None if way else found
+    return None
 
-    def _apart_from(self, a: Amount) -> str | None:
-        """The thing that a length is measured from ("1 m in front of a barrier", "a crosswalk")."""
-        for m in sorted(self.mentions, key=lambda m: m.start):
-            if m.start < a.end:
-                continue
-            between = self.text[a.end : m.start]
-            if not _APART.fullmatch(between + " ") and not _APART.fullmatch(between):
-                return None
-            if not m.entities or m.attribute or m.part in ("edge", "end", "start", "corner"):
-                return None
-            found = self.world.current(m.entities[0])
-            way = self.structural(found) and self.e(found).noun.name not in _PAINTED
-            return None if way else found
-        return None
 
-    def _lengths(self, f: Frame) -> list[Amount]:
-        """Lengths of a clause that nothing has read yet."""
-        return [
-            a
-            for _, a in self.amounts(f)
-            if a.dimension == "length" and (a.start, a.end) not in self.scene.used
+def _lengths(d: Discourse, f: Frame) -> list[Amount]:
+    """Lengths of a clause that nothing has read yet."""
+    return [
+        a
+        for _, a in amounts_of(d, f)
+        if a.dimension == "length" and (a.start, a.end) not in d.scene.used
+    ]
+
+
+def stops_short(d: Discourse, f: Frame, actor: str, node_id: str) -> None:
+    """ "stops 1 m in front of a barrier": the gap that is left when the event happens."""
+    node = d.timeline.node(node_id)
+    for a in _lengths(d, f):
+        other = _apart_from(d, a)
+        if other is None or other == actor or node is None:
+            continue
+        node.constraints.append(
+            EventConstraint(quantity="distance", object=actor, value=a.value, to=other)
+        )
+        mark_used(d, a, f"gap at {node_id}")
+
+
+def starts_apart(d: Discourse, f: Frame, actors: list[str]) -> None:
+    """ "starts 5 m from a door": how far things are from each other at the start."""
+    for a in _lengths(d, f):
+        other = _apart_from(d, a)
+        others = [x for x in actors if x != other]
+        if other is not None and others:
+            d.scene.relations.append(Relation(others[0], other, "near", a.value))
+            mark_used(d, a, "distance at the start")
+
+
+def distance(d: Discourse, f: Frame, actors: list[str], aim: str | None) -> None:
+    """ "toward a bench 6 m away": how far the target is at the start."""
+    for a in _lengths(d, f):
+        after = d.text[a.end : a.end + 8].strip().lower()
+        if after.startswith(("away", "apart", "ahead")) and aim is not None:
+            for actor in actors:
+                d.scene.relations.append(Relation(actor, aim, "near", a.value))
+            mark_used(d, a, "distance at the start")
+        elif after.startswith("apart") or _FROM_AFAR.search(d.text[: a.start]):
+            continue  # "two balls 4 m apart roll": the gap at the start (`spacing`)
+        elif f.verb.sense in ("own", "roll", "slide", "fly", "launch", "reverse") and actors:
+            track = d.timeline.tracks.get(actors[0])
+            if track is not None and (track.motion is not None or track.hit):
+                d.scene.travel[actors[0]] = a
+                mark_used(d, a, "distance travelled")
+
+
+def far_away(d: Discourse, f: Frame, subject: list[str]) -> None:
+    """ "lands in a bucket 5 m away": how far things are from each other at the start."""
+    for a in _lengths(d, f):
+        after = d.text[a.end : a.end + 8].strip().lower()
+        if not after.startswith(("away", "ahead", "further")):
+            continue
+        near = [
+            m
+            for m in (f.object, *[p.mention for p in f.phrases])
+            if m is not None and m.entities and m.end <= a.start
         ]
-
-    def _stops_short(self, f: Frame, actor: str, node_id: str) -> None:
-        """ "stops 1 m in front of a barrier": the gap that is left when the event happens."""
-        node = self.tl.node(node_id)
-        for a in self._lengths(f):
-            other = self._apart_from(a)
-            if other is None or other == actor or node is None:
-                continue
-            node.constraints.append(
-                EventConstraint(quantity="distance", object=actor, value=a.value, to=other)
-            )
-            self.use(a, f"gap at {node_id}")
-
-    def _starts_apart(self, f: Frame, actors: list[str]) -> None:
-        """ "starts 5 m from a door": how far things are from each other at the start."""
-        for a in self._lengths(f):
-            other = self._apart_from(a)
-            others = [x for x in actors if x != other]
-            if other is not None and others:
-                self.scene.relations.append(Relation(others[0], other, "near", a.value))
-                self.use(a, "distance at the start")
-
-    def _distance(self, f: Frame, actors: list[str], aim: str | None) -> None:
-        """ "toward a bench 6 m away": how far the target is at the start."""
-        for a in self._lengths(f):
-            after = self.text[a.end : a.end + 8].strip().lower()
-            if after.startswith(("away", "apart", "ahead")) and aim is not None:
-                for actor in actors:
-                    self.scene.relations.append(Relation(actor, aim, "near", a.value))
-                self.use(a, "distance at the start")
-            elif after.startswith("apart") or _FROM_AFAR.search(self.text[: a.start]):
-                continue  # "two balls 4 m apart roll": the gap at the start (`spacing`)
-            elif f.verb.sense in ("own", "roll", "slide", "fly", "launch", "reverse") and actors:
-                track = self.tl.tracks.get(actors[0])
-                if track is not None and (track.motion is not None or track.hit):
-                    self.scene.travel[actors[0]] = a
-                    self.use(a, "distance travelled")
-
-    def _far_away(self, f: Frame, subject: list[str]) -> None:
-        """ "lands in a bucket 5 m away": how far things are from each other at the start."""
-        for a in self._lengths(f):
-            after = self.text[a.end : a.end + 8].strip().lower()
-            if not after.startswith(("away", "ahead", "further")):
-                continue
-            near = [
-                m
-                for m in (f.object, *[p.mention for p in f.phrases])
-                if m is not None and m.entities and m.end <= a.start
-            ]
-            others = [i for i in near[-1].entities if i not in subject] if near else []
-            if others and subject and not self.structural(others[0]):
-                for node in subject[:1]:
-                    self.scene.relations.append(Relation(node, others[0], "near", a.value))
-                self.use(a, "distance at the start")
+        others = [i for i in near[-1].entities if i not in subject] if near else []
+        if others and subject and not structural(d, others[0]):
+            for node in subject[:1]:
+                d.scene.relations.append(Relation(node, others[0], "near", a.value))
+            mark_used(d, a, "distance at the start")

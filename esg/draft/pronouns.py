@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from esg.draft import lexicon as lex
-from esg.draft.choices import Choices
+from esg.draft.choices import one_more, one_of
 from esg.draft.elements import Mention
 from esg.draft.entities import ORDINALS, Entity
 from esg.draft.meetings import before_this, meeting, the_others
 from esg.draft.persons import named_by_no_person, of_other_gender
+from esg.draft.referents import World
+from esg.draft.registry import add_entity, create
 
 _NEAR = 80
 """Characters within which "former" and "latter" mean the same two things."""
@@ -15,201 +17,198 @@ _WAYS = frozenset({"stairs", "ramp"})
 """What things move along."""
 
 
-class Pronouns(Choices):
-    """Referents of phrases without a noun of their own."""
-
-    _two: tuple[int, list[str]] = (-1, [])
-    """Where "the former" or "the latter" was told last, and of which two things."""
-
-    def _pronoun(self, m: Mention, subject: bool, avoid: list[str]) -> list[str]:
-        p = m.pronoun
-        if p in ("he", "she", "him", "her", "himself", "herself", "someone", "everyone"):
-            other = p in ("him", "her") and not subject  # never the subject of its own clause
-            people = [
-                ids
-                for ids in reversed(self.salience)
-                if len(ids) == 1 and self.entities[ids[0]].noun.kind == "person"
-                and not (other and ids[:1] == avoid[:1])
-            ]  # fmt: skip
-            like = (x for x in people if not of_other_gender(p, self.entities[x[0]].head))
-            if who := next(like, next(iter(people), None)):
-                return who
-            if p not in ("someone", "everyone") and not m.determiner:
-                being = named_by_no_person(p, self.entities, self.salience, subject, avoid)
-                if being:
-                    return being
-            if p in ("he", "she", "someone") and subject:
-                person = lex.nouns()["person"]
-                return [self.add(person, "person", label=p, origin=m.start).id]
-            return []
-        if p in ("i", "we", "you", "something", "everything"):
-            return []
-        if p == "another" and not self.groups:
-            told = (ids for ids in reversed(self.salience) if not set(ids) <= {*avoid})
-            last = next(told, []) if not subject else []
-            one = len(last) == 1 and self.entities[last[0]].label.lower().startswith("one ")
-            others = (
-                last if one else avoid or (self.subjects[-1] if subject and self.subjects else [])
-            )
-            solid = (self.entities[i] for i in others)
-            model = next((e for e in solid if "structural" not in e.noun.traits), None)
-            if model is not None:
-                return self._one_more(model, ["second"], m)
-        if p == "ones" and m.count and m.count > 1 and "other" in m.adjectives and avoid:
-            known = self.groups.get(self.entities[avoid[0]].group or "", [])
-            rest = [i for i in known if i not in avoid]
-            if len(rest) == m.count:
-                return rest  # "one of three skaters takes the other two down"
-            if not known and "structural" not in self.entities[avoid[0]].noun.traits:
-                like = self.entities[avoid[0]]
-                return self._create(
-                    Mention(
-                        m.start, m.end, head=like.head, noun=like.noun, count=m.count, plural=True
-                    )
-                )
-        if p == "ones" and m.count is None and m.adjectives == ["other"]:
-            rest = the_others(self.salience, self.groups, self.entities)
-            if rest:
-                return rest
-        if p in (
-            "they",
-            "them",
-            "themselves",
-            "these",
-            "those",
-            "both",
-            "ones",
-            "all",
-            "each",
-            "some",
-            "many",
-            "several",
-        ):
-            pool = self.subjects if subject and p not in ("both",) else self.salience
-            two = self._last_two_alike() if p == "both" and subject else []
-            if two:
-                return two
-            keep = m.count if m.count in (1, 2, 3) and p in ("them", "these", "those") else None
-            keep = m.count if p == "ones" and not m.adjectives else keep  # "eleven run out"
-            for ids in reversed(pool):
-                if len(ids) > 1 and (subject or not set(ids) <= set(avoid)):
-                    return list(ids)[:keep]
-            for ids in reversed(self.salience):
-                if len(ids) > 1:
-                    return list(ids)[:keep]
-            for ids in reversed(self.salience) if p not in ("both", "each") else ():
-                group = self.groups.get(self.entities[ids[0]].group or "", [])
-                if len(ids) == 1 and len(group) > 1:
-                    return list(group)  # "the first domino ... they all topple"
-            recent: list[str] = []
-            for ids in reversed(self.salience):
-                for i in ids:
-                    if subject and p == "they" and self.entities[i].noun.kind in _WAYS:
-                        continue  # "rolls down the ramp, and they collide"
-                    if i not in recent and "structural" not in self.entities[i].noun.traits:
-                        recent.append(i)
-                if len(recent) >= 2 and (p != "both" or len(recent) > 3):
-                    break
-            alike = [i for i in recent if self.entities[i].noun == self.entities[recent[0]].noun]
-            recent = alike if p == "both" and len(alike) > 1 else recent
-            if len(recent) >= 2:
-                met = meeting(self.subjects, recent, self.entities) if subject else []
-                return met or recent[:2][::-1]
-            return recent
-        if p in ("latter", "former"):
-            two = list(dict.fromkeys(i for i in self.movers if i in self.entities))
-            if 0 <= m.start - self._two[0] < _NEAR:
-                two = self._two[1]  # "the former hits the latter"
-            if len(two) < 2:
-                last = [i for ids in self.salience[-6:] for i in ids if i in self.entities]
-                solid = [i for i in last if "structural" not in self.entities[i].noun.traits]
-                two = list(dict.fromkeys(reversed(solid)))[:2][::-1]
-            self._two = (m.start, two)
-            return two[-1:] if p == "latter" else two[:1]
-        if p == "one" and m.determiner in ("this", "that") and not m.adjectives:
-            for ids in reversed(self.salience):  # "hits the red ball and this one rolls away"
-                if len(ids) == 1 and "structural" not in self.entities[ids[0]].noun.traits:
-                    return list(ids)
-        if p in ("one", "another", "other"):
-            if (p == "other" or "other" in m.adjectives) and m.determiner == "the":
-                other = self._other_of_one(m)
-                if other:
-                    return other
-            named = next((a for a in m.adjectives if a in ORDINALS), None)
-            like = before_this(named, avoid, self.entities)
-            if like:
-                return like
-            told = [e.id for e in self.entities.values() if named and e.place == named]
-            if named and told:
-                return told[-1:]  # "a third car hits the second"
-            if named and m.determiner == "the" and not self.groups and m.adjectives == [named]:
-                solid = [e.id for e in self.entities.values() if self._counts(e)]
-                pair = next((ids for ids in reversed(self.salience) if len(ids) == 2), solid)
-                solid = list(pair) if len(solid) != 2 else solid
-                placed = any(e.place in ORDINALS for e in self.entities.values())
-                if len(solid) == 2 and ORDINALS[named] < 2 and not placed:
-                    return [solid[ORDINALS[named]]]  # "a car and a fence. The first one hits"
-            return self._one_of(m, avoid)
-        # it, itself, this, that
-        pools = [self.subjects, self.salience] if subject else [self.salience]
-        for pool in pools:
-            for ids in reversed(pool):
-                fits = [
-                    i
-                    for i in ids
-                    if i not in avoid
-                    and "structural" not in self.entities[i].noun.traits
-                    and self.entities[i].noun.kind != "person"
-                    and self.entities[i].noun.name != "arm"
-                    and (self.entities[i].noun.kind not in _WAYS or not self._anything_else(avoid))
-                ]
-                if len(ids) == 1 and fits:
-                    return fits
-                whole = self.entities[ids[0]].group in self.collective
-                if fits and len(ids) > 1 and whole and not (subject and pool is self.salience):
-                    return list(ids)
-        for ids in reversed(self.salience):
-            if ids and not set(ids) <= set(avoid):
-                grown = p == "it" and all(self._grown_up(i) for i in ids)
-                return [] if grown else list(ids)
+def pronoun(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[str]:
+    p = m.pronoun
+    if p in ("he", "she", "him", "her", "himself", "herself", "someone", "everyone"):
+        other = p in ("him", "her") and not subject  # never the subject of its own clause
+        people = [
+            ids
+            for ids in reversed(world.salience)
+            if len(ids) == 1 and world.entities[ids[0]].noun.kind == "person"
+            and not (other and ids[:1] == avoid[:1])
+        ]  # fmt: skip
+        like = (x for x in people if not of_other_gender(p, world.entities[x[0]].head))
+        if who := next(like, next(iter(people), None)):
+            return who
+        if p not in ("someone", "everyone") and not m.determiner:
+            being = named_by_no_person(p, world.entities, world.salience, subject, avoid)
+            if being:
+                return being
+        if p in ("he", "she", "someone") and subject:
+            person = lex.nouns()["person"]
+            return [add_entity(world, person, "person", label=p, origin=m.start).id]
         return []
-
-    def _other_of_one(self, m: Mention) -> list[str]:
-        """ "One forklift waits; the other one drives off": a second forklift."""
-        alone = [e for e in self.entities.values() if e.label.lower().startswith("one ")]
-        if len(alone) != 1 or self.groups or "structural" in alone[0].noun.traits:
-            return []
-        model = alone[0]
-        like = [e for e in self.entities.values() if e.noun == model.noun and e.id != model.id]
-        if like:
-            return [like[0].id] if len(like) == 1 else []
-        return self._one_more(model, ["other"], m)
-
-    def _grown_up(self, i: str) -> bool:
-        """Whether "it" is no word for a person ("the child ... it" is one)."""
-        e = self.entities[i]
-        return e.noun.kind == "person" and e.head in ("person", "he", "she", "man", "woman")
-
-    @staticmethod
-    def _counts(e: Entity) -> bool:
-        """Whether it is a thing of its own, no ground, road or place."""
-        traits = e.noun.traits
-        return not ({"ground", "decal"} & traits) and ("structural" not in traits or e.mentioned)
-
-    def _last_two_alike(self) -> list[str]:
-        """The subjects of the clauses before, if they are of one kind ("and both brake")."""
-        last = [ids[0] for ids in self.subjects[-4:] if len(ids) == 1 and ids[0] in self.entities]
-        two = list(dict.fromkeys(reversed(last)))[:2][::-1]
-        if len(two) < 2 or len(self.subjects[-1]) > 1:
-            return []
-        one, other = (self.entities[i] for i in two)
-        return two if one.noun == other.noun and (one.group is None or other.group is None) else []
-
-    def _anything_else(self, avoid: list[str]) -> bool:
-        """Whether the prompt named something that moves, which "it" rather means."""
-        return any(
-            e.movable and e.noun.kind not in ("person", *_WAYS)
-            for ids in self.salience[-4:]
-            for i in ids
-            if i not in avoid and (e := self.entities.get(i)) is not None
+    if p in ("i", "we", "you", "something", "everything"):
+        return []
+    if p == "another" and not world.groups:
+        told = (ids for ids in reversed(world.salience) if not set(ids) <= {*avoid})
+        last = next(told, []) if not subject else []
+        one = len(last) == 1 and world.entities[last[0]].label.lower().startswith("one ")
+        others = (
+            last if one else avoid or (world.subjects[-1] if subject and world.subjects else [])
         )
+        solid = (world.entities[i] for i in others)
+        model = next((e for e in solid if "structural" not in e.noun.traits), None)
+        if model is not None:
+            return one_more(world, model, ["second"], m)
+    if p == "ones" and m.count and m.count > 1 and "other" in m.adjectives and avoid:
+        known = world.groups.get(world.entities[avoid[0]].group or "", [])
+        rest = [i for i in known if i not in avoid]
+        if len(rest) == m.count:
+            return rest  # "one of three skaters takes the other two down"
+        if not known and "structural" not in world.entities[avoid[0]].noun.traits:
+            like = world.entities[avoid[0]]
+            return create(
+                world,
+                Mention(m.start, m.end, head=like.head, noun=like.noun, count=m.count, plural=True),
+            )
+    if p == "ones" and m.count is None and m.adjectives == ["other"]:
+        rest = the_others(world.salience, world.groups, world.entities)
+        if rest:
+            return rest
+    if p in (
+        "they",
+        "them",
+        "themselves",
+        "these",
+        "those",
+        "both",
+        "ones",
+        "all",
+        "each",
+        "some",
+        "many",
+        "several",
+    ):
+        pool = world.subjects if subject and p not in ("both",) else world.salience
+        two = _last_two_alike(world) if p == "both" and subject else []
+        if two:
+            return two
+        keep = m.count if m.count in (1, 2, 3) and p in ("them", "these", "those") else None
+        keep = m.count if p == "ones" and not m.adjectives else keep  # "eleven run out"
+        for ids in reversed(pool):
+            if len(ids) > 1 and (subject or not set(ids) <= set(avoid)):
+                return list(ids)[:keep]
+        for ids in reversed(world.salience):
+            if len(ids) > 1:
+                return list(ids)[:keep]
+        for ids in reversed(world.salience) if p not in ("both", "each") else ():
+            group = world.groups.get(world.entities[ids[0]].group or "", [])
+            if len(ids) == 1 and len(group) > 1:
+                return list(group)  # "the first domino ... they all topple"
+        recent: list[str] = []
+        for ids in reversed(world.salience):
+            for i in ids:
+                if subject and p == "they" and world.entities[i].noun.kind in _WAYS:
+                    continue  # "rolls down the ramp, and they collide"
+                if i not in recent and "structural" not in world.entities[i].noun.traits:
+                    recent.append(i)
+            if len(recent) >= 2 and (p != "both" or len(recent) > 3):
+                break
+        alike = [i for i in recent if world.entities[i].noun == world.entities[recent[0]].noun]
+        recent = alike if p == "both" and len(alike) > 1 else recent
+        if len(recent) >= 2:
+            met = meeting(world.subjects, recent, world.entities) if subject else []
+            return met or recent[:2][::-1]
+        return recent
+    if p in ("latter", "former"):
+        two = list(dict.fromkeys(i for i in world.movers if i in world.entities))
+        if 0 <= m.start - world.two[0] < _NEAR:
+            two = world.two[1]  # "the former hits the latter"
+        if len(two) < 2:
+            last = [i for ids in world.salience[-6:] for i in ids if i in world.entities]
+            solid = [i for i in last if "structural" not in world.entities[i].noun.traits]
+            two = list(dict.fromkeys(reversed(solid)))[:2][::-1]
+        world.two = (m.start, two)
+        return two[-1:] if p == "latter" else two[:1]
+    if p == "one" and m.determiner in ("this", "that") and not m.adjectives:
+        for ids in reversed(world.salience):  # "hits the red ball and this one rolls away"
+            if len(ids) == 1 and "structural" not in world.entities[ids[0]].noun.traits:
+                return list(ids)
+    if p in ("one", "another", "other"):
+        if (p == "other" or "other" in m.adjectives) and m.determiner == "the":
+            other = _other_of_one(world, m)
+            if other:
+                return other
+        named = next((a for a in m.adjectives if a in ORDINALS), None)
+        like = before_this(named, avoid, world.entities)
+        if like:
+            return like
+        told = [e.id for e in world.entities.values() if named and e.place == named]
+        if named and told:
+            return told[-1:]  # "a third car hits the second"
+        if named and m.determiner == "the" and not world.groups and m.adjectives == [named]:
+            solid = [e.id for e in world.entities.values() if _counts(e)]
+            pair = next((ids for ids in reversed(world.salience) if len(ids) == 2), solid)
+            solid = list(pair) if len(solid) != 2 else solid
+            placed = any(e.place in ORDINALS for e in world.entities.values())
+            if len(solid) == 2 and ORDINALS[named] < 2 and not placed:
+                return [solid[ORDINALS[named]]]  # "a car and a fence. The first one hits"
+        return one_of(world, m, avoid)
+    # it, itself, this, that
+    pools = [world.subjects, world.salience] if subject else [world.salience]
+    for pool in pools:
+        for ids in reversed(pool):
+            fits = [
+                i
+                for i in ids
+                if i not in avoid
+                and "structural" not in world.entities[i].noun.traits
+                and world.entities[i].noun.kind != "person"
+                and world.entities[i].noun.name != "arm"
+                and (world.entities[i].noun.kind not in _WAYS or not _anything_else(world, avoid))
+            ]
+            if len(ids) == 1 and fits:
+                return fits
+            whole = world.entities[ids[0]].group in world.collective
+            if fits and len(ids) > 1 and whole and not (subject and pool is world.salience):
+                return list(ids)
+    for ids in reversed(world.salience):
+        if ids and not set(ids) <= set(avoid):
+            grown = p == "it" and all(_grown_up(world, i) for i in ids)
+            return [] if grown else list(ids)
+    return []
+
+
+def _other_of_one(world: World, m: Mention) -> list[str]:
+    """ "One forklift waits; the other one drives off": a second forklift."""
+    alone = [e for e in world.entities.values() if e.label.lower().startswith("one ")]
+    if len(alone) != 1 or world.groups or "structural" in alone[0].noun.traits:
+        return []
+    model = alone[0]
+    like = [e for e in world.entities.values() if e.noun == model.noun and e.id != model.id]
+    if like:
+        return [like[0].id] if len(like) == 1 else []
+    return one_more(world, model, ["other"], m)
+
+
+def _grown_up(world: World, i: str) -> bool:
+    """Whether "it" is no word for a person ("the child ... it" is one)."""
+    e = world.entities[i]
+    return e.noun.kind == "person" and e.head in ("person", "he", "she", "man", "woman")
+
+
+def _counts(e: Entity) -> bool:
+    """Whether it is a thing of its own, no ground, road or place."""
+    traits = e.noun.traits
+    return not ({"ground", "decal"} & traits) and ("structural" not in traits or e.mentioned)
+
+
+def _last_two_alike(world: World) -> list[str]:
+    """The subjects of the clauses before, if they are of one kind ("and both brake")."""
+    last = [ids[0] for ids in world.subjects[-4:] if len(ids) == 1 and ids[0] in world.entities]
+    two = list(dict.fromkeys(reversed(last)))[:2][::-1]
+    if len(two) < 2 or len(world.subjects[-1]) > 1:
+        return []
+    one, other = (world.entities[i] for i in two)
+    return two if one.noun == other.noun and (one.group is None or other.group is None) else []
+
+
+def _anything_else(world: World, avoid: list[str]) -> bool:
+    """Whether the prompt named something that moves, which "it" rather means."""
+    return any(
+        e.movable and e.noun.kind not in ("person", *_WAYS)
+        for ids in world.salience[-4:]
+        for i in ids
+        if i not in avoid and (e := world.entities.get(i)) is not None
+    )

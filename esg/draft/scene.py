@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from esg.draft.quantities import Amount
+from esg.draft.referents import World
 from esg.draft.timeline import TimelineBuilder
-from esg.draft.world import World
 from esg.graph.models import Quantity
 
 

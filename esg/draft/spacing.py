@@ -7,6 +7,7 @@ import re
 
 from esg.draft.elements import Mention
 from esg.draft.quantities import Amount, find_amounts
+from esg.draft.registry import current_id
 from esg.draft.scene import Relation, Scene
 from esg.draft.shares import parts
 from esg.graph.models import Quantity
@@ -139,7 +140,7 @@ def _things(m: Mention, scene: Scene) -> list[str]:
     if m.attribute:
         return []
     world = scene.world
-    ids = [world.current(i) for i in world.resolved.get(id(m), m.entities)]
+    ids = [current_id(world, i) for i in world.resolved.get(id(m), m.entities)]
     fit = [i for i in ids if i in world.entities]
     return [i for i in fit if "structural" not in world.entities[i].noun.traits]
 
