@@ -13,10 +13,10 @@ import time
 from typing import Any, cast
 
 from benchmarks.drafting import PAPER, Score, score_document
-from esg.draft.llm import draft_llm_batch
-from esg.draft.llm_records import Variant
-from esg.draft.llm_scripted import ScriptedModel
-from esg.draft.llm_settings import LlmSettings
+from esg.draft.llm.drafter import draft_llm_batch
+from esg.draft.llm.records import Variant
+from esg.draft.llm.scripted import ScriptedModel
+from esg.draft.llm.settings import LlmSettings
 
 FAULT_RATE = 0.3
 RELAPSE_RATE = 0.1

@@ -30,7 +30,7 @@ def draft(prompt: str, *, seed: int = 0, drafter: str = "rules") -> EsgDocument:
 
         return draft_rules(prompt, seed=seed)
     if drafter == "llm":
-        from esg.draft.llm import draft_llm
+        from esg.draft.llm.drafter import draft_llm
 
         return draft_llm(prompt, seed=seed)
     from esg.outcomes import UserError

@@ -3,8 +3,8 @@
 import pytest
 
 from esg.draft import lexicon as lex
-from esg.draft.syntax import Chunker
-from esg.draft.tokens import pos_tags, tokenize
+from esg.draft.grammar.phrases.chunker import Chunker
+from esg.draft.text.tokens import pos_tags, tokenize
 
 _TEXTS = (
     "A red ball rolls off the table, and that's when the cat's bowl - which nobody saw - tips over.",
