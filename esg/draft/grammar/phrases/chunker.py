@@ -58,10 +58,16 @@ _AIMS = frozenset({"into", "onto", "at", "against", "toward", "towards", "off", 
 """What follows what is pushed or dropped: "Drop A onto B"."""
 
 
-def chunk(text: str, tokens: list[Token]) -> list[Element]:
-    """Phrases of a text: noun phrases, verb groups and small words, in its order."""
+def new_chunks(text: str, tokens: list[Token]) -> Chunks:
+    """A text of which no phrase has been read yet."""
     lows = tuple("" if t.kind == "punct" else t.low for t in tokens)
     c = Chunks(text, tokens, lows, noun_phrase=lambda i: noun_phrase(c, i))
+    return c
+
+
+def chunk(text: str, tokens: list[Token]) -> list[Element]:
+    """Phrases of a text: noun phrases, verb groups and small words, in its order."""
+    c = new_chunks(text, tokens)
     i = 0
     while i < len(c.tokens):
         i = step(c, i)
