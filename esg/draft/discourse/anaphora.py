@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, ids_of, kind_of, movable, structural
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.entities import ORDINALS, Entity
@@ -12,13 +13,11 @@ from esg.draft.grammar.rewrites.nominals import RETOLD_NOUNS
 from esg.draft.grammar.rewrites.persons import of_other_gender
 from esg.draft.text.elements import Mention
 
-_TAKING = frozenset({"catch", "grab", "pick", "hold", "carry", "retrieve", "fetch"})
-_ALONG = frozenset({"along", "through", "across", "over", "past", "down", "up", "around"})
-_BESIDE = frozenset({"in front of", "next to", "near", "beside", "at", "by", "behind", "on"})
-_STEERED = frozenset({"brake", "slow", "accelerate", "swerve", "turn", "reverse", "overtake"})
-"""Senses of what only does them that drives or walks."""
-_DRIVEN = frozenset({"own", "hit", "roll", "slide", "fall", "topple", "fly", "enter", "reach"})
-"""Senses of what "it" does in "hits X so hard that it ..."."""
+_TAKING = lex.word_set("taking (anaphora)")
+_ALONG = lex.word_set("along")
+_BESIDE = lex.word_set("beside")
+_STEERED = lex.word_set("steered (anaphora)")
+_DRIVEN = lex.word_set("driven (anaphora)")
 
 
 def _mass(e: Entity) -> float:

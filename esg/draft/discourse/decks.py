@@ -21,8 +21,7 @@ if TYPE_CHECKING:
 
 _SMALL = frozenset({"platform", "stage"})
 """What may as well be a plinth, unless something goes along it."""
-_HIGH = frozenset({"roof", "rooftop", "bridge", "overpass", "viaduct"})
-"""What may as well be above the scene."""
+_HIGH = lex.word_set("high")
 _LEAVES = re.compile(
     r"\b(?:off|throw\w*|thrown|drop\w*|lower\w*|jump\w*|dive\w*|leap\w*|launch\w*|fl(?:y|ies|ew))\b"
     r"|\bover\s+(?:the|its)\s+(?:edge|side|end|rim|railing)\b|\binto\s+the\s+(?:water|sea|river|lake)\b",

@@ -4,18 +4,17 @@ from __future__ import annotations
 
 import re
 
+from esg.draft import lexicon as lex
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 
-_DODGING = frozenset({"dodge", "duck", "sidestep"})
-_STEPPING = frozenset(
-    {"step", "jump", "leap", "dive", "hop", "spring", "move", "roll", "get", "run", "skip", "dart"}
-)
+_DODGING = lex.word_set("dodging")
+_STEPPING = lex.word_set("stepping (dodging)")
 _ASIDE = re.compile(
     r"\s*(?:\w+ly\s+)?(?:just\s+)?(?:aside|out of (?:the|its|his|her|their) (?:way|path))\b",
     re.IGNORECASE,
 )
-_AIMED = frozenset({"at", "toward", "towards", "against"})
-_COMING = frozenset({"hit", "launch", "own", "roll", "slide", "fly", "approach"})
+_AIMED = lex.word_set("aimed (dodging)")
+_COMING = lex.word_set("coming")
 
 
 def dodge(frames: list[Frame], text: str) -> None:

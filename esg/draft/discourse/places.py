@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, kind_of, movable, structural
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import Relation
@@ -45,9 +46,8 @@ RELATION_PREPS: dict[str, str] = {
 }
 
 
-_WALL_THINGS = frozenset({"mirror", "clock", "television", "easel", "calendar", "target"})
-"""Upright things that "on the wall" means the face of, not the top."""
-_TABLE_KINDS = frozenset({"tableware", "bottle", "food", "game", "book", "electronics", "domino"})
+_WALL_THINGS = lex.word_set("wall things")
+_TABLE_KINDS = lex.word_set("table kinds")
 
 
 def place(

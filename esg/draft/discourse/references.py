@@ -34,31 +34,18 @@ from esg.draft.events.timing import enterable
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.elements import Mention
 
-_FLYING_ON = frozenset(
-    {"bounce", "roll", "slide", "fly", "enter", "spin", "stop", "miss", "reach", "continue"}
-)
-"""Senses of "it" after a throw that are about the thing thrown."""
-_HALTING = frozenset(
-    {"stop", "catch", "grab", "avoid", "dodge", "intercept", "block", "follow", "pick", "lift",
-     "collect", "snatch"}
-)  # fmt: skip
-_DRIVING = frozenset({"brake", "accelerate", "reverse", "swerve", "drive", "park"})
-_MOVING = frozenset({"own", "roll", "slide", "fly", "fall", "drop", "launch", "coast", "leave"})
-RIDDEN = frozenset(
-    {"hit", "miss", "brake", "slow", "stop", "turn", "swerve", "enter", "overtake", "reach",
-     "accelerate", "reverse"}
-)  # fmt: skip
-"""What who rides something does with it."""
-STATES = frozenset(
-    {"be", "posture", "have", "weigh", "measure", "contain", "face", "surround", "park", "noop"}
-)
+_FLYING_ON = lex.word_set("flying on")
+_HALTING = lex.word_set("halting")
+_DRIVING = lex.word_set("driving (references)")
+_MOVING = lex.word_set("moving (references)")
+RIDDEN = lex.word_set("ridden")
+STATES = lex.word_set("states (references)")
 
 
-_PLACES = frozenset({"on", "in", "under", "at", "by", "near", "beside", "next to", "behind",
-                     "in front of", "on top of"})  # fmt: skip
-_SPEEDS = frozenset({"speed", "velocity", "pace"})
-_STACKING = frozenset({"stack", "pile", "heap"})
-_STACKS = frozenset({"stack", "pile", "heap", "tower", "pyramid"})
+_PLACES = lex.word_set("places (references)")
+_SPEEDS = lex.word_set("speeds")
+_STACKING = lex.word_set("stacking")
+_STACKS = lex.word_set("stacks (references)")
 
 
 def refer_all(d: Discourse, frames: list[Frame]) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from esg.draft import lexicon as lex
 from esg.draft.discourse.referents.record import World
 from esg.draft.discourse.timeline import TimelineBuilder
 from esg.draft.text.quantities import Amount
@@ -47,14 +48,10 @@ class Scene:
     warnings: list[str] = field(default_factory=list)
 
 
-STRUCK = frozenset({"ball", "billiard", "projectile"})
-"""Kinds of things that are struck, thrown and bounce."""
+STRUCK = lex.word_set("struck")
 MAX_TIME_S = 600.0
 """Longest scene [s]."""
-SELF_POWERED = frozenset(
-    {"vehicle", "person", "animal", "robot", "cart", "toyvehicle", "watercraft", "flyer"}
-)
-"""Kinds that move under their own power."""
+SELF_POWERED = lex.word_set("self powered")
 SPEEDS: dict[str, Quantity] = {
     "vehicle": (300.0, 2000.0), "toyvehicle": (50.0, 300.0), "person": (80.0, 600.0),
     "animal": (80.0, 800.0), "robot": (30.0, 200.0), "cart": (50.0, 400.0),

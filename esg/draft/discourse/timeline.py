@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from esg.draft import lexicon as lex
 from esg.draft.discourse.tracks import Motion, Track
 from esg.draft.discourse.windows import START, Draft, plan_times, settle_ambiguous
 from esg.graph.models import (
@@ -39,7 +40,7 @@ _EDGES: dict[str, EdgeEvent] = {
 }
 _STEADY = frozenset({EdgeEvent.UNIFORM_MOTION, EdgeEvent.TOWARD})
 Gaps = dict[frozenset[str], Quantity]
-LAUNCHES = frozenset({"roll", "slide", "throw", "drop", "fly"})
+LAUNCHES = lex.word_set("launches")
 
 
 class TimelineBuilder:

@@ -4,18 +4,15 @@ from __future__ import annotations
 
 from itertools import pairwise
 
+from esg.draft import lexicon as lex
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.elements import Verb
 
-_CONTROL = frozenset({"brake", "slow", "swerve", "turn", "overtake", "merge", "accelerate"})
-"""Senses of what only does them that moves by itself."""
-_ON = frozenset({"on", "onward", "onwards"})
-_DRIVING = frozenset({"own", "cross", "leave", "fly", "continue", "roll"})
-_AT_REST = frozenset({"posture", "park", "stop"})
-_RESTING = frozenset(
-    {"parked", "stationary", "waiting", "standing", "resting", "stopped", "sleeping", "idle",
-     "motionless", "sitting", "still", "stalled", "abandoned", "immobile", "broken-down"}
-)  # fmt: skip
+_CONTROL = lex.word_set("control")
+_ON = lex.word_set("on")
+_DRIVING = lex.word_set("driving (underway)")
+_AT_REST = lex.word_set("at rest")
+_RESTING = lex.word_set("resting (underway)")
 
 
 def goes_on(told: list[Frame], verb: Verb, actor: str, words: list[str], text: str) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from esg.draft import lexicon as lex
 from esg.draft.discourse.referents.entities import Entity
 from esg.draft.discourse.scene import Scene
 from esg.draft.document.requirements import requirement
@@ -17,7 +18,7 @@ _PATTERN = re.compile(
     r"|(?P<more>heavier|bigger|larger|taller)\s+than)\b",
     re.IGNORECASE,
 )
-_MASS = frozenset({"heavy", "mass", "weight", "heavier"})
+_MASS = lex.word_set("mass")
 
 
 def factor_of(match: re.Match[str]) -> float:

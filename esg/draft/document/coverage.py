@@ -28,12 +28,7 @@ _ORDER = {
     "nearly": "it does not happen", "instead": "in place of what was aimed at",
 }  # fmt: skip
 """Adverbs that order events or deny them, and what they say."""
-_DIRECTIONS = frozenset(
-    {"left", "right", "leftward", "rightward", "leftwards", "rightwards", "forward", "forwards",
-     "backward", "backwards", "up", "down", "upward", "upwards", "downward", "downwards", "off",
-     "over", "away", "out", "in", "on", "back", "apart", "together", "clockwise", "around", "ahead",
-     "anticlockwise", "counterclockwise", "counter-clockwise", "sideways", "head-on"}
-)  # fmt: skip
+_DIRECTIONS = lex.word_set("directions")
 
 NOTHING_HAPPENS = "No event of the prompt was understood"
 """Start of the warning of a draft whose verbs all failed."""

@@ -11,25 +11,9 @@ from esg.draft.discourse.scene import Scene
 from esg.graph.models import AssetRequirement
 
 GROUND = "ground_1"
-_INDOOR_KINDS = frozenset(
-    {
-        "table",
-        "seat",
-        "furniture",
-        "appliance",
-        "electronics",
-        "billiard",
-        "billiardtable",
-        "pin",
-        "tableware",
-        "ceiling",
-    }
-)
-_OUTDOOR_KINDS = frozenset(
-    {"vehicle", "street", "post", "plant", "building", "structure", "watercraft"}
-)
-_ICY = frozenset({"ice", "icy", "rink", "frozen", "iced"})
-"""What makes a ground or a water slippery."""
+_INDOOR_KINDS = lex.word_set("indoor kinds")
+_OUTDOOR_KINDS = lex.word_set("outdoor kinds")
+_ICY = lex.word_set("icy")
 GROUND_SIZE_CM = (12000.0, 12000.0, 2.0)
 
 

@@ -33,13 +33,7 @@ def _is_english(word: str) -> bool:
     )
 
 
-_FOREIGN = frozenset(
-    {"der", "das", "ein", "eine", "einen", "einem", "und", "dann", "mit", "auf", "gegen", "ist",
-     "wird", "le", "la", "les", "une", "et", "avec", "sur", "puis", "dans", "el", "los", "las",
-     "una", "con", "luego", "sobre", "choca", "il", "lo", "gli", "della", "poi", "che", "och",
-     "een", "het", "naar", "uma", "dos", "com", "para"}
-)  # fmt: skip
-"""Small words of other languages that are none in English."""
+_FOREIGN = lex.word_set("foreign")
 MAX_OBJECTS = 400
 """Most objects of a scene."""
 _MARK = "[\u200b\u200c\u2060]+"

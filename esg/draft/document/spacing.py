@@ -5,6 +5,7 @@ from __future__ import annotations
 from itertools import pairwise
 import re
 
+from esg.draft import lexicon as lex
 from esg.draft.discourse.referents.registry import current_id
 from esg.draft.discourse.scene import Relation, Scene
 from esg.draft.grammar.rewrites.shares import parts
@@ -39,7 +40,7 @@ _FROM = re.compile(
     r"|to\s+the\s+(?:left|right)\s+of|left\s+of|right\s+of|clear\s+of)\s+",
     re.IGNORECASE,
 )
-_GAPS = frozenset({"distance", "gap", "spacing", "separation", "interval"})
+_GAPS = lex.word_set("gaps (spacing)")
 _EACH_OTHER = re.compile(r"(?:each\s+other|one\s+another)\b", re.IGNORECASE)
 _TRAVELS = re.compile(
     r"\b(?:fall|drop|fell|jump|leap|mov|roll|slid|driv|travel|run|walk|go|fl[iey]|climb|brak|stop"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from esg.draft import lexicon as lex
 from esg.draft.discourse.core import (
     aimable,
     entity_of,
@@ -44,40 +45,13 @@ from esg.draft.events.timing import (
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.graph.models import NodeEvent
 
-_GOALMOUTH = frozenset({"post", "goalpost", "crossbar", "keeper", "goalkeeper", "goalie", "rim"})
-_GOING = frozenset(
-    {
-        "go",
-        "drop",
-        "fall",
-        "roll",
-        "bounce",
-        "sink",
-        "fly",
-        "run",
-        "slide",
-        "trickle",
-        "jump",
-        "leap",
-        "dive",
-        "hop",
-        "plunge",
-        "tumble",
-    }
-)
-_VISITING = frozenset(
-    {"come", "go", "pull", "move", "drive", "walk", "ride", "sail", "head", "turn", "run", "step"}
-)
-WAYS = frozenset({"way", "path", "course", "trajectory"})
-"""Parts of what moves that something gets in."""
-_HOLDING = frozenset({"gripper", "hand", "hands", "grip", "grasp", "arms", "fingers"})
+_GOALMOUTH = lex.word_set("goalmouth")
+_GOING = lex.word_set("going (acts)")
+_VISITING = lex.word_set("visiting")
+WAYS = lex.word_set("ways (acts)")
+_HOLDING = lex.word_set("holding (acts)")
 _OPENINGS = frozenset({"hole", "water"})
-_PLACES = frozenset(
-    {"station", "tunnel", "garage", "hangar", "harbor", "harbour", "port", "depot", "airport",
-     "barn", "stable", "warehouse", "factory", "hall", "room", "kitchen", "shop", "store", "school",
-     "village", "town", "city", "mall"}
-)  # fmt: skip
-"""Where "into" is an arrival and no crash."""
+_PLACES = lex.word_set("places (acts)")
 
 
 def outcomes(d: Discourse, f: Frame, actors: list[str]) -> None:

@@ -13,28 +13,10 @@ from esg.draft.events.timing import is_airborne, settle
 from esg.draft.grammar.clauses.frames import Frame
 from esg.graph.models import NodeEvent
 
-_GROUNDED = frozenset(
-    {
-        "drive",
-        "ride",
-        "walk",
-        "run",
-        "roll",
-        "slide",
-        "move",
-        "cycle",
-        "go",
-        "rumble",
-        "race",
-        "speed",
-    }
-    | {"travel", "skate", "trundle", "taxi", "come", "stroll", "rattle", "head", "crawl"}
-)
-"""What goes "over" a bridge by these goes on it."""
-_OPEN_CARTS = frozenset({"cart", "shopping cart", "wheelbarrow", "mine cart", "trailer"})
-_TOUCHES = frozenset({"hit", "knock", "topple"})
-_LIDDED = frozenset({"toolbox", "suitcase", "gift box", "chest", "safe"})
-"""What is closed unless something falls "in" it."""
+_GROUNDED = lex.word_set("grounded")
+_OPEN_CARTS = lex.word_set("open carts")
+_TOUCHES = lex.word_set("touches")
+_LIDDED = lex.word_set("lidded")
 
 
 def heads_for(d: Discourse, f: Frame, actor: str, other: str, time: Time | None) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, kind_of, structural
 from esg.draft.discourse.places import elevated, place
 from esg.draft.discourse.record import Discourse, Time
@@ -9,12 +10,10 @@ from esg.draft.events.motions import lies_on_something
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.graph.models import NodeEvent
 
-_ENDS = frozenset({"end", "side", "corner", "ends", "sides", "corners"})
-EDGES = frozenset({"edge", "end", "side", "rim", "lip"})
-_HATCHES = frozenset({"trapdoor", "hatch", "skylight", "manhole", "opening", "chute", "gap"})
-"""What things drop through."""
-_BACKS = frozenset({"back", "rear", "tailgate", "bed", "top"})
-"""What a load slides off, of the vehicle or thing that was named."""
+_ENDS = lex.word_set("ends (edges)")
+EDGES = lex.word_set("edges")
+_HATCHES = lex.word_set("hatches")
+_BACKS = lex.word_set("backs")
 
 
 def opening(d: Discourse, ids: list[str]) -> bool:

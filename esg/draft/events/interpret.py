@@ -40,15 +40,10 @@ from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.text.elements import Mention
 from esg.graph.models import EventConstraint, NodeEvent, Role
 
-_THINGS_DO = frozenset({"hit", "enter", "land", "bounce", "miss", "scatter", "fall"})
-_THINGS_DO_TO = frozenset({"knock", "topple", "scatter"})
-"""Senses that, after "the boy throws a ball and ...", are about the ball."""
-_BREAKING = frozenset({"break", "shatter", "burst", "splinter", "crack"})
-_ACTED_ON = frozenset(
-    {"slow", "stop", "brake", "accelerate", "turn", "reverse", "launch", "tow", "topple",
-     "knock", "drop", "cause", "pocket", "scatter", "spin", "roll", "slide"}
-)  # fmt: skip
-"""Senses whose object moves, so that it cannot be the ground."""
+_THINGS_DO = lex.word_set("things do")
+_THINGS_DO_TO = lex.word_set("things do to")
+_BREAKING = lex.word_set("breaking (interpret)")
+_ACTED_ON = lex.word_set("acted on")
 _INSTEAD = re.compile(r"\binstead\b(?! of)", re.IGNORECASE)
 _BUT = re.compile(r"\b(?:but|yet)\b[^.;,]*$", re.IGNORECASE)
 _AT_FIRST = re.compile(
@@ -66,19 +61,10 @@ _NAMED_EVENTS = {
 }
 """Nouns for events, and the point events they name."""
 _UNDER_WAY = re.compile(r"(?:halfway|midway|on the way|on (?:its|his|her|their) way)\b", re.I)
-_ANIMAL_VERBS = frozenset(
-    {"run", "walk", "jog", "gallop", "trot", "jump", "leap", "hop", "crawl", "sprint", "dash",
-     "charge", "sleep", "sit", "chase", "wander", "swim", "climb", "stroll", "march", "pursue"}
-)  # fmt: skip
+_ANIMAL_VERBS = lex.word_set("animal verbs")
 
-_PERSON_VERBS = frozenset(
-    {"kick", "throw", "toss", "hurl", "fling", "lob", "dribble", "juggle", "flick", "serve", "putt"}
-)
-"""What only somebody does to a thing."""
-_VEHICLE_VERBS = frozenset(
-    {"drive", "brake", "accelerate", "overtake", "park", "steer", "cruise", "merge", "reverse",
-     "swerve", "speed"}
-)  # fmt: skip
+_PERSON_VERBS = lex.word_set("person verbs")
+_VEHICLE_VERBS = lex.word_set("vehicle verbs")
 
 
 def begin(world: World, text: str, mentions: list[Mention]) -> Discourse:

@@ -5,21 +5,18 @@ from __future__ import annotations
 from dataclasses import replace
 import re
 
+from esg.draft import lexicon as lex
 from esg.draft.discourse.core import amounts_of
 from esg.draft.discourse.record import Discourse
 from esg.draft.events.timing import start_height
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.quantities import Amount
 
-_ON_THE_WAY = frozenset(
-    {"own", "noop", "roll", "slide", "fly", "approach", "cross", "coast", "enter", "follow",
-     "bounce"}
-)  # fmt: skip
-"""Senses of clauses that lead up to the next one."""
+_ON_THE_WAY = lex.word_set("on the way")
 _LASTS = re.compile(r"(?:over|(?:with)?in) the (?:course|space) of|within|inside|in under", re.I)
-SETS_OFF = frozenset({"start", "set", "depart", "leave", "begin", "drive", "pull"})
+SETS_OFF = lex.word_set("sets off")
 _ABOVE = re.compile(r"\s*(?:up\b|above\b|high\b|over the)", re.IGNORECASE)
-_FLIGHTS = frozenset({"own", "fly", "land", "noop", "roll", "slide", "bounce"})
+_FLIGHTS = lex.word_set("flights")
 
 
 def high_up(d: Discourse, f: Frame, subject: list[str]) -> None:

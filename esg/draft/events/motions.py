@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from esg.draft import lexicon as lex
 from esg.draft.discourse.concurrence import on_its_own
 from esg.draft.discourse.core import (
     aimable,
@@ -24,16 +25,15 @@ from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.quantities import Amount
 from esg.graph.models import EventConstraint, ForceDirection, NodeEvent, Quantity
 
-_AIRBORNE = frozenset({"projectile", "tool", "tableware", "book", "rock"})
+_AIRBORNE = lex.word_set("airborne")
 
 
 _TALL_CM = 50.0
 
-_IN_THE_AIR = frozenset({"fly", "soar", "cruise", "glide", "flutter", "swoop", "hover", "dive"})
-_ON_WHEELS = frozenset({"taxi", "roll", "drive", "skid", "slide", "park", "coast"})
-_WITH_OFF = frozenset({"drive", "pull", "take", "move", "head", "ride", "walk", "set", "go"})
-"""Verbs that say that something sets off only with "off", "away" or "out"."""
-_WINGED = frozenset({"bee", "butterfly", "fly", "beetle", "dragonfly", "wasp", "moth", "bat"})
+_IN_THE_AIR = lex.word_set("in the air")
+_ON_WHEELS = lex.word_set("on wheels")
+_WITH_OFF = lex.word_set("with off")
+_WINGED = lex.word_set("winged")
 
 
 def speed_of(d: Discourse, f: Frame, actors: list[str], mode: str) -> tuple[Quantity | None, bool]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from esg.draft import lexicon as lex
 from esg.draft.discourse.concurrence import (
     coincide,
     later,
@@ -23,8 +24,7 @@ from esg.graph.models import EdgeEvent, EventConstraint, NodeEvent, Quantity, Ro
 
 HIGHEST_CM = 2e4
 """Highest start of a fall, as the verifier has it."""
-PUSHING = frozenset({"push", "shove", "nudge", "prod"})
-"""Verbs of moving a thing by touching it."""
+PUSHING = lex.word_set("pushing")
 
 
 def representatives(d: Discourse, targets: list[str], movers: list[str]) -> list[str]:

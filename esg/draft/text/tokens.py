@@ -6,6 +6,7 @@ from functools import cache, lru_cache
 import re
 from typing import Any
 
+from esg.draft import lexicon as lex
 from esg.draft.grammar.rewrites.shares import joined
 from esg.draft.text.elements import Token
 from esg.draft.text.quantities import Amount, find_amounts
@@ -32,8 +33,7 @@ _TYPOS = {
 }  # fmt: skip
 """Slips of the pen in small words."""
 _MEANT = frozenset(_TYPOS.values())
-_TITLES = frozenset({"mr", "mrs", "ms", "dr", "prof", "capt", "sgt", "messrs", "vs", "approx"})
-"""What a full stop after it does not end ("Mr. Smith")."""
+_TITLES = lex.word_set("titles (tokens)")
 _CONTRACTED = re.compile(
     r"(?:there|that(?!'s (?:how|why|where|when|what|the way))|he|she|here|who|what"
     r"|it(?='s\s+(?:an?|the|in|on|at|not|been|being|about|just|now"

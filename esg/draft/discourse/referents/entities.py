@@ -25,22 +25,10 @@ ORDINALS = {
     "ninth": 8,
     "tenth": 9,
 }
-FRONT = frozenset({"front", "lead", "leading", "foremost"})
-REAR = frozenset(
-    {"rear", "hind", "back", "trailing", "following", "hindmost", "rearmost", "rear-most"}
-)
-BODY_PARTS = frozenset(
-    {"gripper"}
-    | {"arm", "hand", "fist", "finger", "foot", "leg", "head", "tail", "paw", "hoof", "nose"}
-    | {"elbow", "shoulder", "knee", "hip", "chest", "trunk", "horn", "beak", "wing", "mouth"}
-    | {"jaw", "ear", "hair", "belly", "stomach", "toe", "heel", "wrist", "ankle", "thumb", "back"}
-    | {"midriff", "stomach", "face", "shin", "thigh", "ribs", "forehead", "chin", "neck", "flank"}
-)
-OWN_PARTS = frozenset(
-    {"roof", "hood", "bonnet", "bumper", "windscreen", "windshield", "tailgate", "wheel", "tire"}
-    | {"tyre", "door", "mirror", "headlight", "fender", "lid", "handle", "leg"}
-)
-"""Parts that belong to a thing and are hit when the thing is."""
+FRONT = lex.word_set("front")
+REAR = lex.word_set("rear")
+BODY_PARTS = lex.word_set("body parts")
+OWN_PARTS = lex.word_set("own parts")
 ACTING_PARTS = OWN_PARTS | frozenset(
     {"brush", "blade", "shovel", "bow", "prow", "stern", "keel", "hull", "rotor", "propeller"}
     | {"axle", "front", "rear", "side", "boom", "jib", "hook", "claw", "gripper", "fork", "forks"}
@@ -48,8 +36,7 @@ ACTING_PARTS = OWN_PARTS | frozenset(
     | {"bucket", "shovel", "arm", "cab", "cabin", "oar", "rudder", "anchor", "outrigger", "ladder"}
 )
 """Parts of a machine with which it hits things ("its brush touches a box")."""
-WORN = frozenset({"pad", "glove", "boot", "shoe", "sneaker", "sleeve", "jersey", "shirt", "coat"})
-"""What hits a person when it hits it ("the goalkeeper's pad")."""
+WORN = lex.word_set("worn")
 STACKED = {
     "top": -1, "topmost": -1, "uppermost": -1, "upper": -1, "highest": -1,
     "bottom": 0, "lowest": 0, "lowermost": 0, "lower": 0, "bottommost": 0,
@@ -58,7 +45,7 @@ STACKED = {
 """Members of a stack by where they lie: first (at the bottom), last or in the middle."""
 COUNTED_FROM = {"left": 1, "bottom": 1, "front": 1, "right": -1, "top": -1, "back": -1, "end": -1}
 """From which end "the second from the ..." counts; the members of a row go left to right."""
-OTHER = frozenset({"other", "remaining", "another", "next", "opposite"})
+OTHER = lex.word_set("other")
 UNKNOWN_MASS_KG = 5.0
 
 

@@ -34,12 +34,10 @@ _NUMBERS = frozenset(
     | {"eleven", "twelve", "thirteen", "fourteen", "fifteen"}
     | {str(k) for k in range(1, 16)}
 )
-_DISTINCT = frozenset({"person", "animal", "food", "tool", "plant", "tableware", "ground", "book"})
-"""Kinds whose synonyms name different things (man and woman, lemon and orange)."""
+_DISTINCT = lex.word_set("distinct")
 _ENDS = frozenset({"front", "rear"})
-_IN_A_LINE = frozenset({"front", "middle", "rear", "last", "final", "side"})
-"""Single things named by where they stand in a line ("the front car ... the middle car")."""
-_ANYTHING = frozenset({"object", "thing", "item", "body", "prop", "entity", "projectile"})
+_IN_A_LINE = lex.word_set("in a line")
+_ANYTHING = lex.word_set("anything (matching)")
 
 
 def matches(world: World, m: Mention, e: Entity) -> bool:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from esg.draft import lexicon as lex
 from esg.draft.discourse.referents.entities import Entity
 
-_KINDS = frozenset({"vehicle", "cart", "toyvehicle", "robot"})
+_KINDS = lex.word_set("kinds")
 
 
 def meeting(subjects: list[list[str]], recent: list[str], entities: dict[str, Entity]) -> list[str]:

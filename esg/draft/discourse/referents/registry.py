@@ -23,18 +23,14 @@ from esg.draft.grammar.rewrites.shares import dealt
 from esg.draft.text.elements import Mention
 from esg.draft.text.quantities import Amount
 
-_NAMED_GROUPS = frozenset({"tower", "pyramid", "pile", "heap", "convoy"})
+_NAMED_GROUPS = lex.word_set("named groups")
 _PEOPLE = re.compile(r"(?:man|men|woman|women|person|ist|player|keeper|worker|driver|officer)$")
 """Endings of nouns for people."""
 LARGEST_CM, LIGHTEST_KG = 9000.0, 1e-3
 MAX_COUNT = 40
 """Most members of one plural."""
 
-_TWINS = frozenset(
-    {"scissor", "scissors", "plier", "pliers", "tong", "tongs", "tweezer", "tweezers", "shear",
-     "shears", "binocular", "binoculars", "headphone", "headphones"}
-)  # fmt: skip
-"""What is called a pair and is one thing."""
+_TWINS = lex.word_set("twins")
 
 
 def new_id(world: World, stem: str) -> str:

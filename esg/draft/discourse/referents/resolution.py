@@ -36,16 +36,10 @@ from esg.draft.discourse.referents.surroundings import about_golf
 from esg.draft.discourse.referents.wholes import compound, own_vehicle, owns, whole_of
 from esg.draft.text.elements import Mention
 
-_DURING = frozenset({"in", "at", "inside", "within", "around", "across", "of", "from"})
-_SCENES = frozenset(
-    {"harbor", "harbour", "port", "marina", "airport", "depot", "mine", "quarry", "zoo", "shipyard",
-     "racetrack", "speedway", "circus", "resort", "university", "college", "campus", "prison",
-     "seaport", "airfield", "rail yard", "railyard", "junkyard", "scrapyard", "carnival"}
-)  # fmt: skip
-"""Unknown names of where scenes take place."""
-_ON_THE_GREEN = frozenset({"on", "onto", "across", "over", "to", "at"})
-_STACKS = frozenset({"tower", "pyramid", "column"})
-"""What things that have been stacked are together."""
+_DURING = lex.word_set("during")
+_SCENES = lex.word_set("scenes")
+_ON_THE_GREEN = lex.word_set("on the green")
+_STACKS = lex.word_set("stacks (resolution)")
 _BEHIND_THE_HEAD = 4
 """Index of the pin straight behind the first one of a triangle (1, 2-3, 4-5-6)."""
 

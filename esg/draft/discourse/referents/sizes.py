@@ -8,8 +8,7 @@ from esg.draft import lexicon as lex
 from esg.draft.discourse.referents.entities import Entity
 from esg.draft.text.quantities import Amount
 
-HOLLOW = frozenset({"tableware", "bottle", "container", "barrel", "box", "appliance"})
-"""Kinds whose size a stated volume gives."""
+HOLLOW = lex.word_set("hollow")
 _FILLED = 0.6
 """Share of its bounding box that a vessel holds."""
 _MOST_INCLINED_DEG = 80.0

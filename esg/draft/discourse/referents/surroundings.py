@@ -6,9 +6,9 @@ from esg.draft import lexicon as lex
 from esg.draft.discourse.referents.entities import Entity
 from esg.draft.text.elements import Mention
 
-_TO_THE_HOLE = frozenset({"into", "in", "past", "to", "toward", "towards", "around"})
-_AT_A_BAR = frozenset({"along", "on", "at", "across", "off", "behind", "down", "onto", "from"})
-_ROOMS = frozenset({"garage", "shop", "store", "school", "church", "hotel", "barn", "apartment"})
+_TO_THE_HOLE = lex.word_set("to the hole")
+_AT_A_BAR = lex.word_set("at a bar")
+_ROOMS = lex.word_set("rooms")
 _BALLS = {
     "golfer": "golf ball", "batter": "baseball", "pitcher": "baseball", "batsman": "cricket ball",
     "goalkeeper": "soccer ball", "goalie": "soccer ball", "striker": "soccer ball",

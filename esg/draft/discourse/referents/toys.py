@@ -6,12 +6,12 @@ from collections.abc import Iterable
 from dataclasses import replace
 import math
 
+from esg.draft import lexicon as lex
 from esg.draft.lexicon import Noun
 
-WORDS = frozenset({"toy", "model", "miniature"})
-_OWN_SIZE = frozenset({"toy", "toyvehicle", "block", "game", "ball", "billiard", "domino", "kind"})
-"""Kinds that are toys, or no smaller as toys."""
-_BREEDS = frozenset({"poodle", "terrier", "spaniel", "chihuahua", "dachshund", "schnauzer"})
+WORDS = lex.word_set("words")
+_OWN_SIZE = lex.word_set("own size")
+_BREEDS = lex.word_set("breeds")
 _DRIVEN = frozenset({"vehicle", "cart"})
 _SMALLEST_CM, _FROM_CM, _PER_DECADE_CM = 15.0, 60.0, 8.0
 _LARGEST_CM = 40.0

@@ -9,11 +9,10 @@ from esg.draft.discourse.referents.record import World
 from esg.draft.discourse.referents.registry import create
 from esg.draft.text.elements import Mention
 
-_BODYWORK = frozenset({"bonnet", "windscreen", "windshield", "tailgate"})
-_ANIMAL_PARTS = frozenset({"beak", "paw", "hoof", "snout", "wing", "tail", "horn", "trunk", "claw"})
-_CABS = frozenset({"cab", "cabin", "cockpit"})
-"""Parts where somebody sits; words for buildings, too, unless they are somebody's."""
-_TOPS = frozenset({"roof", "windscreen", "windshield", "bonnet", "tailgate"})
+_BODYWORK = lex.word_set("bodywork")
+_ANIMAL_PARTS = lex.word_set("animal parts")
+_CABS = lex.word_set("cabs")
+_TOPS = lex.word_set("tops")
 
 
 def own_vehicle(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[str]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import partial
 import re
 
+from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, kind_of, mark_used, movable, quantity_of, structural
 from esg.draft.discourse.places import place
 from esg.draft.discourse.record import Discourse, Time
@@ -27,14 +28,9 @@ from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.text.quantities import Amount
 from esg.graph.models import EventConstraint, NodeEvent
 
-_MEETING = frozenset({"collide", "crash", "meet", "smash", "bump", "make", "come", "connect"})
-_NO_THINGS = frozenset(
-    {"way", "path", "course", "air", "speed", "time", "sky", "direction", "limit"}
-)
-"""Objects of "blocks", "hits" and the like that nothing touches."""
-_PLACES_HIT = frozenset(
-    {"middle", "center", "centre", "mark", "target", "side", "end", "back", "top"}
-)
+_MEETING = lex.word_set("meeting (contact)")
+_NO_THINGS = lex.word_set("no things")
+_PLACES_HIT = lex.word_set("places hit")
 _AHEAD = frozenset({"in front of", "before"})
 _STUMBLING = frozenset({"trip", "stumble"})
 _BESIDE = re.compile(
@@ -44,11 +40,10 @@ _BESIDE = re.compile(
     re.IGNORECASE,
 )
 """What may stand between a thing and its own speed."""
-_CATCHING = frozenset({"catch", "block", "intercept", "parry", "deflect"})
+_CATCHING = lex.word_set("catching")
 
 
-_FELLING = frozenset({"flatten", "take", "mow", "level", "floor", "demolish"})
-"""Hits that skittles and dominoes do not stand."""
+_FELLING = lex.word_set("felling")
 
 
 @sense("hit")

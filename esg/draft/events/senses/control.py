@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from esg.draft import lexicon as lex
 from esg.draft.discourse.core import amounts_of, describe, kind_of, mark_used, movable, quantity_of
 from esg.draft.discourse.event_coreference import time_of_told
 from esg.draft.discourse.record import Discourse, Time
@@ -20,8 +21,7 @@ from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.quantities import Amount
 from esg.graph.models import EventConstraint, NodeEvent, Quantity, Role
 
-_SHOWN = frozenset({"show", "picture", "film", "animate", "render", "depict", "simulate", "draw"})
-"""Requests whose participles tell what happens."""
+_SHOWN = lex.word_set("shown")
 
 
 @sense("accelerate")

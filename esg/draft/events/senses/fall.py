@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import partial
 import re
 
+from esg.draft import lexicon as lex
 from esg.draft.discourse.core import (
     aimable,
     entity_of,
@@ -34,10 +35,9 @@ from esg.draft.events.timing import (
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.graph.models import NodeEvent
 
-_UPRIGHT = frozenset({"domino", "plant", "post", "wall", "building", "structure"})
-_OVERTURNED = frozenset({"person", "seat", "furniture", "appliance", "upright", "statue", "robot"})
-"""What falls over where it stands, like those upright by themselves."""
-_TWO_WHEELED = frozenset({"bicycle", "motorcycle", "scooter", "tricycle"})
+_UPRIGHT = lex.word_set("upright")
+_OVERTURNED = lex.word_set("overturned")
+_TWO_WHEELED = lex.word_set("two wheeled")
 _SOURCES = ("off", "from", "out of", "over", "down")
 _LOOSE = re.compile(r"\b(?:loose|adrift|unhooked|uncoupled)\b", re.IGNORECASE)
 _OTHER_SIDE = re.compile(r"\s+(?:down\s+)?on\s+(?:the|its)\s+(?:other|far)\s+side", re.IGNORECASE)

@@ -34,10 +34,10 @@ from esg.draft.events.timing import (
 from esg.draft.grammar.clauses.frames import Frame
 from esg.graph.models import NodeEvent
 
-_BY_HAND = frozenset({"push", "shove", "nudge", "prod"})
-_THROWN = frozenset({"ball", "billiard", "sliding", "projectile", "rock"})
-_GUNS = frozenset({"cannon", "catapult", "tank", "gun"})
-_SHOTS = frozenset({"ball", "projectile", "rock"})
+_BY_HAND = lex.word_set("by hand")
+_THROWN = lex.word_set("thrown")
+_GUNS = lex.word_set("guns")
+_SHOTS = lex.word_set("shots")
 
 
 @sense("launch")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from esg.draft import lexicon as lex
 from esg.draft.discourse.core import (
     aimable,
     entity_of,
@@ -35,7 +36,7 @@ from esg.draft.events.timing import (
 from esg.draft.grammar.clauses.frames import Frame
 from esg.graph.models import NodeEvent
 
-_ON_FOOT = frozenset({"run", "rush", "race"})
+_ON_FOOT = lex.word_set("on foot")
 
 
 @sense("own")

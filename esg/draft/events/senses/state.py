@@ -33,9 +33,7 @@ from esg.draft.text.elements import Mention
 from esg.draft.text.quantities import Amount
 from esg.graph.models import NodeEvent
 
-_WAITING = frozenset(
-    {"wait", "pause", "stay", "remain", "stand", "sit", "idle", "queue", "rest", "hover"}
-)
+_WAITING = lex.word_set("waiting")
 _PATTERN_VERBS = {
     "stack": "stack",
     "pile": "stack",
@@ -48,13 +46,11 @@ _PATTERN_VERBS = {
 _LEANT_ON_CM = 60.0
 _UPON = ("on", "in", "inside", "upon")
 _LEANING = frozenset({"lean", "prop"})
-_HANGING = frozenset({"hang", "suspend", "mount", "attach", "fix", "dangle", "fasten"})
-_HUNG_BY = frozenset({"on", "against", "from", "to", "at", "off"})
-_SIDES = frozenset({"height", "length", "width", "diameter", "radius", "size", "thickness"})
-_CARRIED_ALONG = frozenset(
-    {"to", "toward", "towards", "around", "across", "along", "through", "past", "up", "down"}
-)
-_RESTING = frozenset({"rest", "lie", "settle", "lodge"})
+_HANGING = lex.word_set("hanging")
+_HUNG_BY = lex.word_set("hung by")
+_SIDES = lex.word_set("sides (state)")
+_CARRIED_ALONG = lex.word_set("carried along")
+_RESTING = lex.word_set("resting (state)")
 
 
 def upon(d: Discourse, attachments: list[tuple[Mention, Phrase]]) -> None:

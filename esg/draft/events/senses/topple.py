@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import partial
 
+from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, kind_of, mark_used, movable, quantity_of
 from esg.draft.discourse.places import fits_on, place, set_free
 from esg.draft.discourse.record import Discourse
@@ -28,8 +29,7 @@ from esg.graph.models import NodeEvent
 _LOW_CM = 40.0
 """Height of a pallet or a platform: what hits it hits what stands on it."""
 
-_OF_ONES_OWN = frozenset({"brake", "stop", "slow", "swerve", "avoid", "wait", "accelerate"})
-"""What somebody does who is forced to, and no blow does to him."""
+_OF_ONES_OWN = lex.word_set("of ones own")
 
 
 @sense("knock")

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from esg.draft import lexicon as lex
 from esg.draft.grammar.clauses.frames import Frame, State, background_first, in_order
 from esg.draft.grammar.clauses.idioms import read_idioms
 from esg.draft.grammar.clauses.nouns import mention
@@ -16,8 +17,8 @@ from esg.draft.grammar.clauses.verbs import UNTIL_MAIN, verb
 from esg.draft.grammar.clauses.words import flush, read_word
 from esg.draft.text.elements import Element, Mention, Verb
 
-_GETTING = frozenset({"own", "reach", "approach", "noop", "acquire", "roll", "slide"})
-_TAKING = frozenset({"need", "needs", "needed", "take", "takes", "took", "require", "requires"})
+_GETTING = lex.word_set("getting (builder)")
+_TAKING = lex.word_set("taking (builder)")
 
 
 def build_clauses(elements: list[Element]) -> Clauses:

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
+from esg.draft import lexicon as lex
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.elements import Mention
 
-_BREAKING = frozenset({"break", "shatter", "crack", "splinter", "burst", "smash"})
-_SHUTTING = frozenset({"close", "shut", "snap", "slam"})
-_STEPPING = frozenset({"step", "tread", "sit", "stamp"})
-TRAVELLING = frozenset({"person", "vehicle", "animal", "robot", "cart"})
-ROUND = frozenset({"ball", "billiard", "sliding", "projectile"})
-_BATTING = frozenset({"bat", "swipe", "whisk", "poke", "paw"})
-_SURFACES = frozenset({"patch", "slick", "spot", "stretch"})
-"""What a vehicle hits and drives over."""
+_BREAKING = lex.word_set("breaking (contact idioms)")
+_SHUTTING = lex.word_set("shutting")
+_STEPPING = lex.word_set("stepping (contact idioms)")
+TRAVELLING = lex.word_set("travelling (contact idioms)")
+ROUND = lex.word_set("round")
+_BATTING = lex.word_set("batting")
+_SURFACES = lex.word_set("surfaces")
 
 
 def kind_of(m: Mention | None) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from esg.draft import lexicon as lex
 from esg.draft.text.elements import Element, Mention, Verb, Word
 from esg.draft.text.quantities import Amount
 
@@ -155,26 +156,8 @@ def next_verb(elements: list[Element], i: int) -> Verb | None:
     return None
 
 
-_MANOEUVRES = frozenset({"turn", "brake", "slow", "swerve", "reverse", "overtake"})
-"""Senses of what somebody does at the wheel, which no hit makes him do."""
-_MOVING = frozenset(
-    {
-        "own",
-        "cross",
-        "leave",
-        "continue",
-        "overtake",
-        "follow",
-        "roll",
-        "slide",
-        "fly",
-        "approach",
-        "coast",
-        "accelerate",
-        "fall",
-        "spin",
-    }
-)
+_MANOEUVRES = lex.word_set("manoeuvres")
+_MOVING = lex.word_set("moving (frames)")
 
 
 def _manoeuvre_before_the_hit(f: Frame) -> bool:

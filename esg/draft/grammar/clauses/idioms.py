@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from itertools import pairwise
 
+from esg.draft import lexicon as lex
 from esg.draft.grammar.clauses.contact_idioms import (
     ROUND,
     TRAVELLING,
@@ -35,17 +36,15 @@ from esg.draft.grammar.clauses.contact_idioms import (
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.text.elements import Mention
 
-_PARTING = frozenset({"break", "snap", "crack", "chip", "split", "tear", "come", "peel", "wobble"})
-_JUMPING = frozenset({"jump", "leap", "hop", "spring", "climb", "dive"})
+_PARTING = lex.word_set("parting")
+_JUMPING = lex.word_set("jumping")
 _STEERED = TRAVELLING | frozenset({"watercraft", "flyer", "toyvehicle", ""})
-_TOSSED = frozenset({"game", "tableware", "food", "ball", "billiard", "projectile", "electronics"})
-_LOOSE_GROUND = frozenset({"snow", "sand", "gravel", "earth", "soil", "mud", "rubble"})
-_BENDS = frozenset({"curve", "bend", "corner"})
-_ALONG_BENDS = frozenset({"around", "round", "through", "along"})
-_HELD = frozenset(
-    {"rope", "line", "reins", "rein", "handle", "handlebar", "leash", "lead", "wheel", "string"}
-)
-_STANDSTILLS = frozenset({"stop", "halt", "standstill", "rest"})
+_TOSSED = lex.word_set("tossed")
+_LOOSE_GROUND = lex.word_set("loose ground")
+_BENDS = lex.word_set("bends")
+_ALONG_BENDS = lex.word_set("along bends")
+_HELD = lex.word_set("held")
+_STANDSTILLS = lex.word_set("standstills")
 
 
 def _parts(f: Frame) -> str:

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
+from esg.draft import lexicon as lex
 from esg.draft.grammar.clauses.frames import Frame, State
 from esg.draft.grammar.clauses.record import Clauses
 from esg.draft.text.elements import Mention, Verb
 
-CAUSE_SENSES = frozenset({"cause", "knock", "launch", "drop", "lead", "give", "pocket", "scatter"})
-UNCHANGED = frozenset({"hit", "let", "put", "set", "cut", "burst", "upset"})
-"""Verbs whose past is spelled like the infinitive."""
-_AMONG_VEHICLES = frozenset({"rear-end", "t-bone", "sideswipe"})
-_ASKING = frozenset({"want", "like", "need", "wish", "ask", "tell", "order", "allow", "expect"})
-_SHOWING = frozenset({"show", "see", "depict", "capture", "film", "picture", "feature", "watch"})
-_FAILING = frozenset({"fail", "fails", "failed", "refuse", "refuses", "refused", "failing"})
+CAUSE_SENSES = lex.word_set("cause senses")
+UNCHANGED = lex.word_set("unchanged")
+_AMONG_VEHICLES = lex.word_set("among vehicles")
+_ASKING = lex.word_set("asking (links)")
+_SHOWING = lex.word_set("showing (links)")
+_FAILING = lex.word_set("failing")
 
 
 def of_a_vehicle(previous: Frame, v: Verb) -> bool:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 
+from esg.draft import lexicon as lex
 from esg.draft.grammar.clauses.frames import Frame
 
 NEAR = re.compile(
@@ -41,25 +42,13 @@ _STOPS_DOING = re.compile(
 )
 _NO_ONE = re.compile(r"\bno[ -]one$", re.IGNORECASE)
 
-_WISHES = frozenset(
-    {"want", "hope", "wish", "intend", "plan", "threaten", "fear", "expect", "prepare", "avoid",
-     "prevent", "like", "dare"}
-)  # fmt: skip
-_ATTEMPTS = frozenset({"try", "attempt", "struggle", "seek"})
-_TRIED_IS_DONE = frozenset({"brake", "slow", "turn", "swerve", "accelerate", "reverse", "merge"})
-"""Senses of control that an attempt already is ("tries to brake")."""
-_EVENTS = frozenset(
-    {"hit", "knock", "topple", "enter", "pocket", "score", "miss", "fall", "land", "stop",
-     "reach", "overtake", "scatter", "bounce", "drop", "launch", "cause", "brake", "turn",
-     "swerve", "pass", "park"}
-)  # fmt: skip
-"""Senses that make events; a wished motion ("wants to cross the road") is at most a direction."""
-_SHOWING = frozenset(
-    {"follow", "show", "pan", "zoom", "track", "watch", "see", "move", "look", "film", "focus",
-     "stay", "face", "capture"}
-)  # fmt: skip
-_DOES = frozenset({"does", "did", "do"})
-_SPEAKERS = frozenset({"i", "we", "you"})
+_WISHES = lex.word_set("wishes")
+_ATTEMPTS = lex.word_set("attempts")
+_TRIED_IS_DONE = lex.word_set("tried is done")
+_EVENTS = lex.word_set("events (modality)")
+_SHOWING = lex.word_set("showing (modality)")
+_DOES = lex.word_set("does")
+_SPEAKERS = lex.word_set("speakers")
 
 
 def mark_unreal(frames: list[Frame], text: str) -> None:

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+from esg.draft import lexicon as lex
 from esg.draft.discourse.referents.entities import BODY_PARTS, OWN_PARTS
 from esg.draft.grammar.clauses.frames import Phrase, State, finite_ahead, next_verb
 from esg.draft.grammar.clauses.record import Clauses
 from esg.draft.grammar.clauses.words import OWNED, PROPERTIES
 from esg.draft.text.elements import Element, Mention, Verb, Word
 
-_OCCASIONS = frozenset({"time", "moment", "instant", "occasion"})
-_THIS = frozenset({"this", "that", "another", "each", "every"})
+_OCCASIONS = lex.word_set("occasions")
+_THIS = lex.word_set("this")
 
 
 def _in_a_list(c: Clauses, s: State, previous: Element | None, i: int) -> bool:

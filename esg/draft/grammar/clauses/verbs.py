@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from esg.draft import lexicon as lex
 from esg.draft.grammar.clauses.frames import Frame, Phrase, State
 from esg.draft.grammar.clauses.links import (
     UNCHANGED,
@@ -24,16 +25,12 @@ from esg.draft.grammar.clauses.record import Clauses
 from esg.draft.text.elements import Mention, Verb, Word
 from esg.draft.text.quantities import Amount
 
-_LETTING = frozenset({"let", "make", "have", "watch"})
+_LETTING = lex.word_set("letting (verbs)")
 UNTIL_MAIN = "until main clause"
 
 
-_SCENE = frozenset({"at", "in", "on", "inside"})
-_AIMING = frozenset(
-    {"hit", "launch", "fall", "topple", "drop", "knock", "own", "roll", "slide", "fly", "bounce",
-     "pocket", "jump", "overtake", "reach", "miss", "scatter", "leap", "tow"}
-)  # fmt: skip
-"""Senses that take "at", "in" or "on" for what they end at."""
+_SCENE = lex.word_set("scene")
+_AIMING = lex.word_set("aiming")
 
 
 def verb(c: Clauses, s: State, v: Verb, i: int) -> None:

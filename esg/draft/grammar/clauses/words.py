@@ -2,22 +2,18 @@
 
 from __future__ import annotations
 
+from esg.draft import lexicon as lex
 from esg.draft.grammar.clauses.frames import Phrase, State, finite_ahead
 from esg.draft.grammar.clauses.record import Clauses
 from esg.draft.text.elements import Mention, Verb, Word
 
-PROPERTIES = frozenset(
-    {"mass", "weight", "height", "length", "width", "diameter", "radius", "size"}
-)
+PROPERTIES = lex.word_set("properties")
 OWNED = PROPERTIES | {"speed", "velocity"}
 _BEFORE_AMOUNTS = frozenset({"of", "at", ",", "(", "about", "-", "–", "—"})
-_PARTICLES = frozenset({"off", "over", "down", "up", "away", "out", "back", "on"})
-_AIMED = frozenset({"into", "against", "onto", "at", "through", "toward", "towards", "with"})
-"""Prepositions that may stand at the end of a relative clause."""
-_HAPPENING = frozenset({"own", "roll", "slide", "fall", "hit", "knock", "topple", "enter", "stop",
-                        "brake", "turn"})  # fmt: skip
-"""Senses of relative clauses whose time is their own ("a robot that leaves after 2 s")."""
-_SIZES = frozenset({"tall", "high", "wide", "long", "thick", "deep", "diameter", "in diameter"})
+_PARTICLES = lex.word_set("particles (words)")
+_AIMED = lex.word_set("aimed (words)")
+_HAPPENING = lex.word_set("happening")
+_SIZES = lex.word_set("sizes")
 
 
 def read_word(c: Clauses, s: State, w: Word, i: int) -> State:

@@ -30,19 +30,10 @@ from esg.draft.text.multiwords import MULTIWORDS
 from esg.draft.text.numerals import parse_number
 from esg.draft.verbphrases import verb_readings
 
-_HEADINGS = frozenset(
-    {"scene", "shot", "prompt", "description", "task", "note", "step", "phase", "part", "act",
-     "system", "user", "assistant", "title", "setting", "action", "input", "output", "example",
-     "scenario", "story", "instruction", "instructions", "request"}
-)  # fmt: skip
-_TITLES = frozenset(
-    {"puzzle", "demo", "test", "experiment", "simulation", "clip", "video", "level", "case",
-     "report", "update", "log", "challenge", "exercise", "problem", "question", "idea", "concept",
-     "caption", "benchmark", "variant", "trial", "sequence", "storyboard", "demonstration", "event"}
-)  # fmt: skip
-"""Last words of titles that have more than one ("Physics puzzle:")."""
+_HEADINGS = lex.word_set("headings")
+_TITLES = lex.word_set("titles (chunker)")
 _ASKED = lex.DETERMINERS | {"you", "we", "i", "it", "they", "there"}
-_ASKING = frozenset({"can", "could", "will", "would", "may", "does", "did", "is", "are"})
+_ASKING = lex.word_set("asking (chunker)")
 _BOUNDS = (
     ("at", "least"), ("at", "most"), ("no", "fewer", "than"), ("no", "more", "than"),
     ("no", "less", "than"), ("not", "more", "than"), ("more", "than"), ("fewer", "than"),
@@ -51,11 +42,10 @@ _BOUNDS = (
 )  # fmt: skip
 """What bounds a count: "at least two of the pins"."""
 _SO_AS_TO = (("in", "order", "to"), ("so", "as", "to"))
-_MOMENTS = frozenset({"instant", "moment", "minute"})
+_MOMENTS = lex.word_set("moments")
 
 
-_AIMS = frozenset({"into", "onto", "at", "against", "toward", "towards", "off", "down", "over"})
-"""What follows what is pushed or dropped: "Drop A onto B"."""
+_AIMS = lex.word_set("aims (chunker)")
 
 
 def new_chunks(text: str, tokens: list[Token]) -> Chunks:

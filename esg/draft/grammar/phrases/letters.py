@@ -11,11 +11,9 @@ from esg.draft.grammar.phrases.reader import is_adjective
 from esg.draft.text.elements import Mention
 from esg.draft.verbphrases import verb_readings
 
-_CALLED = frozenset(
-    {"named", "called", "nicknamed", "labelled", "labeled", "dubbed", "marked", "known as"}
-)
+_CALLED = lex.word_set("called")
 _QUOTES = frozenset({'"', "“", "”", "„", "«", "»", "'", "‘"})
-_NAMING = frozenset({"one", "two", "three", "four", "five"})
+_NAMING = lex.word_set("naming")
 
 
 def _name(c: Chunks, j: int, m: Mention) -> int:

@@ -13,10 +13,7 @@ from esg.draft.discourse.referents.entities import ORDINALS
 from esg.draft.text.elements import Token
 from esg.draft.verbphrases import verb_readings
 
-_DEGREES = frozenset(
-    {"very", "quite", "rather", "fairly", "somewhat", "too", "so", "almost", "half", "well", "ill",
-     "once", "still", "long", "just", "much", "far", "ever", "never", "all", "not"}
-)  # fmt: skip
+_DEGREES = lex.word_set("degrees")
 _SET = {
     "brand": frozenset({"new"}),
     "stone": frozenset({"cold", "dead"}),
@@ -32,7 +29,7 @@ _SET = {
 """Nouns and adjectives that only strengthen the adjective after them."""
 _MOST = 12
 """Most words in front of a noun that are looked back over for its determiner."""
-_OWNERS = frozenset({"'s", "my", "your", "our", "his", "her", "its", "their"})
+_OWNERS = lex.word_set("owners")
 
 
 def join_modifiers(tokens: list[Token], text: str) -> list[Token]:

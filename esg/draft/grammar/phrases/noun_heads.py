@@ -39,22 +39,14 @@ from esg.draft.grammar.phrases.rows import inner_phrase, member_of_row, the_rest
 from esg.draft.text.elements import Mention
 from esg.draft.verbphrases import verb_readings
 
-_PIECES = frozenset({"roll", "piece", "slice", "sheet", "lump", "chunk", "coil", "reel", "spool"})
-_RUNNING_GEAR = frozenset({"wheels", "castors", "casters", "rollers", "rails", "skates", "runners"})
+_PIECES = lex.word_set("pieces")
+_RUNNING_GEAR = lex.word_set("running gear")
 
 
-_SINGULAR = frozenset({"a", "an", "another", "each", "every", "this", "that"})
-_MOSTLY_NOUNS = frozenset(
-    {"cannon", "hammer", "hook", "bank", "motor", "scoop", "jet", "paddle", "sandwich", "spiral",
-     "loop", "stream", "lance", "drum"}
-)  # fmt: skip
-"""Words that are verbs only with an ending, or where nothing else can be one."""
-_WAYS = frozenset(
-    {"left", "right", "into", "round", "open", "shut", "across", "sideways", "off", "down", "over",
-     "away", "along", "out", "onto", "past"}
-)  # fmt: skip
-"""What follows a verb of motion rather than a plural."""
-_VESSELS = frozenset({"tableware", "bottle", "box", "container", "barrel"})
+_SINGULAR = lex.word_set("singular")
+_MOSTLY_NOUNS = lex.word_set("mostly nouns")
+_WAYS = lex.word_set("ways (noun heads)")
+_VESSELS = lex.word_set("vessels (noun heads)")
 
 
 def read_head(c: Chunks, i: int, j: int, m: Mention) -> int | None:

@@ -10,32 +10,16 @@ from esg.draft.grammar.phrases.reader import element_before, noun_soon, verb_ahe
 from esg.draft.text.elements import Mention, Verb, Word
 from esg.draft.verbphrases import verb_readings
 
-_NUMERALS = frozenset({"one", "two", "three", "four", "five"})
-_ALSO_THINGS = frozenset({"bumper", "lid", "wing", "handle", "headlight", "rim", "hull", "base"})
-"""Parts that are things where nothing is named that they are parts of."""
-_TERRAIN = frozenset(
-    {"bump", "dip", "bend", "jump", "turn", "drop", "fall", "rise", "run", "walk", "climb", "go",
-     "try", "look", "rest", "halt", "start", "roll", "spin", "drift", "dive", "leap", "hunt",
-     "touch", "drive", "wave", "poke", "prod", "squeeze", "stroke", "ride", "swim", "sprint",
-     "dash", "lunge", "charge", "throw", "pass", "shove", "pull", "bounce", "hop", "skip", "surf",
-     "wobble",
-     "slap", "pat", "punch", "blow", "whack", "smack", "dribble", "putt", "serve", "cast", "rush",
-     "gallop", "trot", "jog", "march", "stroll", "sweep", "toss", "pitch", "lob", "rebound",
-     "twist",
-     "tumble", "slip", "skid", "stumble", "stagger", "trip", "lurch", "jerk", "roar", "cry",
-     "glide",
-     "chase", "pursuit", "dump", "buckle", "burst", "draw", "return", "delay", "break", "struggle"}
-)  # fmt: skip
-"""Verbs whose nouns name no thing."""
-_MEETING = frozenset(
-    {"into", "onto", "on", "against", "off", "past", "toward", "towards", "by", "under", "behind"}
-)
-_ARTICLES = frozenset({"a", "an", "the", "another"})
+_NUMERALS = lex.word_set("numerals")
+_ALSO_THINGS = lex.word_set("also things")
+_TERRAIN = lex.word_set("terrain")
+_MEETING = lex.word_set("meeting (noun questions)")
+_ARTICLES = lex.word_set("articles")
 _TOOLS = frozenset({"saw", "shot"})
 """Things whose names are also the past of a verb."""
-_IS = frozenset({"is", "are", "was", "were", "gets", "got", "has", "had"})
-_LETTING = frozenset({"make", "let", "have", "watch", "see"})
-_MEASURES = frozenset({"mass", "weight", "radius", "diameter", "height", "width", "length"})
+_IS = lex.word_set("is")
+_LETTING = lex.word_set("letting (noun questions)")
+_MEASURES = lex.word_set("measures (noun questions)")
 
 
 def numbers(c: Chunks, j: int) -> bool:

@@ -14,14 +14,10 @@ from esg.draft.verbphrases import verb_readings
 
 EXTENTS = ("tall", "wide", "long", "high", "thick", "deep", "diameter", "heavy", "radius")
 """What an amount in front of a noun says the size of: "a 2 m long pole"."""
-_OF_A_SIZE = frozenset(
-    {"of", "weighing", "is", "mass", "weight", "side", "height", "radius", "diameter", "length"}
-    | {"width", "edge"}
-)
-"""Words in front of an amount that no noun follows."""
+_OF_A_SIZE = lex.word_set("of a size")
 
 
-_OWNED_BY = frozenset({"the", "these", "those", "its", "his", "her", "their"})
+_OWNED_BY = lex.word_set("owned by")
 
 
 def lone_letter(c: Chunks, j: int) -> bool:

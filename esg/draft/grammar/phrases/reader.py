@@ -9,12 +9,8 @@ from esg.draft.text.elements import Element, Mention, Verb, Word
 from esg.draft.text.tokens import is_name
 from esg.draft.verbphrases import PHRASES, verb_readings
 
-_NOUNS_FIRST = frozenset(
-    {"back", "left", "ground", "wound", "found", "end", "step", "set", "lead", "rest"}
-)
-"""Forms of verbs that are something else unless a noun precedes them."""
-_ALSO_NOUNS = frozenset({"can", "has", "have", "had", "having", "might", "will"})
-"""Modals that are nouns or main verbs too."""
+_NOUNS_FIRST = lex.word_set("nouns first")
+_ALSO_NOUNS = lex.word_set("also nouns")
 
 
 _ADJECTIVES = frozenset().union(

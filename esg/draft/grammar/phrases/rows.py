@@ -9,7 +9,7 @@ from esg.draft.grammar.phrases.nouns import low_at
 from esg.draft.text.elements import Mention
 from esg.draft.text.numerals import parse_number
 
-_ENDS = frozenset({"last", "final", "leading", "rearmost", "rear-most"})
+_ENDS = lex.word_set("ends (rows)")
 
 
 def _row_follows(c: Chunks, j: int) -> bool:

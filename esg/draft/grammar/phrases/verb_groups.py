@@ -9,13 +9,10 @@ from esg.draft.grammar.phrases.reader import is_adjective, noun_soon, participle
 from esg.draft.text.elements import Verb
 from esg.draft.verbphrases import PHRASES, verb_readings
 
-_NEGATED_MODALS = frozenset(
-    {"don't", "doesn't", "didn't", "won't", "wouldn't", "couldn't", "shouldn't", "mustn't"}
-)
-_MOODS = frozenset({"would", "could", "should", "can", "may", "might", "must"})
-_FOLLOWING = frozenset({"following", "leading", "trailing", "approaching"})
-"""Adjectives that are verbs after "is" ("is following car 2")."""
-_NEGATED_BE = frozenset({"isn't", "aren't", "wasn't", "weren't"})
+_NEGATED_MODALS = lex.word_set("negated modals")
+_MOODS = lex.word_set("moods")
+_FOLLOWING = lex.word_set("following")
+_NEGATED_BE = lex.word_set("negated be")
 
 
 def _determiner_at(c: Chunks, offset: int) -> bool:

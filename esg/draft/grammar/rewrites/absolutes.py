@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
+from esg.draft import lexicon as lex
 from esg.draft.text.elements import Element, Mention, Verb, Word
 
-_STATES = frozenset({"be", "have", "posture", "park", "contain", "weigh", "measure", "noop"})
-_OF_WHAT_IS_THERE = frozenset(
-    {"the", "its", "his", "her", "their", "one", "both", "each", "another"}
-)
+_STATES = lex.word_set("states (absolutes)")
+_OF_WHAT_IS_THERE = lex.word_set("of what is there")
 _ENDS = frozenset(".;!?:\n")
-_CLOSING = frozenset({"conj", "sub", "rel"})
+_CLOSING = lex.word_set("closing (absolutes)")
 
 
 def absolutes(elements: list[Element]) -> list[Element]:

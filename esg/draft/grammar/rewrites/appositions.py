@@ -12,18 +12,11 @@ from esg.draft.grammar.rewrites.gaps import finite, word_at
 from esg.draft.text.elements import Element, Mention, Verb, Word
 from esg.draft.verbphrases import verb_readings
 
-_THINGS = frozenset(
-    {"thing", "affair", "specimen", "model", "type", "kind", "sort", "beast", "monster", "giant",
-     "variety", "version", "piece", "fellow", "creature", "machine", "vehicle", "animal", "object"}
-)  # fmt: skip
-"""Heads of appositions that say nothing but what their adjectives do."""
-_ANYTHING = frozenset(
-    {"object", "thing", "item", "body", "toy", "shape", "prop", "participant", "element", "actor",
-     "solid", "character"}
-)  # fmt: skip
+_THINGS = lex.word_set("things")
+_ANYTHING = lex.word_set("anything (appositions)")
 _OF_SEVERAL = (" of the two", " of the three", " of the pair", " of the lot", " of them", " of all")
 _OPENS = ".;:!?\n—–-("
-_TOO = frozenset({"too", "as well", "likewise", "also"})
+_TOO = lex.word_set("too")
 
 
 def appose(elements: list[Element]) -> list[Element]:

@@ -6,34 +6,21 @@ is seen falling": what they say of a noun is marked, so that the main verb is fo
 
 from __future__ import annotations
 
+from esg.draft import lexicon as lex
 from esg.draft.grammar.rewrites.gaps import finite, word_at
 from esg.draft.text.elements import Element, Mention, Verb, Word
 
-_DONE_TO = frozenset(
-    {"hit", "knock", "topple", "launch", "roll", "slide", "cause", "drop", "tow", "carry", "stop",
-     "scatter", "spin", "slow", "miss"}
-)  # fmt: skip
-_SEEING = frozenset({"see", "show", "film", "watch", "picture", "depict", "capture", "observe"})
-_HOLDING = frozenset({"carry", "have", "tow", "follow", "launch", "drop", "hit", "roll", "own"})
-_SIDES = frozenset({"height", "length", "width", "diameter", "radius", "depth", "size"})
+_DONE_TO = lex.word_set("done to")
+_SEEING = lex.word_set("seeing")
+_HOLDING = lex.word_set("holding (asides)")
+_SIDES = lex.word_set("sides (asides)")
 _MEASURES = _SIDES | frozenset({"mass", "weight", "speed", "velocity"})
-_MEDIA = frozenset(
-    {"close-up", "scene", "movie", "gif", "render", "rendering", "shot", "clip", "video",
-     "footage", "animation", "view", "image", "film",
-     "simulation", "recording", "sequence"}
-)  # fmt: skip
-_BLOWS = frozenset(
-    {"impact", "collision", "contact", "nudge", "kick", "push", "shove", "blow", "knock", "hit",
-     "bump", "jolt", "tap", "strike", "force", "touch", "crash", "weight"}
-)  # fmt: skip
-"""Nouns for a contact whose maker does what follows ("a nudge from the cart sends ...")."""
-_MOVES_IT = frozenset({"cause", "knock", "topple", "launch", "drop", "scatter", "own", "tow"})
-_NOISES = frozenset(
-    {"boom", "bang", "bam", "wham", "whoosh", "splash", "thud", "crunch", "pow", "whack", "oops",
-     "whoops", "wow", "ouch", "clang", "smack", "plop", "vroom", "splat"}
-)  # fmt: skip
-_ADVERBS = frozenset({"again", "twice", "then", "hard", "both"})
-_AGENTLESS = frozenset({"inch", "whisker", "hair", "accident", "itself", "himself", "herself"})
+_MEDIA = lex.word_set("media")
+_BLOWS = lex.word_set("blows (asides)")
+_MOVES_IT = lex.word_set("moves it")
+_NOISES = lex.word_set("noises")
+_ADVERBS = lex.word_set("adverbs (rewrites asides)")
+_AGENTLESS = lex.word_set("agentless")
 
 
 def set_apart(elements: list[Element]) -> list[Element]:

@@ -8,12 +8,12 @@ from esg.draft import lexicon as lex
 from esg.draft.grammar.rewrites.gaps import word_at
 from esg.draft.text.elements import Element, Mention, Verb, Word
 
-_JOINS = frozenset({"and", "or", "nor"})
-_MEASURES = frozenset({"angle", "speed", "velocity", "height"})
-_TURNING = frozenset({"do", "make", "perform", "complete", "execute"})
+_JOINS = lex.word_set("joins")
+_MEASURES = lex.word_set("measures (coordination)")
+_TURNING = lex.word_set("turning")
 _ENDS = frozenset({".", ",", ";", "!", "?", ":"})
-_CLOSING = frozenset({"punct", "conj", "sub", "rel"})
-_MOUNTS = frozenset({"vehicle", "toyvehicle", "animal", "watercraft"})
+_CLOSING = lex.word_set("closing (coordination)")
+_MOUNTS = lex.word_set("mounts")
 _TELLING_APART = lex.COLORS.keys() | {"left", "right", "first", "second", "front", "rear"}
 
 

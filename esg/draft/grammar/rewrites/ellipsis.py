@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from esg.draft import lexicon as lex
 from esg.draft.grammar.rewrites.gaps import finite, is_prep, is_word, word_at
 from esg.draft.text.elements import Element, Mention, Verb, Word
 
 _SIDES = frozenset({"left", "right"})
-_STEERED = frozenset({"own", "turn", "roll", "slide", "fly", "reverse", "brake", "stop", "swerve",
-                      "continue", "accelerate", "wait"})  # fmt: skip
-_GOING = frozenset({"do", "make", "clock", "manage", "log", "average"})
+_STEERED = lex.word_set("steered (ellipsis)")
+_GOING = lex.word_set("going (ellipsis)")
 
 
 def elide(elements: list[Element]) -> list[Element]:
@@ -53,7 +53,7 @@ def elide(elements: list[Element]) -> list[Element]:
     return out
 
 
-_TRAVELLING = frozenset({"own", "roll", "slide", "fly", "approach", "leave", "coast"})
+_TRAVELLING = lex.word_set("travelling (ellipsis)")
 
 
 def _hit_too(elements: list[Element], i: int) -> Verb | None:
@@ -126,18 +126,16 @@ def _each_the_next(elements: list[Element], i: int, verb: Verb) -> bool:
     return joined and told and ends and object_
 
 
-_ON_THINGS = frozenset({"hit", "knock", "overtake", "miss", "follow", "topple"})
-_ALONE = frozenset(
-    {"topple", "fall", "stop", "brake", "turn", "own", "roll", "accelerate", "slide"}
-)
+_ON_THINGS = lex.word_set("on things")
+_ALONE = lex.word_set("alone")
 
 
 def _named_speed(e: Element) -> bool:
     return isinstance(e, Mention) and e.head in ("speed", "velocity", "pace")
 
 
-_SHARES = frozenset({"half", "twice", "double", "thrice"})
-_CLOSES = frozenset({"punct", "conj", "sub", "rel"})
+_SHARES = lex.word_set("shares")
+_CLOSES = lex.word_set("closes")
 
 
 def _at_speed(elements: list[Element], i: int) -> bool:

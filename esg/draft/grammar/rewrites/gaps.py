@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from esg.draft import lexicon as lex
 from esg.draft.text.elements import Element, Mention, Verb, Word
 
 _STOPS = ".;:!?\n"
-_VERBLESS = frozenset(
-    {"into", "onto", "off", "against", "past", "down", "over", "through", "out of", "to"}
-)
-_VESSELS = frozenset({"container", "box", "tableware", "furniture", "bag", "barrel"})
-_DRIVEN = frozenset({"vehicle", "person", "animal", "robot", "cart", "toyvehicle", "watercraft"})
+_VERBLESS = lex.word_set("verbless")
+_VESSELS = lex.word_set("vessels (gaps)")
+_DRIVEN = lex.word_set("driven (gaps)")
 
 
 def word_at(elements: list[Element], i: int) -> Word | None:

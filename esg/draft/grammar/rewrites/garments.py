@@ -5,8 +5,8 @@ from __future__ import annotations
 from esg.draft import lexicon as lex
 from esg.draft.text.elements import Element, Mention, Verb, Word
 
-_DRESSED = frozenset({"wear", "dress", "clothe"})
-_SERVING = frozenset({"waiter", "waitress", "barman", "barmaid", "bartender", "butler", "shop"})
+_DRESSED = lex.word_set("dressed")
+_SERVING = lex.word_set("serving")
 
 
 def undress(elements: list[Element]) -> list[Element]:

@@ -10,16 +10,10 @@ from esg.draft.grammar.rewrites.gaps import is_word
 from esg.draft.text.elements import Element, Mention, Verb, Word
 from esg.draft.verbphrases import verb_readings
 
-_LABELS = frozenset(
-    {"race", "run", "delivery", "kick", "shot", "strike", "effect", "machine", "test", "stunt",
-     "experiment", "demo", "demonstration", "accident", "crash", "collision", "pile-up", "pileup",
-     "game", "match", "scene", "fail", "mishap", "trick", "show", "challenge", "reaction", "throw",
-     "chase", "incident", "disaster", "wrong", "motion", "simulation", "animation", "problem"}
-)  # fmt: skip
-"""Words that say what kind of thing is told, in front of a colon."""
+_LABELS = lex.word_set("labels")
 _LONGEST = 9
 """Elements of a heading."""
-_DRIVEN = frozenset({"vehicle", "watercraft", "flyer", "cart", "toyvehicle"})
+_DRIVEN = lex.word_set("driven (headlines)")
 _COUNT = r"(?:two|three|four|five|six|seven|eight|nine|ten|twelve|a row of|\d{1,2})"
 _CRASH = re.compile(
     r"^(?:an?\s+|the\s+)?(?:(?:rear-end|head-on|t-bone|frontal)\s+)?(?P<what>[a-z]+(?: [a-z]+)?)\s+"

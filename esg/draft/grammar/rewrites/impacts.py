@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from esg.draft import lexicon as lex
 from esg.draft.grammar.rewrites.gaps import mention_at, word_at
 from esg.draft.text.elements import Element, Mention, Verb, Word
 
-_HITS = frozenset({"collision", "crash", "impact", "smash", "contact", "clash"})
-_OCCUR = frozenset({"occur", "happen", "follow", "ensue", "result", "take"})
+_HITS = lex.word_set("hits (impacts)")
+_OCCUR = lex.word_set("occur")
 _TO = {"lead": "to", "result": "in", "end": "in", "culminate": "in"}
 _ENDS = ".;!?\n:"
 _BREAKS = ".;!?\n,:-–—"

@@ -8,22 +8,18 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from esg.draft import lexicon as lex
 from esg.draft.grammar.rewrites.gaps import mention_at, word_at
 from esg.draft.grammar.rewrites.headlines import heading
 from esg.draft.grammar.rewrites.tellings import told_otherwise
 from esg.draft.text.elements import Element, Mention, Verb, Word
 from esg.draft.verbphrases import verb_readings
 
-_BLOWS = frozenset(
-    {"nudge", "push", "shove", "kick", "knock", "bump", "tap", "hit", "whack", "smack", "blow",
-     "prod", "poke", "shunt", "thump", "jolt", "clip", "slap", "punch", "bash", "touch", "clout",
-     "peck", "butt", "flick", "swipe", "wallop"}
-)  # fmt: skip
-"""Nouns that are what is given."""
-_GIVING = frozenset({"give", "deal", "land", "deliver", "fetch"})
-_GETTING = frozenset({"get", "receive", "take", "suffer"})
-_MEETINGS = frozenset({"collision", "crash", "impact", "contact", "run-in", "accident"})
-_LEFT = frozenset({"standing", "upright", "untouched", "unscathed", "alone", "undisturbed"})
+_BLOWS = lex.word_set("blows (light verbs)")
+_GIVING = lex.word_set("giving")
+_GETTING = lex.word_set("getting (light verbs)")
+_MEETINGS = lex.word_set("meetings")
+_LEFT = lex.word_set("left")
 
 
 def lighten(elements: list[Element]) -> list[Element]:

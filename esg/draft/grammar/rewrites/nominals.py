@@ -4,24 +4,19 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from esg.draft import lexicon as lex
 from esg.draft.grammar.rewrites.impacts import name_impacts
 from esg.draft.grammar.rewrites.light_verbs import as_verb, blow_at
 from esg.draft.text.elements import Element, Mention, Verb, Word
 
-_HITS = frozenset({"collision", "impact", "crash", "hit", "strike", "contact", "smash"})
-_BEFORE = frozenset({"before", "after", "until", "upon", "on", "following"})
-RETOLD_NOUNS = frozenset(
-    {"collision", "impact", "crash", "hit", "strike", "contact", "smash", "bump", "bounce", "blow",
-     "kick", "push", "shove", "fall", "accident", "knock", "shock", "landing", "rebound", "touch",
-     "jolt", "incident", "event"}
-)  # fmt: skip
-"""Nouns for an event that the prompt has told before ("after the bounce it hits a cup")."""
-_GOES_ON = frozenset({"with", "of", "against", "into", "between", "on", "off", "from", "to"})
-_BACK = frozenset({"after", "because of", "upon", "following", "on", "by", "with", "from", "in"})
-_FROM = frozenset({"after", "because of", "under", "upon", "on", "following", "from", "due to"})
-_NO_BLOWS = frozenset({"fall", "landing", "bounce", "rebound", "event", "incident", "accident",
-                       "contact"})  # fmt: skip
-_HAPPEN = frozenset({"happen", "occur", "take"})
+_HITS = lex.word_set("hits (nominals)")
+_BEFORE = lex.word_set("before")
+RETOLD_NOUNS = lex.word_set("retold nouns")
+_GOES_ON = lex.word_set("goes on")
+_BACK = lex.word_set("back")
+_FROM = lex.word_set("from")
+_NO_BLOWS = lex.word_set("no blows")
+_HAPPEN = lex.word_set("happen")
 _SUBORDINATE = {"before": "before", "until": "until"}
 
 

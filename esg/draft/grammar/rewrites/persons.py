@@ -10,22 +10,10 @@ from esg.draft.text.elements import Element, Mention, Verb, Word
 
 _BEINGS = frozenset({"animal", "robot"})
 _PEOPLE = ("er", "or", "ist", "ian", "ee", "man", "woman", "boy", "girl")
-_PERSONS_DO = frozenset(
-    {"walk", "run", "leap", "jump", "climb", "sit", "throw", "kick", "carry", "grab", "trip",
-     "stumble", "stagger", "dive", "jog", "sprint", "ride", "pedal", "hop", "kneel", "lean",
-     "crawl"}
-)  # fmt: skip
-"""What things named by the likes of "receiver" do not do."""
-_HE = frozenset(
-    {"boy", "father", "dad", "grandfather", "grandpa", "brother", "uncle", "son", "king", "prince",
-     "guy", "gentleman", "waiter", "groom", "husband", "nephew", "lad", "monk", "santa", "cowboy"}
-)  # fmt: skip
-_SHE = frozenset(
-    {"girl", "mother", "mum", "mom", "grandmother", "grandma", "sister", "aunt", "daughter",
-     "queen", "princess", "lady", "waitress", "bride", "wife", "niece", "nun", "ballerina",
-     "cowgirl", "actress"}
-)  # fmt: skip
-_DRIVEN = frozenset({"vehicle", "toyvehicle", "watercraft", "flyer"})
+_PERSONS_DO = lex.word_set("persons do")
+_HE = lex.word_set("he")
+_SHE = lex.word_set("she")
+_DRIVEN = lex.word_set("driven (persons)")
 
 
 def mark_persons(elements: list[Element]) -> list[Element]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from esg.draft import lexicon as lex
 from esg.draft.grammar.rewrites.gaps import mention_at, word_at
 from esg.draft.text.elements import Element, Mention, Verb, Word
 
@@ -16,7 +17,7 @@ _ENDS = {
     "center": "middle", "centre": "middle", "left": "left", "right": "right", "far left": "left",
     "far right": "right", "end": "last",
 }  # fmt: skip
-_IT = frozenset({"it", "him", "her", "them", "itself", "himself", "herself", "themselves"})
+_IT = lex.word_set("it")
 NEIGHBOUR = "@beside"
 """Adjective of a phrase that says which neighbour of the subject, or of "it", is meant."""
 

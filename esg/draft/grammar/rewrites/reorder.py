@@ -9,42 +9,24 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from esg.draft import lexicon as lex
 from esg.draft.grammar.rewrites.asides import set_apart
 from esg.draft.grammar.rewrites.gaps import fill_gaps, finite, is_prep, word_at
 from esg.draft.text.elements import Element, Mention, Verb, Word
 from esg.draft.verbphrases import particle_sense
 
-_MOVING = frozenset(
-    {"own", "roll", "slide", "fly", "fall", "drop", "spin", "bounce", "coast", "leave", "swing",
-     "continue", "land", "topple", "swerve"}
-)  # fmt: skip
-_INTRANSITIVE = frozenset(
-    {"shoot", "trickle", "cartwheel", "pitch", "launch", "spurt", "shy", "burst"}
-)
-"""Verbs of launching that things do by themselves where no object can be meant."""
-_PARTICLES = frozenset(
-    {"over", "down", "off", "up", "out", "in", "away", "along", "round", "around", "back", "past",
-     "on", "through", "under"}
-)  # fmt: skip
+_MOVING = lex.word_set("moving (reorder)")
+_INTRANSITIVE = lex.word_set("intransitive")
+_PARTICLES = lex.word_set("particles (reorder)")
 _DIRECTIONS = _PARTICLES | frozenset(
     {"into", "onto", "out of", "from", "across", "towards", "toward", "between", "behind", "to"}
 )
-_PLACES = frozenset(
-    {"on", "in", "at", "beside", "near", "behind", "in front of", "under", "next to", "between",
-     "above", "below", "beneath", "opposite", "inside", "along", "against", "from", "around"}
-)  # fmt: skip
-_NEGATIVE = frozenset({"never", "not", "nor", "neither", "nowhere", "no"})
-_JUST = frozenset({"sooner", "hardly", "scarcely", "barely"})
-"""What goes with "than" or "when": the next thing comes at once."""
-_HELPERS = frozenset({"does", "do", "did", "has", "have", "had"})
-_BANGS = frozenset(
-    {"bang", "crash", "smack", "slap", "thud", "wham", "whack", "thump", "bump", "clang", "crunch",
-     "bash", "boom", "splat", "thwack", "clunk", "plonk", "wallop", "slam"}
-)  # fmt: skip
-"""Noises that go with a contact ("bang goes the hammer on the anvil")."""
-_SPLASHES = frozenset(
-    {"splash", "plop", "whoosh", "swish", "zoom", "whizz", "pop", "there", "here"}
-)
+_PLACES = lex.word_set("places (reorder)")
+_NEGATIVE = lex.word_set("negative")
+_JUST = lex.word_set("just")
+_HELPERS = lex.word_set("helpers")
+_BANGS = lex.word_set("bangs")
+_SPLASHES = lex.word_set("splashes")
 _STOPS = ".;:!?\n"
 
 
@@ -132,10 +114,7 @@ def _heading(elements: list[Element], i: int, out: list[Element]) -> int:
     return 2
 
 
-_STATED = frozenset(
-    {"mass", "weight", "height", "length", "width", "diameter", "radius", "size", "speed",
-     "velocity", "distance", "angle", "number", "time"}
-)  # fmt: skip
+_STATED = lex.word_set("stated")
 
 
 def _cleft(elements: list[Element], i: int, out: list[Element]) -> int:
@@ -266,7 +245,7 @@ def _inverted(elements: list[Element], i: int, out: list[Element], text: str) ->
     return k + 1 - i
 
 
-_REFLEXIVE = frozenset({"itself", "himself", "herself", "themselves"})
+_REFLEXIVE = lex.word_set("reflexive")
 
 
 def _with_particle(

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
+from esg.draft import lexicon as lex
 from esg.draft.grammar.clauses.frames import finite_ahead
 from esg.draft.text.elements import Element, Mention, Verb, Word
 
-_TELLING = frozenset(
-    {"say", "state", "report", "claim", "tell", "testify", "explain", "note", "allege", "assert",
-     "describe", "declare", "admit", "recall", "mention", "write", "confirm", "insist", "add"}
-)  # fmt: skip
+_TELLING = lex.word_set("telling (reports)")
 _BREAKS = frozenset(".;!?:\n")
 
 

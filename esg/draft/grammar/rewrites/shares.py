@@ -12,15 +12,14 @@ from esg.draft.grammar.clauses.frames import Phrase
 from esg.draft.text.elements import Element, Mention, Verb, Word
 from esg.draft.text.quantities import Amount
 
-_SHARED = frozenset({"mass", "length", "speed", "volume"})
+_SHARED = lex.word_set("shared")
 _BETWEEN = re.compile(r"\s*(?:[,;/]|,?\s*(?:and|&)(?:\s+the\s+(?:other|last))?)\s*")
-_TELLING = frozenset({"of", "with", "at", "weighing", "measuring", "from"})
+_TELLING = lex.word_set("telling (shares)")
 
 
 _COLORS = frozenset(lex.COLORS)
 _OPENING = frozenset({",", "(", "-", "–", "—", ":"})
-_SLOPED = frozenset({"incline", "inclined", "tilt", "tilted", "slope", "sloped", "angle", "angled",
-                     "pitch", "pitched", "sloping", "raise", "raised", "set"})  # fmt: skip
+_SLOPED = lex.word_set("sloped")
 _EACH = frozenset({"each", "apiece"})
 
 

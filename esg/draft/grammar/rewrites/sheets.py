@@ -6,26 +6,18 @@ between A and B" becomes "A hits B", with the time that stands anywhere in it at
 
 from __future__ import annotations
 
+from esg.draft import lexicon as lex
 from esg.draft.grammar.rewrites.gaps import word_at
 from esg.draft.text.elements import Element, Mention, Verb, Word
 
-_ROLES = frozenset(
-    {"target", "obstacle", "object", "mover", "striker", "projectile", "body", "item", "actor",
-     "subject", "victim", "hitter", "moving object", "static object", "objects"}
-)  # fmt: skip
-_EVENTS = frozenset(
-    {"event", "outcome", "result", "happening", "effect", "incident", "events", "interaction",
-     "expected", "goal event", "action"}
-)  # fmt: skip
+_ROLES = lex.word_set("roles")
+_EVENTS = lex.word_set("events (sheets)")
 _SPEEDS = frozenset({"speed", "velocity"})
-_GAPS = frozenset({"distance", "gap", "spacing", "separation"})
-_HITS = frozenset(
-    {"collision", "impact", "crash", "contact", "hit", "smash", "pile-up", "encounter", "bump",
-     "strike", "clash"}
-)  # fmt: skip
+_GAPS = lex.word_set("gaps (sheets)")
+_HITS = lex.word_set("hits (sheets)")
 _ENDS = ".;!?\n"
-_EXTENTS = frozenset({"tall", "high", "wide", "long", "thick", "deep"})
-_MOVES = frozenset({"make", "send", "knock", "cause", "leave", "throw", "topple", "tip", "push"})
+_EXTENTS = lex.word_set("extents")
+_MOVES = lex.word_set("moves")
 _GENERIC = frozenset({"object", "body", "item", "thing", "mass", "actor", "@"})
 
 
@@ -65,7 +57,7 @@ def _ending(e: Element) -> bool:
     return isinstance(e, Word) and e.kind == "punct"
 
 
-_TOWARD = frozenset({"into", "onto", "against", "at", "to", "toward", "towards"})
+_TOWARD = lex.word_set("toward")
 
 
 def _telegram(part: list[Element]) -> list[Element]:

@@ -6,22 +6,15 @@ it falls" and "once 2 s have passed" tell what plain clauses and times do.
 
 from __future__ import annotations
 
+from esg.draft import lexicon as lex
 from esg.draft.grammar.rewrites.gaps import mention_at, word_at
 from esg.draft.text.elements import Element, Mention, Verb, Word
 
-_AIMS = frozenset(
-    {"goal", "idea", "aim", "point", "thing", "task", "plan", "story", "situation", "scenario",
-     "fact", "truth", "outcome", "result", "effect", "consequence", "upshot", "wish", "setup"}
-)  # fmt: skip
-"""What a prompt says of itself: "The goal is that a car hits a fence"."""
-_FILM = frozenset({"frame", "picture", "shot", "view", "scene", "image", "screen"})
+_AIMS = lex.word_set("aims (tellings)")
+_FILM = lex.word_set("film")
 _RESULTS = frozenset({("lead", "to"), ("result", "in")})
-_THESE = frozenset({"this", "that", "the"})
-_REPORTING = frozenset(
-    {"see", "say", "show", "tell", "watch", "notice", "report", "describe", "imagine", "think",
-     "believe", "hear", "know", "film", "depict", "observe", "explain", "illustrate", "note",
-     "remember", "recall", "suppose", "assume", "claim", "mean"}
-)  # fmt: skip
+_THESE = lex.word_set("these")
+_REPORTING = lex.word_set("reporting")
 
 
 def told_otherwise(elements: list[Element], i: int, out: list[Element]) -> int:
