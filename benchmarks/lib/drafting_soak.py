@@ -22,7 +22,7 @@ from esg.draft import draft
 from esg.outcomes import UserError
 
 MARK_EVERY = 1000
-_NOUNS = Path(__file__).resolve().parents[1] / "esg" / "draft" / "data" / "nouns.csv"
+_NOUNS = Path(__file__).resolve().parents[2] / "esg" / "draft" / "data" / "nouns.csv"
 _NUMBER = re.compile(r"(?<![\w.,])\d+(?:\.\d+)?(?![\w.,]*\d)")
 
 

@@ -32,7 +32,7 @@ from esg.engines.program import HoldVelocity, batch_programs
 from esg.engines.scene import Rollout
 from esg.scenefolder import is_scene_folder
 
-GLTF = Path(__file__).parents[1] / "tests" / "compile" / "gltf"
+GLTF = Path(__file__).parents[2] / "tests" / "compile" / "gltf"
 SETTLED_S = 0.05
 """Pairs that touch before this time lie on one another from the start."""
 
