@@ -10,6 +10,8 @@ from urllib.parse import unquote
 
 import pytest
 
+from esg.commands import COMMANDS
+
 ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"
 PAGES = sorted(DOCS.rglob("*.md"))
@@ -19,6 +21,11 @@ FENCE = re.compile(r"^\s*```.*?^\s*```", re.MULTILINE | re.DOTALL)
 LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
 HEADING = re.compile(r"^#{1,6} +(.+?) *$", re.MULTILINE)
 MODULE = re.compile(r"python3? -m ((?:benchmarks|esg|tests)(?:\.\w+)*)")
+COMMAND = re.compile(r"(?:^|`|/|&& )esg ([a-z]+)\b", re.MULTILINE)
+SOURCES = [
+    p for room in ("esg", "tasks", "flows", "benchmarks") for p in (ROOT / room).rglob("*.py")
+]
+NAMED = re.compile(r"\bdocs/[\w/]+\.md\b")
 PATH = re.compile(r"`((?:esg|tasks|flows|data|schemas|benchmarks|tests|docs)/[\w./-]*)`")
 
 
@@ -69,6 +76,23 @@ def test_commands_are_modules(page: Path) -> None:
     """Name only modules that `python -m` finds."""
     named = set(MODULE.findall(page.read_text("utf-8")))
     assert [m for m in sorted(named) if find_spec(m) is None] == []
+
+
+@pytest.mark.parametrize("page", ALL, ids=name)
+def test_commands_are_commands(page: Path) -> None:
+    """Name only commands that `esg --help` lists."""
+    assert set(COMMAND.findall(page.read_text("utf-8"))) <= set(COMMANDS)
+
+
+def test_every_command_is_documented() -> None:
+    """Describe each command of `esg --help` in docs/cli.md."""
+    assert set(COMMANDS) <= set(COMMAND.findall((DOCS / "cli.md").read_text("utf-8")))
+
+
+def test_code_names_pages_that_exist() -> None:
+    """Name only pages that are there, also in docstrings and messages."""
+    named = {(name(p), page) for p in SOURCES for page in NAMED.findall(p.read_text("utf-8"))}
+    assert [n for n in sorted(named) if not (ROOT / n[1]).exists()] == []
 
 
 @pytest.mark.parametrize("page", PAGES, ids=name)
