@@ -26,6 +26,7 @@ SOURCES = [
     p for room in ("esg", "tasks", "flows", "benchmarks") for p in (ROOT / room).rglob("*.py")
 ]
 NAMED = re.compile(r"\bdocs/[\w/]+\.md\b")
+DOTTED = re.compile(r"`(esg(?:\.[A-Za-z_]\w*)+)\b(?<!esg\.json)")
 PATH = re.compile(r"`((?:esg|tasks|flows|data|schemas|benchmarks|tests|docs)/[\w./-]*)`")
 
 
@@ -100,6 +101,26 @@ def test_paths_exist(page: Path) -> None:
     """Name only files and folders that are there."""
     named = set(PATH.findall(page.read_text("utf-8")))
     assert [p for p in sorted(named) if not (ROOT / p).exists()] == []
+
+
+def resolves(dotted: str) -> bool:
+    """Whether a dotted name is a module, or is defined in the module that its front part names."""
+    parts = dotted.split(".")
+    spec = find_spec(parts[0])
+    for k in range(1, len(parts)):
+        assert spec is not None and spec.origin is not None
+        inner = spec.submodule_search_locations and find_spec(".".join(parts[: k + 1]))
+        if not inner:
+            return re.search(rf"\b{parts[k]}\b", Path(spec.origin).read_text("utf-8")) is not None
+        spec = inner
+    return True
+
+
+@pytest.mark.parametrize("page", PAGES, ids=name)
+def test_names_of_code_exist(page: Path) -> None:
+    """Name only modules, functions and classes that are there."""
+    named = set(DOTTED.findall(page.read_text("utf-8")))
+    assert [n for n in sorted(named) if not resolves(n)] == []
 
 
 @pytest.mark.parametrize("page", [p for p in PAGES if DOCS / "results" not in p.parents], ids=name)
