@@ -21,6 +21,7 @@ from dataclasses import asdict
 import hashlib
 import json
 from pathlib import Path
+import random
 import sys
 import time
 from typing import Any
@@ -33,7 +34,15 @@ from benchmarks.pruning.units import KINDS, Package, Unit
 
 ROOT = Path(__file__).resolve().parents[1]
 FOLDER = "esg/draft"
-LEAVE = ("llm/*", "llm.py", "llm_*.py", "__init__.py", "screening.py", "providers.py", "registry.py")
+LEAVE = (
+    "llm/*",
+    "llm.py",
+    "llm_*.py",
+    "__init__.py",
+    "screening.py",
+    "providers.py",
+    "registry.py",
+)
 """Files without units: the language-model drafter, the doors, and what refuses bad input."""
 KEEP_CALLS = ("use",)
 """Steps that account for the prompt's words, which no label sees."""
@@ -82,10 +91,10 @@ def measure(args: argparse.Namespace) -> int:
     bench = _bench(args, held_out=False)
     _report_time(f"{len(bench.cases)} prompts read", began)
     units = [u for u in bench.build.units if wanted(u, args.kinds)]
+    if args.sample:
+        units = random.Random(0).sample(units, min(args.sample, len(units)))
     numbers = [bench.build.numbers[u.key] for u in units]
-    heavy = sorted(
-        (n for n in numbers if n in bench.reached), key=lambda n: -len(bench.reached[n])
-    )
+    heavy = sorted((n for n in numbers if n in bench.reached), key=lambda n: -len(bench.reached[n]))
 
     def work(number: int) -> Effect:
         return bench.effect([number], args.most, ENOUGH, seed=number)
@@ -207,14 +216,10 @@ def choose(args: argparse.Namespace) -> int:
 
 
 def _totals(bench: Bench, outcomes: list[Outcome]) -> dict[str, dict[str, float]]:
-    return corpora.totals(
-        (c.corpus, o.counts) for c, o in zip(bench.cases, outcomes, strict=True)
-    )
+    return corpora.totals((c.corpus, o.counts) for c, o in zip(bench.cases, outcomes, strict=True))
 
 
-def _compared(
-    before: dict[str, dict[str, float]], after: dict[str, dict[str, float]]
-) -> list[str]:
+def _compared(before: dict[str, dict[str, float]], after: dict[str, dict[str, float]]) -> list[str]:
     names = list(next(iter(before.values())))[1:]
     out = ["| corpus | prompts | " + " | ".join(n.replace("_", " ") for n in names) + " |",
            "| --- " * (len(names) + 2) + "|"]  # fmt: skip
@@ -252,7 +257,9 @@ def _digest(file: str) -> str:
 
 
 def _lines(folder: str) -> int:
-    return sum(len(p.read_text(encoding="utf-8").splitlines()) for p in (ROOT / folder).rglob("*.py"))
+    return sum(
+        len(p.read_text(encoding="utf-8").splitlines()) for p in (ROOT / folder).rglob("*.py")
+    )
 
 
 def check(args: argparse.Namespace) -> int:
@@ -319,6 +326,7 @@ def main(argv: list[str] | None = None) -> int:
     parser.add_argument("--files", nargs="+", choices=FILES, default=FILES)
     parser.add_argument("--every", type=int, default=1, help="every n-th deciding prompt only")
     parser.add_argument("--most", type=int, default=400, help="prompts read for a unit at most")
+    parser.add_argument("--sample", type=int, metavar="N", help="measure N units, for an estimate")
     parser.add_argument("--jobs", type=int, default=cores())
     parser.add_argument("--seen", action="store_true",
                         help="keep what changes three families' documents in what no label tells")  # fmt: skip

@@ -123,9 +123,7 @@ def _stories(prompts: list[str]) -> list[int]:
     words = [set(re.findall(r"[a-z]+", p.lower())) for p in prompts]
     out: list[int] = []
     for k, own in enumerate(words):
-        same = (
-            out[j] for j in range(k) if len(own & words[j]) >= _ALIKE * len(own | words[j])
-        )
+        same = (out[j] for j in range(k) if len(own & words[j]) >= _ALIKE * len(own | words[j]))
         out.append(next(same, k))
     return out
 

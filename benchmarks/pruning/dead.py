@@ -174,9 +174,7 @@ class Usage:
                 reached |= self._statement(name, statement, own)
         while True:
             more = {
-                used
-                for name in reached | self._prefixed()
-                for used in self._uses.get(name, ())
+                used for name in reached | self._prefixed() for used in self._uses.get(name, ())
             } - reached
             if not more:
                 break
@@ -220,7 +218,11 @@ class Usage:
 
     @staticmethod
     def _plain_decorator(node: ast.expr) -> bool:
-        name = called(node) if isinstance(node, ast.Call) else getattr(node, "id", getattr(node, "attr", ""))
+        name = (
+            called(node)
+            if isinstance(node, ast.Call)
+            else getattr(node, "id", getattr(node, "attr", ""))
+        )
         return name in ("cache", "lru_cache", "staticmethod", "classmethod", "property", "dataclass",
                         "cached_property", "override")  # fmt: skip
 
@@ -235,7 +237,9 @@ class Usage:
                 out.add(n.name.rpartition(".")[2])
             elif isinstance(n, ast.Constant) and isinstance(n.value, str):
                 if len(n.value) < 200:
-                    out |= set(re.findall(r"[A-Za-z_]\w*", n.value)) if "." in n.value else {n.value}
+                    out |= (
+                        set(re.findall(r"[A-Za-z_]\w*", n.value)) if "." in n.value else {n.value}
+                    )
             elif isinstance(n, ast.JoinedStr) and n.values:
                 first = n.values[0]
                 if isinstance(first, ast.Constant) and re.fullmatch(r"_?[a-z]+_", str(first.value)):
@@ -296,7 +300,9 @@ def without_definitions(source: str, nodes: list[ast.stmt]) -> str:
     return cuts.result()
 
 
-def sweep(root: Path, folder: str, outside: Iterable[str], keep: Iterable[str] = ()) -> dict[str, int]:
+def sweep(
+    root: Path, folder: str, outside: Iterable[str], keep: Iterable[str] = ()
+) -> dict[str, int]:
     """Takes dead code out of a package's files until nothing is left to take.
 
     Args:
@@ -341,7 +347,10 @@ def sweep(root: Path, folder: str, outside: Iterable[str], keep: Iterable[str] =
 def lint(root: Path, folder: str) -> None:
     """Takes out unused imports and formats."""
     ruff = Path(sys.executable).with_name("ruff")
-    for what in (["check", "--fix", "--quiet", "--select", "F401,I,E713,E714,SIM201,SIM202,PIE790"], ["format", "--quiet"]):
+    for what in (
+        ["check", "--fix", "--quiet", "--select", "F401,I,E713,E714,SIM201,SIM202,PIE790"],
+        ["format", "--quiet"],
+    ):
         subprocess.run([str(ruff), *what, folder], cwd=root, check=False)
 
 

@@ -284,6 +284,7 @@ class Bench:
                 self.reached.setdefault(number, []).append(k)
         gc.collect()
         gc.freeze()
+        gc.set_threshold(20_000, 20, 20)  # many small documents, no cycles worth looking for
 
     def effect(self, numbers: Iterable[int], most: int, enough: int, seed: int = 0) -> Effect:
         """What leaving units out does to the deciding cases that meet them.

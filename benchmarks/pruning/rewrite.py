@@ -61,7 +61,7 @@ class Text:
     def with_parentheses(self, lo: int, hi: int, within: tuple[int, int]) -> tuple[int, int]:
         """A span with the parentheses around it that lie within another."""
         while True:
-            before = len(self.source[: lo].rstrip()) - 1
+            before = len(self.source[:lo].rstrip()) - 1
             after = hi + len(self.source[hi:]) - len(self.source[hi:].lstrip())
             inside = within[0] <= before and after < within[1]
             if not inside or self.source[before] != "(" or self.source[after : after + 1] != ")":
@@ -248,7 +248,8 @@ class _Rewriter:
         """The span with its grouping parentheses, where what stays of it needs none."""
         parent = self.parents.get(node)
         alone = not stay or isinstance(
-            stay[0], ast.Name | ast.Attribute | ast.Call | ast.Subscript | ast.Constant | ast.Compare
+            stay[0],
+            ast.Name | ast.Attribute | ast.Call | ast.Subscript | ast.Constant | ast.Compare,
         )
         if not isinstance(parent, ast.BoolOp) or not alone:
             return lo, hi

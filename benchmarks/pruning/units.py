@@ -360,9 +360,7 @@ def _binds_more(node: ast.If) -> bool:
 
 
 def _raises(purity: Purity, call: ast.Call) -> bool:
-    return any(
-        isinstance(n, ast.Raise) for d in purity.defined(called(call)) for n in ast.walk(d)
-    )
+    return any(isinstance(n, ast.Raise) for d in purity.defined(called(call)) for n in ast.walk(d))
 
 
 def _same_kind(purity: Purity, call: ast.Call) -> int | None:
