@@ -62,10 +62,10 @@ def package(args: argparse.Namespace) -> Package:
 
 def _bench(args: argparse.Namespace, held_out: bool) -> Bench:
     build = Build(package(args), corpora.Reader.package)
-    build.install()
-    cases = corpora.cases(args.every, held_out, args.files)
-    bench = Bench(build, corpora.Reader(), cases)
-    bench.warm()
+    cases = corpora.cases(args.every, held_out, args.files, args.soak if held_out else 0)
+    with build.installed():
+        bench = Bench(build, corpora.Reader(), cases)
+        bench.warm()
     return bench
 
 
@@ -80,8 +80,8 @@ def _sources(units: Iterable[Unit]) -> dict[str, str]:
 
 def wanted(unit: Unit, kinds: Iterable[str]) -> bool:
     """Whether a unit may go at all."""
-    kept = unit.kind == "step" and any(f".{c}(" in unit.text.split(",")[0] or
-                                       unit.text.startswith(f"{c}(") for c in KEEP_CALLS)  # fmt: skip
+    name = unit.text.partition("(")[0].rpartition(".")[2]
+    kept = unit.kind == "step" and name in KEEP_CALLS
     return unit.kind in kinds and not kept
 
 
@@ -99,21 +99,40 @@ def measure(args: argparse.Namespace) -> int:
     def work(number: int) -> Effect:
         return bench.effect([number], args.most, ENOUGH, seed=number)
 
-    effects: dict[int, Effect] = {}
-    began = time.perf_counter()
-    for k, (number, effect) in enumerate(
-        zip(heavy, in_parallel(work, heavy, args.jobs, chunk=4), strict=True), 1
-    ):
-        effects[number] = effect
-        if k % 500 == 0:
-            _report_time(f"{k} of {len(heavy)} units left out", began)
-    _report_time(f"{len(heavy)} units left out in turn", began)
+    effects = _measured(args.out, bench)
+    heavy = [n for n in heavy if n not in effects]
+    part = max(64, 16 * args.jobs)
+    for at in range(0, len(heavy), part):
+        if time.perf_counter() - began > 60.0 * args.minutes:
+            break
+        some = heavy[at : at + part]
+        effects |= zip(some, in_parallel(work, some, args.jobs), strict=True)
+        _report_time(f"{min(at + part, len(heavy))} of {len(heavy)} units left out", began)
     none = Effect(0, 0, 0, (), 0, 0.0)
+    units = [u for u, n in zip(units, numbers, strict=True)
+             if n in effects or n not in bench.reached]  # fmt: skip
+    if len(units) < len(numbers):
+        print(f"{len(numbers) - len(units)} units are left to measure: say it again")
     rows = [asdict(u) | asdict(effects.get(bench.build.numbers[u.key], none)) for u in units]
     data = {"sources": _sources(bench.build.units), "prompts": len(bench.cases), "units": rows}
     Path(args.out).write_text(json.dumps(data, indent=1) + "\n", encoding="utf-8")
     print_classes(rows)
     return 0
+
+
+def _measured(path: str, bench: Bench) -> dict[int, Effect]:
+    """Effects that an earlier run wrote for the same source and prompts."""
+    if not Path(path).exists():
+        return {}
+    data = json.loads(Path(path).read_text(encoding="utf-8"))
+    if data["sources"] != _sources(bench.build.units) or data["prompts"] != len(bench.cases):
+        return {}
+    return {bench.build.numbers[r["key"]]: _effect(r) for r in data["units"] if r["reach"]}
+
+
+def _effect(row: dict[str, Any]) -> Effect:
+    values = {name: row[name] for name in Effect.__dataclass_fields__}
+    return Effect(**(values | {"worse": tuple(row["worse"])}))
 
 
 def sort_of(row: dict[str, Any]) -> str:
@@ -184,15 +203,12 @@ def choose(args: argparse.Namespace) -> int:
     rows = [r for r in data["units"] if goes(r, args.seen) and r["kind"] in args.kinds]
     rows.sort(key=lambda r: (bool(r["changed"]), r["lost"] / max(r["lines"], 0.1), r["key"]))
     numbers = [bench.build.numbers[r["key"]] for r in rows]
-    names = {f for f in Effect.__dataclass_fields__}
-    effects = {
-        n: Effect(**{k: v for k, v in r.items() if k in names})
-        for n, r in zip(numbers, rows, strict=True)
-    }
+    effects = {n: _effect(r) for n, r in zip(numbers, rows, strict=True)}
     began = time.perf_counter()
     within = {"dev": args.dev_points, corpora.REWORDINGS: args.rewording_points}
     choice = Choice(bench, effects, args.jobs, within)
     state = choice.run(numbers)
+    back = choice.mend()
     _report_time("chosen", began)
     after = choice.outcomes(state.gone, list(range(len(bench.cases))))
     chosen = [r for r, n in zip(rows, numbers, strict=True) if n in state.gone]
@@ -203,14 +219,17 @@ def choose(args: argparse.Namespace) -> int:
         "every": args.every,
         "before": _totals(bench, bench.before),
         "after": _totals(bench, [after[k] for k in range(len(bench.cases))]),
-        "refused": len(state.refused),
+        "refused": len(state.refused) + len(back),
+        "soak": args.soak,
         "lines": sum(r["lines"] for r in outer),
         "units": chosen,
         "marks": {bench.cases[k].name: list(o.mark) for k, o in sorted(after.items())},
     }
     Path(args.out).write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
-    print(f"{len(chosen)} of {len(rows)} units go, {len(outer)} outermost, "
-          f"{result['lines']:.0f} lines; {len(state.refused)} stay as they cost more together")  # fmt: skip
+    print(
+        f"{len(chosen)} of {len(rows)} units go, {len(outer)} outermost, {result['lines']:.0f} "
+        f"lines; {result['refused']} stay as they cost more together"
+    )
     print("\n".join(_compared(result["before"], result["after"])))
     return 0
 
@@ -267,8 +286,9 @@ def check(args: argparse.Namespace) -> int:
     chosen = json.loads(Path(args.chosen).read_text(encoding="utf-8"))
     subject = corpora.Reader()
     build = Build(Package(ROOT, args.folder, ["*"]), corpora.Reader.package)
-    build.install()
-    bench = Bench(build, subject, corpora.cases(chosen["every"], True, args.files))
+    cases = corpora.cases(chosen["every"], True, args.files, chosen["soak"])
+    with build.installed():
+        bench = Bench(build, subject, cases)
     found = in_parallel(bench.outcome, list(range(len(bench.cases))), args.jobs, chunk=50)
     outcomes: list[Outcome] = list(found)
     other: Counter[str] = Counter()
@@ -328,8 +348,13 @@ def main(argv: list[str] | None = None) -> int:
     parser.add_argument("--most", type=int, default=400, help="prompts read for a unit at most")
     parser.add_argument("--sample", type=int, metavar="N", help="measure N units, for an estimate")
     parser.add_argument("--jobs", type=int, default=cores())
-    parser.add_argument("--seen", action="store_true",
-                        help="keep what changes three families' documents in what no label tells")  # fmt: skip
+    parser.add_argument("--minutes", type=float, default=1e9, help="measure no longer; go on later")
+    parser.add_argument(
+        "--soak", type=int, default=1000, metavar="N", help="further prompts that must not crash"
+    )
+    parser.add_argument(
+        "--seen", action="store_true", help="keep what changes three families' unlabelled parts"
+    )
     parser.add_argument("--dev-points", type=float, default=WITHIN["dev"])
     parser.add_argument("--rewording-points", type=float, default=WITHIN[corpora.REWORDINGS])
     parser.add_argument("--show", type=int, default=5, help="prompts that differ, to list")

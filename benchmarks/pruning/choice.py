@@ -63,7 +63,7 @@ class Choice:
         if not batch:
             return True
         touched = self._touched(batch)
-        now = self.outcomes(state.gone | set(batch), touched)
+        now, met = self._read(state.gone | set(batch), touched)
         lost = sum(state.now[k].points - now[k].points for k in touched)
         crashed = any(now[k].crashed and not state.now[k].crashed for k in touched)
         alone = sum(max(0.0, self.effects[k].lost) for k in batch if k in self.effects)
@@ -73,6 +73,11 @@ class Choice:
             state.gone |= set(batch)
             state.now = after
             state.cost[batch[0]] = lost
+            for k, numbers in met.items():  # without the batch other units count
+                for n in numbers:
+                    have = self.bench.reached.setdefault(n, [])
+                    if k not in have:
+                        have.append(k)
             return True
         if len(batch) == 1:
             state.refused += batch
@@ -86,15 +91,47 @@ class Choice:
 
     def outcomes(self, gone: set[int], cases: list[int]) -> dict[int, Outcome]:
         """Outcomes of cases without some units."""
+        return self._read(gone, cases)[0]
+
+    def _read(
+        self, gone: set[int], cases: list[int]
+    ) -> tuple[dict[int, Outcome], dict[int, set[int]]]:
+        """Outcomes of cases without some units, and the units that then count in each."""
         parts = [cases[k :: 4 * self.jobs] for k in range(4 * self.jobs)]
-        parts = [p for p in parts if p]
+        bench = self.bench
 
-        def work(part: list[int]) -> list[tuple[int, Outcome]]:
-            with self.bench.build.without(gone):
-                return [(k, self.bench.outcome(k, self.bench.before[k])) for k in part]
+        def work(part: list[int]) -> list[tuple[int, Outcome, set[int]]]:
+            out: list[tuple[int, Outcome, set[int]]] = []
+            with bench.build.without(gone):
+                for k in part:
+                    with bench.build.recorded() as met:
+                        out.append((k, bench.outcome(k, bench.before[k]), met))
+            return out
 
-        found = in_parallel(work, parts, self.jobs if len(cases) > 40 else 1)
-        return {k: outcome for part in found for k, outcome in part}
+        jobs = self.jobs if len(cases) > 40 else 1
+        found = [r for part in in_parallel(work, [p for p in parts if p], jobs) for r in part]
+        return {k: outcome for k, outcome, _ in found}, {k: met for k, _, met in found}
+
+    def mend(self) -> list[int]:
+        """Puts units back until no deciding case crashes that did not; returns them."""
+        back: list[int] = []
+        bench, state = self.bench, self.state
+        while True:
+            now, met = self._read(state.gone, self.deciding)
+            state.now = now
+            broken = [k for k in self.deciding if now[k].crashed and not bench.before[k].crashed]
+            if not broken:
+                return back
+            case = broken[0]
+            for number in sorted(met[case] & state.gone):
+                with bench.build.without(state.gone - {number}):
+                    if not bench.outcome(case).crashed:
+                        found = {number}
+                        break
+            else:
+                found = met[case] & state.gone or set(state.gone)
+            state.gone -= found
+            back += sorted(found)
 
     def _figures(self, now: dict[int, Outcome]) -> dict[str, list[float]]:
         """Sums of the counts by corpus."""

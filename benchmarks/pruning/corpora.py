@@ -12,6 +12,7 @@ from typing import Any
 
 from benchmarks import metamorphic
 from benchmarks.drafting import BLIND, FILES, load, score_document
+from benchmarks.drafting_soak import texts
 from benchmarks.pruning.effect import Case, Subject
 from esg.outcomes import UserError
 
@@ -20,6 +21,7 @@ COUNTS = (
     "quantities_found", "drafted", "invented",
 )  # fmt: skip
 REWORDINGS = "rewordings"
+SOAK = "soak"
 _ALIKE = 0.6
 """Share of words (Jaccard) from which two prompts of one file are one story told twice."""
 
@@ -59,6 +61,8 @@ class Reader(Subject):
 
     def judge(self, case: Case, result: Any) -> tuple[float, tuple[float, ...]]:
         """Labels met and validity less inventions, and the counts of the benchmark."""
+        if case.row is None:
+            return 0.0, (0.0,) * len(COUNTS)
         score = score_document(case.row, result)
         counts = tuple(float(getattr(score, name)) for name in COUNTS)
         found = score.usable + score.objects_found + score.events_found + score.quantities_found
@@ -70,6 +74,8 @@ class Reader(Subject):
         """Largest drop of a figure of each corpus [points]; more inventions are a drop."""
         out: dict[str, float] = {}
         for corpus, counts in before.items():
+            if corpus == SOAK:
+                continue
             was, now = percentages(counts), percentages(after[corpus])
             was["invented_events"], now["invented_events"] = (
                 -was["invented_events"], -now["invented_events"],
@@ -86,13 +92,16 @@ def _digest(data: bytes) -> str:
     return hashlib.blake2b(data, digest_size=9).hexdigest()
 
 
-def cases(every: int = 1, held_out: bool = True, files: Iterable[str] = FILES) -> list[Case]:
+def cases(
+    every: int = 1, held_out: bool = True, files: Iterable[str] = FILES, soak: int = 0
+) -> list[Case]:
     """Development prompts and one story of each rewording decide; the others are totals.
 
     Args:
         every: Every n-th deciding prompt only, for a quick look.
         held_out: Whether the totals of `test`, the blind sets and all rewordings are wanted.
         files: Files of the development corpus.
+        soak: Prompts of the soak test that must not crash.
     """
     out: list[Case] = []
     for name in files:
@@ -110,6 +119,9 @@ def cases(every: int = 1, held_out: bool = True, files: Iterable[str] = FILES) -
             case = Case(f"{wording} {k}", row["prompt"], family, REWORDINGS, row, k == chosen)
             (out if k == chosen else rewordings).append(case)
     out = out[::every]
+    dev = [r for name in files for r in load("dev", [name])]
+    for n, text in enumerate(texts(soak, dev, seed=7) if soak else ()):
+        out.append(Case(f"{SOAK}:{n}", text, f"{SOAK}:{n}", SOAK))
     if not held_out:
         return out
     for split in ("test", *BLIND):
@@ -149,6 +161,8 @@ def totals(counts: Iterable[tuple[str, tuple[float, ...]]]) -> dict[str, dict[st
     """Percentages of each corpus from the counts of its cases."""
     sums: dict[str, list[float]] = {}
     for corpus, values in counts:
+        if corpus == SOAK:
+            continue
         have = sums.setdefault(corpus, [0.0] * len(COUNTS))
         for k, value in enumerate(values):
             have[k] += value

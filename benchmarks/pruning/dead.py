@@ -139,6 +139,13 @@ def _without_parentheses(source: str) -> str:
     return cuts.result()
 
 
+_PLAIN = frozenset(
+    {"cache", "lru_cache", "staticmethod", "classmethod", "property", "dataclass",
+     "cached_property", "override"}
+)  # fmt: skip
+"""Decorators that call nothing by themselves."""
+
+
 class Usage:
     """Definitions of a package and which of them something reaches, by name.
 
@@ -223,8 +230,7 @@ class Usage:
             if isinstance(node, ast.Call)
             else getattr(node, "id", getattr(node, "attr", ""))
         )
-        return name in ("cache", "lru_cache", "staticmethod", "classmethod", "property", "dataclass",
-                        "cached_property", "override")  # fmt: skip
+        return name in _PLAIN
 
     def _names(self, node: ast.AST, imports: bool = False) -> set[str]:
         out: set[str] = set()
@@ -288,9 +294,11 @@ def without_definitions(source: str, nodes: list[ast.stmt]) -> str:
                 continue
             last = node
             following = owner.body[k + 1] if k + 1 < len(owner.body) else None
-            if _constant(node) and isinstance(following, ast.Expr):
-                if isinstance(following.value, ast.Constant):
-                    last = following
+            described = isinstance(following, ast.Expr) and isinstance(
+                following.value, ast.Constant
+            )
+            if _constant(node) and following is not None and described:
+                last = following
             gone += 1 if last is node else 2
             cuts.add(*text.whole_lines(node, last, comments=True), lambda: "")
         stays = isinstance(owner, ast.ClassDef) and (owner.lineno, owner.col_offset) not in places

@@ -21,7 +21,7 @@ from pathlib import Path
 import random
 import signal
 import sys
-from types import CodeType, FrameType, ModuleType
+from types import CodeType, FrameType
 from typing import Any
 
 from benchmarks.pruning.units import FIRST, OFF, ON, Package, Unit, switched
@@ -39,7 +39,7 @@ class Case:
         prompt: Text.
         family: Cases of one family are of one origin and count once.
         corpus: Corpus whose total it enters.
-        row: Its expectations, for who judges it.
+        row: Its expectations, for who judges it; None if it only must not crash.
         decides: Whether it may be looked at by itself; others count in totals only.
     """
 
@@ -168,34 +168,32 @@ class Build(importlib.abc.MetaPathFinder):
             fullname, file, loader=loader, submodule_search_locations=inside
         )
 
-    def install(self) -> None:
-        """Makes imports of the package give the code with switches."""
+    @contextmanager
+    def installed(self) -> Iterator[None]:
+        """Makes imports of the package give the code with switches, and notes what is cached."""
         for module in [m for m in sys.modules if m == self.name or m.startswith(self.name + ".")]:
             del sys.modules[module]
         if self not in sys.meta_path:
             sys.meta_path.insert(0, self)
-        kept = functools.lru_cache
-        caches = self._caches
-
-        def lru_cache(maxsize: Any = 128, typed: bool = False) -> Any:
-            if callable(maxsize):
-                return noted(kept(maxsize))
-            return lambda function: noted(kept(maxsize, typed)(function))
+        kept = functools.lru_cache, functools.cache
 
         def noted(wrapper: Any) -> Any:
             inner = wrapper.__wrapped__
             if inner.__module__.startswith(self.name) and inner.__code__.co_argcount:
-                caches.append(wrapper)
+                self._caches.append(wrapper)
             return wrapper
 
-        functools.lru_cache = lru_cache  # type: ignore[assignment]
-        functools.cache = lambda function: noted(kept(None)(function))  # type: ignore[assignment]
+        def lru_cache(maxsize: Any = 128, typed: bool = False) -> Any:
+            if callable(maxsize):
+                return noted(kept[0](maxsize))
+            return lambda function: noted(kept[0](maxsize, typed)(function))
 
-    def modules(self) -> Iterator[ModuleType]:
-        """Modules of the package that have been imported."""
-        for name, module in list(sys.modules.items()):
-            if name == self.name or name.startswith(self.name + "."):
-                yield module
+        functools.lru_cache = lru_cache  # type: ignore[assignment]
+        functools.cache = lambda function: noted(kept[0](None)(function))  # type: ignore[assignment]
+        try:
+            yield
+        finally:
+            functools.lru_cache, functools.cache = kept
 
     def forget(self) -> None:
         """Empties what functions of the package keep of their results."""

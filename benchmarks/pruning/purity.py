@@ -70,13 +70,13 @@ def _stores(node: ast.AST) -> bool:
     for n in ast.walk(node):
         if isinstance(n, ast.Global | ast.Nonlocal | ast.Yield | ast.YieldFrom | ast.Await):
             return True
+        owner = None
         if isinstance(n, ast.Attribute | ast.Subscript) and not isinstance(n.ctx, ast.Load):
-            if not (isinstance(n.value, ast.Name) and n.value.id in own):
-                return True
-        if isinstance(n, ast.Call) and isinstance(n.func, ast.Attribute):
-            base = n.func.value
-            if n.func.attr in _MUTATORS and not (isinstance(base, ast.Name) and base.id in own):
-                return True
+            owner = n.value
+        elif isinstance(n, ast.Call) and isinstance(n.func, ast.Attribute):
+            owner = n.func.value if n.func.attr in _MUTATORS else None
+        if owner is not None and not (isinstance(owner, ast.Name) and owner.id in own):
+            return True
     return False
 
 

@@ -189,7 +189,7 @@ class _Rewriter:
         if not any(node in self.branches for node in chain):
             return
         last = chain[-1].orelse
-        lo, hi = self.text.whole_lines(first, first)
+        lo, hi = self.text.whole_lines(first, first, comments=first in self.branches)
         starts = [self.text.line_start(self.text.span(n)[0]) for n in chain]
         ends = [*starts[1:], hi]
         else_at = hi
