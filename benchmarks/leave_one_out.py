@@ -18,6 +18,7 @@ import argparse
 from collections import Counter
 from collections.abc import Iterable
 from dataclasses import asdict
+from functools import partial
 import hashlib
 import json
 from pathlib import Path
@@ -30,7 +31,9 @@ from benchmarks.drafting import FILES
 from benchmarks.pruning import corpora, dead, rewrite
 from benchmarks.pruning.choice import Choice
 from benchmarks.pruning.effect import Bench, Build, Effect, Outcome, cores, in_parallel
-from benchmarks.pruning.units import KINDS, Package, Unit
+from benchmarks.pruning.rows import ROW_KINDS, cut_rows, find_rows, table_without
+from benchmarks.pruning.units import KINDS as SWITCH_KINDS
+from benchmarks.pruning.units import Package, Unit
 
 ROOT = Path(__file__).resolve().parents[1]
 FOLDER = "esg/draft"
@@ -47,6 +50,9 @@ LEAVE = (
 KEEP_CALLS = ("use",)
 """Steps that account for the prompt's words, which no label sees."""
 OUTSIDE = ("esg", "tests", "benchmarks", "tasks", "flows")
+KINDS = (*SWITCH_KINDS, *ROW_KINDS)
+TOGETHER = 24
+"""Rows that are first left out together, to see which prompts any of them changes."""
 ENOUGH = 3
 WITHIN = {"dev": 2.0, corpora.REWORDINGS: 0.5}
 """Largest drop of any figure [points] while units are chosen."""
@@ -94,12 +100,15 @@ def measure(args: argparse.Namespace) -> int:
     if args.sample:
         units = random.Random(0).sample(units, min(args.sample, len(units)))
     numbers = [bench.build.numbers[u.key] for u in units]
+    began = time.perf_counter()
+    stay = _reach_rows(bench, numbers, args.jobs)
+    _report_time("reach of rows", began)
     heavy = sorted((n for n in numbers if n in bench.reached), key=lambda n: -len(bench.reached[n]))
 
     def work(number: int) -> Effect:
         return bench.effect([number], args.most, ENOUGH, seed=number)
 
-    effects = _measured(args.out, bench)
+    effects = _measured(args.out, bench) | stay
     heavy = [n for n in heavy if n not in effects]
     part = max(64, 16 * args.jobs)
     for at in range(0, len(heavy), part):
@@ -118,6 +127,23 @@ def measure(args: argparse.Namespace) -> int:
     Path(args.out).write_text(json.dumps(data, indent=1) + "\n", encoding="utf-8")
     print_classes(rows)
     return 0
+
+
+def _reach_rows(bench: Bench, numbers: list[int], jobs: int) -> dict[int, Effect]:
+    """Fills in which prompts the rows among some units may change; effects of those that must stay.
+
+    The package cannot be imported without the latter.
+    """
+    rows = [n for n in numbers if n >= bench.build.switches]
+    groups = [rows[k : k + TOGETHER] for k in range(0, len(rows), TOGETHER)]
+    stay: dict[int, Effect] = {}
+    for found in in_parallel(bench.reach_of_rows, groups, jobs):
+        for number, cases in found.items():
+            if cases is None:
+                stay[number] = Effect(0, 0, 0, (), 0, 0.0, crashed=1)
+            elif cases:
+                bench.reached[number] = cases
+    return stay
 
 
 def _measured(path: str, bench: Bench) -> dict[int, Effect]:
@@ -204,6 +230,7 @@ def choose(args: argparse.Namespace) -> int:
     rows.sort(key=lambda r: (bool(r["changed"]), r["lost"] / max(r["lines"], 0.1), r["key"]))
     numbers = [bench.build.numbers[r["key"]] for r in rows]
     effects = {n: _effect(r) for n, r in zip(numbers, rows, strict=True)}
+    _reach_rows(bench, numbers, args.jobs)
     began = time.perf_counter()
     within = {"dev": args.dev_points, corpora.REWORDINGS: args.rewording_points}
     choice = Choice(bench, effects, args.jobs, within)
@@ -257,11 +284,17 @@ def prune(args: argparse.Namespace) -> int:
         return 2
     keys = {u["key"] for u in chosen["units"]}
     before = _lines(args.folder)
+    rows = [r for r in find_rows(found) if r.unit.key in keys]
     for name, tree in found.trees.items():
         units = [f for f in found.find(name) if f.unit.key in keys]
-        if units:
-            text = rewrite.without(found.sources[name], tree, units)
+        own = [r for r in rows if r.unit.file == name]
+        if units or own:
+            text = rewrite.without(found.sources[name], tree, units, partial(cut_rows, rows=own))
             (ROOT / name).write_text(text, encoding="utf-8")
+    for name in {r.unit.file for r in rows} - found.trees.keys():
+        text = (ROOT / name).read_text(encoding="utf-8")
+        text = table_without(text, [r for r in rows if r.unit.file == name])
+        (ROOT / name).write_text(text, encoding="utf-8")
     dead.lint(ROOT, args.folder)
     cut = _lines(args.folder)
     keep = [n for n in found.kept if not args.only]
@@ -324,7 +357,9 @@ def table(args: argparse.Namespace) -> int:
 
 def count(args: argparse.Namespace) -> int:
     """Prints how many units there are of each kind."""
-    units = [u for u in package(args).units() if wanted(u, args.kinds)]
+    found = package(args)
+    units = [*found.units(), *(r.unit for r in find_rows(found))]
+    units = [u for u in units if wanted(u, args.kinds)]
     for kind in args.kinds:
         own = [u for u in units if u.kind == kind]
         print(f"{kind:<8}{len(own):>7}{sum(u.lines for u in own):>9.0f} lines")
@@ -342,7 +377,7 @@ def main(argv: list[str] | None = None) -> int:
     parser.add_argument("--folder", default=FOLDER)
     parser.add_argument("--only", nargs="+", metavar="FILE", help="only units of these files")
     parser.add_argument("--leave", nargs="+", default=[], metavar="PATTERN", help="files to keep")
-    parser.add_argument("--kinds", nargs="+", choices=KINDS, default=list(KINDS))
+    parser.add_argument("--kinds", nargs="+", choices=KINDS, default=list(SWITCH_KINDS))
     parser.add_argument("--files", nargs="+", choices=FILES, default=FILES)
     parser.add_argument("--every", type=int, default=1, help="every n-th deciding prompt only")
     parser.add_argument("--most", type=int, default=400, help="prompts read for a unit at most")

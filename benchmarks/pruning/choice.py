@@ -102,7 +102,7 @@ class Choice:
 
         def work(part: list[int]) -> list[tuple[int, Outcome, set[int]]]:
             out: list[tuple[int, Outcome, set[int]]] = []
-            with bench.build.without(gone):
+            with bench.without(gone):
                 for k in part:
                     with bench.build.recorded() as met:
                         out.append((k, bench.outcome(k, bench.before[k]), met))
@@ -124,7 +124,7 @@ class Choice:
                 return back
             case = broken[0]
             for number in sorted(met[case] & state.gone):
-                with bench.build.without(state.gone - {number}):
+                with bench.without(state.gone - {number}):
                     if not bench.outcome(case).crashed:
                         found = {number}
                         break

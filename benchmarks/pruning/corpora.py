@@ -40,6 +40,7 @@ class Reader(Subject):
 
     def prepare(self) -> None:
         """Keeps every text's tags: the tagger is no part of what is pruned, and slow."""
+        _keep_models()
         self.reader()("A ball hits a box.")
         known = self._tags
         for name, module in list(sys.modules.items()):
@@ -86,6 +87,23 @@ class Reader(Subject):
     def refused(self, error: Exception) -> bool:
         """User errors are refusals."""
         return isinstance(error, UserError)
+
+
+def _keep_models() -> None:
+    """Loads a language model once and compiles a pattern once, however often the reader is."""
+    import spacy
+
+    re._MAXCACHE = 1_000_000  # type: ignore[attr-defined]
+    if getattr(spacy.load, "kept", None) is None:
+        load, kept = spacy.load, dict[str, Any]()
+
+        def loaded(name: str, **named: Any) -> Any:
+            if name not in kept:
+                kept[name] = load(name, **named)
+            return kept[name]
+
+        loaded.kept = kept  # type: ignore[attr-defined]
+        spacy.load = loaded
 
 
 def _digest(data: bytes) -> str:

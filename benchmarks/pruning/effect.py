@@ -6,6 +6,7 @@ Functions that keep their results forget them before every change of a switch.
 
 from __future__ import annotations
 
+import ast
 import builtins
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
@@ -15,6 +16,7 @@ import gc
 import importlib.abc
 import importlib.machinery
 import importlib.util
+import io
 import multiprocessing
 import os
 from pathlib import Path
@@ -24,6 +26,7 @@ import sys
 from types import CodeType, FrameType
 from typing import Any
 
+from benchmarks.pruning.rows import Row, find_rows, table_without, tree_without
 from benchmarks.pruning.units import FIRST, OFF, ON, Package, Unit, switched
 
 TIME_LIMIT_S = 5.0
@@ -137,9 +140,15 @@ class Build(importlib.abc.MetaPathFinder):
     def __init__(self, package: Package, name: str) -> None:
         self.package, self.name = package, name
         self.units: list[Unit] = package.units()
+        self.switches = len(self.units)
+        self.rows = find_rows(package)
+        self.units += [row.unit for row in self.rows]
         self.numbers = {u.key: k for k, u in enumerate(self.units)}
         self._codes: dict[str, CodeType] = {}
         self._files: dict[str, Path] = {}
+        self._dotted: dict[str, str] = {}
+        self.fresh: Callable[[], None] = lambda: None
+        """Called after the package has been imported anew."""
         self._caches: list[Any] = []
         for file in package.trees:
             path = package.root / file
@@ -148,12 +157,13 @@ class Build(importlib.abc.MetaPathFinder):
             tree = switched(package, file, self.numbers)
             self._codes[dotted] = compile(tree, str(path), "exec")
             self._files[dotted] = path
+            self._dotted[file] = dotted
         self.reset()
         builtins.__dict__[FIRST] = _First()
 
     def reset(self) -> None:
         """Puts every unit back."""
-        self.on, self.off = [True] * len(self.units), [False] * len(self.units)
+        self.on, self.off = [True] * self.switches, [False] * self.switches
         builtins.__dict__[ON], builtins.__dict__[OFF] = self.on, self.off
 
     def find_spec(self, fullname: str, path: Any = None, target: Any = None) -> Any:
@@ -210,11 +220,46 @@ class Build(importlib.abc.MetaPathFinder):
     def without(self, numbers: Iterable[int]) -> Iterator[None]:
         """The package without some units."""
         numbers = list(numbers)
-        self.leave_out(numbers)
+        switches = [k for k in numbers if k < self.switches]
+        rows = [self.rows[k - self.switches] for k in numbers if k >= self.switches]
+        self.leave_out(switches)
         try:
+            if rows:
+                with self._imported_without(rows):
+                    yield
+            else:
+                yield
+        finally:
+            self.leave_out(switches, out=False)
+
+    @contextmanager
+    def _imported_without(self, rows: list[Row]) -> Iterator[None]:
+        """The package imported anew without rows of data; then the one that was there."""
+        saved = {m: sys.modules[m] for m in sys.modules if f"{m}.".startswith(f"{self.name}.")}
+        caches, codes = self._caches, self._codes
+        self._caches, self._codes = [], dict(codes)
+        tables: dict[str, str] = {}
+        for file in {r.unit.file for r in rows}:
+            own = [r for r in rows if r.unit.file == file]
+            path = self.package.root / file
+            if file in self._dotted:
+                tree = tree_without(ast.parse(self.package.sources[file]), own)
+                tree = switched(self.package, file, self.numbers, tree)
+                self._codes[self._dotted[file]] = compile(tree, str(path), "exec")
+            else:
+                tables[str(path)] = table_without(path.read_text(encoding="utf-8"), own)
+        try:
+            with _opened(tables), self.installed():
+                self.fresh()
             yield
         finally:
-            self.leave_out(numbers, out=False)
+            for module in [m for m in sys.modules if f"{m}.".startswith(f"{self.name}.")]:
+                del sys.modules[module]
+            sys.modules.update(saved)
+            parent, _, last = self.name.rpartition(".")
+            if parent and self.name in saved:
+                setattr(sys.modules[parent], last, saved[self.name])
+            self._caches, self._codes = caches, codes
 
     @contextmanager
     def recorded(self) -> Iterator[set[int]]:
@@ -228,6 +273,22 @@ class Build(importlib.abc.MetaPathFinder):
             yield asked
         finally:
             builtins.__dict__[ON], builtins.__dict__[OFF] = self.on, self.off
+
+
+@contextmanager
+def _opened(texts: dict[str, str]) -> Iterator[None]:
+    """Files that are read have other texts, by path."""
+    real = io.open
+
+    def other(file: Any, mode: str = "r", *more: Any, **named: Any) -> Any:
+        text = texts.get(str(file)) if mode.startswith("r") else None
+        return real(file, mode, *more, **named) if text is None else io.StringIO(text)
+
+    io.open = builtins.open = other  # type: ignore[assignment]
+    try:
+        yield
+    finally:
+        io.open = builtins.open = real
 
 
 def _late(signum: int, frame: FrameType | None) -> None:
@@ -245,12 +306,44 @@ class Bench:
 
     def __init__(self, build: Build, subject: Subject, cases: list[Case]) -> None:
         self.build, self.subject, self.cases = build, subject, cases
-        self._read = subject.reader()
-        subject.prepare()
+        self._renew()
         signal.signal(signal.SIGALRM, _late)
         self.before: list[Outcome] = []
         self.reached: dict[int, list[int]] = {}
-        self.setup: set[int] = set()
+
+    def _renew(self) -> None:
+        """Takes the reader that is imported now."""
+        self._read = self.subject.reader()
+        self.subject.prepare()
+
+    @contextmanager
+    def without(self, numbers: Iterable[int]) -> Iterator[None]:
+        """The package, and its reader, without some units."""
+        read, self.build.fresh = self._read, self._renew
+        try:
+            with self.build.without(numbers):
+                yield
+        finally:
+            self._read = read
+
+    def reach_of_rows(self, rows: list[int]) -> dict[int, list[int] | None]:
+        """Deciding cases whose result changes when these rows go together, by row.
+
+        None for a row that the package cannot be imported without.
+        """
+        try:
+            with self.without(rows):
+                cases = [
+                    k
+                    for k, c in enumerate(self.cases)
+                    if c.decides and self.outcome(k, self.before[k]).mark != self.before[k].mark
+                ]
+        except Exception:
+            if len(rows) == 1:
+                return {rows[0]: None}
+            half = len(rows) // 2
+            return self.reach_of_rows(rows[:half]) | self.reach_of_rows(rows[half:])
+        return {row: cases for row in rows}
 
     def outcome(self, k: int, known: Outcome | None = None) -> Outcome:
         """Reads and judges a case; what has the mark of `known` is not judged again."""
@@ -301,7 +394,7 @@ class Bench:
         better: set[str] = set()
         other: set[str] = set()
         lost = read = crashed = 0.0
-        with self.build.without(numbers):
+        with self.without(numbers):
             for k in cases[:most]:
                 read += 1
                 now, was = self.outcome(k, self.before[k]), self.before[k]

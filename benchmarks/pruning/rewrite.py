@@ -117,15 +117,24 @@ class Cuts:
         return self.render(0, len(self.text.source))
 
 
-def without(source: str, tree: ast.Module, found: Iterable[Found]) -> str:
+def without(
+    source: str,
+    tree: ast.Module,
+    found: Iterable[Found],
+    more: Callable[[Text, Cuts, ast.Module], None] | None = None,
+) -> str:
     """Source without units.
 
     Args:
         source: Text of a module.
         tree: Its tree, in which the units were found.
         found: Units to take out.
+        more: Adds further cuts.
     """
-    return _Rewriter(source, tree, list(found)).run()
+    rewriter = _Rewriter(source, tree, list(found))
+    if more is not None:
+        more(rewriter.text, rewriter.cuts, tree)
+    return rewriter.run()
 
 
 class _Rewriter:

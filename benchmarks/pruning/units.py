@@ -74,7 +74,7 @@ class Package:
 
     def __init__(self, root: Path, folder: str, leave: Iterable[str] = ()) -> None:
         self.root, self.folder = root, folder
-        leave = tuple(leave)
+        self.leave = leave = tuple(leave)
         self.sources: dict[str, str] = {}
         self.kept: set[str] = set()
         for path in sorted((root / folder).rglob("*.py")):
@@ -422,15 +422,18 @@ def _both(op: ast.boolop, value: ast.expr, switch: ast.expr, pure: bool) -> ast.
     return ast.BoolOp(op, [value, switch] if pure else [switch, value])
 
 
-def switched(package: Package, name: str, numbers: dict[str, int]) -> ast.Module:
+def switched(
+    package: Package, name: str, numbers: dict[str, int], tree: ast.Module | None = None
+) -> ast.Module:
     """A module's tree with a switch at every unit.
 
     Args:
         package: The package.
         name: File.
         numbers: Number of each unit's switch by its key.
+        tree: Its tree, which is changed, if it is not that of the file.
     """
-    tree = ast.parse(package.sources[name])
+    tree = tree or ast.parse(package.sources[name])
     nodes: dict[object, tuple[Found, int]] = {}
     for found in package.find(name, tree):
         key: object = found.node

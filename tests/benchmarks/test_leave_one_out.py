@@ -14,6 +14,7 @@ import pytest
 from benchmarks.pruning import dead, rewrite
 from benchmarks.pruning.choice import Choice
 from benchmarks.pruning.effect import Bench, Build, Case, Effect, Outcome, Subject
+from benchmarks.pruning.rows import cut_rows
 from benchmarks.pruning.units import Package
 
 READER = '''"""A reader of sentences."""
@@ -218,3 +219,63 @@ def test_cut(source: str, gone: dict[str, str], after: str, tmp_path: Path) -> N
     cut = rewrite.without(text, package.trees["toy/m.py"], found)
     assert cut == f"def f(a: object, b: int, c: int) -> int:\n    {after}\n"
     ast.parse(cut)
+
+
+ROWS = '''"""Words."""
+
+import re
+
+WORDS = frozenset({"one", "two"})
+KINDS = {"ball": 1, "box": 2}
+NAMED: dict[str, int] = {}
+
+
+def add(name: str, value: int) -> None:
+    NAMED[name] = value
+
+
+add("red", 1)
+add("blue", 2)  # rare
+_HIT = re.compile(r"hits|(?:a|b)c|bumps")
+
+
+def read(text: str) -> list[str]:
+    known = WORDS | KINDS.keys() | NAMED.keys()
+    return [w for w in text.split() if w in known or _HIT.match(w)]
+'''
+
+
+def test_rows_go_by_importing_anew(root: Path) -> None:
+    """Words, keys, registered rows and alternatives are left out and cut alike."""
+    name = "toy_reader/reader.py"
+    (root / name).write_text(ROWS, encoding="utf-8")
+    build = Build(Package(root, "toy_reader"), "toy_reader")
+    cases = [
+        Case(w, w, w, "toy", w)
+        for w in ("one", "two", "ball", "box", "red", "blue", "hits", "ac", "bumps", "none")
+    ]
+    with build.installed():
+        bench = Bench(build, Toy(), cases)
+    bench.warm()
+    kinds = [build.units[n].kind for n in range(build.switches, len(build.units))]
+    assert sorted(kinds) == ["pattern"] * 3 + ["row"] * 2 + ["word"] * 4
+    rows = list(range(build.switches, len(build.units)))
+    reach = bench.reach_of_rows(rows)
+    assert {len(c or ()) for c in reach.values()} == {9}
+    for number in rows:
+        bench.reached[number] = reach[number] or []
+        found = bench.effect([number], 50, 3)
+        assert found.helps == 1 and found.read == 9
+    assert [bench.outcome(k) for k in range(len(cases))] == bench.before
+    gone = [build.rows[n - build.switches] for n in rows
+            if any(w in build.units[n].text for w in ("two", "box", "blue", "bumps"))]  # fmt: skip
+    package = build.package
+
+    def cut(text: rewrite.Text, cuts: rewrite.Cuts, tree: ast.Module) -> None:
+        cut_rows(text, cuts, tree, gone)
+
+    after = rewrite.without(ROWS, package.trees[name], [], cut)
+    for word in ("two", "box", "blue", "rare", "bumps"):
+        assert word not in after
+    assert 'frozenset({"one"})' in after and '{"ball": 1}' in after
+    assert 'r"hits|(?:a|b)c")' in after
