@@ -66,9 +66,9 @@ def package(args: argparse.Namespace) -> Package:
     return found
 
 
-def _bench(args: argparse.Namespace, held_out: bool) -> Bench:
+def _bench(args: argparse.Namespace, held_out: bool, soak: int = 0) -> Bench:
     build = Build(package(args), corpora.Reader.package)
-    cases = corpora.cases(args.every, held_out, args.files, args.soak if held_out else 0)
+    cases = corpora.cases(args.every, held_out, args.files, soak)
     with build.installed():
         bench = Bench(build, corpora.Reader(), cases)
         bench.warm()
@@ -221,7 +221,7 @@ def choose(args: argparse.Namespace) -> int:
     """Chooses what goes and writes it, with what it costs every corpus."""
     data = json.loads(Path(args.effects).read_text(encoding="utf-8"))
     began = time.perf_counter()
-    bench = _bench(args, held_out=True)
+    bench = _bench(args, not args.no_held_out, args.soak)
     _report_time(f"{len(bench.cases)} prompts read", began)
     if _sources(bench.build.units) != data["sources"]:
         print("the source has changed since the effects were measured; measure again")
@@ -244,6 +244,7 @@ def choose(args: argparse.Namespace) -> int:
         "sources": data["sources"],
         "prompts": len(bench.cases),
         "every": args.every,
+        "held_out": not args.no_held_out,
         "before": _totals(bench, bench.before),
         "after": _totals(bench, [after[k] for k in range(len(bench.cases))]),
         "refused": len(state.refused) + len(back),
@@ -319,7 +320,7 @@ def check(args: argparse.Namespace) -> int:
     chosen = json.loads(Path(args.chosen).read_text(encoding="utf-8"))
     subject = corpora.Reader()
     build = Build(Package(ROOT, args.folder, ["*"]), corpora.Reader.package)
-    cases = corpora.cases(chosen["every"], True, args.files, chosen["soak"])
+    cases = corpora.cases(chosen["every"], chosen["held_out"], args.files, chosen["soak"])
     with build.installed():
         bench = Bench(build, subject, cases)
     found = in_parallel(bench.outcome, list(range(len(bench.cases))), args.jobs, chunk=50)
@@ -390,6 +391,7 @@ def main(argv: list[str] | None = None) -> int:
     parser.add_argument(
         "--seen", action="store_true", help="keep what changes three families' unlabelled parts"
     )
+    parser.add_argument("--no-held-out", action="store_true", help="for a trial: no such totals")
     parser.add_argument("--dev-points", type=float, default=WITHIN["dev"])
     parser.add_argument("--rewording-points", type=float, default=WITHIN[corpora.REWORDINGS])
     parser.add_argument("--show", type=int, default=5, help="prompts that differ, to list")

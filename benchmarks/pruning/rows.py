@@ -112,12 +112,15 @@ def elements(node: ast.AST) -> list[tuple[ast.expr, ast.expr]]:
         return pairs if words and len(pairs) > 1 else []
     if isinstance(node, ast.Set | ast.List | ast.Tuple) and len(node.elts) > 1:
         words = all(map(_is_word, node.elts))
-        records = all(isinstance(e, ast.Tuple | ast.Call) for e in node.elts)
+        records = all(
+            isinstance(e, ast.Tuple | ast.Call) and any(map(_is_word, ast.walk(e)))
+            for e in node.elts
+        )
         return [(e, e) for e in node.elts] if words or records else []
     return []
 
 
-def _is_word(node: ast.expr) -> bool:
+def _is_word(node: ast.AST) -> bool:
     return isinstance(node, ast.Constant) and isinstance(node.value, str)
 
 
