@@ -12,7 +12,7 @@ from typing import Any
 
 from benchmarks import metamorphic
 from benchmarks.drafting import BLIND, FILES, load, score_document
-from benchmarks.drafting_soak import texts
+from benchmarks.lib.drafting_soak import texts
 from benchmarks.pruning.effect import Case, Subject
 from esg.outcomes import UserError
 

@@ -1,11 +1,11 @@
 """Leave-one-out of the rules reader: what each branch, operand and step is worth, and pruning.
 
-    python -m benchmarks.leave_one_out units                       # how many there are of each kind
-    python -m benchmarks.leave_one_out measure --out effects.json  # leaves each out in turn
-    python -m benchmarks.leave_one_out choose --effects effects.json --out chosen.json
-    python -m benchmarks.leave_one_out prune --chosen chosen.json  # writes the shorter source
-    python -m benchmarks.leave_one_out check --chosen chosen.json  # same documents as when chosen?
-    python -m benchmarks.leave_one_out table --chosen chosen.json --out docs/results/pruning.md
+    python -m benchmarks.pruning units                       # how many there are of each kind
+    python -m benchmarks.pruning measure --out effects.json  # leaves each out in turn
+    python -m benchmarks.pruning choose --effects effects.json --out chosen.json
+    python -m benchmarks.pruning prune --chosen chosen.json  # writes the shorter source
+    python -m benchmarks.pruning check --chosen chosen.json  # same documents as when chosen?
+    python -m benchmarks.pruning table --chosen chosen.json --out docs/results/pruning.md
 
 A unit is worth its place if at least `ENOUGH` development prompts of independent origin lose labels
 without it. What is left goes in batches, cheapest for its lines first, until a budget is spent. The
@@ -35,19 +35,11 @@ from benchmarks.pruning.rows import ROW_KINDS, cut_rows, find_rows, table_withou
 from benchmarks.pruning.units import KINDS as SWITCH_KINDS
 from benchmarks.pruning.units import Package, Unit
 
-ROOT = Path(__file__).resolve().parents[1]
+ROOT = Path(__file__).resolve().parents[2]
 FOLDER = "esg/draft"
-LEAVE = (
-    "llm/*",
-    "llm.py",
-    "llm_*.py",
-    "__init__.py",
-    "screening.py",
-    "providers.py",
-    "registry.py",
-)
+LEAVE = ("llm/*", "__init__.py", "screening.py", "registry.py")
 """Files without units: the language-model drafter, the doors, and what refuses bad input."""
-KEEP_CALLS = ("use",)
+KEEP_CALLS = ("mark_used",)
 """Steps that account for the prompt's words, which no label sees."""
 OUTSIDE = ("esg", "tests", "benchmarks", "tasks", "flows")
 KINDS = (*SWITCH_KINDS, *ROW_KINDS)
