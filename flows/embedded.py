@@ -29,10 +29,10 @@ import sys
 import tempfile
 import time
 
+from esg.files import atomic_write
 from esg.leftovers import owned_folder, sweep_leftovers
 from esg.outcomes import UserError
 from esg.paths import cache_dir
-from esg.store.files import atomic_write
 
 STARTUP_TIMEOUT_S = 300.0
 """Six commands that start at once on two cores need 100 s; an API that ends is noticed at once."""

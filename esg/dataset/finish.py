@@ -11,7 +11,7 @@ from typing import Any
 from esg.dataset.batch import BatchResult
 from esg.dataset.folder import INFO, DatasetFolder
 from esg.dataset.plan import DatasetSpec
-from esg.store.files import atomic_file
+from esg.files import atomic_file
 
 SCAFFOLD = ("parts", "marks", "locks", "work")
 """Folders that only an unfinished dataset has."""

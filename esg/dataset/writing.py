@@ -146,7 +146,7 @@ def _recordings(
 def _preview(
     job: BatchJob, scene: PlannedScene, state: SceneState, parts: tuple[Any, Any, Any, Any]
 ) -> list[Path]:
-    from esg.store.files import atomic_write
+    from esg.files import atomic_write
     from esg.view.preview import preview
 
     physical, rollout, verdict, doc = parts

@@ -274,7 +274,7 @@ def test_a_full_or_read_only_disk_is_told_and_keeps_what_is_done(
         raise OSError(number, os.strerror(number), str(path))
 
     with monkeypatch.context() as patch:
-        patch.setattr("esg.store.files.sync_file", full)
+        patch.setattr("esg.files.sync_file", full)
         with pytest.raises(OSError, match=remedy):
             make_batch(second)
     assert read_mark(first.out, 0) is not None
