@@ -13,7 +13,7 @@ from typing import Any, Literal
 from prefect import flow
 from prefect.task_runners import ThreadPoolTaskRunner
 
-from esg.dataset.batch import BatchJob, BatchResult
+from esg.dataset.job import BatchJob, BatchResult
 from esg.outcomes import UserError
 from flows import artifacts
 from tasks.dataset import dataset_batch

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from cyclopts import Parameter
 
 if TYPE_CHECKING:
-    from esg.dataset.batch import BatchJob, BatchResult
     from esg.dataset.folder import DatasetFolder
+    from esg.dataset.job import BatchJob, BatchResult
     from esg.dataset.plan import DatasetSpec, Prompt
     from esg.dataset.remote import Remote
 
@@ -228,7 +228,7 @@ def _jobs(
     left: list[int],
     remote: Remote | None,
 ) -> list[BatchJob]:
-    from esg.dataset.batch import BatchJob, batch_name
+    from esg.dataset.job import BatchJob, batch_name
     from esg.dataset.plan import plan_scenes
 
     scenes = plan_scenes(spec, texts)

@@ -8,8 +8,8 @@ from pathlib import Path
 import shutil
 from typing import Any
 
-from esg.dataset.batch import BatchResult
 from esg.dataset.folder import INFO, DatasetFolder
+from esg.dataset.job import BatchResult
 from esg.dataset.plan import DatasetSpec
 from esg.files import atomic_file
 

@@ -30,7 +30,7 @@ from esg.pipeline import (
 )
 
 if TYPE_CHECKING:
-    from esg.dataset.batch import BatchJob
+    from esg.dataset.job import BatchJob
     from esg.graph.models import EsgDocument
 
 SCENE_STAGES = STAGES[: STAGES.index("record")]
