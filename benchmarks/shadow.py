@@ -21,7 +21,7 @@ second comparison with the same OLD runs NEW only.
 from __future__ import annotations
 
 import argparse
-from collections.abc import Iterable, Iterator
+from collections.abc import Generator, Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 import contextlib
 from dataclasses import dataclass, fields, is_dataclass
@@ -268,7 +268,7 @@ class Kept:
             )
 
     @contextlib.contextmanager
-    def _open(self) -> Iterator[sqlite3.Connection]:
+    def _open(self) -> Generator[sqlite3.Connection]:
         db = sqlite3.connect(self.path, timeout=60)
         try:
             with db:
@@ -325,7 +325,9 @@ def run_side(
     ]
     if todo:
         with ThreadPoolExecutor(jobs) as pool:
-            list(pool.map(lambda k: _run_jobs(root, kept, todo[k::jobs], seed), range(jobs)))
+            parts = [pool.submit(_run_jobs, root, kept, todo[k::jobs], seed) for k in range(jobs)]
+            for part in parts:
+                part.result()
 
 
 def _run_jobs(root: Path, kept: Kept, todo: list[str], seed: int, batch: int = 50) -> None:
@@ -393,7 +395,7 @@ def describe(
 
 
 @contextlib.contextmanager
-def checkout(name: str) -> Iterator[Path]:
+def checkout(name: str) -> Generator[Path]:
     """The folder of a checkout, or a temporary worktree of a git revision."""
     if (Path(name) / "esg" / "__init__.py").is_file():
         yield Path(name).resolve()
@@ -467,7 +469,12 @@ def main(argv: list[str] | None = None) -> int:
                 wanted[p.text] = (*wanted.get(p.text, ()), stage)
         sides = [(root, Kept(Path(args.kept), root)) for root in (old, new)]
         with ThreadPoolExecutor(2) as pool:
-            list(pool.map(lambda s: run_side(*s, wanted, args.seed, args.jobs), sides))
+            running = [
+                pool.submit(run_side, root, kept, wanted, args.seed, args.jobs)
+                for root, kept in sides
+            ]
+            for side in running:
+                side.result()
         results = [
             compare(stage, chosen, *(kept.read(stage, args.seed) for _, kept in sides))
             for stage, chosen in asked.items()
