@@ -173,7 +173,8 @@ def main(argv: list[str] | None = None) -> int:
         for room, before in rooms.items()
         if better[kind].get(room, 0) < before
     ]
-    print("\n".join([*worse, *shrank]))
+    for line in [*worse, *shrank]:
+        print(line)
     if args.update:
         FILE.write_text(json.dumps(better, indent=2) + "\n")
     elif shrank:
