@@ -7,11 +7,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from esg.engines import get_engine
+from esg.engines import get_engine, jobs
 from esg.engines.program import Program, SetVelocity, batch_programs
 from esg.engines.rest import at_rest, close_pairs, starts_at_rest
 from esg.engines.scene import Body, Shape, SimScene, Variation
-from esg.engines.surrogate import model as surrogate_model
 
 UNIT = ((0.05, 0.0, 0.0), (0.0, 0.05, 0.0), (0.0, 0.0, 0.05))
 
@@ -108,7 +107,7 @@ def test_the_surrogate_lets_it_sleep_until_it_is_hit(monkeypatch: pytest.MonkeyP
     engine = get_engine("surrogate")
     asleep = engine.rollout(scene, batch)
     monkeypatch.setattr(
-        surrogate_model, "starts_at_rest", lambda s, p, q: np.zeros(p.shape[:2], bool)
+        jobs, "starts_at_rest", lambda s, p, q: np.zeros(p.shape[:2], bool)
     )
     awake = engine.rollout(scene, batch)
     assert np.abs(asleep.position - awake.position).max() < 5e-3

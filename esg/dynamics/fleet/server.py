@@ -14,8 +14,8 @@ from esg.dynamics.fleet.crew import MAX_VARIANTS
 from esg.dynamics.search.panel import REFERENCE_DT_S
 from esg.dynamics.search.simulate import ENSEMBLE
 from esg.engines.base import SURROGATE
-from esg.engines.fleet.arena import Buffer
-from esg.engines.fleet.jobs import Expected, Job, Pieces, Played, SceneShapes
+from esg.engines.jobs import Buffer, Expected, Job, Pieces, Played
+from esg.engines.shapes import SceneShapes
 from esg.graph.models import EsgDocument
 
 STATE_BYTES = 56

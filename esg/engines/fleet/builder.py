@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.engines.fleet.jobs import SceneShapes
 from esg.engines.newton.setup import CONTACT_GAP_M, quiet_warp
 from esg.engines.newton.shapes import add_shape
+from esg.engines.shapes import SceneShapes
 
 Wanted = tuple[tuple[int, int, int], ...]
 """Per scene of a model: its key, the number of its worlds and the factor on room for contacts."""

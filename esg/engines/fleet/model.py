@@ -10,13 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.engines.executor import ADJUST
-from esg.engines.fleet.arena import Buffer
 from esg.engines.fleet.builder import Blueprint, Wanted
-from esg.engines.fleet.jobs import Job, Pieces, Played, SceneShapes
+from esg.engines.jobs import Buffer, Job, Pieces, Played
 from esg.engines.newton.kernels import FIXED_POINT
 from esg.engines.newton.worlds import NewtonWorlds, Singles
 from esg.engines.program import FIELDS
 from esg.engines.scene import ContactLog
+from esg.engines.shapes import SceneShapes
 from esg.units import quat_multiply, quat_rotate
 
 CHUNK_FRAMES = 8

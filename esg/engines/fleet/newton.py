@@ -12,12 +12,12 @@ from typing import Protocol
 
 import numpy as np
 
-from esg.engines.fleet.arena import Buffer
 from esg.engines.fleet.builder import Drafts, Wanted
-from esg.engines.fleet.jobs import Expected, Job, Pieces, Played, SceneShapes
 from esg.engines.fleet.model import FleetModel
+from esg.engines.jobs import Buffer, Expected, Job, Pieces, Played
 from esg.engines.newton.engine import MAX_GROWTH
 from esg.engines.newton.setup import quiet_warp
+from esg.engines.shapes import SceneShapes
 from esg.engines.worlds import Frames
 
 MAX_WORLDS = {"cpu": 64, "cuda": 16384}

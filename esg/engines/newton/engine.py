@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections import OrderedDict
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-import os
 from threading import RLock
 from typing import Any
 
@@ -14,11 +13,10 @@ from numpy.typing import NDArray
 
 from esg.engines.base import VERIFY_DT_S
 from esg.engines.newton.model import NewtonModel, structure_key
-from esg.engines.newton.setup import ITERATIONS, quiet_warp
+from esg.engines.newton.setup import ITERATIONS, cpu_threads, known_device
 from esg.engines.program import ProgramBatch
 from esg.engines.scene import ContactLog, Rollout, SimScene, Variation
 from esg.engines.worlds import MAX_SPEED_MPS, Frames, Start, Values, join_logs
-from esg.outcomes import UserError
 
 MAX_MODELS = 12
 """Compiled models kept; the least recently used one is dropped."""
@@ -53,12 +51,8 @@ class NewtonEngine:
     name = "newton"
 
     def __init__(self, device: str = "cpu") -> None:
-        wp = quiet_warp()
-        known = [str(d) for d in wp.get_devices()]
-        if device not in known:
-            raise UserError(f"no device {device!r} for Newton; this machine has {', '.join(known)}")
-        self.device = device
-        self.threads = _threads() if device == "cpu" else 1
+        self.device = known_device(device, "Newton")
+        self.threads = cpu_threads() if device == "cpu" else 1
 
     def rollout(
         self,
@@ -224,15 +218,6 @@ def _model(scene: SimScene, n_worlds: int, device: str, part: int, growth: int) 
         _models.popitem(last=False)
     _models[key] = NewtonModel(scene, size, device, growth)
     return _models[key]
-
-
-def _threads() -> int:
-    text = os.environ.get("ESG_THREADS", "")
-    if not text:
-        return min(4, len(os.sched_getaffinity(0)))
-    if not (text.isdigit() and int(text) > 0):
-        raise UserError(f"ESG_THREADS is {text!r}; it must be a positive number of threads")
-    return int(text)
 
 
 def clear_cache() -> None:

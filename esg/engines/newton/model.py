@@ -21,10 +21,11 @@ from esg.engines.newton.setup import (
     STEPS_PER_GRAPH,
     quiet_warp,
 )
-from esg.engines.newton.shapes import add_shape, hull
+from esg.engines.newton.shapes import add_shape
 from esg.engines.newton.worlds import NewtonWorlds
 from esg.engines.program import FIELDS, ProgramBatch
 from esg.engines.scene import Shape, SimScene
+from esg.engines.shapes import hull
 from esg.engines.worlds import Values, moving
 from esg.units import quat_multiply, quat_rotate
 

@@ -8,6 +8,8 @@ from functools import cache, wraps
 import os
 from typing import Any
 
+from esg.outcomes import UserError
+
 STEPS_PER_GRAPH, STEPS_PER_GRAPH_CPU = 4, 2
 """Even, so that the two states are back in place after one launch of the graph. On the CPU a launch
 costs next to nothing, while each step takes 12 ms to record for every scene."""
@@ -43,6 +45,36 @@ def quiet_warp() -> Any:
         os.close(saved)
         os.close(null)
     return wp
+
+
+def known_device(device: str, who: str) -> str:
+    """The device, if this machine has it.
+
+    Args:
+        device: Warp device, such as "cpu" or "cuda:0".
+        who: Asks for it, for the message.
+
+    Raises:
+        UserError: If it does not exist.
+    """
+    known = [str(d) for d in quiet_warp().get_devices()]
+    if device not in known:
+        raise UserError(f"no device {device!r} for {who}; this machine has {', '.join(known)}")
+    return device
+
+
+def cpu_threads() -> int:
+    """Threads that share the worlds of a batch: as many as cores, at most four, or ESG_THREADS.
+
+    Raises:
+        UserError: If ESG_THREADS is no positive number.
+    """
+    text = os.environ.get("ESG_THREADS", "")
+    if not text:
+        return min(4, len(os.sched_getaffinity(0)))
+    if not (text.isdigit() and int(text) > 0):
+        raise UserError(f"ESG_THREADS is {text!r}; it must be a positive number of threads")
+    return int(text)
 
 
 @cache

@@ -5,12 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from esg.engines.scene import Floats
-
-Hull = tuple[Floats, NDArray[np.int32]]
-"""Vertices, shape [n, 3], and outward triangles, shape [m, 3]."""
+from esg.engines.shapes import Hull
 
 
 def add_shape(
@@ -57,20 +53,3 @@ def add_shape(
         # Masses and inertias are given; Newton's own would cost a kernel launch per hull.
         meshes[key] = newton.Mesh(vertices, faces, compute_inertia=False)
     return builder.add_shape_convex_hull(body, xform=pose, mesh=meshes[key], cfg=config)
-
-
-def hull(points: Floats) -> tuple[Floats, NDArray[np.int32]]:
-    """Convex hull: its vertices, shape [n, 3], and outward triangles, shape [m, 3]."""
-    from scipy.spatial import ConvexHull
-
-    found = ConvexHull(points)
-    used = found.vertices
-    index = np.full(len(points), -1, np.int32)
-    index[used] = np.arange(len(used))
-    vertices = points[used]
-    faces = index[found.simplices]
-    corners = vertices[faces]
-    cross = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    inward = np.einsum("ij,ij->i", cross, found.equations[:, :3]) < 0.0
-    faces[inward] = faces[inward][:, [0, 2, 1]]
-    return vertices, faces

@@ -150,3 +150,37 @@ class Log:
     depth: wp.array2d(dtype=float)
     point: wp.array2d(dtype=wp.vec3)
     normal: wp.array2d(dtype=wp.vec3)
+
+
+@wp.struct
+class Out:
+    """What a rollout of W worlds leaves: states of moving bodies, [W, T - 1, D] from frame 1 on,
+    and per world [W] the largest overlap and the first frame that is not sound, else T."""
+
+    x: wp.array3d(dtype=wp.vec3)
+    r: wp.array3d(dtype=wp.quat)
+    v: wp.array3d(dtype=wp.vec3)
+    o: wp.array3d(dtype=wp.vec3)
+    deepest: wp.array(dtype=float)
+    end: wp.array(dtype=int)
+
+
+@wp.struct
+class Fields:
+    """Signed distance fields [m] of F bodies, in their body frames.
+
+    Every field is a cube of n^3 cells whose values sit at the cells' centres. Field f owns the
+    samples first[f] .. first[f + 1] - 1.
+    """
+
+    n: int
+    of_body: wp.array(dtype=int)
+    """[B]: index of a body's field or -1."""
+    ball: wp.array(dtype=int)
+    """[B]: whether a body is one sphere."""
+    values: wp.array4d(dtype=float)
+    origin: wp.array(dtype=wp.vec3)
+    """Corner of the grid, [F]."""
+    cell: wp.array(dtype=float)
+    first: wp.array(dtype=int)
+    sample: wp.array(dtype=wp.vec3)

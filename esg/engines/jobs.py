@@ -1,4 +1,4 @@
-"""Rollouts of many different scenes as plain arrays: what processes send to the one that simulates.
+"""Rollouts as plain arrays: what the surrogate and Newton simulate, of one scene or of many.
 
 Nothing here needs a GPU or Warp, so that preparing and reading rollouts can be spread over
 processes. A job is one scene's rollout: W worlds, B bodies of which D move, P primitives, T frames.
@@ -7,19 +7,18 @@ processes. A job is one scene's rollout: W worlds, B bodies of which D move, P p
 from __future__ import annotations
 
 from collections.abc import Generator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 import math
 from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.engines.newton.shapes import hull
 from esg.engines.program import ProgramBatch
 from esg.engines.rest import starts_at_rest
 from esg.engines.scene import ContactLog, Rollout, SimScene, Variation
-from esg.engines.surrogate.model import _dimensions, _rotate
-from esg.engines.worlds import MAX_SPEED_MPS, Frames, Start, moving
+from esg.engines.shapes import SceneShapes
+from esg.engines.worlds import MAX_SPEED_MPS, Frames, Start, join_logs, moving
 
 Singles = NDArray[np.float32]
 Ints = NDArray[np.int32]
@@ -29,94 +28,30 @@ Pieces = Generator[None, None, _T]
 """Work in pieces, between which others may use the device, and its result."""
 
 TUNNELLED_M = 0.3
+"""A body whose centre is this far below the ground has passed through it."""
+
+_ALIGN = 64
 
 
-@dataclass(frozen=True)
-class SceneShapes:
-    """What of a scene is the same in all its worlds (S shapes).
+class Buffer:
+    """Memory that results are written to before they are read; simulating again reuses it.
 
     Args:
-        gravity: [m/s^2], shape [3].
-        first: Body b owns the shapes first[b] .. first[b + 1] - 1, shape [B + 1].
-        kind: Shape kinds, length S.
-        size: As `Shape.size` [m], shape [S, 3].
-        scale: In the convention of Newton's support maps [m], shape [S, 3].
-        half: Half extents around the shape's centre [m], shape [S, 3].
-        origin: Shape frame in the body frame [m], shape [S, 3].
-        centre: Shape centre in the body frame [m], shape [S, 3].
-        offset: Shape centre in the shape frame [m], shape [S, 3].
-        rotation: Orientation (x, y, z, w) in the body frame, shape [S, 4].
-        hulls: Vertices [n, 3] and triangles [m, 3] of convex shapes, None for others.
-        dynamic: Bodies that move, shape [B]; so `static`, `collides` and `wheeled`.
-        inertia: Body axes [kg m^2], shape [B, 3, 3]; the unit tensor for what does not move.
-        mass: [kg], 1 where the scene gives none, shape [B].
-        damping: Linear and angular [1/s], shape [B, 2].
+        array: Bytes, shape [n].
     """
 
-    gravity: tuple[float, float, float]
-    first: Ints
-    kind: tuple[str, ...]
-    size: NDArray[np.float64]
-    scale: NDArray[np.float64]
-    half: NDArray[np.float64]
-    origin: NDArray[np.float64]
-    centre: NDArray[np.float64]
-    offset: NDArray[np.float64]
-    rotation: NDArray[np.float64]
-    hulls: tuple[tuple[NDArray[np.float64], Ints] | None, ...]
-    dynamic: NDArray[np.bool_]
-    static: NDArray[np.bool_]
-    collides: NDArray[np.bool_]
-    wheeled: NDArray[np.bool_]
-    inertia: NDArray[np.float64]
-    mass: NDArray[np.float64]
-    damping: NDArray[np.float64]
+    def __init__(self, array: NDArray[np.uint8]) -> None:
+        self.array = array
+        self.used = 0
 
-    @staticmethod
-    def of(scene: SimScene) -> SceneShapes:
-        first, kind, hulls = [0], [], []
-        rows: dict[str, list[Any]] = {
-            n: [] for n in ("size", "scale", "half", "origin", "centre", "offset", "rotation")
-        }
-        for body in scene.bodies:
-            for shape in body.shapes:
-                scale, offset, half = _dimensions(shape)
-                kind.append(shape.kind)
-                origin = np.array(shape.position)
-                values = (shape.size, scale, half, origin,
-                          origin + _rotate(shape.quaternion, offset), offset,
-                          shape.quaternion)  # fmt: skip
-                for row, value in zip(rows.values(), values, strict=True):
-                    row.append(value)
-                hulls.append(hull(np.array(shape.vertices)) if shape.kind == "convex" else None)
-            first.append(len(kind))
-        bodies = scene.bodies
-        dynamic = moving(scene)
-        inertia = [
-            np.array(b.inertia, float) if m else np.eye(3)
-            for b, m in zip(bodies, dynamic, strict=True)
-        ]
-        return SceneShapes(
-            gravity=scene.gravity,
-            first=np.array(first, np.int32),
-            kind=tuple(kind),
-            **{
-                n: np.array(v, float).reshape(len(kind), 4 if n == "rotation" else 3)
-                for n, v in rows.items()
-            },
-            hulls=tuple(hulls),
-            dynamic=dynamic,
-            static=np.array([b.static for b in bodies], bool),
-            collides=np.array([b.collides for b in bodies], bool),
-            wheeled=np.array([b.wheeled for b in bodies], bool),
-            inertia=np.array(inertia, float).reshape(-1, 3, 3),
-            mass=np.array([b.mass if b.mass > 0.0 else 1.0 for b in bodies]),
-            damping=np.array([(b.linear_damping, b.angular_damping) for b in bodies], float),
-        )
-
-    @property
-    def n_bodies(self) -> int:
-        return len(self.dynamic)
+    def take(self, shape: tuple[int, ...]) -> tuple[int, NDArray[np.float32]]:
+        """Room for single precision numbers: its offset in bytes and the array itself."""
+        n = 4 * int(np.prod(shape))
+        at = -(-self.used // _ALIGN) * _ALIGN
+        if at + n > len(self.array):
+            raise MemoryError(f"results need more than {len(self.array)} bytes")
+        self.used = at + n
+        return at, self.array[at : at + n].view(np.float32).reshape(shape)
 
 
 @dataclass
@@ -135,6 +70,7 @@ class Job:
         friction_scale: Shape [W].
         asleep: Bodies that rest where they start, for the surrogate, shape [W, B].
         kind, body, until, table: The programs (`ProgramBatch`).
+        ground_contacts: Whether the log includes contacts with the ground.
     """
 
     engine: str
@@ -154,10 +90,18 @@ class Job:
     body: Ints
     until: NDArray[np.bool_]
     table: NDArray[np.float64]
+    ground_contacts: bool = False
 
     @property
     def n_worlds(self) -> int:
         return len(self.mass)
+
+    def of_worlds(self, worlds: NDArray[np.int64]) -> Job:
+        """The same for some of the worlds, in their order; a world may be named twice."""
+        per_world = ("position", "quaternion", "mass", "friction", "restitution", "ground",
+                     "friction_scale", "asleep", "table")  # fmt: skip
+        inertia = self.inertia[worlds] if len(self.inertia) else self.inertia
+        return replace(self, inertia=inertia, **{n: getattr(self, n)[worlds] for n in per_world})
 
 
 @dataclass(frozen=True)
@@ -204,20 +148,42 @@ def make_job(
 ) -> tuple[Job, Start]:
     """The job of a rollout, and what its result is written into.
 
+    Args:
+        engine: surrogate or newton.
+        key: Number of the scene.
+        scene, batch, dt, record_every, variation: As `Engine.rollout`.
+        shapes: Of the scene.
+
     Raises:
         ValueError: For what no engine can simulate.
     """
     start = Start.of(
         scene, batch, dt=dt, record_every=record_every, duration=None, variation=variation
     )
-    v, single = start.values, np.float32
+    return job_of(engine, key, start, shapes), start
+
+
+def job_of(
+    engine: str, key: int, start: Start, shapes: SceneShapes, *, ground_contacts: bool = False
+) -> Job:
+    """The job of a rollout.
+
+    Args:
+        engine: surrogate or newton.
+        key: Number of the scene.
+        start: What the rollout starts from.
+        shapes: The scene.
+        ground_contacts: Whether the log includes contacts with the ground.
+    """
+    v, batch, single = start.values, start.batch, np.float32
     inertia = np.zeros((0,), single)
     asleep = np.zeros(v.mass.shape, bool)
     if engine == "newton":
         inertia = v.inertia[:, np.nonzero(shapes.dynamic)[0]].astype(single)
-    else:
-        asleep = starts_at_rest(scene, v.position, v.quaternion)
-    job = Job(
+    elif not ground_contacts:
+        # A log that is to show the weight of what rests needs it awake.
+        asleep = starts_at_rest(start.scene, v.position, v.quaternion)
+    return Job(
         engine=engine,
         key=key,
         shapes=shapes,
@@ -235,35 +201,64 @@ def make_job(
         body=batch.body,
         until=batch.until,
         table=batch.table,
+        ground_contacts=ground_contacts,
     )
-    return job, start
 
 
 def read(job: Job, start: Start, played: Played) -> Rollout:
     """The rollout of a job: states of what stands still filled in, broken worlds frozen."""
-    n_frames = start.frames.n_frames
-    move = np.nonzero(moving(start.scene))[0]
-    end, log = played.end, played.log
-    if end is None:
-        end = _ends(start.frames.n_frames, played)
-        alive = log.frame < end[log.world]
-        if not alive.all():
-            log = ContactLog(**{n: getattr(log, n)[alive] for n in log.__dataclass_fields__})
-    sources = (played.position, played.quaternion, played.linear, played.angular)
-    for target, source in zip(start.states, sources, strict=True):
-        target[:, 1:, move] = source
-        for k in np.nonzero(end < n_frames)[0]:
-            target[k, end[k] :] = target[k, end[k] - 1]
-    start.valid[:] &= end >= n_frames
-    extra: dict[str, Any] = {}
-    if played.deepest is not None:
+    overlaps = played.deepest is not None
+    return finish(job.engine, start, [(np.arange(job.n_worlds), played)], overlaps=overlaps)
+
+
+def finish(
+    engine: str,
+    start: Start,
+    parts: list[tuple[NDArray[np.int64], Played]],
+    extra: dict[str, Any] | None = None,
+    *,
+    overlaps: bool = False,
+) -> Rollout:
+    """The rollout of worlds that were simulated in parts; worlds in no part keep their start.
+
+    Args:
+        engine: Its name.
+        start: What the rollout started from; its states and validity are written.
+        parts: Worlds and what became of them.
+        extra: What the engine says about itself.
+        overlaps: Whether it tells overlaps. Then two arrays [W] are added: `deepest` [m], and
+            `tunnelled`: a body's centre passed the ground, or an overlap exceeded half of the
+            thinnest body.
+    """
+    logs = [_fill(start, worlds, played) for worlds, played in parts]
+    extra = dict(extra or {})
+    if overlaps:
+        extra["deepest"] = deepest = np.zeros(start.batch.n_worlds)
+        for worlds, played in parts:
+            deepest[worlds] = played.deepest
         below = start.states[0][..., 2].min(axis=1) < -TUNNELLED_M
         bodies = start.scene.bodies
         thin = min((min(b.half_extents) for b in bodies if b.collides), default=math.inf)
-        deepest = played.deepest.astype(float)
-        tunnelled = (below & moving(start.scene)).any(axis=1) | (deepest > thin)
-        extra = {"deepest": deepest, "tunnelled": tunnelled}
-    return start.rollout(job.engine, log, extra)
+        extra["tunnelled"] = (below & moving(start.scene)).any(axis=1) | (deepest > thin)
+    return start.rollout(engine, join_logs(logs), extra)
+
+
+def _fill(start: Start, worlds: NDArray[np.int64], played: Played) -> ContactLog:
+    """Writes the states of some worlds; returns their log, which ends where they break."""
+    n_frames, end, log = start.frames.n_frames, played.end, played.log
+    if end is None:
+        end = _ends(n_frames, played)
+        alive = log.frame < end[log.world]
+        if not alive.all():
+            log = ContactLog(**{n: getattr(log, n)[alive] for n in log.__dataclass_fields__})
+    rows = np.ix_(worlds, np.arange(1, n_frames), np.nonzero(moving(start.scene))[0])
+    sources = (played.position, played.quaternion, played.linear, played.angular)
+    for target, source in zip(start.states, sources, strict=True):
+        target[rows] = source
+        for k in np.nonzero(end < n_frames)[0]:
+            target[worlds[k], end[k] :] = target[worlds[k], end[k] - 1]
+    start.valid[worlds] &= end >= n_frames
+    return replace(log, world=worlds[log.world].astype(np.int32))
 
 
 def _ends(n_frames: int, p: Played) -> NDArray[np.int64]:
