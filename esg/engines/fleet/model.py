@@ -9,12 +9,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.engines.executor import ADJUST
 from esg.engines.fleet.builder import Blueprint, Wanted
 from esg.engines.jobs import Buffer, Job, Pieces, Played
 from esg.engines.newton.kernels import FIXED_POINT
 from esg.engines.newton.worlds import NewtonWorlds, Singles
-from esg.engines.program import FIELDS
+from esg.engines.program import FIELDS, Action, Column
 from esg.engines.scene import ContactLog
 from esg.engines.shapes import SceneShapes
 from esg.units import quat_multiply, quat_rotate
@@ -207,7 +206,7 @@ class FleetModel(NewtonWorlds):
             until[rows, :n, : j.until.shape[1]] = j.until
             table[rows, :n] = j.table
             count[rows] = n
-            changes |= bool(np.isfinite(j.table[:, j.kind == ADJUST, 4]).any())
+            changes |= bool(np.isfinite(j.table[:, j.kind == Action.ADJUST, Column.FRICTION]).any())
             at += j.n_worlds
         self._load_programs(kind, body, until, table, count)
         self.has_friction_change = changes

@@ -12,7 +12,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.engines.executor import ADJUST
 from esg.engines.newton.setup import (
     CONTACT_GAP_M,
     POINTS_PER_BODY,
@@ -23,7 +22,7 @@ from esg.engines.newton.setup import (
 )
 from esg.engines.newton.shapes import add_shape
 from esg.engines.newton.worlds import NewtonWorlds
-from esg.engines.program import FIELDS, ProgramBatch
+from esg.engines.program import FIELDS, Action, Column, ProgramBatch
 from esg.engines.scene import Shape, SimScene
 from esg.engines.shapes import hull
 from esg.engines.worlds import Values, moving
@@ -187,7 +186,7 @@ class NewtonModel(NewtonWorlds):
             batch.kind, batch.body, batch.until, batch.table,
         )  # fmt: skip
         self._load_programs(kind, body, until, table, np.full(w, n, np.int32))
-        changes = np.isfinite(batch.table[:, batch.kind == ADJUST, 4])
+        changes = np.isfinite(batch.table[:, batch.kind == Action.ADJUST, Column.FRICTION])
         self.has_friction_change = bool(changes.any())
 
     def _materials(self, values: Values) -> tuple[NDArray[np.float32], NDArray[np.float32]]:

@@ -10,11 +10,14 @@ from typing import Any
 
 import warp as wp
 
+from esg.engines.program import Action, Column
+from esg.engines.program_kernels import held_spin, held_velocity, vector
 from esg.engines.surrogate.contacts import find_contacts, prepare_bodies, wake
 from esg.engines.surrogate.solver import move, solve
 from esg.engines.surrogate.types import (
     Contacts,
     Fields,
+    Fired,
     Log,
     Model,
     Out,
@@ -39,54 +42,36 @@ def _fire(model: Model, state: State, w: int, k: int):
     """Executes a primitive that acts once."""
     i = model.target[k]
     kind = model.action[k]
-    a = wp.vec3(
-        float(model.table[w, k, 2]), float(model.table[w, k, 3]), float(model.table[w, k, 4])
-    )
-    if kind == 2:
+    if kind == Action.ADJUST:
+        to = vector(model.table, w, k, Column.LINEAR_DAMPING)
         d = state.damping[w, i]
-        if not wp.isnan(a[0]):
-            d[0] = a[0]
-        if not wp.isnan(a[1]):
-            d[1] = a[1]
+        if not wp.isnan(to[0]):
+            d[0] = to[0]
+        if not wp.isnan(to[1]):
+            d[1] = to[1]
         state.damping[w, i] = d
-        if not wp.isnan(a[2]):
-            state.friction[w, i] = a[2] * model.friction_scale[w]
+        if not wp.isnan(to[2]):
+            state.friction[w, i] = to[2] * model.friction_scale[w]
         return
     _rouse(state, w, i)
-    if kind == 0:
-        state.v[w, i] = a
-        if not wp.isnan(model.table[w, k, 5]):
-            state.o[w, i] = wp.vec3(
-                float(model.table[w, k, 5]),
-                float(model.table[w, k, 6]),
-                float(model.table[w, k, 7]),
-            )
+    if kind == Action.SET_VELOCITY:
+        state.v[w, i] = vector(model.table, w, k, Column.LINEAR)
+        if not wp.isnan(model.table[w, k, Column.ANGULAR]):
+            state.o[w, i] = vector(model.table, w, k, Column.ANGULAR)
     else:
-        state.v[w, i] = state.v[w, i] + a / model.mass[w, i]
+        impulse = vector(model.table, w, k, Column.IMPULSE)
+        state.v[w, i] = state.v[w, i] + impulse / model.mass[w, i]
 
 
 @wp.func
 def _hold(model: Model, state: State, w: int, k: int, t: wp.float64, dt: wp.float64):
     """Sets the velocity of a body that moves under its own power."""
     i = model.target[k]
-    s = t - model.table[w, k, 0]
-    speed = wp.max(wp.float64(0.0), model.table[w, k, 2] + model.table[w, k, 4] * s)
-    if model.table[w, k, 4] > wp.float64(0.0):
-        speed = wp.min(speed, model.table[w, k, 5])
-    heading = model.table[w, k, 3] + model.table[w, k, 6] * s
-    vx = float(speed * wp.cos(heading))
-    vy = float(speed * wp.sin(heading))
     _rouse(state, w, i)
-    vz = state.v[w, i][2]
-    radius = float(model.table[w, k, 7])
-    if not wp.isnan(model.table[w, k, 8]):
-        vz = float(model.table[w, k, 8]) - model.gravity[2] * float(dt)
-        radius = 0.0
-    state.v[w, i] = wp.vec3(vx, vy, vz)
-    if radius != 0.0:
-        state.o[w, i] = wp.vec3(-vy / radius, vx / radius, 0.0)
-    else:
-        state.o[w, i] = wp.vec3(0.0, 0.0, float(model.table[w, k, 6]))
+    pull = model.gravity[2] * float(dt)
+    v = held_velocity(model.table, w, k, t, state.v[w, i][2], pull)
+    state.v[w, i] = v
+    state.o[w, i] = held_spin(model.table, w, k, v)
 
 
 @wp.func
@@ -97,24 +82,25 @@ def run_program(model: Model, state: State, trace: Trace, w: int, step: int, dt:
     for k in range(model.n_primitives):
         if state.done[w, k] != 0:
             continue
-        if model.action[k] == 3:
+        end = model.table[w, k, Column.END]
+        if model.action[k] == Action.HOLD:
             if state.active[w, k] != 0:
                 for other in range(model.n_bodies):
                     touched = state.touched[w, model.target[k], other] == step
                     if model.until[k, other] != 0 and touched:
                         state.done[w, k] = 1
-            if now > model.table[w, k, 1]:
+            if now > end:
                 state.done[w, k] = 1
-            if state.done[w, k] == 0 and model.table[w, k, 0] <= now:
+            if state.done[w, k] == 0 and model.table[w, k, Column.START] <= now:
                 state.active[w, k] = 1
                 _hold(model, state, w, k, t, dt)
                 if trace.steps > 0:
-                    trace.fired[w, step, k] = wp.where(now + dt > model.table[w, k, 1], 2, 1)
-        elif model.table[w, k, 0] <= now:
+                    trace.fired[w, step, k] = wp.where(now + dt > end, Fired.LAST, Fired.ACTS)
+        elif model.table[w, k, Column.START] <= now:
             state.done[w, k] = 1
             _fire(model, state, w, k)
             if trace.steps > 0:
-                trace.fired[w, step, k] = 1
+                trace.fired[w, step, k] = Fired.ACTS
 
 
 @wp.func

@@ -214,6 +214,7 @@ class Replay:
         self._zeros(so.Versions, ("acted",), (w, trace.fired.shape[2]), ver)
         self._zeros(so.Versions, ("velocity_at", "pose_at"), (w, n, b), ver)
         self._zeros(so.Versions, ("late",), int(n_x.sum()), ver)
+        self._zeros(so.Versions, ("next",), (w, len(so.Cursor)), ver)
         ver.velocity, ver.pose, ver.impulse = map(self._ints, (_starts(n_v), self.first_x, first_j))
         self.frozen_late = ver.late
         self.wp.launch(

@@ -7,10 +7,18 @@ the world frame unless it says otherwise. Body b owns the shapes first[b] .. fir
 from __future__ import annotations
 
 # pyright: basic, reportGeneralTypeIssues=false, reportInvalidTypeForm=false
+from enum import IntEnum
+
 import warp as wp
 
-GROUND_BODY = wp.constant(-1)
-"""Second body of a contact with the ground."""
+
+class Fired(IntEnum):
+    """What a primitive did in a step of a trace."""
+
+    NOTHING = 0
+    ACTS = 1
+    LAST = 2
+    """It held for the last time, because its time ended."""
 
 
 @wp.struct
@@ -118,8 +126,7 @@ class Trace:
     awake: wp.array3d(dtype=int)
     """[W, steps, B]"""
     fired: wp.array3d(dtype=int)
-    """1 for a primitive that acts in a step, 2 for the last step of a hold that ends by its time,
-    [W, steps, P]."""
+    """`Fired`, [W, steps, P]."""
     sweeps: wp.array2d(dtype=int)
     """[W, steps]"""
 
