@@ -30,7 +30,7 @@ def _version(name: str) -> str:
     if name == "newton":
         from importlib.metadata import version
 
-        from esg.engines.newton.model import quiet_warp
+        from esg.engines.newton.setup import quiet_warp
 
         wp = quiet_warp()
         devices = ", ".join(str(d) for d in wp.get_devices())

@@ -65,6 +65,7 @@ class Job:
         frames: The time grid.
         position, quaternion: Starts, shape [W, B, 3] and [W, B, 4].
         mass: [kg], shape [W, B]; `friction` and `restitution` likewise.
+        damping: Linear and angular [1/s], the same in all worlds, shape [B, 2].
         inertia: Of moving bodies, shape [W, D, 3, 3]; empty for the surrogate.
         ground: Two frictions and the restitution, shape [W, 3].
         friction_scale: Shape [W].
@@ -80,6 +81,7 @@ class Job:
     position: Singles
     quaternion: Singles
     mass: NDArray[np.float64]
+    damping: NDArray[np.float64]
     friction: Singles
     restitution: Singles
     inertia: Singles
@@ -134,6 +136,17 @@ class Played:
     deepest: Singles | None
     log: ContactLog
 
+    def first(self, n: int) -> Played:
+        """The same for the first n worlds."""
+        log = self.log
+        keep = log.world < n
+        return Played(
+            *(a[:n] for a in (self.position, self.quaternion, self.linear, self.angular)),
+            end=None if self.end is None else self.end[:n],
+            deepest=None if self.deepest is None else self.deepest[:n],
+            log=ContactLog(**{k: getattr(log, k)[keep] for k in log.__dataclass_fields__}),
+        )
+
 
 def make_job(
     engine: str,
@@ -164,7 +177,12 @@ def make_job(
 
 
 def job_of(
-    engine: str, key: int, start: Start, shapes: SceneShapes, *, ground_contacts: bool = False
+    engine: str,
+    key: int,
+    start: Start,
+    shapes: SceneShapes | None,
+    *,
+    ground_contacts: bool = False,
 ) -> Job:
     """The job of a rollout.
 
@@ -172,14 +190,14 @@ def job_of(
         engine: surrogate or newton.
         key: Number of the scene.
         start: What the rollout starts from.
-        shapes: The scene.
+        shapes: The scene, if the one that simulates does not have it.
         ground_contacts: Whether the log includes contacts with the ground.
     """
-    v, batch, single = start.values, start.batch, np.float32
+    v, batch, bodies, single = start.values, start.batch, start.scene.bodies, np.float32
     inertia = np.zeros((0,), single)
     asleep = np.zeros(v.mass.shape, bool)
     if engine == "newton":
-        inertia = v.inertia[:, np.nonzero(shapes.dynamic)[0]].astype(single)
+        inertia = v.inertia[:, np.nonzero(moving(start.scene))[0]].astype(single)
     elif not ground_contacts:
         # A log that is to show the weight of what rests needs it awake.
         asleep = starts_at_rest(start.scene, v.position, v.quaternion)
@@ -191,6 +209,7 @@ def job_of(
         position=v.position.astype(single),
         quaternion=v.quaternion.astype(single),
         mass=v.mass,
+        damping=np.array([(b.linear_damping, b.angular_damping) for b in bodies]).reshape(-1, 2),
         friction=v.friction.astype(single),
         restitution=v.restitution.astype(single),
         inertia=inertia,

@@ -37,7 +37,6 @@ class SceneShapes:
         dynamic: Bodies that move, shape [B]; so `static`, `collides` and `wheeled`.
         inertia: Body axes [kg m^2], shape [B, 3, 3]; the unit tensor for what does not move.
         mass: [kg], 1 where the scene gives none, shape [B].
-        damping: Linear and angular [1/s], shape [B, 2].
     """
 
     gravity: tuple[float, float, float]
@@ -57,7 +56,6 @@ class SceneShapes:
     wheeled: NDArray[np.bool_]
     inertia: Floats
     mass: Floats
-    damping: Floats
 
     @staticmethod
     def of(scene: SimScene) -> SceneShapes:
@@ -98,7 +96,6 @@ class SceneShapes:
             wheeled=np.array([b.wheeled for b in bodies], bool),
             inertia=np.array(inertia, float).reshape(-1, 3, 3),
             mass=np.array([b.mass if b.mass > 0.0 else 1.0 for b in bodies]),
-            damping=np.array([(b.linear_damping, b.angular_damping) for b in bodies], float),
         )
 
     @property

@@ -1,4 +1,4 @@
-"""Warp kernels of the Newton engine: program execution, contact accumulation, recording.
+"""Warp kernels of the Newton engine: program execution, contacts, recording, sorting.
 
 Worlds may be of different scenes: bodies and shapes are numbered through all worlds, pairs of
 bodies from `first_pair` of a world on. All kernels are launched inside a captured graph, so
@@ -199,23 +199,15 @@ def record_frames(
     clock: wp.array(dtype=int),
     body_q: wp.array(dtype=wp.transform),
     body_qd: wp.array(dtype=wp.spatial_vector),
-    by_chunk: int,
     out_q: wp.array2d(dtype=wp.transform),
     out_qd: wp.array2d(dtype=wp.spatial_vector),
 ):
-    """One thread per body stores the state after a step that ends a frame.
-
-    There is room for one chunk of frames if `by_chunk`, for all frames otherwise.
-    """
+    """One thread per body stores the state after a step that ends a frame."""
     i = wp.tid()
     after = clock[0] + 1
     if after % clock[1] != 0:
         return
     slot = after / clock[1] - 1
-    if by_chunk != 0:
-        slot = slot - clock[2]
-        if slot >= clock[3]:
-            return
     if slot >= 0 and slot < out_q.shape[0]:
         out_q[slot, i] = body_q[i]
         out_qd[slot, i] = body_qd[i]
@@ -225,6 +217,45 @@ def record_frames(
 def advance(clock: wp.array(dtype=int)):
     """Counts the step."""
     clock[0] = clock[0] + 1
+
+
+@wp.kernel(enable_backward=False)
+def pack_pairs(
+    frame: int,
+    impulse: wp.array2d(dtype=wp.int64),
+    first: wp.array2d(dtype=int),
+    depth: wp.array2d(dtype=float),
+    moments: wp.array3d(dtype=wp.int64),
+    count: wp.array(dtype=int),
+    ints: wp.array2d(dtype=int),
+    depths: wp.array(dtype=float),
+    sums: wp.array2d(dtype=wp.int64),
+):
+    """Appends the pairs that touched in a chunk to a list, in any order, and clears the chunk."""
+    slot, p = wp.tid()
+    weight = impulse[slot, p]
+    if weight > wp.int64(0):
+        row = wp.atomic_add(count, 0, 1)
+        if row < depths.shape[0]:
+            ints[row, 0] = frame + slot
+            ints[row, 1] = p
+            ints[row, 2] = first[slot, p]
+            depths[row] = depth[slot, p]
+            sums[row, 0] = weight
+            for k in range(6):
+                sums[row, 1 + k] = moments[slot, p, k]
+    impulse[slot, p] = wp.int64(0)
+    first[slot, p] = 2147483647
+    depth[slot, p] = 0.0
+    for k in range(6):
+        moments[slot, p, k] = wp.int64(0)
+
+
+@wp.kernel(enable_backward=False)
+def begin_chunk(clock: wp.array(dtype=int), first: int, frames: int):
+    """Tells the kernels of a step which frames the sums of pairs are for."""
+    clock[2] = first
+    clock[3] = frames
 
 
 @wp.func

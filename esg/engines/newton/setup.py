@@ -20,12 +20,6 @@ CONTACT_GAP_M = 0.005
 SPECULATIVE_GAP_M = 0.25
 """Fast bodies are seen as far ahead as they move in a step, up to this distance [m]."""
 
-POINTS_PER_WORLD, POINTS_PER_BODY, POINTS_PER_SHAPE = 10, 4, 1
-"""Room for contact points before it has to grow: of a world, and of each body and shape that moves.
-
-Thirty kernels a step visit all of it, at 15 ns each on the CPU. None of 72 scenes of the suites and
-of other prompts needed more, where four for each shape left three quarters unused."""
-
 
 @cache
 def quiet_warp() -> Any:

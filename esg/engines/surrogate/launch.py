@@ -332,7 +332,7 @@ def _states(state: Records, arena: Arena, jobs: list[Job], scenes: list[SceneArr
     arena.data(state, "x", [j.position for j in jobs])
     arena.data(state, "r", [j.quaternion for j in jobs])
     arena.data(state, "friction", [j.friction for j in jobs])
-    damping = [np.tile(s.damping.astype(np.float32), (j.n_worlds, 1, 1)) for j, s in pairs]
+    damping = [np.tile(j.damping.astype(np.float32), (j.n_worlds, 1, 1)) for j in jobs]
     arena.data(state, "damping", damping)
     arena.data(state, "awake", [(s.dynamic & ~j.asleep).astype(np.int32) for j, s in pairs])
     still = ("v", "o", "before_v", "before_o", "delay", "inverse", "idle", "light")
