@@ -284,7 +284,9 @@ def program_from_json(data: dict[str, Any]) -> Program:
                 f"/primitives/{i}/kind: {item.get('kind')!r}, expected {list(by_kind)}"
             )
         known = {f.name for f in fields(cls)}
-        values = {k: tuple(v) if isinstance(v, list) else v for k, v in item.items() if k != "kind"}
+        values: dict[str, Any] = {
+            k: tuple(v) if isinstance(v, list) else v for k, v in item.items() if k != "kind"
+        }
         unknown = set(values) - known
         if unknown:
             raise ValueError(f"/primitives/{i}: unknown fields {sorted(unknown)}")

@@ -9,14 +9,15 @@ precision.
 
 from __future__ import annotations
 
+# Kernels are typed by Warp's compiler, in a language of its own.
 # pyright: basic, reportGeneralTypeIssues=false, reportInvalidTypeForm=false
+# pyright: reportArgumentType=false, reportCallIssue=false, reportIndexIssue=false
+# pyright: reportOperatorIssue=false, reportReturnType=false, reportAssignmentType=false
 import warp as wp
 
+from esg.engines.newton.setup import FIXED_POINT
 from esg.engines.program import Action, Column
 from esg.engines.program_kernels import held_spin, held_velocity, vector
-
-FIXED_POINT = 1.0e9
-"""Units per N s (and N s m) of the integer sums; integers make atomic sums independent of order."""
 
 
 @wp.func

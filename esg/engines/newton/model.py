@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from esg.engines.jobs import Buffer, Job, Pieces, Played
 from esg.engines.newton.builder import Blueprint, Wanted
-from esg.engines.newton.kernels import FIXED_POINT
+from esg.engines.newton.setup import FIXED_POINT
 from esg.engines.newton.worlds import NewtonWorlds, Singles
 from esg.engines.program import FIELDS, Action, Column
 from esg.engines.scene import ContactLog
@@ -376,7 +376,7 @@ class NewtonModel(NewtonWorlds):
             frame=ints[:, 0].astype(np.int32),
             a=bodies[:, 0].astype(np.int32),
             b=bodies[:, 1].astype(np.int32),
-            time=(ints[:, 2] + 1) * job.frames.dt,
+            time=(ints[:, 2] + 1).astype(float) * job.frames.dt,
             impulse=impulse / FIXED_POINT,
             depth=np.maximum(depths.astype(float), 0.0),
             point=moments[:, :3],

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Generator
 from contextlib import contextmanager
 from functools import cache, wraps
 import os
@@ -16,6 +16,8 @@ costs next to nothing, while each step takes 12 ms to record for every scene."""
 
 ITERATIONS = 6
 RESTITUTION_THRESHOLD_MPS = 0.2
+FIXED_POINT = 1.0e9
+"""Units per N s (and N s m) of the integer sums; integers make atomic sums independent of order."""
 CONTACT_GAP_M = 0.005
 SPECULATIVE_GAP_M = 0.25
 """Fast bodies are seen as far ahead as they move in a step, up to this distance [m]."""
@@ -26,7 +28,6 @@ def quiet_warp() -> Any:
     """Imports and initializes warp without its banner and its notice that there is no GPU."""
     import warp as wp
 
-    wp.config.quiet = True
     wp.config.log_level = wp.LOG_WARNING
     # The notice is printed by native code, past Python's sys.stderr.
     saved = os.dup(2)
@@ -116,7 +117,7 @@ def sort_few_contacts() -> None:
 
 
 @contextmanager
-def _sorting(wp: Any, known: Any, count: Any, kernel: Any) -> Iterator[None]:
+def _sorting(wp: Any, known: Any, count: Any, kernel: Any) -> Generator[None]:
     """Sorts `known`, whose first count[0] keys are in use, by a kernel, all else as always."""
     usual = wp.utils.radix_sort_pairs
 

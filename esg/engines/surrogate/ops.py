@@ -7,7 +7,10 @@ sweeps, what the program does) are read from the trace, so that the replay is pl
 
 from __future__ import annotations
 
+# Kernels are typed by Warp's compiler, in a language of its own.
 # pyright: basic, reportGeneralTypeIssues=false, reportInvalidTypeForm=false
+# pyright: reportArgumentType=false, reportCallIssue=false, reportIndexIssue=false
+# pyright: reportOperatorIssue=false, reportReturnType=false, reportAssignmentType=false
 from enum import IntEnum, IntFlag
 
 import warp as wp

@@ -6,7 +6,10 @@ the world frame unless it says otherwise. Body b owns the shapes first[b] .. fir
 
 from __future__ import annotations
 
+# Kernels are typed by Warp's compiler, in a language of its own.
 # pyright: basic, reportGeneralTypeIssues=false, reportInvalidTypeForm=false
+# pyright: reportArgumentType=false, reportCallIssue=false, reportIndexIssue=false
+# pyright: reportOperatorIssue=false, reportReturnType=false, reportAssignmentType=false
 from enum import IntEnum
 
 import warp as wp
