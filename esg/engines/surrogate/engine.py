@@ -83,7 +83,8 @@ class SurrogateEngine:
         parts: list[Any] = []
         for k in range(0, len(order), most):
             part = order[k : k + most]
-            run = simulate(job.of_worlds(part), arrays, threads=self.threads, fields=fields)
+            own = job if len(part) == job.n_worlds else job.of_worlds(part)
+            run = simulate(own, arrays, threads=self.threads, fields=fields)
             parts += zip([part], run.collect([0]), strict=True)
         return finish(self.name, start, parts, {"device": self.device}, overlaps=True)
 

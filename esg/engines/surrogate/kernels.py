@@ -196,9 +196,6 @@ def make_roll(find_contacts: Any, module: str) -> Any:
         trace: Trace,
         scene_of: wp.array(dtype=int),
         world_of: wp.array(dtype=int),
-        dts: wp.array(dtype=wp.float64),
-        steps: wp.array(dtype=int),
-        every: wp.array(dtype=int),
         first: int,
         spread: int,
     ):
@@ -221,10 +218,10 @@ def make_roll(find_contacts: Any, module: str) -> Any:
         log = logs[s]
         out = outs[s]
         raw.world = w
-        dt = dts[s]
+        dt = model.dt
         h = float(dt)
-        record_every = every[s]
-        for step in range(steps[s]):
+        record_every = model.record_every
+        for step in range(model.n_steps):
             run_program(model, state, trace, w, step, dt)
             prepare_bodies(model, state, w, h)
             wake(model, state, w, h)

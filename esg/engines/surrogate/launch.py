@@ -105,53 +105,41 @@ class Launch:
         arena.fill(log, ("row",), [w, b + 1, b + 1], "minus")
         log.rows["ground"] = [j.ground_contacts for j in jobs]
         self.start = np.cumsum(w) - w
-        self._place_results(self.records["out"])
-        self._keep = arena.upload()
-        self._place_threads()
+        self._place_results(self.records["out"], arena)
+        self._upload(arena)
         self.trace = types.Trace()
         if traced:
             self._place_trace(jobs[0])
 
-    def _place_results(self, out: Records) -> None:
+    def _place_results(self, out: Records, arena: Arena) -> None:
         """Makes the arrays that come back: states lie densely one scene after the other."""
         wp, w = self.wp, self.w
         frames = np.array([j.frames.n_frames - 1 for j in self.jobs], np.int64)
         d = np.array([int(s.shapes.dynamic.sum()) for s in self.scenes], np.int64)
         self.cells = w * frames * d
-        first = np.cumsum(self.cells) - self.cells
         total = max(1, int(self.cells.sum()))
         self.out = [
             wp.empty(total, dtype=t, device=self.device)
             for t in (wp.vec3, wp.quat, wp.vec3, wp.vec3)
         ]
         for name, array in zip("xrvo", self.out, strict=True):
-            size = out.element(name)[0]
-            out.place(name, array.ptr + first * size, np.stack([w, frames, d], axis=1))
+            arena.place(out, array, name, [w, frames, d])
         worlds = int(w.sum())
         self.per_world = [wp.zeros(worlds, dtype=t, device=self.device) for t in (float, int)]
         for name, array in zip(("deepest", "end"), self.per_world, strict=True):
-            out.place(name, array.ptr + self.start * out.element(name)[0], w[:, None])
+            arena.place(out, array, name, [w])
 
-    def _place_threads(self) -> None:
-        """Tells every thread its world, and every scene its time grid."""
-        wp, w, device = self.wp, self.w, self.device
+    def _upload(self, arena: Arena) -> None:
+        """Completes the structs, and tells every thread its world."""
+        wp, w = self.wp, self.w
         worlds = int(w.sum())
         self.scene_of = np.repeat(np.arange(len(w)), w).astype(np.int32)
         self.world_of = (np.arange(worlds) - np.repeat(self.start, w)).astype(np.int32)
-        self.structs = {
-            name: wp.array(records.rows, dtype=records.struct, device=device)
-            for name, records in self.records.items()
-        }
-        self.indices = [
-            wp.array(a, dtype=int, device=device) for a in (self.scene_of, self.world_of)
-        ]
-        frames = [j.frames for j in self.jobs]
-        self.times = [
-            wp.array([f.dt for f in frames], dtype=wp.float64, device=device),
-            wp.array([f.n_steps for f in frames], dtype=int, device=device),
-            wp.array([f.record_every for f in frames], dtype=int, device=device),
-        ]
-        self.counts = wp.zeros((2, worlds), dtype=int, device=device)
+        columns = [(self.scene_of, wp.int32), (self.world_of, wp.int32)]
+        self._keep, placed = arena.upload(list(self.records.values()), columns)
+        self.structs = dict(zip(self.records, placed, strict=False))
+        self.indices = placed[len(self.records) :]
+        self.counts = wp.zeros((2, worlds), dtype=int, device=self.device)
 
     def _place_trace(self, job: Job) -> None:
         w, b = job.mass.shape
@@ -183,7 +171,7 @@ class Launch:
         if self.device != "cpu":
             spread = 1 << min(5, max(0, (THREADS // n).bit_length() - 1))
         where = {"device": self.device, "block_dim": BLOCK, "stream": stream}
-        inputs = [self.fields, *s.values(), self.trace, *self.indices, *self.times]
+        inputs = [self.fields, *s.values(), self.trace, *self.indices]
 
         def roll(first: int, count: int) -> None:
             wp.launch(self.kernel, dim=spread * count, inputs=[*inputs, first, spread], **where)
@@ -263,8 +251,8 @@ class Launch:
         wp = self.wp
         offset = np.concatenate([[0], np.cumsum(self.used)])
         n = int(offset[-1])
-        ints = wp.zeros((max(1, n), 4), dtype=int, device=self.device)
-        floats = wp.zeros((max(1, n), 8), dtype=float, device=self.device)
+        ints = wp.empty((max(1, n), 4), dtype=int, device=self.device)
+        floats = wp.empty((max(1, n), 8), dtype=float, device=self.device)
         wp.launch(
             kernels.pack_logs,
             dim=len(self.scene_of),
@@ -302,39 +290,50 @@ def _models(model: Records, arena: Arena, jobs: list[Job], scenes: list[SceneArr
     model.rows["n_worlds"] = [j.n_worlds for j in jobs]
     model.rows["n_primitives"] = [len(j.kind) for j in jobs]
     model.rows["gravity"] = np.array([s.gravity for s in shapes], single)
-    for name in scenes[0].fields:
-        arena.data(model, name, [s.fields[name] for s in scenes])
+    for name in ("dt", "n_steps", "record_every"):
+        model.rows[name] = [getattr(j.frames, name) for j in jobs]
     # Masses of what cannot move are never used, but must not be zero.
     mass = [np.where(j.mass > 0.0, j.mass, 1.0) for j in jobs]
-    arena.data(model, "mass", [m.astype(single) for m in mass])
-    factor = [(m / s.mass).astype(single) for m, s in zip(mass, shapes, strict=True)]
-    arena.data(model, "factor", factor)
-    for name in ("restitution", "ground", "friction_scale"):
-        arena.data(model, name, [getattr(j, name) for j in jobs])
     # An array without elements has no address: what does nothing has one row all the same.
     none, one = [len(j.kind) == 0 for j in jobs], np.zeros(1, i4)
     pairs = list(zip(jobs, none, strict=True))
-    arena.data(model, "action", [one if empty else j.kind for j, empty in pairs])
-    arena.data(model, "target", [one if empty else j.body for j, empty in pairs])
     until = [np.zeros((1, j.mass.shape[1])) if empty else j.until for j, empty in pairs]
-    arena.data(model, "until", [u.astype(i4) for u in until])
     table = [np.zeros((j.n_worlds, 1, 1)) if empty else j.table for j, empty in pairs]
-    arena.data(model, "table", [np.ascontiguousarray(t) for t in table])
+    arena.data(
+        model,
+        {name: [s.fields[name] for s in scenes] for name in scenes[0].fields}
+        | {
+            "mass": [m.astype(single) for m in mass],
+            "factor": [(m / s.mass).astype(single) for m, s in zip(mass, shapes, strict=True)],
+            "restitution": [j.restitution for j in jobs],
+            "ground": [j.ground for j in jobs],
+            "friction_scale": [j.friction_scale for j in jobs],
+            "action": [one if empty else j.kind for j, empty in pairs],
+            "target": [one if empty else j.body for j, empty in pairs],
+            "until": [u.astype(i4) for u in until],
+            "table": [np.ascontiguousarray(t) for t in table],
+        },
+    )
     return model
 
 
 def _states(state: Records, arena: Arena, jobs: list[Job], scenes: list[SceneArrays]) -> Records:
     """How all worlds begin."""
-    pairs = [(j, s.shapes) for j, s in zip(jobs, scenes, strict=True)]
+    dynamic = [s.shapes.dynamic for s in scenes]
     w = np.array([j.n_worlds for j in jobs], np.int64)
-    b = np.array([s.n_bodies for _, s in pairs], np.int64)
+    b = np.array([len(d) for d in dynamic], np.int64)
     primitives = np.maximum(1, [len(j.kind) for j in jobs])
-    arena.data(state, "x", [j.position for j in jobs])
-    arena.data(state, "r", [j.quaternion for j in jobs])
-    arena.data(state, "friction", [j.friction for j in jobs])
-    damping = [np.tile(j.damping.astype(np.float32), (j.n_worlds, 1, 1)) for j in jobs]
-    arena.data(state, "damping", damping)
-    arena.data(state, "awake", [(s.dynamic & ~j.asleep).astype(np.int32) for j, s in pairs])
+    awake = [d & ~j.asleep for d, j in zip(dynamic, jobs, strict=True)]
+    arena.data(
+        state,
+        {
+            "x": [j.position for j in jobs],
+            "r": [j.quaternion for j in jobs],
+            "friction": [j.friction for j in jobs],
+            "damping": [np.tile(j.damping.astype(np.float32), (j.n_worlds, 1, 1)) for j in jobs],
+            "awake": [a.astype(np.int32) for a in awake],
+        },
+    )
     still = ("v", "o", "before_v", "before_o", "delay", "inverse", "idle", "light")
     arena.fill(state, still, [w, b])
     arena.fill(state, ("touched",), [w, b, b], "minus")

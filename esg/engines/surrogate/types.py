@@ -32,6 +32,9 @@ class Model:
     n_primitives: int
     n_worlds: int
     gravity: wp.vec3
+    dt: wp.float64
+    n_steps: int
+    record_every: int
     # Shapes, [S]; `scale` and `mesh` in the convention of Newton's support maps.
     first: wp.array(dtype=int)
     kind: wp.array(dtype=int)
