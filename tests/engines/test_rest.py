@@ -106,9 +106,7 @@ def test_the_surrogate_lets_it_sleep_until_it_is_hit(monkeypatch: pytest.MonkeyP
     batch = batch_programs([Program((SetVelocity("a", 0.0, (3.1, 0.0, 0.0)),), 0.8)], scene.names)
     engine = get_engine("surrogate")
     asleep = engine.rollout(scene, batch)
-    monkeypatch.setattr(
-        jobs, "starts_at_rest", lambda s, p, q: np.zeros(p.shape[:2], bool)
-    )
+    monkeypatch.setattr(jobs, "starts_at_rest", lambda s, p, q: np.zeros(p.shape[:2], bool))
     awake = engine.rollout(scene, batch)
     assert np.abs(asleep.position - awake.position).max() < 5e-3
     assert np.array_equal(asleep.position[0, :, 3], asleep.position[0, :1, 3].repeat(193, axis=0))

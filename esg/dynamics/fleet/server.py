@@ -316,9 +316,9 @@ class Server:
         if name not in self._engines:
             make: Callable[[str], Any]
             if name == SURROGATE:
-                from esg.engines.fleet.surrogate import FleetSurrogate as make
+                from esg.engines.fleet import FleetSurrogate as make
             else:
-                from esg.engines.fleet.newton import FleetNewton as make
+                from esg.engines.fleet import FleetNewton as make
             self._engines[name] = make(self.device)
         return self._engines[name]
 

@@ -176,6 +176,27 @@ def _write_frame(model: Model, state: State, out: Out, w: int, frame: int):
             slot = slot + 1
 
 
+@wp.func
+def _note(
+    model: Model,
+    state: State,
+    trace: Trace,
+    con: Contacts,
+    out: Out,
+    w: int,
+    step: int,
+    sweeps: int,
+):
+    """Keeps the decisions of a step, if there is a trace, and the largest overlap."""
+    if trace.steps > 0:
+        trace.sweeps[w, step] = sweeps
+        for b in range(model.n_bodies):
+            trace.awake[w, step, b] = state.awake[w, b]
+    at = wp.min(step, con.count.shape[1] - 1)
+    for k in range(con.count[w, at]):
+        out.deepest[w] = wp.max(out.deepest[w], -con.gap[w, con.base * at + k])
+
+
 def make_roll(find_contacts: Any, module: str) -> Any:
     """The kernel of whole rollouts, of one scene or of several.
 
@@ -227,14 +248,8 @@ def make_roll(find_contacts: Any, module: str) -> Any:
             wake(model, state, w, h)
             find_contacts(fields, s, model, state, raw, con, w, step, h)
             sweeps = solve(model, state, con, w, step)
-            if trace.steps > 0:
-                trace.sweeps[w, step] = sweeps
-                for b in range(model.n_bodies):
-                    trace.awake[w, step, b] = state.awake[w, b]
+            _note(model, state, trace, con, out, w, step, sweeps)
             write_log(state, con, log, w, step, step / record_every + 1)
-            at = wp.min(step, con.count.shape[1] - 1)
-            for k in range(con.count[w, at]):
-                out.deepest[w] = wp.max(out.deepest[w], -con.gap[w, con.base * at + k])
             # A log that is to show the weight of what rests needs it awake.
             move(model, state, con, w, step, h, log.ground == 0)
             if (step + 1) % record_every == 0:

@@ -284,7 +284,7 @@ def _method(by_fields: bool) -> tuple[Any, int]:
 
 def _models(model: Records, arena: Arena, jobs: list[Job], scenes: list[SceneArrays]) -> Records:
     """Scenes, materials and programs."""
-    single, i4 = np.float32, np.int32
+    single = np.float32
     shapes = [s.shapes for s in scenes]
     model.rows["n_bodies"] = [s.n_bodies for s in shapes]
     model.rows["n_worlds"] = [j.n_worlds for j in jobs]
@@ -294,11 +294,6 @@ def _models(model: Records, arena: Arena, jobs: list[Job], scenes: list[SceneArr
         model.rows[name] = [getattr(j.frames, name) for j in jobs]
     # Masses of what cannot move are never used, but must not be zero.
     mass = [np.where(j.mass > 0.0, j.mass, 1.0) for j in jobs]
-    # An array without elements has no address: what does nothing has one row all the same.
-    none, one = [len(j.kind) == 0 for j in jobs], np.zeros(1, i4)
-    pairs = list(zip(jobs, none, strict=True))
-    until = [np.zeros((1, j.mass.shape[1])) if empty else j.until for j, empty in pairs]
-    table = [np.zeros((j.n_worlds, 1, 1)) if empty else j.table for j, empty in pairs]
     arena.data(
         model,
         {name: [s.fields[name] for s in scenes] for name in scenes[0].fields}
@@ -308,13 +303,25 @@ def _models(model: Records, arena: Arena, jobs: list[Job], scenes: list[SceneArr
             "restitution": [j.restitution for j in jobs],
             "ground": [j.ground for j in jobs],
             "friction_scale": [j.friction_scale for j in jobs],
-            "action": [one if empty else j.kind for j, empty in pairs],
-            "target": [one if empty else j.body for j, empty in pairs],
-            "until": [u.astype(i4) for u in until],
-            "table": [np.ascontiguousarray(t) for t in table],
         },
     )
+    programs = [_program(j) for j in jobs]
+    arena.data(model, {name: [p[name] for p in programs] for name in programs[0]})
     return model
+
+
+def _program(job: Job) -> dict[str, NDArray[Any]]:
+    """A job's program; an array without elements has no address, so that none is one row too."""
+    one = np.zeros(1, np.int32)
+    if len(job.kind) == 0:
+        until, table = np.zeros((1, job.mass.shape[1]), np.int32), np.zeros((job.n_worlds, 1, 1))
+        return {"action": one, "target": one, "until": until, "table": table}
+    return {
+        "action": job.kind,
+        "target": job.body,
+        "until": job.until.astype(np.int32),
+        "table": np.ascontiguousarray(job.table),
+    }
 
 
 def _states(state: Records, arena: Arena, jobs: list[Job], scenes: list[SceneArrays]) -> Records:
