@@ -18,7 +18,7 @@ import numpy as np
 
 from benchmarks.lib.theta import Stopwatch, case
 from esg.dynamics.search.search import optimize
-from esg.engines.newton.engine import clear_cache
+from esg.engines.newton import clear_cache
 from esg.metrics import load_suite
 
 SUITES = (Path("data/suites/paper.yaml"), Path("data/suites/breadth.yaml"))

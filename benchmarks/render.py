@@ -92,7 +92,7 @@ def main() -> None:
     parser.add_argument("--device", default="cpu")
     parser.add_argument("--out", type=Path)
     args = parser.parse_args()
-    from esg.engines.newton.model import quiet_warp
+    from esg.engines.newton import quiet_warp
 
     wp = quiet_warp()
     parts, bodies = street()

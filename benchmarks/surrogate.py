@@ -158,7 +158,7 @@ def _busy(case: Case, name: str, device: str, worlds: int) -> tuple[float, float
 
 def speed(newton_worlds: int) -> None:
     """Prints the speed of the surrogate and of the reference engine in one run."""
-    from esg.engines.newton.model import quiet_warp
+    from esg.engines.newton import quiet_warp
 
     devices = [str(d) for d in quiet_warp().get_devices()]
     print("| scene | device | worlds | surrogate, s per s | newton, s per s | ratio | "

@@ -247,7 +247,7 @@ def finished_event(state: SceneState) -> StageEvent:
 def _quiet_libraries(stage: str) -> None:
     """Initializes warp without its banner before a stage does so with it."""
     if stage not in ("draft", "resolve"):
-        from esg.engines.newton.model import quiet_warp
+        from esg.engines.newton import quiet_warp
 
         quiet_warp()
 

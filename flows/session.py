@@ -102,7 +102,7 @@ def load_usd() -> None:
 def warm_up() -> None:
     """Imports what scenes need and silences it; results do not depend on it."""
     with contextlib.suppress(Exception):  # a missing library is reported by the stage that needs it
-        from esg.engines.newton.model import quiet_warp
+        from esg.engines.newton import quiet_warp
 
         quiet_warp()
         load_usd()

@@ -158,7 +158,7 @@ def expected_first(manifest: Manifest, rollout: Rollout) -> tuple[str, str, floa
 def _newton(report: Report, usd: Path, manifest: Manifest, rollout: Rollout) -> None:
     import newton
 
-    from esg.engines.newton.model import quiet_warp
+    from esg.engines.newton import quiet_warp
 
     quiet_warp()
     builder = newton.ModelBuilder()

@@ -69,7 +69,7 @@ def _compiler() -> str:
 
 
 def _cuda() -> str:
-    from esg.engines.newton.model import quiet_warp
+    from esg.engines.newton import quiet_warp
 
     wp = quiet_warp()
     names = [wp.get_device(f"cuda:{i}").name for i in range(wp.get_cuda_device_count())]

@@ -183,7 +183,7 @@ def check_device(device: str) -> str:
     kind, _, number = device.partition(":")
     if kind != "cuda" or (number and not number.isdigit()):
         raise UserError(f"--device {device!r}: choose cpu or cuda:N")
-    from esg.engines.newton.model import quiet_warp
+    from esg.engines.newton import quiet_warp
 
     count = quiet_warp().get_cuda_device_count()
     if int(number or 0) >= count:

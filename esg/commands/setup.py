@@ -110,7 +110,7 @@ def _prefect() -> None:
 
 
 def _surrogate() -> None:
-    from esg.engines.surrogate.tape import warmup
+    from esg.engines.surrogate import warmup
 
     warmup()
 

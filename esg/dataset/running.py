@@ -125,7 +125,7 @@ def _search_many(
 ) -> list[EsgDocument | None]:
     """`optimize_many`; what fails together (a broken scene, full memory) is tried in halves."""
     from esg.dynamics.fleet.fleet import optimize_many
-    from esg.engines.newton.model import quiet_warp
+    from esg.engines.newton import quiet_warp
 
     quiet_warp()
     try:

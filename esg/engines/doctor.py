@@ -6,8 +6,6 @@ from collections.abc import Callable
 import itertools
 import time
 
-import numpy as np
-
 from esg.engines.base import ENGINES, get_engine
 from esg.engines.program import AdjustProperties, Program, SetVelocity, batch_programs
 from esg.engines.scene import Body, Shape, ShapeKind, SimScene
@@ -30,7 +28,7 @@ def _version(name: str) -> str:
     if name == "newton":
         from importlib.metadata import version
 
-        from esg.engines.newton.model import quiet_warp
+        from esg.engines.newton.setup import quiet_warp
 
         wp = quiet_warp()
         devices = ", ".join(str(d) for d in wp.get_devices())
@@ -77,8 +75,10 @@ def warmup(
 
 def _scene(kinds: tuple[ShapeKind, ...]) -> SimScene:
     """Two bodies of every kind that collide with each other and the ground."""
-    corners = tuple(tuple(float(v) for v in p) for p in itertools.product((-0.1, 0.1), repeat=3))
-    inertia = tuple(tuple(float(v) for v in row) for row in 0.004 * np.eye(3))
+    sides = (-0.1, 0.1)
+    corners = tuple((x, y, z) for x in sides for y in sides for z in sides)
+    i = 0.004
+    inertia = ((i, 0.0, 0.0), (0.0, i, 0.0), (0.0, 0.0, i))
     bodies = [
         Body(
             name=f"{kind} {k}",

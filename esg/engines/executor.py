@@ -12,13 +12,10 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from esg.engines.program import CLIMB, ProgramBatch
+from esg.engines.program import Action, Column, ProgramBatch
 from esg.engines.scene import ContactLog
 from esg.engines.worlds import MAX_SPEED_MPS, ContactRecorder, Frames, Start, join_logs
 from esg.units import GRAVITY_MPS2
-
-SET_VELOCITY, APPLY_IMPULSE, ADJUST, HOLD = range(4)
-"""Indices into `esg.engines.program.KINDS`."""
 
 Vec = tuple[float, float, float]
 
@@ -71,7 +68,7 @@ class Executor:
 
     def __init__(self, batch: ProgramBatch, world: int, gravity_z: float = -GRAVITY_MPS2) -> None:
         self._gravity_z = gravity_z
-        self._kind = [int(k) for k in batch.kind]
+        self._kind = [Action(k) for k in batch.kind]
         self._body = [int(b) for b in batch.body]
         self._rows = [[float(v) for v in row] for row in batch.table[world]]
         self._until = [frozenset(np.nonzero(u)[0].tolist()) for u in batch.until]
@@ -97,10 +94,10 @@ class Executor:
         hits = set(touched)
         for k in self._pending:
             row, body = self._rows[k], self._body[k]
-            if self._kind[k] == HOLD:
+            if self._kind[k] is Action.HOLD:
                 if self._hold_is_active(k, now, hits):
                     _hold(row, body, t, world, self._gravity_z * dt)
-            elif row[0] <= now:
+            elif row[Column.START] <= now:
                 self._done[k] = True
                 _fire(self._kind[k], row, body, world)
         self._pending = [k for k in self._pending if not self._done[k]]
@@ -111,9 +108,9 @@ class Executor:
             (min(body, other), max(body, other)) in hits for other in self._until[k]
         ):
             self._done[k] = True
-        if now > row[1]:
+        if now > row[Column.END]:
             self._done[k] = True
-        if not self._done[k] and row[0] <= now:
+        if not self._done[k] and row[Column.START] <= now:
             self._active[k] = True
         return self._active[k] and not self._done[k]
 
@@ -197,37 +194,43 @@ def _record(world: World, states: tuple[Any, Any, Any, Any], w: int, frame: int)
     return True
 
 
-def _fire(kind: int, row: list[float], body: int, world: BodyAccess) -> None:
-    if kind == SET_VELOCITY:
-        world.set_linear(body, (row[2], row[3], row[4]))
-        if not math.isnan(row[5]):
-            world.set_angular(body, (row[5], row[6], row[7]))
-    elif kind == APPLY_IMPULSE:
-        v, m = world.linear(body), world.mass(body)
-        world.set_linear(body, (v[0] + row[2] / m, v[1] + row[3] / m, v[2] + row[4] / m))
-    elif kind == ADJUST:
-        if not math.isnan(row[2]):
-            world.set_linear_damping(body, row[2])
-        if not math.isnan(row[3]):
-            world.set_angular_damping(body, row[3])
-        if not math.isnan(row[4]):
-            world.set_friction(body, row[4])
+def _fire(kind: Action, row: list[float], body: int, world: BodyAccess) -> None:
+    if kind is Action.SET_VELOCITY:
+        world.set_linear(body, _vector(row, Column.LINEAR))
+        if not math.isnan(row[Column.ANGULAR]):
+            world.set_angular(body, _vector(row, Column.ANGULAR))
+    elif kind is Action.APPLY_IMPULSE:
+        v, p, m = world.linear(body), _vector(row, Column.IMPULSE), world.mass(body)
+        world.set_linear(body, (v[0] + p[0] / m, v[1] + p[1] / m, v[2] + p[2] / m))
+    elif kind is Action.ADJUST:
+        for column, change in (
+            (Column.LINEAR_DAMPING, world.set_linear_damping),
+            (Column.ANGULAR_DAMPING, world.set_angular_damping),
+            (Column.FRICTION, world.set_friction),
+        ):
+            if not math.isnan(row[column]):
+                change(body, row[column])
+
+
+def _vector(row: list[float], column: Column) -> Vec:
+    return row[column], row[column + 1], row[column + 2]
 
 
 def _hold(row: list[float], body: int, t: float, world: BodyAccess, pull: float) -> None:
     """Drives a body; `pull` is what gravity adds to its vertical velocity in the step [m/s]."""
-    s = t - row[0]
-    speed = max(0.0, row[2] + row[4] * s)
-    if row[4] > 0.0:
-        speed = min(speed, row[5])
-    heading = row[3] + row[6] * s
+    s, acceleration = t - row[Column.START], row[Column.ACCELERATION]
+    speed = max(0.0, row[Column.SPEED] + acceleration * s)
+    if acceleration > 0.0:
+        speed = min(speed, row[Column.MAX_SPEED])
+    heading = row[Column.HEADING] + row[Column.TURN_RATE] * s
     vx, vy = speed * math.cos(heading), speed * math.sin(heading)
-    flies = not math.isnan(row[CLIMB])
+    radius, climb = row[Column.ROLL_RADIUS], row[Column.CLIMB]
+    flies = not math.isnan(climb)
     if flies:
-        world.set_flight(body, (vx, vy, row[CLIMB]), pull)
+        world.set_flight(body, (vx, vy, climb), pull)
     else:
         world.set_linear(body, (vx, vy, world.linear(body)[2]))
-    if flies or row[7] == 0.0:
-        world.set_angular(body, (0.0, 0.0, row[6]))
+    if flies or radius == 0.0:
+        world.set_angular(body, (0.0, 0.0, row[Column.TURN_RATE]))
     else:
-        world.set_angular(body, (-vy / row[7], vx / row[7], 0.0))
+        world.set_angular(body, (-vy / radius, vx / radius, 0.0))

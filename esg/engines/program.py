@@ -21,6 +21,7 @@ Damping is applied by every engine as v *= max(0, 1 - c dt) once per step.
 from __future__ import annotations
 
 from dataclasses import asdict, dataclass, fields
+from enum import IntEnum
 import math
 from typing import Any, ClassVar
 
@@ -105,6 +106,39 @@ Primitive = SetVelocity | ApplyImpulse | AdjustProperties | HoldVelocity
 KINDS: tuple[type[Any], ...] = (SetVelocity, ApplyImpulse, AdjustProperties, HoldVelocity)
 
 
+class Action(IntEnum):
+    """What a primitive does: its index into KINDS, in arrays and kernels."""
+
+    SET_VELOCITY = 0
+    APPLY_IMPULSE = 1
+    ADJUST = 2
+    HOLD = 3
+
+
+class Column(IntEnum):
+    """Columns of the numeric table; what they mean depends on the action."""
+
+    START = 0
+    END = 1
+    # SET_VELOCITY: three columns each; an angular velocity of NaN keeps the body's.
+    LINEAR = 2
+    ANGULAR = 5
+    # APPLY_IMPULSE: three columns.
+    IMPULSE = 2
+    # ADJUST: NaN keeps a property.
+    LINEAR_DAMPING = 2
+    ANGULAR_DAMPING = 3
+    FRICTION = 4
+    # HOLD: a climb of NaN keeps the vertical velocity.
+    SPEED = 2
+    HEADING = 3
+    ACCELERATION = 4
+    MAX_SPEED = 5
+    TURN_RATE = 6
+    ROLL_RADIUS = 7
+    CLIMB = 8
+
+
 @dataclass(frozen=True)
 class Program:
     """Primitives in order of execution, and how long the scene plays.
@@ -126,8 +160,6 @@ class Program:
 
 FIELDS = 16
 """Floats per primitive in the numeric table."""
-CLIMB = 8
-"""Column of a hold's vertical velocity."""
 
 
 @dataclass(frozen=True)
@@ -135,14 +167,10 @@ class ProgramBatch:
     """W programs of the same structure as arrays (P primitives each).
 
     Args:
-        kind: Index into KINDS, shape [P].
+        kind: `Action`, shape [P].
         body: Body index, shape [P].
         until: Bodies whose touch ends a hold, shape [P, B] bool.
-        table: Numbers, shape [W, P, FIELDS], columns: 0 start, 1 end;
-            SetVelocity 2:5 linear, 5:8 angular (NaN keeps); ApplyImpulse 2:5 impulse;
-            AdjustProperties 2 linear damping, 3 angular damping, 4 friction (NaN keeps);
-            HoldVelocity 2 speed, 3 heading, 4 acceleration, 5 max speed, 6 turn rate, 7 radius,
-            8 climb (NaN keeps).
+        table: Numbers in the order of `Column`, shape [W, P, FIELDS].
         duration: [s].
     """
 
@@ -206,21 +234,21 @@ def batch_programs(programs: list[Program], names: tuple[str, ...]) -> ProgramBa
 
 
 def _row(p: Primitive) -> NDArray[np.float64]:
-    row = np.full(FIELDS, np.nan)
-    row[0] = p.time
-    row[1] = p.end if isinstance(p, HoldVelocity) else p.time
-    nan = math.nan
+    row, nan = np.full(FIELDS, np.nan), math.nan
+    row[Column.START] = p.time
+    row[Column.END] = p.end if isinstance(p, HoldVelocity) else p.time
+    values: tuple[float | None, ...]
     if isinstance(p, SetVelocity):
-        row[2:5] = p.linear
-        row[5:8] = (nan, nan, nan) if p.angular is None else p.angular
+        values = (*p.linear, *((nan, nan, nan) if p.angular is None else p.angular))
     elif isinstance(p, ApplyImpulse):
-        row[2:5] = p.impulse
+        values = p.impulse
     elif isinstance(p, AdjustProperties):
         values = (p.linear_damping, p.angular_damping, p.friction)
-        row[2:5] = [nan if v is None else v for v in values]
     else:
-        row[2:8] = (p.speed, p.heading, p.acceleration, p.max_speed, p.turn_rate, p.roll_radius)
-        row[CLIMB] = nan if p.climb is None else p.climb
+        values = (p.speed, p.heading, p.acceleration, p.max_speed, p.turn_rate, p.roll_radius,
+                  p.climb)  # fmt: skip
+    # The columns of every action follow each other in this order.
+    row[Column.END + 1 : Column.END + 1 + len(values)] = [nan if v is None else v for v in values]
     return row
 
 
@@ -256,7 +284,9 @@ def program_from_json(data: dict[str, Any]) -> Program:
                 f"/primitives/{i}/kind: {item.get('kind')!r}, expected {list(by_kind)}"
             )
         known = {f.name for f in fields(cls)}
-        values = {k: tuple(v) if isinstance(v, list) else v for k, v in item.items() if k != "kind"}
+        values: dict[str, Any] = {
+            k: tuple(v) if isinstance(v, list) else v for k, v in item.items() if k != "kind"
+        }
         unknown = set(values) - known
         if unknown:
             raise ValueError(f"/primitives/{i}: unknown fields {sorted(unknown)}")

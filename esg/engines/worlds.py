@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.engines.program import KINDS, ProgramBatch
+from esg.engines.program import KINDS, Action, ProgramBatch
 from esg.engines.scene import GROUND, ContactLog, Floats, Rollout, Shape, SimScene, Variation
 
 MAX_SPEED_MPS = 500.0
@@ -20,8 +20,6 @@ CYLINDER_SIDES = 32
 
 Principal = dict[int, tuple[Floats, Floats]]
 """Principal moments [kg m^2], shape [3], and axes, a quaternion, by body index."""
-
-_ADJUST = [c.kind for c in KINDS].index("AdjustProperties")
 
 
 @dataclass(frozen=True)
@@ -171,7 +169,7 @@ def check(scene: SimScene, batch: ProgramBatch) -> None:
                 wrong.append(f"body {body.name!r} has a {shape.kind} of size {shape.size} m")
     for k, b in zip(batch.kind, batch.body, strict=True):
         body = scene.bodies[int(b)]
-        if k != _ADJUST and (body.static or not body.collides):
+        if k != Action.ADJUST and (body.static or not body.collides):
             wrong.append(f"{KINDS[int(k)].kind} would move {body.name!r}, which cannot move")
     if wrong:
         raise ValueError("; ".join(dict.fromkeys(wrong)))

@@ -80,7 +80,7 @@ class Renderer:
     """
 
     def __init__(self, parts: list[Part], n_bodies: int, width: int, height: int) -> None:
-        from esg.engines.newton.model import quiet_warp
+        from esg.engines.newton import quiet_warp
 
         wp = quiet_warp()
         import newton

@@ -60,7 +60,7 @@ class WorldRenderer:
         device: str = "cpu",
         sun: float = math.pi / 2,
     ) -> None:
-        from esg.engines.newton.model import quiet_warp
+        from esg.engines.newton import quiet_warp
 
         wp = quiet_warp()
         import newton

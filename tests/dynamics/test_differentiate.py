@@ -17,7 +17,7 @@ from esg.engines.program import (
     batch_programs,
 )
 from esg.engines.scene import SimScene, Variation
-from esg.engines.surrogate.tape import Seeds, TapedRollout
+from esg.engines.surrogate import Seeds, TapedRollout
 from tests.dynamics import stories
 from tests.dynamics.stage import lay_out
 from tests.engines.lab import ball, box

@@ -13,13 +13,12 @@ from esg.dynamics.fleet.fleet import Clock, optimize_many
 from esg.dynamics.search import batched
 from esg.dynamics.search.search import optimize
 from esg.engines.base import get_engine
+from esg.engines.fleet import FleetNewton, FleetSurrogate
 from esg.engines.fleet import surrogate as fleet_surrogate
-from esg.engines.fleet.arena import Buffer
-from esg.engines.fleet.jobs import Expected, SceneShapes, make_job, read
-from esg.engines.fleet.newton import FleetNewton
-from esg.engines.fleet.surrogate import FleetSurrogate
+from esg.engines.jobs import Buffer, Expected, make_job, read
 from esg.engines.program import HoldVelocity, Program, SetVelocity, batch_programs
 from esg.engines.scene import Body, Rollout, Shape, SimScene, Variation
+from esg.engines.shapes import SceneShapes
 from esg.graph.models import EsgDocument
 from esg.outcomes import UserError
 from tests.dynamics import stories

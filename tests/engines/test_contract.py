@@ -233,7 +233,6 @@ HEAP = SimScene(
 
 def test_newton_makes_room_when_contacts_overflow(monkeypatch):
     from esg.engines.newton import engine as newton_engine
-    from esg.engines.newton import model as newton_model
 
     def run():
         newton_engine.clear_cache()
@@ -241,9 +240,8 @@ def test_newton_makes_room_when_contacts_overflow(monkeypatch):
         return get_engine("newton").rollout(HEAP, programs)
 
     roomy = run()
-    monkeypatch.setattr(newton_model, "POINTS_PER_BODY", 0)
-    monkeypatch.setattr(newton_model, "POINTS_PER_SHAPE", 0)
-    monkeypatch.setattr(newton_model, "POINTS_PER_WORLD", 8)
+    few = replace(newton_engine.POINTS, world=8, body=0, shape=0)
+    monkeypatch.setattr(newton_engine, "POINTS", few)
     tight = run()
     assert max(newton_engine._growth.values()) > 1
     same(roomy, tight)

@@ -7,11 +7,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from esg.engines import get_engine
+from esg.engines import get_engine, jobs
 from esg.engines.program import Program, SetVelocity, batch_programs
 from esg.engines.rest import at_rest, close_pairs, starts_at_rest
 from esg.engines.scene import Body, Shape, SimScene, Variation
-from esg.engines.surrogate import model as surrogate_model
 
 UNIT = ((0.05, 0.0, 0.0), (0.0, 0.05, 0.0), (0.0, 0.0, 0.05))
 
@@ -107,9 +106,7 @@ def test_the_surrogate_lets_it_sleep_until_it_is_hit(monkeypatch: pytest.MonkeyP
     batch = batch_programs([Program((SetVelocity("a", 0.0, (3.1, 0.0, 0.0)),), 0.8)], scene.names)
     engine = get_engine("surrogate")
     asleep = engine.rollout(scene, batch)
-    monkeypatch.setattr(
-        surrogate_model, "starts_at_rest", lambda s, p, q: np.zeros(p.shape[:2], bool)
-    )
+    monkeypatch.setattr(jobs, "starts_at_rest", lambda s, p, q: np.zeros(p.shape[:2], bool))
     awake = engine.rollout(scene, batch)
     assert np.abs(asleep.position - awake.position).max() < 5e-3
     assert np.array_equal(asleep.position[0, :, 3], asleep.position[0, :1, 3].repeat(193, axis=0))

@@ -11,7 +11,7 @@ from esg.dynamics.search.fields import field_of, parts_mesh, spread_out
 from esg.engines import get_engine
 from esg.engines.program import Program, SetVelocity, batch_programs
 from esg.engines.scene import Shape, SimScene
-from esg.engines.surrogate.sdf_engine import SdfSurrogateEngine
+from esg.engines.surrogate import SdfSurrogateEngine
 from tests.engines import test_contract
 from tests.engines.lab import ball, box, solid
 from tests.engines.test_contract import (  # noqa: F401  # the same tests, run with `engine` below

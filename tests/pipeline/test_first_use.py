@@ -29,7 +29,7 @@ def test_kernels_that_are_still_to_be_compiled_are_announced(
 
 
 def test_the_kernel_cache_is_where_warp_keeps_it() -> None:
-    from esg.engines.newton.model import quiet_warp
+    from esg.engines.newton import quiet_warp
 
     wp = quiet_warp()
     assert Path(wp.config.kernel_cache_dir).resolve() == kernel_cache_dir().resolve()

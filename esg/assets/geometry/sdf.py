@@ -106,7 +106,7 @@ def voxel_sdf(
     if stored is not None and stored.is_file():
         with np.load(stored) as archive:
             return VoxelSdf(archive["values"], origin, cell)
-    from esg.engines.newton.setup import quiet_warp
+    from esg.engines.newton import quiet_warp
 
     wp = quiet_warp()
     mesh = wp.Mesh(

@@ -14,9 +14,10 @@ from numpy.typing import NDArray
 
 from esg.dynamics.search.search import optimize
 from esg.engines.base import VERIFY_DT_S
-from esg.engines.fleet.jobs import Job, Played, SceneShapes, make_job, read
+from esg.engines.jobs import Job, Played, make_job, read
 from esg.engines.program import ProgramBatch
 from esg.engines.scene import Rollout, SimScene, Variation
+from esg.engines.shapes import SceneShapes
 from esg.graph.models import EsgDocument
 
 MAX_VARIANTS = 64

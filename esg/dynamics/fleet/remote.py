@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.dynamics.fleet.crew import Crew, Task
-from esg.engines.fleet.jobs import Job, Played
+from esg.engines.jobs import Job, Played
 
 
 def _crew_process(task: Task, shifts: Any, memory: Any, pipe: Any) -> None:

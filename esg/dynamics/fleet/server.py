@@ -14,8 +14,8 @@ from esg.dynamics.fleet.crew import MAX_VARIANTS
 from esg.dynamics.search.panel import REFERENCE_DT_S
 from esg.dynamics.search.simulate import ENSEMBLE
 from esg.engines.base import SURROGATE
-from esg.engines.fleet.arena import Buffer
-from esg.engines.fleet.jobs import Expected, Job, Pieces, Played, SceneShapes
+from esg.engines.jobs import Buffer, Expected, Job, Pieces, Played
+from esg.engines.shapes import SceneShapes
 from esg.graph.models import EsgDocument
 
 STATE_BYTES = 56
@@ -316,9 +316,9 @@ class Server:
         if name not in self._engines:
             make: Callable[[str], Any]
             if name == SURROGATE:
-                from esg.engines.fleet.surrogate import FleetSurrogate as make
+                from esg.engines.fleet import FleetSurrogate as make
             else:
-                from esg.engines.fleet.newton import FleetNewton as make
+                from esg.engines.fleet import FleetNewton as make
             self._engines[name] = make(self.device)
         return self._engines[name]
 

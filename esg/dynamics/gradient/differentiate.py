@@ -20,7 +20,7 @@ from esg.dynamics.search.simulate import NOMINAL, Perturbation, program_times
 from esg.engines.base import VERIFY_DT_S
 from esg.engines.program import batch_programs
 from esg.engines.scene import Variation
-from esg.engines.surrogate.tape import TapedRollout
+from esg.engines.surrogate import TapedRollout
 from esg.graph.models import NodeEvent
 
 Floats = NDArray[np.float64]

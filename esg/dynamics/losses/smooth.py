@@ -21,7 +21,7 @@ from esg.dynamics.losses.measures import DISTANCE_SCALE_M, STOP_SPEED_MPS
 from esg.dynamics.losses.shapes import MISSED, Shape, barrier, inside, outside, squared
 from esg.dynamics.plan.plan import Plan
 from esg.dynamics.story.story import bounds
-from esg.engines.surrogate.tape import Seeds, TapedRollout, Touch
+from esg.engines.surrogate import Seeds, TapedRollout, Touch
 from esg.graph.models import EventConstraint, NodeEvent, TimelineNode
 from esg.units import quat_rotate
 

@@ -16,7 +16,7 @@ from esg.units import quat_rotate
 if TYPE_CHECKING:
     import trimesh
 
-    from esg.engines.surrogate.sdf_engine import BodyField
+    from esg.engines.surrogate import BodyField
 
 Floats = NDArray[np.float64]
 
@@ -74,7 +74,7 @@ def field_of(
     so that nothing passes through them.
     """
     from esg.assets.geometry.sdf import voxel_sdf
-    from esg.engines.surrogate.sdf_engine import BodyField
+    from esg.engines.surrogate import BodyField
 
     vertices, faces = np.asarray(mesh.vertices, float), np.asarray(mesh.faces)
     found = voxel_sdf(100.0 * vertices, faces, resolution, cache)

@@ -63,7 +63,7 @@ def refined_bodies(scene: SimScene, story: Story) -> tuple[str, ...]:
     A sphere is its own exact proxy. What has an inside (a bin, a table with pockets) keeps its
     parts: walls and openings are smaller than a cell.
     """
-    from esg.engines.surrogate.sdf_engine import is_ball
+    from esg.engines.surrogate import is_ball
 
     told = {m for n in story.outcomes for p in n.participants for m in story.expand(p)}
     hollow = {r.parent for r in scene.regions}
@@ -142,7 +142,7 @@ def refine(
     names = refined_bodies(plan.scene, plan.story)
     if not names:
         return found
-    from esg.engines.surrogate.sdf_engine import SdfSurrogateEngine
+    from esg.engines.surrogate import SdfSurrogateEngine
 
     fields = body_fields(doc, plan.scene, names, resolution=resolution, cache=cache, source=source)
     engine = SdfSurrogateEngine(fields, device)

@@ -12,12 +12,12 @@ from typing import Protocol
 
 import numpy as np
 
-from esg.engines.fleet.arena import Buffer
-from esg.engines.fleet.builder import Drafts, Wanted
-from esg.engines.fleet.jobs import Expected, Job, Pieces, Played, SceneShapes
-from esg.engines.fleet.model import FleetModel
+from esg.engines.jobs import Buffer, Expected, Job, Pieces, Played
+from esg.engines.newton.builder import Drafts, Wanted
 from esg.engines.newton.engine import MAX_GROWTH
+from esg.engines.newton.model import NewtonModel, Points
 from esg.engines.newton.setup import quiet_warp
+from esg.engines.shapes import SceneShapes
 from esg.engines.worlds import Frames
 
 MAX_WORLDS = {"cpu": 64, "cuda": 16384}
@@ -30,6 +30,8 @@ CROWDS = ((6, 24), (16, 64))
 SPARE_SHARE = 0.2
 """Share of a model's scenes that must be asked for, for it to be used again."""
 MODELS = 3
+POINTS = Points(world=16, body=0, shape=4, rounded=True)
+"""Generous: one scene that needs more lets all of them play again."""
 
 
 class Pending(Protocol):
@@ -58,7 +60,7 @@ class FleetNewton:
         quiet_warp()
         self.device = device
         self.ahead = device != "cpu" if ahead is None else ahead
-        self._models: list[FleetModel] = []
+        self._models: list[NewtonModel] = []
         self.drafts = Drafts(keep=self.ahead)
         self._growth: dict[int, int] = {}
         self.seconds = {"build": 0.0, "load": 0.0, "run": 0.0, "read": 0.0}
@@ -160,7 +162,7 @@ class FleetNewton:
                 out[k] = p
         return again
 
-    def _model_of(self, jobs: list[Job], shapes: list[SceneShapes]) -> FleetModel:
+    def _model_of(self, jobs: list[Job], shapes: list[SceneShapes]) -> NewtonModel:
         """A model that has these scenes, the last ones used or a new one.
 
         It may have a few more on a GPU, where building a smaller one takes longer than what
@@ -174,7 +176,9 @@ class FleetNewton:
                 self._models.remove(model)
                 break
         else:
-            model = FleetModel(wanted, shapes, self.drafts.take(wanted, shapes), self.device)
+            model = NewtonModel(
+                wanted, shapes, self.drafts.take(wanted, shapes), self.device, POINTS
+            )
         self._models = [model, *self._models[: MODELS - 1]]
         return model
 

@@ -2,24 +2,30 @@
 
 from __future__ import annotations
 
-from collections import OrderedDict
+from collections import OrderedDict, defaultdict
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
-import os
+from dataclasses import replace
 from threading import RLock
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from esg.engines.base import VERIFY_DT_S
-from esg.engines.newton.model import NewtonModel, structure_key
-from esg.engines.newton.setup import ITERATIONS, quiet_warp
+from esg.engines.jobs import Job, Played, finish, job_of
+from esg.engines.newton.builder import Drafts
+from esg.engines.newton.model import NewtonModel, Points
+from esg.engines.newton.setup import ITERATIONS, cpu_threads, known_device
 from esg.engines.program import ProgramBatch
-from esg.engines.scene import ContactLog, Rollout, SimScene, Variation
-from esg.engines.worlds import MAX_SPEED_MPS, Frames, Start, Values, join_logs
-from esg.outcomes import UserError
+from esg.engines.scene import Rollout, SimScene, Variation
+from esg.engines.shapes import SceneShapes
+from esg.engines.worlds import Start, moving
 
+Worlds = NDArray[np.int64]
+
+POINTS = Points(world=10, body=4, shape=1, rounded=False)
+"""Room for contact points. Thirty kernels a step visit all of it, at 15 ns each on the CPU. None of
+72 scenes of the suites and of other prompts needed more, where four for each shape left three
+quarters unused."""
 MAX_MODELS = 12
 """Compiled models kept; the least recently used one is dropped."""
 
@@ -53,12 +59,8 @@ class NewtonEngine:
     name = "newton"
 
     def __init__(self, device: str = "cpu") -> None:
-        wp = quiet_warp()
-        known = [str(d) for d in wp.get_devices()]
-        if device not in known:
-            raise UserError(f"no device {device!r} for Newton; this machine has {', '.join(known)}")
-        self.device = device
-        self.threads = _threads() if device == "cpu" else 1
+        self.device = known_device(device, "Newton")
+        self.threads = cpu_threads() if device == "cpu" else 1
 
     def rollout(
         self,
@@ -77,139 +79,82 @@ class NewtonEngine:
         start = Start.of(
             scene, batch, dt=dt, record_every=record_every, duration=duration, variation=variation
         )
-        logs: list[ContactLog] = []
-        order = np.nonzero(start.valid)[0]
+        # Poses of what stands still are computed from what was given, not from rounded numbers.
+        job = replace(
+            job_of(self.name, 0, start, None, ground_contacts=ground_contacts),
+            position=start.values.position,
+            quaternion=start.values.quaternion,
+        )
+        order = np.nonzero(start.valid)[0] if moving(scene).any() else np.zeros(0, np.int64)
         most = MAX_WORLDS_CUDA
         if self.device == "cpu":
             share = -(-len(order) // self.threads)
             most = int(np.clip(share, MIN_WORLDS_PER_THREAD, MAX_WORLDS_CPU))
-        job = _Job(start, ground_contacts, self.device)
         parts = [order[k : k + most] for k in range(0, len(order), most)]
-        # Models are shared by all callers in the process, and one model serves one batch at a time.
-        with _lock:
-            for k in range(0, len(parts), self.threads):
-                logs += job.run(parts[k : k + self.threads])
-        log = join_logs(logs)
-        keep = np.lexsort((log.b, log.a, log.frame, log.world))
         extra = {
             "version": newton.__version__,
             "solver": "Steel",
             "iterations": ITERATIONS,
             "device": self.device,
         }
-        ordered = ContactLog(**{n: getattr(log, n)[keep] for n in log.__dataclass_fields__})
-        return start.rollout(self.name, ordered, extra)
+        done: list[tuple[Worlds, Played]] = []
+        # Models are shared by all callers in the process, and one model serves one batch at a time.
+        with _lock:
+            for k in range(0, len(parts), self.threads):
+                done += _simulate(job, scene, parts[k : k + self.threads], self.device)
+        return finish(self.name, start, done, extra)
 
 
-@dataclass(frozen=True)
-class _Job:
-    """One rollout; the arrays of its start are written in place."""
+def _simulate(
+    job: Job, scene: SimScene, parts: list[Worlds], device: str
+) -> list[tuple[Worlds, Played]]:
+    """Simulates groups of worlds side by side, one thread and model each.
 
-    start: Start
-    ground_contacts: bool
-    device: str
+    Warp's kernels are serial on the CPU but release the interpreter's lock.
+    """
+    structure = structure_key(scene)
+    growth = _growth.get(structure, 1)
+    while True:
+        models = [_model(scene, len(w), device, k, growth) for k, w in enumerate(parts)]
+        # Models are loaded one by one, since that may compile kernels.
+        plays = [_Play(m, job, w) for m, w in zip(models, parts, strict=True)]
+        if len(parts) == 1:
+            played = [plays[0].finish()]
+        else:
+            with ThreadPoolExecutor(len(parts)) as pool:
+                played = list(pool.map(_Play.finish, plays))
+        if growth >= MAX_GROWTH or not any(p.full for p in plays):
+            return list(zip(parts, played, strict=True))
+        # Contacts were dropped: simulate again with more room, and remember it.
+        growth *= 2
+        _growth[structure] = growth
 
-    def run(self, parts: list[NDArray[np.int64]]) -> list[ContactLog]:
-        """Simulates groups of worlds side by side, one thread and model each.
 
-        Warp's kernels are serial on the CPU but release the interpreter's lock.
-        """
-        structure = structure_key(self.start.scene)
-        growth = _growth.get(structure, 1)
-        while True:
-            models = [self._load(worlds, k, growth) for k, worlds in enumerate(parts)]
-            if len(parts) == 1:
-                logs = [self._play(models[0], parts[0])]
-            else:
-                with ThreadPoolExecutor(len(parts)) as pool:
-                    logs = list(pool.map(self._play, models, parts))
-            if growth >= MAX_GROWTH or not any(m.overflowed() for m in models):
-                return [log for part in logs for log in part]
-            # Contacts were dropped: simulate again with more room, and remember it.
-            growth *= 2
-            _growth[structure] = growth
+class _Play:
+    """A group of worlds on its way: the model is loaded, and `finish` plays it."""
 
-    def _load(self, worlds: NDArray[np.int64], part: int, growth: int) -> NewtonModel:
-        start, b = self.start, self.start.batch
-        model = _model(start.scene, len(worlds), self.device, part, growth)
+    def __init__(self, model: NewtonModel, job: Job, worlds: Worlds) -> None:
+        self.n = len(worlds)
         # Surplus worlds of the bucket repeat the first one.
-        slots = np.concatenate([worlds, np.full(model.n_worlds - len(worlds), worlds[0])])
-        model.load(
-            start.scene,
-            Values(**{n: getattr(start.values, n)[slots] for n in Values.__dataclass_fields__}),
-            ProgramBatch(b.kind, b.body, b.until, b.table[slots], b.duration),
-            start.frames.dt,
-            start.frames.record_every,
-            self.ground_contacts,
-        )
-        model.prepare()
-        return model
+        slots = np.concatenate([worlds, np.full(model.n_worlds - self.n, worlds[0])])
+        self._pieces = model.play([job.of_worlds(slots)], None, defaultdict(float))
+        self.full = False
+        next(self._pieces)
 
-    def _play(self, model: NewtonModel, worlds: NDArray[np.int64]) -> list[ContactLog]:
-        w, moving, frames = len(worlds), model.moving, self.start.frames
-        ends = np.full(w, frames.n_frames)
-        logs: list[ContactLog] = []
-        if len(moving) == 0:
-            return logs
-        position, quaternion, linear, angular = self.start.states
-        for first in range(0, frames.n_frames - 1, model.chunk_frames):
-            n = min(model.chunk_frames, frames.n_frames - 1 - first)
-            chunk = model.run_chunk(first, n)
-            pose = chunk["pose"][:, :w].swapaxes(0, 1)
-            velocity = chunk["velocity"][:, :w].swapaxes(0, 1)
-            rows = np.ix_(worlds, np.arange(first + 1, first + 1 + n), moving)
-            position[rows], quaternion[rows] = pose[..., :3], pose[..., 3:]
-            linear[rows], angular[rows] = velocity[..., :3], velocity[..., 3:]
-            bad = _bad(pose, velocity)
-            first_bad = np.where(bad.any(1), first + 1 + bad.argmax(1), frames.n_frames)
-            ends = np.minimum(ends, first_bad)
-            logs.append(_log(chunk, model, frames, first, worlds, ends))
-        self.start.valid[worlds] = ends >= frames.n_frames
-        for k in np.nonzero(ends < frames.n_frames)[0]:
-            for array in self.start.states:
-                array[worlds[k], ends[k] :] = array[worlds[k], ends[k] - 1]
-        return logs
+    def finish(self) -> Played:
+        while True:
+            try:
+                next(self._pieces)
+            except StopIteration as end:
+                (played,), full = end.value
+                self.full = bool(full.any())
+                return played.first(self.n)
 
 
-def _bad(pose: NDArray[np.float32], velocity: NDArray[np.float32]) -> NDArray[np.bool_]:
-    """Frames, shape [W, F], with a value that is not finite or a speed above 500 m/s."""
-    with np.errstate(invalid="ignore", over="ignore"):
-        fast = (velocity[..., :3].astype(float) ** 2).sum(-1) > MAX_SPEED_MPS**2
-    broken = ~(np.isfinite(pose).all(-1) & np.isfinite(velocity).all(-1))
-    return (fast | broken).any(-1)
-
-
-def _log(
-    chunk: dict[str, NDArray[Any]],
-    model: NewtonModel,
-    frames: Frames,
-    start: int,
-    worlds: NDArray[np.int64],
-    ends: NDArray[np.int64],
-) -> ContactLog:
-    """Sparse rows of a chunk's dense pair sums; nothing is logged from a world's bad frame on."""
-    from esg.engines.newton.kernels import FIXED_POINT
-
-    frame, world, pair = np.nonzero(chunk["impulse"][:, : len(worlds)] > 0)
-    alive = start + 1 + frame < ends[world]
-    frame, world, pair = frame[alive], world[alive], pair[alive]
-    impulse = chunk["impulse"][frame, world, pair].astype(float)
-    moments = chunk["moments"][frame, world, pair].astype(float) / impulse[:, None]
-    normal = moments[:, 3:]
-    length = np.linalg.norm(normal, axis=1, keepdims=True)
-    bodies = model.pairs[pair] - 1
-    ground = bodies[:, 0] < 0
-    return ContactLog(
-        world=worlds[world].astype(np.int32),
-        frame=(start + 1 + frame).astype(np.int32),
-        a=np.where(ground, bodies[:, 1], bodies[:, 0]).astype(np.int32),
-        b=np.where(ground, -1, bodies[:, 1]).astype(np.int32),
-        time=(chunk["first"][frame, world, pair] + 1) * frames.dt,
-        impulse=impulse / FIXED_POINT,
-        depth=np.maximum(chunk["depth"][frame, world, pair].astype(float), 0.0),
-        point=moments[:, :3],
-        normal=normal / np.where(length > 0.0, length, 1.0),
-    )
+def structure_key(scene: SimScene) -> tuple[object, ...]:
+    """What a compiled model depends on; scenes with equal keys share one."""
+    bodies = tuple((b.static, b.wheeled, b.shapes) for b in scene.bodies)
+    return bodies, tuple(scene.gravity)
 
 
 def _model(scene: SimScene, n_worlds: int, device: str, part: int, growth: int) -> NewtonModel:
@@ -222,17 +167,10 @@ def _model(scene: SimScene, n_worlds: int, device: str, part: int, growth: int) 
         return _models[key]
     while len(_models) >= MAX_MODELS:
         _models.popitem(last=False)
-    _models[key] = NewtonModel(scene, size, device, growth)
+    wanted, shapes = ((0, size, growth),), [SceneShapes.of(scene)]
+    blueprint = Drafts(keep=False).take(wanted, shapes)
+    _models[key] = NewtonModel(wanted, shapes, blueprint, device, POINTS, ground=True)
     return _models[key]
-
-
-def _threads() -> int:
-    text = os.environ.get("ESG_THREADS", "")
-    if not text:
-        return min(4, len(os.sched_getaffinity(0)))
-    if not (text.isdigit() and int(text) > 0):
-        raise UserError(f"ESG_THREADS is {text!r}; it must be a positive number of threads")
-    return int(text)
 
 
 def clear_cache() -> None:

@@ -1,4 +1,4 @@
-"""Warp kernels of the Newton engine: program execution, contact accumulation, recording.
+"""Warp kernels of the Newton engine: program execution, contacts, recording, sorting.
 
 Worlds may be of different scenes: bodies and shapes are numbered through all worlds, pairs of
 bodies from `first_pair` of a world on. All kernels are launched inside a captured graph, so
@@ -9,11 +9,15 @@ precision.
 
 from __future__ import annotations
 
+# Kernels are typed by Warp's compiler, in a language of its own.
 # pyright: basic, reportGeneralTypeIssues=false, reportInvalidTypeForm=false
+# pyright: reportArgumentType=false, reportCallIssue=false, reportIndexIssue=false
+# pyright: reportOperatorIssue=false, reportReturnType=false, reportAssignmentType=false
 import warp as wp
 
-FIXED_POINT = 1.0e9
-"""Units per N s (and N s m) of the integer sums; integers make atomic sums independent of order."""
+from esg.engines.newton.setup import FIXED_POINT
+from esg.engines.program import Action, Column
+from esg.engines.program_kernels import held_spin, held_velocity, vector
 
 
 @wp.func
@@ -77,62 +81,45 @@ def run_programs(
             continue
         b = body[world, k]
         target = dynamic[world, b]
-        if target < 0 and kind[world, k] != 2:
+        if target < 0 and kind[world, k] != Action.ADJUST:
             continue
-        start = table[world, k, 0]
-        if kind[world, k] == 3:
+        start = table[world, k, Column.START]
+        if kind[world, k] == Action.HOLD:
             if active[world, k] != 0:
                 for other in range(until.shape[2]):
                     if until[world, k, other] != 0 and touched[world, b, other] == step:
                         done[world, k] = 1
-            if now > table[world, k, 1]:
+            if now > table[world, k, Column.END]:
                 done[world, k] = 1
             if done[world, k] == 0 and start <= now:
                 active[world, k] = 1
-                s = t - start
-                speed = wp.max(wp.float64(0.0), table[world, k, 2] + table[world, k, 4] * s)
-                if table[world, k, 4] > wp.float64(0.0):
-                    speed = wp.min(speed, table[world, k, 5])
-                heading = table[world, k, 3] + table[world, k, 6] * s
-                vx = float(speed * wp.cos(heading))
-                vy = float(speed * wp.sin(heading))
-                vz = wp.spatial_top(body_qd[target])[2]
-                r = float(table[world, k, 7])
-                if not wp.isnan(table[world, k, 8]):
-                    vz = float(table[world, k, 8]) - gravity[world][2] * float(dt)
-                    r = 0.0
-                _set_linear(target, wp.vec3(vx, vy, vz), body_qd, joint_qd)
-                omega = wp.vec3(0.0, 0.0, float(table[world, k, 6]))
-                if r != 0.0:
-                    omega = wp.vec3(-vy / r, vx / r, 0.0)
-                _set_angular(target, omega, body_qd, joint_qd)
+                vertical = wp.spatial_top(body_qd[target])[2]
+                pull = gravity[world][2] * float(dt)
+                v = held_velocity(table, world, k, t, vertical, pull)
+                _set_linear(target, v, body_qd, joint_qd)
+                _set_angular(target, held_spin(table, world, k, v), body_qd, joint_qd)
         elif start <= now:
             done[world, k] = 1
-            a = wp.vec3(
-                float(table[world, k, 2]), float(table[world, k, 3]), float(table[world, k, 4])
-            )
-            if kind[world, k] == 0:
-                _set_linear(target, a, body_qd, joint_qd)
-                if not wp.isnan(table[world, k, 5]):
-                    omega = wp.vec3(
-                        float(table[world, k, 5]),
-                        float(table[world, k, 6]),
-                        float(table[world, k, 7]),
-                    )
+            if kind[world, k] == Action.SET_VELOCITY:
+                v = vector(table, world, k, Column.LINEAR)
+                _set_linear(target, v, body_qd, joint_qd)
+                if not wp.isnan(table[world, k, Column.ANGULAR]):
+                    omega = vector(table, world, k, Column.ANGULAR)
                     _set_angular(target, omega, body_qd, joint_qd)
-            elif kind[world, k] == 1:
-                v = wp.spatial_top(body_qd[target]) + a / body_mass[target]
+            elif kind[world, k] == Action.APPLY_IMPULSE:
+                impulse = vector(table, world, k, Column.IMPULSE)
+                v = wp.spatial_top(body_qd[target]) + impulse / body_mass[target]
                 _set_linear(target, v, body_qd, joint_qd)
             else:
-                if target >= 0:
-                    if not wp.isnan(table[world, k, 2]):
-                        linear_damping[target] = a[0]
-                    if not wp.isnan(table[world, k, 3]):
-                        angular_damping[target] = a[1]
-                if not wp.isnan(table[world, k, 4]):
+                to = vector(table, world, k, Column.LINEAR_DAMPING)
+                if target >= 0 and not wp.isnan(to[0]):
+                    linear_damping[target] = to[0]
+                if target >= 0 and not wp.isnan(to[1]):
+                    angular_damping[target] = to[1]
+                if not wp.isnan(to[2]):
                     for shape in range(first_shape[world], first_shape[world + 1]):
                         if shape_body[shape] == b:
-                            shape_mu[shape] = a[2] * friction_scale[world]
+                            shape_mu[shape] = to[2] * friction_scale[world]
 
 
 @wp.kernel(enable_backward=False)
@@ -199,7 +186,7 @@ def accumulate_contacts(
     direction = -n
     if (b >= 0 and b < a) or a < 0:
         direction = n
-    weight = wp.float64(magnitude) * wp.float64(1.0e9)
+    weight = wp.float64(magnitude) * wp.float64(FIXED_POINT)
     wp.atomic_add(impulse, slot, p, wp.int64(weight))
     wp.atomic_min(first, slot, p, step)
     wp.atomic_max(depth, slot, p, -gap)
@@ -213,23 +200,15 @@ def record_frames(
     clock: wp.array(dtype=int),
     body_q: wp.array(dtype=wp.transform),
     body_qd: wp.array(dtype=wp.spatial_vector),
-    by_chunk: int,
     out_q: wp.array2d(dtype=wp.transform),
     out_qd: wp.array2d(dtype=wp.spatial_vector),
 ):
-    """One thread per body stores the state after a step that ends a frame.
-
-    There is room for one chunk of frames if `by_chunk`, for all frames otherwise.
-    """
+    """One thread per body stores the state after a step that ends a frame."""
     i = wp.tid()
     after = clock[0] + 1
     if after % clock[1] != 0:
         return
     slot = after / clock[1] - 1
-    if by_chunk != 0:
-        slot = slot - clock[2]
-        if slot >= clock[3]:
-            return
     if slot >= 0 and slot < out_q.shape[0]:
         out_q[slot, i] = body_q[i]
         out_qd[slot, i] = body_qd[i]
@@ -239,6 +218,45 @@ def record_frames(
 def advance(clock: wp.array(dtype=int)):
     """Counts the step."""
     clock[0] = clock[0] + 1
+
+
+@wp.kernel(enable_backward=False)
+def pack_pairs(
+    frame: int,
+    impulse: wp.array2d(dtype=wp.int64),
+    first: wp.array2d(dtype=int),
+    depth: wp.array2d(dtype=float),
+    moments: wp.array3d(dtype=wp.int64),
+    count: wp.array(dtype=int),
+    ints: wp.array2d(dtype=int),
+    depths: wp.array(dtype=float),
+    sums: wp.array2d(dtype=wp.int64),
+):
+    """Appends the pairs that touched in a chunk to a list, in any order, and clears the chunk."""
+    slot, p = wp.tid()
+    weight = impulse[slot, p]
+    if weight > wp.int64(0):
+        row = wp.atomic_add(count, 0, 1)
+        if row < depths.shape[0]:
+            ints[row, 0] = frame + slot
+            ints[row, 1] = p
+            ints[row, 2] = first[slot, p]
+            depths[row] = depth[slot, p]
+            sums[row, 0] = weight
+            for k in range(6):
+                sums[row, 1 + k] = moments[slot, p, k]
+    impulse[slot, p] = wp.int64(0)
+    first[slot, p] = 2147483647
+    depth[slot, p] = 0.0
+    for k in range(6):
+        moments[slot, p, k] = wp.int64(0)
+
+
+@wp.kernel(enable_backward=False)
+def begin_chunk(clock: wp.array(dtype=int), first: int, frames: int):
+    """Tells the kernels of a step which frames the sums of pairs are for."""
+    clock[2] = first
+    clock[3] = frames
 
 
 @wp.func

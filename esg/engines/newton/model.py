@@ -1,254 +1,409 @@
-"""A Newton model of W copies of one scene, its captured step graph and its device buffers.
+"""A Newton model of the worlds of one scene or of several, its captured step and its buffers.
 
-A model depends only on the structure of a scene (`structure_key`): which bodies exist, their
-collision shapes, whether they are static and which ground they touch. Poses, masses, inertias,
-materials, damping and programs are arrays that `NewtonModel.load` writes.
+A model depends only on the structure of its scenes: which bodies exist, their collision shapes,
+whether they are static and which ground they touch. Poses, masses, inertias, materials, damping and
+programs are arrays that jobs bring with them.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from dataclasses import dataclass
+import time
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.engines.executor import ADJUST
-from esg.engines.newton.setup import (
-    CONTACT_GAP_M,
-    POINTS_PER_BODY,
-    POINTS_PER_SHAPE,
-    POINTS_PER_WORLD,
-    STEPS_PER_GRAPH,
-    quiet_warp,
-)
-from esg.engines.newton.shapes import add_shape, hull
-from esg.engines.newton.worlds import NewtonWorlds
-from esg.engines.program import FIELDS, ProgramBatch
-from esg.engines.scene import Shape, SimScene
-from esg.engines.worlds import Values, moving
+from esg.engines.jobs import Buffer, Job, Pieces, Played
+from esg.engines.newton.builder import Blueprint, Wanted
+from esg.engines.newton.setup import FIXED_POINT
+from esg.engines.newton.worlds import NewtonWorlds, Singles
+from esg.engines.program import FIELDS, Action, Column
+from esg.engines.scene import ContactLog
+from esg.engines.shapes import SceneShapes
 from esg.units import quat_multiply, quat_rotate
 
-__all__ = ["NewtonModel", "quiet_warp", "structure_key"]
-
-_CELLS = 1_000_000
-_GROUND_NAMES = (-1, -2)
+CHUNK_FRAMES = 8
+"""Frames whose pairs are summed up before they are packed; a graph's steps go into their steps."""
 _LEAST_PRIMITIVES = 16
+_LEAST_FRAMES = 256
+_ROWS_PER_WORLD, _MOST_ROWS = 64, 1_000_000
+"""Room for touches before a pass is played again: of all pairs in all frames, between these."""
 
 
-def structure_key(scene: SimScene) -> tuple[object, ...]:
-    """What a compiled model depends on; scenes with equal keys share one."""
-    bodies = tuple((b.static, b.wheeled, b.shapes) for b in scene.bodies)
-    return bodies, tuple(scene.gravity)
+@dataclass(frozen=True)
+class Points:
+    """Room for contact points before it has to grow, which the solver visits all of in every step.
+
+    Args:
+        world: Of a world.
+        body, shape: Of each moving body and each of its shapes in a world.
+        rounded: Whether the room of the most crowded world is rounded up, so that models of many
+            scenes find their kernels compiled.
+    """
+
+    world: int
+    body: int
+    shape: int
+    rounded: bool
+
+    def of(self, s: SceneShapes) -> int:
+        """Of a world of a scene."""
+        shapes = int(np.diff(s.first)[s.dynamic].sum())
+        return self.world + self.body * int(s.dynamic.sum()) + self.shape * shapes
 
 
 class NewtonModel(NewtonWorlds):
-    """One compiled model.
+    """Worlds of several scenes, the captured step and its buffers.
 
     Args:
-        scene: Any scene of the structure.
-        n_worlds: W.
-        device: Warp device, such as "cpu" or "cuda:0".
-        growth: Factor on the room for contacts. Room is sized for ordinary scenes, because the
-            solver visits all of it every step; `overflowed` tells when it was too small.
+        wanted: Per scene its key, the number of its worlds and the factor on room for contacts.
+        shapes: Of the scenes.
+        blueprint: Of these worlds.
+        device: Warp device.
+        points: Room for contact points.
+        ground: Whether contacts with the ground can be logged; jobs say whether they are.
     """
 
-    def __init__(self, scene: SimScene, n_worlds: int, device: str, growth: int = 1) -> None:
-        super().__init__(device, n_worlds, len(scene.bodies), by_chunk=True)
-        self.moving = np.nonzero(moving(scene))[0]
-        self.n_dynamic = len(self.moving)
-        self._bodies = scene.bodies
-        with self.wp.ScopedDevice(device):
-            self._build(scene, growth)
-            self._make_arrays()
-
-    def _build(self, scene: SimScene, growth: int) -> None:
-        import newton
-
-        wp = self.wp
-        steel = newton.solvers.SolverSteel
-        world = newton.ModelBuilder(up_axis=newton.Axis.Z, gravity=scene.gravity)
-        steel.register_custom_attributes(world)
-        config = newton.ModelBuilder.ShapeConfig(density=0.0, gap=CONTACT_GAP_M)
-        grounds = [world.add_ground_plane(cfg=config) for _ in range(2)]
-        self._shape_body: list[int] = list(_GROUND_NAMES)
-        self._shapes: list[Shape | None] = [None, None]
-        touches = {0: grounds[1], 1: grounds[0]}
-        meshes: dict[bytes, Any] = {}
-        for i, body in enumerate(scene.bodies):
-            if not body.collides:
-                continue
-            owner = -1
-            if not body.static:
-                owner = world.add_body(
-                    xform=wp.transform_identity(),
-                    mass=body.mass,
-                    inertia=wp.mat33(np.array(body.inertia, np.float32).flatten()),
-                    lock_inertia=True,
-                )
-            for shape in body.shapes:
-                convex = hull(np.array(shape.vertices)) if shape.kind == "convex" else None
-                s = add_shape(
-                    world, owner, shape.kind, shape.size, shape.position, shape.quaternion, convex,
-                    config, meshes,
-                )  # fmt: skip
-                self._shape_body.append(i)
-                self._shapes.append(shape)
-                world.add_shape_collision_filter_pair(s, touches[int(body.wheeled)])
-        self.n_shapes = len(self._shape_body)
-        everything = newton.ModelBuilder(up_axis=newton.Axis.Z, gravity=scene.gravity)
-        steel.register_custom_attributes(everything)
-        everything.replicate(world, self.n_worlds)
-        dynamic_shapes = sum(len(scene.bodies[i].shapes) for i in self.moving)
-        room = POINTS_PER_BODY * self.n_dynamic + POINTS_PER_SHAPE * dynamic_shapes
-        points = growth * (POINTS_PER_WORLD + room)
-        self._first_shapes = np.arange(self.n_worlds + 1) * self.n_shapes
-        n_moving = self.n_worlds * self.n_dynamic
-        self._finalize(everything, self._first_shapes, n_moving, points * self.n_worlds, points)
-
-    def _make_arrays(self) -> None:
-        wp, w, b = self.wp, self.n_worlds, self.n_bodies
-        dynamic = np.full((w, b), -1, np.int32)
-        dynamic[:, self.moving] = np.arange(w * self.n_dynamic).reshape(w, self.n_dynamic)
-        # Row and column 0 are the ground; pairs of two static bodies never touch.
-        can_move = np.zeros(b + 1, bool)
-        can_move[1 + self.moving] = True
-        first, second = np.triu_indices(b + 1, 1)
-        keep = can_move[first] | can_move[second]
-        self.pairs = np.stack([first[keep], second[keep]], axis=1)
-        pair = np.full((b + 1, b + 1), -1, np.int32)
-        pair[self.pairs[:, 0], self.pairs[:, 1]] = np.arange(len(self.pairs))
-        self._pair_all = np.maximum(pair, pair.T)
-        self._pair_bodies = self._pair_all.copy()
-        self._pair_bodies[0, :] = -1
-        self._pair_bodies[:, 0] = -1
-        self._logs_ground = True
-        n_pairs = max(1, len(self.pairs))
-        chunks = _CELLS // max(1, w * max(n_pairs, 2 * self.n_dynamic))
-        self.chunk_frames = c = STEPS_PER_GRAPH * int(np.clip(chunks // STEPS_PER_GRAPH, 1, 16))
-        self._allocate(
-            dynamic,
-            np.broadcast_to(self._pair_all, (w, b + 1, b + 1)),
-            np.arange(w + 1) * n_pairs,
-            self._first_shapes,
-            np.tile(self._shape_body, w),
-            c,
-        )
-        self.out_q = wp.zeros((c, w * self.n_dynamic), dtype=wp.transform)
-        self.out_qd = wp.zeros((c, w * self.n_dynamic), dtype=wp.spatial_vector)
-
-    def load(
+    def __init__(
         self,
-        scene: SimScene,
-        values: Values,
-        batch: ProgramBatch,
-        dt: float,
-        record_every: int,
-        ground_contacts: bool,
+        wanted: Wanted,
+        shapes: list[SceneShapes],
+        blueprint: Blueprint,
+        device: str,
+        points: Points,
+        *,
+        ground: bool = False,
     ) -> None:
-        """Writes initial states, materials and programs of W worlds to the device.
+        copies = np.array([w for _, w, _ in wanted])
+        most = max(s.n_bodies for s in shapes)
+        super().__init__(device, int(copies.sum()), most)
+        self.wanted, self.shapes, self.copies = wanted, shapes, copies
+        self.scene_of = np.repeat(np.arange(len(copies)), copies)
+        self.owners = blueprint.owners
+        self.last: dict[int, Job] = {}
+        self.frames = 0
+        self.rows = 0
+        with self.wp.ScopedDevice(device):
+            self._build(blueprint, points)
+            self._make_arrays(ground)
 
-        Args:
-            scene: A scene of this structure.
-            values: W worlds.
-            batch: W programs.
-            dt: Physics step [s].
-            record_every: Steps per frame.
-            ground_contacts: Whether contacts with the ground are logged.
-        """
-        w, d, b = self.n_worlds, self.moving, self.n_bodies
-        with self.wp.ScopedDevice(self.device):
-            if len(d):
-                damping = [
-                    (scene.bodies[i].linear_damping, scene.bodies[i].angular_damping) for i in d
-                ]
-                self._load_bodies(
-                    values.mass[:, d].reshape(-1).astype(np.float32),
-                    values.inertia[:, d].reshape(-1, 3, 3).astype(np.float32),
-                    np.tile(np.array(damping, np.float32), (w, 1)),
-                )
-            self._load_shapes(*self._materials(values), self._shape_transforms(values))
-            self.friction_scale.assign(values.friction_scale.astype(np.float32))
-            pose = np.concatenate([values.position[:, d], values.quaternion[:, d]], axis=-1)
-            self._load_states(pose.reshape(-1, 7).astype(np.float32))
-            self._load_batch(batch)
-            if ground_contacts != self._logs_ground:
-                self._logs_ground = ground_contacts
-                pair = self._pair_all if ground_contacts else self._pair_bodies
-                self.pair.assign(np.broadcast_to(pair, (w, b + 1, b + 1)))
-            self._start(dt, record_every, 0)
+    def _build(self, blueprint: Blueprint, room: Points) -> None:
+        points = [
+            growth * room.of(s) for (_, _, growth), s in zip(self.wanted, self.shapes, strict=True)
+        ]
+        most = max(points)
+        n_shapes = np.array([len(o) for o in self.owners])[self.scene_of]
+        n_moving = np.array([int(s.dynamic.sum()) for s in self.shapes])[self.scene_of]
+        self.first_shapes = np.concatenate([[0], np.cumsum(n_shapes)])
+        self.first_body = np.concatenate([[0], np.cumsum(n_moving)])
+        self._finalize(
+            blueprint.builder,
+            self.first_shapes,
+            int(self.first_body[-1]),
+            int((np.array(points) * self.copies).sum()),
+            _rounded(most) if room.rounded else most,
+        )
 
-    def _load_batch(self, batch: ProgramBatch) -> None:
-        w, n = self.n_worlds, len(batch.kind)
-        p = self._room(n, _LEAST_PRIMITIVES)
-        kind, body = np.zeros((w, p), np.int32), np.zeros((w, p), np.int32)
-        until, table = np.zeros((w, p, self.n_bodies), np.int32), np.zeros((w, p, FIELDS))
-        kind[:, :n], body[:, :n], until[:, :n], table[:, :n] = (
-            batch.kind, batch.body, batch.until, batch.table,
+    def _make_arrays(self, ground: bool) -> None:
+        b = self.n_bodies
+        dynamic = np.full((self.n_worlds, b), -1, np.int32)
+        self._pair_of = np.full((len(self.shapes), b + 1, b + 1), -1, np.int32)
+        self.pairs: list[NDArray[np.int64]] = []
+        for k, s in enumerate(self.shapes):
+            rows = np.nonzero(self.scene_of == k)[0]
+            local = np.cumsum(s.dynamic) - 1
+            dynamic[rows, : s.n_bodies] = np.where(
+                s.dynamic, self.first_body[rows][:, None] + local, -1
+            )
+            pairs = _pairs(s, ground)
+            self.pairs.append(pairs)
+            self._pair_of[k, pairs[:, 0] + 1, pairs[:, 1] + 1] = np.arange(len(pairs))
+        self._pair_of = np.maximum(self._pair_of, self._pair_of.swapaxes(1, 2))
+        self._logs_ground = np.full(len(self.shapes), ground)
+        counts = np.array([len(p) for p in self.pairs])[self.scene_of]
+        self.first_pairs = np.concatenate([[0], np.cumsum(counts)])
+        self.n_pairs = max(1, int(self.first_pairs[-1]))
+        self.owner = np.concatenate([self.owners[k] for k in self.scene_of])
+        self._allocate(
+            dynamic, self._pair_of[self.scene_of], self.first_pairs, self.first_shapes, self.owner,
+            CHUNK_FRAMES,
         )  # fmt: skip
-        self._load_programs(kind, body, until, table, np.full(w, n, np.int32))
-        changes = np.isfinite(batch.table[:, batch.kind == ADJUST, 4])
-        self.has_friction_change = bool(changes.any())
+        self.count = self.wp.zeros(1, dtype=int)
 
-    def _materials(self, values: Values) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-        owner = np.array(self._shape_body)
-        mu = np.empty((self.n_worlds, self.n_shapes), np.float32)
-        restitution = np.empty_like(mu)
-        own = owner >= 0
-        mu[:, own] = values.friction[:, owner[own]]
-        restitution[:, own] = values.restitution[:, owner[own]]
-        mu[:, :2] = values.ground[:, :2]
-        restitution[:, :2] = values.ground[:, 2:]
-        return mu.reshape(-1), restitution.reshape(-1)
+    # -- one pass ----------------------------------------------------------------------------------
 
-    def _shape_transforms(self, values: Values) -> NDArray[np.float32]:
-        out = self.model.shape_transform.numpy().reshape(self.n_worlds, self.n_shapes, 7).copy()
-        for s, (i, shape) in enumerate(zip(self._shape_body, self._shapes, strict=True)):
-            if shape is not None and self._bodies[i].static:
-                position, quaternion = values.position[:, i], values.quaternion[:, i]
-                local = np.array(shape.position)
-                out[:, s, :3] = position + quat_rotate(
-                    quaternion, np.broadcast_to(local, position.shape)
-                )
-                out[:, s, 3:] = quat_multiply(quaternion, np.array(shape.quaternion))
-        return out.reshape(-1, 7)
+    def play(
+        self, jobs: list[Job], buffer: Buffer | None, seconds: dict[str, float]
+    ) -> Pieces[tuple[list[Played], NDArray[np.bool_]]]:
+        """Plays jobs of the model's scenes; also tells whose contacts found no room.
 
-    def run_chunk(self, first_frame: int, n_frames: int) -> dict[str, NDArray[Any]]:
-        """Simulates `n_frames` (at most `chunk_frames`) frames and brings them to the host.
-
-        Args:
-            first_frame: Number of frames done before this chunk.
-            n_frames: Frames of this chunk.
-
-        Returns:
-            Arrays of the chunk: pose [F, W, D, 7], velocity [F, W, D, 6], and for pairs [F, W, P]:
-            impulse [N s], first step, depth [m]; moments [F, W, P, 6].
+        Worlds that nobody asks for play their last job again. Wall clock is added to `seconds`. It
+        comes in pieces of a few frames, so that somebody else may use the device between them.
+        States are put into `buffer`, or into new arrays without one.
         """
-        wp = self.wp
-        with wp.ScopedDevice(self.device):
-            self._clock[2], self._clock[3] = first_frame, n_frames
-            # The step counter lives on the device; all else is written anew.
-            done = self.clock.numpy()[0] if first_frame else 0
-            self._clock[0] = done
-            self.clock.assign(self._clock)
-            self.impulse.zero_()
-            self.first.fill_(2**31 - 1)
-            self.depth.zero_()
-            self.moments.zero_()
-            target = (first_frame + n_frames) * self.record_every
-            launches = -(-(target - int(done)) // self.graph_steps)
+        frames = max(j.frames.n_frames for j in jobs) - 1
+        every = jobs[0].frames.record_every
+        chosen = self._places(jobs)
+        self.last.update(zip(chosen, jobs, strict=True))
+        everything = [self.last[k] for k in range(len(self.wanted))]
+        begin = time.perf_counter()
+        with self.wp.ScopedDevice(self.device):
+            self._load(everything, frames, every)
             graph = self.prepare()
+        seconds["load"] += time.perf_counter() - begin
+        yield
+        chunks = self._run(graph, frames, every)
+        left = True
+        while left:
+            begin = time.perf_counter()
+            with self.wp.ScopedDevice(self.device):
+                left = next(chunks, None) is not None
+            seconds["run"] += time.perf_counter() - begin
+            yield
+        begin = time.perf_counter()
+        with self.wp.ScopedDevice(self.device):
+            if self.device != "cpu":
+                self.wp.synchronize_stream(self.wp.get_stream(self.device))
+            ran = time.perf_counter()
+            played, full = self._read(everything, frames, buffer, set(chosen))
+        seconds["run"] += ran - begin
+        seconds["read"] += time.perf_counter() - ran
+        return [played[k] for k in chosen], full[chosen]
+
+    def _places(self, jobs: list[Job]) -> list[int]:
+        """Where in the model jobs are played; a scene may have several places."""
+        free: dict[tuple[int, int], list[int]] = {}
+        for k, (key, worlds, _) in enumerate(self.wanted):
+            free.setdefault((key, worlds), []).append(k)
+        return [free[j.key, j.n_worlds].pop(0) for j in jobs]
+
+    def _load(self, jobs: list[Job], frames: int, every: int) -> None:
+        wp = self.wp
+        move = [np.nonzero(s.dynamic)[0] for s in self.shapes]
+        pairs = list(zip(jobs, move, strict=True))
+
+        def bodies(values: list[Any]) -> Singles:
+            return np.concatenate(values).astype(np.float32)
+
+        if self.model.body_count:
+            mass = bodies([j.mass[:, d].reshape(-1) for j, d in pairs])
+            inertia = bodies([j.inertia.reshape(-1, 3, 3) for j in jobs])
+            damping = bodies([np.tile(j.damping[d], (j.n_worlds, 1)) for j, d in pairs])
+            self._load_bodies(mass, inertia, damping)
+        self._load_materials(jobs)
+        self.friction_scale.assign(np.concatenate([j.friction_scale for j in jobs]))
+        self._load_states(bodies([
+            np.concatenate([j.position[:, d], j.quaternion[:, d]], axis=-1).reshape(-1, 7)
+            for j, d in pairs
+        ]))  # fmt: skip
+        self._load_batches(jobs)
+        self._choose_pairs(jobs)
+        if frames > self.frames:
+            self.frames = frames = max(_LEAST_FRAMES, frames)
+            n = max(1, self.model.body_count)
+            self.out_q = wp.zeros((frames, n), dtype=wp.transform)
+            self.out_qd = wp.zeros((frames, n), dtype=wp.spatial_vector)
+            self._graphs.clear()
+        self._start(jobs[0].frames.dt, every, CHUNK_FRAMES)
+
+    def _choose_pairs(self, jobs: list[Job]) -> None:
+        """Tells the kernels which pairs are logged."""
+        wanted = np.array([j.ground_contacts for j in jobs])
+        if np.array_equal(wanted, self._logs_ground):
+            return
+        self._logs_ground = wanted
+        pair = self._pair_of.copy()
+        pair[~wanted, 0, :] = -1
+        pair[~wanted, :, 0] = -1
+        self.pair.assign(pair[self.scene_of])
+
+    def _load_materials(self, jobs: list[Job]) -> None:
+        """Materials of all shapes, and poses of those that stand still."""
+        mu = np.empty(len(self.owner), np.float32)
+        restitution = np.empty_like(mu)
+        pose = self.model.shape_transform.numpy()
+        for k, (job, s) in enumerate(zip(jobs, self.shapes, strict=True)):
+            w, own = job.n_worlds, self.owners[k]
+            world = int(self.copies[:k].sum())
+            span = slice(self.first_shapes[world], self.first_shapes[world + w])
+            m = np.empty((w, len(own)), np.float32)
+            r = np.empty_like(m)
+            m[:, 2:], r[:, 2:] = job.friction[:, own[2:]], job.restitution[:, own[2:]]
+            m[:, :2], r[:, :2] = job.ground[:, :2], job.ground[:, 2:]
+            mu[span], restitution[span] = m.reshape(-1), r.reshape(-1)
+            still = np.nonzero(s.static[own[2:]])[0]
+            if len(still):
+                rows = pose[span].reshape(w, len(own), 7)
+                body, shape = own[2:][still], _shape_numbers(s)[still]
+                q = job.quaternion[:, body].astype(float)
+                local = np.broadcast_to(s.origin[shape], (w, len(still), 3))
+                rows[:, 2 + still, :3] = job.position[:, body] + quat_rotate(q, local)
+                turn = np.broadcast_to(s.rotation[shape], (w, len(still), 4))
+                rows[:, 2 + still, 3:] = quat_multiply(q, turn)
+        self._load_shapes(mu, restitution, pose)
+
+    def _load_batches(self, jobs: list[Job]) -> None:
+        w, b = self.n_worlds, self.n_bodies
+        p = self._room(max(len(j.kind) for j in jobs), _LEAST_PRIMITIVES)
+        kind, body = np.zeros((w, p), np.int32), np.zeros((w, p), np.int32)
+        until, table = np.zeros((w, p, b), np.int32), np.zeros((w, p, FIELDS))
+        count = np.zeros(w, np.int32)
+        at, changes = 0, False
+        for j in jobs:
+            rows, n = slice(at, at + j.n_worlds), len(j.kind)
+            kind[rows, :n], body[rows, :n] = j.kind, j.body
+            until[rows, :n, : j.until.shape[1]] = j.until
+            table[rows, :n] = j.table
+            count[rows] = n
+            changes |= bool(np.isfinite(j.table[:, j.kind == Action.ADJUST, Column.FRICTION]).any())
+            at += j.n_worlds
+        self._load_programs(kind, body, until, table, count)
+        self.has_friction_change = changes
+
+    def _run(self, graph: Any, frames: int, every: int) -> Iterator[int]:
+        """Plays all frames chunk by chunk and gathers the pairs that touched."""
+        from esg.engines.newton import kernels
+
+        wp = self.wp
+        least = _ROWS_PER_WORLD * self.n_worlds
+        self._reserve_rows(max(least, min(frames * self.n_pairs, _MOST_ROWS)))
+        self.count.zero_()
+        done = 0
+        for first in range(0, frames, CHUNK_FRAMES):
+            n = min(CHUNK_FRAMES, frames - first)
+            if first:
+                # The step counter lives on the device; only where the chunk begins is written.
+                wp.launch(kernels.begin_chunk, dim=1, inputs=[self.clock, first, n])
+            else:
+                self._clock[3] = n
+                self.clock.assign(self._clock)
+            target = (first + n) * every
+            launches = -(-(target - done) // self.graph_steps)
             for _ in range(launches):
                 wp.capture_launch(graph)
-            f, w, d = n_frames, self.n_worlds, self.n_dynamic
-            return {
-                "pose": self.out_q.numpy()[:f].reshape(f, w, d, 7),
-                "velocity": self.out_qd.numpy()[:f].reshape(f, w, d, 6),
-                "impulse": self.impulse.numpy()[:f].reshape(f, w, -1),
-                "first": self.first.numpy()[:f].reshape(f, w, -1),
-                "depth": self.depth.numpy()[:f].reshape(f, w, -1),
-                "moments": self.moments.numpy()[:f].reshape(f, w, -1, 6),
-            }
+            done += launches * self.graph_steps
+            wp.launch(
+                kernels.pack_pairs,
+                dim=(n, self.n_pairs),
+                inputs=[first + 1, self.impulse, self.first, self.depth, self.moments, self.count,
+                        self.ints, self.depths, self.sums],
+            )  # fmt: skip
+            yield first
 
-    def overflowed(self) -> bool:
-        """Whether contacts were dropped for lack of room since `load`."""
-        return bool(self.solver.constraint_overflow.numpy().any())
+    def _reserve_rows(self, n: int) -> None:
+        if n <= self.rows:
+            return
+        wp = self.wp
+        self.rows = n
+        self.ints = wp.zeros((n, 3), dtype=int)
+        self.depths = wp.zeros(n, dtype=float)
+        self.sums = wp.zeros((n, 7), dtype=wp.int64)
+
+    def _read(
+        self, jobs: list[Job], frames: int, buffer: Buffer | None, asked: set[int]
+    ) -> tuple[dict[int, Played], NDArray[np.bool_]]:
+        used = int(self.count.numpy()[0])
+        if used > self.rows:
+            # The list of touches was too short: play the pass again with room for all.
+            self._reserve_rows(used)
+            every = jobs[0].frames.record_every
+            self._load(jobs, frames, every)
+            for _ in self._run(self.prepare(), frames, every):
+                pass
+            used = int(self.count.numpy()[0])
+        pose, velocity = self._fetch(frames, buffer)
+        n = used
+        ints, depths, sums = (a[:n].numpy() for a in (self.ints, self.depths, self.sums))
+        world = np.searchsorted(self.first_pairs, ints[:, 1], side="right") - 1
+        order = np.lexsort((ints[:, 1], ints[:, 0], world))
+        world, ints, depths, sums = world[order], ints[order], depths[order], sums[order]
+        overflow = self.solver.constraint_overflow.numpy()
+        full = np.asarray(overflow[: self.n_worlds], bool) | bool(overflow[self.n_worlds :].any())
+        over = np.zeros(len(jobs), bool)
+        out: dict[int, Played] = {}
+        at = -jobs[0].n_worlds
+        for k, job in enumerate(jobs):
+            at += jobs[k - 1].n_worlds if k else jobs[0].n_worlds
+            if k not in asked:
+                continue
+            w, t = job.n_worlds, job.frames.n_frames - 1
+            d = int(self.shapes[k].dynamic.sum())
+            columns = slice(self.first_body[at], self.first_body[at + w])
+            p = pose[:t, columns].reshape(t, w, d, 7).swapaxes(0, 1)
+            v = velocity[:t, columns].reshape(t, w, d, 6).swapaxes(0, 1)
+            begin, stop = np.searchsorted(world, [at, at + w])
+            rows = slice(begin, stop)
+            log = self._log(k, job, world[rows] - at, ints[rows], depths[rows], sums[rows],
+                            self.first_pairs[world[rows]])  # fmt: skip
+            out[k] = Played(p[..., :3], p[..., 3:], v[..., :3], v[..., 3:], None, None, log)
+            over[k] = full[at : at + w].any()
+        return out, over
+
+    def _fetch(self, frames: int, buffer: Buffer | None) -> list[Singles]:
+        """Poses [T, D, 7] and velocities [T, D, 6] of all moving bodies."""
+        wp, n = self.wp, self.model.body_count
+        out: list[Singles] = []
+        for source, width in ((self.out_q, 7), (self.out_qd, 6)):
+            if buffer is None:
+                out.append(source.numpy()[:frames].copy())
+                continue
+            target = buffer.take((frames, n, width))[1]
+            if n:
+                into = wp.array(target, dtype=source.dtype, device="cpu", copy=False)
+                wp.copy(into, source, count=frames * n)
+            out.append(target)
+        return out
+
+    def _log(
+        self,
+        k: int,
+        job: Job,
+        world: NDArray[np.int64],
+        ints: NDArray[np.int32],
+        depths: Singles,
+        sums: NDArray[np.int64],
+        first_pair: NDArray[np.int64],
+    ) -> ContactLog:
+        bodies = self.pairs[k][ints[:, 1] - first_pair]
+        impulse = sums[:, 0].astype(float)
+        moments = sums[:, 1:].astype(float) / impulse[:, None]
+        normal = moments[:, 3:]
+        length = np.linalg.norm(normal, axis=1, keepdims=True)
+        return ContactLog(
+            world=world.astype(np.int32),
+            frame=ints[:, 0].astype(np.int32),
+            a=bodies[:, 0].astype(np.int32),
+            b=bodies[:, 1].astype(np.int32),
+            time=(ints[:, 2] + 1).astype(float) * job.frames.dt,
+            impulse=impulse / FIXED_POINT,
+            depth=np.maximum(depths.astype(float), 0.0),
+            point=moments[:, :3],
+            normal=normal / np.where(length > 0.0, length, 1.0),
+        )
+
+
+def _pairs(s: SceneShapes, ground: bool) -> NDArray[np.int64]:
+    """Pairs of bodies that may touch, one of them moving, sorted; -1 is the ground, [P, 2]."""
+    n = s.n_bodies
+    a, b = np.nonzero(np.triu(s.dynamic[:, None] | s.dynamic[None], 1))
+    if ground:
+        moving = np.nonzero(s.dynamic)[0]
+        a, b = np.append(a, moving), np.append(b, np.full(len(moving), -1))
+    order = np.argsort(a * (n + 1) + b + 1)
+    return np.stack([a, b], axis=1)[order]
+
+
+def _shape_numbers(s: SceneShapes) -> NDArray[np.int64]:
+    """Numbers of the shapes that Newton's worlds hold, in their order."""
+    return np.array(
+        [i for b in range(s.n_bodies) if s.collides[b] for i in range(s.first[b], s.first[b + 1])],
+        int,
+    )
+
+
+def _rounded(points: int) -> int:
+    """The next power of two, or three quarters of it: kernels are compiled for every number."""
+    size = 1 << max(4, (points - 1).bit_length())
+    return size * 3 // 4 if points <= size * 3 // 4 else size

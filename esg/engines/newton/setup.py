@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Generator
 from contextlib import contextmanager
 from functools import cache, wraps
 import os
 from typing import Any
+
+from esg.outcomes import UserError
 
 STEPS_PER_GRAPH, STEPS_PER_GRAPH_CPU = 4, 2
 """Even, so that the two states are back in place after one launch of the graph. On the CPU a launch
@@ -14,15 +16,11 @@ costs next to nothing, while each step takes 12 ms to record for every scene."""
 
 ITERATIONS = 6
 RESTITUTION_THRESHOLD_MPS = 0.2
+FIXED_POINT = 1.0e9
+"""Units per N s (and N s m) of the integer sums; integers make atomic sums independent of order."""
 CONTACT_GAP_M = 0.005
 SPECULATIVE_GAP_M = 0.25
 """Fast bodies are seen as far ahead as they move in a step, up to this distance [m]."""
-
-POINTS_PER_WORLD, POINTS_PER_BODY, POINTS_PER_SHAPE = 10, 4, 1
-"""Room for contact points before it has to grow: of a world, and of each body and shape that moves.
-
-Thirty kernels a step visit all of it, at 15 ns each on the CPU. None of 72 scenes of the suites and
-of other prompts needed more, where four for each shape left three quarters unused."""
 
 
 @cache
@@ -30,7 +28,6 @@ def quiet_warp() -> Any:
     """Imports and initializes warp without its banner and its notice that there is no GPU."""
     import warp as wp
 
-    wp.config.quiet = True
     wp.config.log_level = wp.LOG_WARNING
     # The notice is printed by native code, past Python's sys.stderr.
     saved = os.dup(2)
@@ -43,6 +40,36 @@ def quiet_warp() -> Any:
         os.close(saved)
         os.close(null)
     return wp
+
+
+def known_device(device: str, who: str) -> str:
+    """The device, if this machine has it.
+
+    Args:
+        device: Warp device, such as "cpu" or "cuda:0".
+        who: Asks for it, for the message.
+
+    Raises:
+        UserError: If it does not exist.
+    """
+    known = [str(d) for d in quiet_warp().get_devices()]
+    if device not in known:
+        raise UserError(f"no device {device!r} for {who}; this machine has {', '.join(known)}")
+    return device
+
+
+def cpu_threads() -> int:
+    """Threads that share the worlds of a batch: as many as cores, at most four, or ESG_THREADS.
+
+    Raises:
+        UserError: If ESG_THREADS is no positive number.
+    """
+    text = os.environ.get("ESG_THREADS", "")
+    if not text:
+        return min(4, len(os.sched_getaffinity(0)))
+    if not (text.isdigit() and int(text) > 0):
+        raise UserError(f"ESG_THREADS is {text!r}; it must be a positive number of threads")
+    return int(text)
 
 
 @cache
@@ -90,7 +117,7 @@ def sort_few_contacts() -> None:
 
 
 @contextmanager
-def _sorting(wp: Any, known: Any, count: Any, kernel: Any) -> Iterator[None]:
+def _sorting(wp: Any, known: Any, count: Any, kernel: Any) -> Generator[None]:
     """Sorts `known`, whose first count[0] keys are in use, by a kernel, all else as always."""
     usual = wp.utils.radix_sort_pairs
 

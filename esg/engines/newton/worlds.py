@@ -1,4 +1,4 @@
-"""Worlds of a Newton model, of one scene or of several: solver, arrays and the captured step."""
+"""Worlds of a Newton model: solver, arrays and the captured step, whatever their scenes."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ Singles = NDArray[np.float32]
 
 
 class NewtonWorlds:
-    """What models of one scene and of several share.
+    """Solver, arrays and step of a model.
 
     W worlds of at most B bodies each; moving bodies and shapes are numbered through all worlds.
 
@@ -32,18 +32,16 @@ class NewtonWorlds:
         device: Warp device, such as "cpu" or "cuda:0".
         n_worlds: W.
         n_bodies: B.
-        by_chunk: Whether states of one chunk of frames are kept, instead of all.
     """
 
     out_q: Any
     out_qd: Any
 
-    def __init__(self, device: str, n_worlds: int, n_bodies: int, *, by_chunk: bool) -> None:
+    def __init__(self, device: str, n_worlds: int, n_bodies: int) -> None:
         self.wp = quiet_warp()
         share_kernels()
         sort_few_contacts()
         self.device, self.n_worlds, self.n_bodies = device, n_worlds, n_bodies
-        self._by_chunk = by_chunk
         self.graph_steps = STEPS_PER_GRAPH_CPU if device.startswith("cpu") else STEPS_PER_GRAPH
         self._graphs: dict[object, Any] = {}
         self._primitives = 0
@@ -297,8 +295,8 @@ class NewtonWorlds:
             kernels.record_frames,
             dim=model.body_count,
             inputs=[
-                self.clock, self.state.body_q, self.state.body_qd, int(self._by_chunk),
-                self.out_q, self.out_qd,
+                self.clock, self.state.body_q, self.state.body_qd, self.out_q,
+                self.out_qd,
             ],
         )  # fmt: skip
         wp.launch(kernels.advance, dim=1, inputs=[self.clock])

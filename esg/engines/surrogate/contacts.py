@@ -5,7 +5,10 @@ A contact that closes within the step is measured at the moment of touch.
 
 from __future__ import annotations
 
+# Kernels are typed by Warp's compiler, in a language of its own.
 # pyright: basic, reportGeneralTypeIssues=false, reportInvalidTypeForm=false
+# pyright: reportArgumentType=false, reportCallIssue=false, reportIndexIssue=false
+# pyright: reportOperatorIssue=false, reportReturnType=false, reportAssignmentType=false
 import warp as wp
 
 from esg.engines.surrogate.geometry import collide_ground, collide_shapes, near
@@ -146,6 +149,25 @@ def _yields(state: State, w: int, i: int, arm: wp.vec3, n: wp.vec3) -> float:
 
 
 @wp.func
+def _shares(
+    state: State, w: int, a: int, arm_a: wp.vec3, b: int, arm_b: wp.vec3, n: wp.vec3, t1: wp.vec3
+) -> wp.vec3:
+    """Impulses that change the velocity of a contact by 1 m/s along its axes [kg]."""
+    t2 = wp.cross(n, t1)
+    share = wp.vec3()
+    for d in range(3):
+        direction = n
+        if d == 1:
+            direction = t1
+        if d == 2:
+            direction = t2
+        share[d] = 1.0 / (
+            _yields(state, w, a, arm_a, direction) + _yields(state, w, b, arm_b, direction)
+        )
+    return share
+
+
+@wp.func
 def _place(state: State, w: int, i: int, ahead: float) -> wp.vec3:
     """Where a body's centre is some time into the step."""
     return state.x[w, i] + state.v[w, i] * ahead
@@ -269,17 +291,6 @@ def _add_contacts(
                 wanted = -restitution * approach
                 delay = wp.max(early - gap / approach, 1.0e-6)
         t1 = tangent(n)
-        t2 = wp.cross(n, t1)
-        share = wp.vec3()
-        for d in range(3):
-            direction = n
-            if d == 1:
-                direction = t1
-            if d == 2:
-                direction = t2
-            share[d] = 1.0 / (
-                _yields(state, w, a, arm_a, direction) + _yields(state, w, b, arm_b, direction)
-            )
         con.a[w, slot] = a
         con.b[w, slot] = b
         con.shape_a[w, slot] = shape_a
@@ -291,7 +302,7 @@ def _add_contacts(
         con.gap[w, slot] = gap
         con.wanted[w, slot] = wanted
         con.delay[w, slot] = delay
-        con.share[w, slot] = share
+        con.share[w, slot] = _shares(state, w, a, arm_a, b, arm_b, n, t1)
         con.impulse[w, slot] = wp.vec3()
         con.used[w, slot] = 0
         con.early[w, slot] = early

@@ -6,7 +6,12 @@ cylinder's axis, a box's corner), and by how its normal follows the bodies.
 
 from __future__ import annotations
 
+# Kernels are typed by Warp's compiler, in a language of its own.
 # pyright: basic, reportGeneralTypeIssues=false, reportInvalidTypeForm=false
+# pyright: reportArgumentType=false, reportCallIssue=false, reportIndexIssue=false
+# pyright: reportOperatorIssue=false, reportReturnType=false, reportAssignmentType=false
+from enum import IntEnum
+
 import warp as wp
 
 from esg.engines.surrogate.geometry import BOX, CAPSULE, CYLINDER, SPHERE
@@ -14,10 +19,14 @@ from esg.engines.surrogate.types import Contacts, Model
 
 wp.set_module_options({"enable_backward": False})
 
-FROZEN_IN_A = wp.constant(1)
-BETWEEN = wp.constant(2)
-FROZEN_IN_B = wp.constant(0)
-"""How a contact's normal follows the bodies: it turns with one, or leads from core to core."""
+
+class Normal(IntEnum):
+    """How a contact's normal follows the bodies: it turns with one, or leads from core to core."""
+
+    FROZEN_IN_B = 0
+    FROZEN_IN_A = 1
+    BETWEEN = 2
+
 
 _FACE = wp.constant(0.9995)
 _SIDE = wp.constant(0.003)
@@ -34,12 +43,13 @@ class Features:
     body_a: wp.array(dtype=int)
     body_b: wp.array(dtype=int)
     mode: wp.array(dtype=int)
+    """`Normal`."""
     core_a: wp.array(dtype=wp.vec3)
     core_b: wp.array(dtype=wp.vec3)
     radius: wp.array(dtype=wp.vec2)
     normal: wp.array(dtype=wp.vec3)
     along: wp.array(dtype=wp.vec3)
-    """With BETWEEN, a line (in b's frame) along which the cores slide freely, or zero."""
+    """With `Normal.BETWEEN`, a line (in b's frame) along which the cores slide freely, or zero."""
     friction: wp.array(dtype=float)
     delay: wp.array(dtype=float)
     early: wp.array(dtype=float)
@@ -114,7 +124,7 @@ def describe(
     core, radius_a, face_a, line_a = _feature(model, sa, point, wp.quat_rotate_inv(frame, n))
     along = wp.quat_rotate(frame, line_a)
     feat.core_a[c] = model.position[sa] + wp.quat_rotate(model.rotation[sa], core)
-    mode = FROZEN_IN_B
+    mode = int(Normal.FROZEN_IN_B)
     normal = n
     radius_b = float(0.0)  # noqa: UP018
     if b < 0:
@@ -130,10 +140,10 @@ def describe(
         feat.core_b[c] = model.position[sb] + wp.quat_rotate(model.rotation[sb], core_b)
         normal = wp.quat_rotate_inv(rb, n)
         if face_b == 0 and face_a == 1:
-            mode = FROZEN_IN_A
+            mode = int(Normal.FROZEN_IN_A)
             normal = wp.quat_rotate_inv(ra, n)
         elif face_b == 0 and radius_a + radius_b > 0.0:
-            mode = BETWEEN
+            mode = int(Normal.BETWEEN)
             # Of two lines only one can be followed; parallel ones are the common case.
             if wp.length_sq(line_b) > 0.0:
                 along = wp.quat_rotate(frame_b, line_b)

@@ -9,7 +9,10 @@ what they must return.
 
 from __future__ import annotations
 
+# Kernels are typed by Warp's compiler, in a language of its own.
 # pyright: basic, reportGeneralTypeIssues=false, reportInvalidTypeForm=false
+# pyright: reportArgumentType=false, reportCallIssue=false, reportIndexIssue=false
+# pyright: reportOperatorIssue=false, reportReturnType=false, reportAssignmentType=false
 from newton import GeoType
 from newton._src.geometry.collision_convex import create_solve_convex_multi_contact
 from newton._src.geometry.contact_data import ContactData

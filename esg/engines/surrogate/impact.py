@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+# Kernels are typed by Warp's compiler, in a language of its own.
 # pyright: basic, reportGeneralTypeIssues=false, reportInvalidTypeForm=false
+# pyright: reportArgumentType=false, reportCallIssue=false, reportIndexIssue=false
+# pyright: reportOperatorIssue=false, reportReturnType=false, reportAssignmentType=false
 import warp as wp
 
-from esg.engines.surrogate.features import Features
+from esg.engines.surrogate.features import Features, Normal
 from esg.engines.surrogate.types import Model
 
 wp.set_module_options({"enable_backward": True})
@@ -55,11 +58,11 @@ def _measure(feat: Features, c: int, xa: wp.vec3, ra: wp.quat, xb: wp.vec3, rb: 
     at_b = xb + wp.quat_rotate(rb, feat.core_b[c])
     radius = feat.radius[c]
     n = feat.normal[c]
-    if feat.mode[c] == 2:
+    if feat.mode[c] == Normal.BETWEEN:
         line = wp.quat_rotate(rb, feat.along[c])
         across = at_a - at_b
         n = wp.normalize(across - line * wp.dot(line, across))
-    elif feat.mode[c] == 1:
+    elif feat.mode[c] == Normal.FROZEN_IN_A:
         n = wp.quat_rotate(ra, feat.normal[c])
     elif feat.body_b[c] >= 0:
         n = wp.quat_rotate(rb, feat.normal[c])

@@ -1,13 +1,33 @@
-"""The fused kernel: a whole rollout of one world in one thread."""
+"""The fused kernel: a whole rollout of one world in one thread, whatever its scene.
+
+A thread first picks the arrays of its scene, which `esg.engines.surrogate.launch` lays out.
+"""
 
 from __future__ import annotations
 
+# Kernels are typed by Warp's compiler, in a language of its own.
 # pyright: basic, reportGeneralTypeIssues=false, reportInvalidTypeForm=false
+# pyright: reportArgumentType=false, reportCallIssue=false, reportIndexIssue=false
+# pyright: reportOperatorIssue=false, reportReturnType=false, reportAssignmentType=false
+from typing import Any
+
 import warp as wp
 
+from esg.engines.program import Action, Column
+from esg.engines.program_kernels import held_spin, held_velocity, vector
 from esg.engines.surrogate.contacts import find_contacts, prepare_bodies, wake
 from esg.engines.surrogate.solver import move, solve
-from esg.engines.surrogate.types import Contacts, Log, Model, Raw, State, Trace
+from esg.engines.surrogate.types import (
+    Contacts,
+    Fields,
+    Fired,
+    Log,
+    Model,
+    Out,
+    Raw,
+    State,
+    Trace,
+)
 
 wp.set_module_options({"enable_backward": False})
 
@@ -25,54 +45,36 @@ def _fire(model: Model, state: State, w: int, k: int):
     """Executes a primitive that acts once."""
     i = model.target[k]
     kind = model.action[k]
-    a = wp.vec3(
-        float(model.table[w, k, 2]), float(model.table[w, k, 3]), float(model.table[w, k, 4])
-    )
-    if kind == 2:
+    if kind == Action.ADJUST:
+        to = vector(model.table, w, k, Column.LINEAR_DAMPING)
         d = state.damping[w, i]
-        if not wp.isnan(a[0]):
-            d[0] = a[0]
-        if not wp.isnan(a[1]):
-            d[1] = a[1]
+        if not wp.isnan(to[0]):
+            d[0] = to[0]
+        if not wp.isnan(to[1]):
+            d[1] = to[1]
         state.damping[w, i] = d
-        if not wp.isnan(a[2]):
-            state.friction[w, i] = a[2] * model.friction_scale[w]
+        if not wp.isnan(to[2]):
+            state.friction[w, i] = to[2] * model.friction_scale[w]
         return
     _rouse(state, w, i)
-    if kind == 0:
-        state.v[w, i] = a
-        if not wp.isnan(model.table[w, k, 5]):
-            state.o[w, i] = wp.vec3(
-                float(model.table[w, k, 5]),
-                float(model.table[w, k, 6]),
-                float(model.table[w, k, 7]),
-            )
+    if kind == Action.SET_VELOCITY:
+        state.v[w, i] = vector(model.table, w, k, Column.LINEAR)
+        if not wp.isnan(model.table[w, k, Column.ANGULAR]):
+            state.o[w, i] = vector(model.table, w, k, Column.ANGULAR)
     else:
-        state.v[w, i] = state.v[w, i] + a / model.mass[w, i]
+        impulse = vector(model.table, w, k, Column.IMPULSE)
+        state.v[w, i] = state.v[w, i] + impulse / model.mass[w, i]
 
 
 @wp.func
 def _hold(model: Model, state: State, w: int, k: int, t: wp.float64, dt: wp.float64):
     """Sets the velocity of a body that moves under its own power."""
     i = model.target[k]
-    s = t - model.table[w, k, 0]
-    speed = wp.max(wp.float64(0.0), model.table[w, k, 2] + model.table[w, k, 4] * s)
-    if model.table[w, k, 4] > wp.float64(0.0):
-        speed = wp.min(speed, model.table[w, k, 5])
-    heading = model.table[w, k, 3] + model.table[w, k, 6] * s
-    vx = float(speed * wp.cos(heading))
-    vy = float(speed * wp.sin(heading))
     _rouse(state, w, i)
-    vz = state.v[w, i][2]
-    radius = float(model.table[w, k, 7])
-    if not wp.isnan(model.table[w, k, 8]):
-        vz = float(model.table[w, k, 8]) - model.gravity[2] * float(dt)
-        radius = 0.0
-    state.v[w, i] = wp.vec3(vx, vy, vz)
-    if radius != 0.0:
-        state.o[w, i] = wp.vec3(-vy / radius, vx / radius, 0.0)
-    else:
-        state.o[w, i] = wp.vec3(0.0, 0.0, float(model.table[w, k, 6]))
+    pull = model.gravity[2] * float(dt)
+    v = held_velocity(model.table, w, k, t, state.v[w, i][2], pull)
+    state.v[w, i] = v
+    state.o[w, i] = held_spin(model.table, w, k, v)
 
 
 @wp.func
@@ -83,24 +85,25 @@ def run_program(model: Model, state: State, trace: Trace, w: int, step: int, dt:
     for k in range(model.n_primitives):
         if state.done[w, k] != 0:
             continue
-        if model.action[k] == 3:
+        end = model.table[w, k, Column.END]
+        if model.action[k] == Action.HOLD:
             if state.active[w, k] != 0:
                 for other in range(model.n_bodies):
                     touched = state.touched[w, model.target[k], other] == step
                     if model.until[k, other] != 0 and touched:
                         state.done[w, k] = 1
-            if now > model.table[w, k, 1]:
+            if now > end:
                 state.done[w, k] = 1
-            if state.done[w, k] == 0 and model.table[w, k, 0] <= now:
+            if state.done[w, k] == 0 and model.table[w, k, Column.START] <= now:
                 state.active[w, k] = 1
                 _hold(model, state, w, k, t, dt)
                 if trace.steps > 0:
-                    trace.fired[w, step, k] = wp.where(now + dt > model.table[w, k, 1], 2, 1)
-        elif model.table[w, k, 0] <= now:
+                    trace.fired[w, step, k] = wp.where(now + dt > end, Fired.LAST, Fired.ACTS)
+        elif model.table[w, k, Column.START] <= now:
             state.done[w, k] = 1
             _fire(model, state, w, k)
             if trace.steps > 0:
-                trace.fired[w, step, k] = 1
+                trace.fired[w, step, k] = Fired.ACTS
 
 
 @wp.func
@@ -161,79 +164,160 @@ def _sound(model: Model, state: State, w: int) -> bool:
 
 
 @wp.func
-def write_frame(
+def _write_frame(model: Model, state: State, out: Out, w: int, frame: int):
+    """Keeps the states of all moving bodies as a frame."""
+    slot = int(0)  # noqa: UP018, RUF046  # a variable to Warp, not a constant
+    for b in range(model.n_bodies):
+        if model.dynamic[b] != 0:
+            out.x[w, frame - 1, slot] = state.x[w, b]
+            out.r[w, frame - 1, slot] = state.r[w, b]
+            out.v[w, frame - 1, slot] = state.v[w, b]
+            out.o[w, frame - 1, slot] = state.o[w, b]
+            slot = slot + 1
+
+
+@wp.func
+def _note(
     model: Model,
     state: State,
+    trace: Trace,
+    con: Contacts,
+    out: Out,
     w: int,
-    frame: int,
-    out_x: wp.array3d(dtype=wp.vec3),
-    out_r: wp.array3d(dtype=wp.quat),
-    out_v: wp.array3d(dtype=wp.vec3),
-    out_o: wp.array3d(dtype=wp.vec3),
+    step: int,
+    sweeps: int,
 ):
-    """Keeps the states of all moving bodies as a frame."""
-    for i in range(model.n_bodies):
-        if model.dynamic[i] != 0:
-            out_x[w, frame, i] = state.x[w, i]
-            out_r[w, frame, i] = state.r[w, i]
-            out_v[w, frame, i] = state.v[w, i]
-            out_o[w, frame, i] = state.o[w, i]
+    """Keeps the decisions of a step, if there is a trace, and the largest overlap."""
+    if trace.steps > 0:
+        trace.sweeps[w, step] = sweeps
+        for b in range(model.n_bodies):
+            trace.awake[w, step, b] = state.awake[w, b]
+    at = wp.min(step, con.count.shape[1] - 1)
+    for k in range(con.count[w, at]):
+        out.deepest[w] = wp.max(out.deepest[w], -con.gap[w, con.base * at + k])
+
+
+def make_roll(find_contacts: Any, module: str) -> Any:
+    """The kernel of whole rollouts, of one scene or of several.
+
+    Args:
+        find_contacts: Warp function that collects the contacts of a step.
+        module: Name of the module that the kernel is compiled with.
+    """
+
+    @wp.kernel(enable_backward=False, module=wp.get_module(module))
+    def roll(
+        fields: wp.array(dtype=Fields),
+        models: wp.array(dtype=Model),
+        states: wp.array(dtype=State),
+        raws: wp.array(dtype=Raw),
+        cons: wp.array(dtype=Contacts),
+        logs: wp.array(dtype=Log),
+        outs: wp.array(dtype=Out),
+        trace: Trace,
+        scene_of: wp.array(dtype=int),
+        world_of: wp.array(dtype=int),
+        first: int,
+        spread: int,
+    ):
+        """Simulates a world, from number `first` on, in every `spread`-th thread.
+
+        The worlds of a warp wait for each other where their paths differ: while there are few
+        worlds, each does better with a warp of its own.
+        """
+        thread = wp.tid()
+        i = thread / spread
+        if thread != i * spread:
+            return
+        i = i + first
+        s = scene_of[i]
+        w = world_of[i]
+        model = models[s]
+        state = states[s]
+        raw = raws[s]
+        con = cons[s]
+        log = logs[s]
+        out = outs[s]
+        raw.world = w
+        dt = model.dt
+        h = float(dt)
+        record_every = model.record_every
+        for step in range(model.n_steps):
+            run_program(model, state, trace, w, step, dt)
+            prepare_bodies(model, state, w, h)
+            wake(model, state, w, h)
+            find_contacts(fields, s, model, state, raw, con, w, step, h)
+            sweeps = solve(model, state, con, w, step)
+            _note(model, state, trace, con, out, w, step, sweeps)
+            write_log(state, con, log, w, step, step / record_every + 1)
+            # A log that is to show the weight of what rests needs it awake.
+            move(model, state, con, w, step, h, log.ground == 0)
+            if (step + 1) % record_every == 0:
+                frame = (step + 1) / record_every
+                if not _sound(model, state, w):
+                    out.end[w] = frame
+                    return
+                _write_frame(model, state, out, w, frame)
+        out.end[w] = out.x.shape[1] + 1
+
+    return roll
+
+
+@wp.func
+def _find_contacts(
+    fields: wp.array(dtype=Fields),
+    scene: int,
+    model: Model,
+    state: State,
+    raw: Raw,
+    con: Contacts,
+    w: int,
+    step: int,
+    dt: float,
+):
+    """Contacts of bodies that have no fields."""
+    find_contacts(model, state, raw, con, w, step, dt)
+
+
+roll = make_roll(_find_contacts, __name__)
 
 
 @wp.kernel(enable_backward=False)
-def roll(
-    model: Model,
-    state: State,
-    raw_point: wp.array2d(dtype=wp.vec3),
-    raw_normal: wp.array2d(dtype=wp.vec3),
-    raw_distance: wp.array2d(dtype=float),
-    raw_count: wp.array(dtype=int),
-    con: Contacts,
-    log: Log,
-    dt: wp.float64,
-    n_steps: int,
-    record_every: int,
-    first_world: int,
-    trace: Trace,
-    deepest: wp.array(dtype=float),
-    end: wp.array(dtype=int),
-    out_x: wp.array3d(dtype=wp.vec3),
-    out_r: wp.array3d(dtype=wp.quat),
-    out_v: wp.array3d(dtype=wp.vec3),
-    out_o: wp.array3d(dtype=wp.vec3),
+def count_rows(
+    cons: wp.array(dtype=Contacts),
+    logs: wp.array(dtype=Log),
+    scene_of: wp.array(dtype=int),
+    world_of: wp.array(dtype=int),
+    counts: wp.array2d(dtype=int),
 ):
-    """Simulates one world per thread.
+    """Rows of every world's log, and contacts that found no room."""
+    i = wp.tid()
+    w = world_of[i]
+    counts[0, i] = logs[scene_of[i]].count[w]
+    counts[1, i] = cons[scene_of[i]].dropped[w]
 
-    `end` receives the first frame that is not sound, or the number of frames.
-    """
-    w = wp.tid() + first_world
-    h = float(dt)
-    raw = Raw()
-    raw.world = w
-    raw.count = raw_count
-    raw.point = raw_point
-    raw.normal = raw_normal
-    raw.distance = raw_distance
-    for step in range(n_steps):
-        run_program(model, state, trace, w, step, dt)
-        prepare_bodies(model, state, w, h)
-        wake(model, state, w, h)
-        find_contacts(model, state, raw, con, w, step, h)
-        n = solve(model, state, con, w, step)
-        if trace.steps > 0:
-            trace.sweeps[w, step] = n
-            for i in range(model.n_bodies):
-                trace.awake[w, step, i] = state.awake[w, i]
-        write_log(state, con, log, w, step, step / record_every + 1)
-        at = wp.min(step, con.count.shape[1] - 1)
-        for k in range(con.count[w, at]):
-            deepest[w] = wp.max(deepest[w], -con.gap[w, con.base * at + k])
-        # A log that is to show the weight of what rests needs it awake.
-        move(model, state, con, w, step, h, log.ground == 0)
-        if (step + 1) % record_every == 0:
-            frame = (step + 1) / record_every
-            if not _sound(model, state, w):
-                end[w] = frame
-                return
-            write_frame(model, state, w, frame, out_x, out_r, out_v, out_o)
-    end[w] = out_x.shape[1]
+
+@wp.kernel(enable_backward=False)
+def pack_logs(
+    logs: wp.array(dtype=Log),
+    scene_of: wp.array(dtype=int),
+    world_of: wp.array(dtype=int),
+    offset: wp.array(dtype=int),
+    ints: wp.array2d(dtype=int),
+    floats: wp.array2d(dtype=float),
+):
+    """Gathers the used rows of all logs; `offset` says where a world's rows go."""
+    i = wp.tid()
+    log = logs[scene_of[i]]
+    w = world_of[i]
+    at = offset[i]
+    for row in range(offset[i + 1] - at):
+        ints[at + row, 0] = log.frame[w, row]
+        ints[at + row, 1] = log.a[w, row]
+        ints[at + row, 2] = log.b[w, row]
+        ints[at + row, 3] = log.step[w, row]
+        floats[at + row, 0] = log.impulse[w, row]
+        floats[at + row, 1] = log.depth[w, row]
+        for k in range(3):
+            floats[at + row, 2 + k] = log.point[w, row][k]
+            floats[at + row, 5 + k] = log.normal[w, row][k]

@@ -7,12 +7,17 @@ an action snaps to the time step, a term of value zero carries the derivative of
 
 from __future__ import annotations
 
+# Kernels are typed by Warp's compiler, in a language of its own.
 # pyright: basic, reportGeneralTypeIssues=false, reportInvalidTypeForm=false
+# pyright: reportArgumentType=false, reportCallIssue=false, reportIndexIssue=false
+# pyright: reportOperatorIssue=false, reportReturnType=false, reportAssignmentType=false
 import warp as wp
 
+from esg.engines.program import Action, Column
+from esg.engines.program_kernels import vector
 from esg.engines.surrogate.features import Features
 from esg.engines.surrogate.impact import ahead_of, prepare, tangent, turned
-from esg.engines.surrogate.ops import Ops
+from esg.engines.surrogate.ops import CHANGES, Act, Change, Operation, Ops
 from esg.engines.surrogate.types import Model
 
 wp.set_module_options({"enable_backward": True})
@@ -37,49 +42,49 @@ def _act(
     shift: wp.array(dtype=wp.vec3),
 ):
     kind = model.action[k]
-    late = table[w, k, 0] - frozen[w, k, 0]
+    late = table[w, k, Column.START] - frozen[w, k, Column.START]
     v = V[vin]
     o = O[vin]
-    if kind == 2:
+    if kind == Action.ADJUST:
         V[vout] = v
         O[vout] = o
-    elif kind == 3:
-        s = wp.float64(step) * dt - table[w, k, 0]
-        if how >= 2:
-            s = s + table[w, k, 1] - frozen[w, k, 1]
-        speed = wp.max(wp.float64(0.0), table[w, k, 2] + table[w, k, 4] * s)
-        if table[w, k, 4] > wp.float64(0.0):
-            speed = wp.min(speed, table[w, k, 5])
-        heading = table[w, k, 3] + table[w, k, 6] * s
+    elif kind == Action.HOLD:
+        s = wp.float64(step) * dt - table[w, k, Column.START]
+        if (how & Act.LAST) != 0:
+            s = s + table[w, k, Column.END] - frozen[w, k, Column.END]
+        speed = wp.max(
+            wp.float64(0.0), table[w, k, Column.SPEED] + table[w, k, Column.ACCELERATION] * s
+        )
+        if table[w, k, Column.ACCELERATION] > wp.float64(0.0):
+            speed = wp.min(speed, table[w, k, Column.MAX_SPEED])
+        heading = table[w, k, Column.HEADING] + table[w, k, Column.TURN_RATE] * s
         vx = float(speed * wp.cos(heading))
         vy = float(speed * wp.sin(heading))
-        radius = float(table[w, k, 7])
-        flies = not wp.isnan(frozen[w, k, 8])
+        radius = float(table[w, k, Column.ROLL_RADIUS])
+        flies = not wp.isnan(frozen[w, k, Column.CLIMB])
         if flies:
             # What it flies with once gravity has acted counts for the moment it begins.
-            lifted = wp.vec3(vx, vy, float(table[w, k, 8]))
+            lifted = wp.vec3(vx, vy, float(table[w, k, Column.CLIMB]))
             V[vout] = lifted - wp.vec3(0.0, 0.0, model.gravity[2] * float(dt))
-            if how == 1 or how == 3:
+            if (how & Act.FIRST) != 0:
                 wp.atomic_add(shift, pose, (v - lifted) * float(late))
         else:
             new = wp.vec3(vx, vy, v[2])
             V[vout] = new
-            if how == 1 or how == 3:
+            if (how & Act.FIRST) != 0:
                 wp.atomic_add(shift, pose, (v - new) * float(late))
         if radius != 0.0 and not flies:
             O[vout] = wp.vec3(-vy / radius, vx / radius, 0.0)
         else:
-            O[vout] = wp.vec3(0.0, 0.0, float(table[w, k, 6]))
+            O[vout] = wp.vec3(0.0, 0.0, float(table[w, k, Column.TURN_RATE]))
     else:
-        a = wp.vec3(float(table[w, k, 2]), float(table[w, k, 3]), float(table[w, k, 4]))
-        if kind == 0:
+        a = vector(table, w, k, Column.LINEAR)
+        if kind == Action.SET_VELOCITY:
             V[vout] = a
-            if wp.isnan(frozen[w, k, 5]):
+            if wp.isnan(frozen[w, k, Column.ANGULAR]):
                 O[vout] = o
             else:
-                O[vout] = wp.vec3(
-                    float(table[w, k, 5]), float(table[w, k, 6]), float(table[w, k, 7])
-                )
+                O[vout] = vector(table, w, k, Column.ANGULAR)
             wp.atomic_add(shift, pose, (v - a) * float(late))
         else:
             V[vout] = v + a / model.mass[w, i]
@@ -105,11 +110,15 @@ def _forces(
     inverse: wp.array(dtype=wp.mat33),
 ):
     if damper >= 0:
-        V[vout] = (V[vin] + model.gravity * dt) * wp.max(0.0, 1.0 - float(table[w, damper, 2]) * dt)
+        V[vout] = (V[vin] + model.gravity * dt) * wp.max(
+            0.0, 1.0 - float(table[w, damper, Column.LINEAR_DAMPING]) * dt
+        )
     else:
         V[vout] = (V[vin] + model.gravity * dt) * wp.max(0.0, 1.0 - damping[w, i][0] * dt)
     if spin_damper >= 0:
-        O[vout] = O[vin] * wp.max(0.0, 1.0 - float(table[w, spin_damper, 3]) * dt)
+        O[vout] = O[vin] * wp.max(
+            0.0, 1.0 - float(table[w, spin_damper, Column.ANGULAR_DAMPING]) * dt
+        )
     else:
         O[vout] = O[vin] * wp.max(0.0, 1.0 - damping[w, i][1] * dt)
     inverse[pose] = turned(model.inverse_inertia[i] * (1.0 / model.factor[w, i]), R[pose])
@@ -204,12 +213,12 @@ def _move(
         more = (late[kick][0] / wp.max(late[kick][1], 1.0e-20) - frozen_late[kick]) / dt
         V[vout] = V[vend] + (V[now] - V[was] - V[vend] + V[start]) * more
     elif kick <= -2:
-        k = (-2 - kick) / 3
-        what = (-2 - kick) % 3
-        column = wp.where(what == 1, 1, 0)
+        k = (-2 - kick) / CHANGES
+        what = (-2 - kick) % CHANGES
+        column = wp.where(what == Change.HOLD_ENDS, int(Column.END), int(Column.START))
         moved = float(table[w, k, column] - frozen[w, k, column]) / dt
         # `after` is the velocity the program set; what it was before counts if it was kept.
-        if what == 0:
+        if what == Change.FORCE:
             V[vout] = V[vend] + (V[now] - V[was] - V[vend] + V[after]) * moved
         else:
             V[vout] = V[vend] + (V[after] - V[vend]) * moved
@@ -263,25 +272,25 @@ def replay(
         vb = ops.in_b[q]
         pa = ops.pose_a[q]
         pb = ops.pose_b[q]
-        if kind == 3:
+        if kind == Operation.SOLVE:
             _solve(
                 model, feat, w, c, a, b, va, vb, ops.out_a[q], ops.out_b[q], pa, pb,
                 ops.impulse_in[q], ops.impulse_out[q], V, O, J, inverse, normal, arm_a, arm_b,
                 wanted, share,
             )  # fmt: skip
-        elif kind == 5:
+        elif kind == Operation.MOVE:
             _move(
                 model, a, h, va, vb, ops.out_a[q], pa, pb, V, O, X, R, late, shift, b, c,
                 ops.impulse_in[q], ops.out_b[q], ops.impulse_out[q], frozen_late, w, table, frozen,
             )  # fmt: skip
-        elif kind == 1:
+        elif kind == Operation.FORCES:
             _forces(model, w, a, b, c, h, table, damping, va, ops.out_a[q], pa, V, O, R, inverse)
-        elif kind == 2:
+        elif kind == Operation.PREPARE:
             prepare(
                 model, feat, w, c, a, b, va, vb, pa, pb, h, V, O, X, R, inverse, normal, arm_a,
                 arm_b, wanted, delay, share,
             )  # fmt: skip
-        elif kind == 4:
+        elif kind == Operation.DELAY:
             push = J[ops.impulse_in[q]][0]
             weight = wp.vec2(push * delay[c], push)
             if a >= 0:

@@ -7,18 +7,18 @@ with a field rests on samples of its surface.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.engines.newton.model import quiet_warp
+from esg.engines.newton.setup import quiet_warp
 from esg.engines.scene import Body, SimScene
+from esg.engines.shapes import SceneShapes
 from esg.engines.surrogate.engine import SurrogateEngine
-from esg.engines.surrogate.model import SceneArrays, Worlds, _fill, _Uploader
+from esg.engines.surrogate.scene import SceneArrays
 
 Floats = NDArray[np.float64]
 
@@ -38,6 +38,10 @@ class BodyField:
     origin: Floats
     cell: float
     samples: Floats
+
+
+_NOTHING = BodyField(np.zeros((2, 2, 2), np.float32), np.zeros(3), 1.0, np.zeros((1, 3)))
+"""Stands for the fields of a scene that has none."""
 
 
 class SdfSurrogateEngine(SurrogateEngine):
@@ -64,68 +68,39 @@ class SdfSurrogateEngine(SurrogateEngine):
     def _prepare(self, scene: SimScene) -> tuple[SceneArrays, Any]:
         key = (scene.bodies, tuple(scene.gravity))
         if key not in self._prepared:
-            arrays = SceneArrays(scene, self.device)
-            self._prepared = {key: (arrays, self._upload(scene, arrays))}
+            arrays = SceneArrays(SceneShapes.of(scene), self.device)
+            self._prepared = {key: (arrays, _upload(scene, self.fields, arrays))}
         return self._prepared[key]
 
-    def _arrays(self, scene: SimScene) -> SceneArrays:
-        return self._prepare(scene)[0]
 
-    def _worlds(self, scene: SimScene) -> Callable[..., Worlds]:
-        return partial(_FieldWorlds, self._prepare(scene)[1])
+def _upload(scene: SimScene, fields: Mapping[str, BodyField], arrays: SceneArrays) -> Any:
+    """Fields of a scene on the device; the reach of a body then holds all its samples."""
+    wp = quiet_warp()
+    from esg.engines.surrogate.types import Fields
 
-    def _upload(self, scene: SimScene, arrays: SceneArrays) -> Any:
-        """Fields of a scene on the device; the reach of a body then holds all its samples."""
-        wp = quiet_warp()
-        from esg.engines.surrogate.sdf_kernels import Fields
+    device = arrays.device
+    names = [b.name for b in scene.bodies if b.collides and b.name in fields]
+    found = [fields[n] for n in names] or [_NOTHING]
+    index = [names.index(b.name) if b.name in names else -1 for b in scene.bodies]
+    for i, f in enumerate(index):
+        if f >= 0:
+            far = float(np.linalg.norm(found[f].samples, axis=1).max())
+            arrays.fields["reach"][i] = max(float(arrays.fields["reach"][i]), far)
 
-        names = [b.name for b in scene.bodies if b.collides and b.name in self.fields]
-        found = [self.fields[n] for n in names]
-        index = [names.index(b.name) if b.name in names else -1 for b in scene.bodies]
-        reach = np.array(arrays.fields["reach"].numpy(), float)
-        for i, f in enumerate(index):
-            if f >= 0:
-                reach[i] = max(reach[i], float(np.linalg.norm(found[f].samples, axis=1).max()))
-        to = _Uploader(wp, self.device)
-        arrays.fields["reach"] = to(reach, float)
-        n = found[0].values.shape[0] if found else 2
-        none = np.zeros((1, n, n, n))
-        return _fill(
-            Fields(),
-            {
-                "n": n,
-                "of_body": to(index or [-1], int),
-                "ball": to([is_ball(b) for b in scene.bodies] or [0], int),
-                "values": to(np.stack([f.values for f in found]) if found else none, float),
-                "origin": to([f.origin for f in found] or [[0] * 3], wp.vec3),
-                "cell": to([f.cell for f in found] or [1.0], float),
-                "first": to(np.cumsum([0, *[len(f.samples) for f in found]]), int),
-                "sample": to(np.concatenate([f.samples for f in found] or [np.zeros((1, 3))]),
-                             wp.vec3),
-            },
-        )  # fmt: skip
+    def to(values: Any, dtype: Any) -> Any:
+        kind = np.int32 if dtype is int else np.float32
+        return wp.array(np.asarray(values).astype(kind), dtype=dtype, device=device)
 
-
-class _FieldWorlds(Worlds):
-    """Arrays of a rollout whose contacts come from fields."""
-
-    def __init__(self, fields: Any, *args: Any, **options: Any) -> None:
-        from esg.engines.surrogate.sdf_kernels import SLOTS
-
-        super().__init__(*args, **options)
-        self.fields = fields
-        wp, w = self.wp, self.n_worlds
-        self.raw = (
-            self._zeros((w, SLOTS), wp.vec3),
-            self._zeros((w, SLOTS), wp.vec3),
-            self._zeros((w, SLOTS), float),
-            self._zeros((w,), int),
-        )
-
-    def _kernel(self) -> tuple[Any, tuple[Any, ...]]:
-        from esg.engines.surrogate.sdf_kernels import roll
-
-        return roll, (self.fields,)
+    made: Any = Fields()
+    made.n = found[0].values.shape[0]
+    made.of_body = to(index or [-1], int)
+    made.ball = to([is_ball(b) for b in scene.bodies] or [0], int)
+    made.values = to(np.stack([f.values for f in found]), float)
+    made.origin = to([f.origin for f in found], wp.vec3)
+    made.cell = to([f.cell for f in found], float)
+    made.first = to(np.cumsum([0, *[len(f.samples) for f in found]]), int)
+    made.sample = to(np.concatenate([f.samples for f in found]), wp.vec3)
+    return made
 
 
 def is_ball(body: Body) -> bool:

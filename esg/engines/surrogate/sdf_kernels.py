@@ -9,7 +9,10 @@ those of `kernels`.
 
 from __future__ import annotations
 
+# Kernels are typed by Warp's compiler, in a language of its own.
 # pyright: basic, reportGeneralTypeIssues=false, reportInvalidTypeForm=false
+# pyright: reportArgumentType=false, reportCallIssue=false, reportIndexIssue=false
+# pyright: reportOperatorIssue=false, reportReturnType=false, reportAssignmentType=false
 import warp as wp
 
 from esg.engines.surrogate.contacts import (
@@ -22,12 +25,9 @@ from esg.engines.surrogate.contacts import (
     facing,
     meet,
     meet_ground,
-    prepare_bodies,
-    wake,
 )
-from esg.engines.surrogate.kernels import _sound, run_program, write_frame, write_log
-from esg.engines.surrogate.solver import move, solve
-from esg.engines.surrogate.types import Contacts, Log, Model, Raw, State, Trace
+from esg.engines.surrogate.kernels import make_roll
+from esg.engines.surrogate.types import Contacts, Fields, Model, Raw, State
 
 wp.set_module_options({"enable_backward": False})
 
@@ -36,27 +36,6 @@ SLOTS = 16
 SLACK_M = wp.constant(0.002)
 """Of the points of a pair those are kept that are this much farther than the nearest."""
 _FAR = wp.constant(1.0e4)
-
-
-@wp.struct
-class Fields:
-    """Signed distance fields [m] of F bodies, in their body frames.
-
-    Every field is a cube of n^3 cells whose values sit at the cells' centres. Field f owns the
-    samples first[f] .. first[f + 1] - 1.
-    """
-
-    n: int
-    of_body: wp.array(dtype=int)
-    """[B]: index of a body's field or -1."""
-    ball: wp.array(dtype=int)
-    """[B]: whether a body is one sphere."""
-    values: wp.array4d(dtype=float)
-    origin: wp.array(dtype=wp.vec3)
-    """Corner of the grid, [F]."""
-    cell: wp.array(dtype=float)
-    first: wp.array(dtype=int)
-    sample: wp.array(dtype=wp.vec3)
 
 
 @wp.func
@@ -262,8 +241,9 @@ def _by_field(fields: Fields, i: int, j: int) -> bool:
 
 
 @wp.func
-def find_contacts(
-    fields: Fields,
+def _find_contacts(
+    all_fields: wp.array(dtype=Fields),
+    scene: int,
     model: Model,
     state: State,
     raw: Raw,
@@ -272,7 +252,8 @@ def find_contacts(
     step: int,
     dt: float,
 ):
-    """Collects the contacts of the step that starts now."""
+    """Collects the contacts of the step that starts now, by fields where bodies have them."""
+    fields = all_fields[scene]
     for i in range(model.n_bodies):
         state.before_v[w, i] = state.v[w, i]
         state.before_o[w, i] = state.o[w, i]
@@ -305,52 +286,4 @@ def find_contacts(
             meet(model, state, raw, con, w, step, i, j, margin, dt)
 
 
-@wp.kernel(enable_backward=False)
-def roll(
-    fields: Fields,
-    model: Model,
-    state: State,
-    raw_point: wp.array2d(dtype=wp.vec3),
-    raw_normal: wp.array2d(dtype=wp.vec3),
-    raw_distance: wp.array2d(dtype=float),
-    raw_count: wp.array(dtype=int),
-    con: Contacts,
-    log: Log,
-    dt: wp.float64,
-    n_steps: int,
-    record_every: int,
-    first_world: int,
-    trace: Trace,
-    deepest: wp.array(dtype=float),
-    end: wp.array(dtype=int),
-    out_x: wp.array3d(dtype=wp.vec3),
-    out_r: wp.array3d(dtype=wp.quat),
-    out_v: wp.array3d(dtype=wp.vec3),
-    out_o: wp.array3d(dtype=wp.vec3),
-):
-    """Simulates one world per thread, as `kernels.roll` does."""
-    w = wp.tid() + first_world
-    h = float(dt)
-    raw = Raw()
-    raw.world = w
-    raw.count = raw_count
-    raw.point = raw_point
-    raw.normal = raw_normal
-    raw.distance = raw_distance
-    for step in range(n_steps):
-        run_program(model, state, trace, w, step, dt)
-        prepare_bodies(model, state, w, h)
-        wake(model, state, w, h)
-        find_contacts(fields, model, state, raw, con, w, step, h)
-        solve(model, state, con, w, step)
-        write_log(state, con, log, w, step, step / record_every + 1)
-        for k in range(con.count[w, 0]):
-            deepest[w] = wp.max(deepest[w], -con.gap[w, k])
-        move(model, state, con, w, step, h, log.ground == 0)
-        if (step + 1) % record_every == 0:
-            frame = (step + 1) / record_every
-            if not _sound(model, state, w):
-                end[w] = frame
-                return
-            write_frame(model, state, w, frame, out_x, out_r, out_v, out_o)
-    end[w] = out_x.shape[1]
+roll = make_roll(_find_contacts, __name__)

@@ -8,7 +8,10 @@ independent of where in the step it happens, and differentiable.
 
 from __future__ import annotations
 
+# Kernels are typed by Warp's compiler, in a language of its own.
 # pyright: basic, reportGeneralTypeIssues=false, reportInvalidTypeForm=false
+# pyright: reportArgumentType=false, reportCallIssue=false, reportIndexIssue=false
+# pyright: reportOperatorIssue=false, reportReturnType=false, reportAssignmentType=false
 import warp as wp
 
 from esg.engines.surrogate.contacts import lightness, point_velocity, turned

@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.engines.base import SURROGATE
+from esg.engines.jobs import job_of, read
 from esg.engines.newton.setup import quiet_warp
 from esg.engines.program import ProgramBatch
 from esg.engines.scene import SimScene, Variation
 from esg.engines.surrogate.engine import scene_arrays, simulate
-from esg.engines.surrogate.model import Worlds
-from esg.engines.worlds import Frames, check, world_values
+from esg.engines.worlds import Start
 
 Floats = NDArray[np.float64]
 
@@ -89,33 +91,37 @@ class TapedRollout:
         variation: Variation | None = None,
         device: str = "cpu",
     ) -> None:
-        check(scene, batch)
-        self.wp = quiet_warp()
-        self.scene, self.batch, self.device = scene, batch, device
-        self.frames = Frames.of(batch.duration if duration is None else duration, dt, 1)
-        values = world_values(scene, variation, batch.n_worlds)
-        self._values = values
-        self.run: Worlds = simulate(
-            scene_arrays(scene, device), scene, values, batch, self.frames, trace=True
+        start = Start.of(
+            scene, batch, dt=dt, record_every=1, duration=duration, variation=variation
         )
-        end = self.run.end.numpy()
+        arrays = scene_arrays(scene, device)
+        job = job_of(SURROGATE, 0, start, arrays.shapes)
+        self.scene, self.batch, self.device = scene, batch, device
+        self.frames, self.values = start.frames, start.values
+        self.moving = arrays.shapes.dynamic
+        run = simulate(job, arrays, traced=True)
+        # Their arrays lie in the memory of the run.
+        self.run, self.trace = run, run.trace
+        self.model, self.contacts = run.struct("model"), run.struct("contacts")
+        (played,) = run.collect([0])
+        read(job, start, played)
+        self.position, self.quaternion, self.velocity, self.angular = start.states
+        end = np.full(len(start.valid), self.frames.n_frames) if played.end is None else played.end
         self.valid = end >= self.frames.n_frames
-        self._end = np.minimum(end - 1, self.frames.n_steps)
-        con = self.run.contacts
-        self._count = con.count.numpy()
-        shape = (batch.n_worlds, self.frames.n_steps, self.run.room.contacts)
-        self._read = {n: getattr(con, n).numpy().reshape(*shape, *getattr(con, n).numpy().shape[2:])
-                      for n in ("used", "a", "b", "delay", "impulse", "gap")}  # fmt: skip
-        slots = np.arange(shape[2])[None, None] < self._count[:, :, None]
-        self._used = slots & (self._read["used"] != 0)
-        self.position, self.quaternion, self.velocity = (self.run.out[k].numpy() for k in (0, 1, 2))
-        self.angular = self.run.out[3].numpy()
+        self.last_step = np.minimum(end - 1, self.frames.n_steps)
+        self.room = run.rooms[0].contacts
+        shape = (batch.n_worlds, self.frames.n_steps, self.room)
+        self._read = {n: getattr(self.contacts, n).numpy() for n in
+                      ("used", "a", "b", "delay", "impulse", "gap")}  # fmt: skip
+        self._read = {n: v.reshape(*shape, *v.shape[2:]) for n, v in self._read.items()}
+        slots = np.arange(self.room)[None, None] < self.contacts.count.numpy()[:, :, None]
+        self.used = slots & (self._read["used"] != 0)
 
     def touches(self, a: list[int], b: list[int], earliest: Floats) -> list[Touch | None]:
         """First contact of any of `a` with any of `b` per world, not before `earliest` [s], [W]."""
         one, two = self._read["a"], self._read["b"]
         pair = (np.isin(one, a) & np.isin(two, b)) | (np.isin(one, b) & np.isin(two, a))
-        pair &= self._used & (self._read["impulse"][..., 0] > 0.0)
+        pair &= self.used & (self._read["impulse"][..., 0] > 0.0)
         end = (np.arange(pair.shape[1]) + 1) * self.frames.dt
         out: list[Touch | None] = []
         for w in range(len(pair)):
@@ -135,7 +141,7 @@ class TapedRollout:
 
     def hits(self, horizon: NDArray[np.int64]) -> list[set[tuple[int, int]]]:
         """Pairs of bodies that hit each other at speed before a step, per world; ground is -1."""
-        hit = self._used & (self._read["delay"] > 0.0) & (self._read["impulse"][..., 0] > 0.0)
+        hit = self.used & (self._read["delay"] > 0.0) & (self._read["impulse"][..., 0] > 0.0)
         hit &= (np.arange(hit.shape[1]) < horizon[:, None])[..., None]
         out: list[set[tuple[int, int]]] = [set() for _ in horizon]
         for w, step, slot in zip(*np.nonzero(hit), strict=True):
@@ -146,13 +152,13 @@ class TapedRollout:
     @property
     def n_contacts(self) -> int:
         """Contacts in the flat order of the replay."""
-        return int(self._used.sum())
+        return int(self.used.sum())
 
     def _flat(self, w: int, step: int, slot: int) -> int:
         """Number of a contact in the flat order of the replay."""
-        before = int(self._used[:w, : self._used.shape[1]].sum()) if w else 0
-        before += int(self._used[w, :step].sum())
-        return before + int(self._used[w, step, :slot].sum())
+        before = int(self.used[:w, : self.used.shape[1]].sum()) if w else 0
+        before += int(self.used[w, :step].sum())
+        return before + int(self.used[w, step, :slot].sum())
 
     def pull(self, seeds: Seeds, horizon: NDArray[np.int64] | None = None) -> Pull:
         """Pulls derivatives back to the start by `wp.Tape`.
@@ -161,12 +167,14 @@ class TapedRollout:
             seeds: Derivatives of the loss.
             horizon: Steps per world behind which all seeds are zero; default all. Shape [W].
         """
-        replayed = Replay(self, np.minimum(self._end, self._end if horizon is None else horizon))
+        replayed = Replay(
+            self, np.minimum(self.last_step, self.last_step if horizon is None else horizon)
+        )
         return replayed.pull(seeds)
 
     def replayed_position(self) -> Floats:
         """Positions as the replay computes them: those of the rollout, [W, N + 1, B, 3]."""
-        replayed = Replay(self, self._end)
+        replayed = Replay(self, self.last_step)
         replayed.play()
         return replayed.X.numpy()[replayed.pose_at]
 
@@ -178,69 +186,58 @@ class Replay:
         from esg.engines.surrogate import ops as so
         from esg.engines.surrogate.features import Features
 
-        self.taped, self.wp = taped, taped.wp
-        wp, run, device = self.wp, taped.run, taped.device
-        w, b, n = run.n_worlds, run.n_bodies, taped.frames.n_steps
-        inside = np.arange(n)[None] < steps[:, None]
-        trace = run.trace
-        used = (taped._used & inside[..., None]).sum(-1)
-        awake = trace.awake.numpy()[:, :n] * inside[..., None]
-        awake[..., [i for i in range(b) if i not in run.arrays.dynamic]] = 0
-        fired = ((trace.fired.numpy()[:, :n] != 0) & inside[..., None]).sum(-1)
-        sweeps = trace.sweeps.numpy()[:, :n]
-        moves, solves = awake.sum(-1), sweeps * used
-        self.n_ops = (fired + 2 * moves + 2 * used + solves).sum(1)
+        self.taped, self.wp, self.device = taped, quiet_warp(), taped.device
+        w, n, b = taped.position.shape[:3]
+        self.n_worlds, self.n_bodies = w, b
+        inside = np.arange(n - 1)[None] < steps[:, None]
+        trace = taped.trace
+        used = (taped.used & inside[..., None]).sum(-1)
+        awake = trace.awake.numpy() * inside[..., None]
+        awake[..., ~taped.moving] = 0
+        fired = ((trace.fired.numpy() != 0) & inside[..., None]).sum(-1)
+        moves, solves = awake.sum(-1), trace.sweeps.numpy() * used
+        n_ops = (fired + 2 * moves + 2 * used + solves).sum(1)
         n_v = 1 + b + (fired + 2 * moves + 2 * solves).sum(1)
         n_x = b + 1 + moves.sum(1)
         n_j = 1 + solves.sum(1)
+        self.first_x, first_j = _starts(n_x), _starts(n_j)
+        total, n_c = int(n_ops.sum()), max(1, int(taped.used.sum()))
+        flat = [name for name in so.Ops.vars if name != "first"]
+        self.ops = self._zeros(so.Ops, flat, max(1, total))
+        self.ops.first = self._ints(np.append(_starts(n_ops), total))
+        flat = [name for name in Features.vars if name != "first"]
+        self.feat = self._zeros(Features, flat, n_c)
         # The flat number of a contact counts all contacts of earlier worlds, inside or not.
-        self.contact_first = _starts(taped._used.sum((1, 2)))
-        self.first_v, self.first_x, first_j = _starts(n_v), _starts(n_x), _starts(n_j)
-
-        def ints(count: int) -> Any:
-            return wp.zeros(max(1, count), dtype=int, device=device)
-
-        def up(values: Any) -> Any:
-            return wp.array(np.asarray(values, np.int32), dtype=int, device=device)
-
-        self.ops = so.Ops()
-        total = int(self.n_ops.sum())
-        self.ops.first = up(np.append(_starts(self.n_ops), total))
-        for name in ("kind", "step", "a", "b", "in_a", "in_b", "out_a", "out_b", "pose_a", "pose_b",
-                     "contact", "impulse_in", "impulse_out"):  # fmt: skip
-            setattr(self.ops, name, ints(total))
-        self.feat = Features()
-        n_c = max(1, int(taped._used.sum()))
-        self.feat.first = up(self.contact_first)
-        for name in ("world", "step", "body_a", "body_b", "mode"):
-            setattr(self.feat, name, ints(n_c))
-        for name in ("core_a", "core_b", "normal", "along"):
-            setattr(self.feat, name, wp.zeros(n_c, dtype=wp.vec3, device=device))
-        self.feat.radius = wp.zeros(n_c, dtype=wp.vec2, device=device)
-        self.feat.friction = wp.zeros(n_c, dtype=float, device=device)
-        self.feat.delay = wp.zeros(n_c, dtype=float, device=device)
-        self.feat.early = wp.zeros(n_c, dtype=float, device=device)
-        self.feat.speeding = wp.zeros(n_c, dtype=wp.vec4i, device=device)
-        ver = so.Versions()
-        ver.velocity, ver.pose, ver.impulse = up(self.first_v), up(self.first_x), up(first_j)
-        for name in ("now_v", "now_x", "free_v", "kick", "hit", "set_v"):
-            setattr(ver, name, wp.zeros((w, b), dtype=int, device=device))
-        for name in ("last_i", "number"):
-            setattr(ver, name, wp.zeros((w, run.room.contacts), dtype=int, device=device))
-        ver.acted = wp.zeros(run.state.done.shape, dtype=int, device=device)
-        for name in ("velocity_at", "pose_at"):
-            setattr(ver, name, wp.zeros((w, n + 1, b), dtype=int, device=device))
-        self.frozen_late = ver.late = wp.zeros(int(n_x.sum()), dtype=float, device=device)
-        wp.launch(
-            so.link, dim=w, device=device,
-            inputs=[run.model, run.contacts, trace, up(steps), self.ops,
-                    self.feat, ver],
+        self.feat.first = self._ints(_starts(taped.used.sum((1, 2))))
+        ver = self._zeros(so.Versions, ("now_v", "now_x", "free_v", "kick", "hit", "set_v"), (w, b))
+        self._zeros(so.Versions, ("last_i", "number"), (w, taped.room), ver)
+        self._zeros(so.Versions, ("acted",), (w, trace.fired.shape[2]), ver)
+        self._zeros(so.Versions, ("velocity_at", "pose_at"), (w, n, b), ver)
+        self._zeros(so.Versions, ("late",), int(n_x.sum()), ver)
+        self._zeros(so.Versions, ("next",), (w, len(so.Cursor)), ver)
+        ver.velocity, ver.pose, ver.impulse = map(self._ints, (_starts(n_v), self.first_x, first_j))
+        self.frozen_late = ver.late
+        self.wp.launch(
+            so.link, dim=w, device=self.device,
+            inputs=[taped.model, taped.contacts, trace, self._ints(steps), self.ops, self.feat,
+                    ver],
         )  # fmt: skip
         self.pose_at, self.velocity_at = ver.pose_at.numpy(), ver.velocity_at.numpy()
         for w_, last in enumerate(steps):
             self.pose_at[w_, last:] = self.pose_at[w_, last]
             self.velocity_at[w_, last:] = self.velocity_at[w_, last]
         self._arrays(int(n_v.sum()), int(n_x.sum()), int(n_j.sum()), n_c)
+
+    def _zeros(self, struct: Any, names: Iterable[str], shape: Any, made: Any = None) -> Any:
+        """An instance of a struct, new or given, with zeros in some of its arrays."""
+        made = struct() if made is None else made
+        for name in names:
+            dtype = struct.vars[name].type.dtype
+            setattr(made, name, self.wp.zeros(shape, dtype=dtype, device=self.device))
+        return made
+
+    def _ints(self, values: Any) -> Any:
+        return self.wp.array(np.asarray(values, np.int32), dtype=int, device=self.device)
 
     def _arrays(self, n_v: int, n_x: int, n_j: int, n_c: int) -> None:
         wp, t = self.wp, self.taped
@@ -251,18 +248,18 @@ class Replay:
         self.V, self.O = make(n_v, wp.vec3), make(n_v, wp.vec3)
         self.X, self.R = make(n_x, wp.vec3), make(n_x, wp.quat)
         x, r = np.zeros((n_x, 3), np.float32), np.zeros((n_x, 4), np.float32)
-        x[self.pose_at[:, 0]] = t._values.position
-        r[self.pose_at[:, 0]] = t._values.quaternion
-        r[self.first_x + t.run.n_bodies, 3] = 1.0
+        x[self.pose_at[:, 0]] = t.values.position
+        r[self.pose_at[:, 0]] = t.values.quaternion
+        r[self.first_x + self.n_bodies, 3] = 1.0
         self.X.assign(x)
         self.R.assign(r)
-        table = t.batch.table if t.batch.table.shape[1] else np.zeros((t.run.n_worlds, 1, 1))
+        table = t.batch.table if t.batch.table.shape[1] else np.zeros((self.n_worlds, 1, 1))
         self.table = wp.array(table, dtype=wp.float64, device=t.device, requires_grad=True)
         self.frozen = wp.array(table, dtype=wp.float64, device=t.device)
         bodies = t.scene.bodies
         damping = np.array([(b.linear_damping, b.angular_damping) for b in bodies], np.float32)
         self.damping = wp.array(
-            np.tile(damping, (t.run.n_worlds, 1, 1)), dtype=wp.vec2, device=t.device
+            np.tile(damping, (self.n_worlds, 1, 1)), dtype=wp.vec2, device=t.device
         )
         self.J = make(n_j, wp.vec3)
         self.inverse, self.late = make(n_x, wp.mat33), make(n_x, wp.vec2)
@@ -278,8 +275,8 @@ class Replay:
         tape = wp.Tape()
         with tape:
             wp.launch(
-                replay, dim=t.run.n_worlds, device=t.device,
-                inputs=[t.run.model, self.ops, self.feat, t.frames.dt, self.table, self.frozen,
+                replay, dim=self.n_worlds, device=t.device,
+                inputs=[t.model, self.ops, self.feat, t.frames.dt, self.table, self.frozen,
                         self.damping, self.V, self.O, self.X, self.R, self.J, self.inverse,
                         self.late, self.shift, self.frozen_late, *self.contact],
             )  # fmt: skip

@@ -6,11 +6,22 @@ the world frame unless it says otherwise. Body b owns the shapes first[b] .. fir
 
 from __future__ import annotations
 
+# Kernels are typed by Warp's compiler, in a language of its own.
 # pyright: basic, reportGeneralTypeIssues=false, reportInvalidTypeForm=false
+# pyright: reportArgumentType=false, reportCallIssue=false, reportIndexIssue=false
+# pyright: reportOperatorIssue=false, reportReturnType=false, reportAssignmentType=false
+from enum import IntEnum
+
 import warp as wp
 
-GROUND_BODY = wp.constant(-1)
-"""Second body of a contact with the ground."""
+
+class Fired(IntEnum):
+    """What a primitive did in a step of a trace."""
+
+    NOTHING = 0
+    ACTS = 1
+    LAST = 2
+    """It held for the last time, because its time ended."""
 
 
 @wp.struct
@@ -21,6 +32,9 @@ class Model:
     n_primitives: int
     n_worlds: int
     gravity: wp.vec3
+    dt: wp.float64
+    n_steps: int
+    record_every: int
     # Shapes, [S]; `scale` and `mesh` in the convention of Newton's support maps.
     first: wp.array(dtype=int)
     kind: wp.array(dtype=int)
@@ -118,8 +132,7 @@ class Trace:
     awake: wp.array3d(dtype=int)
     """[W, steps, B]"""
     fired: wp.array3d(dtype=int)
-    """1 for a primitive that acts in a step, 2 for the last step of a hold that ends by its time,
-    [W, steps, P]."""
+    """`Fired`, [W, steps, P]."""
     sweeps: wp.array2d(dtype=int)
     """[W, steps]"""
 
@@ -150,3 +163,37 @@ class Log:
     depth: wp.array2d(dtype=float)
     point: wp.array2d(dtype=wp.vec3)
     normal: wp.array2d(dtype=wp.vec3)
+
+
+@wp.struct
+class Out:
+    """What a rollout of W worlds leaves: states of moving bodies, [W, T - 1, D] from frame 1 on,
+    and per world [W] the largest overlap and the first frame that is not sound, else T."""
+
+    x: wp.array3d(dtype=wp.vec3)
+    r: wp.array3d(dtype=wp.quat)
+    v: wp.array3d(dtype=wp.vec3)
+    o: wp.array3d(dtype=wp.vec3)
+    deepest: wp.array(dtype=float)
+    end: wp.array(dtype=int)
+
+
+@wp.struct
+class Fields:
+    """Signed distance fields [m] of F bodies, in their body frames.
+
+    Every field is a cube of n^3 cells whose values sit at the cells' centres. Field f owns the
+    samples first[f] .. first[f + 1] - 1.
+    """
+
+    n: int
+    of_body: wp.array(dtype=int)
+    """[B]: index of a body's field or -1."""
+    ball: wp.array(dtype=int)
+    """[B]: whether a body is one sphere."""
+    values: wp.array4d(dtype=float)
+    origin: wp.array(dtype=wp.vec3)
+    """Corner of the grid, [F]."""
+    cell: wp.array(dtype=float)
+    first: wp.array(dtype=int)
+    sample: wp.array(dtype=wp.vec3)

@@ -8,9 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.engines.fleet.jobs import SceneShapes
 from esg.engines.newton.setup import CONTACT_GAP_M, quiet_warp
-from esg.engines.newton.shapes import add_shape
+from esg.engines.shapes import Hull, SceneShapes
 
 Wanted = tuple[tuple[int, int, int], ...]
 """Per scene of a model: its key, the number of its worlds and the factor on room for contacts."""
@@ -86,7 +85,10 @@ class Drafts:
 def _add_scene(
     wp: Any, world: Any, s: SceneShapes, config: Any, meshes: dict[bytes, Any]
 ) -> NDArray[np.int32]:
-    """Adds grounds, bodies and shapes as `NewtonModel` does; returns the body of every shape."""
+    """Adds two grounds, bodies and shapes; returns the body of every shape.
+
+    Wheeled bodies touch the second ground, all others the first.
+    """
     grounds = [world.add_ground_plane(cfg=config) for _ in range(2)]
     touches = {False: grounds[1], True: grounds[0]}
     owners: list[int] = list(_GROUNDS)
@@ -103,9 +105,55 @@ def _add_scene(
             )
         for i in range(s.first[b], s.first[b + 1]):
             size, origin, turn = s.size[i].tolist(), s.origin[i].tolist(), s.rotation[i].tolist()
-            shape = add_shape(
+            shape = _add_shape(
                 world, owner, s.kind[i], size, origin, turn, s.hulls[i], config, meshes
             )
             owners.append(b)
             world.add_shape_collision_filter_pair(shape, touches[bool(s.wheeled[b])])
     return np.array(owners, np.int32)
+
+
+def _add_shape(
+    builder: Any,
+    body: int,
+    kind: str,
+    size: tuple[float, ...],
+    position: tuple[float, ...],
+    quaternion: tuple[float, ...],
+    convex: Hull | None,
+    config: Any,
+    meshes: dict[bytes, Any],
+) -> int:
+    """Adds a shape to a body of a Newton builder and returns its number.
+
+    Args:
+        builder: `newton.ModelBuilder`.
+        body: Its number, -1 for the world.
+        kind: As `Shape.kind`.
+        size: As `Shape.size` [m].
+        position: In the body's frame [m].
+        quaternion: Orientation (x, y, z, w) in the body's frame.
+        convex: Of convex shapes.
+        config: `newton.ModelBuilder.ShapeConfig`.
+        meshes: Hulls met so far; shapes of equal vertices share one.
+    """
+    import newton
+    import warp as wp
+
+    pose = wp.transform(wp.vec3(*position), wp.quat(*quaternion))
+    x, y, z = size
+    if kind == "sphere":
+        return builder.add_shape_sphere(body, xform=pose, radius=x, cfg=config)
+    if kind == "box":
+        return builder.add_shape_box(body, xform=pose, hx=x, hy=y, hz=z, cfg=config)
+    if kind == "capsule":
+        return builder.add_shape_capsule(body, xform=pose, radius=x, half_height=z, cfg=config)
+    if kind == "cylinder":
+        return builder.add_shape_cylinder(body, xform=pose, radius=x, half_height=z, cfg=config)
+    assert convex is not None
+    vertices, faces = convex[0].astype(np.float32), convex[1].reshape(-1).astype(np.int32)
+    key = vertices.tobytes()
+    if key not in meshes:
+        # Masses and inertias are given; Newton's own would cost a kernel launch per hull.
+        meshes[key] = newton.Mesh(vertices, faces, compute_inertia=False)
+    return builder.add_shape_convex_hull(body, xform=pose, mesh=meshes[key], cfg=config)
