@@ -111,11 +111,12 @@ def prepare(folder: Path) -> None:
     """Writes the laid-out documents of all points."""
     from esg.assets import resolve
     from esg.draft import draft
-    from esg.dynamics import fit_assets, start_hints
+    from esg.dynamics import start_hints
+    from esg.dynamics.casting import fitted
     from esg.layout import solve_batch
 
     rows = prompts()
-    docs = [fit_assets(resolve(draft(text, seed=0), seed=0)) for _, _, text in rows]
+    docs = [fitted(resolve(draft(text, seed=0), seed=0)) for _, _, text in rows]
     hints = [start_hints(d, seed=0) for d in docs]
     docs = solve_batch(docs, [0] * len(docs), hints)
     folder.mkdir(parents=True, exist_ok=True)

@@ -17,8 +17,17 @@ _SIMULATION = ("engines", "dynamics")
 
 SOURCES: dict[str, tuple[str, ...]] = {
     "draft": ("draft",),
-    "resolve": ("assets", "dynamics"),
-    "layout": ("layout", "dynamics", "assets"),
+    "resolve": ("assets",),
+    "cast": (
+        "dynamics/__init__.py",
+        "dynamics/story",
+        "dynamics/choreography",
+        "dynamics/casting",
+        "engines/scene.py",
+        "layout/problem",
+        "assets",
+    ),
+    "layout": ("layout", "assets"),
     "optimize": (*_SIMULATION, "layout"),
     "compile": ("compile", "engines", "dynamics", "assets", "metrics"),
     "replay": ("compile", "engines"),
@@ -30,6 +39,7 @@ SOURCES: dict[str, tuple[str, ...]] = {
 LIBRARIES: dict[str, tuple[str, ...]] = {
     "draft": ("spacy",),
     "resolve": ("trimesh", "onnxruntime"),
+    "cast": ("trimesh", "onnxruntime"),
     "layout": ("warp-lang",),
     "optimize": ("newton", "warp-lang"),
     "compile": ("usd-core",),

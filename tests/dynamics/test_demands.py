@@ -8,7 +8,7 @@ import pytest
 
 from esg.assets import resolve
 from esg.draft import draft
-from esg.dynamics.casting.toppling import carried, fastest
+from esg.dynamics.casting.hits import carried, fastest
 from esg.dynamics.choreography.choreography import choreograph
 from esg.dynamics.choreography.demands import FELT_NS, felt, passed_on, thrown_back_share
 from esg.dynamics.choreography.impacts import FARTHEST_AHEAD

@@ -9,7 +9,8 @@ import pytest
 
 from esg.assets import resolve
 from esg.draft import draft
-from esg.dynamics import build_scene, fit_assets, start_hints
+from esg.dynamics import build_scene, start_hints
+from esg.dynamics.casting import fitted
 from esg.dynamics.plan.plan import make_plan
 from esg.engines.base import get_engine
 from esg.engines.program import HoldVelocity, batch_programs
@@ -123,7 +124,7 @@ def test_what_is_thrown_is_not_held_up():
 
 
 def test_what_turns_last_flies_straight_on_at_its_height():
-    doc = fit_assets(resolve(draft("A drone flies forward for 2 seconds and turns left.")))
+    doc = fitted(resolve(draft("A drone flies forward for 2 seconds and turns left.")))
     laid = solve(doc, hints=start_hints(doc))
     scene = build_scene(laid)
     plan = make_plan(laid, scene)

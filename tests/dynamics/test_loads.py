@@ -6,7 +6,8 @@ import pytest
 
 from esg.assets import resolve
 from esg.draft import draft
-from esg.dynamics import build_scene, fit_assets, start_hints
+from esg.dynamics import build_scene, start_hints
+from esg.dynamics.casting import fitted
 from esg.dynamics.choreography.choreography import choreograph
 from esg.dynamics.plan.plan import make_plan
 from esg.engines.program import SetVelocity
@@ -17,7 +18,7 @@ from esg.layout.problem.patterns import DOMINO_PITCH_OVER_HEIGHT
 
 def _cast(prompt: str) -> tuple[EsgDocument, EsgDocument]:
     doc = resolve(draft(prompt))
-    return doc, fit_assets(doc)
+    return doc, fitted(doc)
 
 
 def _of(doc: EsgDocument, name: str) -> AssetConfiguration:
@@ -92,7 +93,7 @@ def test_what_falls_off_a_stack_waits_until_the_stack_is_hit() -> None:
 
 def test_a_row_of_slabs_has_room_to_topple() -> None:
     """Make a shelf long enough for ten books that stand on their ends at their pitch."""
-    doc = fit_assets(resolve(draft("Ten books stand in a row on a shelf. The first book topples.")))
+    doc = fitted(resolve(draft("Ten books stand in a row on a shelf. The first book topples.")))
     nodes = doc.spatial_relation_graph.nodes
     books = [doc.asset_configurations[v.asset_id] for v in nodes.values() if v.group]
     shelf = doc.asset_configurations[nodes["shelf_1"].asset_id]

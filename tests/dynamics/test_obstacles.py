@@ -11,7 +11,8 @@ import pytest
 
 from esg.assets import resolve
 from esg.draft import draft
-from esg.dynamics import build_scene, fit_assets, optimize, start_hints
+from esg.dynamics import build_scene, optimize, start_hints
+from esg.dynamics.casting import fitted
 from esg.dynamics.losses.losses import Assessment
 from esg.dynamics.search import batched
 from esg.dynamics.search.batched import Explored
@@ -28,7 +29,7 @@ from esg.metrics import expectations_from_timeline, judge
 
 
 def _resolved(prompt: str) -> EsgDocument:
-    return fit_assets(resolve(draft(prompt)))
+    return fitted(resolve(draft(prompt)))
 
 
 def _played(prompt: str) -> tuple[DynamicsResult, list[tuple[int, int]]]:

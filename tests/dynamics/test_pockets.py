@@ -6,12 +6,13 @@ import pytest
 
 from esg.assets import resolve
 from esg.draft import draft
-from esg.dynamics import fit_assets, start_hints
+from esg.dynamics import start_hints
+from esg.dynamics.casting import fitted
 from esg.dynamics.choreography.choreography import choreograph
 
 
 def _placed(prompt: str) -> tuple[dict[str, tuple[float, float]], dict[str, float]]:
-    doc = fit_assets(resolve(draft(prompt)))
+    doc = fitted(resolve(draft(prompt)))
     spots = {
         p.node: (p.x_cm, p.y_cm) for c in start_hints(doc).constellations for p in c.placements
     }

@@ -9,7 +9,8 @@ import pytest
 
 from esg.assets import resolve
 from esg.draft import draft
-from esg.dynamics import fit_assets, start_hints
+from esg.dynamics import start_hints
+from esg.dynamics.casting import fitted
 from esg.dynamics.choreography.choreography import choreograph
 from esg.dynamics.choreography.falls import tipping_speed
 from esg.dynamics.story.edges import edge_of
@@ -57,18 +58,18 @@ def test_a_light_ball_gets_a_crate_it_can_knock_over() -> None:
         node = next(n for n in doc.spatial_relation_graph.nodes if "crate" in n)
         return doc.asset_configurations[doc.spatial_relation_graph.nodes[node].asset_id]
 
-    usual, chosen = crate(free), crate(fit_assets(free))
+    usual, chosen = crate(free), crate(fitted(free))
     share = (chosen.dimensions_cm[2] / usual.dimensions_cm[2]) ** 3
     assert 0.999 * 0.3 * share * usual.mass_kg <= chosen.mass_kg < usual.mass_kg
     assert 0.5**3 <= share <= 1.0
-    assert crate(fit_assets(stated)) == crate(stated)
+    assert crate(fitted(stated)) == crate(stated)
 
 
 def test_what_shall_fall_over_is_not_fixed_to_the_ground() -> None:
     """A fence that a tire knocks down can move; one that is only hit stays fixed."""
 
     def movable(prompt: str) -> bool:
-        doc = fit_assets(resolve(draft(prompt)))
+        doc = fitted(resolve(draft(prompt)))
         node = next(n for n in doc.spatial_relation_graph.nodes if "fence" in n)
         asset = doc.spatial_relation_graph.nodes[node].asset_id
         return doc.asset_configurations[asset].is_movable
@@ -86,7 +87,7 @@ def test_what_shall_fall_over_is_not_fixed_to_the_ground() -> None:
 )
 def test_what_leaves_a_table_comes_down_on_its_target(prompt: str, mover: str, target: str) -> None:
     """The target waits where free fall from the edge leads, clear of the support."""
-    doc = fit_assets(resolve(draft(prompt)))
+    doc = fitted(resolve(draft(prompt)))
     hints = start_hints(doc)
     stage = next(c for c in hints.constellations if c.anchor)
     places = {p.node.split("_")[0]: p for p in stage.placements}
@@ -98,12 +99,12 @@ def test_what_leaves_a_table_comes_down_on_its_target(prompt: str, mover: str, t
 
 def test_what_falls_off_a_truck_leaves_it_where_nothing_is_in_its_way() -> None:
     """The cab juts out before the roof of the body: a crate comes down behind the truck."""
-    doc = fit_assets(resolve(draft("A crate falls off a truck and hits a bollard.")))
+    doc = fitted(resolve(draft("A crate falls off a truck and hits a bollard.")))
     edge = edge_of(doc, "truck_1")
     truck = doc.asset_configurations[doc.spatial_relation_graph.nodes["truck_1"].asset_id]
     assert edge.backwards
     assert edge.at == pytest.approx(truck.dimensions_cm[0] / 200.0, abs=0.05)
-    table = fit_assets(resolve(draft("A ball rolls off a table and lands on a mat.")))
+    table = fitted(resolve(draft("A ball rolls off a table and lands on a mat.")))
     assert not edge_of(table, "table_1").backwards
     (constellation,) = start_hints(doc).constellations
     at = {p.node: p.x_cm for p in constellation.placements}
@@ -112,7 +113,7 @@ def test_what_falls_off_a_truck_leaves_it_where_nothing_is_in_its_way() -> None:
 
 def test_a_target_as_high_as_the_support_is_met_on_the_ground() -> None:
     """Onto a crate of almost the table's height nothing falls far: it stands a body's length off."""
-    doc = fit_assets(resolve(draft("A box slides off a table and hits a wardrobe.")))
+    doc = fitted(resolve(draft("A box slides off a table and hits a wardrobe.")))
     (constellation,) = start_hints(doc).constellations
     at = {p.node: p for p in constellation.placements}
     nodes = doc.spatial_relation_graph.nodes
@@ -123,7 +124,7 @@ def test_a_target_as_high_as_the_support_is_met_on_the_ground() -> None:
 
 def test_an_event_timed_from_another_constellation_is_told_after_it() -> None:
     """Two cars that never meet: the blue one's hit is 3 s after the red one's, at 2 s."""
-    doc = fit_assets(
+    doc = fitted(
         resolve(
             draft(
                 "A red car hits a barrel after 2 seconds, and 3 seconds later a blue car hits a crate."
@@ -141,7 +142,7 @@ def test_an_event_timed_from_another_constellation_is_told_after_it() -> None:
 
 def test_what_is_hit_and_drives_on_by_itself_waits_on_the_hits_way() -> None:
     """A cart that is rammed and then rolls on stands in the truck's way, pointing along it."""
-    doc = fit_assets(
+    doc = fitted(
         resolve(draft("A pickup truck reverses into a shopping cart, which rolls into a curb."))
     )
     (constellation,) = start_hints(doc).constellations

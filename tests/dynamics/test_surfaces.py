@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 from esg.assets import resolve
-from esg.draft import draft
-from esg.dynamics import fit_assets
-from esg.dynamics.casting.surfaces import ICE, SAID
+from esg.draft import draft, said
+from esg.dynamics.casting import fitted
+from esg.dynamics.casting.surfaces import ICE
 from esg.dynamics.story.stagecraft import ground_friction, prop
 
 
@@ -23,13 +23,13 @@ from esg.dynamics.story.stagecraft import ground_friction, prop
     ],
 )
 def test_what_slides_on_ice_has_its_friction(prompt: str, thing: str, icy: bool) -> None:
-    doc = fit_assets(resolve(draft(prompt)))
+    doc = fitted(resolve(draft(prompt)))
     assert (ground_friction(doc) == ICE) is icy
     assert (prop(doc, thing).friction == ICE) is icy
 
 
 def test_curling_stones_that_are_struck_slide_on_as_well() -> None:
-    doc = fit_assets(resolve(draft("A curling stone slides into two other curling stones.")))
+    doc = fitted(resolve(draft("A curling stone slides into two other curling stones.")))
     stones = [n for n in doc.spatial_relation_graph.nodes if "curling" in n]
     assert len(stones) == 3
     assert all(prop(doc, n).friction == ICE for n in stones)
@@ -37,4 +37,4 @@ def test_curling_stones_that_are_struck_slide_on_as_well() -> None:
 
 @pytest.mark.parametrize("text", ["slides on an ice cube", "over the ice cream", "by the rink"])
 def test_ice_that_is_no_ground_is_no_ice(text: str) -> None:
-    assert not SAID.search(text)
+    assert not said.ICE.search(text)

@@ -6,7 +6,7 @@ import pytest
 
 from esg.assets import resolve
 from esg.draft import draft
-from esg.dynamics import fit_assets
+from esg.dynamics.casting import fitted
 
 
 @pytest.mark.parametrize(
@@ -19,7 +19,7 @@ from esg.dynamics import fit_assets
 def test_the_region_over_water_is_low_for_what_falls(
     prompt: str, thing: str, share: float | None
 ) -> None:
-    doc = fit_assets(resolve(draft(prompt)))
+    doc = fitted(resolve(draft(prompt)))
     nodes = doc.spatial_relation_graph.nodes
     water = next(n for n in nodes if n.startswith(("pond", "water")))
     config = doc.asset_configurations[nodes[water].asset_id]

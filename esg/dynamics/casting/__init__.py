@@ -1,1 +1,19 @@
-"""Casting: which bodies, sizes and supports the events of a prompt need."""
+"""Casting: which bodies, sizes and supports the events of a prompt need (docs/pipeline.md)."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from esg.dynamics.casting.stage import cast, fitted
+
+__all__ = ["cast", "fitted"]
+
+
+def __getattr__(name: str) -> Any:
+    # numpy and the catalogue load only when something is cast
+    if name not in __all__:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    from esg.dynamics.casting import stage
+
+    return getattr(stage, name)

@@ -10,7 +10,8 @@ from __future__ import annotations
 
 import itertools
 
-from esg.dynamics.casting.toppling import hits, scaled
+from esg.dynamics.casting.changes import scaled
+from esg.dynamics.casting.hits import hits
 from esg.dynamics.choreography.demands import FELT_NS, ROLLS_AT, passed_on
 from esg.dynamics.story.stagecraft import Prop, default_speed, prop, support_of
 from esg.dynamics.story.story import Story
@@ -72,7 +73,7 @@ def fit_sliding(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]
         follows[a] = (*follows.get(a, ()), b)
     carried = {
         b
-        for _, a, b in hits(doc, story)
+        for _, _, b in hits(doc, story)
         if not (story.is_active(b) or story.topples(b) or story.falls(b))
     }
     out: dict[str, AssetConfiguration] = {}

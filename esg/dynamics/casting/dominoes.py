@@ -1,4 +1,4 @@
-"""What falls onto its equal is to be down first: where sizes are open, and there is room, it is large.
+"""What falls onto its equal is to be down first: where sizes are open and there is room, it grows.
 
 A toy domino takes 0.02 s from where it counts as toppled to the touch of its equal, a slab of a
 metre a tenth of a second and more (`story.slabs`): such a chain is built of garden dominoes.
@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import math
 
-from esg.dynamics.casting.containers import resized
-from esg.dynamics.casting.toppling import hits
+from esg.dynamics.casting.changes import resized
+from esg.dynamics.casting.hits import hits
 from esg.dynamics.story.slabs import BY_ITSELF_S, KNOCKED_S, ORDER_S, REACH
 from esg.dynamics.story.stagecraft import support_of, top_surface
 from esg.dynamics.story.story import Story

@@ -9,7 +9,6 @@ for the layout stage and a nominal value for every control parameter, where the 
 from __future__ import annotations
 
 from dataclasses import dataclass
-import zlib
 
 import numpy as np
 
@@ -19,10 +18,11 @@ from esg.dynamics.choreography.pockets import play_pocket, pocket_event
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.stagecraft import fit_to_surface
 from esg.dynamics.story.story import REACH_BRAKE_DAMPING, Story, read_story, turn_of
+from esg.graph.canonical import entropy
 from esg.graph.models import EsgDocument, NodeEvent, TimelineNode
 from esg.layout.problem.hints import Constellation, StartHints
 
-__all__ = ["REACH_BRAKE_DAMPING", "Choreography", "choreograph", "start_hints", "turn_of"]
+__all__ = ["REACH_BRAKE_DAMPING", "Choreography", "choreograph", "turn_of"]
 
 HANDLERS = {
     NodeEvent.TRIGGER: controlled,
@@ -39,15 +39,10 @@ ATTEMPTS = 12
 
 @dataclass(frozen=True)
 class Choreography:
-    """Start hints and nominal parameters ("edge id/speed" -> SI value)."""
+    """Start hints (none for static scenes) and nominal parameters ("edge id/speed" -> SI value)."""
 
     hints: StartHints
     nominal: dict[str, float]
-
-
-def start_hints(doc: EsgDocument, *, seed: int = 0) -> StartHints:
-    """Start constellations of the timeline's participants; empty for static scenes."""
-    return choreograph(doc, seed=seed).hints
 
 
 def choreograph(doc: EsgDocument, *, seed: int = 0) -> Choreography:
@@ -58,8 +53,7 @@ def choreograph(doc: EsgDocument, *, seed: int = 0) -> Choreography:
         seed: Varies approach distances, lateral offsets and times.
     """
     story = read_story(doc)
-    text = doc.scene_definition.original_description
-    rng = np.random.default_rng([seed, zlib.crc32(text.encode())])
+    rng = np.random.default_rng([seed, entropy(doc)])
     constellations: list[Constellation] = []
     nominal: dict[str, float] = {}
     told: dict[str, float] = {}

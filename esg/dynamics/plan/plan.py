@@ -9,7 +9,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.dynamics.choreography.choreography import choreograph
+from esg.dynamics.choreography.record import choreography_of
 from esg.dynamics.plan.horizon import looked_at_for
 from esg.dynamics.plan.programs import Composer, Values
 from esg.dynamics.plan.variables import Declarations, Variable
@@ -66,13 +66,13 @@ def make_plan(doc: EsgDocument, scene: SimScene, *, seed: int = 0, look_ahead: b
     """Reads the timeline of a laid-out document into variables and a program compiler.
 
     Args:
-        doc: The document.
+        doc: The document, its casting applied.
         scene: Its physical scene.
-        seed: Of the choreography.
+        seed: Of the choreography, where the document holds none.
         look_ahead: Aim with what comes after the first hit in mind; False aims straight at the
             centre of the first target.
     """
-    return _Planner(doc, scene, choreograph(doc, seed=seed).nominal, look_ahead).plan()
+    return _Planner(doc, scene, choreography_of(doc, seed=seed).nominal, look_ahead).plan()
 
 
 class _Planner(Declarations, Composer):

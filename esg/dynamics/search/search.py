@@ -9,7 +9,6 @@ fixed number of rollouts (`baselines`).
 from __future__ import annotations
 
 from collections.abc import Callable
-import zlib
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,7 +24,8 @@ from esg.dynamics.search.panel import REFERENCE_DT_S, Found, Panel
 from esg.dynamics.search.refine import COLLISIONS, Staged, staged_search
 from esg.dynamics.search.results import static_result, write_result
 from esg.engines.base import Engine, get_engine
-from esg.graph.canonical import document_hash
+from esg.graph.canonical import document_hash, entropy
+from esg.graph.casting import effective
 from esg.graph.models import ClosedLoop, DynamicsResult, EsgDocument, Provenance
 from esg.outcomes import UserError
 
@@ -81,17 +81,18 @@ def optimize(
         )
     if strategy not in (*STRATEGIES, *BASELINES):
         raise UserError(f"unknown strategy {strategy!r}; choose one of {', '.join(STRATEGIES)}")
+    given, doc = doc, effective(doc)
     scene = build_scene(doc)
     if doc.timeline_system is None:
-        return _write(doc, static_result(strategy), seed, strategy)
+        return _write(given, static_result(strategy), seed, strategy)
     plan = make_plan(doc, scene, seed=seed, look_ahead=strategy != "none")
     if not plan.variables:
-        return _write(doc, static_result(strategy), seed, strategy)
-    text = doc.scene_definition.original_description.encode()
+        return _write(given, static_result(strategy), seed, strategy)
+    salt = entropy(doc)
     if collision != "exact":
 
         def once(plan: Plan, judges: Panel) -> NDArray[np.float64]:
-            rng = np.random.default_rng([seed, zlib.crc32(text)])
+            rng = np.random.default_rng([seed, salt])
             return run_strategy(
                 plan, judges, rng, strategy, max_rounds=max_rounds, rollouts=rollouts
             )[0].theta
@@ -100,13 +101,12 @@ def optimize(
             doc, scene, collision, once, seed=seed, strategy=strategy, device=device,
             engines=engines,
         )  # fmt: skip
-        return _write(doc, _judge_staged(doc, staged, strategy, device, engines), seed, strategy,
+        return _write(given, _judge_staged(doc, staged, strategy, device, engines), seed, strategy,
                       collision)  # fmt: skip
     panel = Panel(plan, device, dt=REFERENCE_DT_S, engines=engines)
 
     def run(judges: Panel, round_: int) -> tuple[Found, str]:
-        entropy = [seed, zlib.crc32(text), *([round_] if round_ else [])]
-        rng = np.random.default_rng(entropy)
+        rng = np.random.default_rng([seed, salt, *([round_] if round_ else [])])
         return run_strategy(
             plan, judges, rng, strategy, max_rounds=max_rounds, rollouts=rollouts, barred=barred
         )
@@ -131,7 +131,7 @@ def optimize(
     result = write_result(
         doc, plan, panel, found, strategy=strategy, stopped=stopped, closed=closed
     )
-    return _write(doc, result, seed, strategy)
+    return _write(given, result, seed, strategy)
 
 
 def _judge_staged(

@@ -166,8 +166,9 @@ def read_story(doc: EsgDocument) -> Story:
     # "1.5 seconds later" follows what it is timed from, whoever takes part in it.
     for node in timeline.sequence_graph.nodes:
         for c in node.constraints:
-            new = c.since in by_id and c.since not in before[node.id]
-            if new and not _leads(before, node.id, c.since):
+            if c.since is None or c.since not in by_id or c.since in before[node.id]:
+                continue
+            if not _leads(before, node.id, c.since):
                 before[node.id].append(c.since)
     order = _topological(list(by_id), before)
     nodes = {i: by_id[i] for i in order}

@@ -10,10 +10,8 @@ import math
 
 import numpy as np
 
-from esg.dynamics.casting.chains import fit_chains, fit_sliding
-from esg.dynamics.casting.containers import resized, with_assets
-from esg.dynamics.casting.surfaces import fit_ice
-from esg.dynamics.casting.toppling import hits
+from esg.dynamics.casting.changes import Configs, resized, weighing
+from esg.dynamics.casting.hits import hits
 from esg.dynamics.choreography.slopes import (
     AT_FOOT_M,
     STARTS_MPS,
@@ -70,34 +68,6 @@ SMALLEST = 0.4
 LONGEST_ON_RAMP = 0.4
 """Longest half of a body over the way down a ramp."""
 
-Configs = dict[str, AssetConfiguration]
-
-
-def fit_motion(doc: EsgDocument, story: Story) -> EsgDocument:
-    """Adapts open sizes, masses and surfaces to the motions on the ground.
-
-    Args:
-        doc: A document with assets resolved.
-        story: Its timeline.
-
-    Returns:
-        The document; only `asset_configurations` may differ.
-    """
-    for rule in (
-        fit_ice,
-        _roomy,
-        _sloped,
-        _felt,
-        _slippery,
-        _bouncy,
-        fit_chains,
-        fit_sliding,
-        _pushed_on,
-        _steady,
-    ):
-        doc = with_assets(doc, rule(doc, story))
-    return doc
-
 
 def _asset(doc: EsgDocument, name: str) -> str:
     return doc.spatial_relation_graph.nodes[name].asset_id
@@ -121,7 +91,7 @@ def _arrival(story: Story, actor: str, node: TimelineNode) -> Phase | None:
     return next((p for p in story.phases.get(actor, ()) if p.end.id == node.id), None)
 
 
-def _roomy(doc: EsgDocument, story: Story) -> Configs:
+def fit_roomy(doc: EsgDocument, story: Story) -> Configs:
     """A ramp on whose top there is room for what goes down it."""
     out: Configs = {}
     for actor in story.phases:
@@ -140,7 +110,7 @@ def _roomy(doc: EsgDocument, story: Story) -> Configs:
     return out
 
 
-def _sloped(doc: EsgDocument, story: Story) -> Configs:
+def fit_sloped(doc: EsgDocument, story: Story) -> Configs:
     """A ramp that lets go what is on it, as high as a stated speed at its foot asks for.
 
     What slides down has half of the slope's pull left by friction; wheels roll.
@@ -193,7 +163,7 @@ def _size_for(slope: Slope, ride: Ride, body: Prop, meant: float) -> float:
     return found
 
 
-def _felt(doc: EsgDocument, story: Story) -> Configs:
+def fit_felt(doc: EsgDocument, story: Story) -> Configs:
     """Marbles and dominoes so large that their hits are hits at a speed they may have.
 
     The lighter one of the two grows, both where they are alike.
@@ -229,7 +199,7 @@ def _enters(story: Story, name: str) -> bool:
     return any(n.event is NodeEvent.ENTER_REGION and name in n.participants for n in nodes)
 
 
-def _slippery(doc: EsgDocument, story: Story) -> Configs:
+def fit_slippery(doc: EsgDocument, story: Story) -> Configs:
     """Body and ground on which something slid at a prescribed speed is still on its way in time."""
     out: Configs = {}
     for node, a, _ in hits(doc, story):
@@ -272,7 +242,7 @@ def _asked_speed(phase: Phase) -> float | None:
     return 0.005 * (low + high)
 
 
-def _bouncy(doc: EsgDocument, story: Story) -> Configs:
+def fit_bouncy(doc: EsgDocument, story: Story) -> Configs:
     """Equals of such a material that a hit at one prescribed speed gives the other one.
 
     Where masses are open they are chosen instead (`casting`).
@@ -300,7 +270,7 @@ def _bouncy(doc: EsgDocument, story: Story) -> Configs:
     return out
 
 
-def _pushed_on(doc: EsgDocument, story: Story) -> Configs:
+def fit_pushed_on(doc: EsgDocument, story: Story) -> Configs:
     """What a hit of prescribed speed is to send into something else is light and smooth enough."""
     out: Configs = {}
     for node, a, b in hits(doc, story):
@@ -331,9 +301,9 @@ def _pushed_on(doc: EsgDocument, story: Story) -> Configs:
             gain = (1.0 + 0.5 * (mover.restitution + target.restitution)) * speed / needed
             if gain > 1.0:
                 weight = min(HEAVIEST * weight, max(weight, mass / (gain - 1.0)))
-        out[key] = _weighing(config, mass).model_copy(update={"friction": friction})
+        out[key] = weighing(config, mass).model_copy(update={"friction": friction})
         if weight > mover.mass:
-            out[_asset(doc, a)] = _weighing(doc.asset_configurations[_asset(doc, a)], weight)
+            out[_asset(doc, a)] = weighing(doc.asset_configurations[_asset(doc, a)], weight)
     return out
 
 
@@ -347,13 +317,7 @@ def _passed(mover: Prop, target: Prop, a: float, b: float, speed: float) -> floa
     return (1.0 + 0.5 * (mover.restitution + target.restitution)) * a / (a + b) * speed
 
 
-def _weighing(config: AssetConfiguration, mass: float) -> AssetConfiguration:
-    share = mass / config.mass_kg
-    inertia = tuple(v * share for v in config.inertia_kg_cm2)
-    return config.model_copy(update={"mass_kg": mass, "inertia_kg_cm2": inertia})
-
-
-def _steady(doc: EsgDocument, story: Story) -> Configs:
+def fit_steady(doc: EsgDocument, story: Story) -> Configs:
     """Feet that do not slip under what a low or flat hit shall tip over.
 
     A flat front presses a body along its whole height, in the middle of which no hit tips it: its
