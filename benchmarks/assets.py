@@ -1,7 +1,7 @@
 """What the asset stage costs: resolving twenty objects, and importing a folder of libraries.
 
-    python benchmarks/assets.py resolve [--json FILE]
-    python benchmarks/assets.py import FOLDER [--seconds S] [--json FILE]
+    python -m benchmarks.assets resolve [--json FILE]
+    python -m benchmarks.assets import FOLDER [--seconds S] [--json FILE]
 
 `resolve` times twenty warm objects (ten named by the library, ten by other words) in CPU time.
 `import` imports FOLDER into `$ESG_ASSET_LIBRARY`, stopping after S seconds as if it were killed;

@@ -1,8 +1,8 @@
 """A small image tower in the space of the frozen MiniLM text tower, and whether it helps.
 
-    python benchmarks/clip_train.py prepare DATA.npz     # renders of the library, text embeddings
+    python -m benchmarks.clip_train prepare DATA.npz     # renders of the library, text embeddings
     python clip_train.py train DATA.npz OUT              # plain torch and numpy, on a GPU machine
-    python benchmarks/clip_train.py report OUT           # what came of it
+    python -m benchmarks.clip_train report OUT           # what came of it
 
 `prepare` renders every parametric and imported asset from eight sides at 80 x 80 and embeds its
 texts and the queries of `data/retrieval_queries.csv`. `train` needs torch and this file alone:

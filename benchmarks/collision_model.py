@@ -28,7 +28,7 @@ from typing import Any
 
 import numpy as np
 
-from benchmarks.theta import Case, Stopwatch, cold, completed, panel, suite_scene
+from benchmarks.lib.theta import Case, Stopwatch, cold, completed, panel, suite_scene
 from esg.assets import resolve
 from esg.draft import draft
 from esg.dynamics import build_scene, start_hints

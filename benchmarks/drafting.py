@@ -452,7 +452,7 @@ def main(argv: list[str] | None = None) -> int:
             "the drafter is improved; leave --show out, use --split dev, or say --open-held-out"
         )
     if args.soak:
-        from benchmarks.drafting_soak import soak
+        from benchmarks.lib.drafting_soak import soak
 
         result = soak(args.soak, load("dev"))
         print(result.text())
@@ -468,7 +468,7 @@ def main(argv: list[str] | None = None) -> int:
     rows = {args.drafter: scores["total"]}
     table: dict[str, dict[str, Any]] = {}
     if not args.no_ablation:
-        from benchmarks.drafting_ablation import ablation
+        from benchmarks.lib.drafting_ablation import ablation
 
         table, variants = ablation(load(args.split, args.files))
         rows |= variants

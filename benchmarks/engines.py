@@ -185,7 +185,7 @@ def _batch(case: Case, n: int) -> ProgramBatch:
 
 
 def main() -> None:
-    """Prints the tables of docs/engines.md."""
+    """Prints the tables of docs/results/engines.md."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--programs", type=int, default=48)
     parser.add_argument("--repeats", type=int, default=2)

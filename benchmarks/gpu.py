@@ -27,7 +27,7 @@ import numpy as np
 
 from benchmarks.engines import Case, balls, car_bin_table, first_hits
 from benchmarks.layout import HARD, batch
-from benchmarks.layout_graphs import generate
+from benchmarks.lib.layout_graphs import generate
 from esg.engines import get_engine
 from esg.engines.program import batch_programs
 from esg.engines.scene import Body, Rollout, Shape

@@ -16,7 +16,7 @@ from pathlib import Path
 import time
 from typing import Any
 
-from benchmarks.layout_graphs import generate
+from benchmarks.lib.layout_graphs import generate
 from esg.graph.models import EsgDocument
 from esg.layout import LayoutConfig, solve, solve_batch
 
@@ -203,7 +203,7 @@ PROMPTS = (
 
 def pictures(count: int, out: Path) -> None:
     """Two sheets of layouts, from above and in perspective: everyday prompts, then graphs."""
-    from benchmarks.layout_pictures import perspective, sheet, top_down
+    from benchmarks.lib.layout_pictures import perspective, sheet, top_down
     from esg.assets import resolve
     from esg.draft import draft
     from esg.dynamics import start_hints
@@ -242,7 +242,7 @@ def main() -> None:
     else:
         result = scaling(args.device)
         if args.out:
-            from benchmarks.layout_pictures import curve
+            from benchmarks.lib.layout_pictures import curve
 
             curve(result, args.out.with_suffix(".png"))
     text = json.dumps(result, indent=1)

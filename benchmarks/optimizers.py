@@ -19,7 +19,7 @@ from typing import Any
 
 import numpy as np
 
-from benchmarks.theta import PAPER, Stopwatch, case, cold, completed, panel
+from benchmarks.lib.theta import PAPER, Stopwatch, case, cold, completed, panel
 from esg.dynamics.search.search import run_strategy
 from esg.metrics import load_suite
 from esg.metrics.models import SuiteScene

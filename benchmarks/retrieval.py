@@ -1,6 +1,6 @@
 """Retrieval benchmark: does a noun phrase find the right asset, and is nonsense refused?
 
-    python benchmarks/retrieval.py [--json FILE]
+    python -m benchmarks.retrieval [--json FILE]
 
 Queries are `data/retrieval_queries.csv` (kept apart from the tuning set `retrieval_tuning.csv`):
 phrase and acceptable entries, or none for things that the library does not hold. With imported

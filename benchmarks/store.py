@@ -1,6 +1,6 @@
 """How fast results are ingested and views answer: 100,000 scene runs, a million metric rows.
 
-    python benchmarks/store.py [FOLDER]
+    python -m benchmarks.store [FOLDER]
 
 Target: a million metric rows in under 10 s, every view in under 0.5 s.
 """

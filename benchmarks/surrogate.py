@@ -358,7 +358,7 @@ def gradients(folder: Path | None, n: int, spread: float, width: float, out: str
 
 
 def main() -> None:
-    """Prints the tables of docs/surrogate.md."""
+    """Prints the tables of docs/results/surrogate.md."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("what", choices=("analytic", "speed", "agreement", "gradients"))
     parser.add_argument("--documents", type=Path, help="folder of laid-out documents")

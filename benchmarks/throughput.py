@@ -36,7 +36,7 @@ from typing import Any
 os.environ.setdefault("OMP_NUM_THREADS", "1")
 os.environ.setdefault("ESG_THREADS", "1")
 
-from benchmarks.wall import Watch, plot
+from benchmarks.lib.wall import Watch, plot
 from esg.dataset import running
 from esg.dataset.batch import BatchJob, BatchResult, make_batch
 from esg.dataset.finish import finish

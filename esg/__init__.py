@@ -1,3 +1,3 @@
 """Text to physically consistent dynamic 3D scenes, at dataset scale."""
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"

@@ -238,7 +238,7 @@ def _verdict(state: SceneState, expected: SuiteScene) -> SceneVerdict:
 
 
 def _outcome(doc: EsgDocument, own: SceneVerdict) -> tuple[Outcome, str]:
-    from esg.draft.coverage import NOTHING_HAPPENS
+    from esg.draft.document.coverage import NOTHING_HAPPENS
 
     failures = [f"{e.id} ({e.type}): {e.reason}" for e in own.events if not e.completed]
     if not own.slr:

@@ -28,7 +28,7 @@ def draft(prompt: str, *, seed: int = 0, drafter: str = "rules") -> EsgDocument:
     if drafter == "rules":
         from esg.draft.rules import draft_rules as run
     elif drafter == "llm":
-        from esg.draft.llm import draft_llm as run
+        from esg.draft.llm.drafter import draft_llm as run
     else:
         from esg.outcomes import UserError
 

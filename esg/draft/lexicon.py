@@ -10,24 +10,25 @@ from dataclasses import dataclass
 from functools import cache, lru_cache
 from pathlib import Path
 
+from esg.draft import lexicon as lex
+
 DATA = Path(__file__).parent / "data"
 
 
 @cache
-def _sections() -> dict[str, frozenset[str]]:
-    """Word classes of `data/words.txt`: "[name]" and then words."""
-    table: dict[str, list[str]] = {}
-    current = ""
-    for line in (DATA / "words.txt").read_text(encoding="utf-8").splitlines():
-        if line.startswith("["):
-            current = line.strip("[]")
-        else:
-            table.setdefault(current, []).extend(line.split())
-    return {name: frozenset(words) for name, words in table.items()}
+def _word_sets() -> dict[str, frozenset[str]]:
+    with open(DATA / "word_sets.csv", encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file, delimiter=";", quoting=csv.QUOTE_NONE))
+    return {row["set"]: frozenset(row["words"].split("|")) for row in rows}
 
 
-def _words(section: str) -> frozenset[str]:
-    return _sections()[section]
+def word_set(name: str) -> frozenset[str]:
+    """Words that a reading treats alike: a row of `data/word_sets.csv`.
+
+    Raises:
+        KeyError: If the table has no such row.
+    """
+    return _word_sets()[name]
 
 
 @dataclass(frozen=True)
@@ -100,7 +101,7 @@ def nouns() -> dict[str, Noun]:
     for noun, synonyms in entries:
         for synonym in synonyms:
             table.setdefault(synonym, noun)
-    for name in _words("persons"):
+    for name in word_set("persons"):
         table.setdefault(name, table["person"])
     # Tokens part the possessive: "rubik 's cube".
     for name in [n for n in table if "'s " in n]:
@@ -132,7 +133,7 @@ _IRREGULAR_PLURALS = {
     "dominos": "domino", "policemen": "policeman", "passersby": "passerby", "axes": "axe",
     "postmen": "postman", "vertices": "vertex", "matches": "match", "lenses": "lens",
 }  # fmt: skip
-_NOT_PLURAL = _words("singular in -s")
+_NOT_PLURAL = word_set("singular in -s")
 
 
 @lru_cache(maxsize=16384)
@@ -184,12 +185,16 @@ def _regular(lemma: str) -> dict[str, str]:
 
 
 @cache
-def verb_forms() -> dict[str, tuple[VerbForm, ...]]:
-    """Verb readings by inflected form."""
-    table: dict[str, list[VerbForm]] = {}
+def _verb_tables() -> tuple[dict[str, tuple[VerbForm, ...]], dict[str, tuple[VerbForm, ...]]]:
+    """Readings by inflected form: of verbs, and of those that mean something only in a phrase."""
+    verbs: dict[str, list[VerbForm]] = {}
+    in_phrases: dict[str, list[VerbForm]] = {}
     with open(DATA / "verbs.csv", encoding="utf-8", newline="") as file:
         for row in csv.DictReader(file, delimiter=";"):
             lemma, sense, note = row["lemma"], row["sense"], row["notes"] or ""
+            table = verbs
+            if sense == "phrase":
+                table, sense = in_phrases, "noop"
             forms = _regular(lemma)
             if row["forms"]:
                 forms = dict(zip(("s", "past", "pp", "ing"), row["forms"].split(","), strict=True))
@@ -197,10 +202,20 @@ def verb_forms() -> dict[str, tuple[VerbForm, ...]]:
             for form, words in forms.items():
                 for word in words.split("|"):
                     table.setdefault(word, []).append(VerbForm(lemma, sense, form, note))
-    return {w: tuple(v) for w, v in table.items()}
+    return {w: tuple(v) for w, v in verbs.items()}, {w: (v[-1],) for w, v in in_phrases.items()}
 
 
-COLORS: dict[str, str] = {c: c for c in _words("colors")} | {"grey": "gray", "golden": "gold"}
+def verb_forms() -> dict[str, tuple[VerbForm, ...]]:
+    """Verb readings by inflected form."""
+    return _verb_tables()[0]
+
+
+def phrase_verb_forms() -> dict[str, tuple[VerbForm, ...]]:
+    """Forms of verbs that mean something for the drafter only in a phrase ("gains speed")."""
+    return _verb_tables()[1]
+
+
+COLORS: dict[str, str] = {c: c for c in word_set("colors")} | {"grey": "gray", "golden": "gold"}
 
 MATERIALS: dict[str, tuple[str, float]] = {
     "wooden": ("wood", 650.0), "wood": ("wood", 650.0), "oak": ("wood", 750.0),
@@ -238,22 +253,22 @@ WEIGHTS: dict[str, float] = {
     "heavy": 2.0, "light": 0.5, "lightweight": 0.5, "massive": 3.0, "weighty": 2.0,
     "empty": 0.6, "full": 2.0, "loaded": 2.0, "hollow": 0.4, "solid": 1.5, "filled": 2.0,
 }  # fmt: skip
-PLACE_ADJECTIVES = _words("place adjectives")
-PLAIN_ADJECTIVES = _words("plain adjectives")
-DETERMINERS = _words("determiners")
-PRONOUNS = _words("pronouns")
-PREPOSITIONS = _words("prepositions")
-MODALS = _words("auxiliaries")
-ADVERBS = _words("adverbs")
-SUBORDINATORS = _words("subordinators")
-PARTS = _words("parts")
-GARMENTS = _words("garments")
-ATTRIBUTES = _words("attributes")
+PLACE_ADJECTIVES = word_set("place adjectives")
+PLAIN_ADJECTIVES = word_set("plain adjectives")
+DETERMINERS = word_set("determiners")
+PRONOUNS = word_set("pronouns")
+PREPOSITIONS = word_set("prepositions")
+MODALS = word_set("auxiliaries")
+ADVERBS = word_set("adverbs")
+SUBORDINATORS = word_set("subordinators")
+PARTS = word_set("parts")
+GARMENTS = word_set("garments")
+ATTRIBUTES = word_set("attributes")
 """Nouns that name no object: measures, events, media."""
-SUBSTANCES = _words("substances")
+SUBSTANCES = word_set("substances")
 """What a thing is made of or filled with: "a glass of water", "a ball of steel"."""
-FIRST_NAMES = _words("first names")
-PERSON_ROLES = _words("person roles")
+FIRST_NAMES = word_set("first names")
+PERSON_ROLES = word_set("person roles")
 GROUP_WORDS: dict[str, str | None] = {
     "set": None, "group": "scatter", "bunch": "scatter", "pile": "stack", "stack": "stack",
     "row": "row", "line": "row", "column": "column", "queue": "queue", "pair": None,
@@ -276,8 +291,7 @@ ARRANGEMENTS: dict[str, str] = {
     "bunch": "scatter", "convoy": "queue", "procession": "queue", "parade": "queue",
 }  # fmt: skip
 """What "standing in a ..." says about a plural."""
-SHAPES_OF_GROUPS = frozenset({"triangle", "formation", "circle", "semicircle", "arc", "line"})
-"""Arrangements that are never objects."""
+SHAPES_OF_GROUPS = lex.word_set("shapes of groups")
 VAGUE_COUNTS: dict[str, int] = {
     "several": 4, "many": 6, "few": 3, "multiple": 4, "numerous": 6, "various": 4, "some": 3,
     "couple": 2, "both": 2, "pair": 2, "dozen": 12, "dozens": 12, "lots": 6, "handful": 4,

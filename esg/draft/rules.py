@@ -4,34 +4,34 @@ from __future__ import annotations
 
 import re
 
-from esg.draft.absolutes import absolutes
-from esg.draft.appositions import appose
-from esg.draft.build import DocumentBuilder, is_restricted
-from esg.draft.clauses import ClauseBuilder
-from esg.draft.comparisons import compare, compare_speeds
-from esg.draft.coordination import coordinate
-from esg.draft.coverage import account, in_prompt
-from esg.draft.ellipsis import elide
-from esg.draft.expand import expand
-from esg.draft.garments import undress
-from esg.draft.headlines import spelled_out
-from esg.draft.interpret import Interpreter
-from esg.draft.light_verbs import lighten
-from esg.draft.modality import mark_unreal
-from esg.draft.modifiers import join_modifiers
-from esg.draft.nominals import verbalize
-from esg.draft.persons import mark_persons
-from esg.draft.positions import positioned
-from esg.draft.reorder import reorder
-from esg.draft.reports import drop_reports
-from esg.draft.screening import contradictions, nothing_to_draw, screen, too_long, too_much
-from esg.draft.shares import count, own_nouns
-from esg.draft.sheets import from_sheet
-from esg.draft.similes import drop_similes
-from esg.draft.spacing import space
-from esg.draft.syntax import Chunker
-from esg.draft.tokens import pos_tags, tokenize
-from esg.draft.world import World
+from esg.draft.discourse.referents.resolution import new_world
+from esg.draft.document.build import DocumentBuilder, is_restricted
+from esg.draft.document.comparisons import compare, compare_speeds
+from esg.draft.document.coverage import account, in_prompt
+from esg.draft.document.expand import expand
+from esg.draft.document.screening import contradictions, nothing_to_draw, screen, too_long, too_much
+from esg.draft.document.spacing import space
+from esg.draft.events.interpret import begin, interpret
+from esg.draft.grammar.clauses.builder import build_clauses
+from esg.draft.grammar.clauses.modality import mark_unreal
+from esg.draft.grammar.phrases.chunker import chunk
+from esg.draft.grammar.phrases.modifiers import join_modifiers
+from esg.draft.grammar.rewrites.absolutes import absolutes
+from esg.draft.grammar.rewrites.appositions import appose
+from esg.draft.grammar.rewrites.coordination import coordinate
+from esg.draft.grammar.rewrites.ellipsis import elide
+from esg.draft.grammar.rewrites.garments import undress
+from esg.draft.grammar.rewrites.headlines import spelled_out
+from esg.draft.grammar.rewrites.light_verbs import lighten
+from esg.draft.grammar.rewrites.nominals import verbalize
+from esg.draft.grammar.rewrites.persons import mark_persons
+from esg.draft.grammar.rewrites.positions import positioned
+from esg.draft.grammar.rewrites.reorder import reorder
+from esg.draft.grammar.rewrites.reports import drop_reports
+from esg.draft.grammar.rewrites.shares import count, own_nouns
+from esg.draft.grammar.rewrites.sheets import from_sheet
+from esg.draft.grammar.rewrites.similes import drop_similes
+from esg.draft.text.tokens import pos_tags, tokenize
 from esg.graph.models import EsgDocument
 
 _ONE_AFTER_OTHER = re.compile(
@@ -72,21 +72,19 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     """
     text = spelled_out(screen(prompt))
     tokens = join_modifiers(tokenize(text, pos_tags(text)), text)
-    elements = drop_reports(drop_similes(Chunker(text, tokens).run()))
+    elements = drop_reports(drop_similes(chunk(text, tokens)))
     elements = from_sheet(lighten(positioned(appose(coordinate(own_nouns(elements))))))
     elements = undress(mark_persons(absolutes(elide(verbalize(reorder(elements, text))))))
-    clauses = ClauseBuilder(elements)
-    clauses.run()
+    clauses = build_clauses(elements)
     count(clauses.attachments)
     mark_unreal(clauses.frames, text)
-    world = World()
+    world = new_world()
     world.file_of_two = _ONE_AFTER_OTHER.search(text) is not None
     world.net_sport = _NET_SPORTS.search(text) is not None
     cushion = _OFF_A_CUSHION.search(text) is not None and _FURNISHED.search(text) is None
     world.billiards = _BILLIARDS.search(text) is not None or cushion
-    interpreter = Interpreter(world, text)
-    interpreter.mentions = clauses.mentions
-    scene = interpreter.run(clauses.frames, clauses.attachments)
+    discourse = begin(world, text, clauses.mentions)
+    scene = interpret(discourse, clauses.frames, clauses.attachments)
     scene.text = text
     scene.ignored.update({(v.start, v.end): "gerund" for v in clauses.nominal})
     compare(text, clauses.mentions, scene)

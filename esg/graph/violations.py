@@ -1,7 +1,7 @@
 """What the verifier can find: one stable code a rule, with its meaning and its remedy.
 
-The table in docs/graph.md is tested against `RULES`. Codes are part of the public contract: they
-are never renamed or reused; a rule that goes away leaves its code unused.
+The table in docs/graph/codes.md is tested against `RULES`. Codes are part of the public contract:
+they are never renamed or reused; a rule that goes away leaves its code unused.
 """
 
 from __future__ import annotations

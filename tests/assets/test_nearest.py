@@ -12,7 +12,7 @@ from esg.assets.library.hypernyms import TABLE_FILE, _table, kin
 from esg.assets.library.proposal import guessed
 from esg.assets.library.retrieve import GATE
 from esg.assets.stage import configure
-from esg.draft.entities import UNKNOWN_MASS_KG, unknown_noun
+from esg.draft.discourse.referents.entities import UNKNOWN_MASS_KG, unknown_noun
 from esg.graph.models import AssetRequirement
 from tests.assets.worlds import faults, settle_configs
 

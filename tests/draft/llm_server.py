@@ -11,8 +11,8 @@ import threading
 import time
 from typing import Any
 
-from esg.draft.llm_scripted import ScriptedModel
-from esg.draft.llm_stages import find_object
+from esg.draft.llm.scripted import ScriptedModel
+from esg.draft.llm.stages import find_object
 
 PNG = base64.b64decode(
     "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg=="

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from esg.draft import draft
-from esg.draft.coverage import NOTHING_HAPPENS
+from esg.draft.document.coverage import NOTHING_HAPPENS
 from esg.graph import verify
 from esg.graph.models import EsgDocument, TimelineNode
 from esg.outcomes import UserError

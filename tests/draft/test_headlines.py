@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from esg.draft import draft
-from esg.draft.headlines import spelled_out
+from esg.draft.grammar.rewrites.headlines import spelled_out
 from tests.draft.told import events
 
 

@@ -6,7 +6,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 import pytest
 
-from esg.draft import draft, tokens
+from esg.draft import draft
+from esg.draft.text import tokens
 from esg.graph import canonical_json, verify
 from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent
 from esg.outcomes import UserError

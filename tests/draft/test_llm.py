@@ -10,7 +10,9 @@ from typing import Any
 import pytest
 
 from esg.draft import draft
-from esg.draft.llm import (
+from esg.draft.llm.assemble import Replies, assemble
+from esg.draft.llm.client import Call, ModelFailure, Reply
+from esg.draft.llm.drafter import (
     STAGES,
     VARIANTS,
     LlmDraft,
@@ -18,14 +20,12 @@ from esg.draft.llm import (
     draft_llm_batch,
     instructions,
 )
-from esg.draft.llm_assemble import Replies, assemble
-from esg.draft.llm_client import Call, ModelFailure, Reply
-from esg.draft.llm_names import Names
-from esg.draft.llm_schema import bounded, schema_of, settled
-from esg.draft.llm_scripted import FAULTS, ScriptedModel, replies_of
-from esg.draft.llm_segments import sound_segments
-from esg.draft.llm_settings import LlmSettings
-from esg.draft.llm_stages import REPLIES, UnreadableReply, find_object, read_reply
+from esg.draft.llm.names import Names
+from esg.draft.llm.schema import bounded, schema_of, settled
+from esg.draft.llm.scripted import FAULTS, ScriptedModel, replies_of
+from esg.draft.llm.segments import sound_segments
+from esg.draft.llm.settings import LlmSettings
+from esg.draft.llm.stages import REPLIES, UnreadableReply, find_object, read_reply
 from esg.graph import EsgDocument, canonical_json, verify
 from esg.outcomes import Outcome, UserError
 

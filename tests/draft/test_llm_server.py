@@ -12,10 +12,10 @@ from typing import Any
 import pytest
 
 from esg.draft import draft
-from esg.draft.llm import draft_llm, draft_llm_batch
-from esg.draft.llm_client import Call, ModelFailure, PatientClient, Reply
-from esg.draft.llm_settings import LlmSettings
-from esg.draft.llm_store import CachingClient, CassetteClient, read_cassette
+from esg.draft.llm.client import Call, ModelFailure, PatientClient, Reply
+from esg.draft.llm.drafter import draft_llm, draft_llm_batch
+from esg.draft.llm.settings import LlmSettings
+from esg.draft.llm.store import CachingClient, CassetteClient, read_cassette
 from esg.graph import canonical_json, verify
 from esg.outcomes import Outcome, UserError
 from tests.draft import llm_server

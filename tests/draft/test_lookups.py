@@ -3,8 +3,9 @@
 import pytest
 
 from esg.draft import lexicon as lex
-from esg.draft.syntax import Chunker
-from esg.draft.tokens import pos_tags, tokenize
+from esg.draft.grammar.phrases.chunker import new_chunks
+from esg.draft.grammar.phrases.nouns import match_noun
+from esg.draft.text.tokens import pos_tags, tokenize
 
 _TEXTS = (
     "A red ball rolls off the table, and that's when the cat's bowl - which nobody saw - tips over.",
@@ -31,12 +32,12 @@ def test_tags_are_those_of_the_whole_pipeline() -> None:
 
 @pytest.mark.parametrize("name", _LONG[::23])
 def test_every_long_noun_is_found_by_its_first_word(name: str) -> None:
-    chunker = Chunker(name, tokenize(name))
-    found = chunker._match_noun(0)
+    chunks = new_chunks(name, tokenize(name))
+    found = match_noun(chunks, 0)
     assert found is not None
-    assert found[1] == len(chunker.tokens), found[3]
+    assert found[1] == len(chunks.tokens), found[3]
 
 
 def test_a_noun_outside_the_text_is_none() -> None:
-    chunker = Chunker("a ball", tokenize("a ball"))
-    assert chunker._match_noun(-1) is None and chunker._match_noun(2) is None
+    chunks = new_chunks("a ball", tokenize("a ball"))
+    assert match_noun(chunks, -1) is None and match_noun(chunks, 2) is None

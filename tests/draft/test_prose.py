@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from esg.draft import draft
-from esg.draft.quantities import find_amounts
+from esg.draft.text.quantities import find_amounts
 from esg.graph import verify
 from esg.graph.models import EsgDocument, NodeEvent
 

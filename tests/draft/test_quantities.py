@@ -7,8 +7,8 @@ from hypothesis import strategies as st
 import pytest
 
 from esg.draft import draft
-from esg.draft.numerals import parse_number
-from esg.draft.quantities import find_amounts
+from esg.draft.text.numerals import parse_number
+from esg.draft.text.quantities import find_amounts
 
 
 @pytest.mark.parametrize(

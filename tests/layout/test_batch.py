@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from benchmarks.layout_graphs import generate
+from benchmarks.lib.layout_graphs import generate
 from esg.layout import LayoutConfig, solve, solve_batch
 from esg.layout import farm as farm_module
 from esg.layout.clock import Clock

@@ -1,0 +1,1 @@
+"""What several benchmarks share; each command itself is a module of `benchmarks`."""

@@ -1,0 +1,73 @@
+"""Event coreference: clauses that tell an event again ("hit by the apple, it ...")."""
+
+from __future__ import annotations
+
+import re
+
+from esg.draft.discourse.core import mark_used
+from esg.draft.discourse.record import Discourse, Time
+from esg.draft.grammar.clauses.frames import Frame
+from esg.graph.models import NodeEvent
+
+_RETOLD = frozenset(
+    {NodeEvent.COLLISION, NodeEvent.FALL, NodeEvent.TOPPLE, NodeEvent.STOP, NodeEvent.MISS,
+     NodeEvent.ENTER_REGION, NodeEvent.REACH}
+)  # fmt: skip
+_AGAIN = re.compile(
+    r"\b(?:again|twice|second time|two times|three times|once more|another time|repeatedly)\b",
+    re.IGNORECASE,
+)
+
+
+def told_before(
+    d: Discourse, kind: NodeEvent, participants: tuple[str, ...], f: Frame, region: str = ""
+) -> str:
+    """The event that a clause refers back to ("hit by the apple"), or "" if it is a new one.
+
+    A second telling concerns the same things, and nothing has happened to them in between.
+    """
+    back = f.subordinate in ("after", "before") and f.verb.form == "ing"
+    if kind not in _RETOLD or (_AGAIN.search(sentence(d, f)) and not back):
+        return ""
+    among = set(participants)
+    for node in reversed(d.timeline.nodes):
+        if node.event is NodeEvent.TRIGGER or not among & set(node.participants):
+            continue
+        if kind is NodeEvent.FALL and node.event is NodeEvent.MISS:
+            continue  # "slides from the roof, just missing a woman, and smashes on the road"
+        if kind is NodeEvent.FALL and node.event is NodeEvent.TOPPLE:
+            off = f.phrase("off", "from", "out of", "over")
+            leaves = off is not None or participants[0] in d.scene.supported_by
+            return "" if leaves else node.id
+        same = node.event is kind and among == set(node.participants)
+        if not same or (region and node.extra.get("region") != region):
+            return ""
+        turned = kind is NodeEvent.COLLISION and participants[0] != node.participants[0]
+        if turned and not (f.verb.passive or f.reduced or node.extra.get("mutual")):
+            return ""  # "the bag swings back and hits him"
+        return "" if _set_off_again(d, participants[0], kind) else node.id
+    return ""
+
+
+def time_of_told(d: Discourse, told: str, time: Time | None) -> None:
+    """A time stated with the second telling is the time of the event."""
+    node = d.timeline.node(told)
+    if node is None or time is None or (time[1].start, time[1].end) in d.scene.used:
+        return
+    if node.time is None and not node.constraints and (time[2] == "at" or not node.after):
+        node.time, node.time_prescribed = time[0], True
+        mark_used(d, time[1], f"time of {told}")
+
+
+def _set_off_again(d: Discourse, actor: str, kind: NodeEvent) -> bool:
+    """Whether the actor has started a new motion since its last event."""
+    track = d.timeline.tracks.get(actor)
+    if track is None or track.motion is None or kind in (NodeEvent.TOPPLE, NodeEvent.MISS):
+        return False
+    return not track.closed
+
+
+def sentence(d: Discourse, f: Frame) -> str:
+    start = max(d.text.rfind(x, 0, f.verb.start) for x in ".;!?")
+    ends = [d.text.find(x, f.verb.end) for x in ".;!?"]
+    return d.text[start + 1 : min([e for e in ends if e >= 0], default=len(d.text))]

@@ -1,0 +1,189 @@
+"""The discourse: what has been read of a prompt so far, and the scene that it makes.
+
+Its parts are plain records; everything that reads a clause is a function of a `Discourse`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Protocol
+
+from esg.draft.discourse.referents.record import World
+from esg.draft.discourse.scene import Scene
+from esg.draft.discourse.timeline import TimelineBuilder
+from esg.draft.grammar.clauses.frames import Frame, Phrase
+from esg.draft.text.elements import Mention
+from esg.draft.text.quantities import Amount
+from esg.graph.models import NodeEvent, Quantity
+
+Time = tuple[Quantity, Amount, str]
+"""A stated time, its amount in the prompt, and "at" (absolute) or "after"."""
+
+
+class AddEvent(Protocol):
+    """Adds a point event to the timeline and returns its id."""
+
+    def __call__(
+        self,
+        kind: NodeEvent,
+        participants: tuple[str, ...],
+        f: Frame,
+        time: Time | None,
+        **extra: object,
+    ) -> str: ...
+
+
+class Outcomes(Protocol):
+    """Reads what a clause says its motion leads to."""
+
+    def __call__(self, f: Frame, actors: list[str]) -> None: ...
+
+
+@dataclass
+class Now:
+    """The clause that is being read."""
+
+    telling: tuple[int, int, str] = (-1, -1, "")
+    """Sentence and sense of the present clause, and where the verb before it stands."""
+    each: set[str] = field(default_factory=set[str])
+    """Members of a plural that the current clause names one by one ("both bricks")."""
+    instead: bool = False
+    """Whether the clause tells what happens in place of what was aimed at."""
+    pairs: dict[str, str] = field(default_factory=dict[str, str])
+    """"each ball hits a pin": the object of every subject."""
+    at_once: int = -1
+    """The sentence whose events all happen at the same moment."""
+    rereading: set[tuple[int, str]] = field(default_factory=set[tuple[int, str]])
+    """Frames with the senses they have been read as."""
+
+
+@dataclass
+class References:
+    """Who the clauses so far were about: what "it", "he" and "the other" are chosen from."""
+
+    last_subject: list[str] = field(default_factory=list[str])
+    subject_before: list[str] = field(default_factory=list[str])
+    """The subject before the present one."""
+    last_moving: list[str] = field(default_factory=list[str])
+    """What the prompt last said to move by itself."""
+    last_had_object: bool = False
+    """Whether a clause of the subject before acts on something."""
+    acts_on: bool = False
+    """Whether a clause of the present subject acts on something."""
+    met: tuple[list[str], int] = field(default_factory=lambda: ([], -1))
+    """What the clause before runs into, and its sentence."""
+    hitter: str = ""
+    """What runs into it, if the clause says so by a verb of contact."""
+    acted: tuple[Mention | None, tuple[str, ...], int] = (None, (), -1)
+    """Subject, objects and sentence of the clause before."""
+    handled: tuple[str, ...] = ()
+    """What the clause before acts on, whatever it is aimed at."""
+    shot: tuple[list[str], list[str]] = field(default_factory=lambda: ([], []))
+    """What was thrown or rolled last, and at what."""
+    patient: list[str] = field(default_factory=list[str])
+    patient_at: int = -1
+    topic: tuple[int, list[str]] | None = None
+    """Sentence and subject of the last description of a state."""
+    mains: dict[int, tuple[list[str], list[str]]] = field(
+        default_factory=dict[int, tuple[list[str], list[str]]]
+    )
+    """Subject of a sentence's last main clause, and of a subordinate clause after it."""
+    stood: dict[int, list[str]] = field(default_factory=dict[int, list[str]])
+    """What the first clause of a sentence is about: its lone object, else its subject."""
+    lead: dict[int, str] = field(default_factory=dict[int, str])
+    """By sentence, the one thing it tells to move; "" if it tells of more."""
+    ways: tuple[int, set[str]] = field(default_factory=lambda: (-1, set()))
+    """A sentence, and what its clauses go along or through."""
+    reasons: set[str] = field(default_factory=set[str])
+    """What something is done for ("brakes for a cow")."""
+    upon_it: set[int] = field(default_factory=set[int])
+    """Mentions of what another thing carries ("a cart with a box on it")."""
+    stand_there: dict[int, list[Mention]] = field(default_factory=dict[int, list[Mention]])
+    """What stands at the place that a phrase names."""
+    mounts: dict[int, list[str]] = field(default_factory=dict[int, list[str]])
+    """What the person of a subject phrase rides or drives."""
+    thrown: dict[int, list[str]] = field(default_factory=dict[int, list[str]])
+    """What the person of a subject phrase launched last."""
+    launched_by: dict[str, list[str]] = field(default_factory=dict[str, list[str]])
+    """What each person launched last."""
+    launched: list[str] = field(default_factory=list[str])
+    """What the clause before throws, kicks or drops."""
+    dropped: bool = False
+
+
+@dataclass
+class Moves:
+    """What is told of those who move."""
+
+    aim: dict[str, str] = field(default_factory=dict[str, str])
+    """Last thing an actor moves towards."""
+    last_hit: tuple[str, str] | None = None
+    stated: dict[str, Amount] = field(default_factory=dict[str, Amount])
+    """Speeds stated with the noun ("a car at 50 km/h")."""
+    own_speed: dict[str, Amount] = field(default_factory=dict[str, Amount])
+    """Speeds stated one for each ("two trains at 20 m/s and 30 m/s")."""
+    rates: dict[str, tuple[Amount, float]] = field(default_factory=dict[str, tuple[Amount, float]])
+    """Stated rate of braking and the speed it starts from [cm/s]."""
+    waiting: dict[str, Amount] = field(default_factory=dict[str, Amount])
+    """How long an actor waits before it moves (on)."""
+    came_down: set[str] = field(default_factory=set[str])
+    """What has dropped or fallen onto something."""
+    rolling: set[str] = field(default_factory=set[str])
+    """What the prompt says rolls or slides."""
+    flying: set[str] = field(default_factory=set[str])
+    """What flies by its own power."""
+    taxiing: set[str] = field(default_factory=set[str])
+    """What moves on wheels, also if it could fly."""
+    leaning: set[str] = field(default_factory=set[str])
+    """What leans on something, so that it tips over when it falls."""
+    still: dict[str, int] = field(default_factory=dict[str, int])
+    """What is said not to move, and where the prompt says so."""
+
+
+@dataclass
+class Times:
+    """When events take place, and which are not settled yet."""
+
+    pending: dict[str, tuple[NodeEvent, Frame, str | None, Time | None]] = field(
+        default_factory=dict[str, tuple[NodeEvent, Frame, "str | None", "Time | None"]]
+    )
+    """Arrivals ("walks to the door") and falls that a later event may replace."""
+    gap: Amount | None = None
+    """Time until the next event ("brakes 2 seconds before ...")."""
+    gap_of: Frame | None = None
+    """The clause that tells it, whose own events do not end it."""
+    before_fall: tuple[Frame, str | None] | None = None
+    """A clause that tells a fall and a landing, and what was told before it."""
+    of_frame: list[tuple[Frame, str]] = field(default_factory=list[tuple[Frame, str]])
+    """Point events in the order told, with the clauses that tell them."""
+    before: dict[str, str | None] = field(default_factory=dict[str, "str | None"])
+    """By point event, what was told last before it."""
+    told_hits: set[tuple[int, str, str]] = field(default_factory=set[tuple[int, str, str]])
+    """Collisions by the clause that tells them."""
+
+
+@dataclass
+class Discourse:
+    """A prompt being read: its clauses, its referents, and the scene under construction.
+
+    `add_event` and `outcomes` tie the recursion of the readings together: an event may set its
+    mover in motion, a motion has outcomes, and an outcome is an event.
+    """
+
+    world: World
+    text: str
+    timeline: TimelineBuilder
+    scene: Scene
+    mentions: list[Mention]
+    told: list[Frame]
+    """All clauses, in order of time."""
+    attached: list[tuple[Mention, Phrase]]
+    """Noun phrases with a place or a property."""
+    add_event: AddEvent
+    outcomes: Outcomes
+    framed: set[int] = field(default_factory=set[int])
+    """Noun phrases that are arguments of a verb."""
+    now: Now = field(default_factory=Now)
+    refs: References = field(default_factory=References)
+    moves: Moves = field(default_factory=Moves)
+    times: Times = field(default_factory=Times)

@@ -1,0 +1,1 @@
+"""Referents: which object each noun phrase and pronoun means."""

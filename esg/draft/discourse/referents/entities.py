@@ -1,0 +1,149 @@
+"""Objects of the scene, as the prompt introduces them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+import re
+import unicodedata
+
+from esg.draft import lexicon as lex
+
+ORDINALS = {
+    "first": 0,
+    "1st": 0,
+    "second": 1,
+    "2nd": 1,
+    "third": 2,
+    "3rd": 2,
+    "fourth": 3,
+    "4th": 3,
+    "fifth": 4,
+    "5th": 4,
+    "sixth": 5,
+    "seventh": 6,
+    "eighth": 7,
+    "ninth": 8,
+    "tenth": 9,
+}
+FRONT = lex.word_set("front")
+REAR = lex.word_set("rear")
+BODY_PARTS = lex.word_set("body parts")
+OWN_PARTS = lex.word_set("own parts")
+ACTING_PARTS = OWN_PARTS | frozenset(
+    {"brush", "blade", "shovel", "bow", "prow", "stern", "keel", "hull", "rotor", "propeller"}
+    | {"axle", "front", "rear", "side", "boom", "jib", "hook", "claw", "gripper", "fork", "forks"}
+    | {"plow", "plough", "mast", "basket", "gondola", "body", "corner", "back end", "undercarriage"}
+    | {"bucket", "shovel", "arm", "cab", "cabin", "oar", "rudder", "anchor", "outrigger", "ladder"}
+)
+"""Parts of a machine with which it hits things ("its brush touches a box")."""
+WORN = lex.word_set("worn")
+STACKED = {
+    "top": -1, "topmost": -1, "uppermost": -1, "upper": -1, "highest": -1,
+    "bottom": 0, "lowest": 0, "lowermost": 0, "lower": 0, "bottommost": 0,
+    "middle": 1, "center": 1, "centre": 1, "central": 1,
+}  # fmt: skip
+"""Members of a stack by where they lie: first (at the bottom), last or in the middle."""
+COUNTED_FROM = {"left": 1, "bottom": 1, "front": 1, "right": -1, "top": -1, "back": -1, "end": -1}
+"""From which end "the second from the ..." counts; the members of a row go left to right."""
+OTHER = lex.word_set("other")
+UNKNOWN_MASS_KG = 5.0
+
+
+@dataclass
+class Entity:
+    """One object of the scene (or one member of a plural).
+
+    Args:
+        id: Node id.
+        noun: Lexicon entry, a fallback for unknown nouns.
+        head: The prompt's own noun.
+        label: The prompt's phrase without article.
+        group: Name shared by the members of a plural.
+    """
+
+    id: str
+    noun: lex.Noun
+    head: str
+    label: str
+    adjectives: list[str] = field(default_factory=list)
+    letter: str = ""
+    group: str | None = None
+    pattern: str | None = None
+    mentioned: bool = True
+    known: bool = True
+    mass_kg: float | None = None
+    mass_prescribed: bool = False
+    mass_factor: float = 1.0
+    dimensions_cm: list[float] | None = None
+    dimensions_prescribed: bool = False
+    sides: dict[str, float] = field(default_factory=dict)
+    """Stated sides [cm]."""
+    static: bool = False
+    """Hung on a wall or below a ceiling, and so fixed until the prompt moves it."""
+    freed: bool = False
+    """Normally fixed, but the prompt moves it (a fence post that falls over)."""
+    place: str = ""
+    """front, rear, left, right or an ordinal, once known."""
+    origin: int = -1
+    """Offset of the first mention, for coverage."""
+
+    @property
+    def in_group(self) -> bool:
+        """Whether it stands in its plural's arrangement; a row keeps members named by place."""
+        if self.group is None or self.letter:
+            return False
+        in_row = self.pattern in ("row", "stack") and self.noun.kind != "vehicle"
+        return not self.place or (in_row and self.place in {*ORDINALS, *STACKED, "last", "final"})
+
+    @property
+    def movable(self) -> bool:
+        """Whether it can move in the simulation."""
+        traits = self.noun.traits
+        return not ({"structural", "decal"} & traits) and (
+            self.freed or ("fixed" not in traits and not self.static)
+        )
+
+    @property
+    def color(self) -> str | None:
+        return next((lex.COLORS[a] for a in self.adjectives if a in lex.COLORS), None)
+
+
+def slug(text: str) -> str:
+    """A text as part of a name: lower case, ASCII, words joined by underscores."""
+    plain = unicodedata.normalize("NFKD", text).encode("ascii", "ignore").decode()
+    return re.sub(r"[^a-z0-9]+", "_", plain.lower()).strip("_")
+
+
+def plural(noun: str) -> str:
+    """Plural of a noun, for names of groups."""
+    if (noun.endswith("s") and lex.singular(noun)[0] != noun) or noun in ("billiards", "stairs"):
+        return noun
+    if noun.endswith(("s", "x", "ch", "sh", "z")):
+        return noun + "es"
+    if noun.endswith("y") and noun[-2:-1] not in "aeiou":
+        return noun[:-1] + "ies"
+    return noun + "s"
+
+
+_PEOPLE = re.compile(
+    r"(?:woman|smith|monger|keeper|dresser|herder|ologist|ographer|istrator|cellist|violinist"
+    r"|in-law|brother|sister|mother|father)$|^(?:step|grand|ex-|god|vice-)(?!stand)\w+"
+)
+"""Words that name persons by how they are built."""
+
+
+def unknown_noun(head: str) -> lex.Noun:
+    """A sized stand-in for a noun outside the lexicon: a box, or a person ("bookkeeper")."""
+    if _PEOPLE.search(head):
+        like = lex.nouns()["person"]
+        return replace(like, name=head, description=f"{head}, a person", synonyms=())
+    return lex.Noun(
+        name=head,
+        kind="generic",
+        dimensions_cm=(40.0, 40.0, 40.0),
+        mass_kg=UNKNOWN_MASS_KG,
+        material="plastic",
+        shape="box",
+        traits=frozenset(),
+        description=head,
+    )

@@ -1,0 +1,63 @@
+"""The referents of a prompt: objects by node id, their groups, and who was named when."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Protocol
+
+from esg.draft.discourse.referents.entities import Entity
+from esg.draft.discourse.referents.ranks import Facts
+from esg.draft.text.elements import Mention
+
+
+class Resolve(Protocol):
+    """Node ids of a noun phrase (see `world.resolve`)."""
+
+    def __call__(
+        self, m: Mention, *, subject: bool = False, avoid: list[str] | None = None
+    ) -> list[str]: ...
+
+
+@dataclass
+class World:
+    """Entities and groups in order of mention.
+
+    `resolve` and `of_stack` tie the recursion of reference together: what a possessor means is
+    asked while the thing it possesses is looked for.
+    """
+
+    facts: Facts
+    """What the prompt tells of a node."""
+    resolve: Resolve
+    of_stack: Callable[[Mention, list[Entity]], list[str]]
+    entities: dict[str, Entity] = field(default_factory=dict[str, Entity])
+    groups: dict[str, list[str]] = field(default_factory=dict[str, list[str]])
+    group_words: dict[str, str] = field(default_factory=dict[str, str])
+    """"tower" of "a tower of cups", by group."""
+    vague: set[str] = field(default_factory=set[str])
+    """Groups whose number the prompt does not say."""
+    collective: set[str] = field(default_factory=set[str])
+    """Groups that "it" can mean ("a tower of blocks")."""
+    salience: list[list[str]] = field(default_factory=list[list[str]])
+    """Referent sets, most recent last."""
+    renamed: dict[str, str] = field(default_factory=dict[str, str])
+    subjects: list[list[str]] = field(default_factory=list[list[str]])
+    resolved: dict[int, list[str]] = field(default_factory=dict[int, list[str]])
+    two: tuple[int, list[str]] = field(default_factory=lambda: (-1, []))
+    """Where "the former" or "the latter" was read last, and of which two."""
+    ends: dict[tuple[str, float], str] = field(default_factory=dict[tuple[str, float], str])
+    """Of two things alike, which is the larger, slower and so on, once said."""
+    drivers: set[str] = field(default_factory=set[str])
+    """Persons that the prompt lets brake, overtake and the like."""
+    movers: list[str] = field(default_factory=list[str])
+    """What the clause that is being read is about."""
+    warnings: list[str] = field(default_factory=list[str])
+    conflicts: list[str] = field(default_factory=list[str])
+    """Two values stated for one property."""
+    net_sport: bool = False
+    """The prompt is about a game over a net, which is no goal."""
+    billiards: bool = False
+    """The prompt is about billiards: "the black" is a ball."""
+    file_of_two: bool = False
+    """The prompt says "one in front of the other"."""

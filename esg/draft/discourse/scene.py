@@ -1,0 +1,77 @@
+"""The interpreted scene: what the prompt says, before it is written as a document."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from esg.draft import lexicon as lex
+from esg.draft.discourse.referents.record import World
+from esg.draft.discourse.timeline import TimelineBuilder
+from esg.draft.text.quantities import Amount
+from esg.graph.models import Quantity
+
+
+@dataclass
+class Relation:
+    """A spatial relation: `source` is <kind> `target`."""
+
+    source: str
+    target: str
+    kind: str
+    distance: Quantity | None = None
+    text: str = ""
+
+
+@dataclass
+class Scene:
+    """What the prompt says, ready to be written as a document."""
+
+    world: World
+    timeline: TimelineBuilder
+    text: str = ""
+    relations: list[Relation] = field(default_factory=list)
+    needs: list[tuple[str, str]] = field(default_factory=list)
+    """Implied supports: (kind of need, node id)."""
+    supported_by: dict[str, str] = field(default_factory=dict)
+    inside_of: dict[str, str] = field(default_factory=dict)
+    attached: dict[str, str] = field(default_factory=dict)
+    """What hangs on a vertical face: node -> wall."""
+    marked: dict[str, str] = field(default_factory=dict)
+    """The road or lane that a node is said to be on."""
+    heights: dict[str, Quantity] = field(default_factory=dict)
+    facing: dict[str, str] = field(default_factory=dict)
+    travel: dict[str, Amount] = field(default_factory=dict)
+    """Stated distance of a motion, by actor."""
+    used: dict[tuple[int, int], str] = field(default_factory=dict)
+    """Spans that became something: (start, end) -> pointer or note."""
+    ignored: dict[tuple[int, int], str] = field(default_factory=dict)
+    warnings: list[str] = field(default_factory=list)
+
+
+STRUCK = lex.word_set("struck")
+MAX_TIME_S = 600.0
+"""Longest scene [s]."""
+SELF_POWERED = lex.word_set("self powered")
+SPEEDS: dict[str, Quantity] = {
+    "vehicle": (300.0, 2000.0), "toyvehicle": (50.0, 300.0), "person": (80.0, 600.0),
+    "animal": (80.0, 800.0), "robot": (30.0, 200.0), "cart": (50.0, 400.0),
+    "watercraft": (50.0, 500.0), "flyer": (200.0, 1500.0), "roll": (100.0, 1000.0),
+    "slide": (100.0, 800.0), "throw": (300.0, 2000.0), "drop": 0.0, "fly": (300.0, 2000.0),
+    "billiard": (50.0, 600.0), "projectile": (500.0, 4000.0),
+}  # fmt: skip
+
+"""Plausible speeds [cm/s] where the prompt gives none; sources in docs/drafting.md."""
+
+
+def pocket_name(adjectives: list[str]) -> str:
+    """Name of the billiard pocket that a phrase means ("bottom pocket", "corner pocket")."""
+    words = {w for a in adjectives for w in a.split("-")}
+    row = (
+        "top"
+        if words & {"top", "upper", "far"}
+        else "middle"
+        if words & {"middle", "side", "center"}
+        else "bottom"
+    )
+    side = "right" if "right" in words else "left"
+    return f"{row} {side} pocket"

@@ -1,0 +1,376 @@
+"""Builds the sequence graph: actors, point events, segments, and time windows.
+
+Every actor carries the event it was last part of and how it moves since; each new event closes the
+segments of those who take part in it. Windows are planned last, in topological order, from the
+stated times and plausible durations (the paper's timeline prompt, step 4).
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from esg.draft import lexicon as lex
+from esg.draft.discourse.tracks import Motion, Track
+from esg.draft.discourse.windows import START, Draft, plan_times, settle_ambiguous
+from esg.graph.models import (
+    Actor,
+    EdgeEvent,
+    EventConstraint,
+    ForceDirection,
+    MotionParams,
+    NodeEvent,
+    Quantity,
+    Role,
+    SequenceGraph,
+    TimelineEdge,
+    TimelineNode,
+    TimelineSystem,
+)
+
+_EDGES: dict[str, EdgeEvent] = {
+    "own": EdgeEvent.UNIFORM_MOTION,
+    "accelerate": EdgeEvent.ACCELERATED_MOTION,
+    "brake": EdgeEvent.BRAKE,
+    "turn": EdgeEvent.TURN,
+    "roll": EdgeEvent.TOWARD,
+    "slide": EdgeEvent.TOWARD,
+    "throw": EdgeEvent.TOWARD,
+    "drop": EdgeEvent.TOWARD,
+    "fly": EdgeEvent.TOWARD,
+}
+_STEADY = frozenset({EdgeEvent.UNIFORM_MOTION, EdgeEvent.TOWARD})
+Gaps = dict[frozenset[str], Quantity]
+LAUNCHES = lex.word_set("launches")
+
+
+class TimelineBuilder:
+    """Collects motions and events in order of time."""
+
+    def __init__(self) -> None:
+        self.tracks: dict[str, Track] = {}
+        self.nodes: list[Draft] = []
+        self.edges: list[TimelineEdge] = []
+        self.start_constraints: list[EventConstraint] = []
+        """Stated initial conditions, such as the height of a drop."""
+        self.last_event: str | None = None
+        """Most recent point event that "after N seconds" can refer to."""
+
+    def track(self, actor: str) -> Track:
+        return self.tracks.setdefault(actor, Track())
+
+    def node(self, node_id: str) -> Draft | None:
+        return next((n for n in self.nodes if n.id == node_id), None)
+
+    # -- motions ---------------------------------------------------------------------------------
+
+    def move(self, actor: str, motion: Motion, direction: ForceDirection) -> None:
+        """Starts a motion of an active actor; a motion under way gets the new speed or target."""
+        track = self.track(actor)
+        previous = track.motion
+        if previous is not None and not track.closed and previous.mode == motion.mode:
+            if motion.prescribed:
+                previous.speed, previous.prescribed = motion.speed, True
+            previous.target = motion.target or previous.target
+            previous.params.update(motion.params)
+            return
+        if (
+            previous is not None
+            and not track.closed
+            and previous.mode in ("own", "accelerate", "brake")
+        ):
+            self.trigger(actor, f"{actor} changes its motion")
+        if motion.speed is None and previous is not None:
+            pass
+        track.motion, track.role, track.closed = motion, Role.ACTIVE, False
+        track.launched = track.launched or motion.mode in LAUNCHES
+        order = [
+            ForceDirection.ALONG_FORWARD_ONLY,
+            ForceDirection.ALONG_FORWARD_OR_BACKWARD,
+            ForceDirection.HORIZONTAL_PLANE,
+            ForceDirection.ANY_3D,
+        ]
+        if track.direction is None or order.index(direction) > order.index(track.direction):
+            track.direction = direction
+
+    def carry(self, actor: str, node_id: str) -> None:
+        """Lets a hit of what bears a passive body move the body too."""
+        track = self.track(actor)
+        track.at, track.hit, track.closed = node_id, True, True
+
+    def trigger(
+        self, actor: str, description: str, time: Quantity | None = None, prescribed: bool = False
+    ) -> str:
+        """A point at which the actor changes what it does."""
+        return self.event(
+            NodeEvent.TRIGGER, (actor,), description, time=time, prescribed=prescribed
+        )
+
+    # -- events ----------------------------------------------------------------------------------
+
+    def _id(self, event: NodeEvent, participants: tuple[str, ...], stem: str = "") -> str:
+        name = stem or {
+            NodeEvent.COLLISION: "collision",
+            NodeEvent.TRIGGER: "trigger",
+            NodeEvent.ENTER_REGION: "enter",
+            NodeEvent.STOP: "stop",
+            NodeEvent.TOPPLE: "topple",
+            NodeEvent.HEADING_REACHED: "turn_end",
+            NodeEvent.FALL: "fall",
+            NodeEvent.REACH: "reach",
+            NodeEvent.MISS: "miss",
+            NodeEvent.POSITION_AT: "position",
+        }.get(event, "event")
+        base = "_".join([*participants, name])
+        used = {n.id for n in self.nodes}
+        candidate, n = base, 2
+        while candidate in used:
+            candidate, n = f"{base}_{n}", n + 1
+        return candidate
+
+    def event(
+        self,
+        event: NodeEvent,
+        participants: tuple[str, ...],
+        description: str,
+        *,
+        time: Quantity | None = None,
+        prescribed: bool = False,
+        stem: str = "",
+        **extra: Any,
+    ) -> str:
+        """Adds a point event and the segments that lead its participants there; returns its id."""
+        node_id = self._id(event, participants, stem)
+        draft = Draft(node_id, event, participants, description, time, prescribed, extra=extra)
+        moving = []
+        for actor in participants:
+            track = self.tracks.get(actor)
+            if track is not None and track.under_way:
+                moving.append(actor)
+        if not moving and self.last_event is not None:
+            draft.after.append(self.last_event)
+        for k, actor in enumerate(participants):
+            if k > 0 and self.track(actor).role is Role.PASSIVE:
+                continue  # what is hit again need not travel to the hit
+            if actor in moving:
+                other = next((p for p in participants if p != actor), None)
+                self._edge(actor, node_id, other if k == 0 else None)
+        if (
+            self.last_event is not None
+            and event is not NodeEvent.TRIGGER
+            and not any(e.to == node_id and e.from_ == self.last_event for e in self.edges)
+        ):
+            draft.after.append(self.last_event)
+        self.nodes.append(draft)
+        for actor in participants:
+            track = self.track(actor)
+            if event is NodeEvent.COLLISION and track.role is Role.PASSIVE:
+                track.hit = True
+            if actor in moving or event is NodeEvent.COLLISION:
+                track.at = node_id
+                track.closed = True
+            if event is NodeEvent.STOP:
+                track.motion = None
+        self.last_event = node_id
+        return node_id
+
+    def _edge(self, actor: str, to: str, target: str | None) -> None:
+        track = self.track(actor)
+        if track.at == to:
+            return
+        used = {e.id for e in self.edges}
+        motion = track.motion
+        if track.role is Role.PASSIVE:
+            event, params, prescribed, name = (
+                EdgeEvent.INERTIAL_CONNECTOR,
+                MotionParams(),
+                False,
+                "carried",
+            )
+        else:
+            assert motion is not None
+            event, params, prescribed, name = self._segment(track, motion)
+        base = f"{actor}_{name}"
+        edge_id, n = base, 2
+        while edge_id in used:
+            edge_id, n = f"{base}_{n}", n + 1
+        aim = (motion.target if motion is not None else None) or target
+        if target is not None:
+            aim = target
+        self.edges.append(
+            TimelineEdge(
+                id=edge_id,
+                from_=track.at,
+                to=to,
+                event=event,
+                actor=actor,
+                target=aim if aim != actor else None,
+                params=params,
+                speed_is_prescribed=prescribed,
+            )
+        )
+        if motion is not None and motion.mode in LAUNCHES and track.role is Role.ACTIVE:
+            track.motion = Motion("coast", target=None)
+        elif motion is not None and motion.mode == "turn":
+            track.motion = Motion("own", motion.speed, False)
+        elif motion is not None and motion.mode == "own" and motion.prescribed:
+            track.motion = Motion("own", motion.speed, motion.prescribed)
+
+    @staticmethod
+    def _segment(track: Track, motion: Motion) -> tuple[EdgeEvent, MotionParams, bool, str]:
+        if motion.mode == "coast":
+            return EdgeEvent.TOWARD, MotionParams(), False, "coast"
+        params = dict(motion.params)
+        if motion.speed is not None and motion.mode != "brake":
+            params["speed"] = motion.speed
+        if motion.duration is not None:
+            params["duration"] = motion.duration
+        names = {
+            "own": "drive",
+            "roll": "roll",
+            "slide": "slide",
+            "throw": "flight",
+            "fly": "flight",
+        }
+        return (
+            _EDGES[motion.mode],
+            MotionParams(**params),
+            motion.prescribed and motion.mode != "brake",
+            names.get(motion.mode, motion.mode),
+        )
+
+    def stated_speed(self, actor: str) -> Quantity | None:
+        """The speed that the prompt gives an actor at first, if it does."""
+        for e in self.edges:
+            if e.actor == actor and e.speed_is_prescribed and e.params.speed is not None:
+                return e.params.speed
+        track = self.tracks.get(actor)
+        if track is not None and track.motion is not None and track.motion.prescribed:
+            return track.motion.speed
+        return None
+
+    def set_speed(self, actor: str, speed: Quantity, *, prescribed: bool) -> None:
+        """Gives every launch and drive of an actor this speed [cm/s]."""
+        for k, e in enumerate(self.edges):
+            driven = e.event in (EdgeEvent.UNIFORM_MOTION, EdgeEvent.TOWARD)
+            if e.actor == actor and driven and e.params.speed not in (None, 0.0):
+                self.edges[k] = e.model_copy(
+                    update={
+                        "params": e.params.model_copy(update={"speed": speed}),
+                        "speed_is_prescribed": prescribed,
+                    }
+                )
+        track = self.tracks.get(actor)
+        if track is not None and track.motion is not None and track.motion.mode != "coast":
+            track.motion.speed, track.motion.prescribed = speed, prescribed
+
+    def leaves_hit_at(self, actor: str, speed: Quantity) -> bool:
+        """Prescribes the speed of a passive body after its last hit; False if there is none."""
+        track = self.tracks.get(actor)
+        if track is None or track.role is not Role.PASSIVE:
+            return False
+        for node in reversed(self.nodes):
+            if node.event is NodeEvent.COLLISION and actor in node.participants[1:]:
+                node.constraints.append(
+                    EventConstraint(quantity="speed_after", object=actor, value=speed)
+                )
+                return True
+        return False
+
+    def forget_duration(self, node_id: str) -> None:
+        """Leaves open how long the segments up to an event last."""
+        for k, e in enumerate(self.edges):
+            if e.to == node_id and e.params.duration is not None:
+                params = e.params.model_copy(update={"duration": None})
+                self.edges[k] = e.model_copy(update={"params": params})
+
+    def finish(self) -> None:
+        """Leads every motion that no event closed to a Trigger (the end of the action)."""
+        for actor, track in list(self.tracks.items()):
+            if track.role is Role.ACTIVE and not track.closed and track.motion is not None:
+                keep = self.last_event
+                self.event(
+                    NodeEvent.TRIGGER,
+                    (actor,),
+                    f"{actor} ends its described motion",
+                    stem="motion_end",
+                    time=None,
+                )
+                self.last_event = keep
+
+    # -- result ----------------------------------------------------------------------------------
+
+    def _expect(self, gaps: Gaps) -> None:
+        """How long the first motions take whose way and speed are stated."""
+        for n in self.nodes:
+            if n.event is not NodeEvent.COLLISION or len(n.participants) != 2:
+                continue
+            lead = {e.actor: e for e in self.edges if e.to == n.id}
+            speeds = [
+                e.params.speed
+                for e in lead.values()
+                if e.from_ == START and e.speed_is_prescribed and e.event in _STEADY
+            ]
+            way = gaps.get(frozenset(n.participants))
+            if way is None:
+                stated = [c.value for c in n.constraints if c.quantity == "distance" and not c.to]
+                way = stated[0] if stated and len(lead) == 1 else None
+            fixed = [v for v in speeds if isinstance(v, float | int) and v > 0.0]
+            if way is None or not fixed or len(fixed) != len(lead):
+                continue
+            long = 0.5 * sum(way) if isinstance(way, tuple) else way
+            n.usual = round(long / sum(fixed), 4)
+
+    def build(self, gaps: Gaps | None = None) -> TimelineSystem | None:
+        """The timeline system, or None if nothing moves.
+
+        Args:
+            gaps: Stated distances of pairs at the start [cm].
+        """
+        self.finish()
+        if not self.nodes:
+            return None
+        involved = {p for n in self.nodes for p in n.participants}
+        actors = {
+            name: Actor(role=t.role, force_direction=t.direction if t.role is Role.ACTIVE else None)
+            for name, t in self.tracks.items()
+            if name in involved and (t.role is Role.ACTIVE or t.hit)
+        }
+        edges = [self._repair(e, actors) for e in self.edges if e.actor in actors]
+        settle_ambiguous(self.nodes, edges)
+        self._expect(gaps or {})
+        spans = plan_times(self.nodes, edges)
+        nodes = [
+            TimelineNode(
+                id=START,
+                event=NodeEvent.SCENE_START,
+                timestamp=0.0,
+                description="Scene start",
+                constraints=tuple(self.start_constraints),
+            )
+        ]
+        for draft in self.nodes:
+            low, high = spans[draft.id]
+            fixed = draft.time_prescribed and low == high
+            nodes.append(
+                TimelineNode(
+                    id=draft.id,
+                    event=draft.event,
+                    participants=draft.participants,
+                    timestamp=low if fixed else None,
+                    window=None if fixed else (low, high),
+                    time_is_prescribed=draft.time_prescribed,
+                    constraints=tuple(draft.constraints),
+                    description=draft.description,
+                    **draft.extra,
+                )
+            )
+        return TimelineSystem(
+            actors=actors, sequence_graph=SequenceGraph(nodes=tuple(nodes), edges=tuple(edges))
+        )
+
+    @staticmethod
+    def _repair(edge: TimelineEdge, actors: dict[str, Actor]) -> TimelineEdge:
+        """A body that later moves by itself cannot have inertial connectors: it coasts instead."""
+        if edge.event is EdgeEvent.INERTIAL_CONNECTOR and actors[edge.actor].role is Role.ACTIVE:
+            return edge.model_copy(update={"event": EdgeEvent.TOWARD})
+        return edge

@@ -1,0 +1,1 @@
+"""Events: what clauses tell, as motions, point events and relations of a scene."""

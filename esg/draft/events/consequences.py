@@ -1,0 +1,186 @@
+"""What a hit does to what is hit: knocked on, off or over, carried along."""
+
+from __future__ import annotations
+
+from esg.draft.discourse.core import aimable, entity_of, kind_of, structural
+from esg.draft.discourse.places import carries, elevated, fits_on, place
+from esg.draft.discourse.record import Discourse
+from esg.draft.events.acts import add_event, add_hit, share_support
+from esg.draft.events.timing import PUSHING, enter, representatives, time_of
+from esg.draft.grammar.clauses.frames import Frame, Phrase
+from esg.graph.models import NodeEvent
+
+
+def knock_on(d: Discourse, f: Frame, bodies: list[str]) -> None:
+    """ "hits the ball into the pocket": what happens to the body that was hit."""
+    bodies = representatives(d, bodies, [])
+    for p in f.phrases:
+        if (
+            p.mention is not None
+            and p.mention.part in ("edge", "side", "end", "rim")
+            and not p.mention.entities
+        ):
+            if p.prep in ("over", "off"):
+                for body in bodies:
+                    add_event(d, NodeEvent.FALL, (body,), f, None)
+            continue
+        if p.mention is None or p.mention.attribute:
+            continue
+        others = [i for i in p.mention.entities if i not in bodies]
+        if p.prep == "to" and others and aimable(d, others[0]) and not p.mention.part:
+            for body in bodies:
+                if f.verb.lemma in PUSHING:
+                    d.times.pending[body] = (NodeEvent.REACH, f, others[0], None)
+            continue
+        if p.prep in ("to", "onto", "on") and others and structural(d, others[0]):
+            for body in bodies:
+                _down(d, f, body)
+            continue
+        if p.prep in ("into", "onto", "in", "against", "off", "out of", "over", "from"):
+            for body in bodies:
+                if not others:
+                    continue
+                if p.prep in ("into", "in"):
+                    _go_into_passive(d, f, body, others, p)
+                elif p.prep in ("onto", "against") and not structural(d, others[0]):
+                    add_hit(d, f, [body], others, None)
+                elif (
+                    p.prep in ("off", "out of", "over", "from")
+                    and (elevated(d, others[0]) or carries(d, others[0], body))
+                    and (p.prep != "over" or p.mention.part)
+                    and not (p.prep == "out of" and kind_of(d, others[0]) == "building")
+                ):
+                    place(d, [body], [others[0]], "on")
+                    if d.moves.last_hit is not None and d.moves.last_hit[1] == body:
+                        share_support(d, f, *d.moves.last_hit)
+                    add_event(d, NodeEvent.FALL, (body,), f, None)
+
+
+def _down(d: Discourse, f: Frame, body: str) -> None:
+    """ "knocks a glass to the floor": it falls off what it stands on, or topples."""
+    if body not in d.scene.supported_by:
+        hosts = [
+            i
+            for ids in reversed(d.world.salience)
+            for i in ids
+            if i != body and "support" in entity_of(d, i).noun.traits
+        ]
+        if hosts:
+            place(d, [body], hosts[:1], "on")
+    fell = body in d.scene.supported_by
+    add_event(d, NodeEvent.FALL if fell else NodeEvent.TOPPLE, (body,), f, None)
+
+
+def _go_into_passive(d: Discourse, f: Frame, body: str, others: list[str], p: Phrase) -> None:
+    other = others[0]
+    noun = entity_of(d, other).noun
+    if structural(d, other):
+        return
+    if noun.kind in ("region", "goal", "hole", "hoop", "water") or "goal" in noun.traits:
+        enter(d, f, body, other, p.mention, time_of(d, f))
+    else:
+        add_hit(d, f, [body], others, time_of(d, f))
+
+
+def already_hit(d: Discourse, f: Frame, s: list[str], o: list[str]) -> bool:
+    if not any(d.timeline.tracks.get(b) is not None and d.timeline.tracks[b].hit for b in o):
+        return False
+    if f.causer is not None:
+        return True
+    last = d.moves.last_hit
+    if last is None or last[1] not in o or f.link not in ("cause", "then", "while"):
+        return False
+    # "the second hits it and the third knocks it over": a hit of its own
+    people = all(kind_of(d, i) == "person" for i in s)
+    mates = {i for x in s for i in d.world.groups.get(entity_of(d, x).group or "", [x])}
+    return (
+        not s
+        or last[0] in s
+        or (people and kind_of(d, last[0]) != "person")
+        or (last[0] not in mates and not aimable(d, s[0]))
+    )
+
+
+def consequence(d: Discourse, f: Frame, bodies: list[str]) -> None:
+    words = " ".join(f.adverbs)
+    if "over" in f.adverbs or "down" in f.adverbs or "upside down" in words:
+        for b in representatives(d, bodies, []):
+            add_event(d, NodeEvent.TOPPLE, (b,), f, None)
+    elif _at_last(f, "off") and f.verb.sense in ("knock", "launch", "cause"):
+        for b in representatives(d, bodies, []):
+            _beside_its_mates(d, b)
+            stacked = entity_of(d, b).pattern == "stack" and entity_of(d, b).in_group
+            if b in d.scene.supported_by or stacked:
+                add_event(d, NodeEvent.FALL, (b,), f, None)
+
+
+def _at_last(f: Frame, word: str) -> bool:
+    """Whether the clause ends with an adverb, "too" and the like left out."""
+    rest = [a for a in f.adverbs if a not in ("too", "also", "again", "then", "instead")]
+    return bool(rest) and rest[-1] == word
+
+
+def _beside_its_mates(d: Discourse, body: str) -> None:
+    """ "pushes the red block off the table ... and the green block off too": from there too."""
+    if body in d.scene.supported_by:
+        return
+    for node in reversed(d.timeline.nodes):
+        other = node.participants[0]
+        host = d.scene.supported_by.get(other, "")
+        if (
+            node.event is NodeEvent.FALL
+            and host
+            and entity_of(d, other).noun == entity_of(d, body).noun
+        ):
+            place(d, [body], [host], "on")
+            return
+
+
+def carried_along(d: Discourse, body: str) -> bool:
+    """ "hits the pallet and the stack collapses": moved by a hit of its support or a mate.
+
+    A member that the prompt names has left its plural, so that it needs a hit of its own.
+    """
+    last = d.timeline.node(d.timeline.last_event or "")
+    if last is None or last.event is not NodeEvent.COLLISION or body in d.timeline.tracks:
+        return False
+    mates = d.world.groups.get(entity_of(d, body).group or "", [])
+    movers = (
+        {i for i in mates if entity_of(d, i).in_group} if entity_of(d, body).in_group else set()
+    )
+    host = d.scene.supported_by.get(body)
+    while host is not None and host not in movers:
+        movers.add(host)
+        host = d.scene.supported_by.get(host)
+    if not (movers - {body}) & {*last.participants}:
+        return False
+    d.timeline.carry(body, last.id)
+    return True
+
+
+def place_where_hit(d: Discourse, thing: str) -> None:
+    """Puts what comes down to the floor on what was hit, or on what its striker stands on."""
+    if thing in d.scene.supported_by or thing in d.timeline.tracks:
+        return
+    hits = [n.participants for n in d.timeline.nodes if n.event is NodeEvent.COLLISION]
+    strikers = {a for a, b in hits if b == thing}
+    for a, b in reversed(hits):
+        if thing not in (a, b) and (a in strikers or not strikers) and fits_on(d, thing, b):
+            place(d, [thing], [b], "on")
+            return
+
+
+def struck_before(d: Discourse, f: Frame, body: str) -> None:
+    """ "thrown at a bottle, which falls": the fall implies the hit."""
+    if body in d.timeline.tracks:
+        return
+    last = d.moves.last_hit
+    group = entity_of(d, body).group
+    if body in d.now.each and last is not None and group and entity_of(d, last[1]).group == group:
+        add_hit(d, f, [last[0]], [body])  # "hits two boxes and both fall"
+        return
+    for mover, aimed in d.moves.aim.items():
+        track = d.timeline.tracks.get(mover)
+        if aimed == body and track is not None and not track.closed:
+            add_hit(d, f, [mover], [body])
+            return

@@ -1,0 +1,407 @@
+"""From clause frames to objects, relations, motions and events."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import partial
+import re
+
+from esg.draft import lexicon as lex
+from esg.draft.discourse.core import (
+    aimable,
+    amounts_of,
+    entity_of,
+    facts_of,
+    kind_of,
+    mark_used,
+    quantity_of,
+)
+from esg.draft.discourse.dodging import dodge
+from esg.draft.discourse.event_coreference import sentence
+from esg.draft.discourse.in_turn import one_time_each
+from esg.draft.discourse.record import Discourse, Time
+from esg.draft.discourse.references import RIDDEN, STATES, refer_all
+from esg.draft.discourse.referents.entities import ORDINALS
+from esg.draft.discourse.referents.record import World
+from esg.draft.discourse.referents.registry import apply_amount
+from esg.draft.discourse.scene import SELF_POWERED, Scene
+from esg.draft.discourse.timeline import TimelineBuilder
+from esg.draft.discourse.underway import by_the_clock
+from esg.draft.discourse.windows import Draft
+from esg.draft.events.acts import add_event, outcomes
+from esg.draft.events.leftovers import hand_on, high_up
+from esg.draft.events.lengths import far_away
+from esg.draft.events.motions import speed_of_noun, target_of
+from esg.draft.events.senses import SENSES
+from esg.draft.events.senses.outcome import read_miss, target_of_mates
+from esg.draft.events.senses.state import attachment, mass_of_load, upon
+from esg.draft.events.timing import moved_by_others, precedes, settle, time_of
+from esg.draft.grammar.clauses.frames import Frame, Phrase
+from esg.draft.text.elements import Mention
+from esg.graph.models import EventConstraint, NodeEvent, Role
+
+_THINGS_DO = lex.word_set("things do")
+_THINGS_DO_TO = lex.word_set("things do to")
+_BREAKING = lex.word_set("breaking (interpret)")
+_ACTED_ON = lex.word_set("acted on")
+_INSTEAD = re.compile(r"\binstead\b(?! of)", re.IGNORECASE)
+_BUT = re.compile(r"\b(?:but|yet)\b[^.;,]*$", re.IGNORECASE)
+_AT_FIRST = re.compile(
+    r"\b(?:first|initially|until|till|before|for|after|yet|while|when|at the start|beginning)\b",
+    re.IGNORECASE,
+)
+_NOTHING = re.compile(r"\bnothing\s*$", re.IGNORECASE)
+_HITS = (NodeEvent.COLLISION,)
+_NAMED_EVENTS = {
+    **dict.fromkeys(("collision", "impact", "crash", "hit", "strike", "contact", "smash"), _HITS),
+    **dict.fromkeys(("bump", "blow", "knock", "accident", "touch"), _HITS),
+    "fall": (NodeEvent.FALL, NodeEvent.TOPPLE),
+    "stop": (NodeEvent.STOP,),
+    "turn": (NodeEvent.HEADING_REACHED,),
+}
+"""Nouns for events, and the point events they name."""
+_UNDER_WAY = re.compile(r"(?:halfway|midway|on the way|on (?:its|his|her|their) way)\b", re.I)
+_ANIMAL_VERBS = lex.word_set("animal verbs")
+
+_PERSON_VERBS = lex.word_set("person verbs")
+_VEHICLE_VERBS = lex.word_set("vehicle verbs")
+
+
+def begin(world: World, text: str, mentions: list[Mention]) -> Discourse:
+    """The discourse of a prompt of which nothing has been read yet."""
+    timeline = TimelineBuilder()
+
+    def event(
+        kind: NodeEvent,
+        participants: tuple[str, ...],
+        f: Frame,
+        time: Time | None,
+        **extra: object,
+    ) -> str:
+        return add_event(d, kind, participants, f, time, **extra)
+
+    d = Discourse(
+        world=world,
+        text=text,
+        timeline=timeline,
+        scene=Scene(world, timeline),
+        mentions=mentions,
+        told=[],
+        attached=[],
+        add_event=event,
+        outcomes=lambda f, actors: outcomes(d, f, actors),
+    )
+    world.facts = partial(facts_of, d)
+    return d
+
+
+def interpret(
+    d: Discourse, frames: list[Frame], attachments: list[tuple[Mention, Phrase]]
+) -> Scene:
+    """Walks over frames in order of time and fills the scene."""
+    # references are resolved in the order of the text, events in the order of time
+    d.told, d.attached = frames, attachments
+    refer_all(d, frames)
+    d.told = frames = by_the_clock(frames)
+    dodge(frames, d.text)
+    upon(d, attachments)
+    for m, p in attachments:
+        attachment(d, m, p)
+    before = -1
+    for f in frames:
+        d.now.telling = (f.sentence, before, f.verb.sense)
+        for g in one_time_each(d, f):
+            read_frame(d, g)
+        before = f.verb.start
+    settle(d, None, None)
+    for actor in d.moves.still:
+        track = d.timeline.tracks.get(actor)
+        if track is not None and track.role is Role.ACTIVE and actor in d.world.entities:
+            label = entity_of(d, actor).label
+            d.world.conflicts.append(f'"{label}" is said to move and not to move')
+    for actor, amount in list(d.scene.travel.items()):
+        track = d.timeline.tracks.get(actor)
+        if track is not None and track.motion is not None and not track.closed:
+            node = d.timeline.trigger(actor, f"{actor} has travelled {amount.text}")
+            draft = d.timeline.node(node)
+            assert draft is not None
+            draft.constraints.append(
+                EventConstraint(quantity="distance", object=actor, value=amount.value)
+            )
+        else:
+            d.scene.used.pop((amount.start, amount.end), None)
+    return d.scene
+
+
+def read_frame(d: Discourse, f: Frame) -> None:
+    sense = f.verb.sense
+    subject = list(f.subject.entities) if f.subject is not None else []
+    objects = list(f.object.entities) if f.object is not None else []
+    if f.object2 is not None:
+        objects += [i for i in f.object2.entities if i not in objects]
+    objects = [i for i in objects if kind_of(d, i) != "region"]
+    d.now.each = _one_by_one(f)
+    paired = subject and set(subject) <= set(d.now.pairs) and len(objects) > 1
+    if paired and set(objects) == set(d.now.pairs.values()):
+        mine, d.now.pairs = d.now.pairs, {}
+        for actor in subject:
+            one = replace(f.subject, entities=[actor]) if f.subject else None
+            other = replace(f.object, entities=[mine[actor]]) if f.object else None
+            read_frame(d, replace(f, subject=one, object=other))
+        mark_used(d, f, "one for each")
+        return
+    if len(subject) == 1 and sense in RIDDEN and not f.verb.passive and not objects[1:]:
+        mount = d.scene.supported_by.get(subject[0], "")
+        riding = mount and kind_of(d, mount) in SELF_POWERED | {"sliding"}
+        if riding and kind_of(d, subject[0]) == "person" and mount not in objects:
+            subject = [mount]  # "a girl on a skateboard ... she hits a hydrant"
+    if sense not in STATES:
+        still = ("water", "hole")
+        moving = [i for i in subject if aimable(d, i) and kind_of(d, i) not in still]
+        if subject and not moving and not f.verb.passive:
+            d.scene.ignored[(f.verb.start, f.verb.end)] = "the ground does not act"
+            return
+        subject = moving
+    if sense in _ACTED_ON:
+        objects = [i for i in objects if aimable(d, i)]
+    if sense in ("roll", "slide") and not f.verb.passive:
+        objects = [i for i in objects if "decal" not in entity_of(d, i).noun.traits]
+    _settle_aims(d, f)
+    d.now.instead = _INSTEAD.search(sentence(d, f)) is not None or (
+        _BUT.search(d.text, max(0, f.verb.start - 30), f.verb.start) is not None
+    )
+    subject = _struck_one(d, f, subject)
+    speed = quantity_of(d, f, "speed")
+    speeds = [a for _, a in amounts_of(d, f) if a.dimension == "speed"]
+    if len(speeds) == len(subject) > 1 and sense in ("hit", "miss"):
+        d.moves.own_speed.update(zip(subject, speeds, strict=True))  # "one at 1 m/s, the other"
+    if f.verb.lemma in ("happen", "occur"):
+        _happens(d, f)
+    if sense == "noop" and subject and speed is not None:
+        d.moves.stated[subject[0]] = speed[1]  # "a lorry doing 60 mph"
+    masses = [a for _, a in amounts_of(d, f) if a.dimension == "mass"]
+    if len(masses) == len(subject) > 1:
+        for o, a in zip(subject, masses, strict=True):
+            apply_amount(d.world, entity_of(d, o), a)  # "one of 7.5 t and one of 12 t"
+            mark_used(d, a, o)
+        masses = []
+    for a in masses:
+        if mass_of_load(d, a):
+            continue
+        if subject:
+            owner = objects[0] if objects and sense not in ("weigh", "be") else subject[0]
+            owners = subject if sense in ("weigh", "be", "have") else [owner]
+            for o in owners:
+                apply_amount(d.world, entity_of(d, o), a)
+            mark_used(d, a, owners[0])
+    if f.unreal:
+        _unreal(d, f, subject, objects)
+        return
+    if f.object is None and "neither" in f.adverbs and sense == "hit":
+        _neither(d, f, subject)
+        return
+    if f.verb.negated and sense in ("hit", "enter"):
+        f.verb.sense = sense = "miss"
+    elif f.verb.negated and sense not in ("be", "posture", "miss"):
+        d.scene.ignored[(f.verb.start, f.verb.end)] = "negated"
+        at_first = _AT_FIRST.search(sentence(d, f)) is not None
+        if f.verb.lemma in ("move", "budge", "stir") and not at_first:
+            d.moves.still.update((i, f.verb.start) for i in subject)
+        return
+    things_do = sense in _THINGS_DO or (sense in _THINGS_DO_TO and objects)
+    if f.subject is not None and things_do and f.subject.start < f.verb.start:
+        flying = d.refs.thrown.get(id(f.subject))
+        if (
+            flying
+            and not set(flying) & set(objects)
+            and all(kind_of(d, i) == "person" for i in subject)
+        ):
+            subject = list(flying)
+    subject, objects = _what_the_thrower_misses(d, f, subject, objects)
+    for node in subject if not f.verb.passive else []:
+        _guess_kind(d, node, f.verb.lemma)
+    if (
+        f.subject is not None
+        and id(f.subject) in d.refs.mounts
+        and sense not in ("be", "posture", "weigh", "fall", "topple")
+    ):
+        subject = list(d.refs.mounts[id(f.subject)])
+    over = sense == "topple" and f.verb.lemma == "roll" and not f.verb.passive
+    if over and subject and "round" in entity_of(d, subject[0]).noun.traits:
+        f.verb.sense = sense = "roll"  # "a ball rolls over and hits it": comes over
+    against = f.phrase("on", "against", "at")
+    if f.verb.lemma in ("end", "wind", "finish") and sense in ("noop", "reach"):
+        sense = "end"
+    if sense == "noop" and f.verb.lemma in _BREAKING and against is not None and subject:
+        sense = "hit"  # "breaks on a rock"
+    handler = SENSES.get(sense)
+    if handler is None:
+        d.scene.ignored[(f.verb.start, f.verb.end)] = "no physical meaning"
+        hand_on(d, f)
+        return
+    high_up(d, f, subject)
+    handler(d, f, subject, objects)
+    speed_of_noun(d, f, subject)
+    far_away(d, f, subject)
+    hand_on(d, f)
+    for p, a in amounts_of(d, f):
+        span = precedes(d, a) or (p == "for" and sense in ("fall", "drop"))
+        if a.dimension == "time" and span and (a.start, a.end) not in d.scene.used:
+            d.times.gap, d.times.gap_of = a, f  # "falls for 0.6 s before it hits a bucket"
+
+
+def _what_the_thrower_misses(
+    d: Discourse, f: Frame, subject: list[str], objects: list[str]
+) -> tuple[list[str], list[str]]:
+    """ "She throws a ball at a can. She misses it and hits a box": the ball does both."""
+    shot = d.refs.launched_by.get(subject[0], []) if len(subject) == 1 else []
+    tracks = {t: d.timeline.tracks.get(t) for t in shot}
+    flying = [t for t, k in tracks.items() if k is not None and k.motion and not k.closed]
+    missed = f.verb.sense == "miss"
+    if f.verb.passive or f.verb.sense not in ("miss", "hit") or not flying:
+        return subject, objects
+    aims = [t for t in [d.moves.aim.get(flying[0])] if t] or target_of_mates(d, flying[0])
+    target = next(iter(aims), "")
+    itself = set(objects) <= set(flying)  # "kicks another ball and hits it"
+    mates = d.world.groups.get(entity_of(d, target).group or "", []) if target else []
+    told = itself and (missed or target)
+    if not told and objects[:1] != [target] and not set(objects) & set(mates):
+        return subject, objects
+    if f.subject is not None:
+        d.refs.thrown[id(f.subject)] = flying
+    return flying, (aims[:1] if not missed else []) if itself else objects
+
+
+def _unreal(d: Discourse, f: Frame, subject: list[str], objects: list[str]) -> None:
+    """What does not happen: at most the direction of a motion that is under way."""
+    d.scene.ignored[(f.verb.start, f.verb.end)] = f.unreal
+    for p in f.phrases:
+        if p.amount is not None:
+            d.scene.used.setdefault((p.amount.start, p.amount.end), f.unreal)
+    target = objects[:1] or target_of(d, f, subject)
+    for actor in subject[:1]:
+        track = d.timeline.tracks.get(actor)
+        if target and track is not None and track.motion is not None and not track.closed:
+            d.moves.aim[actor] = target[0]
+
+
+def _neither(d: Discourse, f: Frame, subject: list[str]) -> None:
+    """ "It hits neither": it misses the two named last."""
+    named = [i for ids in reversed(d.world.salience) for i in reversed(ids)]
+    fit = [i for i in named if i in d.world.entities and i not in subject]
+    two = list(dict.fromkeys(i for i in fit if aimable(d, i)))[:2]
+    for actor in subject[:1]:
+        for other in reversed(two):
+            pair = (NodeEvent.MISS, (actor, other))
+            if any((n.event, n.participants) == pair for n in d.timeline.nodes):
+                continue  # "drives past a cat and a dog. It hits neither"
+            read_miss(d, replace(f, object=None), [actor], [other])
+    mark_used(d, f, "misses")
+
+
+def _one_by_one(f: Frame) -> set[str]:
+    """Few things that "both" or "each" distributes over; "all" of a row stays one chain."""
+    out: set[str] = set()
+    for m in (f.subject, f.object, *[p.mention for p in f.phrases]):
+        if m is None or not (2 <= len(m.entities) <= 3):
+            continue
+        told = m is f.object and m.count == len(m.entities) and not m.vague and not m.single
+        felled = told and f.verb.sense in ("knock", "topple")  # "mows down two cones"
+        if {"both", "each"} & {m.determiner, m.pronoun} or felled:
+            out |= set(m.entities)
+    return out
+
+
+def _settle_aims(d: Discourse, f: Frame) -> None:
+    """What was thrown at something hits it before the prompt turns to other things."""
+    mentions = [f.subject, f.object, f.object2, *[p.mention for p in f.phrases]]
+    about = {i for m in mentions if m is not None for i in m.entities}
+    about |= {t for m in mentions if m is not None for t in d.refs.thrown.get(id(m), [])}
+    if f.verb.sense in ("miss", "hit"):
+        about |= {t for i in list(about) for t in d.refs.launched_by.get(i, [])}
+    for i in list(about):  # "the first misses": of those thrown at it the turn is the next's
+        about |= set(d.world.groups.get(entity_of(d, i).group or "", []))
+    for actor, (kind, g, target, _) in list(d.times.pending.items()):
+        if kind is NodeEvent.REACH and g.sentence < f.sentence and _on_the_way(d, f):
+            del d.times.pending[actor]
+            continue
+        aimed = kind in (NodeEvent.COLLISION, NodeEvent.ENTER_REGION)
+        if aimed and g.sentence < f.sentence and about and not about & {actor, target}:
+            settle(d, actor, None)
+
+
+def _on_the_way(d: Discourse, f: Frame) -> bool:
+    """ "walks to the table. Halfway he stumbles": the arrival is not told."""
+    return f.start_of_sentence and _UNDER_WAY.match(sentence(d, f).strip()) is not None
+
+
+def _happens(d: Discourse, f: Frame) -> None:
+    """ "The crash happens after 3 seconds", "the second collision 2 s after the first"."""
+    if _NOTHING.search(d.text, max(0, f.verb.start - 12), f.verb.start):
+        d.scene.ignored[(f.verb.start, f.verb.end)] = "nothing happens"
+        lull = next((a for _, a in amounts_of(d, f) if a.dimension == "time"), None)
+        d.times.gap = lull if lull is None or lull.bound is None else replace(lull, low=lull.high)
+        return
+    last = _told_event(d, f.subject) or d.timeline.node(d.timeline.last_event or "")
+    if last is None or last.time is not None or last.constraints:
+        return
+    p = f.phrase("after")
+    since = _told_event(d, p.mention) if p is not None else None
+    span = next((a for _, a in amounts_of(d, f) if a.dimension == "time"), None)
+    if since is not None and since is not last and span is not None:
+        last.constraints.append(
+            EventConstraint(
+                quantity="time_since",
+                object=last.participants[0],
+                value=span.value,
+                since=since.id,
+            )
+        )
+        last.after.append(since.id)
+        mark_used(d, span, f"time of {last.id}")
+        mark_used(d, f, f"time of {last.id}")
+        return
+    time = time_of(d, f)
+    if time is not None and (last is d.timeline.nodes[0] or time[2] == "at"):
+        last.time, last.time_prescribed = time[0], True
+        mark_used(d, time[1], f"time of {last.id}")
+        mark_used(d, f, f"time of {last.id}")
+
+
+def _told_event(d: Discourse, m: Mention | None) -> Draft | None:
+    """The event that a noun names: "the second collision", "the fall"."""
+    kinds = _NAMED_EVENTS.get(m.head) if m is not None and m.attribute else None
+    if m is None or kinds is None:
+        return None
+    told = [n for n in d.timeline.nodes if n.event in kinds]
+    place = next((ORDINALS[a] for a in m.adjectives if a in ORDINALS), -1)
+    return told[place] if -len(told) <= place < len(told) else None
+
+
+def _struck_one(d: Discourse, f: Frame, subject: list[str]) -> list[str]:
+    """ "two balls collide and one of them rolls away": the one that was hit."""
+    m = f.subject
+    if m is None or d.moves.last_hit is None or len(subject) != 1 or m.adjectives:
+        return subject
+    unnamed = (m.pronoun == "one" and not m.determiner) or (
+        m.pronoun in ("them", "these", "those") and m.count == 1
+    )
+    mates = d.world.groups.get(entity_of(d, subject[0]).group or "", [])
+    if unnamed and set(d.moves.last_hit) <= set(mates) and moved_by_others(d, d.moves.last_hit[1]):
+        m.entities = [d.moves.last_hit[1]]
+        return list(m.entities)
+    return subject
+
+
+def _guess_kind(d: Discourse, node: str, lemma: str) -> None:
+    """An unknown noun is what its verb says: what gallops is an animal."""
+    entity = entity_of(d, node)
+    if entity.known or entity.noun.kind != "generic":
+        return
+    model = "dog" if lemma in _ANIMAL_VERBS else "car" if lemma in _VEHICLE_VERBS else None
+    model = "person" if lemma in _PERSON_VERBS else model
+    if model is not None:
+        like = lex.nouns()[model]
+        entity.noun = replace(
+            like, name=entity.head, description=f"{entity.head}, like a {model}", synonyms=()
+        )

@@ -1,0 +1,108 @@
+"""Stated lengths of a scene in motion: ways travelled, gaps at the start, gaps left at the end."""
+
+from __future__ import annotations
+
+import re
+
+from esg.draft.discourse.core import amounts_of, entity_of, mark_used, structural
+from esg.draft.discourse.record import Discourse
+from esg.draft.discourse.referents.registry import current_id
+from esg.draft.discourse.scene import Relation
+from esg.draft.grammar.clauses.frames import Frame
+from esg.draft.text.quantities import Amount
+from esg.graph.models import EventConstraint
+
+_APART = re.compile(
+    r"\s*(?:(?:away|ahead|clear)\s+)?(?:directly\s+|right\s+|just\s+)?"
+    r"(?:in front of|before|short of|from|of|off|behind|ahead of|next to|beside)\s+"
+    r"(?:the\s+|an?\s+|its\s+|his\s+|her\s+|their\s+)?(?:[a-z-]+\s+){0,2}",
+    re.IGNORECASE,
+)
+"""What stands between a length and the thing it is measured from."""
+
+_FROM_AFAR = re.compile(r"from\s+a\s+distance\s+of\s+(?:about\s+)?$", re.IGNORECASE)
+_PAINTED = frozenset({"crosswalk", "finish line"})
+"""What lies on a road and ends: a road itself, or a crossing of two, is under who stops."""
+
+
+def _apart_from(d: Discourse, a: Amount) -> str | None:
+    """The thing that a length is measured from ("1 m in front of a barrier", "a crosswalk")."""
+    for m in sorted(d.mentions, key=lambda m: m.start):
+        if m.start < a.end:
+            continue
+        between = d.text[a.end : m.start]
+        if not _APART.fullmatch(between + " ") and not _APART.fullmatch(between):
+            return None
+        if not m.entities or m.attribute or m.part in ("edge", "end", "start", "corner"):
+            return None
+        found = current_id(d.world, m.entities[0])
+        way = structural(d, found) and entity_of(d, found).noun.name not in _PAINTED
+        return None if way else found
+    return None
+
+
+def _lengths(d: Discourse, f: Frame) -> list[Amount]:
+    """Lengths of a clause that nothing has read yet."""
+    return [
+        a
+        for _, a in amounts_of(d, f)
+        if a.dimension == "length" and (a.start, a.end) not in d.scene.used
+    ]
+
+
+def stops_short(d: Discourse, f: Frame, actor: str, node_id: str) -> None:
+    """ "stops 1 m in front of a barrier": the gap that is left when the event happens."""
+    node = d.timeline.node(node_id)
+    for a in _lengths(d, f):
+        other = _apart_from(d, a)
+        if other is None or other == actor or node is None:
+            continue
+        node.constraints.append(
+            EventConstraint(quantity="distance", object=actor, value=a.value, to=other)
+        )
+        mark_used(d, a, f"gap at {node_id}")
+
+
+def starts_apart(d: Discourse, f: Frame, actors: list[str]) -> None:
+    """ "starts 5 m from a door": how far things are from each other at the start."""
+    for a in _lengths(d, f):
+        other = _apart_from(d, a)
+        others = [x for x in actors if x != other]
+        if other is not None and others:
+            d.scene.relations.append(Relation(others[0], other, "near", a.value))
+            mark_used(d, a, "distance at the start")
+
+
+def distance(d: Discourse, f: Frame, actors: list[str], aim: str | None) -> None:
+    """ "toward a bench 6 m away": how far the target is at the start."""
+    for a in _lengths(d, f):
+        after = d.text[a.end : a.end + 8].strip().lower()
+        if after.startswith(("away", "apart", "ahead")) and aim is not None:
+            for actor in actors:
+                d.scene.relations.append(Relation(actor, aim, "near", a.value))
+            mark_used(d, a, "distance at the start")
+        elif after.startswith("apart") or _FROM_AFAR.search(d.text[: a.start]):
+            continue  # "two balls 4 m apart roll": the gap at the start (`spacing`)
+        elif f.verb.sense in ("own", "roll", "slide", "fly", "launch", "reverse") and actors:
+            track = d.timeline.tracks.get(actors[0])
+            if track is not None and (track.motion is not None or track.hit):
+                d.scene.travel[actors[0]] = a
+                mark_used(d, a, "distance travelled")
+
+
+def far_away(d: Discourse, f: Frame, subject: list[str]) -> None:
+    """ "lands in a bucket 5 m away": how far things are from each other at the start."""
+    for a in _lengths(d, f):
+        after = d.text[a.end : a.end + 8].strip().lower()
+        if not after.startswith(("away", "ahead", "further")):
+            continue
+        near = [
+            m
+            for m in (f.object, *[p.mention for p in f.phrases])
+            if m is not None and m.entities and m.end <= a.start
+        ]
+        others = [i for i in near[-1].entities if i not in subject] if near else []
+        if others and subject and not structural(d, others[0]):
+            for node in subject[:1]:
+                d.scene.relations.append(Relation(node, others[0], "near", a.value))
+            mark_used(d, a, "distance at the start")

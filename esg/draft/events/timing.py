@@ -1,0 +1,406 @@
+"""Point events with their stated times, and events that a later one may replace."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from esg.draft import lexicon as lex
+from esg.draft.discourse.concurrence import (
+    coincide,
+    later,
+    on_its_own,
+    partner_of,
+    told_apart_by,
+)
+from esg.draft.discourse.core import amounts_of, describe, entity_of, kind_of, mark_used, structural
+from esg.draft.discourse.record import Discourse, Time
+from esg.draft.discourse.scene import SELF_POWERED, pocket_name
+from esg.draft.discourse.timeline import START
+from esg.draft.discourse.windows import Draft
+from esg.draft.grammar.clauses.frames import Frame
+from esg.draft.text.elements import Mention
+from esg.draft.text.quantities import Amount
+from esg.graph.models import EdgeEvent, EventConstraint, NodeEvent, Quantity, Role
+
+HIGHEST_CM = 2e4
+"""Highest start of a fall, as the verifier has it."""
+PUSHING = lex.word_set("pushing")
+
+
+def representatives(d: Discourse, targets: list[str], movers: list[str]) -> list[str]:
+    """A plural counts as one target: its first member."""
+    out: list[str] = []
+    seen: set[str] = set()
+    for t in targets:
+        group = entity_of(d, t).group
+        if t in movers:
+            continue
+        if t in d.now.each:
+            out.append(t)
+            continue
+        if group is not None and entity_of(d, t).pattern == "stack" and len(targets) > 1:
+            if group not in seen:
+                out.append(_of_a_stack(d, group, targets))
+            seen.add(group)
+            continue
+        mates = [i for i in targets if group is not None and entity_of(d, i).group == group]
+        if any(not entity_of(d, i).letter and not entity_of(d, i).place for i in mates):
+            if group not in seen:  # "hits a row of bins and pushes the red one into a wall"
+                out.append(_stands_for(d, mates))
+            seen.add(group or "")
+            continue
+        out.append(t)
+    return out
+
+
+def _stands_for(d: Discourse, mates: list[str]) -> str:
+    """The member that stands for its plural: one that the prompt names, not the last."""
+    named = [
+        i for i in mates if entity_of(d, i).place and entity_of(d, i).place not in ("last", "final")
+    ]
+    plain = [i for i in mates if not entity_of(d, i).letter and not entity_of(d, i).place]
+    return next(iter([*named, *plain]))
+
+
+def _of_a_stack(d: Discourse, group: str, targets: list[str]) -> str:
+    """Who stands for a stack: the one struck before, one named by its level, or the lowest."""
+    mates = [i for i in d.world.groups.get(group, targets) if i in targets]
+    struck = [i for i in mates if (t := d.timeline.tracks.get(i)) is not None and t.hit]
+    named = [i for i in reversed(mates) if entity_of(d, i).place]
+    return next(iter([*struck, *named, *mates]), targets[0])
+
+
+def time_of(d: Discourse, f: Frame) -> Time | None:
+    for p, a in amounts_of(d, f):
+        if a.dimension == "time" and (precedes(d, a) or told_apart_by(d, a)):
+            continue
+        if a.dimension == "time" and a.low == a.high == 0.0:
+            mark_used(d, a, "the start")
+            continue
+        if a.dimension == "time" and p in (
+            "after",
+            "in",
+            "within",
+            "at",
+            "by",
+            "",
+            "exactly",
+            "about",
+            "around",
+            "before",
+            "later",
+        ):
+            value: Quantity = a.value
+            before = p == "before" or (p == "by" and a.low == a.high)
+            if p == "within" or a.bound == "max" or (before and a.bound is None):
+                value = (0.05 * a.high, a.high)
+            elif a.bound == "min":
+                value = (a.low, 2.0 * a.low + 1.0)
+            mode = "at" if p in ("at", "by") or a.measure == "start" else "after"
+            return value, a, mode
+    return None
+
+
+def record_event(
+    d: Discourse,
+    kind: NodeEvent,
+    participants: tuple[str, ...],
+    f: Frame,
+    time: Time | None,
+    **extra: Any,
+) -> str:
+    """Adds a point event with the stated time, absolute or relative."""
+    mover = participants[0]
+    if extra.get("stem") != "brake":
+        settle(d, mover, kind, participants[1] if len(participants) > 1 else None)
+    stop_timed = kind is NodeEvent.STOP
+    if kind is NodeEvent.FALL and time is not None and _lands_before(d, f, mover, time[1]):
+        time = None  # "falls from the ceiling onto a table after 2 s": the time of the landing
+        d.times.before_fall = (f, d.timeline.last_event)
+    partner = partner_of(d, kind, participants, f)
+    if partner is not None:
+        d.timeline.last_event = d.times.before.get(partner[0])
+    previous = told_before = d.timeline.last_event
+    if time is not None and d.times.before_fall is not None and d.times.before_fall[0] is f:
+        previous = d.times.before_fall[1]
+    node_id = ""
+    if time is not None and (time[1].start, time[1].end) in d.scene.used:
+        time = None
+    if time is not None and previous is not None and on_its_own(d, f, participants, time):
+        time = (time[0], time[1], "at")
+    if time is not None and not later(d, time[1]):
+        previous = _begun(d, previous, mover)
+    if time is not None and (previous is None or time[2] == "at") and not stop_timed:
+        node_id = d.timeline.event(
+            kind, participants, describe(d, f), time=time[0], prescribed=True, **extra
+        )
+    else:
+        node_id = d.timeline.event(kind, participants, describe(d, f), **extra)
+    draft = d.timeline.node(node_id)
+    assert draft is not None
+    d.times.of_frame.append((f, node_id))
+    d.times.before[node_id] = told_before
+    if time is not None:
+        mark_used(d, time[1], f"time of {node_id}")
+        if stop_timed and time[2] == "at" and time[1].bound is None:
+            draft.time, draft.time_prescribed = time[0], True
+        elif stop_timed:
+            braked = any(e.to == node_id and e.event.value == "Brake" for e in d.timeline.edges)
+            if braked:
+                draft.constraints.append(
+                    EventConstraint(quantity="time_to_stop", object=mover, value=time[0])
+                )
+            elif previous is None:
+                draft.time, draft.time_prescribed = time[0], True
+            else:
+                draft.constraints.append(
+                    EventConstraint(
+                        quantity="time_since",
+                        object=mover,
+                        value=time[0],
+                        since=previous,
+                    )
+                )
+        elif previous is not None and time[2] != "at":
+            draft.constraints.append(
+                EventConstraint(quantity="time_since", object=mover, value=time[0], since=previous)
+            )
+    coincide(d, draft, partner)
+    _ends_gap(d, draft, f, previous)
+    lasting = next(
+        (
+            e.params.duration
+            for e in d.timeline.edges
+            if e.to == node_id and e.from_ == START and e.actor == mover and e.params.duration
+        ),
+        None,
+    )
+    if lasting is not None and draft.time is None and kind is not NodeEvent.STOP:
+        draft.time, draft.time_prescribed = lasting, True  # "rolls for 2 s and then hits"
+    _lasts_since(d, draft, mover)
+    travelled = d.scene.travel.pop(mover, None)
+    if travelled is not None:
+        draft.constraints.append(
+            EventConstraint(quantity="distance", object=mover, value=travelled.value)
+        )
+    mark_used(d, f, node_id)
+    return node_id
+
+
+def _begun(d: Discourse, previous: str | None, mover: str) -> str | None:
+    """Where a change of speed began, if that is what came last; None at the start.
+
+    "It slows down to 5 m/s and hits a cone after 4 s": not 4 s after it has slowed down.
+    """
+    node = d.timeline.node(previous) if previous is not None else None
+    if node is None or node.event is not NodeEvent.TRIGGER or node.participants != (mover,):
+        return previous
+    changed = (EdgeEvent.BRAKE, EdgeEvent.ACCELERATED_MOTION)
+    if all(c.quantity != "speed_after" for c in node.constraints):
+        return previous
+    begun = next((e.from_ for e in d.timeline.edges if e.to == node.id and e.event in changed), "")
+    return None if begun == START else begun or previous
+
+
+def _lands_before(d: Discourse, f: Frame, mover: str, amount: Amount) -> bool:
+    """Whether a clause says on what its mover lands, and only then a time."""
+    for p in f.phrases:
+        m = p.mention
+        if m is None or p.prep not in ("onto", "on", "into", "in", "against"):
+            continue
+        there = [i for i in m.entities if i != mover and not structural(d, i)]
+        if there and f.verb.start < m.start and m.end <= amount.start:
+            return True
+    return False
+
+
+def _ends_gap(d: Discourse, draft: Draft, f: Frame, previous: str | None) -> None:
+    """The span told before an event ends with it."""
+    if d.times.gap is None or d.times.gap_of is f or draft.event is NodeEvent.TRIGGER:
+        return
+    if any(c.quantity in ("time_since", "time_to_stop") for c in draft.constraints):
+        d.times.gap = d.times.gap_of = None  # it has a time of its own
+        return
+    if previous is not None:
+        draft.constraints.append(
+            EventConstraint(
+                quantity="time_since",
+                object=draft.participants[0],
+                value=d.times.gap.value,
+                since=previous,
+            )
+        )
+        mark_used(d, d.times.gap, f"time of {draft.id}")
+    elif draft.time is None:  # "for the first two seconds nothing happens"
+        draft.time, draft.time_prescribed = d.times.gap.value, True
+        mark_used(d, d.times.gap, f"time of {draft.id}")
+    d.times.gap = d.times.gap_of = None
+
+
+def _lasts_since(d: Discourse, draft: Draft, mover: str) -> None:
+    """ "turns left, drives straight on for 4 s and hits": counted from where it set off."""
+    timed = any(c.quantity == "time_since" for c in draft.constraints)
+    if draft.time is not None or timed or draft.event is NodeEvent.STOP:
+        return
+    for e in d.timeline.edges:
+        if e.to == draft.id and e.actor == mover and e.params.duration and e.from_ != START:
+            draft.constraints.append(
+                EventConstraint(
+                    quantity="time_since", object=mover, value=e.params.duration, since=e.from_
+                )
+            )
+
+
+def settle(
+    d: Discourse, actor: str | None, kind: NodeEvent | None, target: str | None = None
+) -> None:
+    """Turns a pending arrival or landing into an event, unless a stronger event replaces it."""
+    for name in list(d.times.pending):
+        if actor is not None and name != actor:
+            continue
+        event, f, other, time = d.times.pending.pop(name)
+        into = kind in (NodeEvent.COLLISION, NodeEvent.ENTER_REGION) and actor == name
+        leaves = f.phrase("off", "from", "out of") is not None or {"off", "out"} & {*f.adverbs}
+        leaves = leaves or f.verb.lemma in ("come", "break", "detach")
+        down = "down" in {*f.adverbs, f.verb.extra.get("particle", "")} and not f.phrases
+        leaves = leaves or down  # "two drums fall down and one of them hits a man"
+        if event is NodeEvent.FALL and f.verb.sense == "fall" and (leaves or not into):
+            d.add_event(event, (name,), f, time)
+            continue
+        sent = event is NodeEvent.REACH and kind_of(d, name) not in SELF_POWERED
+        if sent and into and f.verb.lemma not in PUSHING:
+            continue  # "throws the ball to a defender, and it hits the referee"
+        if event in (NodeEvent.COLLISION, NodeEvent.ENTER_REGION) and other is not None:
+            _land_aim(d, f, name, other, kind, target, time)
+            continue
+        replaced = kind in (
+            NodeEvent.COLLISION,
+            NodeEvent.ENTER_REGION,
+            NodeEvent.REACH,
+            NodeEvent.TOPPLE,
+            NodeEvent.FALL,
+        ) and (event is NodeEvent.FALL or target in (other, None))
+        if replaced or (event is NodeEvent.REACH and kind is NodeEvent.STOP):
+            continue
+        participants = (name,) if other is None else (name, other)
+        d.add_event(event, participants, f, time)
+
+
+def _land_aim(
+    d: Discourse,
+    f: Frame,
+    name: str,
+    other: str,
+    kind: NodeEvent | None,
+    target: str | None,
+    time: Time | None,
+) -> None:
+    """What was thrown at something hits it, unless it does something else with it instead."""
+    group = entity_of(d, other).group
+    same = target == other or (
+        target is not None and group is not None and entity_of(d, target).group == group
+    )
+    blocked = enterable(d, other) and kind is not None
+    at_once = d.now.telling == (f.sentence, f.verb.start, "hit")
+    elsewhere = (d.now.instead or at_once) and kind is NodeEvent.COLLISION
+    if kind in (NodeEvent.MISS, NodeEvent.ENTER_REGION) or same or blocked or elsewhere:
+        return
+    track = d.timeline.tracks.get(name)
+    if track is None or track.motion is None or track.closed:
+        return
+    mates = d.world.groups.get(entity_of(d, name).group or "", [])
+    met = (NodeEvent.COLLISION, NodeEvent.ENTER_REGION, NodeEvent.MISS)
+    if any(
+        n.event in met
+        and (other in n.participants or str(n.extra.get("region", "")).startswith(f"{other}/"))
+        and set(mates) & {*n.participants}
+        for n in d.timeline.nodes
+    ):
+        return  # "throws three stones at it; the last one knocks it off"
+    if enterable(d, other):
+        enter(d, f, name, other, None, time)
+    else:
+        d.add_event(NodeEvent.COLLISION, (name, other), f, time)
+        d.moves.last_hit = (name, other)
+
+
+def enterable(d: Discourse, node: str) -> bool:
+    noun = entity_of(d, node).noun
+    return noun.kind in ("region", "goal", "hole", "hoop", "water") or "goal" in noun.traits
+
+
+def precedes(d: Discourse, a: Amount) -> bool:
+    """Whether a time says how long before the next event: "2 seconds before B hits"."""
+    return d.text[a.end : a.end + 8].lower().startswith(" before ")
+
+
+def start_height(d: Discourse, things: list[str], a: Amount) -> None:
+    """Things start this high above the ground."""
+    if a.middle > HIGHEST_CM:
+        d.scene.warnings.append(
+            f'"{a.text}": what starts higher than {HIGHEST_CM / 100:g} m starts lower here.'
+        )
+        return
+    for t in things:
+        before = d.scene.heights.get(t)
+        if before is not None:
+            if before != a.value:
+                name, low = (
+                    entity_of(d, t).label,
+                    before if isinstance(before, float) else before[0],
+                )
+                d.world.conflicts.append(f"{name} starts at {low:g} cm and {a.low:g} cm")
+            continue
+        d.scene.heights[t] = a.value
+        d.timeline.start_constraints.append(
+            EventConstraint(quantity="height", object=t, value=a.value)
+        )
+    mark_used(d, a, "start height")
+
+
+def speed_after(d: Discourse, body: str, a: Amount) -> bool:
+    for draft in reversed(d.timeline.nodes):
+        if draft.event is NodeEvent.COLLISION and body in draft.participants:
+            draft.constraints.append(
+                EventConstraint(quantity="speed_after", object=body, value=a.value)
+            )
+            mark_used(d, a, f"speed after {draft.id}")
+            return True
+    return False
+
+
+def moved_by_others(d: Discourse, actor: str) -> bool:
+    track = d.timeline.tracks.get(actor)
+    return track is not None and track.hit and track.role is Role.PASSIVE
+
+
+def is_airborne(d: Discourse, actor: str) -> bool:
+    track = d.timeline.tracks.get(actor)
+    if track is None:
+        return False
+    if track.motion is not None and track.motion.mode in ("throw", "drop", "fly"):
+        return True
+    return any(e.actor == actor and e.params.elevation_deg is not None for e in d.timeline.edges)
+
+
+def enter(
+    d: Discourse,
+    f: Frame,
+    actor: str,
+    other: str,
+    m: Mention | None,
+    time: Time | None,
+) -> None:
+    noun = entity_of(d, other).noun
+    if noun.kind == "region":
+        host = next((i for i, e in d.world.entities.items() if e.noun.kind == "billiardtable"), "")
+        # The noun's own name may say where: "side pocket".
+        words = [*entity_of(d, other).adjectives, *entity_of(d, other).label.split()]
+        region = f"{host or 'billiard_table_1'}/{pocket_name(words)}"
+        d.scene.needs.append(("billiard_table", actor))
+    else:
+        region = f"{other}/inside"
+    node = d.add_event(NodeEvent.ENTER_REGION, (actor,), f, time, region=region)
+    draft = d.timeline.node(node)
+    if draft is not None:
+        draft.extra["region"] = region

@@ -1,0 +1,1 @@
+"""Grammar: tokens become phrases, phrases become clauses."""

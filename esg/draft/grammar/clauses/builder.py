@@ -1,0 +1,137 @@
+"""Clauses: who does what to whom, in which order.
+
+A frame is one verb with its subject, object, prepositional phrases, adverbs and quantities. Frames
+come out in order of time: "after", "before", "when" and fronted clauses are untangled here.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from esg.draft import lexicon as lex
+from esg.draft.grammar.clauses.frames import Frame, State, background_first, in_order
+from esg.draft.grammar.clauses.idioms import read_idioms
+from esg.draft.grammar.clauses.nouns import mention
+from esg.draft.grammar.clauses.record import Clauses
+from esg.draft.grammar.clauses.verbs import UNTIL_MAIN, verb
+from esg.draft.grammar.clauses.words import flush, read_word
+from esg.draft.text.elements import Element, Mention, Verb
+
+_GETTING = lex.word_set("getting (builder)")
+_TAKING = lex.word_set("taking (builder)")
+
+
+def build_clauses(elements: list[Element]) -> Clauses:
+    """Clauses of a text, in order of time, and what stands outside of any."""
+    c = Clauses(elements)
+    s = State()
+    els = c.elements
+    i = 0
+    while i < len(els):
+        e = els[i]
+        if isinstance(e, Mention):
+            c.mentions.append(e)
+            mention(c, s, e, i)
+        elif isinstance(e, Verb):
+            verb(c, s, e, i)
+        else:
+            s = read_word(c, s, e, i)
+        i += 1
+    flush(c, s)
+    for k, f in enumerate(c.frames):
+        _hand_over(f)
+        _takes_time(f, c.frames[k + 1 :])
+        _fronted(f, [g for g in c.frames[k + 1 :] if g.sentence == f.sentence])
+        if f.subordinate:
+            around = [*reversed(c.frames[:k]), *c.frames[k + 1 :]]
+            alike = (g for g in around if g.sentence == f.sentence and not g.subordinate)
+            f.main = next(alike, None)
+    c.frames = _same_again(c, in_order(background_first(c.frames)))
+    read_idioms(c.frames)
+    return c
+
+
+def _same_again(c: Clauses, frames: list[Frame]) -> list[Frame]:
+    """ "The blue car does the same": what the clauses before tell of their subject, again."""
+    out: list[Frame] = []
+    for f in frames:
+        o = f.object
+        same = f.verb.sense in ("be", "noop") and o is not None and o.attribute | (not o.head)
+        if not (same and o is not None and o.adjectives == ["same"] and f.subject and out):
+            out.append(f)
+            continue
+        model = next((g for g in reversed(out) if g.subject and not g.reduced), None)
+        told: list[Frame] = []
+        for g in reversed(out):
+            if model is None or g.subject is not model.subject or g.reduced:
+                break
+            told.insert(0, g)
+        for k, g in enumerate(told):
+            phrases = [p for p in g.phrases if p.amount is None]
+            verb = replace(g.verb, extra=dict(g.verb.extra))
+            own = replace(
+                g,
+                verb=verb,
+                subject=f.subject,
+                phrases=[*phrases, *(f.phrases if k == len(told) - 1 else [])],
+                adverbs=[*g.adverbs],
+                link=f.link if k == 0 else g.link,
+                sentence=f.sentence,
+                parent=None,
+            )
+            if k == 0:
+                own.verb.start, own.verb.end = f.verb.start, f.verb.end
+            out.append(own)
+        if not told:
+            out.append(f)
+    return out
+
+
+def _hand_over(f: Frame) -> None:
+    """ "car B, weighing 1500 kg, at 10 m/s": the speed belongs to the clause around it."""
+    if f.parent is None or f.verb.sense not in ("weigh", "measure", "have"):
+        return
+    for p in list(f.phrases):
+        if p.amount is not None and p.amount.dimension in ("speed", "time"):
+            f.phrases.remove(p)
+            f.parent.phrases.append(p)
+
+
+def _fronted(f: Frame, following: list[Frame]) -> None:
+    """ "After hitting a cone, the car ...", "Struck by a car, the bin ...": subject to come."""
+    main = next((g for g in following if g.subject is not None), None)
+    for p in [p for p in f.phrases if p.prep == UNTIL_MAIN]:
+        p.prep = "after"
+        if following:
+            f.phrases.remove(p)
+            following[0].phrases.append(p)
+    if f.subject is not None:
+        return
+    if main is None or main.subject is None or main.subject.start < f.verb.start:
+        return
+    agent = f.phrase("by")
+    participle = f.verb.form in ("pp", "past") and agent is not None and f.object is None
+    if f.verb.form == "ing" or participle or (f.verb.passive and f.link.startswith("sub:")):
+        f.subject = main.subject
+        f.verb.passive = f.verb.passive or participle
+
+
+def _takes_time(f: Frame, following: list[Frame]) -> None:
+    """ "needs 5 seconds to stop", "takes 2 s to reach the door": the time of what follows."""
+    it = f.subject is not None and f.subject.pronoun == "it"
+    until = it and following and following[0].subordinate in ("until", "till", "before")
+    if f.verb.lemma not in _TAKING or not following:
+        return
+    if following[0].link != "purpose" and not until:
+        return
+    last = following[0]
+    for g in following[1:]:  # "takes 1.5 s to roll downhill and thump into a gate"
+        going = last.verb.sense in _GETTING and g.verb.sense == "hit"
+        if g.sentence != f.sentence or g.verb.auxiliary or not (g.verb.form == "base" or going):
+            break
+        last = g
+    for p in list(f.phrases):
+        if p.amount is not None and p.amount.dimension in ("time", "length"):
+            f.phrases.remove(p)
+            p.prep = "after" if p.amount.dimension == "length" else p.prep
+            last.phrases.append(p)  # "needs 14 m to stop"

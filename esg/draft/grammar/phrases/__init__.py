@@ -1,0 +1,1 @@
+"""Phrases: tokens become noun phrases, verb groups and small words."""

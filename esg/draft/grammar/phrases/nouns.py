@@ -1,0 +1,90 @@
+"""Nouns of the lexicon among the tokens of a text."""
+
+from __future__ import annotations
+
+import re
+
+from esg.draft import lexicon as lex
+from esg.draft.grammar.phrases.chunks import Chunks, NounMatch
+from esg.draft.text.elements import Token
+from esg.draft.text.numerals import parse_number
+from esg.draft.verbphrases import verb_readings
+
+_TURNS_GREEN = re.compile(
+    r"\s+(?:\w+\s+){1,2}?(?:to\s+|back\s+to\s+)?(?:red|green|amber)\b", re.IGNORECASE
+)
+
+
+def token_at(c: Chunks, i: int) -> Token | None:
+    return c.tokens[i] if 0 <= i < len(c.tokens) else None
+
+
+def low_at(c: Chunks, i: int) -> str:
+    return c.lows[i] if 0 <= i < len(c.lows) else ""
+
+
+def match_noun(c: Chunks, i: int) -> NounMatch | None:
+    """Longest lexicon noun at token i: entry, tokens used, plural, phrase."""
+    if i not in c.nouns_at:  # asked several times, of tokens that stay as they are
+        c.nouns_at[i] = _find_noun(c, i)
+    return c.nouns_at[i]
+
+
+def _find_noun(c: Chunks, i: int) -> NounMatch | None:
+    table = lex.nouns()
+    if not 0 <= i < len(c.tokens):
+        return None
+    most = lex.longest_nouns().get(c.tokens[i].low, 1)
+    for n in range(min(most, len(c.tokens) - i), 0, -1):
+        window = c.tokens[i : i + n]
+        if any(t.kind != "word" and (t.kind != "number" or n == 1) for t in window):
+            continue
+        words = [t.low for t in window]
+        phrase = " ".join(words)
+        last, plural = lex.singular(words[-1])
+        single = " ".join([*words[:-1], last])
+        for candidate, is_plural in ((phrase, False), (single, plural)):
+            if candidate in table:
+                if candidate == phrase and single != phrase and single in table:
+                    continue
+                if is_plural and table[candidate].kind == "ground" and _lands_on(c, i + n - 1):
+                    return None
+                if n > 1 and is_plural and _subject_and_verb(c, i, words):
+                    continue
+                if n > 1 and is_plural and parse_number(words[0]) is not None:
+                    continue  # "eight balls" are not "the eight ball"
+                return table[candidate], n, is_plural or words[-1] == "billiards", candidate
+        dashed = "-".join(words)
+        if n > 1 and dashed in table:
+            return table[dashed], n, False, dashed
+    if i < len(c.tokens) and low_at(c, i).removesuffix("s").endswith("-year-old"):
+        return table["child"], 1, low_at(c, i).endswith("s"), "child"
+    if i < len(c.tokens) and "-" in low_at(c, i):
+        last, plural = lex.singular(low_at(c, i).replace("-", " "))
+        if last in table:
+            return table[last], 1, plural, last
+    if low_at(c, i) in ("light", "lights") and _of_traffic(c, i):
+        return table["traffic light"], 1, False, "traffic light"
+    return None
+
+
+def _of_traffic(c: Chunks, i: int) -> bool:
+    """ "The lights turn green": no lamps."""
+    return _TURNS_GREEN.match(c.text, c.tokens[i].end) is not None
+
+
+def _lands_on(c: Chunks, i: int) -> bool:
+    """ "The brick lands on a car": a verb, no ground."""
+    verb = any(r.form == "s" for r in verb_readings(low_at(c, i)))
+    return verb and low_at(c, i + 1) in lex.PREPOSITIONS
+
+
+def _subject_and_verb(c: Chunks, i: int, words: list[str]) -> bool:
+    """ "The bus stops at the crossing": a subject with its verb, not several bus stops."""
+    if i == 0 or low_at(c, i - 1) not in ("a", "an", "the", "this", "that", "each", "every"):
+        return False
+    if " ".join(words[:-1]) not in lex.nouns():
+        return False
+    nxt = low_at(c, i + len(words))
+    plural_verb = nxt in lex.MODALS or nxt in ("are", "were", "have", "that", "which", "of")
+    return not plural_verb and any(r.form == "s" for r in verb_readings(words[-1]))

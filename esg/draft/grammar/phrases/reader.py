@@ -1,0 +1,359 @@
+"""Looking at tokens: is this word a noun, an adjective or a verb here?"""
+
+from __future__ import annotations
+
+from esg.draft import lexicon as lex
+from esg.draft.grammar.phrases.chunks import Chunks
+from esg.draft.grammar.phrases.nouns import low_at, match_noun, token_at
+from esg.draft.text.elements import Element, Mention, Verb, Word
+from esg.draft.text.tokens import is_name
+from esg.draft.verbphrases import PHRASES, verb_readings
+
+_NOUNS_FIRST = lex.word_set("nouns first")
+_ALSO_NOUNS = lex.word_set("also nouns")
+
+
+_ADJECTIVES = frozenset().union(
+    lex.COLORS, lex.MATERIALS, lex.SIZES, lex.STRETCHES, lex.WEIGHTS, lex.PLACE_ADJECTIVES,
+    lex.PLAIN_ADJECTIVES,
+)  # fmt: skip
+
+
+def acts(c: Chunks, i: int) -> bool:
+    """Whether a word in -s that could be a plural is the verb of the noun before it."""
+    token, nxt = token_at(c, i), token_at(c, i + 1)
+    if token is None or not any(r.form == "s" for r in verb_readings(token.low)):
+        return False
+    if nxt is None or nxt.kind in ("punct", "qty"):
+        return True
+    return nxt.low in lex.PREPOSITIONS | lex.DETERMINERS | lex.ADVERBS | lex.PRONOUNS | {"and"}
+
+
+def element_before(c: Chunks) -> Element | None:
+    return c.elements[-1] if c.elements else None
+
+
+def known_adjective(low: str) -> bool:
+    if "-" in low and any(p in lex.COLORS or p in lex.SIZES for p in low.split("-")):
+        return True
+    return low in _ADJECTIVES
+
+
+def is_adjective(c: Chunks, i: int) -> bool:
+    token = token_at(c, i)
+    if token is None or token.kind != "word":
+        return False
+    low = token.low
+    if known_adjective(low):
+        return True
+    return (
+        token.tag == "ADJ"
+        and not named_before(c, i)
+        and match_noun(c, i) is None
+        and not verb_readings(low)
+        and low not in lex.PREPOSITIONS
+    )
+
+
+def _bare(c: Chunks, mention: Mention) -> bool:
+    return not mention.determiner and not mention.pronoun and not mention.letters
+
+
+def _verb_context(c: Chunks, i: int) -> bool:
+    nxt = token_at(c, i + 1)
+    if nxt is None:
+        return c.tokens[i].tag in ("VERB", "")
+    low = nxt.low
+    return (
+        _individual(c, i + 1)
+        or low in lex.DETERMINERS
+        or low in lex.PRONOUNS
+        or low in lex.PREPOSITIONS
+        or nxt.kind in ("qty",)
+        or low in lex.ADVERBS
+        or low == "to"
+        or (nxt.kind == "punct" and c.tokens[i].tag in ("VERB", ""))
+    )
+
+
+def _individual(c: Chunks, i: int) -> bool:
+    """ "then rams pallet P2", "and hits car 3", "rams R2": a name in place of an article."""
+    noun = match_noun(c, i)
+    if noun is not None and noun[2]:
+        return False
+    name = token_at(c, i + (noun[1] if noun is not None else 0))
+    return name is not None and is_name(name, after_noun=noun is not None)
+
+
+def noun_soon(c: Chunks, i: int) -> bool:
+    """Whether adjectives and then a noun follow without a determiner."""
+    for j in range(i, min(i + 4, len(c.tokens))):
+        low = low_at(c, j)
+        if c.tokens[j].kind != "word" or low in lex.DETERMINERS or low in lex.PREPOSITIONS:
+            return False
+        if match_noun(c, j) is not None:
+            return True
+        if verb_readings(low) and not is_adjective(c, j):
+            return False
+        if low in lex.ADVERBS and not is_adjective(c, j):
+            return False
+        if not is_adjective(c, j):
+            return c.tokens[j].tag in ("NOUN", "PROPN")
+    return False
+
+
+def verb_ahead(c: Chunks, i: int) -> bool:
+    for j in range(i, min(i + 3, len(c.tokens))):
+        low = low_at(c, j)
+        if low in lex.MODALS or verb_readings(low):
+            return True
+        if low not in lex.ADVERBS:
+            return False
+    return False
+
+
+def participle(c: Chunks, j: int, also_been: bool = False) -> bool:
+    for k in range(j, min(j + 3, len(c.tokens))):
+        low = low_at(c, k)
+        if also_been and low == "been":
+            return True
+        if any(r.form in ("pp", "ing") for r in verb_readings(low)):
+            return True
+        if low not in lex.ADVERBS and not low.endswith("ly"):
+            return False
+    return False
+
+
+def verb_here(c: Chunks, i: int) -> bool:
+    """Whether the token starts a verb group here."""
+    low = low_at(c, i)
+    token = c.tokens[i]
+    previous = element_before(c)
+    if low in ("is", "are", "was", "were", "be", "been", "being", "'s", "gets", "get"):
+        return low != "'s" or isinstance(previous, Mention)
+    if low in ("cannot", "can't", "couldn't"):
+        return True
+    if low in lex.MODALS - _ALSO_NOUNS:
+        return True
+    if low in ("will", "can", "might", "has", "have", "had", "having"):
+        return isinstance(previous, Mention) or low in ("has", "have", "had", "having")
+    readings = verb_readings(low)
+    if not readings:
+        return False
+    prev_low = low_at(c, i - 1)
+    nxt = low_at(c, i + 1)
+    forms = {r.form for r in readings}
+    noun = match_noun(c, i)
+    nounish = noun is not None or low in lex.ATTRIBUTES or low in lex.PARTS
+    nounish = nounish or lex.singular(low)[0] in lex.ATTRIBUTES
+    adjectival = is_adjective(c, i)
+    if prev_low == "whose":
+        return False  # "a car whose speed is 12 m/s"
+    if adjectival and prev_low in ("too", "very", "so", "quite") and forms <= {"base"}:
+        return False  # "is too slow"
+    if noun is not None and noun[1] > 1 and not isinstance(previous, Mention):
+        return False
+    if prev_low in lex.DETERMINERS and not (
+        isinstance(previous, Mention) and previous.end == c.tokens[i - 1].end
+    ):
+        return False
+    if low in _NOUNS_FIRST:
+        if not isinstance(previous, Mention):
+            return low == "back" and isinstance(previous, Word) and previous.kind == "conj"
+        if low == "left":
+            return nxt in ("the", "its", "a")
+        if low in ("back", "end", "wound", "ground"):
+            return any(
+                p.match(c.text, token.end)
+                for p, _, _ in PHRASES.get(low if low != "wound" else "wind", [])
+            )
+        return True
+    dangles = isinstance(previous, Word) and previous.low in ("behind", "ahead", "opposite")
+    if dangles and "s" in forms and isinstance((c.elements[-2:-1] or [None])[0], Mention):
+        return True  # "bike behind hits bumper"
+    if isinstance(previous, Word) and previous.kind == "prep" and not (forms & {"ing"}):
+        return not (nounish or adjectival) and previous.low != "by"
+    if isinstance(previous, Mention):
+        if adjectival and forms <= {"pp", "past", "ing"} and noun_soon(c, i + 1):
+            return bool(forms & {"past", "pp"}) and not _bare(c, previous)
+        if forms & {"s", "past", "pp", "ing"} or not nounish:
+            return True
+        return True
+    if isinstance(previous, Verb):
+        before = c.elements[-3:-1]
+        if forms & {"s", "past"} and [type(e) for e in before] == [Mention, Mention]:
+            return noun is None  # "the tray he was carrying crashes"
+        own = previous.form == "ing" and not previous.auxiliary and bool(before)
+        if (
+            own
+            and isinstance(before[-1], Mention)
+            and "s" in forms
+            and (noun is None or nxt in lex.DETERMINERS | lex.PRONOUNS)
+        ):
+            return True  # "a car changing lanes knocks it over"
+        within = [getattr(e, "kind", "") for e in before[:1]] == ["rel"]
+        clause = within and isinstance(before[-1], Mention) and bool(forms & {"s", "past"})
+        if clause and (noun is None or nxt in lex.DETERMINERS | lex.PREPOSITIONS):
+            return True  # "the trolley whose brakes fail rolls into a pond"
+        after_that = [getattr(e, "kind", "") for e in before[-1:]] == ["rel"]
+        if after_that and forms & {"s", "past"} and (noun is None or nxt in lex.DETERMINERS):
+            return True  # "a ball that is rolling hits a box"
+        return (
+            bool(forms & {"ing", "base"})
+            and not (nounish and (noun_soon(c, i + 1) is False))
+            and not (adjectival and noun_soon(c, i + 1))
+        )
+    if (
+        adjectival
+        and noun_soon(c, i + 1)
+        and not (previous is not None and previous.kind in ("rel", "sub"))
+    ):
+        return "ing" in forms and nxt in lex.DETERMINERS
+    if previous is None or (previous.kind == "punct" and previous.low in ".;!?:\n"):
+        if nounish:
+            by = nxt == "by" and "pp" in forms  # "Hit by an apple, he ..."
+            by = by or (noun is None and "s" in forms and _report(c, i))
+            return by or (nxt in lex.DETERMINERS and "base" in forms)
+        return True
+    if (
+        nounish
+        and forms & {"s", "past"}
+        and previous.kind in ("punct", "conj", "adv")
+        and (nxt == "" or nxt in ("and", "then"))
+        and any(isinstance(e, Verb) for e in c.elements)
+    ):
+        return True  # "..., slides, and hits"
+    if previous.kind == "rel" and "s" in forms and not (verb_readings(nxt) and nxt != "open"):
+        return True  # ", which swings round": no plural without an article
+    if nounish and noun is not None:
+        inflected = forms & {"past", "pp", "ing"}
+        if previous.kind in ("conj", "adv", "punct", "rel"):
+            return _verb_context(c, i) or bool(inflected)
+        return bool(inflected) or token.tag == "VERB"
+    return True
+
+
+def looks_like_verb(c: Chunks, j: int, m: Mention) -> bool:
+    """An unknown word in -s or -ed after a singular noun, with no verb after it ("derails")."""
+    low = low_at(c, j)
+    if (
+        not low.endswith(("s", "ed"))
+        or low.endswith("ss")
+        or m.determiner not in ("a", "an", "the", "this", "that", "its")
+    ):
+        return False
+    nxt = low_at(c, j + 1)
+    return not (verb_readings(nxt) or nxt in lex.MODALS or nxt == "'s")
+
+
+def unknown_verb(c: Chunks, i: int) -> bool:
+    """ "The bag rips, and", ", rounds a shelf": an unknown word in -s in place of a verb."""
+    low, token, nxt = low_at(c, i), c.tokens[i], token_at(c, i + 1)
+    noun, previous = match_noun(c, i), element_before(c)
+    after_one = isinstance(previous, Mention) and previous.determiner in ("a", "an")
+    after_one = after_one and noun is not None and noun[2] and noun[1] == 1  # "a cyclist signals,"
+    known = (noun is not None and not after_one) or verb_readings(low) or is_adjective(c, i)
+    if known or not low.isalpha() or not low.endswith("s") or low.endswith("ss"):
+        return False
+    singular = lex.singular(low)[0]
+    closed = lex.PREPOSITIONS | lex.ADVERBS | lex.MODALS | lex.DETERMINERS | lex.PRONOUNS
+    if low in closed | lex.SUBORDINATORS or {low, singular} & (lex.PARTS | lex.ATTRIBUTES):
+        return False
+    ends = nxt is None or nxt.kind in ("punct", "qty")
+    object_ = nxt is not None and nxt.low in lex.DETERMINERS | lex.PRONOUNS
+    way = nxt is not None and nxt.low in lex.PREPOSITIONS | lex.ADVERBS - {"of"}
+    if isinstance(previous, Mention):
+        before = c.elements[-2] if len(c.elements) > 1 else None
+        opens = before is None or getattr(before, "kind", "") in ("punct", "conj", "sub", "adv")
+        one = previous.determiner in ("a", "an", "the", "this", "that", "its", "one")
+        alone = one and not previous.plural and previous.end == c.tokens[i - 1].end
+        return opens and alone and (ends or object_ or way or nxt.low in ("and", "but", "to"))
+    told = any(isinstance(e, Verb) for e in c.elements)
+    listed = isinstance(previous, Word) and (previous.kind == "conj" or previous.low == ",")
+    return listed and told and token.tag == "VERB" and (object_ or way)
+
+
+def compound_noun(c: Chunks, k: int, m: Mention) -> bool:
+    """Whether an ambiguous word continues a compound ("picnic park") and is no verb."""
+    nxt = token_at(c, k + 1)
+    if nxt is None:
+        return c.tokens[k].tag == "NOUN"
+    if nxt.low in lex.DETERMINERS or nxt.low in lex.PRONOUNS:
+        return False
+    readings = verb_readings(low_at(c, k))
+    base = all(r.form == "base" for r in readings)
+    after = match_noun(c, k + 1)
+    if m.determiner and after is not None and after[2] and "pp" in {r.form for r in readings}:
+        return True  # "the engine shed doors"
+    if base and m.determiner in ("a", "an") and after is not None and not after[2]:
+        return c.tokens[k].tag == "NOUN"  # "a ski lift chair"
+    return c.tokens[k].tag == "NOUN" and bool(verb_readings(nxt.low))
+
+
+def unknown_noun(c: Chunks, j: int) -> bool:
+    token = token_at(c, j)
+    if token is None or token.kind != "word" or token.text == "'s":
+        return False
+    low = token.low
+    if (
+        low in lex.PREPOSITIONS
+        or low in lex.ADVERBS
+        or low in lex.MODALS
+        or low in lex.PRONOUNS
+        or low in lex.DETERMINERS
+        or low in lex.SUBORDINATORS
+        or low in ("and", "or", "but", "to", "which", "who", "that", "not")
+        or verb_readings(low)
+    ):
+        return False
+    if token.tag in ("NOUN", "PROPN"):
+        return True
+    if token.tag in ("ADJ", "VERB", "X", "INTJ"):
+        return not noun_soon(c, j + 1)
+    return (token.tag == "" and not low.endswith("ly")) or named_before(c, j)
+
+
+def named_before(c: Chunks, j: int) -> bool:
+    """ "The storm fells the poplar; poplar crushes a shed": a noun by now."""
+    word = lex.singular(low_at(c, j))[0]
+    return any(isinstance(e, Mention) and e.head == word for e in c.elements)
+
+
+def _report(c: Chunks, i: int) -> bool:
+    """ "Truck, 9 m/s. Brakes at 3 s. Stops 2 s later.": verbs of what was named before."""
+    nxt = token_at(c, i + 1)
+    if not any(isinstance(e, Mention) for e in c.elements) or nxt is None:
+        return False
+    if nxt.kind == "word" and match_noun(c, i + 1) and not low_at(c, i + 2).endswith("ing"):
+        return True  # "Hits shed door."
+    small = lex.PREPOSITIONS - {"of"} | lex.ADVERBS | {"and"}
+    return (nxt.kind in ("qty", "punct") and nxt.text != ":") or nxt.low in small
+
+
+def noun_not_verb(c: Chunks, k: int, m: Mention) -> bool:
+    """ "a cereal bowl off the chair": a bare verb does not follow a singular noun phrase."""
+    readings = verb_readings(low_at(c, k))
+    bare = all(r.form == "base" for r in readings)
+    nxt = low_at(c, k + 1)
+    one = m.determiner in ("a", "an", "this", "that", "each", "every", "another")
+    previous = element_before(c)
+    done = isinstance(previous, Verb) and previous.sense not in ("cause", "noop")
+    one = one or (done and bool(m.determiner))  # "knocks its food bowl off": it has its verb
+    return bare and one and nxt not in lex.DETERMINERS and nxt not in lex.PRONOUNS
+
+
+def thing_named(c: Chunks, i: int) -> bool:
+    """Whether a noun phrase with an article or a pronoun starts here."""
+    low = low_at(c, i)
+    named = low in lex.DETERMINERS or match_noun(c, i) is not None
+    return named or low in ("it", "them", "him", "her", "its", "his", "their")
+
+
+def verb_soon(c: Chunks, i: int) -> bool:
+    return any(verb_readings(low_at(c, k)) for k in range(i, min(i + 6, len(c.tokens))))
+
+
+def acts_on_something(c: Chunks, j: int) -> bool:
+    low = low_at(c, j)
+    small = lex.DETERMINERS | lex.PREPOSITIONS | lex.PRONOUNS | lex.ADVERBS
+    return low in small or low in ("", ".", ",")

@@ -1,0 +1,1 @@
+"""Text: a prompt becomes tokens, with whole quantities as one token each."""
