@@ -29,7 +29,7 @@ def fit_assets(doc: EsgDocument) -> EsgDocument:
 
 def start_hints(doc: EsgDocument, *, seed: int = 0) -> StartHints:
     """Start constellations of the timeline's participants (esg.dynamics.choreography)."""
-    from esg.dynamics.choreography.choreography import start_hints as run
+    from esg.dynamics.choreography.telling import start_hints as run
 
     return run(doc, seed=seed)
 
@@ -43,8 +43,8 @@ def optimize(
     rounds_closed: int = 0,
     collision: str = "exact",
 ) -> EsgDocument:
-    """Fills `dynamics_result` (esg.dynamics.search.search)."""
-    from esg.dynamics.search.search import optimize as run
+    """Fills `dynamics_result` (esg.dynamics.strategies)."""
+    from esg.dynamics.strategies import optimize as run
 
     return run(
         doc,

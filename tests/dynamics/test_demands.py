@@ -9,9 +9,9 @@ import pytest
 from esg.assets import resolve
 from esg.draft import draft
 from esg.dynamics.casting.toppling import carried, fastest
-from esg.dynamics.choreography.choreography import choreograph
 from esg.dynamics.choreography.demands import FELT_NS, felt, passed_on, thrown_back_share
 from esg.dynamics.choreography.impacts import FARTHEST_AHEAD
+from esg.dynamics.choreography.telling import choreograph
 from esg.dynamics.story.stagecraft import coasting_drag, prop
 from esg.dynamics.story.story import read_story
 from esg.dynamics.story.tipping import topple_speed

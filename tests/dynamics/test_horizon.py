@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from esg.dynamics import build_scene
-from esg.dynamics.losses.losses import Assessment
-from esg.dynamics.plan.horizon import AFTER_S, looked_at_for, told_by
-from esg.dynamics.plan.plan import Plan, make_plan
+from esg.dynamics.losses.assess import Assessment
+from esg.dynamics.losses.horizon import AFTER_S, expected_end, looked_at_for, told_by
+from esg.dynamics.plan.planner import Plan, make_plan
 from esg.dynamics.search.cloud import around, spreads
 from esg.dynamics.search.panel import REFERENCE_DT_S, Panel
 from esg.dynamics.search.simulate import ENSEMBLE, Simulator
@@ -78,7 +78,7 @@ def test_a_missing_event_and_what_may_be_touched_later_keep_the_whole_rollout() 
 def test_the_search_plays_no_longer_than_it_has_to() -> None:
     """What the panel previews and looks at is what whole rollouts show, in less time."""
     plan = planned(stories.three_balls)
-    assert plan.told < 0.7 * plan.duration
+    assert expected_end(plan) < 0.7 * plan.duration
     thetas = around(plan, plan.initial(), spreads(plan), np.random.default_rng(0), 6)
     short, whole = (Panel(plan, "cpu", dt=REFERENCE_DT_S) for _ in range(2))
     whole._may_stop, whole._until = False, np.inf

@@ -7,7 +7,7 @@ import pytest
 from esg.assets import resolve
 from esg.draft import draft
 from esg.dynamics import fit_assets, start_hints
-from esg.dynamics.choreography.choreography import choreograph
+from esg.dynamics.choreography.telling import choreograph
 
 
 def _placed(prompt: str) -> tuple[dict[str, tuple[float, float]], dict[str, float]]:

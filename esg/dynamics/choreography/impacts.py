@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 
-from esg.dynamics.casting.dominoes import REACH, are_slabs, down_first
 from esg.dynamics.choreography.demands import KEPT, thrown_back_share
 from esg.dynamics.choreography.flights import hits_level, slowed, thrown_back
 from esg.dynamics.choreography.placing import bring_support, goes_on, hits_on
+from esg.dynamics.choreography.slabs import REACH, are_slabs, down_first
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.kinematics import (
     Frame,

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.dynamics.losses.smooth import SMOOTH, EventLosses
-from esg.dynamics.plan.plan import Plan
+from esg.dynamics.plan.planner import Plan
 from esg.dynamics.search.simulate import NOMINAL, Perturbation, program_times
 from esg.engines.base import VERIFY_DT_S
 from esg.engines.program import batch_programs

@@ -11,8 +11,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from esg.dynamics.losses.losses import TOLERANCE, Assessment
-from esg.dynamics.plan.plan import Plan
+from esg.dynamics.losses.assess import TOLERANCE, Assessment
+from esg.dynamics.plan.planner import Plan
 from esg.dynamics.search.panel import Found, rounded
 from esg.dynamics.search.simulate import Simulator
 from esg.engines.base import VERIFY_DT_S, get_engine

@@ -8,10 +8,10 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.dynamics.losses.losses import MISSED, TOLERANCE, Assessment
+from esg.dynamics.losses.assess import MISSED, TOLERANCE, Assessment
 from esg.dynamics.losses.measures import TOPPLED_DEG, tilt_of
 from esg.dynamics.plan.feasibility import impossible
-from esg.dynamics.plan.plan import Plan
+from esg.dynamics.plan.planner import Plan
 from esg.dynamics.search.panel import Found, Panel, rounded
 from esg.engines.program import Program, program_to_json
 from esg.graph.models import (

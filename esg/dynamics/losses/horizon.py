@@ -10,7 +10,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.dynamics.losses.losses import Assessment
+from esg.dynamics.losses.assess import Assessment
+from esg.dynamics.plan.planner import Plan
 from esg.dynamics.story.story import Story
 from esg.graph.models import NodeEvent, TimelineNode
 
@@ -32,6 +33,11 @@ touch it at any later time."""
 def looked_at_for(node: TimelineNode) -> float:
     """How long after an event something is measured with it [s]."""
     return AFTER_S.get(node.event, np.inf)
+
+
+def expected_end(plan: Plan) -> float:
+    """By when the choreography expects everything to have been seen [s]."""
+    return plan.latest + max(looked_at_for(node) for node in plan.story.nodes.values())
 
 
 def told_by(story: Story, assessed: Assessment) -> NDArray[np.float64]:

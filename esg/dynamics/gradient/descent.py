@@ -19,7 +19,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.dynamics.plan.plan import Plan
+from esg.dynamics.plan.planner import Plan
 from esg.dynamics.search.panel import Panel
 from esg.dynamics.search.simulate import Simulator
 from esg.dynamics.story.story import Story
