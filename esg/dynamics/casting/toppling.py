@@ -13,7 +13,7 @@ import math
 import re
 
 from esg.dynamics.casting.containers import resized, with_assets
-from esg.dynamics.choreography.demands import FELT_NS, KEPT, passed_on
+from esg.dynamics.choreography.demands import KEPT, passed_on
 from esg.dynamics.choreography.slopes import fastest_down, rides
 from esg.dynamics.choreography.stage import FASTEST_MPS
 from esg.dynamics.story.stagecraft import Prop, fall_speed, prop
@@ -27,6 +27,7 @@ from esg.graph.models import (
     NodeEvent,
     TimelineNode,
 )
+from esg.thresholds import SAFE_IMPULSE_NS
 
 LIGHTEST = 0.3
 """Least share of the usual mass: an empty crate against a loaded one."""
@@ -228,7 +229,7 @@ def _not_overrun(doc: EsgDocument, story: Story, knock: Knock) -> EsgDocument:
 def _felt_mass(mover: Prop, target: Prop, speed: float) -> float:
     """Least mass [kg] of a target that feels a hit of a speed; infinity where none does."""
     gain = 1.0 + 0.5 * (mover.restitution + target.restitution)
-    reduced = FELT_NS / max(gain * speed, 1e-9)
+    reduced = SAFE_IMPULSE_NS / max(gain * speed, 1e-9)
     return math.inf if reduced >= mover.mass else reduced * mover.mass / (mover.mass - reduced)
 
 

@@ -18,15 +18,13 @@ from esg.dynamics.losses.shapes import MISSED, UNBRAKED, UNMET, bowl, distance_l
 from esg.dynamics.story.story import Story, bounds
 from esg.engines.scene import Rollout, SimScene
 from esg.graph.models import EdgeEvent, EventConstraint, NodeEvent, TimelineNode
+from esg.thresholds import MIN_EVENT_GAP_S, SAFE_BRAKED_TO
 from esg.units import yaw_from_quat
 
-CHAIN_GAP_S = 0.1
 CHAIN_MARGIN_S, FALLEN_MARGIN_S, CLOSE = 0.03, 0.1, 0.4
 """A hit this much later than that survives another engine; loss of one that is not later at all."""
 TIME_SCALE_S = 0.1
 SPEED_SCALE_MPS = 0.25
-HALVED = 0.45
-"""Braking leaves at most this fraction of the speed, a little less than the half that is asked."""
 
 TOLERANCE = {
     "time": 0.15,
@@ -151,7 +149,7 @@ class _Assessor:
         if previous is not None:
             earliest = np.where(ready, earliest, 0.0)
             if node.event is NodeEvent.COLLISION:
-                earliest = earliest + CHAIN_GAP_S
+                earliest = earliest + MIN_EVENT_GAP_S
         measure = MEASURES[node.event]
         time, far = measure(self.rec, node, np.where(ready, earliest, np.inf), self._term)
         done = ready & np.isfinite(time) & self.rec.r.valid
@@ -169,7 +167,7 @@ class _Assessor:
             spare = (time - earliest) / FALLEN_MARGIN_S
             self._term(f"{node.id}/close", np.where(done, CLOSE * np.clip(1 - spare, 0, 1), 0.0))
         if node.event is NodeEvent.COLLISION and self._is(previous, NodeEvent.FALL):
-            early = np.clip(SETTLED_S - (time - earliest + CHAIN_GAP_S), 0.0, SETTLED_S)
+            early = np.clip(SETTLED_S - (time - earliest + MIN_EVENT_GAP_S), 0.0, SETTLED_S)
             self._term(f"{node.id}/early", np.where(done, early, 0.0))
         self._window(node, time, done)
         for constraint in node.constraints:
@@ -276,7 +274,7 @@ class _Assessor:
                 after = self.rec.at(self.rec.speed[:, :, body], end - 1.5 / self.rec.fps)
                 ratio = after / np.maximum(before, 0.1)
                 late = np.isfinite(end)
-                excess = np.maximum(ratio - HALVED, 0.0)
+                excess = np.maximum(ratio - SAFE_BRAKED_TO, 0.0)
                 # A brake that sets in after the event has taken nothing: the later, the worse.
                 behind = np.where(late, np.maximum(begin - end, 0.0), 0.0)
                 excess = np.where(behind > 0.0, 1.0 + behind, excess)

@@ -14,36 +14,37 @@ from numpy.typing import NDArray
 
 from esg.dynamics.choreography.moves import TURNED_RAD
 from esg.dynamics.losses.gap import bounding_radius, surface_gap
-from esg.dynamics.losses.hits import (
-    HIT_LIMIT_S,
-    MAX_DEPTH_M,
-    MAX_RECHECK_M,
-    MIN_IMPULSE_NS,
-    RECHECK_S,
-    first_hit,
-)
+from esg.dynamics.losses.hits import first_hit
 from esg.dynamics.losses.recording import Bools, Floats, Recording
 from esg.engines.scene import Body
 from esg.graph.models import NodeEvent, TimelineNode
 from esg.metrics.geometry import first_pass, gets_ahead
+from esg.thresholds import (
+    ENTERED_FOR_S,
+    MAX_CONTACT_DEPTH_M,
+    MAX_RECHECK_DEPTH_M,
+    MIN_IMPULSE_NS,
+    MOVING_MPS,
+    NEAR_M,
+    RECHECK_AFTER_S,
+    SAFE_DEPTH_M,
+    SAFE_FALLEN_BY,
+    SAFE_IMPULSE_NS,
+    SAFE_TOPPLED_DEG,
+    SAFE_TURN_DEG,
+    STOPPED_FOR_S,
+    STOPPED_MPS,
+    T_MAX_S,
+)
 from esg.units import GRAVITY_MPS2, quat_rotate, yaw_from_quat
 
 AddTerm = Callable[[str, Floats], None]
 
-SAFE_IMPULSE_NS = 0.25
-SAFE_DEPTH_M = 0.035
 EARLY_SCALE_S, MOST_EARLY = 0.1, 3.0
 """Scale of how much too early the last hit came, and the most that it costs."""
 SPARE_S = 0.15
 """A recording goes on for so much longer: in another engine the hit may come later."""
-STOP_SPEED_MPS = 0.1
-PASSING_MPS = 0.2
-"""Who is slower than this overtakes nobody."""
 DISTANCE_SCALE_M = 0.3
-NEAR_M = 0.25
-"""What comes this close has reached something."""
-TOPPLED_DEG = 47.0
-"""A little over the 45 degrees that count."""
 TILT_SCALE_DEG = 15.0
 BRISK = 2.5
 """Usual time from a hit to its topple, over the root of height by gravity."""
@@ -55,13 +56,13 @@ def collision(
     a, b = rec.members(node.participants[0]), rec.members(node.participants[-1])
     found = first_hit(rec, a, b, earliest)
     end = float(rec.t[-1])
-    hit, good = np.isfinite(found.time) & (found.time <= HIT_LIMIT_S), found.sound(end)
+    hit, good = np.isfinite(found.time) & (found.time <= T_MAX_S), found.sound(end)
     # A hit is looked at again after a while: the recording has to go on for as long.
     short = found.short(end)
-    unsound = 0.5 + np.maximum(found.depth - MAX_DEPTH_M, 0.0) / 0.02
-    unsound += np.maximum(found.recheck - MAX_RECHECK_M, 0.0) / 0.02
+    unsound = 0.5 + np.maximum(found.depth - MAX_CONTACT_DEPTH_M, 0.0) / 0.02
+    unsound += np.maximum(found.recheck - MAX_RECHECK_DEPTH_M, 0.0) / 0.02
     unsound += np.maximum(MIN_IMPULSE_NS - found.impulse, 0.0) / MIN_IMPULSE_NS
-    unsound += np.maximum(short, 0.0) / RECHECK_S
+    unsound += np.maximum(short, 0.0) / RECHECK_AFTER_S
     missed = (_miss_distance(rec, a, b, hit, earliest) / DISTANCE_SCALE_M) ** 2
     early = 0.5 + np.minimum(found.early / EARLY_SCALE_S, MOST_EARLY)
     missed = missed + np.where(np.isfinite(found.early), early, 0.0)
@@ -141,9 +142,9 @@ def _passing(rec: Recording, a: int, b: int, hit: Floats) -> tuple[Floats, Float
     p = rec.r.position[:, :, [a, b], :2].astype(float)
     v = rec.r.linear_velocity[:, :, a, :2].astype(float)
     speed = np.linalg.norm(v, axis=-1)
-    way = v / np.maximum(speed, PASSING_MPS)[..., None]
+    way = v / np.maximum(speed, MOVING_MPS)[..., None]
     ahead = ((p[:, :, 0] - p[:, :, 1]) * way).sum(axis=-1)
-    untouched = (rec.t[None, :] < hit[:, None]) & (speed > PASSING_MPS)
+    untouched = (rec.t[None, :] < hit[:, None]) & (speed > MOVING_MPS)
     time = rec.first(gets_ahead(ahead, untouched))
     nearest = np.where(untouched, ahead, -100.0).max(axis=1)
     return time, np.clip(-nearest, 0.3, 100.0)
@@ -203,7 +204,7 @@ def enter(
     # What is inside already does not enter.
     new = np.concatenate([np.zeros((rec.n, 1), bool), inside[:, 1:] & ~inside[:, :-1]], axis=1)
     inside &= np.maximum.accumulate(new & late, axis=1)
-    hold = max(1, round(0.2 * rec.fps))
+    hold = max(1, round(ENTERED_FOR_S * rec.fps))
     stays = inside.copy()
     longest = inside.any(axis=1).astype(float)
     for k in range(1, hold + 1):
@@ -232,10 +233,10 @@ def enter(
 def stop(rec: Recording, node: TimelineNode, earliest: Floats, _: AddTerm) -> tuple[Floats, Floats]:
     body = rec.scene.index(node.participants[0])
     speed = rec.speed[:, :, body]
-    moved = np.maximum.accumulate(speed > 2.0 * STOP_SPEED_MPS, axis=1)
-    slow = (speed < STOP_SPEED_MPS) & moved & (rec.t[None, :] >= earliest[:, None])
+    moved = np.maximum.accumulate(speed > MOVING_MPS, axis=1)
+    slow = (speed < STOPPED_MPS) & moved & (rec.t[None, :] >= earliest[:, None])
     still = slow.copy()
-    for k in range(1, max(1, round(0.2 * rec.fps)) + 1):
+    for k in range(1, max(1, round(STOPPED_FOR_S * rec.fps)) + 1):
         still[:, :-k] &= slow[:, k:]
         still[:, -k:] = False
     return rec.first(still), speed[:, -1]
@@ -263,8 +264,8 @@ def topple(
     late = rec.t[None, :] >= earliest[:, None]
     most = np.where(late, tilt, 0.0).max(axis=1)
     add(f"{node.id}/weak", np.maximum(70.0 - most, 0.0) / 70.0 * 0.3)
-    short = (TOPPLED_DEG - np.minimum(most, TOPPLED_DEG)) / TILT_SCALE_DEG
-    time = rec.first((tilt > TOPPLED_DEG) & late)
+    short = (SAFE_TOPPLED_DEG - np.minimum(most, SAFE_TOPPLED_DEG)) / TILT_SCALE_DEG
+    time = rec.first((tilt > SAFE_TOPPLED_DEG) & late)
     before = rec.story.previous_outcome(node.id)
     if before is not None and rec.story.nodes[before].event is NodeEvent.COLLISION:
         # What hangs over its edge after a hit falls back in another engine.
@@ -278,7 +279,7 @@ def topple(
 
 def tilt_of(loss: float) -> float:
     """The largest tilt [deg] behind a loss of `topple`."""
-    return TOPPLED_DEG - TILT_SCALE_DEG * math.sqrt(max(loss, 0.0))
+    return SAFE_TOPPLED_DEG - TILT_SCALE_DEG * math.sqrt(max(loss, 0.0))
 
 
 def fall(
@@ -286,7 +287,7 @@ def fall(
 ) -> tuple[Floats, Floats]:
     body = rec.scene.index(node.participants[0])
     z = rec.r.position[:, :, body, 2].astype(float)
-    need = 1.05 * rec.scene.bodies[body].half_extents[2]
+    need = 2.0 * SAFE_FALLEN_BY * rec.scene.bodies[body].half_extents[2]
     # What has come down before the event that it follows does not count.
     drop = z[np.arange(rec.n), _since(rec, earliest)][:, None] - z
     late = rec.t[None, :] >= earliest[:, None]
@@ -318,7 +319,7 @@ def heading(
     asked = math.radians(node.turn_degrees or 90.0)
     turned = sign * (rec.at(yaw, planned + 0.05) - rec.at(yaw, begin))
     error = np.abs(turned - asked)
-    ok = (error < math.radians(15.0)) & np.isfinite(earliest)
+    ok = (error < math.radians(SAFE_TURN_DEG)) & np.isfinite(earliest)
     add(f"{node.id}/heading", np.minimum((error / math.radians(10.0)) ** 2, 9.0) * 0.1)
     # It is judged from 20 degrees short of it on, and told as over at its end: half way between.
     made = planned - (planned - begin) * TURNED_RAD / max(asked, TURNED_RAD)

@@ -15,21 +15,21 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.dynamics.losses.assess import CHAIN_GAP_S, SPEED_SCALE_MPS, TIME_SCALE_S
+from esg.dynamics.losses.assess import SPEED_SCALE_MPS, TIME_SCALE_S
 from esg.dynamics.losses.gap import surface_gap
-from esg.dynamics.losses.measures import DISTANCE_SCALE_M, STOP_SPEED_MPS
+from esg.dynamics.losses.measures import DISTANCE_SCALE_M
 from esg.dynamics.losses.shapes import MISSED, Shape, barrier, inside, outside, squared
 from esg.dynamics.plan.planner import Plan
 from esg.dynamics.story.story import bounds
 from esg.engines.surrogate.tape import Seeds, TapedRollout, Touch
 from esg.graph.models import EventConstraint, NodeEvent, TimelineNode
+from esg.thresholds import MIN_EVENT_GAP_S, MOVING_MPS, NEAR_M, STOPPED_MPS
 from esg.units import quat_rotate
 
 Floats = NDArray[np.float64]
 States = tuple[Floats, Floats, Floats]
 """Positions, orientations and velocities of all bodies, each of shape [K, B, 3 or 4]."""
 
-NEAR_M = 0.25
 SMOOTH = (
     NodeEvent.COLLISION,
     NodeEvent.REACH,
@@ -121,7 +121,7 @@ class EventLosses:
             ready = self.done[previous].copy()
             earliest = np.where(ready, np.nan_to_num(self._time[previous]), 0.0)
             if node.event in (NodeEvent.COLLISION, NodeEvent.ENTER_REGION):
-                earliest = earliest + CHAIN_GAP_S
+                earliest = earliest + MIN_EVENT_GAP_S
         touches: list[Touch | None] = [None] * w
         if node.event in (NodeEvent.COLLISION, NodeEvent.MISS):
             touches = self.taped.touches(*self.members(node), earliest)
@@ -183,7 +183,7 @@ class EventLosses:
         series = signal.value(self._at(w, slice(None)))
         late = np.arange(self.n_steps + 1) * self.dt >= earliest - 1e-9
         if node.event is NodeEvent.STOP:
-            late &= np.maximum.accumulate(series > 2.0 * limit)
+            late &= np.maximum.accumulate(series > MOVING_MPS)
         below = np.flatnonzero((series <= limit) & late)
         if not len(below):
             step = int(np.argmin(np.where(late, series, np.inf)))
@@ -302,7 +302,7 @@ class EventLosses:
         body = scene.index(node.participants[0])
         if node.event is NodeEvent.STOP:
             speed = Signal((body,), lambda s: np.linalg.norm(s[2][:, body], axis=-1), moving=True)
-            return speed, STOP_SPEED_MPS, 1.0
+            return speed, STOPPED_MPS, 1.0
         if node.event is NodeEvent.POSITION_AT and node.position_cm is not None:
             goal = np.array(node.position_cm) / 100.0
             away = Signal((body,), lambda s: np.linalg.norm(s[0][:, body] - goal, axis=-1))

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.dynamics.losses.assess import MISSED, TOLERANCE, Assessment
-from esg.dynamics.losses.measures import TOPPLED_DEG, tilt_of
+from esg.dynamics.losses.measures import tilt_of
 from esg.dynamics.plan.feasibility import impossible
 from esg.dynamics.plan.planner import Plan
 from esg.dynamics.search.panel import Found, Panel, rounded
@@ -23,6 +23,7 @@ from esg.graph.models import (
     RelaxedConstraint,
 )
 from esg.outcomes import Outcome
+from esg.thresholds import SAFE_TOPPLED_DEG
 from esg.units import quat_rotate, yaw_from_quat
 
 STATIC_DURATION_S = 1.0
@@ -161,7 +162,7 @@ def _given_up(
         RelaxedConstraint(
             event=k,
             quantity="tilt",
-            requested=TOPPLED_DEG,
+            requested=SAFE_TOPPLED_DEG,
             achieved=rounded(tilt_of(float(nominal.terms[f"{k}/task"][0]) - MISSED)),
             unit="deg",
         )
