@@ -1,13 +1,15 @@
 """Per type of event: when it happened in each world, and how far from happening it was.
 
-A measure returns the time of the event [s] (inf where it did not happen) and a distance-like loss,
-both of shape [W]; terms that shape the search further go through `add(name, value [W])`.
+A measure takes a recording, the event, the earliest time at which it counts (inf where it cannot
+yet) and returns what it `Detected`; terms that shape the search further go through
+`add(name, value [W])`. Which measure belongs to which type of event says `kinds`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 import math
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -40,6 +42,20 @@ from esg.units import GRAVITY_MPS2, quat_rotate, yaw_from_quat
 
 AddTerm = Callable[[str, Floats], None]
 
+
+class Detected(NamedTuple):
+    """When an event happened, and how far from happening it was.
+
+    Args:
+        time: [s], inf where it did not happen, shape [W].
+        far: Margin to its happening, squared, in scales of its type; counts where it did not
+            happen, shape [W].
+    """
+
+    time: Floats
+    far: Floats
+
+
 EARLY_SCALE_S, MOST_EARLY = 0.1, 3.0
 """Scale of how much too early the last hit came, and the most that it costs."""
 SPARE_S = 0.15
@@ -50,9 +66,7 @@ BRISK = 2.5
 """Usual time from a hit to its topple, over the root of height by gravity."""
 
 
-def collision(
-    rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm
-) -> tuple[Floats, Floats]:
+def collision(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) -> Detected:
     a, b = rec.members(node.participants[0]), rec.members(node.participants[-1])
     found = first_hit(rec, a, b, earliest)
     end = float(rec.t[-1])
@@ -72,7 +86,7 @@ def collision(
     soft = soft + np.maximum(short + SPARE_S, 0.0) / SPARE_S
     add(f"{node.id}/weak", np.where(good, soft, 0.0))
     add(f"{node.id}/glance", np.where(good, 0.3 * found.glance, 0.0))
-    return np.where(good, found.time, np.inf), far
+    return Detected(np.where(good, found.time, np.inf), far)
 
 
 def _miss_distance(
@@ -108,9 +122,7 @@ def _closest(rec: Recording, i: int, j: int, worlds: NDArray[np.int64], earliest
     return np.nan_to_num(gap, nan=100.0).min(axis=1)
 
 
-def reach(
-    rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm
-) -> tuple[Floats, Floats]:
+def reach(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) -> Detected:
     a, b = rec.members(node.participants[0]), rec.members(node.participants[-1])
     near = gap_over_time(rec, a, b, near_only=True) <= NEAR_M
     near &= rec.t[None, :] >= earliest[:, None]
@@ -119,12 +131,10 @@ def reach(
     far = (_miss_distance(rec, a, b, ~none, earliest) / DISTANCE_SCALE_M) ** 2
     hit = np.isfinite(first_hit(rec, a, b, earliest).time)
     add(f"{node.id}/touch", np.where(hit, 0.5, 0.0))
-    return time, far
+    return Detected(time, far)
 
 
-def miss(
-    rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm
-) -> tuple[Floats, Floats]:
+def miss(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) -> Detected:
     a, b = rec.members(node.participants[0]), rec.members(node.participants[-1])
     first = first_hit(rec, a, b, np.zeros(rec.n)).time
     if rec.story.meet_again(node) and a and b:
@@ -134,10 +144,10 @@ def miss(
     time = rec.t[[first_pass(world) for world in gap]]
     add(f"{node.id}/near", np.minimum((np.maximum(gap.min(axis=1) - 0.5, 0) / 1.0) ** 2, 4))
     ok = ~hit & np.isfinite(earliest)
-    return np.where(ok, time, np.inf), np.full(rec.n, 1.0)
+    return Detected(np.where(ok, time, np.inf), np.full(rec.n, 1.0))
 
 
-def _passing(rec: Recording, a: int, b: int, hit: Floats) -> tuple[Floats, Floats]:
+def _passing(rec: Recording, a: int, b: int, hit: Floats) -> Detected:
     """When a gets ahead of b, inf if not before they touch, and what is missing of that [m]."""
     p = rec.r.position[:, :, [a, b], :2].astype(float)
     v = rec.r.linear_velocity[:, :, a, :2].astype(float)
@@ -147,7 +157,7 @@ def _passing(rec: Recording, a: int, b: int, hit: Floats) -> tuple[Floats, Float
     untouched = (rec.t[None, :] < hit[:, None]) & (speed > MOVING_MPS)
     time = rec.first(gets_ahead(ahead, untouched))
     nearest = np.where(untouched, ahead, -100.0).max(axis=1)
-    return time, np.clip(-nearest, 0.3, 100.0)
+    return Detected(time, np.clip(-nearest, 0.3, 100.0))
 
 
 def gap_over_time(rec: Recording, a: list[int], b: list[int], *, near_only: bool = False) -> Floats:
@@ -187,12 +197,10 @@ def _least_gap(x: Body, y: Body, px: Floats, qx: Floats, py: Floats, qy: Floats)
     return least
 
 
-def enter(
-    rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm
-) -> tuple[Floats, Floats]:
+def enter(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) -> Detected:
     region = next((r for r in rec.scene.regions if r.name == node.region), None)
     if region is None:
-        return np.full(rec.n, np.inf), np.full(rec.n, 25.0)
+        return Detected(np.full(rec.n, np.inf), np.full(rec.n, 25.0))
     body, parent = rec.scene.index(node.participants[0]), rec.scene.index(region.parent)
     p, q = rec.r.position.astype(float), rec.r.quaternion.astype(float)
     inverse = q[:, :, parent] * np.array([-1.0, -1.0, -1.0, 1.0])
@@ -227,10 +235,10 @@ def enter(
     nearest = np.where(late, outside, np.inf).min(axis=1)
     miss = np.nan_to_num(np.minimum(nearest + planar, 50.0), posinf=50.0) / scale
     # What is inside for too short a time has come closer than what never gets there.
-    return time, 0.25 * miss**2 + 1.0 - longest / (hold + 1)
+    return Detected(time, 0.25 * miss**2 + 1.0 - longest / (hold + 1))
 
 
-def stop(rec: Recording, node: TimelineNode, earliest: Floats, _: AddTerm) -> tuple[Floats, Floats]:
+def stop(rec: Recording, node: TimelineNode, earliest: Floats, _: AddTerm) -> Detected:
     body = rec.scene.index(node.participants[0])
     speed = rec.speed[:, :, body]
     moved = np.maximum.accumulate(speed > MOVING_MPS, axis=1)
@@ -239,7 +247,7 @@ def stop(rec: Recording, node: TimelineNode, earliest: Floats, _: AddTerm) -> tu
     for k in range(1, max(1, round(STOPPED_FOR_S * rec.fps)) + 1):
         still[:, :-k] &= slow[:, k:]
         still[:, -k:] = False
-    return rec.first(still), speed[:, -1]
+    return Detected(rec.first(still), speed[:, -1])
 
 
 def _since(rec: Recording, earliest: Floats) -> NDArray[np.int64]:
@@ -256,9 +264,7 @@ def _tilt(rec: Recording, body: int, since: NDArray[np.int64]) -> Floats:
     return np.degrees(np.arccos(np.clip((up * rest).sum(axis=-1), -1.0, 1.0)))
 
 
-def topple(
-    rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm
-) -> tuple[Floats, Floats]:
+def topple(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) -> Detected:
     since = _since(rec, earliest)
     tilt = np.max([_tilt(rec, body, since) for body in rec.members(node.participants[0])], axis=0)
     late = rec.t[None, :] >= earliest[:, None]
@@ -274,7 +280,7 @@ def topple(
         wait = np.where(struck, time, 0.0) - np.where(struck, earliest, 0.0)
         fall = math.sqrt(height / GRAVITY_MPS2)
         add(f"{node.id}/slow", 0.15 * np.clip(wait / fall - BRISK, 0.0, 4.0))
-    return time, short**2
+    return Detected(time, short**2)
 
 
 def tilt_of(loss: float) -> float:
@@ -282,9 +288,7 @@ def tilt_of(loss: float) -> float:
     return SAFE_TOPPLED_DEG - TILT_SCALE_DEG * math.sqrt(max(loss, 0.0))
 
 
-def fall(
-    rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm
-) -> tuple[Floats, Floats]:
+def fall(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) -> Detected:
     body = rec.scene.index(node.participants[0])
     z = rec.r.position[:, :, body, 2].astype(float)
     need = 2.0 * SAFE_FALLEN_BY * rec.scene.bodies[body].half_extents[2]
@@ -301,12 +305,10 @@ def fall(
     struck = np.isfinite(time) & np.isfinite(earliest) & (earliest > 0.0)
     wait = np.where(struck, time, 1.0) - np.where(struck, earliest, 0.0) - 1.0
     add(f"{node.id}/slow", 0.2 * np.clip(wait, 0.0, 3.0))
-    return time, 4.0 * np.maximum(need - most, 0) / need + 1 / (1 + moved)
+    return Detected(time, 4.0 * np.maximum(need - most, 0) / need + 1 / (1 + moved))
 
 
-def heading(
-    rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm
-) -> tuple[Floats, Floats]:
+def heading(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) -> Detected:
     name = node.participants[0]
     body = rec.scene.index(name)
     planned = rec.program_time(node)
@@ -323,33 +325,18 @@ def heading(
     add(f"{node.id}/heading", np.minimum((error / math.radians(10.0)) ** 2, 9.0) * 0.1)
     # It is judged from 20 degrees short of it on, and told as over at its end: half way between.
     made = planned - (planned - begin) * TURNED_RAD / max(asked, TURNED_RAD)
-    return np.where(ok, made, np.inf), (error / 0.3) ** 2
+    return Detected(np.where(ok, made, np.inf), (error / 0.3) ** 2)
 
 
-def position(
-    rec: Recording, node: TimelineNode, earliest: Floats, _: AddTerm
-) -> tuple[Floats, Floats]:
+def position(rec: Recording, node: TimelineNode, earliest: Floats, _: AddTerm) -> Detected:
     body = rec.scene.index(node.participants[0])
     if node.position_cm is None:
-        return np.where(np.isfinite(earliest), earliest, np.inf), np.zeros(rec.n)
+        return Detected(np.where(np.isfinite(earliest), earliest, np.inf), np.zeros(rec.n))
     goal = np.array(node.position_cm) / 100.0
     away = np.linalg.norm(rec.r.position[:, :, body].astype(float) - goal, axis=-1)
     time = node.timestamp if node.timestamp is not None else None
     if time is not None:
         d = rec.at(away, np.full(rec.n, time))
-        return np.where(d < DISTANCE_SCALE_M, time, np.inf), (d / DISTANCE_SCALE_M) ** 2
+        return Detected(np.where(d < DISTANCE_SCALE_M, time, np.inf), (d / DISTANCE_SCALE_M) ** 2)
     near = (away < DISTANCE_SCALE_M) & (rec.t[None, :] >= earliest[:, None])
-    return rec.first(near), (away.min(axis=1) / DISTANCE_SCALE_M) ** 2
-
-
-MEASURES = {
-    NodeEvent.COLLISION: collision,
-    NodeEvent.REACH: reach,
-    NodeEvent.MISS: miss,
-    NodeEvent.ENTER_REGION: enter,
-    NodeEvent.STOP: stop,
-    NodeEvent.TOPPLE: topple,
-    NodeEvent.FALL: fall,
-    NodeEvent.HEADING_REACHED: heading,
-    NodeEvent.POSITION_AT: position,
-}
+    return Detected(rec.first(near), (away.min(axis=1) / DISTANCE_SCALE_M) ** 2)
