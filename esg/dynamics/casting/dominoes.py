@@ -1,8 +1,7 @@
-"""What falls onto its equal is to be down first: its size, and how far off the next one stands.
+"""What falls onto its equal is to be down first: where sizes are open, and there is room, it is large.
 
-How long a slab takes to fall onto its equal is in `choreography.slabs`. A toy domino is down only
-0.02 s before: where the prompt leaves sizes open and there is room, such a chain is built of garden
-dominoes.
+A toy domino takes 0.02 s from where it counts as toppled to the touch of its equal, a slab of a
+metre a tenth of a second and more (`story.slabs`): such a chain is built of garden dominoes.
 """
 
 from __future__ import annotations
@@ -11,7 +10,7 @@ import math
 
 from esg.dynamics.casting.containers import resized
 from esg.dynamics.casting.toppling import hits
-from esg.dynamics.choreography.slabs import BY_ITSELF_S, KNOCKED_S, ORDER_S, REACH
+from esg.dynamics.story.slabs import BY_ITSELF_S, KNOCKED_S, ORDER_S, REACH
 from esg.dynamics.story.stagecraft import support_of, top_surface
 from esg.dynamics.story.story import Story
 from esg.graph.models import AssetConfiguration, EsgDocument, NodeEvent, TimelineNode

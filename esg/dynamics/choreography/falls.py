@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 import math
 
-from esg.dynamics.choreography.slabs import REACH, are_slabs, down_first
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.kinematics import Frame
+from esg.dynamics.story.slabs import REACH, are_slabs, down_first
 from esg.dynamics.story.stagecraft import Prop, coasting_drag, support_of, top_surface
 from esg.dynamics.story.story import Phase, bounds
 from esg.graph.models import NodeEvent, TimelineNode

@@ -7,7 +7,6 @@ import math
 from esg.dynamics.choreography.demands import KEPT, thrown_back_share
 from esg.dynamics.choreography.flights import hits_level, slowed, thrown_back
 from esg.dynamics.choreography.placing import bring_support, goes_on, hits_on
-from esg.dynamics.choreography.slabs import REACH, are_slabs, down_first
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.kinematics import (
     Frame,
@@ -20,6 +19,7 @@ from esg.dynamics.story.kinematics import (
     sliding_distance,
     sliding_travel,
 )
+from esg.dynamics.story.slabs import REACH, are_slabs, down_first
 from esg.dynamics.story.solid import beside_the_middle
 from esg.dynamics.story.stagecraft import (
     TO_EDGE_M,

@@ -1,10 +1,10 @@
-"""Slabs that fall onto their equals: how far apart they stand to be down one after the other.
+"""Upright slabs that fall onto their equals: how far off the next one stands, and when one is down.
 
 Two events of which one follows the other lie a tenth of a second apart. Between 45 degrees, from
 where on a body counts as toppled, and the touch of its equal at a distance of 0.95 of its height
 (72 degrees) a slab that tips over by itself takes 0.15 s sqrt(h / 1 m), one that its equal knocked
 over 0.10 s sqrt(h / 1 m) (PhysX and Rapier at 240 Hz, slabs of 0.2 to 1 m, 0.16 as thick as high,
-friction 0.4). A toy domino takes 0.02 s.
+friction 0.4).
 """
 
 from __future__ import annotations
