@@ -33,10 +33,10 @@ from esg.assets import resolve
 from esg.draft import draft
 from esg.dynamics import build_scene, start_hints
 from esg.dynamics.casting import fitted
-from esg.dynamics.plan.plan import Plan, make_plan
-from esg.dynamics.search.refine import REFINE_STEPS, Staged, refine
-from esg.dynamics.search.search import run_strategy
+from esg.dynamics.gradient.refine import REFINE_STEPS, Staged, refine
+from esg.dynamics.plan.planner import Plan, make_plan
 from esg.dynamics.story.proxies import coarse, simple_document
+from esg.dynamics.strategies import run_strategy
 from esg.engines.base import VERIFY_DT_S
 from esg.graph.models import EsgDocument, Pose
 from esg.layout import solve

@@ -13,7 +13,7 @@ from esg.assets import resolve
 from esg.draft import draft
 from esg.dynamics import build_scene, start_hints
 from esg.dynamics.casting import fitted
-from esg.dynamics.plan.plan import Plan, make_plan
+from esg.dynamics.plan.planner import Plan, make_plan
 from esg.dynamics.search.panel import REFERENCE_DT_S, Panel
 from esg.engines.base import VERIFY_DT_S, get_engine
 from esg.engines.program import batch_programs

@@ -40,8 +40,8 @@ def optimize(
     rounds_closed: int = 0,
     collision: str = "exact",
 ) -> EsgDocument:
-    """Fills `dynamics_result` (esg.dynamics.search.search)."""
-    from esg.dynamics.search.search import optimize as run
+    """Fills `dynamics_result` (esg.dynamics.strategies)."""
+    from esg.dynamics.strategies import optimize as run
 
     return run(
         doc,

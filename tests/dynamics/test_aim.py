@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from esg.dynamics import build_scene
-from esg.dynamics.plan.plan import Plan, make_plan
+from esg.dynamics.plan.planner import Plan, make_plan
 from esg.engines.base import get_engine
 from esg.engines.program import batch_programs
 from esg.engines.scene import Body, Shape, SimScene

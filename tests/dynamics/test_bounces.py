@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from esg.dynamics import build_scene, start_hints
-from esg.dynamics.plan.plan import make_plan
+from esg.dynamics.plan.planner import make_plan
 from esg.engines.base import get_engine
 from esg.engines.program import SetVelocity, batch_programs
 from esg.graph.models import EsgDocument

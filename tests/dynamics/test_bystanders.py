@@ -9,16 +9,17 @@ import pytest
 
 from esg.dynamics import build_scene
 from esg.dynamics.losses.gap import bounding_radius, surface_gap
-from esg.dynamics.losses.measures import NEAR_M, gap_over_time
+from esg.dynamics.losses.measures import gap_over_time
 from esg.dynamics.losses.recording import Recording
-from esg.dynamics.plan.plan import Plan, make_plan
+from esg.dynamics.plan.planner import Plan, make_plan
 from esg.dynamics.search import bystanders
 from esg.dynamics.search.panel import REFERENCE_DT_S, Panel
-from esg.dynamics.search.search import optimize
 from esg.dynamics.search.simulate import ENSEMBLE, Simulator
+from esg.dynamics.strategies import optimize
 from esg.engines import get_engine
 from esg.engines.program import batch_programs
 from esg.engines.scene import Body, Shape
+from esg.thresholds import NEAR_M
 from tests.dynamics import stories
 from tests.dynamics.stage import lay_out
 

@@ -13,8 +13,8 @@ from esg.assets import resolve
 from esg.draft import draft, said
 from esg.dynamics import cast, start_hints
 from esg.dynamics.casting import fitted
-from esg.dynamics.choreography.choreography import choreograph
 from esg.dynamics.choreography.record import choreography_of
+from esg.dynamics.choreography.telling import choreograph
 from esg.graph import EsgDocument, canonical_json, effective, verify
 from esg.graph.models import ForceDirection
 from esg.layout import solve

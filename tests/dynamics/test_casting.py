@@ -9,10 +9,10 @@ import pytest
 
 from esg.dynamics import build_scene, start_hints
 from esg.dynamics.casting.containers import SNUG, entries, is_filled
-from esg.dynamics.choreography.choreography import choreograph
-from esg.dynamics.losses.losses import Assessment
+from esg.dynamics.choreography.telling import choreograph
+from esg.dynamics.losses.assess import Assessment
 from esg.dynamics.plan.feasibility import impossible
-from esg.dynamics.plan.plan import make_plan
+from esg.dynamics.plan.planner import make_plan
 from esg.dynamics.story.kinematics import (
     LOB_STEEPNESS,
     ballistic_velocity,

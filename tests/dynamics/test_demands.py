@@ -9,13 +9,14 @@ import pytest
 from esg.assets import resolve
 from esg.draft import draft
 from esg.dynamics.casting.hits import carried, fastest
-from esg.dynamics.choreography.choreography import choreograph
-from esg.dynamics.choreography.demands import FELT_NS, felt, passed_on, thrown_back_share
+from esg.dynamics.choreography.demands import felt, passed_on, thrown_back_share
 from esg.dynamics.choreography.impacts import FARTHEST_AHEAD
+from esg.dynamics.choreography.telling import choreograph
 from esg.dynamics.story.stagecraft import coasting_drag, prop
 from esg.dynamics.story.story import read_story
 from esg.dynamics.story.tipping import topple_speed
 from esg.graph.models import EsgDocument, NodeEvent
+from esg.thresholds import SAFE_IMPULSE_NS
 from esg.units import GRAVITY_MPS2
 from tests.dynamics.stories import cast
 
@@ -89,7 +90,7 @@ def test_what_is_made_easy_to_tip_still_feels_the_hit(prompt: str) -> None:
         limit = carried(doc, story, mover, hit)
     a, b = prop(doc, mover), prop(doc, target)
     assert topple_speed(a, b, flies=False) <= limit
-    assert felt(a, b) * limit >= 0.99 * FELT_NS
+    assert felt(a, b) * limit >= 0.99 * SAFE_IMPULSE_NS
 
 
 def test_a_target_has_something_to_spare_where_its_mass_is_open() -> None:
@@ -126,7 +127,7 @@ def test_what_is_hit_below_its_centre_has_room_to_tip_back_while_its_base_runs_a
 def test_a_marble_is_fast_enough_for_its_hit_to_be_felt() -> None:
     doc = cast("The first domino falls over after being hit by a marble.")
     marble, domino = prop(doc, "marble_1"), prop(doc, "domino_1")
-    assert felt(marble, domino) * nominal(doc, "marble_1") > 1.1 * FELT_NS
+    assert felt(marble, domino) * nominal(doc, "marble_1") > 1.1 * SAFE_IMPULSE_NS
 
 
 @pytest.mark.parametrize(
@@ -193,7 +194,7 @@ def test_a_slow_struck_ball_is_no_heavier_than_the_cone_that_it_would_overrun() 
     doc = cast(told.format(" at rest"))
     ball, cone = prop(doc, "ball_b"), prop(doc, "cone_1")
     assert ball.mass < 1.3 * cone.mass
-    assert felt(ball, cone) * carried_speed(doc) > FELT_NS
+    assert felt(ball, cone) * carried_speed(doc) > SAFE_IMPULSE_NS
     stated = cast(told.format(" with a mass of 1 kg"))
     assert prop(stated, "ball_b").mass == pytest.approx(1.0)
 

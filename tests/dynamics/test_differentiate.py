@@ -7,7 +7,7 @@ import pytest
 
 from esg.dynamics.gradient.differentiate import Regime, ad_valid, check_gradient, gradient, regimes
 from esg.dynamics.plan.build import build_scene
-from esg.dynamics.plan.plan import make_plan
+from esg.dynamics.plan.planner import make_plan
 from esg.engines.program import (
     AdjustProperties,
     ApplyImpulse,

@@ -7,7 +7,7 @@ import math
 
 import pytest
 
-from esg.dynamics.choreography.choreography import choreograph
+from esg.dynamics.choreography.telling import choreograph
 from esg.dynamics.story.slabs import BY_ITSELF_S, KNOCKED_S, REACH, down_first
 from esg.graph.models import EsgDocument
 from tests.dynamics.stories import cast

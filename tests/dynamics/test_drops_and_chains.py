@@ -8,9 +8,9 @@ import math
 import pytest
 
 from esg.dynamics.casting.chains import LIVELIEST, ball_chains
-from esg.dynamics.choreography.choreography import choreograph
 from esg.dynamics.choreography.demands import passed_on
 from esg.dynamics.choreography.meetings import CALM_MPS
+from esg.dynamics.choreography.telling import choreograph
 from esg.dynamics.story.stagecraft import default_speed, ground_restitution, prop
 from esg.dynamics.story.story import read_story
 from esg.graph.models import EsgDocument

@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from esg.dynamics.fleet import fleet
-from esg.dynamics.fleet.fleet import Clock, optimize_many
+from esg.dynamics.fleet import many
+from esg.dynamics.fleet.many import Clock, optimize_many
 from esg.dynamics.search import batched
-from esg.dynamics.search.search import optimize
+from esg.dynamics.strategies import optimize
 from esg.engines.base import get_engine
 from esg.engines.fleet import surrogate as fleet_surrogate
 from esg.engines.fleet.arena import Buffer
@@ -54,7 +54,7 @@ def test_together_is_as_alone(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Outcome, theta, steps and provenance are equal, whatever the processes and shifts."""
-    monkeypatch.setattr(fleet, "SHIFT_SCENES", shift)
+    monkeypatch.setattr(many, "SHIFT_SCENES", shift)
     clock = Clock()
     seeds = list(range(len(documents)))
     together = optimize_many(documents, seeds, max_rounds=3, processes=processes, clock=clock)

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from esg.dynamics import build_scene, start_hints
-from esg.dynamics.choreography.choreography import choreograph
 from esg.dynamics.choreography.flights import Arc, flown_to
-from esg.dynamics.plan.plan import make_plan
+from esg.dynamics.choreography.telling import choreograph
+from esg.dynamics.plan.planner import make_plan
 from esg.dynamics.story.solid import beside_the_middle
 from esg.dynamics.story.stagecraft import prop
 from esg.dynamics.story.story import read_story

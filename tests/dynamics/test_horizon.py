@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 from esg.dynamics import build_scene
-from esg.dynamics.losses.losses import Assessment
-from esg.dynamics.plan.horizon import AFTER_S, looked_at_for, told_by
-from esg.dynamics.plan.plan import Plan, make_plan
+from esg.dynamics.losses.assess import Assessment
+from esg.dynamics.losses.horizon import expected_end, looked_at_for, told_by
+from esg.dynamics.losses.kinds import KINDS
+from esg.dynamics.plan.planner import Plan, make_plan
 from esg.dynamics.search.cloud import around, spreads
 from esg.dynamics.search.panel import REFERENCE_DT_S, Panel
 from esg.dynamics.search.simulate import ENSEMBLE, Simulator
@@ -65,20 +66,21 @@ def test_what_has_not_told_everything_is_played_to_its_end() -> None:
 
 def test_a_missing_event_and_what_may_be_touched_later_keep_the_whole_rollout() -> None:
     plan = planned(stories.three_balls)
-    nodes = [n for n in plan.story.nodes.values() if n.event in AFTER_S]
+    nodes = [n for n in plan.story.nodes.values() if np.isfinite(looked_at_for(n))]
     known = Assessment(
         np.zeros(2),
         {n.id: np.array([True, n is not nodes[-1]]) for n in nodes},
         {n.id: np.array([1.0, 1.0]) for n in nodes},
     )
-    assert told_by(plan.story, known).tolist() == [1.0 + AFTER_S[NodeEvent.COLLISION], np.inf]
-    assert NodeEvent.MISS not in AFTER_S and NodeEvent.REACH not in AFTER_S
+    after = KINDS[NodeEvent.COLLISION.value].after_s
+    assert told_by(plan.story, known).tolist() == [1.0 + after, np.inf]
+    assert all(KINDS[e.value].after_s == np.inf for e in (NodeEvent.MISS, NodeEvent.REACH))
 
 
 def test_the_search_plays_no_longer_than_it_has_to() -> None:
     """What the panel previews and looks at is what whole rollouts show, in less time."""
     plan = planned(stories.three_balls)
-    assert plan.told < 0.7 * plan.duration
+    assert expected_end(plan) < 0.7 * plan.duration
     thetas = around(plan, plan.initial(), spreads(plan), np.random.default_rng(0), 6)
     short, whole = (Panel(plan, "cpu", dt=REFERENCE_DT_S) for _ in range(2))
     whole._may_stop, whole._until = False, np.inf

@@ -11,7 +11,7 @@ from esg.assets import resolve
 from esg.draft import draft
 from esg.dynamics import build_scene, start_hints
 from esg.dynamics.casting import fitted
-from esg.dynamics.plan.plan import make_plan
+from esg.dynamics.plan.planner import make_plan
 from esg.engines.base import get_engine
 from esg.engines.program import HoldVelocity, batch_programs
 from esg.graph.models import Actor, EsgDocument, TimelineEdge, TimelineNode

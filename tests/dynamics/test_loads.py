@@ -8,8 +8,8 @@ from esg.assets import resolve
 from esg.draft import draft
 from esg.dynamics import build_scene, start_hints
 from esg.dynamics.casting import fitted
-from esg.dynamics.choreography.choreography import choreograph
-from esg.dynamics.plan.plan import make_plan
+from esg.dynamics.choreography.telling import choreograph
+from esg.dynamics.plan.planner import make_plan
 from esg.engines.program import SetVelocity
 from esg.graph.models import AssetConfiguration, EsgDocument
 from esg.layout import solve

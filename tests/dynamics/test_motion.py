@@ -8,8 +8,8 @@ import math
 import pytest
 
 from esg.dynamics import build_scene, start_hints
-from esg.dynamics.choreography.choreography import choreograph
-from esg.dynamics.plan.plan import make_plan
+from esg.dynamics.choreography.telling import choreograph
+from esg.dynamics.plan.planner import make_plan
 from esg.dynamics.story.kinematics import (
     back_spin,
     damping_for_way,

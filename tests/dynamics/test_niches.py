@@ -9,9 +9,9 @@ from typing import Any, cast
 import numpy as np
 import pytest
 
-from esg.dynamics.losses.losses import Assessment
+from esg.dynamics.losses.assess import Assessment
 from esg.dynamics.losses.shapes import FARTHEST, UNBRAKED, UNMET, bowl, distance_loss, unbraked
-from esg.dynamics.plan.plan import Plan
+from esg.dynamics.plan.planner import Plan
 from esg.dynamics.plan.variables import Variable
 from esg.dynamics.search.batched import MISSED, SAMPLE, SAMPLES, STARTS, SURE, search
 from esg.dynamics.search.niches import Niche, apart, broad, everywhere

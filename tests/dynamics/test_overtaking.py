@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from esg.dynamics import build_scene, optimize, start_hints
-from esg.dynamics.choreography.choreography import _tell, choreograph
 from esg.dynamics.choreography.stage import Stage
+from esg.dynamics.choreography.telling import _tell, choreograph
 from esg.dynamics.story.story import read_story
 from esg.engines.base import get_engine
 from esg.engines.program import batch_programs, program_from_json

@@ -10,7 +10,7 @@ import pytest
 from esg.dynamics import start_hints
 from esg.dynamics.losses.gap import surface_gap
 from esg.dynamics.plan.build import build_scene
-from esg.dynamics.plan.plan import make_plan
+from esg.dynamics.plan.planner import make_plan
 from esg.dynamics.story.kinematics import Track, ballistic_velocity, braking_distance, frame_mapping
 from esg.dynamics.story.story import read_story
 from esg.engines.scene import Body, Shape

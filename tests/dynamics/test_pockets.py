@@ -8,7 +8,7 @@ from esg.assets import resolve
 from esg.draft import draft
 from esg.dynamics import start_hints
 from esg.dynamics.casting import fitted
-from esg.dynamics.choreography.choreography import choreograph
+from esg.dynamics.choreography.telling import choreograph
 
 
 def _placed(prompt: str) -> tuple[dict[str, tuple[float, float]], dict[str, float]]:

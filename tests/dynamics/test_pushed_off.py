@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from esg.dynamics import build_scene, start_hints
-from esg.dynamics.choreography.choreography import choreograph
-from esg.dynamics.plan.plan import make_plan
+from esg.dynamics.choreography.telling import choreograph
+from esg.dynamics.plan.planner import make_plan
 from esg.engines.program import HoldVelocity
 from esg.layout import solve
 from tests.dynamics.stories import cast

@@ -7,13 +7,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from esg.dynamics.gradient.refine import Staged, proxy_plan, refine, refined_bodies
 from esg.dynamics.plan.build import build_scene
-from esg.dynamics.plan.plan import Plan, make_plan
+from esg.dynamics.plan.planner import Plan, make_plan
 from esg.dynamics.search.panel import REFERENCE_DT_S
-from esg.dynamics.search.refine import Staged, proxy_plan, refine, refined_bodies
-from esg.dynamics.search.search import optimize
 from esg.dynamics.search.simulate import Simulator
 from esg.dynamics.story.proxies import coarse, simple_document
+from esg.dynamics.strategies import optimize
 from esg.engines.base import get_engine
 from esg.graph.models import Pose
 from esg.outcomes import UserError

@@ -7,14 +7,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from esg.dynamics.gradient.gradient import descend_from
-from esg.dynamics.losses.losses import Assessment
+from esg.dynamics.gradient.descent import descend_from
+from esg.dynamics.losses.assess import Assessment
 from esg.dynamics.plan.build import build_scene
-from esg.dynamics.plan.plan import Plan, make_plan
+from esg.dynamics.plan.planner import Plan, make_plan
 from esg.dynamics.search.baselines import minimize
 from esg.dynamics.search.panel import REFERENCE_DT_S, Panel
-from esg.dynamics.search.search import optimize
 from esg.dynamics.search.simulate import Simulator
+from esg.dynamics.strategies import optimize
 from esg.engines.base import get_engine
 from esg.engines.program import Program, SetVelocity, batch_programs
 from esg.engines.scene import SimScene

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 from esg.dynamics.plan.build import build_scene
-from esg.dynamics.plan.plan import make_plan
+from esg.dynamics.plan.planner import make_plan
 from esg.dynamics.search.batched import Explored, search, settled
 from esg.dynamics.search.panel import GOOD_LOSS, REFERENCE_DT_S, Panel
-from esg.dynamics.search.search import optimize
 from esg.dynamics.search.simulate import Simulator
+from esg.dynamics.strategies import optimize
 from esg.engines.base import get_engine
 from esg.engines.program import batch_programs, program_from_json
 from esg.graph.models import EsgDocument, EventConstraint

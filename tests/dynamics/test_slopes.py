@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 from esg.dynamics import build_scene, start_hints
-from esg.dynamics.choreography.choreography import choreograph
 from esg.dynamics.choreography.demands import passed_on, run_on_speed
 from esg.dynamics.choreography.slopes import (
     Ride,
@@ -22,7 +21,8 @@ from esg.dynamics.choreography.slopes import (
     slope_of,
     slows_enough,
 )
-from esg.dynamics.plan.plan import make_plan
+from esg.dynamics.choreography.telling import choreograph
+from esg.dynamics.plan.planner import make_plan
 from esg.dynamics.story.stagecraft import prop
 from esg.dynamics.story.story import read_story
 from esg.engines.base import get_engine

@@ -11,8 +11,8 @@ from esg.assets import resolve
 from esg.draft import draft
 from esg.dynamics import start_hints
 from esg.dynamics.casting import fitted
-from esg.dynamics.choreography.choreography import choreograph
 from esg.dynamics.choreography.falls import tipping_speed
+from esg.dynamics.choreography.telling import choreograph
 from esg.dynamics.story.edges import edge_of
 from esg.dynamics.story.proxies import coarse, faceted
 from esg.dynamics.story.stagecraft import Prop

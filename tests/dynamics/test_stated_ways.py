@@ -11,7 +11,7 @@ from esg.assets import resolve
 from esg.draft import draft
 from esg.dynamics import build_scene, start_hints
 from esg.dynamics.losses.gap import surface_gap
-from esg.dynamics.plan.plan import make_plan
+from esg.dynamics.plan.planner import make_plan
 from esg.engines import get_engine
 from esg.engines.program import batch_programs
 from esg.engines.scene import Body, Shape

@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from esg.dynamics.gradient.gradient import descend, needs_differences
+from esg.dynamics.gradient.descent import descend, needs_differences
 from esg.dynamics.plan.build import build_scene
-from esg.dynamics.plan.plan import make_plan
+from esg.dynamics.plan.planner import make_plan
 from esg.dynamics.search.panel import REFERENCE_DT_S, Panel
-from esg.dynamics.search.search import optimize
 from esg.dynamics.story.story import read_story
+from esg.dynamics.strategies import optimize
 from esg.graph.models import EsgDocument
 from tests.dynamics import stories
 from tests.dynamics.stage import lay_out

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from esg.dynamics.choreography.choreography import choreograph
+from esg.dynamics.choreography.telling import choreograph
 from esg.dynamics.story.stagecraft import prop
 from esg.graph.models import EsgDocument
 from esg.layout.problem.hints import Placement

@@ -9,7 +9,7 @@ import pytest
 
 from esg.assets import resolve
 from esg.draft import draft
-from esg.dynamics.choreography.choreography import choreograph
+from esg.dynamics.choreography.telling import choreograph
 from esg.dynamics.plan.feasibility import impossible
 from esg.dynamics.story.stagecraft import Prop, prop
 from esg.dynamics.story.story import read_story

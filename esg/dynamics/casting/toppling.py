@@ -14,12 +14,12 @@ import math
 
 from esg.dynamics.casting.changes import resized, scaled, thrown, with_assets
 from esg.dynamics.casting.hits import carried, fastest, hits, launched
-from esg.dynamics.choreography.demands import FELT_NS
 from esg.dynamics.choreography.slopes import fastest_down, rides
 from esg.dynamics.story.stagecraft import Prop, fall_speed, prop
 from esg.dynamics.story.story import Story
 from esg.dynamics.story.tipping import Stand, first_touch, stand_of, topple_speed
 from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, TimelineNode
+from esg.thresholds import SAFE_IMPULSE_NS
 
 LIGHTEST = 0.3
 """Least share of the usual mass: an empty crate against a loaded one."""
@@ -242,7 +242,7 @@ def _not_overrun(doc: EsgDocument, story: Story, knock: Knock) -> EsgDocument:
 def _felt_mass(mover: Prop, target: Prop, speed: float) -> float:
     """Least mass [kg] of a target that feels a hit of a speed; infinity where none does."""
     gain = 1.0 + 0.5 * (mover.restitution + target.restitution)
-    reduced = FELT_NS / max(gain * speed, 1e-9)
+    reduced = SAFE_IMPULSE_NS / max(gain * speed, 1e-9)
     return math.inf if reduced >= mover.mass else reduced * mover.mass / (mover.mass - reduced)
 
 

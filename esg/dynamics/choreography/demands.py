@@ -9,11 +9,12 @@ from esg.dynamics.story.kinematics import impact_speed
 from esg.dynamics.story.stagecraft import Prop, coasting_drag, fall_speed
 from esg.dynamics.story.tipping import topple_speed
 from esg.graph.models import NodeEvent, TimelineNode
+from esg.thresholds import SAFE_IMPULSE_NS
 
 KEPT = 0.77
 """Share of its speed that something struck has when it meets the next thing."""
-FELT_NS, FELT_MPS = 0.25, 2.5
-"""Impulse of a hit that surely counts, and the highest speed that is asked for it alone."""
+FELT_MPS = 2.5
+"""Highest speed that is asked for alone so that a hit surely counts."""
 FELT_SPARE = 1.2
 """Over the speed of such a hit: a light thing loses some on its way there."""
 RUN_ON_M, RUN_ON_S = 0.2, 0.28
@@ -40,7 +41,7 @@ def felt(mover: Prop, target: Prop) -> float:
 def felt_speed(mover: Prop, target: Prop) -> float:
     """Speed [m/s] with which something light sets out so that its hit surely counts: a marble."""
     whole = (1.0 + 0.5 * (mover.restitution + target.restitution)) * mover.mass
-    return FELT_SPARE * FELT_NS / max(whole if target.fixed else felt(mover, target), 1e-9)
+    return FELT_SPARE * SAFE_IMPULSE_NS / max(whole if target.fixed else felt(mover, target), 1e-9)
 
 
 def run_on_speed(body: Prop) -> float:
@@ -79,7 +80,7 @@ def gentlest(stage: Stage, node: TimelineNode, a: str, b: str) -> tuple[float, i
         speed *= ROLLS_AT
         node, onto = _onto_ball(stage, node, chain)
         if onto is None:
-            return FELT_NS / max(least, 1e-9), len(chain) - 1
+            return SAFE_IMPULSE_NS / max(least, 1e-9), len(chain) - 1
         chain.append(onto)
 
 
@@ -121,7 +122,7 @@ def _felt(mover: Prop, target: Prop) -> float:
     """Speed [m/s] at which a hit in the middle of a chain surely counts; balls lie closer."""
     if mover.rolls and target.rolls:
         return 0.0
-    return min(FELT_NS / felt(mover, target), FELT_MPS)
+    return min(SAFE_IMPULSE_NS / felt(mover, target), FELT_MPS)
 
 
 def _after(stage: Stage, node: TimelineNode, b: str, kept: float) -> float:

@@ -31,6 +31,7 @@ from esg.dynamics.story.stagecraft import (
 )
 from esg.dynamics.story.tipping import first_touch, stand_of
 from esg.graph.models import NodeEvent, TimelineNode
+from esg.thresholds import MIN_EVENT_GAP_S
 from esg.units import GRAVITY_MPS2
 
 THROWN_BACK = 0.3
@@ -42,8 +43,6 @@ DOWN_S, FALLEN, THIN_FALLEN = 0.3, 0.85, 0.7
 until it is down: of a broad body, and of one thin as a pin, which slides less."""
 DOMINO_GAP = 0.7
 """Gap of dominoes over their height: nearer ones hit each other within a tenth of a second."""
-IN_ORDER_S = 0.1
-"""Least time between two events of which one follows the other."""
 FARTHEST_AHEAD = 1.2
 """Longest way, over its height, that the base of a body runs ahead while it tips back."""
 LEAST_LEFT = 0.3
@@ -194,7 +193,7 @@ def chain(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
     if _falls_before(stage, node, a):
         # It is to be down before it arrives.
         slides = sliding_distance(track.speed, 0.5 * (pa.friction + pa.rough))
-        falls = max(DOWN_S, math.sqrt(pa.height / GRAVITY_MPS2) + IN_ORDER_S)
+        falls = max(DOWN_S, math.sqrt(pa.height / GRAVITY_MPS2) + MIN_EVENT_GAP_S)
         gap = max(gap, min(falls * track.speed, 0.5 * slides))
         if not (pa.rolls or stage.airborne):
             # It reaches as far as it is high, and touches what is nearer while it still stands.
@@ -202,7 +201,7 @@ def chain(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
             if are_slabs(pa, pb) and down_first(pa.height, knocked=True):
                 gap = REACH * pa.height
             if _kicked(stage, node, a):
-                ahead = (math.sqrt(pa.height / GRAVITY_MPS2) + IN_ORDER_S) * track.speed
+                ahead = (math.sqrt(pa.height / GRAVITY_MPS2) + MIN_EVENT_GAP_S) * track.speed
                 gap = max(gap, min(ahead, FARTHEST_AHEAD * pa.height))
     rubs = 0.5 * (pa.friction + stage.ground_friction())
     rolled: float | None = None

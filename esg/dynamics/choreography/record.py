@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from esg.dynamics.choreography.choreography import Choreography, choreograph
+from esg.dynamics.choreography.telling import Choreography, choreograph
 from esg.graph import effective, models
 from esg.graph.models import EsgDocument
 from esg.layout.problem.hints import stored_hints

@@ -289,19 +289,6 @@ class Stage:
         options = [math.pi, math.pi / 2, -math.pi / 2, 0.75 * math.pi, -0.75 * math.pi, 0.0]
         return max(options, key=lambda o: min([abs(wrap_angle(o - u)) for u in used], default=1.0))
 
-    def enter_beside(self, actor: str) -> None:
-        """Places an actor that meets nobody beside everything placed so far."""
-        frame = Frame() if not self.places else self.free_frame()
-        self.frames[actor] = frame
-        x, y = frame.apply(0.0, 0.0)
-        self.places[actor] = (x, y, frame.angle)
-        if self.story.flies(actor):
-            from esg.dynamics.choreography.hovering import cruise
-
-            if not self.story.takes_off(actor):
-                soars = self.story.soars(actor)
-                self.heights.setdefault(actor, cruise(self, actor) if soars else 1.0)
-
     # -- result ------------------------------------------------------------------------------
 
     def constellation(self) -> Constellation:

@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.dynamics.choreography.record import choreography_of
-from esg.dynamics.plan.horizon import looked_at_for
 from esg.dynamics.plan.programs import Composer, Values
 from esg.dynamics.plan.variables import Declarations, Variable
 from esg.dynamics.story.story import Story
@@ -33,7 +32,7 @@ class Plan:
         compile: theta [n] -> Program.
         starts: theta [n] -> poses (position [3], quaternion [4]) of re-aimed actors by name.
         duration: How long the scene plays [s].
-        told: By when the choreography expects everything to have been seen [s] (`horizon`).
+        latest: When the choreography expects the last event [s].
     """
 
     variables: tuple[Variable, ...]
@@ -44,7 +43,7 @@ class Plan:
         [NDArray[np.float64]], dict[str, tuple[NDArray[np.float64], NDArray[np.float64]]]
     ]
     duration: float
-    told: float = math.inf
+    latest: float = math.inf
 
     def initial(self) -> NDArray[np.float64]:
         return np.array([v.initial for v in self.variables])
@@ -81,7 +80,6 @@ class _Planner(Declarations, Composer):
         variables = tuple(self.variables.values())
         latest = self._latest()
         duration = min(MAX_DURATION_S, math.ceil(10.0 * (1.15 * latest + AFTERMATH_S)) / 10.0)
-        told = latest + max(looked_at_for(node) for node in self.story.nodes.values())
 
         def values(theta: NDArray[np.float64]) -> Values:
             out = dict(zip(names, map(float, theta), strict=True))
@@ -100,7 +98,7 @@ class _Planner(Declarations, Composer):
             v = values(theta)
             return {a: self.start_pose(a, v) for a in self.story.phases if self.drives(a)}
 
-        return Plan(variables, self.scene, self.story, compile_theta, starts, duration, told)
+        return Plan(variables, self.scene, self.story, compile_theta, starts, duration, latest)
 
     def _latest(self) -> float:
         """When the last event is expected [s], at least 1."""

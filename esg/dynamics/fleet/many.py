@@ -21,7 +21,7 @@ from esg.dynamics.fleet.crew import Crew, Task
 from esg.dynamics.fleet.remote import Remote
 from esg.dynamics.fleet.server import Clock, Server
 from esg.dynamics.search.baselines import BASELINES
-from esg.dynamics.search.search import MAX_ROUNDS
+from esg.dynamics.strategies import MAX_ROUNDS
 from esg.engines.base import breadth
 from esg.graph.models import EsgDocument
 from esg.outcomes import UserError

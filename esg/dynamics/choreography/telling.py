@@ -14,15 +14,14 @@ import numpy as np
 
 from esg.dynamics.choreography.meetings import collision, enters
 from esg.dynamics.choreography.moves import controlled, plain, turned
+from esg.dynamics.choreography.placing import enter_beside
 from esg.dynamics.choreography.pockets import play_pocket, pocket_event
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.stagecraft import fit_to_surface
-from esg.dynamics.story.story import REACH_BRAKE_DAMPING, Story, read_story, turn_of
+from esg.dynamics.story.story import Story, read_story
 from esg.graph.canonical import entropy
 from esg.graph.models import EsgDocument, NodeEvent, TimelineNode
 from esg.layout.problem.hints import Constellation, StartHints
-
-__all__ = ["REACH_BRAKE_DAMPING", "Choreography", "choreograph", "turn_of"]
 
 HANDLERS = {
     NodeEvent.TRIGGER: controlled,
@@ -138,4 +137,4 @@ def _tell(stage: Stage) -> None:
             HANDLERS.get(node.event, plain)(stage, node)
     for actor in stage.tracks:
         if actor not in stage.frames:
-            stage.enter_beside(actor)
+            enter_beside(stage, actor)

@@ -19,11 +19,11 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.dynamics.plan.plan import Plan
+from esg.dynamics.losses.kinds import kind_of
+from esg.dynamics.plan.planner import Plan
 from esg.dynamics.search.panel import Panel
 from esg.dynamics.search.simulate import Simulator
 from esg.dynamics.story.story import Story
-from esg.graph.models import NodeEvent
 
 Floats = NDArray[np.float64]
 Slope = Callable[[Floats], tuple[float, Floats]]
@@ -100,7 +100,7 @@ def needs_differences(story: Story) -> bool:
         first = node.participants[:1]
         if received.intersection(first) and not story.is_active(first[0]):
             return True
-        if node.event is NodeEvent.COLLISION:
+        if kind_of(node).sends:
             received.update(p for p in node.participants[1:] if not story.is_active(p))
     return False
 

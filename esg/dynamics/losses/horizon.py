@@ -10,28 +10,21 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.dynamics.losses.losses import Assessment
+from esg.dynamics.losses.assess import Assessment
+from esg.dynamics.losses.kinds import kind_of
+from esg.dynamics.plan.planner import Plan
 from esg.dynamics.story.story import Story
-from esg.graph.models import NodeEvent, TimelineNode
-
-AFTER_S = {
-    NodeEvent.SCENE_START: 0.1,
-    NodeEvent.TRIGGER: 0.1,
-    NodeEvent.COLLISION: 0.4,
-    NodeEvent.STOP: 0.3,
-    NodeEvent.FALL: 0.3,
-    NodeEvent.HEADING_REACHED: 0.3,
-    NodeEvent.POSITION_AT: 0.3,
-    NodeEvent.ENTER_REGION: 1.0,
-    NodeEvent.TOPPLE: 1.0,
-}
-"""What follows an event and is measured with it [s]. Whoever shall reach or miss something may
-touch it at any later time."""
+from esg.graph.models import TimelineNode
 
 
 def looked_at_for(node: TimelineNode) -> float:
     """How long after an event something is measured with it [s]."""
-    return AFTER_S.get(node.event, np.inf)
+    return kind_of(node).after_s
+
+
+def expected_end(plan: Plan) -> float:
+    """By when the choreography expects everything to have been seen [s]."""
+    return plan.latest + max(looked_at_for(node) for node in plan.story.nodes.values())
 
 
 def told_by(story: Story, assessed: Assessment) -> NDArray[np.float64]:
