@@ -12,7 +12,6 @@ from collections.abc import Callable
 import zlib
 
 import numpy as np
-from numpy.typing import NDArray
 
 from esg.dynamics.gradient.descent import descend
 from esg.dynamics.gradient.refine import COLLISIONS, Staged, staged_search
@@ -70,6 +69,56 @@ def optimize(
     Raises:
         UserError: For an unknown strategy or collision model.
     """
+    _check(strategy, collision, rounds_closed)
+    scene = build_scene(doc)
+    if doc.timeline_system is None:
+        return _write(doc, static_result(strategy), seed, strategy)
+    plan = make_plan(doc, scene, seed=seed, look_ahead=strategy != "none")
+    if not plan.variables:
+        return _write(doc, static_result(strategy), seed, strategy)
+    text = doc.scene_definition.original_description.encode()
+
+    def run(
+        plan: Plan, judges: Panel, round_: int = 0, barred: frozenset[str] = frozenset()
+    ) -> tuple[Found, str]:
+        rng = np.random.default_rng([seed, zlib.crc32(text), *([round_] if round_ else [])])
+        return run_strategy(
+            plan, judges, rng, strategy, max_rounds=max_rounds, rollouts=rollouts, barred=barred
+        )
+
+    if collision != "exact":
+        staged = staged_search(
+            doc, scene, collision, lambda plan, judges: run(plan, judges)[0].theta,
+            seed=seed, strategy=strategy, device=device, engines=engines,
+        )  # fmt: skip
+        return _write(doc, _judge_staged(doc, staged, strategy, device, engines), seed, strategy,
+                      collision)  # fmt: skip
+    panel = Panel(plan, device, dt=REFERENCE_DT_S, engines=engines)
+    barred = ruled_out(doc, plan.story)
+    found, stopped = run(plan, panel, 0, barred)
+    whole = panel.whole(found)
+    if whole is None:
+        # A body that was held still does not stay where it stands: search with all of them.
+        found, stopped = run(plan, panel, 0, barred)
+    else:
+        found = whole
+    closed: ClosedLoop | None = None
+    if rounds_closed and strategy != "none":
+
+        def again(bias: dict[str, float], round_: int) -> Found:
+            panel.rebias(bias)
+            return run(plan, panel, round_, barred)[0]
+
+        found, closed = close_loop(plan, found, again, rounds_closed)
+        panel.rebias({})
+    result = write_result(
+        doc, plan, panel, found, strategy=strategy, stopped=stopped, closed=closed
+    )
+    return _write(doc, result, seed, strategy)
+
+
+def _check(strategy: str, collision: str, rounds_closed: int) -> None:
+    """Raises what is wrong with a request."""
     if collision not in COLLISIONS:
         raise UserError(
             f"unknown collision model {collision!r}; choose one of {', '.join(COLLISIONS)}"
@@ -81,57 +130,6 @@ def optimize(
         )
     if strategy not in (*STRATEGIES, *BASELINES):
         raise UserError(f"unknown strategy {strategy!r}; choose one of {', '.join(STRATEGIES)}")
-    scene = build_scene(doc)
-    if doc.timeline_system is None:
-        return _write(doc, static_result(strategy), seed, strategy)
-    plan = make_plan(doc, scene, seed=seed, look_ahead=strategy != "none")
-    if not plan.variables:
-        return _write(doc, static_result(strategy), seed, strategy)
-    text = doc.scene_definition.original_description.encode()
-    if collision != "exact":
-
-        def once(plan: Plan, judges: Panel) -> NDArray[np.float64]:
-            rng = np.random.default_rng([seed, zlib.crc32(text)])
-            return run_strategy(
-                plan, judges, rng, strategy, max_rounds=max_rounds, rollouts=rollouts
-            )[0].theta
-
-        staged = staged_search(
-            doc, scene, collision, once, seed=seed, strategy=strategy, device=device,
-            engines=engines,
-        )  # fmt: skip
-        return _write(doc, _judge_staged(doc, staged, strategy, device, engines), seed, strategy,
-                      collision)  # fmt: skip
-    panel = Panel(plan, device, dt=REFERENCE_DT_S, engines=engines)
-
-    def run(judges: Panel, round_: int) -> tuple[Found, str]:
-        entropy = [seed, zlib.crc32(text), *([round_] if round_ else [])]
-        rng = np.random.default_rng(entropy)
-        return run_strategy(
-            plan, judges, rng, strategy, max_rounds=max_rounds, rollouts=rollouts, barred=barred
-        )
-
-    barred = ruled_out(doc, plan.story)
-    found, stopped = run(panel, 0)
-    whole = panel.whole(found)
-    if whole is None:
-        # A body that was held still does not stay where it stands: search with all of them.
-        found, stopped = run(panel, 0)
-    else:
-        found = whole
-    closed: ClosedLoop | None = None
-    if rounds_closed and strategy != "none":
-
-        def again(bias: dict[str, float], round_: int) -> Found:
-            panel.rebias(bias)
-            return run(panel, round_)[0]
-
-        found, closed = close_loop(plan, found, again, rounds_closed)
-        panel.rebias({})
-    result = write_result(
-        doc, plan, panel, found, strategy=strategy, stopped=stopped, closed=closed
-    )
-    return _write(doc, result, seed, strategy)
 
 
 def _judge_staged(

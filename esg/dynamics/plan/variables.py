@@ -20,7 +20,7 @@ from esg.dynamics.plan.cast import Cast
 from esg.dynamics.story.story import Phase, bounds, middle
 from esg.dynamics.story.tipping import FLIES_AT
 from esg.engines.scene import Body, Region
-from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
+from esg.graph.models import EdgeEvent, NodeEvent, TimelineEdge, TimelineNode
 from esg.units import GRAVITY_MPS2
 
 FASTEST_THROW_CM_S = 2500.0
@@ -318,65 +318,22 @@ class Declarations:
         return float(min(math.exp(body.linear_damping * duration), 3.0))
 
     def declare_throw(self, actor: str, body: Body, phase: Phase) -> None:
-        edge, params = phase.edge, phase.edge.params
+        """Speed and elevation of a throw, or its flight time and aim where it has a goal."""
+        edge = phase.edge
         phase = flown_to(self.story, phase)
-        banked = f"{edge.id}/goal_above" in self.nominal
-        low, high, fixed = bounds(params.speed, (100.0, FASTEST_THROW_CM_S))
+        low, high, fixed = bounds(edge.params.speed, (100.0, FASTEST_THROW_CM_S))
         if not (fixed or edge.speed_is_prescribed):
             high = max(high, FASTEST_THROW_CM_S)
         if fixed:
-            self.add(
-                f"{edge.id}/speed",
-                low / 100,
-                low / 100,
-                low / 100,
-                low / 100,
-                0.0,
-                "m/s",
-                fixed=True,
-            )
-            e_low, e_high, e_fixed = bounds(params.elevation_deg, (-30.0, 75.0))
+            speed = low / 100
+            name = f"{edge.id}/speed"
+            self.add(name, speed, speed, speed, speed, 0.0, "m/s", fixed=True)
             start = self.elevation_for(actor, phase, low / 100.0)
-            self.add(
-                f"{edge.id}/elevation",
-                math.radians(e_low),
-                math.radians(e_high),
-                start,
-                math.radians(0.5 * (e_low + e_high)),
-                0.05,
-                "rad",
-                fixed=e_fixed,
-            )
+            self._declare_elevation(edge, (-30.0, 75.0), start, 0.05)
             return
-        target = self.cast.target(phase)
         offset = self._goal_of(actor, edge.id)
-        flight = self.nominal.get(f"{edge.id}/flight_time", 1.0)
         if offset is not None:
-            span = float(np.linalg.norm(offset[:2] - np.array(body.position)[:2]))
-            fastest = max(span / (high / 100.0), 0.15)
-            self.add(
-                f"{edge.id}/flight_time",
-                fastest,
-                max(2.5, 1.5 * flight),
-                flight,
-                span / max(0.005 * (low + high), 0.5),
-                0.06 * flight,
-                "s",
-            )
-            height = self.scene.body(target).half_extents[2] if target else 0.3
-            region = self.cast.region(phase)
-            mouth = region.half_extents[2] if region and region.kind == "inside" else 0.0
-            if region and not opens_upwards(self._siblings(region), region.name):
-                mouth = 0.0
-            self.add(
-                f"{edge.id}/aim_height",
-                -0.8 * height,
-                max(0.8 * height, 1.5 * mouth),
-                0.45 * height if self.story.topples(target) else OVER_MOUTH * mouth,
-                0.0,
-                0.05 if banked else 0.2 * height,
-                "m",
-            )
+            self._declare_flight(body, phase, edge.id, offset, low, high)
             return
         speed = middle(max(low, 1.0), high) / 100.0
         self.add(
@@ -388,16 +345,59 @@ class Declarations:
             0.1 * speed,
             "m/s",
         )
-        e_low, e_high, e_fixed = bounds(params.elevation_deg, (0.0, 60.0))
+        self._declare_elevation(edge, (0.0, 60.0), None, 0.1)
+
+    def _declare_elevation(
+        self,
+        edge: TimelineEdge,
+        usual: tuple[float, float],
+        start: float | None,
+        spread: float,
+    ) -> None:
+        """Elevation of a throw [rad], from `start` on or from the middle of its bounds."""
+        low, high, fixed = bounds(edge.params.elevation_deg, usual)
+        mid = math.radians(0.5 * (low + high))
         self.add(
             f"{edge.id}/elevation",
-            math.radians(e_low),
-            math.radians(e_high),
-            math.radians(0.5 * (e_low + e_high)),
-            math.radians(0.5 * (e_low + e_high)),
-            0.1,
+            math.radians(low),
+            math.radians(high),
+            mid if start is None else start,
+            mid,
+            spread,
             "rad",
-            fixed=e_fixed,
+            fixed=fixed,
+        )
+
+    def _declare_flight(
+        self, body: Body, phase: Phase, edge_id: str, goal: Floats, low: float, high: float
+    ) -> None:
+        """Flight time and height of the aim of a throw at a goal [m] at speeds [cm/s]."""
+        target = self.cast.target(phase)
+        flight = self.nominal.get(f"{edge_id}/flight_time", 1.0)
+        span = float(np.linalg.norm(goal[:2] - np.array(body.position)[:2]))
+        self.add(
+            f"{edge_id}/flight_time",
+            max(span / (high / 100.0), 0.15),
+            max(2.5, 1.5 * flight),
+            flight,
+            span / max(0.005 * (low + high), 0.5),
+            0.06 * flight,
+            "s",
+        )
+        height = self.scene.body(target).half_extents[2] if target else 0.3
+        region = self.cast.region(phase)
+        mouth = region.half_extents[2] if region and region.kind == "inside" else 0.0
+        if region and not opens_upwards(self._siblings(region), region.name):
+            mouth = 0.0
+        banked = f"{edge_id}/goal_above" in self.nominal
+        self.add(
+            f"{edge_id}/aim_height",
+            -0.8 * height,
+            max(0.8 * height, 1.5 * mouth),
+            0.45 * height if self.story.topples(target) else OVER_MOUTH * mouth,
+            0.0,
+            0.05 if banked else 0.2 * height,
+            "m",
         )
 
     def _goal_of(self, actor: str, edge_id: str) -> Floats | None:
