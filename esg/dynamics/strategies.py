@@ -11,7 +11,6 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
 from esg.dynamics.gradient.descent import descend
 from esg.dynamics.gradient.refine import COLLISIONS, Staged, staged_search
@@ -70,6 +69,57 @@ def optimize(
     Raises:
         UserError: For an unknown strategy or collision model.
     """
+    _check(strategy, collision, rounds_closed)
+    given, doc = doc, effective(doc)
+    scene = build_scene(doc)
+    if doc.timeline_system is None:
+        return _write(given, static_result(strategy), seed, strategy)
+    plan = make_plan(doc, scene, seed=seed, look_ahead=strategy != "none")
+    if not plan.variables:
+        return _write(given, static_result(strategy), seed, strategy)
+    salt = entropy(doc)
+
+    def run(
+        plan: Plan, judges: Panel, round_: int = 0, barred: frozenset[str] = frozenset()
+    ) -> tuple[Found, str]:
+        rng = np.random.default_rng([seed, salt, *([round_] if round_ else [])])
+        return run_strategy(
+            plan, judges, rng, strategy, max_rounds=max_rounds, rollouts=rollouts, barred=barred
+        )
+
+    if collision != "exact":
+        staged = staged_search(
+            doc, scene, collision, lambda plan, judges: run(plan, judges)[0].theta,
+            seed=seed, strategy=strategy, device=device, engines=engines,
+        )  # fmt: skip
+        return _write(given, _judge_staged(doc, staged, strategy, device, engines), seed, strategy,
+                      collision)  # fmt: skip
+    panel = Panel(plan, device, dt=REFERENCE_DT_S, engines=engines)
+    barred = ruled_out(doc, plan.story)
+    found, stopped = run(plan, panel, 0, barred)
+    whole = panel.whole(found)
+    if whole is None:
+        # A body that was held still does not stay where it stands: search with all of them.
+        found, stopped = run(plan, panel, 0, barred)
+    else:
+        found = whole
+    closed: ClosedLoop | None = None
+    if rounds_closed and strategy != "none":
+
+        def again(bias: dict[str, float], round_: int) -> Found:
+            panel.rebias(bias)
+            return run(plan, panel, round_, barred)[0]
+
+        found, closed = close_loop(plan, found, again, rounds_closed)
+        panel.rebias({})
+    result = write_result(
+        doc, plan, panel, found, strategy=strategy, stopped=stopped, closed=closed
+    )
+    return _write(given, result, seed, strategy)
+
+
+def _check(strategy: str, collision: str, rounds_closed: int) -> None:
+    """Raises what is wrong with a request."""
     if collision not in COLLISIONS:
         raise UserError(
             f"unknown collision model {collision!r}; choose one of {', '.join(COLLISIONS)}"
@@ -81,57 +131,6 @@ def optimize(
         )
     if strategy not in (*STRATEGIES, *BASELINES):
         raise UserError(f"unknown strategy {strategy!r}; choose one of {', '.join(STRATEGIES)}")
-    given, doc = doc, effective(doc)
-    scene = build_scene(doc)
-    if doc.timeline_system is None:
-        return _write(given, static_result(strategy), seed, strategy)
-    plan = make_plan(doc, scene, seed=seed, look_ahead=strategy != "none")
-    if not plan.variables:
-        return _write(given, static_result(strategy), seed, strategy)
-    salt = entropy(doc)
-    if collision != "exact":
-
-        def once(plan: Plan, judges: Panel) -> NDArray[np.float64]:
-            rng = np.random.default_rng([seed, salt])
-            return run_strategy(
-                plan, judges, rng, strategy, max_rounds=max_rounds, rollouts=rollouts
-            )[0].theta
-
-        staged = staged_search(
-            doc, scene, collision, once, seed=seed, strategy=strategy, device=device,
-            engines=engines,
-        )  # fmt: skip
-        return _write(given, _judge_staged(doc, staged, strategy, device, engines), seed, strategy,
-                      collision)  # fmt: skip
-    panel = Panel(plan, device, dt=REFERENCE_DT_S, engines=engines)
-
-    def run(judges: Panel, round_: int) -> tuple[Found, str]:
-        rng = np.random.default_rng([seed, salt, *([round_] if round_ else [])])
-        return run_strategy(
-            plan, judges, rng, strategy, max_rounds=max_rounds, rollouts=rollouts, barred=barred
-        )
-
-    barred = ruled_out(doc, plan.story)
-    found, stopped = run(panel, 0)
-    whole = panel.whole(found)
-    if whole is None:
-        # A body that was held still does not stay where it stands: search with all of them.
-        found, stopped = run(panel, 0)
-    else:
-        found = whole
-    closed: ClosedLoop | None = None
-    if rounds_closed and strategy != "none":
-
-        def again(bias: dict[str, float], round_: int) -> Found:
-            panel.rebias(bias)
-            return run(panel, round_)[0]
-
-        found, closed = close_loop(plan, found, again, rounds_closed)
-        panel.rebias({})
-    result = write_result(
-        doc, plan, panel, found, strategy=strategy, stopped=stopped, closed=closed
-    )
-    return _write(given, result, seed, strategy)
 
 
 def _judge_staged(

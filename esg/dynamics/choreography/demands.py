@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import math
 
+from esg.dynamics.choreography.placing import hits_on
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.kinematics import impact_speed
 from esg.dynamics.story.stagecraft import Prop, coasting_drag, fall_speed
+from esg.dynamics.story.story import bounds
 from esg.dynamics.story.tipping import topple_speed
 from esg.graph.models import NodeEvent, TimelineNode
 from esg.thresholds import SAFE_IMPULSE_NS
@@ -147,4 +149,47 @@ def _after(stage: Stage, node: TimelineNode, b: str, kept: float) -> float:
         if stage.story.falls(name):
             needed = max(needed, fall_speed(body, target))
         return max(needed / kept, runs)
+    return 0.0
+
+
+def sends_sliding(stage: Stage, node: TimelineNode, b: str) -> bool:
+    """Whether something without wheels that is hit here shall slide into what goes on, too."""
+    body = stage.prop(b)
+    if body.rolls or body.wheeled or body.fixed:
+        return False
+    if stage.story.topples(stage.member(b)) or stage.story.falls(stage.member(b)):
+        return False
+    for later in stage.story.after(node.id):
+        keys = list(map(stage.key, later.participants))
+        others = [k for k in keys if k != b]
+        if later.event is NodeEvent.COLLISION and b in keys and others:
+            return others[0] not in stage.tracks and hits_on(stage, later, others[0])
+    return False
+
+
+def timed_push(stage: Stage, node: TimelineNode, mover: Prop, b: str) -> float:
+    """Speed [m/s] of a hit after which b is still on its way when it is to meet the next one.
+
+    0 where the prompt gives no time for that. It is to keep a third of its speed until then.
+    """
+    target = stage.prop(b)
+    if target.rolls or target.fixed:
+        return 0.0
+    for later in stage.story.after(node.id):
+        keys = [stage.key(p) for p in later.participants]
+        if later.event is not NodeEvent.COLLISION or b not in keys:
+            continue
+        if any(k in stage.tracks for k in keys):
+            continue
+        since = [c for c in later.constraints if c.quantity == "time_since" and c.since == node.id]
+        waits = [c.value for c in since]
+        now = stage.prescribed_time(node)
+        if not waits and now is not None and later.time_is_prescribed and later.timestamp:
+            waits = [later.timestamp - now]
+        if waits:
+            low, high, _ = bounds(waits[0], (0.0, 0.0))
+            needed = 1.5 * coasting_drag(target) * 0.5 * (low + high)
+            gain = (1.0 + 0.5 * (mover.restitution + target.restitution)) * mover.mass
+            return max(0.0, needed * (mover.mass + target.mass) / gain)
+        break
     return 0.0

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.dynamics.choreography.record import choreography_of
+from esg.dynamics.plan.cast import Cast
 from esg.dynamics.plan.programs import Composer, Values
 from esg.dynamics.plan.variables import Declarations, Variable
 from esg.dynamics.story.story import Story
@@ -71,47 +72,44 @@ def make_plan(doc: EsgDocument, scene: SimScene, *, seed: int = 0, look_ahead: b
         look_ahead: Aim with what comes after the first hit in mind; False aims straight at the
             centre of the first target.
     """
-    return _Planner(doc, scene, choreography_of(doc, seed=seed).nominal, look_ahead).plan()
+    cast = Cast(doc, scene, choreography_of(doc, seed=seed).nominal, look_ahead)
+    declared, composer = Declarations(cast), Composer(cast)
+    latest = _latest(cast, declared.variables)
+    duration = min(MAX_DURATION_S, math.ceil(10.0 * (1.15 * latest + AFTERMATH_S)) / 10.0)
+
+    def values(theta: NDArray[np.float64]) -> Values:
+        out = dict(zip(declared.variables, map(float, theta), strict=True))
+        return out | {k: out[v] for k, v in declared.tied.items()}
+
+    def compile_theta(theta: NDArray[np.float64]) -> Program:
+        v = values(theta)
+        out: list[Primitive] = []
+        for actor, phases in cast.story.phases.items():
+            out += composer.primitives(actor, phases, v, duration)
+        return Program(tuple(out), duration)
+
+    def starts(
+        theta: NDArray[np.float64],
+    ) -> dict[str, tuple[NDArray[np.float64], NDArray[np.float64]]]:
+        v = values(theta)
+        return {a: composer.start_pose(a, v) for a in cast.story.phases if cast.drives(a)}
+
+    variables = tuple(declared.variables.values())
+    return Plan(variables, scene, cast.story, compile_theta, starts, duration, latest)
 
 
-class _Planner(Declarations, Composer):
-    def plan(self) -> Plan:
-        names = list(self.variables)
-        variables = tuple(self.variables.values())
-        latest = self._latest()
-        duration = min(MAX_DURATION_S, math.ceil(10.0 * (1.15 * latest + AFTERMATH_S)) / 10.0)
-
-        def values(theta: NDArray[np.float64]) -> Values:
-            out = dict(zip(names, map(float, theta), strict=True))
-            return out | {k: out[v] for k, v in self.tied.items()}
-
-        def compile_theta(theta: NDArray[np.float64]) -> Program:
-            v = values(theta)
-            out: list[Primitive] = []
-            for actor, phases in self.story.phases.items():
-                out += self.primitives(actor, phases, v, duration)
-            return Program(tuple(out), duration)
-
-        def starts(
-            theta: NDArray[np.float64],
-        ) -> dict[str, tuple[NDArray[np.float64], NDArray[np.float64]]]:
-            v = values(theta)
-            return {a: self.start_pose(a, v) for a in self.story.phases if self.drives(a)}
-
-        return Plan(variables, self.scene, self.story, compile_theta, starts, duration, latest)
-
-    def _latest(self) -> float:
-        """When the last event is expected [s], at least 1."""
-        latest = 1.0
-        for name, variable in self.variables.items():
-            if name.endswith(("/time", "/flight_time")):
-                latest = max(latest, variable.initial)
-        times = [t for k, t in self.nominal.items() if k.endswith("/event_time")]
-        latest = max([latest, *times])
-        for node in self.story.nodes.values():
-            if node.time_is_prescribed:
-                prescribed = (
-                    node.timestamp if node.timestamp is not None else (node.window or (0, 0))[1]
-                )
-                latest = max(latest, prescribed)
-        return float(latest)
+def _latest(cast: Cast, variables: dict[str, Variable]) -> float:
+    """When the last event is expected [s], at least 1."""
+    latest = 1.0
+    for name, variable in variables.items():
+        if name.endswith(("/time", "/flight_time")):
+            latest = max(latest, variable.initial)
+    times = [t for k, t in cast.nominal.items() if k.endswith("/event_time")]
+    latest = max([latest, *times])
+    for node in cast.story.nodes.values():
+        if node.time_is_prescribed:
+            prescribed = (
+                node.timestamp if node.timestamp is not None else (node.window or (0, 0))[1]
+            )
+            latest = max(latest, prescribed)
+    return float(latest)
