@@ -19,7 +19,7 @@ from esg.graph import EsgDocument, canonical_json, effective, verify
 from esg.graph.models import ForceDirection
 from esg.layout import solve
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 GIVEN = {"casting", "choreography", "provenance"}
 """Fields of a document that the stage writes."""
 OPEN = (
