@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 def build_scene(doc: EsgDocument) -> SimScene:
     """The physical scene of a laid-out document, in SI (esg.dynamics.plan.build)."""
-    from esg.dynamics.plan.build import build_scene as run
+    from esg.dynamics.plan import build_scene as run
 
     return run(doc)
 
@@ -29,7 +29,7 @@ def fit_assets(doc: EsgDocument) -> EsgDocument:
 
 def start_hints(doc: EsgDocument, *, seed: int = 0) -> StartHints:
     """Start constellations of the timeline's participants (esg.dynamics.choreography)."""
-    from esg.dynamics.choreography.telling import start_hints as run
+    from esg.dynamics.choreography import start_hints as run
 
     return run(doc, seed=seed)
 
