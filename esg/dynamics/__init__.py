@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 def build_scene(doc: EsgDocument) -> SimScene:
     """The physical scene of a laid-out document, in SI (esg.dynamics.plan.build)."""
-    from esg.dynamics.plan.build import build_scene as run
+    from esg.dynamics.plan import build_scene as run
 
     return run(doc)
 
@@ -26,7 +26,7 @@ def cast(doc: EsgDocument, *, seed: int = 0) -> EsgDocument:
 
 def start_hints(doc: EsgDocument, *, seed: int = 0) -> StartHints:
     """Start constellations of the timeline's participants; told with `seed` if not cast yet."""
-    from esg.dynamics.choreography.record import choreography_of
+    from esg.dynamics.choreography import choreography_of
 
     return choreography_of(doc, seed=seed).hints
 

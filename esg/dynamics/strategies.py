@@ -12,15 +12,13 @@ from collections.abc import Callable
 
 import numpy as np
 
-from esg.dynamics.gradient.descent import descend
+from esg.dynamics.gradient import descend
 from esg.dynamics.gradient.refine import COLLISIONS, Staged, staged_search
-from esg.dynamics.plan.build import build_scene
-from esg.dynamics.plan.feasibility import ruled_out
-from esg.dynamics.plan.planner import Plan, make_plan
+from esg.dynamics.plan import Plan, build_scene, make_plan, ruled_out
+from esg.dynamics.search import REFERENCE_DT_S, Found, Panel
 from esg.dynamics.search.baselines import BASELINES, minimize
 from esg.dynamics.search.batched import search
 from esg.dynamics.search.closedloop import close_loop
-from esg.dynamics.search.panel import REFERENCE_DT_S, Found, Panel
 from esg.dynamics.search.results import static_result, write_result
 from esg.engines.base import Engine, get_engine
 from esg.graph.canonical import document_hash, entropy

@@ -1,4 +1,7 @@
-"""Casting: which bodies, sizes and supports the events of a prompt need (docs/pipeline.md)."""
+"""Casting: which bodies, sizes and supports the events of a prompt need.
+
+`cast` is the stage; `rules.RULES` is the table of what is chosen, why, and in which order.
+"""
 
 from __future__ import annotations
 

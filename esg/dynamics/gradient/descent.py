@@ -19,10 +19,9 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.dynamics.losses.kinds import kind_of
-from esg.dynamics.plan.planner import Plan
-from esg.dynamics.search.panel import Panel
-from esg.dynamics.search.simulate import Simulator
+from esg.dynamics.losses import kind_of
+from esg.dynamics.plan import Plan
+from esg.dynamics.search import Panel, Simulator
 from esg.dynamics.story.story import Story
 
 Floats = NDArray[np.float64]

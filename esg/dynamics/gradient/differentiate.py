@@ -14,10 +14,10 @@ from enum import StrEnum
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.dynamics.losses.kinds import kind_of
+from esg.dynamics.losses import kind_of
 from esg.dynamics.losses.residuals import members
 from esg.dynamics.losses.smooth import EventLosses
-from esg.dynamics.plan.planner import Plan
+from esg.dynamics.plan import Plan
 from esg.dynamics.search.simulate import NOMINAL, Perturbation, program_times
 from esg.engines.base import VERIFY_DT_S
 from esg.engines.program import batch_programs

@@ -15,9 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.dynamics.gradient.descent import descend_from
-from esg.dynamics.plan.planner import Plan, make_plan
+from esg.dynamics.plan import Plan, make_plan
+from esg.dynamics.search import REFERENCE_DT_S, Panel
 from esg.dynamics.search.fields import RESOLUTION, body_fields
-from esg.dynamics.search.panel import REFERENCE_DT_S, Panel
 from esg.dynamics.story.proxies import coarse
 from esg.dynamics.story.story import Story
 from esg.engines.base import Engine

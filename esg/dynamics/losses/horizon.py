@@ -10,9 +10,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.dynamics.losses.assess import Assessment
+from esg.dynamics.losses.assessment import Assessment
 from esg.dynamics.losses.kinds import kind_of
-from esg.dynamics.plan.planner import Plan
+from esg.dynamics.plan import Plan
 from esg.dynamics.story.story import Story
 from esg.graph.models import TimelineNode
 

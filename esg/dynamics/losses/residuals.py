@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from esg.dynamics.losses.gap import surface_gap
 from esg.dynamics.losses.measures import DISTANCE_SCALE_M
 from esg.dynamics.losses.shapes import MISSED, squared
-from esg.dynamics.plan.planner import Plan
+from esg.dynamics.plan import Plan
 from esg.graph.models import TimelineNode
 from esg.thresholds import NEAR_M, STOPPED_MPS
 from esg.units import quat_rotate

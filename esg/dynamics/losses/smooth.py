@@ -1,6 +1,6 @@
 """Event losses with derivatives: smooth residuals of a surrogate rollout and what they pull on.
 
-The terms are those of `esg.dynamics.losses.assess` where a derivative exists: miss distances, event
+The terms are those of `esg.dynamics.losses.assessment` where a derivative exists: miss distances, event
 times interpolated within a step, speeds and distances. Each residual depends on the states of one
 or two steps; its derivatives there are local central differences, and `wp.Tape` carries them back
 to the start. Terms that judge an event (weak, glancing, deep) have none and are left to the search.
@@ -19,7 +19,7 @@ from esg.dynamics.losses.measures import DISTANCE_SCALE_M
 from esg.dynamics.losses.quantities import SPEED_SCALE_MPS, TIME_SCALE_S
 from esg.dynamics.losses.residuals import Signal, States, away, gap, members, speed
 from esg.dynamics.losses.shapes import MISSED, Shape, barrier, inside, outside, squared
-from esg.dynamics.plan.planner import Plan
+from esg.dynamics.plan import Plan
 from esg.dynamics.story.story import bounds
 from esg.engines.surrogate.tape import Seeds, TapedRollout, Touch
 from esg.graph.models import EventConstraint, TimelineNode

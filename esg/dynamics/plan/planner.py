@@ -9,7 +9,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.dynamics.choreography.record import choreography_of
+from esg.dynamics.choreography import choreography_of
 from esg.dynamics.plan.cast import Cast
 from esg.dynamics.plan.programs import Composer, Values
 from esg.dynamics.plan.variables import Declarations, Variable

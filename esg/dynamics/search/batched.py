@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.dynamics.losses.shapes import MISSED
-from esg.dynamics.plan.planner import Plan
+from esg.dynamics.plan import Plan
 from esg.dynamics.search.cloud import Cloud, around, spreads
 from esg.dynamics.search.niches import Niche, apart, broad, everywhere
 from esg.dynamics.search.panel import GOOD_LOSS, WORST_SHARE, Found, Panel, prior

@@ -11,9 +11,9 @@ from collections.abc import Callable
 
 import numpy as np
 
-from esg.dynamics.losses.assess import Assessment
+from esg.dynamics.losses import Assessment
 from esg.dynamics.losses.quantities import quantity_of
-from esg.dynamics.plan.planner import Plan
+from esg.dynamics.plan import Plan
 from esg.dynamics.search.panel import Found, rounded
 from esg.dynamics.search.simulate import Simulator
 from esg.engines.base import VERIFY_DT_S, get_engine

@@ -8,12 +8,12 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.dynamics.losses.assess import Assessment
+from esg.dynamics.losses import Assessment
 from esg.dynamics.losses.measures import tilt_of
 from esg.dynamics.losses.quantities import QUANTITIES, quantity_of
 from esg.dynamics.losses.shapes import MISSED
+from esg.dynamics.plan import Plan
 from esg.dynamics.plan.feasibility import impossible
-from esg.dynamics.plan.planner import Plan
 from esg.dynamics.search.panel import Found, Panel, rounded
 from esg.engines.program import Program, program_to_json
 from esg.graph.models import (

@@ -10,7 +10,7 @@ import pytest
 from esg.dynamics import build_scene, start_hints
 from esg.dynamics.casting.containers import SNUG, entries, is_filled
 from esg.dynamics.choreography.telling import choreograph
-from esg.dynamics.losses.assess import Assessment
+from esg.dynamics.losses.assessment import Assessment
 from esg.dynamics.plan.feasibility import impossible
 from esg.dynamics.plan.planner import make_plan
 from esg.dynamics.story.kinematics import (

@@ -13,7 +13,7 @@ from esg.assets import resolve
 from esg.draft import draft
 from esg.dynamics import build_scene, optimize, start_hints
 from esg.dynamics.casting import fitted
-from esg.dynamics.losses.assess import Assessment
+from esg.dynamics.losses.assessment import Assessment
 from esg.dynamics.search import batched
 from esg.dynamics.search.batched import Explored
 from esg.dynamics.search.panel import Found

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 import numpy as np
 import pytest
 
-from esg.dynamics.losses.assess import assess
+from esg.dynamics.losses.assessment import assess
 from esg.dynamics.losses.hits import first_hit
 from esg.dynamics.losses.measures import enter, topple
 from esg.dynamics.story.story import Story

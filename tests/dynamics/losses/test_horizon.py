@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from esg.dynamics import build_scene
-from esg.dynamics.losses.assess import Assessment
+from esg.dynamics.losses.assessment import Assessment
 from esg.dynamics.losses.horizon import expected_end, looked_at_for, told_by
 from esg.dynamics.losses.kinds import KINDS
 from esg.dynamics.plan.planner import Plan, make_plan

@@ -10,7 +10,7 @@ import pytest
 from esg.dynamics import build_scene
 from esg.dynamics.gradient.differentiate import Regime, gradient, regimes
 from esg.dynamics.losses import kinds
-from esg.dynamics.losses.assess import Assessment, assess
+from esg.dynamics.losses.assessment import Assessment, assess
 from esg.dynamics.losses.horizon import told_by
 from esg.dynamics.losses.kinds import EventKind, Spacing, kind_of, register
 from esg.dynamics.losses.measures import AddTerm, Detected

@@ -9,7 +9,7 @@ from typing import Any, cast
 import numpy as np
 import pytest
 
-from esg.dynamics.losses.assess import Assessment
+from esg.dynamics.losses.assessment import Assessment
 from esg.dynamics.losses.shapes import FARTHEST, UNBRAKED, UNMET, bowl, distance_loss, unbraked
 from esg.dynamics.plan.planner import Plan
 from esg.dynamics.plan.variables import Variable

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from esg.dynamics.gradient.descent import descend_from
-from esg.dynamics.losses.assess import Assessment
+from esg.dynamics.losses.assessment import Assessment
 from esg.dynamics.plan.build import build_scene
 from esg.dynamics.plan.planner import Plan, make_plan
 from esg.dynamics.search.baselines import minimize
