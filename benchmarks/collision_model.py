@@ -31,11 +31,12 @@ import numpy as np
 from benchmarks.lib.theta import Case, Stopwatch, cold, completed, panel, suite_scene
 from esg.assets import resolve
 from esg.draft import draft
-from esg.dynamics import build_scene, fit_assets, start_hints
-from esg.dynamics.plan.plan import Plan, make_plan
-from esg.dynamics.search.refine import REFINE_STEPS, Staged, refine
-from esg.dynamics.search.search import run_strategy
+from esg.dynamics import build_scene, start_hints
+from esg.dynamics.casting import fitted
+from esg.dynamics.gradient.refine import REFINE_STEPS, Staged, refine
+from esg.dynamics.plan.planner import Plan, make_plan
 from esg.dynamics.story.proxies import coarse, simple_document
+from esg.dynamics.strategies import run_strategy
 from esg.engines.base import VERIFY_DT_S
 from esg.graph.models import EsgDocument, Pose
 from esg.layout import solve
@@ -65,7 +66,7 @@ def lay_out(scene: SuiteScene, seed: int, layout: str, kind: str | None) -> Laid
         layout: line or side.
         kind: Simple proxies (`esg.dynamics.story.proxies`), or None.
     """
-    doc = fit_assets(resolve(draft(scene.prompt, seed=seed), seed=seed))
+    doc = fitted(resolve(draft(scene.prompt, seed=seed), seed=seed))
     known = simple_document(doc, kind) if kind else doc
     placed = solve(known, seed=seed, hints=start_hints(known, seed=seed)).layout_result
     doc = doc.model_copy(update={"layout_result": placed})

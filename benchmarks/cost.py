@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from benchmarks.lib.theta import Stopwatch, case
-from esg.dynamics.search.search import optimize
+from esg.dynamics.strategies import optimize
 from esg.engines.newton import clear_cache
 from esg.metrics import load_suite
 

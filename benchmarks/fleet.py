@@ -19,7 +19,7 @@ from pathlib import Path
 import time
 from typing import Any
 
-from esg.dynamics.fleet.fleet import Clock, optimize_many
+from esg.dynamics.fleet.many import Clock, optimize_many
 from esg.graph.models import EsgDocument
 
 SEED = 2026

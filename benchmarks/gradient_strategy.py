@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 
 from benchmarks.lib.theta import Stopwatch, case, cold, completed, panel, suite_scene
-from esg.dynamics.search.search import run_strategy
+from esg.dynamics.strategies import run_strategy
 
 PAPER = {"ad": (5, 0, 35.2), "fd": (5, 4, 153.5), "hybrid": (5, 4, 101.3)}
 STRATEGIES = ("ad", "fd", "hybrid", "batched")

@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 
 from benchmarks.lib.theta import PAPER, Stopwatch, case, cold, completed, panel
-from esg.dynamics.search.search import run_strategy
+from esg.dynamics.strategies import run_strategy
 from esg.metrics import load_suite
 from esg.metrics.models import SuiteScene
 

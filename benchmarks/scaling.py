@@ -111,11 +111,12 @@ def prepare(folder: Path) -> None:
     """Writes the laid-out documents of all points."""
     from esg.assets import resolve
     from esg.draft import draft
-    from esg.dynamics import fit_assets, start_hints
+    from esg.dynamics import start_hints
+    from esg.dynamics.casting import fitted
     from esg.layout import solve_batch
 
     rows = prompts()
-    docs = [fit_assets(resolve(draft(text, seed=0), seed=0)) for _, _, text in rows]
+    docs = [fitted(resolve(draft(text, seed=0), seed=0)) for _, _, text in rows]
     hints = [start_hints(d, seed=0) for d in docs]
     docs = solve_batch(docs, [0] * len(docs), hints)
     folder.mkdir(parents=True, exist_ok=True)
@@ -129,7 +130,7 @@ def prepare(folder: Path) -> None:
 def load(folder: Path, only: Collection[int] | None = None) -> list[Point]:
     """The points that `prepare` wrote, in order; some of them if `only` gives their numbers."""
     from esg.dynamics.plan.build import build_scene
-    from esg.dynamics.plan.plan import make_plan
+    from esg.dynamics.plan.planner import make_plan
 
     out = []
     with gzip.open(folder / FILE, "rt") as file:
@@ -154,7 +155,7 @@ def load(folder: Path, only: Collection[int] | None = None) -> list[Point]:
 def measure_point(first: Point, point: Point) -> dict[str, Any]:
     """Optimizes one scene after a first one has loaded the kernels."""
     from esg.dynamics.search import batched
-    from esg.dynamics.search.search import optimize
+    from esg.dynamics.strategies import optimize
 
     optimize(first.doc, seed=0)
     if point.candidates:
@@ -224,7 +225,7 @@ def on_gpu(
 def _batch(point: Point, device: str, processes: int, seeds: int = BATCH) -> dict[str, Any]:
     import warp as wp
 
-    from esg.dynamics.fleet.fleet import optimize_many
+    from esg.dynamics.fleet.many import optimize_many
     from esg.dynamics.search import batched
 
     usual, n = batched.STARTS, 1 if point.candidates else seeds

@@ -22,7 +22,9 @@ from esg.store.ingesting import ingest
 from esg.store.tables import arrow_schema, to_table, write_part
 
 SCENES, EVENTS, RUNS = 100_000, 10, 40
-STAGES = ("draft", "resolve", "layout", "optimize", "compile", "replay", "judge", "record")
+STAGES = (
+    "draft", "resolve", "cast", "layout", "optimize", "compile", "replay", "judge", "record",
+)  # fmt: skip
 VIEWS = (
     "bench_summary", "bench_history", "scene_outcomes", "event_timings", "constraint_errors",
     "engine_transfer", "cost_per_stage", "coverage_gaps",
@@ -83,8 +85,10 @@ def make(folder: Path) -> None:
             "score_lenient": rng.random(2 * SCENES),
         },
         "timings": {
-            **common(8), "stage": np.tile(STAGES, SCENES), "stage_index": np.tile(range(8), SCENES),
-            "seconds": rng.random(8 * SCENES), "cached": rng.random(8 * SCENES) < 0.3,
+            **common(len(STAGES)), "stage": np.tile(STAGES, SCENES),
+            "stage_index": np.tile(range(len(STAGES)), SCENES),
+            "seconds": rng.random(len(STAGES) * SCENES),
+            "cached": rng.random(len(STAGES) * SCENES) < 0.3,
         },
         "coverage": {
             **common(8), "item_index": np.tile(range(8), SCENES),

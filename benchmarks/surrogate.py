@@ -24,7 +24,7 @@ import numpy as np
 from benchmarks.engines import Case, balls, car_bin_table
 from esg.dynamics.gradient.differentiate import Regime, check_gradient, regimes, starts
 from esg.dynamics.plan.build import build_scene
-from esg.dynamics.plan.plan import Plan, make_plan
+from esg.dynamics.plan.planner import Plan, make_plan
 from esg.engines import get_engine
 from esg.engines.program import Program, SetVelocity, batch_programs
 from esg.engines.scene import Body, Rollout, Shape, SimScene, Variation

@@ -12,13 +12,22 @@ from importlib import metadata
 from pathlib import Path
 
 _ROOT = Path(__file__).parent
-_COMMON = ("graph", "units.py", "untyped.py", "outcomes.py", "__init__.py")
+_COMMON = ("graph", "units.py", "thresholds.py", "untyped.py", "outcomes.py", "__init__.py")
 _SIMULATION = ("engines", "dynamics")
 
 SOURCES: dict[str, tuple[str, ...]] = {
     "draft": ("draft",),
-    "resolve": ("assets", "dynamics"),
-    "layout": ("layout", "dynamics", "assets"),
+    "resolve": ("assets",),
+    "cast": (
+        "dynamics/__init__.py",
+        "dynamics/story",
+        "dynamics/choreography",
+        "dynamics/casting",
+        "engines/scene.py",
+        "layout/problem",
+        "assets",
+    ),
+    "layout": ("layout", "assets"),
     "optimize": (*_SIMULATION, "layout"),
     "compile": ("compile", "engines", "dynamics", "assets", "metrics"),
     "replay": ("compile", "engines"),
@@ -30,6 +39,7 @@ SOURCES: dict[str, tuple[str, ...]] = {
 LIBRARIES: dict[str, tuple[str, ...]] = {
     "draft": ("spacy",),
     "resolve": ("trimesh", "onnxruntime"),
+    "cast": ("trimesh", "onnxruntime"),
     "layout": ("warp-lang",),
     "optimize": ("newton", "warp-lang"),
     "compile": ("usd-core",),

@@ -1,6 +1,6 @@
-"""One scene from prompt to recorded result: eight stages, each cached by content.
+"""One scene from prompt to recorded result: nine stages, each cached by content.
 
-    draft -> resolve -> layout -> optimize -> compile -> replay -> judge -> record
+    draft -> resolve -> cast -> layout -> optimize -> compile -> replay -> judge -> record
 
 A stage's result is a folder in the artifact store under a key made of its input's content, its
 configuration and the version of its code. A `SceneState` carries only keys, so that it can travel
@@ -28,7 +28,17 @@ from esg.progress import StageEvent, emit
 if TYPE_CHECKING:
     from esg.store.artifacts import ArtifactStore
 
-STAGES = ("draft", "resolve", "layout", "optimize", "compile", "replay", "judge", "record")
+STAGES = (
+    "draft",
+    "resolve",
+    "cast",
+    "layout",
+    "optimize",
+    "compile",
+    "replay",
+    "judge",
+    "record",
+)
 
 _PASSING = {
     errno.EAGAIN,
@@ -246,7 +256,7 @@ def finished_event(state: SceneState) -> StageEvent:
 
 def _quiet_libraries(stage: str) -> None:
     """Initializes warp without its banner before a stage does so with it."""
-    if stage not in ("draft", "resolve"):
+    if stage not in ("draft", "resolve", "cast"):
         from esg.engines.newton import quiet_warp
 
         quiet_warp()

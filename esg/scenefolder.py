@@ -14,10 +14,10 @@ import time
 
 from esg.files import explained, refused
 from esg.outcomes import UserError
-from esg.pipeline import SceneState
+from esg.pipeline import STAGES, SceneState
 from esg.stages import DOCUMENT, ROLLOUT
 
-_DOCUMENT_STAGES = ("draft", "resolve", "layout", "optimize")
+_DOCUMENT_STAGES = ("draft", "resolve", "cast", "layout", "optimize")
 _MARKS = ("prompt.txt", "log.jsonl")
 """Files that tell a scene folder from a folder of the user's."""
 _ATTEMPTS = 20
@@ -126,7 +126,8 @@ def _fill(state: SceneState, folder: Path) -> None:
         if stage in state.artifacts:
             _copy(state.artifact(stage), folder)
     if "replay" in state.artifacts:
-        shutil.copyfile(state.artifact("replay") / "replay.json", stages / "6-replay.json")
+        number = STAGES.index("replay") + 1
+        shutil.copyfile(state.artifact("replay") / "replay.json", stages / f"{number}-replay.json")
         shutil.copyfile(state.artifact("replay") / ROLLOUT, folder / ROLLOUT)
     with (folder / "log.jsonl").open("w", encoding="utf-8") as log:
         for entry in state.log:

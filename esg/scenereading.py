@@ -95,14 +95,14 @@ def read_object(path: Path) -> dict[str, Any]:
 
 
 def read_document(path: Path) -> dict[str, Any]:
-    """A scene graph (`esg.json`) as JSON; {} if there is none.
+    """A scene graph (`esg.json`) as JSON, its casting applied; {} if there is none.
 
     Raises:
         UserError: If it does not fit the schema.
     """
     if absent(path):
         return {}
-    from esg.graph import canonical_json
+    from esg.graph import canonical_json, effective
     from esg.graph.files import read_json
     from esg.graph.parsing import parse
     from esg.graph.violations import Findings
@@ -116,7 +116,7 @@ def read_document(path: Path) -> dict[str, Any]:
         if more:
             what += f", and {more} more; esg check lists them"
         raise damaged(path, what)
-    return json.loads(canonical_json(doc))
+    return json.loads(canonical_json(effective(doc)))
 
 
 def read_metrics(path: Path) -> dict[str, Any]:

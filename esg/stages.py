@@ -136,20 +136,23 @@ def _draft(state: SceneState, folder: Path) -> None:
 
 def _resolve(state: SceneState, folder: Path) -> None:
     from esg.assets import resolve
-    from esg.dynamics import fit_assets
 
-    write_doc(fit_assets(resolve(load_doc(state, "draft"), seed=state.request.seed)), folder)
+    write_doc(resolve(load_doc(state, "draft"), seed=state.request.seed), folder)
+
+
+def _cast(state: SceneState, folder: Path) -> None:
+    from esg.dynamics import cast
+
+    write_doc(cast(load_doc(state, "resolve"), seed=state.request.seed), folder)
 
 
 def _layout(state: SceneState, folder: Path) -> None:
-    from esg.dynamics import start_hints
-    from esg.layout import solve
+    from esg.layout import solve, stored_hints
 
-    doc = load_doc(state, "resolve")
-    seed = state.request.seed
-    planned = state.request.choreographed and doc.timeline_system is not None
-    hints = start_hints(doc, seed=seed) if planned else None
-    write_doc(solve(doc, seed=seed, hints=hints), folder)
+    doc = load_doc(state, "cast")
+    told = doc.choreography if state.request.choreographed else None
+    hints = None if told is None else stored_hints(told)
+    write_doc(solve(doc, seed=state.request.seed, hints=hints), folder)
 
 
 def _optimize(state: SceneState, folder: Path) -> None:
@@ -292,7 +295,8 @@ def _write_json(value: Any, path: Path) -> None:
 SPECS: dict[str, Spec] = {
     "draft": Spec(_draft, (), ("prompt", "seed", "drafter")),
     "resolve": Spec(_resolve, ("draft",), ("seed",)),
-    "layout": Spec(_layout, ("resolve",), ("seed", "choreographed")),
+    "cast": Spec(_cast, ("resolve",), ("seed",)),
+    "layout": Spec(_layout, ("cast",), ("seed", "choreographed")),
     "optimize": Spec(
         _optimize, ("layout",), ("seed", "strategy", "device", "close_loop", "collision")
     ),

@@ -11,8 +11,9 @@ import numpy as np
 
 from esg.assets import resolve
 from esg.draft import draft
-from esg.dynamics import build_scene, fit_assets, start_hints
-from esg.dynamics.plan.plan import Plan, make_plan
+from esg.dynamics import build_scene, start_hints
+from esg.dynamics.casting import fitted
+from esg.dynamics.plan.planner import Plan, make_plan
 from esg.dynamics.search.panel import REFERENCE_DT_S, Panel
 from esg.engines.base import VERIFY_DT_S, get_engine
 from esg.engines.program import batch_programs
@@ -36,7 +37,7 @@ class Case:
 
 def case(scene: SuiteScene, seed: int) -> Case:
     """Drafts, resolves and lays out one scene."""
-    doc = fit_assets(resolve(draft(scene.prompt, seed=seed), seed=seed))
+    doc = fitted(resolve(draft(scene.prompt, seed=seed), seed=seed))
     doc = solve(doc, seed=seed, hints=start_hints(doc, seed=seed))
     return Case(scene, doc, make_plan(doc, build_scene(doc), seed=seed))
 

@@ -95,7 +95,7 @@ def _search_together(job: BatchJob, states: Sequence[SceneState]) -> dict[int, f
     Returns:
         Seconds of every scene that was searched, by position: its share of the launches.
     """
-    from esg.dynamics.fleet.fleet import STRATEGIES
+    from esg.dynamics.fleet import STRATEGIES
     from esg.stages import load_doc, write_doc
 
     if job.spec.strategy not in STRATEGIES:
@@ -124,7 +124,7 @@ def _search_many(
     job: BatchJob, docs: Sequence[EsgDocument], seeds: Sequence[int]
 ) -> list[EsgDocument | None]:
     """`optimize_many`; what fails together (a broken scene, full memory) is tried in halves."""
-    from esg.dynamics.fleet.fleet import optimize_many
+    from esg.dynamics.fleet import optimize_many
     from esg.engines.newton import quiet_warp
 
     quiet_warp()

@@ -26,13 +26,13 @@ def draft(prompt: str, *, seed: int = 0, drafter: str = "rules") -> EsgDocument:
         UserError: If the prompt cannot be drafted, with what to change.
     """
     if drafter == "rules":
-        from esg.draft.rules import draft_rules
+        from esg.draft.rules import draft_rules as run
+    elif drafter == "llm":
+        from esg.draft.llm.drafter import draft_llm as run
+    else:
+        from esg.outcomes import UserError
 
-        return draft_rules(prompt, seed=seed)
-    if drafter == "llm":
-        from esg.draft.llm.drafter import draft_llm
+        raise UserError(f"Unknown drafter {drafter!r}; use one of {', '.join(DRAFTERS)}.")
+    from esg.draft.said import recorded
 
-        return draft_llm(prompt, seed=seed)
-    from esg.outcomes import UserError
-
-    raise UserError(f"Unknown drafter {drafter!r}; use one of {', '.join(DRAFTERS)}.")
+    return recorded(run(prompt, seed=seed))

@@ -1,4 +1,4 @@
-"""Stage 4: control program, theta, event losses and the search that makes events happen."""
+"""Stages cast and optimize: the bodies of a story, and the search that makes its events happen."""
 
 from __future__ import annotations
 
@@ -12,26 +12,23 @@ if TYPE_CHECKING:
 
 def build_scene(doc: EsgDocument) -> SimScene:
     """The physical scene of a laid-out document, in SI (esg.dynamics.plan.build)."""
-    from esg.dynamics.plan.build import build_scene as run
+    from esg.dynamics.plan import build_scene as run
 
     return run(doc)
 
 
-def fit_assets(doc: EsgDocument) -> EsgDocument:
-    """Assets adapted to what the timeline needs, as far as the prompt leaves them open.
+def cast(doc: EsgDocument, *, seed: int = 0) -> EsgDocument:
+    """Fills `casting` and `choreography`: bodies that the timeline needs (esg.dynamics.casting)."""
+    from esg.dynamics.casting import cast as run
 
-    Part of stage 2 (esg.dynamics.casting.casting).
-    """
-    from esg.dynamics.casting.casting import fit_assets as run
-
-    return run(doc)
+    return run(doc, seed=seed)
 
 
 def start_hints(doc: EsgDocument, *, seed: int = 0) -> StartHints:
-    """Start constellations of the timeline's participants (esg.dynamics.choreography)."""
-    from esg.dynamics.choreography.choreography import start_hints as run
+    """Start constellations of the timeline's participants; told with `seed` if not cast yet."""
+    from esg.dynamics.choreography import choreography_of
 
-    return run(doc, seed=seed)
+    return choreography_of(doc, seed=seed).hints
 
 
 def optimize(
@@ -43,8 +40,8 @@ def optimize(
     rounds_closed: int = 0,
     collision: str = "exact",
 ) -> EsgDocument:
-    """Fills `dynamics_result` (esg.dynamics.search.search)."""
-    from esg.dynamics.search.search import optimize as run
+    """Fills `dynamics_result` (esg.dynamics.strategies)."""
+    from esg.dynamics.strategies import optimize as run
 
     return run(
         doc,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from esg.graph.canonical import canonical_json, document_hash
+from esg.graph.casting import effective
 from esg.graph.files import CheckReport, check_file, load_document
 from esg.graph.models import EsgDocument
 from esg.graph.verifier import verify
@@ -16,6 +17,7 @@ __all__ = [
     "canonical_json",
     "check_file",
     "document_hash",
+    "effective",
     "load_document",
     "verify",
 ]

@@ -6,6 +6,7 @@ import enum
 import hashlib
 import json
 from typing import Any
+import zlib
 
 from esg.graph.models import EsgDocument
 from esg.untyped import is_array, is_object
@@ -56,6 +57,14 @@ def canonical_json(doc: EsgDocument, *, indent: int | None = None) -> bytes:
         indent=indent,
     )
     return text.encode("utf-8")
+
+
+def entropy(doc: EsgDocument) -> int:
+    """A number of 32 bits that differs from scene to scene: stirred into the seed of every draw.
+
+    It is the checksum of the prompt, which no stage changes.
+    """
+    return zlib.crc32(doc.scene_definition.original_description.encode())
 
 
 def document_hash(doc: EsgDocument) -> str:

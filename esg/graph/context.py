@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import defaultdict
 from typing import Any
 
+from esg.graph.casting import effective
 from esg.graph.models import AssetRequirement, EsgDocument, Node, TimelineNode, Vec3
 from esg.graph.parsing import Parsed
 from esg.graph.violations import Findings
@@ -30,6 +31,8 @@ class Context:
         self.found = found
         self.graph = doc.spatial_relation_graph
         self.nodes = self.graph.nodes
+        self.configurations = effective(doc).asset_configurations
+        """What is played: with what casting chose."""
         self.node_names = parsed.declared("spatial_relation_graph", "nodes")
         self.region_names = parsed.declared("spatial_relation_graph", "semantic_regions")
         self.asset_names = parsed.declared("asset_requirement")
@@ -63,7 +66,7 @@ class Context:
         node = self.nodes.get(name)
         if node is None:
             return None
-        configuration = self.doc.asset_configurations.get(node.asset_id)
+        configuration = self.configurations.get(node.asset_id)
         if configuration is not None:
             return configuration.dimensions_cm
         requirement = self.requirement(node)

@@ -133,12 +133,26 @@ class SceneParameters(Model):
     """False when the prompt says "only" or "no other objects"."""
 
 
+class Wording(Model):
+    """What the prompt's words say of its physics beside objects, relations and events.
+
+    Recorded by whoever reads the prompt (`esg.draft.said`), so that no later stage reads it again.
+    """
+
+    surface: Literal["ice"] | None = None
+    """What the scene's ground is said to be: on the ice, a frozen lake."""
+    keeps_to_ground: Literal[True] | None = None
+    """Something is said to roll, slide, or be pushed: what moves on the ground is not thrown."""
+
+
 class SceneDefinition(Model):
     scene_id: str
     coordinate_system: CoordinateSystem = CoordinateSystem()
     original_description: str
     expanded_description: str = ""
     scene_parameters: SceneParameters
+    wording: Wording | None = None
+    """None where the words say nothing of the kind."""
 
 
 class AssetRequirement(Model):
@@ -277,6 +291,8 @@ class Node(Model):
     )
     is_static: bool = False
     """Fixed in the world although its asset is movable (a nailed-down table)."""
+    size_is_stated: Literal[True] | None = None
+    """Its words state a size without a number (a tall lamp): it is not made smaller."""
     layout_preference: LayoutPreference = LayoutPreference()
 
 
@@ -420,6 +436,84 @@ class Coverage(Model):
     warnings: tuple[str, ...] = ()
 
 
+class AssetChoice(Model):
+    """The configuration that takes the place of an asset's own, and why."""
+
+    configuration: AssetConfiguration
+    reasons: tuple[str, ...] = ()
+
+
+class NodeChoice(Model):
+    """Whether a node stands fixed in the world, in place of what the draft says, and why."""
+
+    is_static: bool
+    reasons: tuple[str, ...] = ()
+
+
+class ActorChoice(Model):
+    """How an actor may be set going (thrown instead of rolled), and why."""
+
+    force_direction: ForceDirection
+    reasons: tuple[str, ...] = ()
+
+
+class SegmentChoice(Model):
+    """The parameters that take the place of a motion segment's own, and why."""
+
+    params: MotionParams
+    reasons: tuple[str, ...] = ()
+
+
+class Casting(Model):
+    """Stage cast: what the prompt leaves open, chosen so that its events are possible.
+
+    Draft and resolve stay as they were written; `esg.graph.effective` applies these choices.
+    """
+
+    assets: dict[str, AssetChoice] = {}
+    nodes: dict[str, NodeChoice] = {}
+    actors: dict[str, ActorChoice] = {}
+    segments: dict[str, SegmentChoice] = {}
+    """By id of the timeline's edge."""
+
+
+class PlannedStart(Model):
+    """Where one node, or "group:NAME", starts in its constellation's frame."""
+
+    node: str
+    x_cm: float
+    y_cm: float
+    yaw_deg: float | None = None
+    """None leaves the heading to the layout."""
+    z_cm: float | None = None
+    """Height above the ground of what starts in the air; None rests it on its support."""
+
+
+class PlannedPath(Model):
+    """A swept path that only its participants may touch at the start."""
+
+    points_cm: tuple[tuple[float, float], ...]
+    half_width_cm: float
+    participants: tuple[str, ...]
+
+
+class PlannedConstellation(Model):
+    """Bodies whose relative start a motion asks for (`esg.layout.problem.hints`)."""
+
+    placements: tuple[PlannedStart, ...]
+    corridors: tuple[PlannedPath, ...] = ()
+    anchor: str | None = None
+    yaw_deg: float | None = None
+
+
+class Choreography(Model):
+    """The story as told in closed form before anything is simulated."""
+
+    constellations: tuple[PlannedConstellation, ...] = ()
+    nominal: dict[str, float] = {}
+    """Nominal parameters, SI: "edge id/speed", "event id/event_time"."""
+
+
 class Pose(Model):
     """Pose of an asset's local frame: R = Rz(yaw) Ry(pitch) Rx(roll)."""
 
@@ -529,7 +623,7 @@ class DynamicsResult(Model):
 class Provenance(Model):
     """Which stage, version and seed wrote which part."""
 
-    stage: Literal["draft", "resolve", "layout", "optimize", "compile"]
+    stage: Literal["draft", "resolve", "cast", "layout", "optimize", "compile"]
     version: str
     seed: int
     config: dict[str, Any] = {}
@@ -546,6 +640,10 @@ class EsgDocument(Model):
     spatial_relation_graph: SpatialRelationGraph = SpatialRelationGraph()
     timeline_system: TimelineSystem | None = None
     coverage: Coverage = Coverage()
+    casting: Casting | None = None
+    """None where nothing had to be chosen."""
+    choreography: Choreography | None = None
+    """None for what has no timeline."""
     layout_result: LayoutResult | None = None
     dynamics_result: DynamicsResult | None = None
     provenance: tuple[Provenance, ...] = ()

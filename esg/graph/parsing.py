@@ -308,6 +308,7 @@ _COLLECTIONS = {
     "nodes", "edges", "binary_relations", "multi_relations", "constraints", "proxies", "regions",
     "support_surfaces", "participants", "subjects", "targets", "items", "warnings", "provenance",
     "parameters", "relaxed", "relations", "runners_up", "history", "vertices_cm", "primitives",
+    "reasons", "constellations", "placements", "corridors",
 }  # fmt: skip
 
 

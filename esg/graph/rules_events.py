@@ -212,7 +212,7 @@ def _named_region(ctx: Context, where: str, text: str) -> None:
         )
         return
     node = ctx.nodes.get(owner)
-    configuration = ctx.doc.asset_configurations.get(node.asset_id) if node else None
+    configuration = ctx.configurations.get(node.asset_id) if node else None
     if configuration is None or not ctx.parsed.intact("asset_configurations"):
         return
     names = [r.name for r in configuration.regions]

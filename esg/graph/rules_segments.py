@@ -55,7 +55,7 @@ def check(ctx: Context) -> None:
         where = pointer(*_EDGES, i)
         _references(ctx, timeline, where, edge)
         _role(ctx, timeline, where, edge, events)
-        _parameters(ctx, timeline, where, edge, events)
+        check_parameters(ctx, timeline, where, edge, events)
 
 
 def _references(ctx: Context, timeline: TimelineSystem, where: str, edge: TimelineEdge) -> None:
@@ -205,7 +205,7 @@ def _plural(ctx: Context, name: str) -> set[str]:
     return {other for other, n in ctx.nodes.items() if n.group == node.group and other != name}
 
 
-def _parameters(
+def check_parameters(
     ctx: Context,
     timeline: TimelineSystem,
     where: str,

@@ -74,18 +74,33 @@ def _configurations(ctx: Context) -> None:
                 f"Configuration {name!r} belongs to no asset requirement.",
                 f"Use one of {listing(ctx.asset_names)}, or remove it.",
             )
-        _physics(ctx, where, name, asset, name in structural)
-        _geometry(ctx, where, name, asset)
-        path = PurePosixPath(asset.mesh_path)
-        unsafe = path.is_absolute() or ".." in path.parts or "\\" in asset.mesh_path
-        if unsafe or ":" in asset.mesh_path:
-            ctx.add(
-                "CONFIG_PATH",
-                where + "/mesh_path",
-                asset.mesh_path,
-                f"Mesh path {asset.mesh_path[:80]!r} leaves the scene folder.",
-                "Use a relative path such as meshes/sedan.glb.",
-            )
+        check_configuration(ctx, where, name, asset, structural=name in structural)
+
+
+def check_configuration(
+    ctx: Context, where: str, name: str, asset: AssetConfiguration, *, structural: bool
+) -> None:
+    """Adds violations of one configuration, wherever it stands.
+
+    Args:
+        ctx: What rules see.
+        where: Pointer of the configuration.
+        name: Its asset.
+        asset: The configuration.
+        structural: Whether something structural is made of it.
+    """
+    _physics(ctx, where, name, asset, structural)
+    _geometry(ctx, where, name, asset)
+    path = PurePosixPath(asset.mesh_path)
+    unsafe = path.is_absolute() or ".." in path.parts or "\\" in asset.mesh_path
+    if unsafe or ":" in asset.mesh_path:
+        ctx.add(
+            "CONFIG_PATH",
+            where + "/mesh_path",
+            asset.mesh_path,
+            f"Mesh path {asset.mesh_path[:80]!r} leaves the scene folder.",
+            "Use a relative path such as meshes/sedan.glb.",
+        )
 
 
 def _physics(

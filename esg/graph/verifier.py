@@ -10,6 +10,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from esg.graph import (
+    rules_casting,
     rules_events,
     rules_relations,
     rules_scene,
@@ -52,6 +53,7 @@ def verify(doc: EsgDocument | Mapping[str, Any]) -> tuple[Violation, ...]:
             rules_events,
             rules_segments,
             rules_stages,
+            rules_casting,
         ):
             rules.check(ctx)
     return tuple(found.items)

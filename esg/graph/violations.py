@@ -177,6 +177,7 @@ RULES: dict[str, str] = {
     "CONFIG_GEOMETRY": "Proxies, scales, regions and surfaces have positive sizes.",
     "CONFIG_NO_PROXY": "A movable asset has a collision proxy.",
     "CONFIG_PATH": "Mesh paths are relative and stay inside the scene folder.",
+    "CASTING_UNKNOWN": "Casting and choreography name only what the document has.",
     "QUATERNION": "Quaternions have unit length.",
     "POSE_MISSING": "Every node has a pose.",
     "POSE_UNKNOWN": "Every pose belongs to a node.",

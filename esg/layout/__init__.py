@@ -6,7 +6,13 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from esg.layout.config import LayoutConfig
-    from esg.layout.problem.hints import Constellation, Corridor, Placement, StartHints
+    from esg.layout.problem.hints import (
+        Constellation,
+        Corridor,
+        Placement,
+        StartHints,
+        stored_hints,
+    )
     from esg.layout.solver import solve, solve_batch
 
 __all__ = [
@@ -17,10 +23,13 @@ __all__ = [
     "StartHints",
     "solve",
     "solve_batch",
+    "stored_hints",
 ]
 
 _HOME = {
-    **dict.fromkeys(("Constellation", "Corridor", "Placement", "StartHints"), "problem.hints"),
+    **dict.fromkeys(
+        ("Constellation", "Corridor", "Placement", "StartHints", "stored_hints"), "problem.hints"
+    ),
     "LayoutConfig": "config",
     **dict.fromkeys(("solve", "solve_batch"), "solver"),
 }

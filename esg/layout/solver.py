@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from esg.graph.casting import effective
 from esg.graph.models import EsgDocument, LayoutResult, Pose, Provenance
 from esg.layout.clock import Clock
 from esg.layout.config import LayoutConfig
@@ -90,12 +91,13 @@ def solve_batch(
             )
     if not docs:
         return []
+    played = [effective(doc) for doc in docs]
     if config.processes > 1 and len(docs) > 1:
         from esg.layout.farm import solve_in_processes
 
-        results = solve_in_processes(docs, seeds, plans, config, clock)
+        results = solve_in_processes(played, seeds, plans, config, clock)
     else:
-        steps = solve_steps(docs, seeds, plans, config, clock)
+        steps = solve_steps(played, seeds, plans, config, clock)
         reply: Any = None
         try:
             while True:

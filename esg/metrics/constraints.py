@@ -9,11 +9,14 @@ import math
 import numpy as np
 
 from esg.metrics.binding import Binding
-from esg.metrics.detection import MOVING_MPS, STOPPED_MPS, Found
+from esg.metrics.detection import (
+    Found,
+)
 from esg.metrics.events_space import surface_distance
 from esg.metrics.models import ConstraintVerdict, SuiteConstraint, SuiteEvent
 from esg.metrics.quantities import BASE_UNIT, DIMENSION_OF, score
 from esg.metrics.replay import Replay
+from esg.thresholds import MOVING_MPS, STOPPED_MPS
 from esg.units import quat_rotate
 
 START = "start"

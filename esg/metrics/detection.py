@@ -1,4 +1,4 @@
-"""What event detectors share: thresholds of the suite format, query and result."""
+"""What event detectors share: query and result (thresholds: `esg.thresholds`)."""
 
 from __future__ import annotations
 
@@ -11,21 +11,6 @@ from numpy.typing import NDArray
 from esg.metrics.binding import Binding
 from esg.metrics.models import SuiteEvent
 from esg.metrics.replay import Hit, Replay
-
-T_MAX_S = 15.0
-MAX_CONTACT_DEPTH_M = 0.05
-MIN_IMPULSE_NS = 0.1
-RECHECK_AFTER_S = 0.2
-MAX_RECHECK_DEPTH_M = 0.02
-MIN_EVENT_GAP_S = 0.1
-MOVING_MPS = 0.2
-MOVING_FOR_S = 0.5
-STOPPED_MPS = 0.1
-STOPPED_FOR_S = 0.2
-TURN_TOLERANCE_DEG = 20.0
-ENTERED_FOR_S = 0.2
-TOPPLED_DEG = 45.0
-REACH_M = 0.3
 
 
 @dataclass(frozen=True)

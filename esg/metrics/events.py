@@ -16,13 +16,6 @@ from numpy.typing import NDArray
 from esg.engines.scene import GROUND
 from esg.metrics.binding import Binding
 from esg.metrics.detection import (
-    MAX_CONTACT_DEPTH_M,
-    MAX_RECHECK_DEPTH_M,
-    MIN_EVENT_GAP_S,
-    MIN_IMPULSE_NS,
-    MOVING_MPS,
-    RECHECK_AFTER_S,
-    T_MAX_S,
     Found,
     Query,
 )
@@ -30,6 +23,15 @@ from esg.metrics.events_motion import brakes, moves, stops, turns
 from esg.metrics.events_space import enters, falls, reaches, topples
 from esg.metrics.geometry import first_pass, gets_ahead
 from esg.metrics.replay import GROUND_INDEX, Hit, Replay
+from esg.thresholds import (
+    MAX_CONTACT_DEPTH_M,
+    MAX_RECHECK_DEPTH_M,
+    MIN_EVENT_GAP_S,
+    MIN_IMPULSE_NS,
+    MOVING_MPS,
+    RECHECK_AFTER_S,
+    T_MAX_S,
+)
 
 
 def detect(replay: Replay, query: Query) -> Found:

@@ -9,17 +9,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.metrics.detection import (
-    MOVING_FOR_S,
-    MOVING_MPS,
-    STOPPED_FOR_S,
-    STOPPED_MPS,
-    TURN_TOLERANCE_DEG,
     Found,
     Query,
     duration_of,
     runs,
 )
 from esg.metrics.replay import Replay
+from esg.thresholds import (
+    BRAKED_TO,
+    MOVING_FOR_S,
+    MOVING_MPS,
+    STOPPED_FOR_S,
+    STOPPED_MPS,
+    TURN_TOLERANCE_DEG,
+)
 
 
 def moves(replay: Replay, q: Query) -> Iterator[Found]:
@@ -65,8 +68,8 @@ def brakes(replay: Replay, q: Query) -> Iterator[Found]:
             later = replay.speed[begin:stop, i]
             slowest = float(later.min())
             measured = {"speed_before_mps": before, "speed_min_mps": slowest}
-            if slowest <= 0.5 * before:
-                halved = begin + int(np.argmax(later <= 0.5 * before))
+            if slowest <= BRAKED_TO * before:
+                halved = begin + int(np.argmax(later <= BRAKED_TO * before))
                 measured["halved_at_s"] = float(replay.time[halved])
                 yield Found(t, (i,), measured=measured)
                 break

@@ -10,10 +10,6 @@ from numpy.typing import NDArray
 
 from esg.metrics.binding import Binding
 from esg.metrics.detection import (
-    ENTERED_FOR_S,
-    MOVING_MPS,
-    REACH_M,
-    TOPPLED_DEG,
     Found,
     Query,
     duration_of,
@@ -22,6 +18,7 @@ from esg.metrics.detection import (
 from esg.metrics.geometry import Core, compound_distance
 from esg.metrics.regions import container_regions
 from esg.metrics.replay import Replay
+from esg.thresholds import ENTERED_FOR_S, FALLEN_BY, MOVING_MPS, REACH_M, TOPPLED_DEG
 from esg.units import quat_rotate
 
 _LOWER_M = 0.01
@@ -111,14 +108,14 @@ def falls(replay: Replay, q: Query) -> Iterator[Found]:
         level = np.maximum.accumulate(np.where(supported, z, -math.inf)[begin:])
         drop = level - z[begin:]
         height = 2.0 * replay.scene.bodies[i].half_extents[2]
-        far = np.flatnonzero(np.isfinite(drop) & (drop > 0.5 * height))
+        far = np.flatnonzero(np.isfinite(drop) & (drop > FALLEN_BY * height))
         far = far[begin + far >= replay.after(q.since)]
         if len(far):
             k = begin + int(far[0])
             yield Found(float(replay.time[k]), (i,), measured={"drop_m": float(drop.max())})
         else:
             most = float(np.max(drop, initial=0.0, where=np.isfinite(drop)))
-            yield Found(None, (i,), f"drops by {most:.2f} m (needs {0.5 * height:.2f} m)")
+            yield Found(None, (i,), f"drops by {most:.2f} m (needs {FALLEN_BY * height:.2f} m)")
 
 
 def _slid_off(

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from esg.engines.scene import SimScene
+from esg.graph.casting import effective
 from esg.graph.models import (
     EdgeEvent,
     EsgDocument,
@@ -37,6 +38,7 @@ def expectations_from_timeline(doc: EsgDocument, scene: SimScene | None = None) 
         doc: A document with or without a timeline (without: no events).
         scene: Restricts participants to bodies and regions that exist; None takes all.
     """
+    doc = effective(doc)
     definition = doc.scene_definition
     events: list[SuiteEvent] = []
     constraints: list[SuiteConstraint] = []

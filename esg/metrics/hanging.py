@@ -9,10 +9,8 @@ from esg.metrics.binding import Binding
 from esg.metrics.geometry import Core, compound_distance
 from esg.metrics.models import SuiteScene
 from esg.metrics.replay import Replay
+from esg.thresholds import HANGS_M, MEETS_M
 
-DROP_M = 0.02
-"""What could sink so far at the start without meeting anything hangs."""
-MEETS_M = 0.001
 WATCH_S = 0.25
 """It falls if it does sink so far within this time (free fall: 31 cm), unless set in motion."""
 BELOW_M = 0.1
@@ -33,7 +31,7 @@ def hanging(
     rests = at_rest(replay.scene)
     out: list[str] = []
     for i, body in enumerate(replay.scene.bodies):
-        if body.static or not body.collides or rests[i] or not sunk[i] > DROP_M:
+        if body.static or not body.collides or rests[i] or not sunk[i] > HANGS_M:
             continue
         if any(c.time <= WATCH_S for c in replay.motions(i)):
             continue
@@ -43,9 +41,9 @@ def hanging(
 
 
 def _is_free_below(replay: Replay, i: int) -> bool:
-    if replay.lowest(i, 0) < DROP_M:
+    if replay.lowest(i, 0) < HANGS_M:
         return False
-    lower = tuple(Core(c.points - (0.0, 0.0, DROP_M), c.radius) for c in replay.placed(i, 0))
+    lower = tuple(Core(c.points - (0.0, 0.0, HANGS_M), c.radius) for c in replay.placed(i, 0))
     return all(
         compound_distance(lower, replay.placed(j, 0), cutoff=0.0) >= -MEETS_M
         for j in range(len(replay.scene.bodies))

@@ -20,20 +20,18 @@ from esg.metrics.geometry import (
     place,
     region_core,
 )
+from esg.thresholds import (
+    BLOW_FACTOR,
+    BLOW_IMPULSE_NS,
+    BLOW_WINDOW_S,
+    HIT_GAP_S,
+    IMPULSE_FRAMES,
+    IMPULSE_WINDOW_S,
+)
 from esg.units import quat_rotate, yaw_from_quat
 
 Floats = NDArray[np.float64]
 GROUND_INDEX = -1
-HIT_GAP_S = 0.05
-"""Contact of a pair that pauses for longer than this starts a new hit."""
-BLOW_FACTOR = 5.0
-BLOW_WINDOW_S = 0.1
-"""A blow on a pair at rest against each other starts a new hit too: an impulse this many times
-larger than any in the time before."""
-BLOW_IMPULSE_NS = 0.1
-IMPULSE_WINDOW_S = 0.05
-IMPULSE_FRAMES = 3
-"""The impulse of a hit is accumulated over this time or this many frames, whichever is longer."""
 
 
 @dataclass(frozen=True)

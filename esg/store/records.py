@@ -120,7 +120,7 @@ def make_record(
         reason: Why.
         level: Difficulty label of the suite.
         drafter, device, proof: How it was made and proven.
-        documents: Canonical JSON of the ESG by stage (draft, resolve, layout, optimize).
+        documents: Canonical JSON of the ESG by stage (draft, resolve, cast, layout, optimize).
         artifacts: Artifact keys by stage.
         verdicts: Verdicts by engine; the run's engine fills the scene's own columns.
         rollouts: Rollouts of one world by engine.
@@ -241,7 +241,7 @@ def record_of(
     request = state.request
     documents = {
         stage: (state.artifact(stage) / "esg.json").read_bytes()
-        for stage in ("draft", "resolve", "layout", "optimize")
+        for stage in ("draft", "resolve", "cast", "layout", "optimize")
         if stage in state.artifacts
     }
     if request.suite_scene:

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     from esg.store.records import SceneRecord
 
-FORMAT_VERSION = "1.1.0"
+FORMAT_VERSION = "1.2.0"
 ROW_GROUP_SCENES = 100
 COMPRESSION = "zstd"
 
@@ -50,8 +50,9 @@ COLUMNS: dict[str, dict[str, str]] = {
         "verified": "bool", "slr": "bool", "max_penetration_m": "float64", "n_events": "int32",
         "n_completed": "int32", "ppa": "float64", "ppa_strict": "float64",
         "ppa_lenient": "float64", "seconds": "float64", "cached_stages": "int32",
-        "esg_draft": "string", "esg_resolve": "string", "esg_layout": "string",
-        "esg_optimize": "string", "esg_sha256": "string", "artifacts": "string",
+        "esg_draft": "string", "esg_resolve": "string", "esg_cast": "string",
+        "esg_layout": "string", "esg_optimize": "string", "esg_sha256": "string",
+        "artifacts": "string",
         "rule": "string", "pair": "string", "changed": "string", "parameters": "string",
         "expectation": "string", "manifest": "string",
     },
@@ -88,9 +89,9 @@ COLUMNS: dict[str, dict[str, str]] = {
 """Column name to type of every table."""
 
 ADDED_COLUMNS: dict[str, tuple[str, ...]] = {
-    "scenes": ("rule", "pair", "changed", "parameters", "expectation", "manifest"),
+    "scenes": ("rule", "pair", "changed", "parameters", "expectation", "manifest", "esg_cast"),
 }
-"""Columns that files of format 1.0 lack: they read as null."""
+"""Columns that files of an older format lack (`esg_cast` is of 1.2): they read as null."""
 
 TABLES = tuple(COLUMNS)
 

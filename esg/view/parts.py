@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from esg.engines.scene import Rollout, SimScene
+from esg.graph.casting import effective
 from esg.graph.models import EsgDocument
 from esg.units import CM_PER_M
 from esg.view.render import Part
@@ -23,6 +24,7 @@ def scene_parts(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> list[Par
     """Meshes of all bodies in their frames [m], and the ground they move over."""
     from esg.assets import build_mesh
 
+    doc = effective(doc)
     parts: list[Part] = []
     meshes: dict[str, Any] = {}
     ground = GROUND_RGB[doc.scene_definition.scene_parameters.scene_type]

@@ -25,7 +25,7 @@ from esg.stages import Spec
 from tests.metrics.test_events import CHAIN, chain
 from tests.metrics.worlds import DT
 
-STAGES = ("draft", "resolve", "layout", "optimize", "compile", "replay", "judge")
+STAGES = ("draft", "resolve", "cast", "layout", "optimize", "compile", "replay", "judge")
 _CALLS = "ESG_TEST_CALLS"
 """Environment variable with a file that every stage run is noted in."""
 
@@ -148,6 +148,7 @@ def write_mcap(path: Path, *_: object) -> None:
 _RUNS = {
     "draft": _draft,
     "resolve": _resolve,
+    "cast": _document,
     "layout": _layout,
     "optimize": _document,
     "compile": _compile,

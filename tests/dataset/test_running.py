@@ -50,7 +50,7 @@ class Fleet:
     def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
         self.launches: list[list[str]] = []
         self.options: dict[str, Any] = {}
-        monkeypatch.setattr("esg.dynamics.fleet.fleet.optimize_many", self)
+        monkeypatch.setattr("esg.dynamics.fleet.optimize_many", self)
         monkeypatch.setattr(stages, "load_doc", self.load)
         monkeypatch.setattr(stages, "write_doc", self.write)
 

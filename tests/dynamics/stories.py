@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from esg.assets import resolve
 from esg.draft import draft
-from esg.dynamics import fit_assets
+from esg.dynamics.casting import fitted
 from esg.graph.models import Actor, EsgDocument, EventConstraint, TimelineEdge, TimelineNode
 from tests.dynamics.stage import BALL, BIN, CAR, TABLE, asset, document
 
@@ -13,7 +13,7 @@ N, E = TimelineNode, TimelineEdge
 
 def cast(prompt: str, seed: int = 0) -> EsgDocument:
     """The document of a prompt with its assets resolved and fitted to its story."""
-    return fit_assets(resolve(draft(prompt, seed=seed), seed=seed))
+    return fitted(resolve(draft(prompt, seed=seed), seed=seed))
 
 
 def car_bin_table() -> EsgDocument:

@@ -818,6 +818,58 @@ def stages(m: Maker) -> None:
     m.add("REF_NAMED_REGION", (*EVENTS, 3, "region"), entering)
 
 
+def casting(m: Maker) -> None:
+    """Choices and a choreography that name what is not there, or choose what cannot be."""
+    if m.base != "finished":
+        return
+    configuration = m.raw["asset_configurations"]["bin"]
+    choices: Json = {
+        "assets": {"bin": {"configuration": configuration, "reasons": ["mass_kg: lighter"]}},
+        "nodes": {"trashbin_1": {"is_static": False}},
+        "actors": {"car_1": {"force_direction": "ANY_3D"}},
+        "segments": {"car_drive": {"params": {"speed": [300, 1500]}}},
+    }
+    told: Json = {
+        "constellations": [
+            {
+                "placements": [{"node": "car_1", "x_cm": -500.0, "y_cm": 0.0}],
+                "corridors": [
+                    {
+                        "points_cm": [[0, 0], [1, 1]],
+                        "half_width_cm": 90,
+                        "participants": ["trashbin_1"],
+                    }
+                ],
+                "anchor": "picnic_table_1",
+            }
+        ],
+        "nominal": {"car_drive/speed": 8.0},
+    }
+    cast = {**m.raw, "casting": choices, "choreography": told}
+    for part, chosen in choices.items():
+        path = ("casting", part, "ghost")
+        m.add("CASTING_UNKNOWN", path, put(cast, path, next(iter(chosen.values()))))
+    for path in (
+        ("placements", 0, "node"),
+        ("corridors", 0, "participants", 0),
+        ("anchor",),
+    ):
+        for name in ("ghost", "group:ghosts"):
+            here = ("choreography", "constellations", 0, *path)
+            m.add("CASTING_UNKNOWN", here, put(cast, here, name), note=name)
+    chosen = ("casting", "assets", "bin", "configuration")
+    m.add("CONFIG_MATERIAL", chosen, put(cast, (*chosen, "friction"), -0.1))
+    m.add("UNIT_MASS", chosen, put(cast, (*chosen, "mass_kg"), -1.0), "CONFIG_MASS")
+    m.add("CONFIG_MASS", chosen, put(cast, (*chosen, "mass_kg"), 30.0))
+    m.add("CONFIG_PATH", chosen, put(cast, (*chosen, "mesh_path"), "../x.glb"))
+    segment = ("casting", "segments", "car_drive")
+    m.add("UNIT_SPEED", segment, put(cast, (*segment, "params", "speed"), [1.0, 9e5]))
+    still = without(
+        without(without(cast, ("timeline_system",)), ("dynamics_result",)), ("casting",)
+    )
+    m.add("STAGE_ORDER", ("choreography",), still, "TIMELINE_MISSING")
+
+
 GENERATORS: tuple[Callable[[Maker], None], ...] = (
     schema,
     references,
@@ -829,6 +881,7 @@ GENERATORS: tuple[Callable[[Maker], None], ...] = (
     events,
     segments,
     stages,
+    casting,
 )
 
 

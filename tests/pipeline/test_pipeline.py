@@ -157,3 +157,14 @@ def test_damaged_artifact_is_computed_again(counted: dict[str, int]) -> None:
     again = both(SceneRequest("abc"))
     assert counted["resolve"] == 2
     assert (again.artifact("resolve") / "esg.json").read_text() == "3"
+
+
+def test_every_stage_has_its_parts() -> None:
+    """What runs, what it reads from earlier stages, its code version and its task."""
+    from esg.codeversion import LIBRARIES, SOURCES
+    from tasks import stage_task
+
+    assert tuple(stages.SPECS) == tuple(SOURCES) == tuple(LIBRARIES) == pipeline.STAGES
+    for place, stage in enumerate(pipeline.STAGES):
+        assert set(stages.SPECS[stage].inputs) <= set(pipeline.STAGES[:place])
+        assert stage_task(stage).name == stage

@@ -15,6 +15,7 @@ import numpy as np
 from esg.assets.geometry.rolling import is_rolling_form, rolling, turned_size
 from esg.assets.geometry.sketch import Sketch
 from esg.assets.library.catalogue import Entry, build_sketch
+from esg.graph.casting import effective
 from esg.graph.models import AssetConfiguration, EsgDocument
 from esg.outcomes import UserError
 
@@ -87,6 +88,7 @@ def write_meshes(doc: EsgDocument, folder: Path) -> dict[str, str]:
     Raises:
         UserError: If a file cannot be written.
     """
+    doc = effective(doc)
     hashes: dict[str, str] = {}
     for key, config in doc.asset_configurations.items():
         path = Path(folder) / config.mesh_path

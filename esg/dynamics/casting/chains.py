@@ -10,11 +10,13 @@ from __future__ import annotations
 
 import itertools
 
-from esg.dynamics.casting.toppling import hits, scaled
-from esg.dynamics.choreography.demands import FELT_NS, ROLLS_AT, passed_on
+from esg.dynamics.casting.changes import scaled
+from esg.dynamics.casting.hits import hits
+from esg.dynamics.choreography.demands import ROLLS_AT, passed_on
 from esg.dynamics.story.stagecraft import Prop, default_speed, prop, support_of
 from esg.dynamics.story.story import Story
 from esg.graph.models import AssetConfiguration, EsgDocument
+from esg.thresholds import SAFE_IMPULSE_NS
 
 LONG = 4
 """Number of hits from which on a chain of balls is long."""
@@ -54,7 +56,7 @@ def fit_chains(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]:
             out[key] = config.model_copy(update={"restitution": lively})
         if any(doc.asset_requirement[k].mass_is_prescribed for k in keys):
             continue
-        factor = FELT_NS / max(_last_impulse([prop(doc, n) for n in chain]), 1e-9)
+        factor = SAFE_IMPULSE_NS / max(_last_impulse([prop(doc, n) for n in chain]), 1e-9)
         for key in keys if factor > 1.0 else ():
             out[key] = scaled(out[key], min(factor, HEAVIEST))
     return out
@@ -72,7 +74,7 @@ def fit_sliding(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]
         follows[a] = (*follows.get(a, ()), b)
     carried = {
         b
-        for _, a, b in hits(doc, story)
+        for _, _, b in hits(doc, story)
         if not (story.is_active(b) or story.topples(b) or story.falls(b))
     }
     out: dict[str, AssetConfiguration] = {}

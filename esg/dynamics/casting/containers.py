@@ -9,12 +9,12 @@ from __future__ import annotations
 
 import math
 
+from esg.dynamics.casting.changes import resized
 from esg.dynamics.choreography.throws import fallen, is_dropped
 from esg.dynamics.story.stagecraft import support_of, top_surface
 from esg.dynamics.story.story import Story, bounds
 from esg.graph.models import (
     AssetConfiguration,
-    AssetRequirement,
     EsgDocument,
     NamedRegion,
     NodeEvent,
@@ -183,50 +183,6 @@ def _factors(
     if not doc.asset_requirement[keys[0]].dimensions_are_prescribed:
         shrink = max(grow / missing, SMALLER)
     return grow, shrink
-
-
-def resized(
-    doc: EsgDocument,
-    key: str,
-    config: AssetConfiguration,
-    factor: float,
-    kind: AssetRequirement | None = None,
-    *,
-    dimensions: tuple[float, float, float] | None = None,
-) -> AssetConfiguration:
-    """The same thing larger or smaller; its mass follows unless it is prescribed.
-
-    `dimensions` [cm] make it so long, wide and high where that kind of thing comes in such
-    proportions, else the factor must say how large.
-    """
-    from esg.assets.stage import configure
-
-    wanted = kind or doc.asset_requirement[key]
-    size = dimensions or tuple(factor * d for d in config.dimensions_cm)
-    mass = config.mass_kg if wanted.mass_is_prescribed else factor**3 * config.mass_kg
-    made = configure(
-        key,
-        wanted.model_copy(
-            update={
-                "expected_dimensions_cm": size,
-                "expected_mass_kg": mass,
-                "dimensions_are_prescribed": True,
-                "mass_is_prescribed": True,
-            }
-        ),
-    )
-    kept: dict[str, object] = {"is_movable": config.is_movable}
-    if kind is None:
-        # Feet that do not slip and the like were chosen before.
-        kept |= {"friction": config.friction, "restitution": config.restitution}
-    return made.model_copy(update=kept)
-
-
-def with_assets(doc: EsgDocument, changed: dict[str, AssetConfiguration]) -> EsgDocument:
-    """The document with some of its assets changed."""
-    if not changed:
-        return doc
-    return doc.model_copy(update={"asset_configurations": {**doc.asset_configurations, **changed}})
 
 
 def _comes_through(doc: EsgDocument, story: Story, node: TimelineNode) -> float:

@@ -1,36 +1,25 @@
-"""What falls onto its equal is to be down first: its size, and how far off the next one stands.
+"""What falls onto its equal is to be down first: where sizes are open and there is room, it grows.
 
-Two events of which one follows the other lie a tenth of a second apart. Between 45 degrees, from
-where on a body counts as toppled, and the touch of its equal at a distance of 0.95 of its height
-(72 degrees) a slab that tips over by itself takes 0.15 s sqrt(h / 1 m), one that its equal knocked
-over 0.10 s sqrt(h / 1 m) (PhysX and Rapier at 240 Hz, slabs of 0.2 to 1 m, 0.16 as thick as high,
-friction 0.4). A toy domino takes 0.02 s: where the prompt leaves sizes open and there is room, such
-a chain is built of garden dominoes.
+A toy domino takes 0.02 s from where it counts as toppled to the touch of its equal, a slab of a
+metre a tenth of a second and more (`story.slabs`): such a chain is built of garden dominoes.
 """
 
 from __future__ import annotations
 
 import math
 
-from esg.dynamics.casting.containers import resized
-from esg.dynamics.casting.toppling import hits
-from esg.dynamics.story.stagecraft import Prop, support_of, top_surface
+from esg.dynamics.casting.changes import resized
+from esg.dynamics.casting.hits import hits
+from esg.dynamics.story.slabs import BY_ITSELF_S, KNOCKED_S, ORDER_S, REACH
+from esg.dynamics.story.stagecraft import support_of, top_surface
 from esg.dynamics.story.story import Story
 from esg.graph.models import AssetConfiguration, EsgDocument, NodeEvent, TimelineNode
 from esg.layout.problem.patterns import is_domino_like
 
-BY_ITSELF_S, KNOCKED_S = 0.15, 0.10
-"""From 45 degrees to the touch of what stands at `REACH` of its height, for a slab of a metre."""
-REACH = 0.95
-"""How far off what a slab falls onto stands, over its height, if the slab is to be down first."""
-ORDER_S = 0.13
-"""Time between the two: a tenth of a second, and what another engine may take off it."""
 TALLEST_CM, LARGEST = 180.0, 2.5
 """Most height of a garden domino, and the most that other slabs grow."""
 TOUCHED = 0.35
 """Height of the first hit, over that of a slab, from which on it surely tips it over."""
-ALIKE = 0.6
-"""Least height of the lower one of two slabs, over that of the higher one, that stand in a row."""
 LIGHTEST = 0.1
 """Least share of its mass: cut of foam instead of wood."""
 TABLE = 2.0
@@ -75,18 +64,6 @@ def fit_falling(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]
                 }
             )
     return out
-
-
-def are_slabs(a: Prop, b: Prop) -> bool:
-    """Whether two bodies are upright slabs of about the same height."""
-    alike = ALIKE * max(a.height, b.height) <= min(a.height, b.height)
-    return alike and all(is_domino_like(p.length, p.width, p.height) for p in (a, b))
-
-
-def down_first(height_m: float, *, knocked: bool) -> bool:
-    """Whether a slab of a height [m] is down a tenth of a second before it touches its equal."""
-    takes = KNOCKED_S if knocked else BY_ITSELF_S
-    return takes * math.sqrt(height_m) > 0.75 * ORDER_S
 
 
 def _highest_hit(doc: EsgDocument, story: Story, key: str) -> float:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from esg.dynamics.casting.containers import resized
+from esg.dynamics.casting.changes import resized
 from esg.dynamics.story.stagecraft import support_of
 from esg.graph.models import AssetConfiguration, EsgDocument
 from esg.layout.problem.patterns import DOMINO_PITCH_OVER_HEIGHT, is_domino_like
@@ -42,15 +42,16 @@ def fit_loads(doc: EsgDocument) -> dict[str, AssetConfiguration]:
             grow = next((f for f in _factors(LARGER) if _has_room(areas, sizes, f)), LARGER)
             out[key] = resized(doc, key, config, grow)
         given = {k for k in keys if doc.asset_requirement[k].dimensions_are_prescribed}
-        for f in _factors(SMALLER):
+        shrink = 1.0
+        for shrink in _factors(SMALLER):
             smaller = [
-                s if k in given else tuple(f * d for d in s)
+                s if k in given else tuple(shrink * d for d in s)
                 for k, s in zip(keys, sizes, strict=True)
             ]
             if _has_room(areas, smaller, grow):
                 break
-        for k in sorted(set(keys) - given) if f < 1.0 else ():
-            out[k] = resized(doc, k, doc.asset_configurations[k], f)
+        for k in sorted(set(keys) - given) if shrink < 1.0 else ():
+            out[k] = resized(doc, k, doc.asset_configurations[k], shrink)
     return out
 
 

@@ -6,7 +6,8 @@ that is a shell of walls and a roof whose front (+X) is open; from above it is a
 
 from __future__ import annotations
 
-from esg.dynamics.casting.containers import comes_down, resized
+from esg.dynamics.casting.changes import resized
+from esg.dynamics.casting.containers import comes_down
 from esg.dynamics.story.story import Story
 from esg.graph.models import (
     AssetConfiguration,

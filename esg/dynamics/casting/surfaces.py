@@ -2,20 +2,12 @@
 
 from __future__ import annotations
 
-import re
-
 from esg.dynamics.story.stagecraft import prop, support_of
 from esg.dynamics.story.story import Story
 from esg.graph.models import AssetConfiguration, EdgeEvent, EsgDocument
 
 ICE = 0.04
 """Friction of ice and of what slides on it."""
-SAID = re.compile(
-    r"\b(on|over|across|along|onto)\s+(the\s+|an?\s+)?(\w+\s+)?(ice|rink|ice[- ]rink)\b"
-    r"(?!\s*-?(cream|cube|bucket|chest|box))"
-    r"|\b(icy|frozen)\s+(ground|surface|lake|pond|river|floor|road|street|slope|field)\b",
-    re.I,
-)
 OF_ICE = ("puck", "curling_stone", "curling stone")
 """Words of categories that are at home there."""
 
@@ -28,7 +20,8 @@ def fit_ice(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]:
         story: Its timeline.
     """
     nodes = doc.spatial_relation_graph.nodes
-    said = bool(SAID.search(doc.scene_definition.original_description))
+    wording = doc.scene_definition.wording
+    said = wording is not None and wording.surface == "ice"
     slid = {a for a in story.phases if _slides(doc, story, a) and (said or _of_ice(doc, a))}
     if not slid:
         return {}

@@ -8,10 +8,11 @@ two sevenths of it in what friction does in the instant of a bounce.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 import math
 
 from esg.dynamics.choreography.flights import CLEAR_M, LOW_M, mouth_height
-from esg.dynamics.choreography.stage import Stage
+from esg.dynamics.choreography.stage import Encounter, Stage
 from esg.dynamics.choreography.throws import asked_height, is_dropped, region_of
 from esg.dynamics.story.kinematics import Frame, half_along
 from esg.dynamics.story.stagecraft import Prop, prop, top_surface
@@ -112,42 +113,71 @@ def lively_tops(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]
     return out
 
 
-def bounce_on(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) -> bool:
-    """Plans a flight onto the top of b and on to the next body, which is placed with it.
+@dataclass(frozen=True)
+class Bounce:
+    """A flight off a top.
 
     Args:
-        stage: The stage, with nothing of this in its place yet.
-        node: The hit of the top.
-        a: What bounces.
-        phase: Its flight.
-        b: What it bounces off.
-
-    Returns:
-        Whether that is planned.
+        follows: The phase after the bounce.
+        onto: What it leads to.
+        top: Height of the top [m].
+        above: Height over it from which the body is let go [m].
+        falls: Time until it comes down on the top [s].
+        middle: Height of its centre then [m].
+        lasts: Time from there to what comes next [s].
+        back: From the place where it comes down to the middle of what comes next [m].
     """
+
+    follows: Phase
+    onto: str
+    top: float
+    above: float
+    falls: float
+    middle: float
+    lasts: float
+    back: float
+
+
+def bounces_on(stage: Stage, e: Encounter) -> bool:
+    """Whether a comes down on the top of b, to go on from there to something that has no place."""
+    return _bounce_of(stage, e) is not None
+
+
+def _bounce_of(stage: Stage, e: Encounter) -> Bounce | None:
+    """How a bounces off b, None where that is not what is told, or cannot be."""
+    node, a, b, phase = e.node, e.a, e.b, e.coming
     if all(p.edge.id != phase.edge.id for p, _ in _bounces(stage.doc, stage.story)):
-        return False
+        return None
     follows = _next_phase(stage.story, phase.edge.actor, node)
     onto = stage.key(_next_body(follows, phase.edge.actor) or "") if follows is not None else ""
     if follows is None or not onto or onto in stage.places or b in stage.places or stage.anchor:
-        return False
+        return None
     pa, pb, pc = stage.prop(a), stage.prop(b), stage.prop(onto)
-    surface = top_surface(stage.doc, stage.member(b))
-    top = surface.center_cm[2] / 100.0
-    along, across = (v / 100.0 for v in surface.half_extents_cm)
-    reach, yaw = (along, 0.0) if along <= across else (across, math.pi / 2)
+    top = top_surface(stage.doc, stage.member(b)).center_cm[2] / 100.0
     stated = asked_height(stage, node, a)
     above = LETS_GO_M if stated is None else stated - top if stated > top else stated
     if above <= 0.0:
-        return False
+        return None
     falls = math.sqrt(2.0 * above / GRAVITY_MPS2)
     up = 0.5 * (pa.restitution + pb.restitution) * GRAVITY_MPS2 * falls
     back, height = _meets(stage, follows, pa, pc)
     middle = top + 0.5 * pa.height
     under = up * up + 2.0 * GRAVITY_MPS2 * (middle - height)
     if under <= 0.0:
-        return False
+        return None
     lasts = (up + math.sqrt(under)) / GRAVITY_MPS2
+    return Bounce(follows, onto, top, above, falls, middle, lasts, back)
+
+
+def bounce_on(stage: Stage, e: Encounter) -> None:
+    """Plans a flight onto the top of b and on to the next body, which is placed with it."""
+    bounce = _bounce_of(stage, e)
+    assert bounce is not None
+    node, a, b, onto = e.node, e.a, e.b, bounce.onto
+    pb, pc = stage.prop(b), stage.prop(onto)
+    along, across = (v / 100.0 for v in top_surface(stage.doc, stage.member(b)).half_extents_cm)
+    reach, yaw = (along, 0.0) if along <= across else (across, math.pi / 2)
+    falls, lasts, back = bounce.falls, bounce.lasts, bounce.back
     inside = min(FROM_EDGE_M, 0.5 * reach)
     half = 0.5 * max(pb.length, pb.width) if pb.rolls else half_along(pb.length, pb.width, yaw)
     way = inside + (half - reach) + CLEAR_M + 0.5 * pc.length + back
@@ -159,20 +189,19 @@ def bounce_on(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) ->
     stage.frames[a] = Frame(start, 0.0, 0.0)
     stage.places[b] = (inside - reach, 0.0, yaw)
     stage.places[onto] = (way - back, 0.0, math.pi)
-    stage.heights[a] = top + above
+    stage.heights[a] = bounce.top + bounce.above
     track = stage.tracks[a]
-    name = f"{phase.edge.id}/"
+    name = f"{e.coming.edge.id}/"
     stage.nominal[f"{name}flight_time"] = falls
     stage.nominal[f"{name}speed"] = speed
     stage.nominal[f"{name}goal_beyond"] = reach - inside
-    stage.nominal[f"{name}goal_above"] = middle
+    stage.nominal[f"{name}goal_above"] = bounce.middle
     stage.nominal[f"{name}spin"] = 1.0
     track.straight(speed * falls, falls, speed)
     stage.time[node.id] = track.time
     track.straight(way, lasts, speed)
-    stage.time[follows.end.id] = track.time
+    stage.time[bounce.follows.end.id] = track.time
     stage.met[a] = onto
-    return True
 
 
 def _meets(stage: Stage, phase: Phase, body: Prop, met: Prop) -> tuple[float, float]:

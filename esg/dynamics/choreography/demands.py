@@ -4,16 +4,19 @@ from __future__ import annotations
 
 import math
 
+from esg.dynamics.choreography.placing import hits_on
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.kinematics import impact_speed
 from esg.dynamics.story.stagecraft import Prop, coasting_drag, fall_speed
+from esg.dynamics.story.story import bounds
 from esg.dynamics.story.tipping import topple_speed
 from esg.graph.models import NodeEvent, TimelineNode
+from esg.thresholds import SAFE_IMPULSE_NS
 
 KEPT = 0.77
 """Share of its speed that something struck has when it meets the next thing."""
-FELT_NS, FELT_MPS = 0.25, 2.5
-"""Impulse of a hit that surely counts, and the highest speed that is asked for it alone."""
+FELT_MPS = 2.5
+"""Highest speed that is asked for alone so that a hit surely counts."""
 FELT_SPARE = 1.2
 """Over the speed of such a hit: a light thing loses some on its way there."""
 RUN_ON_M, RUN_ON_S = 0.2, 0.28
@@ -40,7 +43,7 @@ def felt(mover: Prop, target: Prop) -> float:
 def felt_speed(mover: Prop, target: Prop) -> float:
     """Speed [m/s] with which something light sets out so that its hit surely counts: a marble."""
     whole = (1.0 + 0.5 * (mover.restitution + target.restitution)) * mover.mass
-    return FELT_SPARE * FELT_NS / max(whole if target.fixed else felt(mover, target), 1e-9)
+    return FELT_SPARE * SAFE_IMPULSE_NS / max(whole if target.fixed else felt(mover, target), 1e-9)
 
 
 def run_on_speed(body: Prop) -> float:
@@ -79,7 +82,7 @@ def gentlest(stage: Stage, node: TimelineNode, a: str, b: str) -> tuple[float, i
         speed *= ROLLS_AT
         node, onto = _onto_ball(stage, node, chain)
         if onto is None:
-            return FELT_NS / max(least, 1e-9), len(chain) - 1
+            return SAFE_IMPULSE_NS / max(least, 1e-9), len(chain) - 1
         chain.append(onto)
 
 
@@ -121,7 +124,7 @@ def _felt(mover: Prop, target: Prop) -> float:
     """Speed [m/s] at which a hit in the middle of a chain surely counts; balls lie closer."""
     if mover.rolls and target.rolls:
         return 0.0
-    return min(FELT_NS / felt(mover, target), FELT_MPS)
+    return min(SAFE_IMPULSE_NS / felt(mover, target), FELT_MPS)
 
 
 def _after(stage: Stage, node: TimelineNode, b: str, kept: float) -> float:
@@ -146,4 +149,47 @@ def _after(stage: Stage, node: TimelineNode, b: str, kept: float) -> float:
         if stage.story.falls(name):
             needed = max(needed, fall_speed(body, target))
         return max(needed / kept, runs)
+    return 0.0
+
+
+def sends_sliding(stage: Stage, node: TimelineNode, b: str) -> bool:
+    """Whether something without wheels that is hit here shall slide into what goes on, too."""
+    body = stage.prop(b)
+    if body.rolls or body.wheeled or body.fixed:
+        return False
+    if stage.story.topples(stage.member(b)) or stage.story.falls(stage.member(b)):
+        return False
+    for later in stage.story.after(node.id):
+        keys = list(map(stage.key, later.participants))
+        others = [k for k in keys if k != b]
+        if later.event is NodeEvent.COLLISION and b in keys and others:
+            return others[0] not in stage.tracks and hits_on(stage, later, others[0])
+    return False
+
+
+def timed_push(stage: Stage, node: TimelineNode, mover: Prop, b: str) -> float:
+    """Speed [m/s] of a hit after which b is still on its way when it is to meet the next one.
+
+    0 where the prompt gives no time for that. It is to keep a third of its speed until then.
+    """
+    target = stage.prop(b)
+    if target.rolls or target.fixed:
+        return 0.0
+    for later in stage.story.after(node.id):
+        keys = [stage.key(p) for p in later.participants]
+        if later.event is not NodeEvent.COLLISION or b not in keys:
+            continue
+        if any(k in stage.tracks for k in keys):
+            continue
+        since = [c for c in later.constraints if c.quantity == "time_since" and c.since == node.id]
+        waits = [c.value for c in since]
+        now = stage.prescribed_time(node)
+        if not waits and now is not None and later.time_is_prescribed and later.timestamp:
+            waits = [later.timestamp - now]
+        if waits:
+            low, high, _ = bounds(waits[0], (0.0, 0.0))
+            needed = 1.5 * coasting_drag(target) * 0.5 * (low + high)
+            gain = (1.0 + 0.5 * (mover.restitution + target.restitution)) * mover.mass
+            return max(0.0, needed * (mover.mass + target.mass) / gain)
+        break
     return 0.0

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
-from esg.dynamics.choreography.overtaking import cut_in
+from esg.dynamics.choreography import overtaking
 from esg.dynamics.choreography.placing import gap_at_start
-from esg.dynamics.choreography.stage import FASTEST_MPS, Stage, speed_is_fixed
+from esg.dynamics.choreography.stage import FASTEST_MPS, Encounter, Stage, speed_is_fixed
 from esg.dynamics.choreography.throws import asked_height, drop_height, fallen, is_dropped
 from esg.dynamics.story.kinematics import (
     Frame,
@@ -45,27 +45,97 @@ def waits_at_obstacle(stage: Stage, name: str) -> bool:
     return not (stage.story.flies(name) or name in stage.thrown_back or name in stage.airborne)
 
 
-def meeting(stage: Stage, node: TimelineNode, a: str, pa: Phase, b: str, pb: Phase) -> None:
-    """Two active bodies meet: one catches up with the other, or they run at each other.
+def who_comes_to_whom(stage: Stage, e: Encounter) -> Encounter:
+    """The encounter with who waits at an obstacle as the one that is run into."""
+    comes = e.phase is not None and waits_at_obstacle(stage, e.b)
+    if not comes and e.other is not None and waits_at_obstacle(stage, e.a):
+        return e.turned()
+    return e
 
-    What is dropped is let go over the place that the other one has come to by then.
-    """
-    if is_dropped(pa) and is_dropped(pb):
-        _dropped_together(stage, node, a, b)
-        return
-    if is_dropped(pa) != is_dropped(pb):
-        falling, mover, phase = (a, b, pb) if is_dropped(pa) else (b, a, pa)
-        _dropped_onto(stage, node, falling, mover, phase)
-        return
-    braking = [p.edge.event is EdgeEvent.BRAKE for p in (pa, pb)]
-    leader = None if braking[0] != braking[1] else _goes_ahead(stage, node, a, b)
-    rear = braking[0] != braking[1] or leader is not None or _same_direction(stage, a, b)
-    if rear:
-        first = leader == a or (leader is None and _is_front(stage, a))
-        front, behind = (a, b) if braking[0] or first else (b, a)
-        phases = {a: pa, b: pb}
-        _rear_end(stage, node, behind, phases[behind], front, phases[front])
-        return
+
+# -- rows of `meetings.MEETINGS` -----------------------------------------------------------------
+
+
+def drops_onto_waiting(stage: Stage, e: Encounter) -> bool:
+    """Whether a is let go over who waits at an obstacle."""
+    return runs_into_waiting(stage, e) and is_dropped(e.coming)
+
+
+def drop_onto_waiting(stage: Stage, e: Encounter) -> None:
+    """It is let go over the place where the other one is by then."""
+    _dropped_onto(stage, e.node, e.a, e.b, e.other)
+
+
+def runs_into_waiting(stage: Stage, e: Encounter) -> bool:
+    """Whether a comes to who ran into an obstacle and is there."""
+    return e.phase is not None and waits_at_obstacle(stage, e.b)
+
+
+def both_are_dropped(stage: Stage, e: Encounter) -> bool:
+    """Whether both are let go."""
+    return _both_come(e) and is_dropped(e.coming) and is_dropped(e.turned().coming)
+
+
+def one_is_dropped(stage: Stage, e: Encounter) -> bool:
+    """Whether one of the two is let go, and the other one moves by itself."""
+    return _both_come(e) and is_dropped(e.coming) != is_dropped(e.turned().coming)
+
+
+def drop_onto_moving(stage: Stage, e: Encounter) -> None:
+    """What is dropped is let go over the place that the other one has come to by then."""
+    falls = e if is_dropped(e.coming) else e.turned()
+    _dropped_onto(stage, e.node, falls.a, falls.b, falls.other)
+
+
+def cuts_in(stage: Stage, e: Encounter) -> bool:
+    """Whether who is run into from behind has overtaken the other one before."""
+    row = _in_line(stage, e)
+    return row is not None and stage.overtaken.get(row.a, ("",))[0] == row.b
+
+
+def cut_in(stage: Stage, e: Encounter) -> None:
+    """Who has overtaken comes before the other, slows down and is run into."""
+    row = _in_line(stage, e)
+    assert row is not None
+    overtaking.cut_in(stage, row)
+
+
+def runs_into_rear(stage: Stage, e: Encounter) -> bool:
+    """Whether the two go the same way, one behind the other."""
+    return _in_line(stage, e) is not None
+
+
+def run_into_rear(stage: Stage, e: Encounter) -> None:
+    """One runs into the back of another that brakes or is slower."""
+    row = _in_line(stage, e)
+    assert row is not None
+    _rear_end(stage, row)
+
+
+def head_on(stage: Stage, e: Encounter) -> bool:
+    """Whether both move by themselves."""
+    return _both_come(e)
+
+
+def _both_come(e: Encounter) -> bool:
+    return e.phase is not None and e.other is not None
+
+
+def _in_line(stage: Stage, e: Encounter) -> Encounter | None:
+    """The two with the rear one as a, None where they do not go the same way."""
+    if e.phase is None or e.other is None:
+        return None
+    braking = [p.edge.event is EdgeEvent.BRAKE for p in (e.phase, e.other)]
+    leader = None if braking[0] != braking[1] else _goes_ahead(stage, e.node, e.a, e.b)
+    if braking[0] == braking[1] and leader is None and not _same_direction(stage, e.a, e.b):
+        return None
+    first = leader == e.a or (leader is None and _is_front(stage, e.a))
+    return e.turned() if braking[0] or first else e
+
+
+def meet_head_on(stage: Stage, e: Encounter) -> None:
+    """They run, or are thrown, at each other."""
+    node, a, b, pa, pb = e.node, e.a, e.b, e.coming, e.turned().coming
     time = stage.prescribed_time(node)
     start = max(stage.tracks[a].time, stage.tracks[b].time)
     speeds = {n: max(stage.speed(n, p), SLOWEST_MPS) for n, p in ((a, pa), (b, pb))}
@@ -104,11 +174,12 @@ def meeting(stage: Stage, node: TimelineNode, a: str, pa: Phase, b: str, pb: Pha
         stage.places[actor] = (ox, oy, stage.frames[actor].angle)
 
 
-def _dropped_together(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
+def drop_together(stage: Stage, e: Encounter) -> None:
     """Two that are let go at once: one above the other, which meets it as it bounces back.
 
     Until the lower one lands their gap stays; from then on it closes at (1 + e) g t.
     """
+    node, a, b = e.node, e.a, e.b
     goes_on_falling = [n for n in stage.story.after(node.id) if n.event is NodeEvent.FALL]
     stated = {n: asked_height(stage, node, n) for n in (a, b)}
     falls_on = any(b in map(stage.key, n.participants) for n in goes_on_falling)
@@ -162,22 +233,9 @@ def _dropped_onto(stage: Stage, node: TimelineNode, a: str, b: str, phase: Phase
     stage.heights[a] = stage.heights.get(b, 0.0) + pb.height + height
 
 
-def run_into(
-    stage: Stage, node: TimelineNode, behind: str, chase: Phase, front: str, lead: Phase | None
-) -> None:
-    """One runs into another that met an obstacle before: from behind, the only way surely free.
-
-    Args:
-        stage: The stage.
-        node: Their meeting.
-        behind: Who comes, without a place so far.
-        chase: Its phase that ends there.
-        front: Who met the obstacle.
-        lead: Its phase that ends there, None where it rests.
-    """
-    if is_dropped(chase):
-        _dropped_onto(stage, node, behind, front, lead)
-        return
+def run_into_waiting(stage: Stage, e: Encounter) -> None:
+    """One runs into another that met an obstacle before: from behind, the only way surely free."""
+    node, behind, front, chase, lead = e.node, e.a, e.b, e.coming, e.other
     rear, ahead = stage.tracks[behind], stage.tracks[front]
     speed = stage.speed(behind, chase, min_hit_speed(stage.prop(behind), stage.prop(front)))
     time = stage.prescribed_time(node) or ahead.time + AFTER_HIT_S
@@ -215,13 +273,9 @@ def run_into(
     stage.places[behind] = (x, y, turned)
 
 
-def _rear_end(
-    stage: Stage, node: TimelineNode, behind: str, chase: Phase, front: str, lead: Phase
-) -> None:
-    """One runs into the back of another that brakes or is slower."""
-    if behind in stage.overtaken and stage.overtaken[behind][0] == front:
-        cut_in(stage, node, behind, chase, front, lead)
-        return
+def _rear_end(stage: Stage, e: Encounter) -> None:
+    """Puts b so far before a that a catches up with it."""
+    node, behind, front, chase, lead = e.node, e.a, e.b, e.coming, e.turned().coming
     rear, ahead = stage.tracks[behind], stage.tracks[front]
     speed = stage.speed(behind, chase)
     began = ahead.time

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 import math
 
-from esg.dynamics.casting.dominoes import REACH, are_slabs, down_first
-from esg.dynamics.choreography.stage import Stage
+from esg.dynamics.choreography.stage import Encounter, Stage
 from esg.dynamics.story.kinematics import Frame
+from esg.dynamics.story.slabs import REACH, are_slabs, down_first
 from esg.dynamics.story.stagecraft import Prop, coasting_drag, support_of, top_surface
 from esg.dynamics.story.story import Phase, bounds
 from esg.graph.models import NodeEvent, TimelineNode
@@ -76,8 +76,9 @@ def over_edge(stage: Stage, actor: str, phase: Phase, node: TimelineNode) -> Non
     stage.time[node.id] = track.time + math.sqrt(2.0 * 1.1 * body.height / GRAVITY_MPS2)
 
 
-def land(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
+def land(stage: Stage, e: Encounter) -> None:
     """Puts b where a comes down."""
+    node, a, b = e.node, e.a, e.b
     flight, track = stage.airborne[a], stage.tracks[a]
     pb = stage.prop(b)
     into = node.event is NodeEvent.ENTER_REGION
@@ -96,9 +97,9 @@ def land(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
     stage.time[node.id] = track.time
 
 
-def can_land(stage: Stage, a: str, b: str) -> bool:
+def lands(stage: Stage, e: Encounter) -> bool:
     """Whether a left its support and b waits below it."""
-    flight, name = stage.airborne.get(a), stage.member(b)
+    flight, b, name = stage.airborne.get(e.a), e.b, stage.member(e.b)
     if flight is None or b in stage.places or b == stage.anchor:
         return False
     if stage.doc.spatial_relation_graph.nodes[name].is_structural:
@@ -167,8 +168,14 @@ def tip_over(stage: Stage, actor: str, phase: Phase, node: TimelineNode) -> None
     stage.tipped.add(actor)
 
 
-def tip_onto(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
+def tips_onto(stage: Stage, e: Encounter) -> bool:
+    """Whether a fell over where it stood."""
+    return e.a in stage.tipped
+
+
+def tip_onto(stage: Stage, e: Encounter) -> None:
     """Puts b within the reach of a, which falls towards it."""
+    node, a, b = e.node, e.a, e.b
     track, pa, pb = stage.tracks[a], stage.prop(a), stage.prop(b)
     frame = stage.frames.setdefault(a, Frame())
     ax, ay = frame.apply(0.0, 0.0)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 import math
 
-from esg.dynamics.choreography.stage import Stage, speed_is_fixed
+from esg.dynamics.choreography.stage import Encounter, Stage, speed_is_fixed
 from esg.dynamics.choreography.throws import is_lobbed, region_of
 from esg.dynamics.story.kinematics import Frame, half_along
 from esg.dynamics.story.story import Phase, Story
@@ -184,15 +184,14 @@ def thrown_back(stage: Stage, a: str, heading: float, restitution: float, tilt: 
     stage.arcs[a] = Arc(arc.x, arc.y, arc.z, heading, speed, GRIPS * arc.rise)
 
 
-def flies_on(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
-    """Puts b where a's flight after its last event comes down.
+def flies_on(stage: Stage, e: Encounter) -> bool:
+    """Whether a is in free flight after its last event, and b has no place so far."""
+    return e.a in stage.arcs and e.b not in stage.places
 
-    Args:
-        stage: The stage.
-        node: The event.
-        a: The body in flight.
-        b: What it comes to, without a place so far.
-    """
+
+def fly_on(stage: Stage, e: Encounter) -> None:
+    """Puts b where a's flight after its last event comes down."""
+    node, a, b = e.node, e.a, e.b
     arc, track = stage.arcs.pop(a), stage.tracks[a]
     pa, pb = stage.prop(a), stage.prop(b)
     region = region_of(stage, node) if node.event is NodeEvent.ENTER_REGION else None
@@ -244,26 +243,17 @@ def banked_into(stage: Stage, node: TimelineNode, a: str, b: str) -> TimelineNod
     return None
 
 
-def bank(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) -> bool:
-    """A bank shot: over the hoop's rim at the board behind it and back into the hoop.
+def banks(stage: Stage, e: Encounter) -> bool:
+    """Whether a is thrown into a region of b by way of the board behind it."""
+    return e.b not in stage.places and _board_shot(stage, e) is not None
 
-    Args:
-        stage: The stage.
-        node: The hit of the board.
-        a: The ball.
-        phase: Its throw.
-        b: What has board and hoop.
 
-    Returns:
-        Whether there is a board behind a region, so that the throw is planned.
-    """
-    enters = banked_into(stage, node, a, b)
-    region = region_of(stage, enters) if enters is not None else None
-    if enters is None or region is None:
-        return False
-    face = _board(stage, b, region)
-    if face is None:
-        return False
+def bank(stage: Stage, e: Encounter) -> None:
+    """A bank shot: over the hoop's rim at the board behind it and back into the hoop."""
+    shot = _board_shot(stage, e)
+    assert shot is not None
+    enters, region, face = shot
+    node, a, phase, b = e.node, e.a, e.coming, e.b
     pa, pb = stage.prop(a), stage.prop(b)
     cx, _, cz = (v / 100.0 for v in region.center_cm)
     top = cz + region.half_extents_cm[2] / 100.0
@@ -286,7 +276,16 @@ def bank(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) -> bool
     stage.tracks[a].straight(speed * lasts, lasts, speed)
     stage.time[node.id] = stage.tracks[a].time
     stage.time[enters.id] = stage.tracks[a].time + BANK_S
-    return True
+
+
+def _board_shot(stage: Stage, e: Encounter) -> tuple[TimelineNode, NamedRegion, float] | None:
+    """The event that a enters a region of b after its hit, that region, and X of the board [m]."""
+    enters = banked_into(stage, e.node, e.a, e.b)
+    region = region_of(stage, enters) if enters is not None else None
+    if enters is None or region is None:
+        return None
+    face = _board(stage, e.b, region)
+    return None if face is None else (enters, region, face)
 
 
 def _board(stage: Stage, b: str, region: NamedRegion) -> float | None:

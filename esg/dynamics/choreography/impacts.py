@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import math
 
-from esg.dynamics.casting.dominoes import REACH, are_slabs, down_first
 from esg.dynamics.choreography.demands import KEPT, thrown_back_share
 from esg.dynamics.choreography.flights import hits_level, slowed, thrown_back
 from esg.dynamics.choreography.placing import bring_support, goes_on, hits_on
-from esg.dynamics.choreography.stage import Stage
+from esg.dynamics.choreography.stage import Encounter, Stage
 from esg.dynamics.story.kinematics import (
     Frame,
     Track,
@@ -20,6 +19,7 @@ from esg.dynamics.story.kinematics import (
     sliding_distance,
     sliding_travel,
 )
+from esg.dynamics.story.slabs import REACH, are_slabs, down_first
 from esg.dynamics.story.solid import beside_the_middle
 from esg.dynamics.story.stagecraft import (
     TO_EDGE_M,
@@ -31,6 +31,7 @@ from esg.dynamics.story.stagecraft import (
 )
 from esg.dynamics.story.tipping import first_touch, stand_of
 from esg.graph.models import NodeEvent, TimelineNode
+from esg.thresholds import MIN_EVENT_GAP_S
 from esg.units import GRAVITY_MPS2
 
 THROWN_BACK = 0.3
@@ -42,8 +43,6 @@ DOWN_S, FALLEN, THIN_FALLEN = 0.3, 0.85, 0.7
 until it is down: of a broad body, and of one thin as a pin, which slides less."""
 DOMINO_GAP = 0.7
 """Gap of dominoes over their height: nearer ones hit each other within a tenth of a second."""
-IN_ORDER_S = 0.1
-"""Least time between two events of which one follows the other."""
 FARTHEST_AHEAD = 1.2
 """Longest way, over its height, that the base of a body runs ahead while it tips back."""
 LEAST_LEFT = 0.3
@@ -173,37 +172,54 @@ def _way_back(stage: Stage, node: TimelineNode, a: str, b: str, speed: float) ->
     return way if way < lasts * speed else None
 
 
-def chain(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
+def chain(stage: Stage, e: Encounter) -> None:
     """A passive body set in motion by an earlier hit runs on into the next one."""
+    a, b = e.a, e.b
     if a not in stage.moving and b in stage.moving:
         a, b = b, a
     track = stage.moving.get(a)
     if track is None or b in stage.places:
         return
+    node, pa, pb = e.node, stage.prop(a), stage.prop(b)
+    gap, rolled = _gap_to_next(stage, node, a, b, track)
+    yaw = target_yaw(pb, track.heading, stage.rng)
+    if node.event is NodeEvent.ENTER_REGION:
+        yaw = track.heading + math.pi
+    aside = _aside(stage, node, a, b, track.heading, yaw)
+    # What was met broadside goes on broadside.
+    ahead = pa.half_length
+    if a in stage.places:
+        ahead = half_along(pa.length, pa.width, (stage.places[a][2] or 0.0) - track.heading)
+    reach = gap + ahead + half_along(pb.length, pb.width, yaw - track.heading)
+    reach = _landing(stage, node, a, b, track.speed) or reach
+    c, s = math.cos(track.heading), math.sin(track.heading)
+    stage.places[b] = (track.x + reach * c - aside * s, track.y + reach * s + aside * c, yaw)
+    bring_support(stage, b, stage.places[b][0], stage.places[b][1], track.heading)
+    left = track.speed if rolled is None else rolled
+    if not (pa.rolls or stage.airborne or _falls_before(stage, node, a)):
+        # It slides there, and arrives turned or tilted.
+        slower = math.sqrt(max(left**2 - 2.0 * _drag(stage, pa) * gap, (LEAST_LEFT * left) ** 2))
+        left = slower if pa.wheeled else min(KEPT * left, slower)
+    track.straight(gap, gap / max(0.5 * (track.speed + left), 0.1), left)
+
+
+def _gap_to_next(
+    stage: Stage, node: TimelineNode, a: str, b: str, track: Track
+) -> tuple[float, float | None]:
+    """Free way [m] of what was set in motion to the next body, and the speed a ball has there."""
     pa, pb = stage.prop(a), stage.prop(b)
-    in_row = _in_row(stage, node, a, b)
-    gap = _coasting_gap(stage, pa, pb, track.speed, IN_ROW_S if in_row else APART_S)
+    gap = _coasting_gap(
+        stage, pa, pb, track.speed, IN_ROW_S if _in_row(stage, node, a, b) else APART_S
+    )
     if not pa.rolls and not pb.fixed and hits_on(stage, node, b):
         # Sliding on costs speed that the next ones need.
         gap = min(gap, sliding_travel(track.speed, coasting_drag(pa), IN_ROW_S))
     gap *= stage.tight
-    thin = pa.height > 2.5 * pa.length and not pa.rolls
-    if thin:
+    if _is_thin(pa):
         # Tall and thin: it topples onto the next one, which stands within its reach.
         gap = DOMINO_GAP * pa.height if are_slabs(pa, pb) else min(gap, 0.5 * pa.height)
     if _falls_before(stage, node, a):
-        # It is to be down before it arrives.
-        slides = sliding_distance(track.speed, 0.5 * (pa.friction + pa.rough))
-        falls = max(DOWN_S, math.sqrt(pa.height / GRAVITY_MPS2) + IN_ORDER_S)
-        gap = max(gap, min(falls * track.speed, 0.5 * slides))
-        if not (pa.rolls or stage.airborne):
-            # It reaches as far as it is high, and touches what is nearer while it still stands.
-            gap = max(gap, (THIN_FALLEN if thin else FALLEN) * pa.height)
-            if are_slabs(pa, pb) and down_first(pa.height, knocked=True):
-                gap = REACH * pa.height
-            if _kicked(stage, node, a):
-                ahead = (math.sqrt(pa.height / GRAVITY_MPS2) + IN_ORDER_S) * track.speed
-                gap = max(gap, min(ahead, FARTHEST_AHEAD * pa.height))
+        gap = _gap_for_falling(stage, node, a, pb, track.speed, gap)
     rubs = 0.5 * (pa.friction + stage.ground_friction())
     rolled: float | None = None
     if pa.rolls and pb.rolls and node.event is NodeEvent.COLLISION:
@@ -218,33 +234,45 @@ def chain(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
         gap = max(0.1, sliding_travel(track.speed, _drag(stage, pa), wait) * slows)
         if pa.rolls:
             gap = max(0.05, rolling_travel(track.speed, rubs, wait, track.spin)[0] * slows)
-    yaw = target_yaw(pb, track.heading, stage.rng)
-    if node.event is NodeEvent.ENTER_REGION:
-        yaw = track.heading + math.pi
-    jitter = float(stage.rng.uniform(-0.3, 0.3)) * pb.half_lateral(yaw - track.heading)
+    return gap, rolled
+
+
+def _is_thin(body: Prop) -> bool:
+    return body.height > 2.5 * body.length and not body.rolls
+
+
+def _gap_for_falling(
+    stage: Stage, node: TimelineNode, a: str, pb: Prop, speed: float, gap: float
+) -> float:
+    """The gap [m], widened so that a is down before it gets to the next body."""
+    pa = stage.prop(a)
+    slides = sliding_distance(speed, 0.5 * (pa.friction + pa.rough))
+    falls = max(DOWN_S, math.sqrt(pa.height / GRAVITY_MPS2) + MIN_EVENT_GAP_S)
+    gap = max(gap, min(falls * speed, 0.5 * slides))
+    if pa.rolls or stage.airborne:
+        return gap
+    # It reaches as far as it is high, and touches what is nearer while it still stands.
+    gap = max(gap, (THIN_FALLEN if _is_thin(pa) else FALLEN) * pa.height)
+    if are_slabs(pa, pb) and down_first(pa.height, knocked=True):
+        gap = REACH * pa.height
+    if _kicked(stage, node, a):
+        ahead = (math.sqrt(pa.height / GRAVITY_MPS2) + MIN_EVENT_GAP_S) * speed
+        gap = max(gap, min(ahead, FARTHEST_AHEAD * pa.height))
+    return gap
+
+
+def _aside(stage: Stage, node: TimelineNode, a: str, b: str, heading: float, yaw: float) -> float:
+    """How far [m] to the left of a's way the next body stands."""
+    pb = stage.prop(b)
+    jitter = float(stage.rng.uniform(-0.3, 0.3)) * pb.half_lateral(yaw - heading)
     if pb.rolls and goes_on(stage, node, b):
         # Off its middle it would leave the line on which the next one lies.
         jitter = 0.0
     if stage.story.topples(stage.member(b)):
         # A hit past its middle turns it instead.
         jitter = 0.0
-    off = beside_the_middle(pa, pb, track.heading - yaw)
-    jitter = -off if off else jitter
-    # What was met broadside goes on broadside.
-    ahead = pa.half_length
-    if a in stage.places:
-        ahead = half_along(pa.length, pa.width, stage.places[a][2] - track.heading)
-    reach = gap + ahead + half_along(pb.length, pb.width, yaw - track.heading)
-    reach = _landing(stage, node, a, b, track.speed) or reach
-    c, s = math.cos(track.heading), math.sin(track.heading)
-    stage.places[b] = (track.x + reach * c - jitter * s, track.y + reach * s + jitter * c, yaw)
-    bring_support(stage, b, stage.places[b][0], stage.places[b][1], track.heading)
-    left = track.speed if rolled is None else rolled
-    if not (pa.rolls or stage.airborne or _falls_before(stage, node, a)):
-        # It slides there, and arrives turned or tilted.
-        slower = math.sqrt(max(left**2 - 2.0 * _drag(stage, pa) * gap, (LEAST_LEFT * left) ** 2))
-        left = slower if pa.wheeled else min(KEPT * left, slower)
-    track.straight(gap, gap / max(0.5 * (track.speed + left), 0.1), left)
+    off = beside_the_middle(stage.prop(a), pb, heading - yaw)
+    return -off if off else jitter
 
 
 def _drag(stage: Stage, body: Prop) -> float:

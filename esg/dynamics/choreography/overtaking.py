@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from esg.dynamics.choreography.placing import asked_distance
-from esg.dynamics.choreography.stage import FASTEST_MPS, Stage, speed_is_fixed
+from esg.dynamics.choreography.stage import FASTEST_MPS, Encounter, Stage, speed_is_fixed
 from esg.dynamics.story.kinematics import Frame, braking_distance
 from esg.dynamics.story.story import Phase, bounds
 from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
@@ -25,36 +25,49 @@ SLOWER = 0.9
 """Speed of who was overtaken, at most, over the other's."""
 
 
-def overtake(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) -> bool:
-    """Lets a pass b, which drives the same way at a lower speed from the start on.
+def overtakes(stage: Stage, e: Encounter) -> bool:
+    """Whether a can pass b, which drives from the start on, at the speeds that are given."""
+    return e.phase is not None and e.node.event is NodeEvent.MISS and _speeds(stage, e) is not None
 
-    Returns:
-        False, and nothing is changed, where b does not drive or the given speeds rule it out.
-    """
+
+def _speeds(stage: Stage, e: Encounter) -> tuple[float, float] | None:
+    """Speeds [m/s] of a and of b, None where b does not drive or a cannot pass it."""
+    a, b, phase = e.a, e.b, e.coming
     if b not in stage.tracks or b in stage.frames or stage.story.flies(a):
-        return False
+        return None
     slow_phase = stage.story.phases[b][0]
     if slow_phase.start.event is not NodeEvent.SCENE_START:
-        return False
+        return None
     if slow_phase.edge.event not in (EdgeEvent.UNIFORM_MOTION, EdgeEvent.ACCELERATED_MOTION):
-        return False
-    track, pa, pb = stage.tracks[a], stage.prop(a), stage.prop(b)
+        return None
     fast, slow = stage.speed(a, phase), stage.speed(b, slow_phase)
-    reach = pa.half_length + pb.half_length
-    gain = (reach + CLEAR_M) / CUT_IN_S
+    gain = (_reach(stage, a, b) + CLEAR_M) / CUT_IN_S
     if not speed_is_fixed(phase):
         low = slow if speed_is_fixed(slow_phase) else 0.6 * gain
         fast = min(max(fast, low + gain), max(FASTEST_MPS, 1.3 * low))
     if not speed_is_fixed(slow_phase):
         slow = max(min(slow, fast - gain), 0.35 * fast)
-    if fast < 1.1 * slow:
-        return False
+    return None if fast < 1.1 * slow else (fast, slow)
+
+
+def _reach(stage: Stage, a: str, b: str) -> float:
+    """Distance of two centres [m] that touch end to end."""
+    return stage.prop(a).half_length + stage.prop(b).half_length
+
+
+def overtake(stage: Stage, e: Encounter) -> None:
+    """Lets a pass b, which drives the same way at a lower speed from the start on."""
+    node, a, b, phase = e.node, e.a, e.b, e.coming
+    speeds = _speeds(stage, e)
+    assert speeds is not None
+    fast, slow = speeds
+    track, pa, pb = stage.tracks[a], stage.prop(a), stage.prop(b)
     prescribed = stage.prescribed_time(node)
-    duration = (reach + CLEAR_M) / (fast - slow)
+    duration = (_reach(stage, a, b) + CLEAR_M) / (fast - slow)
     if prescribed is not None:
         duration = max(prescribed - track.time, 0.2)
     stage.nominal[f"{phase.edge.id}/speed"] = fast
-    stage.nominal[f"{slow_phase.edge.id}/speed"] = slow
+    stage.nominal[f"{stage.story.phases[b][0].edge.id}/speed"] = slow
     track.straight(fast * duration, duration, fast)
     stage.time[node.id] = stage.nominal[f"{node.id}/time"] = track.time
     frame = stage.frames.setdefault(a, Frame())
@@ -62,13 +75,11 @@ def overtake(stage: Stage, node: TimelineNode, a: str, phase: Phase, b: str) -> 
     beside = pa.half_width + pb.half_width + (asked_distance(stage, node, a) or BESIDE_M)
     _put_beside(stage, a, b, (track.x, track.y), track.heading, beside, slow * track.time)
     stage.overtaken[b] = (a, track.time, (track.x, track.y))
-    return True
 
 
-def cut_in(
-    stage: Stage, node: TimelineNode, behind: str, chase: Phase, front: str, lead: Phase
-) -> None:
-    """Who has overtaken comes before the other, at a small angle, slows down and is run into."""
+def cut_in(stage: Stage, e: Encounter) -> None:
+    """Who has overtaken, b, comes before a, at a small angle, slows down and is run into."""
+    node, behind, front, chase, lead = e.node, e.a, e.b, e.coming, e.turned().coming
     rear, ahead = stage.tracks[behind], stage.tracks[front]
     side, back = stage.prop(front), stage.prop(behind)
     _, passed, place = stage.overtaken[behind]

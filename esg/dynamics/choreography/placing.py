@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from esg.dynamics.choreography.hovering import cruise
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.choreography.throws import is_swung
 from esg.dynamics.story.kinematics import (
@@ -95,6 +96,17 @@ def join(stage: Stage, a: str, b: str, node: TimelineNode, gap: float = 0.0) -> 
     x, y = stage.frames[a].apply(0.0, 0.0)
     turned = math.pi / 2 if is_swung(stage, node, a, b) else stage.reverse_yaw(a)
     stage.places[a] = (x, y, stage.frames[a].angle + turned)
+
+
+def enter_beside(stage: Stage, actor: str) -> None:
+    """Places an actor that meets nobody beside everything placed so far."""
+    frame = stage.free_frame() if stage.places else Frame()
+    stage.frames[actor] = frame
+    x, y = frame.apply(0.0, 0.0)
+    stage.places[actor] = (x, y, frame.angle)
+    if stage.story.flies(actor) and not stage.story.takes_off(actor):
+        soars = stage.story.soars(actor)
+        stage.heights.setdefault(actor, cruise(stage, actor) if soars else 1.0)
 
 
 def _was_struck(stage: Stage, node: TimelineNode, b: str) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 import math
 from typing import TYPE_CHECKING
 
@@ -31,6 +31,35 @@ CLEARANCE_M = 0.35
 RUN_OUT_M = 1.0
 FASTEST_MPS = 22.0
 """A guessed speed is raised up to here where an event needs it."""
+
+
+@dataclass(frozen=True)
+class Encounter:
+    """An event of two participants.
+
+    Args:
+        node: The event.
+        a: Who comes: by itself, or as what was hit before.
+        b: What it comes to.
+        phase: The segment of a that ends there, None where it has none.
+        other: The segment of b that ends there, None where it waits.
+    """
+
+    node: TimelineNode
+    a: str
+    b: str
+    phase: Phase | None
+    other: Phase | None = None
+
+    @property
+    def coming(self) -> Phase:
+        """The segment of a, where there is one."""
+        assert self.phase is not None
+        return self.phase
+
+    def turned(self) -> Encounter:
+        """The same with the roles exchanged."""
+        return Encounter(self.node, self.b, self.a, self.other, self.phase)
 
 
 class Stage:
@@ -288,19 +317,6 @@ class Stage:
         used += [t.heading + math.pi for t in self.moving.values()]
         options = [math.pi, math.pi / 2, -math.pi / 2, 0.75 * math.pi, -0.75 * math.pi, 0.0]
         return max(options, key=lambda o: min([abs(wrap_angle(o - u)) for u in used], default=1.0))
-
-    def enter_beside(self, actor: str) -> None:
-        """Places an actor that meets nobody beside everything placed so far."""
-        frame = Frame() if not self.places else self.free_frame()
-        self.frames[actor] = frame
-        x, y = frame.apply(0.0, 0.0)
-        self.places[actor] = (x, y, frame.angle)
-        if self.story.flies(actor):
-            from esg.dynamics.choreography.hovering import cruise
-
-            if not self.story.takes_off(actor):
-                soars = self.story.soars(actor)
-                self.heights.setdefault(actor, cruise(self, actor) if soars else 1.0)
 
     # -- result ------------------------------------------------------------------------------
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 import math
 
-from esg.dynamics.choreography.stage import Stage
+from esg.dynamics.choreography.stage import Encounter, Stage
 from esg.dynamics.story.kinematics import Frame
 from esg.dynamics.story.stagecraft import Prop, release_height, support_of, top_surface
 from esg.dynamics.story.story import Phase, bounds
@@ -155,8 +155,16 @@ def asked_height(stage: Stage, node: TimelineNode, a: str) -> float | None:
     )
 
 
-def drop(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
+def is_let_go(stage: Stage, e: Encounter) -> bool:
+    """Whether a falls without a speed of its own, or falls on after it was dropped."""
+    first = stage.story.phases[e.a][0]
+    on = e.coming.edge.params.speed is None and is_dropped(first)
+    return is_dropped(e.coming) or on
+
+
+def drop(stage: Stage, e: Encounter) -> None:
     """A body let go above its target, at the prescribed height, or as high as its time asks."""
+    node, a, b = e.node, e.a, e.b
     pb = stage.prop(b)
     region = region_of(stage, node)
     if a in stage.places and b not in stage.places:

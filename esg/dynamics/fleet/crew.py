@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.dynamics.search.search import optimize
+from esg.dynamics.strategies import optimize
 from esg.engines.base import VERIFY_DT_S
 from esg.engines.jobs import Job, Played, make_job, read
 from esg.engines.program import ProgramBatch

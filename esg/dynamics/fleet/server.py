@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.dynamics.fleet.crew import MAX_VARIANTS
-from esg.dynamics.search.panel import REFERENCE_DT_S
+from esg.dynamics.search import REFERENCE_DT_S
 from esg.dynamics.search.simulate import ENSEMBLE
 from esg.engines.base import SURROGATE
 from esg.engines.jobs import Buffer, Expected, Job, Pieces, Played

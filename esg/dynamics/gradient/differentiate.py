@@ -14,18 +14,18 @@ from enum import StrEnum
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.dynamics.losses.smooth import SMOOTH, EventLosses
-from esg.dynamics.plan.plan import Plan
+from esg.dynamics.losses import kind_of
+from esg.dynamics.losses.residuals import members
+from esg.dynamics.losses.smooth import EventLosses
+from esg.dynamics.plan import Plan
 from esg.dynamics.search.simulate import NOMINAL, Perturbation, program_times
 from esg.engines.base import VERIFY_DT_S
 from esg.engines.program import batch_programs
 from esg.engines.scene import Variation
 from esg.engines.surrogate import TapedRollout
-from esg.graph.models import NodeEvent
 
 Floats = NDArray[np.float64]
 
-_CONTACTS = (NodeEvent.COLLISION, NodeEvent.TOPPLE, NodeEvent.FALL)
 _RELATIVE_STEP = 1e-4
 
 
@@ -96,12 +96,12 @@ def regimes(plan: Plan) -> dict[str, Regime]:
     out: dict[str, Regime] = {}
     for node in story.outcomes:
         earlier = [story.nodes[i] for i in story.ancestors(node.id)]
-        contacts = [n for n in earlier if n.event in _CONTACTS]
-        if node.event not in SMOOTH:
+        contacts = [n for n in earlier if kind_of(n).contact]
+        if kind_of(node).smooth is None:
             out[node.id] = Regime.NONE
         elif not contacts:
             out[node.id] = Regime.DIRECT
-        elif len(contacts) == 1 and contacts[0].event is NodeEvent.COLLISION:
+        elif len(contacts) == 1 and kind_of(contacts[0]).sends:
             out[node.id] = Regime.ONE_CONTACT
         else:
             out[node.id] = Regime.CHAIN
@@ -164,8 +164,8 @@ def _incidental(plan: Plan, taped: TapedRollout, losses: EventLosses) -> NDArray
     """Whether bodies hit each other, before the last step that matters, that no event names."""
     told: set[tuple[int, int]] = set()
     for node in plan.story.outcomes:
-        if node.event in _CONTACTS:
-            one, two = losses.members(node)
+        if kind_of(node).contact:
+            one, two = members(plan, node)
             told |= {(min(a, b), max(a, b)) for a in one for b in two}
     horizon = np.where(losses.horizon > 0, losses.horizon, taped.frames.n_steps)
     return np.array([any(p[0] >= 0 and p not in told for p in h) for h in taped.hits(horizon)])

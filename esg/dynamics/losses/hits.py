@@ -13,15 +13,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.dynamics.losses.recording import Bools, Floats, Recording
-from esg.metrics.replay import HIT_GAP_S, IMPULSE_FRAMES, IMPULSE_WINDOW_S, hit_starts
+from esg.metrics.replay import hit_starts
+from esg.thresholds import (
+    HIT_GAP_S,
+    IMPULSE_FRAMES,
+    IMPULSE_WINDOW_S,
+    MAX_CONTACT_DEPTH_M,
+    MAX_RECHECK_DEPTH_M,
+    MIN_IMPULSE_NS,
+    RECHECK_AFTER_S,
+    T_MAX_S,
+)
 
 Ints = NDArray[np.int64]
 
-HIT_LIMIT_S = 15.0
-MIN_IMPULSE_NS = 0.1
-MAX_DEPTH_M = 0.05
-MAX_RECHECK_M = 0.02
-RECHECK_S = 0.2
 MOST_HITS = 6
 """So many hits of a pair are looked at until one is sound."""
 
@@ -49,13 +54,13 @@ class Hits:
 
     def sound(self, end: float) -> Bools:
         """Whether it counts as a collision in a recording that ends at `end` [s]."""
-        good = np.isfinite(self.time) & (self.time <= HIT_LIMIT_S)
-        good &= (self.impulse > MIN_IMPULSE_NS) & (self.depth < MAX_DEPTH_M)
-        return good & (self.recheck <= MAX_RECHECK_M) & (self.short(end) <= 0.0)
+        good = np.isfinite(self.time) & (self.time <= T_MAX_S)
+        good &= (self.impulse > MIN_IMPULSE_NS) & (self.depth < MAX_CONTACT_DEPTH_M)
+        return good & (self.recheck <= MAX_RECHECK_DEPTH_M) & (self.short(end) <= 0.0)
 
     def short(self, end: float) -> Floats:
         """By how much the recording is too short for the second look [s]."""
-        return np.where(np.isfinite(self.time), self.time, 0.0) + RECHECK_S - end
+        return np.where(np.isfinite(self.time), self.time, 0.0) + RECHECK_AFTER_S - end
 
 
 def first_hit(rec: Recording, a: list[int], b: list[int], earliest: Floats) -> Hits:
@@ -149,7 +154,7 @@ class _Touches:
         np.add.at(impulse, self.world[burst], log.impulse[self.rows[burst]])
         begun = self.rows[(after >= -1e-9) & (after < 1.5 / rec.fps)]
         np.maximum.at(depth, log.world[begun], log.depth[begun])
-        later = self.rows[np.abs(after - RECHECK_S) < 0.75 / rec.fps]
+        later = self.rows[np.abs(after - RECHECK_AFTER_S) < 0.75 / rec.fps]
         np.maximum.at(recheck, log.world[later], log.depth[later])
         for row in begun[::-1]:
             w = log.world[row]

@@ -1,67 +1,82 @@
 """Per type of event: when it happened in each world, and how far from happening it was.
 
-A measure returns the time of the event [s] (inf where it did not happen) and a distance-like loss,
-both of shape [W]; terms that shape the search further go through `add(name, value [W])`.
+A measure takes a recording, the event, the earliest time at which it counts (inf where it cannot
+yet) and returns what it `Detected`; terms that shape the search further go through
+`add(name, value [W])`. Which measure belongs to which type of event says `kinds`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 import math
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from esg.dynamics.choreography.moves import TURNED_RAD
 from esg.dynamics.losses.gap import bounding_radius, surface_gap
-from esg.dynamics.losses.hits import (
-    HIT_LIMIT_S,
-    MAX_DEPTH_M,
-    MAX_RECHECK_M,
-    MIN_IMPULSE_NS,
-    RECHECK_S,
-    first_hit,
-)
+from esg.dynamics.losses.hits import first_hit
 from esg.dynamics.losses.recording import Bools, Floats, Recording
 from esg.engines.scene import Body
 from esg.graph.models import NodeEvent, TimelineNode
 from esg.metrics.geometry import first_pass, gets_ahead
+from esg.thresholds import (
+    ENTERED_FOR_S,
+    MAX_CONTACT_DEPTH_M,
+    MAX_RECHECK_DEPTH_M,
+    MIN_IMPULSE_NS,
+    MOVING_MPS,
+    NEAR_M,
+    RECHECK_AFTER_S,
+    SAFE_DEPTH_M,
+    SAFE_FALLEN_BY,
+    SAFE_IMPULSE_NS,
+    SAFE_TOPPLED_DEG,
+    SAFE_TURN_DEG,
+    STOPPED_FOR_S,
+    STOPPED_MPS,
+    T_MAX_S,
+)
 from esg.units import GRAVITY_MPS2, quat_rotate, yaw_from_quat
 
 AddTerm = Callable[[str, Floats], None]
 
-SAFE_IMPULSE_NS = 0.25
-SAFE_DEPTH_M = 0.035
+
+class Detected(NamedTuple):
+    """When an event happened, and how far from happening it was.
+
+    Args:
+        time: [s], inf where it did not happen, shape [W].
+        far: Margin to its happening, squared, in scales of its type; counts where it did not
+            happen, shape [W].
+    """
+
+    time: Floats
+    far: Floats
+
+
 EARLY_SCALE_S, MOST_EARLY = 0.1, 3.0
 """Scale of how much too early the last hit came, and the most that it costs."""
 SPARE_S = 0.15
 """A recording goes on for so much longer: in another engine the hit may come later."""
-STOP_SPEED_MPS = 0.1
-PASSING_MPS = 0.2
-"""Who is slower than this overtakes nobody."""
 DISTANCE_SCALE_M = 0.3
-NEAR_M = 0.25
-"""What comes this close has reached something."""
-TOPPLED_DEG = 47.0
-"""A little over the 45 degrees that count."""
 TILT_SCALE_DEG = 15.0
 BRISK = 2.5
 """Usual time from a hit to its topple, over the root of height by gravity."""
 
 
-def collision(
-    rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm
-) -> tuple[Floats, Floats]:
+def collision(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) -> Detected:
     a, b = rec.members(node.participants[0]), rec.members(node.participants[-1])
     found = first_hit(rec, a, b, earliest)
     end = float(rec.t[-1])
-    hit, good = np.isfinite(found.time) & (found.time <= HIT_LIMIT_S), found.sound(end)
+    hit, good = np.isfinite(found.time) & (found.time <= T_MAX_S), found.sound(end)
     # A hit is looked at again after a while: the recording has to go on for as long.
     short = found.short(end)
-    unsound = 0.5 + np.maximum(found.depth - MAX_DEPTH_M, 0.0) / 0.02
-    unsound += np.maximum(found.recheck - MAX_RECHECK_M, 0.0) / 0.02
+    unsound = 0.5 + np.maximum(found.depth - MAX_CONTACT_DEPTH_M, 0.0) / 0.02
+    unsound += np.maximum(found.recheck - MAX_RECHECK_DEPTH_M, 0.0) / 0.02
     unsound += np.maximum(MIN_IMPULSE_NS - found.impulse, 0.0) / MIN_IMPULSE_NS
-    unsound += np.maximum(short, 0.0) / RECHECK_S
+    unsound += np.maximum(short, 0.0) / RECHECK_AFTER_S
     missed = (_miss_distance(rec, a, b, hit, earliest) / DISTANCE_SCALE_M) ** 2
     early = 0.5 + np.minimum(found.early / EARLY_SCALE_S, MOST_EARLY)
     missed = missed + np.where(np.isfinite(found.early), early, 0.0)
@@ -71,7 +86,7 @@ def collision(
     soft = soft + np.maximum(short + SPARE_S, 0.0) / SPARE_S
     add(f"{node.id}/weak", np.where(good, soft, 0.0))
     add(f"{node.id}/glance", np.where(good, 0.3 * found.glance, 0.0))
-    return np.where(good, found.time, np.inf), far
+    return Detected(np.where(good, found.time, np.inf), far)
 
 
 def _miss_distance(
@@ -107,9 +122,7 @@ def _closest(rec: Recording, i: int, j: int, worlds: NDArray[np.int64], earliest
     return np.nan_to_num(gap, nan=100.0).min(axis=1)
 
 
-def reach(
-    rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm
-) -> tuple[Floats, Floats]:
+def reach(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) -> Detected:
     a, b = rec.members(node.participants[0]), rec.members(node.participants[-1])
     near = gap_over_time(rec, a, b, near_only=True) <= NEAR_M
     near &= rec.t[None, :] >= earliest[:, None]
@@ -118,12 +131,10 @@ def reach(
     far = (_miss_distance(rec, a, b, ~none, earliest) / DISTANCE_SCALE_M) ** 2
     hit = np.isfinite(first_hit(rec, a, b, earliest).time)
     add(f"{node.id}/touch", np.where(hit, 0.5, 0.0))
-    return time, far
+    return Detected(time, far)
 
 
-def miss(
-    rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm
-) -> tuple[Floats, Floats]:
+def miss(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) -> Detected:
     a, b = rec.members(node.participants[0]), rec.members(node.participants[-1])
     first = first_hit(rec, a, b, np.zeros(rec.n)).time
     if rec.story.meet_again(node) and a and b:
@@ -133,20 +144,20 @@ def miss(
     time = rec.t[[first_pass(world) for world in gap]]
     add(f"{node.id}/near", np.minimum((np.maximum(gap.min(axis=1) - 0.5, 0) / 1.0) ** 2, 4))
     ok = ~hit & np.isfinite(earliest)
-    return np.where(ok, time, np.inf), np.full(rec.n, 1.0)
+    return Detected(np.where(ok, time, np.inf), np.full(rec.n, 1.0))
 
 
-def _passing(rec: Recording, a: int, b: int, hit: Floats) -> tuple[Floats, Floats]:
+def _passing(rec: Recording, a: int, b: int, hit: Floats) -> Detected:
     """When a gets ahead of b, inf if not before they touch, and what is missing of that [m]."""
     p = rec.r.position[:, :, [a, b], :2].astype(float)
     v = rec.r.linear_velocity[:, :, a, :2].astype(float)
     speed = np.linalg.norm(v, axis=-1)
-    way = v / np.maximum(speed, PASSING_MPS)[..., None]
+    way = v / np.maximum(speed, MOVING_MPS)[..., None]
     ahead = ((p[:, :, 0] - p[:, :, 1]) * way).sum(axis=-1)
-    untouched = (rec.t[None, :] < hit[:, None]) & (speed > PASSING_MPS)
+    untouched = (rec.t[None, :] < hit[:, None]) & (speed > MOVING_MPS)
     time = rec.first(gets_ahead(ahead, untouched))
     nearest = np.where(untouched, ahead, -100.0).max(axis=1)
-    return time, np.clip(-nearest, 0.3, 100.0)
+    return Detected(time, np.clip(-nearest, 0.3, 100.0))
 
 
 def gap_over_time(rec: Recording, a: list[int], b: list[int], *, near_only: bool = False) -> Floats:
@@ -186,12 +197,10 @@ def _least_gap(x: Body, y: Body, px: Floats, qx: Floats, py: Floats, qy: Floats)
     return least
 
 
-def enter(
-    rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm
-) -> tuple[Floats, Floats]:
+def enter(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) -> Detected:
     region = next((r for r in rec.scene.regions if r.name == node.region), None)
     if region is None:
-        return np.full(rec.n, np.inf), np.full(rec.n, 25.0)
+        return Detected(np.full(rec.n, np.inf), np.full(rec.n, 25.0))
     body, parent = rec.scene.index(node.participants[0]), rec.scene.index(region.parent)
     p, q = rec.r.position.astype(float), rec.r.quaternion.astype(float)
     inverse = q[:, :, parent] * np.array([-1.0, -1.0, -1.0, 1.0])
@@ -203,7 +212,7 @@ def enter(
     # What is inside already does not enter.
     new = np.concatenate([np.zeros((rec.n, 1), bool), inside[:, 1:] & ~inside[:, :-1]], axis=1)
     inside &= np.maximum.accumulate(new & late, axis=1)
-    hold = max(1, round(0.2 * rec.fps))
+    hold = max(1, round(ENTERED_FOR_S * rec.fps))
     stays = inside.copy()
     longest = inside.any(axis=1).astype(float)
     for k in range(1, hold + 1):
@@ -226,19 +235,19 @@ def enter(
     nearest = np.where(late, outside, np.inf).min(axis=1)
     miss = np.nan_to_num(np.minimum(nearest + planar, 50.0), posinf=50.0) / scale
     # What is inside for too short a time has come closer than what never gets there.
-    return time, 0.25 * miss**2 + 1.0 - longest / (hold + 1)
+    return Detected(time, 0.25 * miss**2 + 1.0 - longest / (hold + 1))
 
 
-def stop(rec: Recording, node: TimelineNode, earliest: Floats, _: AddTerm) -> tuple[Floats, Floats]:
+def stop(rec: Recording, node: TimelineNode, earliest: Floats, _: AddTerm) -> Detected:
     body = rec.scene.index(node.participants[0])
     speed = rec.speed[:, :, body]
-    moved = np.maximum.accumulate(speed > 2.0 * STOP_SPEED_MPS, axis=1)
-    slow = (speed < STOP_SPEED_MPS) & moved & (rec.t[None, :] >= earliest[:, None])
+    moved = np.maximum.accumulate(speed > MOVING_MPS, axis=1)
+    slow = (speed < STOPPED_MPS) & moved & (rec.t[None, :] >= earliest[:, None])
     still = slow.copy()
-    for k in range(1, max(1, round(0.2 * rec.fps)) + 1):
+    for k in range(1, max(1, round(STOPPED_FOR_S * rec.fps)) + 1):
         still[:, :-k] &= slow[:, k:]
         still[:, -k:] = False
-    return rec.first(still), speed[:, -1]
+    return Detected(rec.first(still), speed[:, -1])
 
 
 def _since(rec: Recording, earliest: Floats) -> NDArray[np.int64]:
@@ -255,16 +264,14 @@ def _tilt(rec: Recording, body: int, since: NDArray[np.int64]) -> Floats:
     return np.degrees(np.arccos(np.clip((up * rest).sum(axis=-1), -1.0, 1.0)))
 
 
-def topple(
-    rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm
-) -> tuple[Floats, Floats]:
+def topple(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) -> Detected:
     since = _since(rec, earliest)
     tilt = np.max([_tilt(rec, body, since) for body in rec.members(node.participants[0])], axis=0)
     late = rec.t[None, :] >= earliest[:, None]
     most = np.where(late, tilt, 0.0).max(axis=1)
     add(f"{node.id}/weak", np.maximum(70.0 - most, 0.0) / 70.0 * 0.3)
-    short = (TOPPLED_DEG - np.minimum(most, TOPPLED_DEG)) / TILT_SCALE_DEG
-    time = rec.first((tilt > TOPPLED_DEG) & late)
+    short = (SAFE_TOPPLED_DEG - np.minimum(most, SAFE_TOPPLED_DEG)) / TILT_SCALE_DEG
+    time = rec.first((tilt > SAFE_TOPPLED_DEG) & late)
     before = rec.story.previous_outcome(node.id)
     if before is not None and rec.story.nodes[before].event is NodeEvent.COLLISION:
         # What hangs over its edge after a hit falls back in another engine.
@@ -273,20 +280,18 @@ def topple(
         wait = np.where(struck, time, 0.0) - np.where(struck, earliest, 0.0)
         fall = math.sqrt(height / GRAVITY_MPS2)
         add(f"{node.id}/slow", 0.15 * np.clip(wait / fall - BRISK, 0.0, 4.0))
-    return time, short**2
+    return Detected(time, short**2)
 
 
 def tilt_of(loss: float) -> float:
     """The largest tilt [deg] behind a loss of `topple`."""
-    return TOPPLED_DEG - TILT_SCALE_DEG * math.sqrt(max(loss, 0.0))
+    return SAFE_TOPPLED_DEG - TILT_SCALE_DEG * math.sqrt(max(loss, 0.0))
 
 
-def fall(
-    rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm
-) -> tuple[Floats, Floats]:
+def fall(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) -> Detected:
     body = rec.scene.index(node.participants[0])
     z = rec.r.position[:, :, body, 2].astype(float)
-    need = 1.05 * rec.scene.bodies[body].half_extents[2]
+    need = 2.0 * SAFE_FALLEN_BY * rec.scene.bodies[body].half_extents[2]
     # What has come down before the event that it follows does not count.
     drop = z[np.arange(rec.n), _since(rec, earliest)][:, None] - z
     late = rec.t[None, :] >= earliest[:, None]
@@ -300,12 +305,10 @@ def fall(
     struck = np.isfinite(time) & np.isfinite(earliest) & (earliest > 0.0)
     wait = np.where(struck, time, 1.0) - np.where(struck, earliest, 0.0) - 1.0
     add(f"{node.id}/slow", 0.2 * np.clip(wait, 0.0, 3.0))
-    return time, 4.0 * np.maximum(need - most, 0) / need + 1 / (1 + moved)
+    return Detected(time, 4.0 * np.maximum(need - most, 0) / need + 1 / (1 + moved))
 
 
-def heading(
-    rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm
-) -> tuple[Floats, Floats]:
+def heading(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) -> Detected:
     name = node.participants[0]
     body = rec.scene.index(name)
     planned = rec.program_time(node)
@@ -318,37 +321,22 @@ def heading(
     asked = math.radians(node.turn_degrees or 90.0)
     turned = sign * (rec.at(yaw, planned + 0.05) - rec.at(yaw, begin))
     error = np.abs(turned - asked)
-    ok = (error < math.radians(15.0)) & np.isfinite(earliest)
+    ok = (error < math.radians(SAFE_TURN_DEG)) & np.isfinite(earliest)
     add(f"{node.id}/heading", np.minimum((error / math.radians(10.0)) ** 2, 9.0) * 0.1)
     # It is judged from 20 degrees short of it on, and told as over at its end: half way between.
     made = planned - (planned - begin) * TURNED_RAD / max(asked, TURNED_RAD)
-    return np.where(ok, made, np.inf), (error / 0.3) ** 2
+    return Detected(np.where(ok, made, np.inf), (error / 0.3) ** 2)
 
 
-def position(
-    rec: Recording, node: TimelineNode, earliest: Floats, _: AddTerm
-) -> tuple[Floats, Floats]:
+def position(rec: Recording, node: TimelineNode, earliest: Floats, _: AddTerm) -> Detected:
     body = rec.scene.index(node.participants[0])
     if node.position_cm is None:
-        return np.where(np.isfinite(earliest), earliest, np.inf), np.zeros(rec.n)
+        return Detected(np.where(np.isfinite(earliest), earliest, np.inf), np.zeros(rec.n))
     goal = np.array(node.position_cm) / 100.0
     away = np.linalg.norm(rec.r.position[:, :, body].astype(float) - goal, axis=-1)
     time = node.timestamp if node.timestamp is not None else None
     if time is not None:
         d = rec.at(away, np.full(rec.n, time))
-        return np.where(d < DISTANCE_SCALE_M, time, np.inf), (d / DISTANCE_SCALE_M) ** 2
+        return Detected(np.where(d < DISTANCE_SCALE_M, time, np.inf), (d / DISTANCE_SCALE_M) ** 2)
     near = (away < DISTANCE_SCALE_M) & (rec.t[None, :] >= earliest[:, None])
-    return rec.first(near), (away.min(axis=1) / DISTANCE_SCALE_M) ** 2
-
-
-MEASURES = {
-    NodeEvent.COLLISION: collision,
-    NodeEvent.REACH: reach,
-    NodeEvent.MISS: miss,
-    NodeEvent.ENTER_REGION: enter,
-    NodeEvent.STOP: stop,
-    NodeEvent.TOPPLE: topple,
-    NodeEvent.FALL: fall,
-    NodeEvent.HEADING_REACHED: heading,
-    NodeEvent.POSITION_AT: position,
-}
+    return Detected(rec.first(near), (away.min(axis=1) / DISTANCE_SCALE_M) ** 2)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from esg.engines.scene import Body, Region, Shape, SimScene
+from esg.graph.casting import effective
 from esg.graph.models import AssetConfiguration, EsgDocument, Node, Pose, Proxy, ProxyKind, Role
 from esg.outcomes import UserError
 from esg.units import quat_from_euler_deg, quat_rotate
@@ -24,6 +25,7 @@ def build_scene(doc: EsgDocument) -> SimScene:
     Raises:
         UserError: If a stage before this one has not run.
     """
+    doc = effective(doc)
     if doc.layout_result is None:
         raise UserError("the document has no layout_result: run the layout stage first")
     nodes = doc.spatial_relation_graph.nodes

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 import math
 
@@ -30,11 +30,62 @@ STILL_MPS = 0.07
 SHAKEN_S = 0.15
 """From the hit of a support until something on it sets off to fall [s]."""
 
+TIMED = (NodeEvent.TRIGGER, NodeEvent.REACH, NodeEvent.STOP, NodeEvent.MISS)
+"""Events at which a phase ends when theta says so; others end it when they happen."""
+
 Values = dict[str, float]
 
 
-class Composer(Cast):
-    """Turns phases and values into primitives and start poses."""
+@dataclass
+class _Course:
+    """Where the program of an actor stands.
+
+    Attributes:
+        actor: Who acts.
+        heading: [rad].
+        speed: [m/s].
+        clock: When the next phase may begin [s].
+        out: The primitives so far.
+    """
+
+    actor: str
+    heading: float
+    speed: float = 0.0
+    clock: float = 0.0
+    out: list[Primitive] = field(default_factory=list)
+
+
+@dataclass(frozen=True)
+class _Leg:
+    """One phase of an actor under the values of theta.
+
+    Args:
+        phase: The phase.
+        v: Values of all variables by name.
+        start, end: [s].
+        first, last: Whether it is the actor's first or last one.
+        duration: Of the scene [s].
+    """
+
+    phase: Phase
+    v: Values
+    start: float
+    end: float
+    first: bool
+    last: bool
+    duration: float
+
+
+class Composer:
+    """Turns phases and values into primitives and start poses.
+
+    Args:
+        cast: Who takes part, and how.
+    """
+
+    def __init__(self, cast: Cast) -> None:
+        self.cast, self.doc, self.scene = cast, cast.doc, cast.scene
+        self.story, self.nominal = cast.story, cast.nominal
 
     @cached_property
     def _shaken(self) -> dict[str, float]:
@@ -68,18 +119,18 @@ class Composer(Cast):
         first = self.story.phases[actor][0]
         if self.story.flies(actor):
             first = flown_to(self.story, first)
-        target = self.target(first)
+        target = self.cast.target(first)
         straight = first.end.event not in (NodeEvent.TRIGGER, NodeEvent.HEADING_REACHED)
         yaw = float(yaw_from_quat(body.quaternion))
-        if self.drives(actor) and not straight:
+        if self.cast.drives(actor) and not straight:
             return yaw
-        if target is not None and straight and not self.look_ahead:
+        if target is not None and straight and not self.cast.look_ahead:
             offset = np.array(self.scene.body(target).position) - np.array(body.position)
             return math.atan2(offset[1], offset[0])
-        if target is None or (self.drives(actor) and first.end.event is NodeEvent.MISS):
+        if target is None or (self.cast.drives(actor) and first.end.event is NodeEvent.MISS):
             return yaw
         heading = aim_heading(self.scene, self.story, body, first, target)
-        if self.drives(actor) and abs(wrap_angle(heading - yaw)) > math.radians(12.0):
+        if self.cast.drives(actor) and abs(wrap_angle(heading - yaw)) > math.radians(12.0):
             return yaw
         return heading
 
@@ -102,118 +153,147 @@ class Composer(Cast):
     def primitives(
         self, actor: str, phases: tuple[Phase, ...], v: Values, duration: float
     ) -> list[Primitive]:
-        body = self.scene.body(actor)
-        heading = self.base_heading(actor) + v[f"{actor}/aim"]
-        speed, clock = 0.0, 0.0
-        soars = self.story.soars(actor)
-        out: list[Primitive] = []
+        """The primitives of an actor's phases under the values of theta.
+
+        Args:
+            actor: Who acts.
+            phases: What it does, in order.
+            v: Values of all variables by name.
+            duration: Of the scene [s].
+        """
+        course = _Course(actor, self.base_heading(actor) + v[f"{actor}/aim"])
         for k, phase in enumerate(phases):
-            edge = phase.edge
-            start = max(clock, self.node_time(phase.start, v, clock))
+            start = max(course.clock, self.node_time(phase.start, v, course.clock))
             start = max(start, self._shaken.get(actor, 0.0) if k == 0 else 0.0)
             end = self.phase_end(phase, v, start, duration)
-            last = k + 1 == len(phases)
-            if self.coasts(phase):
+            if self.cast.coasts(phase):
                 continue
             if self.story.tips(phase) or (k > 0 and self.story.flies(actor)):
                 # Nothing may hold it upright or on its course any more.
-                out = [_until(p, start) for p in out]
-            if edge.event is EdgeEvent.TOWARD or self.story.tips(phase):
-                out.append(self.launch(actor, body, phase, v, start, heading))
-                out += self._rolls_out(actor, body, phase, v, start, end) if last else []
-                clock = start
-                continue
-            if f"{edge.id}/stopping" in v:
-                lasts = v[f"{edge.id}/stopping"]
-                # What flies hovers where it stopped.
-                hovers = soars and last and not self.story.falls(actor)
-                out.append(
-                    HoldVelocity(
-                        actor,
-                        start,
-                        math.inf if hovers else start + lasts,
-                        speed=abs(speed),
-                        heading=heading,
-                        acceleration=-abs(speed) / lasts,
-                        roll_radius=body.roll_radius,
-                        until_contact=self._others(actor) if soars else self.contacts(phase),
-                        climb=0.0 if soars else None,
-                    )
-                )
-                speed, clock = 0.0, start + lasts
-                continue
-            if edge.event is EdgeEvent.BRAKE:
-                damping = v[f"{edge.id}/damping"]
-                out.append(AdjustProperties(actor, start, linear_damping=damping))
-                speed *= math.exp(-damping * max(end - start, 0.0))
-                clock = end
-                if not last:
-                    out.append(AdjustProperties(actor, end, linear_damping=body.linear_damping))
-                continue
-            speed = v.get(f"{edge.id}/speed", speed)
-            rate, turn_end = 0.0, end
-            if edge.event is EdgeEvent.TURN:
-                degrees, sign = turn_of(phase)
-                rate = sign * v[f"{edge.id}/turn_rate"]
-                turn_end = start + math.radians(degrees) / abs(rate)
-                end = turn_end
-            acceleration = v.get(f"{edge.id}/acceleration", 0.0)
-            until = self.contacts(phase)
-            pushed = self.pushes_off(actor, phase) if last else None
-            if pushed is not None:
-                end, until = self.nominal.get(f"{pushed.id}/event_time", duration) + 0.3, ()
-            if soars and last and phase.end.event is NodeEvent.MISS:
-                # It flies on past what it does not touch.
-                end = math.inf
-            if k == 0 and self.leaves_support(actor, phase):
-                # Held, it could not tilt with the slope it goes down.
-                flat = np.array([math.cos(heading), math.sin(heading), 0.0])
-                out.append(SetVelocity(actor, start, _vec(abs(speed) * flat)))
-                clock = start
-                continue
-            out.append(
+                course.out = [_until(p, start) for p in course.out]
+            leg = _Leg(phase, v, start, end, k == 0, k + 1 == len(phases), duration)
+            if phase.edge.event is EdgeEvent.TOWARD or self.story.tips(phase):
+                self._let_go(course, leg)
+            elif f"{phase.edge.id}/stopping" in v:
+                self._stop_in_time(course, leg)
+            elif phase.edge.event is EdgeEvent.BRAKE:
+                self._brake(course, leg)
+            else:
+                self._drive(course, leg)
+        return course.out
+
+    def _let_go(self, course: _Course, leg: _Leg) -> None:
+        """A throw, a kick, a push: its velocity is set once."""
+        actor, body = course.actor, self.scene.body(course.actor)
+        course.out.append(self.launch(actor, body, leg.phase, leg.v, leg.start, course.heading))
+        if leg.last:
+            course.out += self._rolls_out(actor, body, leg.phase, leg.v, leg.start, leg.end)
+        course.clock = leg.start
+
+    def _stop_in_time(self, course: _Course, leg: _Leg) -> None:
+        """It slows down step by step, to rest."""
+        actor, lasts = course.actor, leg.v[f"{leg.phase.edge.id}/stopping"]
+        soars = self.story.soars(actor)
+        # What flies hovers where it stopped.
+        hovers = soars and leg.last and not self.story.falls(actor)
+        course.out.append(
+            HoldVelocity(
+                actor,
+                leg.start,
+                math.inf if hovers else leg.start + lasts,
+                speed=abs(course.speed),
+                heading=course.heading,
+                acceleration=-abs(course.speed) / lasts,
+                roll_radius=self.scene.body(actor).roll_radius,
+                until_contact=self._others(actor) if soars else self.cast.contacts(leg.phase),
+                climb=0.0 if soars else None,
+            )
+        )
+        course.speed, course.clock = 0.0, leg.start + lasts
+
+    def _brake(self, course: _Course, leg: _Leg) -> None:
+        """Its damping is raised, until what it does next."""
+        actor, damping = course.actor, leg.v[f"{leg.phase.edge.id}/damping"]
+        course.out.append(AdjustProperties(actor, leg.start, linear_damping=damping))
+        course.speed *= math.exp(-damping * max(leg.end - leg.start, 0.0))
+        course.clock = leg.end
+        if not leg.last:
+            usual = self.scene.body(actor).linear_damping
+            course.out.append(AdjustProperties(actor, leg.end, linear_damping=usual))
+
+    def _drive(self, course: _Course, leg: _Leg) -> None:
+        """Motion under its own power, straight on or in a curve."""
+        actor, phase, edge, v, start = course.actor, leg.phase, leg.phase.edge, leg.v, leg.start
+        soars, turns = self.story.soars(actor), edge.event is EdgeEvent.TURN
+        roll_radius = self.scene.body(actor).roll_radius
+        course.speed = speed = v.get(f"{edge.id}/speed", course.speed)
+        rate, end, until = 0.0, leg.end, self.cast.contacts(phase)
+        if turns:
+            degrees, sign = turn_of(phase)
+            rate = sign * v[f"{edge.id}/turn_rate"]
+            end = start + math.radians(degrees) / abs(rate)
+        acceleration = v.get(f"{edge.id}/acceleration", 0.0)
+        pushed = self.cast.pushes_off(actor, phase) if leg.last else None
+        if pushed is not None:
+            end, until = self.nominal.get(f"{pushed.id}/event_time", leg.duration) + 0.3, ()
+        if soars and leg.last and phase.end.event is NodeEvent.MISS:
+            # It flies on past what it does not touch.
+            end = math.inf
+        if leg.first and self.cast.leaves_support(actor, phase):
+            # Held, it could not tilt with the slope it goes down.
+            flat = np.array([math.cos(course.heading), math.sin(course.heading), 0.0])
+            course.out.append(SetVelocity(actor, start, _vec(abs(speed) * flat)))
+            course.clock = start
+            return
+        course.out.append(
+            HoldVelocity(
+                actor,
+                start,
+                end,
+                speed=abs(speed),
+                heading=course.heading,
+                acceleration=acceleration,
+                turn_rate=rate,
+                roll_radius=roll_radius,
+                until_contact=until,
+                climb=self.nominal.get(f"{edge.id}/slope", 0.0) * abs(speed) if soars else None,
+            )
+        )
+        course.heading += rate * (end - start) if turns else 0.0
+        if leg.last and turns:
+            # Let go while it turns, it would go on turning; what flies would sink.
+            course.out.append(
                 HoldVelocity(
                     actor,
-                    start,
                     end,
-                    speed=abs(speed),
-                    heading=heading,
-                    acceleration=acceleration,
-                    turn_rate=rate,
-                    roll_radius=body.roll_radius,
-                    until_contact=until,
-                    climb=self.nominal.get(f"{edge.id}/slope", 0.0) * abs(speed) if soars else None,
+                    math.inf if soars else end + STRAIGHT_S,
+                    abs(speed),
+                    course.heading,
+                    roll_radius=roll_radius,
+                    until_contact=self._others(actor) if soars else (),
+                    climb=0.0 if soars else None,
                 )
             )
-            heading += rate * (end - start) if edge.event is EdgeEvent.TURN else 0.0
-            if last and edge.event is EdgeEvent.TURN:
-                # Let go while it turns, it would go on turning; what flies would sink.
-                out.append(
-                    HoldVelocity(
-                        actor,
-                        end,
-                        math.inf if soars else end + STRAIGHT_S,
-                        abs(speed),
-                        heading,
-                        roll_radius=body.roll_radius,
-                        until_contact=self._others(actor) if soars else (),
-                        climb=0.0 if soars else None,
-                    )
-                )
-            speed = max(0.0, speed + acceleration * (min(end, duration) - start))
-            # What follows a hit follows it when it happens, not when the hold would have ended.
-            clock = min(end, max(start, v.get(f"{phase.end.id}/time", self.told(phase.end, end))))
-            if soars:
-                if last and phase.end.event in (NodeEvent.REACH, NodeEvent.STOP):
-                    out.append(self._hover(actor, end, speed, heading))
-                continue
-            if last and self.leaves_to_others(actor, phase):
-                hit = self.nominal.get(f"{phase.end.id}/event_time", duration)
-                hit = end if pushed is not None else hit
-                out.append(AdjustProperties(actor, hit, linear_damping=AFTER_HIT_DAMPING))
-            if last and phase.end.event in (NodeEvent.REACH, NodeEvent.STOP):
-                out.append(AdjustProperties(actor, end, linear_damping=REACH_BRAKE_DAMPING))
-        return out
+        course.speed = max(0.0, speed + acceleration * (min(end, leg.duration) - start))
+        # What follows a hit follows it when it happens, not when the hold would have ended.
+        told = v.get(f"{phase.end.id}/time", self.told(phase.end, end))
+        course.clock = min(end, max(start, told))
+        if leg.last:
+            self._end_drive(course, leg, end, pushed is not None)
+
+    def _end_drive(self, course: _Course, leg: _Leg, end: float, pushes: bool) -> None:
+        """What a driver does at the end of its part: it brakes, or hovers."""
+        actor, node = course.actor, leg.phase.end
+        stays = node.event in (NodeEvent.REACH, NodeEvent.STOP)
+        if self.story.soars(actor):
+            if stays:
+                course.out.append(self._hover(actor, end, course.speed, course.heading))
+            return
+        if self.cast.leaves_to_others(actor, leg.phase):
+            hit = end if pushes else self.nominal.get(f"{node.id}/event_time", leg.duration)
+            course.out.append(AdjustProperties(actor, hit, linear_damping=AFTER_HIT_DAMPING))
+        if stays:
+            course.out.append(AdjustProperties(actor, end, linear_damping=REACH_BRAKE_DAMPING))
 
     def _rolls_out(
         self, actor: str, body: Body, phase: Phase, v: Values, start: float, end: float
@@ -262,9 +342,7 @@ class Composer(Cast):
 
     def phase_end(self, phase: Phase, v: Values, start: float, duration: float) -> float:
         name = f"{phase.end.id}/time"
-        if phase.end.event is NodeEvent.TRIGGER and name in v:
-            return max(start + 0.05, v[name])
-        if phase.end.event in (NodeEvent.REACH, NodeEvent.STOP, NodeEvent.MISS) and name in v:
+        if phase.end.event in TIMED and name in v:
             return max(start + 0.05, v[name])
         if phase.end.event is NodeEvent.POSITION_AT and phase.end.timestamp is not None:
             return max(start + 0.05, phase.end.timestamp)
@@ -276,7 +354,7 @@ class Composer(Cast):
         """Where a flight begins [m]: at its start, or at the ramp that it takes off from."""
         start = np.array(body.position)
         before = self.story.phases[actor][: self.story.phases[actor].index(phase)]
-        ramp = self.target(before[-1]) if before and self.story.takes_off(actor) else None
+        ramp = self.cast.target(before[-1]) if before and self.story.takes_off(actor) else None
         if ramp is None or before[-1].end.event is not NodeEvent.COLLISION:
             return start
         met = self.scene.body(ramp)
@@ -292,7 +370,7 @@ class Composer(Cast):
             heading = v[f"{edge.id}/heading"] + v[f"{actor}/aim"]
         flat = np.array([math.cos(heading), math.sin(heading), 0.0])
         if f"{edge.id}/flight_time" in v:
-            goal = self.throw_goal(actor, phase)
+            goal = self.cast.throw_goal(actor, phase)
             assert goal is not None
             goal = goal + np.array([0.0, 0.0, v[f"{edge.id}/aim_height"]])
             offset = goal - self._lets_go(actor, body, phase, flat)

@@ -19,8 +19,8 @@ from esg.dynamics.plan.aim import aim_point
 from esg.dynamics.plan.cast import Cast
 from esg.dynamics.story.story import Phase, bounds, middle
 from esg.dynamics.story.tipping import FLIES_AT
-from esg.engines.scene import Body, Region, SimScene
-from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, TimelineNode
+from esg.engines.scene import Body, Region
+from esg.graph.models import EdgeEvent, NodeEvent, TimelineEdge, TimelineNode
 from esg.units import GRAVITY_MPS2
 
 FASTEST_THROW_CM_S = 2500.0
@@ -62,13 +62,21 @@ Values = dict[str, float]
 Floats = NDArray[np.float64]
 
 
-class Declarations(Cast):
-    """Declares the variables of every actor's phases, with bounds, starts and mask."""
+class Declarations:
+    """Declares the variables of every actor's phases, with bounds, starts and mask.
 
-    def __init__(
-        self, doc: EsgDocument, scene: SimScene, nominal: dict[str, float], look_ahead: bool
-    ) -> None:
-        super().__init__(doc, scene, nominal, look_ahead)
+    Args:
+        cast: Who takes part, and how.
+
+    Attributes:
+        variables: Entries of theta by name, in order.
+        tied: Names that share the variable of another one.
+    """
+
+    def __init__(self, cast: Cast) -> None:
+        self.cast, self.scene, self.story, self.nominal = (
+            cast, cast.scene, cast.story, cast.nominal
+        )  # fmt: skip
         self.variables: dict[str, Variable] = {}
         self.tied: dict[str, str] = {}
         for actor, phases in self.story.phases.items():
@@ -101,10 +109,10 @@ class Declarations(Cast):
     def declare(self, actor: str, phases: tuple[Phase, ...]) -> None:
         body = self.scene.body(actor)
         first = phases[0]
-        limit = 3.0 if self.drives(actor) else 14.0
+        limit = 3.0 if self.cast.drives(actor) else 14.0
         if self.scene.body(actor).roll_radius and body.half_extents[0] < 0.05:
             limit = 20.0
-        delicate = max(self.balls_after(first), int(f"{actor}/aim" in self.nominal))
+        delicate = max(self.cast.balls_after(first), int(f"{actor}/aim" in self.nominal))
         self.add(
             f"{actor}/aim",
             -math.radians(limit),
@@ -114,7 +122,7 @@ class Declarations(Cast):
             math.radians(limit / 6.0) * CHAIN_PRECISION**delicate,
             "rad",
         )
-        if self.drives(actor):
+        if self.cast.drives(actor):
             self.add(f"{actor}/lateral", -0.25, 0.25, 0.0, 0.0, 0.06, "m")
         for phase in phases:
             self.declare_phase(actor, body, phase)
@@ -134,7 +142,7 @@ class Declarations(Cast):
     def declare_phase(self, actor: str, body: Body, phase: Phase) -> None:
         edge, params = phase.edge, phase.edge.params
         nominal = self.nominal
-        if self.coasts(phase):
+        if self.cast.coasts(phase):
             return
         if edge.event is EdgeEvent.TOWARD and self.story.flies(actor):
             self.declare_throw(actor, body, phase)
@@ -204,7 +212,7 @@ class Declarations(Cast):
         """Times the program sets: triggers, and starts of phases that follow an outcome."""
         name = f"{node.id}/time"
         starts_here = any(
-            p.start.id == node.id and not self.coasts(p)
+            p.start.id == node.id and not self.cast.coasts(p)
             for ps in self.story.phases.values()
             for p in ps
         )
@@ -310,65 +318,22 @@ class Declarations(Cast):
         return float(min(math.exp(body.linear_damping * duration), 3.0))
 
     def declare_throw(self, actor: str, body: Body, phase: Phase) -> None:
-        edge, params = phase.edge, phase.edge.params
+        """Speed and elevation of a throw, or its flight time and aim where it has a goal."""
+        edge = phase.edge
         phase = flown_to(self.story, phase)
-        banked = f"{edge.id}/goal_above" in self.nominal
-        low, high, fixed = bounds(params.speed, (100.0, FASTEST_THROW_CM_S))
+        low, high, fixed = bounds(edge.params.speed, (100.0, FASTEST_THROW_CM_S))
         if not (fixed or edge.speed_is_prescribed):
             high = max(high, FASTEST_THROW_CM_S)
         if fixed:
-            self.add(
-                f"{edge.id}/speed",
-                low / 100,
-                low / 100,
-                low / 100,
-                low / 100,
-                0.0,
-                "m/s",
-                fixed=True,
-            )
-            e_low, e_high, e_fixed = bounds(params.elevation_deg, (-30.0, 75.0))
+            speed = low / 100
+            name = f"{edge.id}/speed"
+            self.add(name, speed, speed, speed, speed, 0.0, "m/s", fixed=True)
             start = self.elevation_for(actor, phase, low / 100.0)
-            self.add(
-                f"{edge.id}/elevation",
-                math.radians(e_low),
-                math.radians(e_high),
-                start,
-                math.radians(0.5 * (e_low + e_high)),
-                0.05,
-                "rad",
-                fixed=e_fixed,
-            )
+            self._declare_elevation(edge, (-30.0, 75.0), start, 0.05)
             return
-        target = self.target(phase)
         offset = self._goal_of(actor, edge.id)
-        flight = self.nominal.get(f"{edge.id}/flight_time", 1.0)
         if offset is not None:
-            span = float(np.linalg.norm(offset[:2] - np.array(body.position)[:2]))
-            fastest = max(span / (high / 100.0), 0.15)
-            self.add(
-                f"{edge.id}/flight_time",
-                fastest,
-                max(2.5, 1.5 * flight),
-                flight,
-                span / max(0.005 * (low + high), 0.5),
-                0.06 * flight,
-                "s",
-            )
-            height = self.scene.body(target).half_extents[2] if target else 0.3
-            region = self.region(phase)
-            mouth = region.half_extents[2] if region and region.kind == "inside" else 0.0
-            if region and not opens_upwards(self._siblings(region), region.name):
-                mouth = 0.0
-            self.add(
-                f"{edge.id}/aim_height",
-                -0.8 * height,
-                max(0.8 * height, 1.5 * mouth),
-                0.45 * height if self.story.topples(target) else OVER_MOUTH * mouth,
-                0.0,
-                0.05 if banked else 0.2 * height,
-                "m",
-            )
+            self._declare_flight(body, phase, edge.id, offset, low, high)
             return
         speed = middle(max(low, 1.0), high) / 100.0
         self.add(
@@ -380,28 +345,71 @@ class Declarations(Cast):
             0.1 * speed,
             "m/s",
         )
-        e_low, e_high, e_fixed = bounds(params.elevation_deg, (0.0, 60.0))
+        self._declare_elevation(edge, (0.0, 60.0), None, 0.1)
+
+    def _declare_elevation(
+        self,
+        edge: TimelineEdge,
+        usual: tuple[float, float],
+        start: float | None,
+        spread: float,
+    ) -> None:
+        """Elevation of a throw [rad], from `start` on or from the middle of its bounds."""
+        low, high, fixed = bounds(edge.params.elevation_deg, usual)
+        mid = math.radians(0.5 * (low + high))
         self.add(
             f"{edge.id}/elevation",
-            math.radians(e_low),
-            math.radians(e_high),
-            math.radians(0.5 * (e_low + e_high)),
-            math.radians(0.5 * (e_low + e_high)),
-            0.1,
+            math.radians(low),
+            math.radians(high),
+            mid if start is None else start,
+            mid,
+            spread,
             "rad",
-            fixed=e_fixed,
+            fixed=fixed,
+        )
+
+    def _declare_flight(
+        self, body: Body, phase: Phase, edge_id: str, goal: Floats, low: float, high: float
+    ) -> None:
+        """Flight time and height of the aim of a throw at a goal [m] at speeds [cm/s]."""
+        target = self.cast.target(phase)
+        flight = self.nominal.get(f"{edge_id}/flight_time", 1.0)
+        span = float(np.linalg.norm(goal[:2] - np.array(body.position)[:2]))
+        self.add(
+            f"{edge_id}/flight_time",
+            max(span / (high / 100.0), 0.15),
+            max(2.5, 1.5 * flight),
+            flight,
+            span / max(0.005 * (low + high), 0.5),
+            0.06 * flight,
+            "s",
+        )
+        height = self.scene.body(target).half_extents[2] if target else 0.3
+        region = self.cast.region(phase)
+        mouth = region.half_extents[2] if region and region.kind == "inside" else 0.0
+        if region and not opens_upwards(self._siblings(region), region.name):
+            mouth = 0.0
+        banked = f"{edge_id}/goal_above" in self.nominal
+        self.add(
+            f"{edge_id}/aim_height",
+            -0.8 * height,
+            max(0.8 * height, 1.5 * mouth),
+            0.45 * height if self.story.topples(target) else OVER_MOUTH * mouth,
+            0.0,
+            0.05 if banked else 0.2 * height,
+            "m",
         )
 
     def _goal_of(self, actor: str, edge_id: str) -> Floats | None:
         phase = next(p for p in self.story.phases[actor] if p.edge.id == edge_id)
-        return self.throw_goal(actor, phase)
+        return self.cast.throw_goal(actor, phase)
 
     def _siblings(self, region: Region) -> list[Region]:
         return [r for r in self.scene.regions if r.parent == region.parent]
 
     def elevation_for(self, actor: str, phase: Phase, speed: float) -> float:
         """Low-arc launch angle that reaches the target at a given speed."""
-        target = self.target(phase)
+        target = self.cast.target(phase)
         body = self.scene.body(actor)
         if target is None:
             return math.radians(20.0)

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.dynamics.plan.plan import Plan
+from esg.dynamics.plan import Plan
 from esg.dynamics.search.cloud import Cloud, spreads
 from esg.dynamics.search.panel import Panel
 from esg.outcomes import UserError

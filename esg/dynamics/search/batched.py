@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.dynamics.losses.shapes import MISSED
-from esg.dynamics.plan.plan import Plan
+from esg.dynamics.plan import Plan
 from esg.dynamics.search.cloud import Cloud, around, spreads
 from esg.dynamics.search.niches import Niche, apart, broad, everywhere
 from esg.dynamics.search.panel import GOOD_LOSS, WORST_SHARE, Found, Panel, prior
@@ -111,13 +111,9 @@ def search(
     elif settled(best, explored):
         return best, "no progress"
     if len(finalists) > 1:
-        # One after the other, unless the engine plays all of them in the time of one.
-        many = 1 if panel.breadth == 1 else len(finalists)
-        for k in range(1, len(finalists), many):
-            other = panel.judge(finalists[k : k + many])
-            best = min((best, other), key=lambda f: f.worst)
-            if best.good():
-                return best, "robust"
+        best = _best_of(panel, best, finalists[1:])
+        if best.good():
+            return best, "robust"
         if settled(best, explored):
             return best, "no progress"
     some = bool(best.ensemble.all_completed().any())
@@ -133,15 +129,30 @@ def search(
             return best, "robust"
     reached = explored.reached or best.worst < MISSED
     share = REFERENCE_SHARE if reached else 0.5 * REFERENCE_SHARE
-    rounds, shown = max(1, round(share * max_rounds)), FINALISTS
-    if rollouts is not None:
-        left = rollouts + len(ENSEMBLE) - panel.evaluations
-        rounds = min(rounds, left // (WORLDS + FINALISTS * len(ENSEMBLE)))
-        if rounds <= 0:
-            rounds, shown = 1, (left - WORLDS) // len(ENSEMBLE)
-        if shown <= 0:
-            return best, "budget spent"
+    rounds, shown = _affordable(panel, max(1, round(share * max_rounds)), rollouts)
+    if shown <= 0:
+        return best, "budget spent"
     return _polish(plan, panel, rng, best, rounds, shown)
+
+
+def _affordable(panel: Panel, rounds: int, rollouts: int | None) -> tuple[int, int]:
+    """Rounds of the reference engine, and finalists of each, that a budget of rollouts allows."""
+    if rollouts is None:
+        return rounds, FINALISTS
+    left = rollouts + len(ENSEMBLE) - panel.evaluations
+    rounds = min(rounds, left // (WORLDS + FINALISTS * len(ENSEMBLE)))
+    return (rounds, FINALISTS) if rounds > 0 else (1, (left - WORLDS) // len(ENSEMBLE))
+
+
+def _best_of(panel: Panel, best: Found, others: Floats) -> Found:
+    """The best of what was found and others, which are judged until one is good."""
+    # One after the other, unless the engine plays all of them in the time of one.
+    many = 1 if panel.breadth == 1 else len(others) + 1
+    for k in range(0, len(others), many):
+        best = min((best, panel.judge(others[k : k + many])), key=lambda f: f.worst)
+        if best.good():
+            return best
+    return best
 
 
 def _elsewhere(

@@ -12,7 +12,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.dynamics.plan.plan import Plan
+from esg.dynamics.plan import Plan
 from esg.engines.program import batch_programs
 from esg.engines.rest import at_rest, close_pairs
 from esg.engines.scene import Rollout, SimScene

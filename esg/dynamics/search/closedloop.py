@@ -11,8 +11,9 @@ from collections.abc import Callable
 
 import numpy as np
 
-from esg.dynamics.losses.losses import TOLERANCE, Assessment
-from esg.dynamics.plan.plan import Plan
+from esg.dynamics.losses import Assessment
+from esg.dynamics.losses.quantities import quantity_of
+from esg.dynamics.plan import Plan
 from esg.dynamics.search.panel import Found, rounded
 from esg.dynamics.search.simulate import Simulator
 from esg.engines.base import VERIFY_DT_S, get_engine
@@ -83,6 +84,6 @@ def satisfied(values: dict[str, float]) -> bool:
 
 def _errors(outcome: Assessment) -> list[float]:
     return [
-        min(abs(float(np.nan_to_num(e[0], nan=1e3, posinf=1e3))) / TOLERANCE[n.split("/")[1]], 1e3)
+        min(abs(float(np.nan_to_num(e[0], nan=1e3, posinf=1e3))) / quantity_of(n).tolerance, 1e3)
         for n, e in outcome.error.items()
     ]

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.dynamics.losses.shapes import MISSED
-from esg.dynamics.plan.plan import Plan
+from esg.dynamics.plan import Plan
 
 Floats = NDArray[np.float64]
 

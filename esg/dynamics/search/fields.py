@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -134,7 +134,8 @@ def parts_mesh(body: Body) -> trimesh.Trimesh:
     """All collision parts of a body as one surface in the body's frame [m]."""
     import trimesh
 
-    return trimesh.util.concatenate([_part(s) for s in body.shapes])
+    whole: Any = trimesh.util.concatenate([_part(s) for s in body.shapes])
+    return whole
 
 
 def _part(shape: Shape) -> trimesh.Trimesh:
@@ -164,7 +165,7 @@ def _asset_mesh(doc: EsgDocument, asset: str, body: Body) -> trimesh.Trimesh | N
     if config is None:
         return None
     try:
-        mesh = build_mesh(config).to_geometry()
+        mesh: Any = build_mesh(config).to_geometry()
     except (UserError, KeyError):
         return None
     mesh = mesh.copy()

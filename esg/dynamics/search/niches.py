@@ -13,7 +13,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.dynamics.plan.plan import Plan
+from esg.dynamics.plan import Plan
 
 Floats = NDArray[np.float64]
 

@@ -15,9 +15,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.dynamics.losses.losses import Assessment
-from esg.dynamics.plan.horizon import told_by
-from esg.dynamics.plan.plan import Plan
+from esg.dynamics.losses import Assessment
+from esg.dynamics.losses.horizon import expected_end, told_by
+from esg.dynamics.plan import Plan
 from esg.dynamics.search.simulate import ENSEMBLE, Simulator
 from esg.dynamics.story.proxies import faceted
 from esg.engines.base import Engine, get_engine
@@ -111,10 +111,10 @@ class Panel:
         self._told: dict[bytes, float] = {}
         # What plays many worlds in the time of one would wait for two passes instead of one.
         self._may_stop = self.breadth == 1
-        self._until = plan.told + SPARE_S if self._may_stop else math.inf
+        self._until = expected_end(plan) + SPARE_S if self._may_stop else math.inf
 
     def rebias(self, bias: dict[str, float]) -> None:
-        """Shifts the targets of all engines (`losses.assess`)."""
+        """Shifts the targets of all engines (`losses.assessment`)."""
         for simulator in (self.reference, self.surrogate, *self._others):
             simulator.bias = dict(bias)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from esg.dynamics.losses.shapes import MISSED
-from esg.dynamics.plan.plan import Plan
+from esg.dynamics.plan import Plan
 
 LEAST_GAIN = 0.02
 """What rounds have to gain where all events happen: absolutely, more for each event but two, and as

@@ -8,10 +8,12 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.dynamics.losses.losses import MISSED, TOLERANCE, Assessment
-from esg.dynamics.losses.measures import TOPPLED_DEG, tilt_of
+from esg.dynamics.losses import Assessment
+from esg.dynamics.losses.measures import tilt_of
+from esg.dynamics.losses.quantities import QUANTITIES, quantity_of
+from esg.dynamics.losses.shapes import MISSED
+from esg.dynamics.plan import Plan
 from esg.dynamics.plan.feasibility import impossible
-from esg.dynamics.plan.plan import Plan
 from esg.dynamics.search.panel import Found, Panel, rounded
 from esg.engines.program import Program, program_to_json
 from esg.graph.models import (
@@ -23,6 +25,7 @@ from esg.graph.models import (
     RelaxedConstraint,
 )
 from esg.outcomes import Outcome
+from esg.thresholds import SAFE_TOPPLED_DEG
 from esg.units import quat_rotate, yaw_from_quat
 
 STATIC_DURATION_S = 1.0
@@ -117,7 +120,7 @@ def _margins(ensemble: Assessment) -> dict[str, float]:
     """Share of the ensemble in which each event happens, and slack of each quantity."""
     out = {k: rounded(float(v.mean())) for k, v in ensemble.completed.items()}
     for name, error in ensemble.error.items():
-        tolerance = TOLERANCE[name.split("/")[1]]
+        tolerance = quantity_of(name).tolerance
         out[name] = rounded(float(np.clip(tolerance - np.abs(error).max(), -1e3, 1e3)))
     return out
 
@@ -129,23 +132,21 @@ def _relaxed(doc: EsgDocument, nominal: Assessment) -> tuple[RelaxedConstraint, 
     out: list[RelaxedConstraint] = []
     for name, error in nominal.error.items():
         event, quantity, obj = name.split("/")
-        if abs(float(error[0])) <= TOLERANCE[quantity]:
+        measured = QUANTITIES[quantity]
+        if abs(float(error[0])) <= measured.tolerance:
             continue
         node = nodes[event]
         requested = next(
             (c.value for c in node.constraints if c.quantity == quantity and c.object == obj),
             node.timestamp if node.timestamp is not None else (node.window or 0.0),
         )
-        speeds = quantity in ("speed_after", "speed_before", "distance", "height")
-        achieved = float(nominal.measured[name][0]) * (100.0 if speeds else 1.0)
-        unit = "cm/s" if quantity.startswith("speed") else "cm" if speeds else "s"
         out.append(
             RelaxedConstraint(
                 event=event,
                 quantity=quantity,
                 requested=requested,
-                achieved=rounded(achieved),
-                unit="deg" if quantity == "angle" else unit,
+                achieved=rounded(float(nominal.measured[name][0]) * (1.0 / measured.si)),
+                unit=measured.unit,
             )
         )
     return tuple(out)
@@ -161,7 +162,7 @@ def _given_up(
         RelaxedConstraint(
             event=k,
             quantity="tilt",
-            requested=TOPPLED_DEG,
+            requested=SAFE_TOPPLED_DEG,
             achieved=rounded(tilt_of(float(nominal.terms[f"{k}/task"][0]) - MISSED)),
             unit="deg",
         )

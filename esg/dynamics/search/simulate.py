@@ -8,11 +8,11 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.dynamics.choreography.choreography import turn_of
-from esg.dynamics.losses.losses import Assessment, assess
-from esg.dynamics.plan.horizon import told_by
-from esg.dynamics.plan.plan import Plan
+from esg.dynamics.losses import Assessment, assess
+from esg.dynamics.losses.horizon import told_by
+from esg.dynamics.plan import Plan
 from esg.dynamics.search.bystanders import bystanders, held, touched
+from esg.dynamics.story.story import turn_of
 from esg.engines.base import Engine
 from esg.engines.program import batch_programs
 from esg.engines.scene import Rollout, SimScene, Variation
@@ -58,7 +58,7 @@ class Simulator:
         plan: What is searched.
         engine: Plays it.
         dt: Its step [s].
-        bias: Of the targets (`losses.assess`).
+        bias: Of the targets (`losses.assessment`).
         hold: Whether bodies that no event is about are held still until something touches them
             (`bystanders`).
     """

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.engines.scene import Body, Shape, SimScene
+from esg.graph.casting import effective
 from esg.graph.models import AssetConfiguration, EsgDocument, Proxy, ProxyKind
 from esg.units import quat_rotate
 
@@ -93,6 +94,7 @@ def simple_document(doc: EsgDocument, kind: str = "box") -> EsgDocument:
         doc: A document with assets resolved.
         kind: As of `coarse`.
     """
+    doc = effective(doc)
     nodes = doc.spatial_relation_graph.nodes.values()
     kept = {n.asset_id for n in nodes if n.is_structural or n.is_static}
     configs = {

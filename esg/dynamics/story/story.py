@@ -13,6 +13,7 @@ from esg.graph.models import (
     NodeEvent,
     Quantity,
     Role,
+    SequenceGraph,
     TimelineEdge,
     TimelineNode,
 )
@@ -159,16 +160,7 @@ def read_story(doc: EsgDocument) -> Story:
         return Story({}, {}, {}, {}, groups, group_of)
     by_id = {n.id: n for n in timeline.sequence_graph.nodes}
     edges = timeline.sequence_graph.edges
-    before: dict[str, list[str]] = {i: [] for i in by_id}
-    for edge in edges:
-        if edge.from_ not in before[edge.to]:
-            before[edge.to].append(edge.from_)
-    # "1.5 seconds later" follows what it is timed from, whoever takes part in it.
-    for node in timeline.sequence_graph.nodes:
-        for c in node.constraints:
-            new = c.since in by_id and c.since not in before[node.id]
-            if new and not _leads(before, node.id, c.since):
-                before[node.id].append(c.since)
+    before = _before(timeline.sequence_graph)
     order = _topological(list(by_id), before)
     nodes = {i: by_id[i] for i in order}
     rank = {i: k for k, i in enumerate(order)}
@@ -183,6 +175,22 @@ def read_story(doc: EsgDocument) -> Story:
             phases[name] = tuple(Phase(e, by_id[e.from_], by_id[e.to]) for e in own)
             force[name] = actor.force_direction or ForceDirection.HORIZONTAL_PLANE
     return Story(nodes, {k: tuple(v) for k, v in before.items()}, phases, force, groups, group_of)
+
+
+def _before(graph: SequenceGraph) -> dict[str, list[str]]:
+    """Ids of the events that each one directly follows: by a segment, or because it is timed so."""
+    before: dict[str, list[str]] = {n.id: [] for n in graph.nodes}
+    for edge in graph.edges:
+        if edge.from_ not in before[edge.to]:
+            before[edge.to].append(edge.from_)
+    # "1.5 seconds later" follows what it is timed from, whoever takes part in it.
+    for node in graph.nodes:
+        for c in node.constraints:
+            if c.since is None or c.since not in before or c.since in before[node.id]:
+                continue
+            if not _leads(before, node.id, c.since):
+                before[node.id].append(c.since)
+    return before
 
 
 def _is_plural(doc: EsgDocument, members: list[str]) -> bool:

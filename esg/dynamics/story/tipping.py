@@ -17,11 +17,12 @@ from numpy.typing import NDArray
 
 from esg.dynamics.story.stagecraft import Prop
 from esg.graph.models import AssetConfiguration, Proxy, ProxyKind
+from esg.thresholds import SAFE_TOPPLED_DEG
 from esg.units import GRAVITY_MPS2, quat_rotate
 
 MARGIN = 1.3
 """Over the speed of the closed form."""
-TOPPLED_RAD = math.radians(47.0)
+TOPPLED_RAD = math.radians(SAFE_TOPPLED_DEG)
 """Tilt that counts as toppled, where a broad base would still fall back."""
 FLIES_AT = 0.7
 """Share of its height at which something thrown hits a body."""

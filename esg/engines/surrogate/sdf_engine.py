@@ -1,6 +1,6 @@
 """The fused surrogate with contacts from voxel signed distance fields of some bodies.
 
-For the refinement pass of a search (`esg.dynamics.search.refine`). Two bodies with fields meet by
+For the refinement pass of a search (`esg.dynamics.gradient.refine`). Two bodies with fields meet by
 them, and so do a field and a ball; all other pairs collide by their shapes. On the ground a body
 with a field rests on samples of its surface.
 """

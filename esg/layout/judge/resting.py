@@ -9,12 +9,13 @@ from esg.layout.problem.problem import LayoutProblem
 from esg.layout.problem.shapes import CIRCLE
 from esg.layout.problem.supports import Shape, Support
 from esg.layout.problem.units import Pose2, compose, inverse
+from esg.thresholds import HANGS_M, MEETS_M
 
 STANDING = ("on", "inside")
 """Kinds of supports that carry from below."""
-DROP_CM = 2.0
+DROP_CM = 100.0 * HANGS_M
 """What may sink so far without touching anything hangs in the air."""
-MEETS_CM = 0.1
+MEETS_CM = 100.0 * MEETS_M
 
 
 def centre_offset(problem: LayoutProblem, name: str) -> tuple[float, float]:

@@ -9,6 +9,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from esg.graph.models import Choreography
+
 
 @dataclass(frozen=True)
 class Placement:
@@ -66,3 +68,18 @@ class Constellation:
 @dataclass(frozen=True)
 class StartHints:
     constellations: tuple[Constellation, ...] = ()
+
+
+def stored_hints(told: Choreography) -> StartHints:
+    """The starts that a document's choreography asks for."""
+    return StartHints(
+        tuple(
+            Constellation(
+                tuple(Placement(p.node, p.x_cm, p.y_cm, p.yaw_deg, p.z_cm) for p in c.placements),
+                tuple(Corridor(k.points_cm, k.half_width_cm, k.participants) for k in c.corridors),
+                c.anchor,
+                c.yaw_deg,
+            )
+            for c in told.constellations
+        )
+    )

@@ -1,0 +1,416 @@
+"""Straight at what waits: down a ramp, braking, sliding, driving, rolling, flying or thrown."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+import math
+
+from esg.dynamics.choreography.caroms import is_carom
+from esg.dynamics.choreography.demands import (
+    demanded,
+    felt_speed,
+    gentlest,
+    passed_on,
+    sends_sliding,
+    timed_push,
+)
+from esg.dynamics.choreography.encounters import brake_into, covers
+from esg.dynamics.choreography.flights import took_off
+from esg.dynamics.choreography.hovering import fly_in
+from esg.dynamics.choreography.impacts import returns
+from esg.dynamics.choreography.placing import (
+    asked_distance,
+    gap_at_start,
+    goes_on,
+    join,
+    struck_again,
+)
+from esg.dynamics.choreography.slopes import descend, goes_down
+from esg.dynamics.choreography.stage import FASTEST_MPS, Encounter, Stage, speed_is_fixed
+from esg.dynamics.choreography.throws import (
+    hand_height,
+    is_lobbed,
+    level_height,
+    putts,
+    sends_on,
+    slowest_passage,
+)
+from esg.dynamics.story.kinematics import lob_time
+from esg.dynamics.story.stagecraft import (
+    approach_distance,
+    coasting_drag,
+    fall_speed,
+    min_hit_speed,
+    push_speed,
+    slide,
+    support_of,
+)
+from esg.dynamics.story.story import Phase, bounds
+from esg.dynamics.story.tipping import topple_speed
+from esg.graph.models import EdgeEvent, NodeEvent
+from esg.units import GRAVITY_MPS2
+
+MAX_APPROACH_M = 45.0
+SHORTEST_S = 0.15
+GAPPED = (NodeEvent.MISS, NodeEvent.REACH)
+LOB_M = 1.0
+"""Way of a throw into an open container."""
+AFTER_BOUNCE_M, AFTER_BOUNCE_S = 0.5, 0.3
+"""Longest way from a wall to what is hit after bouncing off it, unless it takes less than that."""
+RETURN_M, RETURN_S = 1.0, 0.2
+"""Longest way to a wall that sends something straight back, unless it takes less than that."""
+SLID = 0.55
+"""Share of its speed with which something slid along the ground arrives."""
+CHAINED = 0.6
+"""Share of the usual impulse and run-up of a ball that starts a chain of balls."""
+PUTT_MPS, PUTT_NS = 2.0, 0.15
+"""Speed that a swing gives to a ball that shall roll into something, and the least impulse."""
+LONG_CHAIN = 4
+"""Number of hits of a chain of balls from which on it goes as gently as its last hit allows."""
+STANDSTILL_MPS, CRAWL_MPS = 0.5, 0.05
+"""Speed with which something that accelerates sets off at most, and that of what stands still."""
+CALM_MPS = 4.0
+"""Speed at which something that is no wheel and no ball slides on and stays on the ground."""
+GENTLE = 0.4
+"""Share of the usual speed of a hit after which another one hits the same thing."""
+STAY_S = 0.28
+"""What rolls through an opening is in it for at least this long."""
+FRESH = 0.8
+"""Least share of its speed with which what was pushed and let go arrives."""
+FLIGHT_S, LONGEST_THROW_M = 0.3, 12.0
+"""Usual flight time of a throw at something, and its longest way."""
+LEVEL_S, LEAST_LEVEL_M = 0.2, 0.15
+"""Flight time and least way of a throw of stated speed that shall knock something over, and of one
+that shall send something on."""
+MIDDLE = 0.5
+"""Share of its height at which something is hit that is sent on."""
+TAKE_OFF = math.tan(math.radians(30.0))
+"""Slope at which what drives takes off."""
+
+
+@dataclass(frozen=True)
+class Demand:
+    """What an approach is to achieve.
+
+    Args:
+        speed: At which the mover comes [m/s].
+        least: Of a hit that counts and sends its target on [m/s].
+        needed: Without which something of the story cannot happen [m/s].
+        prescribed: When the prompt has the event take place [s], None where that is open.
+        asked: Way that the prompt has the mover cover [m], None where that is open.
+        chained: Balls hit each other: the less way there is, the less an error of the aim grows.
+        topples: The target shall topple.
+    """
+
+    speed: float
+    least: float
+    needed: float
+    prescribed: float | None
+    asked: float | None
+    chained: bool
+    topples: bool
+
+    def time_left(self, now: float) -> float | None:
+        """Time [s] until the event, None where that is open."""
+        return None if self.prescribed is None else max(SHORTEST_S, self.prescribed - now)
+
+
+@dataclass(frozen=True)
+class Run:
+    """A straight way [m], the time it takes [s], and the speed it ends with [m/s]."""
+
+    way: float
+    lasts: float
+    left: float
+
+
+# -- rows of `meetings.MEETINGS` -----------------------------------------------------------------
+
+
+def comes_down(stage: Stage, e: Encounter) -> bool:
+    """Whether a ramp leads from the mover to what waits."""
+    return goes_down(stage, e.a, e.b) is not None
+
+
+def come_down(stage: Stage, e: Encounter) -> None:
+    """It is let go at the top of the ramp; what waits stands at its foot."""
+    demand = _demand(stage, e)
+    needed = max(demand.needed, demand.least)
+    run = Run(*descend(stage, e.node, e.a, e.coming, e.b, needed))
+    _arrive(stage, e, demand, run)
+
+
+def brakes(stage: Stage, e: Encounter) -> bool:
+    """Whether the mover brakes on its way."""
+    return e.coming.edge.event is EdgeEvent.BRAKE
+
+
+def brake(stage: Stage, e: Encounter) -> None:
+    """It brakes, and still gets there."""
+    demand, track = _demand(stage, e), stage.tracks[e.a]
+    speed = track.speed or demand.speed
+    run = Run(*brake_into(stage, e.coming, speed, demand.prescribed, track.time))
+    _arrive(stage, e, demand, run)
+
+
+def slides(stage: Stage, e: Encounter) -> bool:
+    """Whether the mover was pushed or slid along the ground, so that friction takes its speed."""
+    body = stage.prop(e.a)
+    flat = not stage.story.flies(e.a)
+    return e.coming.edge.event is EdgeEvent.TOWARD and flat and not (body.rolls or body.wheeled)
+
+
+def slide_in(stage: Stage, e: Encounter) -> None:
+    """It slides, and is still fast enough when it gets there."""
+    demand, phase = _demand(stage, e), e.coming
+    speed = demand.speed
+    if demand.needed > 0.0 and not phase.edge.speed_is_prescribed:
+        # What it is to arrive with is less than what it starts with.
+        speed = max(speed, min(demand.needed / SLID, FASTEST_MPS))
+    speed, way, lasts, left = slide(
+        stage.prop(e.a),
+        speed,
+        demand.time_left(stage.tracks[e.a].time),
+        stage.rng,
+        adjustable=not speed_is_fixed(phase),
+    )
+    way = max(way, _past_the_end(stage, e.a, e.b), _room_after(stage, e.a, e.b))
+    stage.nominal[f"{phase.edge.id}/speed"] = speed
+    _arrive(stage, e, demand, Run(way, lasts, left))
+
+
+def come(stage: Stage, e: Encounter) -> None:
+    """It drives, walks, rolls, flies or is thrown there."""
+    demand, phase = _demand(stage, e), e.coming
+    rate, first = _gains(stage, e.a, phase, demand.speed)
+    run = _run_up(stage, e, demand)
+    demand = _slow_enough(stage, e, demand)
+    if _thrown(stage, e.a) and not is_lobbed(stage, e.node) and stage.anchor is None:
+        run = _throwing_distance(stage, e, demand, run)
+    speed, lasts = _pace(stage, e, demand, run)
+    if demand.prescribed is None and rate is not None and not _tossed(stage, e):
+        lasts = _gaining(first, rate, demand.asked or run)
+    way = demand.asked or covers(stage, e.a, phase, speed, lasts)
+    if demand.prescribed is None and rate is None:
+        way = max(way, _room_after(stage, e.a, e.b))
+        lasts = way / max(speed, CRAWL_MPS)
+    left = speed
+    if rate is not None:
+        speed, left = first, first + rate * lasts
+        way = 0.5 * (speed + left) * lasts
+        stage.nominal[f"{phase.edge.id}/acceleration"] = rate
+    elif way > MAX_APPROACH_M and not speed_is_fixed(phase):
+        speed = left = MAX_APPROACH_M / lasts
+        way = MAX_APPROACH_M
+    stage.nominal[f"{phase.edge.id}/speed"] = speed
+    _arrive(stage, e, demand, Run(way, lasts, left))
+
+
+# -- how hard, when, how far ---------------------------------------------------------------------
+
+
+def _demand(stage: Stage, e: Encounter) -> Demand:
+    """How fast a shall come to b, and by when."""
+    node, a, b, phase = e.node, e.a, e.b, e.coming
+    pa, pb = stage.prop(a), stage.prop(b)
+    again = struck_again(stage, node, a, b)
+    chained = (pa.rolls and pb.rolls and goes_on(stage, node, b)) or is_carom(stage, node, a, b)
+    least = min_hit_speed(pa, pb)
+    if chained:
+        least *= CHAINED
+    elif goes_on(stage, node, b) and not again:
+        least = max(least, push_speed(pa, pb), timed_push(stage, node, pa, b))
+    topples = stage.story.topples(stage.member(b))
+    needed = topple_speed(pa, pb, flies=stage.story.flies(a)) if topples else 0.0
+    if stage.story.falls(stage.member(b)) and phase.edge.event is EdgeEvent.TOWARD:
+        needed = max(needed, fall_speed(pa, pb))
+    needed = max(needed, demanded(stage, node, a, b))
+    if not chained:
+        needed = max(needed, felt_speed(pa, pb))
+    speed = stage.speed(a, phase, max(least, needed), needed)
+    open_ = Demand(
+        speed, least, needed, stage.prescribed_time(node), _asked(stage, e), chained, topples
+    )
+    if not phase.edge.speed_is_prescribed:
+        open_ = replace(open_, speed=_fitting_speed(stage, e, open_, again=again))
+    if open_.asked is None or speed_is_fixed(phase):
+        return open_
+    left = open_.time_left(stage.tracks[a].time)
+    return open_ if left is None else replace(open_, speed=open_.asked / left)
+
+
+def _asked(stage: Stage, e: Encounter) -> float | None:
+    """Way [m] that the prompt has a cover until it gets to b, or None."""
+    asked = asked_distance(stage, e.node, e.a) if e.node.event not in GAPPED else None
+    if asked is not None or e.node.event is not NodeEvent.COLLISION:
+        return asked
+    begins = stage.tracks[e.a].time <= 0.0 and e.b not in stage.places
+    return gap_at_start(stage, e.a, e.b) if begins else None
+
+
+def _fitting_speed(stage: Stage, e: Encounter, demand: Demand, *, again: bool) -> float:
+    """The speed [m/s] of an approach, where that is open, as what comes after it wants it."""
+    node, a, b = e.node, e.a, e.b
+    pa, pb = stage.prop(a), stage.prop(b)
+    speed, least, needed = demand.speed, demand.least, demand.needed
+    if demand.chained:
+        gently, hits = gentlest(stage, node, a, b)
+        speed = speed if hits < LONG_CHAIN else min(speed, max(gently, least, needed))
+    if demand.prescribed is None and sends_sliding(stage, node, b):
+        # Faster, it would tumble, and pass over the next one in another engine.
+        low, high, _ = bounds(e.coming.edge.params.speed, (0.0, 0.0))
+        calm = max(CALM_MPS / passed_on(pa, pb), least, needed, (0.9 * low + 0.1 * high) / 100.0)
+        speed = min(speed, calm)
+    if again:
+        # Gently: the next one is to find it.
+        speed = max(least, needed, GENTLE * speed)
+    if putts(stage, node, a, b):
+        speed = min(speed, max(PUTT_MPS, PUTT_NS / pb.mass) / passed_on(pa, pb))
+    return speed
+
+
+def _slow_enough(stage: Stage, e: Encounter, demand: Demand) -> Demand:
+    """The demand with a speed at which what rolls through an opening is in it for a while."""
+    inside = e.node.event is NodeEvent.ENTER_REGION
+    if not inside or stage.story.flies(e.a) or speed_is_fixed(e.coming):
+        return demand
+    slow = max(slowest_passage(stage, e.node) / STAY_S, 0.3)
+    return replace(demand, speed=min(demand.speed, slow))
+
+
+def _run_up(stage: Stage, e: Encounter, demand: Demand) -> float:
+    """Free way [m] from a to b, where the prompt gives none."""
+    a, speed = e.a, demand.speed
+    run = approach_distance(stage.prop(a), max(speed, 1.0), stage.rng) * stage.tight
+    if demand.chained:
+        run *= CHAINED
+    if a in stage.thrown_back:
+        run = min(run, max(AFTER_BOUNCE_M, AFTER_BOUNCE_S * stage.tracks[a].speed))
+        run = max(run, stage.way_back.get(a, 0.0))
+    if returns(stage, e.node, a, e.b):
+        run = min(run, max(RETURN_M, RETURN_S * speed))
+    run = min(run, _fresh_run(stage, a, e.coming, speed))
+    return max(run, _past_the_end(stage, a, e.b))
+
+
+def _throwing_distance(stage: Stage, e: Encounter, demand: Demand, run: float) -> float:
+    """Way [m] of a throw at something on the ground: farther off than a run-up, or level."""
+    if (demand.topples and speed_is_fixed(e.coming)) or sends_on(stage, e.node, e.b):
+        return max(LEVEL_S * demand.speed, LEAST_LEVEL_M)
+    return max(run, min(FLIGHT_S * demand.speed, LONGEST_THROW_M))
+
+
+def _thrown(stage: Stage, a: str) -> bool:
+    """Whether a is in the air without power of its own."""
+    return stage.story.flies(a) and not stage.story.soars(a)
+
+
+def _tossed(stage: Stage, e: Encounter) -> bool:
+    """Whether a comes down into what opens upwards, at a speed that is open."""
+    return _thrown(stage, e.a) and is_lobbed(stage, e.node) and not speed_is_fixed(e.coming)
+
+
+def _pace(stage: Stage, e: Encounter, demand: Demand, run: float) -> tuple[float, float]:
+    """Speed [m/s] and time [s] of an approach over a free way [m]."""
+    phase, speed, tossed = e.coming, demand.speed, _tossed(stage, e)
+    wait = demand.time_left(stage.tracks[e.a].time)
+    if wait is not None:
+        if not (_thrown(stage, e.a) or phase.edge.speed_is_prescribed):
+            speed = max(speed * stage.tight, min(speed, demand.least))
+        return min(speed, LOB_M / wait) if tossed else speed, wait
+    if not tossed:
+        return speed, (demand.asked or run) / max(speed, CRAWL_MPS)
+    # Steep enough to come down through an opening that looks up.
+    pa, pb = stage.prop(e.a), stage.prop(e.b)
+    way = demand.asked or LOB_M
+    hand = hand_height(stage, e.node, e.b, pa, pb)
+    lasts = lob_time(way + pb.half_length, hand - pb.height)
+    return way / lasts, lasts
+
+
+def _gains(stage: Stage, actor: str, phase: Phase, speed: float) -> tuple[float | None, float]:
+    """How an accelerated approach sets off: acceleration [m/s^2] and first speed [m/s].
+
+    None where the prompt states neither the acceleration nor that it starts at rest.
+    """
+    edge, track = phase.edge, stage.tracks[actor]
+    if edge.event is not EdgeEvent.ACCELERATED_MOTION:
+        return None, speed
+    low, high, fixed = bounds(edge.params.acceleration, (100.0, 400.0))
+    if not fixed and speed > CRAWL_MPS:
+        return None, speed
+    if not (speed_is_fixed(phase) and edge.params.speed is not None):
+        speed = track.speed if track.time > 0.0 else min(speed, STANDSTILL_MPS)
+    return max(0.005 * (low + high), 0.1), speed
+
+
+def _gaining(speed: float, rate: float, way: float) -> float:
+    """Time [s] in which something that gains speed covers a way [m]."""
+    return (math.sqrt(speed * speed + 2.0 * rate * way) - speed) / rate
+
+
+def _fresh_run(stage: Stage, a: str, phase: Phase, speed: float) -> float:
+    """Longest run [m] on which what was pushed and let go keeps `FRESH` of its speed."""
+    drag = coasting_drag(stage.prop(a))
+    if phase.edge.event is not EdgeEvent.TOWARD or stage.story.flies(a) or drag <= 0.0:
+        return math.inf
+    return (1.0 - FRESH * FRESH) * speed * speed / (2.0 * drag)
+
+
+def _room_after(stage: Stage, a: str, b: str) -> float:
+    """Least way [m] from one target to the next: past the first, which may lie there."""
+    before = stage.met.get(a)
+    if before is None or before == b:
+        return 0.0
+    first, second = stage.prop(before), stage.prop(b)
+    if a in stage.thrown_back:
+        # Its way leads away from what it bounced off.
+        least = stage.way_back.get(a, 0.0)
+        return max(AFTER_BOUNCE_M, AFTER_BOUNCE_S * stage.tracks[a].speed, least)
+    fallen = first.height if stage.story.topples(stage.member(before)) else 0.0
+    return max(first.length, first.width, 0.8 * fallen) + 0.5 * second.half_length + 0.3
+
+
+def _past_the_end(stage: Stage, a: str, b: str) -> float:
+    """Least run [m] on a support whose target waits on the ground: past the support's end."""
+
+    def is_below(key: str) -> bool:
+        name = stage.member(key)
+        return name != stage.anchor and support_of(stage.doc, name) != stage.anchor
+
+    before = stage.met.get(a)
+    if stage.anchor is None or not is_below(b) or (before is not None and is_below(before)):
+        return 0.0
+    return stage.prop(stage.anchor).length + 0.4
+
+
+# -- there ---------------------------------------------------------------------------------------
+
+
+def _arrive(stage: Stage, e: Encounter, demand: Demand, run: Run) -> None:
+    """Moves a along, gives what flies its height, and puts the end of the way at b's surface."""
+    track = stage.tracks[e.a]
+    track.straight(run.way, run.lasts, run.left)
+    if stage.story.soars(e.a):
+        fly_in(stage, e.node, e.a, e.coming, run.way)
+    elif stage.story.takes_off(e.a):
+        # Steeper than a ramp.
+        stage.nominal[f"{e.coming.edge.id}/flight_time"] = math.sqrt(
+            2.0 * run.way * TAKE_OFF / GRAVITY_MPS2
+        )
+    elif stage.story.flies(e.a):
+        stage.heights[e.a] = _release_height(stage, e, demand, run.lasts)
+        stage.nominal[f"{e.coming.edge.id}/flight_time"] = run.lasts
+        took_off(stage, e.a, e.coming, track.time)
+    join(stage, e.a, e.b, e.node)
+
+
+def _release_height(stage: Stage, e: Encounter, demand: Demand, lasts: float) -> float:
+    """Height [m] of the bottom of what is thrown, where it is let go."""
+    pa, pb = stage.prop(e.a), stage.prop(e.b)
+    stands = support_of(stage.doc, stage.member(e.b)) is None
+    if demand.topples and speed_is_fixed(e.coming) and stands:
+        return level_height(pb, pa, lasts)
+    if sends_on(stage, e.node, e.b):
+        return level_height(pb, pa, lasts, MIDDLE)
+    return hand_height(stage, e.node, e.b, pa, pb)

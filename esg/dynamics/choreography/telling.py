@@ -1,0 +1,140 @@
+"""Choreography: where the participants of a timeline start, and with which nominal parameters.
+
+Before anything is simulated, the story is told once with closed-form kinematics in a frame of its
+own: an actor runs along its path, meets its target after a plausible (or prescribed) time, sets it
+in motion, and the next target is put where the motion leads. The result is a set of constellations
+for the layout stage and a nominal value for every control parameter, where the search starts.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from esg.dynamics.choreography.meetings import collision, enters
+from esg.dynamics.choreography.moves import controlled, plain, turned
+from esg.dynamics.choreography.placing import enter_beside
+from esg.dynamics.choreography.pockets import play_pocket, pocket_event
+from esg.dynamics.choreography.stage import Stage
+from esg.dynamics.story.stagecraft import fit_to_surface
+from esg.dynamics.story.story import Story, read_story
+from esg.graph.canonical import entropy
+from esg.graph.models import EsgDocument, NodeEvent, TimelineNode
+from esg.layout.problem.hints import Constellation, StartHints
+
+HANDLERS = {
+    NodeEvent.TRIGGER: controlled,
+    NodeEvent.HEADING_REACHED: turned,
+    NodeEvent.COLLISION: collision,
+    NodeEvent.REACH: collision,
+    NodeEvent.MISS: collision,
+    NodeEvent.ENTER_REGION: enters,
+}
+"""How each event is told; all others are told by `plain`."""
+ATTEMPTS = 12
+"""How often a choreography that does not fit on its table is told again with less room."""
+
+
+@dataclass(frozen=True)
+class Choreography:
+    """Start hints (none for static scenes) and nominal parameters ("edge id/speed" -> SI value)."""
+
+    hints: StartHints
+    nominal: dict[str, float]
+
+
+def choreograph(doc: EsgDocument, *, seed: int = 0) -> Choreography:
+    """Tells the story once in closed form.
+
+    Args:
+        doc: A document with assets resolved.
+        seed: Varies approach distances, lateral offsets and times.
+    """
+    story = read_story(doc)
+    rng = np.random.default_rng([seed, entropy(doc)])
+    constellations: list[Constellation] = []
+    nominal: dict[str, float] = {}
+    told: dict[str, float] = {}
+    for component in _in_order(story, _components(doc, story)):
+        stage = _play(Stage(doc, story, component, rng.spawn(1)[0], elsewhere=dict(told)))
+        told.update(stage.time)
+        constellations.append(stage.constellation())
+        nominal.update(stage.nominal)
+        nominal.update({f"{k}/event_time": t for k, t in stage.time.items()})
+    return Choreography(StartHints(tuple(c for c in constellations if c.placements)), nominal)
+
+
+def _components(doc: EsgDocument, story: Story) -> list[set[str]]:
+    """Sets of objects whose motions touch each other."""
+    groups: list[set[str]] = []
+    links = [set(n.participants) | _region_parent(n) for n in story.nodes.values()]
+    links += [{c.object, c.to} for n in story.nodes.values() for c in n.constraints if c.to]
+    links += [
+        {e.edge.actor, *([e.edge.target] if e.edge.target else [])}
+        for p in story.phases.values()
+        for e in p
+    ]
+    for link in [s for s in links if s]:
+        touching = [g for g in groups if g & link]
+        merged = link.union(*touching)
+        groups = [g for g in groups if g not in touching] + [merged]
+    return [g for g in groups if any(story.is_active(n) for n in g)]
+
+
+def _in_order(story: Story, components: list[set[str]]) -> list[set[str]]:
+    """The components so that one whose events are timed from those of another comes after it."""
+    done: list[set[str]] = []
+    pending = list(components)
+    while pending:
+        ready = [c for c in pending if not _waits_for(story, c, pending)]
+        done.append((ready or pending)[0])
+        pending.remove(done[-1])
+    return done
+
+
+def _waits_for(story: Story, component: set[str], pending: list[set[str]]) -> bool:
+    """Whether an event of a component is timed from one of a component that is still pending."""
+    for node in story.nodes.values():
+        if not set(node.participants) & component:
+            continue
+        for c in node.constraints:
+            since = set(story.nodes[c.since].participants) if c.since in story.nodes else set()
+            if since and not since & component and any(since & p for p in pending):
+                return True
+    return False
+
+
+def _region_parent(node: TimelineNode) -> set[str]:
+    return {node.region.split("/")[0]} if node.region else set()
+
+
+def _play(stage: Stage) -> Stage:
+    """Tells a component's story; on a table, in ever less room until it fits.
+
+    What fits nowhere is left to the layout: the stage that is returned is then empty.
+    """
+    pocket = pocket_event(stage)
+    if pocket is not None:
+        play_pocket(stage, pocket)
+        return stage
+    for _ in range(ATTEMPTS):
+        _tell(stage)
+        if stage.anchor is not None and stage.leaves_its_support():
+            if stage.start_at_edge():
+                break
+        elif stage.anchor is None or fit_to_surface(stage.doc, stage.anchor, stage.places):
+            break
+        stage = stage.tighter()
+    return stage
+
+
+def _tell(stage: Stage) -> None:
+    for node in stage.story.nodes.values():
+        if node.event is NodeEvent.SCENE_START:
+            stage.time[node.id] = 0.0
+        elif stage.concerns(node) or _region_parent(node) & stage.names:
+            HANDLERS.get(node.event, plain)(stage, node)
+    for actor in stage.tracks:
+        if actor not in stage.frames:
+            enter_beside(stage, actor)

@@ -1,0 +1,115 @@
+"""From the timeline and theta to the control program: variables with bounds and mask, SI units."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from esg.dynamics.choreography import choreography_of
+from esg.dynamics.plan.cast import Cast
+from esg.dynamics.plan.programs import Composer, Values
+from esg.dynamics.plan.variables import Declarations, Variable
+from esg.dynamics.story.story import Story
+from esg.engines.program import Primitive, Program
+from esg.engines.scene import SimScene
+from esg.graph.models import EsgDocument
+
+AFTERMATH_S = 1.5
+MAX_DURATION_S = 14.5
+
+
+@dataclass(frozen=True)
+class Plan:
+    """Variables and the function that compiles theta to a program.
+
+    Args:
+        variables: Entries of theta in order.
+        scene: The physical scene at its layout poses.
+        story: The timeline in causal order.
+        compile: theta [n] -> Program.
+        starts: theta [n] -> poses (position [3], quaternion [4]) of re-aimed actors by name.
+        duration: How long the scene plays [s].
+        latest: When the choreography expects the last event [s].
+    """
+
+    variables: tuple[Variable, ...]
+    scene: SimScene
+    story: Story
+    compile: Callable[[NDArray[np.float64]], Program]
+    starts: Callable[
+        [NDArray[np.float64]], dict[str, tuple[NDArray[np.float64], NDArray[np.float64]]]
+    ]
+    duration: float
+    latest: float = math.inf
+
+    def initial(self) -> NDArray[np.float64]:
+        return np.array([v.initial for v in self.variables])
+
+    def heuristic(self) -> NDArray[np.float64]:
+        return np.array([v.heuristic for v in self.variables])
+
+    def lower(self) -> NDArray[np.float64]:
+        return np.array([v.lower for v in self.variables])
+
+    def upper(self) -> NDArray[np.float64]:
+        return np.array([v.upper for v in self.variables])
+
+    def free(self) -> NDArray[np.bool_]:
+        return np.array([not v.fixed for v in self.variables], bool)
+
+
+def make_plan(doc: EsgDocument, scene: SimScene, *, seed: int = 0, look_ahead: bool = True) -> Plan:
+    """Reads the timeline of a laid-out document into variables and a program compiler.
+
+    Args:
+        doc: The document, its casting applied.
+        scene: Its physical scene.
+        seed: Of the choreography, where the document holds none.
+        look_ahead: Aim with what comes after the first hit in mind; False aims straight at the
+            centre of the first target.
+    """
+    cast = Cast(doc, scene, choreography_of(doc, seed=seed).nominal, look_ahead)
+    declared, composer = Declarations(cast), Composer(cast)
+    latest = _latest(cast, declared.variables)
+    duration = min(MAX_DURATION_S, math.ceil(10.0 * (1.15 * latest + AFTERMATH_S)) / 10.0)
+
+    def values(theta: NDArray[np.float64]) -> Values:
+        out = dict(zip(declared.variables, map(float, theta), strict=True))
+        return out | {k: out[v] for k, v in declared.tied.items()}
+
+    def compile_theta(theta: NDArray[np.float64]) -> Program:
+        v = values(theta)
+        out: list[Primitive] = []
+        for actor, phases in cast.story.phases.items():
+            out += composer.primitives(actor, phases, v, duration)
+        return Program(tuple(out), duration)
+
+    def starts(
+        theta: NDArray[np.float64],
+    ) -> dict[str, tuple[NDArray[np.float64], NDArray[np.float64]]]:
+        v = values(theta)
+        return {a: composer.start_pose(a, v) for a in cast.story.phases if cast.drives(a)}
+
+    variables = tuple(declared.variables.values())
+    return Plan(variables, scene, cast.story, compile_theta, starts, duration, latest)
+
+
+def _latest(cast: Cast, variables: dict[str, Variable]) -> float:
+    """When the last event is expected [s], at least 1."""
+    latest = 1.0
+    for name, variable in variables.items():
+        if name.endswith(("/time", "/flight_time")):
+            latest = max(latest, variable.initial)
+    times = [t for k, t in cast.nominal.items() if k.endswith("/event_time")]
+    latest = max([latest, *times])
+    for node in cast.story.nodes.values():
+        if node.time_is_prescribed:
+            prescribed = (
+                node.timestamp if node.timestamp is not None else (node.window or (0, 0))[1]
+            )
+            latest = max(latest, prescribed)
+    return float(latest)

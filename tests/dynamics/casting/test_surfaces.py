@@ -1,0 +1,40 @@
+"""Ice under what slides on it, and only there."""
+
+from __future__ import annotations
+
+import pytest
+
+from esg.assets import resolve
+from esg.draft import draft, said
+from esg.dynamics.casting import fitted
+from esg.dynamics.casting.surfaces import ICE
+from esg.dynamics.story.stagecraft import ground_friction, prop
+
+
+@pytest.mark.parametrize(
+    ("prompt", "thing", "icy"),
+    [
+        ("A box slides across the ice and bumps into a barrel.", "box_1", True),
+        ("A hockey puck slides into a goal.", "hockey_puck_1", True),
+        ("A crate slides over the frozen lake and hits a sledge.", "crate_1", True),
+        ("A crate slides across the floor and hits a wall.", "crate_1", False),
+        ("A ball rolls over the ice and hits a bottle.", "ball_1", False),
+        ("A crate slides into an ice cream stand.", "crate_1", False),
+    ],
+)
+def test_what_slides_on_ice_has_its_friction(prompt: str, thing: str, icy: bool) -> None:
+    doc = fitted(resolve(draft(prompt)))
+    assert (ground_friction(doc) == ICE) is icy
+    assert (prop(doc, thing).friction == ICE) is icy
+
+
+def test_curling_stones_that_are_struck_slide_on_as_well() -> None:
+    doc = fitted(resolve(draft("A curling stone slides into two other curling stones.")))
+    stones = [n for n in doc.spatial_relation_graph.nodes if "curling" in n]
+    assert len(stones) == 3
+    assert all(prop(doc, n).friction == ICE for n in stones)
+
+
+@pytest.mark.parametrize("text", ["slides on an ice cube", "over the ice cream", "by the rink"])
+def test_ice_that_is_no_ground_is_no_ice(text: str) -> None:
+    assert not said.ICE.search(text)

@@ -1,0 +1,114 @@
+"""Kinematics, gaps, units at the border, and what the choreography promises."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from esg.dynamics import start_hints
+from esg.dynamics.losses.gap import surface_gap
+from esg.dynamics.plan.build import build_scene
+from esg.dynamics.plan.planner import make_plan
+from esg.dynamics.story.kinematics import Track, ballistic_velocity, braking_distance, frame_mapping
+from esg.dynamics.story.story import read_story
+from esg.engines.scene import Body, Shape
+from tests.dynamics import stories
+from tests.dynamics.stage import lay_out
+
+
+def test_ballistic_velocity_arrives() -> None:
+    """p(t) = v t - g t^2 / 2 passes through the offset at the asked time."""
+    offset, t = np.array([3.0, -1.0, -0.5]), 0.8
+    v = ballistic_velocity(offset.copy(), t)
+    assert np.allclose(v * t - np.array([0, 0, 0.5 * 9.81 * t * t]), offset)
+
+
+def test_braking_distance_tends_to_v_over_c() -> None:
+    """Linear damping stops after v/c; without damping the body just goes on."""
+    assert braking_distance(10.0, 2.0, 50.0) == pytest.approx(5.0)
+    assert braking_distance(10.0, 0.0, 2.0) == pytest.approx(20.0)
+
+
+def test_arc_has_the_radius_of_its_speed_and_rate() -> None:
+    """A quarter turn at v and w ends at (v/w, v/w)."""
+    track = Track(speed=6.0)
+    track.arc(math.pi / 2, 0.75)
+    assert (track.x, track.y) == pytest.approx((8.0, 8.0), rel=1e-3)
+    assert track.heading == pytest.approx(math.pi / 2)
+
+
+def test_frame_mapping_takes_one_pose_to_another() -> None:
+    """Point and heading arrive where they should."""
+    frame = frame_mapping((3.0, 1.0), 0.3, (-2.0, 5.0), 1.7)
+    assert frame.apply(3.0, 1.0) == pytest.approx((-2.0, 5.0))
+    assert frame.angle == pytest.approx(1.4)
+
+
+def _body(shape: Shape) -> Body:
+    return Body("b", False, 1.0, ((1, 0, 0), (0, 1, 0), (0, 0, 1)), (shape,), (0, 0, 0))
+
+
+def test_surface_gap_of_analytic_pairs() -> None:
+    """Sphere to sphere, sphere to box and box to cylinder are exact."""
+    sphere, box = Shape("sphere", (0.5, 0.5, 0.5)), Shape("box", (1.0, 0.5, 0.25))
+    cylinder = Shape("cylinder", (0.3, 0.3, 0.5))
+    q = np.array([0.0, 0.0, 0.0, 1.0])
+    far = np.array([3.0, 0.0, 0.0])
+    zero = np.zeros(3)
+    assert surface_gap(_body(sphere), _body(sphere), zero, q, far, q) == pytest.approx(2.0)
+    assert surface_gap(_body(sphere), _body(box), zero, q, far, q) == pytest.approx(1.5)
+    assert surface_gap(_body(box), _body(cylinder), zero, q, far, q) == pytest.approx(1.7)
+
+
+def test_border_converts_to_si_about_the_centre_of_mass() -> None:
+    """A 450 cm car at the origin has its centre of mass half its height up, in metres."""
+    scene = build_scene(lay_out(stories.car_bin_table()))
+    car = scene.body("car_1")
+    assert car.position[2] == pytest.approx(0.725)
+    assert car.shapes[0].size == pytest.approx((2.25, 0.9, 0.725))
+    assert car.shapes[0].position == pytest.approx((0, 0, 0))
+    assert car.inertia[2][2] == pytest.approx(1300 / 12 * (4.5**2 + 1.8**2))
+    assert car.wheeled and car.active and not scene.body("bin_1").active
+    assert scene.ground_friction == 0.7
+
+
+@pytest.mark.parametrize("story", stories.EVERY, ids=lambda s: s.__name__)
+@pytest.mark.parametrize("seed", [0, 7])
+def test_starts_do_not_overlap(story, seed) -> None:
+    """No two planned participants start inside each other."""
+    scene = build_scene(lay_out(story(), seed))
+    planned = {p.node for c in start_hints(story(), seed=seed).constellations for p in c.placements}
+    bodies = [b for b in scene.bodies if b.shapes and b.name in planned]
+    for i, a in enumerate(bodies):
+        for b in bodies[i + 1 :]:
+            gap = surface_gap(
+                a, b, np.array(a.position), np.array(a.quaternion),
+                np.array(b.position), np.array(b.quaternion),
+            )  # fmt: skip
+            assert gap > -1e-3, (a.name, b.name, gap)
+
+
+def test_seeds_vary_the_start_and_repeat_it() -> None:
+    """The same seed plans the same start, another seed another one."""
+    doc = stories.car_bin_table()
+    assert start_hints(doc, seed=1) == start_hints(doc, seed=1)
+    assert start_hints(doc, seed=1) != start_hints(doc, seed=2)
+
+
+def test_program_of_a_turn_turns_left_counter_clockwise() -> None:
+    """Left is counter-clockwise: positive turn rate, heading grows by a quarter turn."""
+    doc = lay_out(stories.turn_brake_hit())
+    plan = make_plan(doc, build_scene(doc), seed=0)
+    holds = [p for p in plan.compile(plan.initial()).primitives if p.kind == "HoldVelocity"]
+    before, turn, after = holds
+    assert turn.turn_rate > 0
+    assert after.heading - before.heading == pytest.approx(math.pi / 2)
+    assert turn.start == before.end and after.start == turn.end
+
+
+def test_story_knows_what_an_event_waits_for() -> None:
+    """The second collision of a chain follows the first."""
+    story = read_story(stories.car_bin_table())
+    assert story.previous_outcome("e2") == "e1" and story.previous_outcome("e1") is None
