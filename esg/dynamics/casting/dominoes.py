@@ -1,4 +1,4 @@
-"""What falls onto its equal is to be down first: where sizes are open, and there is room, it is large.
+"""What falls onto its equal is to be down first: where sizes are open and there is room, it grows.
 
 A toy domino takes 0.02 s from where it counts as toppled to the touch of its equal, a slab of a
 metre a tenth of a second and more (`story.slabs`): such a chain is built of garden dominoes.
