@@ -228,15 +228,14 @@ def _demand(stage: Stage, e: Encounter) -> Demand:
     if not chained:
         needed = max(needed, felt_speed(pa, pb))
     speed = stage.speed(a, phase, max(least, needed), needed)
-    open_ = Demand(
-        speed, least, needed, stage.prescribed_time(node), _asked(stage, e), chained, topples
-    )
+    prescribed, asked = stage.prescribed_time(node), _asked(stage, e)
+    demand = Demand(speed, least, needed, prescribed, asked, chained, topples)
     if not phase.edge.speed_is_prescribed:
-        open_ = replace(open_, speed=_fitting_speed(stage, e, open_, again=again))
-    if open_.asked is None or speed_is_fixed(phase):
-        return open_
-    left = open_.time_left(stage.tracks[a].time)
-    return open_ if left is None else replace(open_, speed=open_.asked / left)
+        demand = replace(demand, speed=_fitting_speed(stage, e, demand, again=again))
+    left = demand.time_left(stage.tracks[a].time)
+    if asked is None or left is None or speed_is_fixed(phase):
+        return demand
+    return replace(demand, speed=asked / left)
 
 
 def _asked(stage: Stage, e: Encounter) -> float | None:

@@ -65,7 +65,7 @@ class Encounter:
 class Stage:
     """Participants whose motions touch each other; metres and radians, in a frame of their own.
 
-    The handlers of the events (`moves`, `meetings`, `pockets`) fill it in the story's order.
+    The handlers of the events (`telling.HANDLERS`) and `pockets` fill it in the story's order.
 
     Attributes:
         nominal: Control parameters found so far ("edge id/speed" -> SI value).

@@ -1,9 +1,10 @@
 """Event losses with derivatives: smooth residuals of a surrogate rollout and what they pull on.
 
-The terms are those of `esg.dynamics.losses.assessment` where a derivative exists: miss distances, event
-times interpolated within a step, speeds and distances. Each residual depends on the states of one
-or two steps; its derivatives there are local central differences, and `wp.Tape` carries them back
-to the start. Terms that judge an event (weak, glancing, deep) have none and are left to the search.
+The terms are those of `esg.dynamics.losses.assessment` where a derivative exists: miss distances,
+event times interpolated within a step, speeds and distances. What each event pulls on is in
+`residuals`. Each residual depends on the states of one or two steps; its derivatives there are
+local central differences, and `wp.Tape` carries them back to the start. Terms that judge an event
+(weak, glancing, deep) have none and are left to the search.
 """
 
 from __future__ import annotations
