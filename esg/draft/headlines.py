@@ -6,9 +6,9 @@ import re
 
 from esg.draft import lexicon as lex
 from esg.draft.elements import Element, Mention, Verb, Word
-from esg.draft.entities import plural
 from esg.draft.gaps import is_word
 from esg.draft.verbphrases import verb_readings
+from esg.lexicon import plural
 
 _LABELS = frozenset(
     {"race", "run", "delivery", "kick", "shot", "strike", "effect", "machine", "test", "stunt",

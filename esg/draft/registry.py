@@ -6,13 +6,14 @@ import re
 
 from esg.draft import lexicon as lex
 from esg.draft.elements import Mention
-from esg.draft.entities import FRONT, ORDINALS, REAR, Entity, plural, slug, unknown_noun
+from esg.draft.entities import FRONT, ORDINALS, REAR, Entity, slug, unknown_noun
 from esg.draft.matching import Matching
 from esg.draft.quantities import Amount
 from esg.draft.shares import dealt
 from esg.draft.sizes import HOLLOW, holding, inclined, sized
 from esg.draft.surroundings import noun_here
 from esg.draft.toys import as_toy
+from esg.lexicon import plural
 
 _NAMED_GROUPS = frozenset({"tower", "pyramid", "pile", "heap", "convoy"})
 _PEOPLE = re.compile(r"(?:man|men|woman|women|person|ist|player|keeper|worker|driver|officer)$")

@@ -7,6 +7,7 @@ import re
 
 from esg.assets.library.catalogue import Entry, normalize, policy
 from esg.graph.models import AssetRequirement, Vec3
+from esg.lexicon.kinds import NEAR
 
 _PLAUSIBLE = (0.5, 2.0)
 """Range of uniform scales of an entry asked for by its own name."""
@@ -21,8 +22,6 @@ TOY = re.compile(r"\b(toy|miniature|scale model|model(?=\s+[a-z]{3,}))\b", re.IG
 """A toy of something has the size and mass that are expected of it, however large the thing is."""
 _STRETCH = (0.04, 25.0)
 """Range for another noun that the entry stands for (a pebble for a rock)."""
-_NEAR = 1.12
-"""Ratios up to this are the same size: the library's sourced figures then win."""
 _MISFIT = 2.2
 """Extents that differ by more than this after scaling are another shape."""
 _NAMED_MISFIT = 3.0
@@ -133,7 +132,7 @@ def choose_dimensions(entry: Entry, requirement: AssetRequirement) -> Vec3:
         if "rolls" in entry.flags:
             factor = ratios[2]
         return (usual[0] * factor, usual[1] * factor, usual[2] * factor)
-    if all(1 / _NEAR <= r <= _NEAR for r in ratios):
+    if all(1 / NEAR <= r <= NEAR for r in ratios):
         return usual
     if free and ("decal" in entry.flags or "structure" in entry.parents):
         height = wanted[2] if "decal" not in entry.flags else usual[2]
@@ -152,7 +151,7 @@ def choose_dimensions(entry: Entry, requirement: AssetRequirement) -> Vec3:
         factor = max(wanted) / max(usual)
     if not plausible and not low <= factor <= high:
         factor = 1.0
-    if 1 / _NEAR <= factor <= _NEAR:
+    if 1 / NEAR <= factor <= NEAR:
         factor = 1.0
     return (usual[0] * factor, usual[1] * factor, usual[2] * factor)
 
