@@ -172,7 +172,7 @@ def convert(
     """
     import trimesh
 
-    from esg.assets.geometry.mesh import GLTF_FROM_LOCAL
+    from esg.assets.geometry.rotations import GLTF_FROM_LOCAL
     from esg.assets.imports.describe import describe
 
     notes = [f"texture {name} is missing" for name in missing_textures(source.path)]

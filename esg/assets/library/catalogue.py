@@ -7,7 +7,8 @@ from functools import lru_cache
 import re
 from typing import Any
 
-from esg.assets.geometry.sketch import Sketch, scaled
+from esg.assets.geometry.sketch import Sketch
+from esg.assets.geometry.stretch import scaled, sound, stretched
 from esg.graph.models import Vec3
 from esg.lexicon import Kind, kinds, singular
 
@@ -152,7 +153,6 @@ def build_sketch(entry: Entry, dimensions_cm: Vec3, color: tuple[float, float, f
 def _free(entry: Entry, dimensions_cm: Vec3, color: tuple[float, float, float]) -> Sketch:
     """At any extents: built there, else at the usual volume and scaled, else stretched."""
     from esg.assets.builders import BUILDERS
-    from esg.assets.geometry.stretch import sound, stretched
 
     usual = entry.dimensions_cm
     factor = uniform_factor(usual, dimensions_cm)

@@ -20,8 +20,9 @@ import re
 
 import numpy as np
 
+from esg.assets.imports.store import active_index
 from esg.assets.library.catalogue import Entry, lexicon, normalize
-from esg.assets.library.index import Index, active_index, texts_of
+from esg.assets.library.index import Index, texts_of
 from esg.assets.library.lookup import AMBIGUOUS_HEADS, exact, head_match, head_phrase
 from esg.assets.library.proposal import is_own_name, misfit
 from esg.graph.models import AssetRequirement, RetrievalCandidate
