@@ -30,6 +30,7 @@ def build_mesh(config: AssetConfiguration) -> trimesh.Scene:
         UserError: If the configuration names an asset that no library on this machine holds.
     """
     import trimesh
+    from trimesh.visual import TextureVisuals
     from trimesh.visual.material import PBRMaterial
 
     entry = parametric_entry(config)
@@ -39,7 +40,7 @@ def build_mesh(config: AssetConfiguration) -> trimesh.Scene:
     for part in configured_sketch(entry, config).parts:
         mesh = part.mesh()
         rgba = [round(255 * c) for c in (*part.color, part.alpha)]
-        mesh.visual = trimesh.visual.TextureVisuals(
+        mesh.visual = TextureVisuals(
             material=PBRMaterial(
                 name=part.name,
                 baseColorFactor=rgba,

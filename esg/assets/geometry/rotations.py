@@ -1,4 +1,4 @@
-"""Rotations as quaternions (x, y, z, w): about an axis, from local Z to a direction; glTF's frame."""
+"""Rotations as quaternions (x, y, z, w): about an axis, from local Z; and the frame of glTF."""
 
 from __future__ import annotations
 

@@ -146,4 +146,4 @@ def sound(sketch: Sketch) -> bool:
 
 def scaled(sketch: Sketch, factor: float) -> Sketch:
     """The same sketch, uniformly scaled about the origin."""
-    return stretched(sketch, (factor,) * 3)
+    return stretched(sketch, (factor, factor, factor))

@@ -212,7 +212,7 @@ def convert(
         cache=cache,
     )
     local.apply_transform(GLTF_FROM_LOCAL)
-    glb = local.export(file_type="glb")
+    glb: Any = local.export(file_type="glb")
     record["mesh_sha256"] = hashlib.sha256(glb).hexdigest()
     record["glb"] = glb
     return record, notes

@@ -119,9 +119,6 @@ def choose_dimensions(entry: Entry, requirement: AssetRequirement) -> Vec3:
             return (l, w, h)
         scale = math.prod(factors) ** (1 / 3)
         return (usual[0] * scale, usual[1] * scale, usual[2] * scale)
-    strict = is_own_name(entry, requirement) and "any_size" not in entry.flags
-    strict = strict and not SIZED.search(requirement.asset_description.partition(":")[0])
-    low, high = _PLAUSIBLE if strict else _STRETCH
     wanted = _oriented(usual, requirement.expected_dimensions_cm)
     ratios = [b / a for a, b in zip(usual, wanted, strict=True)]
     free = policy(entry) == "free"
@@ -137,13 +134,24 @@ def choose_dimensions(entry: Entry, requirement: AssetRequirement) -> Vec3:
     if free and ("decal" in entry.flags or "structure" in entry.parents):
         height = wanted[2] if "decal" not in entry.flags else usual[2]
         return (wanted[0], wanted[1], height)
+    return _followed(entry, requirement, wanted, ratios, free)
+
+
+def _followed(
+    entry: Entry, requirement: AssetRequirement, wanted: Vec3, ratios: list[float], free: bool
+) -> Vec3:
+    """Extents [cm] that follow an expectation as far as it can be meant of the entry."""
+    usual = entry.dimensions_cm
+    strict = is_own_name(entry, requirement) and "any_size" not in entry.flags
+    strict = strict and not SIZED.search(requirement.asset_description.partition(":")[0])
+    low, high = _PLAUSIBLE if strict else _STRETCH
     plausible = all(low <= r <= high for r in ratios)
     if free and plausible:
         return wanted
+    factor = math.prod(ratios) ** (1 / 3)
     if is_toy(requirement):
         factor = max(wanted) / max(usual)
         return (usual[0] * factor, usual[1] * factor, usual[2] * factor)
-    factor = math.prod(ratios) ** (1 / 3)
     if not strict and residual(entry, requirement) > _MISFIT:
         # One extent was counted differently (with or without an arm, a base): follow the others.
         factor = sorted(ratios)[1]

@@ -103,7 +103,7 @@ def rank(
     pool = list(np.argsort(-semantic, kind="stable")[: max(32, k)])
     if match is not None:
         pool += [i for i, e in enumerate(index.entries) if e.name == match.name and i not in pool]
-    candidates = []
+    candidates: list[RetrievalCandidate] = []
     for i in pool:
         entry = index.entries[int(i)]
         category = _category_score(entry, match)
