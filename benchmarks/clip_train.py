@@ -35,8 +35,8 @@ def prepare(target: Path, part: Path, seconds: float) -> bool:
     """Renders what is missing for at most so long; True when the data set is written."""
     from PIL import Image
 
+    from esg.assets.imports.store import active_index
     from esg.assets.library.catalogue import Entry
-    from esg.assets.library.index import active_index
     from esg.assets.library.retrieve import Decision
     from esg.assets.sheet import render_views
     from esg.assets.stage import build_configuration
@@ -78,9 +78,9 @@ def _key(entry: Any) -> str:
 
 def _pack(entries: list[Any], part: Path, target: Path) -> None:
     from benchmarks.retrieval import load
+    from esg.assets.imports.store import active_index
     from esg.assets.library.catalogue import normalize
     from esg.assets.library.embed import embed
-    from esg.assets.library.index import active_index
 
     index = active_index()
     kinds = sorted({k for e in entries for k in _kinds(e)})

@@ -21,9 +21,10 @@ import time
 
 import numpy as np
 
+from esg.assets.imports.store import active_index
 from esg.assets.library.catalogue import normalize
 from esg.assets.library.embed import embed
-from esg.assets.library.index import Index, active_index, texts_of
+from esg.assets.library.index import Index, texts_of
 from esg.assets.library.lookup import exact, head_phrase
 from esg.assets.library.retrieve import GATE, confidence, rank
 

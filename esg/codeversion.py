@@ -12,7 +12,15 @@ from importlib import metadata
 from pathlib import Path
 
 _ROOT = Path(__file__).parent
-_COMMON = ("graph", "units.py", "thresholds.py", "untyped.py", "outcomes.py", "__init__.py")
+_COMMON = (
+    "graph",
+    "lexicon",
+    "units.py",
+    "thresholds.py",
+    "untyped.py",
+    "outcomes.py",
+    "__init__.py",
+)
 _SIMULATION = ("engines", "dynamics")
 
 SOURCES: dict[str, tuple[str, ...]] = {

@@ -7,7 +7,6 @@ draft, so that resident memory grows only by what drafting keeps.
 
 from __future__ import annotations
 
-import csv
 from dataclasses import asdict, dataclass
 from pathlib import Path
 import random
@@ -19,10 +18,10 @@ from typing import Any
 import numpy as np
 
 from esg.draft import draft
+from esg.lexicon import kinds
 from esg.outcomes import UserError
 
 MARK_EVERY = 1000
-_NOUNS = Path(__file__).resolve().parents[2] / "esg" / "draft" / "data" / "nouns.csv"
 _NUMBER = re.compile(r"(?<![\w.,])\d+(?:\.\d+)?(?![\w.,]*\d)")
 
 
@@ -82,12 +81,7 @@ def resident_mib() -> float:
 
 def nouns() -> list[str]:
     """Names of objects that the drafter knows."""
-    with _NOUNS.open(encoding="utf-8", newline="") as file:
-        return [
-            row[0].strip()
-            for row in csv.reader(file, delimiter=";")
-            if row and row[0][:1].isalpha()
-        ][1:]
+    return [kind.name for kind in kinds() if kind.kind]
 
 
 def varied(row: dict[str, Any], known: list[str], rng: random.Random) -> str:

@@ -27,8 +27,8 @@ from esg.graph.models import (
     SupportSurface,
 )
 from esg.layout.judge.check import World, binary_violation
+from esg.layout.problem.poses import compose
 from esg.layout.problem.problem import build_problem
-from esg.layout.problem.units import compose
 
 
 def _asset(

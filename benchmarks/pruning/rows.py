@@ -17,9 +17,9 @@ from benchmarks.pruning.units import Package, Unit
 
 ROW_KINDS = ("row", "pattern", "word")
 """Line of a table or call that registers one; alternative of a regular expression; word."""
-VOCABULARY = ("verbs.csv", "words.txt")
+VOCABULARY = ("verbs.csv", "word_sets.csv")
 """Tables whose rows are words, not constructions."""
-LEFT_ALONE = ("nouns.csv",)
+LEFT_ALONE = ()
 _WIDTH = 99
 
 

@@ -43,6 +43,6 @@ def search(text: str, k: int = 5) -> list[RetrievalCandidate]:
 
 def catalogue() -> tuple[Entry, ...]:
     """Every entry of the embedded library and of all imported ones."""
-    from esg.assets.library.index import active_index
+    from esg.assets.imports.store import active_index
 
     return active_index().entries

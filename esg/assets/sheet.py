@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.assets.geometry.mesh import build_mesh
+from esg.assets.geometry.sketch import Color
 from esg.graph.models import AssetConfiguration
 
 _FOV = 0.55
@@ -23,10 +24,11 @@ _SUPERSAMPLE = 3
 
 def _merged(
     config: AssetConfiguration,
-) -> list[tuple[NDArray[Any], NDArray[Any], tuple[float, ...]]]:
+) -> list[tuple[NDArray[Any], NDArray[Any], Color]]:
     """Vertices [m], triangles and colour of the asset, parts of one colour together."""
-    groups: dict[tuple[float, ...], list[Any]] = {}
-    for node in build_mesh(config).dump():
+    groups: dict[Color, list[Any]] = {}
+    parts: list[Any] = build_mesh(config).dump()
+    for node in parts:
         material = getattr(node.visual, "material", None)
         color = _color(material)
         groups.setdefault(color, []).append(node)
@@ -41,17 +43,19 @@ def _merged(
     return out
 
 
-def _color(material: Any) -> tuple[float, ...]:
+def _color(material: Any) -> Color:
     """One colour for a material: its texture's mean where it has one."""
     for name in ("image", "baseColorTexture"):
         image = getattr(material, name, None)
         if image is not None:
             pixels = np.asarray(image.convert("RGB").resize((16, 16)), float)
-            return tuple(round(float(c) / 255.0, 4) for c in pixels.reshape(-1, 3).mean(0))
+            red, green, blue = (round(float(c) / 255.0, 4) for c in pixels.reshape(-1, 3).mean(0))
+            return (red, green, blue)
     factor = getattr(material, "baseColorFactor", None)
     if factor is None:
         factor = getattr(material, "main_color", [160, 160, 160, 255])
-    return tuple(round(float(c) / 255.0, 4) for c in factor[:3])
+    red, green, blue = (round(float(c) / 255.0, 4) for c in factor[:3])
+    return (red, green, blue)
 
 
 def _look(eye: Any, target: Any) -> Any:
@@ -93,7 +97,7 @@ def render_views(
     from newton.sensors import SensorCamera
     import warp as wp
 
-    wp.config.quiet = True
+    setattr(wp.config, "quiet", True)  # noqa: B010  # Warp declares no options
     builder = newton.ModelBuilder()
     low, high = np.full(3, np.inf), np.full(3, -np.inf)
     # A fixed shape: nothing is simulated, so no mass is needed.
@@ -126,7 +130,7 @@ def render_views(
     for direction in np.asarray(directions, float):
         eye = target + direction / np.linalg.norm(direction) * distance
         pose = wp.array([_look(eye.tolist(), target)], dtype=wp.transformf, device="cpu")
-        image = camera.allocate_image_color(1, size, size)
+        image: Any = camera.allocate_image_color(1, size, size)
         camera.update(state, pose, rays, color_image=image)
         packed = image.numpy().reshape(size, size)
         images.append(np.stack([packed & 255, (packed >> 8) & 255, (packed >> 16) & 255], -1))

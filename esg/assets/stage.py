@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from dataclasses import replace
 import math
-import re
 from typing import TYPE_CHECKING, Any
 
 from esg.assets.colors import find_color
-from esg.assets.geometry.massprops import mass_properties
+from esg.assets.configuration import category_of, finish, plain_entry
 from esg.assets.geometry.rolling import (
     FLAGS,
     as_drawn,
@@ -18,9 +17,8 @@ from esg.assets.geometry.rolling import (
     rolling,
     turned_size,
 )
-from esg.assets.geometry.sketch import Sketch
-from esg.assets.library.catalogue import Entry, build_sketch, entries_by_name, uniform_factor
-from esg.assets.library.proposal import choose_dimensions, choose_mass, is_toy
+from esg.assets.library.catalogue import Entry, build_sketch
+from esg.assets.library.proposal import choose_dimensions, choose_mass
 from esg.assets.library.retrieve import Decision, decide
 from esg.assets.materials import MATERIALS, Material, find_material, is_usual
 from esg.graph.models import (
@@ -28,17 +26,12 @@ from esg.graph.models import (
     AssetRequirement,
     EsgDocument,
     Provenance,
-    RetrievalCandidate,
-    Vec3,
 )
 
 if TYPE_CHECKING:
     from esg.assets.imports.providers import Generator
 
 VERSION = "1"
-WHEELED_FRICTION = 0.1
-"""Averages with the vehicle ground's 0 to a rolling resistance of 0.05."""
-ROLLING_DAMPING = 0.1
 ROLLING_RESTITUTION = 0.2
 """At most: on its rim a prism (PhysX) would hop from edge to edge."""
 
@@ -83,7 +76,7 @@ def resolve(doc: EsgDocument, *, seed: int = 0) -> EsgDocument:
 
 
 def _library_state() -> dict[str, str]:
-    from esg.assets.library.index import active_index
+    from esg.assets.imports.store import active_index
 
     return {"library": active_index().fingerprint}
 
@@ -113,7 +106,7 @@ def configure(
     said = restated(requirement)
     if said is not requirement:
         made = build_configuration(key, said, decide(said), rolled)
-        return made.model_copy(update={"category": _category(requirement)})
+        return made.model_copy(update={"category": category_of(requirement)})
     requirement = usual_size(requirement)
     decision = decide(requirement)
     if decision.entry is None and generator is not None:
@@ -141,11 +134,6 @@ def build_configuration(
 
         return configure_imported(key, requirement, decision)
     return _parametric(key, requirement, decision.entry, decision, rolled)
-
-
-def mesh_path(key: str) -> str:
-    """Path of an asset's GLB inside the scene folder."""
-    return f"meshes/{re.sub(r'[^A-Za-z0-9_.-]+', '_', key) or 'asset'}.glb"
 
 
 def _surface_material(entry: Entry, requirement: AssetRequirement) -> tuple[Material, float]:
@@ -221,63 +209,9 @@ def _material_color(requirement: AssetRequirement, entry: Entry) -> tuple[float,
     return table.get(asked.name, entry.color_rgb)
 
 
-def finish(
-    key: str,
-    entry: Entry,
-    requirement: AssetRequirement,
-    sketch: Sketch,
-    dimensions: Vec3,
-    mass: float,
-    material: Material,
-    color: tuple[float, float, float],
-    decision: Decision,
-    source: str,
-) -> AssetConfiguration:
-    """Assembles a configuration; the same schema whatever the source of the geometry."""
-    com, inertia = mass_properties(sketch.weighed or sketch.proxies, mass, sketch.densities)
-    rolls = "rolls" in entry.flags
-    wheeled = "wheeled" in entry.flags
-    factor = uniform_factor(entry.dimensions_cm, dimensions)
-    return AssetConfiguration(
-        asset_name=entry.name if entry.library == "parametric" else f"{entry.library}/{entry.name}",
-        source=source,  # type: ignore[arg-type]
-        category=_category(requirement),
-        mesh_path=mesh_path(key),
-        dimensions_cm=dimensions,
-        scale=(factor, factor, factor),
-        proxies=tuple(sketch.proxies),
-        support_surfaces=tuple(sketch.surfaces),
-        regions=tuple(sketch.regions),
-        mass_kg=mass,
-        is_movable=(entry.movable or is_toy(requirement)) and requirement.is_movable,
-        center_of_mass_cm=com,
-        inertia_kg_cm2=inertia,
-        friction=WHEELED_FRICTION if wheeled else material.friction,
-        restitution=material.restitution,
-        linear_damping=requirement.linear_damping,
-        angular_damping=ROLLING_DAMPING if rolls else requirement.linear_damping,
-        is_wheeled=wheeled,
-        rolls=rolls,
-        color_rgb=color,
-        license=entry.license,
-        attribution=entry.attribution,
-        confidence=decision.confidence,
-        runners_up=decision.runners_up,
-        reason=decision.reason,
-    )
-
-
-def _category(requirement: AssetRequirement) -> str:
-    return "_".join(re.findall(r"[a-z0-9]+", requirement.asset_category.lower()))
-
-
-_SHAPE_BUILDERS = {"sphere": "sphere", "box": "box", "cylinder": "cylinder", "capsule": "capsule"}
-
-
 def _fallback(key: str, requirement: AssetRequirement, decision: Decision) -> AssetConfiguration:
     """A plain body of the requested size for a noun that the library does not hold."""
     shape = decision.shape or "box"
-    name = f"plain_{shape}"
     material = find_material(requirement.material) or MATERIALS["plastic_hard"]
     dimensions = requirement.expected_dimensions_cm
     if shape in ("sphere", "capsule", "cylinder"):
@@ -290,20 +224,9 @@ def _fallback(key: str, requirement: AssetRequirement, decision: Decision) -> As
             width = math.sqrt(min(a, b) * c)
             dimensions = (max(a, b, width), width, width)
     color = find_color(requirement.color) or (0.55, 0.58, 0.62)
-    flags = frozenset({"rolls"} if shape in ("sphere", "capsule") else ())
-    entry = Entry(
-        name=name,
-        parents=(),
-        builder=_SHAPE_BUILDERS[shape],
-        params=(),
-        dimensions_cm=dimensions,
-        mass_kg=requirement.expected_mass_kg,
-        material=material.name,
-        color_rgb=color,
-        flags=flags,
-        synonyms=(),
-        description="",
-    )
+    entry = plain_entry(shape, dimensions, requirement.expected_mass_kg, material.name, color)
+    if shape in ("sphere", "capsule"):
+        entry = replace(entry, flags=frozenset({"rolls"}))
     sketch = build_sketch(entry, dimensions, color)
     return finish(
         key,
@@ -317,29 +240,3 @@ def _fallback(key: str, requirement: AssetRequirement, decision: Decision) -> As
         decision,
         "fallback",
     )
-
-
-def fallback_entry(config: AssetConfiguration) -> Entry | None:
-    """The entry behind a configuration: of the library, or the plain body of a fallback."""
-    known = entries_by_name().get(config.asset_name)
-    if known is not None:
-        return known
-    if not config.asset_name.startswith("plain_"):
-        return None
-    shape = config.asset_name.removeprefix("plain_")
-    return Entry(
-        name=config.asset_name,
-        parents=(),
-        builder=_SHAPE_BUILDERS[shape],
-        params=(),
-        dimensions_cm=config.dimensions_cm,
-        mass_kg=config.mass_kg,
-        material="plastic_hard",
-        color_rgb=config.color_rgb,
-        flags=frozenset(),
-        synonyms=(),
-        description="",
-    )
-
-
-__all__ = ["RetrievalCandidate", "configure", "fallback_entry", "finish", "mesh_path", "resolve"]

@@ -1,16 +1,16 @@
 """The lexicon: nouns with commonsense physics, verbs with senses, adjectives, function words.
 
-Tables live in `data/nouns.csv` and `data/verbs.csv`; docs/drafting.md names their sources.
+Nouns are read from `esg.lexicon`, the other words from `data/`; docs/drafting.md names sources.
 """
 
 from __future__ import annotations
 
 import csv
 from dataclasses import dataclass
-from functools import cache, lru_cache
+from functools import cache
 from pathlib import Path
 
-from esg.draft import lexicon as lex
+from esg.lexicon import Kind, kinds, morphology
 
 DATA = Path(__file__).parent / "data"
 
@@ -76,30 +76,11 @@ class VerbForm:
 def nouns() -> dict[str, Noun]:
     """Lexicon entries by every name and synonym (lower case, singular, single spaces)."""
     table: dict[str, Noun] = {}
-    entries: list[tuple[Noun, tuple[str, ...]]] = []
-    with open(DATA / "nouns.csv", encoding="utf-8", newline="") as file:
-        for row in csv.DictReader(file, delimiter=";"):
-            synonyms = tuple(s.strip() for s in row["synonyms"].split(",") if s.strip())
-            noun = Noun(
-                name=row["name"],
-                kind=row["kind"],
-                dimensions_cm=(
-                    float(row["length_cm"]),
-                    float(row["width_cm"]),
-                    float(row["height_cm"]),
-                ),
-                mass_kg=float(row["mass_kg"]),
-                material=row["material"],
-                shape=row["shape"],
-                traits=frozenset(t for t in row["traits"].split(",") if t),
-                description=row["description"],
-                synonyms=synonyms,
-            )
-            entries.append((noun, synonyms))
-    for noun, _ in entries:
+    entries = [_noun(kind) for kind in kinds() if kind.kind]
+    for noun in entries:
         table[noun.name] = noun
-    for noun, synonyms in entries:
-        for synonym in synonyms:
+    for noun in entries:
+        for synonym in noun.synonyms:
             table.setdefault(synonym, noun)
     for name in word_set("persons"):
         table.setdefault(name, table["person"])
@@ -107,6 +88,20 @@ def nouns() -> dict[str, Noun]:
     for name in [n for n in table if "'s " in n]:
         table.setdefault(name.replace("'s ", " 's "), table[name])
     return table
+
+
+def _noun(kind: Kind) -> Noun:
+    return Noun(
+        name=kind.name,
+        kind=kind.kind,
+        dimensions_cm=kind.dimensions_cm,
+        mass_kg=kind.mass_kg,
+        material=kind.material,
+        shape=kind.shape,
+        traits=kind.traits,
+        description=kind.request,
+        synonyms=kind.said_as,
+    )
 
 
 @cache
@@ -124,35 +119,11 @@ def longest_nouns() -> dict[str, int]:
     return found
 
 
-_IRREGULAR_PLURALS = {
-    "men": "man", "women": "woman", "people": "person", "children": "child", "mice": "mouse",
-    "radii": "radius",
-    "geese": "goose", "feet": "foot", "teeth": "tooth", "oxen": "ox", "knives": "knife",
-    "shelves": "shelf", "bookshelves": "bookshelf", "leaves": "leaf", "wolves": "wolf",
-    "loaves": "loaf", "dice": "die", "buses": "bus", "boxes": "box", "dominoes": "domino",
-    "dominos": "domino", "policemen": "policeman", "passersby": "passerby", "axes": "axe",
-    "postmen": "postman", "vertices": "vertex", "matches": "match", "lenses": "lens",
-}  # fmt: skip
-_NOT_PLURAL = word_set("singular in -s")
-
-
-@lru_cache(maxsize=16384)
 def singular(word: str) -> tuple[str, bool]:
     """Singular of a noun and whether the word was a plural."""
-    w = word.lower()
-    if w in _IRREGULAR_PLURALS:
-        return _IRREGULAR_PLURALS[w], True
-    if w.endswith("men") and len(w) > 5:
-        return w[:-2] + "an", True  # fishermen
-    if w.endswith("is") and w[:-1] in nouns():
-        return w[:-1], True  # taxis, skis
-    if w in _NOT_PLURAL or not w.endswith("s") or len(w) < 3 or w.endswith(("ss", "us", "is")):
-        return w, False
-    if w.endswith("ies") and len(w) > 4:
-        return (w[:-1], True) if w[:-1] in nouns() else (w[:-3] + "y", True)
-    if w.endswith(("ches", "shes", "sses", "xes", "zes")):
-        return w[:-2], True
-    return w[:-1], True
+    low = word.lower()
+    one = morphology.singular(low)
+    return one, one != low
 
 
 _VOWELS = "aeiou"
@@ -291,7 +262,7 @@ ARRANGEMENTS: dict[str, str] = {
     "bunch": "scatter", "convoy": "queue", "procession": "queue", "parade": "queue",
 }  # fmt: skip
 """What "standing in a ..." says about a plural."""
-SHAPES_OF_GROUPS = lex.word_set("shapes of groups")
+SHAPES_OF_GROUPS = word_set("shapes of groups")
 VAGUE_COUNTS: dict[str, int] = {
     "several": 4, "many": 6, "few": 3, "multiple": 4, "numerous": 6, "various": 4, "some": 3,
     "couple": 2, "both": 2, "pair": 2, "dozen": 12, "dozens": 12, "lots": 6, "handful": 4,

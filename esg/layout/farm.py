@@ -21,6 +21,8 @@ from esg.graph.models import EsgDocument, LayoutResult
 from esg.layout.clock import Clock
 from esg.layout.config import LayoutConfig
 from esg.layout.problem.hints import StartHints
+from esg.layout.search import answer
+from esg.layout.steps import solve_steps
 
 PORTION = 256
 """Most scenes that a process builds before it asks for their search."""
@@ -45,8 +47,6 @@ def solve_in_processes(
     Raises:
         RuntimeError: A process ended early; its traceback is on standard error.
     """
-    from esg.layout.search import answer
-
     method = "fork" if sys.platform == "linux" else None
     context = multiprocessing.get_context(method)
     count = min(config.processes, max(1, len(docs) // LEAST))
@@ -70,43 +70,7 @@ def solve_in_processes(
         for k, pipe in enumerate(pipes):
             threading.Thread(target=_read, args=(k, pipe, inbox), daemon=True).start()
             threading.Thread(target=_write, args=(pipe, outbox[k]), daemon=True).start()
-        results: list[Any] = [None] * len(docs)
-        backlog: list[tuple[int, int, list[bytes]]] = []
-        working = set(range(count))
-
-        def unpack() -> None:
-            k, first, part = backlog.pop()
-            for i, data in enumerate(part):
-                results[k + (first + i) * count] = _unpack(data)
-
-        while working:
-            letters = [inbox.get()]
-            while not inbox.empty():
-                letters.append(inbox.get())
-            requests = []
-            for k, letter in letters:
-                if letter is None:
-                    if k in working:
-                        raise RuntimeError(f"layout process {k} of {count} ended early")
-                elif letter[0] == "results":
-                    backlog.append((k, letter[1], letter[2]))
-                elif letter[0] == "end":
-                    for stage, seconds in letter[1].items():
-                        clock.add(stage, seconds)
-                    working.discard(k)
-                else:
-                    requests.append((k, letter[1], letter[2]))
-            if requests:
-                clock.start()
-                found = answer([r for _, _, r in requests])
-                for (k, portion, _), reply in zip(requests, found, strict=True):
-                    outbox[k].put((portion, reply))
-                clock.lap("search")
-            while backlog and inbox.empty():  # nobody waits for a search
-                unpack()
-        while backlog:
-            unpack()
-        return results
+        return _serve(inbox, outbox, len(docs), clock)
     finally:
         for letters_out in outbox:
             letters_out.put(None)
@@ -118,6 +82,58 @@ def solve_in_processes(
             pipe.close()
         if collects:
             gc.enable()
+
+
+def _serve(
+    inbox: queue.SimpleQueue[tuple[int, Any]],
+    outbox: list[queue.SimpleQueue[Any]],
+    scenes: int,
+    clock: Clock,
+) -> list[LayoutResult]:
+    """Searches for all processes until each has said that it is done; one result per scene."""
+    count = len(outbox)
+    results: list[Any] = [None] * scenes
+    backlog: list[tuple[int, int, list[bytes]]] = []
+    working = set(range(count))
+
+    def unpack() -> None:
+        k, first, part = backlog.pop()
+        for i, data in enumerate(part):
+            results[k + (first + i) * count] = _unpack(data)
+
+    while working:
+        requests: list[tuple[int, int, Any]] = []
+        for k, letter in _letters(inbox):
+            if letter is None:
+                if k in working:
+                    raise RuntimeError(f"layout process {k} of {count} ended early")
+            elif letter[0] == "results":
+                backlog.append((k, letter[1], letter[2]))
+            elif letter[0] == "end":
+                for stage, seconds in letter[1].items():
+                    clock.add(stage, seconds)
+                working.discard(k)
+            else:
+                requests.append((k, letter[1], letter[2]))
+        if requests:
+            clock.start()
+            found = answer([r for _, _, r in requests])
+            for (k, portion, _), reply in zip(requests, found, strict=True):
+                outbox[k].put((portion, reply))
+            clock.lap("search")
+        while backlog and inbox.empty():  # nobody waits for a search
+            unpack()
+    while backlog:
+        unpack()
+    return results
+
+
+def _letters(inbox: queue.SimpleQueue[tuple[int, Any]]) -> list[tuple[int, Any]]:
+    """All that has arrived, at least one."""
+    letters = [inbox.get()]
+    while not inbox.empty():
+        letters.append(inbox.get())
+    return letters
 
 
 def _read(k: int, pipe: Any, inbox: queue.SimpleQueue[tuple[int, Any]]) -> None:
@@ -156,8 +172,6 @@ def _work(
     pipe: Any,
 ) -> None:
     """One process: starts its portions one after the other, continues each when it was searched."""
-    from esg.layout.solver import solve_steps
-
     gc.disable()
     clock = Clock()
     size = min(PORTION, max(LEAST, -(-len(docs) // PORTIONS)))

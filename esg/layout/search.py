@@ -12,7 +12,7 @@ import numpy as np
 
 from esg.layout.config import LayoutConfig
 from esg.layout.problem.join import PLAIN, Arrays, join, merge
-from esg.layout.problem.problem import LayoutProblem
+from esg.layout.problem.record import LayoutProblem
 
 LANES = 8
 """Threads that share the candidates of a unit and the terms of an energy on a GPU."""

@@ -14,8 +14,9 @@ from esg.layout.clock import Clock
 from esg.layout.judge.check import penetrations, relation_reports, world_poses
 from esg.layout.judge.screen import build_screen, passing
 from esg.layout.problem.join import join, merge
-from esg.layout.problem.problem import LayoutProblem, build_problem
-from esg.layout.problem.units import Pose2
+from esg.layout.problem.poses import Pose2
+from esg.layout.problem.problem import build_problem
+from esg.layout.problem.record import LayoutProblem
 from esg.layout.search import _staged, search_arrays
 from tests.layout.builders import bin_, box, document, table
 
@@ -78,7 +79,7 @@ def test_a_process_that_fails_is_an_error(monkeypatch: pytest.MonkeyPatch) -> No
     def fail(*_: object) -> None:
         raise ValueError("no")
 
-    monkeypatch.setattr("esg.layout.solver.build_problem", fail)
+    monkeypatch.setattr("esg.layout.steps.build_problem", fail)
     with pytest.raises(RuntimeError, match="ended early"):
         solve_batch([generate(1, 3)] * 4, config=LayoutConfig(processes=2))
 

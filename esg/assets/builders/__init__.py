@@ -7,7 +7,9 @@ along Z) [cm] and a main colour, and fills the sketch in the asset's local frame
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cache
 from importlib import import_module
+from pkgutil import walk_packages
 from typing import Any, Literal
 
 Policy = Literal["free", "uniform"]
@@ -15,48 +17,6 @@ BUILDERS: dict[str, Callable[..., None]] = {}
 POLICIES: dict[str, Policy] = {}
 DRAWN: dict[str, tuple[float, float, float]] = {}
 """Extents [cm] of what a builder draws, where several sizes of entry share it."""
-_MODULES = (
-    "traffic.aircraft",
-    "living.animals",
-    "sport.archery",
-    "sport.balls",
-    "traffic.boats",
-    "outside.camp",
-    "traffic.carriages",
-    "house.containers",
-    "living.creatures",
-    "house.electronics",
-    "house.equipment",
-    "house.everyday",
-    "living.figures",
-    "house.fittings",
-    "house.foods",
-    "house.furnishings",
-    "house.furniture",
-    "sport.gear",
-    "house.goods",
-    "house.household",
-    "house.instruments",
-    "house.kitchen",
-    "outside.landmarks",
-    "traffic.machinery",
-    "outside.machines",
-    "outside.oddments",
-    "outside.outdoors",
-    "living.people",
-    "sport.playground",
-    "sport.pool",
-    "traffic.roadside",
-    "outside.scenery",
-    "sport.rollers",
-    "simple",
-    "sport.sports",
-    "traffic.street",
-    "outside.structures",
-    "house.tools",
-    "traffic.vehicles",
-    "traffic.wheels",
-)
 
 
 def builder(
@@ -83,7 +43,15 @@ def builder(
     return register
 
 
+@cache
+def modules() -> tuple[str, ...]:
+    """Full names of all modules of builders, sorted."""
+    found = walk_packages(__path__, f"{__name__}.")
+    return tuple(sorted(m.name for m in found if not m.ispkg))
+
+
+@cache
 def load_builders() -> None:
-    """Imports every module of builders."""
-    for module in _MODULES:
-        import_module(f"esg.assets.builders.{module}")
+    """Imports every module of builders; the order does not matter, as names are unique."""
+    for module in modules():
+        import_module(module)

@@ -47,7 +47,7 @@ def convex_parts(
         return tuple(Proxy.model_validate(p) for p in json.loads(entry.read_text()))
     if not available():
         return None
-    import coacd
+    import coacd  # type: ignore[import-not-found]  # optional extra
 
     coacd.set_log_level("error")
     try:

@@ -122,7 +122,7 @@ def support_surfaces(vertices: Floats, faces: NDArray[np.int64], limit: int = 4
     height = float(np.ptp(vertices[:, 2])) or 1.0
     footprint = float(np.prod(np.ptp(vertices[:, :2], axis=0))) or 1.0
     level = np.round(tri[keep][:, :, 2].mean(1) / (0.01 * height)).astype(int)
-    found = []
+    found: list[tuple[float, float, NDArray[np.float64], NDArray[np.float64]]] = []
     for z in np.unique(level):
         part = tri[keep][level == z]
         total = float(area[keep][level == z].sum())

@@ -80,7 +80,7 @@ def mass_properties(
         Centre of mass [cm], and (Ixx, Iyy, Izz, Ixy, Ixz, Iyz) about it [kg cm^2].
     """
     if not proxies:
-        return (0.0, 0.0, 0.0), (0.0,) * 6
+        return (0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     weights = densities if densities is not None else [1.0] * len(proxies)
     parts = [proxy_moments(p) for p in proxies]
     raw = np.array([w * v for w, (v, _, _) in zip(weights, parts, strict=True)])

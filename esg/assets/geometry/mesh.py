@@ -10,10 +10,11 @@ import hashlib
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import numpy as np
-
+from esg.assets.configuration import parametric_entry
 from esg.assets.geometry.rolling import is_rolling_form, rolling, turned_size
+from esg.assets.geometry.rotations import GLTF_FROM_LOCAL
 from esg.assets.geometry.sketch import Sketch
+from esg.assets.imports.imported import load_imported
 from esg.assets.library.catalogue import Entry, build_sketch
 from esg.graph.casting import effective
 from esg.graph.models import AssetConfiguration, EsgDocument
@@ -21,11 +22,6 @@ from esg.outcomes import UserError
 
 if TYPE_CHECKING:
     import trimesh
-
-GLTF_FROM_LOCAL = np.array(
-    [[0.01, 0, 0, 0], [0, 0, 0.01, 0], [0, -0.01, 0, 0], [0, 0, 0, 1]], float
-)
-"""From local cm, Z up, to glTF metres, Y up."""
 
 
 def build_mesh(config: AssetConfiguration) -> trimesh.Scene:
@@ -35,20 +31,17 @@ def build_mesh(config: AssetConfiguration) -> trimesh.Scene:
         UserError: If the configuration names an asset that no library on this machine holds.
     """
     import trimesh
+    from trimesh.visual import TextureVisuals
     from trimesh.visual.material import PBRMaterial
 
-    from esg.assets.stage import fallback_entry
-
-    entry = fallback_entry(config)
+    entry = parametric_entry(config)
     if entry is None:
-        from esg.assets.imports.imported import load_imported
-
         return load_imported(config)
     scene = trimesh.Scene()
     for part in configured_sketch(entry, config).parts:
         mesh = part.mesh()
         rgba = [round(255 * c) for c in (*part.color, part.alpha)]
-        mesh.visual = trimesh.visual.TextureVisuals(
+        mesh.visual = TextureVisuals(
             material=PBRMaterial(
                 name=part.name,
                 baseColorFactor=rgba,

@@ -42,7 +42,7 @@ def rolled_assets(doc: EsgDocument) -> frozenset[str]:
 def lying_assets(doc: EsgDocument) -> frozenset[str]:
     """Assets that are stacked, dropped or thrown: those keep lying."""
     nodes = doc.spatial_relation_graph.nodes.values()
-    stacked = {n.asset_id for n in nodes if n.group_pattern == "stack"}
+    stacked = frozenset(n.asset_id for n in nodes if n.group_pattern == "stack")
     return (stacked | _spun(doc, "none")) - rolled_assets(doc)
 
 

@@ -1,4 +1,4 @@
-"""Rotations as quaternions (x, y, z, w): about an axis, and from local Z to a direction."""
+"""Rotations as quaternions (x, y, z, w): about an axis, from local Z; and the frame of glTF."""
 
 from __future__ import annotations
 
@@ -10,6 +10,10 @@ import numpy as np
 from esg.graph.models import Quat
 
 IDENTITY: Quat = (0.0, 0.0, 0.0, 1.0)
+GLTF_FROM_LOCAL = np.array(
+    [[0.01, 0, 0, 0], [0, 0, 0.01, 0], [0, -0.01, 0, 0], [0, 0, 0, 1]], float
+)
+"""From local cm, Z up, to glTF metres, Y up."""
 
 
 def turn(axis: str, degrees: float) -> Quat:

@@ -6,6 +6,8 @@ gracefully at holes, where parity and pseudo-normals flip whole regions. Importe
 
 from __future__ import annotations
 
+# Warp reads annotations and operators as its own language.
+# pyright: reportOperatorIssue=false, reportAttributeAccessIssue=false
 from dataclasses import dataclass
 from functools import lru_cache
 import hashlib

@@ -210,10 +210,3 @@ class Sketch(Collider):
             self.rod(radius, a, b, color, rough=rough, metal=metal, sections=14)
         for p in path[1:-1]:
             self.ball(radius, p, color, rough=rough, metal=metal, detail=2)
-
-
-def scaled(sketch: Sketch, factor: float) -> Sketch:
-    """The same sketch, uniformly scaled about the origin."""
-    from esg.assets.geometry.stretch import stretched
-
-    return stretched(sketch, (factor,) * 3)

@@ -142,3 +142,8 @@ def sound(sketch: Sketch) -> bool:
     )
     moments = np.linalg.eigvalsh([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
     return bool(moments[0] > 0 and moments[0] + moments[1] >= moments[2] * (1 - 1e-6))
+
+
+def scaled(sketch: Sketch, factor: float) -> Sketch:
+    """The same sketch, uniformly scaled about the origin."""
+    return stretched(sketch, (factor, factor, factor))

@@ -7,7 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from esg.assets.geometry.sketch import Sketch, scaled
+from esg.assets.configuration import finish
+from esg.assets.geometry.rotations import GLTF_FROM_LOCAL
+from esg.assets.geometry.sketch import Sketch
+from esg.assets.geometry.stretch import scaled
 from esg.assets.imports.store import find_record
 from esg.assets.library.proposal import choose_dimensions, choose_mass
 from esg.assets.library.retrieve import Decision
@@ -23,8 +26,6 @@ def configure_imported(
     key: str, requirement: AssetRequirement, decision: Decision
 ) -> AssetConfiguration:
     """Configuration of an imported asset: its fitted proxies, scaled to the requirement."""
-    from esg.assets.stage import finish
-
     entry = decision.entry
     assert entry is not None
     found = find_record(f"{entry.library}/{entry.name}")
@@ -51,8 +52,6 @@ def configure_imported(
 
 def _load(path: Any) -> trimesh.Scene:
     import trimesh
-
-    from esg.assets.geometry.mesh import GLTF_FROM_LOCAL
 
     scene = trimesh.load_scene(path, file_type="glb", process=False)
     scene.apply_transform(np.linalg.inv(GLTF_FROM_LOCAL))

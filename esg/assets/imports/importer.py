@@ -172,7 +172,7 @@ def convert(
     """
     import trimesh
 
-    from esg.assets.geometry.mesh import GLTF_FROM_LOCAL
+    from esg.assets.geometry.rotations import GLTF_FROM_LOCAL
     from esg.assets.imports.describe import describe
 
     notes = [f"texture {name} is missing" for name in missing_textures(source.path)]
@@ -212,7 +212,7 @@ def convert(
         cache=cache,
     )
     local.apply_transform(GLTF_FROM_LOCAL)
-    glb = local.export(file_type="glb")
+    glb: Any = local.export(file_type="glb")
     record["mesh_sha256"] = hashlib.sha256(glb).hexdigest()
     record["glb"] = glb
     return record, notes

@@ -11,14 +11,19 @@ import hashlib
 import json
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from esg.assets.library.catalogue import Entry
-
-if TYPE_CHECKING:
-    from esg.assets.library.index import Index
+from esg.assets.library.index import (
+    Index,
+    compute_vectors,
+    embedded_index,
+    owners,
+    pack,
+    unpack,
+)
 
 INDEX_NAME = "index.npz"
 
@@ -66,8 +71,6 @@ def as_entry(record: dict[str, Any], library: str) -> Entry:
 
 def write_index(folder: Path) -> None:
     """Embeds the library's texts into `index.npz`; unchanged texts cost nothing."""
-    from esg.assets.library.index import pack, unpack
-
     entries = tuple(as_entry(r, folder.name) for r in read_records(folder))
     target = folder / INDEX_NAME
     if target.is_file() and unpack(target.read_bytes(), entries) is not None:
@@ -82,16 +85,14 @@ def _state() -> tuple[tuple[str, int], ...]:
     return tuple((str(f), (f / INDEX_NAME).stat().st_mtime_ns) for f in library_folders())
 
 
-def extended_index(base: Index) -> Index:
-    """The base index followed by all imported entries."""
-    state = _state()
+def active_index() -> Index:
+    """Index of the embedded library and of every imported one."""
+    base, state = embedded_index(), _state()
     return _extended(base.fingerprint, state) if state else base
 
 
 @lru_cache(maxsize=2)
 def _extended(fingerprint: str, state: tuple[tuple[str, int], ...]) -> Index:
-    from esg.assets.library.index import Index, compute_vectors, embedded_index, owners, unpack
-
     base = embedded_index()
     entries, vectors = list(base.entries), [base.vectors]
     digest = hashlib.sha256(fingerprint.encode())

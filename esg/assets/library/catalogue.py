@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import csv
 from dataclasses import dataclass
 from functools import lru_cache
-from importlib.resources import files
 import re
 from typing import Any
 
-from esg.assets.geometry.sketch import Sketch, scaled
+from esg.assets.geometry.sketch import Sketch
+from esg.assets.geometry.stretch import scaled, sound, stretched
 from esg.graph.models import Vec3
+from esg.lexicon import Kind, kinds, singular
 
 
 @dataclass(frozen=True)
@@ -81,111 +81,31 @@ def _value(text: str) -> Any:
 
 @lru_cache(maxsize=1)
 def catalogue() -> tuple[Entry, ...]:
-    """Every entry of the embedded library, in file order."""
-    text = files("esg.assets.data").joinpath("catalogue.csv").read_text(encoding="utf-8")
-    entries = []
-    for row in csv.DictReader(text.splitlines()):
-        params = tuple(
-            (k, _value(v)) for k, v in (p.split("=") for p in row["params"].split(";") if p)
-        )
-        entries.append(
-            Entry(
-                name=row["name"],
-                parents=tuple(row["parents"].split(";")),
-                builder=row["builder"],
-                params=params,
-                dimensions_cm=(
-                    float(row["length_cm"]),
-                    float(row["width_cm"]),
-                    float(row["height_cm"]),
-                ),
-                mass_kg=float(row["mass_kg"]),
-                material=row["material"],
-                color_rgb=parse_hex(row["color"]),
-                flags=frozenset(f for f in row["flags"].split(";") if f),
-                synonyms=tuple(t for t in row["synonyms"].split(";") if t),
-                description=row["description"],
-                reference=row["reference"] or "",
-            )
-        )
-    return tuple(entries)
+    """Every entry of the embedded library, in the order of the table of kinds."""
+    return tuple(_entry(kind) for kind in kinds() if kind.builder)
+
+
+def _entry(kind: Kind) -> Entry:
+    return Entry(
+        name=kind.slug,
+        parents=kind.parents,
+        builder=kind.builder,
+        params=tuple((k, _value(v)) for k, v in (p.split("=") for p in kind.params)),
+        dimensions_cm=kind.local_cm,
+        mass_kg=kind.local_kg,
+        material=kind.surface,
+        color_rgb=parse_hex(kind.color),
+        flags=kind.flags,
+        synonyms=kind.found_as,
+        description=kind.description,
+        reference=kind.reference,
+    )
 
 
 @lru_cache(maxsize=1)
 def entries_by_name() -> dict[str, Entry]:
     """The embedded library by canonical name."""
     return {e.name: e for e in catalogue()}
-
-
-_IRREGULAR = {
-    "taxis": "taxi",
-    "skis": "ski",
-    "kiwis": "kiwi",
-    "people": "person",
-    "men": "man",
-    "women": "woman",
-    "children": "child",
-    "knives": "knife",
-    "shelves": "shelf",
-    "loaves": "loaf",
-    "dice": "die",
-    "buses": "bus",
-    "benches": "bench",
-    "boxes": "box",
-    "glasses": "glass",
-    "dishes": "dish",
-    "torches": "torch",
-    "bushes": "bush",
-    "crosses": "cross",
-    "tomatoes": "tomato",
-    "potatoes": "potato",
-    "dominoes": "domino",
-    "leaves": "leaf",
-    "mattresses": "mattress",
-    "vases": "vase",
-    "wolves": "wolf",
-}
-_INVARIANT = {
-    "stairs",
-    "steps",
-    "bus",
-    "glass",
-    "grass",
-    "moss",
-    "cross",
-    "canvas",
-    "billiards",
-    "chess",
-    "tennis",
-    "scissors",
-    "trousers",
-    "series",
-    "toss",
-    "compass",
-    "mattress",
-    "headphones",
-    "sunglasses",
-    "bushes",
-    "lens",
-    "gas",
-    "shelves",
-    "crossroads",
-}
-
-
-def singular(word: str) -> str:
-    """Singular of an English noun, by rule."""
-    if word in _IRREGULAR:
-        return _IRREGULAR[word]
-    if word in _INVARIANT or len(word) < 4 or not word.endswith("s"):
-        return word
-    if word.endswith(("ss", "us", "is")):  # grass, octopus, tennis
-        return word
-    if word.endswith("ies"):
-        return word[:-3] + "y"
-    if re.search(r"(ch|sh|x|zz|ss)es$", word):
-        return word[:-2]
-    return word[:-1]
 
 
 def normalize(text: str) -> str:
@@ -233,7 +153,6 @@ def build_sketch(entry: Entry, dimensions_cm: Vec3, color: tuple[float, float, f
 def _free(entry: Entry, dimensions_cm: Vec3, color: tuple[float, float, float]) -> Sketch:
     """At any extents: built there, else at the usual volume and scaled, else stretched."""
     from esg.assets.builders import BUILDERS
-    from esg.assets.geometry.stretch import sound, stretched
 
     usual = entry.dimensions_cm
     factor = uniform_factor(usual, dimensions_cm)

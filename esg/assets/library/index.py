@@ -110,13 +110,6 @@ def embedded_index() -> Index:
     return Index(entries, vectors, owners(entries), texts_hash(entries)[:16])
 
 
-def active_index() -> Index:
-    """Index of the embedded library and of every imported one."""
-    from esg.assets.imports.store import extended_index
-
-    return extended_index(embedded_index())
-
-
 def main() -> None:
     """Recomputes the stored index: `python -m esg.assets.library.index`."""
     target = Path(str(files("esg.assets.data"))) / INDEX_FILE

@@ -10,9 +10,9 @@ from __future__ import annotations
 from dataclasses import replace
 import math
 
+from esg.assets.imports.store import active_index
 from esg.assets.library.catalogue import Entry, policy
 from esg.assets.library.hypernyms import Kin, kin
-from esg.assets.library.index import active_index
 from esg.assets.library.lookup import exact
 from esg.assets.library.proposal import guessed, guessed_mass_factor, is_own_name, residual
 from esg.assets.library.retrieve import GATE, Decision, candidate_of, is_foreign, qualified

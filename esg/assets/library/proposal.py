@@ -7,6 +7,7 @@ import re
 
 from esg.assets.library.catalogue import Entry, normalize, policy
 from esg.graph.models import AssetRequirement, Vec3
+from esg.lexicon.kinds import NEAR
 
 _PLAUSIBLE = (0.5, 2.0)
 """Range of uniform scales of an entry asked for by its own name."""
@@ -21,8 +22,6 @@ TOY = re.compile(r"\b(toy|miniature|scale model|model(?=\s+[a-z]{3,}))\b", re.IG
 """A toy of something has the size and mass that are expected of it, however large the thing is."""
 _STRETCH = (0.04, 25.0)
 """Range for another noun that the entry stands for (a pebble for a rock)."""
-_NEAR = 1.12
-"""Ratios up to this are the same size: the library's sourced figures then win."""
 _MISFIT = 2.2
 """Extents that differ by more than this after scaling are another shape."""
 _NAMED_MISFIT = 3.0
@@ -120,9 +119,6 @@ def choose_dimensions(entry: Entry, requirement: AssetRequirement) -> Vec3:
             return (l, w, h)
         scale = math.prod(factors) ** (1 / 3)
         return (usual[0] * scale, usual[1] * scale, usual[2] * scale)
-    strict = is_own_name(entry, requirement) and "any_size" not in entry.flags
-    strict = strict and not SIZED.search(requirement.asset_description.partition(":")[0])
-    low, high = _PLAUSIBLE if strict else _STRETCH
     wanted = _oriented(usual, requirement.expected_dimensions_cm)
     ratios = [b / a for a, b in zip(usual, wanted, strict=True)]
     free = policy(entry) == "free"
@@ -133,18 +129,29 @@ def choose_dimensions(entry: Entry, requirement: AssetRequirement) -> Vec3:
         if "rolls" in entry.flags:
             factor = ratios[2]
         return (usual[0] * factor, usual[1] * factor, usual[2] * factor)
-    if all(1 / _NEAR <= r <= _NEAR for r in ratios):
+    if all(1 / NEAR <= r <= NEAR for r in ratios):
         return usual
     if free and ("decal" in entry.flags or "structure" in entry.parents):
         height = wanted[2] if "decal" not in entry.flags else usual[2]
         return (wanted[0], wanted[1], height)
+    return _followed(entry, requirement, wanted, ratios, free)
+
+
+def _followed(
+    entry: Entry, requirement: AssetRequirement, wanted: Vec3, ratios: list[float], free: bool
+) -> Vec3:
+    """Extents [cm] that follow an expectation as far as it can be meant of the entry."""
+    usual = entry.dimensions_cm
+    strict = is_own_name(entry, requirement) and "any_size" not in entry.flags
+    strict = strict and not SIZED.search(requirement.asset_description.partition(":")[0])
+    low, high = _PLAUSIBLE if strict else _STRETCH
     plausible = all(low <= r <= high for r in ratios)
     if free and plausible:
         return wanted
+    factor = math.prod(ratios) ** (1 / 3)
     if is_toy(requirement):
         factor = max(wanted) / max(usual)
         return (usual[0] * factor, usual[1] * factor, usual[2] * factor)
-    factor = math.prod(ratios) ** (1 / 3)
     if not strict and residual(entry, requirement) > _MISFIT:
         # One extent was counted differently (with or without an arm, a base): follow the others.
         factor = sorted(ratios)[1]
@@ -152,7 +159,7 @@ def choose_dimensions(entry: Entry, requirement: AssetRequirement) -> Vec3:
         factor = max(wanted) / max(usual)
     if not plausible and not low <= factor <= high:
         factor = 1.0
-    if 1 / _NEAR <= factor <= _NEAR:
+    if 1 / NEAR <= factor <= NEAR:
         factor = 1.0
     return (usual[0] * factor, usual[1] * factor, usual[2] * factor)
 

@@ -20,8 +20,9 @@ import re
 
 import numpy as np
 
+from esg.assets.imports.store import active_index
 from esg.assets.library.catalogue import Entry, lexicon, normalize
-from esg.assets.library.index import Index, active_index, texts_of
+from esg.assets.library.index import Index, texts_of
 from esg.assets.library.lookup import AMBIGUOUS_HEADS, exact, head_match, head_phrase
 from esg.assets.library.proposal import is_own_name, misfit
 from esg.graph.models import AssetRequirement, RetrievalCandidate
@@ -102,7 +103,7 @@ def rank(
     pool = list(np.argsort(-semantic, kind="stable")[: max(32, k)])
     if match is not None:
         pool += [i for i, e in enumerate(index.entries) if e.name == match.name and i not in pool]
-    candidates = []
+    candidates: list[RetrievalCandidate] = []
     for i in pool:
         entry = index.entries[int(i)]
         category = _category_score(entry, match)

@@ -16,10 +16,11 @@ from esg.graph.models import (
     RelationType,
 )
 from esg.layout.problem import terms
-from esg.layout.problem.edges import AXES, CARDINAL
-from esg.layout.problem.problem import LayoutProblem
+from esg.layout.problem.edges import AXES, CARDINAL, Term
+from esg.layout.problem.poses import Pose2, compose, inverse
+from esg.layout.problem.record import LayoutProblem
 from esg.layout.problem.shapes import CIRCLE, Footprint
-from esg.layout.problem.units import Pose2, compose, inverse
+from esg.layout.problem.supports import Shape
 
 TOUCH_CM = 0.05
 HARD = {
@@ -251,36 +252,56 @@ def binary_violation(
         target = CARDINAL[e.cardinal] if e.cardinal else math.atan2(pb[1] - pa[1], pb[0] - pa[0])
         return max(0.0, math.degrees(_angle(pa[2] - target)) - 20.0), ""
     if kind in (RelationType.NEAR, RelationType.ADJACENT, RelationType.FAR_FROM):
-        low, high = next(t.params[:2] for t in mine if t.kind == terms.BAND)
+        low, high, slack = distance_range(e, next(t for t in mine if t.kind == terms.BAND))
         d = surface_distance(problem, world, e.from_, e.to)
-        slack = 0.25 * (high - low) + 1.0 if high < 1e5 else 0.1 * low
-        if kind is RelationType.NEAR and e.distance_cm is None:
-            low = 0.0  # closer than preferred is still near
         return max(0.0, low - slack - d, d - high - slack), ""
-    if kind in (RelationType.CENTER_OF, RelationType.UNDER, RelationType.ABOVE):
-        if kind is RelationType.ABOVE and problem.supports.of[e.from_].parent == e.to:
-            return _rests(problem, world, e.from_, e.to), ""
-        if kind is RelationType.CENTER_OF:
-            t = next(t for t in mine if t.kind == terms.CENTER)
-            c = compose(pb, (t.params[1], t.params[2], 0.0))
-            size = 0.1 * (problem.shape[e.to].hx + problem.shape[e.to].hy)
-            return max(0.0, math.dist(pa[:2], c[:2]) - max(2.0, size)), ""
-        c, n = math.cos(pb[2]), math.sin(pb[2])
-        dx, dy = pa[0] - pb[0], pa[1] - pb[1]
-        s = problem.shape[e.to]
-        out = max(abs(c * dx + n * dy) - s.hx, abs(-n * dx + c * dy) - s.hy, 0.0)
-        if kind is RelationType.ABOVE:
-            return max(out, world.z[e.to] + s.height - world.z[e.from_] - 0.5), ""
-        return max(0.0, out), ""
-    note = "heights follow from the supports"
+    if kind is RelationType.CENTER_OF:
+        t = next(t for t in mine if t.kind == terms.CENTER)
+        c = compose(pb, (t.params[1], t.params[2], 0.0))
+        return max(0.0, math.dist(pa[:2], c[:2]) - centre_tolerance(problem.shape[e.to])), ""
+    if kind is RelationType.ABOVE and problem.supports.of[e.from_].parent == e.to:
+        return _rests(problem, world, e.from_, e.to), ""
+    if kind in (RelationType.UNDER, RelationType.ABOVE):
+        return _covered(problem, world, e), ""
+    return _height_order(problem, world, e), "heights follow from the supports"
+
+
+def distance_range(e: BinaryRelation, band: Term) -> tuple[float, float, float]:
+    """Surface distances [cm] at which near, adjacent or far_from holds, and the slack on them."""
+    low, high = band.params[:2]
+    slack = 0.25 * (high - low) + 1.0 if high < 1e5 else 0.1 * low
+    if e.relation_type is RelationType.NEAR and e.distance_cm is None:
+        low = 0.0  # closer than preferred is still near
+    return low, high, slack
+
+
+def centre_tolerance(shape: Shape) -> float:
+    """How far from the middle of something its centre may be [cm]."""
+    return max(2.0, 0.1 * (shape.hx + shape.hy))
+
+
+def _covered(problem: LayoutProblem, world: World, e: BinaryRelation) -> float:
+    """How far something is from being under, or above, the other's footprint [cm]."""
+    pa, pb = world.pose[e.from_], world.pose[e.to]
+    c, n = math.cos(pb[2]), math.sin(pb[2])
+    dx, dy = pa[0] - pb[0], pa[1] - pb[1]
+    s = problem.shape[e.to]
+    out = max(abs(c * dx + n * dy) - s.hx, abs(-n * dx + c * dy) - s.hy, 0.0)
+    if e.relation_type is RelationType.ABOVE:
+        return max(out, world.z[e.to] + s.height - world.z[e.from_] - 0.5)
+    return out
+
+
+def _height_order(problem: LayoutProblem, world: World, e: BinaryRelation) -> float:
+    """How far the middles are from being higher, lower or level [cm]."""
     za = world.z[e.from_] + 0.5 * problem.shape[e.from_].height
     zb = world.z[e.to] + 0.5 * problem.shape[e.to].height
-    if kind is RelationType.HIGHER_THAN:
-        return max(0.0, zb + 0.5 - za), note
-    if kind is RelationType.LOWER_THAN:
-        return max(0.0, za + 0.5 - zb), note
+    if e.relation_type is RelationType.HIGHER_THAN:
+        return max(0.0, zb + 0.5 - za)
+    if e.relation_type is RelationType.LOWER_THAN:
+        return max(0.0, za + 0.5 - zb)
     level = min(abs(za - zb), abs(world.z[e.from_] - world.z[e.to]))
-    return max(0.0, level - 2.0), note
+    return max(0.0, level - 2.0)
 
 
 def multi_violation(

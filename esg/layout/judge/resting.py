@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 
 from esg.layout.judge.check import World, plan_separation
-from esg.layout.problem.problem import LayoutProblem
+from esg.layout.problem.poses import Pose2, compose, inverse
+from esg.layout.problem.record import LayoutProblem
 from esg.layout.problem.shapes import CIRCLE
 from esg.layout.problem.supports import Shape, Support
-from esg.layout.problem.units import Pose2, compose, inverse
 from esg.thresholds import HANGS_M, MEETS_M
 
 STANDING = ("on", "inside")

@@ -18,6 +18,8 @@ from esg.layout.judge.check import (
     HARD,
     World,
     binary_violation,
+    centre_tolerance,
+    distance_range,
     edge_names,
     held_by_support,
     report,
@@ -25,7 +27,7 @@ from esg.layout.judge.check import (
 from esg.layout.judge.resting import carried, centre_offset, is_solid
 from esg.layout.problem import terms
 from esg.layout.problem.edges import AXES, CARDINAL
-from esg.layout.problem.problem import LayoutProblem
+from esg.layout.problem.record import LayoutProblem
 
 DOUBT = 1e-7
 """Distance [cm, degrees] from the limit within which the detailed check decides."""
@@ -135,45 +137,58 @@ def _binary(
     kind = e.relation_type
     if e.from_ not in index or e.to not in index or e.from_ == e.to:
         return None
-    pair = (index[e.from_], index[e.to])
-    mine = {t.kind: t for t in problem.terms_of.get(f"b{k}", [])}
-    of = problem.supports.of[e.from_]
-    by_rest = kind in HARD or (kind is R.ABOVE and of.parent == e.to)
-    grounded = kind not in HARD and e.cardinal is None and bool({e.from_, e.to} & problem.ground)
-    if by_rest and not grounded:
-        held = held_by_support(problem, e) if kind in HARD else None
-        if held is not None:
-            return None if held[0] > 0 else ([], held[1])
-        if of.parent is None or of.rect is None:
-            return [], of.note
-        if of.parent != e.to and e.to not in problem.supports.chain(e.from_):
-            return None
-        at = (index[e.from_], index[of.parent])
-        return [_row(REST, at, *of.rect, float(of.kind == "inside"))], of.note
-    if not grounded and kind in AXES:
-        return [_row(ORDER, pair, *AXES[kind])], ""
-    if not grounded and kind is R.FACE and not (e.cardinal and problem.shape[e.from_].is_round):
-        return [
-            _row(FACE, pair, float(bool(e.cardinal)), CARDINAL[e.cardinal] if e.cardinal else 0)
-        ], ""
-    if not grounded and kind in (R.NEAR, R.ADJACENT, R.FAR_FROM):
-        low, high = mine[terms.BAND].params[:2]
-        slack = 0.25 * (high - low) + 1.0 if high < 1e5 else 0.1 * low
-        if kind is R.NEAR and e.distance_cm is None:
-            low = 0.0
-        return [_row(DISTANCE, pair, low - slack, high + slack, _rise(problem, still, *pair))], ""
-    if not grounded and kind is R.CENTER_OF:
-        t = mine[terms.CENTER]
-        size = 0.1 * (problem.shape[e.to].hx + problem.shape[e.to].hy)
-        return [_row(POINT, pair, t.params[1], t.params[2], max(2.0, size))], ""
-    if not grounded and kind in (R.UNDER, R.ABOVE):
-        above = still.z[e.to] + problem.shape[e.to].height - still.z[e.from_] - 0.5
-        if kind is R.ABOVE and above > -DOUBT:
-            return None
-        return [_row(COVER, pair)], ""
+    by_rest = kind in HARD or (kind is R.ABOVE and problem.supports.of[e.from_].parent == e.to)
+    if kind in HARD or e.cardinal is not None or not {e.from_, e.to} & problem.ground:
+        if by_rest:
+            return _resting(problem, index, e)
+        pair = (index[e.from_], index[e.to])
+        if kind in (R.UNDER, R.ABOVE):
+            top = still.z[e.to] + problem.shape[e.to].height
+            hidden = kind is R.ABOVE and top - still.z[e.from_] - 0.5 > -DOUBT
+            return None if hidden else ([_row(COVER, pair)], "")
+        row = _row_of(problem, still, pair, k, e)
+        if row is not None:
+            return [row], ""
     # what is left does not depend on poses
     violation, note = binary_violation(problem, still, k, e)
     return None if violation > 0 else ([], note)
+
+
+def _resting(
+    problem: LayoutProblem, index: dict[str, int], e: BinaryRelation
+) -> tuple[list[Row], str] | None:
+    """Conditions of a relation that is held by what carries its first object."""
+    of = problem.supports.of[e.from_]
+    held = held_by_support(problem, e) if e.relation_type in HARD else None
+    if held is not None:
+        return None if held[0] > 0 else ([], held[1])
+    if of.parent is None or of.rect is None:
+        return [], of.note
+    if of.parent != e.to and e.to not in problem.supports.chain(e.from_):
+        return None
+    at = (index[e.from_], index[of.parent])
+    return [_row(REST, at, *of.rect, float(of.kind == "inside"))], of.note
+
+
+def _row_of(
+    problem: LayoutProblem, still: World, pair: tuple[int, int], k: int, e: BinaryRelation
+) -> Row | None:
+    """The condition of a direction, face, distance or centre; None for other relations."""
+    kind = e.relation_type
+    mine = {t.kind: t for t in problem.terms_of.get(f"b{k}", [])}
+    if kind in AXES:
+        return _row(ORDER, pair, *AXES[kind])
+    if kind is R.FACE and not (e.cardinal and problem.shape[e.from_].is_round):
+        target = CARDINAL[e.cardinal] if e.cardinal else 0
+        return _row(FACE, pair, float(bool(e.cardinal)), target)
+    if kind in (R.NEAR, R.ADJACENT, R.FAR_FROM):
+        low, high, slack = distance_range(e, mine[terms.BAND])
+        return _row(DISTANCE, pair, low - slack, high + slack, _rise(problem, still, *pair))
+    if kind is R.CENTER_OF:
+        t = mine[terms.CENTER]
+        size = centre_tolerance(problem.shape[e.to])
+        return _row(POINT, pair, t.params[1], t.params[2], size)
+    return None
 
 
 def _rise(problem: LayoutProblem, still: World, i: int, j: int) -> float:

@@ -11,7 +11,7 @@ from esg.graph.models import EsgDocument, RelationReport
 from esg.layout.judge.check import World, intrusions, penetrations, relation_reports, world_poses
 from esg.layout.judge.resting import unsupported
 from esg.layout.judge.screen import Screen, build_screen, passing
-from esg.layout.problem.problem import LayoutProblem
+from esg.layout.problem.record import LayoutProblem
 from esg.layout.search import SearchResult
 
 HARD_RELATIONS = ("on", "inside_of", "attached_vertical", "attached_horizontal")

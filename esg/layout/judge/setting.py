@@ -10,8 +10,9 @@ import math
 
 from esg.layout.judge.check import plan_separation, prim_penetration
 from esg.layout.judge.resting import beyond_edge
+from esg.layout.problem.poses import Pose2, compose, inverse
 from esg.layout.problem.supports import Shape, Support, SupportMap
-from esg.layout.problem.units import Pose2, Unit, compose, inverse
+from esg.layout.problem.units import Unit
 
 SPACING_CM = 0.5
 MAX_DEPTH_CM = 1.0

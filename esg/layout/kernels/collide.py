@@ -1,5 +1,9 @@
 """Warp functions of the collision energy: proxies, bounding boxes, sampled signed distances."""
 
+# Warp reads annotations and operators as its own language.
+# pyright: basic, reportGeneralTypeIssues=false, reportInvalidTypeForm=false
+# pyright: reportArgumentType=false, reportCallIssue=false, reportOperatorIssue=false
+
 # ruff: noqa: RUF046, UP018  (Warp needs plain statements and int())
 from __future__ import annotations
 

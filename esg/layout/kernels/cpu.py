@@ -4,6 +4,10 @@
 start. `esg.layout.kernels.gpu` does the same with many threads per start.
 """
 
+# Warp reads annotations and operators as its own language.
+# pyright: basic, reportGeneralTypeIssues=false, reportInvalidTypeForm=false
+# pyright: reportArgumentType=false, reportCallIssue=false, reportOperatorIssue=false
+
 # ruff: noqa: RUF046, UP018  (Warp needs plain statements and int())
 from __future__ import annotations
 

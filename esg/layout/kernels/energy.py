@@ -4,6 +4,10 @@ Everything rests on its support by construction (heights are constants of the pr
 x, y [cm] and yaw [rad] of each unit in the frame of its parent node.
 """
 
+# Warp reads annotations and operators as its own language.
+# pyright: basic, reportGeneralTypeIssues=false, reportInvalidTypeForm=false
+# pyright: reportArgumentType=false, reportCallIssue=false, reportOperatorIssue=false
+
 # ruff: noqa: SIM109, UP018  (Warp needs plain statements and int())
 from __future__ import annotations
 
@@ -38,25 +42,61 @@ FACE_SCALE_CM = wp.constant(60.0)
 
 
 @wp.func
+def region_energy(p: Problem, w: wp.array(dtype=wp.vec3), off: int, e: int):
+    """Rectangle p0..p3 = min x, min y, max x, max y in b's frame holds a's footprint."""
+    n = p.edge_node[e]
+    pa = w[n[0] + off]
+    q = wp.vec2(pa[0], pa[1])
+    yaw = pa[2]
+    if n[1] >= 0:
+        pb = w[n[1] + off]
+        q = turn(wp.vec2(pa[0] - pb[0], pa[1] - pb[1]), -pb[2])
+        yaw = pa[2] - pb[2]
+    h = world_half(p, n[0], yaw)
+    vx = relu(p.edge_p[e, 0] - q[0] + h[0]) + relu(q[0] + h[0] - p.edge_p[e, 2])
+    vy = relu(p.edge_p[e, 1] - q[1] + h[1]) + relu(q[1] + h[1] - p.edge_p[e, 3])
+    return REGION_WEIGHT * (vx * vx + vy * vy + smooth(vx) + smooth(vy)) * p.edge_w[e]
+
+
+@wp.func
+def direction_energy(p: Problem, e: int, ha: wp.vec2, hb: wp.vec2, d: wp.vec2, soft: float):
+    """Axis p0, sign p1, extra range p2, lateral tolerance p3, scale p4, least gap p5."""
+    along = d[0]
+    across = wp.abs(d[1])
+    ea = ha[0] + hb[0]
+    if p.edge_p[e, 0] > 0.5:
+        along = d[1]
+        across = wp.abs(d[0])
+        ea = ha[1] + hb[1]
+    along = along * p.edge_p[e, 1]
+    low = ea + p.edge_p[e, 5]
+    high = low + p.edge_p[e, 2]
+    # what makes the relation true has full weight; clearing the footprints, the upper range and
+    # lateral alignment make it tidy
+    v = (
+        smooth(relu(2.0 - along))
+        + soft * smooth(relu(low - along))
+        + soft * 0.3 * smooth(relu(along - high))
+    )
+    lat = relu(across - p.edge_p[e, 3])
+    # the quadratic of the paper, continued linearly: one far object must not drown the rest
+    c = p.edge_p[e, 4]
+    if lat < 0.5 * c:
+        v += soft * 0.5 * lat * lat / c
+    else:
+        v += soft * (0.5 * lat - 0.125 * c)
+    return v
+
+
+@wp.func
 def edge_energy(p: Problem, w: wp.array(dtype=wp.vec3), off: int, e: int, soft: float):
     kind = p.edge_kind[e]
     n = p.edge_node[e]
     a = n[0]
     b = n[1]
     pa = w[a + off]
-    if (
-        kind == E_REGION
-    ):  # rectangle p0..p3 = min x, min y, max x, max y in b's frame holds a's footprint
-        q = wp.vec2(pa[0], pa[1])
-        yaw = pa[2]
-        if b >= 0:
-            pb = w[b + off]
-            q = turn(wp.vec2(pa[0] - pb[0], pa[1] - pb[1]), -pb[2])
-            yaw = pa[2] - pb[2]
-        h = world_half(p, a, yaw)
-        vx = relu(p.edge_p[e, 0] - q[0] + h[0]) + relu(q[0] + h[0] - p.edge_p[e, 2])
-        vy = relu(p.edge_p[e, 1] - q[1] + h[1]) + relu(q[1] + h[1] - p.edge_p[e, 3])
-        return REGION_WEIGHT * (vx * vx + vy * vy + smooth(vx) + smooth(vy)) * p.edge_w[e]
+    if kind == E_REGION:
+        return region_energy(p, w, off, e)
     if kind == E_FACE:  # p0: 1 = towards the fixed direction p1 [rad], p2: angular tolerance
         target = p.edge_p[e, 1]
         if p.edge_p[e, 0] < 0.5:
@@ -75,35 +115,8 @@ def edge_energy(p: Problem, w: wp.array(dtype=wp.vec3), off: int, e: int, soft: 
     if kind == E_BAND:  # surface distance between p0 and p1
         s = surface_distance(p, a, b, pa, pb)
         v = smooth(relu(s - p.edge_p[e, 1])) + smooth(relu(p.edge_p[e, 0] - s))
-    elif (
-        kind == E_DIRECTION
-    ):  # axis p0, sign p1, extra range p2, lateral tolerance p3, scale p4, least gap p5
-        ha = world_half(p, a, pa[2])
-        hb = world_half(p, b, pb[2])
-        along = d[0]
-        across = wp.abs(d[1])
-        ea = ha[0] + hb[0]
-        if p.edge_p[e, 0] > 0.5:
-            along = d[1]
-            across = wp.abs(d[0])
-            ea = ha[1] + hb[1]
-        along = along * p.edge_p[e, 1]
-        low = ea + p.edge_p[e, 5]
-        high = low + p.edge_p[e, 2]
-        # what makes the relation true has full weight; clearing the footprints, the upper range and
-        # lateral alignment make it tidy
-        v = (
-            smooth(relu(2.0 - along))
-            + soft * smooth(relu(low - along))
-            + soft * 0.3 * smooth(relu(along - high))
-        )
-        lat = relu(across - p.edge_p[e, 3])
-        # the quadratic of the paper, continued linearly: one far object must not drown the rest
-        c = p.edge_p[e, 4]
-        if lat < 0.5 * c:
-            v += soft * 0.5 * lat * lat / c
-        else:
-            v += soft * (0.5 * lat - 0.125 * c)
+    elif kind == E_DIRECTION:
+        v = direction_energy(p, e, world_half(p, a, pa[2]), world_half(p, b, pb[2]), d, soft)
     elif kind == E_CENTER or kind == E_SLOT:  # within p0 of b's point (p1, p2)
         t = turn(wp.vec2(p.edge_p[e, 1], p.edge_p[e, 2]), pb[2])
         v = smooth(relu(wp.length(d - t) - p.edge_p[e, 0]))

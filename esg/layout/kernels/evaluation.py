@@ -1,5 +1,9 @@
 """Warp kernels that measure given layouts: distances of footprints and energies of scenes."""
 
+# Warp reads annotations and operators as its own language.
+# pyright: basic, reportGeneralTypeIssues=false, reportInvalidTypeForm=false
+# pyright: reportArgumentType=false, reportCallIssue=false, reportOperatorIssue=false
+
 from __future__ import annotations
 
 import warp as wp

@@ -7,6 +7,10 @@ start's poses), `measure` spreads the terms of the energy over lanes. With one l
 those of the sequential kernels, bit for bit; with more, energies are summed in another order.
 """
 
+# Warp reads annotations and operators as its own language.
+# pyright: basic, reportGeneralTypeIssues=false, reportInvalidTypeForm=false
+# pyright: reportArgumentType=false, reportCallIssue=false, reportOperatorIssue=false
+
 # ruff: noqa: E501, RUF046, UP018  (Warp needs plain statements and int())
 from __future__ import annotations
 

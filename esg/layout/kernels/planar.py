@@ -3,6 +3,10 @@
 Arrays of all scenes of a batch are concatenated; node, unit, edge and pair indices are global.
 """
 
+# Warp reads annotations and operators as its own language.
+# pyright: basic, reportGeneralTypeIssues=false, reportInvalidTypeForm=false
+# pyright: reportArgumentType=false, reportCallIssue=false, reportOperatorIssue=false
+
 from __future__ import annotations
 
 import warp as wp

@@ -1,5 +1,9 @@
 """Warp functions that propose poses: candidates of one unit, and the way back into its region."""
 
+# Warp reads annotations and operators as its own language.
+# pyright: basic, reportGeneralTypeIssues=false, reportInvalidTypeForm=false
+# pyright: reportArgumentType=false, reportCallIssue=false, reportOperatorIssue=false
+
 # ruff: noqa: RUF046, SIM108, SIM109, UP018  (Warp needs plain statements and int())
 from __future__ import annotations
 
@@ -152,6 +156,51 @@ def propose_point(
 
 
 @wp.func
+def role_in(p: Problem, i: int, u: int):
+    """Whether edge i can place unit u: 1 by its first node, 0 by its second, -1 not at all."""
+    n = p.edge_node[i]
+    kind = p.edge_kind[i]
+    role = int(-1)
+    if kind != E_REGION and kind != E_FACE and n[1] >= 0:
+        ua = p.node_unit[n[0]]
+        ub = p.node_unit[n[1]]
+        uc = int(-1)
+        if n[2] >= 0:
+            uc = p.node_unit[n[2]]
+        if ua == u and ub < u and uc < u:
+            role = int(1)
+        elif ub == u and ua < u and uc < 0:
+            role = int(0)
+    return role
+
+
+@wp.func
+def turned_to(
+    p: Problem,
+    w: wp.array(dtype=wp.vec3),
+    off: int,
+    u: int,
+    parent: wp.vec3,
+    x: wp.vec2,
+    yaw: float,
+):
+    """The yaw at which unit u faces what it must, if it stands at x; `yaw` if it need not."""
+    out = yaw
+    for j in range(p.ue_off[u], p.ue_off[u + 1]):
+        i = p.ue[j]
+        n = p.edge_node[i]
+        if p.edge_kind[i] == E_FACE and p.node_unit[n[0]] == u:
+            rel = p.node_rel[n[0]]
+            if p.edge_p[i, 0] > 0.5:
+                out = p.edge_p[i, 1] - parent[2] - rel[2]
+            elif p.node_unit[n[1]] < u:
+                here = compose(parent, compose(wp.vec3(x[0], x[1], out), rel))
+                pt = w[n[1] + off]
+                out = wp.atan2(pt[1] - here[1], pt[0] - here[0]) - parent[2] - rel[2]
+    return out
+
+
+@wp.func
 def propose(
     p: Problem, w: wp.array(dtype=wp.vec3), off: int, u: int, k: int, s: Settings, rng: wp.uint32
 ):
@@ -178,21 +227,12 @@ def propose(
     mine = int(1)
     for j in range(p.ue_off[u], p.ue_off[u + 1]):
         i = p.ue[j]
-        n = p.edge_node[i]
-        kd = p.edge_kind[i]
-        if kd != E_REGION and kd != E_FACE and n[1] >= 0:
-            ua = p.node_unit[n[0]]
-            ub = p.node_unit[n[1]]
-            uc = int(-1)
-            if n[2] >= 0:
-                uc = p.node_unit[n[2]]
-            if (ua == u and ub < u and uc < u) or (ub == u and ua < u and uc < 0):
-                seen += 1.0
-                if wp.randf(rng) * seen <= 1.0:
-                    chosen = i
-                    mine = int(1)
-                    if ub == u:
-                        mine = 0
+        role = role_in(p, i, u)
+        if role >= 0:
+            seen += 1.0
+            if wp.randf(rng) * seen <= 1.0:
+                chosen = i
+                mine = role
     if chosen >= 0 and wp.randf(rng) >= 0.8:
         chosen = int(-1)
     if chosen >= 0:
@@ -208,18 +248,7 @@ def propose(
         a = p.unit_anchor[u]
         x = wp.vec2(a[0], a[1])
     if free[2] > 0.5 and wp.randf(rng) < 0.85:
-        # turn to what the unit must face
-        for j in range(p.ue_off[u], p.ue_off[u + 1]):
-            i = p.ue[j]
-            n = p.edge_node[i]
-            if p.edge_kind[i] == E_FACE and p.node_unit[n[0]] == u:
-                rel = p.node_rel[n[0]]
-                if p.edge_p[i, 0] > 0.5:
-                    yaw = p.edge_p[i, 1] - parent[2] - rel[2]
-                elif p.node_unit[n[1]] < u:
-                    here = compose(parent, compose(wp.vec3(x[0], x[1], yaw), rel))
-                    pt = w[n[1] + off]
-                    yaw = wp.atan2(pt[1] - here[1], pt[0] - here[0]) - parent[2] - rel[2]
+        yaw = turned_to(p, w, off, u, parent, x, yaw)
     if chosen < 0:
         x = x - turn(p.unit_center[u], yaw)
     out = wp.vec3(x[0], x[1], yaw)

@@ -12,8 +12,9 @@ from esg.graph.models import BinaryRelation, EsgDocument, RelationType
 from esg.layout.problem.edges import AXES, adjacent_band, near_band
 from esg.layout.problem.hints import Corridor
 from esg.layout.problem.obstacles import is_road
+from esg.layout.problem.poses import Pose2, compose
 from esg.layout.problem.supports import Shape, SupportMap
-from esg.layout.problem.units import Pose2, Unit, compose
+from esg.layout.problem.units import Unit
 
 CROSSING_WORDS = (
     "cross",

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from esg.graph.models import EsgDocument, RelationType
+from esg.layout.problem.grouping import UnitBuilder
 from esg.layout.problem.supports import Shape, SupportMap
-from esg.layout.problem.units import UnitBuilder
 
 MARGIN_CM = 1.0
 LEVEL = (RelationType.HIGHER_THAN, RelationType.LOWER_THAN, RelationType.SAME_LEVEL_AS)

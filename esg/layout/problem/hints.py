@@ -8,6 +8,8 @@ else, and keeps bystanders out of the corridors that the motion sweeps.
 from __future__ import annotations
 
 from dataclasses import dataclass
+import itertools
+import math
 
 from esg.graph.models import Choreography
 
@@ -83,3 +85,15 @@ def stored_hints(told: Choreography) -> StartHints:
             for c in told.constellations
         )
     )
+
+
+def in_the_way(corridor: Corridor, x: float, y: float, radius: float) -> bool:
+    """Whether a disc touches a swept path."""
+    least = math.inf
+    for (x0, y0), (x1, y1) in itertools.pairwise(corridor.points_cm):
+        dx, dy = x1 - x0, y1 - y0
+        square = dx * dx + dy * dy
+        t = ((x - x0) * dx + (y - y0) * dy) / square if square > 0 else 0.0
+        t = min(max(t, 0.0), 1.0)
+        least = min(least, math.hypot(x - x0 - t * dx, y - y0 - t * dy))
+    return least < corridor.half_width_cm + radius

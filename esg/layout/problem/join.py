@@ -7,7 +7,7 @@ from itertools import chain
 
 import numpy as np
 
-from esg.layout.problem.problem import PARAMS, LayoutProblem
+from esg.layout.problem.record import PARAMS, LayoutProblem
 
 Arrays = dict[str, np.ndarray]
 

@@ -7,9 +7,10 @@ import math
 
 from esg.graph.models import EsgDocument, RelationType
 from esg.layout.problem.hints import Corridor
+from esg.layout.problem.poses import Pose2
 from esg.layout.problem.shapes import RECTANGLE
 from esg.layout.problem.supports import Shape, SupportMap
-from esg.layout.problem.units import Pose2, Unit
+from esg.layout.problem.units import Unit
 
 ROAD_WORDS = (
     "road",

@@ -9,13 +9,13 @@ import math
 
 import numpy as np
 
+from esg.layout.problem.poses import Pose2
+
 PIN_SPACING_OVER_DIAMETER = 30.48 / 12.1
 """Regulation: pins of 12.1 cm stand 30.48 cm apart."""
 RACK_GAP_CM = 0.2
 DOMINO_PITCH_OVER_HEIGHT = 0.5
 """A falling domino must reach its neighbour well above the middle: 0.4-0.6 of its height."""
-
-Pose2 = tuple[float, float, float]
 
 
 def is_domino_like(length: float, width: float, height: float) -> bool:

@@ -1,8 +1,8 @@
-"""One scene as arrays: the planar problem that the kernels search."""
+"""Turns one scene into arrays: the planar problem that the kernels search."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 import math
 
 import numpy as np
@@ -11,68 +11,49 @@ from esg.graph.models import EsgDocument
 from esg.layout.problem import terms
 from esg.layout.problem.domains import unit_domains
 from esg.layout.problem.edges import Term, binary_terms, multi_terms
+from esg.layout.problem.grouping import UnitBuilder
 from esg.layout.problem.heights import heights
 from esg.layout.problem.hints import StartHints
 from esg.layout.problem.obstacles import CLEAR_HEIGHT_CM, Obstacle, Prism, obstacles
 from esg.layout.problem.ordering import break_parent_cycles, implied_faces, placement_order
 from esg.layout.problem.pairs import collision_pairs
+from esg.layout.problem.poses import Pose2
+from esg.layout.problem.record import PARAMS, LayoutProblem
 from esg.layout.problem.roles import falling_nodes, ground_nodes
 from esg.layout.problem.shapes import CIRCLE
-from esg.layout.problem.supports import Shape, SupportMap, find_supports, shapes
-from esg.layout.problem.units import Unit, UnitBuilder
-
-PARAMS = 6
+from esg.layout.problem.supports import Rect, Shape, SupportMap, find_supports, shapes
+from esg.layout.problem.units import Unit
 
 
 @dataclass(frozen=True)
-class LayoutProblem:
-    """Arrays of one scene (lengths in cm, angles in rad).
+class _Scene:
+    """A document as far as it was read: its units in order, and what stands between them."""
 
-    `names` lists the real nodes; nodes beyond them are corridors of planned motion. Units are in
-    placement order (parents and what others depend on first); node indices are local. `ground` are
-    the nodes that are the ground itself, `falling` those that fall in the story, `terms_of` the
-    terms of each relation.
-    """
-
-    names: tuple[str, ...]
-    units: tuple[Unit, ...]
-    supports: SupportMap
+    doc: EsgDocument
     shape: dict[str, Shape]
-    terms: tuple[Term, ...]
-    obstacles: tuple[Obstacle, ...]
-    notes: tuple[str, ...]
-    ground: frozenset[str]
-    falling: frozenset[str]
-    terms_of: dict[str, list[Term]]
-    node_unit: np.ndarray
-    node_rel: np.ndarray
-    node_z: np.ndarray
-    node_half: np.ndarray
-    node_round: np.ndarray
-    node_height: np.ndarray
-    node_radius: np.ndarray
-    prim_off: np.ndarray
-    prim_kind: np.ndarray
-    prim_pose: np.ndarray
-    prim_half: np.ndarray
-    prim_z: np.ndarray
-    unit_parent: np.ndarray
-    unit_free: np.ndarray
-    unit_pose: np.ndarray
-    unit_box: np.ndarray
-    unit_anchor: np.ndarray
-    unit_center: np.ndarray
-    unit_step: np.ndarray
-    aff: list[list[int]]
-    unit_edges: list[list[int]]
-    unit_pairs: list[list[int]]
-    edge_kind: np.ndarray
-    edge_node: np.ndarray
-    edge_w: np.ndarray
-    edge_p: np.ndarray
-    pair: np.ndarray
-    pair_margin: np.ndarray
-    pair_avoid: np.ndarray
+    supports: SupportMap
+    units: list[Unit]
+    unit_of: dict[str, int]
+    terms: list[Term]
+    z: dict[str, float]
+    ground: set[str]
+
+    @property
+    def names(self) -> list[str]:
+        return list(self.doc.spatial_relation_graph.nodes)
+
+
+@dataclass(frozen=True)
+class _Nodes:
+    """Columns of the nodes: the real ones first, then the swept paths."""
+
+    unit: list[int]
+    rel: list[Pose2]
+    z: list[float]
+    half: list[tuple[float, float]]
+    round: list[int]
+    height: list[float]
+    prims: list[list[Prism]]
 
 
 def build_problem(doc: EsgDocument, seed: int, hints: StartHints | None) -> LayoutProblem:
@@ -83,55 +64,59 @@ def build_problem(doc: EsgDocument, seed: int, hints: StartHints | None) -> Layo
         seed: Seeds scatter patterns only.
         hints: Planned starts.
     """
-    graph = doc.spatial_relation_graph
-    names = list(graph.nodes)
     shape = shapes(doc)
     supports = find_supports(doc, shape)
     builder = UnitBuilder(doc, shape, supports, hints, seed)
     units = builder.build()
     notes = list(builder.notes) + [f"{k}: {v}" for k, v in supports.notes.items()]
     z = heights(doc, builder, supports, shape)
-    ground = set(ground_nodes(doc))
     unit_of = {n: i for i, u in enumerate(units) for n in u.members}
     break_parent_cycles(units, unit_of, notes)
-
-    rel_terms: list[Term] = []
-    for k, e in enumerate(graph.edges.binary_relations):
-        if e.from_ in shape and e.to in shape and e.from_ != e.to:
-            rel_terms += [
-                t for t in binary_terms(k, e, shape, supports)
-                if e.cardinal is not None or not {e.from_, e.to} & ground
-            ]  # fmt: skip
-    rel_terms += multi_terms(doc, shape, supports)
-    rel_terms += [Term(terms.FACE, (a, b, None), 0.5, (0.0, 0.0)) for a, b in implied_faces(doc)]
-
-    (bx0, by0, _), (bx1, by1, _) = doc.scene_definition.coordinate_system.world_bounds_cm
-    world = (bx0, by0, bx1, by1)
-    for i, u in enumerate(units):
-        for n in u.members:
-            s = supports.of[n]
-            if n in ground or (shape[n].is_decal and max(shape[n].hx, shape[n].hy) > 1000.0):
-                continue
-            if s.parent is None or n in u.z_cm:
-                rect = (s.rect if n not in u.z_cm else None) or world
-                rel_terms.append(Term(terms.REGION, (n, None, None), 1.0, rect))
-            elif unit_of.get(s.parent) != i and s.rect is not None:
-                rect = _overhang(s.rect, shape[n])
-                rel_terms.append(Term(terms.REGION, (n, s.parent, None), 1.0, rect))
-
+    scene = _Scene(doc, shape, supports, units, unit_of, [], z, set(ground_nodes(doc)))
+    scene = replace(scene, terms=[*_relation_terms(scene), *_region_terms(scene)])
     area = [
         sum(4 * shape[n].hx * shape[n].hy for n in u.members if not shape[n].is_decal)
         for u in units
     ]
-    order = placement_order(units, rel_terms, unit_of, area)
+    order = placement_order(units, scene.terms, unit_of, area)
     units = [units[i] for i in order]
     unit_of = {n: i for i, u in enumerate(units) for n in u.members}
-    return _arrays(doc, names, units, unit_of, supports, shape, rel_terms, notes, z, ground, seed)
+    return _arrays(replace(scene, units=units, unit_of=unit_of), notes, seed)
 
 
-def _overhang(
-    rect: tuple[float, float, float, float], child: Shape
-) -> tuple[float, float, float, float]:
+def _relation_terms(scene: _Scene) -> list[Term]:
+    """Energy terms of the stated relations, and of faces that follow from them."""
+    doc, shape = scene.doc, scene.shape
+    out: list[Term] = []
+    for k, e in enumerate(doc.spatial_relation_graph.edges.binary_relations):
+        if e.from_ in shape and e.to in shape and e.from_ != e.to:
+            out += [
+                t for t in binary_terms(k, e, shape, scene.supports)
+                if e.cardinal is not None or not {e.from_, e.to} & scene.ground
+            ]  # fmt: skip
+    out += multi_terms(doc, shape, scene.supports)
+    out += [Term(terms.FACE, (a, b, None), 0.5, (0.0, 0.0)) for a, b in implied_faces(doc)]
+    return out
+
+
+def _region_terms(scene: _Scene) -> list[Term]:
+    """What keeps things on what carries them, and within the world."""
+    (bx0, by0, _), (bx1, by1, _) = scene.doc.scene_definition.coordinate_system.world_bounds_cm
+    out: list[Term] = []
+    for i, u in enumerate(scene.units):
+        for n in u.members:
+            s, child = scene.supports.of[n], scene.shape[n]
+            if n in scene.ground or (child.is_decal and max(child.hx, child.hy) > 1000.0):
+                continue
+            if s.parent is None or n in u.z_cm:
+                rect = (s.rect if n not in u.z_cm else None) or (bx0, by0, bx1, by1)
+                out.append(Term(terms.REGION, (n, None, None), 1.0, rect))
+            elif scene.unit_of.get(s.parent) != i and s.rect is not None:
+                out.append(Term(terms.REGION, (n, s.parent, None), 1.0, _overhang(s.rect, child)))
+    return out
+
+
+def _overhang(rect: Rect, child: Shape) -> Rect:
     """A surface smaller than the object holds the object's centre instead of its footprint."""
     x0, y0, x1, y1 = rect
     if child.hx > 0.5 * (x1 - x0):
@@ -143,104 +128,91 @@ def _overhang(
     return x0, y0, x1, y1
 
 
-def _arrays(
-    doc: EsgDocument,
-    names: list[str],
-    units: list[Unit],
-    unit_of: dict[str, int],
-    supports: SupportMap,
-    shape: dict[str, Shape],
-    rel_terms: list[Term],
-    notes: list[str],
-    z: dict[str, float],
-    ground: set[str],
-    seed: int,
-) -> LayoutProblem:
-    index = {n: i for i, n in enumerate(names)}
-    node_unit = [unit_of[n] for n in names]
-    node_rel = [units[unit_of[n]].members[n] for n in names]
-    node_z = [z[n] for n in names]
-    node_half = [(shape[n].hx, shape[n].hy) for n in names]
-    node_round = [int(shape[n].is_round) for n in names]
-    node_height = [shape[n].height for n in names]
-    prims: list[list[Prism]] = [
-        [(float(p.kind), p.x, p.y, p.yaw, p.hx, p.hy, p.z0, p.z1) for p in shape[n].prims]
-        if n not in ground else []
-        for n in names
-    ]  # fmt: skip
-
-    blocked = obstacles(doc, units, supports, shape, z)
-    for o in blocked:
-        node_unit.append(o.unit)
-        node_rel.append(o.rel)
-        node_z.append(o.base_z_cm)
-        node_half.append((1.0, 1.0))
-        node_round.append(0)
-        node_height.append(CLEAR_HEIGHT_CM)
-        prims.append(list(o.prisms))
-    radius = [
-        max(
-            (
-                math.hypot(p[1], p[2]) + (p[4] if p[0] == CIRCLE else math.hypot(p[4], p[5]))
-                for p in ps
-            ),
-            default=0.0,
-        )
-        for ps in prims
-    ]
-
-    parents_of_unit = [unit_of[u.parent] if u.parent is not None else -1 for u in units]
-    moved_by: list[set[int]] = []
-    for u in range(len(units)):
-        moved = {u}
-        for v in range(u + 1, len(units)):
-            if parents_of_unit[v] in moved:
-                moved.add(v)
-        moved_by.append(moved)
-    aff = [
-        sorted(
-            (i for i in range(len(node_unit)) if node_unit[i] in moved),
-            key=lambda i: (node_unit[i], i),
-        )
-        for moved in moved_by
-    ]
-
-    pair, margin, avoid = collision_pairs(
-        doc, names, node_unit, node_z, prims, blocked, supports, shape
+def _nodes(scene: _Scene, blocked: list[Obstacle]) -> _Nodes:
+    names, shape = scene.names, scene.shape
+    return _Nodes(
+        unit=[scene.unit_of[n] for n in names] + [o.unit for o in blocked],
+        rel=[scene.units[scene.unit_of[n]].members[n] for n in names] + [o.rel for o in blocked],
+        z=[scene.z[n] for n in names] + [o.base_z_cm for o in blocked],
+        half=[(shape[n].hx, shape[n].hy) for n in names] + [(1.0, 1.0)] * len(blocked),
+        round=[int(shape[n].is_round) for n in names] + [0] * len(blocked),
+        height=[shape[n].height for n in names] + [CLEAR_HEIGHT_CM] * len(blocked),
+        prims=[_prisms(shape[n]) if n not in scene.ground else [] for n in names]
+        + [list(o.prisms) for o in blocked],
     )
-    edge_nodes = [tuple(-1 if n is None else index[n] for n in t.nodes) for t in rel_terms]
-    params = np.zeros((len(rel_terms), PARAMS), np.float32)
-    for i, t in enumerate(rel_terms):
-        params[i, : len(t.params)] = t.params
-    movers: list[set[int]] = [set() for _ in node_unit]
-    for u, nodes_moved in enumerate(aff):
-        for n in nodes_moved:
+
+
+def _prisms(shape: Shape) -> list[Prism]:
+    return [(float(p.kind), p.x, p.y, p.yaw, p.hx, p.hy, p.z0, p.z1) for p in shape.prims]
+
+
+def _radius(prisms: list[Prism]) -> float:
+    """Radius about a node's origin that holds its prisms [cm]."""
+    reach = (p[4] if p[0] == CIRCLE else math.hypot(p[4], p[5]) for p in prisms)
+    return max(
+        (math.hypot(p[1], p[2]) + r for p, r in zip(prisms, reach, strict=True)), default=0.0
+    )
+
+
+def _moved_nodes(scene: _Scene, node_unit: list[int]) -> list[list[int]]:
+    """Nodes that each unit moves: its own, and those of the units that it carries."""
+    parents = [scene.unit_of[u.parent] if u.parent is not None else -1 for u in scene.units]
+    out: list[list[int]] = []
+    for u in range(len(scene.units)):
+        moved = {u}
+        for v in range(u + 1, len(scene.units)):
+            if parents[v] in moved:
+                moved.add(v)
+        nodes = (i for i, unit in enumerate(node_unit) if unit in moved)
+        out.append(sorted(nodes, key=lambda i: (node_unit[i], i)))
+    return out
+
+
+def _touched(
+    aff: list[list[int]], count: int, edge_nodes: list[tuple[int, ...]], pair: np.ndarray
+) -> tuple[list[list[int]], list[list[int]]]:
+    """Terms and pairs whose energy each unit changes by moving, of `count` nodes."""
+    movers: list[set[int]] = [set() for _ in range(count)]
+    for u, nodes in enumerate(aff):
+        for n in nodes:
             movers[n].add(u)
-    unit_edges: list[list[int]] = [[] for _ in units]
+    unit_edges: list[list[int]] = [[] for _ in aff]
     for k, ns in enumerate(edge_nodes):
-        for u in sorted(set().union(*(movers[n] for n in ns if n >= 0))):
+        for u in sorted(set[int]().union(*(movers[n] for n in ns if n >= 0))):
             unit_edges[u].append(k)
-    unit_pairs: list[list[int]] = [[] for _ in units]
+    unit_pairs: list[list[int]] = [[] for _ in aff]
     for k, (a, b) in enumerate(pair.tolist()):
         for u in sorted(movers[a] ^ movers[b]):  # a unit that moves both leaves them as they are
             unit_pairs[u].append(k)
+    return unit_edges, unit_pairs
 
-    domains = unit_domains(
-        doc,
-        units,
-        supports,
-        shape,
-        rel_terms,
-        unit_edges,
-        ground,
-        np.random.default_rng([seed, 78]),
+
+def _params(rel_terms: list[Term]) -> np.ndarray:
+    out = np.zeros((len(rel_terms), PARAMS), np.float32)
+    for i, t in enumerate(rel_terms):
+        out[i, : len(t.params)] = t.params
+    return out
+
+
+def _arrays(scene: _Scene, notes: list[str], seed: int) -> LayoutProblem:
+    doc, units, supports, shape = scene.doc, scene.units, scene.supports, scene.shape
+    names, rel_terms = scene.names, scene.terms
+    index = {n: i for i, n in enumerate(names)}
+    blocked = obstacles(doc, units, supports, shape, scene.z)
+    node = _nodes(scene, blocked)
+    pair, margin, avoid = collision_pairs(
+        doc, names, node.unit, node.z, node.prims, blocked, supports, shape
     )
+    aff = _moved_nodes(scene, node.unit)
+    edge_nodes = [tuple(-1 if n is None else index[n] for n in t.nodes) for t in rel_terms]
+    unit_edges, unit_pairs = _touched(aff, len(node.unit), edge_nodes, pair)
+    rng = np.random.default_rng([seed, 78])
+    domains = unit_domains(doc, units, supports, shape, rel_terms, unit_edges, scene.ground, rng)
     terms_of: dict[str, list[Term]] = {}
     for t in rel_terms:
         if t.source:
             terms_of.setdefault(t.source, []).append(t)
-    flat = [p for ps in prims for p in ps]
-    table = np.asarray(flat, np.float32).reshape(-1, 8)
+    table = np.asarray([p for ps in node.prims for p in ps], np.float32).reshape(-1, 8)
     return LayoutProblem(
         names=tuple(names),
         units=tuple(units),
@@ -249,17 +221,17 @@ def _arrays(
         terms=tuple(rel_terms),
         obstacles=tuple(blocked),
         notes=tuple(notes),
-        ground=frozenset(ground),
+        ground=frozenset(scene.ground),
         falling=falling_nodes(doc),
         terms_of=terms_of,
-        node_unit=np.asarray(node_unit, np.int32),
-        node_rel=np.asarray(node_rel, np.float32).reshape(-1, 3),
-        node_z=np.asarray(node_z, np.float32),
-        node_half=np.asarray(node_half, np.float32).reshape(-1, 2),
-        node_round=np.asarray(node_round, np.int32),
-        node_height=np.asarray(node_height, np.float32),
-        node_radius=np.asarray(radius, np.float32),
-        prim_off=np.cumsum([0, *[len(p) for p in prims]]).astype(np.int32),
+        node_unit=np.asarray(node.unit, np.int32),
+        node_rel=np.asarray(node.rel, np.float32).reshape(-1, 3),
+        node_z=np.asarray(node.z, np.float32),
+        node_half=np.asarray(node.half, np.float32).reshape(-1, 2),
+        node_round=np.asarray(node.round, np.int32),
+        node_height=np.asarray(node.height, np.float32),
+        node_radius=np.asarray([_radius(ps) for ps in node.prims], np.float32),
+        prim_off=np.cumsum([0, *[len(p) for p in node.prims]]).astype(np.int32),
         prim_kind=table[:, 0].astype(np.int32),
         prim_pose=table[:, 1:4].copy(),
         prim_half=table[:, 4:6].copy(),
@@ -279,7 +251,7 @@ def _arrays(
         edge_kind=np.asarray([t.kind for t in rel_terms], np.int32),
         edge_node=np.asarray(edge_nodes, np.int32).reshape(-1, 3),
         edge_w=np.asarray([t.weight for t in rel_terms], np.float32),
-        edge_p=params,
+        edge_p=_params(rel_terms),
         pair=pair,
         pair_margin=margin,
         pair_avoid=avoid,

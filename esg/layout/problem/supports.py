@@ -259,47 +259,85 @@ def _hanging(child: Shape, parent_name: str, parent: Shape, parent_z: float) -> 
     )  # fmt: skip
 
 
+_RELATIONS = {
+    RelationType.ATTACHED_VERTICAL: "vertical",
+    RelationType.ATTACHED_HORIZONTAL: "hanging",
+    RelationType.INSIDE_OF: "inside",
+    RelationType.ON: "on",
+    RelationType.ABOVE: "above",
+}
+"""Relations that name a support, the most telling first."""
+_REGIONS = {
+    RegionType.SUPPORT_SURFACE: "on",
+    RegionType.STORAGE: "inside",
+    RegionType.ATTACHED_VERTICAL: "vertical",
+    RegionType.ATTACHED_HORIZONTAL: "hanging",
+}
+_Wish = tuple[str, str, object]
+"""A kind of support, what gives it, and the bounds of a part of that."""
+
+
 def find_supports(doc: EsgDocument, shape: dict[str, Shape]) -> SupportMap:
     """Reads `on`, `inside_of`, attachment edges and semantic regions into one support per node.
 
     The first usable statement wins, in the order: attachment, inside_of, on, region, above. Cycles
     are cut at the statement that would close them and noted.
     """
-    graph = doc.spatial_relation_graph
     ground = set(ground_nodes(doc))
-    wishes: dict[str, list[tuple[str, str, object]]] = {n: [] for n in graph.nodes}
-    order = {
-        RelationType.ATTACHED_VERTICAL: "vertical",
-        RelationType.ATTACHED_HORIZONTAL: "hanging",
-        RelationType.INSIDE_OF: "inside",
-        RelationType.ON: "on",
-        RelationType.ABOVE: "above",
-    }
-    for relation in order:
+    out = SupportMap()
+    chosen = _chosen(_wishes(doc, shape), ground, out.notes)
+    shelf = _shelves(chosen, shape)
+    height: dict[str, float] = {}
+
+    def resolve(name: str) -> None:
+        if name in out.of:
+            return
+        child = shape[name]
+        wish = chosen.get(name)
+        if doc.spatial_relation_graph.nodes[name].is_structural and "ceiling" in name.lower():
+            out.of[name] = Support(None, "ground", None, CEILING_CM)
+            height[name] = CEILING_CM
+        elif name in ground or wish is None or wish[0] == "ground":
+            out.of[name] = _on_ground(child, name in ground, wish)
+            height[name] = out.of[name].z_cm
+        else:
+            resolve(wish[1])
+            base = height[wish[1]]
+            out.of[name] = _carried(child, wish, shape[wish[1]], base, shelf.get(name))
+            height[name] = base + out.of[name].z_cm
+
+    for name in doc.spatial_relation_graph.nodes:
+        resolve(name)
+    return out
+
+
+def _wishes(doc: EsgDocument, shape: dict[str, Shape]) -> dict[str, list[_Wish]]:
+    """Every statement about what carries a node, the most telling first."""
+    graph = doc.spatial_relation_graph
+    wishes: dict[str, list[_Wish]] = {n: [] for n in graph.nodes}
+    for relation, kind in _RELATIONS.items():
         for e in graph.edges.binary_relations:
             if e.relation_type is relation and e.from_ in shape and e.to in shape:
-                wishes[e.from_].append((order[relation], e.to, None))
+                wishes[e.from_].append((kind, e.to, None))
     for name, node in graph.nodes.items():
         region = graph.semantic_regions.get(node.semantic_region or "")
         if region is None or region.parent_object not in shape or region.parent_object == name:
             continue
-        kind = {
-            RegionType.SUPPORT_SURFACE: "on",
-            RegionType.STORAGE: "inside",
-            RegionType.ATTACHED_VERTICAL: "vertical",
-            RegionType.ATTACHED_HORIZONTAL: "hanging",
-        }[region.region_type]
-        at = next((k for k, w in enumerate(wishes[name]) if w[1] == region.parent_object), None)
+        mine, parent = wishes[name], region.parent_object
+        at = next((k for k, w in enumerate(mine) if w[1] == parent), None)
         if at is not None:  # the region refines the edge
-            wishes[name][at] = (wishes[name][at][0], region.parent_object, region.bounds_cm)
+            mine[at] = (mine[at][0], parent, region.bounds_cm)
         else:
-            above = [k for k, w in enumerate(wishes[name]) if w[0] == "above"]
-            wishes[name].insert(
-                above[0] if above else len(wishes[name]),
-                (kind, region.parent_object, region.bounds_cm),
-            )
+            above = [k for k, w in enumerate(mine) if w[0] == "above"]
+            wish = (_REGIONS[region.region_type], parent, region.bounds_cm)
+            mine.insert(above[0] if above else len(mine), wish)
+    return wishes
 
-    out = SupportMap()
+
+def _chosen(
+    wishes: dict[str, list[_Wish]], ground: set[str], notes: dict[str, str]
+) -> dict[str, _Wish]:
+    """The statement that counts for each node; notes those that would close a cycle."""
     parent_of: dict[str, str] = {}
 
     def closes_cycle(child: str, parent: str) -> bool:
@@ -309,65 +347,58 @@ def find_supports(doc: EsgDocument, shape: dict[str, Shape]) -> SupportMap:
                 return True
         return parent == child
 
-    chosen: dict[str, tuple[str, str, object]] = {}
-    for name in graph.nodes:
-        for wish in wishes[name]:
-            if wish[1] == name or closes_cycle(name, wish[1]):
-                out.notes[name] = f"{wish[0]} {wish[1]} closes a cycle of supports"
+    chosen: dict[str, _Wish] = {}
+    for name, mine in wishes.items():
+        for wish in mine:
+            kind, parent, limits = wish
+            if parent == name or closes_cycle(name, parent):
+                notes[name] = f"{kind} {parent} closes a cycle of supports"
                 continue
-            if wish[1] in ground and wish[0] in ("on", "inside", "vertical", "hanging"):
+            if parent in ground and kind != "above":
                 # a second statement may be more specific: a car on the road on the ground
-                if len([w for w in wishes[name] if w[1] not in ground]) == 0:
-                    chosen[name] = ("ground", wish[1], wish[2])
+                if all(w[1] in ground for w in mine):
+                    chosen[name] = ("ground", parent, limits)
                     break
                 continue
             chosen[name] = wish
-            parent_of[name] = wish[1]
+            parent_of[name] = parent
             break
+    return chosen
 
+
+def _shelves(chosen: dict[str, _Wish], shape: dict[str, Shape]) -> dict[str, SupportSurface]:
+    """The board of a shelf for each of several things that stand on it."""
     on_it: dict[str, dict[str, Shape]] = {}
     for name, (kind, parent, limits) in chosen.items():
         if kind == "on" and limits is None and not shape[name].is_decal:
             on_it.setdefault(parent, {})[name] = shape[name]
-    shelf: dict[str, SupportSurface] = {}
+    out: dict[str, SupportSurface] = {}
     for parent, children in on_it.items():
         if len(children) > 1:
-            shelf |= share_shelves(shape[parent], children)
-    height: dict[str, float] = {}
-
-    def resolve(name: str) -> None:
-        if name in out.of:
-            return
-        child = shape[name]
-        gap = 0.0 if child.is_decal or name in ground else REST_GAP_CM
-        if graph.nodes[name].is_structural and "ceiling" in name.lower():
-            out.of[name] = Support(None, "ground", None, CEILING_CM)
-            height[name] = CEILING_CM
-            return
-        wish = chosen.get(name)
-        if name in ground or wish is None or wish[0] == "ground":
-            rect = None
-            if wish is not None and wish[2] is not None and wish[0] == "ground":
-                (lx, ly, _), (ux, uy, _) = wish[2]  # type: ignore[misc]  # pair of Vec3
-                rect = (lx, ly, ux, uy)
-            out.of[name] = Support(None, "ground", rect, gap - child.bottom if gap else 0.0)
-            height[name] = out.of[name].z_cm
-            return
-        kind, parent, limits = wish
-        resolve(parent)
-        if kind == "inside":
-            out.of[name] = _inside(child, parent, shape[parent])
-        elif kind == "vertical":
-            out.of[name] = _vertical(child, parent, shape[parent])
-        elif kind == "hanging":
-            out.of[name] = _hanging(child, parent, shape[parent], height[parent])
-        elif kind == "above" and not child.config.is_movable:
-            s = stand_on(child, parent, shape[parent])
-            out.of[name] = Support(parent, "above", s.rect, s.z_cm + 0.5 * child.height)
-        else:
-            out.of[name] = stand_on(child, parent, shape[parent], limits, shelf.get(name))
-        height[name] = height[parent] + out.of[name].z_cm
-
-    for name in graph.nodes:
-        resolve(name)
+            out |= share_shelves(shape[parent], children)
     return out
+
+
+def _on_ground(child: Shape, is_ground: bool, wish: _Wish | None) -> Support:
+    rect = None
+    if wish is not None and wish[2] is not None and wish[0] == "ground":
+        (lx, ly, _), (ux, uy, _) = wish[2]  # type: ignore[misc]  # pair of Vec3
+        rect = (lx, ly, ux, uy)
+    lies = child.is_decal or is_ground
+    return Support(None, "ground", rect, 0.0 if lies else REST_GAP_CM - child.bottom)
+
+
+def _carried(
+    child: Shape, wish: _Wish, parent: Shape, parent_z: float, surface: SupportSurface | None
+) -> Support:
+    kind, name, limits = wish
+    if kind == "inside":
+        return _inside(child, name, parent)
+    if kind == "vertical":
+        return _vertical(child, name, parent)
+    if kind == "hanging":
+        return _hanging(child, name, parent, parent_z)
+    if kind == "above" and not child.config.is_movable:
+        s = stand_on(child, name, parent)
+        return Support(name, "above", s.rect, s.z_cm + 0.5 * child.height)
+    return stand_on(child, name, parent, limits, surface)

@@ -59,5 +59,7 @@ def test_what_a_prompt_tells_is_what_is_solved(
 
 
 def test_the_page_on_dynamics_lists_every_meeting() -> None:
-    page = (Path(__file__).parents[3] / "docs" / "dynamics" / "meetings.md").read_text(encoding="utf-8")
+    page = (Path(__file__).parents[3] / "docs" / "dynamics" / "meetings.md").read_text(
+        encoding="utf-8"
+    )
     assert [m.what for m in MEETINGS if f"| {m.what} |" not in page] == []

@@ -90,33 +90,6 @@ def barrel(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.surface("top", 88, (16, 16))
 
 
-@builder("drum")
-def drum(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Steel oil drum, drawn at 58 x 58 x 88."""
-    s.lathe(
-        [
-            (0, 0),
-            (28, 0),
-            (28, 29),
-            (29, 30),
-            (28, 31),
-            (28, 57),
-            (29, 58),
-            (28, 59),
-            (28, 87),
-            (29, 88),
-            (27, 88),
-            (27, 86),
-            (0, 86),
-        ],
-        c,
-        rough=0.4,
-        metal=0.3,
-    )
-    s.proxy_cylinder(28.7, (0, 88))
-    s.surface("top", 88, (18, 18))
-
-
 @builder("pallet")
 def pallet(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Euro pallet, drawn at 120 x 80 x 14.4."""

@@ -43,15 +43,6 @@ def laptop(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.proxy_hull(points, 0.9)
 
 
-@builder("monitor")
-def monitor(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Desktop screen facing +X, drawn at 20 x 55 x 45."""
-    s.slab((-10, 10), (-13, 13), (0, 1.2), c, solid=8, metal=0.4)
-    s.slab((-5, -2), (-3, 3), (1.2, 20), c, solid=1.5)
-    s.slab((-2, 2), (-27.5, 27.5), (11, 45), c, solid=0.6, rough=0.4)
-    s.slab((2, 2.2), (-26.5, 26.5), (12.5, 44), (0.04, 0.06, 0.1), rough=0.05)
-
-
 @builder("keyboard", "free")
 def keyboard(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Computer keyboard, long along Y."""

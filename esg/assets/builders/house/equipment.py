@@ -15,10 +15,7 @@ from esg.assets.geometry.sketch import (
     WHITE,
     Color,
     Sketch,
-    rgb,
 )
-
-_WATER = rgb(150, 196, 214)
 
 
 @builder("pressure_cylinder", "free")
@@ -164,32 +161,6 @@ def jerry_can(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     )
     s.proxy_slab((-L / 2, L / 2), (-W / 2, W / 2), (0, top))
     s.surface("top", top, (L * 0.4, W * 0.4))
-
-
-@builder("sewing_machine")
-def sewing_machine(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Sewing machine seen from its front (+X), needle at the left, drawn at 18 x 40 x 30."""
-    s.slab((-9, 9), (-20, 20), (0, 6), c, rough=0.3)
-    s.slab((-6.5, 6.5), (9, 19), (6, 29), c, rough=0.3)
-    s.extrude(
-        [(-19, 20), (-19, 27), (-16, 29), (17, 30), (19, 27), (19, 20)],
-        (-6, 6),
-        c,
-        plane="yz",
-        soft=0.8,
-    )
-    s.slab((-5, 5), (-19, -11), (15, 21), shade(c, 0.9), rough=0.3)
-    s.rod(0.8, (0, -15, 8), (0, -15, 15), CHROME, sections=12, metal=0.8)
-    s.slab((-2.4, 3), (-17, -13), (6.6, 7.6), CHROME, metal=0.8)
-    s.slab((-5, 7), (-19, -10), (6, 6.5), CHROME, metal=0.7)
-    s.rod(5, (0, 19, 21), (0, 20.4, 21), DARK, sections=32)
-    s.rod(2.2, (6.4, 14, 22), (7.6, 14, 22), DARK, sections=24)
-    s.rod(1.8, (6.4, 14, 15), (7.4, 14, 15), rgb(120, 170, 180), sections=24)
-    s.slab((6, 6.6), (-7, 7), (22.5, 26), rgb(120, 170, 180))
-    s.rod(1.5, (-2, 8, 29.5), (-2, 8, 30.4), rgb(200, 60, 90), sections=16)
-    s.proxy_slab((-9, 9), (-20, 20), (0, 6), 1.0)
-    s.proxy_slab((-6.5, 6.5), (9, 19), (6, 20), 1.0)
-    s.proxy_slab((-6, 6), (-19, 19), (20, 30), 1.0)
 
 
 @builder("coffee_machine", "free")

@@ -6,9 +6,9 @@ import itertools
 import math
 
 from esg.assets.builders import builder
-from esg.assets.builders.common import blob, prism, shade, shift
+from esg.assets.builders.common import blob, prism, shade
 from esg.assets.builders.living.animals import quadruped
-from esg.assets.geometry.sketch import DARK, GLASS, STEEL, WHITE, YELLOW, Color, Sketch, rgb
+from esg.assets.geometry.sketch import DARK, WHITE, YELLOW, Color, Sketch, rgb
 
 STICKERS = (
     rgb(196, 30, 58), rgb(0, 155, 72), rgb(255, 88, 0),
@@ -36,37 +36,6 @@ def puzzle_cube(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.surface("top", 5.7, (2.85, 2.85))
 
 
-@builder("soap")
-def soap(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Bar of soap with bevelled edges, 8.5 x 5.5 x 3 cm."""
-    corners = [(x, y) for x in (-1, 1) for y in (-1, 1)]
-    points = [(3.6 * x, 2.1 * y, z) for x, y in corners for z in (0, 3)]
-    points += [(4.25 * x, 2.1 * y, z) for x, y in corners for z in (0.8, 2.2)]
-    points += [(3.6 * x, 2.75 * y, z) for x, y in corners for z in (0.8, 2.2)]
-    prism(s, points, c, rough=0.3)
-    s.proxy_slab((-4.25, 4.25), (-2.75, 2.75), (0, 3))
-    s.surface("top", 3, (3.6, 2.1))
-
-
-@builder("clothes_iron")
-def clothes_iron(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Steam iron on its plate, pointing towards +X; 28 x 12 x 14 cm."""
-
-    def sole(k: float) -> list[tuple[float, float]]:
-        return [(14 * k, 0), (8 * k, 4.4 * k), (0, 6 * k), (-13 * k, 6 * k)]
-
-    for low, high, a, b, colour in ((0, 1.2, 1, 1, STEEL), (1.2, 7, 0.97, 0.72, c)):
-        points = [(x, side * y, low) for x, y in sole(a) for side in (-1, 1)]
-        points += [(x, side * y, high) for x, y in sole(b) for side in (-1, 1)]
-        prism(s, points, colour, rough=0.3)
-    s.pipe(
-        1.5, [(-8, 0, 6), (-9.5, 0, 11.5), (-5, 0, 12.5), (4, 0, 11), (6.5, 0, 6)], shade(c, 0.5)
-    )
-    s.proxy_slab((-13, 2), (-6, 6), (0, 7), 1.2)
-    s.proxy_slab((2, 13), (-3, 3), (0, 6))
-    s.proxy_slab((-10.8, 6.5), (-1.5, 1.5), (7, 14), 0.3)
-
-
 @builder("ribbed_bar")
 def ribbed_bar(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Bar of chocolate: six by three squares, 16 x 8 x 1.2 cm."""
@@ -78,28 +47,6 @@ def ribbed_bar(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         prism(s, low + top, c, rough=0.4)
     s.proxy_slab((-8, 8), (-4, 4), (0, 1.2))
     s.surface("top", 1.2, (8, 4))
-
-
-@builder("card_deck")
-def card_deck(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Deck of cards in its box, 9 x 6.5 x 2 cm."""
-    s.slab((-4.5, 4.5), (-3.25, 3.25), (0, 2), WHITE, rough=0.8)
-    s.slab((-4.52, 4.1), (-3.27, 3.27), (-0.0, 2.02), c, rough=0.6)
-    s.slab((-3.2, 2.8), (-2.2, 2.2), (2.02, 2.04), WHITE, rough=0.6)
-    s.proxy_slab((-4.5, 4.5), (-3.25, 3.25), (0, 2))
-    s.surface("top", 2, (4.5, 3.25))
-
-
-@builder("jump_starter")
-def jump_starter(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Battery pack with a handle and two clamps, 30 x 14 x 28 cm."""
-    s.slab((-15, 15), (-7, 7), (0, 20), c, rough=0.6)
-    s.slab((-12, 12), (-7.1, 7.1), (3, 15), DARK, rough=0.6)
-    s.pipe(1.4, [(-12, 0, 19), (-11, 0, 26.6), (11, 0, 26.6), (12, 0, 19)], DARK)
-    for side, colour in ((-1, rgb(179, 38, 46)), (1, DARK)):
-        s.pipe(0.8, [(side * 8, 7, 12), (side * 8, 8.6, 8), (side * 8, 8.6, 3)], colour)
-    s.proxy_slab((-15, 15), (-7, 7), (0, 20))
-    s.proxy_slab((-12, 12), (-1.4, 1.4), (20, 28), 0.1)
 
 
 @builder("landing_pad", "free")
@@ -141,22 +88,6 @@ def girder(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.surface("top", H, (L / 2, W / 2))
 
 
-@builder("milk_churn")
-def milk_churn(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Metal churn with a lid and two handles, 34 x 34 x 72 cm."""
-    s.lathe(
-        [(0, 0), (16, 0), (16, 46), (9, 56), (9, 64), (11, 66), (11, 71), (0, 72)],
-        c,
-        metal=0.6,
-        rough=0.35,
-    )
-    for side in (-1, 1):
-        s.pipe(0.9, [(0, side * 13, 50), (0, side * 15, 54), (0, side * 10, 60)], shade(c, 0.8))
-    s.proxy_cylinder(16, (0, 46))
-    s.proxy_cylinder(11, (46, 72), 0.6)
-    s.surface("top", 72, (7, 7))
-
-
 @builder("stick_remote", "free")
 def stick_remote(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Flat remote control with rows of keys, pointing towards +X."""
@@ -177,19 +108,6 @@ def rocking_horse(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         s.pipe(5, runner, shade(c, 0.6))
 
 
-@builder("kettle")
-def kettle(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Kettle with its spout towards +X, 26 x 18 x 25 cm."""
-    s.lathe([(0, 0), (9, 0), (9, 2), (7.5, 15), (5, 19), (0, 19)], c, metal=0.5, rough=0.25)
-    s.ball(1.2, (0, 0, 19.8), DARK)
-    s.pipe(1.6, [(6, 0, 9), (10, 0, 12), (13, 0, 17)], c, metal=0.5)
-    s.pipe(1.0, [(-6, 0, 16), (-7, 0, 23), (0, 0, 24), (6, 0, 22)], DARK)
-    s.proxy_cylinder(8.5, (0, 19))
-    s.proxy_slab((8, 13.5), (-1.6, 1.6), (9, 17), 0.3)
-    s.proxy_slab((-7.5, 6), (-1, 1), (19, 25), 0.1)
-    shift(s, -2.67)
-
-
 @builder("toaster", "free")
 def toaster(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Two slots along X, a lever at the front."""
@@ -200,50 +118,6 @@ def toaster(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.slab((0.46 * L, 0.5 * L), (-0.14 * W, 0.14 * W), (0.58 * H, 0.66 * H), DARK)
     s.proxy_slab((-0.48 * L, 0.5 * L), (-W / 2, W / 2), (0, H))
     s.surface("top", H, (0.46 * L, 0.48 * W))
-
-
-@builder("blender")
-def blender(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Stand mixer jug on its motor, 20 x 20 x 40 cm."""
-    s.lathe([(0, 0), (10, 0), (9.4, 6), (6.6, 12), (0, 12)], c, rough=0.4)
-    s.lathe([(0, 12), (5.6, 12), (7.8, 36), (0, 36)], GLASS, alpha=0.5, rough=0.1)
-    s.lathe([(0, 36), (8, 36), (7.6, 38.4), (2.4, 38.4), (2.4, 40), (0, 40)], DARK)
-    s.ball(1.1, (9.0, 0, 4), STEEL)
-    s.proxy_cylinder(9.6, (0, 12), 2.0)
-    s.proxy_cylinder(7.6, (12, 40), 0.5)
-
-
-@builder("ironing_board")
-def ironing_board(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Board of 125 x 38 on crossed legs, 90 cm high, its point towards +X."""
-    board = [(62.5, 4), (52, 12), (30, 19), (-62.5, 19)]
-    corners = [(x, side * y, z) for x, y in board for side in (-1, 1) for z in (87, 90)]
-    prism(s, corners, c, rough=0.9)
-    for y, a, b in ((-9, -38, 34), (9, 34, -38)):
-        s.rod(1.3, (a, y, 1.3), (b, y, 87), STEEL)
-    for x, y in ((-38, -9), (34, 9)):
-        s.rod(1.3, (x, y - 9, 1.3), (x, y + 9, 1.3), STEEL)
-    s.proxy_slab((-62.5, 40), (-19, 19), (86, 90), 1.2)
-    s.proxy_slab((40, 62.5), (-11, 11), (86, 90), 1.2)
-    for x in (-36, 32):
-        s.proxy_slab((x - 3, x + 3), (-18, 18), (0, 4))
-    s.proxy_slab((-5, 5), (-10, 10), (4, 86), 0.2)
-    s.surface("top", 90, (40, 15))
-
-
-@builder("long_barbell")
-def long_barbell(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Olympic bar of 220 cm along Y with a plate of 45 cm and a smaller one at each end."""
-    s.rod(1.4, (0, -110, 22.5), (0, 110, 22.5), STEEL, metal=0.7)
-    for side in (-1, 1):
-        for radius, near, far in ((22.5, 66, 71), (16, 71.5, 75)):
-            a, b = sorted((side * near, side * far))
-            profile = [(0, a), (radius, a), (radius, b), (0, b)]
-            s.lathe(profile, c, center=(0, 0, 22.5), axis="y", rough=0.6)
-        low, high = sorted((side * 66.0, side * 75.0))
-        # A flat foot: it lies where it is put.
-        s.proxy_slab((-16, 16), (low, high), (0, 45), 1.0)
-    s.proxy_slab((-1.4, 1.4), (-110, 110), (21.1, 23.9), 0.6)
 
 
 @builder("hedgehog")

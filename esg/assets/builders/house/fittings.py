@@ -15,33 +15,6 @@ from esg.assets.geometry.sketch import (
 from esg.assets.lazy import shapes
 
 
-@builder("floor_lamp")
-def floor_lamp(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Standard lamp, drawn at 40 x 40 x 155."""
-    s.lathe([(0, 0), (15, 0), (15, 2), (3, 4), (0, 4)], DARK, metal=0.4)
-    s.rod(1.2, (0, 0, 3), (0, 0, 128), CHROME, metal=0.8)
-    s.lathe([(12, 155), (20, 122), (19.6, 122), (11.6, 155), (12, 155)], c, rough=0.9)
-    s.ball(5, (0, 0, 134), (1.0, 0.95, 0.8), rough=0.2)
-    s.proxy_cylinder(15, (0, 4), 16.0)
-    s.proxy_cylinder(1.5, (4, 122), 2.0)
-    s.proxy_cylinder(18, (122, 155), 0.05)
-
-
-@builder("desk_lamp")
-def desk_lamp(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Table lamp with a shade, drawn at 28 x 28 x 46."""
-    s.lathe(
-        [(0, 0), (8, 0), (8, 1.5), (2.5, 4), (4.5, 12), (3, 22), (1, 26), (0, 26)],
-        shade(c, 0.6),
-        smooth=30,
-    )
-    s.lathe([(9, 46), (14, 25), (13.6, 25), (8.6, 46), (9, 46)], c, rough=0.9)
-    s.rod(0.5, (0, 0, 25), (0, 0, 40), CHROME)
-    s.proxy_cylinder(8, (0, 3), 8)
-    s.proxy_cylinder(4, (3, 25), 1.5)
-    s.proxy_cylinder(12, (25, 46), 0.08)
-
-
 @builder("appliance", "free")
 def appliance(s: Sketch, L: float, W: float, H: float, c: Color, style: str = "fridge") -> None:
     """White goods, door facing +X."""
@@ -150,32 +123,6 @@ def bathtub(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.walls((-L / 2, L / 2), (-W / 2, W / 2), (0, H), 7)
     s.region("inside", (-L / 2 + 8, L / 2 - 8), (-W / 2 + 8, W / 2 - 8), (10, H))
     s.surface("floor", 7, (L / 2 - 16, W / 2 - 14))
-
-
-@builder("toilet")
-def toilet(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Close-coupled toilet, drawn at 68 x 38 x 78."""
-    s.lathe(
-        [(0, 0), (11, 0), (9, 12), (15, 34), (18.5, 38), (18.5, 40), (0, 40)],
-        c,
-        center=(12, 0, 0),
-        rough=0.1,
-    )
-    s.slab((-32, 12), (-10, 10), (0, 38), c, rough=0.1)
-    s.extrude(
-        [(-12, -18), (14, -19), (30, -11), (34, 0), (30, 11), (14, 19), (-12, 18)],
-        (40, 43),
-        WHITE,
-        plane="xy",
-        soft=3,
-        rough=0.1,
-    )
-    s.slab((-34, -14), (-19, 19), (40, 78), c, rough=0.1)
-    s.rod(1.8, (-24, 0, 77.5), (-24, 0, 78.4), CHROME, metal=0.9)
-    s.proxy_slab((-32, 24), (-11, 11), (0, 30))
-    s.proxy_slab((-14, 33), (-18, 18), (30, 43), 0.8)
-    s.proxy_slab((-34, -14), (-19, 19), (30, 78), 0.8)
-    s.surface("cistern", 78, (9, 17), (-24, 0))
 
 
 @builder("sink", "free")

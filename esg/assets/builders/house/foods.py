@@ -6,7 +6,7 @@ import itertools
 import math
 
 from esg.assets.builders import builder
-from esg.assets.builders.common import blob, bone, mirrored, prism, shade, shift
+from esg.assets.builders.common import blob, bone, mirrored, shade, shift
 from esg.assets.geometry.sketch import DARK_WOOD, RED, WHITE, YELLOW, Color, Sketch, rgb
 
 _LEAF = rgb(74, 140, 52)
@@ -132,83 +132,6 @@ def round_food(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "c
         s.proxy_cylinder(5.0, (0, 3.5))
 
 
-@builder("long_food")
-def long_food(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "bread") -> None:
-    """Food that lies along X: loaf, hot dog, carrot, cucumber, corn."""
-    if kind == "bread":
-        s.extrude(
-            [
-                (-5.6, 0),
-                (5.6, 0),
-                (5.6, 5),
-                (6.6, 7),
-                (5.4, 10),
-                (0, 11.4),
-                (-5.4, 10),
-                (-6.6, 7),
-                (-5.6, 5),
-            ],
-            (-13, 13),
-            c,
-            plane="yz",
-            soft=1.0,
-            rough=0.95,
-        )
-        for x in (-8, 0, 8):
-            s.box((0.8, 6, 0.8), (x, 0, 11.0), shade(c, 1.3))
-        s.proxy_slab((-13, 13), (-6, 6), (0, 10.8))
-        s.surface("top", 10.8, (11, 3.6))
-    elif kind == "hot_dog":
-        for side in (-1, 1):
-            bone(s, (-6, side * 1.7, 2.0), 2.0, (6, side * 1.7, 2.0), 2.0, c)
-        bone(s, (-7.4, 0, 3.4), 1.4, (7.4, 0, 3.4), 1.4, rgb(150, 62, 42), rough=0.4)
-        s.pipe(0.25, [(-6 + 1.5 * k, 0.6 * (-1) ** k, 4.75) for k in range(9)], YELLOW)
-        s.proxy_slab((-7.6, 7.6), (-3.4, 3.4), (0, 4.6))
-    elif kind == "carrot":
-        s.lathe(
-            [(0, 9), (0.3, 8.6), (1.3, 0), (1.7, -7), (1.2, -8.4), (0, -8.6)][::-1],
-            c,
-            center=(0, 0, 1.7),
-            axis="x",
-            smooth=30,
-        )
-        for side in (-1, 0, 1):
-            bone(s, (-8.4, 0, 1.8), 0.4, (-13, side * 2.0, 2.4 + 0.6 * abs(side)), 0.3, _LEAF)
-        s.proxy_slab((-9, 5), (-1.2, 1.2), (0, 3.1), 1.0)
-        s.proxy_slab((-13, -9), (-1.6, 1.6), (1.0, 3.1), 0.2)
-        shift(s, 2)
-    elif kind == "corn":
-        s.lathe(
-            [(0, -9), (2.0, -8), (2.4, -3), (1.7, 6), (0, 9.5)],
-            YELLOW,
-            center=(0, 0, 2.4),
-            axis="x",
-            smooth=30,
-        )
-        for side in (-1, 1):
-            prism(
-                s,
-                [
-                    (-11, side * 0.6, 2),
-                    (-9, side * 2.4, 1.2),
-                    (-9, side * 2.4, 3.6),
-                    (0, side * 2.9, 2.0),
-                    (0, side * 2.5, 3.4),
-                    (5, side * 2.4, 2.6),
-                    (-9, side * 1.6, 2.4),
-                ],
-                c,
-            )
-        s.rod(0.9, (-11.5, 0, 2.3), (-8.6, 0, 2.3), c)
-        s.proxy_slab((-10.5, 8), (-1.8, 1.8), (0, 4.5))
-        shift(s, 1)
-    else:
-        bone(s, (-11, 0, 2.2), 1.9, (11, 0, 2.2), 2.1, c, rough=0.4, detail=3)
-        s.rod(0.3, (-13.6, 0, 2.2), (-12.6, 0, 2.2), DARK_WOOD, sections=10)
-        s.proxy_slab((-12, 12.6), (-1.6, 1.6), (0.1, 4.1))
-        shift(s, 0.2, 0, -0.1)
-
-
 @builder("garden_food")
 def garden_food(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "pumpkin") -> None:
     """Pumpkin, pineapple, mushroom, pear, strawberry, pepper, cabbage."""
@@ -301,33 +224,3 @@ def garden_food(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "
     s.proxy_cylinder(2.6, (0.2, 1.2), 1.0)
     s.proxy_cylinder(3.7, (1.2, 8.6), 1.0)
     shift(s, 0, 0, -0.2)
-
-
-@builder("ice_cream")
-def ice_cream(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "cup") -> None:
-    """Ice cream in a paper cup, or a cupcake."""
-    s.lathe(
-        [(0, 0), (2.6, 0), (3.8, 5), (0, 5)],
-        rgb(214, 120, 150) if kind == "cup" else _CRUST,
-        sections=24,
-    )
-    if kind == "cup":
-        for x, y, z, tone in (
-            (1.4, 1.2, 5.6, c),
-            (-1.4, 1.0, 5.6, rgb(120, 78, 52)),
-            (0, -1.6, 5.6, rgb(236, 160, 176)),
-        ):
-            s.ball(2.3, (x, y, z), tone, rough=0.7)
-        s.rod(0.5, (-1, 0, 7), (-3, 0.5, 12), _CRUST, sections=14)
-        s.proxy_cylinder(2.6, (0, 1), 1.0)
-        s.proxy_cylinder(3.6, (1, 9), 1.0)
-        return
-    s.lathe(
-        [(0, 4.6), (4.1, 4.8), (3.2, 6.6), (3.4, 7), (2.0, 8.6), (2.2, 8.9), (0, 10.4)],
-        c,
-        rough=0.6,
-    )
-    s.ball(0.9, (0, 0, 10.6), RED)
-    s.proxy_cylinder(2.6, (0, 1), 1.0)
-    s.proxy_cylinder(3.5, (1, 7), 1.0)
-    s.proxy_cylinder(2, (7, 11), 0.6)

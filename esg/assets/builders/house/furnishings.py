@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from esg.assets.builders import builder
-from esg.assets.builders.common import blob, bone, mirrored, prism, shade, shift
+from esg.assets.builders.common import bone, mirrored, prism, shift
 from esg.assets.geometry.sketch import CHROME, DARK, STEEL, WHITE, WOOD, Color, Sketch, rgb
 
 
@@ -43,23 +43,6 @@ def fan(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.proxy_cylinder(19, (0, 3), 5.0)
     s.proxy_cylinder(2.2, (3, 74), 1.0)
     s.proxy_slab((-11, 15), (-20, 20), (76, 117), 0.2)
-
-
-@builder("vacuum_cleaner")
-def vacuum_cleaner(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Canister vacuum cleaner with hose and floor nozzle, 100 cm."""
-    blob(s, [((-34, 0, 12), 11), ((-12, 0, 11), 10), ((-34, 0, 16), 11)], c, rough=0.3)
-    for side in (-1, 1):
-        s.rod(7.5, (-38, side * 11, 7.5), (-38, side * 13, 7.5), DARK)
-    s.pipe(1.2, [(-24, 0, 24), (-22, 0, 28), (-38, 0, 29), (-42, 0, 25)], DARK)
-    s.pipe(2.0, [(-4, 0, 14), (6, 4, 30), (14, 6, 52), (10, 2, 74), (18, 0, 78)], DARK)
-    s.rod(1.6, (18, 0, 78), (44, 0, 5), STEEL, metal=0.7, sections=14)
-    s.slab((40, 54), (-14, 14), (0, 5), DARK)
-    s.proxy_slab((-48, -2), (-12, 12), (0, 24), 1.0)
-    s.proxy_slab((40, 54), (-14, 14), (0, 5), 0.4)
-    s.proxy_slab((28, 40), (-2, 2), (16, 48), 0.05)
-    s.proxy_slab((8, 26), (-3, 3), (48, 78), 0.05)
-    shift(s, -4.2)
 
 
 @builder("mirror")
@@ -235,21 +218,6 @@ def aquarium(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         )
     s.proxy_slab((-20, 20), (-40, 40), (0, 46))
     s.surface("lid", 46, (18, 38))
-
-
-@builder("safe")
-def safe(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Steel safe with a dial facing +X, 50 x 50 x 60."""
-    s.slab((-25, 24), (-25, 25), (2, 60), c, rough=0.5, metal=0.3)
-    s.slab((24, 26), (-22, 22), (5, 57), shade(c, 0.8), metal=0.3)
-    s.rod(5, (26, 6, 34), (28.6, 6, 34), CHROME, metal=0.9)
-    s.rod(0.9, (27.4, -12, 34), (27.4, -2, 34), CHROME, metal=0.9)
-    for x in (-20, 18):
-        for y in (-20, 20):
-            s.slab((x - 3, x + 3), (y - 3, y + 3), (0, 2), DARK)
-    s.proxy_slab((-25, 25), (-25, 25), (0, 60))
-    s.surface("top", 60, (23, 23))
-    shift(s, -1.6)
 
 
 @builder("crib")

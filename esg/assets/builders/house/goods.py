@@ -5,35 +5,9 @@ from __future__ import annotations
 import math
 
 from esg.assets.builders import builder
-from esg.assets.builders.common import blob, mirrored, prism, shade, shift
-from esg.assets.geometry.sketch import BRASS, DARK, STEEL, WHITE, WOOD, YELLOW, Color, Sketch, rgb
+from esg.assets.builders.common import blob, mirrored, shade, shift
+from esg.assets.geometry.sketch import DARK, STEEL, WHITE, WOOD, YELLOW, Color, Sketch, rgb
 from esg.assets.lazy import shapes
-
-
-@builder("umbrella_folded")
-def umbrella_folded(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Closed umbrella lying along +X with a crook handle, 88 cm."""
-    s.lathe(
-        [(0, -22), (2.6, -22), (3.6, -18), (2.2, 30), (0.6, 38), (0, 38)],
-        c,
-        center=(0, 0, 4.0),
-        axis="x",
-        rough=0.9,
-    )
-    s.rod(0.6, (-34, 0, 4.0), (44, 0, 4.0), STEEL, sections=10)
-    s.pipe(
-        1.1, [(-30, 0, 4.0), (-39, 0, 4.0), (-43, 2.4, 4.0), (-43, 6, 4.0), (-40, 7.6, 4.0)], WOOD
-    )
-    s.lathe(
-        [(3.7, -8), (4.0, -8), (3.9, -5.6), (3.6, -5.6), (3.7, -8)],
-        shade(c, 0.6),
-        center=(0, 0, 4.0),
-        axis="x",
-    )
-    s.proxy_slab((-22, 32), (-2.6, 2.6), (0, 7.4))
-    s.proxy_slab((-44, -22), (-1, 1), (2.8, 5.2), 0.6)
-    s.proxy_slab((-44, -38), (-1, 8.4), (2.8, 5.2), 0.4)
-    shift(s, 0, -2.3)
 
 
 @builder("game_piece")
@@ -108,30 +82,6 @@ def game_piece(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "p
     s.slab((-4.4, 4.4), (-3.15, 3.15), (0, 0.06), WHITE, solid=1)
     s.slab((-3.9, 3.9), (-2.7, 2.7), (0.06, 0.07), c)
     s.slab((-3.4, 3.4), (-2.2, 2.2), (0.07, 0.08), WHITE)
-
-
-@builder("balloon")
-def balloon(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Toy balloon with its knot, 30 cm."""
-    s.lathe(
-        [
-            (0, 0),
-            (1.2, 0),
-            (0.8, 1.4),
-            (3, 4),
-            (10, 12),
-            (13.4, 22),
-            (10.6, 31),
-            (5, 34.4),
-            (0, 35),
-        ],
-        c,
-        smooth=50,
-        rough=0.15,
-    )
-    s.proxy_cylinder(6.0, (0, 8), 1.0)
-    s.proxy_cylinder(12.5, (8, 32), 1.0)
-    s.proxy_cylinder(5, (32, 35), 0.6)
 
 
 @builder("kite")
@@ -225,7 +175,7 @@ def standing_flag(s: Sketch, L: float, W: float, H: float, c: Color, kind: str =
         s.rod(20, (0, 0, 0), (0, 0, 4), DARK)
         s.rod(1.6, (0, 0, 4), (0, 0, 220), STEEL, metal=0.5, sections=14)
         s.ball(3.2, (0, 0, 222), YELLOW)
-        wave = [(y, 2.6 * math.sin(0.12 * y)) for y in range(0, 91, 6)]
+        wave: list[tuple[float, float]] = [(y, 2.6 * math.sin(0.12 * y)) for y in range(0, 91, 6)]
         s.add(lambda: _cloth(wave, 152.0, 214.0), c, 0.9)
         s.add(lambda: _cloth(wave, 172.0, 194.0, 0.7), WHITE, 0.9)
         s.proxy_cylinder(20, (0, 4), 8.0)
@@ -275,86 +225,3 @@ def _cloth(wave: list[tuple[float, float]], z0: float, z1: float, half: float = 
     front = [(x + half, -y) for y, x in wave]
     back = [(x - half, -y) for y, x in wave[::-1]]
     return shapes.extrude(front + back, (z0, z1), "xy")
-
-
-@builder("bag")
-def bag(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "sack") -> None:
-    """Sack, paper bag, gym bag, handbag or briefcase."""
-    if kind == "sack":
-        s.lathe(
-            [(0, 0), (18, 0), (22, 6), (22, 30), (17, 44), (6, 50), (5, 53), (9, 60), (0, 58)],
-            c,
-            smooth=40,
-            rough=1.0,
-        )
-        s.torus(5.4, 1.0, (0, 0, 51.5), shade(c, 0.6))
-        s.proxy_cylinder(21, (0, 36), 1.0)
-        s.proxy_cylinder(15, (36, 46), 0.8)
-        s.proxy_cylinder(7, (46, 60), 0.5)
-    elif kind == "paper":
-        s.slab((-8, 8), (-13, 13), (0, 32), c, rough=1.0)
-        for x in (-6, 6):
-            s.pipe(0.5, [(x, -5, 31.5), (x, -5, 38), (x, 5, 38), (x, 5, 31.5)], shade(c, 0.7))
-        s.slab((8, 8.2), (-6, 6), (12, 22), shade(c, 0.7))
-        s.proxy_slab((-8, 8), (-13, 13), (0, 32))
-        s.proxy_slab((-6, 6), (-5, 5), (32, 38), 0.05)
-    elif kind == "gym":
-        s.rod(14, (0, -27, 14.4), (0, 27, 14.4), c, rough=0.9)
-        s.slab((-13, 13), (-26, 26), (0, 10), c, rough=0.9)
-        for y in (-27, 27):
-            s.rod(14.4, (0, y - 0.6, 14.4), (0, y + 0.6, 14.4), shade(c, 0.6))
-        for side in (-1, 1):
-            s.pipe(
-                1.0,
-                [(side * 9, -10, 24), (side * 3, -8, 34), (side * 3, 8, 34), (side * 9, 10, 24)],
-                DARK,
-            )
-        s.proxy_slab((-13, 13), (-27, 27), (0, 27))
-        s.proxy_slab((-4, 4), (-9, 9), (27, 35), 0.05)
-    elif kind == "handbag":
-        prism(
-            s,
-            [(x * 6, y * 15, 0) for x in (-1, 1) for y in (-1, 1)]
-            + [(x * 3, y * 12, 20) for x in (-1, 1) for y in (-1, 1)],
-            c,
-            rough=0.5,
-        )
-        s.pipe(0.9, [(0, -9, 19), (0, -8, 30), (0, 8, 30), (0, 9, 19)], shade(c, 0.7))
-        s.box((1, 4, 2), (3.6, 0, 17), BRASS, metal=0.8)
-        s.proxy_slab((-5.6, 5.6), (-14, 14), (0, 20))
-        s.proxy_slab((-0.9, 0.9), (-9, 9), (20, 31), 0.1)
-    else:
-        s.slab((-5, 5), (-21, 21), (0, 31), c, rough=0.5)
-        s.slab((-5.2, 5.2), (-21.2, 21.2), (20, 21), shade(c, 0.5))
-        s.pipe(1.0, [(0, -6, 31), (0, -6, 35), (0, 6, 35), (0, 6, 31)], DARK)
-        for y in (-13, 13):
-            s.box((1, 3, 3), (5.2, y, 21), BRASS, metal=0.8)
-        s.proxy_slab((-5, 5), (-21, 21), (0, 31))
-        s.proxy_slab((-1, 1), (-7, 7), (31, 36), 0.1)
-
-
-@builder("gift")
-def gift(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "gift") -> None:
-    """Wrapped gift with a bow, ingot, bar of soap or a washing sponge."""
-    if kind == "ingot":
-        prism(
-            s,
-            [(x * 12.5, y * 3.6, 0) for x in (-1, 1) for y in (-1, 1)]
-            + [(x * 11.6, y * 2.7, 3.7) for x in (-1, 1) for y in (-1, 1)],
-            c,
-            metal=0.9,
-            rough=0.25,
-        )
-        s.proxy_slab((-12, 12), (-3.2, 3.2), (0, 3.7))
-        return
-    s.slab((-12, 12), (-12, 12), (0, 17), c, rough=0.5)
-    s.slab((-12.6, 12.6), (-12.6, 12.6), (15, 20), shade(c, 1.1), rough=0.5)
-    for a in (0, 1):
-        x, y = ((-1.6, 1.6), (-12.8, 12.8)) if a else ((-12.8, 12.8), (-1.6, 1.6))
-        s.slab(x, y, (0, 20.3), YELLOW)
-    for side in (-1, 1):
-        s.ball(1, (0, side * 3.6, 22.4), YELLOW, scale=(2, 3.6, 2.2))
-    s.ball(1.6, (0, 0, 21.6), YELLOW)
-    s.proxy_slab((-12, 12), (-12, 12), (0, 20))
-    s.proxy_slab((-2, 2), (-6, 6), (20, 24), 0.1)
-    s.surface("top", 20, (11, 11))

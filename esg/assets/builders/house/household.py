@@ -7,11 +7,8 @@ import math
 from esg.assets.builders import builder
 from esg.assets.builders.common import edge, shade
 from esg.assets.geometry.sketch import (
-    BRASS,
     DARK,
-    GLASS,
     PALE_WOOD,
-    STEEL,
     Color,
     Sketch,
     rgb,
@@ -19,42 +16,6 @@ from esg.assets.geometry.sketch import (
 from esg.assets.lazy import shapes
 
 PAPER = rgb(240, 236, 224)
-
-
-@builder("vase")
-def vase(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Ceramic vase, drawn at 16 x 16 x 30."""
-    s.lathe(
-        [
-            (0, 0),
-            (5, 0),
-            (5.4, 1),
-            (7.9, 12),
-            (7, 19),
-            (3.4, 25),
-            (3.6, 28),
-            (4.8, 30),
-            (4.3, 30),
-            (3.1, 28),
-            (2.9, 25),
-            (5.6, 20),
-            (6.6, 13),
-            (4.4, 1.6),
-            (0, 1.5),
-        ],
-        c,
-        smooth=70,
-        rough=0.15,
-    )
-    s.proxy_cylinder(5.2, (0, 3))
-    s.proxy_cylinder(7.5, (3, 19))
-    s.proxy_cylinder(4.2, (19, 30), 0.7)
-    s.only_weighs()
-    s.proxy_cylinder(5.2, (0, 1.5))
-    s.ring(7.2, (1.5, 19), 2.2)
-    s.ring(7.0, (19, 22), 3.6)
-    s.ring(4.4, (22, 30), 1.0)
-    s.region("inside", (-2.5, 2.5), (-2.5, 2.5), (1.5, 30))
 
 
 @builder("plant")
@@ -88,33 +49,6 @@ def candle(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.lathe([(0, 0), (r, 0), (r, H * 0.9), (r * 0.92, H * 0.92), (0, H * 0.91)], c, rough=0.5)
     s.rod(r * 0.05, (0, 0, H * 0.9), (0, 0, H), DARK, sections=8)
     s.proxy_cylinder(r, (0, H * 0.92))
-
-
-@builder("candlestick")
-def candlestick(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Brass candlestick with a candle, drawn at 11 x 11 x 30."""
-    s.lathe(
-        [
-            (0, 0),
-            (5.5, 0),
-            (5, 1.2),
-            (1.4, 3),
-            (1, 6),
-            (1.8, 7),
-            (0.9, 8),
-            (0.9, 11),
-            (2.6, 12),
-            (2.6, 13),
-            (0, 13),
-        ],
-        BRASS,
-        metal=0.8,
-        rough=0.3,
-    )
-    s.rod(1.1, (0, 0, 13), (0, 0, 28.5), c)
-    s.rod(0.1, (0, 0, 28.5), (0, 0, 30), DARK, sections=8)
-    s.proxy_cylinder(5.5, (0, 1.5), 4)
-    s.proxy_cylinder(1.8, (1.5, 28.5), 1)
 
 
 @builder("book", "free")
@@ -178,31 +112,6 @@ def toy_block(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.surface("top", H, (L / 2, W / 2))
 
 
-@builder("pendulum_bob")
-def pendulum_bob(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Metal bob with an eyelet, drawn at 10 x 10 x 12; a sphere on a small flat."""
-    s.ball(5, (0, 0, 5), c, metal=0.8, rough=0.2, solid=1, detail=4)
-    s.torus(1.0, 0.3, (0, 0, 10.7), STEEL, axis="y", metal=0.8)
-
-
-@builder("toy_car")
-def toy_car(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Wooden toy car, drawn at 16 x 8 x 7."""
-    s.extrude(
-        [(-8, 1.4), (8, 1.4), (8, 3.6), (4.5, 4), (2.5, 7), (-4, 7), (-6, 4.2), (-8, 4)],
-        (-3.2, 3.2),
-        c,
-        soft=0.4,
-        rough=0.3,
-    )
-    s.extrude([(3.4, 4.4), (2.1, 6.3), (-3.6, 6.3), (-5, 4.4)], (-3.25, 3.25), GLASS, rough=0.1)
-    for x in (-5, 5):
-        for y in (-4, 2.6):
-            s.rod(1.7, (x, y, 1.7), (x, y + 1.4, 1.7), DARK)
-    s.proxy_slab((-8, 8), (-4, 4), (0, 4), 1.0)
-    s.proxy_slab((-5, 3.6), (-3.2, 3.2), (4, 7), 0.5)
-
-
 @builder("teddy")
 def teddy(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Sitting teddy bear facing +X, drawn at 24 x 26 x 32."""
@@ -218,22 +127,6 @@ def teddy(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.proxy_slab((-11, 11), (-9.4, 9.4), (0, 6))
     s.proxy_cylinder(9, (6, 18))
     s.proxy_cylinder(7, (18, 31))
-
-
-@builder("hammer")
-def hammer(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Claw hammer lying flat, drawn at 33 x 13 x 3."""
-    s.rod(1.2, (-16.5, 0, 1.5), (13, 0, 1.5), c, sections=16)
-    s.rod(1.5, (14, -6.5, 1.5), (14, 2, 1.5), STEEL, metal=0.8)
-    s.extrude(
-        [(12.6, 2), (15.4, 2), (16.5, 6.5), (14.6, 5), (13, 6.5)],
-        (0.4, 2.6),
-        STEEL,
-        plane="xy",
-        metal=0.8,
-    )
-    s.proxy_slab((-16.5, 12.5), (-1.1, 1.1), (0, 2.7), 0.3)
-    s.proxy_slab((12.5, 15.5), (-6.5, 6.5), (0, 3), 3.0)
 
 
 @builder("cushion", "free")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from esg.assets.builders import builder
-from esg.assets.builders.common import bone, shade, shift
+from esg.assets.builders.common import shade, shift
 from esg.assets.geometry.sketch import BRASS, CHROME, DARK, PALE_WOOD, STEEL, WHITE, Color, Sketch
 
 
@@ -124,78 +124,3 @@ def music_drum(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "d
     for x, y, r, z in ((-36, 38, 18, 56), (-40, -36, 15, 60)):
         s.proxy_cylinder(r, (0, z), 0.5, (x, y))
     shift(s, 9.4, 4)
-
-
-@builder("trumpet")
-def trumpet(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Trumpet lying on its side, bell to +X; 53 cm."""
-    bell = [
-        (0.6, -18),
-        (0.7, 8),
-        (1.2, 18),
-        (2.6, 24),
-        (6.1, 27),
-        (6.2, 27.2),
-        (2.2, 24.2),
-        (0.4, 17),
-        (0.4, -18),
-        (0.6, -18),
-    ]
-    s.lathe(bell, c, center=(0, 0, 6.2), axis="x", metal=0.9, rough=0.2)
-    s.rod(0.6, (-27, 7, 6.2), (10, 7, 6.2), c, metal=0.9, sections=14)
-    s.pipe(0.6, [(10, 7, 6.2), (15, 5, 6.2), (15, 2, 6.2), (10, 0, 6.2)], c)
-    s.pipe(0.6, [(-18, 0, 6.2), (-21, 3, 6.2), (-18, 6, 6.2)], c)
-    s.lathe(
-        [(0, -27.6), (1.4, -27.6), (0.6, -24.4), (0, -24.4)], CHROME, center=(0, 7, 6.2), axis="x"
-    )
-    for x in (-6, -2.4, 1.2):
-        s.rod(1.3, (x, -3, 6.2), (x, 8, 6.2), c, metal=0.9, sections=18)
-        s.rod(0.5, (x, 8, 6.2), (x, 10.4, 6.2), CHROME, sections=10)
-    s.rod(1.6, (-8, 0, 0), (-8, 0, 6.2), c, sections=14)
-    s.proxy_slab((-27, 16), (-2, 9), (0, 8), 1.0)
-    s.proxy_slab((16, 27), (-4.5, 4.5), (0, 12), 0.5)
-    shift(s, 0, -2.1)
-
-
-@builder("bell")
-def bell(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Bronze bell standing on its rim, 44 cm."""
-    s.lathe(
-        [
-            (15, 0),
-            (20, 0),
-            (19, 3),
-            (14, 12),
-            (11.6, 28),
-            (8, 35),
-            (0, 36),
-            (0, 33),
-            (7, 32),
-            (10, 26),
-            (12.4, 11),
-            (15, 0),
-        ],
-        c,
-        smooth=0,
-        rough=0.3,
-        metal=0.8,
-    )
-    s.torus(4, 1.4, (0, 0, 39.6), c, axis="y", metal=0.8)
-    s.rod(0.8, (0, 0, 33), (0, 0, 8), STEEL, sections=10)
-    s.ball(2.6, (0, 0, 7), STEEL, metal=0.7)
-    s.proxy_cylinder(19.5, (0, 4), 1.0)
-    s.proxy_cylinder(14, (4, 16), 0.8)
-    s.proxy_cylinder(11, (16, 36), 0.7)
-    s.proxy_slab((-5, 5), (-1.4, 1.4), (36, 45), 0.5)
-
-
-@builder("microphone")
-def microphone(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Microphone on a floor stand, 150 cm."""
-    s.rod(15, (0, 0, 0), (0, 0, 3), DARK)
-    s.rod(1.1, (0, 0, 3), (0, 0, 138), STEEL, sections=14, metal=0.6)
-    bone(s, (-2, 0, 138), 1.6, (10, 0, 144), 2.2, c)
-    s.ball(3.2, (12, 0, 145), STEEL, metal=0.5)
-    s.proxy_cylinder(15, (0, 3), 6.0)
-    s.proxy_cylinder(1.4, (3, 138), 0.6)
-    s.proxy_slab((-3, 14), (-3, 3), (138, 148), 0.5)

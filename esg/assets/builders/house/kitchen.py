@@ -7,7 +7,7 @@ import math
 from esg.assets.builders import builder
 from esg.assets.builders.common import shade
 from esg.assets.geometry.collider import lying_hull
-from esg.assets.geometry.sketch import CHROME, DARK, DARK_WOOD, STEEL, YELLOW, Color, Sketch, rgb
+from esg.assets.geometry.sketch import DARK, DARK_WOOD, STEEL, YELLOW, Color, Sketch, rgb
 
 PAPER = rgb(240, 236, 224)
 
@@ -51,31 +51,6 @@ def bottle(s: Sketch, L: float, W: float, H: float, c: Color, style: str = "wine
     s.proxy_cylinder(1.5, (20.5, 28), 0.8)
 
 
-@builder("can")
-def can(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Drinks can, drawn at 6.6 x 6.6 x 12."""
-    s.lathe(
-        [
-            (0, 0.4),
-            (2.4, 0),
-            (2.6, 0.1),
-            (3.3, 1.2),
-            (3.3, 10.6),
-            (2.7, 11.9),
-            (2.5, 12),
-            (2.4, 11.6),
-            (0, 11.6),
-        ],
-        c,
-        rough=0.25,
-        metal=0.4,
-    )
-    s.lathe([(0, 11.5), (2.4, 11.5), (2.4, 11.7), (0, 11.7)], CHROME, metal=0.8)
-    s.slab((-0.4, 1.2), (-0.6, 0.6), (11.7, 11.85), STEEL, metal=0.8)
-    s.proxy_cylinder(3.1, (0, 12))
-    s.surface("top", 12, (1.8, 1.8))
-
-
 @builder("mug")
 def mug(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Mug, handle at +Y, drawn at 8.4 x 11.8 x 9.5 and centred on its box."""
@@ -101,52 +76,6 @@ def mug(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     ]
     s.proxy_slab((-0.6, 0.6), (y + 4.1, y + 7.4), (2, 8), 0.5)
     s.region("inside", (-2.4, 2.4), (y - 2.4, y + 2.4), (0.9, 9.5))
-
-
-@builder("cup")
-def cup(s: Sketch, L: float, W: float, H: float, c: Color, style: str = "cup") -> None:
-    """Handleless cup or drinking glass, drawn at 8 x 8 x 10; hollow."""
-    glass = style == "glass"
-    s.lathe(
-        [(0, 0), (2.9, 0), (4, 10), (3.8, 10), (2.75, 0.7), (0, 0.7)],
-        c,
-        rough=0.05 if glass else 0.6,
-        alpha=0.45 if glass else 1.0,
-    )
-    s.tub(3.6, (0, 10), 0.5)
-    s.region("inside", (-2.1, 2.1), (-2.1, 2.1), (0.7, 10))
-
-
-@builder("wine_glass")
-def wine_glass(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Stemmed glass, drawn at 8 x 8 x 20."""
-    s.lathe(
-        [
-            (0, 0),
-            (3.5, 0),
-            (3.5, 0.3),
-            (0.5, 0.8),
-            (0.4, 9),
-            (2.4, 10.5),
-            (4, 14),
-            (3.4, 20),
-            (3.2, 20),
-            (3.8, 14),
-            (2.3, 10.9),
-            (0, 9.8),
-        ],
-        c,
-        rough=0.05,
-        alpha=0.45,
-    )
-    s.proxy_cylinder(3.5, (0, 0.6), 3)
-    s.proxy_cylinder(0.6, (0.6, 10), 3)
-    s.proxy_cylinder(3.8, (10, 20), 0.2)
-    s.only_weighs()
-    s.proxy_cylinder(3.5, (0, 0.6))
-    s.proxy_cylinder(0.6, (0.6, 10))
-    s.tub(3.8, (10, 20), 0.5)
-    s.region("inside", (-2.2, 2.2), (-2.2, 2.2), (10.5, 20))
 
 
 @builder("plate", "free")
@@ -225,76 +154,6 @@ def pan(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.surface("floor", 0.8, (7, 7), (x, 0))
 
 
-@builder("pot")
-def pot(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Open cooking pot, drawn at 26 x 34 x 20."""
-    s.lathe(
-        [
-            (0, 0),
-            (12.3, 0),
-            (12.7, 0.5),
-            (12.7, 19),
-            (13, 19.4),
-            (13, 20),
-            (12.3, 20),
-            (12.3, 0.8),
-            (0, 0.8),
-        ],
-        c,
-        metal=0.6,
-        rough=0.25,
-    )
-    for y in (-1, 1):
-        s.pipe(
-            0.7,
-            [(-4, 12.6 * y, 12), (-4, 16 * y, 12.5), (4, 16 * y, 12.5), (4, 12.6 * y, 12)],
-            DARK,
-        )
-    s.proxy_cylinder(13, (0, 17))
-    s.proxy_cylinder(2, (17, 20))
-    s.only_weighs()
-    s.tub(13, (0, 20), 0.8, sides=12)
-    s.region("inside", (-8, 8), (-8, 8), (0.8, 20))
-    s.surface("floor", 0.8, (7, 7))
-
-
-@builder("jar")
-def jar(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Glass jar with a wide open mouth, drawn at 11 x 11 x 17."""
-    outer = [(0, 0), (5, 0), (5.5, 0.6), (5.5, 13), (4.6, 14.6), (4.7, 17)]
-    inner = [(4.3, 17), (4.2, 14.6), (5.1, 12.8), (5.1, 1), (0, 0.8)]
-    s.lathe([*outer, *inner], c, rough=0.05, alpha=0.5)
-    for z in (15.2, 16.2):
-        s.torus(4.62, 0.15, (0, 0, z), c, rough=0.1)
-    s.proxy_cylinder(5.2, (0, 0.8))
-    s.ring(5.5, (0.8, 14), 0.6)
-    s.ring(4.9, (14, 17), 0.6)
-    s.region("inside", (-3.2, 3.2), (-3.2, 3.2), (0.8, 17))
-
-
-@builder("teapot")
-def teapot(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Teapot, spout at +X, drawn at 26 x 16 x 16."""
-    x0 = 0.4
-    s.lathe(
-        [(0, 0), (5, 0), (8, 6), (6.4, 11), (3.5, 13), (0, 14)],
-        c,
-        center=(x0, 0, 0),
-        smooth=40,
-        rough=0.15,
-    )
-    s.ball(1.1, (x0, 0, 14.9), c, rough=0.15)
-    s.pipe(1.3, [(6, 0, 5), (10, 0, 8), (11.7, 0, 12.4)], c, rough=0.15)
-    s.pipe(
-        0.7, [(-5.5, 0, 11), (-10, 0, 11.5), (-12.2, 0, 9), (-11, 0, 5), (-7, 0, 4)], c, rough=0.15
-    )
-    s.proxy_cylinder(6, (0, 3), 1.0, (x0, 0))
-    s.proxy_cylinder(7.6, (3, 11), 1.0, (x0, 0))
-    s.proxy_cylinder(3.4, (11, 16), 0.5, (x0, 0))
-    s.proxy_slab((7.5, 12.5), (-1.2, 1.2), (5, 13), 0.6)
-    s.proxy_slab((-12.8, -7), (-0.8, 0.8), (4, 12), 0.6)
-
-
 @builder("knife", "free")
 def knife(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Flat cutlery along X: blade forward."""
@@ -308,14 +167,6 @@ def knife(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     )
     s.slab((-L / 2, -0.05 * L), (-W / 2, W / 2), (0, H), c)
     s.proxy_slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H))
-
-
-@builder("spoon")
-def spoon(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Spoon lying flat, drawn at 19 x 4 x 1.6."""
-    s.ball(1, (6.7, 0, 0.8), c, scale=(2.8, 2.0, 0.8), metal=0.9)
-    s.rod(0.3, (-9.5, 0, 0.5), (4.2, 0, 0.9), c, metal=0.9, sections=12)
-    s.proxy_slab((-9.5, 9.5), (-1.2, 1.2), (0, 1.2))
 
 
 @builder("fruit")

@@ -80,48 +80,6 @@ def bird(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "songbir
     )
 
 
-@builder("penguin")
-def penguin(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Upright penguin, about 70 cm tall."""
-    s.lathe(
-        [(0, 3), (13, 4), (18, 20), (17, 36), (10, 52), (8.6, 60), (6, 67), (0, 70)], c, smooth=40
-    )
-    s.ball(1, (5, 0, 27), WHITE, scale=(14, 13.5, 23))
-    bone(s, (8, 0, 60), 2.6, (19, 0, 58), 0.8, _BEAK)
-    _eyes(s, 6.6, 5.6, 62.5, 1.1)
-    for side in (-1, 1):
-        bone(s, (0, side * 16, 44), 3, (1, side * 21.5, 20), 2, c)
-        s.ball(1, (6, side * 8, 2.4), _BEAK, scale=(10, 5, 2.4))
-    bone(s, (-14, 0, 10), 4, (-20, 0, 1.6), 1.5, c)
-    s.proxy_slab((-15, 15), (-12, 12), (0, 5), 1.5)
-    s.proxy_cylinder(17, (5, 46))
-    s.proxy_cylinder(9.5, (46, 69), 0.8)
-
-
-@builder("turtle")
-def turtle(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Tortoise with a domed shell, 30 cm long."""
-    skin = shade(c, 1.35)
-    s.lathe(
-        [(0, 4), (11, 4), (11.6, 5.6), (9.6, 9.6), (5, 12.6), (0, 13.6)],
-        rgb(104, 82, 44),
-        smooth=24,
-        sections=8,
-    )
-    s.lathe([(0, 3), (12, 3.6), (12.2, 5), (0, 6)], rgb(142, 116, 62), sections=32)
-    bone(s, (9, 0, 5.4), 2.4, (15, 0, 8.4), 2.9, skin)
-    _eyes(s, 16.6, 2.2, 9.6, 0.5)
-    for x in (-8, 8):
-        for side in (-1, 1):
-            bone(s, (x, side * 6.6, 4.4), 2.2, (x * 1.15, side * 9.8, 1.7), 1.7, skin)
-    bone(s, (-11, 0, 4), 1.3, (-16, 0, 3), 0.4, skin)
-    s.proxy_slab((-10.5, 10.5), (-10.5, 10.5), (0, 4), 0.8)
-    s.proxy_cylinder(11, (4, 9.5))
-    s.proxy_cylinder(6.5, (9.5, 13.4))
-    s.proxy_slab((11, 17.5), (-2.5, 2.5), (5.5, 11), 0.8)
-    shift(s, -0.8)
-
-
 @builder("frog")
 def frog(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Sitting frog, 10 cm long."""
@@ -136,47 +94,6 @@ def frog(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.proxy_slab((-4.4, 4), (-3.8, 3.8), (0, 2), 0.8)
     s.proxy_slab((-4.2, 5), (-2.8, 2.8), (2, 6.4), 1.0)
     shift(s, -0.5)
-
-
-@builder("fish")
-def fish(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "trout") -> None:
-    """Fish upright on its belly fins, 30 cm long; a shark by fins and gape."""
-    shark = kind == "shark"
-    s.ball(1, (0, 0, 5.4), c, scale=(13.5, 3.2, 4.0 if shark else 5.0), rough=0.35)
-    s.ball(1, (0.6, 0, 4.6), shade(c, 1.45), scale=(11.4, 2.9, 3.6 if shark else 4.4), rough=0.35)
-    fin = shade(c, 0.75)
-    up, down = (10.6, 1.4) if shark else (9.6, 1.6)
-    s.extrude(
-        [(-11.4, 5.2), (-17.2, up), (-15.2, 5.4), (-17.2, down)], (-0.35, 0.35), fin, soft=0.1
-    )
-    s.extrude([(3.6, 8.6), (-1.6, 13.0 if shark else 12.4), (-4.4, 8.8)], (-0.35, 0.35), fin)
-    for side in (-1, 1):
-        prism(
-            s,
-            [
-                (5, side * 2.0, 3.6),
-                (1.6, side * 2.0, 3.2),
-                (0.6, side * 5.2, 0.5),
-                (-1.4, side * 5.0, 0.5),
-                (3, side * 2.2, 4.2),
-            ],
-            fin,
-        )
-        prism(
-            s,
-            [
-                (-4, side * 1.2, 2.0),
-                (-6.5, side * 1.0, 2.2),
-                (-7.4, side * 2.6, 0.0),
-                (-5.6, side * 2.4, 0.0),
-                (-5, side * 1.4, 2.6),
-            ],
-            fin,
-        )
-    _eyes(s, 9.4, 2.1, 6.4, 0.6)
-    s.proxy_slab((-11, 11), (-2.6, 2.6), (0, 9.2))
-    s.proxy_slab((-4, 3), (-0.6, 0.6), (9.2, 12.2), 0.2)
-    shift(s, 1.85)
 
 
 @builder("snake")

@@ -8,7 +8,6 @@ from esg.assets.builders import builder
 from esg.assets.builders.common import blob, bone, shade, shift
 from esg.assets.geometry.sketch import (
     CHROME,
-    CONCRETE,
     DARK,
     ORANGE,
     RED,
@@ -45,65 +44,6 @@ def child_figure(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     shift(s, -1)
 
 
-@builder("statue")
-def statue(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "standing") -> None:
-    """Stone figure on a plinth, 220 cm; or a bust; or a trophy cup."""
-    if kind == "trophy":
-        s.slab((-6, 6), (-6, 6), (0, 6), DARK)
-        s.slab((5.9, 6.2), (-4, 4), (1.5, 4.5), c)
-        s.lathe(
-            [
-                (0, 6),
-                (4, 6),
-                (1.4, 8),
-                (1.2, 13),
-                (2.4, 14),
-                (6, 18),
-                (8, 28),
-                (8.6, 31),
-                (7.6, 31),
-                (6.8, 27),
-                (0, 17),
-            ],
-            c,
-            smooth=0,
-            rough=0.2,
-            metal=0.9,
-        )
-        for side in (-1, 1):
-            s.pipe(
-                0.7,
-                [
-                    (0, side * 7.6, 28),
-                    (0, side * 11.4, 28),
-                    (0, side * 11, 22),
-                    (0, side * 6.4, 18),
-                ],
-                c,
-            )
-        s.proxy_slab((-6, 6), (-6, 6), (0, 6), 2.0)
-        s.proxy_cylinder(2.4, (6, 14), 1.0)
-        s.proxy_cylinder(7.6, (14, 31), 0.5)
-        return
-    s.slab((-38, 38), (-38, 38), (0, 12), CONCRETE)
-    s.slab((-30, 30), (-30, 30), (12, 62), CONCRETE)
-    s.slab((-35, 35), (-35, 35), (62, 70), CONCRETE)
-    for side in (-1, 1):
-        bone(s, (0, side * 9, 142), 10, (4 * side, side * 10, 78), 7, c)
-        s.ball(1, (4 + 4 * side, side * 10, 73), c, scale=(13, 6, 5))
-    bone(s, (0, 0, 142), 15, (0, 0, 184), 18, c)
-    bone(s, (0, -20, 188), 6.5, (14, -26, 160), 5.5, c)
-    bone(s, (14, -26, 160), 5.5, (24, -14, 150), 5, c)
-    bone(s, (0, 20, 188), 6.5, (2, 28, 146), 5.5, c)
-    bone(s, (-8, 0, 180), 14, (-14, 0, 92), 18, shade(c, 0.92))
-    s.rod(6, (0, 0, 198), (0, 0, 208), c)
-    s.ball(1, (1, 0, 216), c, scale=(10, 9, 12.5))
-    s.proxy_slab((-38, 38), (-38, 38), (0, 12), 1.0)
-    s.proxy_slab((-34, 34), (-34, 34), (12, 70), 1.0)
-    s.proxy_slab((-20, 16), (-24, 24), (70, 200), 0.8)
-    s.proxy_cylinder(10, (200, 228), 0.8)
-
-
 @builder("snowman")
 def snowman(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Three snowballs, a carrot, coal and a hat; 150 cm."""
@@ -123,36 +63,6 @@ def snowman(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.proxy_cylinder(36, (0, 62), 1.0)
     s.proxy_cylinder(26, (62, 106), 1.0)
     s.proxy_cylinder(17, (106, 156), 0.7)
-
-
-@builder("scarecrow")
-def scarecrow(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Scarecrow on a post with arms spread, 180 cm, standing on a cross foot."""
-    straw = rgb(218, 186, 96)
-    for axis in ("x", "y"):
-        s.slab(
-            (-34, 34) if axis == "x" else (-5, 5),
-            (-5, 5) if axis == "x" else (-34, 34),
-            (0, 6),
-            WOOD,
-        )
-    s.rod(3.4, (0, 0, 5), (0, 0, 150), WOOD, sections=14)
-    s.rod(2.6, (0, -74, 128), (0, 74, 128), WOOD, sections=14)
-    blob(s, [((0, 0, 92), 15), ((0, 0, 128), 14)], c)
-    for side in (-1, 1):
-        bone(s, (0, side * 12, 128), 9, (0, side * 60, 128), 7, c)
-        s.ball(1, (0, side * 70, 128), straw, scale=(5, 9, 6))
-        bone(s, (0, side * 8, 90), 9, (0, side * 11, 40), 7.5, rgb(64, 74, 104))
-        s.ball(1, (0, side * 11, 33), straw, scale=(7, 7, 7))
-        s.ball(1.6, (12.6, side * 5, 162), DARK, detail=2)
-    s.ball(14, (0, 0, 158), rgb(222, 196, 148))
-    s.rod(24, (0, 0, 167), (0, 0, 169), straw)
-    s.lathe([(0, 0), (14, 0), (8, 18), (0, 20)], straw, center=(0, 0, 169))
-    s.proxy_slab((-34, 34), (-34, 34), (0, 6), 3.0)
-    s.proxy_slab((-7, 7), (-16, 16), (6, 88), 0.6)
-    s.proxy_slab((-14, 14), (-16, 16), (88, 142), 0.6)
-    s.proxy_slab((-8, 8), (-74, 74), (119, 137), 0.2)
-    s.proxy_cylinder(14, (142, 187), 0.3)
 
 
 @builder("robot")
@@ -224,18 +134,3 @@ def robot_arm(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.proxy_slab((10, 52), (-8, 8), (86, 104), 0.4)
     s.proxy_slab((41, 51), (-9, 9), (62, 86), 0.3)
     shift(s, -13)
-
-
-@builder("mannequin_head")
-def mannequin_head(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Portrait bust on a small socle, 45 cm."""
-    s.slab((-9, 9), (-9, 9), (0, 8), DARK)
-    s.rod(5, (0, 0, 8), (0, 0, 14), c)
-    blob(s, [((0, -13, 18), 5), ((0, 13, 18), 5), ((0, 0, 22), 7)], c)
-    s.rod(5, (0, 0, 24), (1, 0, 31), c)
-    s.ball(1, (1, 0, 37), c, scale=(8.4, 7.2, 9.4))
-    bone(s, (8.4, 0, 38), 1.2, (10.2, 0, 35.6), 1.4, c)
-    s.proxy_slab((-9, 9), (-9, 9), (0, 13), 1.5)
-    s.proxy_slab((-6, 6), (-17, 17), (13, 27), 0.8)
-    s.proxy_cylinder(7.6, (27, 46), 0.8, (1, 0))
-    shift(s, -1.3)

@@ -6,11 +6,10 @@ import itertools
 import math
 
 from esg.assets.builders import builder
-from esg.assets.builders.common import LEAF, bone, mirrored, prism, shade, shift
+from esg.assets.builders.common import LEAF, bone, prism, shade, shift
 from esg.assets.geometry.rotations import ALONG
 from esg.assets.geometry.sketch import (
     CONCRETE,
-    DARK,
     DARK_WOOD,
     PALE_WOOD,
     YELLOW,
@@ -19,20 +18,6 @@ from esg.assets.geometry.sketch import (
     rgb,
 )
 from esg.graph.models import ProxyKind
-
-
-@builder("tent")
-def tent(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Ridge tent, entrance at +X, 220 x 200 x 130."""
-    s.extrude([(-100, 0), (100, 0), (0, 126)], (-108, 108), c, plane="yz", rough=0.95)
-    s.extrude([(-34, 0), (34, 0), (0, 92)], (108, 109), DARK, plane="yz")
-    s.extrude(
-        [(-60, 0), (-34, 0), (0, 92), (0, 96), (-12, 92)], (108, 110), shade(c, 1.2), plane="yz"
-    )
-    s.rod(2, (-110, 0, 127), (110, 0, 127), shade(c, 0.6), sections=12)
-    for side in (-1, 1):
-        s.slab((-108, 108), mirrored(side, 97, 100), (0, 3), shade(c, 0.6))
-    s.proxy_hull([(x, y, z) for x in (-108, 108) for y, z in ((-100, 0), (100, 0), (0, 126))])
 
 
 @builder("hay_bale")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 from esg.assets.builders import builder
 from esg.assets.builders.common import LEAF, mirrored, prism, shade, shift
@@ -68,10 +69,10 @@ def artillery(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "ca
                 "x",
             )
 
-        def aimed() -> object:
+        def aimed() -> Any:
             from trimesh.transformations import rotation_matrix
 
-            mesh = barrel()
+            mesh: Any = barrel()
             mesh.apply_transform(rotation_matrix(math.radians(-8), [0, 1, 0]))
             mesh.apply_translation([14, 0, 76])
             return mesh

@@ -5,12 +5,11 @@ from __future__ import annotations
 import math
 
 from esg.assets.builders import builder
-from esg.assets.builders.common import blob, bone, prism, shade, shift
+from esg.assets.builders.common import blob, bone, prism, shade
 from esg.assets.geometry.collider import lying_hull
 from esg.assets.geometry.sketch import (
     CHROME,
     DARK,
-    ORANGE,
     RUBBER,
     STEEL,
     WHITE,
@@ -50,44 +49,6 @@ def unicycle(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.proxy_slab((-25, 25), (-4, 4), (4, 51), 1.0)
     s.proxy_slab((-3, 3), (-5, 5), (51, 90), 0.6)
     s.proxy_slab((-15, 14), (-8, 8), (90, 98), 0.4)
-
-
-@builder("hang_glider")
-def hang_glider(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Delta wing on its control frame, nose to +X; drawn at 270 x 960 x 190."""
-    nose, tip, tail = (135.0, 0.0, 172.0), (-118.0, 480.0, 176.0), (-60.0, 0.0, 178.0)
-    for side in (-1, 1):
-        end = (tip[0], side * tip[1], tip[2])
-        mid = (-78.0, side * 220.0, 180.0)
-        for tone, a, b, d in (
-            (c, nose, tail, (8.0, side * 230.0, 184.0)),
-            (c, tail, mid, (8.0, side * 230.0, 184.0)),
-            (shade(c, 1.35), mid, end, (8.0, side * 230.0, 184.0)),
-        ):
-            prism(s, [(x, y, z + k) for x, y, z in (a, b, d) for k in (-0.8, 0.8)], tone, rough=0.9)
-        s.rod(2.4, nose, end, STEEL, sections=14, metal=0.6)
-        s.rod(2, (0, 0, 172), (-60, side * 228, 176), STEEL, sections=12, metal=0.6)
-        s.rod(1.8, (10, 0, 172), (24, side * 78, 3), DARK, sections=14)
-        s.rod(0.4, (24, side * 78, 5), (8, side * 226, 182), DARK, sections=6)
-        s.rod(6, (24, side * 80, 6), (24, side * 84, 6), RUBBER, sections=20)
-    s.rod(2.4, nose, (-135, 0, 180), STEEL, sections=14, metal=0.6)
-    s.rod(1.8, (24, -80, 3), (24, 80, 3), DARK, sections=14)
-    s.rod(1.4, (-20, 0, 176), (-20, 0, 189), STEEL, sections=10)
-    for x in (120, -125):
-        s.rod(0.4, (x, 0, 176), (24, 0, 4), DARK, sections=6)
-    s.rod(0.5, (-20, 0, 174), (-20, 0, 120), DARK, sections=6)
-    bone(s, (-62, 0, 108), 12, (28, 0, 112), 15, rgb(60, 66, 84))
-    s.proxy_slab((-50, 70), (-84, 84), (0, 8), 3.0)
-    s.proxy_slab((4, 28), (-80, 80), (8, 172), 0.1)
-    s.proxy_slab((-70, 40), (-14, 14), (94, 126), 1.0)
-    s.proxy_hull(
-        [
-            (x, y, z)
-            for z in (170, 186)
-            for x, y in ((135, 0), (-118, -480), (-118, 480), (-135, 0))
-        ],
-        0.05,
-    )
 
 
 @builder("seal")
@@ -195,51 +156,6 @@ def snack_bag(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.ball(1, (L * 0.04, 0, H * 0.82), WHITE, scale=(L * 0.24, W * 0.3, H * 0.2), rough=0.3)
     s.ball(1, (L * 0.02, 0, H * 0.86), rgb(240, 196, 60), scale=(L * 0.13, W * 0.2, H * 0.19))
     s.proxy_slab((-L * 0.45, L * 0.45), (-W * 0.45, W * 0.45), (0, H * 0.95))
-
-
-@builder("pistol")
-def pistol(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Toy pistol lying on its side, muzzle to +X, drawn at 22 x 14 x 3.2."""
-    body = [
-        (-9, 3),
-        (-9, 7),
-        (7, 7),
-        (7, 3.4),
-        (-1, 3.4),
-        (-1, 2.4),
-        (-3, 2.4),
-        (-6, -7),
-        (-10.4, -7),
-    ]
-    s.extrude(body, (0.4, 2.8), c, plane="xy", soft=0.3, rough=0.5)
-    s.extrude([(-9.4, 4.4), (-9.4, 6.6), (5, 6.6), (5, 4.4)], (0, 3.2), shade(c, 0.75), plane="xy")
-    s.extrude([(-6.6, 1), (-3.8, 1), (-6.6, -6.2), (-9.6, -6.2)], (0, 3.2), DARK, plane="xy")
-    s.rod(1.25, (7, 5.2, 1.6), (11, 5.2, 1.6), ORANGE, sections=20)
-    s.pipe(
-        0.45, [(1.6, 3.4, 1.6), (1.2, 0.6, 1.6), (-2.6, 0.2, 1.6), (-3.4, 1.4, 1.6)], shade(c, 0.75)
-    )
-    s.rod(0.4, (-0.8, 3.2, 1.6), (-1.4, 1.2, 1.6), DARK, sections=8)
-    s.extrude([(5, 7), (6, 7), (6, 7.6)], (1.2, 2.0), DARK, plane="xy")
-    s.proxy_slab((-9.4, 11), (3.2, 7), (0, 3.2), 1.0)
-    s.proxy_slab((-10.4, -3), (-7, 3.2), (0, 3.2), 1.0)
-    shift(s, -0.3, -0.2)
-
-
-@builder("boxing_glove")
-def boxing_glove(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Boxing glove lying on its palm, knuckles to +Y, drawn at 16 x 28 x 14."""
-    blob(s, [((-1, 6, 6.9), 6.4), ((2, 7, 6.6), 5.8), ((-1, 1, 5.8), 5.6), ((2, -2, 5), 4.6)], c)
-    blob(s, [((5.6, 4, 5.4), 2.6), ((5.4, -2, 4.4), 2.7)], shade(c, 0.9))
-    s.lathe(
-        [(0, 0), (5.2, 0), (5.3, 7), (0, 7)],
-        shade(c, 0.8),
-        center=(0, -14, 5.3),
-        axis="y",
-        rough=0.6,
-    )
-    s.lathe([(0, 0), (5.45, 0), (5.45, 2.4), (0, 2.4)], WHITE, center=(0, -11.4, 5.3), axis="y")
-    s.lathe([(0, 0), (4, 0), (4, 0.4), (0, 0.4)], DARK, center=(0, -14.3, 5.3), axis="y")
-    s.proxy_slab((-7.2, 7.2), (-13, 12.6), (0, 13.3))
 
 
 @builder("xylophone", "free")

@@ -7,13 +7,10 @@ from esg.assets.builders.common import shade
 from esg.assets.geometry.sketch import (
     CONCRETE,
     STEEL,
-    WOOD,
     Color,
     Sketch,
-    rgb,
 )
 from esg.assets.lazy import shapes
-from esg.graph.models import ProxyKind
 
 
 @builder("phone_booth")
@@ -30,28 +27,6 @@ def phone_booth(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         z = 8 + k * 30
         s.slab((-42, 42), (-42, 42), (z - 1, z + 1), c)
     s.proxy_slab((-43, 43), (-43, 43), (8, 214), 0.25)
-
-
-@builder("tree")
-def tree(s: Sketch, L: float, W: float, H: float, c: Color, crown: str = "round") -> None:
-    """Tree, drawn at 300 x 300 x 500; rooted, so it never moves."""
-    s.lathe([(0, 0), (24, 0), (15, 20), (12, 260), (0, 260)], rgb(96, 70, 46), rough=0.95)
-    s.proxy_cylinder(14, (0, 250), 3)
-    if crown == "cone":
-        for z0, r, z1 in ((120, 150, 300), (230, 115, 400), (330, 80, 500)):
-            s.lathe([(0, z0), (r, z0), (0, z1)], c, sections=24, rough=0.95)
-        s.proxy(ProxyKind.CYLINDER, (90, 90, 120), (0, 0, 240), 0.1)
-        s.proxy(ProxyKind.CYLINDER, (45, 45, 70), (0, 0, 430), 0.1)
-        return
-    for p, r in (
-        ((0, 0, 350), 150),
-        ((58, 40, 300), 85),
-        ((-62, 30, 310), 82),
-        ((10, -66, 305), 80),
-        ((12, 22, 430), 70),
-    ):
-        s.ball(r, p, shade(c, 0.85 + 0.05 * (r % 4)), rough=0.95, detail=3)
-    s.proxy(ProxyKind.SPHERE, (145, 145, 145), (0, 0, 350), 0.1)
 
 
 @builder("bush", "free")
@@ -90,17 +65,6 @@ def rock(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.proxy_hull([tuple(v) for v in shapes.hull(points).vertices])  # type: ignore[misc]
 
 
-@builder("parasol")
-def parasol(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Open garden umbrella, drawn at 260 x 260 x 240."""
-    s.rod(26, (0, 0, 0), (0, 0, 9), CONCRETE, solid=12)
-    s.rod(2.4, (0, 0, 9), (0, 0, 238), WOOD, solid=0.4)
-    s.lathe(
-        [(0, 238), (4, 238), (130, 192), (130, 188), (3, 232), (0, 233)], c, sections=8, rough=0.9
-    )
-    s.proxy(ProxyKind.CYLINDER, (118, 118, 14), (0, 0, 205), 0.01)
-
-
 @builder("dumpster")
 def dumpster(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Open skip with sloped ends, drawn at 180 x 360 x 140; hollow."""
@@ -120,35 +84,3 @@ def dumpster(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.surface("floor", 6, (78, 118))
     s.rod(3, (-90, -172, 118), (90, -172, 118), STEEL)
     s.rod(3, (-90, 172, 118), (90, 172, 118), STEEL)
-
-
-@builder("fountain")
-def fountain(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Two-tier stone fountain, drawn at 200 x 200 x 160."""
-    s.lathe([(0, 0), (100, 0), (100, 45), (90, 45), (88, 12), (0, 12)], c, rough=0.9)
-    s.lathe([(0, 12), (87, 12), (88, 36), (0, 36)], (0.35, 0.55, 0.65), rough=0.05, alpha=0.7)
-    s.lathe(
-        [
-            (0, 12),
-            (18, 12),
-            (12, 95),
-            (50, 112),
-            (50, 118),
-            (8, 104),
-            (7, 150),
-            (10, 154),
-            (0, 160),
-        ],
-        c,
-        rough=0.9,
-    )
-    s.proxy_cylinder(100, (0, 45))
-    s.proxy_cylinder(14, (45, 108))
-    s.proxy_cylinder(48, (108, 118))
-    s.proxy_cylinder(9, (118, 160))
-    s.only_weighs()
-    s.tub(100, (0, 45), 12, sides=16)
-    s.proxy_cylinder(14, (12, 108))
-    s.proxy_cylinder(48, (108, 118))
-    s.proxy_cylinder(9, (118, 160))
-    s.region("inside", (-80, 80), (-80, 80), (12, 60))

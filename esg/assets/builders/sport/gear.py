@@ -5,9 +5,8 @@ from __future__ import annotations
 import math
 
 from esg.assets.builders import builder
-from esg.assets.builders.common import blob, bone, prism, shade, shift
+from esg.assets.builders.common import blob, prism, shade, shift
 from esg.assets.geometry.sketch import (
-    CHROME,
     DARK,
     RED,
     RUBBER,
@@ -18,49 +17,6 @@ from esg.assets.geometry.sketch import (
     Color,
     Sketch,
 )
-
-
-@builder("hockey_stick")
-def hockey_stick(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Ice-hockey stick lying flat, blade to +X; 150 cm."""
-    s.slab((-66, 66), (-1.2, 1.2), (0.2, 2.2), c)
-    s.slab((-66, -44), (-1.5, 1.5), (0, 2.4), DARK)
-    s.extrude(
-        [(62, -1.2), (62, 1.2), (67, 8), (78, 26), (84, 24), (74, 4), (69, -1.2)],
-        (0.6, 1.8),
-        DARK,
-        plane="xy",
-    )
-    s.proxy_slab((-66, 66), (-1.4, 1.4), (0, 2.4))
-    s.proxy_slab((66, 82), (-1, 26), (0, 2.2), 0.6)
-    shift(s, -9, -12)
-
-
-@builder("golf_club")
-def golf_club(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Golf club lying flat, head to +X; 100 cm."""
-    s.lathe([(0, -50), (1.4, -50), (1.0, -22), (0, -22)], DARK, center=(0, 0, 1.4), axis="x")
-    s.rod(0.6, (-24, 0, 1.4), (46, 0, 1.4), CHROME, metal=0.9, sections=14)
-    prism(
-        s,
-        [
-            (44, 0.8, 0.2),
-            (44, -0.8, 0.2),
-            (44, 0.8, 2.4),
-            (50, -1, 0),
-            (52, 10, 0),
-            (48, 10, 0),
-            (46, 10, 3.4),
-            (48.5, 10.4, 3.4),
-            (50, 0, 3),
-        ],
-        CHROME,
-        rough=0.3,
-        metal=0.8,
-    )
-    s.proxy_slab((-50, 46), (-1.2, 1.2), (0, 2.6), 1.0)
-    s.proxy_slab((45, 51.5), (-1, 10), (0, 3.4), 3.0)
-    shift(s, -1, -4.5)
 
 
 @builder("shuttlecock")
@@ -96,66 +52,6 @@ def shuttlecock(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         + [(-4.2, -1.2, 0.0), (-4.2, 1.2, 0.0), (1.8, -0.6, 0.0), (1.8, 0.6, 0.0)]
         + [(4.2, 0, z), (3.4, 0, z + 1.2)]
     )
-
-
-@builder("barbell")
-def barbell(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "kettlebell") -> None:
-    """Kettlebell, 28 cm; anvil; anchor by its kind."""
-    if kind == "kettlebell":
-        s.lathe([(0, 0), (7, 0), (10.4, 6), (10.4, 11), (7, 17), (0, 19)], c, smooth=30, rough=0.5)
-        s.pipe(
-            1.7,
-            [(0, -5.6, 15), (0, -6.6, 22), (0, -4, 26.3), (0, 4, 26.3), (0, 6.6, 22), (0, 5.6, 15)],
-            c,
-        )
-        s.proxy_cylinder(7, (0, 3), 1.0)
-        s.proxy_cylinder(10, (3, 16), 1.0)
-        s.proxy_slab((-1.7, 1.7), (-8, 8), (16, 28), 0.7)
-        return
-    s.extrude(
-        [
-            (-13, 0),
-            (13, 0),
-            (13, 4),
-            (7, 7),
-            (6, 14),
-            (14, 19),
-            (16, 26),
-            (-16, 26),
-            (-16, 20),
-            (-6, 15),
-            (-7, 7),
-            (-13, 4),
-        ],
-        (-6.5, 6.5),
-        c,
-        rough=0.5,
-        metal=0.6,
-    )
-    bone(s, (15, 0, 22), 4, (33, 0, 24.6), 1.2, c, metal=0.6)
-    s.proxy_slab((-13, 13), (-9, 9), (0, 5), 1.0)
-    s.proxy_slab((-7, 7), (-6.5, 6.5), (5, 16), 1.0)
-    s.proxy_slab((-16, 16), (-6.5, 6.5), (16, 26), 1.0)
-    s.proxy_slab((16, 33), (-3, 3), (19, 26), 0.5)
-    s.slab((-13, 13), (-9, 9), (0, 3), c, metal=0.6)
-    s.surface("face", 26, (15, 6))
-    shift(s, -9)
-
-
-@builder("curling_stone")
-def curling_stone(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Granite curling stone with a handle, 28 cm."""
-    s.lathe(
-        [(0, 0), (7, 0), (12.6, 3), (14, 6.5), (12.6, 10.4), (8, 12), (0, 12.2)],
-        c,
-        smooth=30,
-        rough=0.35,
-    )
-    s.lathe([(14.0, 5.6), (14.3, 5.6), (14.3, 7.4), (14.0, 7.4), (14.0, 5.6)], shade(c, 0.6))
-    s.pipe(1.2, [(-4, 0, 12), (-4, 0, 15.6), (0, 0, 16.2), (8, 0, 16.6)], RED)
-    s.proxy_cylinder(9, (0, 1.5), 1.0)
-    s.proxy_cylinder(14, (1.5, 12), 1.0)
-    s.proxy_slab((-5, 8), (-1.4, 1.4), (12, 17), 0.1)
 
 
 @builder("board_sport")
@@ -208,18 +104,6 @@ def board_sport(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "
             s.proxy_slab((x - 8, x + 8), (-9, 9), (thick, thick + 2.4), 0.4)
     s.proxy_slab((-half * 0.8, half * 0.8), (-wide * 0.85, wide * 0.85), (0, thick))
     s.surface("deck", thick, (half * 0.6, wide * 0.6))
-
-
-@builder("punching_bag")
-def punching_bag(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Free-standing punching bag, 170 cm."""
-    s.lathe([(0, 0), (28, 0), (28, 8), (18, 24), (12, 30), (0, 30)], DARK, smooth=0)
-    s.rod(6, (0, 0, 30), (0, 0, 50), STEEL)
-    s.lathe([(0, 48), (17, 48), (18, 54), (18, 164), (15, 170), (0, 170)], c, rough=0.5)
-    for z in (70, 148):
-        s.lathe([(18, z), (18.4, z), (18.4, z + 5), (18, z + 5), (18, z)], WHITE)
-    s.proxy_cylinder(28, (0, 12), 4.0)
-    s.proxy_cylinder(18, (12, 170), 0.5)
 
 
 @builder("hurdle")

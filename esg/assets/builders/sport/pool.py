@@ -11,7 +11,7 @@ import math
 from esg.assets.builders import builder
 from esg.assets.builders.common import mirrored
 from esg.assets.geometry.rotations import turn
-from esg.assets.geometry.sketch import DARK, DARK_WOOD, PALE_WOOD, WHITE, WOOD, Color, Sketch, rgb
+from esg.assets.geometry.sketch import DARK, DARK_WOOD, WHITE, WOOD, Color, Sketch, rgb
 
 RAIL, OUTER = 10.0, 4.0
 CUSHION_Z = 3.7
@@ -30,8 +30,8 @@ def billiard_table(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     The bed is one box, so that no seam can kick a rolling ball; the pockets lie outside its edges,
     between blocks that carry the cushions.
     """
-    L, W, H = 282.0, 155.0, 84.2
-    a, b, bed = L / 2 - RAIL - OUTER, W / 2 - RAIL - OUTER, H - 7.2
+    length, width, height = 282.0, 155.0, 84.2
+    a, b, bed = length / 2 - RAIL - OUTER, width / 2 - RAIL - OUTER, height - 7.2
     rail, low = bed + 4.0, bed - DROP
     ox, oy = a + RAIL, b + RAIL
     felt, side = _dark(c), SIDE_MOUTH
@@ -50,8 +50,8 @@ def billiard_table(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         for sy in (-1, 1):
             _cushion(s, mirrored(sx, side, a - CORNER_MOUTH), mirrored(sy, b, oy), low, bed, felt)
             s.slab(
-                mirrored(sx, L / 2 - 32, L / 2 - 12),
-                mirrored(sy, W / 2 - 30, W / 2 - 10),
+                mirrored(sx, length / 2 - 32, length / 2 - 12),
+                mirrored(sy, width / 2 - 30, width / 2 - 10),
                 (0, low - 15),
                 DARK_WOOD,
                 solid=0.6,
@@ -63,7 +63,13 @@ def billiard_table(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         for k in (-3, -2, -1, 1, 2, 3):
             at = (k * a / 4, sy * (oy + OUTER / 2))
             s.rod(0.8, (*at, rail - 0.05), (*at, rail + 0.02), WHITE, sections=12)
-    s.slab((-L / 2 + 3, L / 2 - 3), (-W / 2 + 3, W / 2 - 3), (low - 15, low), WOOD, solid=1.0)
+    s.slab(
+        (-length / 2 + 3, length / 2 - 3),
+        (-width / 2 + 3, width / 2 - 3),
+        (low - 15, low),
+        WOOD,
+        solid=1.0,
+    )
     for end, sx in (("top", 1), ("middle", 0), ("bottom", -1)):
         for lateral, sy in (("left", 1), ("right", -1)):
             _pocket(s, f"{end} {lateral} pocket", sx, sy, (a, b, bed))
@@ -117,21 +123,3 @@ def _liner(s: Sketch, at: tuple[float, float, float], axis: str, sign: int, widt
 
 def _dark(c: Color) -> Color:
     return (c[0] * 0.78, c[1] * 0.78, c[2] * 0.78)
-
-
-@builder("cue")
-def cue(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Cue stick lying along the front axis, tip forward, drawn at 147 x 2.9 x 2.9."""
-    r = 1.45
-    tip = [(0, 73.5), (0.45, 73.5), (0.62, 72), (0.64, 70)]
-    shaft = [(0, 70), (0.64, 70), (1.0, 10), (0, 10)]
-    butt = [(0, 10), (1.0, 10), (1.4, -70), (1.45, -73), (1.2, -73.5), (0, -73.5)]
-    for profile, color in ((tip, (0.2, 0.4, 0.7)), (shaft, PALE_WOOD), (butt, DARK_WOOD)):
-        s.lathe(list(reversed(profile)), color, center=(0, 0, r), axis="x", sections=24, rough=0.25)
-    s.proxy_hull(
-        [
-            (x, y * q, z)
-            for x, q, lift in ((-73.5, r, 0.0), (73.5, 0.62, 0.0))
-            for y, z in ((-0.7, lift), (0.7, lift), (-1, r), (1, r), (0.0, r + q))
-        ]
-    )

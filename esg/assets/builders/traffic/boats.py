@@ -161,38 +161,6 @@ def ship(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     shift(s, -20)
 
 
-@builder("submarine")
-def submarine(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Small submarine, 12 m."""
-    s.lathe(
-        [
-            (0, -600),
-            (30, -590),
-            (100, -420),
-            (150, -200),
-            (155, 250),
-            (130, 480),
-            (70, 580),
-            (0, 600),
-        ],
-        c,
-        center=(0, 0, 165),
-        axis="x",
-        smooth=50,
-        rough=0.4,
-    )
-    s.extrude([(-20, 290), (-10, 430), (120, 430), (150, 290)], (-45, 45), c, soft=8)
-    s.rod(5, (60, 0, 428), (60, 0, 500), DARK)
-    s.slab((-560, -460), (-170, 170), (160, 172), shade(c, 0.8))
-    s.slab((-560, -460), (-6, 6), (60, 300), shade(c, 0.8))
-    for side in (-1, 1):
-        s.slab((-200, 200), mirrored(side, 60, 90), (0, 60), DARK)
-    s.proxy_slab((-200, 200), (-90, 90), (0, 60), 1.0)
-    s.proxy_slab((-480, 500), (-130, 130), (60, 300), 1.0)
-    s.proxy_slab((-15, 145), (-45, 45), (300, 430), 0.3)
-    s.surface("deck", 300, (120, 80), (300, 0))
-
-
 @builder("buoy")
 def buoy(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Navigation buoy with a lattice top, 150 cm."""

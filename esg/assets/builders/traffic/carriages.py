@@ -5,70 +5,9 @@ from __future__ import annotations
 import math
 
 from esg.assets.builders import builder
-from esg.assets.builders.common import mirrored, prism, shade, shift, spokes, wheel
-from esg.assets.geometry.sketch import CHROME, DARK, GLASS, RED, STEEL, WOOD, Color, Sketch
+from esg.assets.builders.common import mirrored, shade, shift, spokes, wheel
+from esg.assets.geometry.sketch import CHROME, DARK, RED, STEEL, WOOD, Color, Sketch
 from esg.assets.lazy import shapes
-
-
-@builder("go_kart")
-def go_kart(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Racing kart, 180 cm."""
-    for x, r, y in ((60, 13, 54), (-58, 14, 56)):
-        for side in (-1, 1):
-            wheel(s, x, side * y, r, 18)
-    s.slab((-80, 70), (-34, 34), (6, 10), DARK)
-    s.extrude([(52, 6), (92, 6), (90, 22), (62, 34), (50, 20)], (-44, 44), c, soft=2)
-    for side in (-1, 1):
-        s.slab((-38, 40), mirrored(side, 36, 60), (6, 24), c)
-    s.extrude(
-        [(-40, 10), (-8, 10), (-6, 16), (-30, 20), (-42, 56), (-50, 54)], (-19, 19), DARK, soft=1
-    )
-    s.slab((-84, -52), (8, 36), (10, 38), STEEL)
-    s.rod(1.6, (48, 0, 12), (26, 0, 44), STEEL, sections=12)
-    s.torus(13, 1.4, (24, 0, 46), DARK)
-    s.slab((-92, -84), (-60, 60), (6, 22), DARK)
-    s.proxy_slab((-92, 92), (-62, 62), (0, 24), 1.0)
-    s.proxy_slab((-50, -6), (-19, 19), (24, 56), 0.2)
-    s.surface("seat", 24, (16, 16), (10, 0))
-
-
-@builder("trailer")
-def trailer(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Caravan with a drawbar towards +X, 4.8 m."""
-    s.extrude(
-        [(-200, 40), (-206, 130), (-180, 225), (120, 232), (178, 200), (190, 100), (180, 40)],
-        (-105, 105),
-        c,
-        soft=14,
-        rough=0.35,
-    )
-    s.slab((-204, 188), (-106, 106), (88, 104), RED)
-    for side in (-1, 1):
-        y = mirrored(side, 104, 106)
-        s.slab((-150, -60), y, (120, 180), GLASS, rough=0.1)
-        s.slab((30, 120), y, (120, 180), GLASS, rough=0.1)
-        wheel(s, -10, side * 94, 33, 20)
-    s.slab((-52, 12), (105, 107), (50, 200), shade(c, 0.85))
-    prism(
-        s,
-        [
-            (180, -40, 40),
-            (180, 40, 40),
-            (180, -40, 48),
-            (180, 40, 48),
-            (262, -4, 44),
-            (262, 4, 44),
-            (262, -4, 50),
-            (262, 4, 50),
-        ],
-        DARK,
-    )
-    s.rod(4, (240, 0, 0), (240, 0, 60), STEEL, sections=14)
-    s.proxy_slab((-204, 188), (-105, 105), (0, 120), 1.0)
-    s.proxy_slab((-190, 170), (-105, 105), (120, 231), 0.4)
-    s.proxy_slab((188, 262), (-6, 6), (0, 56), 0.4)
-    s.surface("roof", 231, (130, 80), (-20, 0))
-    shift(s, -28)
 
 
 @builder("wheelbarrow")
@@ -180,85 +119,6 @@ def stroller(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "str
     shift(s, 1.5)
 
 
-@builder("tricycle")
-def tricycle(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Child's tricycle, 80 cm."""
-    spokes(s, 26, 0, 16)
-    for side in (-1, 1):
-        wheel(s, -28, side * 20, 11, 5)
-        s.rod(1.6, (22, side * 15, 56), (18, side * 20, 57), DARK, sections=12)
-        s.slab((22, 30), mirrored(side, 6, 14), (14, 17), RED)
-    s.rod(1.6, (26, 0, 16), (22, 0, 56), c, sections=14)
-    s.rod(1.4, (22, -18, 56), (22, 18, 56), CHROME, sections=12)
-    s.pipe(2.0, [(23, 0, 44), (-6, 0, 26), (-28, 0, 12)], c)
-    s.rod(1.4, (-28, -20, 11), (-28, 20, 11), STEEL, sections=12)
-    s.rod(1.6, (-12, 0, 24), (-12, 0, 36), STEEL, sections=12)
-    s.extrude(
-        [(2, -4), (2, 4), (-16, 10), (-22, 8), (-22, -8), (-16, -10)],
-        (35, 39),
-        DARK,
-        plane="xy",
-        soft=1,
-    )
-    s.proxy_slab((-39, 42), (-21, 21), (0, 28), 1.0)
-    s.proxy_slab((-22, 2), (-9, 9), (28, 39), 0.4)
-    s.proxy_slab((16, 28), (-18, 18), (28, 58), 0.3)
-    s.surface("seat", 39, (9, 7), (-10, 0))
-    shift(s, -1.5)
-
-
-@builder("sled")
-def sled(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "sled") -> None:
-    """Wooden sled with upturned runners, or a snowmobile."""
-    if kind == "snowmobile":
-        for side in (-1, 1):
-            s.extrude(
-                [(30, 0), (120, 0), (146, 16), (140, 18), (116, 5), (30, 5)],
-                mirrored(side, 38, 54),
-                DARK,
-            )
-            s.rod(3, (84, side * 44, 5), (62, side * 24, 36), STEEL, sections=12)
-        s.extrude(
-            [(-140, 8), (-128, 0), (20, 0), (34, 22), (-130, 30), (-142, 18)], (-22, 22), DARK
-        )
-        s.extrude(
-            [(-10, 28), (118, 30), (128, 44), (60, 76), (20, 84), (-10, 66)],
-            (-40, 40),
-            c,
-            soft=6,
-            rough=0.3,
-        )
-        s.extrude([(-136, 34), (-10, 34), (-6, 58), (-60, 64), (-136, 66)], (-18, 18), DARK, soft=4)
-        s.extrude([(56, 76), (26, 118), (22, 116), (48, 76)], (-26, 26), GLASS, rough=0.1)
-        s.rod(2, (12, -34, 92), (12, 34, 92), DARK, sections=12)
-        s.rod(3, (24, 0, 70), (12, 0, 92), DARK, sections=12)
-        s.proxy_slab((-140, 20), (-22, 22), (0, 34), 1.0)
-        s.proxy_slab((20, 140), (-54, 54), (0, 30), 0.6)
-        s.proxy_slab((-136, 120), (-34, 34), (34, 66), 0.7)
-        s.proxy_slab((0, 50), (-32, 32), (66, 112), 0.1)
-        s.surface("seat", 66, (50, 16), (-70, 0))
-        shift(s, -2)
-        return
-    for side in (-1, 1):
-        s.extrude(
-            [(-58, 0), (40, 0), (56, 12), (56, 24), (52, 24), (51, 14), (38, 4), (-58, 4)],
-            mirrored(side, 18, 21),
-            STEEL,
-        )
-        for x in (-44, -4, 34):
-            s.slab((x - 2, x + 2), mirrored(side, 18, 21), (4, 19), WOOD)
-    for y in (-19, -9.5, 0, 9.5, 19):
-        s.slab((-60, 48), (y - 3.4, y + 3.4), (20, 22), c)
-    for x in (-44, -4, 34):
-        s.slab((x - 3, x + 3), (-21, 21), (18, 20), shade(c, 0.8))
-    s.rod(1.4, (54, -21, 23), (54, 21, 23), c, sections=12)
-    for side in (-1, 1):
-        s.proxy_slab((-58, 46), mirrored(side, 18, 21), (0, 18), 1.0)
-    s.proxy_slab((-60, 50), (-22.4, 22.4), (18, 22), 1.2)
-    s.surface("deck", 22, (50, 20), (-5, 0))
-    shift(s, 2)
-
-
 @builder("carriage")
 def carriage(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Open horse carriage with shafts towards +X, 320 cm."""
@@ -305,18 +165,3 @@ def carriage(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.proxy_slab((94, 176), (-38, 38), (40, 54), 0.1)
     s.surface("seat", 94, (26, 44), (-50, 0))
     shift(s, -15)
-
-
-@builder("segway")
-def segway(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Two-wheeled self-balancing rider, on its stand."""
-    for side in (-1, 1):
-        wheel(s, 0, side * 28, 22, 9)
-    s.slab((-18, 18), (-23, 23), (14, 22), c)
-    s.slab((-3, 3), (-3, 3), (0, 14), DARK)
-    s.rod(2, (12, 0, 20), (8, 0, 108), STEEL, sections=14, metal=0.6)
-    s.rod(1.8, (8, -24, 108), (8, 24, 108), DARK, sections=12)
-    s.proxy_slab((-21, 21), (-32, 32), (0, 22), 1.0)
-    s.proxy_slab((6, 14), (-4, 4), (22, 106), 0.2)
-    s.proxy_slab((5, 11), (-24, 24), (106, 110), 0.2)
-    s.surface("deck", 22, (12, 20), (-6, 0))

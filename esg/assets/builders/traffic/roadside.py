@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from esg.assets.builders import builder
-from esg.assets.builders.common import mirrored, prism, shift
+from esg.assets.builders.common import mirrored, shift
 from esg.assets.geometry.sketch import CONCRETE, STEEL, WHITE, WOOD, YELLOW, Color, Sketch
 
 
@@ -61,38 +61,6 @@ def road_sign(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "si
     s.proxy_cylinder(3.4, (10, 236), 1.0)
     s.proxy_slab((3, 6), (-46, 50), (186, 220), 0.5)
     shift(s, 0, -5)
-
-
-@builder("speed_bump")
-def speed_bump(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Rubber speed bump across the road, 40 x 300 x 6."""
-    s.extrude([(-20, 0), (20, 0), (10, 5.4), (0, 6), (-10, 5.4)], (-150, 150), c)
-    for k in range(6):
-        y = -125 + 50 * k
-        prism(
-            s,
-            [
-                (x, yy, z)
-                for yy in (y - 12, y + 12)
-                for x, z in (
-                    (-18, 1.4),
-                    (18, 1.4),
-                    (10, 5.8),
-                    (-10, 5.8),
-                    (0, 6.2),
-                    (-17, 1.2),
-                    (17, 1.2),
-                )
-            ],
-            YELLOW,
-        )
-    s.proxy_hull(
-        [
-            (x, y, z)
-            for y in (-150, 150)
-            for x, z in ((-20, 0), (20, 0), (10, 5.4), (-10, 5.4), (0, 6.0))
-        ]
-    )
 
 
 @builder("parking")

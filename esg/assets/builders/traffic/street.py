@@ -8,16 +8,12 @@ from esg.assets.builders import builder
 from esg.assets.builders.common import shade
 from esg.assets.geometry.rotations import ALONG
 from esg.assets.geometry.sketch import (
-    BLUE,
     CHROME,
     CONCRETE,
     DARK,
-    GREEN,
-    RED,
     RUBBER,
     STEEL,
     WHITE,
-    YELLOW,
     Color,
     Sketch,
 )
@@ -213,35 +209,6 @@ def hydrant(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         s.proxy(ProxyKind.CYLINDER, (5, 5, half), mid, 0.2, ALONG["y" if b[1] else "x"])
 
 
-@builder("street_lamp")
-def street_lamp(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Road lamp, the arm reaching forward, drawn at 160 x 36 x 600."""
-    x = -62.0
-    s.rod(18, (x, 0, 0), (x, 0, 30), c, solid=4, metal=0.4)
-    s.lathe([(0, 30), (9, 30), (5.5, 560), (0, 560)], c, center=(x, 0, 0), metal=0.4)
-    s.proxy_cylinder(7.5, (30, 585), 1.0, (x, 0))
-    s.pipe(4, [(x, 0, 550), (x + 12, 0, 588), (40, 0, 596)], c, metal=0.4)
-    s.extrude([(20, 592), (78, 592), (80, 595), (60, 600), (20, 600)], (-13, 13), c)
-    s.slab((30, 76), (-10, 10), (590.5, 592), (1.0, 0.95, 0.75), rough=0.1)
-    s.proxy_slab((x, 80), (-12, 12), (588, 600), 0.2)
-
-
-@builder("traffic_light")
-def traffic_light(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Signal on a pole, lights facing +X, drawn at 40 x 40 x 340."""
-    s.rod(20, (0, 0, 0), (0, 0, 12), CONCRETE, solid=5)
-    s.rod(5, (-6, 0, 12), (-6, 0, 335), c, solid=1, metal=0.4)
-    s.slab((-2, 16), (-16, 16), (240, 340), DARK, solid=0.5)
-    for z, color in ((322, RED), (290, YELLOW), (258, GREEN)):
-        s.rod(11, (16, 0, z), (17, 0, z), color, rough=0.1)
-        s.lathe(
-            [(11.5, 0), (12.3, 0), (12.3, 3.5), (11.5, 3.5), (11.5, 0)],
-            DARK,
-            center=(16, 0, z),
-            axis="x",
-        )
-
-
 @builder("sign")
 def sign(s: Sketch, L: float, W: float, H: float, c: Color, face: str = "octagon") -> None:
     """Traffic sign facing +X, drawn at 44 x 70 x 240."""
@@ -332,28 +299,3 @@ def picnic_table(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.surface("top", 74, (87, 34))
     s.surface("left bench", 45.8, (87, 12), (0, 65))
     s.surface("right bench", 45.8, (87, 12), (0, -65))
-
-
-@builder("bollard")
-def bollard(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Street post, drawn at 20 x 20 x 95."""
-    s.rod(10, (0, 0, 0), (0, 0, 2), DARK, solid=1)
-    s.lathe([(0, 2), (7, 2), (7, 86), (5.5, 92), (0, 95)], c, rough=0.4)
-    s.lathe([(6.8, 70), (7.2, 70), (7.2, 78), (6.8, 78), (6.8, 70)], WHITE)
-    s.proxy_cylinder(7, (2, 95))
-
-
-@builder("parking_meter")
-def parking_meter(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Meter on a post, drawn at 34 x 34 x 145."""
-    s.rod(17, (0, 0, 0), (0, 0, 6), CONCRETE, solid=6)
-    s.rod(3.5, (0, 0, 6), (0, 0, 112), c, solid=1, metal=0.5)
-    s.extrude(
-        [(-10, 112), (10, 112), (11, 135), (6, 143), (0, 145), (-6, 143), (-11, 135)],
-        (-6, 6),
-        c,
-        plane="yz",
-        rough=0.3,
-    )
-    s.slab((6, 6.4), (-6, 6), (126, 138), BLUE)
-    s.proxy_slab((-6, 6), (-11, 11), (112, 145))

@@ -94,21 +94,6 @@ def motorcycle(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.surface("seat", 92, (22, 10), (-34, 0))
 
 
-@builder("scooter")
-def scooter(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Kick scooter, drawn at 100 x 45 x 100."""
-    for x in (41, -41):
-        s.torus(6.5, 2.5, (x, 0, 9), RUBBER, axis="y")
-        s.rod(5, (x, -1.6, 9), (x, 1.6, 9), CHROME, metal=0.7)
-    s.slab((-34, 26), (-7, 7), (8, 11), c, rough=0.7)
-    s.pipe(1.8, [(26, 0, 10), (36, 0, 22), (26, 0, 97)], CHROME, metal=0.7)
-    s.rod(1.8, (26, -22, 97.5), (26, 22, 97.5), DARK)
-    s.proxy_slab((-48, 50), (-11, 11), (0, 12), 1.0)
-    s.proxy_slab((24, 40), (-3, 3), (12, 95), 0.4)
-    s.proxy_slab((23, 29), (-22, 22), (95, 100), 0.4)
-    s.surface("deck", 12, (20, 7), (-8, 0))
-
-
 @builder("skateboard")
 def skateboard(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Skateboard, drawn at 80 x 20 x 12."""
@@ -170,18 +155,3 @@ def shopping_cart(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.proxy_slab((-48, -44), (-28, 28), (96, 102), 0.5)
     s.surface("basket floor", z0 + 1, (30, 17))
     s.region("inside", (-40, 44), (-24, 24), (z0 + 1, z1))
-
-
-@builder("cart")
-def cart(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Flat handcart (dolly), drawn at 100 x 60 x 95."""
-    for x in (-38, 38):
-        for y in (-22, 22):
-            s.rod(6, (x, y - 2, 6), (x, y + 2, 6), RUBBER, sections=24)
-    s.slab((-50, 50), (-30, 30), (12, 17), c, rough=0.7)
-    s.pipe(1.6, [(-47, -26, 17), (-50, -26, 93), (-50, 26, 93), (-47, 26, 17)], STEEL, metal=0.6)
-    s.proxy_slab((-50, 50), (-30, 30), (12, 17))
-    for x in (-38, 38):
-        s.proxy_slab((x - 6, x + 6), (-24, 24), (0, 12), 0.6)
-    s.proxy_slab((-50, -47), (-28, 28), (17, 95), 0.15)
-    s.surface("deck", 17, (46, 28))

@@ -114,17 +114,6 @@ def slug(text: str) -> str:
     return re.sub(r"[^a-z0-9]+", "_", plain.lower()).strip("_")
 
 
-def plural(noun: str) -> str:
-    """Plural of a noun, for names of groups."""
-    if (noun.endswith("s") and lex.singular(noun)[0] != noun) or noun in ("billiards", "stairs"):
-        return noun
-    if noun.endswith(("s", "x", "ch", "sh", "z")):
-        return noun + "es"
-    if noun.endswith("y") and noun[-2:-1] not in "aeiou":
-        return noun[:-1] + "ies"
-    return noun + "s"
-
-
 _PEOPLE = re.compile(
     r"(?:woman|smith|monger|keeper|dresser|herder|ologist|ographer|istrator|cellist|violinist"
     r"|in-law|brother|sister|mother|father)$|^(?:step|grand|ex-|god|vice-)(?!stand)\w+"

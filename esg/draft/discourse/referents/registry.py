@@ -10,7 +10,6 @@ from esg.draft.discourse.referents.entities import (
     ORDINALS,
     REAR,
     Entity,
-    plural,
     slug,
     unknown_noun,
 )
@@ -22,6 +21,7 @@ from esg.draft.discourse.referents.toys import as_toy
 from esg.draft.grammar.rewrites.shares import dealt
 from esg.draft.text.elements import Mention
 from esg.draft.text.quantities import Amount
+from esg.lexicon import plural
 
 _NAMED_GROUPS = lex.word_set("named groups")
 _PEOPLE = re.compile(r"(?:man|men|woman|women|person|ist|player|keeper|worker|driver|officer)$")

@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.referents.entities import plural
 from esg.draft.grammar.rewrites.gaps import is_word
 from esg.draft.text.elements import Element, Mention, Verb, Word
 from esg.draft.verbphrases import verb_readings
+from esg.lexicon import plural
 
 _LABELS = lex.word_set("labels")
 _LONGEST = 9

@@ -11,7 +11,7 @@ import pytest
 from esg.assets import resolve
 from esg.draft import draft
 
-TABLE = Path(__file__).parents[2] / "data" / "asset_reference.csv"
+TABLE = Path(__file__).parents[3] / "data" / "asset_reference.csv"
 ROWS = list(csv.DictReader(TABLE.read_text(encoding="utf-8").splitlines()))
 KINDS = {"standard", "manufacturer", "encyclopedic", "estimate"}
 

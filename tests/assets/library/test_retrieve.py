@@ -16,7 +16,7 @@ from esg.assets.library.index import INDEX_FILE, texts_hash, unpack
 from esg.assets.library.lookup import exact, head_match
 from esg.assets.library.retrieve import GATE, confidence, is_foreign, rank
 
-DATA = Path(__file__).parents[2] / "data"
+DATA = Path(__file__).parents[3] / "data"
 
 
 def queries(name: str) -> list[tuple[str, set[str]]]:

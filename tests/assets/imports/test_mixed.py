@@ -10,7 +10,7 @@ import pytest
 import trimesh
 
 from esg.cli import main
-from tests.assets.test_generate import Server, wedge_glb
+from tests.assets.imports.test_generate import Server, wedge_glb
 
 
 @pytest.mark.slow

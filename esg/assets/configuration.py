@@ -1,0 +1,102 @@
+"""Configurations: what stage 2 leaves of an asset, the same record whatever its source."""
+
+from __future__ import annotations
+
+import re
+
+from esg.assets.geometry.massprops import mass_properties
+from esg.assets.geometry.sketch import Color, Sketch
+from esg.assets.library.catalogue import Entry, entries_by_name, uniform_factor
+from esg.assets.library.proposal import is_toy
+from esg.assets.library.retrieve import Decision
+from esg.assets.materials import Material
+from esg.graph.models import AssetConfiguration, AssetRequirement, Vec3
+
+WHEELED_FRICTION = 0.1
+"""Averages with the vehicle ground's 0 to a rolling resistance of 0.05."""
+ROLLING_DAMPING = 0.1
+
+
+def mesh_path(key: str) -> str:
+    """Path of an asset's GLB inside the scene folder."""
+    return f"meshes/{re.sub(r'[^A-Za-z0-9_.-]+', '_', key) or 'asset'}.glb"
+
+
+def finish(
+    key: str,
+    entry: Entry,
+    requirement: AssetRequirement,
+    sketch: Sketch,
+    dimensions: Vec3,
+    mass: float,
+    material: Material,
+    color: Color,
+    decision: Decision,
+    source: str,
+) -> AssetConfiguration:
+    """Assembles a configuration; the same schema whatever the source of the geometry."""
+    com, inertia = mass_properties(sketch.weighed or sketch.proxies, mass, sketch.densities)
+    rolls = "rolls" in entry.flags
+    wheeled = "wheeled" in entry.flags
+    factor = uniform_factor(entry.dimensions_cm, dimensions)
+    return AssetConfiguration(
+        asset_name=entry.name if entry.library == "parametric" else f"{entry.library}/{entry.name}",
+        source=source,  # type: ignore[arg-type]
+        category=category_of(requirement),
+        mesh_path=mesh_path(key),
+        dimensions_cm=dimensions,
+        scale=(factor, factor, factor),
+        proxies=tuple(sketch.proxies),
+        support_surfaces=tuple(sketch.surfaces),
+        regions=tuple(sketch.regions),
+        mass_kg=mass,
+        is_movable=(entry.movable or is_toy(requirement)) and requirement.is_movable,
+        center_of_mass_cm=com,
+        inertia_kg_cm2=inertia,
+        friction=WHEELED_FRICTION if wheeled else material.friction,
+        restitution=material.restitution,
+        linear_damping=requirement.linear_damping,
+        angular_damping=ROLLING_DAMPING if rolls else requirement.linear_damping,
+        is_wheeled=wheeled,
+        rolls=rolls,
+        color_rgb=color,
+        license=entry.license,
+        attribution=entry.attribution,
+        confidence=decision.confidence,
+        runners_up=decision.runners_up,
+        reason=decision.reason,
+    )
+
+
+def category_of(requirement: AssetRequirement) -> str:
+    return "_".join(re.findall(r"[a-z0-9]+", requirement.asset_category.lower()))
+
+
+def plain_entry(
+    shape: str, dimensions_cm: Vec3, mass_kg: float, material: str, color: Color
+) -> Entry:
+    """A plain body of a size, for a noun that no library holds."""
+    return Entry(
+        name=f"plain_{shape}",
+        parents=(),
+        builder=shape,
+        params=(),
+        dimensions_cm=dimensions_cm,
+        mass_kg=mass_kg,
+        material=material,
+        color_rgb=color,
+        flags=frozenset(),
+        synonyms=(),
+        description="",
+    )
+
+
+def parametric_entry(config: AssetConfiguration) -> Entry | None:
+    """The entry behind a configuration: of the library, or a plain body; None if imported."""
+    known = entries_by_name().get(config.asset_name)
+    if known is not None or not config.asset_name.startswith("plain_"):
+        return known
+    shape = config.asset_name.removeprefix("plain_")
+    return plain_entry(
+        shape, config.dimensions_cm, config.mass_kg, "plastic_hard", config.color_rgb
+    )
