@@ -44,6 +44,7 @@ _BOUNDS = (
 """What bounds a count: "at least two of the pins"."""
 _SO_AS_TO = (("in", "order", "to"), ("so", "as", "to"))
 _MOMENTS = lex.word_set("moments")
+_EVENT_NOUNS = lex.word_set("event nouns")
 
 
 _AIMS = lex.word_set("aims (chunker)")
@@ -339,41 +340,34 @@ def _many_reverse(c: Chunks) -> bool:
 
 def _multiword(c: Chunks, i: int) -> int | None:
     for words, kind, low in MULTIWORDS.get(low_at(c, i), ()):
-        if c.lows[i : i + len(words)] == words:
-            if words[0] in ("left", "right") and _previous_is_turn(c):
-                continue
-            if words == ("back", "into") and _many_reverse(c):
-                continue  # "Two vans back into each other"
-            if words[0] in ("at", "in", "on") and low_at(c, i + len(words)) in ("of", "to"):
-                continue  # "at the end of the ramp", "on the way to the door"
-            if words[-1] in ("that", "this") and low_at(c, i + len(words)) in RETOLD_NOUNS:
-                continue  # "because of that bump"
-            one = element_before(c) if words == ("at", "the", "end") else None
-            if isinstance(one, Mention) and one.pronoun == "one" and one.determiner == "the":
-                continue  # "the one at the end"
-            if words == ("down", "to") and verb_readings(low_at(c, i + 2)):
-                continue
-            if words in (("on", "to"), ("in", "to")) and verb_readings(low_at(c, i + 2)):
-                continue
-            if (
-                kind == "sub"
-                and words[-1] in _MOMENTS
-                and not _clause_follows(c, i + len(words) - 1)
-            ):
-                continue  # "at the moment of impact"
-            if kind == "prep" and low in ("after", "before") and words[-1] == low:
-                kind = "sub" if _clause_follows(c, i + len(words) - 1) else kind
-            if words == ("from", "behind") and thing_named(c, i + 2):
-                kind, low = "prep", "behind"  # "runs out from behind a bus"
-            start, end = c.tokens[i].start, c.tokens[i + len(words) - 1].end
-            c.elements.append(Word(start, end, kind, low))
-            return i + len(words)
+        n = len(words)
+        if c.lows[i : i + n] != words or _apart(c, i, words):
+            continue
+        if kind == "sub" and words[-1] in _MOMENTS and not _clause_follows(c, i + n - 1):
+            continue  # "at the moment of impact"
+        if kind == "prep" and low in ("after", "before") and words[-1] == low:
+            kind = "sub" if _clause_follows(c, i + n - 1) else kind
+        if words == ("from", "behind") and thing_named(c, i + 2):
+            kind, low = "prep", "behind"  # "runs out from behind a bus"
+        return _word(c, i, kind, low, n)
     return None
 
 
-def _previous_is_turn(c: Chunks) -> bool:
-    p = element_before(c)
-    return isinstance(p, Verb) and p.sense in ("turn", "swerve")
+def _apart(c: Chunks, i: int, words: tuple[str, ...]) -> bool:
+    """Whether words that stand together do not belong together here."""
+    previous, after = element_before(c), low_at(c, i + len(words))
+    if words[0] in ("left", "right"):
+        return isinstance(previous, Verb) and previous.sense in ("turn", "swerve")
+    if words == ("back", "into"):
+        return _many_reverse(c)  # "Two vans back into each other"
+    if words[0] in ("at", "in", "on") and after in ("of", "to"):
+        return True  # "at the end of the ramp", "on the way to the door"
+    if words[-1] in ("that", "this") and after in RETOLD_NOUNS:
+        return True  # "because of that bump"
+    if words == ("at", "the", "end") and isinstance(previous, Mention):
+        return previous.pronoun == "one" and previous.determiner == "the"  # "the one at the end"
+    infinitive = words in (("down", "to"), ("on", "to"), ("in", "to"))
+    return infinitive and bool(verb_readings(after))
 
 
 def _verb_after_to(c: Chunks, i: int) -> bool:
@@ -396,28 +390,9 @@ def _goes_on(c: Chunks, j: int) -> bool:
 def _clause_follows(c: Chunks, i: int) -> bool:
     """Whether a subordinator starts a clause ("after it hits") and not "after 3 seconds"."""
     token = token_at(c, i + 1)
-    if token is None or token.kind in ("qty", "number"):
+    if token is None or token.kind in ("qty", "number") or _event_noun(c, i + 1):
         return False
     if low_at(c, i) in ("so", "since") and low_at(c, i + 1) in ("hard", "fast", "much"):
-        return False
-    first = i + 1 + (low_at(c, i + 1) in lex.DETERMINERS)
-    if (
-        low_at(c, first)
-        in (
-            "collision",
-            "impact",
-            "crash",
-            "hit",
-            "contact",
-            "turn",
-            "stop",
-            "strike",
-            "kick",
-        )
-        and not verb_readings(low_at(c, first + 1))
-        and low_at(c, first + 1) not in lex.MODALS
-        and (low_at(c, first + 1) != "by" or first > i + 1)
-    ):
         return False
     for j in range(i + 1, min(i + 14, len(c.tokens))):
         t = c.tokens[j]
@@ -429,14 +404,23 @@ def _clause_follows(c: Chunks, i: int) -> bool:
         if t.low in ("and", "but", "or", "then") and j > i + 1 and _goes_on(c, j + 1):
             return False  # "stops before the wall and turns", "just before a gate but hits it"
         readings = verb_readings(t.low)
-        if (readings or t.low in lex.MODALS) and (
-            (low_at(c, j) not in lex.nouns() and low_at(c, j) not in lex.ATTRIBUTES)
-            or low_at(c, j - 1) not in lex.DETERMINERS
-        ):
+        plain = t.low not in lex.nouns() and t.low not in lex.ATTRIBUTES
+        if not (readings or t.low in lex.MODALS):
+            continue
+        if plain or low_at(c, j - 1) not in lex.DETERMINERS:
             if t.low in lex.nouns() and j == i + 1:
                 return any(r.form == "ing" for r in readings)
             return not (low_at(c, i) == "as" and j == i + 1)
     return False
+
+
+def _event_noun(c: Chunks, i: int) -> bool:
+    """ "after the collision with a bus": a noun, where "after hits by" would be odd."""
+    first = i + (low_at(c, i) in lex.DETERMINERS)
+    after = low_at(c, first + 1)
+    acts = bool(verb_readings(after)) or after in lex.MODALS
+    by = after == "by" and first == i
+    return low_at(c, first) in _EVENT_NOUNS and not acts and not by
 
 
 READERS: tuple[Callable[[Chunks, int], int | None], ...] = (
