@@ -38,10 +38,11 @@ os.environ.setdefault("ESG_THREADS", "1")
 
 from benchmarks.lib.wall import Watch, plot
 from esg.dataset import running
-from esg.dataset.batch import BatchJob, BatchResult, make_batch
+from esg.dataset.batch import make_batch
 from esg.dataset.finish import finish
 from esg.dataset.folder import DatasetFolder
 from esg.dataset.grammar import Distribution
+from esg.dataset.job import BatchJob, BatchResult
 from esg.dataset.plan import DatasetSpec, plan_scenes
 
 RESULTS = Path(__file__).parent / "results"

@@ -47,7 +47,7 @@ def _remedy(error: OSError) -> str:
     """What the system says, and what to do about it where that is known."""
     from pathlib import Path
 
-    from esg.store.files import explained
+    from esg.files import explained
 
     error = explained(error, Path(error.filename or "output"))
     return error.strerror or str(error)

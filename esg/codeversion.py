@@ -12,7 +12,7 @@ from importlib import metadata
 from pathlib import Path
 
 _ROOT = Path(__file__).parent
-_COMMON = ("graph", "units.py", "outcomes.py", "__init__.py")
+_COMMON = ("graph", "units.py", "untyped.py", "outcomes.py", "__init__.py")
 _SIMULATION = ("engines", "dynamics")
 
 SOURCES: dict[str, tuple[str, ...]] = {

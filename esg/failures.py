@@ -10,9 +10,9 @@ import os
 from pathlib import Path
 from typing import Any
 
+from esg.files import atomic_file
 from esg.pipeline import SceneState, failures
 from esg.scenefolder import is_scene_folder
-from esg.store.files import atomic_file
 
 FILE = "failures.jsonl"
 

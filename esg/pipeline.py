@@ -188,8 +188,8 @@ def run_stage(stage: str, state: SceneState) -> SceneState:
         OSError: One that may pass (see `may_pass`): try the stage again; or the remedy for a disk
             that cannot be written: no fault of the scene, which therefore does not end.
     """
+    from esg.files import explained, unwritable
     from esg.stages import SPECS, conclude
-    from esg.store.files import explained, unwritable
 
     if state.ended or stage in state.artifacts:
         return state

@@ -12,10 +12,10 @@ import shutil
 import tempfile
 import time
 
+from esg.files import explained, refused
 from esg.outcomes import UserError
 from esg.pipeline import SceneState
 from esg.stages import DOCUMENT, ROLLOUT
-from esg.store.files import explained, refused
 
 _DOCUMENT_STAGES = ("draft", "resolve", "layout", "optimize")
 _MARKS = ("prompt.txt", "log.jsonl")

@@ -13,7 +13,7 @@ from typing import Any, Literal
 from prefect import flow
 from prefect.task_runners import ThreadPoolTaskRunner
 
-from esg.dataset.batch import BatchJob, BatchResult
+from esg.dataset.job import BatchJob, BatchResult
 from esg.outcomes import UserError
 from flows import artifacts
 from tasks.dataset import dataset_batch
@@ -127,17 +127,18 @@ def _task_runner(runner: Runner, workers: int) -> Any:
     # For the processes of a cluster that starts on this machine: they share its cores.
     os.environ.setdefault("OMP_NUM_THREADS", "1")
     os.environ.setdefault("ESG_THREADS", "1")
+    # Both packages are extras, which type checkers need not find.
     if runner == "dask":
         os.environ.setdefault("DASK_LOGGING__DISTRIBUTED", "error")
         try:
-            from prefect_dask import DaskTaskRunner
+            from prefect_dask import DaskTaskRunner  # pyright: ignore[reportMissingImports]
         except ImportError:
             raise UserError(
                 '--runner dask needs its package: pip install "esg-scenes[dask]"'
             ) from None
         return _dask(DaskTaskRunner, workers)
     try:
-        from prefect_ray import RayTaskRunner
+        from prefect_ray import RayTaskRunner  # pyright: ignore[reportMissingImports]
     except ImportError:
         raise UserError('--runner ray needs its package: pip install "esg-scenes[ray]"') from None
     return _ray(RayTaskRunner, workers)

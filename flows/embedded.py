@@ -15,7 +15,7 @@ Import this module before `prefect`: it sets the environment prefect reads at im
 from __future__ import annotations
 
 import atexit
-from collections.abc import Iterator
+from collections.abc import Generator
 import contextlib
 import http.client
 from importlib import metadata
@@ -29,10 +29,10 @@ import sys
 import tempfile
 import time
 
+from esg.files import atomic_write
 from esg.leftovers import owned_folder, sweep_leftovers
 from esg.outcomes import UserError
 from esg.paths import cache_dir
-from esg.store.files import atomic_write
 
 STARTUP_TIMEOUT_S = 300.0
 """Six commands that start at once on two cores need 100 s; an API that ends is noticed at once."""
@@ -183,7 +183,7 @@ class EmbeddedServer:
 
 
 @contextlib.contextmanager
-def prefect_api() -> Iterator[EmbeddedServer]:
+def prefect_api() -> Generator[EmbeddedServer]:
     """A running or starting API for the body; call `wait()` before the first flow."""
     server = EmbeddedServer()
     server.start()
@@ -222,7 +222,7 @@ def prepare_template() -> Path:
 
 
 @contextlib.contextmanager
-def _alone(path: Path) -> Iterator[None]:
+def _alone(path: Path) -> Generator[None]:
     """Lets one command at a time into the body; the system lets go of a command that dies."""
     try:
         import fcntl

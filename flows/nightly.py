@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Generator, Sequence
 import contextlib
 from pathlib import Path
 import shutil
@@ -78,7 +78,7 @@ def nightly(
 
 
 @contextlib.contextmanager
-def _own_store(cached: bool) -> Iterator[Path | None]:
+def _own_store(cached: bool) -> Generator[Path | None]:
     """A store that is empty and goes with the run, or None for the usual one."""
     if cached:
         yield None
@@ -93,7 +93,7 @@ def _own_store(cached: bool) -> Iterator[Path | None]:
 
 
 @contextlib.contextmanager
-def _workers(count: int, store: Path | None) -> Iterator[None]:
+def _workers(count: int, store: Path | None) -> Generator[None]:
     """Workers of this flow run; those of the command, if it has some."""
     if current().pool.processes:
         with run_context(current().pool, current().watch, store):

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator
 import contextlib
+import importlib
 import os
 import signal
 import threading
@@ -18,7 +19,7 @@ T = TypeVar("T")
 
 
 @contextlib.contextmanager
-def session(processes: int, watch: Watcher | None = None) -> Iterator[Callable[..., Any]]:
+def session(processes: int, watch: Watcher | None = None) -> Generator[Callable[..., Any]]:
     """Everything a flow needs, for the body.
 
     The API process, the workers and this process all need seconds to import their libraries; they
@@ -64,7 +65,7 @@ def session(processes: int, watch: Watcher | None = None) -> Iterator[Callable[.
 
 
 @contextlib.contextmanager
-def stopping(pool: WorkerPool) -> Iterator[None]:
+def stopping(pool: WorkerPool) -> Generator[None]:
     """Lets Ctrl-C stop the workers in the body: Prefect would wait for all batches to end.
 
     Args:
@@ -94,7 +95,8 @@ def load_usd() -> None:
     gives it back, and the command hangs without a word.
     """
     with contextlib.suppress(ImportError):  # reported by the stage that needs it
-        from pxr import Sdf, Usd, UsdGeom, UsdPhysics, UsdShade  # noqa: F401
+        for library in ("Sdf", "Usd", "UsdGeom", "UsdPhysics", "UsdShade"):
+            importlib.import_module(f"pxr.{library}")
 
 
 def warm_up() -> None:
@@ -104,8 +106,5 @@ def warm_up() -> None:
 
         quiet_warp()
         load_usd()
-        import newton  # pyright: ignore[reportUnusedImport]
-        import newton.sensors  # noqa: F401
-        import sapien  # noqa: F401
-        import spacy  # noqa: F401
-        import trimesh  # noqa: F401
+        for library in ("newton", "newton.sensors", "sapien", "spacy", "trimesh"):
+            importlib.import_module(library)

@@ -14,9 +14,9 @@ from prefect.runtime import task_run
 from prefect.states import Completed
 from prefect.tasks import Task, exponential_backoff
 
+from esg.files import unwritable
 from esg.limits import place_in
 from esg.pipeline import SceneState, crashed, may_pass, run_stage, scratch_store
-from esg.store.files import unwritable
 from esg.workers import WorkerDied
 from tasks.context import current
 

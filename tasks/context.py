@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator
 import contextlib
 from dataclasses import dataclass
 from pathlib import Path
@@ -44,7 +44,7 @@ def current() -> RunContext:
 @contextlib.contextmanager
 def run_context(
     pool: WorkerPool, watch: Watcher | None = None, store: Path | None = None
-) -> Iterator[RunContext]:
+) -> Generator[RunContext]:
     """Makes a pool and a watcher current for all threads (a context variable would not be)."""
     global _current
     before = _current

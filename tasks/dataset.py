@@ -10,7 +10,8 @@ from prefect.client.schemas.objects import State, TaskRun
 from prefect.states import Completed
 from prefect.tasks import Task, exponential_backoff
 
-from esg.dataset.batch import BatchJob, BatchResult, make_batch
+from esg.dataset.batch import make_batch
+from esg.dataset.job import BatchJob, BatchResult
 from esg.dataset.running import mark_dead, try_scene
 from esg.pipeline import may_pass
 from esg.workers import WorkerDied

@@ -45,36 +45,26 @@ def bench(
         out: Folder of the scene folders; default runs/bench-SUITE-STRATEGY-ENGINE.
         workers: Worker processes; default one a core.
     """
-    from esg.commands.console import note_first_use
+    from esg.commands import inputs
     from esg.commands.database import record_run
     from esg.commands.generate import exit_code
-    from esg.commands.inputs import (
-        check_cache,
-        check_device,
-        check_seed,
-        check_target,
-        check_workers,
-        checked,
-        in_range,
-    )
     from esg.commands.live import live
     from esg.failures import report_failures
-    from esg.metrics import comparison_table, load_suite
-    from esg.pipeline import STAGES, recall
+    from esg.metrics import load_suite
+    from esg.pipeline import STAGES
     from esg.report.run import RUN_FILE
-    from esg.requests import bench_requests
     from esg.scenefolder import check_writable, publish
     from esg.workers import default_processes
 
-    loaded, device, *_ = checked(
+    loaded, device, *_ = inputs.checked(
         lambda: load_suite(suite),
-        lambda: check_device(device),
-        lambda: in_range("--runs", runs, 1, MAX_RUNS),
-        lambda: check_seed(seed),
-        lambda: check_workers(workers),
+        lambda: inputs.check_device(device),
+        lambda: inputs.in_range("--runs", runs, 1, MAX_RUNS),
+        lambda: inputs.check_seed(seed),
+        lambda: inputs.check_workers(workers),
         lambda: None if out is None else check_writable(out),
-        lambda: None if json is None else check_target("--json", json, "a JSON file"),
-        check_cache,
+        lambda: None if json is None else inputs.check_target("--json", json, "a JSON file"),
+        inputs.check_cache,
     )
     if out is None:
         out = Path("runs") / _folder(loaded.suite, strategy, engine, close_loop, collision)
@@ -83,16 +73,7 @@ def bench(
     processes = default_processes(total) if workers is None else workers
     with live(total) as bar:
         arguments = (str(suite), runs, seed, strategy, engine, device, close_loop, collision)
-        known = [recall(request) for request in bench_requests(*arguments)]
-        states = [state for state in known if state is not None]
-        if len(states) < total:
-            from flows.session import session
-
-            note_first_use()
-            with session(processes) as call:
-                from flows.benchmark import benchmark as flow
-
-                states = call(flow, *arguments)
+        states = _states(total, processes, arguments)
         bar.show("writing")
         folders = [publish(state, out) for state in states]
         report_failures(states, folders, out)
@@ -106,18 +87,44 @@ def bench(
         write_json(out / RUN_FILE, {"run_id": run_id, **result})
     if json is not None:
         write_json(json, result)
+    _tell(result)
+    cached = sum(s.cached_stages for s in states)
+    print(f"{cached} of {total * len(STAGES)} stages from cache; scenes in {out}")
+    return exit_code(states)
+
+
+def _states(total: int, processes: int, arguments: tuple[Any, ...]) -> list[SceneState]:
+    """Final states of all runs: of the cache where it has all of them, else made in a flow."""
+    from esg.pipeline import recall
+    from esg.requests import bench_requests
+
+    known = [recall(request) for request in bench_requests(*arguments)]
+    states = [state for state in known if state is not None]
+    if len(states) == total:
+        return states
+    from esg.commands.console import note_first_use
+    from flows.session import session
+
+    note_first_use()
+    with session(processes) as call:
+        from flows.benchmark import benchmark as flow
+
+        return call(flow, *arguments)
+
+
+def _tell(result: dict[str, Any]) -> None:
+    """Prints the results: the table, what was missed, what the closed loop changed."""
+    from esg.metrics import comparison_table
+
     print(comparison_table(result), end="")
     print("".join(f"{line}\n" for line in missed_lines(result["missed"])), end="")
-    if close_loop:
+    if "closed_loop" in result:
         before, after = result["closed_loop"]["open"], result["closed_loop"]["closed"]
         print(
             f"closed loop: own events {before['completed']:.1%} -> {after['completed']:.1%}, "
             f"largest error {before['largest_error']:.2f} -> {after['largest_error']:.2f} "
             "tolerances"
         )
-    cached = sum(s.cached_stages for s in states)
-    print(f"{cached} of {total * len(STAGES)} stages from cache; scenes in {out}")
-    return exit_code(states)
 
 
 def _folder(suite: str, strategy: str, engine: str, close_loop: bool, collision: str) -> str:

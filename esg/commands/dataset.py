@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from cyclopts import Parameter
 
 if TYPE_CHECKING:
-    from esg.dataset.batch import BatchJob, BatchResult
     from esg.dataset.folder import DatasetFolder
+    from esg.dataset.job import BatchJob, BatchResult
     from esg.dataset.plan import DatasetSpec, Prompt
     from esg.dataset.remote import Remote
 
@@ -67,11 +67,9 @@ def dataset(
         device: cpu or cuda:N.
         json: Print one JSON document with counts and paths.
     """
-    from esg.commands.console import emit, progress
+    from esg.commands.console import progress
     from esg.commands.inputs import check_cache, check_device, check_workers, checked
-    from esg.dataset.folder import DatasetFolder
     from esg.dataset.plan import DatasetSpec, Shard
-    from esg.dataset.remote import Remote, is_url, staging_folder
 
     going_on = resume and prompts is None and sample is None
     part, device, planned, out, *_ = checked(
@@ -84,10 +82,7 @@ def dataset(
         lambda: _check_batch(batch, counterfactual),
         check_cache,
     )
-    remote = Remote(out) if is_url(out) else None
-    folder = DatasetFolder(staging_folder(out) if remote else Path(out), out)
-    if remote is not None:
-        remote.pull_beginning(folder.path)
+    folder, remote = _opened(out)
     if going_on and (found := folder.spec()) is not None:
         spec, texts = found, folder.prompts()
     else:
@@ -100,15 +95,32 @@ def dataset(
         spec = DatasetSpec(**source, **options)
     with folder.locked(part), progress(spec.n, "starting") as bar:
         run = folder.begin(spec, texts, resume=resume)
-        if remote is not None and not folder.finished():
-            remote.push_beginning(folder.path)
         options = {"runner": runner, "workers": workers, "bar": bar, "remote": remote}
         summary = _build(folder, spec, texts, run, part.batches(spec), **options)
-    if json:
+    return _told(summary, json)
+
+
+def _told(summary: dict[str, Any], as_json: bool) -> int:
+    """Prints what was made; returns the exit code."""
+    from esg.commands.console import emit
+
+    if as_json:
         emit(summary)
     else:
         print(describe(summary))
     return 3 if summary["failed"] else 0
+
+
+def _opened(out: str) -> tuple[DatasetFolder, Remote | None]:
+    """The local folder of a dataset, and the place it goes to if that is a URL."""
+    from esg.dataset.folder import DatasetFolder
+    from esg.dataset.remote import Remote, is_url, staging_folder
+
+    if not is_url(out):
+        return DatasetFolder(Path(out), out), None
+    remote, folder = Remote(out), DatasetFolder(staging_folder(out), out)
+    remote.pull_beginning(folder.path)
+    return folder, remote
 
 
 def _place(out: str) -> str:
@@ -186,6 +198,8 @@ def _build(
     if folder.finished():
         clean(folder.path)
         return _summary(folder, spec, {}, remote)
+    if remote is not None:
+        remote.push_beginning(folder.path)
     done = folder.done(numbers, remote)
     bar.step(f"{sum(r.scenes for r in done.values())} made before", _scenes(done.values()))
     left = [n for n in numbers if n not in done]
@@ -228,7 +242,7 @@ def _jobs(
     left: list[int],
     remote: Remote | None,
 ) -> list[BatchJob]:
-    from esg.dataset.batch import BatchJob, batch_name
+    from esg.dataset.job import BatchJob, batch_name
     from esg.dataset.plan import plan_scenes
 
     scenes = plan_scenes(spec, texts)

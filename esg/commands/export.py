@@ -31,9 +31,9 @@ def export(
     from esg.commands.console import emit
     from esg.commands.inputs import checked
     from esg.commands.stored import is_stored, open_scene
+    from esg.files import refused
     from esg.outcomes import UserError
     from esg.scenefolder import check_writable
-    from esg.store.files import refused
 
     with contextlib.ExitStack() as stack:
         folder, _ = checked(
@@ -79,10 +79,10 @@ def _mcap(folder: Path, target: Path) -> list[Path]:
     from esg.commands.stored import is_stored, stored_key, stored_rollout
     from esg.compile.transfer import replay_scene
     from esg.engines.manifest import load_manifest
+    from esg.files import atomic_write
     from esg.graph import load_document
     from esg.metrics import expectations_from_timeline, judge
     from esg.outcomes import UserError
-    from esg.store.files import atomic_write
     from esg.store.mcap_log import write_mcap
 
     source = folder / "rollout.mcap"

@@ -94,12 +94,12 @@ def run(folder: Path, out: Path, chosen: Settings) -> dict[str, Any]:
     import json
 
     from esg.commands.console import progress
+    from esg.files import atomic_write, refused
     from esg.graph import load_document
     from esg.metrics import SceneVerdict
     from esg.outcomes import UserError
     from esg.report.replays import replays_of
     from esg.report.run import read_scene
-    from esg.store.files import atomic_write, refused
     from esg.view.capture import capture, frame_indices
     from esg.view.truth_sheet import truth_sheet
 

@@ -11,8 +11,8 @@ from esg.engines.base import get_engine
 from esg.engines.manifest import Manifest, load_manifest
 from esg.engines.program import batch_programs
 from esg.engines.scene import Rollout
+from esg.files import TEMPORARY
 from esg.outcomes import UserError
-from esg.store.files import TEMPORARY
 
 Target = Literal["unreal", "usd", "mjcf", "glb"]
 FRAMES_PER_SECOND = 60

@@ -177,6 +177,78 @@ def _struct(name: str, text: str, fields: tuple[Field, ...]) -> str:
     return f"{head}\n{{\n\tGENERATED_BODY()\n\n{body}}};\n"
 
 
+_RECORDS_AND_PARTS = """\
+	/** Progress of one command of the program. */
+	struct FCommandState
+	{
+		bool bActive = false;
+		bool bDone = false;
+		UPrimitiveComponent* Body = nullptr;
+		TArray<UPrimitiveComponent*> EndsAtTouchOf;
+	};
+
+	/** Two bodies in contact, on probation until their impulse is large enough. */
+	struct FTouch
+	{
+		UPrimitiveComponent* First = nullptr;
+		UPrimitiveComponent* Second = nullptr;
+		double Time = 0.0;
+		double Impulse = 0.0;
+		double Penetration = 0.0;
+	};
+
+	/** A watched contact and how far it has come. */
+	struct FWatchedEvent
+	{
+		FString Id;
+		TArray<UPrimitiveComponent*> First;
+		TArray<UPrimitiveComponent*> Second;
+		TArray<int32> After;
+		TArray<FTouch> Touches;
+		FTouch Hit;
+		bool bHit = false;
+		bool bChecked = false;
+		bool bComplete = false;
+	};
+
+	UPROPERTY(VisibleAnywhere, Category = "ESG")
+	TObjectPtr<USceneComponent> SceneOrigin;
+
+	UPROPERTY(VisibleAnywhere, Category = "ESG")
+	TObjectPtr<UStaticMeshComponent> GroundPlane;
+
+	UPROPERTY(VisibleAnywhere, Category = "ESG")
+	TObjectPtr<UStaticMeshComponent> VehicleGroundPlane;
+
+	UPROPERTY(Transient)
+	TArray<TObjectPtr<UPhysicalMaterial>> Materials;
+
+	UFUNCTION()
+	void OnBodyHit(
+		UPrimitiveComponent* HitComponent, AActor* OtherActor, UPrimitiveComponent* OtherComp,
+		FVector NormalImpulse, const FHitResult& Hit);
+
+"""
+"""What is the same in every class: records of the run, parts of the scene, the hit callback."""
+
+_WATCHING = """\
+	void EndDrivesAtTouch(const UPrimitiveComponent* First, const UPrimitiveComponent* Second);
+	void WatchTouch(FWatchedEvent& Event, const FTouch& Touch);
+	void RecheckEvents();
+	void CheckLayout();
+	double PenetrationOf(const FBodyRef& First, const FBodyRef& Second) const;
+	const FBodyRef* FindBody(const UPrimitiveComponent* Component) const;
+
+	TArray<FBodyRef> Bodies;
+	TArray<FCommandState> Commands;
+	TArray<FWatchedEvent> Events;
+	double SceneTime = 0.0;
+	bool bFinished = false;
+};
+"""
+"""The class from its watching of contacts to its end, the same for every scene."""
+
+
 def _class(plan: ScenePlan) -> str:
     name = plan.name
     simulation = "\n".join(f.emit("ESG|Simulation") for f in simulation_fields(plan))
@@ -185,12 +257,6 @@ def _class(plan: ScenePlan) -> str:
     program = "\n".join(
         f'\tUPROPERTY(EditAnywhere, Category = "ESG|Program")\n\tF{name}{p.kind} {p.member};\n'
         for p in plan.primitives
-    )
-    runs = "".join(
-        f"\tvoid Run{kind}(UPrimitiveComponent* Body, const F{name}{kind}& Command,"
-        f" FCommandState& State, double Due);\n"
-        for kind in PRIMITIVE_FIELDS
-        if kind in plan.kinds
     )
     return f"""UCLASS()
 class ESGSCENES_API A{name} : public AActor
@@ -218,57 +284,7 @@ private:
 		int32 Shape = 0;
 	}};
 
-	/** Progress of one command of the program. */
-	struct FCommandState
-	{{
-		bool bActive = false;
-		bool bDone = false;
-		UPrimitiveComponent* Body = nullptr;
-		TArray<UPrimitiveComponent*> EndsAtTouchOf;
-	}};
-
-	/** Two bodies in contact, on probation until their impulse is large enough. */
-	struct FTouch
-	{{
-		UPrimitiveComponent* First = nullptr;
-		UPrimitiveComponent* Second = nullptr;
-		double Time = 0.0;
-		double Impulse = 0.0;
-		double Penetration = 0.0;
-	}};
-
-	/** A watched contact and how far it has come. */
-	struct FWatchedEvent
-	{{
-		FString Id;
-		TArray<UPrimitiveComponent*> First;
-		TArray<UPrimitiveComponent*> Second;
-		TArray<int32> After;
-		TArray<FTouch> Touches;
-		FTouch Hit;
-		bool bHit = false;
-		bool bChecked = false;
-		bool bComplete = false;
-	}};
-
-	UPROPERTY(VisibleAnywhere, Category = "ESG")
-	TObjectPtr<USceneComponent> SceneOrigin;
-
-	UPROPERTY(VisibleAnywhere, Category = "ESG")
-	TObjectPtr<UStaticMeshComponent> GroundPlane;
-
-	UPROPERTY(VisibleAnywhere, Category = "ESG")
-	TObjectPtr<UStaticMeshComponent> VehicleGroundPlane;
-
-	UPROPERTY(Transient)
-	TArray<TObjectPtr<UPhysicalMaterial>> Materials;
-
-	UFUNCTION()
-	void OnBodyHit(
-		UPrimitiveComponent* HitComponent, AActor* OtherActor, UPrimitiveComponent* OtherComp,
-		FVector NormalImpulse, const FHitResult& Hit);
-
-	UStaticMeshComponent* CreateMesh(const TCHAR* Name, const TCHAR* AssetPath);
+{_RECORDS_AND_PARTS}	UStaticMeshComponent* CreateMesh(const TCHAR* Name, const TCHAR* AssetPath);
 	void ConfigureGround(UStaticMeshComponent* Plane, bool bForWheels);
 	void ConfigureBody(UStaticMeshComponent* Body, const F{name}Body& Settings);
 	void ApplyMassProperties(UStaticMeshComponent* Body, const F{name}Body& Settings);
@@ -277,20 +293,17 @@ private:
 	void CollectEvents();
 	void PinSimulation();
 	void DispatchProgram(double Due);
-{runs}	void EndDrivesAtTouch(const UPrimitiveComponent* First, const UPrimitiveComponent* Second);
-	void WatchTouch(FWatchedEvent& Event, const FTouch& Touch);
-	void RecheckEvents();
-	void CheckLayout();
-	double PenetrationOf(const FBodyRef& First, const FBodyRef& Second) const;
-	const FBodyRef* FindBody(const UPrimitiveComponent* Component) const;
+{_runners(plan)}{_WATCHING}"""
 
-	TArray<FBodyRef> Bodies;
-	TArray<FCommandState> Commands;
-	TArray<FWatchedEvent> Events;
-	double SceneTime = 0.0;
-	bool bFinished = false;
-}};
-"""
+
+def _runners(plan: ScenePlan) -> str:
+    """Declarations of what plays the program's kinds of primitives."""
+    return "".join(
+        f"\tvoid Run{kind}(UPrimitiveComponent* Body, const F{plan.name}{kind}& Command,"
+        f" FCommandState& State, double Due);\n"
+        for kind in PRIMITIVE_FIELDS
+        if kind in plan.kinds
+    )
 
 
 def _body_members(plan: ScenePlan, body: UnrealBody) -> str:

@@ -9,15 +9,16 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from esg.dataset.batch import BatchJob, BatchResult, make_batch
+    from esg.dataset.batch import make_batch
     from esg.dataset.finish import finish
     from esg.dataset.folder import DatasetFolder
     from esg.dataset.grammar import Distribution, SampledScene, sample_scenes
+    from esg.dataset.job import BatchJob, BatchResult
     from esg.dataset.plan import DatasetSpec, PlannedScene, Shard
 
 _HOME = {
-    "BatchJob": "batch",
-    "BatchResult": "batch",
+    "BatchJob": "job",
+    "BatchResult": "job",
     "make_batch": "batch",
     "finish": "finish",
     "DatasetFolder": "folder",

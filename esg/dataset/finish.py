@@ -8,10 +8,10 @@ from pathlib import Path
 import shutil
 from typing import Any
 
-from esg.dataset.batch import BatchResult
 from esg.dataset.folder import INFO, DatasetFolder
+from esg.dataset.job import BatchResult
 from esg.dataset.plan import DatasetSpec
-from esg.store.files import atomic_file
+from esg.files import atomic_file
 
 SCAFFOLD = ("parts", "marks", "locks", "work")
 """Folders that only an unfinished dataset has."""

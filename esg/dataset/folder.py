@@ -23,10 +23,10 @@ from pathlib import Path
 import platform
 from typing import TYPE_CHECKING
 
-from esg.dataset.batch import BatchResult, batch_name
+from esg.dataset.job import BatchResult, batch_name
 from esg.dataset.plan import DatasetSpec, Prompt, Shard, kept_prompts, prompts_text
+from esg.files import atomic_file
 from esg.outcomes import UserError
-from esg.store.files import atomic_file
 
 if TYPE_CHECKING:
     from esg.dataset.remote import Remote

@@ -132,7 +132,7 @@ class Remote:
         Raises:
             UserError: If that fails.
         """
-        from esg.store.files import atomic_file
+        from esg.files import atomic_file
 
         for name in names:
             if (folder / name).is_file():

@@ -16,6 +16,7 @@ import threading
 import time
 from typing import TYPE_CHECKING
 
+from esg.files import unwritable
 from esg.limits import place_in
 from esg.pipeline import (
     STAGES,
@@ -27,10 +28,9 @@ from esg.pipeline import (
     scratch_store,
     stage_key,
 )
-from esg.store.files import unwritable
 
 if TYPE_CHECKING:
-    from esg.dataset.batch import BatchJob
+    from esg.dataset.job import BatchJob
     from esg.graph.models import EsgDocument
 
 SCENE_STAGES = STAGES[: STAGES.index("record")]

@@ -7,18 +7,15 @@ from collections.abc import Sequence
 from pathlib import Path
 import shutil
 import time
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from esg.dataset.job import BatchJob, BatchResult
 from esg.dataset.plan import SAMPLE_EVERY, PlannedScene
 from esg.pipeline import SceneState, failures
-
-if TYPE_CHECKING:
-    from esg.dataset.batch import BatchJob, BatchResult
 
 
 def write_batch(job: BatchJob, states: Sequence[SceneState]) -> tuple[BatchResult, float]:
     """Writes all files of a batch; returns its result and the time the recordings took [s]."""
-    from esg.dataset.batch import BatchResult
     from esg.store.records import SceneRecord, record_of
     from esg.store.tables import write_tables
 
@@ -146,7 +143,7 @@ def _recordings(
 def _preview(
     job: BatchJob, scene: PlannedScene, state: SceneState, parts: tuple[Any, Any, Any, Any]
 ) -> list[Path]:
-    from esg.store.files import atomic_write
+    from esg.files import atomic_write
     from esg.view.preview import preview
 
     physical, rollout, verdict, doc = parts

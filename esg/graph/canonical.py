@@ -8,6 +8,7 @@ import json
 from typing import Any
 
 from esg.graph.models import EsgDocument
+from esg.untyped import is_array, is_object
 
 _EXACT = 2.0**53
 """Whole numbers below this are the same as int and as float."""
@@ -23,9 +24,9 @@ def plain(value: Any) -> Any:
         return value.value
     if isinstance(value, float):
         return int(value) if abs(value) < _EXACT and value.is_integer() else float(value)
-    if isinstance(value, dict):
+    if is_object(value):
         return {str(k): plain(v) for k, v in value.items()}
-    if isinstance(value, (list, tuple)):
+    if is_array(value):
         return [plain(v) for v in value]
     return value
 

@@ -12,6 +12,7 @@ from esg.graph.parsing import parse
 from esg.graph.verifier import verify
 from esg.graph.violations import Findings, Violation, clip, pointer
 from esg.outcomes import UserError
+from esg.untyped import is_list, is_object
 
 MAX_BYTES = 64 * 1024 * 1024
 
@@ -131,7 +132,7 @@ def parse_json(data: bytes, found: Findings, name: str = "The text") -> dict[str
         reason = "it is nested too deeply" if isinstance(error, RecursionError) else str(error)
         found.add("FILE_NOT_JSON", "", None, f"{name} cannot be read: {reason}.", "Simplify it.")
         return None
-    if not isinstance(tree, dict):
+    if not is_object(tree):
         message = f"{name} holds a JSON {type(tree).__name__}, not an object."
         found.add("FILE_NOT_OBJECT", "", clip(tree), message, "Name an ESG document.")
         return None
@@ -157,8 +158,8 @@ def _duplicates(tree: Any, found: Findings) -> None:
                 where = pointer(*path, key)
                 message = f"The key {key[:80]!r} occurs more than once in one object."
                 found.add("JSON_DUPLICATE_KEY", where, key, message, "Keep one of them.")
-        items = node.items() if isinstance(node, dict) else enumerate(node)
-        stack.extend(((*path, k), v) for k, v in items if isinstance(v, (dict, list)))
+        items = node.items() if is_object(node) else enumerate(node)
+        stack.extend(((*path, k), v) for k, v in items if is_object(v) or is_list(v))
 
 
 def check_file(path: Path | str) -> CheckReport:

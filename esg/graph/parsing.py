@@ -17,6 +17,7 @@ from pydantic_core import ErrorDetails
 
 from esg.graph.models import SCHEMA_VERSION, EsgDocument
 from esg.graph.violations import Findings, clip, pointer
+from esg.untyped import is_array, is_list, is_object
 
 MAX_REPAIRS = 200
 MAX_DEPTH = 100
@@ -50,21 +51,21 @@ class Parsed:
     raw: dict[str, Any]
     cut: tuple[Path, ...] = ()
     tree: Any = None
-    origin: dict[int, list[int]] = field(default_factory=dict)
+    origin: dict[int, list[int]] = field(default_factory=dict[int, list[int]])
 
     def declared(self, *path: str) -> frozenset[str]:
         """Keys of the raw object at `path`, whether or not their values could be read."""
         node = self._raw_at(path)
-        if isinstance(node, dict):
+        if is_object(node):
             return frozenset(str(k) for k in node)
         return frozenset() if node is None else UNKNOWN
 
     def declared_ids(self, *path: str) -> frozenset[str]:
         """Values of `id` in the raw list of objects at `path`."""
         node = self._raw_at(path)
-        if not isinstance(node, (list, tuple)):
+        if not is_array(node):
             return frozenset() if node is None else UNKNOWN
-        ids = [i.get("id") if isinstance(i, dict) else None for i in node]
+        ids = [i.get("id") if is_object(i) else None for i in node]
         names = [i for i in ids if isinstance(i, str)]
         return frozenset(names) if len(names) == len(ids) else UNKNOWN
 
@@ -72,7 +73,7 @@ class Parsed:
         """The raw value at `path`; None when it is absent."""
         node: Any = self.raw
         for part in path:
-            if not isinstance(node, dict):
+            if not is_object(node):
                 return node
             node = node.get(part)
         return node
@@ -89,13 +90,13 @@ class Parsed:
         node = self.tree
         for text in where[1:].split("/"):
             part: str | int = text.replace("~1", "/").replace("~0", "~")
-            if isinstance(node, list) and text.isdecimal():
+            if is_list(node) and text.isdecimal():
                 index = int(text)
                 indices = self.origin.get(id(node))
                 part = indices[index] if indices and index < len(indices) else index
                 node = node[index] if index < len(node) else None
             else:
-                node = node.get(part) if isinstance(node, dict) else None
+                node = node.get(part) if is_object(node) else None
             parts.append(part)
         return pointer(*parts)
 
@@ -140,11 +141,11 @@ def parse(raw: dict[str, Any], found: Findings) -> Parsed:
 
 def _clean(node: Any, path: Path, found: Findings, depth: int) -> Any:
     """A copy without what JSON and UTF-8 cannot express, which is reported; limits depth."""
-    if isinstance(node, (dict, list, tuple)):
+    if is_object(node) or is_array(node):
         if depth > MAX_DEPTH:
             _flag(found, "SCHEMA_TYPE", path, None, "is nested too deeply", "Flatten it.")
             return None
-        if isinstance(node, dict):
+        if is_object(node):
             return {str(k): _clean(v, (*path, str(k)), found, depth + 1) for k, v in node.items()}
         return [_clean(v, (*path, i), found, depth + 1) for i, v in enumerate(node)]
     if isinstance(node, float) and not math.isfinite(node):
@@ -275,7 +276,7 @@ def _cut(tree: Any, paths: list[Path], origin: dict[int, list[int]]) -> list[Pat
         for part in parents:
             node = node[part]
         holder: Any = node
-        if isinstance(node, list):
+        if is_list(node):
             origin.setdefault(id(node), list(range(len(node)))).pop(int(last))
         del holder[last]
         removed.append(originals[i])
@@ -287,7 +288,7 @@ def _walk(parsed: Parsed, path: Path) -> Path:
     node: Any = parsed.tree
     out: list[str | int] = []
     for part in path:
-        indices = parsed.origin.get(id(node)) if isinstance(node, list) else None
+        indices = parsed.origin.get(id(node)) if is_list(node) else None
         out.append(indices[int(part)] if indices else part)
         node = _child(node, part)
     return tuple(out)
@@ -298,9 +299,9 @@ def _child(node: Any, part: str | int) -> Any:
 
 
 def _has(node: Any, part: str | int) -> bool:
-    if isinstance(node, dict):
+    if is_object(node):
         return part in node
-    return isinstance(node, list) and isinstance(part, int) and part < len(node)
+    return is_list(node) and isinstance(part, int) and part < len(node)
 
 
 _COLLECTIONS = {

@@ -15,6 +15,7 @@ from esg.graph.models import (
 from esg.graph.rules_events import MAX_SPEED_CM_S
 from esg.graph.rules_scene import interval, outside
 from esg.graph.violations import listing, pointer
+from esg.untyped import is_array
 
 M = EdgeEvent
 LEAST_SPEED_CM_S = 20.0
@@ -216,7 +217,7 @@ def _parameters(
     if params.speed is not None:
         _speed(ctx, at + "/speed", edge)
     for name, limits in LIMITS.items():
-        value = getattr(params, name)
+        value: float | tuple[float, float] | None = getattr(params, name)
         if value is None:
             continue
         if isinstance(value, tuple) and not interval(ctx, f"{at}/{name}", value):
@@ -323,6 +324,6 @@ def _turn(ctx: Context, at: str, edge: TimelineEdge, events: dict[str, TimelineN
 
 
 def _differ(stated: object, reached: object) -> bool:
-    if isinstance(stated, tuple) and isinstance(reached, float):
+    if is_array(stated) and isinstance(reached, float):
         return not min(stated) <= reached <= max(stated)
     return stated != reached

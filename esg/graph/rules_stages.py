@@ -18,6 +18,7 @@ from esg.graph.rules_scene import (
 )
 from esg.graph.violations import listing, pointer
 from esg.outcomes import Outcome
+from esg.untyped import is_array, is_object
 
 FRICTION = (0.0, 2.0)
 RESTITUTION = (0.0, 1.0)
@@ -297,11 +298,11 @@ def _program_types(program: dict[str, Any]) -> None:
             if key in ("kind", "body"):
                 good = isinstance(value, str)
             elif key == "until_contact":
-                good = isinstance(value, (list, tuple)) and all(isinstance(v, str) for v in value)
+                good = is_array(value) and all(isinstance(v, str) for v in value)
             elif value is None:
                 good = key in _MAY_BE_NULL
             elif key in _VECTORS:
-                good = isinstance(value, (list, tuple)) and list(map(number, value)) == [True] * 3
+                good = is_array(value) and list(map(number, value)) == [True] * 3
             else:
                 good = number(value)
             if not good:
@@ -336,9 +337,9 @@ def _resolves(node: Any, where: str) -> bool:
         return False
     for text in where[1:].split("/"):
         part = text.replace("~1", "/").replace("~0", "~")
-        if isinstance(node, dict) and part in node:
+        if is_object(node) and part in node:
             node = node[part]
-        elif isinstance(node, (list, tuple)) and part.isdecimal() and int(part) < len(node):
+        elif is_array(node) and part.isdecimal() and int(part) < len(node):
             node = node[int(part)]
         else:
             return False

@@ -10,6 +10,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any
 
+from esg.untyped import is_array, is_object
+
 MAX_VALUE_CHARS = 200
 
 
@@ -54,10 +56,10 @@ def clip(value: Any) -> Any:
     """The value, shortened where it would drown a message: long texts, lists and objects."""
     if isinstance(value, str) and len(value) > MAX_VALUE_CHARS:
         return value[:MAX_VALUE_CHARS] + f"… ({len(value)} characters)"
-    if isinstance(value, (list, tuple)):
+    if is_array(value):
         items = [clip(v) for v in value[:20]]
         return items if len(value) <= 20 else [*items, f"… ({len(value)} items)"]
-    if isinstance(value, dict):
+    if is_object(value):
         keys = list(value)[:20]
         shown = {str(k): clip(value[k]) for k in keys}
         return shown if len(value) <= 20 else {**shown, "…": f"({len(value)} keys)"}
@@ -193,8 +195,8 @@ RULES: dict[str, str] = {
 class Findings:
     """Collects violations; the same code at the same place is kept once."""
 
-    items: list[Violation] = field(default_factory=list)
-    _seen: set[tuple[str, str, str]] = field(default_factory=set)
+    items: list[Violation] = field(default_factory=list[Violation])
+    _seen: set[tuple[str, str, str]] = field(default_factory=set[tuple[str, str, str]])
 
     def add(self, code: str, where: str, value: Any, message: str, remedy: str) -> None:
         """Records a violation.

@@ -77,8 +77,8 @@ class _Candidate:
     index: int
     body: Body
     level: float
-    fields: list[Phrase] = field(default_factory=list)
-    words: set[str] = field(default_factory=set)
+    fields: list[Phrase] = field(default_factory=list[Phrase])
+    words: set[str] = field(default_factory=set[str])
     called: frozenset[str] = frozenset()
 
 
@@ -246,16 +246,16 @@ def _bind_bodies(wanted: Phrase, scene: SimScene) -> tuple[int, ...]:
 def _contradicts(c: _Candidate, wanted: Phrase, found: list[_Candidate]) -> bool:
     """Whether the body's own texts rule it out."""
     if wanted.classes:
-        own = frozenset().union(*(p.classes for p in c.fields))
+        own = frozenset[str]().union(*(p.classes for p in c.fields))
         if own and not own & wanted.classes:
             return True
         if not own and any(wanted.classes & frozenset(o.words) for o in found if o is not c):
             return True
     if wanted.colors:
-        own = frozenset().union(*(p.colors for p in c.fields))
+        own = frozenset[str]().union(*(p.colors for p in c.fields))
         if own and not own & wanted.colors:
             return True
-    positions = frozenset().union(*(p.positions for p in c.fields))
+    positions = frozenset[str]().union(*(p.positions for p in c.fields))
     if any(OPPOSITE.get(p) in positions and p not in positions for p in wanted.positions):
         return True
     if wanted.identifier:

@@ -43,7 +43,7 @@ class Found:
     time: float | None
     bodies: tuple[int, ...] = ()
     reason: str = ""
-    measured: dict[str, float] = field(default_factory=dict)
+    measured: dict[str, float] = field(default_factory=dict[str, float])
     hit: Hit | None = None
 
     @property

@@ -11,6 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 import itertools
 import math
+from typing import cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -166,7 +167,7 @@ def _affine_weights(points: Floats) -> Floats | None:
     gram = edges @ edges.T
     if len(points) > 1 and np.linalg.det(gram) <= 1e-18 * max(np.trace(gram), 1e-30) ** len(edges):
         return None
-    t = np.linalg.solve(gram, -edges @ points[0])
+    t = cast("Floats", np.linalg.solve(gram, -edges @ points[0]))
     return np.concatenate([[1.0 - t.sum()], t])
 
 

@@ -32,7 +32,9 @@ def bind_regions(wanted: Phrase, scene: SimScene) -> tuple[int, ...]:
     need = {wanted.head, *wanted.modifiers}
     if wanted.identifier:
         need.add(wanted.identifier)
-    exact, full, with_parent = [], [], []
+    exact: list[int] = []
+    full: list[int] = []
+    with_parent: list[int] = []
     for i, region in enumerate(scene.regions):
         local, own, parent = _region_words(region)
         if local == wanted.text:

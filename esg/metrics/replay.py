@@ -150,7 +150,7 @@ class Replay:
     @cached_property
     def radii(self) -> Floats:
         """Radius of every body's bounding sphere about its frame origin [m], shape [B]."""
-        out = []
+        out: list[float] = []
         for body, cores in zip(self.scene.bodies, self.cores, strict=True):
             parts = cores or (box_core(body),)
             out.append(max(float(np.linalg.norm(c.points, axis=1).max()) + c.radius for c in parts))
@@ -190,7 +190,7 @@ class Replay:
         gap = max(HIT_GAP_S, 1.5 * self.frame_s)
         starts = hit_starts(c.time[rows], c.impulse[rows], gap)
         window = max(IMPULSE_WINDOW_S, IMPULSE_FRAMES * self.frame_s) - 0.25 * self.frame_s
-        out = []
+        out: list[Hit] = []
         for k, start in enumerate(starts):
             stop = starts[k + 1] if k + 1 < len(starts) else len(rows)
             part = rows[start:stop]

@@ -16,6 +16,7 @@ from esg.metrics.models import (
 from esg.metrics.suite_constraints import START, read_constraints
 from esg.metrics.suite_problems import Problems, closest, kind_of, read_number, report_unknown, show
 from esg.outcomes import UserError
+from esg.untyped import is_list, is_object
 
 _SCENE_FIELDS = ("id", "level", "prompt", "events", "constraints", "objects")
 _SUITE_FIELDS = ("suite", "source", "scenes")
@@ -94,7 +95,7 @@ def _read_yaml(text: str, name: str, problems: Problems) -> Any:
     if data is None:
         problems.add("file", "is empty", "write `suite: NAME` and a list of `scenes`")
         return None
-    if not isinstance(data, dict):
+    if not is_object(data):
         problems.add(
             "file",
             f"is a {kind_of(data)}, not a mapping",
@@ -104,13 +105,13 @@ def _read_yaml(text: str, name: str, problems: Problems) -> Any:
     return data
 
 
-def _suite(data: dict[Any, Any], problems: Problems) -> Suite | None:
+def _suite(data: dict[str, Any], problems: Problems) -> Suite | None:
     report_unknown("file", data, _SUITE_FIELDS, problems, strict=False)
     title = data.get("suite")
     if not isinstance(title, str | int) or not str(title).strip():
         problems.add("/suite", f"is {show(title)}", "give the suite a name")
     scenes = data.get("scenes")
-    if not isinstance(scenes, list) or not scenes:
+    if not is_list(scenes) or not scenes:
         problems.add("/scenes", f"is {show(scenes)}", "list at least one scene with id and prompt")
         return None
     out: list[SuiteScene] = []
@@ -134,7 +135,7 @@ def _suite(data: dict[Any, Any], problems: Problems) -> Suite | None:
 
 def _scene(item: Any, index: int, problems: Problems) -> SuiteScene | None:
     place = f"/scenes/{index}"
-    if not isinstance(item, dict):
+    if not is_object(item):
         problems.add(place, f"is {show(item)}", "write a mapping with id, prompt and events")
         return None
     before = len(problems.lines)
@@ -145,8 +146,8 @@ def _scene(item: Any, index: int, problems: Problems) -> SuiteScene | None:
     events = _events(item.get("events"), where, problems)
     ids = [e.id for e in events]
     constraints = read_constraints(item.get("constraints"), where, ids, events, problems)
-    objects = item.get("objects") or []
-    if not isinstance(objects, list) or not all(isinstance(o, str) and o.strip() for o in objects):
+    objects: Any = item.get("objects") or []
+    if not is_list(objects) or not all(isinstance(o, str) and o.strip() for o in objects):
         problems.add(f"{where} /objects", f"is {show(objects)}", "list noun phrases")
         objects = []
     if len(problems.lines) > before or not scene_id or not prompt:
@@ -165,15 +166,15 @@ def _scene(item: Any, index: int, problems: Problems) -> SuiteScene | None:
 def _events(items: Any, where: str, problems: Problems) -> list[SuiteEvent]:
     if items is None:
         return []
-    if not isinstance(items, list):
+    if not is_list(items):
         problems.add(f"{where} /events", f"is {show(items)}", "write a list of events")
         return []
-    declared = [str(e.get("id")) for e in items if isinstance(e, dict) and e.get("id") is not None]
+    declared = [str(e.get("id")) for e in items if is_object(e) and e.get("id") is not None]
     out: list[SuiteEvent] = []
     previous: str | None = None
     for k, item in enumerate(items):
         place = f"{where} /events/{k}"
-        if not isinstance(item, dict):
+        if not is_object(item):
             problems.add(place, f"is {show(item)}", "write {id: e1, type: collision, a: .., b: ..}")
             continue
         before = len(problems.lines)
@@ -190,7 +191,7 @@ def _events(items: Any, where: str, problems: Problems) -> list[SuiteEvent]:
     return out
 
 
-def _event_fields(item: dict[Any, Any], place: str, problems: Problems) -> dict[str, Any]:
+def _event_fields(item: dict[str, Any], place: str, problems: Problems) -> dict[str, Any]:
     kind: Any = item.get("type")
     types = get_args(EventType)
     if kind not in types:
@@ -230,7 +231,7 @@ def _event_fields(item: dict[Any, Any], place: str, problems: Problems) -> dict[
 
 
 def _after(
-    item: dict[Any, Any],
+    item: dict[str, Any],
     place: str,
     event_id: str,
     previous: str | None,
@@ -243,7 +244,7 @@ def _after(
     after = item["after"]
     if after is None:
         return ()
-    refs = after if isinstance(after, list) else [after]
+    refs = after if is_list(after) else [after]
     out: list[str] = []
     for ref in refs:
         name = str(ref)
@@ -263,7 +264,7 @@ def _after(
     return tuple(dict.fromkeys(out))
 
 
-def _text(item: dict[Any, Any], name: str, place: str, problems: Problems) -> str:
+def _text(item: dict[str, Any], name: str, place: str, problems: Problems) -> str:
     value = item.get(name)
     if isinstance(value, str | int) and not isinstance(value, bool) and str(value).strip():
         return str(value).strip()

@@ -7,6 +7,7 @@ from typing import Any, get_args
 from esg.metrics.models import Quantity, SuiteConstraint, SuiteEvent
 from esg.metrics.quantities import BASE_UNIT, DIMENSION_OF, unit_factor
 from esg.metrics.suite_problems import Problems, closest, read_number, report_unknown, show
+from esg.untyped import is_list, is_object
 
 _CONSTRAINT_FIELDS = (
     "kind", "quantity", "object", "event", "since", "at", "target", "value", "range", "unit",
@@ -31,14 +32,14 @@ def read_constraints(
     """The constraints of one scene; mistakes are added to `problems`."""
     if items is None:
         return []
-    if not isinstance(items, list):
+    if not is_list(items):
         problems.add(f"{where} /constraints", f"is {show(items)}", "write a list of constraints")
         return []
     broken_events = any(line.startswith(f"{where} /events") for line in problems.lines)
     out: list[SuiteConstraint] = []
     for k, item in enumerate(items):
         place = f"{where} /constraints/{k}"
-        if not isinstance(item, dict):
+        if not is_object(item):
             problems.add(place, f"is {show(item)}", "write {kind: .., quantity: .., value: ..}")
             continue
         before = len(problems.lines)
@@ -54,7 +55,7 @@ def read_constraints(
     return out
 
 
-def _constraint_fields(item: dict[Any, Any], place: str, problems: Problems) -> dict[str, Any]:
+def _constraint_fields(item: dict[str, Any], place: str, problems: Problems) -> dict[str, Any]:
     values: dict[str, Any] = {}
     kind = item.get("kind")
     if kind not in ("initial", "outcome"):
@@ -92,7 +93,7 @@ def _constraint_fields(item: dict[Any, Any], place: str, problems: Problems) -> 
 
 
 def _bounds(
-    item: dict[Any, Any], quantity: str, values: dict[str, Any], place: str, problems: Problems
+    item: dict[str, Any], quantity: str, values: dict[str, Any], place: str, problems: Problems
 ) -> None:
     factor = 1.0
     try:
@@ -113,7 +114,7 @@ def _bounds(
             values["value"] = number * factor
         return
     pair = item["range"]
-    if not isinstance(pair, list) or len(pair) != 2:
+    if not is_list(pair) or len(pair) != 2:
         problems.add(f"{place}/range", f"is {show(pair)}", "write [low, high]")
         return
     low = read_number(pair[0], f"{place}/range/0", problems)

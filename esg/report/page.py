@@ -16,12 +16,12 @@ import os
 from pathlib import Path
 from typing import Any
 
+from esg.files import refused
 from esg.report.meshes import MeshLibrary
 from esg.report.payload import index_entry, scene_chunk, thumbnail
 from esg.report.replays import replays_of
 from esg.report.run import Run, SceneEntry
 from esg.scenereading import collected
-from esg.store.files import refused
 
 STATIC = Path(__file__).parent / "static"
 

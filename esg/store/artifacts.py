@@ -27,8 +27,8 @@ import time
 from typing import Any
 import uuid
 
+from esg.files import explained, sync_file, sync_folder
 from esg.paths import cache_dir
-from esg.store.files import explained, sync_file, sync_folder
 
 FORMAT = 1
 MARK = "artifact.json"

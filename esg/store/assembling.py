@@ -13,7 +13,7 @@ import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from esg.store.files import atomic_file
+from esg.files import atomic_file
 from esg.store.tables import (
     COLUMNS,
     COMPRESSION,

@@ -19,8 +19,8 @@ import threading
 import time
 from typing import TYPE_CHECKING, Any
 
+from esg.files import explained, final_names, sync_file, sync_folder, temporary_name
 from esg.outcomes import UserError
-from esg.store.files import explained, final_names, sync_file, sync_folder, temporary_name
 
 if TYPE_CHECKING:
     from duckdb import DuckDBPyConnection

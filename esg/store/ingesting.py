@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from esg.files import final_names
 from esg.outcomes import UserError
 from esg.store.db import apply_migrations, first_line, writing
-from esg.store.files import final_names
 from esg.store.tables import ADDED_COLUMNS, COLUMNS, KEYS, part_files, read_table, table_of
 
 if TYPE_CHECKING:

@@ -16,9 +16,9 @@ import numpy as np
 
 from esg.engines.program import Program
 from esg.engines.scene import GROUND, Body, Rollout, Shape, SimScene
+from esg.files import atomic_write
 from esg.metrics.models import SceneVerdict
 from esg.metrics.replay import Hit, Replay
-from esg.store.files import atomic_write
 
 if TYPE_CHECKING:
     from esg.graph.models import EsgDocument

@@ -142,9 +142,6 @@ def make_record(
     verdicts = verdicts or {}
     family = prompt_family(prompt) if family is None else family
     split = split_of(family) if split is None else split
-    texts = {f"esg_{name}": data.decode() for name, data in documents.items()}
-    last = list(documents.values())[-1] if documents else b""
-    main = verdicts.get(run.engine)
     scene: dict[str, Any] = {
         **common,
         "level": level,
@@ -155,49 +152,67 @@ def make_record(
         "strategy": run.strategy,
         "engine": run.engine,
         "device": device,
-        "dt_s": main.dt_s if main else run.dt_s,
         "proof": proof,
         "outcome": outcome,
         "reason": reason,
-        "verified": main.verified if main else False,
-        "slr": main.slr if main else False,
-        "max_penetration_m": main.layout.max_penetration_m if main else None,
-        "n_events": main.n_events if main else None,
-        "n_completed": main.completed if main else 0,
-        "ppa": main.ppa() if main else None,
-        "ppa_strict": main.ppa("strict") if main else None,
-        "ppa_lenient": main.ppa("lenient") if main else None,
+        **_judged(verdicts.get(run.engine), run),
+        **_documented(documents),
         "seconds": sum(float(s.get("seconds", 0.0)) for s in stages),
         "cached_stages": sum(bool(s.get("cached")) for s in stages),
-        **texts,
-        "esg_sha256": hashlib.sha256(last).hexdigest() if last else None,
         "artifacts": json.dumps(dict(artifacts or {}), sort_keys=True),
         **(extra or {}),
     }
-    rows: dict[str, list[dict[str, Any]]] = {"runs": [run.row()], "scenes": [scene]}
-    rows["metrics"] = [
-        row for engine, v in verdicts.items() for row in event_rows(common, run, engine, v)
-    ]
-    rows["constraints"] = [
-        row for engine, v in verdicts.items() for row in constraint_rows(common, run, engine, v)
-    ]
-    rows["trajectories"] = [
-        trajectory_row(common, split, engine, rollout, bodies)
-        for engine, rollout in (rollouts or {}).items()
-    ]
-    rows["coverage"] = coverage_rows(common, documents.get("draft"))
-    rows["timings"] = [
+    judged = list(verdicts.items())
+    played = (rollouts or {}).items()
+    return SceneRecord(
         {
-            **common,
-            "stage": s["stage"],
-            "stage_index": i,
-            "seconds": float(s.get("seconds", 0.0)),
-            "cached": bool(s.get("cached")),
-            "outcome": s.get("outcome"),
+            "runs": [run.row()],
+            "scenes": [scene],
+            "metrics": [row for e, v in judged for row in event_rows(common, run, e, v)],
+            "constraints": [row for e, v in judged for row in constraint_rows(common, run, e, v)],
+            "trajectories": [trajectory_row(common, split, e, r, bodies) for e, r in played],
+            "coverage": coverage_rows(common, documents.get("draft")),
+            "timings": [{**common, **_timing(i, s)} for i, s in enumerate(stages)],
         }
-        for i, s in enumerate(stages)
-    ]
-    return SceneRecord(rows)
+    )
+
+
+def _judged(verdict: SceneVerdict | None, run: RunInfo) -> dict[str, Any]:
+    """Columns of a scene's row that its verdict fills; without one, nothing is verified."""
+    if verdict is None:
+        unknown = ("max_penetration_m", "n_events", "ppa", "ppa_strict", "ppa_lenient")
+        nothing = {"dt_s": run.dt_s, "verified": False, "slr": False, "n_completed": 0}
+        return {**nothing, **dict.fromkeys(unknown)}
+    return {
+        "dt_s": verdict.dt_s,
+        "verified": verdict.verified,
+        "slr": verdict.slr,
+        "max_penetration_m": verdict.layout.max_penetration_m,
+        "n_events": verdict.n_events,
+        "n_completed": verdict.completed,
+        "ppa": verdict.ppa(),
+        "ppa_strict": verdict.ppa("strict"),
+        "ppa_lenient": verdict.ppa("lenient"),
+    }
+
+
+def _documented(documents: Mapping[str, bytes]) -> dict[str, Any]:
+    """The document of every stage, and the hash of the last one."""
+    last = list(documents.values())[-1] if documents else b""
+    return {
+        **{f"esg_{name}": data.decode() for name, data in documents.items()},
+        "esg_sha256": hashlib.sha256(last).hexdigest() if last else None,
+    }
+
+
+def _timing(index: int, stage: Mapping[str, Any]) -> dict[str, Any]:
+    return {
+        "stage": stage["stage"],
+        "stage_index": index,
+        "seconds": float(stage.get("seconds", 0.0)),
+        "cached": bool(stage.get("cached")),
+        "outcome": stage.get("outcome"),
+    }
 
 
 def record_of(

@@ -11,8 +11,8 @@ from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from esg.files import atomic_write
 from esg.outcomes import UserError
-from esg.store.files import atomic_write
 
 if TYPE_CHECKING:
     import pyarrow as pa

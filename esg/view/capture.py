@@ -19,8 +19,8 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from esg.engines.scene import Rollout, SimScene
+from esg.files import explained, refused
 from esg.outcomes import UserError
-from esg.store.files import explained, refused
 from esg.view import png16, truth
 from esg.view.camera import Camera
 from esg.view.cameras import action_cameras

@@ -138,7 +138,8 @@ class Renderer:
             quaternion: (x, y, z, w), shape [B, 4].
         """
         poses = np.concatenate([position, quaternion], axis=1).astype(np.float32)
-        self._state.body_q.assign(poses)
+        if self._state.body_q is not None:  # as it is without bodies
+            self._state.body_q.assign(poses)
         self._model.bvh_refit_shapes(self._state)
 
     def color(

@@ -129,7 +129,8 @@ class WorldRenderer:
             quaternion: (x, y, z, w), shape [W, B, 4].
         """
         poses = np.concatenate([position, quaternion], axis=-1).reshape(-1, 7)
-        self._state.body_q.assign(np.ascontiguousarray(poses, np.float32))
+        if self._state.body_q is not None:  # as it is without bodies
+            self._state.body_q.assign(np.ascontiguousarray(poses, np.float32))
         self._model.bvh_refit_shapes(self._state)
 
     def draw(self, cameras: Sequence[Camera], *, rgb: bool = True, exact: bool = True) -> None:

@@ -9,8 +9,8 @@ import scenes
 from test_export import folder_of, replayed
 
 from esg.compile.export import export
+from esg.files import refused
 from esg.outcomes import UserError
-from esg.store.files import refused
 from tests.disks import small_files
 
 

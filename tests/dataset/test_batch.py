@@ -15,9 +15,10 @@ import pytest
 
 from esg import pipeline, stages
 from esg.dataset import running as module
-from esg.dataset.batch import BatchJob, make_batch
+from esg.dataset.batch import make_batch
 from esg.dataset.finish import clean, finish
 from esg.dataset.folder import DatasetFolder, read_mark
+from esg.dataset.job import BatchJob
 from esg.dataset.plan import DatasetSpec, Prompt, Shard, plan_scenes
 from esg.dataset.running import mark_dead, run_scenes
 from esg.outcomes import UserError
@@ -184,7 +185,7 @@ def test_a_dataset_killed_while_writing_equals_an_uninterrupted_one(
 
     where = {
         "write_tables": "esg.store.tables.write_tables",
-        "write_mark": "esg.dataset.folder.write_mark",
+        "write_mark": "esg.dataset.batch.write_mark",
         "finish": "esg.dataset.card.card",
         "info": "esg.store.assembling.write_info",
     }[moment]
@@ -274,7 +275,7 @@ def test_a_full_or_read_only_disk_is_told_and_keeps_what_is_done(
         raise OSError(number, os.strerror(number), str(path))
 
     with monkeypatch.context() as patch:
-        patch.setattr("esg.store.files.sync_file", full)
+        patch.setattr("esg.files.sync_file", full)
         with pytest.raises(OSError, match=remedy):
             make_batch(second)
     assert read_mark(first.out, 0) is not None

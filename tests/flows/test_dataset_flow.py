@@ -10,7 +10,8 @@ import pytest
 
 from esg import stages
 from esg.dataset import running as module
-from esg.dataset.batch import BatchJob, BatchResult, make_batch
+from esg.dataset.batch import make_batch
+from esg.dataset.job import BatchJob, BatchResult
 from esg.dataset.running import dead_scenes
 from esg.workers import WorkerDied, WorkerPool
 from flows.session import session

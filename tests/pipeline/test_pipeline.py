@@ -10,10 +10,10 @@ from pathlib import Path
 import pytest
 
 from esg import pipeline, stages
+from esg.files import unwritable
 from esg.outcomes import Outcome, UserError
 from esg.pipeline import SceneRequest, SceneState, may_pass, recall, run_stage, scratch_store
 from esg.stages import Spec
-from esg.store.files import unwritable
 
 
 @pytest.fixture

@@ -11,9 +11,9 @@ from mcap_protobuf.decoder import DecoderFactory
 import numpy as np
 import pytest
 
+from esg import files
 from esg.engines.program import SetVelocity
 from esg.engines.scene import Shape
-from esg.store import files
 from esg.store.mcap_log import write_mcap
 from tests.metrics.test_events import CHAIN
 from tests.metrics.worlds import body

@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 import numpy as np
 import pytest
 
+from esg import files
 from esg.outcomes import UserError
-from esg.store import files
 from esg.store.assembling import assemble
 from esg.store.records import prompt_family, split_of
 from esg.store.tables import (

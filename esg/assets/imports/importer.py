@@ -18,8 +18,8 @@ import numpy as np
 
 from esg.assets.imports.sources import Source, read_folder, read_sh3f, slug
 from esg.assets.imports.store import library_root, write_index
+from esg.files import atomic_file, explained, refused, unwritable
 from esg.outcomes import UserError
-from esg.store.files import atomic_file, explained, refused, unwritable
 
 IMPORT_VERSION = 2
 MAX_FACES = 60_000

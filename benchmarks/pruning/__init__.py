@@ -1,0 +1,1 @@
+"""Leave-one-out pruning of a package of rules: units, effects, choice, rewriting, dead code."""
