@@ -91,13 +91,16 @@ class Verb:
     extra: dict[str, str] = field(default_factory=dict)
 
 
+WordKind = Literal["prep", "adv", "conj", "punct", "rel", "sub", "qty", "to", "unknown"]
+
+
 @dataclass
 class Word:
     """Everything else: prepositions, adverbs, conjunctions, punctuation, relatives."""
 
     start: int
     end: int
-    kind: Literal["prep", "adv", "conj", "punct", "rel", "sub", "qty", "to", "unknown"]
+    kind: WordKind
     low: str
     amount: Amount | None = None
 

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.referents.entities import BODY_PARTS, OWN_PARTS
-from esg.draft.grammar.clauses.frames import Phrase, State, finite_ahead, next_verb
+from esg.draft.grammar.clauses.frames import Frame, Phrase, State, finite_ahead
 from esg.draft.grammar.clauses.record import Clauses
 from esg.draft.grammar.clauses.words import OWNED, PROPERTIES
 from esg.draft.text.elements import Element, Mention, Verb, Word
 
 _OCCASIONS = lex.word_set("occasions")
 _THIS = lex.word_set("this")
+_OF_NOUNS = lex.word_set("prepositions of nouns")
+_ALSO_OF_VERBS = lex.word_set("senses with the place of their object")
 
 
 def _in_a_list(c: Clauses, s: State, previous: Element | None, i: int) -> bool:
@@ -68,126 +70,121 @@ def _before_a_bare_verb(c: Clauses, i: int) -> bool:
 
 
 def mention(c: Clauses, s: State, m: Mention, i: int) -> None:
-    m.after_prep = s.prep
-    prep, s.prep = s.prep, ""
-    previous = c.elements[i - 1] if i else None
+    """Gives a noun phrase its place in the clause."""
+    m.after_prep, s.prep = s.prep, ""
     if id(m) in c.told or _stated_beside(c, m, i):
         return
-    coordinated = (
-        isinstance(previous, Word)
-        and (previous.kind == "conj" or previous.low in (",", "then", "finally", "lastly"))
-        and s.last is not None
-        and isinstance(c.elements[i - 2] if i >= 2 else None, (Mention, Word))
-    )
-    if (
-        coordinated
-        and not prep
-        and m.attribute
-        and m.head in OWNED
-        and s.frame is None
-        and s.last is not None
-        and not s.last.attribute
-        and m.possessor is None
-    ):
-        c.attachments.append((s.last, Phrase("with", m)))  # "radius 9 cm and mass 2 kg"
+    listed = _coordinated(c, s, i)
+    if not m.after_prep and (_property(c, s, m, listed) or _stated_of_it(c, s, m, i)):
         return
-    if not prep and _stated_of_it(c, s, m, i):
-        return
-    new_clause = s.boundary and not prep and finite_ahead(c.elements, i + 1)
-    if new_clause and _in_a_list(c, s, previous, i):
-        new_clause = False  # "a clock, a pillow and a plant in a room and a ball rolls"
-    following = c.elements[i + 1] if i + 1 < len(c.elements) else None
-    if (
-        m.pronoun in ("it", "he", "she", "they")
-        and not prep
-        and not s.boundary
-        and s.frame is not None
-        and isinstance(previous, Mention)
-        and isinstance(following, Verb)
-        and not following.infinitive
-        and following.form in ("s", "past")
-    ):
-        s.boundary, s.boundary_kind, new_clause = True, "comma", True
-    if (
-        (isinstance(previous, Mention) or "state" in getattr(previous, "extra", ()))
-        and not prep
-        and not s.boundary
-        and s.frame is not None
-        and s.frame.subordinate
-        and s.frame.start_of_sentence
-        and finite_ahead(c.elements, i + 1)
-    ):
-        s.boundary, s.boundary_kind = True, "comma"  # "After being hit by a truck a cone ..."
+    new_clause = _begins_clause(c, s, m, i)
     if s.boundary_kind == "whose" and m.attribute and m.possessor is None:
         m.possessor = s.relative  # "a ball whose mass is 300 g"
-    ahead = c.elements[i + 1] if i + 1 < len(c.elements) else None
-    floats = m.pronoun in ("all", "both", "each") and isinstance(ahead, Verb)
-    if floats and s.boundary_kind == "rel" and s.relative is not None and not prep:
-        return  # "cyclists, who all avoid it"
-    if m.attribute and not prep and m.head in _OCCASIONS and m.determiner in _THIS:
-        return  # "and this time it goes in"
-    if s.relative is not None and s.boundary and s.boundary_kind in ("rel", "whose"):
-        # object relative: "the box that the ball hits"
-        whole = s.frame.object or s.frame.subject if s.frame is not None else None
-        if whole is not None and m.determiner == "the" and m.head == s.relative.head:
-            s.relative = whole  # "a fence behind a van, which the van backs into"
-        s.subject = m
-        s.last = m
-        s.boundary = False
-        s.boundary_kind = "objrel" if s.boundary_kind == "rel" else "own"
+    if _says_nothing(c, s, m, i):
         return
-    if prep:
-        if s.sub and s.frame is None:
-            pass
-        phrase = Phrase(prep, m)
-        _attach(c, s, phrase, i)
+    if s.relative is not None and s.boundary and s.boundary_kind in ("rel", "whose"):
+        _subject_of_relative(s, m)
+    elif m.after_prep:
+        _attach(c, s, Phrase(m.after_prep, m), i)
         if not m.attribute:
             s.last, s.last_after_prep = m, True
-        if not s.boundary or s.boundary_kind != "comma" or s.frame is not None:
+        if s.boundary_kind != "comma" or not s.boundary or s.frame is not None:
             s.boundary = s.boundary and s.frame is None
-        return
-    if coordinated and s.last is not None and not new_clause and s.last is not s.relative:
+    elif listed and s.last is not None and not new_clause and s.last is not s.relative:
         s.last.coordinated.append(m)
-        if s.frame is None and s.subject is None:
-            s.subject = s.last
-        return
-    if (
-        coordinated
-        and s.frame is None
-        and s.subject is not None
-        and new_clause
-        and s.boundary_kind in ("conj", "comma")
-    ):
-        # "a car and a truck drive": one subject
-        s.subject.coordinated.append(m)
+        s.subject = s.last if s.frame is None and s.subject is None else s.subject
+    elif listed and new_clause and _more_subjects(s):
+        assert s.subject is not None
+        s.subject.coordinated.append(m)  # "a car and a truck drive": one subject
         s.boundary = False
-        return
-    if s.boundary or s.frame is None:
-        if s.subject is not None and s.frame is None and not s.boundary:
-            s.last = m
-            return
-        if not new_clause and s.frame is not None and s.boundary:
-            verb = next_verb(c.elements, i + 1)
-            if verb is None or not isinstance(
-                c.elements[min(i + 1, len(c.elements) - 1)], (Verb, Word)
-            ):
-                s.last = m
-                _absolute(c, s, m, i)
-                return
-            s.last = m
-            _absolute(c, s, m, i)
-            return
-        s.subject = m
-        s.frame = None
-        s.boundary = False
+    elif s.boundary or s.frame is None:
+        _subject(s, m, new_clause)
+    else:
+        _object(s.frame, m)
         s.last, s.last_after_prep = m, False
+
+
+def _coordinated(c: Clauses, s: State, i: int) -> bool:
+    """Whether a conjunction or a comma links a noun to the one before."""
+    link, before = (c.elements[i - n] if i >= n else None for n in (1, 2))
+    if not isinstance(link, Word) or s.last is None or not isinstance(before, (Mention, Word)):
+        return False
+    return link.kind == "conj" or link.low in (",", "then", "finally", "lastly")
+
+
+def _property(c: Clauses, s: State, m: Mention, listed: bool) -> bool:
+    """ "radius 9 cm and mass 2 kg"."""
+    if not listed or not m.attribute or m.head not in OWNED or m.possessor is not None:
+        return False
+    if s.frame is not None or s.last is None or s.last.attribute:
+        return False
+    c.attachments.append((s.last, Phrase("with", m)))
+    return True
+
+
+def _begins_clause(c: Clauses, s: State, m: Mention, i: int) -> bool:
+    """Whether a noun without a preposition is the subject of a clause that it begins."""
+    previous = c.elements[i - 1] if i else None
+    if m.after_prep:
+        return False
+    if s.boundary:
+        # "a clock, a pillow and a plant in a room and a ball rolls"
+        return finite_ahead(c.elements, i + 1) and not _in_a_list(c, s, previous, i)
+    if s.frame is None:
+        return False
+    verb = c.elements[i + 1] if i + 1 < len(c.elements) else None
+    after_noun = isinstance(previous, Mention)
+    acts = isinstance(verb, Verb) and not verb.infinitive and verb.form in ("s", "past")
+    if after_noun and acts and m.pronoun in ("it", "he", "she", "they"):
+        s.boundary, s.boundary_kind = True, "comma"
+        return True
+    state = after_noun or "state" in getattr(previous, "extra", ())
+    first = s.frame.subordinate and s.frame.start_of_sentence
+    if state and first and finite_ahead(c.elements, i + 1):
+        s.boundary, s.boundary_kind = True, "comma"  # "After being hit by a truck a cone ..."
+    return False
+
+
+def _says_nothing(c: Clauses, s: State, m: Mention, i: int) -> bool:
+    """ "cyclists, who all avoid it", "and this time it goes in"."""
+    if m.after_prep:
+        return False
+    ahead = c.elements[i + 1] if i + 1 < len(c.elements) else None
+    floats = m.pronoun in ("all", "both", "each") and isinstance(ahead, Verb)
+    if floats and s.boundary_kind == "rel" and s.relative is not None:
+        return True
+    return m.attribute and m.head in _OCCASIONS and m.determiner in _THIS
+
+
+def _subject_of_relative(s: State, m: Mention) -> None:
+    """ "the box that the ball hits"."""
+    whole = s.frame.object or s.frame.subject if s.frame is not None else None
+    assert s.relative is not None
+    if whole is not None and m.determiner == "the" and m.head == s.relative.head:
+        s.relative = whole  # "a fence behind a van, which the van backs into"
+    s.subject = s.last = m
+    s.boundary = False
+    s.boundary_kind = "objrel" if s.boundary_kind == "rel" else "own"
+
+
+def _more_subjects(s: State) -> bool:
+    return s.frame is None and s.subject is not None and s.boundary_kind in ("conj", "comma")
+
+
+def _subject(s: State, m: Mention, new_clause: bool) -> None:
+    s.last = m
+    if s.frame is None and s.subject is not None and not s.boundary:
         return
-    frame = s.frame
+    if s.frame is None or new_clause:
+        s.last_after_prep = False
+    s.subject, s.frame, s.boundary = m, None, False
+
+
+def _object(frame: Frame, m: Mention) -> None:
     if frame.object is None and not frame.verb.passive:
         frame.object = m
     elif frame.object2 is None:
         frame.object2 = m
-    s.last, s.last_after_prep = m, False
 
 
 def runs_on(c: Clauses, i: int) -> bool:
@@ -238,133 +235,70 @@ def _stated_beside(c: Clauses, m: Mention, i: int) -> bool:
     return True
 
 
-def _absolute(c: Clauses, s: State, m: Mention, i: int) -> None:
-    """ "..., one in front of the other": a subject that a participle or phrase may follow."""
-    s.subject = m
-    s.boundary = False
-    s.frame = None
-
-
 def _attach(c: Clauses, s: State, phrase: Phrase, i: int) -> None:
-    previous = s.last
-    aimed = phrase.prep in ("at", "against") and not s.boundary
-    if aimed and s.frame is not None and s.frame.verb.sense == "launch":
-        s.frame.phrases.append(phrase)  # "throws a ball at a wall": not a ball at a wall
-        return
-    along = phrase.mention if phrase.prep == "with" else None
-    if s.frame is not None and along is not None and along.pronoun in ("it", "them"):
-        s.frame.phrases.append(phrase)  # "takes the pin with it"
-        return
-    if phrase.prep == "by" and s.frame is not None and s.frame.verb.passive:
-        s.frame.phrases.append(phrase)
-        return
-    noun_attached = phrase.prep in (
-        "with",
-        "of",
-        "on",
-        "in",
-        "near",
-        "beside",
-        "next to",
-        "under",
-        "behind",
-        "in front of",
-        "left of",
-        "right of",
-        "inside",
-        "above",
-        "between",
-        "by",
-        "at",
-        "around",
-        "against",
-        "in the middle of",
-        "far from",
-        "opposite",
-        "below",
-        "along",
-        "underneath",
-        "outside",
-        "without",
-        "from",
-    )
-    if (
-        s.frame is not None
-        and phrase.mention is not None
-        and phrase.mention.attribute
-        and not (
-            phrase.prep == "of"
-            or (
-                phrase.prep == "with"
-                and phrase.mention.head in PROPERTIES
-                and s.last is not s.frame.subject
-            )
-        )
-    ):
-        s.frame.phrases.append(phrase)
-        return
+    """Gives a phrase to the verb, to the noun before it, or to what is to come."""
+    m = phrase.mention
+    assert m is not None
     if s.frame is None:
-        owner = s.subject
-        if (
-            owner is not None
-            and owner.attribute
-            and owner.head in OWNED
-            and phrase.prep == "of"
-            and phrase.mention is not None
-            and owner.possessor is None
-        ):
-            owner.possessor = phrase.mention  # "the speed of the car"
-            return
-        last = s.last or s.subject
-        owned = phrase.prep == "of" and phrase.mention is not None and not s.boundary
-        part = last if last is not None and last.head in OWN_PARTS - {"door"} else None
-        if owned and part is not None and not part.possessor:
-            part.possessor = phrase.mention  # "a wheel of the cart hits a stone"
-            return
-        if s.subject is not None and noun_attached and not s.boundary:
-            c.attachments.append((s.last or s.subject, phrase))
-        elif s.boundary or s.subject is None:
-            s.loose.append(phrase)
-        else:
-            c.attachments.append((s.subject, phrase))
-        return
-    if s.boundary and s.boundary_kind == "comma" and finite_ahead(c.elements, i + 1):
+        _attach_to_noun(c, s, phrase, m)
+    elif _of_the_verb(s, s.frame, phrase, m):
+        s.frame.phrases.append(phrase)
+    elif s.boundary and s.boundary_kind == "comma" and finite_ahead(c.elements, i + 1):
         s.loose.append(phrase)
+    elif not _of_the_noun(c, s, s.frame, phrase, m, i):
+        s.frame.phrases.append(phrase)
+
+
+def _of_the_verb(s: State, f: Frame, phrase: Phrase, m: Mention) -> bool:
+    """Phrases that belong to the verb, whatever stands before them."""
+    if phrase.prep in ("at", "against") and not s.boundary and f.verb.sense == "launch":
+        return True  # "throws a ball at a wall": not a ball at a wall
+    if phrase.prep == "with" and m.pronoun in ("it", "them"):
+        return True  # "takes the pin with it"
+    if phrase.prep == "by" and f.verb.passive:
+        return True
+    owned = phrase.prep == "with" and m.head in PROPERTIES and s.last is not f.subject
+    return m.attribute and phrase.prep != "of" and not owned
+
+
+def _of_the_noun(c: Clauses, s: State, f: Frame, phrase: Phrase, m: Mention, i: int) -> bool:
+    """Attaches a phrase to the noun it follows, if it says something of that."""
+    noun = s.last
+    if noun is None:
+        return False
+    if phrase.prep == "of":
+        if noun.head in BODY_PARTS | OWN_PARTS:
+            noun.possessor = noun.possessor or m
+        elif not noun.attribute:
+            c.attachments.append((noun, phrase))
+        else:
+            return False
+        return True
+    follows = isinstance(c.elements[i - 2] if i >= 2 else None, Mention)
+    if phrase.prep not in _OF_NOUNS or not follows:
+        return False
+    if f.object is not noun and not s.last_after_prep:
+        return False
+    c.attachments.append((noun, phrase))
+    if f.verb.sense in _ALSO_OF_VERBS:
+        f.phrases.append(phrase)
+    return True
+
+
+def _attach_to_noun(c: Clauses, s: State, phrase: Phrase, m: Mention) -> None:
+    """Attaches a phrase that comes before any verb."""
+    owner, last = s.subject, s.last or s.subject
+    of = phrase.prep == "of"
+    measure = owner is not None and owner.attribute and owner.head in OWNED
+    if of and measure and owner.possessor is None:
+        owner.possessor = m  # "the speed of the car"
         return
-    if (
-        previous is not None
-        and noun_attached
-        and phrase.prep != "of"
-        and isinstance(c.elements[i - 2] if i >= 2 else None, Mention)
-        and (s.frame.object is previous or s.last_after_prep)
-    ):
-        c.attachments.append((previous, phrase))
-        if s.frame.verb.sense in (
-            "posture",
-            "be",
-            "launch",
-            "drop",
-            "hit",
-            "own",
-            "roll",
-            "slide",
-            "pocket",
-            "cause",
-            "knock",
-            "carry",
-        ):
-            s.frame.phrases.append(phrase)
+    part = last is not None and last.head in OWN_PARTS - {"door"} and not s.boundary
+    if of and part and not last.possessor:
+        last.possessor = m  # "a wheel of the cart hits a stone"
         return
-    part = previous is not None and previous.head in BODY_PARTS | OWN_PARTS
-    if part and previous is not None and phrase.prep == "of" and phrase.mention is not None:
-        previous.possessor = previous.possessor or phrase.mention
-        return
-    if (
-        phrase.prep == "of"
-        and previous is not None
-        and phrase.mention is not None
-        and not previous.attribute
-    ):
-        c.attachments.append((previous, phrase))
-        return
-    s.frame.phrases.append(phrase)
+    if owner is None or s.boundary:
+        s.loose.append(phrase)
+    else:
+        near = last if phrase.prep in _OF_NOUNS and last is not None else owner
+        c.attachments.append((near, phrase))

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import dataclass
+
 from esg.draft import lexicon as lex
 from esg.draft.grammar.clauses.frames import Frame, Phrase, State
 from esg.draft.grammar.clauses.links import (
@@ -31,9 +34,13 @@ UNTIL_MAIN = "until main clause"
 
 _SCENE = lex.word_set("scene")
 _AIMING = lex.word_set("aiming")
+_BY_ITSELF = frozenset({"posture", "park", "stop", "fall", "topple", "roll", "slide"})
+_BY_ITSELF_OR_HIT = frozenset({"posture", "park", "stop", "hit", "topple", "fall"})
+_STATES = frozenset({"be", "posture", "park", "weigh", "measure", "have", "contain"})
 
 
 def verb(c: Clauses, s: State, v: Verb, i: int) -> None:
+    """Opens a frame for a verb, with its subject and its link to the frames before."""
     before = c.elements[i - 1] if i else None
     after_prep = before.low if isinstance(before, Word) and before.kind == "prep" else ""
     if v.form == "ing" and after_prep in ("of", "for") and s.frame is not None:
@@ -42,14 +49,41 @@ def verb(c: Clauses, s: State, v: Verb, i: int) -> None:
         s.prep = ""
         return
     v.negated = v.negated or after_prep == "without"
-    if "perfect" in v.extra and s.frame is None and not s.sub:
-        s.sub = "after"  # "Having hit it, it stops"
-    if after_prep in ("after", "before") and s.frame is None and not s.sub:
-        s.sub, s.prep = after_prep, ""  # "after being kicked"
+    if s.frame is None and not s.sub:
+        if "perfect" in v.extra:
+            s.sub = "after"  # "Having hit it, it stops"
+        if after_prep in ("after", "before"):
+            s.sub, s.prep = after_prep, ""  # "after being kicked"
     frame = Frame(v, sentence=c.sentence, link=s.link)
     frame.start_of_sentence = not any(g.sentence == c.sentence for g in c.frames[-1:])
-    previous = s.frame
     s.link = "then"
+    opening = _Opening(frame, s.frame, i, after_prep)
+    for link in LINKS:
+        if link(c, s, opening):
+            break
+    _finish(c, s, frame)
+
+
+@dataclass(frozen=True)
+class _Opening:
+    """A frame that is being opened.
+
+    Args:
+        frame: The new frame.
+        previous: The frame before it, in the same sentence.
+        at: Its place among the elements.
+        after_prep: The preposition in front of its verb.
+    """
+
+    frame: Frame
+    previous: Frame | None
+    at: int
+    after_prep: str
+
+
+def _relative(c: Clauses, s: State, o: _Opening) -> bool:
+    """ "the box that the ball hits", "a bus whose mass is 12 tons", "a car that turns"."""
+    frame = o.frame
     if s.boundary_kind == "objrel":
         frame.subject = s.subject
         if s.relative_prep:
@@ -57,133 +91,182 @@ def verb(c: Clauses, s: State, v: Verb, i: int) -> None:
             s.relative_prep = ""
         else:
             frame.object = s.relative
-        s.boundary_kind = ""
-        frame.reduced = True
-        frame.opening = previous is None
+        frame.reduced, frame.opening, s.boundary_kind = True, o.previous is None, ""
     elif s.boundary_kind == "own":
-        frame.subject, s.boundary_kind = s.subject, ""  # "hits a bus whose mass is 12 tons"
-        frame.reduced, frame.parent, frame.opening = True, previous, previous is None
+        frame.subject, s.boundary_kind = s.subject, ""
+        frame.reduced, frame.parent, frame.opening = True, o.previous, o.previous is None
     elif s.boundary and s.boundary_kind == "rel":
-        frame.subject = s.relative
+        frame.subject, frame.parent = s.relative, o.previous
         frame.reduced = frame.relative = True
-        frame.parent = previous
-        frame.resulting = goes_on(c, i)
-    elif v.form == "ing" and after_prep in ("without", "by", "from") and previous is not None:
-        if after_prep == "by" and v.sense in ("hit", "knock"):
-            s.sub = s.sub or "after"  # "makes it fall by hitting it"
-            while previous.causer is not None:
-                previous = previous.causer
-        frame.subject, frame.parent = agent(c, previous), previous
-        frame.link = "then"
-    elif v.infinitive and previous is not None:
-        infinitive(c, s, frame, previous)
-    elif "agent" in v.extra and by_agent(s, frame, previous):
-        pass
-    elif previous is None:
-        _first(c, s, frame, i)
-    elif s.sub:
-        # "while rolling", "after hitting": shares the main subject
-        frame.subject = (
-            s.subject if s.subject is not None and not s.boundary else agent(c, previous)
-        )
-        if v.form == "ing" and not v.auxiliary and previous.relative and runs_on(c, i):
-            frame.subject = previous.subject  # "that wobbles before tumbling down"
-    elif v.form == "ing" and not v.auxiliary:
-        participle(c, s, frame, previous)
-    elif (
-        not s.boundary
-        and previous.object is not None
-        and (
-            s.last is previous.object
-            or (s.last_after_prep and v.form == "base" and previous.verb.lemma == "make")
-        )
-        and (v.form in ("base", "pp") or (v.form == "past" and v.lemma in UNCHANGED))
-        and previous.verb.sense in ("cause", "noop")
-    ):
-        frame.subject = previous.object
-        frame.causer = previous
-        frame.link = "cause"
-    elif caused_after_relative(previous, v, s):
-        causer = previous.parent
-        assert causer is not None
-        frame.subject, frame.causer, frame.link = causer.object, causer, "cause"
-    elif awaits_main(previous, v) and (
-        previous.object is s.relative is not None or whose(previous, s)
-    ):
-        frame.subject, frame.parent = s.relative, previous  # "the tray he carries falls"
-    elif awaits_main(previous, v) or serial(previous, v, s):
-        frame.subject = agent(c, previous)
-        frame.parent = previous
-    elif (
-        not s.boundary
-        and v.form in ("pp", "past")
-        and not v.auxiliary
-        and s.last is not None
-        and not main_at_last(c, previous, v, i)
-    ):
-        # reduced relative on the last noun: "a bicycle stopped in the road"
-        frame.subject, frame.reduced, frame.parent = s.last, True, previous
-        if v.sense not in ("posture", "park", "stop", "hit", "topple", "fall"):
-            v.passive = True
-    elif (
-        previous.relative
-        and (
-            (s.boundary_kind == "conj" and not _after_comma(c, i))
-            or (s.boundary_kind == "comma" and _listed(c, previous, i))
-        )
-        and v.form != "ing"
-        and previous.verb.sense
-        not in ("be", "posture", "park", "weigh", "measure", "have", "contain")
-        and not of_a_vehicle(previous, v)
-    ):
-        # ", which rolls away and hits C": the relative clause goes on
-        frame.subject, frame.relative, frame.reduced = previous.subject, True, True
-        frame.parent = previous.parent
-    elif v.lemma in _LETTING and v.form != "ing" and previous.subject is None:
-        frame.parent = previous  # "Push the ball and let it roll": still the reader's doing
+        frame.resulting = goes_on(c, o.at)
     else:
-        before = before_what_it_waits_for(c, before_what_it_lets(previous, v), s, v)
-        frame.subject = agent(c, before)
-        frame.parent = previous
-    _finish(c, s, frame)
+        return False
+    return True
 
 
-def _first(c: Clauses, s: State, frame: Frame, i: int) -> None:
-    v = frame.verb
+def _gerund(c: Clauses, s: State, o: _Opening) -> bool:
+    """ "makes it fall by hitting it", "without touching it"."""
+    previous, v = o.previous, o.frame.verb
+    if v.form != "ing" or o.after_prep not in ("without", "by", "from") or previous is None:
+        return False
+    if o.after_prep == "by" and v.sense in ("hit", "knock"):
+        s.sub = s.sub or "after"
+        while previous.causer is not None:
+            previous = previous.causer
+    o.frame.subject, o.frame.parent, o.frame.link = agent(c, previous), previous, "then"
+    return True
+
+
+def _infinitive(c: Clauses, s: State, o: _Opening) -> bool:
+    if not o.frame.verb.infinitive or o.previous is None:
+        return False
+    infinitive(c, s, o.frame, o.previous)
+    return True
+
+
+def _agent_told(c: Clauses, s: State, o: _Opening) -> bool:
+    return "agent" in o.frame.verb.extra and by_agent(s, o.frame, o.previous)
+
+
+def _first(c: Clauses, s: State, o: _Opening) -> bool:
+    """The first verb of its sentence."""
+    if o.previous is not None:
+        return False
+    frame, v, i = o.frame, o.frame.verb, o.at
     frame.subject = s.subject
-    kinds = [getattr(e, "kind", "") for e in c.elements[max(0, i - 2) : i]]
-    opens = i == 0 or kinds[-1] == "punct" or kinds == ["punct", "conj"]
-    if s.subject is not None or s.sub or not opens or not _telegraphic(c, v):
-        pass
-    elif s.main is None:
-        frame.subject = _subject_before(c)
-    else:
-        frame.subject = agent(c, s.main)
-    if s.subject is None and s.boundary and s.main is not None and v.form in ("pp",):
-        frame.subject = None
-    if (
-        s.subject is not None
-        and v.form in ("pp", "past", "ing")
-        and not v.auxiliary
-        and v.lemma != "let"
-        and (v.form == "ing" or not _acts_on(c, i))
-        and (_main_verb_follows(c, i) or _parenthetical(c, i))
-    ):
+    if s.subject is None:
+        kinds = [getattr(e, "kind", "") for e in c.elements[max(0, i - 2) : i]]
+        opens = i == 0 or kinds[-1] == "punct" or kinds == ["punct", "conj"]
+        if not s.sub and opens and _telegraphic(c, v):
+            frame.subject = _subject_before(c) if s.main is None else agent(c, s.main)
+        if s.boundary and s.main is not None and v.form == "pp":
+            frame.subject = None
+    elif _modifies(c, v, i):
         # "a ball thrown at the wall bounces", "a car parked by the road is hit"
         frame.reduced = frame.opening = True
-        if v.form != "ing" and v.sense not in (
-            "posture",
-            "park",
-            "stop",
-            "fall",
-            "topple",
-            "roll",
-            "slide",
-        ):
-            v.passive = True
-        frame.subject = s.subject
-    elif s.subject is not None and v.form == "pp" and not v.auxiliary and not v.passive:
+        v.passive = v.passive or (v.form != "ing" and v.sense not in _BY_ITSELF)
+    elif v.form == "pp" and not v.auxiliary and not v.passive:
         v.passive = v.sense in ("launch", "drop", "pass", "posture")
+    return True
+
+
+def _modifies(c: Clauses, v: Verb, i: int) -> bool:
+    """Whether a participle after the subject comes before the main verb."""
+    if v.form not in ("pp", "past", "ing") or v.auxiliary or v.lemma == "let":
+        return False
+    if v.form != "ing" and _acts_on(c, i):
+        return False
+    return _main_verb_follows(c, i) or _parenthetical(c, i)
+
+
+def _subordinate(c: Clauses, s: State, o: _Opening) -> bool:
+    """ "while rolling", "after hitting": shares the main subject."""
+    previous, v = o.previous, o.frame.verb
+    if not s.sub or previous is None:
+        return False
+    own = s.subject is not None and not s.boundary
+    o.frame.subject = s.subject if own else agent(c, previous)
+    if v.form == "ing" and not v.auxiliary and previous.relative and runs_on(c, o.at):
+        o.frame.subject = previous.subject  # "that wobbles before tumbling down"
+    return True
+
+
+def _participle(c: Clauses, s: State, o: _Opening) -> bool:
+    if o.frame.verb.form != "ing" or o.frame.verb.auxiliary or o.previous is None:
+        return False
+    participle(c, s, o.frame, o.previous)
+    return True
+
+
+def _caused(c: Clauses, s: State, o: _Opening) -> bool:
+    """ "makes a jar fall", "makes a jar that lies on it roll off"."""
+    previous, v = o.previous, o.frame.verb
+    assert previous is not None
+    causer = previous
+    if caused_after_relative(previous, v, s):
+        assert previous.parent is not None
+        causer = previous.parent
+    elif s.boundary or previous.object is None or previous.verb.sense not in ("cause", "noop"):
+        return False
+    else:
+        made = s.last_after_prep and v.form == "base" and previous.verb.lemma == "make"
+        bare = v.form in ("base", "pp") or (v.form == "past" and v.lemma in UNCHANGED)
+        if not bare or not (s.last is previous.object or made):
+            return False
+    o.frame.subject, o.frame.causer, o.frame.link = causer.object, causer, "cause"
+    return True
+
+
+def _main_at_last(c: Clauses, s: State, o: _Opening) -> bool:
+    """ "the tray he carries falls", "Darts thrown by a man hit the board"."""
+    previous, v = o.previous, o.frame.verb
+    assert previous is not None
+    awaited = awaits_main(previous, v)
+    if awaited and (previous.object is s.relative is not None or whose(previous, s)):
+        o.frame.subject = s.relative
+    elif awaited or serial(previous, v, s):
+        o.frame.subject = agent(c, previous)
+    else:
+        return False
+    o.frame.parent = previous
+    return True
+
+
+def _reduced(c: Clauses, s: State, o: _Opening) -> bool:
+    """ "a bicycle stopped in the road": a relative clause on the last noun."""
+    previous, v = o.previous, o.frame.verb
+    assert previous is not None
+    if s.boundary or s.last is None or v.form not in ("pp", "past") or v.auxiliary:
+        return False
+    if main_at_last(c, previous, v, o.at):
+        return False
+    o.frame.subject, o.frame.reduced, o.frame.parent = s.last, True, previous
+    v.passive = v.passive or v.sense not in _BY_ITSELF_OR_HIT
+    return True
+
+
+def _relative_goes_on(c: Clauses, s: State, o: _Opening) -> bool:
+    """ ", which rolls away and hits C"."""
+    previous, v = o.previous, o.frame.verb
+    assert previous is not None
+    joined = s.boundary_kind == "conj" and not _after_comma(c, o.at)
+    listed = s.boundary_kind == "comma" and _listed(c, previous, o.at)
+    if not previous.relative or not (joined or listed) or v.form == "ing":
+        return False
+    if previous.verb.sense in _STATES or of_a_vehicle(previous, v):
+        return False
+    o.frame.subject, o.frame.relative, o.frame.reduced = previous.subject, True, True
+    o.frame.parent = previous.parent
+    return True
+
+
+def _goes_on(c: Clauses, s: State, o: _Opening) -> bool:
+    """One more verb of the same subject."""
+    previous, v = o.previous, o.frame.verb
+    assert previous is not None
+    o.frame.parent = previous
+    if v.lemma in _LETTING and v.form != "ing" and previous.subject is None:
+        return True  # "Push the ball and let it roll": still the reader's doing
+    before = before_what_it_waits_for(c, before_what_it_lets(previous, v), s, v)
+    o.frame.subject = agent(c, before)
+    return True
+
+
+LINKS: tuple[Callable[[Clauses, State, _Opening], bool], ...] = (
+    _relative,
+    _gerund,
+    _infinitive,
+    _agent_told,
+    _first,
+    _subordinate,
+    _participle,
+    _caused,
+    _main_at_last,
+    _reduced,
+    _relative_goes_on,
+    _goes_on,
+)
+"""How a verb is linked to what was told before; the first that fits gives it its subject."""
 
 
 def _acts_on(c: Clauses, i: int) -> bool:

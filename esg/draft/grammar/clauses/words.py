@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from esg.draft import lexicon as lex
 from esg.draft.grammar.clauses.frames import Phrase, State, finite_ahead
 from esg.draft.grammar.clauses.record import Clauses
 from esg.draft.text.elements import Mention, Verb, Word
+from esg.draft.text.quantities import Amount
 
 PROPERTIES = lex.word_set("properties")
 OWNED = PROPERTIES | {"speed", "velocity"}
@@ -17,142 +20,141 @@ _SIZES = lex.word_set("sizes")
 
 
 def read_word(c: Clauses, s: State, w: Word, i: int) -> State:
-    if w.kind == "punct":
-        if w.low in ".;!?\n":
-            flush(c, s)
-            c.sentence += 1
-            new = State(main=s.main)
-            return new
-        stated = c.elements[i - 1] if i else None
-        if w.low == ")" and isinstance(stated, Word) and stated.amount is not None:
-            s.boundary, s.boundary_kind = False, ""  # "the block (2 kg) travelling at"
-            return s
-        if w.low in ",:-–—()":
-            s.boundary, s.boundary_kind = True, "comma"
-            s.prep = ""
+    """Reads a small word or a quantity; the state after it."""
+    if id(w) in c.told and w.kind not in ("punct", "conj", "rel", "sub"):
         return s
-    if w.kind == "conj":
-        s.boundary, s.boundary_kind = True, "conj"
-        if not (s.prep and s.last is None):
-            s.prep = s.prep if s.prep and not isinstance(c.elements[i - 1], Mention) else ""
-        return s
-    if w.kind == "rel":
-        s.relative = s.last
-        s.boundary, s.boundary_kind = True, "rel"
-        if w.low == "whose":
-            s.boundary_kind = "whose"
-        return s
-    if w.kind == "sub":
-        s.sub = w.low
-        s.boundary, s.boundary_kind = True, "sub"
+    reader = READERS.get(w.kind)
+    return s if reader is None else reader(c, s, w, i) or s
+
+
+def _punctuation(c: Clauses, s: State, w: Word, i: int) -> State | None:
+    if w.low in ".;!?\n":
+        flush(c, s)
+        c.sentence += 1
+        return State(main=s.main)
+    stated = c.elements[i - 1] if i else None
+    if w.low == ")" and isinstance(stated, Word) and stated.amount is not None:
+        s.boundary, s.boundary_kind = False, ""  # "the block (2 kg) travelling at"
+    elif w.low in ",:-–—()":
+        s.boundary, s.boundary_kind = True, "comma"
         s.prep = ""
-        return s
-    if id(w) in c.told:
-        return s
-    if w.kind in ("prep", "to"):
-        nxt = c.elements[i + 1] if i + 1 < len(c.elements) else None
-        ends = ("punct", "conj", "sub", "rel")
-        if nxt is None or (
-            isinstance(nxt, Word) and (nxt.kind in ends or nxt.low in ("too", "again"))
-        ):
-            if getattr(nxt, "kind", "") == "rel" and getattr(nxt, "low", "") in (
-                "which",
-                "whom",
-            ):
-                s.relative_prep = w.low  # "a rack from which a box falls"
-            elif s.frame is not None and not _of_what_went_before(s, w):
-                s.frame.adverbs.append(w.low)  # a particle: "knocking them over"
-            return s
-        if w.low in _PARTICLES and isinstance(nxt, Word) and nxt.kind in ("prep", "to"):
-            if s.frame is not None and nxt.amount is None:
-                s.frame.adverbs.append(w.low)  # "slides off onto the road"
-            return s
+    return None
+
+
+def _conjunction(c: Clauses, s: State, w: Word, i: int) -> None:
+    s.boundary, s.boundary_kind = True, "conj"
+    open_ = bool(s.prep) and s.last is None
+    if not open_ and isinstance(c.elements[i - 1], Mention):
+        s.prep = ""
+
+
+def _relative(c: Clauses, s: State, w: Word, i: int) -> None:
+    s.relative = s.last
+    s.boundary, s.boundary_kind = True, "whose" if w.low == "whose" else "rel"
+
+
+def _subordinator(c: Clauses, s: State, w: Word, i: int) -> None:
+    s.sub, s.prep = w.low, ""
+    s.boundary, s.boundary_kind = True, "sub"
+
+
+def _preposition(c: Clauses, s: State, w: Word, i: int) -> None:
+    nxt = c.elements[i + 1] if i + 1 < len(c.elements) else None
+    small = nxt if isinstance(nxt, Word) else None
+    if nxt is None or (small is not None and _ends_phrase(small)):
+        if small is not None and small.kind == "rel" and small.low in ("which", "whom"):
+            s.relative_prep = w.low  # "a rack from which a box falls"
+        elif s.frame is not None and not _of_what_went_before(s, w):
+            s.frame.adverbs.append(w.low)  # a particle: "knocking them over"
+    elif w.low in _PARTICLES and small is not None and small.kind in ("prep", "to"):
+        if s.frame is not None and small.amount is None:
+            s.frame.adverbs.append(w.low)  # "slides off onto the road"
+    else:
         s.prep = w.low
-        return s
-    if id(w) in c.told:
-        return s
-    if w.kind == "qty" and w.amount is not None and _belongs_to_noun(c, s, w, i):
-        return s
-    if w.kind == "qty" and w.amount is not None and _fronted_size(c, w, i):
-        return s
-    if w.kind == "qty" and w.amount is not None:
-        phrase = Phrase(s.prep, None, w.amount)
-        nxt = c.elements[i + 1] if i + 1 < len(c.elements) else None
-        if w.amount.dimension == "time" and s.boundary and _set_off_by_commas(c, i):
-            phrase.prep = s.prep or "after"
-            s.loose.append(phrase)  # "and, a good three seconds on, hits"
-            s.prep = ""
-            return s
-        if isinstance(nxt, Word) and nxt.low in ("later", "afterwards", "afterward"):
-            phrase.prep = "after"
-            rest = c.elements[i + 2 : i + 4]
-            acts = isinstance(rest[0] if rest else None, Verb) and s.boundary_kind == "conj"
-            if s.boundary and (acts or getattr(rest[0] if rest else None, "low", "") == ","):
-                s.loose.append(phrase)  # "and, 1.5 s later, crashes"
-                s.prep = ""
-                return s
+
+
+def _ends_phrase(w: Word) -> bool:
+    return w.kind in ("punct", "conj", "sub", "rel") or w.low in ("too", "again")
+
+
+def _quantity(c: Clauses, s: State, w: Word, i: int) -> None:
+    if w.amount is None or _belongs_to_noun(c, s, w, i) or _fronted_size(c, w, i):
+        return
+    phrase = Phrase(s.prep, None, w.amount)
+    owner = _time_apart(c, s, phrase, i)
+    if owner is None and s.frame is not None:
         link = c.elements[i - 2] if i >= 2 else None
-        joined = isinstance(link, Word) and link.kind == "conj" and s.prep == "after"
-        if w.amount.dimension == "time" and joined and isinstance(nxt, Verb):
-            s.loose.append(phrase)  # "accelerates and after 2 s hits"
-            s.prep = ""
-            return s
-        pair = i >= 2 and isinstance(c.elements[i - 2], Word)
-        pair = pair and getattr(c.elements[i - 2], "amount", None) is not None
-        told = s.frame is not None and s.frame.relative and s.frame.verb.sense in _HAPPENING
-        if phrase.prep == "after" and s.frame is not None and s.frame.reduced and not told:
-            main = s.frame.parent or s.main
-            if main is not None and isinstance(nxt, Word) and not _more_told(c, i):
-                main.phrases.append(phrase)  # "hits a block lying there 5 seconds later"
-                s.prep = ""
-                return s
-        if s.frame is not None and (
-            pair or not (s.boundary and finite_ahead(c.elements, i + 1) and not s.prep)
-        ):
-            fronted = s.boundary_kind == "comma" or _opens_clause(c, i)
-            if s.boundary and fronted and finite_ahead(c.elements, i + 1):
-                s.loose.append(phrase)
-            else:
-                s.frame.phrases.append(phrase)
-        else:
-            s.loose.append(phrase)
-        s.prep = ""
-        return s
-    if (
-        w.kind == "unknown"
-        and s.frame is not None
-        and s.frame.verb.sense == "be"
-        and not s.boundary
-    ):
+        pair = isinstance(link, Word) and link.amount is not None
+        ahead = s.boundary and finite_ahead(c.elements, i + 1)
+        fronted = s.boundary_kind == "comma" or _opens_clause(c, i)
+        if (pair or s.prep or not ahead) and not (ahead and fronted):
+            owner = s.frame.phrases
+    (s.loose if owner is None else owner).append(phrase)
+    s.prep = ""
+
+
+def _time_apart(
+    c: Clauses, s: State, phrase: Phrase, i: int
+) -> list[Phrase] | list[Phrase | Amount | str] | None:
+    """Where a time goes that is not of its own clause; None for the usual place."""
+    assert phrase.amount is not None
+    nxt = c.elements[i + 1] if i + 1 < len(c.elements) else None
+    timed = phrase.amount.dimension == "time"
+    if timed and s.boundary and _set_off_by_commas(c, i):
+        phrase.prep = s.prep or "after"
+        return s.loose  # "and, a good three seconds on, hits"
+    if isinstance(nxt, Word) and nxt.low in ("later", "afterwards", "afterward"):
+        phrase.prep = "after"
+        rest = c.elements[i + 2] if i + 2 < len(c.elements) else None
+        acts = isinstance(rest, Verb) and s.boundary_kind == "conj"
+        if s.boundary and (acts or getattr(rest, "low", "") == ","):
+            return s.loose  # "and, 1.5 s later, crashes"
+    link = c.elements[i - 2] if i >= 2 else None
+    joined = isinstance(link, Word) and link.kind == "conj" and s.prep == "after"
+    if timed and joined and isinstance(nxt, Verb):
+        return s.loose  # "accelerates and after 2 s hits"
+    told = s.frame is not None and s.frame.relative and s.frame.verb.sense in _HAPPENING
+    if phrase.prep == "after" and s.frame is not None and s.frame.reduced and not told:
+        main = s.frame.parent or s.main
+        if main is not None and isinstance(nxt, Word) and not _more_told(c, i):
+            return main.phrases  # "hits a block lying there 5 seconds later"
+    return None
+
+
+def _unknown(c: Clauses, s: State, w: Word, i: int) -> None:
+    if s.frame is not None and s.frame.verb.sense == "be" and not s.boundary:
         s.frame.adverbs.append(w.low)
-        return s
-    if w.kind == "unknown" and w.low in ("suppose", "imagine", "picture", "consider"):
-        return s
-    if w.kind == "adv":
-        if w.low in ("then", "next", "simultaneously", "meanwhile") and w.low != "next":
-            s.link = w.low if w.low in ("simultaneously", "meanwhile") else "then"
-            if w.low == "then" and s.boundary_kind != "rel":
-                s.boundary, s.boundary_kind = (
-                    True,
-                    "conj" if s.boundary_kind != "comma" else "comma",
-                )
-            if (
-                s.frame is not None
-                and w.low == "simultaneously"
-                and not finite_ahead(c.elements, i + 1)
-            ):
-                s.frame.adverbs.append(w.low)
-                s.frame.link = "simultaneously"
-            return s
-        if w.low in ("each other", "one another"):
-            s.prep = ""  # "20 cm from each other and ..."
-        side = w.low in ("left", "right")
-        if s.frame is not None and (side or not (s.boundary and finite_ahead(c.elements, i + 1))):
+
+
+def _adverb(c: Clauses, s: State, w: Word, i: int) -> None:
+    ahead = finite_ahead(c.elements, i + 1)
+    if w.low in ("then", "simultaneously", "meanwhile"):
+        s.link = w.low
+        if w.low == "then" and s.boundary_kind != "rel":
+            s.boundary = True
+            s.boundary_kind = "conj" if s.boundary_kind != "comma" else "comma"
+        if s.frame is not None and w.low == "simultaneously" and not ahead:
             s.frame.adverbs.append(w.low)
-        else:
-            s.loose.append(w.low)
-        return s
-    return s
+            s.frame.link = "simultaneously"
+        return
+    if w.low in ("each other", "one another"):
+        s.prep = ""  # "20 cm from each other and ..."
+    own = w.low in ("left", "right") or not (s.boundary and ahead)
+    (s.frame.adverbs if s.frame is not None and own else s.loose).append(w.low)
+
+
+READERS: dict[str, Callable[[Clauses, State, Word, int], State | None]] = {
+    "punct": _punctuation,
+    "conj": _conjunction,
+    "rel": _relative,
+    "sub": _subordinator,
+    "prep": _preposition,
+    "to": _preposition,
+    "qty": _quantity,
+    "unknown": _unknown,
+    "adv": _adverb,
+}
+"""What a small word does, by its kind; a reader that begins a sentence returns its state."""
 
 
 def _set_off_by_commas(c: Clauses, i: int) -> bool:
@@ -244,62 +246,62 @@ def _next_low(c: Clauses, i: int) -> str:
 def _belongs_to_noun(c: Clauses, s: State, w: Word, i: int) -> bool:
     """ "a ball of 2 kg", "the van (3 tons)": a property of the noun before."""
     assert w.amount is not None
-    if _in_list(c, s, w, i):
+    if _in_list(c, s, w, i) or _one_more(c, w, i):
         return True
     previous = c.elements[i - 1] if i else None
     before = c.elements[i - 2] if i >= 2 else None
+    link = previous.low if isinstance(previous, Word) else ""
     if i >= 3 and isinstance(before, Word) and before.low in _SIZES:
         before = c.elements[i - 3]  # "20 cm thick and 2 m high"
-    if (
-        isinstance(previous, Word)
-        and previous.kind == "conj"
-        and isinstance(before, Word)
-        and before.amount is not None
-        and c.quantified is not None
-        and before.amount in c.quantified.amounts
-    ):
-        c.quantified.amounts.append(w.amount)
-        if size := _size_word(c, i):
-            c.quantified.adjectives.append(f"@{w.amount.start}:{size}")
-        return True
-    noun = before if isinstance(previous, Word) and previous.low in _BEFORE_AMOUNTS else previous
+    noun = before if link in _BEFORE_AMOUNTS else previous
     if not isinstance(noun, Mention):
         return False
-    sized = noun.pronoun == "one" and noun.determiner == "the" and _size_word(c, i) != ""
-    if noun.pronoun and not (sized and w.amount.dimension == "length"):
+    size, dimension = _size_word(c, i), w.amount.dimension
+    one = noun.pronoun == "one" and noun.determiner == "the" and size and dimension == "length"
+    if noun.pronoun and not one:
         return False
-    if noun.attribute:
-        of = isinstance(previous, Word) and previous.low == "of"
-        if noun.possessor is not None or (w.amount.dimension == "time" and not of):
-            return False  # "to the right within 6 s"
-        noun.amounts.append(w.amount)
-        s.prep = ""
-        return True
     inclined = noun.noun is not None and "incline" in noun.noun.traits
-    if inclined and w.amount.dimension == "angle":
-        noun.amounts.append(w.amount)  # "a slope of 15 degrees"
-        s.prep = ""
-        return True
-    if w.amount.dimension not in ("mass", "length", "volume") or (
-        isinstance(previous, Word) and previous.low == "at"
-    ):
-        return False
-    size = _size_word(c, i) if w.amount.dimension == "length" else ""
-    size = size or w.amount.measure or ("size" if w.amount.sides else "")
-    of = isinstance(previous, Word) and previous.low in ("of", "(")
-    if w.amount.dimension == "length" and not of and not size:
-        return False
-    if (
-        s.frame is not None
-        and s.frame.verb.sense in ("weigh", "measure", "be", "have")
-        and noun is s.frame.subject
-    ):
-        return False
-    if size:
-        noun.adjectives.append(f"@{w.amount.start}:{size}")
+    if noun.attribute:
+        if noun.possessor is not None or (dimension == "time" and link != "of"):
+            return False  # "to the right within 6 s"
+    elif not (inclined and dimension == "angle"):  # "a slope of 15 degrees"
+        size = size if dimension == "length" else ""
+        size = size or w.amount.measure or ("size" if w.amount.sides else "")
+        if not _is_property(s, w, noun, link, size):
+            return False
+        if size:
+            noun.adjectives.append(f"@{w.amount.start}:{size}")
+        c.quantified = noun
     noun.amounts.append(w.amount)
-    c.quantified = noun
     s.prep = ""
+    return True
+
+
+def _is_property(s: State, w: Word, noun: Mention, link: str, size: str) -> bool:
+    """Whether a mass, a length or a volume is one of the noun it follows."""
+    assert w.amount is not None
+    if w.amount.dimension not in ("mass", "length", "volume") or link == "at":
+        return False
+    if w.amount.dimension == "length" and link not in ("of", "(") and not size:
+        return False
+    told = s.frame is not None and s.frame.verb.sense in ("weigh", "measure", "be", "have")
+    return not (told and s.frame is not None and noun is s.frame.subject)
+
+
+def _one_more(c: Clauses, w: Word, i: int) -> bool:
+    """ "a crate of 40 kg and 1 m": one more quantity of the noun that the last was of."""
+    assert w.amount is not None
+    link, before = (c.elements[i - n] if i >= n else None for n in (1, 2))
+    if i >= 3 and isinstance(before, Word) and before.low in _SIZES:
+        before = c.elements[i - 3]
+    if not (isinstance(link, Word) and link.kind == "conj" and isinstance(before, Word)):
+        return False
+    noun = c.quantified
+    if noun is None or before.amount is None or before.amount not in noun.amounts:
+        return False
+    noun.amounts.append(w.amount)
+    if size := _size_word(c, i):
+        noun.adjectives.append(f"@{w.amount.start}:{size}")
     return True
 
 

@@ -6,6 +6,7 @@ towards ..."); spaCy's tags only settle words that the lexicon does not know.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 import re
 
 from esg.draft import lexicon as lex
@@ -25,7 +26,7 @@ from esg.draft.grammar.phrases.reader import (
 )
 from esg.draft.grammar.phrases.verb_groups import verb_group
 from esg.draft.grammar.rewrites.nominals import RETOLD_NOUNS
-from esg.draft.text.elements import Element, Mention, Token, Verb, Word
+from esg.draft.text.elements import Element, Mention, Token, Verb, Word, WordKind
 from esg.draft.text.multiwords import MULTIWORDS
 from esg.draft.text.numerals import parse_number
 from esg.draft.verbphrases import verb_readings
@@ -43,6 +44,7 @@ _BOUNDS = (
 """What bounds a count: "at least two of the pins"."""
 _SO_AS_TO = (("in", "order", "to"), ("so", "as", "to"))
 _MOMENTS = lex.word_set("moments")
+_EVENT_NOUNS = lex.word_set("event nouns")
 
 
 _AIMS = lex.word_set("aims (chunker)")
@@ -65,133 +67,167 @@ def chunk(text: str, tokens: list[Token]) -> list[Element]:
 
 
 def step(c: Chunks, i: int) -> int:
+    """Reads the element at token i; returns the token after it."""
+    return next(j for reader in READERS if (j := reader(c, i)) is not None)
+
+
+def _word(c: Chunks, i: int, kind: WordKind, low: str, n: int = 1) -> int:
+    """Adds a small word of n tokens; the token after it."""
+    c.elements.append(Word(c.tokens[i].start, c.tokens[i + n - 1].end, kind, low))
+    return i + n
+
+
+def _punctuation(c: Chunks, i: int) -> int | None:
     token = c.tokens[i]
-    low = token.low
-    if token.kind == "punct":
-        c.elements.append(Word(token.start, token.end, "punct", token.text))
-        return i + 1
-    used = _heading(c, i)
-    if used:
-        return i + used
+    return _word(c, i, "punct", token.text) if token.kind == "punct" else None
+
+
+def _question(c: Chunks, i: int) -> int | None:
+    """ "Can a ball hit a box?"."""
     previous = element_before(c)
     opens = previous is None or (isinstance(previous, Word) and previous.low in ".;!?\n")
-    if low in _ASKING and opens and low_at(c, i + 1) in _ASKED:
-        c.elements.append(Word(token.start, token.end, "adv", "indeed"))
-        return i + 1  # "Can a ball hit a box?"
-    if token.kind == "qty":
-        j = noun_phrase(c, i)
-        if j is not None:
-            return j
-        c.elements.append(Word(token.start, token.end, "qty", token.low, token.amount))
-        return i + 1
-    used = _multiword(c, i) if low in ("to", "which", "that") else 0
-    if used:
-        return i + used
-    if (low, low_at(c, i + 1), low_at(c, i + 2)) in _SO_AS_TO and verb_readings(low_at(c, i + 3)):
-        j = step(c, i + 2)  # "in order to ram it"
-        c.elements[-1].start = token.start
-        return j
-    if low == "to":
-        nxt = verb_readings(low_at(c, i + 1))
-        base = next((v for v in nxt if v.form == "base"), None)
-        if base is not None and (low_at(c, i + 1) not in lex.nouns() or _verb_after_to(c, i + 1)):
-            j = verb_group(c, i + 1)
-            if j is not None:
-                verb = c.elements[-1]
-                assert isinstance(verb, Verb)
-                verb.infinitive = True
-                verb.start = token.start
-                return j
-        c.elements.append(Word(token.start, token.end, "prep", "to"))
-        return i + 1
-    if low in ("which", "who", "whose", "whom") or (
-        low == "that"
-        and isinstance(element_before(c), Mention)
-        and (verb_ahead(c, i + 1) or _clause_of_noun(c, i))
-    ):
-        c.elements.append(Word(token.start, token.end, "rel", low))
-        return i + 1
-    degree = {low_at(c, i - 2), low_at(c, i - 3)} & {"so", "such"}
-    if low == "that" and degree and verb_soon(c, i + 1):
-        c.elements.append(Word(token.start, token.end, "sub", "so"))
-        return i + 1
-    if low in ("and", "or", "but", "plus", "nor"):
-        c.elements.append(Word(token.start, token.end, "conj", low))
-        return i + 1
-    used = _bounded_count(c, i)
-    if used:
-        c.elements.append(Word(token.start, c.tokens[i + used - 1].end, "adv", "exactly"))
-        return i + used
-    used = _multiword(c, i)
-    if used:
-        return i + used
-    size = element_before(c)
-    if low in EXTENTS and isinstance(size, Word) and size.kind == "qty":
-        c.elements.append(Word(token.start, token.end, "unknown", low))
-        return i + 1  # "15 cm tall and 7 cm wide tips over"
-    if _last_of_compound(c, i) and (j := noun_phrase(c, i)) is not None:
-        head, first = c.elements.pop(), c.elements.pop()
-        if isinstance(head, Mention) and isinstance(first, Mention):
-            head.start, head.text = first.start, f"{first.text} {head.text}"
-            head.adjectives.insert(0, first.head)
-        c.elements.append(head)
-        return j  # "Rain barrel topples"
-    named = noun_phrase(c, i) if _named_thing(c, i) else None
-    if named is not None:
-        return named
-    if verb_here(c, i) or _verb_after_amount(c, i):
-        j = verb_group(c, i)
-        if j is not None:
-            return j
-    if low in ("then", "meanwhile", "simultaneously"):
-        c.elements.append(Word(token.start, token.end, "adv", low))
-        return i + 1
-    if (
-        low in ("after", "before")
-        and low_at(c, i + 1) in ("that", "this", "which")
-        and low_at(c, i + 2) not in RETOLD_NOUNS
-    ):
-        c.elements.append(Word(token.start, token.end, "adv", "then"))
-        return i + 2
-    if low in lex.SUBORDINATORS and _clause_follows(c, i):
-        c.elements.append(Word(token.start, token.end, "sub", low))
-        return i + 1
-    if unknown_verb(c, i):
-        c.elements.append(Verb(token.start, token.end, low, "unknown", "s"))
-        return i + 1
+    asks = opens and low_at(c, i) in _ASKING and low_at(c, i + 1) in _ASKED
+    return _word(c, i, "adv", "indeed") if asks else None
+
+
+def _quantity(c: Chunks, i: int) -> int | None:
+    token = c.tokens[i]
+    if token.kind != "qty":
+        return None
     j = noun_phrase(c, i)
     if j is not None:
         return j
-    if low == "in" and low_at(c, i + 1) == "off":
-        c.elements.append(Word(token.start, token.end, "adv", "in"))
-        return i + 1  # "goes in off the cushion"
+    c.elements.append(Word(token.start, token.end, "qty", token.low, token.amount))
+    return i + 1
+
+
+def _early_multiword(c: Chunks, i: int) -> int | None:
+    return _multiword(c, i) if low_at(c, i) in ("to", "which", "that") else None
+
+
+def _so_as_to(c: Chunks, i: int) -> int | None:
+    """ "in order to ram it"."""
+    if c.lows[i : i + 3] not in _SO_AS_TO or not verb_readings(low_at(c, i + 3)):
+        return None
+    j = step(c, i + 2)
+    c.elements[-1].start = c.tokens[i].start
+    return j
+
+
+def _to(c: Chunks, i: int) -> int | None:
+    """An infinitive, or the preposition."""
+    if low_at(c, i) != "to":
+        return None
+    base = any(v.form == "base" for v in verb_readings(low_at(c, i + 1)))
+    if base and (low_at(c, i + 1) not in lex.nouns() or _verb_after_to(c, i + 1)):
+        j = verb_group(c, i + 1)
+        if j is not None:
+            verb = c.elements[-1]
+            assert isinstance(verb, Verb)
+            verb.infinitive, verb.start = True, c.tokens[i].start
+            return j
+    return _word(c, i, "prep", "to")
+
+
+def _relative(c: Chunks, i: int) -> int | None:
+    low = low_at(c, i)
+    if low in ("which", "who", "whose", "whom"):
+        return _word(c, i, "rel", low)
+    if low != "that":
+        return None
+    if isinstance(element_before(c), Mention) and (verb_ahead(c, i + 1) or _clause_of_noun(c, i)):
+        return _word(c, i, "rel", low)
+    degree = {low_at(c, i - 2), low_at(c, i - 3)} & {"so", "such"}
+    return _word(c, i, "sub", "so") if degree and verb_soon(c, i + 1) else None
+
+
+def _conjunction(c: Chunks, i: int) -> int | None:
+    low = low_at(c, i)
+    return _word(c, i, "conj", low) if low in ("and", "or", "but", "plus", "nor") else None
+
+
+def _bound(c: Chunks, i: int) -> int | None:
+    n = _bounded_count(c, i)
+    return _word(c, i, "adv", "exactly", n) if n else None
+
+
+def _extent(c: Chunks, i: int) -> int | None:
+    """ "15 cm tall and 7 cm wide tips over"."""
+    size = element_before(c)
+    extent = low_at(c, i) in EXTENTS and isinstance(size, Word) and size.kind == "qty"
+    return _word(c, i, "unknown", low_at(c, i)) if extent else None
+
+
+def _compound(c: Chunks, i: int) -> int | None:
+    """ "Rain barrel topples"."""
+    j = noun_phrase(c, i) if _last_of_compound(c, i) else None
+    if j is None:
+        return None
+    head, first = c.elements.pop(), c.elements.pop()
+    if isinstance(head, Mention) and isinstance(first, Mention):
+        head.start, head.text = first.start, f"{first.text} {head.text}"
+        head.adjectives.insert(0, first.head)
+    c.elements.append(head)
+    return j
+
+
+def _named(c: Chunks, i: int) -> int | None:
+    return noun_phrase(c, i) if _named_thing(c, i) else None
+
+
+def _verb(c: Chunks, i: int) -> int | None:
+    return verb_group(c, i) if verb_here(c, i) or _verb_after_amount(c, i) else None
+
+
+def _link(c: Chunks, i: int) -> int | None:
+    """ "then", "after that", "when"."""
+    low = low_at(c, i)
+    if low in ("then", "meanwhile", "simultaneously"):
+        return _word(c, i, "adv", low)
+    that = low in ("after", "before") and low_at(c, i + 1) in ("that", "this", "which")
+    if that and low_at(c, i + 2) not in RETOLD_NOUNS:
+        c.elements.append(Word(c.tokens[i].start, c.tokens[i].end, "adv", "then"))
+        return i + 2
+    clause = low in lex.SUBORDINATORS and _clause_follows(c, i)
+    return _word(c, i, "sub", low) if clause else None
+
+
+def _unknown_verb(c: Chunks, i: int) -> int | None:
+    if not unknown_verb(c, i):
+        return None
+    token = c.tokens[i]
+    c.elements.append(Verb(token.start, token.end, token.low, "unknown", "s"))
+    return i + 1
+
+
+def _small_word(c: Chunks, i: int) -> int | None:
+    """A preposition or an adverb."""
+    low, after = low_at(c, i), low_at(c, i + 1)
+    if low == "in" and after == "off":
+        return _word(c, i, "adv", "in")  # "goes in off the cushion"
     verb = element_before(c)
     leaves = isinstance(verb, Verb) and verb.sense in ("fall", "roll", "slide", "knock")
-    if low == "of" and leaves and low_at(c, i + 1) in lex.DETERMINERS:
+    if low == "of" and leaves and after in lex.DETERMINERS:
         low = "off"  # "falls of the shelf"
     if low in lex.PREPOSITIONS or low in lex.SUBORDINATORS:
-        c.elements.append(Word(token.start, token.end, "prep", low))
-        return i + 1
-    if low in lex.ADVERBS or low.endswith("ly") or token.tag == "ADV":
-        c.elements.append(Word(token.start, token.end, "adv", low))
-        return i + 1
-    if low in lex.MODALS:
-        c.elements.append(Word(token.start, token.end, "adv", low))
-        return i + 1
-    previous = element_before(c)
-    if (
-        (token.tag == "VERB" or low.endswith(("s", "ed", "ing")))
-        and low.isalpha()
-        and (
-            isinstance(previous, Mention)
-            or (isinstance(previous, Word) and previous.kind in ("conj", "rel", "adv"))
-        )
-    ):
+        return _word(c, i, "prep", low)
+    adverb = low in lex.ADVERBS or low.endswith("ly") or c.tokens[i].tag == "ADV"
+    return _word(c, i, "adv", low) if adverb or low in lex.MODALS else None
+
+
+def _unknown(c: Chunks, i: int) -> int:
+    """A word that nothing explains: a verb where one may stand, else unknown."""
+    token, previous = c.tokens[i], element_before(c)
+    low = token.low
+    inflected = token.tag == "VERB" or low.endswith(("s", "ed", "ing"))
+    after = isinstance(previous, Mention) or (
+        isinstance(previous, Word) and previous.kind in ("conj", "rel", "adv")
+    )
+    if inflected and after and low.isalpha():
         form = "ing" if low.endswith("ing") else "s"
         c.elements.append(Verb(token.start, token.end, low, "unknown", form))
         return i + 1
-    c.elements.append(Word(token.start, token.end, "unknown", low))
-    return i + 1
+    return _word(c, i, "unknown", low)
 
 
 def _clause_of_noun(c: Chunks, i: int) -> bool:
@@ -207,27 +243,27 @@ def _clause_of_noun(c: Chunks, i: int) -> bool:
     return noun is not None and any(verb_ahead(c, k) for k in (i + 3, i + 4))
 
 
-def _heading(c: Chunks, i: int) -> int:
+def _heading(c: Chunks, i: int) -> int | None:
     """ "Scene 1:", "SYSTEM:", "Prompt:" in front of a sentence names no object."""
     previous = element_before(c)
     if previous is not None and not (isinstance(previous, Word) and previous.low in ".;!?-"):
-        return 0
+        return None
     token = c.tokens[i]
     titled = _title(c, i)
     if titled:
         c.elements.append(Word(token.start, c.tokens[i + titled - 1].end, "adv", "heading"))
-        return titled
+        return i + titled
     n = 2 if token_at(c, i + 1) is not None and c.tokens[i + 1].kind == "number" else 1
     colon = token_at(c, i + n)
     if token.kind != "word" or colon is None or colon.text != ":":
-        return 0
+        return None
     unknown = match_noun(c, i) is None and not verb_readings(token.low)
     if token.low not in _HEADINGS and not (unknown and token.text.isupper()):
-        return 0
+        return None
     if len(token.text) == 1:
-        return 0
+        return None
     c.elements.append(Word(token.start, colon.end, "adv", "heading"))
-    return n + 1
+    return i + n + 1
 
 
 def _title(c: Chunks, i: int) -> int:
@@ -302,43 +338,36 @@ def _many_reverse(c: Chunks) -> bool:
     return opens and isinstance(previous, Mention) and previous.plural
 
 
-def _multiword(c: Chunks, i: int) -> int:
+def _multiword(c: Chunks, i: int) -> int | None:
     for words, kind, low in MULTIWORDS.get(low_at(c, i), ()):
-        if c.lows[i : i + len(words)] == words:
-            if words[0] in ("left", "right") and _previous_is_turn(c):
-                continue
-            if words == ("back", "into") and _many_reverse(c):
-                continue  # "Two vans back into each other"
-            if words[0] in ("at", "in", "on") and low_at(c, i + len(words)) in ("of", "to"):
-                continue  # "at the end of the ramp", "on the way to the door"
-            if words[-1] in ("that", "this") and low_at(c, i + len(words)) in RETOLD_NOUNS:
-                continue  # "because of that bump"
-            one = element_before(c) if words == ("at", "the", "end") else None
-            if isinstance(one, Mention) and one.pronoun == "one" and one.determiner == "the":
-                continue  # "the one at the end"
-            if words == ("down", "to") and verb_readings(low_at(c, i + 2)):
-                continue
-            if words in (("on", "to"), ("in", "to")) and verb_readings(low_at(c, i + 2)):
-                continue
-            if (
-                kind == "sub"
-                and words[-1] in _MOMENTS
-                and not _clause_follows(c, i + len(words) - 1)
-            ):
-                continue  # "at the moment of impact"
-            if kind == "prep" and low in ("after", "before") and words[-1] == low:
-                kind = "sub" if _clause_follows(c, i + len(words) - 1) else kind
-            if words == ("from", "behind") and thing_named(c, i + 2):
-                kind, low = "prep", "behind"  # "runs out from behind a bus"
-            start, end = c.tokens[i].start, c.tokens[i + len(words) - 1].end
-            c.elements.append(Word(start, end, kind, low))
-            return len(words)
-    return 0
+        n = len(words)
+        if c.lows[i : i + n] != words or _apart(c, i, words):
+            continue
+        if kind == "sub" and words[-1] in _MOMENTS and not _clause_follows(c, i + n - 1):
+            continue  # "at the moment of impact"
+        if kind == "prep" and low in ("after", "before") and words[-1] == low:
+            kind = "sub" if _clause_follows(c, i + n - 1) else kind
+        if words == ("from", "behind") and thing_named(c, i + 2):
+            kind, low = "prep", "behind"  # "runs out from behind a bus"
+        return _word(c, i, kind, low, n)
+    return None
 
 
-def _previous_is_turn(c: Chunks) -> bool:
-    p = element_before(c)
-    return isinstance(p, Verb) and p.sense in ("turn", "swerve")
+def _apart(c: Chunks, i: int, words: tuple[str, ...]) -> bool:
+    """Whether words that stand together do not belong together here."""
+    previous, after = element_before(c), low_at(c, i + len(words))
+    if words[0] in ("left", "right"):
+        return isinstance(previous, Verb) and previous.sense in ("turn", "swerve")
+    if words == ("back", "into"):
+        return _many_reverse(c)  # "Two vans back into each other"
+    if words[0] in ("at", "in", "on") and after in ("of", "to"):
+        return True  # "at the end of the ramp", "on the way to the door"
+    if words[-1] in ("that", "this") and after in RETOLD_NOUNS:
+        return True  # "because of that bump"
+    if words == ("at", "the", "end") and isinstance(previous, Mention):
+        return previous.pronoun == "one" and previous.determiner == "the"  # "the one at the end"
+    infinitive = words in (("down", "to"), ("on", "to"), ("in", "to"))
+    return infinitive and bool(verb_readings(after))
 
 
 def _verb_after_to(c: Chunks, i: int) -> bool:
@@ -361,28 +390,9 @@ def _goes_on(c: Chunks, j: int) -> bool:
 def _clause_follows(c: Chunks, i: int) -> bool:
     """Whether a subordinator starts a clause ("after it hits") and not "after 3 seconds"."""
     token = token_at(c, i + 1)
-    if token is None or token.kind in ("qty", "number"):
+    if token is None or token.kind in ("qty", "number") or _event_noun(c, i + 1):
         return False
     if low_at(c, i) in ("so", "since") and low_at(c, i + 1) in ("hard", "fast", "much"):
-        return False
-    first = i + 1 + (low_at(c, i + 1) in lex.DETERMINERS)
-    if (
-        low_at(c, first)
-        in (
-            "collision",
-            "impact",
-            "crash",
-            "hit",
-            "contact",
-            "turn",
-            "stop",
-            "strike",
-            "kick",
-        )
-        and not verb_readings(low_at(c, first + 1))
-        and low_at(c, first + 1) not in lex.MODALS
-        and (low_at(c, first + 1) != "by" or first > i + 1)
-    ):
         return False
     for j in range(i + 1, min(i + 14, len(c.tokens))):
         t = c.tokens[j]
@@ -394,11 +404,45 @@ def _clause_follows(c: Chunks, i: int) -> bool:
         if t.low in ("and", "but", "or", "then") and j > i + 1 and _goes_on(c, j + 1):
             return False  # "stops before the wall and turns", "just before a gate but hits it"
         readings = verb_readings(t.low)
-        if (readings or t.low in lex.MODALS) and (
-            (low_at(c, j) not in lex.nouns() and low_at(c, j) not in lex.ATTRIBUTES)
-            or low_at(c, j - 1) not in lex.DETERMINERS
-        ):
+        plain = t.low not in lex.nouns() and t.low not in lex.ATTRIBUTES
+        if not (readings or t.low in lex.MODALS):
+            continue
+        if plain or low_at(c, j - 1) not in lex.DETERMINERS:
             if t.low in lex.nouns() and j == i + 1:
                 return any(r.form == "ing" for r in readings)
             return not (low_at(c, i) == "as" and j == i + 1)
     return False
+
+
+def _event_noun(c: Chunks, i: int) -> bool:
+    """ "after the collision with a bus": a noun, where "after hits by" would be odd."""
+    first = i + (low_at(c, i) in lex.DETERMINERS)
+    after = low_at(c, first + 1)
+    acts = bool(verb_readings(after)) or after in lex.MODALS
+    by = after == "by" and first == i
+    return low_at(c, first) in _EVENT_NOUNS and not acts and not by
+
+
+READERS: tuple[Callable[[Chunks, int], int | None], ...] = (
+    _punctuation,
+    _heading,
+    _question,
+    _quantity,
+    _early_multiword,
+    _so_as_to,
+    _to,
+    _relative,
+    _conjunction,
+    _bound,
+    _multiword,
+    _extent,
+    _compound,
+    _named,
+    _verb,
+    _link,
+    _unknown_verb,
+    noun_phrase,
+    _small_word,
+    _unknown,
+)
+"""Readers of one element, in the order in which they are asked."""

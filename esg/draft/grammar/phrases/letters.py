@@ -50,89 +50,86 @@ def _name(c: Chunks, j: int, m: Mention) -> int:
     return after
 
 
-def letters(c: Chunks, j: int, m: Mention) -> int:
-    """Individual names after a head: "ball A", "balls A, B and C", "car 1", "ball #2"."""
-
-    def letter(k: int) -> str | None:
-        token = token_at(c, k)
-        if token is None:
-            return None
-        if token.kind == "word" and re.fullmatch(r"[A-Z]\d{0,2}", token.text):
-            return token.text
-        if token.kind == "number" and token.text[0] == "#":
-            return token.text[1:]
-        if token.low in _NAMING and not m.determiner and not m.plural and m.count is None:
-            return token.low if match_noun(c, k + 1) is None else None
-        if token.kind == "word" and re.fullmatch(r"[b-hj-z]", token.text):
-            return token.text.upper()
-        if token.kind == "word" and token.text == "a" and m.noun is not None:
-            nxt = low_at(c, k + 1)
-            known = bool(match_noun(c, k + 1)) or is_adjective(c, k + 1)
-            if (verb_readings(nxt) or nxt in lex.MODALS) and not known and not m.determiner:
-                return "A"
-            if nxt in ("and", "'s") and not m.determiner:
-                return "A"
-        if token.kind == "number" and re.fullmatch(r"\d{1,2}", token.text):
-            nxt = token_at(c, k + 1)
-            if nxt is None or nxt.kind != "word" or not match_noun(c, k + 1):
-                return token.text
-            bare = (not m.determiner and m.count is None) or token.text == "1"
-            if bare and any(r.form == "s" for r in verb_readings(nxt.low)):
-                return token.text  # "ball 1 rams ball 2"
+def _letter(c: Chunks, k: int, m: Mention) -> str | None:
+    """The name at token k: "A", "#2", "one", "3"; None where none stands there."""
+    token = token_at(c, k)
+    if token is None:
         return None
+    if token.kind == "number":
+        return _number(c, k, m)
+    if token.kind != "word":
+        return None
+    if re.fullmatch(r"[A-Z]\d{0,2}", token.text):
+        return token.text
+    if token.low in _NAMING and not m.determiner and not m.plural and m.count is None:
+        return token.low if match_noun(c, k + 1) is None else None
+    if re.fullmatch(r"[b-hj-z]", token.text):
+        return token.text.upper()
+    if token.text != "a" or m.noun is None or m.determiner:
+        return None
+    nxt = low_at(c, k + 1)
+    known = bool(match_noun(c, k + 1)) or is_adjective(c, k + 1)
+    acts = (verb_readings(nxt) or nxt in lex.MODALS) and not known
+    return "A" if acts or nxt in ("and", "'s") else None
 
-    if not m.head or m.pronoun or m.attribute:
-        return j
-    opening = token_at(c, j)
-    if (
-        m.plural
-        and opening is not None
-        and opening.text in (",", "(", ":")
-        and letter(j + 1)
-        and token_at(c, j + 2) is not None
-        and (c.tokens[j + 2].text == "," or low_at(c, j + 2) == "and")
-    ):
-        j += 1
-        m.letters.append(letter(j) or "")
-        j += 1
-        while True:
-            k = j
-            while token_at(c, k) is not None and (c.tokens[k].text == "," or low_at(c, k) == "and"):
-                k += 1
-            found = letter(k) if k > j else None
-            if found is None:
-                break
-            m.letters.append(found)
-            j = k + 1
-        if token_at(c, j) is not None and c.tokens[j].text == ")":
-            j += 1
-        return j
-    if token_at(c, j) is not None and c.tokens[j].text in ('"', "'", "“", "(") and letter(j + 1):
-        found = letter(j + 1)
-        closing = token_at(c, j + 2)
-        if found and closing is not None and closing.text in ('"', "'", "”", ")"):
-            m.letters.append(found)
-            return j + 3
-    named = _name(c, j, m)
-    if named:
-        return named
-    if low_at(c, j) in ("labeled", "labelled", "named", "called", "number") and letter(j + 1):
-        j += 1
-    found = letter(j)
-    if found is None:
-        return j
-    m.letters.append(found)
-    j += 1
+
+def _number(c: Chunks, k: int, m: Mention) -> str | None:
+    """ "#2", "3": a number that names, not one that counts what follows."""
+    text = c.tokens[k].text
+    if text[0] == "#":
+        return text[1:]
+    if not re.fullmatch(r"\d{1,2}", text):
+        return None
+    nxt = token_at(c, k + 1)
+    if nxt is None or nxt.kind != "word" or not match_noun(c, k + 1):
+        return text
+    bare = (not m.determiner and m.count is None) or text == "1"
+    acts = any(r.form == "s" for r in verb_readings(nxt.low))
+    return text if bare and acts else None  # "ball 1 rams ball 2"
+
+
+def _text(c: Chunks, k: int) -> str:
+    token = token_at(c, k)
+    return token.text if token is not None else ""
+
+
+def _separator(c: Chunks, k: int) -> bool:
+    return _text(c, k) == "," or low_at(c, k) == "and"
+
+
+def _list(c: Chunks, j: int, m: Mention) -> int:
+    """Further names after the first: ", B and C"; the next index."""
     while True:
         k = j
-        if token_at(c, k) is not None and c.tokens[k].text == ",":
+        while k < j + 2 and _separator(c, k):
             k += 1
-        if low_at(c, k) == "and":
-            k += 1
-        if k == j:
-            return j
-        found = letter(k) if (m.plural or len(m.letters) > 1) else None
+        found = _letter(c, k, m) if k > j and (m.plural or len(m.letters) > 1) else None
         if found is None:
             return j
         m.letters.append(found)
         j = k + 1
+
+
+def letters(c: Chunks, j: int, m: Mention) -> int:
+    """Individual names after a head: "ball A", "balls A, B and C", "car 1", "ball #2"."""
+    if not m.head or m.pronoun or m.attribute:
+        return j
+    first = _letter(c, j + 1, m)
+    if m.plural and _text(c, j) in (",", "(", ":") and first and _separator(c, j + 2):
+        m.letters.append(first)
+        j = _list(c, j + 2, m)
+        return j + (_text(c, j) == ")")
+    quoted = _text(c, j) in ('"', "'", "“", "(") and _text(c, j + 2) in ('"', "'", "”", ")")
+    if quoted and first:
+        m.letters.append(first)
+        return j + 3
+    named = _name(c, j, m)
+    if named:
+        return named
+    if low_at(c, j) in ("labeled", "labelled", "named", "called", "number") and first:
+        j += 1
+    found = _letter(c, j, m)
+    if found is None:
+        return j
+    m.letters.append(found)
+    return _list(c, j + 1, m)

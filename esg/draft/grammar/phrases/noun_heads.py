@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import NamedTuple
+
 from esg.draft import lexicon as lex
 from esg.draft.discourse.referents.entities import BODY_PARTS, COUNTED_FROM, ORDINALS, STACKED
-from esg.draft.grammar.phrases.chunks import Chunks
+from esg.draft.grammar.phrases.chunks import Chunks, NounMatch
 from esg.draft.grammar.phrases.letters import letters
 from esg.draft.grammar.phrases.noun_questions import (
     bare_color,
@@ -41,374 +45,481 @@ from esg.draft.verbphrases import verb_readings
 
 _PIECES = lex.word_set("pieces")
 _RUNNING_GEAR = lex.word_set("running gear")
-
-
 _SINGULAR = lex.word_set("singular")
 _MOSTLY_NOUNS = lex.word_set("mostly nouns")
 _WAYS = lex.word_set("ways (noun heads)")
 _VESSELS = lex.word_set("vessels (noun heads)")
+_THEM = ("it", "him", "her", "them")
+_STACKS = ("stack", "pile", "tower", "heap")
+_OWN = ("his", "her", "its", "their")
+_NO_NOUNS = lex.ADVERBS | lex.PREPOSITIONS | lex.DETERMINERS | lex.SUBORDINATORS
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where the head of a phrase is looked for.
+
+    Args:
+        first: Token at which the phrase begins.
+        at: Token after its modifiers.
+        low: The word there, "" at the end of the text.
+        noun: The noun of the lexicon there.
+    """
+
+    first: int
+    at: int
+    low: str
+    noun: NounMatch | None
+
+
+class Head(NamedTuple):
+    """A head that has been read: the token after it, and whether its phrase is complete."""
+
+    after: int
+    complete: bool = False
+
+
+HeadReader = Callable[[Chunks, Place, Mention], Head | None]
+"""Reads one kind of head; `OTHER` where there is none of its kind, None where no phrase is."""
+OTHER = Head(-1)
 
 
 def read_head(c: Chunks, i: int, j: int, m: Mention) -> int | None:
-    tokens = c.tokens
-    low = low_at(c, j)
-    noun = match_noun(c, j) if j < len(tokens) else None
-    if noun is not None and noun[3] == "corner" and low_at(c, j + 1) == "of":
-        noun = None  # of a room or a table, not of the street
-    if noun is not None and noun[3] == "path" and m.determiner and low_at(c, j + 1) == "of":
-        noun = None  # "into the path of a tram": no footpath
-    if noun is not None and m.determiner in ("both", "all") and many_do(c, j, m):
-        noun = None  # "and both slide into a bale"
-    phrase_start = tokens[j].start if j < len(tokens) else m.end
-    if noun is not None:
-        entry, n, plural, phrase = noun
-        # an adjective that is also a noun ends a compound ("steel ball", "office desk")
-        k = j + n
-        first = j
-        while True:
-            following = match_noun(c, k) if k < len(tokens) else None
-            if following is None or plural or low_at(c, k) in lex.ADVERBS:
-                break
-            readings = verb_readings(low_at(c, k))
-            if let_do(c, k, readings):
-                break  # "make a ball bowl over a pin"
-            acts = low_at(c, k + 1) in lex.DETERMINERS | lex.PRONOUNS
-            if following[2] and (m.determiner in _SINGULAR or (readings and acts)):
-                break  # "a door swings shut", "a cyclist signals": no plural after "a"
-            swings = following[2] and not plural and any(r.form == "s" for r in readings)
-            if swings and low_at(c, k + 1) in _WAYS:
-                break  # "the quad bike swings left"
-            named = following[0].kind in _VESSELS or low_at(c, k) in _MOSTLY_NOUNS
-            vessel = m.determiner and named and ends_phrase(c, k)
-            if readings and following[1] == 1 and not (vessel or compound_noun(c, k, m)):
-                break
-            modifier = " ".join(t.low for t in tokens[first:k])
-            m.adjectives.extend(modifier.split())
-            entry, n, plural, phrase = following
-            first = k
-            k += n
-        j = first
-        m.noun, m.head, m.plural = entry, phrase, plural or m.plural
-        k += piled(c, k, m)
-        following_qty = token_at(c, k + 1)
-        if phrase in ("weight", "mass") and (
-            (
-                low_at(c, k) in ("of", "is")
-                and following_qty is not None
-                and following_qty.kind == "qty"
-            )
-            or m.determiner == "its"
-        ):
-            m.noun, m.attribute = None, True
-        if phrase in lex.PERSON_ROLES or phrase in ("cyclist", "rider"):
-            m.role = phrase if phrase in lex.PERSON_ROLES else ""
-        if phrase in ("row", "line"):
-            m.noun = None
-        j = k
-        if (
-            low_at(c, j) == "of"
-            and low_at(c, j + 1) in lex.SUBSTANCES
-            and match_noun(c, j + 1) is None
-        ):
-            m.adjectives.append(low_at(c, j + 1))
-            j += 2
-        if low_at(c, j) == "on" and low_at(c, j + 1) in _RUNNING_GEAR:
-            m.adjectives.append("wheeled")  # "an armchair on wheels": no objects of their own
-            j += 2
-        if low_at(c, j) in ("behind", "following") and low_at(c, j + 1) in (
-            "it",
-            "him",
-            "her",
-            "them",
-        ):
-            m.adjectives.append("rear")
-            j += 2
-        elif (
-            low_at(c, j) == "behind"
-            and m.determiner == "the"
-            and (
-                verb_readings(low_at(c, j + 1))
-                or token_at(c, j + 1) is None
-                or c.tokens[j + 1].kind == "punct"
-            )
-        ):
-            m.adjectives.append("rear")
-            j += 1
-        elif (
-            low_at(c, j) == "in"
-            and low_at(c, j + 1) == "front"
-            and m.determiner == "the"
-            and (low_at(c, j + 2) != "of" or low_at(c, j + 3) in ("it", "him", "her", "them"))
-        ):
-            m.adjectives.append("front")
-            j += 4 if low_at(c, j + 2) == "of" else 2
-        on_top = 2 if low_at(c, j + 1) == "top" else 3 if low_at(c, j + 2) == "top" else 0
-        if (
-            on_top
-            and low_at(c, j) in ("on", "at")
-            and low_at(c, j + 1) in ("top", "the")
-            and m.determiner == "the"
-            and not plural
-            and (
-                low_at(c, j + on_top) != "of"
-                or low_at(c, j + on_top + 2) in ("stack", "pile", "tower", "heap")
-            )
-        ):
-            m.adjectives.append("top")  # "the crate on top falls off"
-            j += on_top
-        if (
-            set(m.adjectives) & STACKED.keys()
-            and low_at(c, j) == "of"
-            and low_at(c, j + 1) in ("the", "a", "this", "that")
-            and low_at(c, j + 2) in ("stack", "pile", "tower", "heap")
-            and low_at(c, j + 3) != "of"
-        ):
-            m.stacked = True
-            j += 3
-        if (m.role or m.head == "net") and low_at(c, j) == "of":
-            size = len(c.elements)
-            inner = c.noun_phrase(j + 1)
-            if inner is not None:
-                owner = c.elements.pop()
-                assert isinstance(owner, Mention) and len(c.elements) == size
-                owner.start = m.start
-                c.elements.append(owner)
-                return inner
-        # unknown nouns after a known modifier: "car horn"
-        token = token_at(c, j)
-        if (
-            token is not None
-            and token.kind == "word"
-            and token.tag in ("NOUN", "PROPN")
-            and not (looks_like_verb(c, j, m) or numbers(c, j))
-            and not plural
-            and len(token.text) > 1
-            and token.low not in lex.ADVERBS
-            and token.low not in lex.PREPOSITIONS
-            and not verb_readings(token.low)
-            and token.low not in lex.DETERMINERS
-            and token.low not in lex.SUBORDINATORS
-        ):
-            single, is_plural = lex.singular(token.low)
-            if single in lex.ATTRIBUTES:
-                m.attribute = True
-                m.head, m.noun = single, None
-                j += 1
-            elif single in lex.PARTS:
-                m.part = single
-                j += 1
-            elif single not in ("other", "one"):
-                m.adjectives.append(m.head)
-                m.head, m.noun, m.plural, m.known = single, None, is_plural, False
-                j += 1
-    elif low == "rest" and m.determiner == "the" and not m.adjectives:
-        j = the_rest(c, j, m)
-    elif low in _PIECES and low_at(c, j + 1) == "of" and (inner := inner_phrase(c, j + 2, m)):
-        return inner
-    elif low in BODY_PARTS and (
-        low_at(c, i - 1) == "'s" or m.determiner in ("his", "her", "its", "their")
-    ):
-        m.head = low
-        m.attribute = False
-        j += 1
-    elif (
-        low
-        and (low in lex.PARTS or lex.singular(low)[0] in lex.PARTS)
-        and (m.determiner or m.adjectives or low_at(c, j + 1) == "of")
-        and not part_alone(c, j, m)
-    ):
-        after = match_noun(c, j + 1)
-        if after is not None and not verb_readings(low_at(c, j + 1)):
-            m.adjectives.append(low)  # "the head pin"
-            return read_head(c, i, j + 1, m)
-        m.part = lex.singular(low)[0]
-        m.head = m.part
-        m.attribute = True
-        j += 1
-        if m.part in ("edge", "side") and low_at(c, j) in ("length", "lengths"):
-            m.part, m.head = "", "size"  # "with an edge length of 10 cm"
-            j += 1
-        if low_at(c, j) == "of":
-            size = len(c.elements)
-            inner = c.noun_phrase(j + 1)
-            if inner is not None:
-                owner = c.elements.pop()
-                assert isinstance(owner, Mention) and len(c.elements) == size
-                owner.part = m.part
-                owner.adjectives = owner.adjectives
-                if m.adjectives:
-                    owner.part = f"{' '.join(m.adjectives)} {m.part}"
-                owner.start = m.start
-                c.elements.append(owner)
-                return inner
-    elif low == "stop" and waiting_place(c, i, j, m):
-        m.noun, m.head = lex.nouns()["bus stop"], "stop"
-        j += 1
-    elif low and does_next(c, j, m):
-        m.head, m.known = low, False  # "a steel hook is hit"
-        j += 1
-    elif (
-        low
-        and {low, lex.singular(low)[0]} & lex.ATTRIBUTES
-        and not many_do(c, j, m)
-        and not color_acts(c, j, m)
-        and not one_does(c, j, m)
-        and (m.determiner or m.adjectives or m.count is not None or is_attribute_start(c, j))
-    ):
-        after = match_noun(c, j + 1)
-        acts = verb_readings(low_at(c, j + 1)) and not noun_not_verb(c, j + 1, m)
-        if after is not None and names_it(m, low) and not acts:
-            m.adjectives.append(low)  # "the space station", "a storm lantern"
-            return read_head(c, i, j + 1, m)
-        if names_it(m, low) and plain_noun(c, j + 1):
-            m.adjectives.append(low)  # "a weather vane"
-            return read_head(c, i, j + 1, m)
-        m.attribute = True
-        m.head = low if low in lex.ATTRIBUTES else lex.singular(low)[0]
-        j += 1
-        if low_at(c, j) in ("speed", "velocity", "distance", "height"):
-            m.head = low_at(c, j)
-            j += 1
-    elif (
-        low in lex.PRONOUNS
-        and not m.adjectives
-        and (low not in ("that", "this", "one", "both") or pronoun_here(c, j))
-    ):
-        if m.determiner and low not in ("one", "other"):
+    """Reads the head of a phrase and what belongs to it, and adds the phrase to the elements.
+
+    Args:
+        c: The text; the phrase is appended to its elements.
+        i: Token at which the phrase begins.
+        j: Token after its modifiers.
+        m: The phrase so far.
+
+    Returns:
+        The token after the phrase, None if there is none.
+    """
+    place = Place(i, j, low_at(c, j), _noun_here(c, j, m))
+    for reader in HEADS:
+        head = reader(c, place, m)
+        if head is None:
             return None
-        m.pronoun = low
-        if m.determiner or m.count:
-            m.pronoun = low
-        j += 1
-    elif (
-        m.determiner in lex.PRONOUNS
-        and not m.adjectives
-        and j == i + 1
-        and m.count is None
-        and not (m.determiner == "another" and unknown_noun(c, j))
-    ):
-        m.pronoun = m.determiner
-        if m.determiner in ("his", "her", "my", "our", "your", "its", "their"):
-            return None
-    elif (
-        not (m.determiner == "another" and unknown_noun(c, j))
-        and m.determiner in ("both", "each", "all", "some", "many", "several", "another")
-        and j == i + 1
-    ):
-        m.pronoun = m.determiner
-    elif low in ("one", "ones", "other", "others") and (
-        m.determiner or m.adjectives or (m.count is not None and low == "others")
-    ):
-        m.pronoun = "ones" if low in ("ones", "others") else "one"
-        if low.startswith("other"):
-            m.adjectives.append("other")
-        j += 1
-        picked = [a for a in m.adjectives if a in lex.COLORS]
-        if low == "one" and picked and low_at(c, j) == "of":
-            size = len(c.elements)
-            inner = c.noun_phrase(j + 1)
-            owner = c.elements[-1] if len(c.elements) == size + 1 else None
-            if inner is not None and isinstance(owner, Mention) and (owner.count or 1) > 1:
-                owner.pick, owner.start = picked[-1], m.start  # "the blue one of three balls"
-                return inner
-            del c.elements[size:]
-    elif (
-        m.adjectives
-        and (m.determiner or bare_color(c, i, j, m))
-        and (j >= len(tokens) or not unknown_noun(c, j))
-    ):
-        # "the other", "the second", "the black", "the last two"
-        last = m.adjectives[-1]
-        if not known_adjective(last) and not last.startswith("@"):
-            m.adjectives.pop()  # the tagger took an unknown noun for an adjective
-            m.head, m.plural = lex.singular(last)
-            m.known = False
-        else:
-            m.pronoun = "one"
-            if m.count and m.count > 1:
-                m.pronoun = "ones"
-            if low_at(c, j) == "of" and m.pronoun == "one":
-                size = len(c.elements)
-                inner = c.noun_phrase(j + 1)
-                if inner is not None:
-                    owner = c.elements.pop()
-                    assert isinstance(owner, Mention) and len(c.elements) == size
-                    owner.pick, owner.start = last, m.start
-                    c.elements.append(owner)
-                    return inner
-    elif (
-        low
-        and unknown_noun(c, j)
-        and (
-            m.determiner
-            or m.adjectives
-            or m.count is not None
-            or m.pattern
-            or tokens[j].tag in ("NOUN", "PROPN")
-            or named_before(c, j)
-        )
-    ):
-        # unknown head, possibly a compound
-        k = j
-        while (
-            k + 1 < len(tokens)
-            and match_noun(c, k + 1) is None
-            and unknown_noun(c, k + 1)
-            and tokens[k + 1].tag in ("NOUN", "PROPN", "")
-            and tokens[k].tag != ""
-        ) or noun_then_verb(c, k + 1, m):
-            m.adjectives.append(low_at(c, k))
-            k += 1
-        nxt = match_noun(c, k + 1) if k + 1 < len(tokens) else None
-        clear = nxt is not None and (
-            not verb_readings(low_at(c, k + 1)) or noun_not_verb(c, k + 1, m)
-        )
-        if clear and tokens[k].text != "'s":
-            m.adjectives.append(low_at(c, k))
-            return read_head(c, i, k + 1, m)
-        m.head, m.plural = lex.singular(low_at(c, k))
-        if k == j and is_name(c, j, m):
-            m.head, m.plural, m.noun = low_at(c, k), False, lex.nouns()["person"]
-        titled = k == j and k + 1 < len(tokens) and tokens[k + 1].text == ":"
-        m.attribute = m.head in lex.ATTRIBUTES and not titled  # "Night has fallen."
-        m.known = m.attribute or m.noun is not None
-        j = k + 1
-    elif m.count is not None and m.count != 0 and (j > i):
-        if m.determiner in ("the", "this", "that") or j == i + 1:
-            m.pronoun = "ones" if m.count > 1 else "one"
-        else:
-            return None
-    elif like_a_verb(c, j, m):
-        m.head, m.known = low, False
-        j += 1
-    else:
+        if head is not OTHER:
+            return head.after if head.complete else _complete(c, place, head.after, m)
+    return None
+
+
+def _noun_here(c: Chunks, j: int, m: Mention) -> NounMatch | None:
+    noun = match_noun(c, j) if j < len(c.tokens) else None
+    if noun is None:
         return None
+    if noun[3] == "corner" and low_at(c, j + 1) == "of":
+        return None  # of a room or a table, not of the street
+    if noun[3] == "path" and m.determiner and low_at(c, j + 1) == "of":
+        return None  # "into the path of a tram": no footpath
+    if m.determiner in ("both", "all") and many_do(c, j, m):
+        return None  # "and both slide into a bale"
+    return noun
+
+
+def _owner(c: Chunks, j: int) -> tuple[Mention, int] | None:
+    """The phrase that starts at token j, taken from the elements again, and the token after it."""
+    size = len(c.elements)
+    after = c.noun_phrase(j)
+    if after is None:
+        return None
+    owner = c.elements.pop()
+    assert isinstance(owner, Mention) and len(c.elements) == size
+    return owner, after
+
+
+def _known(c: Chunks, p: Place, m: Mention) -> Head | None:
+    """A noun of the lexicon, with the nouns and places that belong to it."""
+    if p.noun is None:
+        return OTHER
+    j, plural = _compound(c, p.at, p.noun, m)
+    j += piled(c, j, m)
+    _measure_or_role(c, j, m)
+    j = _made_of(c, j, m)
+    j = _stands(c, j, m, plural)
+    if (m.role or m.head == "net") and low_at(c, j) == "of":
+        found = _owner(c, j + 1)
+        if found is not None:
+            owner, after = found
+            owner.start = m.start
+            c.elements.append(owner)
+            return Head(after, complete=True)
+    return Head(j if plural else _unknown_after(c, j, m))
+
+
+def _compound(c: Chunks, j: int, noun: NounMatch, m: Mention) -> tuple[int, bool]:
+    """The last noun of "steel ball" or "office desk"; the token after it, whether it is plural.
+
+    An adjective that is also a noun ends a compound.
+    """
+    entry, n, plural, phrase = noun
+    first, k = j, j + n
+    while True:
+        following = match_noun(c, k) if k < len(c.tokens) else None
+        if following is None or plural or not _continues(c, k, following, m):
+            break
+        m.adjectives.extend(" ".join(t.low for t in c.tokens[first:k]).split())
+        entry, n, plural, phrase = following
+        first, k = k, k + n
+    m.noun, m.head, m.plural = entry, phrase, plural or m.plural
+    return k, plural
+
+
+def _continues(c: Chunks, k: int, following: NounMatch, m: Mention) -> bool:
+    """Whether the noun at token k continues a compound and is no verb."""
+    low = low_at(c, k)
+    readings = verb_readings(low)
+    if low in lex.ADVERBS or let_do(c, k, readings):
+        return False  # "make a ball bowl over a pin"
+    acts = low_at(c, k + 1) in lex.DETERMINERS | lex.PRONOUNS
+    if following[2] and (m.determiner in _SINGULAR or (readings and acts)):
+        return False  # "a door swings shut", "a cyclist signals": no plural after "a"
+    swings = following[2] and any(r.form == "s" for r in readings)
+    if swings and low_at(c, k + 1) in _WAYS:
+        return False  # "the quad bike swings left"
+    named = following[0].kind in _VESSELS or low in _MOSTLY_NOUNS
+    vessel = m.determiner and named and ends_phrase(c, k)
+    return not (readings and following[1] == 1 and not (vessel or compound_noun(c, k, m)))
+
+
+def _measure_or_role(c: Chunks, k: int, m: Mention) -> None:
+    """ "a mass of 2 kg" is no object, "the driver" a role."""
+    after = token_at(c, k + 1)
+    if m.head in ("weight", "mass"):
+        told = low_at(c, k) in ("of", "is") and after is not None and after.kind == "qty"
+        if told or m.determiner == "its":
+            m.noun, m.attribute = None, True
+    if m.head in lex.PERSON_ROLES or m.head in ("cyclist", "rider"):
+        m.role = m.head if m.head in lex.PERSON_ROLES else ""
+    if m.head in ("row", "line"):
+        m.noun = None
+
+
+def _made_of(c: Chunks, j: int, m: Mention) -> int:
+    """ "a ball of steel", "an armchair on wheels": no objects of their own."""
+    substance = low_at(c, j + 1) in lex.SUBSTANCES and match_noun(c, j + 1) is None
+    if low_at(c, j) == "of" and substance:
+        m.adjectives.append(low_at(c, j + 1))
+        j += 2
+    if low_at(c, j) == "on" and low_at(c, j + 1) in _RUNNING_GEAR:
+        m.adjectives.append("wheeled")
+        j += 2
+    return j
+
+
+def _stands(c: Chunks, j: int, m: Mention, plural: bool) -> int:
+    """ "the car behind", "the one in front of it", "the crate on top of the stack"."""
+    low, the = low_at(c, j), m.determiner == "the"
+    if low in ("behind", "following") and low_at(c, j + 1) in _THEM:
+        m.adjectives.append("rear")
+        j += 2
+    elif low == "behind" and the and _ends_or_acts(c, j + 1):
+        m.adjectives.append("rear")
+        j += 1
+    elif (low, low_at(c, j + 1)) == ("in", "front") and the and _of_it(c, j + 2):
+        m.adjectives.append("front")
+        j += 4 if low_at(c, j + 2) == "of" else 2
+    on_top = 2 if low_at(c, j + 1) == "top" else 3 if low_at(c, j + 2) == "top" else 0
+    top = on_top and low_at(c, j) in ("on", "at") and low_at(c, j + 1) in ("top", "the")
+    of_all = low_at(c, j + on_top) != "of" or low_at(c, j + on_top + 2) in _STACKS
+    if top and the and not plural and of_all:
+        m.adjectives.append("top")
+        j += on_top
+    level = set(m.adjectives) & STACKED.keys() and low_at(c, j) == "of"
+    stack = low_at(c, j + 1) in ("the", "a", "this", "that") and low_at(c, j + 2) in _STACKS
+    if level and stack and low_at(c, j + 3) != "of":
+        m.stacked = True
+        j += 3
+    return j
+
+
+def _of_it(c: Chunks, j: int) -> bool:
+    return low_at(c, j) != "of" or low_at(c, j + 1) in _THEM
+
+
+def _ends_or_acts(c: Chunks, j: int) -> bool:
+    token = token_at(c, j)
+    return token is None or token.kind == "punct" or bool(verb_readings(token.low))
+
+
+def _unknown_after(c: Chunks, j: int, m: Mention) -> int:
+    """Unknown nouns after a known one that only says what they are: "car horn"."""
+    token = token_at(c, j)
+    if token is None or token.kind != "word" or token.tag not in ("NOUN", "PROPN"):
+        return j
+    if len(token.text) < 2 or looks_like_verb(c, j, m) or numbers(c, j):
+        return j
+    if token.low in _NO_NOUNS or verb_readings(token.low):
+        return j
+    single, several = lex.singular(token.low)
+    if single in lex.ATTRIBUTES:
+        m.attribute, m.head, m.noun = True, single, None
+    elif single in lex.PARTS:
+        m.part = single
+    elif single not in ("other", "one"):
+        m.adjectives.append(m.head)
+        m.head, m.noun, m.plural, m.known = single, None, several, False
+    else:
+        return j
+    return j + 1
+
+
+def _rest(c: Chunks, p: Place, m: Mention) -> Head | None:
+    """ "the rest"."""
+    if p.low != "rest" or m.determiner != "the" or m.adjectives:
+        return OTHER
+    return Head(the_rest(c, p.at, m))
+
+
+def _piece(c: Chunks, p: Place, m: Mention) -> Head | None:
+    """ "a roll of tape": the thing itself."""
+    if p.low not in _PIECES or low_at(c, p.at + 1) != "of":
+        return OTHER
+    inner = inner_phrase(c, p.at + 2, m)
+    return Head(inner, complete=True) if inner else OTHER
+
+
+def _body_part(c: Chunks, p: Place, m: Mention) -> Head | None:
+    """ "his arm"."""
+    if p.low not in BODY_PARTS or not (low_at(c, p.first - 1) == "'s" or m.determiner in _OWN):
+        return OTHER
+    m.head, m.attribute = p.low, False
+    return Head(p.at + 1)
+
+
+def _part(c: Chunks, p: Place, m: Mention) -> Head | None:
+    """ "the edge of a table": the table, and which part of it."""
+    low, j = p.low, p.at
+    part = lex.singular(low)[0]
+    told = m.determiner or m.adjectives or low_at(c, j + 1) == "of"
+    if not low or not {low, part} & lex.PARTS or not told or part_alone(c, j, m):
+        return OTHER
+    if match_noun(c, j + 1) is not None and not verb_readings(low_at(c, j + 1)):
+        return _modifies(c, p, m)  # "the head pin"
+    m.part = m.head = part
+    m.attribute = True
+    j += 1
+    if m.part in ("edge", "side") and low_at(c, j) in ("length", "lengths"):
+        m.part, m.head = "", "size"  # "with an edge length of 10 cm"
+        j += 1
+    found = _owner(c, j + 1) if low_at(c, j) == "of" else None
+    if found is None:
+        return Head(j)
+    owner, after = found
+    owner.part = f"{' '.join(m.adjectives)} {m.part}" if m.adjectives else m.part
+    owner.start = m.start
+    c.elements.append(owner)
+    return Head(after, complete=True)
+
+
+def _modifies(c: Chunks, p: Place, m: Mention) -> Head | None:
+    """The word is a modifier of the head that follows it."""
+    m.adjectives.append(p.low)
+    after = read_head(c, p.first, p.at + 1, m)
+    return None if after is None else Head(after, complete=True)
+
+
+def _bus_stop(c: Chunks, p: Place, m: Mention) -> Head | None:
+    """ "waits at the stop"."""
+    if p.low != "stop" or not waiting_place(c, p.first, p.at, m):
+        return OTHER
+    m.noun, m.head = lex.nouns()["bus stop"], "stop"
+    return Head(p.at + 1)
+
+
+def _doer(c: Chunks, p: Place, m: Mention) -> Head | None:
+    """ "a steel hook is hit": a verb's form, but what does something."""
+    if not p.low or not does_next(c, p.at, m):
+        return OTHER
+    m.head, m.known = p.low, False
+    return Head(p.at + 1)
+
+
+def _attribute(c: Chunks, p: Place, m: Mention) -> Head | None:
+    """ "a mass of 2 kg", "the collision": no object."""
+    low, j = p.low, p.at
+    single = lex.singular(low)[0]
+    if not low or not {low, single} & lex.ATTRIBUTES:
+        return OTHER
+    if many_do(c, j, m) or color_acts(c, j, m) or one_does(c, j, m):
+        return OTHER
+    if not (m.determiner or m.adjectives or m.count is not None or is_attribute_start(c, j)):
+        return OTHER
+    acts = verb_readings(low_at(c, j + 1)) and not noun_not_verb(c, j + 1, m)
+    named = match_noun(c, j + 1) is not None and not acts
+    if names_it(m, low) and (named or plain_noun(c, j + 1)):
+        return _modifies(c, p, m)  # "the space station", "a weather vane"
+    m.attribute, m.head = True, low if low in lex.ATTRIBUTES else single
+    j += 1
+    if low_at(c, j) in ("speed", "velocity", "distance", "height"):
+        m.head = low_at(c, j)
+        j += 1
+    return Head(j)
+
+
+def _pronoun(c: Chunks, p: Place, m: Mention) -> Head | None:
+    """ "it", "the other one"."""
+    if p.low not in lex.PRONOUNS or m.adjectives:
+        return OTHER
+    if p.low in ("that", "this", "one", "both") and not pronoun_here(c, p.at):
+        return OTHER
+    if m.determiner and p.low not in ("one", "other"):
+        return None
+    m.pronoun = p.low
+    return Head(p.at + 1)
+
+
+def _determiner_alone(c: Chunks, p: Place, m: Mention) -> Head | None:
+    """ "another", "both": determiners in place of a noun."""
+    if p.at != p.first + 1 or (m.determiner == "another" and unknown_noun(c, p.at)):
+        return OTHER
+    if m.determiner in lex.PRONOUNS and not m.adjectives and m.count is None:
+        m.pronoun = m.determiner
+        return None if m.determiner in (*_OWN, "my", "our", "your") else Head(p.at)
+    if m.determiner in ("both", "each", "all", "some", "many", "several", "another"):
+        m.pronoun = m.determiner
+        return Head(p.at)
+    return OTHER
+
+
+def _one(c: Chunks, p: Place, m: Mention) -> Head | None:
+    """ "the red one", "two others"."""
+    if p.low not in ("one", "ones", "other", "others"):
+        return OTHER
+    if not (m.determiner or m.adjectives or (m.count is not None and p.low == "others")):
+        return OTHER
+    m.pronoun = "ones" if p.low in ("ones", "others") else "one"
+    if p.low.startswith("other"):
+        m.adjectives.append("other")
+    j = p.at + 1
+    picked = [a for a in m.adjectives if a in lex.COLORS]
+    if p.low == "one" and picked and low_at(c, j) == "of":
+        size = len(c.elements)
+        inner = c.noun_phrase(j + 1)
+        owner = c.elements[-1] if len(c.elements) == size + 1 else None
+        if inner is not None and isinstance(owner, Mention) and (owner.count or 1) > 1:
+            owner.pick, owner.start = picked[-1], m.start  # "the blue one of three balls"
+            return Head(inner, complete=True)
+        del c.elements[size:]
+    return Head(j)
+
+
+def _adjective_alone(c: Chunks, p: Place, m: Mention) -> Head | None:
+    """ "the other", "the second", "the black", "the last two", "the first of two barrels"."""
+    if not m.adjectives or not (m.determiner or bare_color(c, p.first, p.at, m)):
+        return OTHER
+    if p.at < len(c.tokens) and unknown_noun(c, p.at):
+        return OTHER
+    last = m.adjectives[-1]
+    if not known_adjective(last) and not last.startswith("@"):
+        m.adjectives.pop()  # the tagger took an unknown noun for an adjective
+        m.head, m.plural = lex.singular(last)
+        m.known = False
+        return Head(p.at)
+    m.pronoun = "ones" if m.count and m.count > 1 else "one"
+    found = _owner(c, p.at + 1) if low_at(c, p.at) == "of" and m.pronoun == "one" else None
+    if found is None:
+        return Head(p.at)
+    owner, after = found
+    owner.pick, owner.start = last, m.start
+    c.elements.append(owner)
+    return Head(after, complete=True)
+
+
+def _unknown(c: Chunks, p: Place, m: Mention) -> Head | None:
+    """A noun that the lexicon does not know, possibly a compound."""
+    tokens, j = c.tokens, p.at
+    if not p.low or not unknown_noun(c, j):
+        return OTHER
+    introduced = m.determiner or m.adjectives or m.count is not None or m.pattern
+    if not introduced and tokens[j].tag not in ("NOUN", "PROPN") and not named_before(c, j):
+        return OTHER
+    k = j
+    while _unknown_goes_on(c, k) or noun_then_verb(c, k + 1, m):
+        m.adjectives.append(low_at(c, k))
+        k += 1
+    known = match_noun(c, k + 1) if k + 1 < len(tokens) else None
+    clear = not verb_readings(low_at(c, k + 1)) or noun_not_verb(c, k + 1, m)
+    if known is not None and clear and tokens[k].text != "'s":
+        return _modifies(c, Place(p.first, k, low_at(c, k), None), m)
+    m.head, m.plural = lex.singular(low_at(c, k))
+    if k == j and is_name(c, j, m):
+        m.head, m.plural, m.noun = low_at(c, k), False, lex.nouns()["person"]
+    titled = k == j and k + 1 < len(tokens) and tokens[k + 1].text == ":"
+    m.attribute = m.head in lex.ATTRIBUTES and not titled  # "Night has fallen."
+    m.known = m.attribute or m.noun is not None
+    return Head(k + 1)
+
+
+def _unknown_goes_on(c: Chunks, k: int) -> bool:
+    """Whether one more unknown noun follows the one at token k."""
+    if k + 1 >= len(c.tokens) or match_noun(c, k + 1) is not None or not unknown_noun(c, k + 1):
+        return False
+    return c.tokens[k + 1].tag in ("NOUN", "PROPN", "") and c.tokens[k].tag != ""
+
+
+def _count_alone(c: Chunks, p: Place, m: Mention) -> Head | None:
+    """ "the two", "three"."""
+    if not m.count or p.at <= p.first:
+        return OTHER
+    if m.determiner not in ("the", "this", "that") and p.at != p.first + 1:
+        return None
+    m.pronoun = "ones" if m.count > 1 else "one"
+    return Head(p.at)
+
+
+def _verb_form(c: Chunks, p: Place, m: Mention) -> Head | None:
+    """ "lands on a shield": a noun that the lexicon only knows as a verb."""
+    if not like_a_verb(c, p.at, m):
+        return OTHER
+    m.head, m.known = p.low, False
+    return Head(p.at + 1)
+
+
+HEADS: tuple[HeadReader, ...] = (
+    _known,
+    _rest,
+    _piece,
+    _body_part,
+    _part,
+    _bus_stop,
+    _doer,
+    _attribute,
+    _pronoun,
+    _determiner_alone,
+    _one,
+    _adjective_alone,
+    _unknown,
+    _count_alone,
+    _verb_form,
+)
+"""Kinds of heads; the first that is there is taken."""
+
+
+def _complete(c: Chunks, p: Place, j: int, m: Mention) -> int | None:
+    """Adds the phrase with the names and owners that follow its head."""
+    tokens = c.tokens
     j = member_of_row(c, j, m) or letters(c, j, m)
     if set(m.adjectives) & ORDINALS.keys() and low_at(c, j + 1) in ("the", "top", "bottom"):
         k = j + 2 if low_at(c, j + 1) == "the" else j + 1
         if low_at(c, j) == "from" and low_at(c, k) in COUNTED_FROM:
             m.counted_from, j = low_at(c, k), k + 1  # "the second crate from the left"
     m.end = tokens[j - 1].end
-    first_word = i + (1 if m.determiner and low_at(c, i) == m.determiner else 0)
-    label_start = tokens[min(first_word, j - 1)].start
-    m.text = c.text[label_start : m.end]
-    if (noun is not None and m.pattern is not None) or m.vague:
-        m.text = c.text[phrase_start : m.end]
-    # possessive: "ball A's speed"
-    if low_at(c, j) == "'s" or (
-        token_at(c, j) is not None and tokens[j].text in ("'", "’") and m.plural
-    ):
-        size = len(c.elements)
-        inner = c.noun_phrase(j + 1)
-        if inner is not None:
-            owned = c.elements.pop()
-            assert isinstance(owned, Mention) and len(c.elements) == size
-            owned.possessor = m
-            owned.start = m.start
-            owned.determiner = owned.determiner or "the"
-            c.elements.append(owned)
-            return inner
-        if low_at(c, j) == "'s" and verb_readings(low_at(c, j + 1)):
-            pass
-    c.elements.append(m)
-    return j
+    first_word = p.first + (1 if m.determiner and low_at(c, p.first) == m.determiner else 0)
+    start = tokens[min(first_word, j - 1)].start
+    if (p.noun is not None and m.pattern is not None) or m.vague:
+        start = tokens[p.at].start if p.at < len(tokens) else tokens[p.first].end
+    m.text = c.text[start : m.end]
+    after = token_at(c, j)
+    plural_owner = after is not None and after.text in ("'", "’") and m.plural
+    found = _owner(c, j + 1) if low_at(c, j) == "'s" or plural_owner else None
+    if found is None:
+        c.elements.append(m)
+        return j
+    owned, end = found  # "ball A's speed"
+    owned.possessor, owned.start = m, m.start
+    owned.determiner = owned.determiner or "the"
+    c.elements.append(owned)
+    return end

@@ -1,6 +1,8 @@
-"""Noun phrases: determiner, count, group word, adjectives, amounts, head, individual letters."""
+"""Noun phrases: determiner, count, group word, adjectives, amounts, and then the head."""
 
 from __future__ import annotations
+
+from collections.abc import Callable
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.referents.ranks import ALONE
@@ -27,309 +29,272 @@ from esg.draft.text.elements import Mention, Word
 from esg.draft.text.numerals import parse_number
 from esg.draft.verbphrases import verb_readings
 
+_QUANTIFIERS = lex.word_set("quantifiers of")
+_VAGUE = lex.word_set("vague counts")
+_SEVERAL = {"pair": 2, "couple": 2, "trio": 3, "dozen": 12, "half-dozen": 6, "dozens": 12}
+_INTENSIFIERS = lex.word_set("intensifiers")
+_MEASURED = ("mass", "length", "speed", "angle", "volume")
+_ALSO_ADVERBS = lex.word_set("adjectives that are adverbs")
+_STOP = -1
+"""No further modifier: what stands here is the head, or no noun phrase."""
+
 
 def noun_phrase(c: Chunks, i: int) -> int | None:
-    """Parses a noun phrase at token i; returns the next index or None."""
-    tokens = c.tokens
-    if i >= len(tokens):
+    """Reads the noun phrase at token i; returns the next index, None where there is none."""
+    if i >= len(c.tokens):
         return None
-    j = i
-    m = Mention(tokens[i].start, tokens[i].end)
-    low = low_at(c, j)
-    if lone_letter(c, j):
-        m.letters, m.head, m.determiner = [tokens[j].text.lstrip("#")], "@", "the"
-        m.text, m.end = tokens[j].text, tokens[j].end
-        while (
-            low_at(c, j + 1) == "and"
-            and lone_letter(c, j + 2)
-            and not verb_readings(low_at(c, j + 3) if False else "")
-        ):
-            m.letters.append(tokens[j + 2].text)
-            j += 2
-            m.end = tokens[j].end
-        c.elements.append(m)
-        return j + 1
-    previous = c.elements[-1] if c.elements else None
-    retold = isinstance(previous, Word) and previous.kind in ("prep", "sub")
-    if retold and low in ("this", "that") and low_at(c, j + 1) in RETOLD_NOUNS:
-        m.determiner, m.head, m.attribute = low, low_at(c, j + 1), True
-        m.end = tokens[j + 1].end
-        m.text = c.text[m.start : m.end]
-        c.elements.append(m)
-        return j + 2
-    if low == "the" and low_at(c, j + 1) in ("latter", "former") and alone(c, j + 2):
-        m.pronoun, m.end = low_at(c, j + 1), tokens[j + 1].end
-        m.text = c.text[m.start : m.end]
-        c.elements.append(m)
-        return j + 2
-    if is_she(c, i) or (low in ("this", "that", "these", "those") and verb_next(c, j + 1)):
-        m.pronoun, m.text, m.end = low, tokens[j].text, tokens[j].end
-        c.elements.append(m)
-        return j + 1
-    # "all", "both of", "one of", "each of"
-    if (
-        low in ("all", "both", "each", "one", "half", "most", "some", "none")
-        and low_at(c, j + 1) == "of"
-    ):
-        if low in ("one", "each"):
-            m.count = 1
-        m.single = low == "one"
-        j += 2
-    elif low in ("all", "both") and low_at(c, j + 1) in lex.DETERMINERS:
-        j += 1
-    elif part_of_plural(c, j):
-        m.subset = int(parse_number(low) or 0)
-        j += 2
-    # determiner
-    if low_at(c, j) in lex.DETERMINERS:
-        m.determiner = low_at(c, j)
-        if m.determiner == "no":
-            m.count = 0
-        j += 1
-        if m.determiner in ("a", "an") and low_at(c, j) in (
-            "few",
-            "couple",
-            "dozen",
-            "hundred",
-            "lot",
-            "number",
-            "handful",
-            "pair",
-        ):
-            pass
-    if m.determiner in lex.VAGUE_COUNTS:
-        m.count, m.vague = lex.VAGUE_COUNTS[m.determiner], m.determiner != "both"
-    if (
-        low_at(c, j)
-        in (
-            "few",
-            "many",
-            "several",
-            "multiple",
-            "numerous",
-            "various",
-            "couple",
-            "dozen",
-            "dozens",
-            "handful",
-            "lots",
-            "pair",
-        )
-        and low_at(c, j) != m.determiner
-    ):
-        word = low_at(c, j)
-        if word not in lex.GROUP_WORDS or low_at(c, j + 1) != "of":
-            m.count, m.vague = lex.VAGUE_COUNTS[word], word not in ("couple", "dozen", "pair")
-            j += 1
-    # count
-    j = count_of(c, j, m)
-    # group word: "set of", "row of five"
-    word = lex.singular(low_at(c, j))[0]
-    adjective_skip = 0
-    if (
-        is_adjective(c, j)
-        and lex.singular(low_at(c, j + 1))[0] in lex.GROUP_WORDS
-        and low_at(c, j + 2) == "of"
-    ):
-        adjective_skip = 1
-        word = lex.singular(low_at(c, j + 1))[0]
-    if (
-        word in lex.GROUP_WORDS
-        and low_at(c, j + 1 + adjective_skip) == "of"
-        # "a pile of snow" is one thing, "a tower of blocks" several
-        and ((match_noun(c, j) or (None, 1))[1] < 3 or lex.singular(low_at(c, j + 2))[1])
-        and not (word in ("wall",) and low_at(c, j + 2 + adjective_skip) in lex.DETERMINERS)
-    ):
-        m.pattern = lex.GROUP_WORDS[word]
-        m.group_word = word
-        multiplier = m.count if m.count and m.count > 1 else 1
-        default = {
-            "pair": 2,
-            "couple": 2,
-            "trio": 3,
-            "dozen": 12,
-            "half-dozen": 6,
-            "dozens": 12,
-        }.get(word)
-        m.count = default * multiplier if default else None
-        m.vague = False
-        m.plural = True
-        j += 2 + adjective_skip
-        if low_at(c, j) in lex.DETERMINERS:
-            if low_at(c, j) in lex.VAGUE_COUNTS:
-                m.count, m.vague = lex.VAGUE_COUNTS[low_at(c, j)], True
-            j += 1
-        j = count_of(c, j, m)
+    m = Mention(c.tokens[i].start, c.tokens[i].end)
+    j = _without_noun(c, i, m)
+    if j:
+        return j
+    j = _determiner(c, _quantifier(c, i, m), m)
+    j = _group(c, count_of(c, _vague_count(c, j, m), m), m)
     if low_at(c, j) in ("other", "more", "additional", "extra"):
         m.adjectives.append("other")
-        j += 1
-        j = count_of(c, j, m)
-    # adjectives and attributive amounts
-    while j < len(tokens):
-        token = tokens[j]
-        if (
-            token.kind == "qty"
-            and token.amount is not None
-            and token.amount.dimension in ("mass", "length", "speed", "angle", "volume")
-        ):
-            nxt = low_at(c, j + 1)
-            nxt = nxt.lstrip("-")
-            k = j + 1
-            if token_at(c, k) is not None and tokens[k].text == "-":
-                k += 1
-                nxt = low_at(c, k)
-            if not (noun_at_or_after(c, k)):
-                break
-            if j == i and finite_after_of(c, i, k):
-                break
-            if j == i and nxt in EXTENTS and last_of_sizes(c, i, k):
-                break
-            m.amounts.append(token.amount)
-            j = k
-            if nxt in EXTENTS:
-                m.adjectives.append(f"@{token.amount.start}:{nxt}")
-                j += 1
-            continue
-        if token.kind == "number" and token.text[0] == "#" and match_noun(c, j + 1):
-            m.letters.append(token.text[1:])  # "the No. 4 car"
-            j += 1
-            continue
-        listed = token_at(c, j + 1)
-        if token.text == "," and m.amounts and listed is not None and listed.kind == "qty":
-            j += 1  # "a 2 m long, 30 kg heavy log"
-            continue
-        if (
-            token.kind == "punct"
-            and token.text == ","
-            and m.adjectives
-            and is_adjective(c, j + 1)
-            and noun_soon(c, j + 1)
-        ):
-            j += 1
-            continue
-        if (
-            token.low == "and"
-            and m.adjectives
-            and is_adjective(c, j + 1)
-            and m.adjectives[-1] in lex.COLORS
-            and low_at(c, j + 1) in lex.COLORS
-        ):
-            j += 1
-            continue
-        noun = match_noun(c, j)
-        ends_in_s = noun is not None and noun[2]
-        if (
-            (ends_in_s or lex.singular(token.low)[0] in lex.ATTRIBUTES)
-            and m.determiner in ("a", "an")
-            and m.adjectives
-            and not m.group_word
-            and not known_adjective(m.adjectives[-1])
-            and any(r.form == "s" for r in verb_readings(token.low))
-        ):
-            # "a pendulum swings": an unknown noun and its verb
-            m.head, m.known = lex.singular(m.adjectives.pop())[0], False
-            m.end = tokens[j - 1].end
-            m.text = c.text[tokens[j - 1].start : m.end]
-            c.elements.append(m)
+        j = count_of(c, j + 1, m)
+    while j < len(c.tokens):
+        if _ends_early(c, i, j, m):
             return j
-        if side_acts(c, j, m):
-            m.head, m.attribute, m.end = m.adjectives.pop(), True, tokens[j - 1].end
-            m.text = c.text[m.start : m.end]
-            c.elements.append(m)
-            return j
-        if m.determiner == "the" and m.adjectives and m.adjectives[-1] in ALONE:
-            nxt = low_at(c, j + 1)
-            after = nxt in lex.PRONOUNS or nxt in lex.DETERMINERS
-            plural = noun is None or (ends_in_s and m.count is None)
-            after = after or (plural and nxt in (lex.PREPOSITIONS | lex.ADVERBS) - {"of"})
-            if after and any(r.form == "s" for r in verb_readings(token.low)):
-                m.pronoun, m.end = "one", tokens[j - 1].end  # "the second hits it"
-                m.text = c.text[m.start : m.end]
-                c.elements.append(m)
-                return j
-        if noun is not None and (noun[1] > 1 or not is_adjective(c, j)):
+        after = next((k for reader in MODIFIERS if (k := reader(c, i, j, m))), _STOP)
+        if after == _STOP:
             break
-        if noun is not None and is_adjective(c, j) and not noun_soon(c, j + 1):
+        j = after
+        if m.adjectives and low_at(c, j) in ("one", "ones") and _names_one(low_at(c, j - 1)):
             break
-        if noun is not None and is_adjective(c, j) and m.determiner and acts(c, j + 1):
-            break  # "the brick slides off it": a material that is a thing of its own
-        if noun is not None and not m.determiner and not m.count and goes_off(c, j + 1):
-            break  # "glass slides off"
-        if noun is not None and is_adjective(c, j) and numbered(c, j):
-            break  # "Marble one hits marble two"
-        if token.low in lex.ADVERBS and not is_adjective(c, j):
-            if token.low in (
-                "very",
-                "too",
-                "slightly",
-                "heavily",
-                "fully",
-                "evenly",
-                "brightly",
-            ) and is_adjective(c, j + 1):
-                j += 1
-                continue
-            break
-        if is_adjective(c, j):
-            if (
-                low_at(c, j + 1) in ("one", "ones")
-                and token.low in lex.PLACE_ADJECTIVES | lex.COLORS.keys()
-            ):
-                m.adjectives.append(token.low)
-                j += 1
-                break
-            if token.low in lex.PARTS and not noun_soon(c, j + 1):
-                break
-            if (
-                token.low
-                in (
-                    "near",
-                    "past",
-                    "like",
-                    "over",
-                    "next",
-                    "inside",
-                    "back",
-                    "left",
-                    "right",
-                    "top",
-                    "bottom",
-                    "outer",
-                    "far",
-                    "opposite",
-                    "last",
-                    "first",
-                    "close",
-                    "still",
-                    "fast",
-                    "hard",
-                    "straight",
-                    "only",
-                    "low",
-                    "high",
-                )
-                and not noun_soon(c, j + 1)
-                and not m.determiner
-                and not parts_of(c, j + 1)
-            ):
-                break
-            m.adjectives.append(token.low)
-            j += 1
-            continue
-        readings = verb_readings(token.low)
-        if (
-            any(r.form in ("ing", "pp") for r in readings)
-            and (m.determiner or m.count)
-            and noun_soon(c, j + 1)
-            and token.low not in lex.nouns()
-        ):
-            m.adjectives.append(token.low)
-            j += 1
-            continue
-        bare = readings and all(r.form == "base" for r in readings) and bool(m.adjectives)
-        if bare and m.determiner in ("a", "an") and match_noun(c, j + 1) is not None:
-            m.adjectives.append(token.low)  # "an empty jam jar"
-            j += 1
-            continue
-        break
     return read_head(c, i, j, m)
+
+
+def _add(c: Chunks, m: Mention, end: int, start: int | None = None) -> None:
+    """Adds a phrase whose last token is before `end`."""
+    m.end = c.tokens[end - 1].end
+    m.text = c.text[m.start if start is None else start : m.end]
+    c.elements.append(m)
+
+
+def _without_noun(c: Chunks, i: int, m: Mention) -> int:
+    """Letters, "this crash", "the latter", "her": phrases with no noun; the next index or 0."""
+    low, after = low_at(c, i), low_at(c, i + 1)
+    if lone_letter(c, i):
+        m.letters, m.head, m.determiner = [c.tokens[i].text.lstrip("#")], "@", "the"
+        m.text, m.end = c.tokens[i].text, c.tokens[i].end
+        while low_at(c, i + 1) == "and" and lone_letter(c, i + 2):
+            i += 2
+            m.letters.append(c.tokens[i].text)
+            m.end = c.tokens[i].end
+        c.elements.append(m)
+        return i + 1
+    previous = c.elements[-1] if c.elements else None
+    retold = isinstance(previous, Word) and previous.kind in ("prep", "sub")
+    if retold and low in ("this", "that") and after in RETOLD_NOUNS:
+        m.determiner, m.head, m.attribute = low, after, True
+    elif low == "the" and after in ("latter", "former") and alone(c, i + 2):
+        m.pronoun = after
+    elif is_she(c, i) or (low in ("this", "that", "these", "those") and verb_next(c, i + 1)):
+        m.pronoun = low
+        _add(c, m, i + 1)
+        return i + 1
+    else:
+        return 0
+    _add(c, m, i + 2)
+    return i + 2
+
+
+def _quantifier(c: Chunks, j: int, m: Mention) -> int:
+    """ "all of", "one of", "two of the ten"."""
+    low = low_at(c, j)
+    if low in _QUANTIFIERS and low_at(c, j + 1) == "of":
+        m.count = 1 if low in ("one", "each") else m.count
+        m.single = low == "one"
+        return j + 2
+    if low in ("all", "both") and low_at(c, j + 1) in lex.DETERMINERS:
+        return j + 1
+    if part_of_plural(c, j):
+        m.subset = int(parse_number(low) or 0)
+        return j + 2
+    return j
+
+
+def _determiner(c: Chunks, j: int, m: Mention) -> int:
+    if low_at(c, j) in lex.DETERMINERS:
+        m.determiner = low_at(c, j)
+        m.count = 0 if m.determiner == "no" else m.count
+        j += 1
+    if m.determiner in lex.VAGUE_COUNTS:
+        m.count, m.vague = lex.VAGUE_COUNTS[m.determiner], m.determiner != "both"
+    return j
+
+
+def _vague_count(c: Chunks, j: int, m: Mention) -> int:
+    """ "several", "a dozen", but not "a handful of"."""
+    word = low_at(c, j)
+    if word not in _VAGUE or word == m.determiner:
+        return j
+    if word in lex.GROUP_WORDS and low_at(c, j + 1) == "of":
+        return j
+    m.count, m.vague = lex.VAGUE_COUNTS[word], word not in ("couple", "dozen", "pair")
+    return j + 1
+
+
+def _group(c: Chunks, j: int, m: Mention) -> int:
+    """ "a set of", "a long row of five": how many, and how they stand."""
+    skip, word = 0, lex.singular(low_at(c, j))[0]
+    second = lex.singular(low_at(c, j + 1))[0]
+    if is_adjective(c, j) and second in lex.GROUP_WORDS and low_at(c, j + 2) == "of":
+        skip, word = 1, second
+    if word not in lex.GROUP_WORDS or low_at(c, j + 1 + skip) != "of":
+        return j
+    if (match_noun(c, j) or (None, 1))[1] >= 3 and not lex.singular(low_at(c, j + 2))[1]:
+        return j  # "a pile of snow" is one thing, "a tower of blocks" several
+    if word == "wall" and low_at(c, j + 2 + skip) in lex.DETERMINERS:
+        return j
+    m.pattern, m.group_word = lex.GROUP_WORDS[word], word
+    times = m.count if m.count and m.count > 1 else 1
+    m.count = _SEVERAL[word] * times if word in _SEVERAL else None
+    m.vague, m.plural = False, True
+    j += 2 + skip
+    if low_at(c, j) in lex.DETERMINERS:
+        if low_at(c, j) in lex.VAGUE_COUNTS:
+            m.count, m.vague = lex.VAGUE_COUNTS[low_at(c, j)], True
+        j += 1
+    return count_of(c, j, m)
+
+
+def _ends_early(c: Chunks, i: int, j: int, m: Mention) -> bool:
+    """Whether the last modifier was the head, and a verb stands here; the phrase is added then."""
+    low = low_at(c, j)
+    if c.tokens[j].kind == "qty" or not m.adjectives:
+        return False
+    noun = match_noun(c, j)
+    plural = noun is not None and noun[2]
+    acting = any(r.form == "s" for r in verb_readings(low))
+    a_thing = m.determiner in ("a", "an") and not m.group_word
+    ambiguous = plural or lex.singular(low)[0] in lex.ATTRIBUTES
+    if a_thing and acting and ambiguous and not known_adjective(m.adjectives[-1]):
+        # "a pendulum swings": an unknown noun and its verb
+        m.head, m.known = lex.singular(m.adjectives.pop())[0], False
+        _add(c, m, j, c.tokens[j - 1].start)
+        return True
+    if side_acts(c, j, m):
+        m.head, m.attribute = m.adjectives.pop(), True
+        _add(c, m, j)
+        return True
+    if m.determiner == "the" and m.adjectives[-1] in ALONE and acting:
+        after = low_at(c, j + 1)
+        many = noun is None or (plural and m.count is None)
+        small = many and after in (lex.PREPOSITIONS | lex.ADVERBS) - {"of"}
+        if small or after in lex.PRONOUNS or after in lex.DETERMINERS:
+            m.pronoun = "one"  # "the second hits it"
+            _add(c, m, j)
+            return True
+    return False
+
+
+def _names_one(low: str) -> bool:
+    return low in lex.PLACE_ADJECTIVES or low in lex.COLORS
+
+
+def _amount(c: Chunks, i: int, j: int, m: Mention) -> int:
+    """ "a 2 kg", "a 3 m long"."""
+    token = c.tokens[j]
+    amount = token.amount
+    if token.kind != "qty" or amount is None or amount.dimension not in _MEASURED:
+        return 0
+    k = j + 1
+    extent = low_at(c, k).lstrip("-")
+    dash = token_at(c, k)
+    if dash is not None and dash.text == "-":
+        k += 1
+        extent = low_at(c, k)
+    if not noun_at_or_after(c, k):
+        return _STOP
+    if j == i and (finite_after_of(c, i, k) or (extent in EXTENTS and last_of_sizes(c, i, k))):
+        return _STOP
+    m.amounts.append(amount)
+    if extent in EXTENTS:
+        m.adjectives.append(f"@{amount.start}:{extent}")
+        k += 1
+    return k
+
+
+def _name(c: Chunks, i: int, j: int, m: Mention) -> int:
+    """ "the No. 4 car"."""
+    token = c.tokens[j]
+    if token.kind != "number" or token.text[0] != "#" or not match_noun(c, j + 1):
+        return 0
+    m.letters.append(token.text[1:])
+    return j + 1
+
+
+def _between(c: Chunks, i: int, j: int, m: Mention) -> int:
+    """What stands between two modifiers: "a 2 m long, 30 kg log", "a red and white ball"."""
+    token, after = c.tokens[j], token_at(c, j + 1)
+    if token.text == ",":
+        listed = bool(m.amounts) and after is not None and after.kind == "qty"
+        adjective = token.kind == "punct" and m.adjectives and is_adjective(c, j + 1)
+        return j + 1 if listed or (adjective and noun_soon(c, j + 1)) else 0
+    if token.low != "and" or not m.adjectives or not is_adjective(c, j + 1):
+        return 0
+    colors = m.adjectives[-1] in lex.COLORS and low_at(c, j + 1) in lex.COLORS
+    return j + 1 if colors else 0
+
+
+def _is_head(c: Chunks, i: int, j: int, m: Mention) -> int:
+    """A noun that is no modifier of another one."""
+    noun = match_noun(c, j)
+    if noun is None:
+        return 0
+    if noun[1] > 1 or not is_adjective(c, j) or not noun_soon(c, j + 1) or numbered(c, j):
+        return _STOP  # numbered: "Marble one hits marble two"
+    if m.determiner and acts(c, j + 1):
+        return _STOP  # "the brick slides off it": a material that is a thing of its own
+    bare = not m.determiner and not m.count
+    return _STOP if bare and goes_off(c, j + 1) else 0  # "glass slides off"
+
+
+def _adverb(c: Chunks, i: int, j: int, m: Mention) -> int:
+    """ "a very heavy box"."""
+    low = low_at(c, j)
+    if low not in lex.ADVERBS or is_adjective(c, j):
+        return 0
+    return j + 1 if low in _INTENSIFIERS and is_adjective(c, j + 1) else _STOP
+
+
+def _adjective(c: Chunks, i: int, j: int, m: Mention) -> int:
+    low = low_at(c, j)
+    if not is_adjective(c, j):
+        return 0
+    if not (low_at(c, j + 1) in ("one", "ones") and _names_one(low)):
+        follows = noun_soon(c, j + 1)
+        small = low in _ALSO_ADVERBS and not m.determiner and not parts_of(c, j + 1)
+        if not follows and (low in lex.PARTS or small):
+            return _STOP
+    m.adjectives.append(low)
+    return j + 1
+
+
+def _verb_form(c: Chunks, i: int, j: int, m: Mention) -> int:
+    """ "a fallen tree", "an empty jam jar"."""
+    low, readings = low_at(c, j), verb_readings(low_at(c, j))
+    participle = any(r.form in ("ing", "pp") for r in readings) and (m.determiner or m.count)
+    participle = participle and noun_soon(c, j + 1) and low not in lex.nouns()
+    bare = bool(readings) and all(r.form == "base" for r in readings) and bool(m.adjectives)
+    bare = bare and m.determiner in ("a", "an") and match_noun(c, j + 1) is not None
+    if not participle and not bare:
+        return 0
+    m.adjectives.append(low)
+    return j + 1
+
+
+MODIFIERS: tuple[Callable[[Chunks, int, int, Mention], int], ...] = (
+    _amount,
+    _name,
+    _between,
+    _is_head,
+    _adverb,
+    _adjective,
+    _verb_form,
+)
+"""Readers of one modifier at token j of a phrase that begins at token i.
+
+Each returns the token after it, 0 where it is none of its kind, or `_STOP`.
+"""

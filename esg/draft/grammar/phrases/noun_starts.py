@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from esg.draft import lexicon as lex
-from esg.draft.grammar.phrases.chunks import Chunks
+from esg.draft.grammar.phrases.chunks import Chunks, NounMatch
 from esg.draft.grammar.phrases.nouns import low_at, match_noun, token_at
 from esg.draft.grammar.phrases.reader import is_adjective
 from esg.draft.text.elements import Mention, Verb, Word
@@ -15,6 +15,7 @@ from esg.draft.verbphrases import verb_readings
 EXTENTS = ("tall", "wide", "long", "high", "thick", "deep", "diameter", "heavy", "radius")
 """What an amount in front of a noun says the size of: "a 2 m long pole"."""
 _OF_A_SIZE = lex.word_set("of a size")
+_NOT_VAGUE = frozenset({"some", "both", "couple", "pair", "dozen", "dozens"})
 
 
 _OWNED_BY = lex.word_set("owned by")
@@ -25,33 +26,31 @@ def lone_letter(c: Chunks, j: int) -> bool:
     token = token_at(c, j)
     if token is None or token.text == "I":
         return False
+    known = {x for e in c.elements if isinstance(e, Mention) for x in e.letters}
     if len(token.text) > 2 and token.text[0].isupper():
-        named = (e.letters for e in c.elements if isinstance(e, Mention))
-        return any(token.text in names for names in named)  # "Rex stops"
+        return token.text in known  # "Rex stops"
     if re.fullmatch(r"#\d{1,3}|[A-Z]\d{1,2}", token.text):
-        named = {x for e in c.elements if isinstance(e, Mention) for x in e.letters}
         start = token.text[0] if token.text[0] != "#" else ""
-        alike = any(re.fullmatch(rf"{start}\d+", x) for x in named)
+        alike = any(re.fullmatch(rf"{start}\d+", x) for x in known)
         return alike and match_noun(c, j + 1) is None  # "Robot R1 stops. R2 hits R1."
     if not re.fullmatch(r"[A-Z]", token.text):
         return False
-    known = {x for e in c.elements if isinstance(e, Mention) for x in e.letters}
     if token.text not in known:
-        capitals = [x for x in known if len(x) == 1 and x.isalpha()]
-        follows = bool(capitals) and ord(token.text) == ord(max(capitals)) + 1
-        previous = c.elements[-1] if c.elements else None
-        after_verb = isinstance(previous, Verb) or (
-            isinstance(previous, Word) and previous.kind in ("prep", "conj")
-        )
-        return follows and after_verb
+        return _next_letter(c, token.text, known)
     nxt = low_at(c, j + 1)
-    if token.text != "A":
+    if token.text != "A" or nxt == "and":
         return True
-    return nxt == "and" or (
-        (bool(verb_readings(nxt)) or nxt in lex.MODALS)
-        and match_noun(c, j + 1) is None
-        and not is_adjective(c, j + 1)
-    )
+    acts = bool(verb_readings(nxt)) or nxt in lex.MODALS
+    return acts and match_noun(c, j + 1) is None and not is_adjective(c, j + 1)
+
+
+def _next_letter(c: Chunks, letter: str, known: set[str]) -> bool:
+    """ "A hits B": B comes after the letters known, where an object is told."""
+    capitals = [x for x in known if len(x) == 1 and x.isalpha()]
+    follows = bool(capitals) and ord(letter) == ord(max(capitals)) + 1
+    previous = c.elements[-1] if c.elements else None
+    link = isinstance(previous, Word) and previous.kind in ("prep", "conj")
+    return follows and (link or isinstance(previous, Verb))
 
 
 def numbered(c: Chunks, j: int) -> bool:
@@ -84,63 +83,51 @@ def alone(c: Chunks, j: int) -> bool:
 
 
 def count_of(c: Chunks, j: int, m: Mention) -> int:
-    token = token_at(c, j)
-    if token is None or token.kind == "qty":
-        return j
-    compound = match_noun(c, j)
-    if compound is not None and compound[1] > 1:
+    """Reads the number of things at token j; returns the token after it, j if there is none."""
+    token, compound = token_at(c, j), match_noun(c, j)
+    if token is None or token.kind == "qty" or (compound is not None and compound[1] > 1):
         return j  # "eight ball"
-    if token.kind == "number" and token.text[0] != "#":
-        value = parse_number(token.text)
-        nxt = token_at(c, j + 1)
-        if (
-            isinstance(value, float)
-            and value.is_integer()
-            and nxt is not None
-            and nxt.kind == "word"
-            and not _finite_verb(c, j + 1)
-        ):
-            m.count = int(value)
-            return j + 1
-        return j
+    if token.kind == "number":
+        return _digits(c, j, m) if token.text[0] != "#" else j
     low = token.low
-    after = {r.form for r in verb_readings(low_at(c, j + 1))}
-    if low == "one" and m.determiner == "another" and "s" in after:
-        return j  # "another one tips over"
-    if low in lex.VAGUE_COUNTS and low not in (
-        "some",
-        "both",
-        "couple",
-        "pair",
-        "dozen",
-        "dozens",
-    ):
+    if low in lex.VAGUE_COUNTS and low not in _NOT_VAGUE:
         m.count, m.vague = lex.VAGUE_COUNTS[low], True
         return j + 1
     value = parse_number(low) if low not in ("a", "an", "half", "a half") else None
-    if isinstance(value, float) and value.is_integer() and value >= 1:
-        nxt = token_at(c, j + 1)
-        following = match_noun(c, j + 1)
-        if _one_of_the_set(value, following, m):
-            m.letters = [str(int(value))]  # "the seven pin"
-            return j + 1
-        if low == "one" and following is not None and following[2]:
-            return j  # "one slides into the other"
-        if low == "one" and (
-            nxt is None
-            or nxt.kind != "word"
-            or not (match_noun(c, j + 1) or is_adjective(c, j + 1) or m.determiner)
-        ):
-            return j
-        if nxt is not None and nxt.low in ("dozen", "hundred"):
-            m.count = int(value) * (12 if nxt.low == "dozen" else 100)
-            return j + 2
-        m.count = int(value)
+    if not isinstance(value, float) or not value.is_integer() or value < 1:
+        return j
+    following = match_noun(c, j + 1)
+    if _one_of_the_set(value, following, m):
+        m.letters = [str(int(value))]  # "the seven pin"
         return j + 1
-    return j
+    if low == "one" and not _counts_one(c, j, m, following):
+        return j
+    times = {"dozen": 12, "hundred": 100}.get(low_at(c, j + 1), 0)
+    m.count = int(value) * (times or 1)
+    return j + (2 if times else 1)
 
 
-def _one_of_the_set(value: float, noun: tuple[lex.Noun, int, bool, str] | None, m: Mention) -> bool:
+def _digits(c: Chunks, j: int, m: Mention) -> int:
+    value, nxt = parse_number(c.tokens[j].text), token_at(c, j + 1)
+    if not isinstance(value, float) or not value.is_integer():
+        return j
+    if nxt is None or nxt.kind != "word" or _finite_verb(c, j + 1):
+        return j
+    m.count = int(value)
+    return j + 1
+
+
+def _counts_one(c: Chunks, j: int, m: Mention, following: NounMatch | None) -> bool:
+    """Whether "one" counts the noun after it; "another one tips over", "one slides into it"."""
+    if m.determiner == "another" and any(r.form == "s" for r in verb_readings(low_at(c, j + 1))):
+        return False
+    nxt = token_at(c, j + 1)
+    if nxt is None or nxt.kind != "word" or (following is not None and following[2]):
+        return False
+    return bool(following or is_adjective(c, j + 1) or m.determiner)
+
+
+def _one_of_the_set(value: float, noun: NounMatch | None, m: Mention) -> bool:
     """ "the seven pin", "the six ball": a name, as the noun is singular."""
     if noun is None or noun[2] or m.determiner != "the" or value < 2:
         return False

@@ -31,7 +31,6 @@ def match_noun(c: Chunks, i: int) -> NounMatch | None:
 
 
 def _find_noun(c: Chunks, i: int) -> NounMatch | None:
-    table = lex.nouns()
     if not 0 <= i < len(c.tokens):
         return None
     most = lex.longest_nouns().get(c.tokens[i].low, 1)
@@ -39,31 +38,40 @@ def _find_noun(c: Chunks, i: int) -> NounMatch | None:
         window = c.tokens[i : i + n]
         if any(t.kind != "word" and (t.kind != "number" or n == 1) for t in window):
             continue
-        words = [t.low for t in window]
-        phrase = " ".join(words)
-        last, plural = lex.singular(words[-1])
-        single = " ".join([*words[:-1], last])
-        for candidate, is_plural in ((phrase, False), (single, plural)):
-            if candidate in table:
-                if candidate == phrase and single != phrase and single in table:
-                    continue
-                if is_plural and table[candidate].kind == "ground" and _lands_on(c, i + n - 1):
-                    return None
-                if n > 1 and is_plural and _subject_and_verb(c, i, words):
-                    continue
-                if n > 1 and is_plural and parse_number(words[0]) is not None:
-                    continue  # "eight balls" are not "the eight ball"
-                return table[candidate], n, is_plural or words[-1] == "billiards", candidate
-        dashed = "-".join(words)
-        if n > 1 and dashed in table:
-            return table[dashed], n, False, dashed
-    if i < len(c.tokens) and low_at(c, i).removesuffix("s").endswith("-year-old"):
-        return table["child"], 1, low_at(c, i).endswith("s"), "child"
-    if i < len(c.tokens) and "-" in low_at(c, i):
-        last, plural = lex.singular(low_at(c, i).replace("-", " "))
+        found, verb = _entry(c, i, [t.low for t in window])
+        if found is not None or verb:
+            return found
+    return _compounded(c, i)
+
+
+def _entry(c: Chunks, i: int, words: list[str]) -> tuple[NounMatch | None, bool]:
+    """The entry of just these words; and whether they are a verb and no noun at all."""
+    table, n = lex.nouns(), len(words)
+    phrase = " ".join(words)
+    last, plural = lex.singular(words[-1])
+    single = " ".join([*words[:-1], last])
+    if phrase in table and (single == phrase or single not in table):
+        return (table[phrase], n, words[-1] == "billiards", phrase), False
+    if single in table:
+        if plural and table[single].kind == "ground" and _lands_on(c, i + n - 1):
+            return None, True
+        counted = parse_number(words[0]) is not None  # "eight balls" are not "the eight ball"
+        if not (n > 1 and plural and (counted or _subject_and_verb(c, i, words))):
+            return (table[single], n, plural or words[-1] == "billiards", single), False
+    dashed = "-".join(words)
+    return ((table[dashed], n, False, dashed) if n > 1 and dashed in table else None), False
+
+
+def _compounded(c: Chunks, i: int) -> NounMatch | None:
+    """Nouns that no entry spells: "six-year-olds", "tea-cups", "lights" that turn green."""
+    table, low = lex.nouns(), low_at(c, i)
+    if low.removesuffix("s").endswith("-year-old"):
+        return table["child"], 1, low.endswith("s"), "child"
+    if "-" in low:
+        last, plural = lex.singular(low.replace("-", " "))
         if last in table:
             return table[last], 1, plural, last
-    if low_at(c, i) in ("light", "lights") and _of_traffic(c, i):
+    if low in ("light", "lights") and _of_traffic(c, i):
         return table["traffic light"], 1, False, "traffic light"
     return None
 

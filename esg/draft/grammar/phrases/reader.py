@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import dataclass
+
 from esg.draft import lexicon as lex
-from esg.draft.grammar.phrases.chunks import Chunks
+from esg.draft.grammar.phrases.chunks import Chunks, NounMatch
 from esg.draft.grammar.phrases.nouns import low_at, match_noun, token_at
 from esg.draft.text.elements import Element, Mention, Verb, Word
 from esg.draft.text.tokens import is_name
@@ -11,6 +14,9 @@ from esg.draft.verbphrases import PHRASES, verb_readings
 
 _NOUNS_FIRST = lex.word_set("nouns first")
 _ALSO_NOUNS = lex.word_set("also nouns")
+_BE = frozenset({"is", "are", "was", "were", "be", "been", "being", "'s", "gets", "get"})
+_HAVE = frozenset({"has", "have", "had", "having"})
+_CANNOT = frozenset({"cannot", "can't", "couldn't"})
 
 
 _ADJECTIVES = frozenset().union(
@@ -124,113 +130,177 @@ def participle(c: Chunks, j: int, also_been: bool = False) -> bool:
     return False
 
 
+@dataclass(frozen=True)
+class _Word:
+    """A word that may be a verb here.
+
+    Args:
+        at: Its token.
+        low: The word.
+        previous: The element before it.
+        forms: Forms of a verb that it can be.
+        noun: The noun that starts with it.
+        nounish: Whether it can be a noun at all.
+        adjectival: Whether it can be an adjective.
+        next: The word after it.
+    """
+
+    at: int
+    low: str
+    previous: Element | None
+    forms: set[str]
+    noun: NounMatch | None
+    nounish: bool
+    adjectival: bool
+    next: str
+
+
 def verb_here(c: Chunks, i: int) -> bool:
     """Whether the token starts a verb group here."""
-    low = low_at(c, i)
-    token = c.tokens[i]
-    previous = element_before(c)
-    if low in ("is", "are", "was", "were", "be", "been", "being", "'s", "gets", "get"):
-        return low != "'s" or isinstance(previous, Mention)
-    if low in ("cannot", "can't", "couldn't"):
+    low, previous = low_at(c, i), element_before(c)
+    named = isinstance(previous, Mention)
+    if low in _BE:
+        return low != "'s" or named
+    if low in _CANNOT or low in lex.MODALS - _ALSO_NOUNS or low in _HAVE:
         return True
-    if low in lex.MODALS - _ALSO_NOUNS:
-        return True
-    if low in ("will", "can", "might", "has", "have", "had", "having"):
-        return isinstance(previous, Mention) or low in ("has", "have", "had", "having")
-    readings = verb_readings(low)
-    if not readings:
+    if low in ("will", "can", "might"):
+        return named
+    forms = {r.form for r in verb_readings(low)}
+    if not forms:
         return False
-    prev_low = low_at(c, i - 1)
-    nxt = low_at(c, i + 1)
-    forms = {r.form for r in readings}
     noun = match_noun(c, i)
-    nounish = noun is not None or low in lex.ATTRIBUTES or low in lex.PARTS
-    nounish = nounish or lex.singular(low)[0] in lex.ATTRIBUTES
-    adjectival = is_adjective(c, i)
-    if prev_low == "whose":
-        return False  # "a car whose speed is 12 m/s"
-    if adjectival and prev_low in ("too", "very", "so", "quite") and forms <= {"base"}:
-        return False  # "is too slow"
-    if noun is not None and noun[1] > 1 and not isinstance(previous, Mention):
+    nounish = noun is not None or low in lex.PARTS
+    nounish = nounish or bool({low, lex.singular(low)[0]} & lex.ATTRIBUTES)
+    w = _Word(i, low, previous, forms, noun, nounish, is_adjective(c, i), low_at(c, i + 1))
+    return next(bool(v) for test in _VERB_TESTS if (v := test(c, w)) is not None)
+
+
+def _modifier_here(c: Chunks, w: _Word) -> bool | None:
+    """What a word before the verb rules out: "whose speed", "too slow", "the slide"."""
+    before = low_at(c, w.at - 1)
+    if before == "whose":
         return False
-    if prev_low in lex.DETERMINERS and not (
-        isinstance(previous, Mention) and previous.end == c.tokens[i - 1].end
-    ):
+    if w.adjectival and before in ("too", "very", "so", "quite") and w.forms <= {"base"}:
         return False
-    if low in _NOUNS_FIRST:
-        if not isinstance(previous, Mention):
-            return low == "back" and isinstance(previous, Word) and previous.kind == "conj"
-        if low == "left":
-            return nxt in ("the", "its", "a")
-        if low in ("back", "end", "wound", "ground"):
-            return any(
-                p.match(c.text, token.end)
-                for p, _, _ in PHRASES.get(low if low != "wound" else "wind", [])
-            )
+    named = isinstance(w.previous, Mention)
+    if w.noun is not None and w.noun[1] > 1 and not named:
+        return False
+    ended = isinstance(w.previous, Mention) and w.previous.end == c.tokens[w.at - 1].end
+    return False if before in lex.DETERMINERS and not ended else None
+
+
+def _noun_first(c: Chunks, w: _Word) -> bool | None:
+    """Words that are verbs only after a noun: "left", "back", "ground"."""
+    if w.low not in _NOUNS_FIRST:
+        return None
+    if not isinstance(w.previous, Mention):
+        joined = isinstance(w.previous, Word) and w.previous.kind == "conj"
+        return w.low == "back" and joined
+    if w.low == "left":
+        return w.next in ("the", "its", "a")
+    if w.low not in ("back", "end", "wound", "ground"):
         return True
-    dangles = isinstance(previous, Word) and previous.low in ("behind", "ahead", "opposite")
-    if dangles and "s" in forms and isinstance((c.elements[-2:-1] or [None])[0], Mention):
+    phrases = PHRASES.get("wind" if w.low == "wound" else w.low, [])
+    return any(p.match(c.text, c.tokens[w.at].end) for p, _, _ in phrases)
+
+
+def _after_preposition(c: Chunks, w: _Word) -> bool | None:
+    previous = w.previous
+    if not isinstance(previous, Word):
+        return None
+    owner = (c.elements[-2:-1] or [None])[0]
+    dangles = previous.low in ("behind", "ahead", "opposite") and isinstance(owner, Mention)
+    if dangles and "s" in w.forms:
         return True  # "bike behind hits bumper"
-    if isinstance(previous, Word) and previous.kind == "prep" and not (forms & {"ing"}):
-        return not (nounish or adjectival) and previous.low != "by"
-    if isinstance(previous, Mention):
-        if adjectival and forms <= {"pp", "past", "ing"} and noun_soon(c, i + 1):
-            return bool(forms & {"past", "pp"}) and not _bare(c, previous)
-        if forms & {"s", "past", "pp", "ing"} or not nounish:
-            return True
-        return True
-    if isinstance(previous, Verb):
-        before = c.elements[-3:-1]
-        if forms & {"s", "past"} and [type(e) for e in before] == [Mention, Mention]:
-            return noun is None  # "the tray he was carrying crashes"
-        own = previous.form == "ing" and not previous.auxiliary and bool(before)
-        if (
-            own
-            and isinstance(before[-1], Mention)
-            and "s" in forms
-            and (noun is None or nxt in lex.DETERMINERS | lex.PRONOUNS)
-        ):
-            return True  # "a car changing lanes knocks it over"
-        within = [getattr(e, "kind", "") for e in before[:1]] == ["rel"]
-        clause = within and isinstance(before[-1], Mention) and bool(forms & {"s", "past"})
-        if clause and (noun is None or nxt in lex.DETERMINERS | lex.PREPOSITIONS):
-            return True  # "the trolley whose brakes fail rolls into a pond"
-        after_that = [getattr(e, "kind", "") for e in before[-1:]] == ["rel"]
-        if after_that and forms & {"s", "past"} and (noun is None or nxt in lex.DETERMINERS):
-            return True  # "a ball that is rolling hits a box"
-        return (
-            bool(forms & {"ing", "base"})
-            and not (nounish and (noun_soon(c, i + 1) is False))
-            and not (adjectival and noun_soon(c, i + 1))
-        )
-    if (
-        adjectival
-        and noun_soon(c, i + 1)
-        and not (previous is not None and previous.kind in ("rel", "sub"))
-    ):
-        return "ing" in forms and nxt in lex.DETERMINERS
-    if previous is None or (previous.kind == "punct" and previous.low in ".;!?:\n"):
-        if nounish:
-            by = nxt == "by" and "pp" in forms  # "Hit by an apple, he ..."
-            by = by or (noun is None and "s" in forms and _report(c, i))
-            return by or (nxt in lex.DETERMINERS and "base" in forms)
-        return True
-    if (
-        nounish
-        and forms & {"s", "past"}
-        and previous.kind in ("punct", "conj", "adv")
-        and (nxt == "" or nxt in ("and", "then"))
-        and any(isinstance(e, Verb) for e in c.elements)
-    ):
-        return True  # "..., slides, and hits"
-    if previous.kind == "rel" and "s" in forms and not (verb_readings(nxt) and nxt != "open"):
-        return True  # ", which swings round": no plural without an article
-    if nounish and noun is not None:
-        inflected = forms & {"past", "pp", "ing"}
-        if previous.kind in ("conj", "adv", "punct", "rel"):
-            return _verb_context(c, i) or bool(inflected)
-        return bool(inflected) or token.tag == "VERB"
+    if previous.kind == "prep" and "ing" not in w.forms:
+        return not (w.nounish or w.adjectival) and previous.low != "by"
+    return None
+
+
+def _after_noun(c: Chunks, w: _Word) -> bool | None:
+    if not isinstance(w.previous, Mention):
+        return None
+    if w.adjectival and w.forms <= {"pp", "past", "ing"} and noun_soon(c, w.at + 1):
+        return bool(w.forms & {"past", "pp"}) and not _bare(c, w.previous)
     return True
+
+
+def _after_verb(c: Chunks, w: _Word) -> bool | None:
+    previous = w.previous
+    if not isinstance(previous, Verb):
+        return None
+    before = c.elements[-3:-1]
+    finite = bool(w.forms & {"s", "past"})
+    if finite and [type(e) for e in before] == [Mention, Mention]:
+        return w.noun is None  # "the tray he was carrying crashes"
+    clause = bool(before) and isinstance(before[-1], Mention)
+    own = clause and previous.form == "ing" and not previous.auxiliary
+    if own and "s" in w.forms and (w.noun is None or w.next in lex.DETERMINERS | lex.PRONOUNS):
+        return True  # "a car changing lanes knocks it over"
+    within = clause and getattr(before[0], "kind", "") == "rel" and finite
+    if within and (w.noun is None or w.next in lex.DETERMINERS | lex.PREPOSITIONS):
+        return True  # "the trolley whose brakes fail rolls into a pond"
+    relative = bool(before) and getattr(before[-1], "kind", "") == "rel" and finite
+    if relative and (w.noun is None or w.next in lex.DETERMINERS):
+        return True  # "a ball that is rolling hits a box"
+    soon = noun_soon(c, w.at + 1)
+    modifies = (w.nounish and not soon) or (w.adjectival and soon)
+    return bool(w.forms & {"ing", "base"}) and not modifies
+
+
+def _before_noun(c: Chunks, w: _Word) -> bool | None:
+    """ "rolling ball": a modifier, unless a determiner follows."""
+    if not w.adjectival or not noun_soon(c, w.at + 1):
+        return None
+    if isinstance(w.previous, Word) and w.previous.kind in ("rel", "sub"):
+        return None
+    return "ing" in w.forms and w.next in lex.DETERMINERS
+
+
+def _opens_clause(c: Chunks, w: _Word) -> bool | None:
+    previous = w.previous
+    if isinstance(previous, Word) and not (previous.kind == "punct" and previous.low in ".;!?:\n"):
+        return None
+    if not w.nounish:
+        return True
+    by = w.next == "by" and "pp" in w.forms  # "Hit by an apple, he ..."
+    by = by or (w.noun is None and "s" in w.forms and _report(c, w.at))
+    return by or (w.next in lex.DETERMINERS and "base" in w.forms)
+
+
+def _goes_on(c: Chunks, w: _Word) -> bool | None:
+    """After a comma, a conjunction, an adverb or a relative."""
+    previous = w.previous
+    assert isinstance(previous, Word)
+    told = any(isinstance(e, Verb) for e in c.elements)
+    ends = w.next in ("", "and", "then") and previous.kind in ("punct", "conj", "adv")
+    if w.nounish and w.forms & {"s", "past"} and ends and told:
+        return True  # "..., slides, and hits"
+    if (
+        previous.kind == "rel"
+        and "s" in w.forms
+        and (not verb_readings(w.next) or w.next == "open")
+    ):
+        return True  # ", which swings round": no plural without an article
+    if w.noun is None:
+        return True
+    inflected = bool(w.forms & {"past", "pp", "ing"})
+    if previous.kind in ("conj", "adv", "punct", "rel"):
+        return _verb_context(c, w.at) or inflected
+    return inflected or c.tokens[w.at].tag == "VERB"
+
+
+_VERB_TESTS: tuple[Callable[[Chunks, _Word], bool | None], ...] = (
+    _modifier_here,
+    _noun_first,
+    _after_preposition,
+    _after_noun,
+    _after_verb,
+    _before_noun,
+    _opens_clause,
+    _goes_on,
+)
+"""What decides whether a word is a verb: the first that knows."""
 
 
 def looks_like_verb(c: Chunks, j: int, m: Mention) -> bool:
