@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any
 
 from esg.draft import lexicon as lex
@@ -42,7 +44,9 @@ from esg.draft.events.timing import (
     settle,
     time_of,
 )
+from esg.draft.events.told import happened, last_event, moves, recent, traits_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
+from esg.draft.text.elements import Mention
 from esg.graph.models import NodeEvent
 
 _GOALMOUTH = lex.word_set("goalmouth")
@@ -52,6 +56,29 @@ WAYS = lex.word_set("ways (acts)")
 _HOLDING = lex.word_set("holding (acts)")
 _OPENINGS = frozenset({"hole", "water"})
 _PLACES = lex.word_set("places (acts)")
+_ENDING_IN = ("cause", "fall", "land", "pocket", "launch", "drop", "reach")
+_STANDING = ("noop", "be", "posture")
+
+
+@dataclass
+class Way:
+    """A phrase that says where a motion leads.
+
+    Args:
+        f: Its clause.
+        p: The phrase.
+        m: What it names.
+        others: Ids of that, those that move left out.
+        time: The time that the clause states.
+        fallen: Who has been told to fall by a phrase before.
+    """
+
+    f: Frame
+    p: Phrase
+    m: Mention
+    others: list[str]
+    time: Time | None
+    fallen: set[str]
 
 
 def outcomes(d: Discourse, f: Frame, actors: list[str]) -> None:
@@ -59,85 +86,125 @@ def outcomes(d: Discourse, f: Frame, actors: list[str]) -> None:
     time = time_of(d, f)
     fallen: set[str] = set()
     if "in" in f.adverbs and f.verb.lemma in _GOING and f.phrase("into", "in") is None:
-        off = f.phrase("off")
-        if off is not None and off.mention is not None and not off.mention.attribute:
-            solid = [i for i in off.mention.entities if aimable(d, i)]
-            add_hit(d, f, actors, [i for i in solid if i not in actors][:1])
-        goes_in(d, f, actors, time)
+        _goes_in_off(d, f, actors, time)
     for p in f.phrases:
-        if p.mention is None or p.mention.part in WAYS:
+        m = p.mention
+        if m is None or m.part in WAYS:
             continue  # "walks into the path of a tram"
         if off_the_edge(d, f, p, actors, time):
             fallen.update(actors)
             continue
-        if p.prep in ("out of", "from") and p.mention.head in _HOLDING:
+        if p.prep in ("out of", "from") and m.head in _HOLDING:
             for actor in actors if f.verb.sense in ("slide", "drop", "fall") else []:
                 add_event(d, NodeEvent.FALL, (actor,), f, time)  # "slips out of his hand"
             continue
-        if p.mention.attribute and not p.mention.entities:
-            continue
-        others = [i for i in p.mention.entities if i not in actors]
+        others = [i for i in m.entities if i not in actors]
         if not others:
             continue
-        other = others[0]
-        if p.prep == "from" and from_an_end(d, f, p, other):
-            place(d, actors, [other], "on")  # "roll from opposite ends of a table"
+        if p.prep == "from" and from_an_end(d, f, p, others[0]):
+            place(d, actors, others[:1], "on")  # "roll from opposite ends of a table"
             continue
-        for actor in actors:
-            if p.prep in ("into", "in", "inside", "through"):
-                if actor in fallen and holds(d, other):
-                    enter(d, f, actor, other, p.mention, time)
-                else:
-                    go_into(d, f, actor, others, p, time)
-            elif p.prep in ("against",):
-                add_hit(d, f, [actor], [other], time)
-            elif p.prep in ("off", "over") or (
-                p.prep in ("from", "out of") and f.verb.sense in ("fall", "slide", "drop")
-            ):
-                slips = p.prep == "off" and f.verb.sense in ("roll", "slide", "fall", "drop")
-                high = elevated(d, other) or (slips and carries(d, other, actor))
-                high = high or (p.prep == "off" and f.verb.lemma in ("jump", "leap", "hop"))
-                if high and movable(d, actor) and (p.prep != "over" or p.mention.part):
-                    place(d, [actor], [other], "on")
-                    add_event(d, NodeEvent.FALL, (actor,), f, time)
-                    fallen.add(actor)
-                elif p.prep == "off" and {kind_of(d, actor), kind_of(d, other)} == {"billiard"}:
-                    add_hit(d, f, [actor], [other], time)  # "goes in off the blue"
-                elif p.prep == "over" and (
-                    over_its_top(d, f, actor, other) or over_a_deck(d, f, actor, other)
-                ):
-                    place(d, [actor], [other], "on")
-            elif p.prep == "onto" and not structural(d, other):
-                add_hit(d, f, [actor], [other], time)
-            elif p.prep in ("down", "up") and "incline" in entity_of(d, other).noun.traits:
-                place(d, [actor], [other], "on" if p.prep == "down" else "near")
-            elif p.prep in ("along", "across") and "support" in entity_of(d, other).noun.traits:
-                place(d, [actor], [other], "on")
-            elif p.prep in ("toward", "towards") and p.mention.part in EDGES:
-                if elevated(d, other) and fits_on(d, actor, other):
-                    place(d, [actor], [other], "on")  # "rolls toward the edge of the desk"
-            elif p.prep == "past" and touches_later(d, f, other):
-                mark_used(d, f, "on the way to the contact")
-            elif p.prep == "past":
-                add_event(d, NodeEvent.MISS, (actor, other), f, time)
-            elif p.prep == "to" and structural(d, other) and comes_down(d, f, actor, p):
-                add_event(d, NodeEvent.FALL, (actor,), f, time)
-            elif p.prep == "to" and not structural(d, other) and not p.mention.attribute:
-                heads_for(d, f, actor, other, time)
+        reader = OUTCOMES.get(p.prep)
+        for actor in actors if reader is not None else []:
+            reader(d, actor, Way(f, p, m, others, time, fallen))
+
+
+def _goes_in_off(d: Discourse, f: Frame, actors: list[str], time: Time | None) -> None:
+    """ "goes in off the post": hits the post on its way."""
+    off = f.phrase("off")
+    if off is not None and off.mention is not None and not off.mention.attribute:
+        solid = [i for i in off.mention.entities if aimable(d, i) and i not in actors]
+        add_hit(d, f, actors, solid[:1])
+    goes_in(d, f, actors, time)
+
+
+def _into(d: Discourse, actor: str, way: Way) -> None:
+    if actor in way.fallen and holds(d, way.others[0]):
+        enter(d, way.f, actor, way.others[0], way.m, way.time)
+    else:
+        go_into(d, way.f, actor, way.others, way.p, way.time)
+
+
+def _against(d: Discourse, actor: str, way: Way) -> None:
+    if way.p.prep == "against" or not structural(d, way.others[0]):
+        add_hit(d, way.f, [actor], way.others[:1], way.time)
+
+
+def _off(d: Discourse, actor: str, way: Way) -> None:
+    """ "rolls off the table", "falls from a shelf", "slides over the edge"."""
+    f, p, other = way.f, way.p, way.others[0]
+    if p.prep in ("from", "out of") and f.verb.sense not in ("fall", "slide", "drop"):
+        return
+    slips = p.prep == "off" and f.verb.sense in ("roll", "slide", "fall", "drop")
+    high = elevated(d, other) or (slips and carries(d, other, actor))
+    high = high or (p.prep == "off" and f.verb.lemma in ("jump", "leap", "hop"))
+    if high and movable(d, actor) and (p.prep != "over" or way.m.part):
+        place(d, [actor], [other], "on")
+        add_event(d, NodeEvent.FALL, (actor,), f, way.time)
+        way.fallen.add(actor)
+    elif p.prep == "off" and {kind_of(d, actor), kind_of(d, other)} == {"billiard"}:
+        add_hit(d, f, [actor], [other], way.time)  # "goes in off the blue"
+    elif p.prep == "over" and (over_its_top(d, f, actor, other) or over_a_deck(d, f, actor, other)):
+        place(d, [actor], [other], "on")
+
+
+def _on_a_slope(d: Discourse, actor: str, way: Way) -> None:
+    if "incline" in traits_of(d, way.others[0]):
+        place(d, [actor], way.others[:1], "on" if way.p.prep == "down" else "near")
+
+
+def _along(d: Discourse, actor: str, way: Way) -> None:
+    if "support" in traits_of(d, way.others[0]):
+        place(d, [actor], way.others[:1], "on")
+
+
+def _to_the_edge(d: Discourse, actor: str, way: Way) -> None:
+    """ "rolls toward the edge of the desk": it is on the desk."""
+    other = way.others[0]
+    if way.m.part in EDGES and elevated(d, other) and fits_on(d, actor, other):
+        place(d, [actor], [other], "on")
+
+
+def _past(d: Discourse, actor: str, way: Way) -> None:
+    if touches_later(d, way.f, way.others[0]):
+        mark_used(d, way.f, "on the way to the contact")
+    else:
+        add_event(d, NodeEvent.MISS, (actor, way.others[0]), way.f, way.time)
+
+
+def _to(d: Discourse, actor: str, way: Way) -> None:
+    other = way.others[0]
+    if not structural(d, other):
+        if not way.m.attribute:
+            heads_for(d, way.f, actor, other, way.time)
+    elif comes_down(d, way.f, actor, way.p):
+        add_event(d, NodeEvent.FALL, (actor,), way.f, way.time)
+
+
+OUTCOMES: dict[str, Callable[[Discourse, str, Way], None]] = {
+    **dict.fromkeys(("into", "in", "inside", "through"), _into),
+    **dict.fromkeys(("against", "onto"), _against),
+    **dict.fromkeys(("off", "over", "from", "out of"), _off),
+    **dict.fromkeys(("down", "up"), _on_a_slope),
+    **dict.fromkeys(("along", "across"), _along),
+    **dict.fromkeys(("toward", "towards"), _to_the_edge),
+    "past": _past,
+    "to": _to,
+}
+"""What a motion leads to, by the preposition that says so."""
 
 
 def goes_in(d: Discourse, f: Frame, actors: list[str], time: Time | None) -> None:
     """ "bounces off the rim and goes in": into the goal, hoop or hole named before."""
-    named = [i for ids in reversed(d.world.salience) for i in ids]
-    known = d.world.entities
+    named, known = recent(d), d.world.entities
     for actor in actors:
-        goals = [i for i in named if i in d.world.entities and enterable(d, i)]
-        last = d.timeline.node(d.timeline.last_event or "")
+        goals = [i for i in named if enterable(d, i)]
+        last = last_event(d)
         passed = str(last.extra.get("region", "")).split("/")[0] if last is not None else ""
         goals = [i for i in goals if i != passed] or goals  # "through the hoop and back in"
         goal = next(iter(goals), d.moves.aim.get(actor, ""))
         if not goal and kind_of(d, actor) in ("ball", "sliding"):
-            posts = any(entity_of(d, i).head.split()[-1] in _GOALMOUTH for i in named if i in known)
+            posts = any(entity_of(d, i).head.split()[-1] in _GOALMOUTH for i in named)
             goal = implied_goal(d, actor) if posts else ""
         table = d.world.billiards or any(e.noun.kind == "billiard" for e in known.values())
         if not goal and table and kind_of(d, actor) in ("billiard", "ball"):
@@ -148,69 +215,50 @@ def goes_in(d: Discourse, f: Frame, actors: list[str], time: Time | None) -> Non
 
 
 def go_into(
-    d: Discourse,
-    f: Frame,
-    actor: str,
-    others: list[str],
-    p: Phrase,
-    time: Time | None,
+    d: Discourse, f: Frame, actor: str, others: list[str], p: Phrase, time: Time | None
 ) -> None:
-    other = others[0]
-    noun = entity_of(d, other).noun
+    """Something moves into others: it enters them, arrives there, or hits them."""
+    other, sense = others[0], f.verb.sense
     if structural(d, other):
         return
     visits = f.verb.lemma in _VISITING and entity_of(d, other).head.split()[-1] in _PLACES
     if visits and p.prep != "through" and kind_of(d, actor) in SELF_POWERED:
         d.times.pending[actor] = (NodeEvent.REACH, f, other, time)  # "comes into the station"
-        return
-    if p.prep == "through" and opening(d, others):
+    elif p.prep == "through" and opening(d, others):
         mark_used(d, f, "a way, no thing that is met")
-        return
-    barrier = noun.kind in ("wall", "street") or noun.name in ("hedge", "bush")
-    breaks = p.prep == "through" and barrier and not p.mention_plural
-    if (
-        breaks
-        and noun.name not in ("door", "window")
-        and f.verb.sense not in ("noop", "be", "posture")
-    ):
+    elif p.prep == "through" and _breaks(d, f, other) and not p.mention_plural:
         add_hit(d, f, [actor], others, time)
+    elif p.prep != "into" and sense not in _ENDING_IN and not _goal(d, other):
         return
-    if (
-        p.prep in ("in", "inside", "through")
-        and f.verb.sense
-        not in (
-            "cause",
-            "fall",
-            "land",
-            "pocket",
-            "launch",
-            "drop",
-            "reach",
-        )
-        and "goal" not in noun.traits
-        and noun.kind != "region"
+    elif enterable(d, other) or (
+        _from_above(d, f, actor, other) and takes_up_from_above(d, other, p.prep)
     ):
-        return
-    airborne = (
-        is_airborne(d, actor) and f.verb.sense not in ("roll", "slide")
-    ) or f.verb.sense in (
-        "fall",
-        "drop",
-        "land",
-        "pocket",
-        "fly",
-    )
-    airborne = airborne or (f.verb.sense == "bounce" and bounces_over(d, actor, other))
-    airborne = airborne or ("there" in f.adverbs and actor in d.moves.came_down)
-    enterable = (
-        noun.kind in ("region", "goal", "hole", "hoop")
-        or "goal" in noun.traits
-        or noun.kind == "water"
-    )
-    if enterable or (airborne and takes_up_from_above(d, other, p.prep)):
         enter(d, f, actor, other, p.mention, time)
     else:
         add_hit(d, f, [actor], others, time)
+
+
+def _breaks(d: Discourse, f: Frame, other: str) -> bool:
+    """ "drives through a hedge": what stops what goes through it."""
+    noun = entity_of(d, other).noun
+    barrier = noun.kind in ("wall", "street") or noun.name in ("hedge", "bush")
+    return barrier and noun.name not in ("door", "window") and f.verb.sense not in _STANDING
+
+
+def _goal(d: Discourse, other: str) -> bool:
+    return "goal" in traits_of(d, other) or kind_of(d, other) == "region"
+
+
+def _from_above(d: Discourse, f: Frame, actor: str, other: str) -> bool:
+    """Whether it comes out of the air, so that it can get over a rim."""
+    sense = f.verb.sense
+    if sense in ("fall", "drop", "land", "pocket", "fly"):
+        return True
+    if is_airborne(d, actor) and sense not in ("roll", "slide"):
+        return True
+    if sense == "bounce" and bounces_over(d, actor, other):
+        return True
+    return "there" in f.adverbs and actor in d.moves.came_down
 
 
 def add_event(
@@ -229,21 +277,18 @@ def add_event(
         time_of_told(d, told, time)
         mark_used(d, f, told)
         return told
-    first = participants[0]
-    track = d.timeline.tracks.get(first)
-    if track is None or not track.under_way or track.waiting:
-        if not movable(d, first):
-            set_free(d, [first])
-        if movable(d, first):
-            start_motion(d, f, [first])
+    track = d.timeline.tracks.get(participants[0])
+    if (track is None or not track.under_way) and not movable(d, participants[0]):
+        set_free(d, [participants[0]])
+    ensure_mover(d, f, participants[0], None)
     return record_event(d, kind, participants, f, time, **extra)
 
 
 def ensure_mover(d: Discourse, f: Frame, mover: str, target: str | None) -> None:
+    """Sets in motion what nothing moves yet."""
     track = d.timeline.tracks.get(mover)
-    if track is not None and track.under_way and not track.waiting:
-        return
-    start_motion(d, f, [mover], None, target)
+    if track is None or not track.under_way or track.waiting:
+        start_motion(d, f, [mover], None, target)
 
 
 def add_hit(
@@ -256,37 +301,51 @@ def add_hit(
         movers = representatives(d, movers, [])  # "darts hit the board"
     for mover in movers:
         for target in targets:
-            if mover == target or mover not in d.world.entities or structural(d, target):
+            pair = _who_hits(d, f, mover, target) if mover != target else None
+            if pair is None:
                 continue
-            if "region" in (kind_of(d, mover), kind_of(d, target)):
-                continue  # a pocket is a part of its table
             if f.verb.lemma in ("run", "drive", "slam") and kind_of(d, target) in _OPENINGS:
                 ensure_mover(d, f, mover, target)
                 enter(d, f, mover, target, None, time)  # "runs into the gutter"
                 continue
-            if not movable(d, mover):
-                mover, target = target, mover
-                if not movable(d, mover) or not aimable(d, target):
-                    continue  # "is bumped by a sidewalk"
-            if (id(f), mover, target) in d.times.told_hits:
+            if (id(f), *pair) in d.times.told_hits:
                 continue  # one clause tells one collision of a pair
-            d.times.told_hits.add((id(f), mover, target))
-            aimed = d.times.pending.get(target)
-            if aimed is not None and aimed[0] in (NodeEvent.COLLISION, NodeEvent.ENTER_REGION):
-                mover, target = target, mover  # "a keeper blocks the shot": the ball arrives
-            _settle_others(d, mover, target)
-            share_support(d, f, mover, target)
-            ensure_mover(d, f, mover, target)
-            _was_under_way(d, f, target)
-            out.append(add_event(d, NodeEvent.COLLISION, (mover, target), f, time))
-            for one, other in ((mover, target), (target, mover)):
-                arrival = d.times.pending.get(one)
-                same = arrival is not None and arrival[1].sentence == f.sentence
-                if same and arrival[0] is NodeEvent.REACH and arrival[2] == other:
-                    del d.times.pending[one]  # "throws it to a dog, which catches it": once
-            d.moves.last_hit = (mover, target)
+            d.times.told_hits.add((id(f), *pair))
+            out.append(_hit(d, f, *pair, time))
             time = None
     return out
+
+
+def _who_hits(d: Discourse, f: Frame, mover: str, target: str) -> tuple[str, str] | None:
+    """Mover and target, the other way round if the mover cannot move; None if neither can."""
+    if mover not in d.world.entities or structural(d, target):
+        return None
+    if "region" in (kind_of(d, mover), kind_of(d, target)):
+        return None  # a pocket is a part of its table
+    if not movable(d, mover):
+        mover, target = target, mover
+        if not movable(d, mover) or not aimable(d, target):
+            return None  # "is bumped by a sidewalk"
+    return mover, target
+
+
+def _hit(d: Discourse, f: Frame, mover: str, target: str, time: Time | None) -> str:
+    """One collision, with what it settles of the arrivals told before."""
+    aimed = d.times.pending.get(target)
+    if aimed is not None and aimed[0] in (NodeEvent.COLLISION, NodeEvent.ENTER_REGION):
+        mover, target = target, mover  # "a keeper blocks the shot": the ball arrives
+    _settle_others(d, mover, target)
+    share_support(d, f, mover, target)
+    ensure_mover(d, f, mover, target)
+    _was_under_way(d, f, target)
+    event = add_event(d, NodeEvent.COLLISION, (mover, target), f, time)
+    for one, other in ((mover, target), (target, mover)):
+        arrival = d.times.pending.get(one)
+        same = arrival is not None and arrival[1].sentence == f.sentence
+        if arrival is not None and same and arrival[0] is NodeEvent.REACH and arrival[2] == other:
+            del d.times.pending[one]  # "throws it to a dog, which catches it": once
+    d.moves.last_hit = (mover, target)
+    return event
 
 
 def _was_under_way(d: Discourse, f: Frame, target: str) -> None:
@@ -316,25 +375,19 @@ def share_support(d: Discourse, f: Frame, mover: str, target: str) -> None:
         host = hosts.get(one)
         if host is None or other in hosts or other in d.scene.inside_of or other == host:
             continue
-        if not fits_on(d, other, host) or is_airborne(d, mover):
+        if not fits_on(d, other, host) or is_airborne(d, mover) or d.moves.aim.get(mover) == host:
             continue
-        fell = any(n.event is NodeEvent.FALL and one in n.participants for n in d.timeline.nodes)
+        # a domino that tips over onto those on a table
         pushed = f.verb.lemma in PUSHING or mover in d.moves.rolling
-        pushed = pushed or any(
-            n.event is NodeEvent.TOPPLE and mover in n.participants for n in d.timeline.nodes
-        )  # a domino that tips over onto those on a table
-        if d.moves.aim.get(mover) == host:
-            continue
-        if not fell and (one == mover or pushed):
+        pushed = pushed or happened(d, NodeEvent.TOPPLE, mover)
+        if not happened(d, NodeEvent.FALL, one) and (one == mover or pushed):
             place(d, [other], [host], "on")
 
 
 def comes_down_a_slope(d: Discourse, mover: str) -> bool:
     """Whether something is on its way down a ramp: it arrives faster than it set off."""
-    track, host = d.timeline.tracks.get(mover), d.scene.supported_by.get(mover)
-    if host is None or track is None or track.motion is None or track.closed:
-        return False
-    return "incline" in entity_of(d, host).noun.traits
+    host = d.scene.supported_by.get(mover)
+    return host is not None and moves(d, mover) and "incline" in traits_of(d, host)
 
 
 def kinematics(d: Discourse, f: Frame, movers: list[str], targets: list[str]) -> None:

@@ -6,80 +6,62 @@ from esg.draft.discourse.core import aimable, entity_of, kind_of, structural
 from esg.draft.discourse.places import carries, elevated, fits_on, place
 from esg.draft.discourse.record import Discourse
 from esg.draft.events.acts import add_event, add_hit, share_support
-from esg.draft.events.timing import PUSHING, enter, representatives, time_of
+from esg.draft.events.timing import PUSHING, enter, enterable, representatives, time_of
+from esg.draft.events.told import last_event, mates_of, recent, traits_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.graph.models import NodeEvent
+
+_RIMS = ("edge", "side", "end", "rim")
 
 
 def knock_on(d: Discourse, f: Frame, bodies: list[str]) -> None:
     """ "hits the ball into the pocket": what happens to the body that was hit."""
     bodies = representatives(d, bodies, [])
     for p in f.phrases:
-        if (
-            p.mention is not None
-            and p.mention.part in ("edge", "side", "end", "rim")
-            and not p.mention.entities
-        ):
-            if p.prep in ("over", "off"):
-                for body in bodies:
+        m = p.mention
+        if m is None:
+            continue
+        others = [i for i in m.entities if i not in bodies]
+        for body in bodies:
+            if m.part in _RIMS and not m.entities:
+                if p.prep in ("over", "off"):
                     add_event(d, NodeEvent.FALL, (body,), f, None)
-            continue
-        if p.mention is None or p.mention.attribute:
-            continue
-        others = [i for i in p.mention.entities if i not in bodies]
-        if p.prep == "to" and others and aimable(d, others[0]) and not p.mention.part:
-            for body in bodies:
-                if f.verb.lemma in PUSHING:
-                    d.times.pending[body] = (NodeEvent.REACH, f, others[0], None)
-            continue
-        if p.prep in ("to", "onto", "on") and others and structural(d, others[0]):
-            for body in bodies:
-                _down(d, f, body)
-            continue
-        if p.prep in ("into", "onto", "in", "against", "off", "out of", "over", "from"):
-            for body in bodies:
-                if not others:
-                    continue
-                if p.prep in ("into", "in"):
-                    _go_into_passive(d, f, body, others, p)
-                elif p.prep in ("onto", "against") and not structural(d, others[0]):
-                    add_hit(d, f, [body], others, None)
-                elif (
-                    p.prep in ("off", "out of", "over", "from")
-                    and (elevated(d, others[0]) or carries(d, others[0], body))
-                    and (p.prep != "over" or p.mention.part)
-                    and not (p.prep == "out of" and kind_of(d, others[0]) == "building")
-                ):
-                    place(d, [body], [others[0]], "on")
-                    if d.moves.last_hit is not None and d.moves.last_hit[1] == body:
-                        share_support(d, f, *d.moves.last_hit)
-                    add_event(d, NodeEvent.FALL, (body,), f, None)
+            elif others and not m.attribute:
+                _knocked(d, f, body, others, p)
+
+
+def _knocked(d: Discourse, f: Frame, body: str, others: list[str], p: Phrase) -> None:
+    """Where a blow sends a body: to, onto, into or off something."""
+    other, part = others[0], p.mention.part if p.mention is not None else ""
+    if p.prep == "to" and aimable(d, other) and not part:
+        if f.verb.lemma in PUSHING:
+            d.times.pending[body] = (NodeEvent.REACH, f, other, None)
+    elif p.prep in ("to", "onto", "on") and structural(d, other):
+        _down(d, f, body)
+    elif p.prep in ("into", "in") and enterable(d, other):
+        enter(d, f, body, other, p.mention, time_of(d, f))
+    elif p.prep in ("into", "in") and not structural(d, other):
+        add_hit(d, f, [body], others, time_of(d, f))
+    elif p.prep in ("onto", "against") and not structural(d, other):
+        add_hit(d, f, [body], others, None)
+    elif p.prep in ("off", "out of", "over", "from") and (p.prep != "over" or part):
+        outside = p.prep == "out of" and kind_of(d, other) == "building"
+        if outside or not (elevated(d, other) or carries(d, other, body)):
+            return
+        place(d, [body], [other], "on")
+        if d.moves.last_hit is not None and d.moves.last_hit[1] == body:
+            share_support(d, f, *d.moves.last_hit)
+        add_event(d, NodeEvent.FALL, (body,), f, None)
 
 
 def _down(d: Discourse, f: Frame, body: str) -> None:
     """ "knocks a glass to the floor": it falls off what it stands on, or topples."""
     if body not in d.scene.supported_by:
-        hosts = [
-            i
-            for ids in reversed(d.world.salience)
-            for i in ids
-            if i != body and "support" in entity_of(d, i).noun.traits
-        ]
+        hosts = [i for i in recent(d) if i != body and "support" in traits_of(d, i)]
         if hosts:
             place(d, [body], hosts[:1], "on")
     fell = body in d.scene.supported_by
     add_event(d, NodeEvent.FALL if fell else NodeEvent.TOPPLE, (body,), f, None)
-
-
-def _go_into_passive(d: Discourse, f: Frame, body: str, others: list[str], p: Phrase) -> None:
-    other = others[0]
-    noun = entity_of(d, other).noun
-    if structural(d, other):
-        return
-    if noun.kind in ("region", "goal", "hole", "hoop", "water") or "goal" in noun.traits:
-        enter(d, f, body, other, p.mention, time_of(d, f))
-    else:
-        add_hit(d, f, [body], others, time_of(d, f))
 
 
 def already_hit(d: Discourse, f: Frame, s: list[str], o: list[str]) -> bool:
@@ -141,10 +123,10 @@ def carried_along(d: Discourse, body: str) -> bool:
 
     A member that the prompt names has left its plural, so that it needs a hit of its own.
     """
-    last = d.timeline.node(d.timeline.last_event or "")
+    last = last_event(d)
     if last is None or last.event is not NodeEvent.COLLISION or body in d.timeline.tracks:
         return False
-    mates = d.world.groups.get(entity_of(d, body).group or "", [])
+    mates = mates_of(d, body)
     movers = (
         {i for i in mates if entity_of(d, i).in_group} if entity_of(d, body).in_group else set()
     )

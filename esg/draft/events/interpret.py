@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from functools import partial
 import re
 
@@ -14,7 +15,6 @@ from esg.draft.discourse.core import (
     facts_of,
     kind_of,
     mark_used,
-    quantity_of,
 )
 from esg.draft.discourse.dodging import dodge
 from esg.draft.discourse.event_coreference import sentence
@@ -36,12 +36,22 @@ from esg.draft.events.senses import SENSES
 from esg.draft.events.senses.outcome import read_miss, target_of_mates
 from esg.draft.events.senses.state import attachment, mass_of_load, upon
 from esg.draft.events.timing import moved_by_others, precedes, settle, time_of
+from esg.draft.events.told import (
+    constrain,
+    ignore,
+    last_event,
+    mates_of,
+    moves,
+    traits_of,
+    unread,
+)
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.text.elements import Mention
-from esg.graph.models import EventConstraint, NodeEvent, Role
+from esg.graph.models import NodeEvent, Role
 
 _THINGS_DO = lex.word_set("things do")
 _THINGS_DO_TO = lex.word_set("things do to")
+_RIDERS_OWN = ("be", "posture", "weigh", "fall", "topple")
 _BREAKING = lex.word_set("breaking (interpret)")
 _ACTED_ON = lex.word_set("acted on")
 _INSTEAD = re.compile(r"\binstead\b(?! of)", re.IGNORECASE)
@@ -120,134 +130,200 @@ def interpret(
             label = entity_of(d, actor).label
             d.world.conflicts.append(f'"{label}" is said to move and not to move')
     for actor, amount in list(d.scene.travel.items()):
-        track = d.timeline.tracks.get(actor)
-        if track is not None and track.motion is not None and not track.closed:
+        if moves(d, actor):
             node = d.timeline.trigger(actor, f"{actor} has travelled {amount.text}")
-            draft = d.timeline.node(node)
-            assert draft is not None
-            draft.constraints.append(
-                EventConstraint(quantity="distance", object=actor, value=amount.value)
-            )
+            constrain(d.timeline.node(node), "distance", amount.value, actor)
         else:
             d.scene.used.pop((amount.start, amount.end), None)
     return d.scene
 
 
+@dataclass
+class Parts:
+    """Who acts in a clause, and on what (node ids)."""
+
+    subject: list[str]
+    objects: list[str]
+
+
+Step = Callable[[Discourse, Frame, Parts], bool]
+"""Finds out more about who a clause is about; True if nothing is left to read."""
+
+
 def read_frame(d: Discourse, f: Frame) -> None:
-    sense = f.verb.sense
-    subject = list(f.subject.entities) if f.subject is not None else []
-    objects = list(f.object.entities) if f.object is not None else []
-    if f.object2 is not None:
-        objects += [i for i in f.object2.entities if i not in objects]
-    objects = [i for i in objects if kind_of(d, i) != "region"]
-    d.now.each = _one_by_one(f)
-    paired = subject and set(subject) <= set(d.now.pairs) and len(objects) > 1
-    if paired and set(objects) == set(d.now.pairs.values()):
-        mine, d.now.pairs = d.now.pairs, {}
-        for actor in subject:
-            one = replace(f.subject, entities=[actor]) if f.subject else None
-            other = replace(f.object, entities=[mine[actor]]) if f.object else None
-            read_frame(d, replace(f, subject=one, object=other))
-        mark_used(d, f, "one for each")
+    """Reads a clause: who it is about, then what its verb's sense says, then what is left."""
+    parts = _parts(d, f)
+    if any(step(d, f, parts) for step in STEPS):
         return
-    if len(subject) == 1 and sense in RIDDEN and not f.verb.passive and not objects[1:]:
-        mount = d.scene.supported_by.get(subject[0], "")
-        riding = mount and kind_of(d, mount) in SELF_POWERED | {"sliding"}
-        if riding and kind_of(d, subject[0]) == "person" and mount not in objects:
-            subject = [mount]  # "a girl on a skateboard ... she hits a hydrant"
+    sense = _sense_here(f, parts)
+    handler = SENSES.get(sense)
+    if handler is None:
+        ignore(d, f, "no physical meaning")
+        hand_on(d, f)
+        return
+    high_up(d, f, parts.subject)
+    handler(d, f, parts.subject, parts.objects)
+    speed_of_noun(d, f, parts.subject)
+    far_away(d, f, parts.subject)
+    hand_on(d, f)
+    for p, a in amounts_of(d, f):
+        span = precedes(d, a) or (p == "for" and sense in ("fall", "drop"))
+        if a.dimension == "time" and span and unread(d, a):
+            d.times.gap, d.times.gap_of = a, f  # "falls for 0.6 s before it hits a bucket"
+
+
+def _parts(d: Discourse, f: Frame) -> Parts:
+    subject = list(f.subject.entities) if f.subject is not None else []
+    named = [i for m in (f.object, f.object2) if m is not None for i in m.entities]
+    return Parts(subject, [i for i in dict.fromkeys(named) if kind_of(d, i) != "region"])
+
+
+def _in_pairs(d: Discourse, f: Frame, parts: Parts) -> bool:
+    """ "Each ball hits a pin": as many clauses as there are balls."""
+    d.now.each = _one_by_one(f)
+    mine = d.now.pairs
+    paired = parts.subject and set(parts.subject) <= set(mine) and len(parts.objects) > 1
+    if not paired or set(parts.objects) != set(mine.values()):
+        return False
+    d.now.pairs = {}
+    for actor in parts.subject:
+        one = replace(f.subject, entities=[actor]) if f.subject else None
+        other = replace(f.object, entities=[mine[actor]]) if f.object else None
+        read_frame(d, replace(f, subject=one, object=other))
+    mark_used(d, f, "one for each")
+    return True
+
+
+def _mount_instead(d: Discourse, f: Frame, parts: Parts) -> bool:
+    """ "A girl rides a skateboard ... she hits a hydrant": the skateboard does."""
+    if len(parts.subject) != 1 or f.verb.sense not in RIDDEN or f.verb.passive:
+        return False
+    mount = d.scene.supported_by.get(parts.subject[0], "")
+    riding = mount and kind_of(d, mount) in SELF_POWERED | {"sliding"}
+    alone = not parts.objects[1:] and mount not in parts.objects
+    if riding and alone and kind_of(d, parts.subject[0]) == "person":
+        parts.subject = [mount]
+    return False
+
+
+def _no_ground(d: Discourse, f: Frame, parts: Parts) -> bool:
+    """What is built or painted neither acts nor is moved."""
+    sense = f.verb.sense
     if sense not in STATES:
         still = ("water", "hole")
-        moving = [i for i in subject if aimable(d, i) and kind_of(d, i) not in still]
-        if subject and not moving and not f.verb.passive:
-            d.scene.ignored[(f.verb.start, f.verb.end)] = "the ground does not act"
-            return
-        subject = moving
+        acting = [i for i in parts.subject if aimable(d, i) and kind_of(d, i) not in still]
+        if parts.subject and not acting and not f.verb.passive:
+            ignore(d, f, "the ground does not act")
+            return True
+        parts.subject = acting
     if sense in _ACTED_ON:
-        objects = [i for i in objects if aimable(d, i)]
+        parts.objects = [i for i in parts.objects if aimable(d, i)]
     if sense in ("roll", "slide") and not f.verb.passive:
-        objects = [i for i in objects if "decal" not in entity_of(d, i).noun.traits]
+        parts.objects = [i for i in parts.objects if "decal" not in traits_of(d, i)]
+    return False
+
+
+def _turn_to(d: Discourse, f: Frame, parts: Parts) -> bool:
+    """Settles what was aimed at before, and chooses the one of two that was struck."""
     _settle_aims(d, f)
     d.now.instead = _INSTEAD.search(sentence(d, f)) is not None or (
         _BUT.search(d.text, max(0, f.verb.start - 30), f.verb.start) is not None
     )
-    subject = _struck_one(d, f, subject)
-    speed = quantity_of(d, f, "speed")
+    parts.subject = _struck_one(d, f, parts.subject)
+    return False
+
+
+def _speeds_and_masses(d: Discourse, f: Frame, parts: Parts) -> bool:
+    """Quantities of the things themselves, whatever the verb."""
+    sense, subject = f.verb.sense, parts.subject
     speeds = [a for _, a in amounts_of(d, f) if a.dimension == "speed"]
     if len(speeds) == len(subject) > 1 and sense in ("hit", "miss"):
         d.moves.own_speed.update(zip(subject, speeds, strict=True))  # "one at 1 m/s, the other"
     if f.verb.lemma in ("happen", "occur"):
         _happens(d, f)
-    if sense == "noop" and subject and speed is not None:
-        d.moves.stated[subject[0]] = speed[1]  # "a lorry doing 60 mph"
+    if sense == "noop" and subject and speeds:
+        d.moves.stated[subject[0]] = speeds[0]  # "a lorry doing 60 mph"
     masses = [a for _, a in amounts_of(d, f) if a.dimension == "mass"]
-    if len(masses) == len(subject) > 1:
-        for o, a in zip(subject, masses, strict=True):
-            apply_amount(d.world, entity_of(d, o), a)  # "one of 7.5 t and one of 12 t"
-            mark_used(d, a, o)
-        masses = []
-    for a in masses:
-        if mass_of_load(d, a):
+    one_each = len(masses) == len(subject) > 1  # "one of 7.5 t and one of 12 t"
+    loaded = parts.objects[:1] if sense not in ("weigh", "be") else []
+    all_of_them = sense in ("weigh", "be", "have")
+    for k, a in enumerate(masses):
+        if not one_each and (mass_of_load(d, a) or not subject):
             continue
-        if subject:
-            owner = objects[0] if objects and sense not in ("weigh", "be") else subject[0]
-            owners = subject if sense in ("weigh", "be", "have") else [owner]
-            for o in owners:
-                apply_amount(d.world, entity_of(d, o), a)
-            mark_used(d, a, owners[0])
+        owners = [subject[k]] if one_each else subject if all_of_them else loaded or subject[:1]
+        for o in owners:
+            apply_amount(d.world, entity_of(d, o), a)
+        mark_used(d, a, owners[0])
+    return False
+
+
+def _does_not_happen(d: Discourse, f: Frame, parts: Parts) -> bool:
+    """What is planned, feared or denied; a hit that is denied is a miss."""
+    sense, negated = f.verb.sense, f.verb.negated
     if f.unreal:
-        _unreal(d, f, subject, objects)
-        return
+        _unreal(d, f, parts.subject, parts.objects)
+        return True
     if f.object is None and "neither" in f.adverbs and sense == "hit":
-        _neither(d, f, subject)
-        return
-    if f.verb.negated and sense in ("hit", "enter"):
-        f.verb.sense = sense = "miss"
-    elif f.verb.negated and sense not in ("be", "posture", "miss"):
-        d.scene.ignored[(f.verb.start, f.verb.end)] = "negated"
+        _neither(d, f, parts.subject)
+        return True
+    if negated and sense in ("hit", "enter"):
+        f.verb.sense = "miss"
+    elif negated and sense not in ("be", "posture", "miss"):
+        ignore(d, f, "negated")
         at_first = _AT_FIRST.search(sentence(d, f)) is not None
         if f.verb.lemma in ("move", "budge", "stir") and not at_first:
-            d.moves.still.update((i, f.verb.start) for i in subject)
-        return
-    things_do = sense in _THINGS_DO or (sense in _THINGS_DO_TO and objects)
-    if f.subject is not None and things_do and f.subject.start < f.verb.start:
-        flying = d.refs.thrown.get(id(f.subject))
-        if (
-            flying
-            and not set(flying) & set(objects)
-            and all(kind_of(d, i) == "person" for i in subject)
-        ):
-            subject = list(flying)
-    subject, objects = _what_the_thrower_misses(d, f, subject, objects)
-    for node in subject if not f.verb.passive else []:
+            d.moves.still.update((i, f.verb.start) for i in parts.subject)
+        return True
+    return False
+
+
+def _thrown_instead(d: Discourse, f: Frame, parts: Parts) -> bool:
+    """ "She throws a ball and hits a can": what she has thrown does."""
+    sense, m = f.verb.sense, f.subject
+    things_do = sense in _THINGS_DO or (sense in _THINGS_DO_TO and parts.objects)
+    flying = d.refs.thrown.get(id(m), []) if m is not None and m.start < f.verb.start else []
+    people = all(kind_of(d, i) == "person" for i in parts.subject)
+    if things_do and flying and people and not set(flying) & set(parts.objects):
+        parts.subject = list(flying)
+    parts.subject, parts.objects = _what_the_thrower_misses(d, f, parts.subject, parts.objects)
+    return False
+
+
+def _ridden_instead(d: Discourse, f: Frame, parts: Parts) -> bool:
+    """What a person of an earlier clause rides acts for him; unknown nouns get a kind."""
+    for node in parts.subject if not f.verb.passive else []:
         _guess_kind(d, node, f.verb.lemma)
-    if (
-        f.subject is not None
-        and id(f.subject) in d.refs.mounts
-        and sense not in ("be", "posture", "weigh", "fall", "topple")
-    ):
-        subject = list(d.refs.mounts[id(f.subject)])
-    over = sense == "topple" and f.verb.lemma == "roll" and not f.verb.passive
-    if over and subject and "round" in entity_of(d, subject[0]).noun.traits:
-        f.verb.sense = sense = "roll"  # "a ball rolls over and hits it": comes over
-    against = f.phrase("on", "against", "at")
-    if f.verb.lemma in ("end", "wind", "finish") and sense in ("noop", "reach"):
-        sense = "end"
-    if sense == "noop" and f.verb.lemma in _BREAKING and against is not None and subject:
-        sense = "hit"  # "breaks on a rock"
-    handler = SENSES.get(sense)
-    if handler is None:
-        d.scene.ignored[(f.verb.start, f.verb.end)] = "no physical meaning"
-        hand_on(d, f)
-        return
-    high_up(d, f, subject)
-    handler(d, f, subject, objects)
-    speed_of_noun(d, f, subject)
-    far_away(d, f, subject)
-    hand_on(d, f)
-    for p, a in amounts_of(d, f):
-        span = precedes(d, a) or (p == "for" and sense in ("fall", "drop"))
-        if a.dimension == "time" and span and (a.start, a.end) not in d.scene.used:
-            d.times.gap, d.times.gap_of = a, f  # "falls for 0.6 s before it hits a bucket"
+    mount = d.refs.mounts.get(id(f.subject)) if f.subject is not None else None
+    if mount is not None and f.verb.sense not in _RIDERS_OWN:
+        parts.subject = list(mount)
+    over = f.verb.sense == "topple" and f.verb.lemma == "roll" and not f.verb.passive
+    if over and parts.subject and "round" in traits_of(d, parts.subject[0]):
+        f.verb.sense = "roll"  # "a ball rolls over and hits it": comes over
+    return False
+
+
+STEPS: tuple[Step, ...] = (
+    _in_pairs,
+    _mount_instead,
+    _no_ground,
+    _turn_to,
+    _speeds_and_masses,
+    _does_not_happen,
+    _thrown_instead,
+    _ridden_instead,
+)
+"""What is found out about who a clause is about before its verb is read, in this order."""
+
+
+def _sense_here(f: Frame, parts: Parts) -> str:
+    """The sense to read the clause by: "ends up in", "breaks on a rock" have one of their own."""
+    sense, lemma = f.verb.sense, f.verb.lemma
+    if lemma in ("end", "wind", "finish") and sense in ("noop", "reach"):
+        return "end"
+    against = f.phrase("on", "against", "at") is not None
+    if sense == "noop" and lemma in _BREAKING and against and parts.subject:
+        return "hit"
+    return sense
 
 
 def _what_the_thrower_misses(
@@ -255,15 +331,14 @@ def _what_the_thrower_misses(
 ) -> tuple[list[str], list[str]]:
     """ "She throws a ball at a can. She misses it and hits a box": the ball does both."""
     shot = d.refs.launched_by.get(subject[0], []) if len(subject) == 1 else []
-    tracks = {t: d.timeline.tracks.get(t) for t in shot}
-    flying = [t for t, k in tracks.items() if k is not None and k.motion and not k.closed]
+    flying = [t for t in shot if moves(d, t)]
     missed = f.verb.sense == "miss"
     if f.verb.passive or f.verb.sense not in ("miss", "hit") or not flying:
         return subject, objects
     aims = [t for t in [d.moves.aim.get(flying[0])] if t] or target_of_mates(d, flying[0])
     target = next(iter(aims), "")
     itself = set(objects) <= set(flying)  # "kicks another ball and hits it"
-    mates = d.world.groups.get(entity_of(d, target).group or "", []) if target else []
+    mates = mates_of(d, target) if target else []
     told = itself and (missed or target)
     if not told and objects[:1] != [target] and not set(objects) & set(mates):
         return subject, objects
@@ -274,14 +349,13 @@ def _what_the_thrower_misses(
 
 def _unreal(d: Discourse, f: Frame, subject: list[str], objects: list[str]) -> None:
     """What does not happen: at most the direction of a motion that is under way."""
-    d.scene.ignored[(f.verb.start, f.verb.end)] = f.unreal
+    ignore(d, f, f.unreal)
     for p in f.phrases:
         if p.amount is not None:
             d.scene.used.setdefault((p.amount.start, p.amount.end), f.unreal)
     target = objects[:1] or target_of(d, f, subject)
     for actor in subject[:1]:
-        track = d.timeline.tracks.get(actor)
-        if target and track is not None and track.motion is not None and not track.closed:
+        if target and moves(d, actor):
             d.moves.aim[actor] = target[0]
 
 
@@ -320,7 +394,7 @@ def _settle_aims(d: Discourse, f: Frame) -> None:
     if f.verb.sense in ("miss", "hit"):
         about |= {t for i in list(about) for t in d.refs.launched_by.get(i, [])}
     for i in list(about):  # "the first misses": of those thrown at it the turn is the next's
-        about |= set(d.world.groups.get(entity_of(d, i).group or "", []))
+        about |= set(mates_of(d, i))
     for actor, (kind, g, target, _) in list(d.times.pending.items()):
         if kind is NodeEvent.REACH and g.sentence < f.sentence and _on_the_way(d, f):
             del d.times.pending[actor]
@@ -338,25 +412,18 @@ def _on_the_way(d: Discourse, f: Frame) -> bool:
 def _happens(d: Discourse, f: Frame) -> None:
     """ "The crash happens after 3 seconds", "the second collision 2 s after the first"."""
     if _NOTHING.search(d.text, max(0, f.verb.start - 12), f.verb.start):
-        d.scene.ignored[(f.verb.start, f.verb.end)] = "nothing happens"
+        ignore(d, f, "nothing happens")
         lull = next((a for _, a in amounts_of(d, f) if a.dimension == "time"), None)
         d.times.gap = lull if lull is None or lull.bound is None else replace(lull, low=lull.high)
         return
-    last = _told_event(d, f.subject) or d.timeline.node(d.timeline.last_event or "")
+    last = _told_event(d, f.subject) or last_event(d)
     if last is None or last.time is not None or last.constraints:
         return
     p = f.phrase("after")
     since = _told_event(d, p.mention) if p is not None else None
     span = next((a for _, a in amounts_of(d, f) if a.dimension == "time"), None)
     if since is not None and since is not last and span is not None:
-        last.constraints.append(
-            EventConstraint(
-                quantity="time_since",
-                object=last.participants[0],
-                value=span.value,
-                since=since.id,
-            )
-        )
+        constrain(last, "time_since", span.value, since=since.id)
         last.after.append(since.id)
         mark_used(d, span, f"time of {last.id}")
         mark_used(d, f, f"time of {last.id}")
@@ -386,7 +453,7 @@ def _struck_one(d: Discourse, f: Frame, subject: list[str]) -> list[str]:
     unnamed = (m.pronoun == "one" and not m.determiner) or (
         m.pronoun in ("them", "these", "those") and m.count == 1
     )
-    mates = d.world.groups.get(entity_of(d, subject[0]).group or "", [])
+    mates = mates_of(d, subject[0])
     if unnamed and set(d.moves.last_hit) <= set(mates) and moved_by_others(d, d.moves.last_hit[1]):
         m.entities = [d.moves.last_hit[1]]
         return list(m.entities)

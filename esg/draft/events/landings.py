@@ -12,15 +12,14 @@ from esg.draft.events.acts import add_event, add_hit, go_into
 from esg.draft.events.arrivals import takes_up_from_above
 from esg.draft.events.edges import opening
 from esg.draft.events.timing import enter, is_airborne, time_of
+from esg.draft.events.told import happened
 from esg.draft.grammar.clauses.frames import Frame, Phrase
+from esg.draft.text.elements import Mention
 from esg.graph.models import NodeEvent
 
 
-def named(d: Discourse) -> list[str]:
-    return [i for ids in d.world.salience for i in ids if i in d.world.entities]
-
-
 def landing_of(d: Discourse, f: Frame, moved: list[str]) -> bool:
+    """Reads where what falls comes down; whether the clause says so."""
     for way in f.phrases:
         if way.prep == "through" and way.mention and opening(d, way.mention.entities):
             way.prep = "by way of"  # "drops through a hatch onto a cart"
@@ -28,56 +27,59 @@ def landing_of(d: Discourse, f: Frame, moved: list[str]) -> bool:
     if p is None and f.verb.sense in ("fall", "topple"):
         p = f.phrase("against")
     m = p.mention if p is not None else None
-    own_side = m is not None and m.determiner == "its" and not m.entities
-    built = m is not None and m.determiner == "its" and bool(moved)
-    own_side = own_side or (built and kind_of(d, moved[0]) in SELF_POWERED - {"person"})
-    if own_side and m is not None and m.head in BODY_PARTS | OWN_PARTS:
-        mark_used(d, f, "landing")
-        return True
-    if p is None or p.mention is None or not p.mention.entities:
+    if p is None or m is None:
         return False
-    other = p.mention.entities[0]
-    if structural(d, other) and p.mention.start < f.verb.start:
-        return False  # "In a café a waiter drops a tray": where, not where to
-    owned = p.mention.determiner in ("its", "his", "her", "their")
-    itself = not set(p.mention.entities) - set(moved)
-    if owned and itself and p.mention.head in BODY_PARTS | OWN_PARTS:
+    if _on_own_side(d, m, moved):
         mark_used(d, f, "landing")  # "lands on its wheels"
-        if f.verb.sense == "fall" and moved and kind_of(d, moved[0]) == "person":
+        face = f.verb.sense == "fall" and bool(moved) and bool(m.entities)
+        if face and kind_of(d, moved[0]) == "person":
             add_event(d, NodeEvent.TOPPLE, (moved[0],), f, time_of(d, f))  # "flat on his face"
         return True
+    if not m.entities or (structural(d, m.entities[0]) and m.start < f.verb.start):
+        return False  # "In a café a waiter drops a tray": where, not where to
+    other = m.entities[0]
     d.moves.came_down.update(moved)
-    for t in moved:
-        if t == other:
-            continue
+    for t in [t for t in moved if t != other]:
         if structural(d, other):
-            if kind_of(d, t) == "flyer":
-                continue  # it lands
-            leaper = kind_of(d, t) in ("person", "animal") and f.verb.sense == "land"
-            if leaper and t not in d.scene.supported_by and t not in d.scene.heights:
-                mark_used(d, f, "end of a jump")
-                continue
-            if is_airborne(d, t) and t not in d.scene.supported_by and f.verb.sense == "land":
-                continue
-            if not any(n.event is NodeEvent.FALL and t in n.participants for n in d.timeline.nodes):
-                add_event(d, NodeEvent.FALL, (t,), f, time_of(d, f))
-        elif takes_up_from_above(d, other, p.prep) or kind_of(d, other) in (
-            "region",
-            "water",
-        ):
+            _on_the_ground(d, f, t)
+        elif takes_up_from_above(d, other, p.prep) or kind_of(d, other) in ("region", "water"):
             if kind_of(d, other) == "water":
                 _off_a_deck(d, f, t)
-            enter(d, f, t, other, p.mention, time_of(d, f))
+            enter(d, f, t, other, m, time_of(d, f))
         else:
-            add_hit(d, f, [t], p.mention.entities, time_of(d, f))
+            add_hit(d, f, [t], m.entities, time_of(d, f))
     _lands_again(d, f, moved, p)
     return True
+
+
+def _on_own_side(d: Discourse, m: Mention, moved: list[str]) -> bool:
+    """ "on its roof", "on his back": a part of what falls itself."""
+    if m.head not in BODY_PARTS | OWN_PARTS:
+        return False
+    built = bool(moved) and kind_of(d, moved[0]) in SELF_POWERED - {"person"}
+    if m.determiner == "its" and (built or not m.entities):
+        return True
+    owned = m.determiner in ("its", "his", "her", "their")
+    return owned and bool(m.entities) and not set(m.entities) - set(moved)
+
+
+def _on_the_ground(d: Discourse, f: Frame, body: str) -> None:
+    """A fall to the ground, unless it was in the air: a flight or a jump ends there."""
+    lands = f.verb.sense == "land"
+    held = body in d.scene.supported_by
+    if kind_of(d, body) == "flyer" or (lands and is_airborne(d, body) and not held):
+        return
+    leaper = kind_of(d, body) in ("person", "animal") and lands
+    if leaper and not held and body not in d.scene.heights:
+        mark_used(d, f, "end of a jump")
+    elif not happened(d, NodeEvent.FALL, body):
+        add_event(d, NodeEvent.FALL, (body,), f, time_of(d, f))
 
 
 def _off_a_deck(d: Discourse, f: Frame, thing: str) -> None:
     """What falls into the water leaves the quay or bridge that was named."""
     decks = [i for i, e in d.world.entities.items() if is_deck(e)]
-    told = any(n.event is NodeEvent.FALL and thing in n.participants for n in d.timeline.nodes)
+    told = happened(d, NodeEvent.FALL, thing)
     host = d.scene.supported_by.get(thing)
     towed = [r for r in d.scene.relations if r.source == thing and r.kind == "behind"]
     afloat = any(kind_of(d, r.target) == "watercraft" for r in towed)

@@ -21,14 +21,16 @@ from esg.draft.discourse.tracks import Motion
 from esg.draft.events.leftovers import SETS_OFF
 from esg.draft.events.lengths import distance
 from esg.draft.events.timing import is_airborne, moved_by_others, speed_after, time_of
+from esg.draft.events.told import at_rest, constrain, last_event, last_of, size_of, things, unread
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.quantities import Amount
-from esg.graph.models import EventConstraint, ForceDirection, NodeEvent, Quantity
+from esg.graph.models import ForceDirection, NodeEvent, Quantity
 
 _AIRBORNE = lex.word_set("airborne")
 
 
 _TALL_CM = 50.0
+_AIMS = ("towards", "toward", "at", "to", "into", "onto", "against", "after", "on", "in")
 
 _IN_THE_AIR = lex.word_set("in the air")
 _ON_WHEELS = lex.word_set("on wheels")
@@ -37,30 +39,25 @@ _WINGED = lex.word_set("winged")
 
 
 def speed_of(d: Discourse, f: Frame, actors: list[str], mode: str) -> tuple[Quantity | None, bool]:
+    """The speed that a motion starts with [cm/s], and whether the prompt states it."""
     found = quantity_of(d, f, "speed")
-    own = next((d.moves.own_speed[x] for x in actors if x in d.moves.own_speed), None)
-    if own is not None:
-        found = ("at", own)
-    stated = next((d.moves.stated[x] for x in actors if x in d.moves.stated), None)
-    if found is None and stated is not None:
-        found = ("at", stated)
-    if found is not None:
-        mark_used(d, found[1], "speed")
-        a = found[1]
-        falling = f.verb.sense in ("brake", "slow", "stop")
-        if falling and a.low < a.high and a.text.lower().startswith("from"):
-            return a.high, True  # "brakes from 15 m/s to 5 m/s"
-        if a.bound == "min":
-            return (a.low, 2.0 * a.low), True
-        if a.bound == "max":
-            return (0.04 * a.high, a.high), True
-        return a.value, True
-    kind = kind_of(d, actors[0]) if actors else "ball"
-    if mode in LAUNCHES:
-        if kind in ("billiard", "projectile"):
-            return SPEEDS[kind], False
-        return SPEEDS[mode], False
-    return SPEEDS.get(kind, (50.0, 600.0)), False
+    told = [d.moves.own_speed[x] for x in actors if x in d.moves.own_speed]
+    told += [found[1]] if found is not None else []
+    told += [d.moves.stated[x] for x in actors if x in d.moves.stated]
+    if not told:
+        kind = kind_of(d, actors[0]) if actors else "ball"
+        launched = mode in LAUNCHES and kind not in ("billiard", "projectile")
+        return SPEEDS[mode] if launched else SPEEDS.get(kind, (50.0, 600.0)), False
+    a = told[0]
+    mark_used(d, a, "speed")
+    falling = f.verb.sense in ("brake", "slow", "stop")
+    if falling and a.low < a.high and a.text.lower().startswith("from"):
+        return a.high, True  # "brakes from 15 m/s to 5 m/s"
+    if a.bound == "min":
+        return (a.low, 2.0 * a.low), True
+    if a.bound == "max":
+        return (0.04 * a.high, a.high), True
+    return a.value, True
 
 
 def flies_itself(d: Discourse, actor: str) -> bool:
@@ -141,13 +138,10 @@ def _stand(d: Discourse, actor: str, until: Quantity, since: str | None, descrip
     d.timeline.move(actor, Motion("own", 0.0), direction_of(d, actor, "own"))
     node = d.timeline.trigger(actor, description)
     draft = d.timeline.node(node)
-    assert draft is not None
-    if since is None:
+    if draft is not None and since is None:
         draft.time, draft.time_prescribed = until, True
     else:
-        draft.constraints.append(
-            EventConstraint(quantity="time_since", object=actor, value=until, since=since)
-        )
+        constrain(draft, "time_since", until, actor, since)
     return node
 
 
@@ -198,20 +192,13 @@ def natural(d: Discourse, actor: str) -> str:
 
 
 def target_of(d: Discourse, f: Frame, avoid: list[str]) -> list[str]:
-    p = f.phrase("towards", "toward", "at", "to", "into", "onto", "against", "after", "on", "in")
-    if p is None or p.mention is None:
-        return []
-    return [i for i in p.mention.entities if i not in avoid]
+    """What a motion is aimed at."""
+    return [i for i in things(f.phrase(*_AIMS)) if i not in avoid]
 
 
 def motion(d: Discourse, f: Frame, actors: list[str], mode: str | None) -> None:
     """Common part of all self motion: speed, target, and what the phrases say happens."""
-    mounted = [d.scene.supported_by.get(a, "") for a in actors]
-    riding = all(m and kind_of(d, m) in SELF_POWERED | {"sliding"} for m in mounted)
-    if actors and riding and kind_of(d, actors[0]) == "person":
-        actors = list(dict.fromkeys(mounted))  # "a man on a bicycle rides"
-        if f.subject is not None:
-            d.refs.mounts[id(f.subject)] = actors
+    actors = mounts_of(d, f, actors)
     speeds = [a for _, a in amounts_of(d, f) if a.dimension == "speed"]
     if len(speeds) == len(actors) > 1:
         d.moves.own_speed = dict(zip(actors, speeds, strict=True))
@@ -220,67 +207,83 @@ def motion(d: Discourse, f: Frame, actors: list[str], mode: str | None) -> None:
             f'It is not clear what "{d.text[f.verb.start : f.verb.end]}" moves.'
         )
         return
-    target = target_of(d, f, actors)
-    aim = next((t for t in target if aimable(d, t)), None)
+    aim = next((t for t in target_of(d, f, actors) if aimable(d, t)), None)
     sets_off_late(d, f, actors)
-    told = [(a, d.timeline.tracks.get(a)) for a in actors]
-    fresh = [a for a, t in told if t is None or (t.motion is None and not t.hit)]
+    fresh = [a for a in actors if at_rest(d, a)]
     for actor in actors:
         if aim is not None:
             d.moves.aim[actor] = aim
-        if moved_by_others(d, actor) and (mode != "own" or kind_of(d, actor) not in SELF_POWERED):
-            continue
-        track = d.timeline.tracks.get(actor)
-        if (
-            track is not None
-            and track.launched
-            and track.motion is not None
-            and mode in (None, *LAUNCHES)
-        ):
-            stated = quantity_of(d, f, "speed")
-            if stated is not None and not track.closed:
-                track.motion.speed, track.motion.prescribed = speed_of(
-                    d, f, [actor], track.motion.mode
-                )
-            if aim is not None and not track.closed:
-                track.motion.target = aim
-            continue
-        if f.verb.extra.get("continue") and track is not None and track.motion is not None:
-            continue
-        if track is not None and _skids(d, f, actor):
-            continue
-        start_motion(d, f, [actor], mode, aim)
-    found = quantity_of(d, f, "speed")
-    if found is not None and actors and all(moved_by_others(d, a) for a in actors):
-        speed_after(d, actors[0], found[1])
-    elif found is not None and len(actors) == 1:
-        _speed_told_late(d, f, actors[0], found[1])
+        _moves_on(d, f, actor, mode, aim)
+    if speeds and all(moved_by_others(d, a) for a in actors):
+        speed_after(d, actors[0], speeds[0])
+    elif speeds and len(actors) == 1:
+        _speed_told_late(d, f, actors[0], speeds[0])
     _order_of(d, f, actors)
     mark_used(d, f, "motion")
     distance(d, f, actors, aim)
     if "off" in f.adverbs:
-        if f.verb.sense in ("roll", "slide") and f.phrase("off", "from") is None:
-            on_what_was_hit(d, f, fresh)  # "bumps the shelf; two candles roll off"
-        for actor in actors:
-            slid = f.verb.lemma in ("slide", "slip") and lies_on_something(d, actor)
-            came = actor in d.moves.came_down and f.verb.lemma in ("roll", "tumble")
-            slid = slid or (came and lies_on_something(d, actor))
-            held = actor in d.scene.supported_by or entity_of(d, actor).pattern == "stack"
-            held = held or (actor in fresh and _tipped(d, actor))
-            if held or slid:
-                d.add_event(NodeEvent.FALL, (actor,), f, time_of(d, f))
-    duration = next((a for p, a in amounts_of(d, f) if lasts(p, a)), None)
-    if duration is not None:
-        for actor in actors:
-            track = d.timeline.tracks.get(actor)
-            motion = track.motion if track is not None else None
-            falls = f.verb.sense in ("fall", "drop")
-            if motion is None or motion.mode in ("brake", "coast") or falls:
-                d.times.gap, d.times.gap_of = duration, f  # "brakes, skids for 2 s and slams into"
-                continue
-            motion.duration = duration.value
-        mark_used(d, duration, "duration")
+        _comes_off(d, f, actors, fresh)
+    _lasts_for(d, f, actors)
     d.outcomes(f, actors)
+
+
+def mounts_of(d: Discourse, f: Frame, actors: list[str]) -> list[str]:
+    """ "A man on a bicycle rides": what those who ride are on, else they themselves."""
+    mounted = [d.scene.supported_by.get(a, "") for a in actors]
+    riding = all(m and kind_of(d, m) in SELF_POWERED | {"sliding"} for m in mounted)
+    if not actors or not riding or kind_of(d, actors[0]) != "person":
+        return actors
+    if f.subject is not None:
+        d.refs.mounts[id(f.subject)] = list(dict.fromkeys(mounted))
+    return list(dict.fromkeys(mounted))
+
+
+def _moves_on(d: Discourse, f: Frame, actor: str, mode: str | None, aim: str | None) -> None:
+    """Starts a motion, or tells more of one that is under way."""
+    if moved_by_others(d, actor) and (mode != "own" or kind_of(d, actor) not in SELF_POWERED):
+        return
+    track = d.timeline.tracks.get(actor)
+    now = track.motion if track is not None else None
+    if track is not None and now is not None and track.launched and mode in (None, *LAUNCHES):
+        if not track.closed and quantity_of(d, f, "speed") is not None:
+            now.speed, now.prescribed = speed_of(d, f, [actor], now.mode)
+        if not track.closed and aim is not None:
+            now.target = aim
+        return
+    goes_on = now is not None and f.verb.extra.get("continue")
+    # "brakes, skids for 2 s": sliding on locked wheels is how it brakes
+    skids = now is not None and f.verb.sense == "slide" and now.mode == "brake"
+    if not goes_on and not skids:
+        start_motion(d, f, [actor], mode, aim)
+
+
+def _comes_off(d: Discourse, f: Frame, actors: list[str], fresh: list[str]) -> None:
+    """ "bumps the shelf; two candles roll off": they fall from what they stand or lie on."""
+    if f.verb.sense in ("roll", "slide") and f.phrase("off", "from") is None:
+        on_what_was_hit(d, f, fresh)
+    for actor in actors:
+        came = actor in d.moves.came_down and f.verb.lemma in ("roll", "tumble")
+        slid = f.verb.lemma in ("slide", "slip") or came
+        held = actor in d.scene.supported_by or entity_of(d, actor).pattern == "stack"
+        held = held or (actor in fresh and _tipped(d, actor))
+        if held or (slid and lies_on_something(d, actor)):
+            d.add_event(NodeEvent.FALL, (actor,), f, time_of(d, f))
+
+
+def _lasts_for(d: Discourse, f: Frame, actors: list[str]) -> None:
+    """ "rolls for 2 s": how long the motion lasts."""
+    duration = next((a for p, a in amounts_of(d, f) if lasts(p, a)), None)
+    if duration is None:
+        return
+    for actor in actors:
+        track = d.timeline.tracks.get(actor)
+        motion = track.motion if track is not None else None
+        falls = f.verb.sense in ("fall", "drop")
+        if motion is None or motion.mode in ("brake", "coast") or falls:
+            d.times.gap, d.times.gap_of = duration, f  # "brakes, skids for 2 s and slams into"
+        else:
+            motion.duration = duration.value
+    mark_used(d, duration, "duration")
 
 
 def lasts(prep: str, a: Amount) -> bool:
@@ -289,15 +292,9 @@ def lasts(prep: str, a: Amount) -> bool:
     return a.dimension == "time" and (prep == "for" or first)
 
 
-def _skids(d: Discourse, f: Frame, actor: str) -> bool:
-    """ "brakes, skids for 2 s": sliding on locked wheels is how it brakes."""
-    motion = d.timeline.track(actor).motion
-    return f.verb.sense == "slide" and motion is not None and motion.mode == "brake"
-
-
 def _speed_told_late(d: Discourse, f: Frame, actor: str, amount: Amount) -> None:
     """ "Two balls collide; the left one moves at 3 m/s": how fast it came."""
-    if (amount.start, amount.end) in d.scene.used or f.link != "then" or f.phrases[1:]:
+    if not unread(d, amount) or f.link != "then" or f.phrases[1:]:
         return
     plain = f.verb.lemma in ("move", "travel", "go", "drive", "roll", "slide", "come")
     edges = [e for e in d.timeline.edges if e.actor == actor]
@@ -309,32 +306,25 @@ def _speed_told_late(d: Discourse, f: Frame, actor: str, amount: Amount) -> None
 
 def lies_on_something(d: Discourse, actor: str) -> bool:
     """Whether it came to lie on what it last touched ("drops it on a cube. It slides off")."""
-    last = next((n for n in reversed(d.timeline.nodes) if actor in n.participants), None)
+    last = last_of(d, actor)
     return last is not None and last.event is NodeEvent.COLLISION
 
 
 def _order_of(d: Discourse, f: Frame, actors: list[str]) -> None:
     """ "a bus and a taxi drive with the taxi ahead"."""
-    p = f.phrase("with")
-    if p is None or p.mention is None or len(actors) < 2:
+    ahead = {"ahead", "in front"} & {*f.adverbs}
+    if len(actors) < 2 or not (ahead or "behind" in f.adverbs):
         return
-    for side, kind in (
-        ("ahead", "in_front_of"),
-        ("behind", "behind"),
-        ("in front", "in_front_of"),
-    ):
-        if side in f.adverbs:
-            for one in p.mention.entities:
-                for other in actors:
-                    if other != one:
-                        d.scene.relations.append(Relation(one, other, kind))
+    for one in things(f.phrase("with")):
+        for other in [a for a in actors if a != one]:
+            kind = "in_front_of" if ahead else "behind"
+            d.scene.relations.append(Relation(one, other, kind))
 
 
 def _tipped(d: Discourse, actor: str) -> bool:
     """ "The seesaw tips and a boy slides off": from what has just toppled."""
-    last = d.timeline.node(d.timeline.last_event or "")
-    tipped = last is not None and last.event is NodeEvent.TOPPLE
-    if not tipped or last is None or actor in last.participants:
+    last = last_event(d)
+    if last is None or last.event is not NodeEvent.TOPPLE or actor in last.participants:
         return False
     host = last.participants[0]
     if fits_on(d, actor, host):
@@ -375,7 +365,7 @@ def reverse(d: Discourse, actors: list[str]) -> None:
 def stands(d: Discourse, f: Frame, body: str) -> bool:
     """Whether something tall stands or leans on the ground, where it can only tip over."""
     e = entity_of(d, body)
-    tall = (e.dimensions_cm or e.noun.dimensions_cm)[2] >= _TALL_CM
+    tall = size_of(d, body)[2] >= _TALL_CM
     held = body in d.scene.supported_by or body in d.scene.attached
     down = f.phrase("off", "from", "out of", "over") is not None or "off" in f.adverbs
     lifted = body in d.scene.heights or is_airborne(d, body)
@@ -389,9 +379,7 @@ def stands(d: Discourse, f: Frame, body: str) -> bool:
 def speed_of_noun(d: Discourse, f: Frame, subject: list[str]) -> None:
     """ "a mallet swung at 3 m/s", "a boat making 30 knots": the speed that nothing has read."""
     found = quantity_of(d, f, "speed")
-    if found is None or not f.reduced or len(subject) != 1:
-        return
-    if (found[1].start, found[1].end) in d.scene.used:
+    if found is None or not f.reduced or len(subject) != 1 or not unread(d, found[1]):
         return
     edges = [e for e in d.timeline.edges if e.actor == subject[0]]
     if edges and not any(e.speed_is_prescribed for e in edges):

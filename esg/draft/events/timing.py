@@ -17,6 +17,7 @@ from esg.draft.discourse.record import Discourse, Time
 from esg.draft.discourse.scene import SELF_POWERED, pocket_name
 from esg.draft.discourse.timeline import START
 from esg.draft.discourse.windows import Draft
+from esg.draft.events.told import constrain, mates_of, moves, unread
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.elements import Mention
 from esg.draft.text.quantities import Amount
@@ -24,6 +25,11 @@ from esg.graph.models import EdgeEvent, EventConstraint, NodeEvent, Quantity, Ro
 
 HIGHEST_CM = 2e4
 """Highest start of a fall, as the verifier has it."""
+_TIMES = frozenset(
+    {"after", "in", "within", "at", "by", "", "exactly", "about", "around", "before", "later"}
+)
+_MEETING = (NodeEvent.COLLISION, NodeEvent.ENTER_REGION)
+_REPLACING = (*_MEETING, NodeEvent.REACH, NodeEvent.TOPPLE, NodeEvent.FALL)
 PUSHING = lex.word_set("pushing")
 
 
@@ -32,24 +38,20 @@ def representatives(d: Discourse, targets: list[str], movers: list[str]) -> list
     out: list[str] = []
     seen: set[str] = set()
     for t in targets:
-        group = entity_of(d, t).group
-        if t in movers:
+        e = entity_of(d, t)
+        if t in movers or e.group in seen:
             continue
-        if t in d.now.each:
+        mates = [i for i in targets if e.group is not None and entity_of(d, i).group == e.group]
+        if t in d.now.each or e.group is None:
             out.append(t)
-            continue
-        if group is not None and entity_of(d, t).pattern == "stack" and len(targets) > 1:
-            if group not in seen:
-                out.append(_of_a_stack(d, group, targets))
-            seen.add(group)
-            continue
-        mates = [i for i in targets if group is not None and entity_of(d, i).group == group]
-        if any(not entity_of(d, i).letter and not entity_of(d, i).place for i in mates):
-            if group not in seen:  # "hits a row of bins and pushes the red one into a wall"
-                out.append(_stands_for(d, mates))
-            seen.add(group or "")
-            continue
-        out.append(t)
+        elif e.pattern == "stack" and len(targets) > 1:
+            out.append(_of_a_stack(d, e.group, targets))
+            seen.add(e.group)
+        elif any(not entity_of(d, i).letter and not entity_of(d, i).place for i in mates):
+            out.append(_stands_for(d, mates))  # "hits a row of bins and pushes the red one"
+            seen.add(e.group)
+        else:
+            out.append(t)
     return out
 
 
@@ -71,33 +73,22 @@ def _of_a_stack(d: Discourse, group: str, targets: list[str]) -> str:
 
 
 def time_of(d: Discourse, f: Frame) -> Time | None:
+    """The time that a clause states for its event."""
     for p, a in amounts_of(d, f):
-        if a.dimension == "time" and (precedes(d, a) or told_apart_by(d, a)):
+        if a.dimension != "time" or precedes(d, a) or told_apart_by(d, a):
             continue
-        if a.dimension == "time" and a.low == a.high == 0.0:
+        if a.low == a.high == 0.0:
             mark_used(d, a, "the start")
             continue
-        if a.dimension == "time" and p in (
-            "after",
-            "in",
-            "within",
-            "at",
-            "by",
-            "",
-            "exactly",
-            "about",
-            "around",
-            "before",
-            "later",
-        ):
-            value: Quantity = a.value
-            before = p == "before" or (p == "by" and a.low == a.high)
-            if p == "within" or a.bound == "max" or (before and a.bound is None):
-                value = (0.05 * a.high, a.high)
-            elif a.bound == "min":
-                value = (a.low, 2.0 * a.low + 1.0)
-            mode = "at" if p in ("at", "by") or a.measure == "start" else "after"
-            return value, a, mode
+        if p not in _TIMES:
+            continue
+        value: Quantity = a.value
+        before = p == "before" or (p == "by" and a.low == a.high)
+        if p == "within" or a.bound == "max" or (before and a.bound is None):
+            value = (0.05 * a.high, a.high)
+        elif a.bound == "min":
+            value = (a.low, 2.0 * a.low + 1.0)
+        return value, a, "at" if p in ("at", "by") or a.measure == "start" else "after"
     return None
 
 
@@ -113,78 +104,65 @@ def record_event(
     mover = participants[0]
     if extra.get("stem") != "brake":
         settle(d, mover, kind, participants[1] if len(participants) > 1 else None)
-    stop_timed = kind is NodeEvent.STOP
     if kind is NodeEvent.FALL and time is not None and _lands_before(d, f, mover, time[1]):
         time = None  # "falls from the ceiling onto a table after 2 s": the time of the landing
         d.times.before_fall = (f, d.timeline.last_event)
     partner = partner_of(d, kind, participants, f)
     if partner is not None:
         d.timeline.last_event = d.times.before.get(partner[0])
-    previous = told_before = d.timeline.last_event
-    if time is not None and d.times.before_fall is not None and d.times.before_fall[0] is f:
-        previous = d.times.before_fall[1]
-    node_id = ""
-    if time is not None and (time[1].start, time[1].end) in d.scene.used:
-        time = None
-    if time is not None and previous is not None and on_its_own(d, f, participants, time):
-        time = (time[0], time[1], "at")
-    if time is not None and not later(d, time[1]):
-        previous = _begun(d, previous, mover)
-    if time is not None and (previous is None or time[2] == "at") and not stop_timed:
-        node_id = d.timeline.event(
-            kind, participants, describe(d, f), time=time[0], prescribed=True, **extra
-        )
-    else:
-        node_id = d.timeline.event(kind, participants, describe(d, f), **extra)
+    told_before = d.timeline.last_event
+    time, previous = _since_when(d, f, participants, time)
+    at = time is not None and (previous is None or time[2] == "at") and kind is not NodeEvent.STOP
+    when: dict[str, Any] = {"time": time[0], "prescribed": True} if at and time else {}
+    node_id = d.timeline.event(kind, participants, describe(d, f), **when, **extra)
     draft = d.timeline.node(node_id)
     assert draft is not None
     d.times.of_frame.append((f, node_id))
     d.times.before[node_id] = told_before
     if time is not None:
         mark_used(d, time[1], f"time of {node_id}")
-        if stop_timed and time[2] == "at" and time[1].bound is None:
-            draft.time, draft.time_prescribed = time[0], True
-        elif stop_timed:
-            braked = any(e.to == node_id and e.event.value == "Brake" for e in d.timeline.edges)
-            if braked:
-                draft.constraints.append(
-                    EventConstraint(quantity="time_to_stop", object=mover, value=time[0])
-                )
-            elif previous is None:
-                draft.time, draft.time_prescribed = time[0], True
-            else:
-                draft.constraints.append(
-                    EventConstraint(
-                        quantity="time_since",
-                        object=mover,
-                        value=time[0],
-                        since=previous,
-                    )
-                )
-        elif previous is not None and time[2] != "at":
-            draft.constraints.append(
-                EventConstraint(quantity="time_since", object=mover, value=time[0], since=previous)
-            )
+        if not at:
+            _time_since(d, draft, time, previous)
     coincide(d, draft, partner)
     _ends_gap(d, draft, f, previous)
-    lasting = next(
-        (
-            e.params.duration
-            for e in d.timeline.edges
-            if e.to == node_id and e.from_ == START and e.actor == mover and e.params.duration
-        ),
-        None,
-    )
-    if lasting is not None and draft.time is None and kind is not NodeEvent.STOP:
-        draft.time, draft.time_prescribed = lasting, True  # "rolls for 2 s and then hits"
     _lasts_since(d, draft, mover)
     travelled = d.scene.travel.pop(mover, None)
     if travelled is not None:
-        draft.constraints.append(
-            EventConstraint(quantity="distance", object=mover, value=travelled.value)
-        )
+        constrain(draft, "distance", travelled.value)
     mark_used(d, f, node_id)
     return node_id
+
+
+def _since_when(
+    d: Discourse, f: Frame, participants: tuple[str, ...], time: Time | None
+) -> tuple[Time | None, str | None]:
+    """The stated time, unless it is used, and the event it counts from, None for the start."""
+    previous = d.timeline.last_event
+    if time is None:
+        return None, previous
+    if d.times.before_fall is not None and d.times.before_fall[0] is f:
+        previous = d.times.before_fall[1]
+    if not unread(d, time[1]):
+        return None, previous
+    if previous is not None and on_its_own(d, f, participants, time):
+        time = (time[0], time[1], "at")
+    if not later(d, time[1]):
+        previous = _begun(d, previous, participants[0])
+    return time, previous
+
+
+def _time_since(d: Discourse, draft: Draft, time: Time, previous: str | None) -> None:
+    """States a time relative to an earlier event, and how long a stop takes."""
+    if draft.event is not NodeEvent.STOP:
+        constrain(draft, "time_since", time[0], since=previous)
+        return
+    braked = any(e.to == draft.id and e.event is EdgeEvent.BRAKE for e in d.timeline.edges)
+    if (time[2] == "at" and time[1].bound is None) or (previous is None and not braked):
+        draft.time, draft.time_prescribed = time[0], True
+    elif braked:
+        constrain(draft, "time_to_stop", time[0])
+    else:
+        constrain(draft, "time_since", time[0], since=previous)
 
 
 def _begun(d: Discourse, previous: str | None, mover: str) -> str | None:
@@ -216,39 +194,36 @@ def _lands_before(d: Discourse, f: Frame, mover: str, amount: Amount) -> bool:
 
 def _ends_gap(d: Discourse, draft: Draft, f: Frame, previous: str | None) -> None:
     """The span told before an event ends with it."""
-    if d.times.gap is None or d.times.gap_of is f or draft.event is NodeEvent.TRIGGER:
+    gap = d.times.gap
+    if gap is None or d.times.gap_of is f or draft.event is NodeEvent.TRIGGER:
         return
-    if any(c.quantity in ("time_since", "time_to_stop") for c in draft.constraints):
-        d.times.gap = d.times.gap_of = None  # it has a time of its own
-        return
-    if previous is not None:
-        draft.constraints.append(
-            EventConstraint(
-                quantity="time_since",
-                object=draft.participants[0],
-                value=d.times.gap.value,
-                since=previous,
-            )
-        )
-        mark_used(d, d.times.gap, f"time of {draft.id}")
-    elif draft.time is None:  # "for the first two seconds nothing happens"
-        draft.time, draft.time_prescribed = d.times.gap.value, True
-        mark_used(d, d.times.gap, f"time of {draft.id}")
     d.times.gap = d.times.gap_of = None
+    if any(c.quantity in ("time_since", "time_to_stop") for c in draft.constraints):
+        return  # it has a time of its own
+    if previous is not None:
+        constrain(draft, "time_since", gap.value, since=previous)
+    elif draft.time is None:  # "for the first two seconds nothing happens"
+        draft.time, draft.time_prescribed = gap.value, True
+    else:
+        return
+    mark_used(d, gap, f"time of {draft.id}")
 
 
 def _lasts_since(d: Discourse, draft: Draft, mover: str) -> None:
-    """ "turns left, drives straight on for 4 s and hits": counted from where it set off."""
-    timed = any(c.quantity == "time_since" for c in draft.constraints)
-    if draft.time is not None or timed or draft.event is NodeEvent.STOP:
+    """ "rolls for 2 s and then hits", "turns left, drives on for 4 s": since it set off."""
+    if draft.time is not None or draft.event is NodeEvent.STOP:
         return
-    for e in d.timeline.edges:
-        if e.to == draft.id and e.actor == mover and e.params.duration and e.from_ != START:
-            draft.constraints.append(
-                EventConstraint(
-                    quantity="time_since", object=mover, value=e.params.duration, since=e.from_
-                )
-            )
+    ways = [
+        (e.from_, e.params.duration)
+        for e in d.timeline.edges
+        if e.to == draft.id and e.actor == mover and e.params.duration
+    ]
+    for since, lasting in ways:
+        if since == START and draft.time is None:
+            draft.time, draft.time_prescribed = lasting, True
+    timed = any(c.quantity == "time_since" for c in draft.constraints)
+    for since, lasting in ways if draft.time is None and not timed else []:
+        constrain(draft, "time_since", lasting, mover, since)
 
 
 def settle(
@@ -259,31 +234,27 @@ def settle(
         if actor is not None and name != actor:
             continue
         event, f, other, time = d.times.pending.pop(name)
-        into = kind in (NodeEvent.COLLISION, NodeEvent.ENTER_REGION) and actor == name
-        leaves = f.phrase("off", "from", "out of") is not None or {"off", "out"} & {*f.adverbs}
-        leaves = leaves or f.verb.lemma in ("come", "break", "detach")
-        down = "down" in {*f.adverbs, f.verb.extra.get("particle", "")} and not f.phrases
-        leaves = leaves or down  # "two drums fall down and one of them hits a man"
-        if event is NodeEvent.FALL and f.verb.sense == "fall" and (leaves or not into):
+        into = kind in _MEETING and actor == name
+        if event is NodeEvent.FALL and f.verb.sense == "fall" and (not into or _leaves(f)):
             d.add_event(event, (name,), f, time)
             continue
         sent = event is NodeEvent.REACH and kind_of(d, name) not in SELF_POWERED
         if sent and into and f.verb.lemma not in PUSHING:
             continue  # "throws the ball to a defender, and it hits the referee"
-        if event in (NodeEvent.COLLISION, NodeEvent.ENTER_REGION) and other is not None:
+        if event in _MEETING and other is not None:
             _land_aim(d, f, name, other, kind, target, time)
             continue
-        replaced = kind in (
-            NodeEvent.COLLISION,
-            NodeEvent.ENTER_REGION,
-            NodeEvent.REACH,
-            NodeEvent.TOPPLE,
-            NodeEvent.FALL,
-        ) and (event is NodeEvent.FALL or target in (other, None))
+        replaced = kind in _REPLACING and (event is NodeEvent.FALL or target in (other, None))
         if replaced or (event is NodeEvent.REACH and kind is NodeEvent.STOP):
             continue
-        participants = (name,) if other is None else (name, other)
-        d.add_event(event, participants, f, time)
+        d.add_event(event, (name,) if other is None else (name, other), f, time)
+
+
+def _leaves(f: Frame) -> bool:
+    """ "falls off", "comes loose", "two drums fall down": a fall from what it stood on."""
+    down = "down" in {*f.adverbs, f.verb.extra.get("particle", "")} and not f.phrases
+    leaves = f.phrase("off", "from", "out of") is not None or {"off", "out"} & {*f.adverbs}
+    return bool(leaves) or down or f.verb.lemma in ("come", "break", "detach")
 
 
 def _land_aim(
@@ -305,18 +276,13 @@ def _land_aim(
     elsewhere = (d.now.instead or at_once) and kind is NodeEvent.COLLISION
     if kind in (NodeEvent.MISS, NodeEvent.ENTER_REGION) or same or blocked or elsewhere:
         return
-    track = d.timeline.tracks.get(name)
-    if track is None or track.motion is None or track.closed:
+    if not moves(d, name):
         return
-    mates = d.world.groups.get(entity_of(d, name).group or "", [])
-    met = (NodeEvent.COLLISION, NodeEvent.ENTER_REGION, NodeEvent.MISS)
-    if any(
-        n.event in met
-        and (other in n.participants or str(n.extra.get("region", "")).startswith(f"{other}/"))
-        and set(mates) & {*n.participants}
-        for n in d.timeline.nodes
-    ):
-        return  # "throws three stones at it; the last one knocks it off"
+    mates = {*mates_of(d, name)}
+    for n in d.timeline.nodes:
+        there = other in n.participants or str(n.extra.get("region", "")).startswith(f"{other}/")
+        if there and n.event in (*_MEETING, NodeEvent.MISS) and mates & {*n.participants}:
+            return  # "throws three stones at it; the last one knocks it off"
     if enterable(d, other):
         enter(d, f, name, other, None, time)
     else:
@@ -334,36 +300,32 @@ def precedes(d: Discourse, a: Amount) -> bool:
     return d.text[a.end : a.end + 8].lower().startswith(" before ")
 
 
-def start_height(d: Discourse, things: list[str], a: Amount) -> None:
+def start_height(d: Discourse, bodies: list[str], a: Amount) -> None:
     """Things start this high above the ground."""
     if a.middle > HIGHEST_CM:
         d.scene.warnings.append(
             f'"{a.text}": what starts higher than {HIGHEST_CM / 100:g} m starts lower here.'
         )
         return
-    for t in things:
+    for t in bodies:
         before = d.scene.heights.get(t)
-        if before is not None:
-            if before != a.value:
-                name, low = (
-                    entity_of(d, t).label,
-                    before if isinstance(before, float) else before[0],
-                )
-                d.world.conflicts.append(f"{name} starts at {low:g} cm and {a.low:g} cm")
-            continue
-        d.scene.heights[t] = a.value
-        d.timeline.start_constraints.append(
-            EventConstraint(quantity="height", object=t, value=a.value)
-        )
+        if before is None:
+            d.scene.heights[t] = a.value
+            d.timeline.start_constraints.append(
+                EventConstraint(quantity="height", object=t, value=a.value)
+            )
+        elif before != a.value:
+            low = before if isinstance(before, float) else before[0]
+            told = f"{entity_of(d, t).label} starts at {low:g} cm and {a.low:g} cm"
+            d.world.conflicts.append(told)
     mark_used(d, a, "start height")
 
 
 def speed_after(d: Discourse, body: str, a: Amount) -> bool:
+    """States how fast a body is after its last collision; whether it has had one."""
     for draft in reversed(d.timeline.nodes):
         if draft.event is NodeEvent.COLLISION and body in draft.participants:
-            draft.constraints.append(
-                EventConstraint(quantity="speed_after", object=body, value=a.value)
-            )
+            constrain(draft, "speed_after", a.value, body)
             mark_used(d, a, f"speed after {draft.id}")
             return True
     return False

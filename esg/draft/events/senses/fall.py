@@ -21,7 +21,7 @@ from esg.draft.discourse.scene import SELF_POWERED
 from esg.draft.events.acts import add_event, add_hit, ensure_mover, goes_in
 from esg.draft.events.consequences import place_where_hit, struck_before
 from esg.draft.events.edges import off_the_edge
-from esg.draft.events.landings import landing_of, named
+from esg.draft.events.landings import landing_of
 from esg.draft.events.motions import motion, natural, on_what_was_hit, start_motion
 from esg.draft.events.senses.launch import heights, motion_of_things
 from esg.draft.events.table import read_as, sense
@@ -32,6 +32,7 @@ from esg.draft.events.timing import (
     representatives,
     time_of,
 )
+from esg.draft.events.told import recent
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.graph.models import NodeEvent
 
@@ -107,7 +108,7 @@ def drop(d: Discourse, f: Frame, things: list[str]) -> None:
                 start_motion(d, f, [t], "drop")
     heights(d, f, moved)
     mark_used(d, f, "drop")
-    if "in" in f.adverbs and any(map(partial(enterable, d), named(d))):
+    if "in" in f.adverbs and any(map(partial(enterable, d), recent(d))):
         goes_in(d, f, moved, time_of(d, f))  # "circles the hole and drops in"
         return
     if not landing_of(d, f, moved):
@@ -141,7 +142,7 @@ def read_fall(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         if rolling or all(kind_of(d, i) in SELF_POWERED for i in s):
             d.scene.ignored[(f.verb.start, f.verb.end)] = "it is on its own from here on"
             return  # "a trailer comes loose from a pickup"
-    if "in" in f.adverbs and not f.phrases and any(map(partial(enterable, d), named(d))):
+    if "in" in f.adverbs and not f.phrases and any(map(partial(enterable, d), recent(d))):
         goes_in(d, f, s, time_of(d, f))  # "pushes until the rubble falls in"
         return
     met = f.phrase("off")
