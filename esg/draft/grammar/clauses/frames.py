@@ -44,9 +44,9 @@ class Frame:
     subject: Mention | None = None
     object: Mention | None = None
     object2: Mention | None = None
-    phrases: list[Phrase] = field(default_factory=list)
-    adverbs: list[str] = field(default_factory=list)
-    amounts: list[Amount] = field(default_factory=list)
+    phrases: list[Phrase] = field(default_factory=list[Phrase])
+    adverbs: list[str] = field(default_factory=list[str])
+    amounts: list[Amount] = field(default_factory=list[Amount])
     link: str = "then"
     reduced: bool = False
     sentence: int = 0
@@ -80,10 +80,10 @@ class State:
     subject: Mention | None = None
     frame: Frame | None = None
     main: Frame | None = None
-    pending: list[Word] = field(default_factory=list)
+    pending: list[Word] = field(default_factory=list[Word])
     link: str = "then"
     sub: str = ""
-    loose: list[Phrase | Amount | str] = field(default_factory=list)
+    loose: list[Phrase | Amount | str] = field(default_factory=list["Phrase | Amount | str"])
     boundary: bool = True
     boundary_kind: str = ""
     relative: Mention | None = None

@@ -289,13 +289,13 @@ def _attach_to_noun(c: Clauses, s: State, phrase: Phrase, m: Mention) -> None:
     """Attaches a phrase that comes before any verb."""
     owner, last = s.subject, s.last or s.subject
     of = phrase.prep == "of"
-    measure = owner is not None and owner.attribute and owner.head in OWNED
-    if of and measure and owner.possessor is None:
-        owner.possessor = m  # "the speed of the car"
+    measured = owner if owner is not None and owner.attribute and owner.head in OWNED else None
+    if of and measured is not None and measured.possessor is None:
+        measured.possessor = m  # "the speed of the car"
         return
-    part = last is not None and last.head in OWN_PARTS - {"door"} and not s.boundary
-    if of and part and not last.possessor:
-        last.possessor = m  # "a wheel of the cart hits a stone"
+    part = last if last is not None and last.head in OWN_PARTS - {"door"} else None
+    if of and part is not None and not part.possessor and not s.boundary:
+        part.possessor = m  # "a wheel of the cart hits a stone"
         return
     if owner is None or s.boundary:
         s.loose.append(phrase)

@@ -281,8 +281,9 @@ def _title(c: Chunks, i: int) -> int:
 def _last_of_compound(c: Chunks, i: int) -> bool:
     """ "Rain barrel topples": after a bare noun a verb has an ending, and one follows."""
     first = element_before(c)
-    bare = isinstance(first, Mention) and not (first.plural or first.determiner or first.count)
-    if not bare or first.pronoun or first.letters or first.end + 1 != c.tokens[i].start:
+    if not isinstance(first, Mention) or first.end + 1 != c.tokens[i].start:
+        return False
+    if first.plural or first.determiner or first.count or first.pronoun or first.letters:
         return False
     forms = {r.form for r in verb_readings(low_at(c, i))}
     follows = verb_readings(low_at(c, i + 1))

@@ -109,7 +109,8 @@ def _quantifier(c: Chunks, j: int, m: Mention) -> int:
     if low in ("all", "both") and low_at(c, j + 1) in lex.DETERMINERS:
         return j + 1
     if part_of_plural(c, j):
-        m.subset = int(parse_number(low) or 0)
+        value = parse_number(low)
+        m.subset = int(value) if isinstance(value, float) else 0
         return j + 2
     return j
 

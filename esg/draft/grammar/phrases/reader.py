@@ -19,10 +19,9 @@ _HAVE = frozenset({"has", "have", "had", "having"})
 _CANNOT = frozenset({"cannot", "can't", "couldn't"})
 
 
-_ADJECTIVES = frozenset().union(
-    lex.COLORS, lex.MATERIALS, lex.SIZES, lex.STRETCHES, lex.WEIGHTS, lex.PLACE_ADJECTIVES,
-    lex.PLAIN_ADJECTIVES,
-)  # fmt: skip
+_ADJECTIVES = lex.PLACE_ADJECTIVES.union(
+    lex.PLAIN_ADJECTIVES, lex.COLORS, lex.MATERIALS, lex.SIZES, lex.STRETCHES, lex.WEIGHTS
+)
 
 
 def acts(c: Chunks, i: int) -> bool:
@@ -337,7 +336,8 @@ def unknown_verb(c: Chunks, i: int) -> bool:
         opens = before is None or getattr(before, "kind", "") in ("punct", "conj", "sub", "adv")
         one = previous.determiner in ("a", "an", "the", "this", "that", "its", "one")
         alone = one and not previous.plural and previous.end == c.tokens[i - 1].end
-        return opens and alone and (ends or object_ or way or nxt.low in ("and", "but", "to"))
+        ends = ends or object_ or way or (nxt is not None and nxt.low in ("and", "but", "to"))
+        return opens and alone and ends
     told = any(isinstance(e, Verb) for e in c.elements)
     listed = isinstance(previous, Word) and (previous.kind == "conj" or previous.low == ",")
     return listed and told and token.tag == "VERB" and (object_ or way)
