@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from esg.draft import lexicon as lex
-from esg.draft.grammar.rewrites.gaps import mention_at, word_at
+from esg.draft.grammar.rewrites.conditions import mention_at, word_at
 from esg.draft.text.elements import Element, Mention, Verb, Word
 
 _ADVERBS = {
