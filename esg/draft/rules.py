@@ -22,7 +22,6 @@ from esg.draft.grammar.rewrites.appositions import name_ones
 from esg.draft.grammar.rewrites.headings import headings
 from esg.draft.grammar.rewrites.inversions import straighten
 from esg.draft.grammar.rewrites.patterns import rewrite
-from esg.draft.grammar.rewrites.persons import mark_persons
 from esg.draft.grammar.rewrites.positions import positioned
 from esg.draft.grammar.rewrites.shares import count
 from esg.draft.text.elements import Element
@@ -43,7 +42,7 @@ _REWRITES: tuple[tuple[str, Callable[[list[Element]], list[Element]]], ...] = (
     ("nouns of events", partial(rewrite, reading="nominals")),
     ("verbs left out", partial(rewrite, reading="ellipsis")),
     ("participles with a subject of their own", partial(rewrite, reading="absolutes")),
-    ("unknown nouns of persons", mark_persons),
+    ("unknown nouns of persons", partial(rewrite, reading="persons")),
     ("clothes", partial(rewrite, reading="worn")),
 )
 """What puts phrases into plain order before clauses are built, in this order."""

@@ -128,10 +128,9 @@ def _phrase(f: Frame, cell: str) -> Phrase | None:
         return None
     for p in f.phrases:
         here = preps == "any" or p.prep in preps.split("|")
-        if here and condition == "time":
-            if p.amount is not None and p.amount.dimension == "time":
-                return p
-        elif here and p.mention is not None and _is(p.mention, condition):
+        if here and p.amount is not None and p.amount.dimension == condition:
+            return p
+        if here and p.mention is not None and _is(p.mention, condition):
             return p
     return None
 
@@ -208,6 +207,15 @@ def _contact(f: Frame, _: Phrase | None, __: str) -> None:
     f.verb.extra = {**f.verb.extra, "transitive": "1", "contact": "1"}
 
 
+def _owner(f: Frame, _: Phrase | None, __: str) -> None:
+    """What has the speed is the subject: "its speed drops"."""
+    speed = f.subject
+    if speed is not None:
+        word = {"his": "he", "her": "she", "their": "they"}.get(speed.determiner, "it")
+        it = Mention(speed.start, speed.end, pronoun=word, text=word)
+        f.subject = speed.possessor or it
+
+
 def _loose(f: Frame, _: Phrase | None, __: str) -> None:
     """A heap of snow, not the ground."""
     if f.subject is not None:
@@ -224,6 +232,7 @@ def _note(f: Frame, _: Phrase | None, value: str) -> None:
 
 _EFFECTS: dict[str, Callable[[Frame, Phrase | None, str], None]] = {
     "object": _object, "onto": _onto, "prep": _prep, "away": _away, "active": _active,
-    "positive": _positive, "contact": _contact, "via": _via, "note": _note, "loose": _loose,
+    "positive": _positive, "contact": _contact, "via": _via, "note": _note,
+    "loose": _loose, "owner": _owner,
 }  # fmt: skip
 """What the column "effects" may do to a frame, given the phrase of the first cell."""

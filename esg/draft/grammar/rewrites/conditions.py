@@ -18,6 +18,8 @@ _GOES_ON = lex.word_set("goes on")
 _VERBLESS = lex.word_set("verbless")
 _TURNED = lex.word_set("turned")
 _VESSELS = lex.word_set("vessels (gaps)")
+_ELAPSED = ("passed", "elapsed", "gone by", "gone")
+_PEOPLE = ("er", "or", "ist", "ian", "ee", "man", "woman", "boy", "girl")
 _NO_ACTS = frozenset({"be", "have", "park"})
 _APPROACHES = frozenset({"approach", "own", "roll", "slide", "reach"})
 
@@ -105,6 +107,20 @@ def _impact(e: Element) -> bool:
     return isinstance(e, Word) and e.kind == "unknown" and e.low in _HITS
 
 
+def colours(e: Element) -> list[str]:
+    """What "red" or "a red one" says of one of several; nothing if it says something else."""
+    if isinstance(e, Word):
+        return [e.low] if e.low in lex.COLORS else []
+    one = isinstance(e, Mention) and e.pronoun == "one"
+    return [*e.adjectives] if one and set(e.adjectives) <= lex.COLORS.keys() else []
+
+
+def _unknown(e: Element) -> Mention | None:
+    """A noun that the lexicon does not know."""
+    plain = isinstance(e, Mention) and not (e.noun or e.attribute or e.pronoun)
+    return e if plain and isinstance(e, Mention) and e.head else None
+
+
 def _vessel(e: Element) -> bool:
     traits = e.noun.traits if isinstance(e, Mention) and e.noun is not None else ()
     return "container" in traits and kind_of(e) in _VESSELS
@@ -115,7 +131,9 @@ def _incline(e: Element) -> bool:
 
 
 def _garment(e: Element) -> bool:
-    """Clothes, of which nothing else is said."""
+    """Clothes, of which nothing else is said, and spectacles."""
+    if isinstance(e, Mention) and e.head == "glass" and e.plural:
+        return not (e.determiner or e.count)
     if not isinstance(e, Mention) or e.amounts or e.possessor is not None or not e.head:
         return False
     return "-".join(e.head.split()) in lex.GARMENTS or e.head.split()[-1] in lex.GARMENTS
@@ -133,6 +151,12 @@ PROPERTIES: dict[str, Callable[[Element], object]] = {
     "stop": lambda e: is_word(e, *STOPS),
     "turn": lambda e: _dimension(e) == "angle" and isinstance(e, Word) and "turn" in e.low,
     "person": lambda e: kind_of(e) == "person" and isinstance(e, Mention) and not e.attribute,
+    "elapsed": lambda e: _dimension(e) == "time" and _word(e).endswith(_ELAPSED),
+    "named": lambda e: isinstance(e, Mention) and bool(e.noun or e.pronoun or e.letters),
+    "sided": lambda e: bool({"left", "right"} & {*getattr(e, "adjectives", ())}),
+    "unknown": lambda e: _unknown(e) is not None,
+    "acting": lambda e: isinstance(e, Mention) and e.head.endswith(_PEOPLE),
+    "coloured": lambda e: bool(colours(e)),
     "impact": _impact,
     "reporter": lambda e: isinstance(e, Mention) and _stem(e.text.split()[-1:]) in _TELLING,
     "verbal": lambda e: isinstance(e, Word) and bool(verb_readings(e.low)),
@@ -189,6 +213,12 @@ def _near(_: list[Element], __: int, out: list[Element]) -> bool:
     return bool(near) and near[-1].sense in _APPROACHES
 
 
+def _meeting(_: list[Element], __: int, out: list[Element]) -> bool:
+    """Things go toward each other, and no contact of theirs is told."""
+    told = any(isinstance(e, Verb) and e.sense in ("hit", "knock", "miss", "stop") for e in out)
+    return not told and any(is_word(e, "each other") for e in out)
+
+
 def _aside(_: list[Element], __: int, out: list[Element]) -> bool:
     """A participle may stand here: at the start of a clause, or joined to another one."""
     last = next((e for e in reversed(out) if getattr(e, "kind", "") != "adv"), None)
@@ -200,21 +230,23 @@ def _aside(_: list[Element], __: int, out: list[Element]) -> bool:
 def _verbless(elements: list[Element], i: int, out: list[Element]) -> bool:
     """No verb tells the clause that starts here, nor its sentence, unless where something goes."""
     last = out[-1] if out else None
-    if not (last is None or (isinstance(last, Word) and last.kind in ("punct", "conj"))):
+    begins = isinstance(last, Word) and (last.kind in ("punct", "conj") or last.low == "heading")
+    if last is not None and not begins:
         return False
     for e in elements[i:]:
         if isinstance(e, Verb):
             return False
         if isinstance(e, Word) and e.kind in ("punct", "conj", "sub", "rel"):
             break
-    told = False
+    told = goes = False
     for e in reversed(out):
-        if is_word(e, *STOPS):
-            break
-        if is_word(e, *_VERBLESS):
-            return True
+        if isinstance(e, Word) and e.kind in ("punct", "conj", "sub", "rel"):
+            if told or e.low in STOPS:
+                break
+            goes = False
         told = told or isinstance(e, Verb)
-    return not told
+        goes = goes or is_word(e, *_VERBLESS)
+    return goes or not told
 
 
 def _after_verb(senses: frozenset[str]) -> Place:
@@ -251,6 +283,8 @@ PLACES: dict[str, Place] = {
     "verbless": _verbless,
     "steered": _after_verb(lex.word_set("steered (ellipsis)")),
     "travelling": _after_verb(lex.word_set("travelling (ellipsis)")),
+    "hit": _after_verb(frozenset({"hit"})),
+    "meeting": _meeting,
     "alone": _after_verb(lex.word_set("alone")),
     "on things": _after_verb(lex.word_set("on things")),
     "turned": _turned,

@@ -20,7 +20,7 @@ import re
 from typing import Literal
 
 from esg.draft import lexicon as lex
-from esg.draft.grammar.rewrites.conditions import PLACES, PROPERTIES, blow_at
+from esg.draft.grammar.rewrites.conditions import PLACES, PROPERTIES, blow_at, colours
 from esg.draft.text.elements import Element, Mention, Verb, Word
 from esg.draft.verbphrases import verb_readings
 
@@ -31,7 +31,7 @@ _ITEM = re.compile(
     r"(?:\[(?P<tests>[^\]]*)\])?(?P<many>[?*])?|/"
 )
 _MADE = re.compile(
-    r"(?P<what>=?[a-z]\w*)(?:\.(?P<form>\w+))?(?P<word>/(?P<low>[^@\s\[]*))?"
+    r"(?P<aside>~?)(?P<what>=?[a-z]\w*)(?:\.(?P<form>\w+))?(?P<word>/(?P<low>[^@\s\[]*))?"
     r"(?:@(?P<after>\+)?(?P<first>\w+)(?:-(?P<last>\w+))?)?(?:\[(?P<changes>[^\]]*)\])?"
 )
 _TEST = re.compile(r"(?P<no>!?)(?P<name>\w+)(?P<differs>!?)(?:=(?P<values>.*))?")
@@ -154,7 +154,7 @@ def _test(text: str) -> Callable[[Element], bool]:
 
     def test(e: Element) -> bool:
         value = look(e)
-        return (value in words if isinstance(value, str) else False) != bool(m["differs"])
+        return (str(value) in words) != bool(m["differs"])
 
     return test
 
@@ -185,9 +185,12 @@ def _make(
     what, low = made["what"], (made["low"] or "").replace("_", " ")
     if what in spans and made["word"] is None and not made["form"] and not made["first"]:
         named = elements[slice(*spans[what])]
+        if (made["changes"] or "").startswith("as="):
+            color = colours(elements[spans[made["changes"][3:]][0]])
+            return [_member(e, color) for e in named if isinstance(e, Mention)]
         for e in named:
             _change(e, made["changes"], elements, spans)
-        return named
+        return [] if made["aside"] else named
     first = spans[made["first"] or "all"]
     last = spans[made["last"] or made["first"] or "all"]
     model = elements[first[0]]
@@ -232,21 +235,52 @@ def _verb(
     return Verb(*at, lemma, sense, made["form"] or "s", note)
 
 
+def _member(m: Mention, color: list[str]) -> Mention:
+    """One of several things, told by its colour."""
+    return replace(
+        m, plural=False, count=None, determiner="a", adjectives=[*m.adjectives, *color],
+        text=f"{color[0]} {m.head}", amounts=[*m.amounts], coordinated=[], entities=[],
+    )  # fmt: skip
+
+
 def _change(e: Element, changes: str | None, elements: list[Element], spans: Spans) -> None:
     """Sets fields of an element; what a verb has no field for is a note of its own."""
     for change in (changes or "").split(", "):
         m = _TEST.fullmatch(change)
         if m is None:
             continue
-        value = m["values"]
-        if m["name"] == "takes" and isinstance(e, Mention):
-            told = elements[spans[value][0]]
-            if isinstance(told, Mention):
-                e.adjectives += told.adjectives
-            elif isinstance(told, Word) and told.amount is not None:
-                e.amounts.append(told.amount)
-        elif isinstance(e, Verb) and m["name"] not in _VERB_FIELDS:
-            e.extra = {**e.extra, m["name"]: value}
+        name, value = m["name"], m["values"]
+        if name in _TAKEN and isinstance(e, Mention):
+            _TAKEN[name](e, elements[spans[value][0]])
+        elif isinstance(e, Verb) and name not in _VERB_FIELDS:
+            e.extra = {**e.extra, name: value}
+        elif value is None:
+            setattr(e, name, None if name == "noun" else not m["no"])
+        elif name == "noun":
+            setattr(e, name, lex.nouns()[value])
+        elif isinstance(getattr(e, name), list):
+            setattr(e, name, value.split("|"))
         else:
-            plain = int(value) if value and value.isdigit() else value
-            setattr(e, m["name"], plain if value is not None else not m["no"])
+            setattr(e, name, int(value) if value.isdigit() else value)
+
+
+def _takes(m: Mention, told: Element) -> None:
+    """A thing has what is told beside it: a quantity, "a red one", "a dog"."""
+    if isinstance(told, Word) and told.amount is not None:
+        m.amounts.append(told.amount)
+    elif isinstance(told, Mention):
+        m.end, m.adjectives = told.end, [*m.adjectives, *told.adjectives]
+        if told.noun is not None and not m.determiner:
+            m.noun, m.known = told.noun, True
+
+
+def _is_like(m: Mention, other: Element) -> None:
+    """ "The left and the right cart": a cart, too."""
+    if isinstance(other, Mention):
+        m.adjectives = m.adjectives or [m.head]
+        m.pronoun, m.part, m.attribute = "", "", other.attribute
+        m.head, m.noun, m.known = other.head, other.noun, other.known
+        m.text = f"{m.text} {other.head}"
+
+
+_TAKEN: dict[str, Callable[[Mention, Element], None]] = {"takes": _takes, "like": _is_like}
