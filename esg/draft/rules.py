@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
 import re
 
 from esg.draft.discourse.referents.resolution import new_world
@@ -16,23 +18,33 @@ from esg.draft.grammar.clauses.builder import build_clauses
 from esg.draft.grammar.clauses.modality import mark_unreal
 from esg.draft.grammar.phrases.chunker import chunk
 from esg.draft.grammar.phrases.modifiers import join_modifiers
-from esg.draft.grammar.rewrites.absolutes import absolutes
-from esg.draft.grammar.rewrites.appositions import appose
-from esg.draft.grammar.rewrites.coordination import coordinate
-from esg.draft.grammar.rewrites.ellipsis import elide
-from esg.draft.grammar.rewrites.garments import undress
-from esg.draft.grammar.rewrites.headlines import spelled_out
-from esg.draft.grammar.rewrites.light_verbs import lighten
-from esg.draft.grammar.rewrites.nominals import verbalize
-from esg.draft.grammar.rewrites.persons import mark_persons
-from esg.draft.grammar.rewrites.positions import positioned
-from esg.draft.grammar.rewrites.reorder import reorder
-from esg.draft.grammar.rewrites.reports import drop_reports
-from esg.draft.grammar.rewrites.shares import count, own_nouns
-from esg.draft.grammar.rewrites.sheets import from_sheet
-from esg.draft.grammar.rewrites.similes import drop_similes
+from esg.draft.grammar.rewrites.headings import headings
+from esg.draft.grammar.rewrites.inversions import straighten
+from esg.draft.grammar.rewrites.ones import name_ones
+from esg.draft.grammar.rewrites.patterns import rewrite
+from esg.draft.grammar.rewrites.shares import count
+from esg.draft.text.elements import Element
 from esg.draft.text.tokens import pos_tags, tokenize
 from esg.graph.models import EsgDocument
+
+_REWRITES: tuple[tuple[str, Callable[[list[Element]], list[Element]]], ...] = (
+    ("who tells it, and similes", partial(rewrite, reading="reports")),
+    ("quantities and words that stand for a noun", partial(rewrite, reading="shares")),
+    ("a second one", name_ones),
+    ("the one in front", partial(rewrite, reading="places")),
+    ("titles and headings", headings),
+    ("light verbs and ways of telling around it", partial(rewrite, reading="tellings")),
+    ("clefts", partial(rewrite, reading="order")),
+    ("verbs before their subjects", straighten),
+    ("asides", partial(rewrite, reading="asides")),
+    ("clauses without a verb", partial(rewrite, reading="gaps")),
+    ("nouns of events", partial(rewrite, reading="nominals")),
+    ("verbs left out", partial(rewrite, reading="ellipsis")),
+    ("participles with a subject of their own", partial(rewrite, reading="absolutes")),
+    ("unknown nouns of persons", partial(rewrite, reading="persons")),
+    ("clothes", partial(rewrite, reading="worn")),
+)
+"""What puts phrases into plain order before clauses are built, in this order."""
 
 _ONE_AFTER_OTHER = re.compile(
     r"\bone\s+(?:\w+\s+)?(?:in front of|behind|ahead of|following|after|trailing|leading)\s+"
@@ -70,11 +82,11 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     Raises:
         UserError: If the prompt is empty, too long, not English, or names no object.
     """
-    text = spelled_out(screen(prompt))
+    text = screen(prompt)
     tokens = join_modifiers(tokenize(text, pos_tags(text)), text)
-    elements = drop_reports(drop_similes(chunk(text, tokens)))
-    elements = from_sheet(lighten(positioned(appose(coordinate(own_nouns(elements))))))
-    elements = undress(mark_persons(absolutes(elide(verbalize(reorder(elements, text))))))
+    elements = chunk(text, tokens)
+    for _, put_plainly in _REWRITES:
+        elements = put_plainly(elements)
     clauses = build_clauses(elements)
     count(clauses.attachments)
     mark_unreal(clauses.frames, text)

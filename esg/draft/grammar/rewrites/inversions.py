@@ -1,0 +1,97 @@
+"""Clauses that begin with a place or a direction: "into the net flies the ball"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from esg.draft import lexicon as lex
+from esg.draft.grammar.rewrites.conditions import (
+    finite,
+    is_prep,
+    mention_at,
+    starts_clause,
+    word_at,
+)
+from esg.draft.text.elements import Element, Mention, Verb, Word
+from esg.draft.verbphrases import particle_sense
+
+_MOVING = lex.word_set("moving (reorder)")
+_INTRANSITIVE = lex.word_set("intransitive")
+_PARTICLES = lex.word_set("particles (reorder)")
+_DIRECTIONS = _PARTICLES | lex.word_set("directions")
+_PLACES = lex.word_set("places (reorder)")
+_REFLEXIVE = lex.word_set("reflexive")
+
+
+def straighten(elements: list[Element]) -> list[Element]:
+    """Makes subjects precede their verbs.
+
+    Args:
+        elements: Noun phrases, verbs and small words in the order of the text.
+    """
+    out: list[Element] = []
+    i = 0
+    while i < len(elements):
+        used = _inverted(elements, i, out) if starts_clause(elements, i, out) else 0
+        if not used:
+            out.append(elements[i])
+        i += used or 1
+    return out
+
+
+def _inverted(elements: list[Element], i: int, out: list[Element]) -> int:
+    """ "Down comes the lamp", "into the net flies the ball", "on the shelf stands a mug"."""
+    j = _lead(elements, i)
+    verb = finite(elements[j]) if i < j < len(elements) else None
+    k = j + 1
+    while (small := word_at(elements, k)) is not None and small.kind == "adv":
+        k += 1
+    subject = mention_at(elements, k)
+    if verb is None or subject is None or subject.attribute or subject.pronoun in _REFLEXIVE:
+        return 0
+    joined = bool(out) and isinstance(out[-1], Word) and out[-1].kind == "conj"
+    one = not (subject.plural or subject.coordinated or subject.count)
+    lead = elements[i:j]
+    if (verb.form == "base" and (one or joined)) or not _goes_or_stands(verb, lead):
+        return 0
+    if verb.lemma in _INTRANSITIVE:
+        verb = replace(verb, sense="own")
+    bare = not any(isinstance(e, Mention) for e in lead)
+    if bare:
+        verb, lead = _with_particle(verb, lead)
+    after = [*elements[j + 1 : k]]
+    out += [subject, verb, *after, *lead] if joined or bare else [*lead, subject, verb, *after]
+    return k + 1 - i
+
+
+def _goes_or_stands(verb: Verb, lead: list[Element]) -> bool:
+    """Whether what opens the clause says where the verb leads, or where something stands."""
+    lows = {e.low for e in lead if isinstance(e, Word)}
+    if verb.sense == "posture" and lows & _PLACES:
+        return True
+    return (verb.sense in _MOVING or verb.lemma in _INTRANSITIVE) and bool(lows & _DIRECTIONS)
+
+
+def _lead(elements: list[Element], i: int) -> int:
+    """End of the adverbs and prepositional phrases that open a clause at i."""
+    j = i
+    while j < len(elements):
+        e = elements[j]
+        small = isinstance(e, Word) and (e.kind in ("adv", "prep", "to", "qty") or e.low == "-")
+        if not small and not (isinstance(e, Mention) and j > i and is_prep(elements[j - 1])):
+            break
+        j += 1
+    return j
+
+
+def _with_particle(verb: Verb, lead: list[Element]) -> tuple[Verb, list[Element]]:
+    """The verb as its particle makes it ("over goes": topples), and what is left of the lead."""
+    particle = next((e for e in lead if isinstance(e, Word) and e.low in _PARTICLES), None)
+    found = particle_sense(verb.lemma, particle.low) if particle is not None else None
+    if found is None and verb.lemma == "come" and particle is not None and particle.low == "down":
+        found = "fall", {"particle": "down"}
+    if found is None:
+        return verb, lead
+    sense, extra = found
+    changed = replace(verb, sense=sense, extra={**verb.extra, **extra})
+    return changed, [e for e in lead if e is not particle]

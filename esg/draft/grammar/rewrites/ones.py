@@ -1,0 +1,37 @@
+"""Words that stand for a noun told before: "a second one", "a standing one"."""
+
+from __future__ import annotations
+
+from esg.draft.grammar.rewrites.conditions import is_word
+from esg.draft.text.elements import Element, Mention
+
+
+def name_ones(elements: list[Element]) -> list[Element]:
+    """Gives "one" the noun that it stands for: "a second one", "a standing one".
+
+    Args:
+        elements: Noun phrases, verbs and small words in the order of the text.
+    """
+    for i, (e, after) in enumerate(zip(elements, [*elements[1:], None], strict=True)):
+        if isinstance(e, Mention) and not is_word(after, "of"):
+            _stands_for(e, elements[:i])
+    return elements
+
+
+def _stands_for(m: Mention, before: list[Element]) -> None:
+    """ "a standing one", "a second one": one more of what was named before."""
+    if m.pronoun != "one" or m.determiner not in ("a", "an") or not m.adjectives or m.coordinated:
+        return
+    named = [
+        e
+        for e in before
+        if isinstance(e, Mention) and not (e.attribute or e.pronoun or not e.head or e.letters)
+    ]
+    if not named or {"other", "next"} & {*m.adjectives}:
+        return
+    like = named[-1]
+    several = any(e.plural or (e.count or 1) > 1 for e in named)
+    if several or (like.noun is not None and like.noun.kind in ("region", "ground")):
+        return
+    m.pronoun, m.head, m.noun, m.known = "", like.head, like.noun, like.known
+    m.text = f"{' '.join(a for a in m.adjectives if a[0] != '@')} {like.head}"
