@@ -75,7 +75,7 @@ def read(prompt: str) -> list[tuple[Any, ...]]:
         ),
         (
             "A pair of scissors falls from a table and misses a cat.",
-            [("Fall", "scissor_1"), ("Miss", "scissor_1", "cat_1")],
+            [("Fall", "scissors_1"), ("Miss", "scissors_1", "cat_1")],
         ),
         (
             "A jeep tows a trailer. The trailer comes off and rolls into a fence.",

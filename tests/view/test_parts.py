@@ -40,6 +40,7 @@ def test_decals_lie_within_millimetres_of_the_ground(monkeypatch: pytest.MonkeyP
             nodes={b.name: SimpleNamespace(asset_id=b.name) for b in bodies}
         ),
         asset_configurations={b.name: b.name for b in bodies},
+        casting=None,
     )
     drawn = module.scene_parts(SimpleNamespace(bodies=bodies), None, doc)  # type: ignore[arg-type]
     tops = {bodies[p.body].name: float(p.vertices[:, 2].max()) for p in drawn}
