@@ -250,14 +250,29 @@ def canonical_modifier(word: str) -> str:
 def parse(text: str) -> Phrase:
     """Parses a noun phrase; never fails (an empty phrase has an empty head)."""
     norm = normalize(text)
-    words = norm.split()
+    words, count, plural = _without_count(norm.split())
+    words, tail = _without_clause(words)
+    words, identifier = _without_identifier(words)
+    ordinal, kept = _without_ordinal(words[:-1])
+    head = words[-1] if words else ""
+    stem = singular(head)
+    plural = plural or stem != head or (count or 0) > 1
+    if stem == "billiard" and head == "billiards":
+        kept.append("billiard")
+    head, implied = _split_head(stem)
+    modifiers = tuple(canonical_modifier(m) for m in (*kept, *implied, *_place_words(tail)))
+    return Phrase(norm, head, stem, modifiers, identifier, ordinal, count, plural)
+
+
+def _without_count(words: list[str]) -> tuple[list[str], int | None, bool]:
+    """The words after articles and counts, the number they state, and whether they name a set."""
     count: int | None = None
     plural = False
     # "one of the cars", "a set of bowling pins": the head stands behind "of".
     for i, w in enumerate(words[:-1]):
         if words[i + 1] == "of" and (w in _COLLECTIVE or w in _COUNTS or w in _DISTRIBUTIVE):
-            plural = w in _COLLECTIVE or plural
-            count = 2 if w in ("pair", "couple") else count
+            plural = w in _COLLECTIVE
+            count = 2 if w in ("pair", "couple") else None
             words = words[i + 2 :]
             break
     words = _strip_leading(words)
@@ -269,24 +284,35 @@ def parse(text: str) -> Phrase:
         # "8 ball" names a ball; "8 balls" counts them.
         if words[-1] != singular(words[-1]) or (words[0] in _COUNTS and n == 1):
             count, words = n, words[1:]
-    # Cut a trailing clause ("bicycle stopped in the road"), but never everything.
-    tail: list[str] = []
-    for i, w in enumerate(words):
-        if i > 0 and w in _PREPOSITIONS:
-            words, tail = words[:i], words[i:]
-            break
-    identifier: str | None = None
-    if len(words) > 1 and (re.fullmatch(r"[a-z]|\d+", words[-1]) or words[-1] in _COUNTS):
-        last = words[-1]
-        identifier = str(_COUNTS[last]) if last in _COUNTS else last
+    return words, count, plural
+
+
+def _without_clause(words: list[str]) -> tuple[list[str], list[str]]:
+    """Cuts a trailing clause ("bicycle stopped in the road"), but never everything."""
+    cut = next((i for i, w in enumerate(words) if i > 0 and w in _PREPOSITIONS), len(words))
+    return words[:cut], words[cut:]
+
+
+def _without_identifier(words: list[str]) -> tuple[list[str], str | None]:
+    """Takes "a" from "ball a", 2 from "car number two", 8 from "8 ball"."""
+    if len(words) < 2:
+        return words, None
+    last = words[-1]
+    if re.fullmatch(r"[a-z]|\d+", last) or last in _COUNTS:
         words = words[:-1]
         if len(words) > 1 and words[-1] in ("number", "no", "nr"):
             words = words[:-1]
-    elif len(words) > 1 and re.fullmatch(r"\d+", words[0]):
-        identifier, words = words[0], words[1:]
+        return words, str(_COUNTS.get(last, last))
+    if re.fullmatch(r"\d+", words[0]):
+        return words[1:], words[0]
+    return words, None
+
+
+def _without_ordinal(words: list[str]) -> tuple[int | None, list[str]]:
+    """The place in a row that words before a head name, and their other words."""
     ordinal: int | None = None
     kept: list[str] = []
-    for w in words[:-1]:
+    for w in words:
         match = re.fullmatch(r"(\d+)(st|nd|rd|th)", w)
         if w in ORDINALS:
             ordinal = ORDINALS[w]
@@ -294,14 +320,7 @@ def parse(text: str) -> Phrase:
             ordinal = int(match[1])
         elif w not in _ARTICLES and w not in _QUANTIFIERS:
             kept.append(w)
-    head = words[-1] if words else ""
-    stem = singular(head)
-    plural = plural or stem != head or (count or 0) > 1
-    if stem == "billiard" and head == "billiards":
-        kept.append("billiard")
-    head, implied = _split_head(stem)
-    modifiers = tuple(canonical_modifier(m) for m in (*kept, *implied, *_place_words(tail)))
-    return Phrase(norm, head, stem, modifiers, identifier, ordinal, count, plural)
+    return ordinal, kept
 
 
 def members_of(phrase: Phrase) -> Phrase | None:

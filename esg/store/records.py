@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 import datetime
 import hashlib
@@ -130,14 +130,7 @@ def make_record(
         family: Overrides the prompt family (counterfactual pairs keep one).
         extra: Further columns of the scene's row, such as rule, pair and manifest.
     """
-    key = scene_key(run.run_id, run.suite, scene_id, seed)
-    common = {
-        "run_id": run.run_id,
-        "scene_key": key,
-        "suite": run.suite,
-        "scene_id": scene_id,
-        "seed": seed,
-    }
+    common = _common(run, scene_id, seed)
     documents = documents or {}
     verdicts = verdicts or {}
     family = prompt_family(prompt) if family is None else family
@@ -157,8 +150,7 @@ def make_record(
         "reason": reason,
         **_judged(verdicts.get(run.engine), run),
         **_documented(documents),
-        "seconds": sum(float(s.get("seconds", 0.0)) for s in stages),
-        "cached_stages": sum(bool(s.get("cached")) for s in stages),
+        **_timed(stages),
         "artifacts": json.dumps(dict(artifacts or {}), sort_keys=True),
         **(extra or {}),
     }
@@ -175,6 +167,26 @@ def make_record(
             "timings": [{**common, **_timing(i, s)} for i, s in enumerate(stages)],
         }
     )
+
+
+def _common(run: RunInfo, scene_id: str, seed: int) -> dict[str, Any]:
+    """Columns that the rows of a scene run share in all tables."""
+    return {
+        "run_id": run.run_id,
+        "scene_key": scene_key(run.run_id, run.suite, scene_id, seed),
+        "suite": run.suite,
+        "scene_id": scene_id,
+        "seed": seed,
+    }
+
+
+def _timed(stages: Iterable[Mapping[str, Any]]) -> dict[str, Any]:
+    """What all stages took together [s], and how many of them had been computed before."""
+    timings = [_timing(i, s) for i, s in enumerate(stages)]
+    return {
+        "seconds": sum(t["seconds"] for t in timings),
+        "cached_stages": sum(t["cached"] for t in timings),
+    }
 
 
 def _judged(verdict: SceneVerdict | None, run: RunInfo) -> dict[str, Any]:

@@ -20,6 +20,7 @@ _TEXT_FIELDS = (
     "file", "name", "category", "tags", "description", "material", "license", "creator", "source",
     "up", "front", "unit",
 )  # fmt: skip
+_UNITS_CM = {"mm": 0.1, "cm": 1.0, "m": 100.0, "in": 2.54}
 
 
 @dataclass(frozen=True)
@@ -145,28 +146,37 @@ def read_folder(folder: Path) -> Iterator[Source]:
     rows = {r["file"]: r for r in _read_catalogue(listing)} if listing else {}
     files = sorted(p for p in folder.rglob("*") if p.suffix.lower() in MESH_SUFFIXES)
     for path in files:
-        relative = path.relative_to(folder).as_posix()
-        row = rows.get(relative) or rows.get(path.name) or {}
-        size = [_number(row.get(f)) for f in ("length_cm", "width_cm", "height_cm")]
-        z_up = path.suffix.lower() in (".stl", ".ply")
-        unit = {"mm": 0.1, "cm": 1.0, "m": 100.0, "in": 2.54}.get(str(row.get("unit") or ""))
-        yield Source(
-            key=slug(path.relative_to(folder).with_suffix("").as_posix()),
-            name=row.get("name") or re.sub(r"[_\-\d]+", " ", path.stem).strip() or path.stem,
-            path=path,
-            dimensions_cm=None if None in size else tuple(size),  # type: ignore[arg-type]
-            tags=tuple(t.strip() for t in str(row.get("tags") or "").split(";") if t.strip()),
-            category=row.get("category") or "",
-            description=row.get("description") or "",
-            mass_kg=_number(row.get("mass_kg")),
-            material=row.get("material") or "",
-            license=row.get("license") or "",
-            creator=row.get("creator") or "",
-            origin=row.get("source") or "",
-            up=row.get("up") or ("z" if z_up else "y"),
-            front=row.get("front") or ("+x" if z_up else "+z"),
-            unit_cm=unit or (100.0 if path.suffix.lower() in (".glb", ".gltf") else None),
-        )
+        inside = path.relative_to(folder)
+        yield _described(path, inside, rows.get(inside.as_posix()) or rows.get(path.name) or {})
+
+
+def _described(path: Path, inside: Path, row: dict[str, Any]) -> Source:
+    """A mesh at a path inside its folder, with its row of the catalogue (empty without one)."""
+
+    def word(column: str, otherwise: str = "") -> str:
+        return row.get(column) or otherwise
+
+    size = [_number(row.get(f)) for f in ("length_cm", "width_cm", "height_cm")]
+    suffix = path.suffix.lower()
+    up, front = ("z", "+x") if suffix in (".stl", ".ply") else ("y", "+z")
+    guessed_cm = 100.0 if suffix in (".glb", ".gltf") else None
+    return Source(
+        key=slug(inside.with_suffix("").as_posix()),
+        name=word("name", re.sub(r"[_\-\d]+", " ", path.stem).strip() or path.stem),
+        path=path,
+        dimensions_cm=None if None in size else tuple(size),  # type: ignore[arg-type]
+        tags=tuple(t.strip() for t in str(word("tags")).split(";") if t.strip()),
+        category=word("category"),
+        description=word("description"),
+        mass_kg=_number(row.get("mass_kg")),
+        material=word("material"),
+        license=word("license"),
+        creator=word("creator"),
+        origin=word("source"),
+        up=word("up", up),
+        front=word("front", front),
+        unit_cm=_UNITS_CM.get(str(word("unit")), guessed_cm),
+    )
 
 
 def _read_catalogue(path: Path) -> list[dict[str, Any]]:

@@ -14,9 +14,8 @@ from esg.engines.newton.setup import (
     STEPS_PER_GRAPH,
     STEPS_PER_GRAPH_CPU,
     quiet_warp,
-    share_kernels,
-    sort_few_contacts,
 )
+from esg.engines.newton.sharing import share_kernels, sort_few_contacts
 from esg.engines.program import FIELDS
 
 Ints = NDArray[np.int32]

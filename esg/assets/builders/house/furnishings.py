@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 
 from esg.assets.builders import builder
-from esg.assets.builders.common import bone, mirrored, prism, shift
-from esg.assets.geometry.sketch import CHROME, DARK, STEEL, WHITE, WOOD, Color, Sketch, rgb
+from esg.assets.builders.common import bone, mirrored, prism
+from esg.assets.geometry.sketch import CHROME, DARK, STEEL, WHITE, Color, Sketch, rgb
 
 
 @builder("fan")
@@ -46,69 +46,8 @@ def fan(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 
 
 @builder("mirror")
-def mirror(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "mirror") -> None:
-    """Standing mirror, framed picture, window or whiteboard facing +X."""
-    if kind == "window":
-        for y in (-1, 0, 1):
-            s.slab((-3, 3), (y * 57 - 3, y * 57 + 3), (0, 140), c)
-        for z in (0, 68, 134):
-            s.slab((-3, 3), (-60, 60), (z, z + 6), c)
-        s.slab((-0.6, 0.6), (-57, 57), (4, 136), rgb(150, 190, 205), rough=0.05, alpha=0.45)
-        s.slab((-4, 4), (-62, 62), (0, 4), c)
-        s.proxy_slab((-4, 4), (-62, 62), (0, 4), 2.0)
-        s.proxy_slab((-3, 3), (-60, 60), (4, 140))
-        return
-    if kind == "easel":
-        for side in (-1, 1):
-            s.rod(1.6, (18, side * 34, 0), (-6, side * 8, 168), WOOD, sections=12)
-        s.rod(1.6, (-46, 0, 0), (-8, 0, 160), WOOD, sections=12)
-        s.slab((8, 18), (-38, 38), (58, 62), WOOD)
-        prism(
-            s,
-            [(12 + d, y, 62) for d in (0, 2.4) for y in (-36, 36)]
-            + [(2 + d, y, 132) for d in (0, 2.4) for y in (-36, 36)],
-            WHITE,
-        )
-        prism(
-            s,
-            [(13 + d, y, 76) for d in (0, 1.0) for y in (-26, 26)]
-            + [(9.6 + d, y, 100) for d in (0, 1.0) for y in (-26, 20)],
-            c,
-        )
-        for side in (-1, 1):
-            s.proxy_slab((14, 22), mirrored(side, 30, 36), (0, 3), 3.0)
-        s.proxy_slab((-50, -42), (-3, 3), (0, 3), 3.0)
-        s.proxy_slab((-46, 18), (-34, 34), (3, 5), 0.5)
-        s.proxy_slab((2, 12), (-36, 36), (5, 134), 0.3)
-        s.proxy_slab((-9, -3), (-8, 8), (134, 166), 0.3)
-        shift(s, 13)
-        return
-    if kind == "picture":
-        s.slab((-1.5, 1), (-40, 40), (0, 60), rgb(216, 208, 190))
-        for y in (-1, 1):
-            s.slab((-2, 2.4), mirrored(y, 35, 40), (0, 60), c)
-        for z in (0, 55):
-            s.slab((-2, 2.4), (-40, 40), (z, z + 5), c)
-        s.slab((1, 1.3), (-34, 34), (5, 24), rgb(70, 120, 70))
-        s.slab((1, 1.2), (-34, 34), (24, 55), rgb(140, 185, 215))
-        prism(
-            s,
-            [
-                (1.4, -26, 22),
-                (1.4, 4, 22),
-                (1.4, -10, 44),
-                (1.0, -26, 22),
-                (1.0, 4, 22),
-                (1.0, -10, 44),
-            ],
-            rgb(110, 105, 110),
-        )
-        s.slab((-6, 4), (-30, -24), (0, 2), DARK)
-        s.slab((-6, 4), (24, 30), (0, 2), DARK)
-        s.proxy_slab((-6, 4), (-30, 30), (0, 2), 2.0)
-        s.proxy_slab((-2, 2.4), (-40, 40), (2, 60), 1.0)
-        shift(s, 1)
-        return
+def mirror(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Oval mirror standing on two feet, facing +X."""
     for side in (-1, 1):
         s.slab((-22, 22), (side * 27 - 2, side * 27 + 2), (0, 4), c)
         s.slab((-2, 2), (side * 27 - 2, side * 27 + 2), (4, 110), c)

@@ -8,14 +8,12 @@ from typing import Any
 from esg.assets.builders import builder
 from esg.assets.builders.common import LEAF, mirrored, prism, shade, shift
 from esg.assets.geometry.sketch import (
-    CHROME,
     CONCRETE,
     DARK,
     DARK_WOOD,
     GLASS,
     PALE_WOOD,
     RED,
-    STEEL,
     WOOD,
     YELLOW,
     Color,
@@ -103,128 +101,60 @@ def artillery(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "ca
     shift(s, 16)
 
 
-@builder("machine")
-def machine(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "conveyor") -> None:
-    """Conveyor belt, treadmill, press, generator, tower crane, vending machine."""
-    if kind == "conveyor":
-        s.slab((-145, 145), (-28, 28), (66, 74), DARK)
-        for x in (-145, 145):
-            s.rod(7, (x, -28, 68), (x, 28, 68), STEEL, metal=0.6)
-        s.slab((-145, 145), (-26, 26), (74, 75), DARK, rough=0.9)
-        for side in (-1, 1):
-            s.slab((-150, 150), mirrored(side, 28, 31), (60, 80), c)
-            for x in (-120, 0, 120):
-                s.slab((x - 4, x + 4), mirrored(side, 25, 31), (0, 60), STEEL)
-        for x in (-120, 0, 120):
-            s.proxy_slab((x - 4, x + 4), (-31, 31), (0, 60), 0.6)
-        s.proxy_slab((-150, 150), (-31, 31), (60, 75), 1.0)
-        s.surface("belt", 75, (140, 24))
-    elif kind == "treadmill":
-        s.slab((-88, 70), (-38, 38), (6, 18), DARK)
-        s.slab((-84, 56), (-26, 26), (18, 19), rgb(50, 50, 54))
-        s.slab((44, 84), (-38, 38), (0, 26), c)
-        s.slab((-88, -76), (-36, 36), (0, 6), DARK)
-        for side in (-1, 1):
-            s.pipe(2.6, [(60, side * 36, 24), (40, side * 36, 118), (4, side * 36, 108)], STEEL)
-        prism(
-            s,
-            [(46 + d, y, 108) for d in (0, 6) for y in (-38, 38)]
-            + [(34 + d, y, 134) for d in (0, 6) for y in (-34, 34)],
-            c,
-        )
-        s.proxy_slab((-88, 84), (-38, 38), (0, 19), 1.0)
-        for side in (-1, 1):
-            s.proxy_slab((36, 62), mirrored(side, 33, 39), (19, 108), 0.2)
-        s.proxy_slab((34, 52), (-38, 38), (108, 134), 0.2)
-        s.surface("belt", 19, (60, 24), (-20, 0))
-        shift(s, 2)
-    elif kind == "press":
-        s.slab((-35, 35), (-45, 45), (0, 10), c)
-        for side in (-1, 1):
-            s.slab((-16, 16), mirrored(side, 34, 44), (10, 170), c)
-        s.slab((-18, 18), (-46, 46), (150, 176), c)
-        s.rod(9, (0, 0, 92), (0, 0, 150), CHROME, metal=0.9)
-        s.slab((-22, 22), (-24, 24), (82, 92), STEEL)
-        s.slab((-26, 26), (-34, 34), (50, 58), STEEL)
-        s.rod(6, (0, 56, 120), (0, 56, 150), RED)
-        s.proxy_slab((-35, 35), (-45, 45), (0, 10), 1.0)
-        for side in (-1, 1):
-            s.proxy_slab((-16, 16), mirrored(side, 34, 44), (10, 150), 1.0)
-        s.proxy_slab((-26, 26), (-34, 34), (48, 58), 0.8)
-        s.proxy_slab((-22, 22), (-24, 24), (82, 150), 0.3)
-        s.proxy_slab((-18, 18), (-46, 46), (150, 176), 1.0)
-        s.surface("bed", 58, (22, 28))
-        shift(s, 0, -5)
-    elif kind == "generator":
-        s.slab((-28, 28), (-20, 20), (10, 42), DARK)
-        for side in (-1, 1):
-            s.pipe(
-                1.8,
-                [
-                    (-30, side * 22, 1.8),
-                    (-30, side * 22, 48),
-                    (30, side * 22, 48),
-                    (30, side * 22, 1.8),
-                ],
-                c,
+@builder("tower_crane")
+def tower_crane(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Tower crane with its jib along +X."""
+    for x in (-50, 50):
+        for y in (-50, 50):
+            s.slab((x - 6, x + 6), (y - 6, y + 6), (40, 1000), c)
+    s.slab((-150, 150), (-150, 150), (0, 40), CONCRETE)
+    for k in range(12):
+        z0, z1 = 40 + 80 * k, 120 + 80 * k
+        for a, b in (
+            ((-50, -50), (50, -50)),
+            ((50, -50), (50, 50)),
+            ((50, 50), (-50, 50)),
+            ((-50, 50), (-50, -50)),
+        ):
+            s.rod(3, (*a, z0), (*b, z1), c, sections=6)
+    s.slab((-60, 60), (-60, 60), (1000, 1020), DARK)
+    s.slab((10, 90), (-45, 45), (920, 1000), GLASS)
+    s.slab((-380, 900), (-24, 24), (1020, 1034), c)
+    s.slab((-380, 900), (-5, 5), (1080, 1090), c)
+    for k in range(16):
+        x = -380 + 80 * k
+        s.rod(3, (x, -20, 1030), (x + 40, 0, 1084), c, sections=6)
+        s.rod(3, (x + 40, 0, 1084), (x + 80, 20, 1030), c, sections=6)
+    prism(s, [(x, y, 1020) for x in (-40, 40) for y in (-24, 24)] + [(0, 0, 1200)], c)
+    s.rod(3, (0, 0, 1195), (700, 0, 1088), DARK, sections=8)
+    s.rod(3, (0, 0, 1195), (-340, 0, 1040), DARK, sections=8)
+    s.slab((-380, -280), (-40, 40), (960, 1020), CONCRETE)
+    s.rod(1.5, (600, 0, 1020), (600, 0, 640), DARK, sections=8)
+    s.slab((585, 615), (-15, 15), (600, 640), RED)
+    s.proxy_slab((-150, 150), (-150, 150), (0, 40), 20)
+    s.proxy_slab((-56, 56), (-56, 56), (40, 1020), 0.3)
+    s.proxy_slab((-380, 900), (-24, 24), (1020, 1090), 0.05)
+    s.proxy_slab((-380, -280), (-40, 40), (960, 1020), 2.5)
+    shift(s, -260)
+
+
+@builder("vending_machine")
+def vending_machine(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Vending machine facing +X."""
+    s.slab((-38, 36), (-46, 46), (0, 183), c, rough=0.4)
+    s.slab((36, 38), (-42, 20), (50, 176), GLASS, rough=0.05)
+    for k in range(4):
+        for j in range(4):
+            s.rod(
+                5,
+                (37, -34 + 15 * j, 66 + 28 * k),
+                (39.4, -34 + 15 * j, 66 + 28 * k),
+                (RED, YELLOW, rgb(60, 130, 200), LEAF)[(k + j) % 4],
+                sections=18,
             )
-            s.pipe(1.8, [(-30, side * 22, 1.8), (30, side * 22, 1.8)], c)
-        for x in (-30, 30):
-            s.rod(1.8, (x, -22, 48), (x, 22, 48), c, sections=12)
-        s.slab((-26, 26), (-18, 18), (42, 52), c)
-        s.rod(4, (10, 0, 52), (10, 0, 54), DARK)
-        s.rod(8, (28, 0, 26), (32, 0, 26), STEEL)
-        s.slab((-32, -28), (-14, 14), (16, 36), YELLOW)
-        s.proxy_slab((-31, 31), (-23, 23), (0, 48))
-        s.proxy_slab((-26, 26), (-18, 18), (48, 52), 0.5)
-    elif kind == "crane":
-        for x in (-50, 50):
-            for y in (-50, 50):
-                s.slab((x - 6, x + 6), (y - 6, y + 6), (40, 1000), c)
-        s.slab((-150, 150), (-150, 150), (0, 40), CONCRETE)
-        for k in range(12):
-            z0, z1 = 40 + 80 * k, 120 + 80 * k
-            for a, b in (
-                ((-50, -50), (50, -50)),
-                ((50, -50), (50, 50)),
-                ((50, 50), (-50, 50)),
-                ((-50, 50), (-50, -50)),
-            ):
-                s.rod(3, (*a, z0), (*b, z1), c, sections=6)
-        s.slab((-60, 60), (-60, 60), (1000, 1020), DARK)
-        s.slab((10, 90), (-45, 45), (920, 1000), GLASS)
-        s.slab((-380, 900), (-24, 24), (1020, 1034), c)
-        s.slab((-380, 900), (-5, 5), (1080, 1090), c)
-        for k in range(16):
-            x = -380 + 80 * k
-            s.rod(3, (x, -20, 1030), (x + 40, 0, 1084), c, sections=6)
-            s.rod(3, (x + 40, 0, 1084), (x + 80, 20, 1030), c, sections=6)
-        prism(s, [(x, y, 1020) for x in (-40, 40) for y in (-24, 24)] + [(0, 0, 1200)], c)
-        s.rod(3, (0, 0, 1195), (700, 0, 1088), DARK, sections=8)
-        s.rod(3, (0, 0, 1195), (-340, 0, 1040), DARK, sections=8)
-        s.slab((-380, -280), (-40, 40), (960, 1020), CONCRETE)
-        s.rod(1.5, (600, 0, 1020), (600, 0, 640), DARK, sections=8)
-        s.slab((585, 615), (-15, 15), (600, 640), RED)
-        s.proxy_slab((-150, 150), (-150, 150), (0, 40), 20)
-        s.proxy_slab((-56, 56), (-56, 56), (40, 1020), 0.3)
-        s.proxy_slab((-380, 900), (-24, 24), (1020, 1090), 0.05)
-        s.proxy_slab((-380, -280), (-40, 40), (960, 1020), 2.5)
-        shift(s, -260)
-    else:
-        s.slab((-38, 36), (-46, 46), (0, 183), c, rough=0.4)
-        s.slab((36, 38), (-42, 20), (50, 176), GLASS, rough=0.05)
-        for k in range(4):
-            for j in range(4):
-                s.rod(
-                    5,
-                    (37, -34 + 15 * j, 66 + 28 * k),
-                    (39.4, -34 + 15 * j, 66 + 28 * k),
-                    (RED, YELLOW, rgb(60, 130, 200), LEAF)[(k + j) % 4],
-                    sections=18,
-                )
-        s.slab((36, 38.4), (24, 42), (90, 150), DARK)
-        s.slab((36, 38.4), (-36, 14), (14, 34), DARK)
-        s.proxy_slab((-38, 38), (-46, 46), (0, 183))
+    s.slab((36, 38.4), (24, 42), (90, 150), DARK)
+    s.slab((36, 38.4), (-36, 14), (14, 34), DARK)
+    s.proxy_slab((-38, 38), (-46, 46), (0, 183))
 
 
 @builder("small_round")

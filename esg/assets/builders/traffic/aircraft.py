@@ -41,62 +41,65 @@ def _wing(
     prism(s, points, c, rough=0.35)
 
 
-@builder("airplane")
-def airplane(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "light") -> None:
-    """High-wing light aircraft on three wheels, 8.3 m; or a twin-engine airliner, 38 m."""
-    if kind == "airliner":
-        body = [
-            (0, -1900),
-            (60, -1850),
-            (150, -1400),
-            (195, -900),
-            (200, 1400),
-            (180, 1650),
-            (110, 1820),
-            (0, 1900),
-        ]
-        s.lathe(body, c, center=(0, 0, 420), axis="x", smooth=60, rough=0.3)
-        for side in (-1, 1):
-            _wing(
-                s,
-                (-200, 480),
-                (-560, -330),
-                (side * 150, side * 1700),
-                (370, 470),
-                60,
-                shade(c, 0.85),
-            )
-            _wing(
-                s,
-                (-1780, -1420),
-                (-1860, -1690),
-                (side * 60, side * 620),
-                (500, 540),
-                30,
-                shade(c, 0.85),
-            )
-            s.lathe(
-                [(0, -190), (60, -180), (105, 0), (108, 150), (90, 170), (0, 160)],
-                STEEL,
-                center=(300, side * 580, 250),
-                axis="x",
-            )
-            for k in range(22):
-                x = -1150 + 110 * k
-                s.slab((x, x + 34), mirrored(side, 192, 200.5), (460, 505), GLASS)
-            s.rod(60, (-120, side * 260, 60), (-120, side * 320, 60), RUBBER, sections=28)
-            s.rod(18, (-120, side * 290, 60), (-60, side * 290, 330), STEEL, sections=14)
-        s.extrude(
-            [(-1400, 560), (-1880, 1180), (-1680, 1180), (-1240, 590)], (-14, 14), rgb(40, 78, 150)
+@builder("airliner")
+def airliner(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Twin-engine airliner, 38 m."""
+    body = [
+        (0, -1900),
+        (60, -1850),
+        (150, -1400),
+        (195, -900),
+        (200, 1400),
+        (180, 1650),
+        (110, 1820),
+        (0, 1900),
+    ]
+    s.lathe(body, c, center=(0, 0, 420), axis="x", smooth=60, rough=0.3)
+    for side in (-1, 1):
+        _wing(
+            s,
+            (-200, 480),
+            (-560, -330),
+            (side * 150, side * 1700),
+            (370, 470),
+            60,
+            shade(c, 0.85),
         )
-        s.rod(45, (1450, -30, 45), (1450, 30, 45), RUBBER, sections=28)
-        s.rod(14, (1450, 0, 45), (1450, 0, 260), STEEL, sections=14)
-        s.extrude([(1700, 470), (1812, 440), (1760, 505), (1690, 530)], (-110, 110), GLASS)
-        s.proxy_slab((-160, 1500), (-120, 120), (0, 220), 1.0)
-        s.proxy_slab((-1800, 1800), (-195, 195), (220, 620), 1.0)
-        s.proxy_slab((-420, 300), (-1650, 1650), (360, 440), 0.4)
-        s.proxy_slab((-1860, -1400), (-40, 40), (620, 1170), 0.2)
-        return
+        _wing(
+            s,
+            (-1780, -1420),
+            (-1860, -1690),
+            (side * 60, side * 620),
+            (500, 540),
+            30,
+            shade(c, 0.85),
+        )
+        s.lathe(
+            [(0, -190), (60, -180), (105, 0), (108, 150), (90, 170), (0, 160)],
+            STEEL,
+            center=(300, side * 580, 250),
+            axis="x",
+        )
+        for k in range(22):
+            x = -1150 + 110 * k
+            s.slab((x, x + 34), mirrored(side, 192, 200.5), (460, 505), GLASS)
+        s.rod(60, (-120, side * 260, 60), (-120, side * 320, 60), RUBBER, sections=28)
+        s.rod(18, (-120, side * 290, 60), (-60, side * 290, 330), STEEL, sections=14)
+    s.extrude(
+        [(-1400, 560), (-1880, 1180), (-1680, 1180), (-1240, 590)], (-14, 14), rgb(40, 78, 150)
+    )
+    s.rod(45, (1450, -30, 45), (1450, 30, 45), RUBBER, sections=28)
+    s.rod(14, (1450, 0, 45), (1450, 0, 260), STEEL, sections=14)
+    s.extrude([(1700, 470), (1812, 440), (1760, 505), (1690, 530)], (-110, 110), GLASS)
+    s.proxy_slab((-160, 1500), (-120, 120), (0, 220), 1.0)
+    s.proxy_slab((-1800, 1800), (-195, 195), (220, 620), 1.0)
+    s.proxy_slab((-420, 300), (-1650, 1650), (360, 440), 0.4)
+    s.proxy_slab((-1860, -1400), (-40, 40), (620, 1170), 0.2)
+
+
+@builder("airplane")
+def airplane(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """High-wing light aircraft on three wheels, 8.3 m."""
     body = [
         (0, -430),
         (10, -420),

@@ -6,7 +6,7 @@
 The first form prints classes per minute one by one and batched, on an empty cache each, with the
 processor time beside the wall time, because the wall time of a shared machine says little. The
 second checks class and exports of the finished scenes below a folder, such as a run of `esg bench`
-(see benchmarks/lib/exports.py).
+(see benchmarks/compile/exports.py).
 """
 
 from __future__ import annotations
@@ -137,7 +137,7 @@ def run(classes: int, bodies: int, jobs: int) -> list[Measurement]:
 
 def check_suite(run: Path, out: Path | None) -> None:
     """Class and exports of the finished scenes below a folder."""
-    from benchmarks.lib.exports import as_json, check_scenes, text
+    from benchmarks.compile.exports import as_json, check_scenes, text
 
     result = check_scenes(run)
     print(text(result))
@@ -146,7 +146,9 @@ def check_suite(run: Path, out: Path | None) -> None:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = argparse.ArgumentParser(
+        prog="python -m benchmarks.compile", description=__doc__.splitlines()[0]
+    )
     parser.add_argument("--classes", type=int, default=64)
     parser.add_argument("--bodies", type=int, default=8)
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)

@@ -18,7 +18,7 @@ import tempfile
 import threading
 
 HERE = Path(__file__).parent
-THREE = HERE.parent / "tests" / "compile" / "gltf" / "node_modules" / "three"
+THREE = HERE.parents[1] / "tests" / "compile" / "gltf" / "node_modules" / "three"
 BROWSERS = ("chromium", "chromium-browser", "google-chrome")
 SIZE = (1448, 390)
 """Pixels of the picture: three views of 480 x 360, captions, gaps."""
@@ -84,7 +84,9 @@ def picture(glb: Path, out: Path, browser: str, times: str = "") -> str:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = argparse.ArgumentParser(
+        prog="python -m benchmarks.glb_viewer", description=__doc__.splitlines()[0]
+    )
     parser.add_argument("glb", type=Path)
     parser.add_argument("--out", type=Path, default=Path("glb_viewer.png"))
     parser.add_argument("--times", default="", help="three moments in seconds, with commas")

@@ -36,7 +36,7 @@ from typing import Any
 os.environ.setdefault("OMP_NUM_THREADS", "1")
 os.environ.setdefault("ESG_THREADS", "1")
 
-from benchmarks.lib.wall import Watch, plot
+from benchmarks.throughput.wall import Watch, plot
 from esg.dataset import running
 from esg.dataset.batch import make_batch
 from esg.dataset.finish import finish
@@ -45,7 +45,7 @@ from esg.dataset.grammar import Distribution
 from esg.dataset.job import BatchJob, BatchResult
 from esg.dataset.plan import DatasetSpec, plan_scenes
 
-RESULTS = Path(__file__).parent / "results"
+RESULTS = Path(__file__).parents[1] / "results"
 
 
 def cpu_s() -> float:
@@ -84,7 +84,9 @@ class Meter:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = argparse.ArgumentParser(
+        prog="python -m benchmarks.throughput", description=__doc__.splitlines()[0]
+    )
     parser.add_argument("--scenes", type=int, help="default 60, with --wall 2000")
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--levels", nargs="+", default=["single", "chain"])

@@ -1,0 +1,1 @@
+"""How fast emitted classes are compiled and replayed, and whether exports are whole."""

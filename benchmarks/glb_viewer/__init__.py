@@ -1,0 +1,1 @@
+"""Pictures of an exported scene in a browser: `python -m benchmarks.glb_viewer`."""

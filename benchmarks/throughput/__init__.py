@@ -1,0 +1,1 @@
+"""How many verified scenes an hour are made: `python -m benchmarks.throughput`."""
