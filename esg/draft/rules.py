@@ -31,7 +31,8 @@ from esg.draft.grammar.rewrites.reports import drop_reports
 from esg.draft.grammar.rewrites.shares import count, own_nouns
 from esg.draft.grammar.rewrites.sheets import from_sheet
 from esg.draft.grammar.rewrites.similes import drop_similes
-from esg.draft.text.tokens import pos_tags, tokenize
+from esg.draft.text.tagging import pos_tags
+from esg.draft.text.tokens import tokenize
 from esg.graph.models import EsgDocument
 
 _ONE_AFTER_OTHER = re.compile(

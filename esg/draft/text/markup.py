@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import re
-from typing import Any
+from typing import cast
 
 from esg.outcomes import UserError
 
@@ -66,11 +66,11 @@ def _from_json(prompt: str) -> str:
     if prompt.lstrip()[:1] not in ("{", "["):
         return prompt
     try:
-        data: Any = json.loads(prompt)
+        data: object = json.loads(prompt)
     except (ValueError, RecursionError):
         return prompt
-    fields = data if isinstance(data, dict) else {}
-    told = next((fields[k] for k in _TOLD if isinstance(fields.get(k), str)), None)
+    fields = cast(dict[str, object], data) if isinstance(data, dict) else {}
+    told = next((t for k in _TOLD if isinstance(t := fields.get(k), str)), None)
     if told is None:
         raise UserError(
             f"The prompt {prompt.strip()[:40]!r}... is JSON without a "
