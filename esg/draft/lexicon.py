@@ -10,8 +10,6 @@ from dataclasses import dataclass
 from functools import cache, lru_cache
 from pathlib import Path
 
-from esg.draft import lexicon as lex
-
 DATA = Path(__file__).parent / "data"
 
 
@@ -156,6 +154,7 @@ def singular(word: str) -> tuple[str, bool]:
 
 
 _VOWELS = "aeiou"
+_DOUBLING = ("stop", "drop", "skid", "slip", "plod", "trip")
 
 
 def _regular(lemma: str) -> dict[str, str]:
@@ -163,14 +162,8 @@ def _regular(lemma: str) -> dict[str, str]:
         past, ing = lemma + "d", lemma[:-1] + "ing"
     elif lemma.endswith("y") and lemma[-2] not in _VOWELS:
         past, ing = lemma[:-1] + "ied", lemma + "ing"
-    elif (len(lemma) == 3 and lemma[1] in _VOWELS and lemma[2] not in _VOWELS + "wxy") or lemma in (
-        "stop",
-        "drop",
-        "skid",
-        "slip",
-        "topple",
-        "plod",
-        "trip",
+    elif lemma in _DOUBLING or (
+        len(lemma) == 3 and lemma[1] in _VOWELS and lemma[2] not in _VOWELS + "wxy"
     ):
         past, ing = lemma + lemma[-1] + "ed", lemma + lemma[-1] + "ing"
     else:
@@ -291,7 +284,7 @@ ARRANGEMENTS: dict[str, str] = {
     "bunch": "scatter", "convoy": "queue", "procession": "queue", "parade": "queue",
 }  # fmt: skip
 """What "standing in a ..." says about a plural."""
-SHAPES_OF_GROUPS = lex.word_set("shapes of groups")
+SHAPES_OF_GROUPS = word_set("shapes of groups")
 VAGUE_COUNTS: dict[str, int] = {
     "several": 4, "many": 6, "few": 3, "multiple": 4, "numerous": 6, "various": 4, "some": 3,
     "couple": 2, "both": 2, "pair": 2, "dozen": 12, "dozens": 12, "lots": 6, "handful": 4,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Container
 import re
 
 from esg.draft import lexicon as lex
@@ -52,8 +53,9 @@ def compare_speeds(text: str, mentions: list[Mention], scene: Scene) -> None:
     A ratio of a prescribed speed is prescribed too; "faster than" without a ratio leaves an
     interval above the other speed.
     """
+    movers = {edge.actor for edge in scene.timeline.edges}
     for match in _SPEEDS.finditer(text):
-        left, right = _compared(match, mentions, scene)
+        left, right = _compared(match, mentions, scene, movers)
         bare = not any(match.groupdict().values())
         if left is None or right is None or bare:
             continue
@@ -80,14 +82,15 @@ def _ratio(word: str) -> float:
 
 
 def _compared(
-    match: re.Match[str], mentions: list[Mention], scene: Scene
+    match: re.Match[str], mentions: list[Mention], scene: Scene, movers: Container[str] = ()
 ) -> tuple[Entity | None, Entity | None]:
-    """The things named just before and just after a comparison, if they are two."""
+    """The things named just before (what moves first of all) and just after a comparison."""
     named: list[tuple[Mention, Entity]] = []
     for m in sorted(mentions, key=lambda m: m.start):
         ids = [i for i in scene.world.resolved.get(id(m), []) if i in scene.world.entities]
         if ids:
             named.append((m, scene.world.entities[ids[0]]))
-    left = next((e for m, e in reversed(named) if m.end <= match.start() + 1), None)
     right = next((e for m, e in named if m.start >= match.end() - 1), None)
-    return (left, right) if left is not right else (None, None)
+    before = [e for m, e in reversed(named) if m.end <= match.start() + 1 and e is not right]
+    before.sort(key=lambda e: e.id not in movers)
+    return (before[0] if before else None), right
