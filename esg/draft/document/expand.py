@@ -62,14 +62,14 @@ def _drop_regions(scene: Scene) -> None:
 def _set_up_billiards(scene: Scene, reasons: list[str]) -> None:
     """Billiard balls lie on a billiard table, as do the other balls beside them."""
     entities, nouns = scene.world.entities, lex.nouns()
-    if not scene.needs and all(e.noun.kind != "billiard" for e in entities.values()):
+    table = _find(scene, "billiard table")
+    told = scene.needs or (table is not None and scene.world.billiards)
+    if not told and all(e.noun.kind != "billiard" for e in entities.values()):
         return
-    plain = next((e for e in entities.values() if e.noun.name == "table"), None)
-    if plain is not None and _find(scene, "billiard table") is None:
-        plain.noun = nouns["billiard table"]  # "the table" of a snooker ball
-    table = _find(scene, "billiard table") or _add(
-        scene, "billiard table", reasons, "billiard balls are played on it"
-    )
+    plain = _find(scene, "table")
+    if table is None and plain is not None:
+        table, entities[plain].noun = plain, nouns["billiard table"]  # "the table" of snooker
+    table = table or _add(scene, "billiard table", reasons, "billiard balls are played on it")
     for i, e in entities.items():
         if e.noun.name == "ball" and scene.supported_by.get(i, table) == table:
             e.noun = nouns["billiard ball"]

@@ -80,7 +80,8 @@ def _pair(text: str, a: Amount, named: list[tuple[Mention, list[str]]], scene: S
     """The things that are this far from each other: two, or all of a plural."""
     before = [ids for m, ids in named if m.end <= a.start]
     after = [ids for m, ids in named if m.start >= a.end]
-    plural = next((ids for ids in reversed(before) if len(ids) > 1), list[str]())
+    rows = (_row(m, ids, scene) for m, ids in reversed(named) if m.end <= a.start)
+    plural = next((row for row in rows if len(row) > 1), list[str]())
     lead = text[max(0, a.start - 90) : a.start]
     if _GAP_OF.search(lead):
         return plural or _two(before[-2:] if len(before) > 1 else after)
@@ -95,6 +96,12 @@ def _pair(text: str, a: Amount, named: list[tuple[Mention, list[str]]], scene: S
         )
         return [mover, other] if mover else []
     return []
+
+
+def _row(m: Mention, ids: list[str], scene: Scene) -> list[str]:
+    """All of what one is picked of: "the second of four bottles"."""
+    groups = scene.world.groups.values() if m.pick or m.single else ()
+    return next((list(g) for g in groups if ids[0] in g), ids)
 
 
 def _two(found: list[list[str]]) -> list[str]:

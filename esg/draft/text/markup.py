@@ -26,10 +26,6 @@ _SYMBOLS = {
 }  # fmt: skip
 _SYMBOL = re.compile(r"(?<![\w=])([mMvrRdDhHlLw])(?:_?[0-9a-zA-Z])?\s*[=≈]\s*(?=\d)")
 """ "m = 2 kg", "v0 = 3 m/s": quantities by their symbols."""
-_AT_REST = re.compile(
-    r"(?<![\w=])(?:v|V|u|speed|velocity)(?:_?[0-9a-zA-Z])?\s*(?:=|of|is)\s*(?:0(?:\.0+)?|zero)(?![.\d])"
-    r"(?:\s*(?:m/s|km/h|mph|cm/s))?"
-)
 _TOLD = ("prompt", "description", "text", "scene", "caption")
 
 
@@ -50,7 +46,6 @@ def plain(prompt: str) -> str:
     text = _HEADING.sub(r"\1:", text)
     text = _NUMBERED.sub(r"\1- ", text)
     text = _EMPHASIS.sub(r"\2", text)
-    text = _AT_REST.sub("at rest", text)
     text = _SYMBOL.sub(lambda m: f"{_SYMBOLS[m[1]]} ", text)
     longest = max(re.findall(r"\S+", text), key=len, default="")
     if len(longest) > MAX_WORD:

@@ -1,7 +1,8 @@
 """Multiword expressions: sequences of words that act as one preposition, adverb or subordinator.
 
 Each row of `data/multiwords.csv` has expressions ("in/at the end|at the very? last second", where
-"very" may be left out), what kind of word they are, which word they read as, and an example.
+"very" may be left out; "very_same" is one token), what kind of word they are, which word they read
+as, and an example.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ def spelled(expression: str) -> Iterator[tuple[str, ...]]:
         for word in expression.split()
     ]
     for words in product(*choices):
-        yield tuple(w for w in words if w)
+        yield tuple(w.replace("_", " ") for w in words if w)
 
 
 def _multiwords() -> dict[str, list[Multiword]]:

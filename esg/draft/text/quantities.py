@@ -91,7 +91,8 @@ _LISTED = re.compile(
     rf"(?P<list>{NUMBER}(?:\s*,\s*{NUMBER})*)\s*,?\s*(?:and|&)\s*$",
     re.IGNORECASE,
 )
-_ONE_NUMBER = re.compile(NUMBER, re.IGNORECASE)
+"""The first numbers of "1, 2 and 3 kg"."""
+_NUMBER = re.compile(NUMBER, re.IGNORECASE)
 _WORD = re.compile(r"[^\W_]+|.", re.DOTALL)
 
 
@@ -201,25 +202,24 @@ def _both_bounds(text: str) -> Iterator[Amount]:
 
 def _without_unit(text: str, known: Sequence[Amount]) -> list[Amount]:
     """Numbers that share the unit of another quantity: "the first at 3, the second at 5 m/s"."""
+    shared: list[tuple[Amount, int, int]] = []
     out: list[Amount] = []
-
-    def share(of: Amount, number: re.Match[str], group: str | int = 0) -> None:
-        value, (start, end) = parse_number(number[group]), number.span(group)
-        if isinstance(value, float) and value > 0.0 and not overlaps(start, end, [*known, *out]):
-            size = value * _unit_size(of)
-            out.append(Amount(of.dimension, size, size, start, end, text[start:end]))
-
     for a in known:
-        listed = _LISTED.search(text, max(0, text.rfind(".", 0, max(a.start - 12, 0))), a.start)
+        listed = _LISTED.search(text, max(0, a.start - 60), a.start)
         if listed is not None:
-            for number in _ONE_NUMBER.finditer(text, *listed.span("list")):
-                share(a, number)
+            numbers = _NUMBER.finditer(text, *listed.span("list"))
+            shared += [(a, *number.span()) for number in numbers]
     for m in _BARE.finditer(text):
         lead = m["lead"].lower()
         wanted = "mass" if lead.startswith("weigh") else "angle" if lead == "by" else "speed"
-        fit = [a for a in (*known, *out) if a.dimension == wanted]
+        fit = [a for a in known if a.dimension == wanted]
         if fit and m["lo"].lower() not in ("a", "an", "one"):
-            share(min(fit, key=lambda a: abs(a.start - m.start("lo"))), m, "lo")
+            shared.append((min(fit, key=lambda a: abs(a.start - m.start("lo"))), *m.span("lo")))
+    for a, start, end in shared:
+        value = parse_number(text[start:end])
+        if isinstance(value, float) and value > 0.0 and not overlaps(start, end, [*known, *out]):
+            size = value * _unit_size(a)
+            out.append(Amount(a.dimension, size, size, start, end, text[start:end]))
     return out
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 import re
 
-from esg.draft import lexicon as lex
 from esg.draft.text.amounts import joined
 from esg.draft.text.elements import Token
 from esg.draft.text.quantities import find_amounts
@@ -30,7 +29,6 @@ _CONTRACTED = re.compile(
     re.IGNORECASE,
 )
 """What "'s" means "is" after ("it's" also where "its" is meant)."""
-_TITLES = lex.word_set("titles (tokens)")
 _WHOLE = frozenset({"it", "there", "that", "he", "she"})
 """Words that no "'s" is parted from where it means no "is"."""
 
@@ -59,12 +57,8 @@ def tokenize(text: str, tags: list[tuple[int, str]] | None = None) -> list[Token
 
 def _tokens(text: str, start: int, end: int) -> Iterator[Token]:
     """What stands between two quantities."""
-    before: Token | None = None
     for m in _WORD.finditer(text, start, end):
-        if m[0] == "." and before is not None and before.low in _TITLES and before.end == m.start():
-            continue
-        for before in _parts(text, m):
-            yield before
+        yield from _parts(text, m)
 
 
 def _parts(text: str, m: re.Match[str]) -> Iterator[Token]:
