@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from esg.draft.discourse.referents.resolution import new_world
 from esg.draft.document.build import build, is_restricted
-from esg.draft.document.comparisons import compare, compare_speeds
+from esg.draft.document.comparisons import compare
 from esg.draft.document.coverage import account, in_prompt
 from esg.draft.document.expand import expand
 from esg.draft.document.screening import contradictions, nothing_to_draw, screen, too_long, too_much
@@ -64,7 +64,6 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     scene.text = text
     scene.ignored.update({(v.start, v.end): "gerund" for v in clauses.nominal})
     compare(text, clauses.mentions, scene)
-    compare_speeds(text, clauses.mentions, scene)
     space(text, clauses.mentions, scene)
     contradictions(scene)
     nothing_to_draw(scene)
