@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 import re
 
+from esg.draft import lexicon as lex
 from esg.draft.text.amounts import joined
 from esg.draft.text.elements import Token
 from esg.draft.text.quantities import find_amounts
@@ -29,6 +30,7 @@ _CONTRACTED = re.compile(
     re.IGNORECASE,
 )
 """What "'s" means "is" after ("it's" also where "its" is meant)."""
+_TITLES = lex.word_set("titles (tokens)")
 _WHOLE = frozenset({"it", "there", "that", "he", "she"})
 """Words that no "'s" is parted from where it means no "is"."""
 
@@ -56,9 +58,12 @@ def tokenize(text: str, tags: list[tuple[int, str]] | None = None) -> list[Token
 
 
 def _tokens(text: str, start: int, end: int) -> Iterator[Token]:
-    """What stands between two quantities."""
+    """What stands between two quantities, without the full stops of abbreviations ("vs.")."""
+    before: Token | None = None
     for m in _WORD.finditer(text, start, end):
-        yield from _parts(text, m)
+        if m[0] != "." or before is None or before.low not in _TITLES or before.end != m.start():
+            for before in _parts(text, m):
+                yield before
 
 
 def _parts(text: str, m: re.Match[str]) -> Iterator[Token]:
