@@ -127,6 +127,7 @@ def singular(word: str) -> tuple[str, bool]:
 
 
 _VOWELS = "aeiou"
+_DOUBLING = ("stop", "drop", "skid", "slip", "plod", "trip")
 
 
 def _regular(lemma: str) -> dict[str, str]:
@@ -134,14 +135,8 @@ def _regular(lemma: str) -> dict[str, str]:
         past, ing = lemma + "d", lemma[:-1] + "ing"
     elif lemma.endswith("y") and lemma[-2] not in _VOWELS:
         past, ing = lemma[:-1] + "ied", lemma + "ing"
-    elif (len(lemma) == 3 and lemma[1] in _VOWELS and lemma[2] not in _VOWELS + "wxy") or lemma in (
-        "stop",
-        "drop",
-        "skid",
-        "slip",
-        "topple",
-        "plod",
-        "trip",
+    elif lemma in _DOUBLING or (
+        len(lemma) == 3 and lemma[1] in _VOWELS and lemma[2] not in _VOWELS + "wxy"
     ):
         past, ing = lemma + lemma[-1] + "ed", lemma + lemma[-1] + "ing"
     else:

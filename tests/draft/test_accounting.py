@@ -12,7 +12,8 @@ import pytest
 from esg.draft import draft
 from esg.draft import lexicon as lex
 from esg.draft.document.screening import screen
-from esg.draft.text.tokens import pos_tags, tokenize
+from esg.draft.text.tagging import pos_tags
+from esg.draft.text.tokens import tokenize
 from esg.draft.verbphrases import verb_readings
 from esg.graph import verify
 from esg.graph.models import EsgDocument

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 import pytest
 
 from esg.draft import draft
-from esg.draft.text import tokens
+from esg.draft.text import tagging
 from esg.graph import canonical_json, verify
 from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent
 from esg.outcomes import UserError
@@ -200,7 +200,7 @@ def test_same_prompt_same_bytes() -> None:
 
 def test_works_without_a_model(monkeypatch: pytest.MonkeyPatch) -> None:
     """Without spaCy the lexicon alone reads the paper's kind of prompt."""
-    monkeypatch.setattr(tokens, "_spacy_model", lambda: None)
+    monkeypatch.setattr(tagging, "_spacy_model", lambda: None)
     prompts = {
         "A car hits a trashbin, knocking it into a picnic table.": 2,
         "The cue ball strikes the black ball, sending it into the bottom pocket.": 2,

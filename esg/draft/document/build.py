@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass, field
 import hashlib
 import re
 from typing import Any
@@ -9,8 +10,13 @@ from typing import Any
 from esg.draft import lexicon as lex
 from esg.draft.discourse.referents.entities import Entity, slug
 from esg.draft.discourse.scene import Relation, Scene
-from esg.draft.document.openings import opened
-from esg.draft.document.requirements import GROUND, GROUND_SIZE_CM, environment, requirement
+from esg.draft.document.requirements import (
+    GROUND,
+    GROUND_SIZE_CM,
+    environment,
+    opened,
+    requirement,
+)
 from esg.graph.models import (
     AssetRequirement,
     BinaryRelation,
@@ -29,340 +35,254 @@ from esg.graph.models import (
     SpatialRelationGraph,
     TimelineSystem,
 )
+from esg.graph.relations import conflict
+
+_NEAR = frozenset({"by", "beside", "near", "next to", "alongside", "along", "at"})
+_RESTRICTED = re.compile(
+    r"\bno (?:other|more|additional|extra) (?:objects?|things?|items?|elements?|props?)\b"
+    r"|\bnothing else\b|(?:^|[.;,]\s*)(?:there (?:is|are) )?only (?:an?|one|two|three|the|\d)"
+    r"|\b(?:with|contains?|has|and|is|are) only\b"
+    r"|\bwithout (?:any )?(?:other|additional|extra) (?:objects?|things?|items?)\b",
+    re.IGNORECASE,
+)
 
 
-class DocumentBuilder:
-    """Writes a Scene as a document."""
+@dataclass
+class _Graph:
+    """The parts of a document that name each other."""
 
-    def __init__(self, scene: Scene, prompt: str, seed: int) -> None:
-        self.scene = scene
-        self.world = scene.world
-        self.prompt = prompt
-        self.seed = seed
-        self.assets: dict[str, AssetRequirement] = {}
-        self.asset_of: dict[str, str] = {}
-        self.regions: dict[str, SemanticRegion] = {}
-        self.nodes: dict[str, Node] = {}
-        self.relations: list[BinaryRelation] = []
-        self.multi: list[MultiRelation] = []
-        self._pairs: set[tuple[str, str, str]] = set()
+    scene: Scene
+    assets: dict[str, AssetRequirement] = field(default_factory=dict[str, AssetRequirement])
+    regions: dict[str, SemanticRegion] = field(default_factory=dict[str, SemanticRegion])
+    nodes: dict[str, Node] = field(default_factory=dict[str, Node])
+    relations: list[BinaryRelation] = field(default_factory=list[BinaryRelation])
+    multi: list[MultiRelation] = field(default_factory=list[MultiRelation])
 
-    def build(
-        self, timeline: TimelineSystem | None, coverage: Coverage, restricted: bool, expanded: str
-    ) -> EsgDocument:
-        """The document; `restricted` suppresses objects that the prompt does not need."""
-        scene_type, preset = environment(self.scene)
-        self._base(scene_type)
-        self._hung()
-        for e in self.world.entities.values():
-            self._asset(e)
-        self._regions_and_nodes()
-        self._relations()
-        self._faces()
-        digest = hashlib.sha256(f"{self.prompt}\0{self.seed}".encode()).hexdigest()[:8]
-        name = slug(self.prompt)[:40].strip("_") or "scene"
-        return EsgDocument(
-            scene_definition=SceneDefinition(
-                scene_id=f"{name}-{digest}",
-                original_description=self.prompt,
-                expanded_description=expanded,
-                scene_parameters=SceneParameters(
-                    is_dynamic=timeline is not None,
-                    scene_type="indoor" if scene_type == "indoor" else "outdoor",
-                    environment=preset,
-                    allow_supplementary=not restricted,
-                ),
-            ),
-            asset_requirement=self.assets,
-            spatial_relation_graph=SpatialRelationGraph(
-                semantic_regions=self.regions,
-                nodes=self.nodes,
-                edges=RelationEdges(
-                    binary_relations=tuple(self.relations), multi_relations=tuple(self.multi)
-                ),
-            ),
-            timeline_system=timeline,
-            coverage=coverage,
-            provenance=(
-                Provenance(
-                    stage="draft",
-                    version="1",
-                    seed=self.seed,
-                    config={"drafter": "rules"},
-                    input_hash=hashlib.sha256(self.prompt.encode()).hexdigest(),
-                ),
-            ),
-        )
-
-    def _base(self, scene_type: str) -> None:
-        """Exactly one ground, first among the nodes."""
-        ground = self.world.entities.pop(GROUND, None)
-        if ground is None:
-            table = lex.nouns()
-            noun = table["floor"] if scene_type == "indoor" else table["ground"]
-            ground = Entity(GROUND, noun, noun.name, noun.name, mentioned=False)
-        self.world.entities = {GROUND: ground, **self.world.entities}
-
-    def _hung(self) -> None:
-        """What hangs at first and then moves is no fixture; circles go round their support."""
-        moved = {a for a, track in self.scene.timeline.tracks.items() if track.motion or track.hit}
-        for e in self.world.entities.values():
-            e.static = e.id in self.scene.attached and e.id not in moved
-            host = self.scene.supported_by.get(e.id)
-            if e.pattern == "ring" and host is not None and e.id not in self.scene.inside_of:
-                self.scene.relations.append(Relation(e.id, host, "surround"))
-
-    def _entered(self) -> set[str]:
-        """Nodes whose inside something enters."""
-        regions = (n.extra.get("region") for n in self.scene.timeline.nodes)
-        return {r.split("/")[0] for r in regions if isinstance(r, str) and r.endswith("/inside")}
-
-    def _asset(self, e: Entity) -> None:
-        required = requirement(e)
-        if e.id in self._entered():
-            required = opened(e, required, self._golf())
-        if e.id == GROUND:
-            size = (2000.0, 2000.0, 2.0) if "indoor" in e.noun.traits else GROUND_SIZE_CM
-            required = required.model_copy(
-                update={"expected_dimensions_cm": size, "asset_category": slug(e.noun.name)}
-            )
-        stem = slug(" ".join([*([e.color] if e.color else []), required.asset_category]))
-        for n in range(1, 1000):
-            name = f"{stem}_{n:02d}"
-            if name not in self.assets:
-                self.assets[name] = required
-            if self.assets[name] == required:
-                self.asset_of[e.id] = name
-                return
-
-    def _golf(self) -> bool:
-        return any(x.noun.name in ("golf ball", "golf club") for x in self.world.entities.values())
-
-    # -- regions and nodes -----------------------------------------------------------------------
-
-    def _region(self, parent: str, storage: bool = False) -> str:
-        if parent == GROUND:
-            name, text = "ground_area_1", "open ground"
-        else:
-            name = f"{parent}_inside" if storage else f"{parent}_surface"
-            text = f"{'inside' if storage else 'top'} of the {self.world.entities[parent].head}"
-        if name not in self.regions:
-            self.regions[name] = SemanticRegion(
-                region_description=text,
-                region_type=RegionType.STORAGE if storage else RegionType.SUPPORT_SURFACE,
-                parent_object=parent,
-            )
-        return name
-
-    def _face_of(self, wall: str) -> str:
-        """The face that pictures or lamps hang on."""
-        name = f"{wall}_face"
-        below = self.world.entities[wall].noun.kind == "ceiling"
-        self.regions.setdefault(
-            name,
-            SemanticRegion(
-                region_description=f"face of the {self.world.entities[wall].head}",
-                region_type=RegionType.ATTACHED_HORIZONTAL
-                if below
-                else RegionType.ATTACHED_VERTICAL,
-                parent_object=wall,
-            ),
-        )
-        return name
-
-    def _regions_and_nodes(self) -> None:
-        fixed = {"fixed"}
-        for e in self.world.entities.values():
-            structural = "structural" in e.noun.traits
-            region = None
-            if not structural:
-                host = self.scene.supported_by.get(e.id)
-                wall = self.scene.attached.get(e.id)
-                if wall is not None and wall in self.world.entities:
-                    region = self._face_of(wall)
-                elif host is not None and host in self.world.entities:
-                    region = self._region(self._top_of_stack(host, e), e.id in self.scene.inside_of)
-                elif (road := self._road_under(e)) is not None:
-                    region = self._region(road)
-                else:
-                    region = self._region(GROUND)
-            self.nodes[e.id] = Node(
-                asset_id=self.asset_of[e.id],
-                semantic_region=region,
-                is_structural=structural,
-                label=e.label,
-                mentioned=e.mentioned,
-                group=e.group if e.in_group else None,
-                group_pattern=self._pattern(e),
-                is_static=(bool(fixed & e.noun.traits) or e.static) and not e.freed,
-            )
-
-    def _top_of_stack(self, host: str, e: Entity) -> str:
-        """Of a stack its last member, which lies on top; others carry what they are said to."""
-        below = self.world.entities[host]
-        members = [x for x in self.world.entities.values() if x.group == below.group and x.in_group]
-        stacked = self._pattern(below) == "stack" and e not in members
-        return members[-1].id if stacked and members[0] is below else host
-
-    def _road_under(self, e: Entity) -> str | None:
-        """The road or lane that something waits on, if nothing of its plural takes part in events.
-
-        What moves is placed by its motion; the road then lies under it wherever that is.
-        """
-        road = self.scene.marked.get(e.id)
-        if road is None or road not in self.world.entities or road == GROUND:
-            return None
-        members = self.world.groups.get(e.group or "", [e.id])
-        acting = {i for n in self.scene.timeline.nodes for i in n.participants}
-        acting |= {a for a, track in self.scene.timeline.tracks.items() if track.motion}
-        if acting & set(members) or any(self.scene.marked.get(i) != road for i in members):
-            return None
-        length = 1.5 * sum(
-            requirement(self.world.entities[i]).expected_dimensions_cm[0] for i in members
-        )
-        fits = length < requirement(self.world.entities[road]).expected_dimensions_cm[0]
-        return road if fits else None
-
-    def _pattern(self, e: Entity) -> Any:
-        if not e.in_group:
-            return None
-        if e.pattern == "ring":
-            return "scatter"  # the circle is a relation to what carries it
-        members = [x for x in self.world.entities.values() if x.group == e.group and x.in_group]
-        return e.pattern if len(members) > 1 else None
-
-    # -- relations -------------------------------------------------------------------------------
-
-    def _add(self, source: str, target: str, kind: RelationType, **extra: Any) -> None:
-        if source == target or source not in self.nodes or target not in self.nodes:
-            return
-        from esg.graph.relations import conflict
-
-        for r in self.relations:
-            if {r.from_, r.to} != {source, target}:
-                continue
-            same = r.from_ == source
-            if r.relation_type is kind and (
-                same or kind in (RelationType.NEAR, RelationType.ADJACENT)
-            ):
-                return
-            if conflict(kind, r.relation_type, same_way=same):
-                self.scene.warnings.append(
-                    f'Left out "{source} {kind.value} {target}": it contradicts '
-                    f'"{r.from_} {r.relation_type.value} {r.to}".'
-                )
-                return
-        self.relations.append(BinaryRelation(from_=source, to=target, relation_type=kind, **extra))
-
-    def _relations(self) -> None:
-        groups: dict[tuple[str, str], list[str]] = {}
-        for r in self.scene.relations:
-            if r.kind in ("between", "surround"):
-                groups.setdefault((r.kind, f"{r.target}|{r.text}"), []).append(r.source)
-                continue
-            if r.kind == "structural" or r.target not in self.nodes or r.source not in self.nodes:
-                self._structural(r)
-                continue
-            if self.nodes[r.source].is_structural:
-                continue
-            kind = RelationType(r.kind)
-            if kind in (RelationType.ON, RelationType.INSIDE_OF):
-                continue
-            a, b = self.world.entities[r.source], self.world.entities[r.target]
-            extra: dict[str, Any] = {
-                "confidence": 0.9,
-                "semantic_description": f"{a.label} {r.kind.replace('_', ' ')} {b.label}",
-            }
-            if r.distance is not None:
-                extra["distance_cm"] = r.distance
-            self._add(r.source, r.target, kind, **extra)
-        for (kind, key), sources in groups.items():
-            target, other = key.split("|")
-            targets = [target] if kind == "surround" else [target, other]
-            subjects = tuple(dict.fromkeys(s for s in sources if s not in targets))
-            if (
-                not subjects
-                or any(t not in self.nodes for t in targets)
-                or len(set(targets)) < len(targets)
-            ):
-                continue
-            self.multi.append(
-                MultiRelation(
-                    subjects=subjects, targets=tuple(targets), relation_type=MultiRelationType(kind)
-                )
-            )
-
-    def _structural(self, r: Relation) -> None:
-        """Relations to roads and the like say where things stand, not what carries them."""
-        if r.target not in self.nodes or r.source not in self.nodes or r.target == GROUND:
-            return
-        source, target = (self.world.entities[n].label for n in (r.source, r.target))
-        if r.text in ("by", "beside", "near", "next to", "alongside", "along", "at"):
-            self._add(
-                r.source,
-                r.target,
-                RelationType.NEAR,
-                confidence=0.7,
-                semantic_description=f"{source} {r.text} the {target}",
-            )
-        elif r.text in ("in the middle of",):
-            self._add(
-                r.source,
-                r.target,
-                RelationType.CENTER_OF,
-                confidence=0.7,
-                semantic_description=f"{source} in the middle of the {target}",
-            )
-
-    def _faces(self) -> None:
-        """Exactly one `face` per regular object that is not round."""
-        aims: dict[str, str] = {}
-        for edge in self.scene.timeline.edges:
-            if edge.target is not None and edge.event.value != "InertialConnector":
-                aims.setdefault(edge.actor, edge.target)
-        for name, node in self.nodes.items():
-            if node.is_structural:
-                continue
-            e = self.world.entities[name]
-            if "round" in e.noun.traits and e.noun.shape == "sphere":
-                continue
-            target = self.scene.facing.get(name) or aims.get(name)
-            if (
-                target is not None
-                and target in self.nodes
-                and target != name
-                and not self.nodes[target].is_structural
-            ):
-                self._add(
-                    name,
-                    target,
-                    RelationType.FACE,
-                    confidence=0.8,
-                    semantic_description=f"{e.label} faces {self.world.entities[target].label}",
-                )
-            else:
-                self._add(
-                    name,
-                    GROUND,
-                    RelationType.FACE,
-                    cardinal="+Y",
-                    confidence=0.5,
-                    semantic_description=f"{e.label} faces the front",
-                )
+    @property
+    def entities(self) -> dict[str, Entity]:
+        return self.scene.world.entities
 
 
 def is_restricted(prompt: str) -> bool:
     """Whether the prompt forbids further objects ("only A", "no other objects")."""
-    t = prompt.lower()
-    return bool(
-        re.search(
-            r"\bno (?:other|more|additional|extra) (?:objects?|things?|items?|elements?|props?)\b",
-            t,
-        )
-        or re.search(r"\bnothing else\b", t)
-        or re.search(r"(?:^|[.;,]\s*)(?:there (?:is|are) )?only (?:an?|one|two|three|the|\d)", t)
-        or re.search(r"\b(?:with|contains?|has|and|is|are) only\b", t)
-        or re.search(
-            r"\bwithout (?:any )?(?:other|additional|extra) (?:objects?|things?|items?)\b", t
-        )
+    return _RESTRICTED.search(prompt) is not None
+
+
+def build(
+    scene: Scene,
+    prompt: str,
+    seed: int,
+    timeline: TimelineSystem | None,
+    coverage: Coverage,
+    expanded: str,
+) -> EsgDocument:
+    """Writes a scene as a document.
+
+    Args:
+        scene: The interpreted scene.
+        prompt: What was typed.
+        seed: Enters the scene id and the provenance.
+        timeline: Its events; None if nothing moves.
+        coverage: What became of the prompt's words.
+        expanded: The prompt with what was added.
+    """
+    scene_type, preset = environment(scene)
+    graph = _Graph(scene)
+    _lay_ground(scene, scene_type)
+    _hang(scene)
+    assets = {e.id: _asset(e, graph) for e in graph.entities.values()}
+    for e in graph.entities.values():
+        graph.nodes[e.id] = _node(e, assets[e.id], graph)
+    _relate(graph)
+    _face(graph)
+    digest = hashlib.sha256(f"{prompt}\0{seed}".encode()).hexdigest()[:8]
+    return EsgDocument(
+        scene_definition=SceneDefinition(
+            scene_id=f"{slug(prompt)[:40].strip('_') or 'scene'}-{digest}",
+            original_description=prompt,
+            expanded_description=expanded,
+            scene_parameters=SceneParameters(
+                is_dynamic=timeline is not None,
+                scene_type="indoor" if scene_type == "indoor" else "outdoor",
+                environment=preset,
+                allow_supplementary=not is_restricted(scene.text),
+            ),
+        ),
+        asset_requirement=graph.assets,
+        spatial_relation_graph=SpatialRelationGraph(
+            semantic_regions=graph.regions,
+            nodes=graph.nodes,
+            edges=RelationEdges(
+                binary_relations=tuple(graph.relations), multi_relations=tuple(graph.multi)
+            ),
+        ),
+        timeline_system=timeline,
+        coverage=coverage,
+        provenance=(
+            Provenance(
+                stage="draft",
+                version="1",
+                seed=seed,
+                config={"drafter": "rules"},
+                input_hash=hashlib.sha256(prompt.encode()).hexdigest(),
+            ),
+        ),
     )
+
+
+def _lay_ground(scene: Scene, scene_type: str) -> None:
+    """Exactly one ground, first among the nodes."""
+    ground = scene.world.entities.pop(GROUND, None)
+    if ground is None:
+        noun = lex.nouns()["floor" if scene_type == "indoor" else "ground"]
+        ground = Entity(GROUND, noun, noun.name, noun.name, mentioned=False)
+    scene.world.entities = {GROUND: ground, **scene.world.entities}
+
+
+def _hang(scene: Scene) -> None:
+    """What hangs at first and then moves is no fixture; circles go round their support."""
+    moved = {a for a, track in scene.timeline.tracks.items() if track.motion or track.hit}
+    for e in scene.world.entities.values():
+        e.static = e.id in scene.attached and e.id not in moved
+        host = scene.supported_by.get(e.id)
+        if e.pattern == "ring" and host is not None and e.id not in scene.inside_of:
+            scene.relations.append(Relation(e.id, host, "surround"))
+
+
+def _asset(e: Entity, graph: _Graph) -> str:
+    """Name of what an entity needs; alike entities share it."""
+    required = requirement(e)
+    inside = f"{e.id}/inside"
+    if any(n.extra.get("region") == inside for n in graph.scene.timeline.nodes):
+        names = {x.noun.name for x in graph.entities.values()}
+        required = opened(e, required, bool(names & {"golf ball", "golf club"}))
+    if e.id == GROUND:
+        size = (2000.0, 2000.0, 2.0) if "indoor" in e.noun.traits else GROUND_SIZE_CM
+        required = required.model_copy(
+            update={"expected_dimensions_cm": size, "asset_category": slug(e.noun.name)}
+        )
+    stem = slug(" ".join([*([e.color] if e.color else []), required.asset_category]))
+    n = 1
+    while graph.assets.setdefault(name := f"{stem}_{n:02d}", required) != required:
+        n += 1
+    return name
+
+
+def _region(e: Entity, graph: _Graph) -> str:
+    """The region that an entity is in, which it adds to the graph."""
+    scene, entities = graph.scene, graph.entities
+    wall, host = scene.attached.get(e.id, ""), scene.supported_by.get(e.id, "")
+    parent, kind = GROUND, RegionType.SUPPORT_SURFACE
+    name, text = "ground_area_1", "open ground"
+    if wall in entities:
+        below = entities[wall].noun.kind == "ceiling"
+        kind = RegionType.ATTACHED_HORIZONTAL if below else RegionType.ATTACHED_VERTICAL
+        parent, name, text = wall, f"{wall}_face", f"face of the {entities[wall].head}"
+    elif host in entities and host != GROUND and e.id in scene.inside_of:
+        parent, kind = host, RegionType.STORAGE
+        name, text = f"{host}_inside", f"inside of the {entities[host].head}"
+    else:
+        host = host if host in entities else _road_under(e, graph)
+        if host and host != GROUND:
+            parent, name, text = host, f"{host}_surface", f"top of the {entities[host].head}"
+    graph.regions.setdefault(
+        name, SemanticRegion(region_description=text, region_type=kind, parent_object=parent)
+    )
+    return name
+
+
+def _road_under(e: Entity, graph: _Graph) -> str:
+    """The road or lane that something waits on, if nothing of its plural takes part in events.
+
+    What moves is placed by its motion; the road then lies under it wherever that is.
+    """
+    road, timeline = graph.scene.marked.get(e.id, ""), graph.scene.timeline
+    acting = {i for n in timeline.nodes for i in n.participants}
+    acting |= {a for a, track in timeline.tracks.items() if track.motion}
+    members = graph.scene.world.groups.get(e.group or "", [e.id])
+    return road if road in graph.entities and not acting & set(members) else ""
+
+
+def _node(e: Entity, asset: str, graph: _Graph) -> Node:
+    structural = "structural" in e.noun.traits
+    members = sum(x.group == e.group and x.in_group for x in graph.entities.values())
+    pattern: Any = e.pattern if e.in_group and members > 1 else None
+    return Node(
+        asset_id=asset,
+        semantic_region=None if structural else _region(e, graph),
+        is_structural=structural,
+        label=e.label,
+        mentioned=e.mentioned,
+        group=e.group if e.in_group else None,
+        # The circle is a relation to what carries it.
+        group_pattern="scatter" if e.pattern == "ring" and e.in_group else pattern,
+        is_static=("fixed" in e.noun.traits or e.static) and not e.freed,
+    )
+
+
+def _add(graph: _Graph, source: str, target: str, kind: RelationType, **extra: Any) -> None:
+    """Adds a relation between two nodes unless it is there or contradicts another one."""
+    if source == target or source not in graph.nodes or target not in graph.nodes:
+        return
+    for r in graph.relations:
+        if {r.from_, r.to} != {source, target}:
+            continue
+        same = r.from_ == source
+        if r.relation_type is kind and (same or kind in (RelationType.NEAR, RelationType.ADJACENT)):
+            return
+        if conflict(kind, r.relation_type, same_way=same):
+            graph.scene.warnings.append(
+                f'Left out "{source} {kind.value} {target}": it contradicts '
+                f'"{r.from_} {r.relation_type.value} {r.to}".'
+            )
+            return
+    graph.relations.append(BinaryRelation(from_=source, to=target, relation_type=kind, **extra))
+
+
+def _relate(graph: _Graph) -> None:
+    """The relations of the scene; what carries a thing is its region, and no relation."""
+    groups: dict[tuple[MultiRelationType, tuple[str, ...]], list[str]] = {}
+    for r in graph.scene.relations:
+        if r.kind in ("between", "surround"):
+            targets = (r.target, r.text) if r.kind == "between" else (r.target,)
+            groups.setdefault((MultiRelationType(r.kind), targets), []).append(r.source)
+            continue
+        if r.target not in graph.nodes or r.source not in graph.nodes:
+            continue
+        a, b = graph.entities[r.source], graph.entities[r.target]
+        if r.kind == "structural":  # where it stands, not what carries it
+            if r.text in _NEAR and r.target != GROUND:
+                text = f"{a.label} {r.text} the {b.label}"
+                _add(graph, r.source, r.target, RelationType.NEAR, confidence=0.7,
+                     semantic_description=text)  # fmt: skip
+        elif r.kind not in ("on", "inside_of") and not graph.nodes[r.source].is_structural:
+            extra: dict[str, Any] = {} if r.distance is None else {"distance_cm": r.distance}
+            text = f"{a.label} {r.kind.replace('_', ' ')} {b.label}"
+            _add(graph, r.source, r.target, RelationType(r.kind), confidence=0.9,
+                 semantic_description=text, **extra)  # fmt: skip
+    for (kind, targets), sources in groups.items():
+        subjects = tuple(dict.fromkeys(s for s in sources if s not in targets))
+        if subjects and len(set(targets) & graph.nodes.keys()) == len(targets):
+            graph.multi.append(
+                MultiRelation(subjects=subjects, targets=targets, relation_type=kind)
+            )
+
+
+def _face(graph: _Graph) -> None:
+    """Exactly one `face` per regular object that is not round."""
+    aims: dict[str, str] = {}
+    for edge in graph.scene.timeline.edges:
+        if edge.target is not None and edge.event.value != "InertialConnector":
+            aims.setdefault(edge.actor, edge.target)
+    for name, node in graph.nodes.items():
+        e = graph.entities[name]
+        if node.is_structural or ("round" in e.noun.traits and e.noun.shape == "sphere"):
+            continue
+        target = graph.scene.facing.get(name) or aims.get(name, "")
+        if target != name and target in graph.nodes and not graph.nodes[target].is_structural:
+            text = f"{e.label} faces {graph.entities[target].label}"
+            _add(graph, name, target, RelationType.FACE, confidence=0.8, semantic_description=text)
+        else:
+            text = f"{e.label} faces the front"
+            _add(graph, name, GROUND, RelationType.FACE, cardinal="+Y", confidence=0.5,
+                 semantic_description=text)  # fmt: skip

@@ -2,16 +2,27 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 import re
 from typing import Literal
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.scene import Scene
+from esg.draft.text.amounts import Amount
 from esg.draft.text.elements import Element, Mention, Token, Verb, Word
 from esg.graph.models import Coverage, CoverageItem, NodeEvent
 
-Kind = Literal["object", "event", "quantity", "relation", "modifier"]
-Status = Literal["used", "ignored", "not_understood"]
+
+@dataclass(frozen=True)
+class _Fate:
+    """What became of some words of the prompt, and what to warn of."""
+
+    kind: Literal["object", "event", "quantity", "relation", "modifier"]
+    status: Literal["used", "ignored", "not_understood"] = "used"
+    note: str = ""
+    warning: str = ""
+    pointer: str = ""
+
 
 _NEXT = "comes after what is told before it"
 _ORDER = {
@@ -22,13 +33,15 @@ _ORDER = {
         _NEXT,
     ),
     **dict.fromkeys(("meanwhile", "simultaneously"), "at the same time as what is told before it"),
-    "first": "comes first",
-    "again": "once more",
+    "first": "comes first", "again": "once more",
     "not": "negation", "never": "negation", "almost": "it does not happen",
     "nearly": "it does not happen", "instead": "in place of what was aimed at",
 }  # fmt: skip
 """Adverbs that order events or deny them, and what they say."""
-_DIRECTIONS = lex.word_set("directions")
+_DIRECTIONS = lex.word_set("directions") | {"heading"}
+_NO_OBJECT = frozenset({"i", "we", "you", "something", "everything", "this", "that", "it"})
+_ADJECTIVES = frozenset(lex.COLORS) | lex.PLAIN_ADJECTIVES | lex.PLACE_ADJECTIVES
+_SILENT = lex.DETERMINERS | {"who", "whom"}
 
 NOTHING_HAPPENS = "No event of the prompt was understood"
 """Start of the warning of a draft whose verbs all failed."""
@@ -38,115 +51,96 @@ def account(
     text: str, elements: list[Element], mentions: list[Mention], scene: Scene, tokens: list[Token]
 ) -> Coverage:
     """The coverage record, in order of the text."""
-    items: list[CoverageItem] = []
-    warnings: list[str] = list(dict.fromkeys([*scene.world.warnings, *scene.warnings]))
-
-    def add(
-        start: int, end: int, kind: Kind, status: Status, pointer: str = "", note: str = ""
-    ) -> None:
-        items.append(
-            CoverageItem(
-                text=text[start:end],
-                start=start,
-                end=end,
-                kind=kind,
-                status=status,
-                pointer=pointer,
-                note=note,
-            )
-        )
-
-    for m in mentions:
-        ids = [i for i in scene.world.resolved.get(id(m), m.entities) if i in scene.world.entities]
-        if ids:
-            note = ""
-            e = scene.world.entities[ids[0]]
-            if not e.known:
-                note = "not in the lexicon: a sized stand-in is used"
-                warnings.append(
-                    f'"{e.head}" is not in the lexicon; a stand-in of 40 cm and 5 kg is used.'
-                )
-            add(m.start, m.end, "object", "used", f"/spatial_relation_graph/nodes/{ids[0]}", note)
-        elif m.pronoun:
-            if m.pronoun in ("i", "we", "you", "something", "everything", "this", "that", "it"):
-                add(m.start, m.end, "object", "ignored", note="refers to no object")
-            else:
-                add(m.start, m.end, "object", "not_understood", note="no referent")
-                warnings.append(f'It is not clear what "{text[m.start : m.end]}" refers to.')
-        elif m.attribute or m.count == 0:
-            add(m.start, m.end, "modifier", "used", note="names a measure or an event")
-        elif m.noun is not None and m.noun.kind == "region":
-            add(
-                m.start,
-                m.end,
-                "object",
-                "used",
-                note="region of the table",
-            )
-        else:
-            add(m.start, m.end, "object", "not_understood")
-            warnings.append(f'"{text[m.start : m.end]}" was not understood.')
-    for token in tokens:
-        if token.kind != "qty" or token.amount is None:
-            continue
-        a = token.amount
-        spans = ((x.start, x.end) for x in (a, *a.shares))
-        note = next((scene.used[s] for s in spans if s in scene.used), None)
-        inside = any(
-            a in m.amounts and (m.entities or id(m) in scene.world.resolved) and not m.attribute
-            for m in mentions
-        )
-        if note is not None or inside:
-            add(a.start, a.end, "quantity", "used", note=note or "property of the object")
-        else:
-            add(a.start, a.end, "quantity", "not_understood")
-            warnings.append(f'The quantity "{a.text}" was not understood.')
+    amounts = [t.amount for t in tokens if t.amount is not None]
+    fates: list[tuple[Mention | Verb | Word | Amount, _Fate]] = [
+        *((m, _mention(m, text[m.start : m.end], scene)) for m in mentions),
+        *((a, _quantity(a, mentions, scene)) for a in amounts),
+    ]
     for e in elements:
-        if isinstance(e, Word) and e.kind == "adv" and e.low in _ORDER:
-            add(e.start, e.end, "modifier", "used", note=_ORDER[e.low])
-        elif isinstance(e, Word) and e.kind == "adv" and " " not in text[e.start : e.end]:
-            used = e.low in _DIRECTIONS or e.low == "heading"
-            status: Status = "used" if used else "ignored"
-            note = "direction" if used else "manner is not simulated"
-            add(e.start, e.end, "modifier", status, note=note)
-        elif (
-            isinstance(e, Word)
-            and e.kind in ("prep", "adv", "sub")
-            and " " in text[e.start : e.end]
-        ):
-            add(e.start, e.end, "modifier", "used", note=f'read as "{e.low}"')
+        words = text[e.start : e.end]
         if isinstance(e, Verb):
-            key = (e.start, e.end)
-            if key in scene.used:
-                add(e.start, e.end, "event", "used", note=scene.used[key])
-            elif key in scene.ignored:
-                add(e.start, e.end, "event", "ignored", note=scene.ignored[key])
-            else:
-                add(e.start, e.end, "event", "not_understood")
-                warnings.append(f'The verb "{text[e.start : e.end]}" was not understood.')
-        elif isinstance(e, Word) and e.kind == "unknown" and re.fullmatch(r"[\d.,]*\d", e.low):
-            add(e.start, e.end, "quantity", "not_understood", note="a number without a unit")
-            warnings.append(f'The number "{text[e.start : e.end]}" has no unit; it was left out.')
-        elif isinstance(e, Word) and e.kind == "unknown" and len(e.low) > 1 and e.low[0].isalpha():
-            if (
-                e.low in lex.COLORS
-                or e.low in lex.PLAIN_ADJECTIVES
-                or e.low in lex.PLACE_ADJECTIVES
-            ):
-                add(e.start, e.end, "modifier", "used")
-                continue
-            if e.low in lex.DETERMINERS or e.low in ("who", "whom"):
-                continue
-            add(e.start, e.end, "modifier", "not_understood")
-            warnings.append(f'The word "{text[e.start : e.end]}" was not understood.')
-    verbs = [i for i in items if i.kind == "event"]
-    lost = [i for i in verbs if i.status == "not_understood"]
-    told = any(n.event is not NodeEvent.TRIGGER for n in scene.timeline.nodes)
-    if lost and not told:
-        words = ", ".join(f'"{i.text}"' for i in lost[:4])
+            fates.append((e, _verb(e, words, scene)))
+        elif isinstance(e, Word) and (fate := _word(e, words)) is not None:
+            fates.append((e, fate))
+    items = [
+        CoverageItem(text=text[at.start : at.end], start=at.start, end=at.end, kind=f.kind,
+                     status=f.status, pointer=f.pointer, note=f.note)
+        for at, f in fates
+    ]  # fmt: skip
+    warnings = [*scene.world.warnings, *scene.warnings, *(f.warning for _, f in fates if f.warning)]
+    lost = [i.text for i in items if i.kind == "event" and i.status == "not_understood"]
+    if lost and all(n.event is NodeEvent.TRIGGER for n in scene.timeline.nodes):
+        words = ", ".join(f'"{word}"' for word in lost[:4])
         warnings.insert(0, f"{NOTHING_HAPPENS} ({words}): the scene shows none of it.")
     items.sort(key=lambda i: (i.start, i.end))
     return Coverage(items=tuple(items), warnings=tuple(dict.fromkeys(warnings)))
+
+
+def _mention(m: Mention, words: str, scene: Scene) -> _Fate:
+    ids = [i for i in scene.world.resolved.get(id(m), m.entities) if i in scene.world.entities]
+    if ids:
+        e = scene.world.entities[ids[0]]
+        pointer = f"/spatial_relation_graph/nodes/{ids[0]}"
+        if e.known:
+            return _Fate("object", pointer=pointer)
+        warning = f'"{e.head}" is not in the lexicon; a stand-in of 40 cm and 5 kg is used.'
+        note = "not in the lexicon: a sized stand-in is used"
+        return _Fate("object", "used", note, warning, pointer)
+    if m.pronoun in _NO_OBJECT:
+        return _Fate("object", "ignored", "refers to no object")
+    if m.pronoun:
+        warning = f'It is not clear what "{words}" refers to.'
+        return _Fate("object", "not_understood", "no referent", warning)
+    if m.attribute or m.count == 0:
+        return _Fate("modifier", note="names a measure or an event")
+    if m.noun is not None and m.noun.kind == "region":
+        return _Fate("object", note="region of the table")
+    return _Fate("object", "not_understood", warning=f'"{words}" was not understood.')
+
+
+def _quantity(a: Amount, mentions: list[Mention], scene: Scene) -> _Fate:
+    spans = ((x.start, x.end) for x in (a, *a.shares))
+    note = next((scene.used[s] for s in spans if s in scene.used), None)
+    if note is None and any(
+        a in m.amounts and (m.entities or id(m) in scene.world.resolved) and not m.attribute
+        for m in mentions
+    ):
+        note = "property of the object"
+    if note is not None:
+        return _Fate("quantity", note=note)
+    warning = f'The quantity "{a.text}" was not understood.'
+    return _Fate("quantity", "not_understood", warning=warning)
+
+
+def _verb(v: Verb, words: str, scene: Scene) -> _Fate:
+    span = (v.start, v.end)
+    if span in scene.used:
+        return _Fate("event", note=scene.used[span])
+    if span in scene.ignored:
+        return _Fate("event", "ignored", scene.ignored[span])
+    return _Fate("event", "not_understood", warning=f'The verb "{words}" was not understood.')
+
+
+def _word(w: Word, words: str) -> _Fate | None:
+    """What became of a small word; None for those that need no account."""
+    if w.kind == "adv" and w.low in _ORDER:
+        return _Fate("modifier", note=_ORDER[w.low])
+    if w.kind in ("prep", "adv", "sub") and " " in words:
+        return _Fate("modifier", note=f'read as "{w.low}"')
+    if w.kind == "adv" and w.low in _DIRECTIONS:
+        return _Fate("modifier", note="direction")
+    if w.kind == "adv":
+        return _Fate("modifier", "ignored", "manner is not simulated")
+    if w.kind != "unknown":
+        return None
+    if re.fullmatch(r"[\d.,]*\d", w.low):
+        warning = f'The number "{words}" has no unit; it was left out.'
+        return _Fate("quantity", "not_understood", "a number without a unit", warning)
+    if w.low in _ADJECTIVES:
+        return _Fate("modifier")
+    if len(w.low) < 2 or not w.low[0].isalpha() or w.low in _SILENT:
+        return None
+    return _Fate("modifier", "not_understood", warning=f'The word "{words}" was not understood.')
 
 
 def in_prompt(coverage: Coverage, text: str, prompt: str) -> Coverage:
@@ -159,7 +153,7 @@ def in_prompt(coverage: Coverage, text: str, prompt: str) -> Coverage:
     """
     if text == prompt:
         return coverage
-    items = []
+    items: list[CoverageItem] = []
     for item in coverage.items:
         found = [m.start() for m in re.finditer(re.escape(item.text), prompt)] if item.text else []
         start = min(found, key=lambda k: abs(k - item.start), default=min(item.start, len(prompt)))

@@ -11,62 +11,60 @@ from esg.draft.discourse.scene import Scene
 from esg.graph.models import AssetRequirement
 
 GROUND = "ground_1"
-_INDOOR_KINDS = lex.word_set("indoor kinds")
-_OUTDOOR_KINDS = lex.word_set("outdoor kinds")
-_ICY = lex.word_set("icy")
 GROUND_SIZE_CM = (12000.0, 12000.0, 2.0)
+_OFFICE = frozenset({"desk", "office"})
+_ICY = lex.word_set("icy")
+_ENVIRONMENTS = (
+    ({"pin", "bowling lane"}, "indoor", "bowling_alley"),
+    ({"billiard", "billiardtable"}, "indoor", "billiard_hall"),
+    (set[str](), "", "ground"),
+    ({"vehicle", "road"}, "outdoor", "street"),
+    (_OFFICE, "indoor", "office"),
+    (lex.word_set("outdoor kinds"), "outdoor", "street"),
+    (lex.word_set("indoor kinds"), "indoor", "room"),
+    ({"goal"}, "outdoor", "soccer_field"),
+)
+"""Kinds and names of things, and where there are such; where the ground is told of, what it is."""
+_OPENINGS = (
+    (("cart", "mine cart"), (), "shopping_cart", "shopping cart: open wire cart with castors"),
+    (("trailer", "container"), ("generic",), "open_box", "open box without a lid"),
+    (("pot", "barrel"), (), "bucket", "{}: open pot without a lid, bucket"),
+    (("cup", "glass"), (), "", ""),
+    (("cabinet", "crib", "well"), ("box", "bottle", "rock"), "open_box",
+     "{}: open box without a lid"),
+    ((), ("hole",), "tunnel", "{}: small low tunnel that a ball rolls into"),
+)  # fmt: skip
+"""Names and kinds of things, the category and the description of what others enter instead."""
+_HOLE_CM, _GOLF_HOLE_CM = (30.0, 40.0, 30.0), (30.0, 30.0, 15.0)
 
 
 def environment(scene: Scene) -> tuple[str, str]:
     """(indoor or outdoor, named preset) from what is in the scene."""
-    entities = [e for e in scene.world.entities.values()]
-    kinds = [e.noun.kind for e in entities]
-    heads = {e.head for e in entities} | {e.noun.name for e in entities}
-    if "pin" in kinds or "bowling lane" in heads:
-        return "indoor", "bowling_alley"
-    if "billiard" in kinds or "billiardtable" in kinds:
-        return "indoor", "billiard_hall"
-    ground = scene.world.entities.get(GROUND)
-    if ground is not None:
-        indoor = "indoor" in ground.noun.traits
-        if indoor:
-            return "indoor", slug(ground.head)
-        if ground.head not in ("ground", "earth", "land", "terrain"):
-            return "outdoor", slug(ground.head)
-    if "picnic table" in heads and "vehicle" not in kinds:
-        return "outdoor", "park"
-    if "vehicle" in kinds or "road" in heads:
-        return "outdoor", "street"
-    if any("desk" in h or "office" in h for h in heads):
-        return "indoor", "office"
-    if any(k in _OUTDOOR_KINDS for k in kinds):
-        return "outdoor", "street"
-    if any(k in _INDOOR_KINDS for k in kinds):
-        return "indoor", "room"
-    if "goal" in kinds:
-        return "outdoor", "soccer_field"
+    entities = scene.world.entities
+    found = {word for e in entities.values() for word in (e.noun.kind, e.head, e.noun.name)}
+    found |= {word for e in entities.values() for word in e.head.split() if word in _OFFICE}
+    ground = entities.get(GROUND)
+    for kinds, place, preset in _ENVIRONMENTS:
+        if preset == "ground" and ground is not None:
+            if "indoor" in ground.noun.traits:
+                return "indoor", slug(ground.head)
+            if ground.head not in ("ground", "earth", "land", "terrain"):
+                return "outdoor", slug(ground.head)
+        elif kinds & found:
+            return place, preset
     return "outdoor", "generic"
 
 
 def requirement(e: Entity) -> AssetRequirement:
     """What a node needs: category, description, size, mass."""
     size = dimensions_of(e)
-    structural = "structural" in e.noun.traits
-    movable = e.movable
-    material = next(
-        (lex.MATERIALS[a][0] for a in e.adjectives if a in lex.MATERIALS), e.noun.material
-    )
+    told = [lex.MATERIALS[a][0] for a in e.adjectives if a in lex.MATERIALS]
+    material = told[0] if told else e.noun.material
     if e.noun.kind in ("ground", "water") and _ICY.intersection([*e.adjectives, *e.head.split()]):
         material = "ice"
-    modifiers = [
-        a
-        for a in e.adjectives
-        if not a.startswith("@")
-        and a not in ("same", "other")
-        and not (e.in_group and a in {*ORDINALS, "last", "final"})
-    ]
-    words = [*modifiers, e.head]
-    description = f"{' '.join(dict.fromkeys(words))}: {e.noun.description}"
+    said = {"same", "other"} | ({*ORDINALS, "last", "final"} if e.in_group else set[str]())
+    words = [a for a in e.adjectives if not a.startswith("@") and a not in said]
+    description = f"{' '.join(dict.fromkeys([*words, e.head]))}: {e.noun.description}"
     synonyms = [s for s in e.noun.synonyms if s != e.head][:4]
     if synonyms:
         description += f" ({', '.join(synonyms)})"
@@ -77,11 +75,30 @@ def requirement(e: Entity) -> AssetRequirement:
         asset_category=e.noun.category if e.known else slug(e.head),
         asset_description=description,
         expected_dimensions_cm=size,
-        expected_mass_kg=mass_of(e, size) if not structural else e.noun.mass_kg,
-        is_movable=movable,
+        expected_mass_kg=e.noun.mass_kg if "structural" in e.noun.traits else mass_of(e, size),
+        is_movable=e.movable,
         mass_is_prescribed=e.mass_prescribed,
         dimensions_are_prescribed=e.dimensions_prescribed,
         material=material or None,
         color=e.color,
         shape=shape,
     )
+
+
+def opened(e: Entity, required: AssetRequirement, golf: bool) -> AssetRequirement:
+    """Something enters it: an open box instead of a closed one.
+
+    The ground is a half-space, so a hole is a low opening on it, as wide as stated: a ball that
+    rolls gets over no rim.
+    """
+    for names, kinds, category, text in _OPENINGS:
+        if e.noun.name not in names and e.noun.kind not in kinds:
+            continue
+        if not category:
+            break
+        size = required.expected_dimensions_cm
+        if category == "tunnel" and not e.dimensions_prescribed:
+            size = _GOLF_HOLE_CM if golf else _HOLE_CM
+        told = {"asset_category": category, "asset_description": text.format(e.head)}
+        return required.model_copy(update=told | {"expected_dimensions_cm": size, "shape": None})
+    return required

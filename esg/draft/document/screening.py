@@ -17,58 +17,24 @@ MAX_CHARACTERS = 20_000
 LIGHT_SPEED_CM_S = 2.99792458e10
 MAX_SPEED_CM_S = 15_000.0
 MAX_MASS_KG = 1e5
-
-
-def _is_english(word: str) -> bool:
-    """Whether the lexicon has the word in any class."""
-    classes = (lex.DETERMINERS, lex.PREPOSITIONS, lex.ADVERBS, lex.PRONOUNS, lex.MODALS)
-    return (
-        word in lex.nouns()
-        or lex.singular(word)[0] in lex.nouns()
-        or bool(verb_readings(word))
-        or word in lex.COLORS
-        or word in lex.ATTRIBUTES
-        or word in ("and", "or", "but", "to")
-        or any(word in c for c in classes)
-    )
-
-
-_FOREIGN = lex.word_set("foreign")
 MAX_OBJECTS = 400
 """Most objects of a scene."""
+
+
+_WORDS = (
+    lex.DETERMINERS | lex.PREPOSITIONS | lex.ADVERBS | lex.PRONOUNS | lex.MODALS | lex.ATTRIBUTES
+    | frozenset(lex.COLORS) | {"and", "or", "but", "to"}
+)  # fmt: skip
+_ELSEWHERE_TOO = frozenset({"a", "an", "in", "on", "as", "die", "at", "i", "me", "no"})
+"""English words that other languages have as well."""
+_FOREIGN = lex.word_set("foreign")
 _MARK = "[\u200b\u200c\u2060]+"
 _MARKED = re.compile(rf"[^\W\d_]+(?:{_MARK}[^\W\d_]+)+")
-
-
 _BEFORE_THE_SCENE = re.compile(r"\s+(?:ago|earlier|before|previously|beforehand)\b", re.IGNORECASE)
 _LATER = re.compile(r"\s+(?:later|after)\b", re.IGNORECASE)
-
-
-def _background(text: str, a: Amount) -> bool:
-    """ "came loose an hour ago", "Half an hour later, ...": no time of the scene."""
-    opens = not re.sub(r"(?i)\b(?:about|some|half)\b|\W", "", text[: a.start])
-    later = opens and _LATER.match(text, a.end) is not None
-    return later or _BEFORE_THE_SCENE.match(text, a.end) is not None
-
-
-def _joined(m: re.Match[str]) -> str:
-    """What invisible marks part: words of their own, or the pieces of one."""
-    words: list[str] = []
-    for piece in re.split(_MARK, m[0]):
-        left = words[-1] if words else ""
-        apart = _is_english(left.lower()) and _is_english(piece.lower())
-        if left and not (apart and not _is_english((left + piece).lower())):
-            words[-1] += piece
-        else:
-            words.append(piece)
-    return " ".join(words)
-
-
-def _without(text: str, amounts: list[Amount]) -> str:
-    """The text without its quantities, whose units are no words."""
-    for a in reversed(amounts):
-        text = text[: a.start] + " " + text[a.end :]
-    return text
+_LIGHT = re.compile(
+    r"\b(?:faster than|at|exceeding|beyond) (?:the speed of )?light(?:'s speed)?\b", re.IGNORECASE
+)
 
 
 def screen(prompt: str) -> str:
@@ -88,17 +54,48 @@ def screen(prompt: str) -> str:
     text = re.sub(r"[\ufeff\u00ad\u200d\x00-\x09\x0b-\x1f]", "", text)
     text = re.sub(_MARK, "", _MARKED.sub(_joined, text))
     amounts = find_amounts(text)
-    words = re.findall(r"[^\W\d_]+", _without(text, amounts).lower())
+    _check_language(text, amounts)
+    problems = [p for a in amounts if (p := _impossible(text, a))]
+    if _LIGHT.search(text):
+        problems.append('"faster than light" is impossible; state a speed up to 150 m/s')
+    if problems:
+        raise UserError("The prompt asks for the impossible: " + "; ".join(problems) + ".")
+    return text
+
+
+def _is_english(word: str) -> bool:
+    """Whether the lexicon has the word in any class."""
+    nouns = lex.nouns()
+    return (
+        word in _WORDS
+        or word in nouns
+        or lex.singular(word)[0] in nouns
+        or bool(verb_readings(word))
+    )
+
+
+def _joined(m: re.Match[str]) -> str:
+    """What invisible marks part: words of their own, or the pieces of one."""
+    words: list[str] = []
+    for piece in re.split(_MARK, m[0]):
+        left = words[-1] if words else ""
+        apart = _is_english(left.lower()) and _is_english(piece.lower())
+        if left and not (apart and not _is_english((left + piece).lower())):
+            words[-1] += piece
+        else:
+            words.append(piece)
+    return " ".join(words)
+
+
+def _check_language(text: str, amounts: list[Amount]) -> None:
+    """Raises UserError unless the words, without units of quantities, are English."""
+    rest = text
+    for a in reversed(amounts):
+        rest = rest[: a.start] + " " + rest[a.end :]
+    words = re.findall(r"[^\W\d_]+", rest.lower())
     known = [w for w in words if _is_english(w)]
-    content = [
-        w for w in known if w not in ("a", "an", "in", "on", "as", "die", "at", "i", "me", "no")
-    ]
-    if (
-        not words
-        or not known
-        or (len(words) >= 3 and len(known) / len(words) < 0.34)
-        or (not content)
-    ):
+    few = len(words) >= 3 and len(known) / len(words) < 0.34
+    if few or not set(known) - _ELSEWHERE_TOO:
         raise UserError(
             f"No English words that name objects or motions were found in {text[:60]!r}; "
             "write the prompt in English."
@@ -109,33 +106,35 @@ def screen(prompt: str) -> str:
             f"The prompt {text[:60]!r} mixes English with another language "
             f"({', '.join(sorted(foreign)[:4])}); write all of it in English."
         )
-    problems: list[str] = []
-    for a in amounts:
-        if a.dimension in ("mass", "length", "time", "speed") and a.low < 0.0:
-            problems.append(f'"{a.text}" is negative; a {_NAMES[a.dimension]} must be positive')
-        elif a.dimension == "mass" and a.low == 0.0:
-            problems.append(f'"{a.text}": a mass must be greater than zero')
-        elif a.dimension == "mass" and a.high > MAX_MASS_KG:
-            problems.append(f'"{a.text}" is more than the largest mass, {MAX_MASS_KG:g} kg')
-        elif a.dimension == "speed" and abs(a.high) > LIGHT_SPEED_CM_S:
-            problems.append(f'"{a.text}" is faster than light')
-        elif a.dimension == "speed" and abs(a.high) > MAX_SPEED_CM_S:
-            problems.append(f'"{a.text}" is more than the fastest simulated speed, 150 m/s')
-        elif a.dimension == "time" and a.high > MAX_TIME_S and not _background(text, a):
-            problems.append(f'"{a.text}" is more than the longest scene, 600 s')
-        elif not (math.isfinite(a.low) and math.isfinite(a.high)):
-            problems.append(f'"{a.text}" is more than a number can hold')
-    if re.search(
-        r"\b(?:faster than|at|exceeding|beyond) (?:the speed of )?light(?:'s speed)?\b",
-        text.lower(),
-    ):
-        problems.append('"faster than light" is impossible; state a speed up to 150 m/s')
-    if problems:
-        raise UserError("The prompt asks for the impossible: " + "; ".join(problems) + ".")
-    return text
 
 
-_NAMES = {"mass": "mass", "length": "length", "time": "time", "speed": "speed"}
+def _impossible(text: str, a: Amount) -> str:
+    """Why there can be no such quantity; empty if there can."""
+    kind = a.dimension
+    if kind in ("mass", "length", "time", "speed") and a.low < 0.0:
+        return f'"{a.text}" is negative; a {kind} must be positive'
+    if kind == "mass" and a.low == 0.0:
+        return f'"{a.text}": a mass must be greater than zero'
+    if kind == "mass" and a.high > MAX_MASS_KG:
+        return f'"{a.text}" is more than the largest mass, {MAX_MASS_KG:g} kg'
+    if kind == "speed" and abs(a.high) > LIGHT_SPEED_CM_S:
+        return f'"{a.text}" is faster than light'
+    if kind == "speed" and abs(a.high) > MAX_SPEED_CM_S:
+        return f'"{a.text}" is more than the fastest simulated speed, 150 m/s'
+    if kind == "time" and a.high > MAX_TIME_S and not _background(text, a):
+        return f'"{a.text}" is more than the longest scene, 600 s'
+    if not (math.isfinite(a.low) and math.isfinite(a.high)):
+        return f'"{a.text}" is more than a number can hold'
+    return ""
+
+
+def _background(text: str, a: Amount) -> bool:
+    """ "came loose an hour ago", "Half an hour later, ...": no time of the scene."""
+    opens = not re.sub(r"(?i)\b(?:about|some|half)\b|\W", "", text[: a.start])
+    later = opens and _LATER.match(text, a.end) is not None
+    return later or _BEFORE_THE_SCENE.match(text, a.end) is not None
+
+
 _ORDERS = re.compile(
     r"\b(?:ignore|disregard|forget)\b.{0,30}\b(?:instructions?|above|prompts?|rules)\b",
     re.IGNORECASE,
@@ -178,9 +177,8 @@ def too_long(timeline: TimelineSystem | None) -> None:
         )
 
 
-def contradictions(text: str, scene: Scene) -> None:
+def contradictions(scene: Scene) -> None:
     """Raises UserError if the prompt states two values for one property, or motion and rest."""
-    del text
     if scene.world.conflicts:
         stated = "; ".join(dict.fromkeys(scene.world.conflicts))
         raise UserError(f"The prompt contradicts itself: {stated}. State one of them.")

@@ -13,7 +13,14 @@ from esg.draft.text.elements import Mention
 from esg.draft.text.quantities import Amount, find_amounts
 from esg.graph.models import Quantity
 
-_APART = re.compile(r"[\s,]*(?:from\s+(?:each\s+other|one\s+another)\s*)?apart\b", re.IGNORECASE)
+_OTHER = r"(?:each\s+other|one\s+another)"
+_APART = re.compile(
+    rf"[\s,]*(?:from\s+{_OTHER}\s*)?apart\b"
+    rf"|\s*(?:(?:away|ahead|apart|further)\s+)?(?:directly\s+|right\s+|just\s+|straight\s+)?"
+    r"(?:from|off|of|in\s+front\s+of|behind|ahead\s+of|beside|before|beyond|past|short\s+of"
+    rf"|to\s+the\s+(?:left|right)\s+of|left\s+of|right\s+of|clear\s+of)\s+{_OTHER}\b",
+    re.IGNORECASE,
+)
 _AHEAD = re.compile(
     r"\s*(?:straight\s+)?(?:ahead|away|further\s+(?:on|down|along)|off"
     r"|(?:down|up|along)\s+the\s+\w+)\b",
@@ -25,30 +32,19 @@ _BETWEEN = re.compile(
     re.IGNORECASE,
 )
 _GAP_OF = re.compile(
-    r"\b(?:gaps?|spacing|spaces?|intervals?|distances?|separation)\s*(?:of|[:=]|is)?\s*$", re.I
-)
-_GAP_BETWEEN = re.compile(
-    r"\b(?:gap|spacing|space|interval|distance|separation)\s+(?:between\s+(?:[\w'-]+\s+){1,8}"
-    r"|from\s+(?:[\w'-]+\s+){1,4}to\s+(?:[\w'-]+\s+){1,4})"
-    r"(?:is|of|measures|are|:|=)\s*$",
+    r"\b(?:gap|spacing|space|interval|distance|separation)s?\s*"
+    r"(?:(?:between\s+(?:[\w'-]+\s+){1,8}|from\s+(?:[\w'-]+\s+){1,4}to\s+(?:[\w'-]+\s+){1,4})?"
+    r"(?:is|of|measures|are|:|=))?\s*$",
     re.IGNORECASE,
 )
-""" "the gap between the two jeeps is"."""
-_FROM = re.compile(
-    r"\s*(?:(?:away|ahead|apart|further)\s+)?(?:directly\s+|right\s+|just\s+|straight\s+)?"
-    r"(?:from|off|of|in\s+front\s+of|behind|ahead\s+of|beside|before|beyond|past|short\s+of"
-    r"|to\s+the\s+(?:left|right)\s+of|left\s+of|right\s+of|clear\s+of)\s+",
-    re.IGNORECASE,
-)
+""" "a gap of", "the gap between the two jeeps is"."""
 _GAPS = lex.word_set("gaps (spacing)")
-_EACH_OTHER = re.compile(r"(?:each\s+other|one\s+another)\b", re.IGNORECASE)
 _TRAVELS = re.compile(
     r"\b(?:fall|drop|fell|jump|leap|mov|roll|slid|driv|travel|run|walk|go|fl[iey]|climb|brak|stop"
     r"|reverse|push|shov|skid)\w*\s+(?:(?:down|up|forward|back|for|about|over|another)\s+)*$",
     re.IGNORECASE,
 )
 """Verbs whose length is a way, not a gap."""
-_INTERVALS = re.compile(r"[\s-]+(?:intervals?|spacing|gaps?)\b", re.IGNORECASE)
 
 
 def space(text: str, mentions: list[Mention], scene: Scene) -> None:
@@ -59,18 +55,18 @@ def space(text: str, mentions: list[Mention], scene: Scene) -> None:
         mentions: Its noun phrases.
         scene: The interpreted scene; its relations grow.
     """
+    things = [m for m in mentions if not (m.attribute and m.head in _GAPS)]
+    owned = [a for m in things for a in parts(m.amounts)]
+    named = [(m, ids) for m in mentions if (ids := _things(m, scene))]
     for a in find_amounts(text):
         span = (a.start, a.end)
-        things = [m for m in mentions if not (m.attribute and m.head in _GAPS)]
-        inside = any(a in parts(m.amounts) for m in things)
-        if a.dimension != "length" or span in scene.used or inside:
+        if a.dimension != "length" or span in scene.used or a in owned:
             continue
-        pair = _pair(text, a, mentions, scene)
-        if not pair:
-            continue
+        pair = _pair(text, a, named, scene)
         for one, other in pairwise(pair):
             scene.relations.append(Relation(one, other, "near", _span(a)))
-        scene.used[span] = "distance at the start"
+        if pair:
+            scene.used[span] = "distance at the start"
 
 
 def _span(a: Amount) -> Quantity:
@@ -80,77 +76,46 @@ def _span(a: Amount) -> Quantity:
     return (a.low, 1.5 * a.low) if a.bound == "min" else a.value
 
 
-def _pair(text: str, a: Amount, mentions: list[Mention], scene: Scene) -> list[str]:
+def _pair(text: str, a: Amount, named: list[tuple[Mention, list[str]]], scene: Scene) -> list[str]:
     """The things that are this far from each other: two, or all of a plural."""
-    named = [(m, ids) for m in mentions if (ids := _things(m, scene))]
-    before = [(m, ids) for m, ids in named if m.end <= a.start]
-    after = [(m, ids) for m, ids in named if m.start >= a.end]
-    plural = next((w for m, ids in reversed(before) if (w := _all(m, ids, scene))), [])
+    before = [ids for m, ids in named if m.end <= a.start]
+    after = [ids for m, ids in named if m.start >= a.end]
+    rows = (_row(m, ids, scene) for m, ids in reversed(named) if m.end <= a.start)
+    plural = next((row for row in rows if len(row) > 1), list[str]())
     lead = text[max(0, a.start - 90) : a.start]
-    if (stated := _GAP_BETWEEN.search(lead)) is not None:
-        inside = [ids for m, ids in before if m.start >= a.start - len(lead) + stated.start()]
-        return _two(inside)
-    if _GAP_OF.search(lead) or _INTERVALS.match(text, a.end):
-        return plural or _two([ids for _, ids in (before[-2:] if len(before) > 1 else after)])
-    if re.search(r"\bevery\s+$", lead, re.IGNORECASE):
-        return plural
-    each = _FROM.match(text, a.end)
-    mutual = each is not None and _EACH_OTHER.match(text, each.end()) is not None
-    if _APART.match(text, a.end) or mutual:
-        one = [ids[:1] for _, ids in before[-2:]]
-        group = scene.world.entities[one[-1][0]].group if one else None
-        if not plural and mutual and group in scene.world.groups:
-            return list(scene.world.groups[group])  # "the first of three pins, which stand ..."
-        return plural or _two(one) or _two([ids for _, ids in after])
-    if re.match(r"\s+from\b", text[a.end :]) and len(after) > 1:
-        one, other = after[0], after[1]
-        if re.fullmatch(r"\s+to\s+", text[one[0].end : other[0].start]):
-            return [one[1][0], other[1][0]]  # "it is 3 m from the ball to the cone"
-    link = _BETWEEN.match(text, a.end)
-    if link is not None and after:
-        first = after[0][1]
-        if len(first) > 1:
-            return first
-        second = next((ids for _, ids in after[1:] if ids[0] != first[0]), [])
-        return [first[0], second[0]] if second else []
-    if each is not None and after and not _TRAVELS.search(lead):
-        first = after[0]
-        if text[each.end() : first[0].start].strip().lower() in ("", "the", "a", "an", "its"):
-            near = [ids for m, ids in before if "." not in text[m.end : a.start]]
-            one = near[-1] if near else next((ids for _, ids in after[1:]), [])
-            return _two([one, first[1]]) if one else []
+    if _GAP_OF.search(lead):
+        return plural or _two(before[-2:] if len(before) > 1 else after)
+    if _APART.match(text, a.end):
+        return plural or _two([ids[:1] for ids in before[-2:]]) or _two(after)
+    if _BETWEEN.match(text, a.end) and after:
+        return _two(after)
     if _AHEAD.match(text, a.end) and before and not _TRAVELS.search(lead):
-        other = before[-1][1][0]
+        other = before[-1][0]
         mover = _comes_to(other, scene) or next(
-            (ids[0] for _, ids in reversed(before) if ids[0] != other), ""
+            (ids[0] for ids in reversed(before) if ids[0] != other), ""
         )
         return [mover, other] if mover else []
     return []
 
 
+def _row(m: Mention, ids: list[str], scene: Scene) -> list[str]:
+    """All of what one is picked of: "the second of four bottles"."""
+    groups = scene.world.groups.values() if m.pick or m.single else ()
+    return next((list(g) for g in groups if ids[0] in g), ids)
+
+
 def _two(found: list[list[str]]) -> list[str]:
     """All of the first plural, or the first two different things."""
-    many = next((ids for ids in found if len(ids) > 1), [])
-    if many:
-        return many
-    ids = list(dict.fromkeys(x[0] for x in found if x))
-    return ids[:2] if len(ids) > 1 else []
+    many = next((ids for ids in found if len(ids) > 1), list[str]())
+    ids = list(dict.fromkeys(x[0] for x in found))
+    return many or (ids[:2] if len(ids) > 1 else [])
 
 
 def _things(m: Mention, scene: Scene) -> list[str]:
-    if m.attribute:
-        return []
     world = scene.world
     ids = [current_id(world, i) for i in world.resolved.get(id(m), m.entities)]
-    fit = [i for i in ids if i in world.entities]
+    fit = [] if m.attribute else [i for i in ids if i in world.entities]
     return [i for i in fit if "structural" not in world.entities[i].noun.traits]
-
-
-def _all(m: Mention, ids: list[str], scene: Scene) -> list[str]:
-    """What a plural names, also where one of it is picked ("the second of four bottles")."""
-    if len(ids) > 1 or not (m.pick or m.single):
-        return ids if len(ids) > 1 else []
-    return next((list(g) for g in scene.world.groups.values() if ids[0] in g), [])
 
 
 def _comes_to(other: str, scene: Scene) -> str:

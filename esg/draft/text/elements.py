@@ -37,12 +37,12 @@ class Mention:
     head: str = ""
     noun: lex.Noun | None = None
     determiner: str = ""
-    adjectives: list[str] = field(default_factory=list)
+    adjectives: list[str] = field(default_factory=list[str])
     count: int | None = None
     vague: bool = False
     plural: bool = False
-    letters: list[str] = field(default_factory=list)
-    amounts: list[Amount] = field(default_factory=list)
+    letters: list[str] = field(default_factory=list[str])
+    amounts: list[Amount] = field(default_factory=list[Amount])
     part: str = ""
     pattern: str | None = None
     group_word: str = ""
@@ -65,9 +65,9 @@ class Mention:
     possessor: Mention | None = None
     attribute: bool = False
     """Names a measure or an event, not an object."""
-    coordinated: list[Mention] = field(default_factory=list)
+    coordinated: list[Mention] = field(default_factory=lambda: list[Mention]())
     known: bool = True
-    entities: list[str] = field(default_factory=list)
+    entities: list[str] = field(default_factory=list[str])
     """Filled by the world model: node ids."""
     after_prep: str = ""
 
@@ -88,7 +88,7 @@ class Verb:
     infinitive: bool = False
     modal: str = ""
     """would, can, should ... of the verb group."""
-    extra: dict[str, str] = field(default_factory=dict)
+    extra: dict[str, str] = field(default_factory=dict[str, str])
 
 
 WordKind = Literal["prep", "adv", "conj", "punct", "rel", "sub", "qty", "to", "unknown"]

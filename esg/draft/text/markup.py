@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import re
-from typing import Any
+from typing import cast
 
 from esg.outcomes import UserError
 
@@ -26,10 +26,6 @@ _SYMBOLS = {
 }  # fmt: skip
 _SYMBOL = re.compile(r"(?<![\w=])([mMvrRdDhHlLw])(?:_?[0-9a-zA-Z])?\s*[=≈]\s*(?=\d)")
 """ "m = 2 kg", "v0 = 3 m/s": quantities by their symbols."""
-_AT_REST = re.compile(
-    r"(?<![\w=])(?:v|V|u|speed|velocity)(?:_?[0-9a-zA-Z])?\s*(?:=|of|is)\s*(?:0(?:\.0+)?|zero)(?![.\d])"
-    r"(?:\s*(?:m/s|km/h|mph|cm/s))?"
-)
 _TOLD = ("prompt", "description", "text", "scene", "caption")
 
 
@@ -50,7 +46,6 @@ def plain(prompt: str) -> str:
     text = _HEADING.sub(r"\1:", text)
     text = _NUMBERED.sub(r"\1- ", text)
     text = _EMPHASIS.sub(r"\2", text)
-    text = _AT_REST.sub("at rest", text)
     text = _SYMBOL.sub(lambda m: f"{_SYMBOLS[m[1]]} ", text)
     longest = max(re.findall(r"\S+", text), key=len, default="")
     if len(longest) > MAX_WORD:
@@ -66,11 +61,11 @@ def _from_json(prompt: str) -> str:
     if prompt.lstrip()[:1] not in ("{", "["):
         return prompt
     try:
-        data: Any = json.loads(prompt)
+        data: object = json.loads(prompt)
     except (ValueError, RecursionError):
         return prompt
-    fields = data if isinstance(data, dict) else {}
-    told = next((fields[k] for k in _TOLD if isinstance(fields.get(k), str)), None)
+    fields = cast(dict[str, object], data) if isinstance(data, dict) else {}
+    told = next((t for k in _TOLD if isinstance(t := fields.get(k), str)), None)
     if told is None:
         raise UserError(
             f"The prompt {prompt.strip()[:40]!r}... is JSON without a "

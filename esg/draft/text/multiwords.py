@@ -1,262 +1,47 @@
-"""Multiword expressions: sequences of words that act as one preposition, adverb or subordinator."""
+"""Multiword expressions: sequences of words that act as one preposition, adverb or subordinator.
+
+Each row of `data/multiwords.csv` has expressions ("in/at the end|at the very? last second", where
+"very" may be left out; "very_same" is one token), what kind of word they are, which word they read
+as, and an example.
+"""
 
 from __future__ import annotations
 
-from typing import Literal
+from collections.abc import Iterator
+import csv
+from itertools import product
+from typing import Literal, cast
 
-_ADV: Literal["adv"] = "adv"
-_SUB: Literal["sub"] = "sub"
-_ENTRIES: tuple[tuple[tuple[str, ...], Literal["prep", "adv", "sub", "conj"], str], ...] = (
-    (("in", "front", "of"), "prep", "in front of"),
-    *(
-        ((*words, k, *more), kind, "simultaneously")
-        for words in (
-            ("at", "the", "same"),
-            ("at", "the", "very same"),
-            ("at", "exactly", "the", "same"),
-            ("at", "precisely", "the", "same"),
-            ("in", "the", "same"),
-            ("at", "one", "and", "the", "same"),
-        )
-        for k in ("time", "moment", "instant", "point")
-        for more, kind in (((), _ADV), (("as",), _SUB))
-    ),
-    *(
-        ((to, "the", side, "side", "of"), "prep", to)
-        for to in ("into", "against", "onto")
-        for side in ("left", "right", "left-hand", "right-hand", "near", "far")
-    ),
-    (("concurrently",), "adv", "simultaneously"),
-    (("synchronously",), "adv", "simultaneously"),
-    (("in", "unison"), "adv", "simultaneously"),
-    (("in", "parallel"), "adv", "meanwhile"),
-    (("as", "soon", "as"), "sub", "once"),
-    (("so", "that"), "sub", "so"),
-    (("such", "that"), "sub", "so"),
-    (("until", "finally"), "sub", "until"),
-    (("with", "the", "result", "that"), "sub", "so"),
-    (("with", "the", "effect", "that"), "sub", "so"),
-    (("which", "means", "that"), "sub", "so"),
-    (("to", "such", "an", "extent", "that"), "sub", "so"),
-    (("so", "much", "so", "that"), "sub", "so"),
-    *(
-        ((*lead, noun, *end), "sub", "once")
-        for noun in ("instant", "moment", "minute")
-        for lead in (("the",), ("the", "very"), ("at", "the"), ("at", "the", "very"))
-        for end in ((), ("that",), ("when",), ("in", "which"), ("at", "which"))
-    ),
-    *(
-        ((how, word), "prep", word)
-        for how in (
-            "immediately",
-            "right",
-            "shortly",
-            "just",
-            "directly",
-            "soon",
-            "straight",
-            "only",
-            "long",
-        )
-        for word in ("after", "before")
-        if (how, word) != ("only", "before")
-    ),
-    (("due", "to", "the", "fact", "that"), "sub", "because"),
-    (("owing", "to", "the", "fact", "that"), "sub", "because"),
-    (("because", "of", "the", "fact", "that"), "sub", "because"),
-    (("enough", "that"), "sub", "so"),
-    (("given", "that"), "sub", "because"),
-    (("seeing", "that"), "sub", "because"),
-    (("now", "that"), "sub", "because"),
-    (("in", "such", "a", "way", "that"), "sub", "so"),
-    (("in", "such", "a", "manner", "that"), "sub", "so"),
-    (("this", "means", "that"), "sub", "so"),
-    (("that", "means", "that"), "sub", "so"),
-    *(
-        ((*which, word), "adv", "then")
-        for which in (("that", "is"), ("that's",), ("this", "is"), ("which", "is"))
-        for word in ("why", "when", "how")
-    ),
-    (("and", "that", "is", "why"), "adv", "then"),
-    (("and", "that", "is", "when"), "adv", "then"),
-    (("seconds", "later"), "adv", "then"),
-    (("moments", "later"), "adv", "then"),
-    (("minutes", "later"), "adv", "then"),
-    (("shortly", "afterwards"), "adv", "then"),
-    (("soon", "afterwards"), "adv", "then"),
-    (("as", "you", "can", "see"), "adv", "indeed"),
-    (("as", "we", "can", "see"), "adv", "indeed"),
-    (("as", "one", "can", "see"), "adv", "indeed"),
-    (("as", "can", "be", "seen"), "adv", "indeed"),
-    (("as", "expected"), "adv", "indeed"),
-    *(
-        (("almost", word), "adv", "immediately")
-        for word in ("immediately", "instantly", "directly", "simultaneously")
-    ),
-    (("almost", "at", "once"), "adv", "immediately"),
-    (("nearly", "at", "once"), "adv", "immediately"),
-    (("versus",), "prep", "against"),
-    (("vs",), "prep", "against"),
-    (("as", "well", "as"), "conj", "and"),
-    (("as", "well"), "adv", "also"),
-    (("wide", "of"), "prep", "past"),
-    (("clear", "of"), "prep", "away from"),
-    (("out", "from", "under"), "prep", "from"),
-    (("from", "under"), "prep", "from"),
-    (("from", "behind"), "adv", "from behind"),
-    (("in", "so", "doing"), "adv", "thereby"),
-    (("in", "doing", "so"), "adv", "thereby"),
-    (("whereupon",), "adv", "then"),
-    (("upon", "which"), "adv", "then"),
-    *((("at", "which", k), "adv", "then") for k in ("point", "moment", "instant", "time")),
-    (("in", "its", "turn"), "adv", "then"),
-    (("in", "their", "turn"), "adv", "then"),
-    (("after", "this"), "adv", "then"),
-    (("straight", "away"), "adv", "immediately"),
-    (("right", "away"), "adv", "immediately"),
-    (("in", "the", "meantime"), "adv", "meanwhile"),
-    (("next", "thing"), "adv", "then"),
-    (("this", "time"), "adv", "again"),
-    (("slap", "bang"), "adv", "directly"),
-    (("full", "tilt"), "adv", "at speed"),
-    (("flat", "out"), "adv", "at speed"),
-    (("at", "full", "speed"), "adv", "at speed"),
-    (("at", "full", "tilt"), "adv", "at speed"),
-    (("to", "a", "man"), "adv", "all"),
-    (("by", "a", "whisker"), "adv", "narrowly"),
-    (("by", "inches"), "adv", "narrowly"),
-    (("by", "an", "inch"), "adv", "narrowly"),
-    (("by", "a", "hair"), "adv", "narrowly"),
-    (("by", "a", "hair's", "breadth"), "adv", "narrowly"),
-    (("with", "a", "bump"), "adv", "hard"),
-    (("next", "to"), "prep", "next to"),
-    (("close", "to"), "prep", "near"),
-    (("right", "behind"), "prep", "behind"),
-    (("on", "top", "of"), "prep", "on"),
-    (("in", "the", "direction", "of"), "prep", "towards"),
-    (("to", "the", "left", "of"), "prep", "left of"),
-    (("to", "the", "right", "of"), "prep", "right of"),
-    (("on", "the", "left", "of"), "prep", "left of"),
-    (("on", "the", "right", "of"), "prep", "right of"),
-    (("left", "of"), "prep", "left of"),
-    (("right", "of"), "prep", "right of"),
-    (("away", "from"), "prep", "away from"),
-    (("short", "of"), "prep", "short of"),
-    (("far", "from"), "prep", "far from"),
-    (("out", "of"), "prep", "out of"),
-    (("off", "of"), "prep", "off"),
-    (("ahead", "of"), "prep", "in front of"),
-    (("instead", "of"), "prep", "without"),
-    (("because", "of"), "prep", "because of"),
-    (("due", "to"), "prep", "because of"),
-    (("as", "a", "result", "of"), "prep", "because of"),
-    (("as", "a", "consequence", "of"), "prep", "because of"),
-    (("thanks", "to"), "prep", "because of"),
-    (("rather", "than"), "prep", "without"),
-    (("full", "of"), "prep", "with"),
-    (("except", "for"), "prep", "without"),
-    (("except",), "prep", "without"),
-    (("despite",), "prep", "despite"),
-    (("notwithstanding",), "prep", "despite"),
-    (("unlike",), "prep", "despite"),
-    (("in", "contrast", "to"), "prep", "despite"),
-    (("in", "spite", "of"), "prep", "despite"),
-    (("regardless", "of"), "prep", "despite"),
-    (("for", "fun"), "adv", "on purpose"),
-    (("on", "purpose"), "adv", "on purpose"),
-    (("by", "accident"), "adv", "accidentally"),
-    (("by", "mistake"), "adv", "accidentally"),
-    (("by", "chance"), "adv", "accidentally"),
-    *(
-        (("on", "the", k, x), "adv", "first" if k == "first" else "again")
-        for k in ("first", "second", "third", "next", "last")
-        for x in ("try", "attempt", "go", "shot", "throw")
-    ),
-    (("along", "with"), "prep", "with"),
-    (("together", "with"), "prep", "with"),
-    (("in", "the", "middle", "of"), "prep", "in the middle of"),
-    (("in", "the", "center", "of"), "prep", "in the middle of"),
-    (("in", "the", "centre", "of"), "prep", "in the middle of"),
-    (("at", "the", "center", "of"), "prep", "in the middle of"),
-    (("at", "the", "centre", "of"), "prep", "in the middle of"),
-    (("in", "the", "way", "of"), "prep", "in front of"),
-    (("by", "the", "side", "of"), "prep", "beside"),
-    (("on", "the", "side", "of"), "prep", "beside"),
-    (("at", "the", "side", "of"), "prep", "beside"),
-    (("on", "either", "side", "of"), "prep", "beside"),
-    (("down", "from"), "prep", "from"),
-    (("down", "to"), "prep", "to"),
-    (("down", "into"), "prep", "into"),
-    (("down", "onto"), "prep", "onto"),
-    (("straight", "into"), "prep", "into"),
-    (("right", "into"), "prep", "into"),
-    (("directly", "into"), "prep", "into"),
-    (("back", "into"), "prep", "into"),
-    (("up", "to"), "prep", "to"),
-    (("on", "to"), "prep", "onto"),
-    (("in", "to"), "prep", "into"),
-    (("as", "well", "as"), "prep", "with"),
-    (("one", "by", "one"), "adv", "one by one"),
-    (("to", "and", "fro"), "adv", "indeed"),
-    (("back", "and", "forth"), "adv", "indeed"),
-    (("one", "after", "another"), "adv", "one by one"),
-    (("one", "after", "the", "other"), "adv", "one by one"),
-    (("in", "a", "row"), "adv", "in a row"),
-    (("in", "a", "line"), "adv", "in a row"),
-    (("from", "left", "to", "right"), "adv", "in a row"),
-    (("from", "right", "to", "left"), "adv", "in a row"),
-    (("side", "by", "side"), "adv", "side by side"),
-    (("head", "on"), "adv", "head-on"),
-    (("in", "turn"), "adv", "then"),
-    (("after", "that"), "adv", "then"),
-    (("after", "which"), "adv", "then"),
-    (("and", "then"), "adv", "then"),
-    (("each", "other"), "adv", "each other"),
-    (("one", "another"), "adv", "each other"),
-    (("upside", "down"), "adv", "upside down"),
-    (("a", "little"), "adv", "slightly"),
-    (("a", "bit"), "adv", "slightly"),
-    (("for", "a", "while"), "adv", "for a while"),
-    (("at", "first"), "adv", "first"),
-    (("at", "rest"), "adv", "at rest"),
-    (("no", "longer"), "adv", "not"),
-    (("once", "more"), "adv", "again"),
-    (("at", "the", "start"), "adv", "first"),
-    (("at", "the", "beginning"), "adv", "first"),
-    (("in", "the", "beginning"), "adv", "first"),
-    (("to", "begin", "with"), "adv", "first"),
-    (("at", "the", "end"), "adv", "finally"),
-    (("in", "the", "end"), "adv", "finally"),
-    (("at", "the", "last", "moment"), "adv", "finally"),
-    (("at", "the", "last", "second"), "adv", "finally"),
-    (("in", "the", "process"), "adv", "thereby"),
-    (("on", "the", "way"), "adv", "meanwhile"),
-    (("because", "of", "that"), "adv", "thereby"),
-    (("because", "of", "this"), "adv", "thereby"),
-    (("as", "a", "result"), "adv", "thereby"),
-    (("as", "a", "consequence"), "adv", "thereby"),
-    (("at", "that", "moment"), "adv", "then"),
-    (("at", "this", "moment"), "adv", "then"),
-    (("at", "that", "point"), "adv", "then"),
-    (("a", "moment", "later"), "adv", "then"),
-    (("of", "course"), "adv", "indeed"),
-    (("at", "once"), "adv", "immediately"),
-    (("all", "at", "once"), "adv", "suddenly"),
-    (("from", "rest"), "adv", "from rest"),
-    (("from", "standstill"), "adv", "from rest"),
-    (("from", "a", "standstill"), "adv", "from rest"),
-    (("from", "a", "standing", "start"), "adv", "from rest"),
-    (("from", "zero"), "adv", "from rest"),
-    (("from", "a", "stop"), "adv", "from rest"),
-    (("at", "speed"), "adv", "at speed"),
-    (("by", "accident"), "adv", "accidentally"),
-    (("half", "full"), "adv", "indeed"),
-    (("half", "empty"), "adv", "indeed"),
-    (("in", "motion"), "adv", "in motion"),
-)
-MULTIWORDS: dict[str, list[tuple[tuple[str, ...], Literal["prep", "adv", "sub", "conj"], str]]] = {}
+from esg.draft import lexicon as lex
+
+Kind = Literal["prep", "adv", "sub", "conj"]
+Multiword = tuple[tuple[str, ...], Kind, str]
+
+
+def spelled(expression: str) -> Iterator[tuple[str, ...]]:
+    """The sequences of words that an expression of the table stands for."""
+    choices = [
+        [*word.removesuffix("?").split("/"), *([""] if word.endswith("?") else [])]
+        for word in expression.split()
+    ]
+    for words in product(*choices):
+        yield tuple(w.replace("_", " ") for w in words if w)
+
+
+def _multiwords() -> dict[str, list[Multiword]]:
+    found: list[Multiword] = []
+    with open(lex.DATA / "multiwords.csv", encoding="utf-8", newline="") as file:
+        for row in csv.DictReader(file, delimiter=";", quoting=csv.QUOTE_NONE):
+            for expression in row["words"].split("|"):
+                for words in spelled(expression):
+                    found.append((words, cast(Kind, row["kind"]), row["reads as"]))
+    out: dict[str, list[Multiword]] = {}
+    for multiword in sorted(found, key=lambda m: -len(m[0])):
+        out.setdefault(multiword[0][0], []).append(multiword)
+    return out
+
+
+MULTIWORDS = _multiwords()
 """(words, kind, what they read as) by the first word, the longest first, so that a part never hides
 the whole.
 """
-for _entry in sorted(_ENTRIES, key=lambda m: -len(m[0])):
-    MULTIWORDS.setdefault(_entry[0][0], []).append(_entry)

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from dataclasses import replace
+from collections.abc import Iterable
 from itertools import groupby
-import re
 
 from esg.draft import lexicon as lex
 from esg.draft.grammar.clauses.frames import Phrase
@@ -13,45 +11,7 @@ from esg.draft.text.elements import Mention
 from esg.draft.text.quantities import Amount
 
 _SHARED = lex.word_set("shared")
-_BETWEEN = re.compile(r"\s*(?:[,;/]|,?\s*(?:and|&)(?:\s+the\s+(?:other|last))?)\s*")
 _TELLING = lex.word_set("telling (shares)")
-
-
-def joined(amounts: Sequence[Amount], text: str) -> list[Amount]:
-    """Quantities of one kind with nothing but commas and "and" in between, as one each.
-
-    Args:
-        amounts: The quantities of the prompt, left to right.
-        text: The prompt.
-
-    Returns:
-        The quantities; a list of them is one, whose `shares` are the parts.
-    """
-    runs: list[list[Amount]] = []
-    for a in amounts:
-        last = runs[-1][-1] if runs else None
-        if (
-            last is not None
-            and a.dimension == last.dimension
-            and a.dimension in _SHARED
-            and not (a.sides or last.sides or a.bound or last.bound)
-            and _BETWEEN.fullmatch(text, last.end, a.start)
-        ):
-            runs[-1].append(a)
-        else:
-            runs.append([a])
-    return [r[0] if len(r) == 1 else _one(r, text) for r in runs]
-
-
-def _one(run: list[Amount], text: str) -> Amount:
-    return replace(
-        run[-1],
-        low=min(a.low for a in run),
-        high=max(a.high for a in run),
-        start=run[0].start,
-        text=text[run[0].start : run[-1].end],
-        shares=tuple(run),
-    )
 
 
 def parts(amounts: Iterable[Amount]) -> list[Amount]:

