@@ -18,7 +18,7 @@ from esg.draft.grammar.clauses.builder import build_clauses
 from esg.draft.grammar.clauses.modality import mark_unreal
 from esg.draft.grammar.phrases.chunker import chunk
 from esg.draft.grammar.phrases.modifiers import join_modifiers
-from esg.draft.grammar.rewrites.appositions import name_ones
+from esg.draft.grammar.rewrites.ones import name_ones
 from esg.draft.grammar.rewrites.headings import headings
 from esg.draft.grammar.rewrites.inversions import straighten
 from esg.draft.grammar.rewrites.patterns import rewrite

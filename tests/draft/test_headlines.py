@@ -1,54 +1,11 @@
-"""Headlines without a verb, headings in front of a colon, and where a scene takes place."""
+"""Headings in front of a colon, and where a scene takes place."""
 
 from __future__ import annotations
-
-from typing import Any
 
 import pytest
 
 from esg.draft import draft
-from esg.draft.grammar.rewrites.headlines import spelled_out
 from tests.draft.told import events
-
-
-@pytest.mark.parametrize(
-    ("prompt", "told"),
-    [
-        ("van crash on a bridge", [("Collision", "van_1", "van_2")]),
-        ("a rear-end collision: two trucks, 30 mph", [("Collision", "truck_1", "truck_2")]),
-        ("head-on collision of two trams", [("Collision", "tram_1", "tram_2")]),
-        (
-            "domino effect with six books on a table",
-            [("Topple", "book_1")],
-        ),
-        (
-            "Bowling strike!!",
-            [("Collision", "bowling_ball_1", "bowling_pin_1"), ("Topple", "bowling_pin_1")],
-        ),
-        ("bus crash into a wall", [("Collision", "bus_1", "wall_1")]),
-        ("Bus crash at an intersection", [("Collision", "bus_1", "bus_2")]),
-        ("ferry collision", [("Collision", "ferry_1", "ferry_2")]),
-    ],
-)
-def test_headlines_tell_their_event(prompt: str, told: list[tuple[Any, ...]]) -> None:
-    """Draw the event that a headline names."""
-    assert events(prompt) == told
-
-
-@pytest.mark.parametrize(
-    "prompt",
-    [
-        "A car crashes into a wall.",
-        "The collision of two cars makes a lamp fall.",
-        "A van crash makes a sign fall over.",
-        "Two cars collide.",
-        "A test crash.",
-        "Domino effect with 12 s",
-    ],
-)
-def test_sentences_stay_as_they_are(prompt: str) -> None:
-    """Leave what has a verb, or names nothing that drives, alone."""
-    assert spelled_out(prompt) == prompt
 
 
 @pytest.mark.parametrize(

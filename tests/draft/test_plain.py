@@ -95,7 +95,6 @@ def read(prompt: str) -> list[tuple[Any, ...]]:
             [("Topple", "cyclist_1")],
         ),
         # bends, lids, roofs, chimneys
-        ("A tram goes around a bend to the left.", [("HeadingReached", "tram_1")]),
         (
             "A hammer falls off a bench and lands in a toolbox.",
             [("Fall", "hammer_1"), ("EnterRegion", "hammer_1")],

@@ -124,12 +124,7 @@ from tests.draft.told import events
             "A ball enters a bucket and bounces out again 9 s after entering it.",
             [("EnterRegion", "ball_1")],
         ),
-        ("The rower steers the raft, and it hits a rock.", [("Collision", "raft_1", "rock_1")]),
         ("The diver lets go of the rope and hits a buoy.", [("Collision", "diver_1", "buoy_1")]),
-        (
-            "A chamois leaps from rock to rock and hits a bush.",
-            [("Collision", "chamois_1", "bush_1")],
-        ),
         ("The door jams, and a dog hits a box.", [("Collision", "dog_1", "box_1")]),
         # the hive of the beehive
         (

@@ -67,36 +67,6 @@ def test_members_by_position(prompt: str, told: list[tuple[Any, ...]]) -> None:
     ("prompt", "told"),
     [
         (
-            "A barrel hits a sign, which falls over, and then a kiosk.",
-            [
-                ("Collision", "barrel_1", "sign_1"),
-                ("Topple", "sign_1"),
-                ("Collision", "barrel_1", "kiosk_1"),
-            ],
-        ),
-        (
-            "A van crashes into a tent, which collapses, and then into a tree.",
-            [
-                ("Collision", "van_1", "tent_1"),
-                ("Topple", "tent_1"),
-                ("Collision", "van_1", "tree_1"),
-            ],
-        ),
-        (
-            "A van crashes into a tent, which collapses, and a dog runs away.",
-            [("Collision", "van_1", "tent_1"), ("Topple", "tent_1")],
-        ),
-    ],
-)
-def test_hits_this_which_falls_and_then_that(prompt: str, told: list[tuple[Any, ...]]) -> None:
-    """Understand the verb again after what happens to the first thing."""
-    assert events(prompt) == told
-
-
-@pytest.mark.parametrize(
-    ("prompt", "told"),
-    [
-        (
             "A girl runs out from behind a van and is hit by a scooter.",
             [("Collision", "scooter_1", "girl_1")],
         ),

@@ -44,7 +44,6 @@ def _speeds(prompt: str) -> dict[str, object]:
         "Balls of 1 kg, 2 kg and 3 kg stand in a row; a cart hits the first.",
         "Balls A, B and C weigh 1 kg, 2 kg and 3 kg. Ball A rolls into ball B.",
         "A red, a blue and a green ball weigh 1 kg, 2 kg and 3 kg. The red one hits the blue one.",
-        "A 1 kg, a 2 kg and a 3 kg ball roll into a wall.",
     ],
 )
 def test_a_list_of_masses_is_dealt_out(prompt: str) -> None:

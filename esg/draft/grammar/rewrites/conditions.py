@@ -111,8 +111,9 @@ def colours(e: Element) -> list[str]:
     """What "red" or "a red one" says of one of several; nothing if it says something else."""
     if isinstance(e, Word):
         return [e.low] if e.low in lex.COLORS else []
-    one = isinstance(e, Mention) and e.pronoun == "one"
-    return [*e.adjectives] if one and set(e.adjectives) <= lex.COLORS.keys() else []
+    if not isinstance(e, Mention) or e.pronoun != "one":
+        return []
+    return [*e.adjectives] if set(e.adjectives) <= lex.COLORS.keys() else []
 
 
 def _unknown(e: Element) -> Mention | None:

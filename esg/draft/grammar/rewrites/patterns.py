@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Callable
 import csv
 from dataclasses import dataclass, replace
-from functools import cache
+from functools import cache, partial
 import re
 from typing import Literal
 
@@ -85,9 +85,8 @@ def rewrite(elements: list[Element], reading: str) -> list[Element]:
     i = 0
     while i < len(elements):
         for row in rows:
-            spans: Spans = {}
-            if isinstance(elements[i], row.starts) and _matches(row, 0, elements, i, out, spans):
-                spans["all"] = (i, spans["all"][1])
+            spans = match(row, elements, i, out)
+            if spans is not None:
                 out += [e for made in row.made for e in _make(made, elements, spans, out)]
                 i = spans["all"][1]
                 break
@@ -95,6 +94,15 @@ def rewrite(elements: list[Element], reading: str) -> list[Element]:
             out.append(elements[i])
             i += 1
     return out
+
+
+def match(row: Row, elements: list[Element], i: int, out: list[Element]) -> Spans | None:
+    """The stretches of the named items of a row that matches at i, and of "all" it takes."""
+    spans: Spans = {}
+    if not isinstance(elements[i], row.starts) or not _matches(row, 0, elements, i, out, spans):
+        return None
+    spans["all"] = (i, spans["all"][1])
+    return spans
 
 
 @cache
@@ -138,7 +146,8 @@ def _item(m: re.Match[str]) -> Item:
 
     def step(elements: list[Element], i: int, out: list[Element]) -> int:
         e = elements[i] if i < len(elements) else None
-        return 1 if isinstance(e, types) and all(test(e) for test in tests) else -1
+        fits = e is not None and isinstance(e, types) and all(test(e) for test in tests)
+        return 1 if fits else -1
 
     return Item(m["name"] or "", step, types, least, most)
 
@@ -147,7 +156,7 @@ def _test(text: str) -> Callable[[Element], bool]:
     m = _TEST.fullmatch(text)
     assert m is not None, text
     name = m["name"]
-    look = PROPERTIES.get(name) or (lambda e: getattr(e, name, ""))
+    look: Callable[[Element], object] = PROPERTIES.get(name) or partial(_field, name=name)
     if m["values"] is None:
         return lambda e: bool(look(e)) != bool(m["no"])
     words = lex.word_set(m["values"][1:]) if m["values"][:1] == "@" else {*m["values"].split("|")}
@@ -157,6 +166,10 @@ def _test(text: str) -> Callable[[Element], bool]:
         return (str(value) in words) != bool(m["differs"])
 
     return test
+
+
+def _field(e: Element, name: str) -> object:
+    return getattr(e, name, "")
 
 
 def _matches(
@@ -269,8 +282,11 @@ def _takes(m: Mention, told: Element) -> None:
     if isinstance(told, Word) and told.amount is not None:
         m.amounts.append(told.amount)
     elif isinstance(told, Mention):
-        m.end, m.adjectives = told.end, [*m.adjectives, *told.adjectives]
-        if told.noun is not None and not m.determiner:
+        m.end, m.adjectives = max(m.end, told.end), [*m.adjectives, *told.adjectives]
+        if told.letters:
+            m.letters, m.determiner = [*told.letters], ""
+            m.text = f"{m.text} {m.letters[0]}"
+        elif told.noun is not None and not m.determiner:
             m.noun, m.known = told.noun, True
 
 

@@ -1,4 +1,4 @@
-"""ones"""
+"""Words that stand for a noun told before: "a second one", "a standing one"."""
 
 from __future__ import annotations
 
