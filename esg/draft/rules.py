@@ -18,11 +18,10 @@ from esg.draft.grammar.clauses.builder import build_clauses
 from esg.draft.grammar.clauses.modality import mark_unreal
 from esg.draft.grammar.phrases.chunker import chunk
 from esg.draft.grammar.phrases.modifiers import join_modifiers
-from esg.draft.grammar.rewrites.ones import name_ones
 from esg.draft.grammar.rewrites.headings import headings
 from esg.draft.grammar.rewrites.inversions import straighten
+from esg.draft.grammar.rewrites.ones import name_ones
 from esg.draft.grammar.rewrites.patterns import rewrite
-from esg.draft.grammar.rewrites.positions import positioned
 from esg.draft.grammar.rewrites.shares import count
 from esg.draft.text.elements import Element
 from esg.draft.text.tokens import pos_tags, tokenize
@@ -32,7 +31,7 @@ _REWRITES: tuple[tuple[str, Callable[[list[Element]], list[Element]]], ...] = (
     ("who tells it, and similes", partial(rewrite, reading="reports")),
     ("quantities and words that stand for a noun", partial(rewrite, reading="shares")),
     ("a second one", name_ones),
-    ("the one in front", positioned),
+    ("the one in front", partial(rewrite, reading="places")),
     ("titles and headings", headings),
     ("light verbs and ways of telling around it", partial(rewrite, reading="tellings")),
     ("clefts", partial(rewrite, reading="order")),

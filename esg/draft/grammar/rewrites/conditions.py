@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 from esg.draft import lexicon as lex
 from esg.draft.grammar.clauses.frames import finite_ahead
+from esg.draft.grammar.rewrites.positions import picks, place_of
 from esg.draft.text.elements import Element, Mention, Verb, Word
 from esg.draft.verbphrases import verb_readings
 
@@ -154,6 +155,8 @@ PROPERTIES: dict[str, Callable[[Element], object]] = {
     "person": lambda e: kind_of(e) == "person" and isinstance(e, Mention) and not e.attribute,
     "elapsed": lambda e: _dimension(e) == "time" and _word(e).endswith(_ELAPSED),
     "named": lambda e: isinstance(e, Mention) and bool(e.noun or e.pronoun or e.letters),
+    "picked": picks,
+    "place": place_of,
     "sided": lambda e: bool({"left", "right"} & {*getattr(e, "adjectives", ())}),
     "unknown": lambda e: _unknown(e) is not None,
     "acting": lambda e: isinstance(e, Mention) and e.head.endswith(_PEOPLE),
@@ -289,6 +292,7 @@ PLACES: dict[str, Place] = {
     "alone": _after_verb(lex.word_set("alone")),
     "on things": _after_verb(lex.word_set("on things")),
     "turned": _turned,
+    "goes on": lambda elements, i, out: breaks(elements, i, out) or bool(verb_at(elements, i)),
     "no phrase": lambda elements, i, _: i >= len(elements) or not is_word(elements[i], *_GOES_ON),
     "of": lambda elements, i, _: i < len(elements) and is_word(elements[i], "of"),
     "no verb": lambda elements, i, _: verb_at(elements, i) is None,

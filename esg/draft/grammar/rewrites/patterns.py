@@ -21,6 +21,7 @@ from typing import Literal
 
 from esg.draft import lexicon as lex
 from esg.draft.grammar.rewrites.conditions import PLACES, PROPERTIES, blow_at, colours
+from esg.draft.grammar.rewrites.positions import put
 from esg.draft.text.elements import Element, Mention, Verb, Word
 from esg.draft.verbphrases import verb_readings
 
@@ -299,4 +300,6 @@ def _is_like(m: Mention, other: Element) -> None:
         m.text = f"{m.text} {other.head}"
 
 
-_TAKEN: dict[str, Callable[[Mention, Element], None]] = {"takes": _takes, "like": _is_like}
+_TAKEN: dict[str, Callable[[Mention, Element], None]] = {
+    "takes": _takes, "like": _is_like, "put": put,
+}  # fmt: skip
