@@ -1,12 +1,11 @@
-"""Verbs whose sense depends on what stands around them: "takes it out", "breaks off the cliff".
+"""Verbs whose sense depends on their arguments: "takes it out", "breaks off the cliff".
 
-Phrases that follow a verb directly are tables of the syntax (`verbphrases`). What needs the verb's
-arguments is a row of `data/verb_frames.csv`: verbs, conditions on their frame, the sense that they
-then have, effects on the frame and an example. The first row that fits decides.
+A row of `data/verb_frames.csv` has verbs, conditions on their frame, the sense that they then have,
+effects on the frame and an example. The first row that fits decides.
 
-Conditions on a noun phrase are words of which all must hold ("thing !ball"), each with
-alternatives ("it|known"): a kind of things, a trait, a head noun, a word set ("@round"), or a name
-of `_KINDS`; "!" denies. Phrases are prepositions and a condition ("on|onto:thing").
+Conditions on a noun phrase must all hold ("thing !ball"), each has alternatives ("it|known"): a
+kind of things, a trait, a head noun, a word set ("@round"), or a name of `_KINDS`; "!" denies.
+Phrases are prepositions and a condition ("on|onto:thing", "by:-": none).
 """
 
 from __future__ import annotations
@@ -15,6 +14,7 @@ from collections.abc import Callable
 import csv
 from dataclasses import dataclass
 from functools import cache
+from typing import Any
 
 from esg.draft import lexicon as lex
 from esg.draft.grammar.clauses.frames import Frame, Phrase
@@ -28,13 +28,13 @@ class FrameRow:
     name: str
     lemmas: frozenset[str]
     senses: frozenset[str]
-    verb: tuple[str, ...]
+    verb: list[str]
     adverbs: str
     subject: str
     object: str
-    phrases: tuple[str, ...]
+    phrases: list[str]
     result: str
-    effects: tuple[str, ...]
+    effects: list[str]
     example: str
 
 
@@ -52,7 +52,10 @@ def read_idioms(frames: list[Frame]) -> None:
         f.verb.sense = row.result or f.verb.sense
         for effect in row.effects:
             name, _, value = effect.partition("=")
-            _EFFECTS[name](f, phrase, value)
+            if name.startswith("+"):
+                f.verb.extra = {**f.verb.extra, name[1:]: value or "1"}
+            else:
+                _EFFECTS[name](f, phrase, value)
 
 
 def row_of(f: Frame) -> FrameRow | None:
@@ -65,19 +68,7 @@ def rows() -> tuple[FrameRow, ...]:
     """The table."""
     with open(lex.DATA / "verb_frames.csv", encoding="utf-8", newline="") as file:
         return tuple(
-            FrameRow(
-                name=row["name"],
-                lemmas=_words(row["lemmas"]),
-                senses=_words(row["senses"]),
-                verb=tuple(row["verb"].split()),
-                adverbs=row["adverbs"],
-                subject=row["subject"],
-                object=row["object"],
-                phrases=tuple(p for p in row["phrases"].split(", ") if p),
-                result=row["result"],
-                effects=tuple(row["effects"].split()),
-                example=row["example"],
-            )
+            FrameRow(**{name: _CELLS.get(name, str)(cell) for name, cell in row.items()})
             for row in csv.DictReader(file, delimiter=";", quoting=csv.QUOTE_NONE)
         )
 
@@ -86,19 +77,28 @@ def _words(cell: str) -> frozenset[str]:
     return lex.word_set(cell[1:]) if cell.startswith("@") else frozenset(cell.split())
 
 
+_CELLS: dict[str, Callable[[str], Any]] = {
+    "lemmas": _words, "senses": _words, "verb": str.split, "effects": str.split,
+    "phrases": lambda cell: cell.split(", ") if cell else [],
+}  # fmt: skip
+"""How the cells of a column are parted; all others are read as they are."""
+
+
 def _fits(f: Frame, row: FrameRow) -> bool:
     v = f.verb
     if (row.lemmas and v.lemma not in row.lemmas) or (row.senses and v.sense not in row.senses):
         return False
     if not all(_VERBS[test](f) for test in row.verb):
         return False
-    denied = row.adverbs.startswith("!")
     named = {*row.adverbs.removeprefix("!").split("|")} & {*f.adverbs}
-    if row.adverbs and bool(named) == denied:
+    if row.adverbs and bool(named) == row.adverbs.startswith("!"):
         return False
     if not (_is(f.subject, row.subject) and _is(f.object, row.object)):
         return False
-    return all(_phrase(f, p) is not None or _lacks(f, p) for p in row.phrases)
+    return all(
+        _phrase(f, cell.replace(":-", ":any")) is None if cell.endswith(":-") else _phrase(f, cell)
+        for cell in row.phrases
+    )
 
 
 def _is(m: Mention | None, conditions: str) -> bool:
@@ -124,8 +124,6 @@ def _is_one(m: Mention | None, word: str) -> bool:
 def _phrase(f: Frame, cell: str) -> Phrase | None:
     """The phrase that a cell asks for: "on|onto:thing", "any:time"."""
     preps, _, condition = cell.partition(":")
-    if condition == "-":
-        return None
     for p in f.phrases:
         here = preps == "any" or p.prep in preps.split("|")
         if here and p.amount is not None and p.amount.dimension == condition:
@@ -133,12 +131,6 @@ def _phrase(f: Frame, cell: str) -> Phrase | None:
         if here and p.mention is not None and _is(p.mention, condition):
             return p
     return None
-
-
-def _lacks(f: Frame, cell: str) -> bool:
-    """Whether a cell asks that a phrase is not there ("by:-"), and none is."""
-    preps, _, condition = cell.partition(":")
-    return condition == "-" and _phrase(f, f"{preps}:any") is None
 
 
 def _solid(m: Mention | None) -> bool:
@@ -157,8 +149,7 @@ _KINDS: dict[str, Callable[[Mention | None], bool]] = {
     "whole": lambda m: _solid(m) and m is not None and not m.part,
     "ground": _ground,
     "known": lambda m: m is not None and m.noun is not None,
-    "it": lambda m: m is not None and m.pronoun == "it",
-    "them": lambda m: m is not None and m.pronoun == "them",
+    "it": lambda m: m is not None and m.pronoun in ("it", "them"),
 }
 _VERBS: dict[str, Callable[[Frame], bool]] = {
     "active": lambda f: not f.verb.passive,
@@ -173,9 +164,8 @@ _VERBS: dict[str, Callable[[Frame], bool]] = {
 
 def _object(f: Frame, p: Phrase | None, _: str) -> None:
     """What follows the particle is the object: "takes out the red one"."""
-    if p is not None:
-        f.object = p.mention
-        f.phrases.remove(p)
+    f.object = p.mention if p is not None else None
+    _away(f, p, "")
 
 
 def _onto(f: Frame, _: Phrase | None, __: str) -> None:
@@ -194,17 +184,18 @@ def _away(f: Frame, p: Phrase | None, _: str) -> None:
         f.phrases.remove(p)
 
 
-def _active(f: Frame, _: Phrase | None, __: str) -> None:
-    f.verb.passive = False
-
-
 def _positive(f: Frame, _: Phrase | None, __: str) -> None:
     f.verb.negated, f.verb.modal = False, ""
 
 
-def _contact(f: Frame, _: Phrase | None, __: str) -> None:
-    """It topples from a contact with the subject."""
-    f.verb.extra = {**f.verb.extra, "transitive": "1", "contact": "1"}
+def _loose(f: Frame, _: Phrase | None, __: str) -> None:
+    """A heap of snow, not the ground."""
+    if f.subject is not None:
+        f.subject.noun, f.subject.known = None, False
+
+
+def _note(f: Frame, _: Phrase | None, value: str) -> None:
+    f.verb.note = value
 
 
 def _owner(f: Frame, _: Phrase | None, __: str) -> None:
@@ -216,23 +207,11 @@ def _owner(f: Frame, _: Phrase | None, __: str) -> None:
         f.subject = speed.possessor or it
 
 
-def _loose(f: Frame, _: Phrase | None, __: str) -> None:
-    """A heap of snow, not the ground."""
-    if f.subject is not None:
-        f.subject.noun, f.subject.known = None, False
-
-
-def _via(f: Frame, _: Phrase | None, value: str) -> None:
-    f.verb.extra["via"] = value
-
-
-def _note(f: Frame, _: Phrase | None, value: str) -> None:
-    f.verb.note = value
-
-
 _EFFECTS: dict[str, Callable[[Frame, Phrase | None, str], None]] = {
-    "object": _object, "onto": _onto, "prep": _prep, "away": _away, "active": _active,
-    "positive": _positive, "contact": _contact, "via": _via, "note": _note,
-    "loose": _loose, "owner": _owner,
+    "object": _object, "onto": _onto, "prep": _prep, "away": _away, "positive": _positive,
+    "note": _note, "loose": _loose, "owner": _owner,
 }  # fmt: skip
-"""What the column "effects" may do to a frame, given the phrase of the first cell."""
+"""What the column "effects" may do to a frame, given the phrase of the first cell.
+
+"+contact" and "+via=slow" are notes of the verb for the reading of its sense.
+"""

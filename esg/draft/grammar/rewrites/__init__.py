@@ -1,1 +1,1 @@
-"""Rewrites: phrases put into plain order before clauses are built, one construction a module."""
+"""Rewrites: phrases put into plain order before clauses are built, most by rows of a table."""

@@ -18,7 +18,6 @@ _TELLING = lex.word_set("telling (reports)")
 _GOES_ON = lex.word_set("goes on")
 _VERBLESS = lex.word_set("verbless")
 _TURNED = lex.word_set("turned")
-_VESSELS = lex.word_set("vessels (gaps)")
 _ELAPSED = ("passed", "elapsed", "gone by", "gone")
 _PEOPLE = ("er", "or", "ist", "ian", "ee", "man", "woman", "boy", "girl")
 _NO_ACTS = frozenset({"be", "have", "park"})
@@ -123,11 +122,6 @@ def _unknown(e: Element) -> Mention | None:
     return e if plain and isinstance(e, Mention) and e.head else None
 
 
-def _vessel(e: Element) -> bool:
-    traits = e.noun.traits if isinstance(e, Mention) and e.noun is not None else ()
-    return "container" in traits and kind_of(e) in _VESSELS
-
-
 def _incline(e: Element) -> bool:
     return isinstance(e, Mention) and e.noun is not None and "incline" in e.noun.traits
 
@@ -164,7 +158,6 @@ PROPERTIES: dict[str, Callable[[Element], object]] = {
     "impact": _impact,
     "reporter": lambda e: isinstance(e, Mention) and _stem(e.text.split()[-1:]) in _TELLING,
     "verbal": lambda e: isinstance(e, Word) and bool(verb_readings(e.low)),
-    "vessel": _vessel,
     "incline": _incline,
     "garment": _garment,
 }

@@ -5,50 +5,33 @@ A pattern is a row of items: `M` a noun phrase, `V` a verb, `W` a small word, `E
 Tests stand in brackets (`V[lemma=@giving, !passive]`; `@giving` is a word set), a name in front
 (`who:M`), `?` or `*` behind; what follows `/` must match but is left as it is.
 
-A result lists named elements (`who`), with changes (`v[form=s, !negated]`), verbs (`hit.s@v`: v as
-"hits"; `=b.s`: the verb of a blow), words (`adv/heading@who-v`: over that stretch; `conj/and`:
-without a place of its own; `@+who`: behind it), pronouns (`they/`) and the last verb (`again`).
+What stands for it is read by `results`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 import csv
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache, partial
 import re
-from typing import Literal
 
 from esg.draft import lexicon as lex
-from esg.draft.grammar.rewrites.conditions import PLACES, PROPERTIES, blow_at, colours
-from esg.draft.grammar.rewrites.positions import put
+from esg.draft.grammar.rewrites.conditions import PLACES, PROPERTIES, blow_at
+from esg.draft.grammar.rewrites.results import PART, TEST, Spans, make
 from esg.draft.text.elements import Element, Mention, Verb, Word
-from esg.draft.verbphrases import verb_readings
-
-WordKind = Literal["adv", "conj", "prep", "sub", "rel", "punct"]
 
 _ITEM = re.compile(
     r'(?:(?P<name>[a-z]\w*):)?(?:(?P<type>[A-Z]+)|"(?P<low>[^"]+)"|<(?P<place>[^>]+)>)'
     r"(?:\[(?P<tests>[^\]]*)\])?(?P<many>[?*])?|/"
 )
-_MADE = re.compile(
-    r"(?P<aside>~?)(?P<what>=?[a-z]\w*)(?:\.(?P<form>\w+))?(?P<word>/(?P<low>[^@\s\[]*))?"
-    r"(?:@(?P<after>\+)?(?P<first>\w+)(?:-(?P<last>\w+))?)?(?:\[(?P<changes>[^\]]*)\])?"
-)
-_TEST = re.compile(r"(?P<no>!?)(?P<name>\w+)(?P<differs>!?)(?:=(?P<values>.*))?")
 _TYPES: dict[str, tuple[type, ...]] = {
     "M": (Mention,), "V": (Verb,), "W": (Word,), "E": (Mention, Verb, Word),
     "BLOW": (Mention, Word),
 }  # fmt: skip
-_KINDS: dict[str, WordKind] = {
-    "adv": "adv", "conj": "conj", "prep": "prep", "sub": "sub", "rel": "rel", "punct": "punct",
-}  # fmt: skip
 _MANY = {"": (1, 1), "?": (0, 1), "*": (0, 12)}
-_AS_HITS = frozenset({"blow", "jolt", "touch"})
-_VERB_FIELDS = frozenset(Verb.__dataclass_fields__)
 Step = Callable[[list[Element], int, list[Element]], int]
 """How many elements an item takes at a place; -1 if it does not match there."""
-Spans = dict[str, tuple[int, int]]
 
 
 @dataclass(frozen=True)
@@ -88,7 +71,7 @@ def rewrite(elements: list[Element], reading: str) -> list[Element]:
         for row in rows:
             spans = match(row, elements, i, out)
             if spans is not None:
-                out += [e for made in row.made for e in _make(made, elements, spans, out)]
+                out += [e for made in row.made for e in make(made, elements, spans, out)]
                 i = spans["all"][1]
                 break
         else:
@@ -112,14 +95,22 @@ def table() -> dict[str, list[Row]]:
     out: dict[str, list[Row]] = {}
     with open(lex.DATA / "rewrites.csv", encoding="utf-8", newline="") as file:
         for row in csv.DictReader(file, delimiter=";", quoting=csv.QUOTE_NONE):
-            parts = list(_ITEM.finditer(row["pattern"]))
+            parts = _parts(_ITEM, row["pattern"])
             cut = next((k for k, m in enumerate(parts) if m[0] == "/"), len(parts))
             items = tuple(_item(m) for m in parts if m[0] != "/")
             starts = _starts(items)
-            made = tuple(_MADE.finditer(row["result"]))
+            made = tuple(_parts(PART, row["result"]))
             compiled = Row(items, cut, starts, made, row["example"], row["plain"])
             out.setdefault(row["reading"], []).append(compiled)
     return out
+
+
+def _parts(part: re.Pattern[str], text: str) -> list[re.Match[str]]:
+    """The parts of a cell; a row that cannot be read is an error of the table."""
+    parts = list(part.finditer(text))
+    if " ".join(m[0] for m in parts) != text:
+        raise ValueError(f"rewrites.csv: cannot read {text!r}")
+    return parts
 
 
 def _starts(items: tuple[Item, ...]) -> tuple[type, ...]:
@@ -154,7 +145,7 @@ def _item(m: re.Match[str]) -> Item:
 
 
 def _test(text: str) -> Callable[[Element], bool]:
-    m = _TEST.fullmatch(text)
+    m = TEST.fullmatch(text)
     assert m is not None, text
     name = m["name"]
     look: Callable[[Element], object] = PROPERTIES.get(name) or partial(_field, name=name)
@@ -190,116 +181,3 @@ def _matches(
             spans[item.name] = (i, end)
             return True
     return False
-
-
-def _make(
-    made: re.Match[str], elements: list[Element], spans: Spans, out: list[Element]
-) -> list[Element]:
-    """The elements of one part of a result."""
-    what, low = made["what"], (made["low"] or "").replace("_", " ")
-    if what in spans and made["word"] is None and not made["form"] and not made["first"]:
-        named = elements[slice(*spans[what])]
-        if (made["changes"] or "").startswith("as="):
-            color = colours(elements[spans[made["changes"][3:]][0]])
-            return [_member(e, color) for e in named if isinstance(e, Mention)]
-        for e in named:
-            _change(e, made["changes"], elements, spans)
-        return [] if made["aside"] else named
-    first = spans[made["first"] or "all"]
-    last = spans[made["last"] or made["first"] or "all"]
-    model = elements[first[0]]
-    start, end = model.start, elements[max(last[1] - 1, first[0])].end
-    if made["after"]:
-        start = end = model.end
-        model = Word(start, start, "unknown", "")
-    if what == "again":
-        verb = next(e for e in reversed(out) if isinstance(e, Verb))
-        new: Element = replace(verb, start=start, end=end, form="s", extra=dict(verb.extra))
-    elif made["word"] is None:
-        new = _verb(what, made, model, (start, end), elements, spans)
-    elif not low:
-        new = Mention(start, start, pronoun=what, text=what)
-    else:
-        wide = what == "adv" or (made["first"] and what in ("prep", "sub"))
-        new = Word(start, end if wide else start, _KINDS[what], low)
-    _change(new, made["changes"], elements, spans)
-    return [new]
-
-
-def _verb(
-    what: str,
-    made: re.Match[str],
-    model: Element,
-    at: tuple[int, int],
-    elements: list[Element],
-    spans: Spans,
-) -> Verb:
-    """The verb that a result names, in the form of the verb in whose place it stands."""
-    if what.startswith("="):
-        blow = elements[spans[what[1:]][1] - 1]
-        what = blow.head if isinstance(blow, Mention) else getattr(blow, "low", "")
-        what = "hit" if what in _AS_HITS else what
-    reading = next((r for r in verb_readings(what) if r.form == "base"), None)
-    lemma, sense, note = (
-        (reading.lemma, reading.sense, reading.note) if reading else (what, "hit", "")
-    )
-    if isinstance(model, Verb):
-        form = made["form"] or model.form
-        return replace(model, end=at[1], lemma=lemma, sense=sense, note=note, form=form, extra={})
-    return Verb(*at, lemma, sense, made["form"] or "s", note)
-
-
-def _member(m: Mention, color: list[str]) -> Mention:
-    """One of several things, told by its colour."""
-    return replace(
-        m, plural=False, count=None, determiner="a", adjectives=[*m.adjectives, *color],
-        text=f"{color[0]} {m.head}", amounts=[*m.amounts], coordinated=[], entities=[],
-    )  # fmt: skip
-
-
-def _change(e: Element, changes: str | None, elements: list[Element], spans: Spans) -> None:
-    """Sets fields of an element; what a verb has no field for is a note of its own."""
-    for change in (changes or "").split(", "):
-        m = _TEST.fullmatch(change)
-        if m is None:
-            continue
-        name, value = m["name"], m["values"]
-        if name in _TAKEN and isinstance(e, Mention):
-            _TAKEN[name](e, elements[spans[value][0]])
-        elif isinstance(e, Verb) and name not in _VERB_FIELDS:
-            e.extra = {**e.extra, name: value}
-        elif value is None:
-            setattr(e, name, None if name == "noun" else not m["no"])
-        elif name == "noun":
-            setattr(e, name, lex.nouns()[value])
-        elif isinstance(getattr(e, name), list):
-            setattr(e, name, value.split("|"))
-        else:
-            setattr(e, name, int(value) if value.isdigit() else value)
-
-
-def _takes(m: Mention, told: Element) -> None:
-    """A thing has what is told beside it: a quantity, "a red one", "a dog"."""
-    if isinstance(told, Word) and told.amount is not None:
-        m.amounts.append(told.amount)
-    elif isinstance(told, Mention):
-        m.end, m.adjectives = max(m.end, told.end), [*m.adjectives, *told.adjectives]
-        if told.letters:
-            m.letters, m.determiner = [*told.letters], ""
-            m.text = f"{m.text} {m.letters[0]}"
-        elif told.noun is not None and not m.determiner:
-            m.noun, m.known = told.noun, True
-
-
-def _is_like(m: Mention, other: Element) -> None:
-    """ "The left and the right cart": a cart, too."""
-    if isinstance(other, Mention):
-        m.adjectives = m.adjectives or [m.head]
-        m.pronoun, m.part, m.attribute = "", "", other.attribute
-        m.head, m.noun, m.known = other.head, other.noun, other.known
-        m.text = f"{m.text} {other.head}"
-
-
-_TAKEN: dict[str, Callable[[Mention, Element], None]] = {
-    "takes": _takes, "like": _is_like, "put": put,
-}  # fmt: skip
