@@ -20,6 +20,7 @@ _VERBLESS = lex.word_set("verbless")
 _TURNED = lex.word_set("turned")
 _ELAPSED = ("passed", "elapsed", "gone by", "gone")
 _PEOPLE = ("er", "or", "ist", "ian", "ee", "man", "woman", "boy", "girl")
+_LABELLED = lex.word_set("labelled")
 _NO_ACTS = frozenset({"be", "have", "park"})
 _APPROACHES = frozenset({"approach", "own", "roll", "slide", "reach"})
 
@@ -135,6 +136,15 @@ def _garment(e: Element) -> bool:
     return "-".join(e.head.split()) in lex.GARMENTS or e.head.split()[-1] in lex.GARMENTS
 
 
+def label_of(e: Element) -> list[str]:
+    """The letter of "object A", "body B"."""
+    if not isinstance(e, Mention):
+        return []
+    if len(e.head) == 1 and _LABELLED & {*e.adjectives}:
+        return [e.head.upper()]
+    return e.letters if e.head in _LABELLED else []
+
+
 PROPERTIES: dict[str, Callable[[Element], object]] = {
     "thing": kind_of,
     "dimension": _dimension,
@@ -149,6 +159,7 @@ PROPERTIES: dict[str, Callable[[Element], object]] = {
     "person": lambda e: kind_of(e) == "person" and isinstance(e, Mention) and not e.attribute,
     "elapsed": lambda e: _dimension(e) == "time" and _word(e).endswith(_ELAPSED),
     "named": lambda e: isinstance(e, Mention) and bool(e.noun or e.pronoun or e.letters),
+    "labelled": lambda e: bool(label_of(e)),
     "picked": picks,
     "place": place_of,
     "sided": lambda e: bool({"left", "right"} & {*getattr(e, "adjectives", ())}),

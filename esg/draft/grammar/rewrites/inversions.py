@@ -5,7 +5,13 @@ from __future__ import annotations
 from dataclasses import replace
 
 from esg.draft import lexicon as lex
-from esg.draft.grammar.rewrites.conditions import finite, is_prep, starts_clause, word_at
+from esg.draft.grammar.rewrites.conditions import (
+    finite,
+    is_prep,
+    mention_at,
+    starts_clause,
+    word_at,
+)
 from esg.draft.text.elements import Element, Mention, Verb, Word
 from esg.draft.verbphrases import particle_sense
 
@@ -40,19 +46,13 @@ def _inverted(elements: list[Element], i: int, out: list[Element]) -> int:
     k = j + 1
     while (small := word_at(elements, k)) is not None and small.kind == "adv":
         k += 1
-    subject = elements[k] if k < len(elements) else None
-    if verb is None or not isinstance(subject, Mention) or subject.attribute:
+    subject = mention_at(elements, k)
+    if verb is None or subject is None or subject.attribute or subject.pronoun in _REFLEXIVE:
         return 0
-    one = not (subject.plural or subject.coordinated or subject.count)
-    if subject.pronoun in _REFLEXIVE or (verb.form == "base" and one):
-        return 0
-    lead = elements[i:j]
-    lows = {e.low for e in lead if isinstance(e, Word)}
-    goes = (verb.sense in _MOVING or verb.lemma in _INTRANSITIVE) and lows & _DIRECTIONS
     joined = bool(out) and isinstance(out[-1], Word) and out[-1].kind == "conj"
-    if not (goes or (verb.sense == "posture" and lows & _PLACES)) or (
-        joined and verb.form == "base"
-    ):
+    one = not (subject.plural or subject.coordinated or subject.count)
+    lead = elements[i:j]
+    if (verb.form == "base" and (one or joined)) or not _goes_or_stands(verb, lead):
         return 0
     if verb.lemma in _INTRANSITIVE:
         verb = replace(verb, sense="own")
@@ -62,6 +62,14 @@ def _inverted(elements: list[Element], i: int, out: list[Element]) -> int:
     after = [*elements[j + 1 : k]]
     out += [subject, verb, *after, *lead] if joined or bare else [*lead, subject, verb, *after]
     return k + 1 - i
+
+
+def _goes_or_stands(verb: Verb, lead: list[Element]) -> bool:
+    """Whether what opens the clause says where the verb leads, or where something stands."""
+    lows = {e.low for e in lead if isinstance(e, Word)}
+    if verb.sense == "posture" and lows & _PLACES:
+        return True
+    return (verb.sense in _MOVING or verb.lemma in _INTRANSITIVE) and bool(lows & _DIRECTIONS)
 
 
 def _lead(elements: list[Element], i: int) -> int:

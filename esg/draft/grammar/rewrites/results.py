@@ -14,7 +14,7 @@ import re
 from typing import Literal
 
 from esg.draft import lexicon as lex
-from esg.draft.grammar.rewrites.conditions import colours
+from esg.draft.grammar.rewrites.conditions import colours, label_of
 from esg.draft.grammar.rewrites.positions import put
 from esg.draft.text.elements import Element, Mention, Verb, Word
 from esg.draft.verbphrases import verb_readings
@@ -133,11 +133,13 @@ def _takes(m: Mention, told: Element) -> None:
     if isinstance(told, Word) and told.amount is not None:
         m.amounts.append(told.amount)
     elif isinstance(told, Mention):
-        m.end, m.adjectives = max(m.end, told.end), [*m.adjectives, *told.adjectives]
-        if told.letters:
-            m.letters, m.determiner = [*told.letters], ""
+        m.start, m.end = min(m.start, told.start), max(m.end, told.end)
+        if label := label_of(told):
+            m.letters, m.determiner = [*label], ""
             m.text = f"{m.text} {m.letters[0]}"
-        elif told.noun is not None and not m.determiner:
+            return
+        m.adjectives += told.adjectives
+        if told.noun is not None and not m.determiner:
             m.noun, m.known = told.noun, True
 
 
