@@ -24,7 +24,7 @@ from esg.draft.grammar.phrases.reader import (
     verb_soon,
 )
 from esg.draft.grammar.phrases.verb_groups import verb_group
-from esg.draft.grammar.rewrites.conditions import RETOLD_NOUNS
+from esg.draft.grammar.rewrites.nominals import RETOLD_NOUNS
 from esg.draft.text.elements import Element, Mention, Token, Verb, Word
 from esg.draft.text.multiwords import MULTIWORDS
 from esg.draft.text.numerals import parse_number
