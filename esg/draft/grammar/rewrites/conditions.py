@@ -12,7 +12,6 @@ from esg.draft.verbphrases import verb_readings
 
 STOPS = ".;:!?\n"
 _BLOWS = lex.word_set("blows (light verbs)")
-RETOLD_NOUNS = lex.word_set("retold nouns")
 _HITS = lex.word_set("hits (impacts)")
 _TELLING = lex.word_set("telling (reports)")
 _GOES_ON = lex.word_set("goes on")
