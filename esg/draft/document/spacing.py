@@ -90,11 +90,7 @@ def _pair(text: str, a: Amount, named: list[tuple[Mention, list[str]]], scene: S
     if _BETWEEN.match(text, a.end) and after:
         return _two(after)
     if _AHEAD.match(text, a.end) and before and not _TRAVELS.search(lead):
-        other = before[-1][0]
-        mover = _comes_to(other, scene) or next(
-            (ids[0] for ids in reversed(before) if ids[0] != other), ""
-        )
-        return [mover, other] if mover else []
+        return _two([ids[:1] for ids in reversed(before)])[::-1]
     return []
 
 
@@ -116,11 +112,3 @@ def _things(m: Mention, scene: Scene) -> list[str]:
     ids = [current_id(world, i) for i in world.resolved.get(id(m), m.entities)]
     fit = [] if m.attribute else [i for i in ids if i in world.entities]
     return [i for i in fit if "structural" not in world.entities[i].noun.traits]
-
-
-def _comes_to(other: str, scene: Scene) -> str:
-    """Who meets it first."""
-    for node in scene.timeline.nodes:
-        if other in node.participants and len(node.participants) == 2:
-            return next(p for p in node.participants if p != other)
-    return ""
