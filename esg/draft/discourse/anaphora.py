@@ -9,7 +9,7 @@ from esg.draft.discourse.referents.entities import ORDINALS, Entity
 from esg.draft.discourse.referents.pronouns import pronoun
 from esg.draft.discourse.scene import SELF_POWERED
 from esg.draft.grammar.clauses.frames import Frame
-from esg.draft.grammar.rewrites.nominals import RETOLD_NOUNS
+from esg.draft.grammar.rewrites.conditions import RETOLD_NOUNS
 from esg.draft.grammar.rewrites.persons import of_other_gender
 from esg.draft.text.elements import Mention
 

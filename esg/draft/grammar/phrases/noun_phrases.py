@@ -24,7 +24,7 @@ from esg.draft.grammar.phrases.noun_starts import (
 )
 from esg.draft.grammar.phrases.nouns import low_at, match_noun, token_at
 from esg.draft.grammar.phrases.reader import acts, is_adjective, known_adjective, noun_soon
-from esg.draft.grammar.rewrites.nominals import RETOLD_NOUNS
+from esg.draft.grammar.rewrites.conditions import RETOLD_NOUNS
 from esg.draft.text.elements import Mention, Word
 from esg.draft.text.numerals import parse_number
 from esg.draft.verbphrases import verb_readings
