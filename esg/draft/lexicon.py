@@ -231,6 +231,8 @@ PARTS = word_set("parts")
 GARMENTS = word_set("garments")
 ATTRIBUTES = word_set("attributes")
 """Nouns that name no object: measures, events, media."""
+RETOLD_NOUNS = word_set("retold nouns")
+"""Nouns of events that a prompt has told before: "after that bump it falls"."""
 SUBSTANCES = word_set("substances")
 """What a thing is made of or filled with: "a glass of water", "a ball of steel"."""
 FIRST_NAMES = word_set("first names")

@@ -9,7 +9,6 @@ from esg.draft.discourse.referents.entities import ORDINALS, Entity
 from esg.draft.discourse.referents.pronouns import pronoun
 from esg.draft.discourse.scene import SELF_POWERED
 from esg.draft.grammar.clauses.frames import Frame
-from esg.draft.grammar.rewrites.conditions import RETOLD_NOUNS
 from esg.draft.grammar.rewrites.persons import of_other_gender
 from esg.draft.text.elements import Mention
 
@@ -98,7 +97,7 @@ def made_to(d: Discourse, f: Frame) -> None:
         return
     if f.verb.sense != "cause" or len(met) != 1 or sentence < f.sentence - 1:
         return
-    event = (s.attribute and s.head in RETOLD_NOUNS) or s.pronoun in ("this", "that")
+    event = (s.attribute and s.head in lex.RETOLD_NOUNS) or s.pronoun in ("this", "that")
     hard = f.verb.infinitive and f.parent is not None and s is f.parent.subject
     driven = f.causer is not None and f.causer.verb.sense in ("hit", "knock")
     event = event or hard or driven  # "hits it hard enough to make it fall"

@@ -25,7 +25,6 @@ from esg.draft.grammar.phrases.reader import (
     verb_soon,
 )
 from esg.draft.grammar.phrases.verb_groups import verb_group
-from esg.draft.grammar.rewrites.conditions import RETOLD_NOUNS
 from esg.draft.text.elements import Element, Mention, Token, Verb, Word, WordKind
 from esg.draft.text.multiwords import MULTIWORDS
 from esg.draft.text.numerals import parse_number
@@ -185,7 +184,7 @@ def _link(c: Chunks, i: int) -> int | None:
     if low in ("then", "meanwhile", "simultaneously"):
         return _word(c, i, "adv", low)
     that = low in ("after", "before") and low_at(c, i + 1) in ("that", "this", "which")
-    if that and low_at(c, i + 2) not in RETOLD_NOUNS:
+    if that and low_at(c, i + 2) not in lex.RETOLD_NOUNS:
         c.elements.append(Word(c.tokens[i].start, c.tokens[i].end, "adv", "then"))
         return i + 2
     clause = low in lex.SUBORDINATORS and _clause_follows(c, i)
@@ -363,7 +362,7 @@ def _apart(c: Chunks, i: int, words: tuple[str, ...]) -> bool:
         return _many_reverse(c)  # "Two vans back into each other"
     if words[0] in ("at", "in", "on") and after in ("of", "to"):
         return True  # "at the end of the ramp", "on the way to the door"
-    if words[-1] in ("that", "this") and after in RETOLD_NOUNS:
+    if words[-1] in ("that", "this") and after in lex.RETOLD_NOUNS:
         return True  # "because of that bump"
     if words == ("at", "the", "end") and isinstance(previous, Mention):
         return previous.pronoun == "one" and previous.determiner == "the"  # "the one at the end"

@@ -24,7 +24,6 @@ from esg.draft.grammar.phrases.noun_starts import (
 )
 from esg.draft.grammar.phrases.nouns import low_at, match_noun, token_at
 from esg.draft.grammar.phrases.reader import acts, is_adjective, known_adjective, noun_soon
-from esg.draft.grammar.rewrites.conditions import RETOLD_NOUNS
 from esg.draft.text.elements import Mention, Word
 from esg.draft.text.numerals import parse_number
 from esg.draft.verbphrases import verb_readings
@@ -85,7 +84,7 @@ def _without_noun(c: Chunks, i: int, m: Mention) -> int:
         return i + 1
     previous = c.elements[-1] if c.elements else None
     retold = isinstance(previous, Word) and previous.kind in ("prep", "sub")
-    if retold and low in ("this", "that") and after in RETOLD_NOUNS:
+    if retold and low in ("this", "that") and after in lex.RETOLD_NOUNS:
         m.determiner, m.head, m.attribute = low, after, True
     elif low == "the" and after in ("latter", "former") and alone(c, i + 2):
         m.pronoun = after
