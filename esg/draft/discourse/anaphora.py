@@ -5,12 +5,11 @@ from __future__ import annotations
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, ids_of, kind_of, movable, structural
 from esg.draft.discourse.record import Discourse
-from esg.draft.discourse.referents.entities import ORDINALS, Entity
-from esg.draft.discourse.referents.pronouns import pronoun
+from esg.draft.discourse.referents.entities import Entity
+from esg.draft.discourse.referents.pronouns import of_other_gender, pronoun
 from esg.draft.discourse.scene import SELF_POWERED
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.grammar.rewrites.nominals import RETOLD_NOUNS
-from esg.draft.grammar.rewrites.persons import of_other_gender
 from esg.draft.text.elements import Mention
 
 _TAKING = lex.word_set("taking (anaphora)")
@@ -240,7 +239,7 @@ def it_of_the_next(d: Discourse, f: Frame, subject: list[str]) -> None:
         return
     mine, other = entity_of(d, subject[0]), entity_of(d, before[0])
     words = {mine.place, *mine.adjectives}
-    placed = mine.place in ORDINALS or bool({"last", "rear", "final"} & words)
+    placed = mine.place in lex.ORDINALS or bool({"last", "rear", "final"} & words)
     if mine.noun == other.noun and placed:
         d.world.resolved[id(m)] = m.entities = list(before)
 

@@ -25,12 +25,12 @@ from esg.draft.discourse.anaphora import (
     what_can_drive,
 )
 from esg.draft.discourse.core import aimable, entity_of, ids_of, kind_of, movable, quantity_of
+from esg.draft.discourse.places import enterable
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.entities import ACTING_PARTS
 from esg.draft.discourse.referents.registry import add_entity, current_id, note_referents
 from esg.draft.discourse.referents.resolution import resolve
 from esg.draft.discourse.scene import SELF_POWERED
-from esg.draft.events.timing import enterable
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.elements import Mention
 

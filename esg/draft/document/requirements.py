@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.referents.entities import ORDINALS, Entity, slug
+from esg.draft.discourse.referents.entities import Entity, slug
 from esg.draft.discourse.referents.sizes import dimensions_of, mass_of
 from esg.draft.discourse.scene import Scene
 from esg.graph.models import AssetRequirement
@@ -63,7 +63,7 @@ def requirement(e: Entity) -> AssetRequirement:
         for a in e.adjectives
         if not a.startswith("@")
         and a not in ("same", "other")
-        and not (e.in_group and a in {*ORDINALS, "last", "final"})
+        and not (e.in_group and a in {*lex.ORDINALS, "last", "final"})
     ]
     words = [*modifiers, e.head]
     description = f"{' '.join(dict.fromkeys(words))}: {e.noun.description}"

@@ -15,7 +15,7 @@ from esg.draft.discourse.core import (
     structural,
 )
 from esg.draft.discourse.event_coreference import time_of_told, told_before
-from esg.draft.discourse.places import carries, elevated, fits_on, holds, place, set_free
+from esg.draft.discourse.places import carries, elevated, enterable, fits_on, holds, place, set_free
 from esg.draft.discourse.record import Discourse, Time
 from esg.draft.discourse.scene import SELF_POWERED, SPEEDS
 from esg.draft.discourse.underway import goes_on
@@ -34,7 +34,6 @@ from esg.draft.events.table import read_as
 from esg.draft.events.timing import (
     PUSHING,
     enter,
-    enterable,
     is_airborne,
     moved_by_others,
     record_event,

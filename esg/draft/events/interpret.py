@@ -21,7 +21,6 @@ from esg.draft.discourse.event_coreference import sentence
 from esg.draft.discourse.in_turn import one_time_each
 from esg.draft.discourse.record import Discourse, Time
 from esg.draft.discourse.references import RIDDEN, STATES, refer_all
-from esg.draft.discourse.referents.entities import ORDINALS
 from esg.draft.discourse.referents.record import World
 from esg.draft.discourse.referents.registry import apply_amount
 from esg.draft.discourse.scene import SELF_POWERED, Scene
@@ -374,7 +373,7 @@ def _told_event(d: Discourse, m: Mention | None) -> Draft | None:
     if m is None or kinds is None:
         return None
     told = [n for n in d.timeline.nodes if n.event in kinds]
-    place = next((ORDINALS[a] for a in m.adjectives if a in ORDINALS), -1)
+    place = next((lex.ORDINALS[a] for a in m.adjectives if a in lex.ORDINALS), -1)
     return told[place] if -len(told) <= place < len(told) else None
 
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from esg.draft import lexicon as lex
 from esg.draft.discourse.core import kind_of, mark_used, structural
 from esg.draft.discourse.decks import is_deck
 from esg.draft.discourse.places import place
 from esg.draft.discourse.record import Discourse
-from esg.draft.discourse.referents.entities import BODY_PARTS, OWN_PARTS
 from esg.draft.discourse.scene import SELF_POWERED
 from esg.draft.events.acts import add_event, add_hit, go_into
 from esg.draft.events.arrivals import takes_up_from_above
@@ -31,7 +31,7 @@ def landing_of(d: Discourse, f: Frame, moved: list[str]) -> bool:
     own_side = m is not None and m.determiner == "its" and not m.entities
     built = m is not None and m.determiner == "its" and bool(moved)
     own_side = own_side or (built and kind_of(d, moved[0]) in SELF_POWERED - {"person"})
-    if own_side and m is not None and m.head in BODY_PARTS | OWN_PARTS:
+    if own_side and m is not None and m.head in lex.BODY_PARTS | lex.OWN_PARTS:
         mark_used(d, f, "landing")
         return True
     if p is None or p.mention is None or not p.mention.entities:
@@ -41,7 +41,7 @@ def landing_of(d: Discourse, f: Frame, moved: list[str]) -> bool:
         return False  # "In a café a waiter drops a tray": where, not where to
     owned = p.mention.determiner in ("its", "his", "her", "their")
     itself = not set(p.mention.entities) - set(moved)
-    if owned and itself and p.mention.head in BODY_PARTS | OWN_PARTS:
+    if owned and itself and p.mention.head in lex.BODY_PARTS | lex.OWN_PARTS:
         mark_used(d, f, "landing")  # "lands on its wheels"
         if f.verb.sense == "fall" and moved and kind_of(d, moved[0]) == "person":
             add_event(d, NodeEvent.TOPPLE, (moved[0],), f, time_of(d, f))  # "flat on his face"

@@ -13,6 +13,7 @@ from esg.draft.discourse.concurrence import (
     told_apart_by,
 )
 from esg.draft.discourse.core import amounts_of, describe, entity_of, kind_of, mark_used, structural
+from esg.draft.discourse.places import enterable
 from esg.draft.discourse.record import Discourse, Time
 from esg.draft.discourse.scene import SELF_POWERED, pocket_name
 from esg.draft.discourse.timeline import START
@@ -322,11 +323,6 @@ def _land_aim(
     else:
         d.add_event(NodeEvent.COLLISION, (name, other), f, time)
         d.moves.last_hit = (name, other)
-
-
-def enterable(d: Discourse, node: str) -> bool:
-    noun = entity_of(d, node).noun
-    return noun.kind in ("region", "goal", "hole", "hoop", "water") or "goal" in noun.traits
 
 
 def precedes(d: Discourse, a: Amount) -> bool:

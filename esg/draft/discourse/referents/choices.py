@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.referents.contrasts import contrasting
-from esg.draft.discourse.referents.entities import FRONT, ORDINALS, REAR, STACKED, Entity, slug
+from esg.draft.discourse.referents.entities import FRONT, REAR, Entity, slug
 from esg.draft.discourse.referents.matching import same_kind
-from esg.draft.discourse.referents.ranks import RANKS, extreme, rank, same_quantity
+from esg.draft.discourse.referents.ranks import extreme, rank, same_quantity
 from esg.draft.discourse.referents.record import World
 from esg.draft.discourse.referents.registry import add_entity, current_id, new_id, rename
 from esg.draft.grammar.rewrites.positions import NEIGHBOUR
@@ -25,7 +25,7 @@ def one_more(world: World, like: Entity, words: list[str], m: Mention) -> list[s
 def name_by_place(world: World, name: str, place: str) -> str:
     """Gives a member of a row or stack the name of its place; returns its id."""
     e = world.entities[name]
-    if not e.letter and (not e.place or e.place in STACKED) and e.place != place:
+    if not e.letter and (not e.place or e.place in lex.STACKED) and e.place != place:
         e.place, e.label = place, f"{place} {e.head}"
         e.adjectives.append(place)
         rename(world, e, new_id(world, slug(e.label)))
@@ -64,7 +64,7 @@ def middle_of(world: World) -> list[str]:
 def _another_like(world: World, m: Mention, avoid: list[str]) -> list[str]:
     """ "The first runner falls, the second ...", "a blue car ... the red one", "the yellow"."""
     colors = [a for a in m.adjectives if a in lex.COLORS]
-    ordinal = next((a for a in m.adjectives if a in ORDINALS), None)
+    ordinal = next((a for a in m.adjectives if a in lex.ORDINALS), None)
     solid = [
         e for e in reversed(list(world.entities.values())) if "structural" not in e.noun.traits
     ]
@@ -90,7 +90,7 @@ def _another_like(world: World, m: Mention, avoid: list[str]) -> list[str]:
     elif ordinal is not None and _beyond_last(world, ordinal):
         model = world.entities[next(reversed(list(world.groups.values())))[0]]
     elif ordinal is not None and not any(e.group for e in solid):
-        model = next((e for e in solid if e.place in ORDINALS and e.place != ordinal), None)
+        model = next((e for e in solid if e.place in lex.ORDINALS and e.place != ordinal), None)
     if model is None or (model.id in avoid and not ordinal and model.color is None):
         return []
     return one_more(world, model, [ordinal] if ordinal else colors, m)
@@ -101,7 +101,7 @@ def ranked(world: World, m: Mention, things: list[Entity], avoid: list[str]) -> 
     word = rank(m)
     best = extreme(word, things, world.facts) if word else None
     if best is None and word and len(things) == 2 and things[0].group:
-        end = RANKS[word]  # "the smaller one turns, but the larger one scrapes it"
+        end = lex.RANKS[word]  # "the smaller one turns, but the larger one scrapes it"
         other = world.ends.get((end[0], -end[1]), "")
         taken = {*avoid, current_id(world, other) if other else ""}
         free = [e for e in things if e.id not in taken] or things
@@ -123,7 +123,7 @@ def comparable_with(world: World, avoid: list[str]) -> list[Entity]:
 
 def _single_before(world: World, ordinal: str) -> Entity | None:
     """A thing of no plural that the prompt called "the first", before its like."""
-    placed = [e for e in world.entities.values() if e.place in ORDINALS and e.group is None]
+    placed = [e for e in world.entities.values() if e.place in lex.ORDINALS and e.group is None]
     before = [e for e in placed if e.place != ordinal]
     return before[-1] if before and len(before) == len(placed) else None
 
@@ -131,7 +131,7 @@ def _single_before(world: World, ordinal: str) -> Entity | None:
 def _beyond_last(world: World, ordinal: str) -> bool:
     """ "passes three gates and hits the fourth": one more than the plural has."""
     group = next(reversed(list(world.groups.values())), [])
-    return ordinal in ORDINALS and len(group) > 1 and ORDINALS[ordinal] == len(group)
+    return ordinal in lex.ORDINALS and len(group) > 1 and lex.ORDINALS[ordinal] == len(group)
 
 
 def one_of(world: World, m: Mention, avoid: list[str]) -> list[str]:
@@ -217,12 +217,12 @@ def one_of(world: World, m: Mention, avoid: list[str]) -> list[str]:
             chosen.place = chosen.place or colors[0]
             rename(world, chosen, new_id(world, slug(chosen.label)))
             return [chosen.id]
-    ordinal = next((a for a in m.adjectives if a in ORDINALS or a == "last"), None)
+    ordinal = next((a for a in m.adjectives if a in lex.ORDINALS or a == "last"), None)
     if last_group and avoid and any(a.endswith("er") for a in m.adjectives):
         mates = [i for i in last_group if i not in avoid]
         if mates and "other" not in m.adjectives:
             return mates[:1]  # "the heavier crate ... the lighter one"
-    if set(STACKED) & set(m.adjectives):
+    if set(lex.STACKED) & set(m.adjectives):
         stacks = [g for g in world.groups.values() if world.entities[g[0]].pattern == "stack"]
         level = world.of_stack(m, [world.entities[i] for i in stacks[-1]]) if stacks else []
         if level:
@@ -259,16 +259,16 @@ def ordinal_of(world: World, m: Mention, ordinal: str) -> list[str]:
         return [exact[0].id]
     grouped = [e for e in names if e.group]
     pool = grouped or names
-    k = len(pool) - 1 if ordinal in ("last", "final") else ORDINALS[ordinal]
-    if ordinal not in ORDINALS and not grouped and all(e.place for e in pool[-1:]):
+    k = len(pool) - 1 if ordinal in ("last", "final") else lex.ORDINALS[ordinal]
+    if ordinal not in lex.ORDINALS and not grouped and all(e.place for e in pool[-1:]):
         return []  # "the front car brakes ... the last car hits it"
-    if ordinal in ORDINALS and not grouped:
+    if ordinal in lex.ORDINALS and not grouped:
         # "a ball ... the second ball": the first is the one already there
         taken = [e for e in pool if e.place in ("", "first")]
         if ordinal == "first" and taken:
             return [taken[0].id]
         alike = [e for e in pool if e.head == m.head and e.place in ("", "first")]
-        k = ORDINALS[ordinal]
+        k = lex.ORDINALS[ordinal]
         return [alike[k].id] if 0 < k < len(alike) else []
     if 0 <= k < len(pool):
         e = pool[k]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.referents.entities import FRONT, ORDINALS, REAR, Entity
+from esg.draft.discourse.referents.entities import FRONT, REAR, Entity
 from esg.draft.discourse.referents.ranks import told_apart
 from esg.draft.discourse.referents.record import World
 from esg.draft.text.elements import Mention
@@ -66,7 +66,7 @@ def matches(world: World, m: Mention, e: Entity) -> bool:
             return False
         if a in REAR and e.place == "front":
             return False
-        if a in ORDINALS and (e.place != a):
+        if a in lex.ORDINALS and (e.place != a):
             return False
         if a in _IN_A_LINE and e.place in _ENDS and e.place != a and not e.group:
             return False

@@ -4,18 +4,9 @@ from __future__ import annotations
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.referents.choices import name_by_place
-from esg.draft.discourse.referents.entities import (
-    COUNTED_FROM,
-    FRONT,
-    ORDINALS,
-    OTHER,
-    REAR,
-    STACKED,
-    Entity,
-    slug,
-)
+from esg.draft.discourse.referents.entities import FRONT, OTHER, REAR, Entity, slug
 from esg.draft.discourse.referents.matching import HYPERNYMS, matches
-from esg.draft.discourse.referents.ranks import RANKS, extreme, measured, same_quantity
+from esg.draft.discourse.referents.ranks import extreme, measured, same_quantity
 from esg.draft.discourse.referents.record import World
 from esg.draft.discourse.referents.registry import new_id, place_of, rename
 from esg.draft.text.elements import Mention
@@ -29,15 +20,15 @@ _LEVELS = {-1: "top", 0: "bottom", 1: "middle"}
 
 def of_stack(world: World, m: Mention, names: list[Entity]) -> list[str]:
     """ "the top crate", "the lowest one": by its level in the stack told last."""
-    word = next((a for a in m.adjectives if a in STACKED), None)
+    word = next((a for a in m.adjectives if a in lex.STACKED), None)
     if word is None or m.plural or (m.count or 1) > 1:
         return []
     stacked = [e for e in names if e.group in world.groups and e.pattern == "stack"]
     if not stacked:
         return []
     members = world.groups[stacked[-1].group or ""]
-    k = STACKED[word] if STACKED[word] <= 0 else len(members) // 2
-    return [name_by_place(world, members[k], _LEVELS[STACKED[word]])]
+    k = lex.STACKED[word] if lex.STACKED[word] <= 0 else len(members) // 2
+    return [name_by_place(world, members[k], _LEVELS[lex.STACKED[word]])]
 
 
 def by_side(world: World, m: Mention, names: list[Entity]) -> list[str]:
@@ -53,35 +44,35 @@ def by_side(world: World, m: Mention, names: list[Entity]) -> list[str]:
 
 def counted_from(world: World, m: Mention, names: list[Entity]) -> list[str]:
     """ "the second crate from the left", "the third from the top"."""
-    ordinal = next((ORDINALS[a] for a in m.adjectives if a in ORDINALS), 0)
+    ordinal = next((lex.ORDINALS[a] for a in m.adjectives if a in lex.ORDINALS), 0)
     groups = [e.group for e in names if e.group in world.groups]
     if not groups:
         return []
     members = world.groups[groups[-1] or ""]
-    k = ordinal if COUNTED_FROM[m.counted_from] > 0 else len(members) - 1 - ordinal
+    k = ordinal if lex.COUNTED_FROM[m.counted_from] > 0 else len(members) - 1 - ordinal
     if not 0 <= k < len(members):
         return []
-    word = next((a for a in m.adjectives if a in ORDINALS), "first")
+    word = next((a for a in m.adjectives if a in lex.ORDINALS), "first")
     for i in members:
         if world.entities[i].pattern in (None, "scatter", "queue"):
             world.entities[i].pattern = "row"
-    if COUNTED_FROM[m.counted_from] < 0:
+    if lex.COUNTED_FROM[m.counted_from] < 0:
         word = f"{word} last" if ordinal else "last"
     return [name_by_place(world, members[k], word)]
 
 
 def picked(world: World, m: Mention, ids: list[str]) -> list[str]:
     """ "the first of two barrels": one member, named by its place."""
-    if m.pick in STACKED and world.entities[ids[0]].group:
+    if m.pick in lex.STACKED and world.entities[ids[0]].group:
         for i in ids:
             world.entities[i].pattern = "stack"
         like = Mention(m.start, m.end, head=m.head, noun=m.noun, adjectives=[m.pick])
         return of_stack(world, like, [world.entities[i] for i in ids])
-    if m.pick in RANKS:
+    if m.pick in lex.RANKS:
         best = extreme(m.pick, [world.entities[i] for i in ids], world.facts)
         if best is not None:
             return [best.id]  # "the heavier of two crates"
-    k = ORDINALS.get(
+    k = lex.ORDINALS.get(
         m.pick, len(ids) - 1 if m.pick in ("last", "final", "rightmost", "rear") else 0
     )
     entity = world.entities[ids[min(k, len(ids) - 1)]]
@@ -143,7 +134,7 @@ def specialize(world: World, m: Mention, e: Entity) -> None:
     keep = [
         a
         for a in m.adjectives
-        if a in lex.COLORS or a in FRONT | REAR or a in ORDINALS or a in ("left", "right")
+        if a in lex.COLORS or a in FRONT | REAR or a in lex.ORDINALS or a in ("left", "right")
     ]
     if keep:
         rename(world, e, new_id(world, slug(" ".join([*keep, e.head]))))

@@ -4,15 +4,19 @@ from __future__ import annotations
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.referents.choices import one_more, one_of
-from esg.draft.discourse.referents.entities import ORDINALS, Entity
+from esg.draft.discourse.referents.entities import Entity
 from esg.draft.discourse.referents.meetings import before_this, meeting, the_others
 from esg.draft.discourse.referents.record import World
 from esg.draft.discourse.referents.registry import add_entity, create
-from esg.draft.grammar.rewrites.persons import named_by_no_person, of_other_gender
 from esg.draft.text.elements import Mention
 
 _NEAR = 80
 """Characters within which "former" and "latter" mean the same two things."""
+_BEINGS = frozenset({"animal", "robot"})
+_HE = lex.word_set("he")
+_SHE = lex.word_set("she")
+_DRIVEN = lex.word_set("driven (persons)")
+_HERS = frozenset({"she", "her", "herself"})
 _WAYS = frozenset({"stairs", "ramp"})
 """What things move along."""
 
@@ -31,7 +35,7 @@ def pronoun(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[s
         if who := next(like, next(iter(people), None)):
             return who
         if p not in ("someone", "everyone") and not m.determiner:
-            being = named_by_no_person(p, world.entities, world.salience, subject, avoid)
+            being = _named_by_no_person(world, p, subject, avoid)
             if being:
                 return being
         if p in ("he", "she", "someone") and subject:
@@ -130,7 +134,7 @@ def pronoun(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[s
             other = _other_of_one(world, m)
             if other:
                 return other
-        named = next((a for a in m.adjectives if a in ORDINALS), None)
+        named = next((a for a in m.adjectives if a in lex.ORDINALS), None)
         like = before_this(named, avoid, world.entities)
         if like:
             return like
@@ -141,9 +145,9 @@ def pronoun(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[s
             solid = [e.id for e in world.entities.values() if _counts(e)]
             pair = next((ids for ids in reversed(world.salience) if len(ids) == 2), solid)
             solid = list(pair) if len(solid) != 2 else solid
-            placed = any(e.place in ORDINALS for e in world.entities.values())
-            if len(solid) == 2 and ORDINALS[named] < 2 and not placed:
-                return [solid[ORDINALS[named]]]  # "a car and a fence. The first one hits"
+            placed = any(e.place in lex.ORDINALS for e in world.entities.values())
+            if len(solid) == 2 and lex.ORDINALS[named] < 2 and not placed:
+                return [solid[lex.ORDINALS[named]]]  # "a car and a fence. The first one hits"
         return one_of(world, m, avoid)
     # it, itself, this, that
     pools = [world.subjects, world.salience] if subject else [world.salience]
@@ -212,3 +216,26 @@ def _anything_else(world: World, avoid: list[str]) -> bool:
         for i in ids
         if i not in avoid and (e := world.entities.get(i)) is not None
     )
+
+
+def of_other_gender(word: str, head: str) -> bool:
+    """Whether "he" or "she" is no word for somebody called a woman or a boy."""
+    female = head in _SHE or head.endswith("woman")
+    male = head in _HE or (head.endswith("man") and not female)
+    return female if word in ("he", "him", "himself") else male and word in _HERS
+
+
+def _named_by_no_person(world: World, word: str, subject: bool, avoid: list[str]) -> list[str]:
+    """What "he" or "him" means where no known person was named.
+
+    That is a thing with an unknown name, which is a person from now on; else an animal or a robot;
+    for an object also a vehicle ("overtakes him").
+    """
+    lone = [ids[0] for ids in reversed(world.salience) if len(ids) == 1 and ids[0] not in avoid]
+    alone = [world.entities[i] for i in lone if i in world.entities]
+    for e in alone:
+        if e.noun.kind == "generic" and not e.known and e.group is None:
+            e.noun, e.known = lex.nouns()["person"], True
+            return [e.id]
+    kinds = _BEINGS if subject or word in ("she", "her") else _BEINGS | _DRIVEN
+    return next(([e.id] for e in alone if e.noun.kind in kinds), [])

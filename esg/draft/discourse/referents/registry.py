@@ -5,15 +5,7 @@ from __future__ import annotations
 import re
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.referents.entities import (
-    FRONT,
-    ORDINALS,
-    REAR,
-    Entity,
-    plural,
-    slug,
-    unknown_noun,
-)
+from esg.draft.discourse.referents.entities import FRONT, REAR, Entity, slug, unknown_noun
 from esg.draft.discourse.referents.matching import same_kind
 from esg.draft.discourse.referents.record import World
 from esg.draft.discourse.referents.sizes import HOLLOW, holding, inclined, sized
@@ -28,7 +20,7 @@ _PEOPLE = re.compile(r"(?:man|men|woman|women|person|ist|player|keeper|worker|dr
 """Endings of nouns for people."""
 LARGEST_CM, LIGHTEST_KG = 9000.0, 1e-3
 MAX_COUNT = 40
-"""Most members of one plural."""
+"""Most members of one lex.plural."""
 
 _TWINS = lex.word_set("twins")
 
@@ -60,7 +52,7 @@ def add_entity(
     naming = [
         a
         for a in adjectives
-        if a in lex.COLORS or a in FRONT or a in REAR or a in ORDINALS or a in ("left", "right")
+        if a in lex.COLORS or a in FRONT or a in REAR or a in lex.ORDINALS or a in ("left", "right")
     ]
     stem = slug(" ".join([*naming, head])) or "object"
     if stem[0].isdigit():
@@ -94,7 +86,7 @@ def place_of(entity: Entity, adjective: str) -> None:
         entity.place = "front"
     elif adjective in REAR:
         entity.place = "rear"
-    elif adjective in ORDINALS:
+    elif adjective in lex.ORDINALS:
         entity.place = adjective
     elif adjective in ("left", "right", "leftmost", "rightmost"):
         entity.place = adjective[:5].removesuffix("m")
@@ -269,14 +261,16 @@ def create(world: World, m: Mention) -> list[str]:
         )
         _amounts(world, m, e)
         return [e.id]
-    group = slug(" ".join([*[a for a in plain if a in lex.COLORS], plural(m.head)]))
+    group = slug(" ".join([*[a for a in plain if a in lex.COLORS], lex.plural(m.head)]))
     base = group
     n = 2
     while group in world.groups:
         group, n = f"{base}_{n}", n + 1
     ids: list[str] = []
     for k in range(count):
-        label = f"{m.group_word} of {plural(m.head)}" if m.group_word in _NAMED_GROUPS else m.head
+        label = (
+            f"{m.group_word} of {lex.plural(m.head)}" if m.group_word in _NAMED_GROUPS else m.head
+        )
         e = add_entity(
             world,
             noun,
@@ -312,7 +306,7 @@ def movers_of(world: World) -> list[Entity]:
 
 
 def letter_of(world: World, m: Mention, letter: str) -> str:
-    """Names a member of a plural, or creates the individual."""
+    """Names a member of a lex.plural, or creates the individual."""
     pool = [
         e
         for e in world.entities.values()

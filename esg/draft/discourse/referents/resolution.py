@@ -4,13 +4,7 @@ from __future__ import annotations
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.referents.choices import ordinal_of, ranked
-from esg.draft.discourse.referents.entities import (
-    BODY_PARTS,
-    FRONT,
-    ORDINALS,
-    REAR,
-    Entity,
-)
+from esg.draft.discourse.referents.entities import FRONT, REAR, Entity
 from esg.draft.discourse.referents.matching import matches, same_kind
 from esg.draft.discourse.referents.members import (
     by_side,
@@ -126,7 +120,7 @@ def resolve_one(world: World, m: Mention, subject: bool, avoid: list[str]) -> li
     if whole:
         return whole
     own = m.determiner in ("his", "her", "its", "their")
-    if own and m.head in BODY_PARTS and m.noun is None:
+    if own and m.head in lex.BODY_PARTS and m.noun is None:
         m.attribute = True  # "falls flat on his face"
     if m.attribute or (not m.head and not m.pronoun):
         if m.possessor is not None:
@@ -295,7 +289,7 @@ def existing_referents(world: World, m: Mention, avoid: list[str]) -> list[str]:
         return found
     if not m.plural:  # "the 2 kg ball hits the 5 kg ball"
         names = [e for e in names if same_quantity(m, e, world.facts)] or names
-    ordinal = next((a for a in m.adjectives if a in ORDINALS or a in ("last", "final")), None)
+    ordinal = next((a for a in m.adjectives if a in lex.ORDINALS or a in ("last", "final")), None)
     if ordinal is not None:
         found = ordinal_of(world, m, ordinal)
         if not found and ordinal == "first" and m.noun is not None and m.noun.kind == "domino":

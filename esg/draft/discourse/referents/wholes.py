@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.referents.entities import BODY_PARTS, OWN_PARTS, WORN
+from esg.draft.discourse.referents.entities import WORN
 from esg.draft.discourse.referents.pronouns import pronoun
 from esg.draft.discourse.referents.record import World
 from esg.draft.discourse.referents.registry import create
@@ -48,12 +48,12 @@ def compound(world: World, m: Mention) -> list[str]:
 def whole_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[str]:
     """What a part belongs to: "the dog's tail", "the open door of a car", "its roof"."""
     owner = m.possessor
-    body = m.head in BODY_PARTS
+    body = m.head in lex.BODY_PARTS
     if m.part and m.determiner in ("a", "an", "one") and m.noun is not None:
         same = [e for e in world.entities.values() if e.noun == m.noun and e.id not in avoid]
         if len(same) == 1 and same[0].head == m.head and not m.adjectives:
             return [same[0].id]  # "drives under a table and hits a table leg"
-    if owner is None and m.head in OWN_PARTS and not subject:
+    if owner is None and m.head in lex.OWN_PARTS and not subject:
         vehicle = compound(world, m)
         if vehicle:
             return vehicle
@@ -72,7 +72,7 @@ def whole_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[
             return ids  # "slides from the arm of the sofa"
         if m.head in WORN and kinds & {"person"} and m.after_prep != "off":
             return ids
-        own = m.head in OWN_PARTS | _CABS and not subject
+        own = m.head in lex.OWN_PARTS | _CABS and not subject
         if m.head == "roof" and not subject and kinds in ({"building"}, {"generic"}):
             return ids  # "lands on the roof of a shed"
         return ids if own and kinds & {"vehicle", "cart", "watercraft", "flyer"} else []
@@ -91,7 +91,7 @@ def whole_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[
         hit = [i for i in last if world.entities[i].noun.kind in ("person", "animal")]
         return hit[-1:]  # "hits him in the midriff"
     if m.determiner in ("his", "her", "its", "their") and (
-        body or (m.head in OWN_PARTS | _CABS and not subject)
+        body or (m.head in lex.OWN_PARTS | _CABS and not subject)
     ):
         word = {"his": "he", "her": "she", "its": "it", "their": "they"}[m.determiner]
         ids = pronoun(world, Mention(m.start, m.end, pronoun=word), subject, avoid)

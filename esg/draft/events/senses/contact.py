@@ -7,7 +7,7 @@ import re
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, kind_of, mark_used, movable, quantity_of, structural
-from esg.draft.discourse.places import place
+from esg.draft.discourse.places import enterable, place
 from esg.draft.discourse.record import Discourse, Time
 from esg.draft.discourse.scene import SELF_POWERED
 from esg.draft.events.acts import (
@@ -23,7 +23,7 @@ from esg.draft.events.consequences import knock_on, place_where_hit
 from esg.draft.events.motions import motion, reverse, start_motion
 from esg.draft.events.senses.launch import launch_by, motion_of_things, read_launch
 from esg.draft.events.table import read_as, sense
-from esg.draft.events.timing import enterable, moved_by_others, time_of
+from esg.draft.events.timing import moved_by_others, time_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.text.quantities import Amount
 from esg.graph.models import EventConstraint, NodeEvent

@@ -15,7 +15,7 @@ from esg.draft.discourse.core import (
     quantity_of,
     structural,
 )
-from esg.draft.discourse.places import elevated, place, set_free
+from esg.draft.discourse.places import elevated, enterable, place, set_free
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import SELF_POWERED
 from esg.draft.events.acts import add_event, add_hit, ensure_mover, goes_in
@@ -26,7 +26,6 @@ from esg.draft.events.motions import motion, natural, on_what_was_hit, start_mot
 from esg.draft.events.senses.launch import heights, motion_of_things
 from esg.draft.events.table import read_as, sense
 from esg.draft.events.timing import (
-    enterable,
     is_airborne,
     moved_by_others,
     representatives,

@@ -14,7 +14,7 @@ from esg.draft.discourse.core import (
     movable,
     quantity_of,
 )
-from esg.draft.discourse.places import place
+from esg.draft.discourse.places import enterable, place
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.registry import add_entity, note_referents
 from esg.draft.discourse.scene import SELF_POWERED
@@ -24,7 +24,6 @@ from esg.draft.events.lengths import distance
 from esg.draft.events.motions import each_passed, motion, start_motion, target_of
 from esg.draft.events.table import read_as, sense
 from esg.draft.events.timing import (
-    enterable,
     moved_by_others,
     representatives,
     speed_after,

@@ -13,7 +13,7 @@ from esg.draft.discourse.core import (
     structural,
 )
 from esg.draft.discourse.event_coreference import time_of_told
-from esg.draft.discourse.places import holds, place
+from esg.draft.discourse.places import enterable, holds, place
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import SELF_POWERED, STRUCK, Relation
 from esg.draft.events.acts import add_event, add_hit, ensure_mover, go_into, kinematics
@@ -27,7 +27,6 @@ from esg.draft.events.senses.topple import read_knock
 from esg.draft.events.table import read_as, sense
 from esg.draft.events.timing import (
     enter,
-    enterable,
     is_airborne,
     moved_by_others,
     representatives,

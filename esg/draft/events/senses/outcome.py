@@ -6,14 +6,14 @@ from functools import partial
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import aimable, entity_of, kind_of, mark_used, movable, structural
-from esg.draft.discourse.places import holds
+from esg.draft.discourse.places import enterable, holds
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.registry import add_entity
 from esg.draft.events.acts import add_event, add_hit, ensure_mover
 from esg.draft.events.consequences import already_hit
 from esg.draft.events.senses.contact import aim_of_mates, hit_targets
 from esg.draft.events.table import read_as, sense
-from esg.draft.events.timing import enter, enterable, time_of
+from esg.draft.events.timing import enter, time_of
 from esg.draft.grammar.clauses.frames import Frame
 from esg.graph.models import NodeEvent
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.referents.entities import BODY_PARTS, OWN_PARTS
 from esg.draft.grammar.clauses.frames import Phrase, State, finite_ahead, next_verb
 from esg.draft.grammar.clauses.record import Clauses
 from esg.draft.grammar.clauses.words import OWNED, PROPERTIES
@@ -317,7 +316,7 @@ def _attach(c: Clauses, s: State, phrase: Phrase, i: int) -> None:
             return
         last = s.last or s.subject
         owned = phrase.prep == "of" and phrase.mention is not None and not s.boundary
-        part = last if last is not None and last.head in OWN_PARTS - {"door"} else None
+        part = last if last is not None and last.head in lex.OWN_PARTS - {"door"} else None
         if owned and part is not None and not part.possessor:
             part.possessor = phrase.mention  # "a wheel of the cart hits a stone"
             return
@@ -355,7 +354,7 @@ def _attach(c: Clauses, s: State, phrase: Phrase, i: int) -> None:
         ):
             s.frame.phrases.append(phrase)
         return
-    part = previous is not None and previous.head in BODY_PARTS | OWN_PARTS
+    part = previous is not None and previous.head in lex.BODY_PARTS | lex.OWN_PARTS
     if part and previous is not None and phrase.prep == "of" and phrase.mention is not None:
         previous.possessor = previous.possessor or phrase.mention
         return

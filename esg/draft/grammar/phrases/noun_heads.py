@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.referents.entities import BODY_PARTS, COUNTED_FROM, ORDINALS, STACKED
 from esg.draft.grammar.phrases.chunks import Chunks
 from esg.draft.grammar.phrases.letters import letters
 from esg.draft.grammar.phrases.noun_questions import (
@@ -157,7 +156,7 @@ def read_head(c: Chunks, i: int, j: int, m: Mention) -> int | None:
             m.adjectives.append("top")  # "the crate on top falls off"
             j += on_top
         if (
-            set(m.adjectives) & STACKED.keys()
+            set(m.adjectives) & lex.STACKED.keys()
             and low_at(c, j) == "of"
             and low_at(c, j + 1) in ("the", "a", "this", "that")
             and low_at(c, j + 2) in ("stack", "pile", "tower", "heap")
@@ -205,7 +204,7 @@ def read_head(c: Chunks, i: int, j: int, m: Mention) -> int | None:
         j = the_rest(c, j, m)
     elif low in _PIECES and low_at(c, j + 1) == "of" and (inner := inner_phrase(c, j + 2, m)):
         return inner
-    elif low in BODY_PARTS and (
+    elif low in lex.BODY_PARTS and (
         low_at(c, i - 1) == "'s" or m.determiner in ("his", "her", "its", "their")
     ):
         m.head = low
@@ -384,9 +383,9 @@ def read_head(c: Chunks, i: int, j: int, m: Mention) -> int | None:
     else:
         return None
     j = member_of_row(c, j, m) or letters(c, j, m)
-    if set(m.adjectives) & ORDINALS.keys() and low_at(c, j + 1) in ("the", "top", "bottom"):
+    if set(m.adjectives) & lex.ORDINALS.keys() and low_at(c, j + 1) in ("the", "top", "bottom"):
         k = j + 2 if low_at(c, j + 1) == "the" else j + 1
-        if low_at(c, j) == "from" and low_at(c, k) in COUNTED_FROM:
+        if low_at(c, j) == "from" and low_at(c, k) in lex.COUNTED_FROM:
             m.counted_from, j = low_at(c, k), k + 1  # "the second crate from the left"
     m.end = tokens[j - 1].end
     first_word = i + (1 if m.determiner and low_at(c, i) == m.determiner else 0)

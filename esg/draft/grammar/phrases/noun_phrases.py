@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.referents.ranks import ALONE
 from esg.draft.grammar.phrases.chunks import Chunks
 from esg.draft.grammar.phrases.noun_heads import read_head
 from esg.draft.grammar.phrases.noun_questions import goes_off, is_she, side_acts
@@ -237,7 +236,7 @@ def noun_phrase(c: Chunks, i: int) -> int | None:
             m.text = c.text[m.start : m.end]
             c.elements.append(m)
             return j
-        if m.determiner == "the" and m.adjectives and m.adjectives[-1] in ALONE:
+        if m.determiner == "the" and m.adjectives and m.adjectives[-1] in lex.ALONE:
             nxt = low_at(c, j + 1)
             after = nxt in lex.PRONOUNS or nxt in lex.DETERMINERS
             plural = noun is None or (ends_in_s and m.count is None)

@@ -7,7 +7,6 @@ it explains, and "one" becomes the noun it stands for, so that all later reading
 from __future__ import annotations
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.referents.entities import ORDINALS
 from esg.draft.grammar.rewrites.gaps import finite, word_at
 from esg.draft.text.elements import Element, Mention, Verb, Word
 from esg.draft.verbphrases import verb_readings
@@ -101,7 +100,7 @@ def _joined(elements: list[Element], i: int, out: list[Element]) -> int:
     several = any(added.text.lower().endswith(x) for x in _OF_SEVERAL)
     several = several and (added.determiner == "the" or added.pronoun != "")
     one = added.pronoun == "one" and added.determiner in ("a", "an") and bool(added.adjectives)
-    one = one and not set(added.adjectives) & (ORDINALS.keys() | {"other", "next"})
+    one = one and not set(added.adjectives) & (lex.ORDINALS.keys() | {"other", "next"})
     vague = added.head in _THINGS and added.determiner in ("a", "an") and bool(added.adjectives)
     same = added.head == noun.head and added.determiner in ("a", "an") and bool(added.adjectives)
     vague = (vague and _may_be(noun, added)) or (same and after.low == ",")
@@ -167,7 +166,7 @@ def _stands_for(m: Mention, out: list[Element]) -> None:
     if not named:
         return
     like = named[-1]
-    ordinal = next((ORDINALS[a] for a in m.adjectives if a in ORDINALS), None)
+    ordinal = next((lex.ORDINALS[a] for a in m.adjectives if a in lex.ORDINALS), None)
     if ordinal is not None:
         if like.noun is not None and "structural" in like.noun.traits and len(named) > 1:
             like = named[-2]

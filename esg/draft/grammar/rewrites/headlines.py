@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.referents.entities import plural
 from esg.draft.grammar.rewrites.gaps import is_word
 from esg.draft.text.elements import Element, Mention, Verb, Word
 from esg.draft.verbphrases import verb_readings
@@ -52,7 +51,7 @@ def spelled_out(text: str) -> str:
     if (m := _CRASH.match(text)) and not _verb(m["rest"]):
         noun = lex.nouns().get(m["what"].lower())
         if noun is not None and noun.kind in _DRIVEN:
-            return f"Two {plural(m['what'])} collide{m['rest']}"
+            return f"Two {lex.plural(m['what'])} collide{m['rest']}"
     if (m := _DOMINO.match(text)) and not _verb(m["rest"]):
         return f"{m['row']} stand in a row{m['rest'].rstrip('. ')} and topple one after another."
     return text
