@@ -7,6 +7,7 @@ from functools import partial
 import re
 
 from esg.draft import lexicon as lex
+from esg.draft.discourse.antecedents import STATES
 from esg.draft.discourse.core import (
     aimable,
     amounts_of,
@@ -20,7 +21,7 @@ from esg.draft.discourse.dodging import dodge
 from esg.draft.discourse.event_coreference import sentence
 from esg.draft.discourse.in_turn import one_time_each
 from esg.draft.discourse.record import Discourse, Time
-from esg.draft.discourse.references import RIDDEN, STATES, refer_all
+from esg.draft.discourse.references import RIDDEN, refer_all
 from esg.draft.discourse.referents.record import World
 from esg.draft.discourse.referents.registry import apply_amount
 from esg.draft.discourse.scene import SELF_POWERED, Scene
@@ -140,15 +141,6 @@ def read_frame(d: Discourse, f: Frame) -> None:
         objects += [i for i in f.object2.entities if i not in objects]
     objects = [i for i in objects if kind_of(d, i) != "region"]
     d.now.each = _one_by_one(f)
-    paired = subject and set(subject) <= set(d.now.pairs) and len(objects) > 1
-    if paired and set(objects) == set(d.now.pairs.values()):
-        mine, d.now.pairs = d.now.pairs, {}
-        for actor in subject:
-            one = replace(f.subject, entities=[actor]) if f.subject else None
-            other = replace(f.object, entities=[mine[actor]]) if f.object else None
-            read_frame(d, replace(f, subject=one, object=other))
-        mark_used(d, f, "one for each")
-        return
     if len(subject) == 1 and sense in RIDDEN and not f.verb.passive and not objects[1:]:
         mount = d.scene.supported_by.get(subject[0], "")
         riding = mount and kind_of(d, mount) in SELF_POWERED | {"sliding"}

@@ -229,13 +229,15 @@ def _named_by_no_person(world: World, word: str, subject: bool, avoid: list[str]
     """What "he" or "him" means where no known person was named.
 
     That is a thing with an unknown name, which is a person from now on; else an animal or a robot;
-    for an object also a vehicle ("overtakes him").
+    else a vehicle ("overtakes him").
     """
-    lone = [ids[0] for ids in reversed(world.salience) if len(ids) == 1 and ids[0] not in avoid]
+    sets = [*world.salience, *(world.subjects if subject else ())]
+    lone = [ids[0] for ids in reversed(sets) if len(ids) == 1 and ids[0] not in avoid]
     alone = [world.entities[i] for i in lone if i in world.entities]
     for e in alone:
         if e.noun.kind == "generic" and not e.known and e.group is None:
             e.noun, e.known = lex.nouns()["person"], True
             return [e.id]
-    kinds = _BEINGS if subject or word in ("she", "her") else _BEINGS | _DRIVEN
-    return next(([e.id] for e in alone if e.noun.kind in kinds), [])
+    beings = [e for e in alone if e.noun.kind in _BEINGS]
+    driven = [e for e in alone if e.noun.kind in _DRIVEN and word != "she"]
+    return [e.id for e in (beings or driven)[:1]]
