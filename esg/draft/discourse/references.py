@@ -39,6 +39,8 @@ def refer_all(d: Discourse, frames: list[Frame]) -> None:
 def refer(d: Discourse, f: Frame) -> None:
     """Resolves the noun phrases of a frame, subject first."""
     phrases = [p.mention for p in f.phrases if p.mention is not None]
+    for m in phrases if f.verb.sense == "reach" else ():
+        m.after_prep = "to"  # "arrives at the depot": no scene, but where to
     subject = _subject(d, f, phrases)
     for m in d.mentions:
         between = f.subject is not None and f.subject.start < m.start < f.verb.start

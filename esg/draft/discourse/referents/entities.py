@@ -10,6 +10,13 @@ from esg.draft import lexicon as lex
 
 FRONT = lex.word_set("front")
 REAR = lex.word_set("rear")
+PLACES = {
+    **{w: {-1: "top", 0: "bottom", 1: "middle"}[k] for w, k in lex.STACKED.items()},
+    **dict.fromkeys((*FRONT, "head"), "front"), **dict.fromkeys(REAR, "rear"),
+    "left": "left", "leftmost": "left", "right": "right", "rightmost": "right",
+    "last": "last", "final": "last",
+}  # fmt: skip
+"""What an adjective of place calls a member of a row, queue or stack."""
 ACTING_PARTS = lex.OWN_PARTS | frozenset(
     {"brush", "blade", "shovel", "bow", "prow", "stern", "keel", "hull", "rotor", "propeller"}
     | {"axle", "front", "rear", "side", "boom", "jib", "hook", "claw", "gripper", "fork", "forks"}
