@@ -26,11 +26,11 @@ _PARTS = ("does", "is", "undergoes", "is sent", "is met", "is there")
 """Parts of a clause: who acts, of what a state is told, what is acted on, thrown or dropped, what
 is run into or aimed at, and all else."""
 _SCORES = {
-    "falls": (4.0, 5.0, 6.0, 6.0, 5.5, 0.0),
+    "falls": (4.0, 5.0, 6.0, 6.0, 6.5, 0.0),
     "goes on": (4.0, 3.0, 2.0, 6.0, 0.0, -1.0),
     "steers": (6.0, 4.0, 3.0, 2.0, 2.0, -1.0),
     "does": (6.0, 4.0, 2.0, 2.0, 0.0, -1.0),
-    "undergoes": (2.5, 3.0, 4.2, 4.2, 3.5, 1.0),
+    "undergoes": (2.0, 3.0, 4.2, 4.2, 4.2, 1.0),
     "is hit": (2.5, 3.0, 4.2, 2.5, 4.5, 1.0),
     "is halted": (5.0, 3.0, 3.0, 5.0, 2.0, 0.0),
 }  # fmt: skip
@@ -70,7 +70,8 @@ def part_of(d: Discourse, t: Told, i: str) -> str:
         return "is" if f.verb.sense in STATES else "undergoes" if f.verb.passive else "does"
     phrases = [p for p in f.phrases if p.mention is not None and i in p.mention.entities]
     if phrases:
-        return "is met" if phrases[0].prep in _AT else "is there"
+        aimed = f.verb.sense in _LAUNCHING | _CONTACT or phrases[0].prep not in ("at", "to")
+        return "is met" if phrases[0].prep in _AT and aimed else "is there"
     return ""
 
 

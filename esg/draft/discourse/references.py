@@ -48,10 +48,13 @@ def refer(d: Discourse, f: Frame) -> None:
             ids_of(d, m, avoid=subject)
     for m in (f.object, *phrases):
         _it(d, f, m, subject)
-    objects = ids_of(d, f.object, avoid=subject)
-    d.world.movers = subject + objects
-    for m in (f.object2, *phrases):
-        ids_of(d, m, avoid=subject + objects)
+    objects: list[str] = []
+    rest = [m for m in (f.object, f.object2, *phrases) if m is not None]
+    for m in sorted(rest, key=lambda m: m.start):
+        ids = ids_of(d, m, avoid=subject + objects)
+        if m is f.object:
+            objects = ids
+            d.world.movers = subject + objects
     subject[:] = [current_id(d.world, i) for i in subject]  # a phrase may have told more
     objects[:] = [current_id(d.world, i) for i in objects]
     _note_properties(d, f, subject, objects)

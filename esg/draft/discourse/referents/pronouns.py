@@ -158,7 +158,8 @@ def one_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[st
     if NEIGHBOUR in m.adjectives and (beside := _beside(world, m, avoid)):
         return beside
     mates = [e for e in solid if e.id not in avoid and any(_alike(world, e, i) for i in avoid)]
-    among = mates or row or solid
+    placed = [e for e in solid if e.place in lex.ORDINALS and e.group is None]
+    among = mates or [e for e in solid if placed and e.noun == placed[-1].noun] or row or solid
     if found := ranked(world, m, row or near, avoid) or at_place(world, m, among):
         return found
     words = [a for a in m.adjectives if _tells(a)]
