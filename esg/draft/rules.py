@@ -34,13 +34,6 @@ from esg.draft.grammar.rewrites.similes import drop_similes
 from esg.draft.text.tokens import pos_tags, tokenize
 from esg.graph.models import EsgDocument
 
-_ONE_AFTER_OTHER = re.compile(
-    r"\bone\s+(?:\w+\s+)?(?:in front of|behind|ahead of|following|after|trailing|leading)\s+"
-    r"(?:the other|another)\b",
-    re.IGNORECASE,
-)
-
-
 _NET_SPORTS = re.compile(
     r"\b(?:volleyball|tennis|badminton|shuttlecock|ping[- ]pong|serves?|spiked)\b", re.IGNORECASE
 )
@@ -79,7 +72,6 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     count(clauses.attachments)
     mark_unreal(clauses.frames, text)
     world = new_world()
-    world.file_of_two = _ONE_AFTER_OTHER.search(text) is not None
     world.net_sport = _NET_SPORTS.search(text) is not None
     cushion = _OFF_A_CUSHION.search(text) is not None and _FURNISHED.search(text) is None
     world.billiards = _BILLIARDS.search(text) is not None or cushion

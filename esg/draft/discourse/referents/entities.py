@@ -97,8 +97,9 @@ def slug(text: str) -> str:
 
 
 _PEOPLE = re.compile(
-    r"(?:woman|smith|monger|keeper|dresser|herder|ologist|ographer|istrator|cellist|violinist"
-    r"|in-law|brother|sister|mother|father)$|^(?:step|grand|ex-|god|vice-)(?!stand)\w+"
+    r"(?:man|men|woman|women|person|ist|player|keeper|worker|driver|officer|smith|monger|dresser"
+    r"|herder|ologist|ographer|istrator|in-law|brother|sister|mother|father)$"
+    r"|^(?:step|grand|ex-|god|vice-)(?!stand)\w+"
 )
 """Words that name persons by how they are built."""
 

@@ -51,5 +51,3 @@ class World:
     """The prompt is about a game over a net, which is no goal."""
     billiards: bool = False
     """The prompt is about billiards: "the black" is a ball."""
-    file_of_two: bool = False
-    """The prompt says "one in front of the other"."""
