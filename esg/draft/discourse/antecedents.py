@@ -9,6 +9,7 @@ from __future__ import annotations
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import aimable, entity_of, kind_of, movable
 from esg.draft.discourse.record import Discourse, Told
+from esg.draft.discourse.referents.sizes import dimensions_of, mass_of
 from esg.draft.discourse.scene import SELF_POWERED
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.elements import Mention
@@ -38,22 +39,28 @@ _SCORES = {
 _PER_CLAUSE, _PER_SENTENCE = 0.5, 0.5
 """What a clause, and the end of a sentence, take from a score."""
 _SUITS = {
-    "self powered": 2.0,
+    "self powered": 4.0,
     "same actor": 1.5,
     "another actor": 1.5,
     "way": -3.0,
     "fixed": -2.0,
     "aside": -2.0,
+    "heavy": -3.0,
 }
 
 
 def _asked(f: Frame, m: Mention) -> str:
     """What a clause tells of "it"."""
     if m is not f.subject:
+        if f.verb.sense == "cause":
+            return "falls"
         if m is f.object and f.verb.lemma in _HALTING:
             return "is halted"
         return "is hit" if f.verb.sense in _CONTACT else "undergoes"
-    if f.verb.sense in _FALLING and f.object is None:
+    off = "off" in f.adverbs or f.phrase("off", "from") is not None
+    falls = f.verb.sense in _FALLING or (off and f.verb.sense in ("roll", "slide"))
+    pots = f.subordinate == "before" and f.phrase("into") is not None
+    if falls and f.object is None and not pots:
         return "falls"
     if f.verb.sense in _STEERED and not f.verb.passive:
         return "steers"
@@ -75,7 +82,7 @@ def part_of(d: Discourse, t: Told, i: str) -> str:
     return ""
 
 
-def it_means(d: Discourse, f: Frame, m: Mention, subject: list[str]) -> list[str]:
+def it_means(d: Discourse, f: Frame, m: Mention, avoid: list[str]) -> list[str]:
     """The thing, or the plural of one name, that "it" means in a clause; none if nothing suits."""
     asked = _asked(f, m)
     scores: dict[tuple[str, ...], float] = {}
@@ -83,16 +90,19 @@ def it_means(d: Discourse, f: Frame, m: Mention, subject: list[str]) -> list[str
         for ids in t.named():
             i = ids[0]
             part = part_of(d, t, i)
-            if not part or not _can_be(d, ids, subject):
+            if not part or not _can_be(d, ids, avoid):
                 continue
             score = _SCORES[asked][_PARTS.index(part)]
             score -= _PER_CLAUSE * age + _PER_SENTENCE * (f.sentence - t.frame.sentence)
+            later = m is f.subject and f.sentence > t.frame.sentence
+            stands = later and asked == "falls" and not f.phrases
             said = {
                 "self powered": asked == "steers" and kind_of(d, i) in SELF_POWERED,
                 "same actor": m is not f.subject and f.subject is t.frame.subject,
                 "another actor": m is not f.subject and part in ("does", "is") and _new(f),
                 "way": kind_of(d, i) in _WAYS,
-                "fixed": not movable(d, i),
+                "fixed": not movable(d, i) and "topples" not in entity_of(d, i).noun.traits,
+                "heavy": stands and part in ("undergoes", "is met") and _heavier(d, i, t),
                 "aside": t.frame.subordinate not in ("", "so") and f.start_of_sentence,
             }
             score += sum(_SUITS[name] for name, so in said.items() if so)
@@ -105,9 +115,16 @@ def _new(f: Frame) -> bool:
     return f.subject is not None and not f.subject.pronoun
 
 
-def _can_be(d: Discourse, ids: list[str], subject: list[str]) -> bool:
+def _heavier(d: Discourse, i: str, t: Told) -> bool:
+    """Whether a thing stands what hits it: "The scooter hits a truck. It falls over."."""
+    hitter = [entity_of(d, k) for k in t.subject if movable(d, k)]
+    mine = entity_of(d, i)
+    return any(mass_of(mine, dimensions_of(mine)) >= mass_of(e, dimensions_of(e)) for e in hitter)
+
+
+def _can_be(d: Discourse, ids: list[str], avoid: list[str]) -> bool:
     """Whether "it" can mean these at all."""
-    if set(ids) & set(subject) or any(i not in d.world.entities for i in ids):
+    if set(ids) & {*avoid} or any(i not in d.world.entities for i in ids):
         return False
     e = entity_of(d, ids[0])
     if e.noun.kind == "person" or e.noun.name == "arm" or not aimable(d, ids[0]):

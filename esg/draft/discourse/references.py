@@ -47,8 +47,9 @@ def refer(d: Discourse, f: Frame) -> None:
         if between and id(m) not in d.framed and (m.head or m.pronoun) and m.count != 0:
             ids_of(d, m, avoid=subject)
     for m in (f.object, *phrases):
-        _it(d, f, m, subject)
+        _it(d, f, m, subject if f.verb.sense != "cause" else [])
     objects: list[str] = []
+    d.world.movers = subject
     rest = [m for m in (f.object, f.object2, *phrases) if m is not None]
     for m in sorted(rest, key=lambda m: m.start):
         ids = ids_of(d, m, avoid=subject + objects)
@@ -61,11 +62,13 @@ def refer(d: Discourse, f: Frame) -> None:
     d.refs.told.append(Told(f, subject, objects))
 
 
-def _it(d: Discourse, f: Frame, m: Mention | None, subject: list[str]) -> None:
+def _it(d: Discourse, f: Frame, m: Mention | None, avoid: list[str]) -> None:
     """Gives an "it" of a clause its meaning, if the clauses before tell of anything."""
     if m is None or m.pronoun != "it" or id(m) in d.world.resolved:
         return
-    if found := it_means(d, f, m, subject):
+    if found := it_means(d, f, m, avoid):
+        for other in m.coordinated:
+            found += resolve(d.world, other, avoid=found)
         d.world.resolved[id(m)] = m.entities = found
 
 
@@ -82,7 +85,8 @@ def _subject(d: Discourse, f: Frame, phrases: list[Mention]) -> list[str]:
             if p.start < m.start and not p.pronoun:
                 ids_of(d, p)
     _named_later(d, f, phrases)
-    _it(d, f, m, [])
+    before = [x for x in (f.object, *phrases) if x is not None and x.start < m.start]
+    _it(d, f, m, [i for x in before for i in x.entities])
     _part_that_hits(d, f, m)
     return ids_of(d, m, subject=True)
 

@@ -10,6 +10,8 @@ from esg.draft.discourse.referents.record import World
 from esg.draft.discourse.referents.registry import create, new_id, rename
 from esg.draft.text.elements import Mention
 
+_NAMED = 6
+"""Most members of a row that go by their number."""
 _LEVELS = frozenset({"top", "bottom"})
 
 
@@ -53,7 +55,8 @@ def at_place(world: World, m: Mention, things: list[Entity]) -> list[str]:
             k, place = len(row) - 1 - k, f"{word} last" if k else "last"
     if not -len(row) <= k < len(row) or (place == "middle" and len(row) < 3):
         return []
-    return name_by(world, row[k], place)
+    many = len(row) > _NAMED and word in lex.ORDINALS
+    return [row[k].id] if many else name_by(world, row[k], place)
 
 
 def _pattern(world: World, group: str | None) -> str | None:

@@ -25,6 +25,7 @@ _THEY = frozenset(
     {"they", "them", "themselves", "these", "those", "both", "ones", "all", "each", "some"}
     | {"many", "several"}
 )
+_WAYS = frozenset({"stairs", "ramp"})
 _GROWN_UP = frozenset({"person", "he", "she", "man", "woman"})
 """Persons for whom "it" is no word; a child is one."""
 
@@ -41,7 +42,8 @@ def pronoun(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[s
     if p in ("latter", "former"):
         told = [i for ids in world.salience[-6:] for i in ids if _solid(world, i)]
         two = list(dict.fromkeys(reversed(world.movers if len(world.movers) > 1 else told)))[:2]
-        return two[:1] if p == "latter" else two[1:]
+        found = two[:1] if p == "latter" else two[1:]
+        return [i for i in two if i not in found] if {*found} & {*avoid} else found
     if p in ("one", "another", "other"):
         return one_of(world, m, subject, avoid)
     return _thing(world, subject, avoid)
@@ -127,9 +129,12 @@ def _several(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[
     if many := many or [ids for ids in reversed(world.salience) if len(ids) > 1]:
         return list(many[0])[:keep]
     named = [i for ids in reversed(world.salience) for i in ids if _solid(world, i)]
+    named = [i for i in named if world.entities[i].noun.kind not in _WAYS or not subject]
     group = world.groups.get(world.entities[named[0]].group or "", []) if named else []
     if len(group) > 1 and p not in ("both", "each"):
         return list(group)  # "the first domino ... they all topple"
+    if subject and p == "they" and len(two) == 2 and two[0] == named[0]:
+        return two[::-1]  # "A car passes a lorry, a bus comes and they collide"
     recent = list(dict.fromkeys(named))
     alike = [i for i in recent if world.entities[i].noun == world.entities[recent[0]].noun]
     return (alike if p == "both" and len(alike) > 1 else recent)[:2][::-1]
@@ -202,13 +207,15 @@ def _one_more_like(
         return [more.id]  # "Red knocks blue away"
     rivals = [e for e in solid if any(unlike(e, a) for a in words if a not in lex.COLORS)]
     if {*words} & lex.ORDINALS.keys():
-        rivals = [e for e in solid if e.place in lex.ORDINALS or e.group]
+        placed = [e for e in solid if e.place in lex.ORDINALS]
+        rivals = placed or [e for e in solid if e.group]
     mine = avoid or (world.subjects[-1] if world.subjects else [])
     actor = [world.entities[i] for i in mine[:1] if _solid(world, i)]
     rest = [e for e in solid if e.id not in mine]
     passed = actor and actor[0].noun.kind in _MOVERS and not subject and rest
-    model = tinted or rivals or (rest if passed or not actor else actor)
-    telling = words or (["next"] if "next" in m.adjectives else ["second"])
+    ones = [e for e in rest if e.label.lower().startswith("one ")]
+    model = tinted or rivals or ones or (rest if passed or not actor else actor)
+    telling = words or [a for a in m.adjectives if a in ("next", "other")]
     return one_more(world, model[-1], telling, m) if model else []
 
 
@@ -225,10 +232,12 @@ def _beside(world: World, m: Mention, avoid: list[str]) -> list[str]:
         return []
     row = world.groups.get(anchor.group or "", [])
     if not row:
-        return one_more(world, anchor, [place], m)
+        alike = [e.id for e in world.entities.values() if _alike(world, e, anchor.id)]
+        return [i for i in alike if i != anchor.id][-1:] or one_more(world, anchor, [place], m)
     k = {"front": 0, "rear": len(row) - 1, "last": len(row) - 1}.get(anchor.place, 0)
     k = (k if anchor.place else row.index(anchor.id)) + (-1 if place == "front" else 1)
-    return [row[min(max(k, 0), len(row) - 1)]]
+    near = world.entities[row[min(max(k, 0), len(row) - 1)]]
+    return name_by(world, near, place) if len(row) == 2 else [near.id]
 
 
 def _tells(a: str) -> bool:

@@ -90,7 +90,9 @@ def resolve_one(world: World, m: Mention, subject: bool, avoid: list[str]) -> li
     if m.count == 0:
         return []
     if m.pronoun:
-        return pronoun(world, m, subject, avoid)
+        found = pronoun(world, m, subject, avoid)
+        enrich(world, m, found)
+        return found
     if m.noun is not None and "structural" in m.noun.traits:
         m.letters = []
     if m.role and m.noun is not None and m.determiner != "a":
@@ -149,9 +151,14 @@ def existing(world: World, m: Mention, avoid: list[str]) -> list[str]:
         by_letter = {e.letter: e.id for e in names}
         return [by_letter.get(x) or letter_of(world, m, x) for x in m.letters]
     if {"other", "remaining"} & {*m.adjectives}:
-        last = world.salience[-1] if world.salience else []
+        told = world.salience if avoid or m.plural else world.subjects
+        last = told[-1] if told else []
         rest = [e.id for e in names if e.id not in last and e.id not in avoid]
         return rest if m.plural else rest[:1]
+    color = next((lex.COLORS[a] for a in m.adjectives if a in lex.COLORS), None)
+    if color:  # "several billiard balls ... the red ball": one more
+        uncounted = [e.id for e in names if e.noun.kind == "billiard" and e.group in world.vague]
+        names = [e for e in names if e.color == color or e.id not in uncounted]
     alike = [e for e in world.entities.values() if same_kind(m, e)]
     if single and not structural:
         found = _by_place(world, m, names, alike, avoid)
@@ -169,7 +176,6 @@ def existing(world: World, m: Mention, avoid: list[str]) -> list[str]:
     if not names:
         return []
     best = max(names, key=lambda e: _agreement(world, m, e, avoid))
-    color = next((lex.COLORS[a] for a in m.adjectives if a in lex.COLORS), None)
     return [best.id] if color == best.color or not color else name_by(world, best, color)
 
 
