@@ -26,7 +26,6 @@ RELATION_PREPS: dict[str, str] = {p: k for k, words in _PREPS.items() for p in w
 """Spatial relations by preposition."""
 _RAISED = lex.word_set("raised kinds")
 _WALL_THINGS = lex.word_set("wall things")
-_TABLE_KINDS = lex.word_set("table kinds")
 
 
 def place(
@@ -68,8 +67,6 @@ def place(
             d.scene.supported_by[t] = other
             if kind == "inside_of":
                 d.scene.inside_of[t] = other
-        elif kind == "surround" and _set_on(d, t, other):
-            d.scene.supported_by.setdefault(t, other)
         text = others[1] if kind == "between" else ""
         stated = distance if kind not in ("between", "surround") else None
         d.scene.relations.append(Relation(t, other, kind, stated, text))
@@ -108,15 +105,6 @@ def hang(d: Discourse, thing: str, host: str) -> None:
 def _wall_thing(d: Discourse, node: str) -> bool:
     """What "on the wall" hangs; anything else stands on top of it."""
     return kind_of(d, node) == "wallhung" or entity_of(d, node).noun.name in _WALL_THINGS
-
-
-def _set_on(d: Discourse, thing: str, host: str) -> bool:
-    """ "Plates around a table" are on it: small things of the table, not what stands around."""
-    noun = entity_of(d, thing).noun
-    if kind_of(d, host) != "table" or kind_of(d, thing) not in _TABLE_KINDS:
-        return False
-    table, size = entity_of(d, host).noun.dimensions_cm, noun.dimensions_cm
-    return max(size[:2]) < 0.5 * min(table[:2]) and size[2] < 60.0
 
 
 def towers(d: Discourse, node: str) -> bool:

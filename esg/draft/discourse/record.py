@@ -49,8 +49,6 @@ class Now:
     """Members of a plural that the current clause names one by one ("both bricks")."""
     instead: bool = False
     """Whether the clause tells what happens in place of what was aimed at."""
-    at_once: int = -1
-    """The sentence whose events all happen at the same moment."""
     rereading: set[tuple[int, str]] = field(default_factory=set[tuple[int, str]])
     """Frames with the senses they have been read as."""
 

@@ -8,6 +8,7 @@ import re
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.antecedents import STATES
+from esg.draft.discourse.concurrence import one_time_each
 from esg.draft.discourse.core import (
     aimable,
     amounts_of,
@@ -19,14 +20,12 @@ from esg.draft.discourse.core import (
 )
 from esg.draft.discourse.dodging import dodge
 from esg.draft.discourse.event_coreference import sentence
-from esg.draft.discourse.in_turn import one_time_each
 from esg.draft.discourse.record import Discourse, Time
 from esg.draft.discourse.references import RIDDEN, refer_all
 from esg.draft.discourse.referents.record import World
 from esg.draft.discourse.referents.registry import apply_amount
 from esg.draft.discourse.scene import SELF_POWERED, Scene
 from esg.draft.discourse.timeline import TimelineBuilder
-from esg.draft.discourse.underway import by_the_clock
 from esg.draft.discourse.windows import Draft
 from esg.draft.events.acts import add_event, outcomes
 from esg.draft.events.leftovers import hand_on, high_up
@@ -102,7 +101,6 @@ def interpret(
     # references are resolved in the order of the text, events in the order of time
     d.told, d.attached = frames, attachments
     refer_all(d, frames)
-    d.told = frames = by_the_clock(frames)
     dodge(frames, d.text)
     upon(d, attachments)
     for m, p in attachments:
@@ -110,7 +108,7 @@ def interpret(
     before = -1
     for f in frames:
         d.now.telling = (f.sentence, before, f.verb.sense)
-        for g in one_time_each(d, f):
+        for g in one_time_each(f):
             read_frame(d, g)
         before = f.verb.start
     settle(d, None, None)
