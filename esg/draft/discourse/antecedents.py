@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import aimable, entity_of, kind_of, movable
+from esg.draft.discourse.places import towers
 from esg.draft.discourse.record import Discourse, Told
 from esg.draft.discourse.referents.sizes import dimensions_of, mass_of
 from esg.draft.discourse.scene import SELF_POWERED
@@ -45,7 +46,7 @@ _SUITS = {
     "way": -3.0,
     "fixed": -2.0,
     "aside": -2.0,
-    "heavy": -3.0,
+    "stays": -3.0,
 }
 
 
@@ -95,14 +96,14 @@ def it_means(d: Discourse, f: Frame, m: Mention, avoid: list[str]) -> list[str]:
             score = _SCORES[asked][_PARTS.index(part)]
             score -= _PER_CLAUSE * age + _PER_SENTENCE * (f.sentence - t.frame.sentence)
             later = m is f.subject and f.sentence > t.frame.sentence
-            stands = later and asked == "falls" and not f.phrases
+            stands = later and asked == "falls" and not f.phrases and "off" not in f.adverbs
             said = {
                 "self powered": asked == "steers" and kind_of(d, i) in SELF_POWERED,
                 "same actor": m is not f.subject and f.subject is t.frame.subject,
                 "another actor": m is not f.subject and part in ("does", "is") and _new(f),
                 "way": kind_of(d, i) in _WAYS,
-                "fixed": not movable(d, i) and "topples" not in entity_of(d, i).noun.traits,
-                "heavy": stands and part in ("undergoes", "is met") and _heavier(d, i, t),
+                "fixed": not movable(d, i) and (asked != "falls" or towers(d, i)),
+                "stays": part in ("undergoes", "is met") and _stays(d, f, i, t, stands),
                 "aside": t.frame.subordinate not in ("", "so") and f.start_of_sentence,
             }
             score += sum(_SUITS[name] for name, so in said.items() if so)
@@ -115,11 +116,16 @@ def _new(f: Frame) -> bool:
     return f.subject is not None and not f.subject.pronoun
 
 
-def _heavier(d: Discourse, i: str, t: Told) -> bool:
-    """Whether a thing stands what hits it: "The scooter hits a truck. It falls over."."""
-    hitter = [entity_of(d, k) for k in t.subject if movable(d, k)]
+def _stays(d: Discourse, f: Frame, i: str, t: Told, stands: bool) -> bool:
+    """Whether "it" is rather what hits a thing: "A scooter hits a truck. It falls over."."""
     mine = entity_of(d, i)
-    return any(mass_of(mine, dimensions_of(mine)) >= mass_of(e, dimensions_of(e)) for e in hitter)
+    for e in (entity_of(d, k) for k in t.subject if movable(d, k)):
+        rounder = "round" in e.noun.traits - mine.noun.traits
+        if stands and mass_of(mine, dimensions_of(mine)) >= mass_of(e, dimensions_of(e)):
+            return True
+        if rounder and f.verb.sense == "roll" and t.frame.verb.sense == "hit":
+            return True  # "A ball hits a box, and it rolls off the table"
+    return False
 
 
 def _can_be(d: Discourse, ids: list[str], avoid: list[str]) -> bool:

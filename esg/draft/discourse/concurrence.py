@@ -39,7 +39,7 @@ def one_time_each(f: Frame) -> list[Frame]:
         own = [[i for i in x.entities if i not in m] for x, m in zip(things, more, strict=True)]
         objects = [replace(x, entities=e, coordinated=[]) for x, e in zip(things, own, strict=True)]
         parts = [replace(f, object=x) for x in objects]
-    elif s is not None and len(s.entities) >= len(at) and len(s.entities) == (s.count or len(at)):
+    elif s is not None and len(s.entities) >= len(at) and s.count in (None, len(at)):
         members = [replace(s, entities=[i], coordinated=[], amounts=[]) for i in s.entities]
         parts = [replace(f, subject=x) for x in members]
     else:
@@ -60,19 +60,22 @@ def partner_of(
         participants: Whom it happens to; the first moves.
         f: The clause that tells it.
     """
-    told = [(g, n) for g, n in d.times.of_frame if _other_story(d, n, participants)]
+    told = d.times.of_frame
     alike = {n.id for n in d.timeline.nodes if n.event is kind}
-    own = [n for g, n in told if g is f and n in alike]
+    own = [n for g, n in told if g is f and n in alike and _other_story(d, n, participants)]
     apart = next((a for _, a in amounts_of(d, f) if told_apart_by(d, a)), None)
     if own and apart is not None:
         mark_used(d, apart, "time between the events")
         return own[-1], apart.value
     if own and "simultaneously" in f.adverbs:
         return own[0], 0.0
-    before = [n for g, n in told if g is not f and g.sentence >= f.sentence - 1]
-    if own or f.link != "simultaneously" or not before:
+    before = [(g, n) for g, n in told if g is not f and g.sentence >= f.sentence - 1]
+    opens = bool(before) and before[0][0].link == "simultaneously" and f.link == "then"
+    opens = opens and before[0][0].sentence == f.sentence  # "At that moment X hits Y and Z hits W"
+    together = f.link == "simultaneously" or opens
+    if own or not before or not together or not _other_story(d, before[-1][1], participants):
         return None
-    return before[-1], 0.0
+    return before[-1][1], 0.0
 
 
 def _other_story(d: Discourse, node: str, participants: tuple[str, ...]) -> bool:

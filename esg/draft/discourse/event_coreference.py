@@ -50,7 +50,9 @@ def told_before(
         turned = kind is NodeEvent.COLLISION and participants[0] != node.participants[0]
         if turned and not (f.verb.passive or f.reduced or node.extra.get("mutual")):
             return ""  # "the bag swings back and hits him"
-        return node.id
+        again = d.timeline.tracks.get(participants[0])
+        moving = again is not None and again.motion is not None and not again.closed
+        return "" if moving and kind not in (NodeEvent.TOPPLE, NodeEvent.MISS) else node.id
     return ""
 
 

@@ -17,12 +17,7 @@ PLACES = {
     "last": "last", "final": "last",
 }  # fmt: skip
 """What an adjective of place calls a member of a row, queue or stack."""
-ACTING_PARTS = lex.OWN_PARTS | frozenset(
-    {"brush", "blade", "shovel", "bow", "prow", "stern", "keel", "hull", "rotor", "propeller"}
-    | {"axle", "front", "rear", "side", "boom", "jib", "hook", "claw", "gripper", "fork", "forks"}
-    | {"plow", "plough", "mast", "basket", "gondola", "body", "corner", "back end", "undercarriage"}
-    | {"bucket", "shovel", "arm", "cab", "cabin", "oar", "rudder", "anchor", "outrigger", "ladder"}
-)
+ACTING_PARTS = lex.OWN_PARTS | lex.word_set("acting parts")
 """Parts of a machine with which it hits things ("its brush touches a box")."""
 WORN = lex.word_set("worn")
 OTHER = lex.word_set("other")

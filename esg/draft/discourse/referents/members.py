@@ -10,7 +10,8 @@ from esg.draft.discourse.referents.record import World
 from esg.draft.discourse.referents.registry import create, new_id, rename
 from esg.draft.text.elements import Mention
 
-_NAMED = 6
+_OPPOSITE = {"front": "rear", "rear": "front"}
+_NAMED = 8
 """Most members of a row that go by their number."""
 _LEVELS = frozenset({"top", "bottom"})
 
@@ -55,8 +56,12 @@ def at_place(world: World, m: Mention, things: list[Entity]) -> list[str]:
             k, place = len(row) - 1 - k, f"{word} last" if k else "last"
     if not -len(row) <= k < len(row) or (place == "middle" and len(row) < 3):
         return []
-    many = len(row) > _NAMED and word in lex.ORDINALS
-    return [row[k].id] if many else name_by(world, row[k], place)
+    if len(row) > _NAMED and word in lex.ORDINALS:
+        return [row[k].id]
+    found = name_by(world, row[k], place)
+    if len(row) == 2 and place in _OPPOSITE and not row[1 + k].place:
+        name_by(world, row[1 + k], _OPPOSITE[place])
+    return found
 
 
 def _pattern(world: World, group: str | None) -> str | None:
@@ -75,9 +80,10 @@ def ranked(world: World, m: Mention, things: list[Entity], avoid: list[str]) -> 
     word = rank(m)
     best = extreme(word, things, world.facts) if word else None
     if best is None and word and len(things) == 2 and things[0].group:
-        told = [e for e in things if e.place == word]
-        free = [e for e in things if not e.place and e.id not in avoid]
-        return name_by(world, (told or free or things)[0], word)
+        told = [e for e in things if word in e.adjectives]
+        free = [e for e in things if e.id not in avoid and not lex.RANKS.keys() & {*e.adjectives}]
+        best = (told or free or things)[0]
+        best.adjectives += [] if told else [word]
     return [best.id] if best is not None else []
 
 
@@ -88,7 +94,11 @@ def picked(world: World, m: Mention, ids: list[str]) -> list[str]:
         for e in things:
             e.pattern = "stack"
     like = Mention(m.start, m.end, head=m.head, noun=m.noun, determiner="the", adjectives=[m.pick])
-    return ranked(world, like, things, []) or at_place(world, like, things) or ids[:1]
+    return (
+        ranked(world, like, things, [])
+        or at_place(world, like, things)
+        or name_by(world, things[0], m.pick)
+    )
 
 
 def member_of(world: World, m: Mention, avoid: list[str]) -> list[str]:

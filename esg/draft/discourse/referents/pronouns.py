@@ -215,7 +215,8 @@ def _one_more_like(
     passed = actor and actor[0].noun.kind in _MOVERS and not subject and rest
     ones = [e for e in rest if e.label.lower().startswith("one ")]
     model = tinted or rivals or ones or (rest if passed or not actor else actor)
-    telling = words or [a for a in m.adjectives if a in ("next", "other")]
+    second = ["second"] if m.pronoun == "another" else []
+    telling = words or [a for a in m.adjectives if a in ("next", "other")] or second
     return one_more(world, model[-1], telling, m) if model else []
 
 

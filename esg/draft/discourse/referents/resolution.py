@@ -27,6 +27,8 @@ from esg.draft.discourse.referents.wholes import whole_of
 from esg.draft.text.elements import Mention
 
 _STACKS = lex.word_set("stacks (resolution)")
+_SCENES = lex.word_set("scenes")
+_DURING = lex.word_set("during")
 _THE = ("the", "this", "that")
 _ONE = ("a", "an", "one", "any")
 _KNOWN = frozenset({*_THE, "these", "those", "its", "his", "her", "their"}) | frozenset(
@@ -80,8 +82,9 @@ def resolve_one(world: World, m: Mention, subject: bool, avoid: list[str]) -> li
     if whole := _plural_by_name(world, m):
         return whole
     cushion = world.billiards and m.head in ("cushion", "rail")
-    if cushion or _arranges(world, m):
-        m.attribute = True  # no object of its own: of the table, or how a plural stands
+    scene = m.noun is None and m.head in _SCENES and m.after_prep in _DURING
+    if cushion or scene or _arranges(world, m):
+        m.attribute = True  # of the table; where all takes place; how a plural stands
         return []
     if whole := whole_of(world, m, subject, avoid):
         return whole

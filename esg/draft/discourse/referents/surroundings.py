@@ -7,6 +7,7 @@ from esg.draft.discourse.referents.entities import Entity
 from esg.draft.text.elements import Mention
 
 _AT_A_BAR = lex.word_set("at a bar")
+_ROOMS = lex.word_set("rooms")
 _BALLS = {
     "golfer": "golf ball", "batter": "baseball", "pitcher": "baseball", "batsman": "cricket ball",
     "goalkeeper": "soccer ball", "goalie": "soccer ball", "striker": "soccer ball",
@@ -36,6 +37,8 @@ def noun_here(
         name = "goal"
     elif m.head == "bar" and m.after_prep in _AT_A_BAR:
         name = "counter"
+    elif name == "building" and m.head in _ROOMS and m.after_prep in ("in", "inside"):
+        name = "floor"  # "in a garage a ball rolls": where the scene is
     elif name == "hoop" and (basket or any(e.noun.name == "basketball" for e in named)):
         name = "basketball hoop"
     elif name == "roof tile" and m.plural and m.determiner == "the":
