@@ -51,11 +51,6 @@ from tests.draft.told import events
             "A vase falls off the windowsill, taking a candle with it.",
             [("Fall", "vase_1"), ("Fall", "candle_1")],
         ),
-        # members told apart by their kind, and an arrival "there"
-        (
-            "Two vehicles drive toward the same gate. The truck gets there first; the bus stops.",
-            [("Reach", "truck_1", "gate_1"), ("Stop", "bus_1")],
-        ),
         # "no one" does nothing
         (
             "No one scores: a ball rolls past the right post.",

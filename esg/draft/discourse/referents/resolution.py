@@ -39,12 +39,11 @@ _DRIVEN = ("vehicle", "flyer", "cart", "watercraft")
 
 def new_world() -> World:
     """A world in which nothing has been named."""
-    world = World(
-        facts=lambda node: [],
-        resolve=lambda m, *, subject=False, avoid=None: resolve(
-            world, m, subject=subject, avoid=avoid
-        ),
-    )
+
+    def means(m: Mention, *, subject: bool = False, avoid: list[str] | None = None) -> list[str]:
+        return resolve(world, m, subject=subject, avoid=avoid)
+
+    world = World(facts=lambda node: [], resolve=means)
     return world
 
 
