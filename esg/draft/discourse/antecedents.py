@@ -33,8 +33,8 @@ _SCORES = {
     "steers": (6.0, 4.0, 3.0, 2.0, 2.0, -1.0),
     "does": (6.0, 4.0, 2.0, 2.0, 0.0, -1.0),
     "undergoes": (2.0, 3.0, 4.2, 4.2, 4.2, 1.0),
-    "is hit": (2.5, 3.0, 4.2, 2.5, 4.5, 1.0),
     "is halted": (5.0, 3.0, 3.0, 5.0, 2.0, 0.0),
+    "is hit": (2.5, 3.0, 4.2, 2.5, 4.5, 1.0),
 }  # fmt: skip
 """By what is asked of "it", how well each of `_PARTS` suits."""
 _PER_CLAUSE, _PER_SENTENCE = 0.5, 0.5

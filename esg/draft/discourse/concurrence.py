@@ -1,29 +1,14 @@
-"""Events that happen together, or a stated time apart: "simultaneously", "2 s apart"."""
+"""Events that happen together, and several times in one clause."""
 
 from __future__ import annotations
 
 from dataclasses import replace
-import re
 
-from esg.draft.discourse.core import amounts_of, mark_used
-from esg.draft.discourse.record import Discourse, Time
+from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.windows import Draft
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.quantities import Amount
 from esg.graph.models import EventConstraint, NodeEvent, Quantity
-
-_APART = re.compile(
-    r"\s*(?:apart\b|(?:after|behind|from)\s+(?:one\s+another|each\s+other)\b|in\s+between\b"
-    r"|between\s+(?:them|each|the\s+(?:two|hits|impacts|collisions|landings)|hits|impacts)\b"
-    r"|intervals?\b)",
-    re.IGNORECASE,
-)
-_GOES_ON = re.compile(r"\b(?:then|next|afterwards?|later|finally|subsequently)\b", re.IGNORECASE)
-
-
-def told_apart_by(d: Discourse, a: Amount) -> bool:
-    """Whether a time lies between the events of one clause ("hit the wall 2 s apart")."""
-    return a.dimension == "time" and _APART.match(d.text, a.end) is not None
 
 
 def one_time_each(f: Frame) -> list[Frame]:
@@ -63,10 +48,6 @@ def partner_of(
     told = d.times.of_frame
     alike = {n.id for n in d.timeline.nodes if n.event is kind}
     own = [n for g, n in told if g is f and n in alike and _other_story(d, n, participants)]
-    apart = next((a for _, a in amounts_of(d, f) if told_apart_by(d, a)), None)
-    if own and apart is not None:
-        mark_used(d, apart, "time between the events")
-        return own[-1], apart.value
     if own and "simultaneously" in f.adverbs:
         return own[0], 0.0
     before = [(g, n) for g, n in told if g is not f and g.sentence >= f.sentence - 1]
@@ -89,23 +70,6 @@ def _other_story(d: Discourse, node: str, participants: tuple[str, ...]) -> bool
 def later(d: Discourse, a: Amount) -> bool:
     """ "2 s later", "with a delay of 2 s": counted from the event told last."""
     return a.measure == "later" or d.text[a.end :].lstrip().lower().startswith("later")
-
-
-def on_its_own(d: Discourse, f: Frame, participants: tuple[str, ...], time: Time) -> bool:
-    """Whether a time counts from the start: nothing that takes part has met with anything yet.
-
-    "The red ball hits a box after 1 s and the blue ball hits a barrel after 2 s" are two
-    stories; "later", "then" and a time in front of the clause go on from the one before.
-    """
-    amount = time[1]
-    follows = d.text[: amount.start].rstrip().lower().endswith("after")
-    if not follows or amount.start < f.verb.start or amount.measure:
-        return False
-    begins = f.verb.start if f.subject is None else min(f.subject.start, f.verb.start)
-    if _GOES_ON.search(d.text[max(0, begins - 20) : amount.start]):
-        return False
-    met = {p for n in d.timeline.nodes for p in n.participants}
-    return not met & set(participants)
 
 
 def coincide(d: Discourse, draft: Draft, partner: tuple[str, Quantity] | None) -> None:

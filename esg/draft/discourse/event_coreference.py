@@ -50,10 +50,15 @@ def told_before(
         turned = kind is NodeEvent.COLLISION and participants[0] != node.participants[0]
         if turned and not (f.verb.passive or f.reduced or node.extra.get("mutual")):
             return ""  # "the bag swings back and hits him"
-        again = d.timeline.tracks.get(participants[0])
-        moving = again is not None and again.motion is not None and not again.closed
-        return "" if moving and kind not in (NodeEvent.TOPPLE, NodeEvent.MISS) else node.id
+        return "" if _set_off_again(d, participants[0], kind) else node.id
     return ""
+
+
+def _set_off_again(d: Discourse, actor: str, kind: NodeEvent) -> bool:
+    """Whether the actor has started a new motion since its last event."""
+    track = d.timeline.tracks.get(actor)
+    moving = track is not None and track.motion is not None and not track.closed
+    return moving and kind not in (NodeEvent.TOPPLE, NodeEvent.MISS)
 
 
 def time_of_told(d: Discourse, told: str, time: Time | None) -> None:

@@ -50,12 +50,11 @@ def place(
         if t == other or t not in d.world.entities or structural(d, t):
             continue
         if structural(d, other):
-            _on_the_ground(d, t, other, prep, kind)
+            if kind in ("on", "inside_of"):
+                d.scene.marked[t] = other
+            d.scene.relations.append(Relation(t, other, "structural", text=prep))
             continue
-        if kind == "inside_of" and not holds(d, other):
-            kind = "on" if "support" in entity_of(d, other).noun.traits else "near"
-        if kind == "on" and kind_of(d, other) in ("ball", "billiard"):
-            kind = "near"
+        kind = _holding(d, kind, other)
         if towers(d, t) and kind in ("above", "on", "under"):
             continue  # "on the wall above the sofa": what hangs there is above, not the wall
         if kind == "on" and _wall_thing(d, t) and towers(d, other):
@@ -76,23 +75,17 @@ def _at_part(d: Discourse, kind: str, word: str, other: str) -> str:
     """The relation to a thing of what is at one of its parts ("at the edge of the table")."""
     if word in ("edge", "corner", "rim", "end") and "support" in entity_of(d, other).noun.traits:
         return "on"
-    if word in ("middle", "center", "centre"):
-        return "center_of"
     if word in ("side", "front", "back", "end", "left", "right"):
         beside = {"front": "in_front_of", "back": "behind"}.get(word, "adjacent")
         return beside if kind in ("on", "near", "inside_of") else kind
     return "near" if word in ("bottom", "foot", "base") and kind != "on" else kind
 
 
-def _on_the_ground(d: Discourse, t: str, other: str, prep: str, kind: str) -> None:
-    """Places a thing with respect to a ground, a road or a ceiling."""
-    if kind_of(d, other) == "ceiling":
-        if kind in ("on", "near", "adjacent", "under") and not towers(d, t):
-            hang(d, t, other)
-        return
-    if kind in ("on", "inside_of"):
-        d.scene.marked[t] = other
-    d.scene.relations.append(Relation(t, other, "structural", text=prep))
+def _holding(d: Discourse, kind: str, other: str) -> str:
+    """ "In" what holds nothing is on it or near it, and nothing stays on a ball."""
+    if kind == "inside_of" and not holds(d, other):
+        kind = "on" if "support" in entity_of(d, other).noun.traits else "near"
+    return "near" if kind == "on" and kind_of(d, other) in ("ball", "billiard") else kind
 
 
 def hang(d: Discourse, thing: str, host: str) -> None:

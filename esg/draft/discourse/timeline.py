@@ -225,15 +225,13 @@ class TimelineBuilder:
     def leaves_hit_at(self, actor: str, speed: Quantity) -> bool:
         """Prescribes the speed of a passive body after its last hit; False if there is none."""
         track = self.tracks.get(actor)
-        if track is None or track.role is not Role.PASSIVE:
+        hits = [n for n in self.nodes if n.event is NodeEvent.COLLISION]
+        hits = [n for n in hits if actor in n.participants[1:]]
+        if track is None or track.role is not Role.PASSIVE or not hits:
             return False
-        for node in reversed(self.nodes):
-            if node.event is NodeEvent.COLLISION and actor in node.participants[1:]:
-                node.constraints.append(
-                    EventConstraint(quantity="speed_after", object=actor, value=speed)
-                )
-                return True
-        return False
+        left = EventConstraint(quantity="speed_after", object=actor, value=speed)
+        hits[-1].constraints.append(left)
+        return True
 
     def forget_duration(self, node_id: str) -> None:
         """Leaves open how long the segments up to an event last."""
@@ -246,14 +244,8 @@ class TimelineBuilder:
         """Leads every motion that no event closed to a Trigger (the end of the action)."""
         for actor, track in list(self.tracks.items()):
             if track.role is Role.ACTIVE and not track.closed and track.motion is not None:
-                keep = self.last_event
-                self.event(
-                    NodeEvent.TRIGGER,
-                    (actor,),
-                    f"{actor} ends its described motion",
-                    stem="motion_end",
-                    time=None,
-                )
+                keep, told = self.last_event, f"{actor} ends its described motion"
+                self.event(NodeEvent.TRIGGER, (actor,), told, stem="motion_end")
                 self.last_event = keep
 
     # -- result ----------------------------------------------------------------------------------

@@ -8,9 +8,7 @@ from esg.draft import lexicon as lex
 from esg.draft.discourse.concurrence import (
     coincide,
     later,
-    on_its_own,
     partner_of,
-    told_apart_by,
 )
 from esg.draft.discourse.core import amounts_of, describe, entity_of, kind_of, mark_used, structural
 from esg.draft.discourse.places import enterable
@@ -73,7 +71,7 @@ def _of_a_stack(d: Discourse, group: str, targets: list[str]) -> str:
 
 def time_of(d: Discourse, f: Frame) -> Time | None:
     for p, a in amounts_of(d, f):
-        if a.dimension == "time" and (precedes(d, a) or told_apart_by(d, a)):
+        if a.dimension == "time" and precedes(d, a):
             continue
         if a.dimension == "time" and a.low == a.high == 0.0:
             mark_used(d, a, "the start")
@@ -127,8 +125,6 @@ def record_event(
     node_id = ""
     if time is not None and (time[1].start, time[1].end) in d.scene.used:
         time = None
-    if time is not None and previous is not None and on_its_own(d, f, participants, time):
-        time = (time[0], time[1], "at")
     if time is not None and not later(d, time[1]):
         previous = _begun(d, previous, mover)
     if time is not None and (previous is None or time[2] == "at") and not stop_timed:

@@ -47,13 +47,7 @@ def at_place(world: World, m: Mention, things: list[Entity]) -> list[str]:
     if exact or not rows:
         return exact[-1:] or _alone_at(place, things)
     row = [world.entities[i] for i in world.groups[rows[-1] or ""]]
-    k = {"rear": -1, "right": -1, "last": -1, "top": -1, "middle": len(row) // 2}.get(place, 0)
-    k = lex.ORDINALS.get(word, k)
-    if m.counted_from:
-        for e in row:
-            e.pattern = "row" if e.pattern in (None, "scatter", "queue") else e.pattern
-        if lex.COUNTED_FROM[m.counted_from] < 0:
-            k, place = len(row) - 1 - k, f"{word} last" if k else "last"
+    k, place = _index(row, m, word, place)
     if not -len(row) <= k < len(row) or (place == "middle" and len(row) < 3):
         return []
     if len(row) > _NAMED and word in lex.ORDINALS:
@@ -62,6 +56,19 @@ def at_place(world: World, m: Mention, things: list[Entity]) -> list[str]:
     if len(row) == 2 and place in _OPPOSITE and not row[1 + k].place:
         name_by(world, row[1 + k], _OPPOSITE[place])
     return found
+
+
+def _index(row: list[Entity], m: Mention, word: str, place: str) -> tuple[int, str]:
+    """Where in a row a phrase looks, and what it calls the member there."""
+    k = {"rear": -1, "right": -1, "last": -1, "top": -1, "middle": len(row) // 2}.get(place, 0)
+    k = lex.ORDINALS.get(word, k)
+    if not m.counted_from:
+        return k, place
+    for e in row:
+        e.pattern = "row" if e.pattern in (None, "scatter", "queue") else e.pattern
+    if lex.COUNTED_FROM[m.counted_from] > 0:
+        return k, place
+    return len(row) - 1 - k, f"{word} last" if k else "last"
 
 
 def _pattern(world: World, group: str | None) -> str | None:

@@ -80,10 +80,8 @@ def resolve_one(world: World, m: Mention, subject: bool, avoid: list[str]) -> li
     """Node ids of what a noun phrase means, without what is coordinated with it."""
     if whole := _plural_by_name(world, m):
         return whole
-    cushion = world.billiards and m.head in ("cushion", "rail")
-    scene = m.noun is None and m.head in _SCENES and m.after_prep in _DURING
-    if cushion or scene or _arranges(world, m):
-        m.attribute = True  # of the table; where all takes place; how a plural stands
+    if _names_nothing(world, m):
+        m.attribute = True
         return []
     if whole := whole_of(world, m, subject, avoid):
         return whole
@@ -97,14 +95,10 @@ def resolve_one(world: World, m: Mention, subject: bool, avoid: list[str]) -> li
         return found
     if m.noun is not None and "structural" in m.noun.traits:
         m.letters = []
-    if m.role and m.noun is not None and m.determiner != "a":
-        if m.possessor is not None:
-            return resolve(world, m.possessor)
-        alone = [ids for ids in reversed(world.salience) if len(ids) == 1]
-        driven = [ids for ids in alone if world.entities[ids[0]].noun.kind in _DRIVEN]
-        if driven:
-            return driven[0]  # "the driver brakes": the car
     owner = m.possessor
+    if m.role and m.determiner != "a":  # "the driver brakes": the car
+        if driven := resolve(world, owner) if owner is not None else _driven(world):
+            return driven
     if owner is not None and not owner.pronoun and owner.noun is not None:
         resolve(world, owner)  # "the man's hat": the man is there too
     found = existing(world, m, avoid)
@@ -128,8 +122,18 @@ def _plural_by_name(world: World, m: Mention) -> list[str]:
     return list(world.groups[named[-1]]) if named and not own else []
 
 
-def _arranges(world: World, m: Mention) -> bool:
-    """Whether a phrase says how a plural stands ("in a queue") and names nothing itself."""
+def _driven(world: World) -> list[str]:
+    """The vehicle named last."""
+    alone = [ids for ids in reversed(world.salience) if len(ids) == 1]
+    return next((ids for ids in alone if world.entities[ids[0]].noun.kind in _DRIVEN), [])
+
+
+def _names_nothing(world: World, m: Mention) -> bool:
+    """Whether a phrase is about the scene: a cushion of the table, "in a depot", "in a queue"."""
+    if world.billiards and m.head in ("cushion", "rail"):
+        return True
+    if m.noun is None and m.head in _SCENES and m.after_prep in _DURING:
+        return True
     if m.after_prep not in ("in", "into") or m.head not in lex.ARRANGEMENTS or m.group_word:
         return False
     if m.determiner not in ("", "a", "an", "one") or m.plural or m.letters:
@@ -186,11 +190,7 @@ def _by_place(
 ) -> list[str] | None:
     """The member that a rank, an order or a place picks; None if the phrase names no such."""
     if "next" in m.adjectives and names:
-        group = next((world.entities[i].group for i in avoid), None)
-        row = world.groups.get(group or "", [])
-        k = max((row.index(i) for i in avoid if i in row), default=-1)
-        later = [e.id for e in names if e.id in row[k + 1 :]]
-        return (later or [e.id for e in names if e.id not in avoid])[:1]
+        return _next(world, names, avoid)
     if found := ranked(world, m, [e for e in names if e.id not in avoid] or names, avoid):
         return found
     word = place_word(m)
@@ -204,6 +204,15 @@ def _by_place(
     ahead = any(w in m.text for w in ("behind", "following", "in front"))
     new = word in lex.ORDINALS or (ahead and all(not e.group and not e.place for e in names))
     return [] if word and new else None  # "The car behind hits it": another one
+
+
+def _next(world: World, names: list[Entity], avoid: list[str]) -> list[str]:
+    """ "bumps the next wagon": the one after it in its row, else one more."""
+    group = next((world.entities[i].group for i in avoid), None)
+    row = world.groups.get(group or "", [])
+    k = max((row.index(i) for i in avoid if i in row), default=-1)
+    later = [e.id for e in names if e.id in row[k + 1 :]]
+    return (later or [e.id for e in names if e.id not in avoid])[:1]
 
 
 def _agreement(world: World, m: Mention, e: Entity, avoid: list[str]) -> tuple[bool | int, ...]:
