@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import aimable, entity_of, kind_of, movable
-from esg.draft.discourse.places import towers
 from esg.draft.discourse.record import Discourse, Told
 from esg.draft.discourse.referents.sizes import dimensions_of, mass_of
 from esg.draft.discourse.scene import SELF_POWERED
@@ -28,7 +27,7 @@ _PARTS = ("does", "is", "undergoes", "is sent", "is met", "is there")
 """Parts of a clause: who acts, of what a state is told, what is acted on, thrown or dropped, what
 is run into or aimed at, and all else."""
 _SCORES = {
-    "falls": (4.0, 5.0, 6.0, 6.0, 6.5, 0.0),
+    "falls": (4.0, 6.0, 6.0, 6.0, 6.5, 0.0),
     "goes on": (4.0, 3.0, 2.0, 6.0, 0.0, -1.0),
     "steers": (6.0, 4.0, 3.0, 2.0, 2.0, -1.0),
     "does": (6.0, 4.0, 2.0, 2.0, 0.0, -1.0),
@@ -102,7 +101,7 @@ def it_means(d: Discourse, f: Frame, m: Mention, avoid: list[str]) -> list[str]:
                 "same actor": m is not f.subject and f.subject is t.frame.subject,
                 "another actor": m is not f.subject and part in ("does", "is") and _new(f),
                 "way": kind_of(d, i) in _WAYS,
-                "fixed": not movable(d, i) and (asked != "falls" or towers(d, i)),
+                "fixed": _stands_firm(d, i, asked == "falls" and part == "undergoes"),
                 "stays": part in ("undergoes", "is met") and _stays(d, f, i, t, stands),
                 "aside": t.frame.subordinate not in ("", "so") and f.start_of_sentence,
             }
@@ -116,6 +115,11 @@ def _new(f: Frame) -> bool:
     return f.subject is not None and not f.subject.pronoun
 
 
+def _stands_firm(d: Discourse, i: str, felled: bool) -> bool:
+    """Whether a thing rarely moves: a wall, a tree, what carries other things."""
+    return not (movable(d, i) or felled) or "support" in entity_of(d, i).noun.traits
+
+
 def _stays(d: Discourse, f: Frame, i: str, t: Told, stands: bool) -> bool:
     """Whether "it" is rather what hits a thing: "A scooter hits a truck. It falls over."."""
     mine = entity_of(d, i)
@@ -123,7 +127,8 @@ def _stays(d: Discourse, f: Frame, i: str, t: Told, stands: bool) -> bool:
         rounder = "round" in e.noun.traits - mine.noun.traits
         if stands and mass_of(mine, dimensions_of(mine)) >= mass_of(e, dimensions_of(e)):
             return True
-        if rounder and f.verb.sense == "roll" and t.frame.verb.sense == "hit":
+        rolls = f.verb.sense == "roll" and t.frame.verb.sense == "hit" and not f.subordinate
+        if rounder and rolls:
             return True  # "A ball hits a box, and it rolls off the table"
     return False
 

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import replace
+import re
 
-from esg.draft.discourse.record import Discourse
+from esg.draft.discourse.record import Discourse, Time
 from esg.draft.discourse.windows import Draft
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.quantities import Amount
 from esg.graph.models import EventConstraint, NodeEvent, Quantity
+
+_GOES_ON = re.compile(r"\b(?:then|next|afterwards?|later|finally|subsequently)\b", re.IGNORECASE)
 
 
 def one_time_each(f: Frame) -> list[Frame]:
@@ -70,6 +73,23 @@ def _other_story(d: Discourse, node: str, participants: tuple[str, ...]) -> bool
 def later(d: Discourse, a: Amount) -> bool:
     """ "2 s later", "with a delay of 2 s": counted from the event told last."""
     return a.measure == "later" or d.text[a.end :].lstrip().lower().startswith("later")
+
+
+def on_its_own(d: Discourse, f: Frame, participants: tuple[str, ...], time: Time) -> bool:
+    """Whether a time counts from the start: nothing that takes part has met with anything yet.
+
+    "The red ball hits a box after 1 s and the blue ball hits a barrel after 2 s" are two
+    stories; "later", "then" and a time in front of the clause go on from the one before.
+    """
+    amount = time[1]
+    follows = d.text[: amount.start].rstrip().lower().endswith("after")
+    if not follows or amount.start < f.verb.start or amount.measure:
+        return False
+    begins = f.verb.start if f.subject is None else min(f.subject.start, f.verb.start)
+    if _GOES_ON.search(d.text[max(0, begins - 20) : amount.start]):
+        return False
+    met = {p for n in d.timeline.nodes for p in n.participants}
+    return not met & set(participants)
 
 
 def coincide(d: Discourse, draft: Draft, partner: tuple[str, Quantity] | None) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from esg.draft import lexicon as lex
+from esg.draft.discourse.concurrence import on_its_own
 from esg.draft.discourse.core import (
     aimable,
     amounts_of,
@@ -129,7 +130,7 @@ def sets_off_late(d: Discourse, f: Frame, actors: list[str]) -> None:
         if time is None or track.motion is not None or not movable(d, actor):
             continue
         since = track.at if track.at != START else d.timeline.last_event
-        if time[2] == "at":
+        if time[2] == "at" or on_its_own(d, f, (actor,), time):
             since = None
         _stand(d, actor, time[0], since, f"{actor} sets off")
         mark_used(d, time[1], "when it sets off")

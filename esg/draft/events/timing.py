@@ -8,6 +8,7 @@ from esg.draft import lexicon as lex
 from esg.draft.discourse.concurrence import (
     coincide,
     later,
+    on_its_own,
     partner_of,
 )
 from esg.draft.discourse.core import amounts_of, describe, entity_of, kind_of, mark_used, structural
@@ -125,6 +126,8 @@ def record_event(
     node_id = ""
     if time is not None and (time[1].start, time[1].end) in d.scene.used:
         time = None
+    if time is not None and previous is not None and on_its_own(d, f, participants, time):
+        time = (time[0], time[1], "at")
     if time is not None and not later(d, time[1]):
         previous = _begun(d, previous, mover)
     if time is not None and (previous is None or time[2] == "at") and not stop_timed:

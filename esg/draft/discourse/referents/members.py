@@ -11,7 +11,7 @@ from esg.draft.discourse.referents.registry import create, new_id, rename
 from esg.draft.text.elements import Mention
 
 _OPPOSITE = {"front": "rear", "rear": "front"}
-_NAMED = 8
+_NAMED = 7
 """Most members of a row that go by their number."""
 _LEVELS = frozenset({"top", "bottom"})
 
@@ -53,8 +53,8 @@ def at_place(world: World, m: Mention, things: list[Entity]) -> list[str]:
     if len(row) > _NAMED and word in lex.ORDINALS:
         return [row[k].id]
     found = name_by(world, row[k], place)
-    if len(row) == 2 and place in _OPPOSITE and not row[1 + k].place:
-        name_by(world, row[1 + k], _OPPOSITE[place])
+    if len(row) == 2 and place in _OPPOSITE and not row[1 - k % 2].place:
+        name_by(world, row[1 - k % 2], _OPPOSITE[place])
     return found
 
 
@@ -92,6 +92,15 @@ def ranked(world: World, m: Mention, things: list[Entity], avoid: list[str]) -> 
         best = (told or free or things)[0]
         best.adjectives += [] if told else [word]
     return [best.id] if best is not None else []
+
+
+def next_of(world: World, things: list[Entity], avoid: list[str]) -> list[str]:
+    """ "bumps the next wagon": the one after it in its row, else another one."""
+    group = next((world.entities[i].group for i in avoid), None)
+    row = world.groups.get(group or "", [])
+    k = max((row.index(i) for i in avoid if i in row), default=-1)
+    later = [i for i in row[k + 1 :] if world.entities[i].noun == things[-1].noun]
+    return (later or [e.id for e in things if e.id not in avoid])[:1]
 
 
 def picked(world: World, m: Mention, ids: list[str]) -> list[str]:

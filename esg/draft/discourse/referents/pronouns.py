@@ -5,7 +5,7 @@ from __future__ import annotations
 from esg.draft import lexicon as lex
 from esg.draft.discourse.referents.entities import Entity
 from esg.draft.discourse.referents.matching import CONTRASTS, unlike
-from esg.draft.discourse.referents.members import at_place, name_by, one_more, ranked
+from esg.draft.discourse.referents.members import at_place, name_by, next_of, one_more, ranked
 from esg.draft.discourse.referents.ranks import same_quantity
 from esg.draft.discourse.referents.record import World
 from esg.draft.discourse.referents.registry import add_entity
@@ -117,27 +117,36 @@ def _several(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[
     p = m.pronoun
     keep = m.count if m.count in (1, 2, 3) and p in ("them", "these", "those") else None
     keep = m.count if p == "ones" and not m.adjectives else keep  # "eleven run out"
-    pool = world.subjects if subject and p != "both" else world.salience
-    lone = [ids[0] for ids in reversed(world.subjects[-4:]) if len(ids) == 1]
-    two = list(dict.fromkeys(lone))[:2]
-    if p == "both" and subject and len(two) == 2 and len(world.subjects[-1]) == 1:
-        one, other = (world.entities[i] for i in two)
-        if one.noun == other.noun and not (one.group and other.group):
-            return two[::-1]  # "A car passes a bus, a van passes it, and both brake"
-    many = [ids for ids in reversed(pool) if len(ids) > 1]
-    many = [ids for ids in many if subject or not set(ids) <= {*avoid}]
-    if many := many or [ids for ids in reversed(world.salience) if len(ids) > 1]:
-        return list(many[0])[:keep]
     named = [i for ids in reversed(world.salience) for i in ids if _solid(world, i)]
     named = [i for i in named if world.entities[i].noun.kind not in _WAYS or not subject]
+    if two := _two_subjects(world, p, named) if subject else []:
+        return two
+    pool = [*reversed(world.subjects if subject and p != "both" else []), *reversed(world.salience)]
+    many = [ids for ids in pool if len(ids) > 1]
+    free = [ids for ids in many if subject or not set(ids) <= {*avoid}]
+    if many:
+        return list((free or many)[0])[:keep]
     group = world.groups.get(world.entities[named[0]].group or "", []) if named else []
     if len(group) > 1 and p not in ("both", "each"):
         return list(group)  # "the first domino ... they all topple"
-    if subject and p == "they" and len(two) == 2 and two[0] == named[0]:
-        return two[::-1]  # "A car passes a lorry, a bus comes and they collide"
     recent = list(dict.fromkeys(named))
-    alike = [i for i in recent if world.entities[i].noun == world.entities[recent[0]].noun]
+    alike = [i for i in recent if _alike(world, world.entities[i], recent[0])]
     return (alike if p == "both" and len(alike) > 1 else recent)[:2][::-1]
+
+
+def _two_subjects(world: World, p: str, named: list[str]) -> list[str]:
+    """The last two subjects, where they are of a kind or nothing was named after them.
+
+    "A car passes a bus, a van passes it, and both brake", "a bus comes and they collide"
+    """
+    lone = [ids[0] for ids in reversed(world.subjects[-4:]) if len(ids) == 1]
+    two = list(dict.fromkeys(lone))[:2]
+    if len(two) < 2 or len(world.subjects[-1]) > 1 or p not in ("they", "both"):
+        return []
+    grouped = all(world.entities[i].group for i in two)
+    alike = _alike(world, world.entities[two[0]], two[1]) and not grouped
+    meet = two[0] == named[0] and not any(len(ids) > 1 for ids in world.salience)
+    return two[::-1] if (alike if p == "both" else meet) else []
 
 
 def _thing(world: World, subject: bool, avoid: list[str]) -> list[str]:
@@ -156,41 +165,44 @@ def _thing(world: World, subject: bool, avoid: list[str]) -> list[str]:
 
 def one_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[str]:
     """ "the other one", "the second", "the red one", "the next": a member, or one thing more."""
+    if NEIGHBOUR in m.adjectives and (beside := _beside(world, m, avoid)):
+        return beside
     solid = [e for i, e in world.entities.items() if _solid(world, i)]
     row = [world.entities[i] for i in next(reversed(list(world.groups.values())), [])]
     told = [world.entities[i] for ids in world.salience for i in ids if _solid(world, i)]
     near = list({e.id: e for e in told if e.id not in avoid}.values())
-    if NEIGHBOUR in m.adjectives and (beside := _beside(world, m, avoid)):
-        return beside
-    mates = [e for e in solid if e.id not in avoid and any(_alike(world, e, i) for i in avoid)]
+    mates = [e for e in solid if e in near and any(_alike(world, e, i) for i in avoid)]
     placed = [e for e in solid if e.place in lex.ORDINALS and e.group is None]
     among = mates or [e for e in solid if placed and e.noun == placed[-1].noun] or row or solid
     if found := ranked(world, m, row or near, avoid) or at_place(world, m, among):
         return found
     words = [a for a in m.adjectives if _tells(a)]
     having = [e for e in solid if _has(e, words) or same_quantity(m, e, world.facts)]
-    having.sort(key=lambda e: e.id not in avoid)
     if having:
-        return [having[-1].id]
-    own = [world.groups.get(world.entities[i].group or "", []) for i in avoid]
-    if "next" in m.adjectives and own and own[0]:
-        k = max(own[0].index(i) for i in avoid if i in own[0])
-        return own[0][k + 1 : k + 2] or own[0][-1:]
-    colors = [a for a in words if a in lex.COLORS]
-    free = [e for e in row if e.color is None and e.id not in avoid]
-    if colors and free:
-        return name_by(world, free[0], colors[0])
-    other = "another" in (m.pronoun, m.determiner) or "other" in (m.pronoun, *m.adjectives)
+        return [max(having, key=lambda e: (e.id not in avoid, solid.index(e))).id]
+    own = [e for e in solid if e.group and any(e.group == world.entities[i].group for i in avoid)]
     if row and "next" in m.adjectives:
-        return [row[1].id]
-    if row and not words:
-        used = [*avoid, *([] if avoid or not world.salience else world.salience[-1])]
-        if not {e.id for e in row} & {*used}:  # "hits the left one. A second stone hits ..."
-            used += [e.id for e in reversed(told) if e in row][:1] if other else []
-        return [e.id for e in row if not other or e.id not in used][:1]
+        return next_of(world, own or row, avoid)
+    other = "another" in (m.pronoun, m.determiner) or "other" in (m.pronoun, *m.adjectives)
+    if row and (found := _of_row(world, row, words, told if other else [], avoid)):
+        return found
     if words or other or "next" in m.adjectives:
         return _one_more_like(world, m, words, subject, avoid)
-    return [e.id for e in reversed(near)][:1]
+    return [e.id for e in near][-1:]
+
+
+def _of_row(
+    world: World, row: list[Entity], words: list[str], told: list[Entity], avoid: list[str]
+) -> list[str]:
+    """A member of a plural: one without a colour, the first, or the first not told of."""
+    colors = [a for a in words if a in lex.COLORS]
+    free = [e for e in row if e.color is None and e.id not in avoid]
+    if words:
+        return name_by(world, free[0], colors[0]) if colors and free else []
+    used = avoid or [i for ids in world.salience[-1:] for i in ids]
+    if not {e.id for e in row} & {*used}:  # "hits the left one. A second stone hits the other"
+        used = [e.id for e in reversed(told) if e in row][:1]
+    return [e.id for e in row if not told or e.id not in used][:1]
 
 
 def _one_more_like(
@@ -199,25 +211,30 @@ def _one_more_like(
     """ "a blue car ... the red one", "A domino hits the next": one more of the kind meant."""
     colors = [a for a in words if a in lex.COLORS]
     solid = [e for i, e in world.entities.items() if _solid(world, i)]
-    tinted = [e for e in solid if e.color is not None] if colors else []
-    if colors and (world.billiards or (not tinted and m.adjectives == colors)):
+    model = _rivals(solid, words)
+    if colors and (world.billiards or (not model and m.adjectives == colors)):
         ball = lex.nouns()["billiard ball" if world.billiards else "ball"]
         label = f"{colors[0]} ball"
         more = add_entity(world, ball, "ball", adjectives=colors, label=label, origin=m.start)
         return [more.id]  # "Red knocks blue away"
-    rivals = [e for e in solid if any(unlike(e, a) for a in words if a not in lex.COLORS)]
-    if {*words} & lex.ORDINALS.keys():
-        placed = [e for e in solid if e.place in lex.ORDINALS]
-        rivals = placed or [e for e in solid if e.group]
     mine = avoid or (world.subjects[-1] if world.subjects else [])
     actor = [world.entities[i] for i in mine[:1] if _solid(world, i)]
     rest = [e for e in solid if e.id not in mine]
     passed = actor and actor[0].noun.kind in _MOVERS and not subject and rest
-    ones = [e for e in rest if e.label.lower().startswith("one ")]
-    model = tinted or rivals or ones or (rest if passed or not actor else actor)
+    model = model or [e for e in rest if e.label.lower().startswith("one ")]
+    model = model or (rest if passed or not actor else actor)
     second = ["second"] if m.pronoun == "another" else []
     telling = words or [a for a in m.adjectives if a in ("next", "other")] or second
     return one_more(world, model[-1], telling, m) if model else []
+
+
+def _rivals(solid: list[Entity], words: list[str]) -> list[Entity]:
+    """What a colour, an ordinal or another adjective tells a thing apart from."""
+    if {*words} & lex.COLORS.keys():
+        return [e for e in solid if e.color is not None]
+    if {*words} & lex.ORDINALS.keys():
+        return [e for e in solid if e.place in lex.ORDINALS] or [e for e in solid if e.group]
+    return [e for e in solid if any(unlike(e, a) for a in words)]
 
 
 def _alike(world: World, e: Entity, i: str) -> bool:

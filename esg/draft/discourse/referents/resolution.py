@@ -9,6 +9,7 @@ from esg.draft.discourse.referents.members import (
     at_place,
     member_of,
     name_by,
+    next_of,
     picked,
     place_word,
     ranked,
@@ -96,9 +97,8 @@ def resolve_one(world: World, m: Mention, subject: bool, avoid: list[str]) -> li
     if m.noun is not None and "structural" in m.noun.traits:
         m.letters = []
     owner = m.possessor
-    if m.role and m.determiner != "a":  # "the driver brakes": the car
-        if driven := resolve(world, owner) if owner is not None else _driven(world):
-            return driven
+    if m.role and m.determiner != "a" and (driven := _driven(world, owner)):
+        return driven  # "the driver brakes": the car
     if owner is not None and not owner.pronoun and owner.noun is not None:
         resolve(world, owner)  # "the man's hat": the man is there too
     found = existing(world, m, avoid)
@@ -122,8 +122,10 @@ def _plural_by_name(world: World, m: Mention) -> list[str]:
     return list(world.groups[named[-1]]) if named and not own else []
 
 
-def _driven(world: World) -> list[str]:
-    """The vehicle named last."""
+def _driven(world: World, owner: Mention | None) -> list[str]:
+    """The vehicle that a driver is said to drive, else the one named last."""
+    if owner is not None:
+        return resolve(world, owner)
     alone = [ids for ids in reversed(world.salience) if len(ids) == 1]
     return next((ids for ids in alone if world.entities[ids[0]].noun.kind in _DRIVEN), [])
 
@@ -149,29 +151,21 @@ def existing(world: World, m: Mention, avoid: list[str]) -> list[str]:
         return member_of(world, m, avoid)
     definite = m.determiner in _KNOWN or bool(m.letters)
     structural = m.noun is not None and "structural" in m.noun.traits
-    bare = not m.determiner and not m.pattern
-    if not (definite or structural or bare) or ("other" in m.adjectives and not definite):
+    bare = not m.determiner and not m.pattern and "other" not in m.adjectives
+    if not (definite or structural or bare):
         return []
     names = [e for e in world.entities.values() if matches(world, m, e)]
     if m.letters:
         by_letter = {e.letter: e.id for e in names}
         return [by_letter.get(x) or letter_of(world, m, x) for x in m.letters]
     if {"other", "remaining"} & {*m.adjectives}:
-        told = world.salience if avoid or m.plural else world.subjects
-        last = told[-1] if told else []
-        rest = [e.id for e in names if e.id not in last and e.id not in avoid]
-        return rest if m.plural else rest[:1]
-    color = next((lex.COLORS[a] for a in m.adjectives if a in lex.COLORS), None)
-    if color:  # "several billiard balls ... the red ball": one more
-        uncounted = [e.id for e in names if e.noun.kind == "billiard" and e.group in world.vague]
-        names = [e for e in names if e.color == color or e.id not in uncounted]
-    alike = [e for e in world.entities.values() if same_kind(m, e)]
+        return _rest(world, m, names, avoid)
     if single and not structural:
-        found = _by_place(world, m, names, alike, avoid)
+        found = _by_place(world, m, names, avoid)
         if found or (found is not None and definite):
             return found
-    if not names and definite and measured(m) and len(alike) == 1 and alike[0].id not in avoid:
-        names = [e for e in alike if not any(unlike(e, a) for a in m.adjectives)]  # contradicted
+    if not names and definite and measured(m):
+        names = _contradicted(world, m, avoid)
     groups = {e.group for e in names}
     every = m.determiner in ("each", "every") and len(groups) == 1 and None not in groups
     if not single or every:
@@ -179,21 +173,44 @@ def existing(world: World, m: Mention, avoid: list[str]) -> list[str]:
         return [] if few and not structural else [e.id for e in names]
     if bare and not structural:  # "car hits wall" repeats an object only if one is there
         names = [e for e in names if e.group is None]
+    return _best(world, m, names, avoid)
+
+
+def _rest(world: World, m: Mention, names: list[Entity], avoid: list[str]) -> list[str]:
+    """ "the other cone", "the remaining pins": what was not told of."""
+    told = world.salience if avoid or m.plural else world.subjects
+    last = told[-1] if told else []
+    rest = [e.id for e in names if e.id not in last and e.id not in avoid]
+    return rest if m.plural else rest[:1]
+
+
+def _contradicted(world: World, m: Mention, avoid: list[str]) -> list[Entity]:
+    """ "A ball weighs 10 kg. The 5 kg ball ...": the only thing of its kind all the same."""
+    alike = [e for e in world.entities.values() if same_kind(m, e)]
+    only = [e for e in alike if len(alike) == 1 and e.id not in avoid]
+    return [e for e in only if not any(unlike(e, a) for a in m.adjectives)]
+
+
+def _best(world: World, m: Mention, names: list[Entity], avoid: list[str]) -> list[str]:
+    """The thing that agrees best; a member of a plural gets its colour from the phrase."""
+    color = next((lex.COLORS[a] for a in m.adjectives if a in lex.COLORS), None)
+    if color:  # "several billiard balls ... the red ball": one more
+        uncounted = [e.id for e in names if e.noun.kind == "billiard" and e.group in world.vague]
+        names = [e for e in names if e.color == color or e.id not in uncounted]
     if not names:
         return []
     best = max(names, key=lambda e: _agreement(world, m, e, avoid))
     return [best.id] if color == best.color or not color else name_by(world, best, color)
 
 
-def _by_place(
-    world: World, m: Mention, names: list[Entity], alike: list[Entity], avoid: list[str]
-) -> list[str] | None:
+def _by_place(world: World, m: Mention, names: list[Entity], avoid: list[str]) -> list[str] | None:
     """The member that a rank, an order or a place picks; None if the phrase names no such."""
     if "next" in m.adjectives and names:
-        return _next(world, names, avoid)
+        return next_of(world, names, avoid)
     if found := ranked(world, m, [e for e in names if e.id not in avoid] or names, avoid):
         return found
     word = place_word(m)
+    alike = [e for e in world.entities.values() if same_kind(m, e)]
     rows = m.stacked or (m.noun is not None and m.noun.kind in ("pin", "domino"))
     if word and rows and not alike:
         row = Mention(m.start, m.end, head=m.head, noun=m.noun, plural=True)
@@ -204,15 +221,6 @@ def _by_place(
     ahead = any(w in m.text for w in ("behind", "following", "in front"))
     new = word in lex.ORDINALS or (ahead and all(not e.group and not e.place for e in names))
     return [] if word and new else None  # "The car behind hits it": another one
-
-
-def _next(world: World, names: list[Entity], avoid: list[str]) -> list[str]:
-    """ "bumps the next wagon": the one after it in its row, else one more."""
-    group = next((world.entities[i].group for i in avoid), None)
-    row = world.groups.get(group or "", [])
-    k = max((row.index(i) for i in avoid if i in row), default=-1)
-    later = [e.id for e in names if e.id in row[k + 1 :]]
-    return (later or [e.id for e in names if e.id not in avoid])[:1]
 
 
 def _agreement(world: World, m: Mention, e: Entity, avoid: list[str]) -> tuple[bool | int, ...]:

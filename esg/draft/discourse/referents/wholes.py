@@ -22,14 +22,9 @@ _HAVE = (
 
 def whole_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[str]:
     """What a part belongs to: "the dog's tail", "the open door of a car", "its roof"."""
-    owner, body = m.possessor, m.head in lex.BODY_PARTS
-    if owner is not None:
-        kinds = [k for parts, k in _HAVE if m.head in parts and (body or not subject)]
-        known = not owner.pronoun and (owner.noun is not None or m.head == "roof")
-        if not kinds or not known or (m.head in WORN and m.after_prep == "off"):
-            return []
-        ids = world.resolve(owner)
-        return ids if any(world.entities[i].noun.kind in k for k in kinds for i in ids) else []
+    body = m.head in lex.BODY_PARTS
+    if m.possessor is not None:
+        return _of_owner(world, m, m.possessor, subject and not body)
     if m.head in _BODYWORK and m.determiner in ("the", "a"):
         cars = [e.id for e in world.entities.values() if e.noun.kind == "vehicle"]
         if m.attribute and not cars:  # "falls on the bonnet": of a car that is not named
@@ -38,9 +33,19 @@ def whole_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[
     if body and m.determiner == "the" and m.after_prep in ("in", "on") and m.noun is None:
         last = [world.entities[i] for ids in world.salience[-2:] for i in ids]
         return [e.id for e in last if e.noun.kind in ("person", "animal")][-1:]
-    if m.determiner in _PRONOUNS and (body or (m.head in _OWN and not subject)):
-        word = _PRONOUNS[m.determiner]
-        ids = pronoun(world, Mention(m.start, m.end, pronoun=word), subject, avoid)
-        person = all(world.entities[i].noun.kind == "person" for i in ids)
-        return list(avoid) if ids and person and word == "it" else ids
-    return []
+    if m.determiner not in _PRONOUNS or not (body or (m.head in _OWN and not subject)):
+        return []
+    word = _PRONOUNS[m.determiner]
+    ids = pronoun(world, Mention(m.start, m.end, pronoun=word), subject, avoid)
+    person = all(world.entities[i].noun.kind == "person" for i in ids)
+    return list(avoid) if ids and person and word == "it" else ids
+
+
+def _of_owner(world: World, m: Mention, owner: Mention, subject: bool) -> list[str]:
+    """The owner of a part, if that is what is hit when the part is."""
+    kinds = [k for parts, k in _HAVE if m.head in parts and not subject]
+    known = not owner.pronoun and (owner.noun is not None or m.head == "roof")
+    if not kinds or not known or (m.head in WORN and m.after_prep == "off"):
+        return []
+    ids = world.resolve(owner)
+    return ids if any(world.entities[i].noun.kind in k for k in kinds for i in ids) else []
