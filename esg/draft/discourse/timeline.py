@@ -12,7 +12,7 @@ from typing import Any
 from esg.draft import lexicon as lex
 from esg.draft.discourse.referents.registry import unique
 from esg.draft.discourse.tracks import Motion, Track
-from esg.draft.discourse.windows import START, Draft, plan_times, settle_ambiguous
+from esg.draft.discourse.windows import START, Draft, plan_times
 from esg.graph.models import (
     Actor,
     EdgeEvent,
@@ -287,7 +287,6 @@ class TimelineBuilder:
             if name in involved and (t.role is Role.ACTIVE or t.hit)
         }
         edges = [self._repair(e, actors) for e in self.edges if e.actor in actors]
-        settle_ambiguous(self.nodes, edges)
         self._expect(gaps or {})
         spans = plan_times(self.nodes, edges)
         nodes = [

@@ -18,8 +18,6 @@ START = "scene_start"
 GAP_S = 0.1
 EARLIER, LATER = 0.8, 1.3
 """How much sooner or later than by its stated way and speed something may happen."""
-EARLY_S: Interval = (0.1, 0.2)
-"""When a manoeuvre begins that begins at once [s]."""
 _DURATIONS: dict[NodeEvent, tuple[float, float]] = {
     NodeEvent.COLLISION: (0.5, 2.0),
     NodeEvent.TRIGGER: (0.5, 1.5),
@@ -55,24 +53,6 @@ class Draft:
 
 def _bounds(value: Quantity) -> Interval:
     return value if isinstance(value, tuple) else (value, value)
-
-
-def settle_ambiguous(nodes: list[Draft], edges: list[TimelineEdge]) -> None:
-    """Lets a manoeuvre begin at once where a time may count from it as well as from the start.
-
-    "A car drives at 15 m/s, slows down and hits a cone after 4 seconds": if it slows down at once
-    the hit is 4 s after both, whichever was meant.
-    """
-    by_id = {n.id: n for n in nodes}
-    led_to = {e.to for e in edges if e.from_ != START}
-    for n in nodes:
-        for c in n.constraints:
-            since = by_id.get(c.since or "") if c.quantity == "time_since" else None
-            if since is None or since.event is not NodeEvent.TRIGGER or since.time is not None:
-                continue
-            own = since.participants[:1] == n.participants[:1]
-            if own and not since.constraints and not since.after and since.id not in led_to:
-                since.time, since.time_prescribed = EARLY_S, True
 
 
 @dataclass

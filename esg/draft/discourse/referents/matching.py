@@ -81,6 +81,4 @@ def same_kind(m: Mention, e: Entity) -> bool:
             return True
         if m.head in (e.noun.name.split()[-1], e.head.split()[-1]):
             return True  # "a tennis ball ... the ball"
-        if m.head == "ball" and "round" in e.noun.traits and e.noun.kind in ("ball", "billiard"):
-            return True
     return definite and len(m.head) >= 4 and e.head.endswith(m.head) and " " not in e.head

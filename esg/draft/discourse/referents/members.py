@@ -99,7 +99,7 @@ def next_of(world: World, things: list[Entity], avoid: list[str]) -> list[str]:
     group = next((world.entities[i].group for i in avoid), None)
     row = world.groups.get(group or "", [])
     k = max((row.index(i) for i in avoid if i in row), default=-1)
-    later = [i for i in row[k + 1 :] if world.entities[i].noun == things[-1].noun]
+    later = row[k + 1 :]
     return (later or [e.id for e in things if e.id not in avoid])[:1]
 
 

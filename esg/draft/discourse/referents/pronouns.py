@@ -171,24 +171,28 @@ def one_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[st
     row = [world.entities[i] for i in next(reversed(list(world.groups.values())), [])]
     told = [world.entities[i] for ids in world.salience for i in ids if _solid(world, i)]
     near = list({e.id: e for e in told if e.id not in avoid}.values())
-    mates = [e for e in solid if e in near and any(_alike(world, e, i) for i in avoid)]
-    placed = [e for e in solid if e.place in lex.ORDINALS and e.group is None]
-    among = mates or [e for e in solid if placed and e.noun == placed[-1].noun] or row or solid
+    among = _of_one_kind(world, solid, avoid) or row or solid
     if found := ranked(world, m, row or near, avoid) or at_place(world, m, among):
         return found
     words = [a for a in m.adjectives if _tells(a)]
     having = [e for e in solid if _has(e, words) or same_quantity(m, e, world.facts)]
     if having:
         return [max(having, key=lambda e: (e.id not in avoid, solid.index(e))).id]
-    own = [e for e in solid if e.group and any(e.group == world.entities[i].group for i in avoid)]
     if row and "next" in m.adjectives:
-        return next_of(world, own or row, avoid)
-    other = "another" in (m.pronoun, m.determiner) or "other" in (m.pronoun, *m.adjectives)
+        return next_of(world, row, avoid)
+    other = bool({"another", "other"} & {m.pronoun, m.determiner, *m.adjectives})
     if row and (found := _of_row(world, row, words, told if other else [], avoid)):
         return found
     if words or other or "next" in m.adjectives:
         return _one_more_like(world, m, words, subject, avoid)
     return [e.id for e in near][-1:]
+
+
+def _of_one_kind(world: World, solid: list[Entity], avoid: list[str]) -> list[Entity]:
+    """What "the second" is counted among: what is like the subject, or like a "first" thing."""
+    mates = [e for e in solid if e.id not in avoid and any(_alike(world, e, i) for i in avoid)]
+    placed = [e for e in solid if e.place in lex.ORDINALS and e.group is None]
+    return mates or [e for e in solid if placed and e.noun == placed[-1].noun]
 
 
 def _of_row(

@@ -150,9 +150,8 @@ def existing(world: World, m: Mention, avoid: list[str]) -> list[str]:
     if single and not m.letters and (m.determiner in _ONE or (m.count and not m.determiner)):
         return member_of(world, m, avoid)
     definite = m.determiner in _KNOWN or bool(m.letters)
-    structural = m.noun is not None and "structural" in m.noun.traits
     bare = not m.determiner and not m.pattern and "other" not in m.adjectives
-    if not (definite or structural or bare):
+    if not (definite or bare or _structural(m)):
         return []
     names = [e for e in world.entities.values() if matches(world, m, e)]
     if m.letters:
@@ -160,19 +159,30 @@ def existing(world: World, m: Mention, avoid: list[str]) -> list[str]:
         return [by_letter.get(x) or letter_of(world, m, x) for x in m.letters]
     if {"other", "remaining"} & {*m.adjectives}:
         return _rest(world, m, names, avoid)
-    if single and not structural:
+    if single and not _structural(m):
         found = _by_place(world, m, names, avoid)
         if found or (found is not None and definite):
             return found
+    return _of_these(world, m, names, avoid, single, definite)
+
+
+def _structural(m: Mention) -> bool:
+    return m.noun is not None and "structural" in m.noun.traits
+
+
+def _of_these(
+    world: World, m: Mention, names: list[Entity], avoid: list[str], single: bool, definite: bool
+) -> list[str]:
+    """Of the things that agree with a phrase all, if it is a plural, else the best."""
     if not names and definite and measured(m):
         names = _contradicted(world, m, avoid)
     groups = {e.group for e in names}
     every = m.determiner in ("each", "every") and len(groups) == 1 and None not in groups
     if not single or every:
         few = (m.count or 2) > len(names) and not definite
-        return [] if few and not structural else [e.id for e in names]
-    if bare and not structural:  # "car hits wall" repeats an object only if one is there
-        names = [e for e in names if e.group is None]
+        return [] if few and not _structural(m) else [e.id for e in names]
+    if not m.determiner and not m.pattern and not _structural(m):
+        names = [e for e in names if e.group is None]  # "car hits wall" repeats what is one
     return _best(world, m, names, avoid)
 
 
@@ -206,7 +216,8 @@ def _best(world: World, m: Mention, names: list[Entity], avoid: list[str]) -> li
 def _by_place(world: World, m: Mention, names: list[Entity], avoid: list[str]) -> list[str] | None:
     """The member that a rank, an order or a place picks; None if the phrase names no such."""
     if "next" in m.adjectives and names:
-        return next_of(world, names, avoid)
+        mates = [i for i in avoid if world.entities[i].noun == names[-1].noun]
+        return next_of(world, names, mates)
     if found := ranked(world, m, [e for e in names if e.id not in avoid] or names, avoid):
         return found
     word = place_word(m)
