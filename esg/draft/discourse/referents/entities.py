@@ -92,7 +92,7 @@ def slug(text: str) -> str:
 
 
 _PEOPLE = re.compile(
-    r"(?:man|men|woman|women|person|ist|player|keeper|worker|driver|officer|smith|monger|dresser"
+    r"(?:man|men|woman|women|person|(?<!e)ist|player|keeper|worker|driver|officer|smith|monger|dresser"
     r"|herder|ologist|ographer|istrator|in-law|brother|sister|mother|father)$"
     r"|^(?:step|grand|ex-|god|vice-)(?!stand)\w+"
 )
