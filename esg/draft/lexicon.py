@@ -264,3 +264,35 @@ VAGUE_COUNTS: dict[str, int] = {
     "several": 4, "many": 6, "few": 3, "multiple": 4, "numerous": 6, "various": 4, "some": 3,
     "couple": 2, "both": 2, "pair": 2, "dozen": 12, "dozens": 12, "lots": 6, "handful": 4,
 }  # fmt: skip
+
+ORDINALS: dict[str, int] = {
+    "first": 0, "1st": 0, "second": 1, "2nd": 1, "third": 2, "3rd": 2, "fourth": 3, "4th": 3,
+    "fifth": 4, "5th": 4, "sixth": 5, "seventh": 6, "eighth": 7, "ninth": 8, "tenth": 9,
+}  # fmt: skip
+STACKED: dict[str, int] = {
+    "top": -1, "topmost": -1, "uppermost": -1, "upper": -1, "highest": -1,
+    "bottom": 0, "lowest": 0, "lowermost": 0, "lower": 0, "bottommost": 0,
+    "middle": 1, "center": 1, "centre": 1, "central": 1,
+}  # fmt: skip
+"""Members of a stack by where they lie: first (at the bottom), last or in the middle."""
+COUNTED_FROM = {"left": 1, "bottom": 1, "front": 1, "right": -1, "top": -1, "back": -1, "end": -1}
+"""From which end "the second from the ..." counts; the members of a row go left to right."""
+_COMPARISONS = {
+    "mass": ("heavier heaviest", "lighter lightest"),
+    "size": ("larger largest bigger biggest", "smaller smallest tiniest"),
+    "height": ("taller tallest", "shorter shortest"),
+    "length": ("longer longest", ""),
+    "width": ("wider widest broader broadest", "narrower narrowest"),
+    "speed": ("faster fastest quicker quickest speedier speediest", "slower slowest"),
+}
+RANKS: dict[str, tuple[str, float]] = {
+    word: (quantity, sign)
+    for quantity, both in _COMPARISONS.items()
+    for sign, words in zip((1.0, -1.0), both, strict=True)
+    for word in words.split()
+}
+"""Comparatives and superlatives: what they compare, and which end they mean."""
+ALONE = RANKS.keys() | ORDINALS.keys() | word_set("ends of rows")
+"""What stands for a thing without its noun: "the second", "the heavier", "the last"."""
+BODY_PARTS = word_set("body parts")
+OWN_PARTS = word_set("own parts")

@@ -25,7 +25,7 @@ from esg.draft.grammar.rewrites.shares import count
 from esg.draft.text.elements import Element
 from esg.draft.text.tagging import pos_tags
 from esg.draft.text.tokens import tokenize
-from esg.draft.text.topics import is_billiards, is_file_of_two, is_net_sport
+from esg.draft.text.topics import is_billiards, is_net_sport
 from esg.graph.models import EsgDocument
 
 _REWRITES: tuple[tuple[str, Callable[[list[Element]], list[Element]]], ...] = (
@@ -70,7 +70,6 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     count(clauses.attachments)
     mark_unreal(clauses.frames, text)
     world = new_world()
-    world.file_of_two = is_file_of_two(text)
     world.net_sport, world.billiards = is_net_sport(text), is_billiards(text)
     discourse = begin(world, text, clauses.mentions)
     scene = interpret(discourse, clauses.frames, clauses.attachments)

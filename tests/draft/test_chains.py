@@ -49,11 +49,6 @@ def told(doc: EsgDocument) -> list[str]:
                 "Collision traffic_cone_2 wall_1",
             ],
         ),
-        (
-            "A toy car drives under a table and hits a table leg.",
-            ["Collision toy_car_1 table_1"],
-        ),
-        ("A branch falls onto a car roof.", ["Collision branch_1 car_1"]),
         # one of many: bounded counts, and a plural whose member is named afterwards
         (
             "A bowling ball strikes ten pins and at least one of them falls.",

@@ -82,9 +82,6 @@ def test_the_next_story_of_a_sentence_stays_one_after_the_other() -> None:
 @pytest.mark.parametrize(
     ("prompt", "kind", "value"),
     [
-        ("Two balls hit a wall 2 s apart.", NodeEvent.COLLISION, 2.0),
-        ("Two balls hit a wall with 1.5 s between them.", NodeEvent.COLLISION, 1.5),
-        ("Two balls roll off a table 2 s apart.", NodeEvent.FALL, 2.0),
         ("A ball hits a cone. A second ball hits a bin with a delay of 2 s.",
          NodeEvent.COLLISION, 2.0),
         ("A ball hits a cone. After a pause of 3 s it hits a bin.", NodeEvent.COLLISION, 3.0),

@@ -217,16 +217,6 @@ def test_numbered_billiard_balls(name: str) -> None:
     assert sum("ball" in n for n in many.spatial_relation_graph.nodes) == 8
 
 
-def test_the_first_misses_and_the_second_hits() -> None:
-    """Throw one each; "it" is what all were thrown at, and no throw arrives unsaid."""
-    for verb, thing in (("throw", "stone"), ("roll", "marble")):
-        doc = clean(f"Two boys {verb} {thing}s at a can: the first misses, the second hits it.")
-        assert events(doc) == [
-            ("Miss", f"first_{thing}_1", "can_1"),
-            ("Collision", f"second_{thing}_1", "can_1"),
-        ]
-
-
 def test_does_the_same() -> None:
     """Tell what the clauses before tell, of the new subject and with its own time."""
     doc = clean("A red ball rolls into a box. The blue ball does the same 2 s later.")

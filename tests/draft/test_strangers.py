@@ -124,10 +124,6 @@ def read(prompt: str) -> tuple[EsgDocument, list[tuple[Any, ...]]]:
             "A girl stands still. A dog runs into her.",
             [("Collision", "dog_1", "girl_1")],
         ),
-        (
-            "The insured braked, and a lorry ran into the back of his car.",
-            [("Collision", "lorry_1", "insured_1")],
-        ),
         # who does what
         (
             "A car changing lanes knocks a moped over.",
@@ -257,11 +253,7 @@ def read(prompt: str) -> tuple[EsgDocument, list[tuple[Any, ...]]]:
                 ("EnterRegion", "ball_1"),
             ],
         ),
-        # the green, over the net, an elbow
-        (
-            "A golf ball is hit from the tee, bounces twice on the green and rolls into the hole.",
-            [("EnterRegion", "golf_ball_1")],
-        ),
+        # over the net, an elbow
         (
             "The ball clips the net, drops over and bounces twice.",
             [("Collision", "ball_1", "net_1")],

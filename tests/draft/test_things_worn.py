@@ -49,11 +49,6 @@ def test_things_named_like_verbs(prompt: str, pair: tuple[str, str]) -> None:
     assert {n.split("_")[-2] for n in hits[0][1:]} == {n.split("_")[-2] for n in pair}
 
 
-def test_by_the_clock() -> None:
-    told = events("At 4 s the drone hits a lamp. At 2 s it hits a car.")
-    assert told == [("Collision", "drone_1", "car_1"), ("Collision", "drone_1", "lamp_1")]
-
-
 def test_two_heights_contradict() -> None:
     with pytest.raises(UserError, match="100 cm and 200 cm"):
         draft("A ball is dropped from 1 m. The ball is dropped from 2 m onto a box.")

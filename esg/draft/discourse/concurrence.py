@@ -1,37 +1,41 @@
-"""Events that happen together, or a stated time apart: "simultaneously", "2 s apart"."""
+"""Events that happen together, and several times in one clause."""
 
 from __future__ import annotations
 
+from dataclasses import replace
 import re
 
-from esg.draft.discourse.core import amounts_of, mark_used
 from esg.draft.discourse.record import Discourse, Time
 from esg.draft.discourse.windows import Draft
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.quantities import Amount
 from esg.graph.models import EventConstraint, NodeEvent, Quantity
 
-_APART = re.compile(
-    r"\s*(?:apart\b|(?:after|behind|from)\s+(?:one\s+another|each\s+other)\b|in\s+between\b"
-    r"|between\s+(?:them|each|the\s+(?:two|hits|impacts|collisions|landings)|hits|impacts)\b"
-    r"|intervals?\b)",
-    re.IGNORECASE,
-)
 _GOES_ON = re.compile(r"\b(?:then|next|afterwards?|later|finally|subsequently)\b", re.IGNORECASE)
-_INTERVALS = re.compile(r"\bat\s+intervals\s+of\s*$", re.IGNORECASE)
-_TOGETHER = frozenset(
-    {NodeEvent.COLLISION, NodeEvent.ENTER_REGION, NodeEvent.FALL, NodeEvent.TOPPLE}
-    | {NodeEvent.STOP, NodeEvent.REACH, NodeEvent.MISS, NodeEvent.HEADING_REACHED}
-)
-"""Point events that can be said to happen at the same time."""
 
 
-def told_apart_by(d: Discourse, a: Amount) -> bool:
-    """Whether a time lies between the events of one clause ("hit the wall 2 s apart")."""
-    if a.dimension != "time":
-        return False
-    after = _APART.match(d.text, a.end) is not None
-    return after or _INTERVALS.search(d.text, max(0, a.start - 24), a.start) is not None
+def one_time_each(f: Frame) -> list[Frame]:
+    """ "The cars brake after 2 s and 3 s", "hits A at 1 s and B at 3 s": a clause for each time."""
+    timed = [p for p in f.phrases if p.amount is not None and p.amount.dimension == "time"]
+    at = [p for p in timed if p.prep in ("after", "at", "in", "")]
+    s, o = f.subject, f.object
+    if len(at) < 2 or len(at) != len(timed):
+        return [f]
+    if o is not None and len(o.coordinated) + 1 == len(at):
+        things = [o, *o.coordinated]
+        more = [{i for x in things[k + 1 :] for i in x.entities} for k in range(len(things))]
+        own = [[i for i in x.entities if i not in m] for x, m in zip(things, more, strict=True)]
+        objects = [replace(x, entities=e, coordinated=[]) for x, e in zip(things, own, strict=True)]
+        parts = [replace(f, object=x) for x in objects]
+    elif s is not None and len(s.entities) >= len(at) and s.count in (None, len(at)):
+        members = [replace(s, entities=[i], coordinated=[], amounts=[]) for i in s.entities]
+        parts = [replace(f, subject=x) for x in members]
+    else:
+        return [f]
+    rest = [p for p in f.phrases if p not in timed]
+    preps = [at[0].prep or "after", *["at" for _ in at[1:]]]  # all from the start
+    times = [replace(p, prep=prep) for p, prep in zip(at, preps, strict=True)]
+    return [replace(x, phrases=[*rest, t]) for x, t in zip(parts, times, strict=False)]
 
 
 def partner_of(
@@ -44,43 +48,26 @@ def partner_of(
         participants: Whom it happens to; the first moves.
         f: The clause that tells it.
     """
-    if kind not in _TOGETHER:
-        return None
-    own = [n for g, n in d.times.of_frame if g is f and _other_story(d, n, kind, participants)]
-    apart = next((a for _, a in amounts_of(d, f) if told_apart_by(d, a)), None)
-    if own and apart is not None:
-        mark_used(d, apart, "time between the events")
-        return own[-1], apart.value
+    told = d.times.of_frame
+    alike = {n.id for n in d.timeline.nodes if n.event is kind}
+    own = [n for g, n in told if g is f and n in alike and _other_story(d, n, participants)]
     if own and "simultaneously" in f.adverbs:
         return own[0], 0.0
-    if own or f.link not in ("simultaneously", "then"):
+    before = [(g, n) for g, n in told if g is not f and g.sentence >= f.sentence - 1]
+    opens = bool(before) and before[0][0].link == "simultaneously" and f.link == "then"
+    opens = opens and before[0][0].sentence == f.sentence  # "At that moment X hits Y and Z hits W"
+    together = f.link == "simultaneously" or opens
+    if own or not before or not together or not _other_story(d, before[-1][1], participants):
         return None
-    if f.link == "simultaneously":
-        if not any(g.sentence == f.sentence - 1 or g is not f for g, _ in d.times.of_frame):
-            d.now.at_once = f.sentence  # "At the same moment X hits Y and Z hits W"
-        several = f.subject is not None and len(f.subject.entities) > 1
-        before = [n for g, n in d.times.of_frame if g is not f and g.sentence >= f.sentence - 1]
-        if several and "simultaneously" in f.adverbs:
-            return None
-    else:
-        if d.now.at_once != f.sentence:
-            return None
-        before = [n for g, n in d.times.of_frame if g.sentence == f.sentence]
-    if before and _other_story(d, before[-1], None, participants):
-        return before[-1], 0.0
-    return None
+    return before[-1][1], 0.0
 
 
-def _other_story(
-    d: Discourse, node: str, kind: NodeEvent | None, participants: tuple[str, ...]
-) -> bool:
+def _other_story(d: Discourse, node: str, participants: tuple[str, ...]) -> bool:
     """Whether an event is another mover's, and not what set this one in motion."""
     other = d.timeline.node(node)
-    if other is None or other.event not in _TOGETHER or kind not in (None, other.event):
-        return False
     track = d.timeline.tracks.get(participants[0])
     caused = track is not None and track.at == node
-    return other.participants[0] != participants[0] and not caused
+    return other is not None and other.participants[0] != participants[0] and not caused
 
 
 def later(d: Discourse, a: Amount) -> bool:
@@ -110,11 +97,8 @@ def coincide(d: Discourse, draft: Draft, partner: tuple[str, Quantity] | None) -
     timed = any(c.quantity in ("time_since", "time_to_stop") for c in draft.constraints)
     if partner is None or timed or draft.time is not None:
         return
+    since, value = partner
+    actor = draft.participants[0]
     draft.constraints.append(
-        EventConstraint(
-            quantity="time_since",
-            object=draft.participants[0],
-            value=partner[1],
-            since=partner[0],
-        )
+        EventConstraint(quantity="time_since", object=actor, value=value, since=since)
     )

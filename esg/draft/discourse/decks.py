@@ -9,22 +9,17 @@ from __future__ import annotations
 
 from dataclasses import replace
 import re
-from typing import TYPE_CHECKING
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.referents.entities import Entity
-from esg.draft.verbphrases import DECK_PHRASE, DECKS
-from esg.graph.models import EdgeEvent, NodeEvent
+from esg.draft.discourse.scene import Relation, Scene
+from esg.draft.verbphrases import DECKS
+from esg.graph.models import NodeEvent
 
-if TYPE_CHECKING:
-    from esg.draft.discourse.scene import Scene
-
-_SMALL = frozenset({"platform", "stage"})
-"""What may as well be a plinth, unless something goes along it."""
-_HIGH = lex.word_set("high")
 _LEAVES = re.compile(
     r"\b(?:off|throw\w*|thrown|drop\w*|lower\w*|jump\w*|dive\w*|leap\w*|launch\w*|fl(?:y|ies|ew))\b"
-    r"|\bover\s+(?:the|its)\s+(?:edge|side|end|rim|railing)\b|\binto\s+the\s+(?:water|sea|river|lake)\b",
+    r"|\b(?:under|beneath|below)\s+the\b|\binto\s+the\s+(?:water|sea|river|lake)\b"
+    r"|\bover\s+(?:the|its)\s+(?:edge|side|end|rim|railing)\b",
     re.IGNORECASE,
 )
 ROOMY, HIGHER = 4.0, 1.0
@@ -52,7 +47,7 @@ def is_driven(scene: Scene, node: str) -> bool:
 
 
 def lay_decks(scene: Scene) -> None:
-    """Makes a flat surface of a deck on which everything stays.
+    """Makes a flat surface of a deck on which everything stays, and a roomy body of another.
 
     Args:
         scene: Places, motions and events of the prompt; changed in place.
@@ -67,25 +62,15 @@ def lay_decks(scene: Scene) -> None:
             continue
         if set(on_it) & set(falls):
             _carry(scene, deck, [i for i in on_it if i in acting], falls)
-            _fill(scene)
-            continue
-        movers = [
-            e.actor for e in scene.timeline.edges if e.event is not EdgeEvent.INERTIAL_CONNECTOR
-        ]
-        leaves = falls or enters or _LEAVES.search(scene.text) is not None
-        if not leaves and _takes_place_on(scene, deck, movers, on_it):
-            _flatten(scene, deck, [*on_it, *(i for i in acting if i not in on_it)])
-
-
-def _fill(scene: Scene) -> None:
-    """The water that a quay or bridge stands in reaches as far as what falls off it may fly."""
-    for entity in scene.world.entities.values():
-        if entity.noun.name == "pool" and not entity.dimensions_prescribed:
-            entity.dimensions_cm = [*WATER_CM, entity.noun.dimensions_cm[2]]
+        elif not (falls or enters or _LEAVES.search(scene.text)):
+            _flatten(scene, deck, list(dict.fromkeys([*on_it, *acting])))
 
 
 def _carry(scene: Scene, deck: str, on_it: list[str], falls: list[str]) -> None:
-    """Puts on a deck whoever meets what falls off it, and makes it as large as they need."""
+    """Puts on a deck whoever meets what falls off it, and makes it as large as they need.
+
+    The water that it stands in reaches as far as what falls off may fly.
+    """
     entities = scene.world.entities
     flying = {e.actor for e in scene.timeline.edges if e.params.elevation_deg is not None}
     before = next(k for k, n in enumerate(scene.timeline.nodes) if n.event is NodeEvent.FALL)
@@ -94,65 +79,38 @@ def _carry(scene: Scene, deck: str, on_it: list[str], falls: list[str]) -> None:
             continue
         for i in node.participants:
             held = i in scene.supported_by or i in scene.inside_of or i in scene.attached
-            if i in entities and not held and i not in flying and _stands_there(entities[i]):
+            e = entities[i]
+            stands = "structural" not in e.noun.traits and e.noun.kind != "building"
+            if stands and not held and i not in flying:
                 scene.supported_by[i] = deck
                 on_it.append(i)
+    for e in entities.values():
+        if e.noun.name == "pool" and not e.dimensions_prescribed:
+            e.dimensions_cm = [*WATER_CM, e.noun.dimensions_cm[2]]
     entity = entities[deck]
     if entity.dimensions_prescribed or not entity.known:
         return
     sizes = [entities[i].dimensions_cm or entities[i].noun.dimensions_cm for i in on_it]
-    longest, widest = max(s[0] for s in sizes), max(s[1] for s in sizes)
-    tallest = max((entities[i].noun.dimensions_cm[2] for i in falls if i in entities), default=0.0)
-    usual = entity.dimensions_cm or list(entity.noun.dimensions_cm)
-    needed = [ROOMY * longest, ROOMY * widest, HIGHER * tallest]
-    grown = [max(a, b) for a, b in zip(usual, needed, strict=True)]
-    if grown != list(usual):
-        entity.dimensions_cm = grown
-
-
-def _stands_there(entity: Entity) -> bool:
-    """Whether it may stand on a deck: neither the ground nor a building."""
-    return "structural" not in entity.noun.traits and entity.noun.kind != "building"
-
-
-def _takes_place_on(scene: Scene, deck: str, movers: list[str], on_it: list[str]) -> bool:
-    """Whether the motions are on it, not at its foot or up to it."""
-    word = re.escape(scene.world.entities[deck].head.split()[-1])
-    runs = re.compile(rf"\b(?:over|across|along|down|cross\w*)\s+{DECK_PHRASE}{word}\b", re.I)
-    if runs.search(scene.text):
-        return True
-    last = word.lower()
-    if last in _SMALL:
-        kinds = {scene.world.entities[i].noun.kind for i in on_it if i in movers}
-        return bool(kinds & {"person", "vehicle", "cart", "robot", "animal"})
-    if last in _HIGH:
-        return bool(set(movers) & set(on_it))
-    below = re.compile(rf"\b(?:under|beneath|below|beside|past)\s+{DECK_PHRASE}{word}\b", re.I)
-    return below.search(scene.text) is None
+    tallest = max((entities[i].noun.dimensions_cm[2] for i in falls), default=0.0)
+    needed = (ROOMY * max(s[0] for s in sizes), ROOMY * max(s[1] for s in sizes), HIGHER * tallest)
+    usual = entity.dimensions_cm or entity.noun.dimensions_cm
+    entity.dimensions_cm = [max(a, b) for a, b in zip(usual, needed, strict=True)]
 
 
 def _flatten(scene: Scene, deck: str, users: list[str]) -> None:
     """Lays a surface instead of a body, under all who are on it."""
-    from esg.draft.discourse.scene import Relation
-
     entity = scene.world.entities[deck]
-    kinds = {scene.world.entities[i].noun.kind for i in users if i in scene.world.entities}
-    driven = bool(kinds & {"vehicle", "flyer"})
+    kinds = {scene.world.entities[i].noun.kind for i in users}
     noun = lex.nouns()["sidewalk"]
-    least = DRIVEN_CM if driven else FLAT_CM
-    length, width, _ = entity.noun.dimensions_cm
-    size = (max(length, least[0]), max(width, least[1]), noun.dimensions_cm[2])
-    if entity.dimensions_cm is not None:
-        entity.dimensions_cm = [*entity.dimensions_cm[:2], size[2]]
-        usual = entity.noun.dimensions_cm
-        for k in (0, 1):
-            if entity.dimensions_cm[k] == usual[k]:
-                entity.dimensions_cm[k] = size[k]
+    least = DRIVEN_CM if kinds & {"vehicle", "flyer"} else FLAT_CM
+    usual = entity.noun.dimensions_cm
+    size = (max(usual[0], least[0]), max(usual[1], least[1]), noun.dimensions_cm[2])
+    if stated := entity.dimensions_cm:
+        own = [size[k] if stated[k] == usual[k] else stated[k] for k in (0, 1)]
+        entity.dimensions_cm = [*own, size[2]]
     entity.noun = replace(noun, dimensions_cm=size)
     scene.relations = [r for r in scene.relations if deck not in (r.source, r.target)]
     for i in users:
-        if i not in scene.world.entities:
-            continue
         if scene.supported_by.get(i) == deck:
             del scene.supported_by[i]
         if i not in scene.supported_by and i not in scene.inside_of:

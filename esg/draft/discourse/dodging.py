@@ -39,10 +39,6 @@ def dodge(frames: list[Frame], text: str) -> None:
             if p is None or f.verb.passive or f.unreal:
                 continue
             p.prep = "past"
-            if f.verb.sense == "hit":
-                f.verb.sense = "own"  # "charges at"
-            if g.verb.sense == "swerve" and not {"left", "right"} & {*g.adverbs}:
-                g.unreal = "gets out of the way"
             break
 
 

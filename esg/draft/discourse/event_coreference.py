@@ -1,10 +1,11 @@
-"""Event coreference: clauses that tell an event again ("hit by the apple, it ...")."""
+"""Clauses that tell an event again ("hit by the apple, it ...") or presuppose a motion."""
 
 from __future__ import annotations
 
 import re
 
-from esg.draft.discourse.core import mark_used
+from esg.draft import lexicon as lex
+from esg.draft.discourse.core import entity_of, mark_used
 from esg.draft.discourse.record import Discourse, Time
 from esg.draft.grammar.clauses.frames import Frame
 from esg.graph.models import NodeEvent
@@ -17,6 +18,10 @@ _AGAIN = re.compile(
     r"\b(?:again|twice|second time|two times|three times|once more|another time|repeatedly)\b",
     re.IGNORECASE,
 )
+_CONTROL = lex.word_set("control")
+_ON = lex.word_set("on")
+_DRIVING = lex.word_set("driving (underway)")
+_RESTING = lex.word_set("resting (underway)")
 
 
 def told_before(
@@ -49,6 +54,13 @@ def told_before(
     return ""
 
 
+def _set_off_again(d: Discourse, actor: str, kind: NodeEvent) -> bool:
+    """Whether the actor has started a new motion since its last event."""
+    track = d.timeline.tracks.get(actor)
+    moving = track is not None and track.motion is not None and not track.closed
+    return moving and kind not in (NodeEvent.TOPPLE, NodeEvent.MISS)
+
+
 def time_of_told(d: Discourse, told: str, time: Time | None) -> None:
     """A time stated with the second telling is the time of the event."""
     node = d.timeline.node(told)
@@ -59,12 +71,18 @@ def time_of_told(d: Discourse, told: str, time: Time | None) -> None:
         mark_used(d, time[1], f"time of {told}")
 
 
-def _set_off_again(d: Discourse, actor: str, kind: NodeEvent) -> bool:
-    """Whether the actor has started a new motion since its last event."""
-    track = d.timeline.tracks.get(actor)
-    if track is None or track.motion is None or kind in (NodeEvent.TOPPLE, NodeEvent.MISS):
+def goes_on(d: Discourse, f: Frame, actor: str) -> bool:
+    """Whether what a clause hits was moving: what is told of it next presupposes that."""
+    later = d.told[next((k + 1 for k, g in enumerate(d.told) if g.verb is f.verb), len(d.told)) :]
+    own = (g for g in later if g.subject is not None and actor in g.subject.entities)
+    after = next(own, None)
+    if after is None or _RESTING & {*entity_of(d, actor).adjectives}:
         return False
-    return not track.closed
+    if after.unreal or after.verb.negated or after.verb.passive or after.verb.infinitive:
+        return False
+    words = {*after.adverbs, *d.text[after.verb.start : after.verb.end].lower().split()}
+    on = bool(_ON & words) or "continue" in after.verb.extra or after.verb.sense == "continue"
+    return after.verb.sense in _CONTROL or (on and after.verb.sense in _DRIVING)
 
 
 def sentence(d: Discourse, f: Frame) -> str:

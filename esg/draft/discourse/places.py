@@ -8,46 +8,24 @@ from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import Relation
 from esg.graph.models import Quantity
 
-RELATION_PREPS: dict[str, str] = {
-    "on": "on",
-    "onto": "on",
-    "upon": "on",
-    "atop": "on",
-    "under": "under",
-    "beneath": "under",
-    "below": "under",
-    "underneath": "under",
-    "in front of": "in_front_of",
+_PREPS = {
+    "on": "on onto upon atop",
+    "under": "under beneath below underneath",
+    "near": "near by at opposite among across outside along close",
+    "adjacent": "beside alongside against",
+    "above": "above over",
+    "inside_of": "inside in within",
     "behind": "behind",
-    "left of": "left_of",
-    "right of": "right_of",
-    "near": "near",
-    "beside": "adjacent",
-    "next to": "adjacent",
-    "by": "near",
-    "alongside": "adjacent",
-    "far from": "far_from",
-    "above": "above",
-    "over": "above",
-    "inside": "inside_of",
-    "in": "inside_of",
-    "within": "inside_of",
-    "against": "adjacent",
-    "around": "surround",
-    "at": "near",
-    "in the middle of": "center_of",
-    "opposite": "near",
+    "surround": "around",
     "between": "between",
-    "among": "near",
-    "across": "near",
-    "outside": "near",
-    "along": "near",
-    "close": "near",
 }
-
-
+RELATION_PREPS: dict[str, str] = {p: k for k, words in _PREPS.items() for p in words.split()} | {
+    "in front of": "in_front_of", "left of": "left_of", "right of": "right_of",
+    "next to": "adjacent", "far from": "far_from", "in the middle of": "center_of",
+}  # fmt: skip
+"""Spatial relations by preposition."""
+_RAISED = lex.word_set("raised kinds")
 _WALL_THINGS = lex.word_set("wall things")
-_TABLE_KINDS = lex.word_set("table kinds")
 
 
 def place(
@@ -62,70 +40,52 @@ def place(
     kind = RELATION_PREPS.get(prep)
     if kind is None or not others:
         return
-    if part:
-        words = part.split()
-        if (
-            words[-1] in ("edge", "corner", "rim", "end")
-            and "support" in entity_of(d, others[0]).noun.traits
-        ):
-            kind = "on"
-        elif words[-1] in ("middle", "center", "centre"):
-            kind = "center_of"
-        elif words[-1] in ("side", "front", "back", "end", "left", "right") and kind in (
-            "on",
-            "near",
-            "inside_of",
-        ):
-            kind = {"front": "in_front_of", "back": "behind"}.get(words[-1], "adjacent")
-        elif words[-1] in ("bottom", "foot", "base") and kind != "on":
-            kind = "near"
     other = others[0]
-    many = len([t for t in things if t != other]) > 1
-    if kind == "surround" and (not many or structural(d, other)):
+    if part:
+        kind = _at_part(d, kind, part.split()[-1], other)
+    several = len([t for t in things if t != other]) > 1
+    if (kind == "surround" and not several) or (kind == "between" and len(others) < 2):
         kind = "near"
     for t in things:
-        if t == other or t not in d.world.entities:
-            continue
-        if structural(d, t):
-            continue
-        if kind_of(d, other) == "ceiling":
-            if kind in ("on", "near", "adjacent", "under") and not towers(d, t):
-                hang(d, t, other)
+        if t == other or t not in d.world.entities or structural(d, t):
             continue
         if structural(d, other):
             if kind in ("on", "inside_of"):
                 d.scene.marked[t] = other
             d.scene.relations.append(Relation(t, other, "structural", text=prep))
             continue
-        if kind == "inside_of" and not holds(d, other):
-            kind = "on" if "support" in entity_of(d, other).noun.traits else "near"
-        if kind == "on" and kind_of(d, other) in ("ball", "billiard"):
-            kind = "near"
+        kind = _holding(d, kind, other)
         if towers(d, t) and kind in ("above", "on", "under"):
             continue  # "on the wall above the sofa": what hangs there is above, not the wall
         if kind == "on" and _wall_thing(d, t) and towers(d, other):
             hang(d, t, other)
             continue
-        if kind == "surround":
-            if _set_on(d, t, other):
-                d.scene.supported_by.setdefault(t, other)
-            d.scene.relations.append(Relation(t, other, "surround"))
-            continue
-        if kind == "between" and len(others) < 2 and len(things) >= 1:
-            kind = "near"
-        if kind == "between":
-            d.scene.relations.append(Relation(t, others[0], "between", text=others[1]))
-            continue
-        if kind == "on":
+        if kind in ("on", "inside_of"):
             if t in d.scene.supported_by or _rests_on(d, other, t):
                 continue
             d.scene.supported_by[t] = other
-        elif kind == "inside_of":
-            if t in d.scene.supported_by or _rests_on(d, other, t):
-                continue
-            d.scene.supported_by[t] = other
-            d.scene.inside_of[t] = other
-        d.scene.relations.append(Relation(t, other, kind, distance))
+            if kind == "inside_of":
+                d.scene.inside_of[t] = other
+        text = others[1] if kind == "between" else ""
+        stated = distance if kind not in ("between", "surround") else None
+        d.scene.relations.append(Relation(t, other, kind, stated, text))
+
+
+def _at_part(d: Discourse, kind: str, word: str, other: str) -> str:
+    """The relation to a thing of what is at one of its parts ("at the edge of the table")."""
+    if word in ("edge", "corner", "rim", "end") and "support" in entity_of(d, other).noun.traits:
+        return "on"
+    if word in ("side", "front", "back", "end", "left", "right"):
+        beside = {"front": "in_front_of", "back": "behind"}.get(word, "adjacent")
+        return beside if kind in ("on", "near", "inside_of") else kind
+    return "near" if word in ("bottom", "foot", "base") and kind != "on" else kind
+
+
+def _holding(d: Discourse, kind: str, other: str) -> str:
+    """ "In" what holds nothing is on it or near it, and nothing stays on a ball."""
+    if kind == "inside_of" and not holds(d, other):
+        kind = "on" if "support" in entity_of(d, other).noun.traits else "near"
+    return "near" if kind == "on" and kind_of(d, other) in ("ball", "billiard") else kind
 
 
 def hang(d: Discourse, thing: str, host: str) -> None:
@@ -138,15 +98,6 @@ def hang(d: Discourse, thing: str, host: str) -> None:
 def _wall_thing(d: Discourse, node: str) -> bool:
     """What "on the wall" hangs; anything else stands on top of it."""
     return kind_of(d, node) == "wallhung" or entity_of(d, node).noun.name in _WALL_THINGS
-
-
-def _set_on(d: Discourse, thing: str, host: str) -> bool:
-    """ "Plates around a table" are on it: small things of the table, not what stands around."""
-    noun = entity_of(d, thing).noun
-    if kind_of(d, host) != "table" or kind_of(d, thing) not in _TABLE_KINDS:
-        return False
-    table, size = entity_of(d, host).noun.dimensions_cm, noun.dimensions_cm
-    return max(size[:2]) < 0.5 * min(table[:2]) and size[2] < 60.0
 
 
 def towers(d: Discourse, node: str) -> bool:
@@ -170,25 +121,7 @@ def holds(d: Discourse, node: str) -> bool:
 
 def elevated(d: Discourse, node: str) -> bool:
     noun = entity_of(d, node).noun
-    return not structural(d, node) and (
-        "support" in noun.traits
-        or noun.kind
-        in (
-            "box",
-            "generic",
-            "building",
-            "wall",
-            "plant",
-            "block",
-            "vehicle",
-            "statue",
-            "barrel",
-            "appliance",
-            "cart",
-            "furniture",
-            "seat",
-        )
-    )
+    return not structural(d, node) and ("support" in noun.traits or noun.kind in _RAISED)
 
 
 def carries(d: Discourse, host: str, thing: str) -> bool:
@@ -214,3 +147,8 @@ def set_free(d: Discourse, nodes: list[str]) -> None:
     for node in nodes:
         if not structural(d, node):
             entity_of(d, node).freed = True
+
+
+def enterable(d: Discourse, node: str) -> bool:
+    noun = entity_of(d, node).noun
+    return noun.kind in ("region", "goal", "hole", "hoop", "water") or "goal" in noun.traits

@@ -49,66 +49,38 @@ class Now:
     """Members of a plural that the current clause names one by one ("both bricks")."""
     instead: bool = False
     """Whether the clause tells what happens in place of what was aimed at."""
-    pairs: dict[str, str] = field(default_factory=dict[str, str])
-    """"each ball hits a pin": the object of every subject."""
-    at_once: int = -1
-    """The sentence whose events all happen at the same moment."""
     rereading: set[tuple[int, str]] = field(default_factory=set[tuple[int, str]])
     """Frames with the senses they have been read as."""
 
 
 @dataclass
-class References:
-    """Who the clauses so far were about: what "it", "he" and "the other" are chosen from."""
+class Told:
+    """A clause that has been read, with what it is about."""
 
-    last_subject: list[str] = field(default_factory=list[str])
-    subject_before: list[str] = field(default_factory=list[str])
-    """The subject before the present one."""
-    last_moving: list[str] = field(default_factory=list[str])
-    """What the prompt last said to move by itself."""
-    last_had_object: bool = False
-    """Whether a clause of the subject before acts on something."""
-    acts_on: bool = False
-    """Whether a clause of the present subject acts on something."""
-    met: tuple[list[str], int] = field(default_factory=lambda: ([], -1))
-    """What the clause before runs into, and its sentence."""
-    hitter: str = ""
-    """What runs into it, if the clause says so by a verb of contact."""
-    acted: tuple[Mention | None, tuple[str, ...], int] = (None, (), -1)
-    """Subject, objects and sentence of the clause before."""
-    handled: tuple[str, ...] = ()
-    """What the clause before acts on, whatever it is aimed at."""
-    shot: tuple[list[str], list[str]] = field(default_factory=lambda: ([], []))
-    """What was thrown or rolled last, and at what."""
-    patient: list[str] = field(default_factory=list[str])
-    patient_at: int = -1
-    topic: tuple[int, list[str]] | None = None
-    """Sentence and subject of the last description of a state."""
-    mains: dict[int, tuple[list[str], list[str]]] = field(
-        default_factory=dict[int, tuple[list[str], list[str]]]
-    )
-    """Subject of a sentence's last main clause, and of a subordinate clause after it."""
-    stood: dict[int, list[str]] = field(default_factory=dict[int, list[str]])
-    """What the first clause of a sentence is about: its lone object, else its subject."""
-    lead: dict[int, str] = field(default_factory=dict[int, str])
-    """By sentence, the one thing it tells to move; "" if it tells of more."""
-    ways: tuple[int, set[str]] = field(default_factory=lambda: (-1, set()))
-    """A sentence, and what its clauses go along or through."""
-    reasons: set[str] = field(default_factory=set[str])
-    """What something is done for ("brakes for a cow")."""
+    frame: Frame
+    subject: list[str]
+    objects: list[str]
+
+    def named(self) -> list[list[str]]:
+        """Everything that it names, the subject first."""
+        phrases = [p.mention.entities for p in self.frame.phrases if p.mention is not None]
+        return [ids for ids in (self.subject, self.objects, *phrases) if ids]
+
+
+@dataclass
+class References:
+    """Who the clauses so far were about: what "it" is chosen from."""
+
+    told: list[Told] = field(default_factory=list[Told])
+    """The clauses in the order of the text."""
     upon_it: set[int] = field(default_factory=set[int])
     """Mentions of what another thing carries ("a cart with a box on it")."""
-    stand_there: dict[int, list[Mention]] = field(default_factory=dict[int, list[Mention]])
-    """What stands at the place that a phrase names."""
     mounts: dict[int, list[str]] = field(default_factory=dict[int, list[str]])
     """What the person of a subject phrase rides or drives."""
     thrown: dict[int, list[str]] = field(default_factory=dict[int, list[str]])
     """What the person of a subject phrase launched last."""
     launched_by: dict[str, list[str]] = field(default_factory=dict[str, list[str]])
     """What each person launched last."""
-    launched: list[str] = field(default_factory=list[str])
-    """What the clause before throws, kicks or drops."""
-    dropped: bool = False
 
 
 @dataclass

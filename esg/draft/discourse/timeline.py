@@ -10,8 +10,9 @@ from __future__ import annotations
 from typing import Any
 
 from esg.draft import lexicon as lex
+from esg.draft.discourse.referents.registry import unique
 from esg.draft.discourse.tracks import Motion, Track
-from esg.draft.discourse.windows import START, Draft, plan_times, settle_ambiguous
+from esg.draft.discourse.windows import START, Draft, plan_times
 from esg.graph.models import (
     Actor,
     EdgeEvent,
@@ -41,6 +42,21 @@ _EDGES: dict[str, EdgeEvent] = {
 _STEADY = frozenset({EdgeEvent.UNIFORM_MOTION, EdgeEvent.TOWARD})
 Gaps = dict[frozenset[str], Quantity]
 LAUNCHES = lex.word_set("launches")
+_NAMES = {
+    NodeEvent.ENTER_REGION: "enter", NodeEvent.HEADING_REACHED: "turn_end",
+    NodeEvent.POSITION_AT: "position", NodeEvent.COLLISION: "collision",
+    NodeEvent.TRIGGER: "trigger", NodeEvent.STOP: "stop", NodeEvent.TOPPLE: "topple",
+    NodeEvent.FALL: "fall", NodeEvent.REACH: "reach", NodeEvent.MISS: "miss",
+}  # fmt: skip
+"""Last words of the ids of point events."""
+_LEGS = {"own": "drive", "throw": "flight", "fly": "flight"}
+"""Last words of the ids of segments, where they differ from the mode."""
+_FREEDOM = (
+    ForceDirection.ALONG_FORWARD_ONLY,
+    ForceDirection.ALONG_FORWARD_OR_BACKWARD,
+    ForceDirection.HORIZONTAL_PLANE,
+    ForceDirection.ANY_3D,
+)
 
 
 class TimelineBuilder:
@@ -73,24 +89,13 @@ class TimelineBuilder:
             previous.target = motion.target or previous.target
             previous.params.update(motion.params)
             return
-        if (
-            previous is not None
-            and not track.closed
-            and previous.mode in ("own", "accelerate", "brake")
-        ):
+        steered = previous is not None and previous.mode in ("own", "accelerate", "brake")
+        if steered and not track.closed:
             self.trigger(actor, f"{actor} changes its motion")
-        if motion.speed is None and previous is not None:
-            pass
         track.motion, track.role, track.closed = motion, Role.ACTIVE, False
         track.launched = track.launched or motion.mode in LAUNCHES
-        order = [
-            ForceDirection.ALONG_FORWARD_ONLY,
-            ForceDirection.ALONG_FORWARD_OR_BACKWARD,
-            ForceDirection.HORIZONTAL_PLANE,
-            ForceDirection.ANY_3D,
-        ]
-        if track.direction is None or order.index(direction) > order.index(track.direction):
-            track.direction = direction
+        known = direction if track.direction is None else track.direction
+        track.direction = max(known, direction, key=_FREEDOM.index)
 
     def carry(self, actor: str, node_id: str) -> None:
         """Lets a hit of what bears a passive body move the body too."""
@@ -107,26 +112,6 @@ class TimelineBuilder:
 
     # -- events ----------------------------------------------------------------------------------
 
-    def _id(self, event: NodeEvent, participants: tuple[str, ...], stem: str = "") -> str:
-        name = stem or {
-            NodeEvent.COLLISION: "collision",
-            NodeEvent.TRIGGER: "trigger",
-            NodeEvent.ENTER_REGION: "enter",
-            NodeEvent.STOP: "stop",
-            NodeEvent.TOPPLE: "topple",
-            NodeEvent.HEADING_REACHED: "turn_end",
-            NodeEvent.FALL: "fall",
-            NodeEvent.REACH: "reach",
-            NodeEvent.MISS: "miss",
-            NodeEvent.POSITION_AT: "position",
-        }.get(event, "event")
-        base = "_".join([*participants, name])
-        used = {n.id for n in self.nodes}
-        candidate, n = base, 2
-        while candidate in used:
-            candidate, n = f"{base}_{n}", n + 1
-        return candidate
-
     def event(
         self,
         event: NodeEvent,
@@ -139,13 +124,10 @@ class TimelineBuilder:
         **extra: Any,
     ) -> str:
         """Adds a point event and the segments that lead its participants there; returns its id."""
-        node_id = self._id(event, participants, stem)
+        name = stem or _NAMES.get(event, "event")
+        node_id = unique("_".join([*participants, name]), (n.id for n in self.nodes))
         draft = Draft(node_id, event, participants, description, time, prescribed, extra=extra)
-        moving = []
-        for actor in participants:
-            track = self.tracks.get(actor)
-            if track is not None and track.under_way:
-                moving.append(actor)
+        moving = [a for a in participants if a in self.tracks and self.tracks[a].under_way]
         if not moving and self.last_event is not None:
             draft.after.append(self.last_event)
         for k, actor in enumerate(participants):
@@ -154,11 +136,8 @@ class TimelineBuilder:
             if actor in moving:
                 other = next((p for p in participants if p != actor), None)
                 self._edge(actor, node_id, other if k == 0 else None)
-        if (
-            self.last_event is not None
-            and event is not NodeEvent.TRIGGER
-            and not any(e.to == node_id and e.from_ == self.last_event for e in self.edges)
-        ):
+        led = any(e.to == node_id and e.from_ == self.last_event for e in self.edges)
+        if self.last_event is not None and event is not NodeEvent.TRIGGER and not led:
             draft.after.append(self.last_event)
         self.nodes.append(draft)
         for actor in participants:
@@ -174,41 +153,33 @@ class TimelineBuilder:
         return node_id
 
     def _edge(self, actor: str, to: str, target: str | None) -> None:
+        """Adds the segment of an actor that leads to an event, by how it moves."""
         track = self.track(actor)
         if track.at == to:
             return
-        used = {e.id for e in self.edges}
-        motion = track.motion
-        if track.role is Role.PASSIVE:
-            event, params, prescribed, name = (
-                EdgeEvent.INERTIAL_CONNECTOR,
-                MotionParams(),
-                False,
-                "carried",
-            )
-        else:
+        motion, passive = track.motion, track.role is Role.PASSIVE
+        event, params, name = EdgeEvent.INERTIAL_CONNECTOR, MotionParams(), "carried"
+        if not passive:
             assert motion is not None
-            event, params, prescribed, name = self._segment(track, motion)
-        base = f"{actor}_{name}"
-        edge_id, n = base, 2
-        while edge_id in used:
-            edge_id, n = f"{base}_{n}", n + 1
-        aim = (motion.target if motion is not None else None) or target
-        if target is not None:
-            aim = target
+            event, params, name = self._segment(motion)
+        aim = target or (motion.target if motion is not None else None)
+        free = ("brake", "coast")
         self.edges.append(
             TimelineEdge(
-                id=edge_id,
+                id=unique(f"{actor}_{name}", (e.id for e in self.edges)),
                 from_=track.at,
                 to=to,
                 event=event,
                 actor=actor,
                 target=aim if aim != actor else None,
                 params=params,
-                speed_is_prescribed=prescribed,
+                speed_is_prescribed=motion is not None
+                and not passive
+                and motion.prescribed
+                and motion.mode not in free,
             )
         )
-        if motion is not None and motion.mode in LAUNCHES and track.role is Role.ACTIVE:
+        if motion is not None and motion.mode in LAUNCHES and not passive:
             track.motion = Motion("coast", target=None)
         elif motion is not None and motion.mode == "turn":
             track.motion = Motion("own", motion.speed, False)
@@ -216,27 +187,15 @@ class TimelineBuilder:
             track.motion = Motion("own", motion.speed, motion.prescribed)
 
     @staticmethod
-    def _segment(track: Track, motion: Motion) -> tuple[EdgeEvent, MotionParams, bool, str]:
+    def _segment(motion: Motion) -> tuple[EdgeEvent, MotionParams, str]:
         if motion.mode == "coast":
-            return EdgeEvent.TOWARD, MotionParams(), False, "coast"
+            return EdgeEvent.TOWARD, MotionParams(), "coast"
         params = dict(motion.params)
         if motion.speed is not None and motion.mode != "brake":
             params["speed"] = motion.speed
         if motion.duration is not None:
             params["duration"] = motion.duration
-        names = {
-            "own": "drive",
-            "roll": "roll",
-            "slide": "slide",
-            "throw": "flight",
-            "fly": "flight",
-        }
-        return (
-            _EDGES[motion.mode],
-            MotionParams(**params),
-            motion.prescribed and motion.mode != "brake",
-            names.get(motion.mode, motion.mode),
-        )
+        return _EDGES[motion.mode], MotionParams(**params), _LEGS.get(motion.mode, motion.mode)
 
     def stated_speed(self, actor: str) -> Quantity | None:
         """The speed that the prompt gives an actor at first, if it does."""
@@ -266,15 +225,13 @@ class TimelineBuilder:
     def leaves_hit_at(self, actor: str, speed: Quantity) -> bool:
         """Prescribes the speed of a passive body after its last hit; False if there is none."""
         track = self.tracks.get(actor)
-        if track is None or track.role is not Role.PASSIVE:
+        hits = [n for n in self.nodes if n.event is NodeEvent.COLLISION]
+        hits = [n for n in hits if actor in n.participants[1:]]
+        if track is None or track.role is not Role.PASSIVE or not hits:
             return False
-        for node in reversed(self.nodes):
-            if node.event is NodeEvent.COLLISION and actor in node.participants[1:]:
-                node.constraints.append(
-                    EventConstraint(quantity="speed_after", object=actor, value=speed)
-                )
-                return True
-        return False
+        left = EventConstraint(quantity="speed_after", object=actor, value=speed)
+        hits[-1].constraints.append(left)
+        return True
 
     def forget_duration(self, node_id: str) -> None:
         """Leaves open how long the segments up to an event last."""
@@ -287,14 +244,8 @@ class TimelineBuilder:
         """Leads every motion that no event closed to a Trigger (the end of the action)."""
         for actor, track in list(self.tracks.items()):
             if track.role is Role.ACTIVE and not track.closed and track.motion is not None:
-                keep = self.last_event
-                self.event(
-                    NodeEvent.TRIGGER,
-                    (actor,),
-                    f"{actor} ends its described motion",
-                    stem="motion_end",
-                    time=None,
-                )
+                keep, told = self.last_event, f"{actor} ends its described motion"
+                self.event(NodeEvent.TRIGGER, (actor,), told, stem="motion_end")
                 self.last_event = keep
 
     # -- result ----------------------------------------------------------------------------------
@@ -336,7 +287,6 @@ class TimelineBuilder:
             if name in involved and (t.role is Role.ACTIVE or t.hit)
         }
         edges = [self._repair(e, actors) for e in self.edges if e.actor in actors]
-        settle_ambiguous(self.nodes, edges)
         self._expect(gaps or {})
         spans = plan_times(self.nodes, edges)
         nodes = [

@@ -18,8 +18,6 @@ START = "scene_start"
 GAP_S = 0.1
 EARLIER, LATER = 0.8, 1.3
 """How much sooner or later than by its stated way and speed something may happen."""
-EARLY_S: Interval = (0.1, 0.2)
-"""When a manoeuvre begins that begins at once [s]."""
 _DURATIONS: dict[NodeEvent, tuple[float, float]] = {
     NodeEvent.COLLISION: (0.5, 2.0),
     NodeEvent.TRIGGER: (0.5, 1.5),
@@ -57,22 +55,25 @@ def _bounds(value: Quantity) -> Interval:
     return value if isinstance(value, tuple) else (value, value)
 
 
-def settle_ambiguous(nodes: list[Draft], edges: list[TimelineEdge]) -> None:
-    """Lets a manoeuvre begin at once where a time may count from it as well as from the start.
+@dataclass
+class _Plan:
+    """What the windows have to respect.
 
-    "A car drives at 15 m/s, slows down and hits a cone after 4 seconds": if it slows down at once
-    the hit is 4 s after both, whichever was meant.
+    Args:
+        before: What has to be over before an event.
+        ancestors: All that comes before it.
+        relative: Events a stated time after another, and that time.
+        cap: Widest window of what a stated time counts from [s].
+        inside: Room for what happens within a stated time [s].
     """
-    by_id = {n.id: n for n in nodes}
-    led_to = {e.to for e in edges if e.from_ != START}
-    for n in nodes:
-        for c in n.constraints:
-            since = by_id.get(c.since or "") if c.quantity == "time_since" else None
-            if since is None or since.event is not NodeEvent.TRIGGER or since.time is not None:
-                continue
-            own = since.participants[:1] == n.participants[:1]
-            if own and not since.constraints and not since.after and since.id not in led_to:
-                since.time, since.time_prescribed = EARLY_S, True
+
+    before: dict[str, set[str]]
+    ancestors: dict[str, set[str]] = field(default_factory=dict[str, set[str]])
+    relative: dict[str, tuple[str, Interval]] = field(
+        default_factory=dict[str, tuple[str, Interval]]
+    )
+    cap: dict[str, float] = field(default_factory=dict[str, float])
+    inside: dict[str, float] = field(default_factory=dict[str, float])
 
 
 def plan_times(nodes: list[Draft], edges: list[TimelineEdge]) -> dict[str, Interval]:
@@ -83,75 +84,18 @@ def plan_times(nodes: list[Draft], edges: list[TimelineEdge]) -> dict[str, Inter
     no wider than the stated time so that both can be met; all other windows follow their
     predecessors with a gap. Events before a stated time are squeezed into the time left.
     """
-    before: dict[str, set[str]] = {n.id: set(n.after) for n in nodes}
+    plan = _Plan({n.id: set(n.after) for n in nodes})
     for e in edges:
-        if e.from_ != START and e.to in before:
-            before[e.to].add(e.from_)
-    by_id = {n.id: n for n in nodes}
-
-    ancestors: dict[str, set[str]] = {}
+        if e.from_ != START and e.to in plan.before:
+            plan.before[e.to].add(e.from_)
     for n in nodes:
-        found: set[str] = set()
-        for p in before[n.id]:
-            found |= {p} | ancestors.get(p, set())
-        ancestors[n.id] = found
-
-    relative: dict[str, tuple[str, Interval]] = {}
-    cap: dict[str, float] = {}
-    inside: dict[str, float] = {}
+        earlier = (plan.ancestors.get(p, set()) for p in plan.before[n.id])
+        plan.ancestors[n.id] = plan.before[n.id].union(*earlier)
     for n in nodes:
         for c in n.constraints:
-            since = c.since
-            if c.quantity == "time_to_stop":
-                since = next(
-                    (e.from_ for e in edges if e.to == n.id and e.event is EdgeEvent.BRAKE), None
-                )
-            if c.quantity in ("time_since", "time_to_stop") and since in by_id:
-                relative[n.id] = (since, _bounds(c.value))
-                asked = _bounds(c.value)[0]
-                between = [
-                    m.id for m in nodes if m.id in ancestors[n.id] and since in ancestors[m.id]
-                ]
-                if asked <= 0.0:
-                    continue  # at the same time: the same window
-                cap[since] = max(0.05, (0.3 if between else 0.8) * asked)
-                for name in between:  # what happens meanwhile has to fit in
-                    share = 0.5 * asked / len(between)
-                    inside[name] = min(inside.get(name, share), share)
-
-    def place(scale: float, offset: dict[str, float]) -> dict[str, Interval]:
-        spans: dict[str, Interval] = {}
-        for n in nodes:
-            ready = max((spans[p][1] for p in before[n.id] if p in spans), default=0.0)
-            if n.time is not None and n.time_prescribed:
-                low, high = _bounds(n.time)
-                if low < ready < high:
-                    low = ready  # "brakes at 3 s and stops by 5 s"
-                spans[n.id] = (round(low, 4), round(high, 4))
-                continue
-            if n.id in relative and relative[n.id][0] in spans:
-                since, (a, b) = relative[n.id]
-                low, high = spans[since][0] + a, spans[since][1] + b
-                low = max(low, ready)
-                spans[n.id] = (round(low, 4), round(max(low, high), 4))
-                continue
-            short, long = _DURATIONS[n.event]
-            if n.usual is not None:
-                short, long = EARLIER * n.usual, LATER * n.usual
-            gap = GAP_S * min(scale, 1.0)
-            low = ready + (short if not before[n.id] else gap) * scale
-            low = low if before[n.id] else short * scale
-            width = (long - short) * scale
-            if n.id in inside and before[n.id]:
-                low = ready + min(gap, 0.2 * inside[n.id])
-                width = min(width, 0.7 * inside[n.id])
-            if n.id in cap:
-                width = min(width, cap[n.id])
-            spans[n.id] = (round(low, 4), round(low + width, 4))
-        return spans
-
-    spans = place(1.0, {})
-    scale = 1.0
+            _relate(plan, nodes, edges, n, c)
+    by_id = {n.id: n for n in nodes}
+    scale, spans = 1.0, _place(plan, nodes, 1.0)
     for _ in range(12):
         squeeze = 1.0
         for n in nodes:
@@ -159,13 +103,63 @@ def plan_times(nodes: list[Draft], edges: list[TimelineEdge]) -> dict[str, Inter
                 continue
             low, high = _bounds(n.time)
             limit = max(low, 0.5 * high)  # an upper bound leaves half of it to what comes before
-            latest = max(
-                (spans[p][1] for p in ancestors[n.id] if not by_id[p].time_prescribed), default=0.0
-            )
+            free = (p for p in plan.ancestors[n.id] if not by_id[p].time_prescribed)
+            latest = max((spans[p][1] for p in free), default=0.0)
             if latest > limit * 0.95 and limit > 0.0:
                 squeeze = min(squeeze, 0.9 * limit / latest)
         if squeeze >= 1.0:
             break
         scale *= squeeze
-        spans = place(scale, {})
+        spans = _place(plan, nodes, scale)
+    return spans
+
+
+def _relate(
+    plan: _Plan, nodes: list[Draft], edges: list[TimelineEdge], n: Draft, c: EventConstraint
+) -> None:
+    """Notes a stated time between two events."""
+    since = c.since
+    if c.quantity == "time_to_stop":
+        brakes = (e.from_ for e in edges if e.to == n.id and e.event is EdgeEvent.BRAKE)
+        since = next(brakes, None)
+    if c.quantity not in ("time_since", "time_to_stop") or since not in plan.before:
+        return
+    plan.relative[n.id] = (since, _bounds(c.value))
+    asked = _bounds(c.value)[0]
+    between = [
+        m.id for m in nodes if m.id in plan.ancestors[n.id] and since in plan.ancestors[m.id]
+    ]
+    if asked <= 0.0:
+        return  # at the same time: the same window
+    plan.cap[since] = max(0.05, (0.3 if between else 0.8) * asked)
+    for name in between:  # what happens meanwhile has to fit in
+        share = 0.5 * asked / len(between)
+        plan.inside[name] = min(plan.inside.get(name, share), share)
+
+
+def _place(plan: _Plan, nodes: list[Draft], scale: float) -> dict[str, Interval]:
+    """Windows one after another, where nothing else is stated in usual times times `scale`."""
+    spans: dict[str, Interval] = {}
+    for n in nodes:
+        first = not plan.before[n.id]
+        ready = max((spans[p][1] for p in plan.before[n.id] if p in spans), default=0.0)
+        since, (a, b) = plan.relative.get(n.id, ("", (0.0, 0.0)))
+        if n.time is not None and n.time_prescribed:
+            low, high = _bounds(n.time)
+            low = ready if low < ready < high else low  # "brakes at 3 s and stops by 5 s"
+        elif since in spans:
+            low = max(spans[since][0] + a, ready)
+            high = max(low, spans[since][1] + b)
+        else:
+            short, long = _DURATIONS[n.event]
+            if n.usual is not None:
+                short, long = EARLIER * n.usual, LATER * n.usual
+            gap = GAP_S * min(scale, 1.0)
+            low = short * scale if first else ready + gap * scale
+            width = (long - short) * scale
+            if n.id in plan.inside and not first:
+                low = ready + min(gap, 0.2 * plan.inside[n.id])
+                width = min(width, 0.7 * plan.inside[n.id])
+            high = low + min(width, plan.cap.get(n.id, width))
+        spans[n.id] = (round(low, 4), round(high, 4))
     return spans

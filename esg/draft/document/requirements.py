@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.referents.entities import ORDINALS, Entity, slug
+from esg.draft.discourse.referents.entities import Entity, slug
 from esg.draft.discourse.referents.sizes import dimensions_of, mass_of
 from esg.draft.discourse.scene import Scene
 from esg.graph.models import AssetRequirement
@@ -62,7 +62,7 @@ def requirement(e: Entity) -> AssetRequirement:
     material = told[0] if told else e.noun.material
     if e.noun.kind in ("ground", "water") and _ICY.intersection([*e.adjectives, *e.head.split()]):
         material = "ice"
-    said = {"same", "other"} | ({*ORDINALS, "last", "final"} if e.in_group else set[str]())
+    said = {"same", "other"} | ({*lex.ORDINALS, "last", "final"} if e.in_group else set[str]())
     words = [a for a in e.adjectives if not a.startswith("@") and a not in said]
     description = f"{' '.join(dict.fromkeys([*words, e.head]))}: {e.noun.description}"
     synonyms = [s for s in e.noun.synonyms if s != e.head][:4]

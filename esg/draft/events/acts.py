@@ -16,11 +16,10 @@ from esg.draft.discourse.core import (
     quantity_of,
     structural,
 )
-from esg.draft.discourse.event_coreference import time_of_told, told_before
+from esg.draft.discourse.event_coreference import goes_on, time_of_told, told_before
 from esg.draft.discourse.places import carries, elevated, fits_on, holds, place, set_free
 from esg.draft.discourse.record import Discourse, Time
 from esg.draft.discourse.scene import SELF_POWERED, SPEEDS
-from esg.draft.discourse.underway import goes_on
 from esg.draft.events.arrivals import (
     bounces_over,
     heads_for,
@@ -353,7 +352,7 @@ def _was_under_way(d: Discourse, f: Frame, target: str) -> None:
     e = entity_of(d, target)
     if target in d.timeline.tracks or e.noun.kind not in SELF_POWERED or target in d.moves.still:
         return
-    if goes_on(d.told, f.verb, target, e.adjectives, d.text):
+    if goes_on(d, f, target):
         own(d, target, SPEEDS.get(e.noun.kind, (50.0, 600.0)), False)
 
 

@@ -8,6 +8,8 @@ from functools import partial
 import re
 
 from esg.draft import lexicon as lex
+from esg.draft.discourse.antecedents import STATES
+from esg.draft.discourse.concurrence import one_time_each
 from esg.draft.discourse.core import (
     aimable,
     amounts_of,
@@ -18,15 +20,12 @@ from esg.draft.discourse.core import (
 )
 from esg.draft.discourse.dodging import dodge
 from esg.draft.discourse.event_coreference import sentence
-from esg.draft.discourse.in_turn import one_time_each
 from esg.draft.discourse.record import Discourse, Time
-from esg.draft.discourse.references import RIDDEN, STATES, refer_all
-from esg.draft.discourse.referents.entities import ORDINALS
+from esg.draft.discourse.references import RIDDEN, refer_all
 from esg.draft.discourse.referents.record import World
 from esg.draft.discourse.referents.registry import apply_amount
 from esg.draft.discourse.scene import SELF_POWERED, Scene
 from esg.draft.discourse.timeline import TimelineBuilder
-from esg.draft.discourse.underway import by_the_clock
 from esg.draft.discourse.windows import Draft
 from esg.draft.events.acts import add_event, outcomes
 from esg.draft.events.leftovers import hand_on, high_up
@@ -112,7 +111,6 @@ def interpret(
     # references are resolved in the order of the text, events in the order of time
     d.told, d.attached = frames, attachments
     refer_all(d, frames)
-    d.told = frames = by_the_clock(frames)
     dodge(frames, d.text)
     upon(d, attachments)
     for m, p in attachments:
@@ -120,7 +118,7 @@ def interpret(
     before = -1
     for f in frames:
         d.now.telling = (f.sentence, before, f.verb.sense)
-        for g in one_time_each(d, f):
+        for g in one_time_each(f):
             read_frame(d, g)
         before = f.verb.start
     settle(d, None, None)
@@ -152,6 +150,7 @@ Step = Callable[[Discourse, Frame, Parts], bool]
 
 def read_frame(d: Discourse, f: Frame) -> None:
     """Reads a clause: who it is about, then what its verb's sense says, then what is left."""
+    d.now.each = _one_by_one(f)
     parts = _parts(d, f)
     if any(step(d, f, parts) for step in STEPS):
         return
@@ -176,22 +175,6 @@ def _parts(d: Discourse, f: Frame) -> Parts:
     subject = list(f.subject.entities) if f.subject is not None else []
     named = [i for m in (f.object, f.object2) if m is not None for i in m.entities]
     return Parts(subject, [i for i in dict.fromkeys(named) if kind_of(d, i) != "region"])
-
-
-def _in_pairs(d: Discourse, f: Frame, parts: Parts) -> bool:
-    """ "Each ball hits a pin": as many clauses as there are balls."""
-    d.now.each = _one_by_one(f)
-    mine = d.now.pairs
-    paired = parts.subject and set(parts.subject) <= set(mine) and len(parts.objects) > 1
-    if not paired or set(parts.objects) != set(mine.values()):
-        return False
-    d.now.pairs = {}
-    for actor in parts.subject:
-        one = replace(f.subject, entities=[actor]) if f.subject else None
-        other = replace(f.object, entities=[mine[actor]]) if f.object else None
-        read_frame(d, replace(f, subject=one, object=other))
-    mark_used(d, f, "one for each")
-    return True
 
 
 def _mount_instead(d: Discourse, f: Frame, parts: Parts) -> bool:
@@ -303,7 +286,6 @@ def _ridden_instead(d: Discourse, f: Frame, parts: Parts) -> bool:
 
 
 STEPS: tuple[Step, ...] = (
-    _in_pairs,
     _mount_instead,
     _no_ground,
     _turn_to,
@@ -441,7 +423,7 @@ def _told_event(d: Discourse, m: Mention | None) -> Draft | None:
     if m is None or kinds is None:
         return None
     told = [n for n in d.timeline.nodes if n.event in kinds]
-    place = next((ORDINALS[a] for a in m.adjectives if a in ORDINALS), -1)
+    place = next((lex.ORDINALS[a] for a in m.adjectives if a in lex.ORDINALS), -1)
     return told[place] if -len(told) <= place < len(told) else None
 
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from esg.draft import lexicon as lex
 from esg.draft.discourse.core import kind_of, mark_used, structural
 from esg.draft.discourse.decks import is_deck
 from esg.draft.discourse.places import place
 from esg.draft.discourse.record import Discourse
-from esg.draft.discourse.referents.entities import BODY_PARTS, OWN_PARTS
 from esg.draft.discourse.scene import SELF_POWERED
 from esg.draft.events.acts import add_event, add_hit, go_into
 from esg.draft.events.arrivals import takes_up_from_above
@@ -54,7 +54,7 @@ def landing_of(d: Discourse, f: Frame, moved: list[str]) -> bool:
 
 def _on_own_side(d: Discourse, m: Mention, moved: list[str]) -> bool:
     """ "on its roof", "on his back": a part of what falls itself."""
-    if m.head not in BODY_PARTS | OWN_PARTS:
+    if m.head not in lex.BODY_PARTS | lex.OWN_PARTS:
         return False
     built = bool(moved) and kind_of(d, moved[0]) in SELF_POWERED - {"person"}
     if m.determiner == "its" and (built or not m.entities):

@@ -5,13 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.concurrence import (
-    coincide,
-    later,
-    on_its_own,
-    partner_of,
-    told_apart_by,
-)
+from esg.draft.discourse.concurrence import coincide, later, on_its_own, partner_of
 from esg.draft.discourse.core import amounts_of, describe, entity_of, kind_of, mark_used, structural
 from esg.draft.discourse.record import Discourse, Time
 from esg.draft.discourse.scene import SELF_POWERED, pocket_name
@@ -75,7 +69,7 @@ def _of_a_stack(d: Discourse, group: str, targets: list[str]) -> str:
 def time_of(d: Discourse, f: Frame) -> Time | None:
     """The time that a clause states for its event."""
     for p, a in amounts_of(d, f):
-        if a.dimension != "time" or precedes(d, a) or told_apart_by(d, a):
+        if a.dimension != "time" or precedes(d, a):
             continue
         if a.low == a.high == 0.0:
             mark_used(d, a, "the start")

@@ -4,11 +4,6 @@ from __future__ import annotations
 
 import re
 
-_ONE_AFTER_OTHER = re.compile(
-    r"\bone\s+(?:\w+\s+)?(?:in front of|behind|ahead of|following|after|trailing|leading)\s+"
-    r"(?:the other|another)\b",
-    re.IGNORECASE,
-)
 _NET_SPORTS = re.compile(
     r"\b(?:volleyball|tennis|badminton|shuttlecock|ping[- ]pong|serves?|spiked)\b", re.IGNORECASE
 )
@@ -16,11 +11,6 @@ _BILLIARDS = re.compile(
     r"\b(?:snooker|billiards?|pool (?:table|ball|player|cue)|cue ball|pots|potted|pocket)\b",
     re.IGNORECASE,
 )
-
-
-def is_file_of_two(text: str) -> bool:
-    """Whether one of two is in front of the other."""
-    return _ONE_AFTER_OTHER.search(text) is not None
 
 
 def is_net_sport(text: str) -> bool:

@@ -8,43 +8,18 @@ import unicodedata
 
 from esg.draft import lexicon as lex
 
-ORDINALS = {
-    "first": 0,
-    "1st": 0,
-    "second": 1,
-    "2nd": 1,
-    "third": 2,
-    "3rd": 2,
-    "fourth": 3,
-    "4th": 3,
-    "fifth": 4,
-    "5th": 4,
-    "sixth": 5,
-    "seventh": 6,
-    "eighth": 7,
-    "ninth": 8,
-    "tenth": 9,
-}
 FRONT = lex.word_set("front")
 REAR = lex.word_set("rear")
-BODY_PARTS = lex.word_set("body parts")
-OWN_PARTS = lex.word_set("own parts")
-ACTING_PARTS = OWN_PARTS | frozenset(
-    {"brush", "blade", "shovel", "bow", "prow", "stern", "keel", "hull", "rotor", "propeller"}
-    | {"axle", "front", "rear", "side", "boom", "jib", "hook", "claw", "gripper", "fork", "forks"}
-    | {"plow", "plough", "mast", "basket", "gondola", "body", "corner", "back end", "undercarriage"}
-    | {"bucket", "shovel", "arm", "cab", "cabin", "oar", "rudder", "anchor", "outrigger", "ladder"}
-)
+PLACES = {
+    **{w: {-1: "top", 0: "bottom", 1: "middle"}[k] for w, k in lex.STACKED.items()},
+    **dict.fromkeys((*FRONT, "head"), "front"), **dict.fromkeys(REAR, "rear"),
+    "left": "left", "leftmost": "left", "right": "right", "rightmost": "right",
+    "last": "last", "final": "last",
+}  # fmt: skip
+"""What an adjective of place calls a member of a row, queue or stack."""
+ACTING_PARTS = lex.OWN_PARTS | lex.word_set("acting parts")
 """Parts of a machine with which it hits things ("its brush touches a box")."""
 WORN = lex.word_set("worn")
-STACKED = {
-    "top": -1, "topmost": -1, "uppermost": -1, "upper": -1, "highest": -1,
-    "bottom": 0, "lowest": 0, "lowermost": 0, "lower": 0, "bottommost": 0,
-    "middle": 1, "center": 1, "centre": 1, "central": 1,
-}  # fmt: skip
-"""Members of a stack by where they lie: first (at the bottom), last or in the middle."""
-COUNTED_FROM = {"left": 1, "bottom": 1, "front": 1, "right": -1, "top": -1, "back": -1, "end": -1}
-"""From which end "the second from the ..." counts; the members of a row go left to right."""
 OTHER = lex.word_set("other")
 UNKNOWN_MASS_KG = 5.0
 
@@ -93,7 +68,9 @@ class Entity:
         if self.group is None or self.letter:
             return False
         in_row = self.pattern in ("row", "stack") and self.noun.kind != "vehicle"
-        return not self.place or (in_row and self.place in {*ORDINALS, *STACKED, "last", "final"})
+        return not self.place or (
+            in_row and self.place in {*lex.ORDINALS, *lex.STACKED, "last", "final"}
+        )
 
     @property
     def movable(self) -> bool:
@@ -115,8 +92,9 @@ def slug(text: str) -> str:
 
 
 _PEOPLE = re.compile(
-    r"(?:woman|smith|monger|keeper|dresser|herder|ologist|ographer|istrator|cellist|violinist"
-    r"|in-law|brother|sister|mother|father)$|^(?:step|grand|ex-|god|vice-)(?!stand)\w+"
+    r"(?:man|men|woman|women|person|(?<!e)ist|player|keeper|worker|driver|officer|smith|monger|dresser"
+    r"|herder|ologist|ographer|istrator|in-law|brother|sister|mother|father)$"
+    r"|^(?:step|grand|ex-|god|vice-)(?!stand)\w+"
 )
 """Words that name persons by how they are built."""
 

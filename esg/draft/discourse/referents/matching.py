@@ -3,20 +3,29 @@
 from __future__ import annotations
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.referents.entities import FRONT, ORDINALS, REAR, Entity
+from esg.draft.discourse.referents.entities import PLACES, Entity
 from esg.draft.discourse.referents.ranks import told_apart
 from esg.draft.discourse.referents.record import World
 from esg.draft.text.elements import Mention
 
-_COMPARED = (
-    frozenset({"lighter", "heavier"}),
-    frozenset({"smaller", "larger"}),
-    frozenset({"smaller", "bigger"}),
-    frozenset({"slower", "faster"}),
-    frozenset({"shorter", "taller"}),
-    frozenset({"shorter", "longer"}),
+CONTRASTS = tuple(
+    frozenset(words.split())
+    for words in (
+        "heavy light lighter heavier",
+        "big large huge small little tiny smaller larger bigger",
+        "tall short long taller shorter longer",
+        "thick thin",
+        "wide narrow",
+        "full empty loaded half-empty",
+        "old new",
+        "fast slow faster slower",
+        "wooden metal steel iron plastic rubber glass stone paper",
+        "striped solid plain spotted",
+        "round square flat",
+        "moving parked stationary standing resting stopped",
+    )
 )
-"""Comparatives that tell two objects of one kind apart."""
+"""Adjectives of which a thing has one, so that another one tells of another thing."""
 HYPERNYMS: dict[str, frozenset[str]] = {
     "vehicle": frozenset({"vehicle", "cart", "robot", "toyvehicle"}),
     "animal": frozenset({"animal"}),
@@ -29,85 +38,47 @@ HYPERNYMS: dict[str, frozenset[str]] = {
     "child": frozenset({"person"}),
 }
 """Kinds of what a wider noun can name."""
-_NUMBERS = frozenset(
-    {"one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten"}
-    | {"eleven", "twelve", "thirteen", "fourteen", "fifteen"}
-    | {str(k) for k in range(1, 16)}
-)
+_NUMBER = "one two three four five six seven eight nine ten eleven twelve thirteen fourteen fifteen"
+_NUMBERS = {*_NUMBER.split(), *map(str, range(1, 16))}
 _DISTINCT = lex.word_set("distinct")
-_ENDS = frozenset({"front", "rear"})
-_IN_A_LINE = lex.word_set("in a line")
 _ANYTHING = lex.word_set("anything (matching)")
+_THE = ("the", "this", "that")
 
 
 def matches(world: World, m: Mention, e: Entity) -> bool:
+    """Whether a thing agrees with all that a phrase says of it."""
     if m.letters:
         return e.letter in m.letters and (m.head == "@" or same_kind(m, e))
     if not same_kind(m, e) or told_apart(m, e, world.facts):
         return False
-    for a in m.adjectives:
-        if a in lex.COLORS and e.color is not None and lex.COLORS[a] != e.color:
-            return False
-        if a in lex.COLORS and e.color is None and (e.group is None or e.letter):
-            return False
-        if a in lex.MATERIALS and a not in e.adjectives and a not in e.head.split():
-            return False
-        if a in lex.SIZES and any(
-            b in lex.SIZES and lex.SIZES[b] != lex.SIZES[a] for b in e.adjectives
-        ):
-            return False
-        if a in lex.WEIGHTS and any(
-            b in lex.WEIGHTS and lex.WEIGHTS[b] != lex.WEIGHTS[a] for b in e.adjectives
-        ):
-            return False
-        if any(a in pair and b in pair and a != b for b in e.adjectives for pair in _COMPARED):
-            return False
-        if a in FRONT and e.place == "rear":
-            return False
-        if a in REAR and e.place == "front":
-            return False
-        if a in ORDINALS and (e.place != a):
-            return False
-        if a in _IN_A_LINE and e.place in _ENDS and e.place != a and not e.group:
-            return False
-        if (
-            a in ("left", "right", "leftmost", "rightmost")
-            and e.place
-            and not a.startswith(e.place)
-        ):
-            return False
-    return True
+    return not any(unlike(e, a) for a in m.adjectives)
+
+
+def unlike(e: Entity, a: str) -> bool:
+    """Whether an adjective tells of another thing: another colour, size, material or place."""
+    if a in lex.COLORS:
+        told = e.color is not None or e.group is None or bool(e.letter)
+        return told and e.color != lex.COLORS[a]
+    if a in lex.ORDINALS:
+        return e.place != a
+    if (a in PLACES or a == "side") and e.place in PLACES.values():
+        return e.place != PLACES.get(a, a)
+    return any(a in c and a not in e.adjectives and c & {*e.adjectives} for c in CONTRASTS)
 
 
 def same_kind(m: Mention, e: Entity) -> bool:
+    """Whether a thing goes by a noun: its own, a synonym, a wider or a shorter one."""
     if m.head in _ANYTHING:
         return "structural" not in e.noun.traits
-    if m.head == "water" and e.noun.kind == "water":
-        return m.determiner == "the"  # "a lake ... the water"
-    if m.head in HYPERNYMS and e.noun.kind in HYPERNYMS[m.head]:
+    if e.noun.kind in HYPERNYMS.get(m.head, ()) or m.head == e.head:
         return True
+    definite = m.determiner in _THE
     if m.noun is not None and e.known:
         if m.noun.name == e.noun.name:
-            if m.head == e.head:
-                return True
-            numbered = {
-                *m.head.replace("-", " ").split(),
-                *e.head.replace("-", " ").split(),
-            } & _NUMBERS
+            numbered = {*(f"{m.head} {e.head}").replace("-", " ").split()} & _NUMBERS
             if numbered or m.noun.kind in _DISTINCT:
                 return m.head == m.noun.name and not numbered
             return True
-        words, own = m.head.split(), e.noun.name.split() + e.head.split()
-        if (
-            len(words) == 1
-            and words[0] in own
-            and (e.noun.name.split()[-1] == words[0] or e.head.split()[-1] == words[0])
-        ):
-            return True
-        if len(m.head) >= 3 and e.head.endswith(m.head) and " " not in e.head:
-            return m.determiner in ("the", "this", "that")  # "a signpost ... the post"
-        return bool(
-            m.head == "ball" and "round" in e.noun.traits and e.noun.kind in ("ball", "billiard")
-        )
-    part = len(m.head) >= 4 and e.head.endswith(m.head) and " " not in e.head
-    return m.head == e.head or (part and m.determiner in ("the", "this", "that"))
+        if m.head in (e.noun.name.split()[-1], e.head.split()[-1]):
+            return True  # "a tennis ball ... the ball"
+    return definite and len(m.head) >= 4 and e.head.endswith(m.head) and " " not in e.head

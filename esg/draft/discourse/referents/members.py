@@ -3,155 +3,140 @@
 from __future__ import annotations
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.referents.choices import name_by_place
-from esg.draft.discourse.referents.entities import (
-    COUNTED_FROM,
-    FRONT,
-    ORDINALS,
-    OTHER,
-    REAR,
-    STACKED,
-    Entity,
-    slug,
-)
-from esg.draft.discourse.referents.matching import HYPERNYMS, matches
-from esg.draft.discourse.referents.ranks import RANKS, extreme, measured, same_quantity
+from esg.draft.discourse.referents.entities import OTHER, PLACES, Entity, slug
+from esg.draft.discourse.referents.matching import matches
+from esg.draft.discourse.referents.ranks import extreme, measured, rank, same_quantity
 from esg.draft.discourse.referents.record import World
-from esg.draft.discourse.referents.registry import new_id, place_of, rename
+from esg.draft.discourse.referents.registry import create, new_id, rename
 from esg.draft.text.elements import Mention
 
-_CHILDREN = frozenset({"boy", "girl"})
-_PEOPLE = {"child": _CHILDREN, "kid": _CHILDREN, "person": _CHILDREN | {"man", "woman"}}
-"""Whom a plural of persons may consist of, told by a definite phrase."""
-_SIDES = {"left": 0, "middle": 1, "right": -1}
-_LEVELS = {-1: "top", 0: "bottom", 1: "middle"}
+_OPPOSITE = {"front": "rear", "rear": "front"}
+_NAMED = 7
+"""Most members of a row that go by their number."""
+_LEVELS = frozenset({"top", "bottom"})
 
 
-def of_stack(world: World, m: Mention, names: list[Entity]) -> list[str]:
-    """ "the top crate", "the lowest one": by its level in the stack told last."""
-    word = next((a for a in m.adjectives if a in STACKED), None)
-    if word is None or m.plural or (m.count or 1) > 1:
+def name_by(world: World, e: Entity, word: str) -> list[str]:
+    """Gives a member of a plural the name of its place or colour, if it has none; its id."""
+    if not e.letter and (not e.place or e.place in _LEVELS) and e.place != word:
+        e.place, e.label = word, f"{word} {e.head}"
+        e.adjectives.append(word)
+        rename(world, e, new_id(world, slug(e.label)))
+    return [e.id]
+
+
+def place_word(m: Mention) -> str:
+    """The word of a phrase that says where in a row, queue or stack a thing is."""
+    return next((a for a in m.adjectives if a in PLACES or a in lex.ORDINALS), "")
+
+
+def at_place(world: World, m: Mention, things: list[Entity]) -> list[str]:
+    """ "the second ball", "the rear car", "the top crate", "the third from the left".
+
+    Args:
+        m: The phrase.
+        things: What it may be, in the order of the text.
+    """
+    word = place_word(m)
+    if not word or m.plural or (m.count or 1) > 1:
         return []
-    stacked = [e for e in names if e.group in world.groups and e.pattern == "stack"]
-    if not stacked:
+    place = PLACES.get(word, word)
+    exact = [e.id for e in things if e.place == place]
+    rows = [e.group for e in things if e.group in world.groups]
+    rows = [g for g in rows if place not in _LEVELS or _pattern(world, g) == "stack"]
+    if exact or not rows:
+        return exact[-1:] or _alone_at(place, things)
+    row = [world.entities[i] for i in world.groups[rows[-1] or ""]]
+    k, place = _index(row, m, word, place)
+    if not -len(row) <= k < len(row) or (place == "middle" and len(row) < 3):
         return []
-    members = world.groups[stacked[-1].group or ""]
-    k = STACKED[word] if STACKED[word] <= 0 else len(members) // 2
-    return [name_by_place(world, members[k], _LEVELS[STACKED[word]])]
+    if len(row) > _NAMED and word in lex.ORDINALS:
+        return [row[k].id]
+    found = name_by(world, row[k], place)
+    if len(row) == 2 and place in _OPPOSITE and not row[1 - k % 2].place:
+        name_by(world, row[1 - k % 2], _OPPOSITE[place])
+    return found
 
 
-def by_side(world: World, m: Mention, names: list[Entity]) -> list[str]:
-    """ "the crate on the right", "the middle truck": by where it stands in its row."""
-    side = next((a for a in m.adjectives if a in _SIDES), "")
-    exact = [e.id for e in names if side and e.place == side]
-    row = next((world.groups[e.group] for e in reversed(names) if e.group in world.groups), [])
-    if exact or not side or len(row) < 2 + (side == "middle"):
-        return exact[-1:]
-    e = world.entities[row[_SIDES[side] if side != "middle" else len(row) // 2]]
-    return [] if e.place or e.letter else [name_by_place(world, e.id, side)]
+def _index(row: list[Entity], m: Mention, word: str, place: str) -> tuple[int, str]:
+    """Where in a row a phrase looks, and what it calls the member there."""
+    k = {"rear": -1, "right": -1, "last": -1, "top": -1, "middle": len(row) // 2}.get(place, 0)
+    k = lex.ORDINALS.get(word, k)
+    if not m.counted_from:
+        return k, place
+    for e in row:
+        e.pattern = "row" if e.pattern in (None, "scatter", "queue") else e.pattern
+    if lex.COUNTED_FROM[m.counted_from] > 0:
+        return k, place
+    return len(row) - 1 - k, f"{word} last" if k else "last"
 
 
-def counted_from(world: World, m: Mention, names: list[Entity]) -> list[str]:
-    """ "the second crate from the left", "the third from the top"."""
-    ordinal = next((ORDINALS[a] for a in m.adjectives if a in ORDINALS), 0)
-    groups = [e.group for e in names if e.group in world.groups]
-    if not groups:
-        return []
-    members = world.groups[groups[-1] or ""]
-    k = ordinal if COUNTED_FROM[m.counted_from] > 0 else len(members) - 1 - ordinal
-    if not 0 <= k < len(members):
-        return []
-    word = next((a for a in m.adjectives if a in ORDINALS), "first")
-    for i in members:
-        if world.entities[i].pattern in (None, "scatter", "queue"):
-            world.entities[i].pattern = "row"
-    if COUNTED_FROM[m.counted_from] < 0:
-        word = f"{word} last" if ordinal else "last"
-    return [name_by_place(world, members[k], word)]
+def _pattern(world: World, group: str | None) -> str | None:
+    return world.entities[world.groups[group or ""][0]].pattern
+
+
+def _alone_at(place: str, things: list[Entity]) -> list[str]:
+    """ "a ball ... the second ball": the first is the one already there."""
+    plain = [e.id for e in things if e.place in ("", "first") and e.group is None]
+    k = lex.ORDINALS.get(place, -1)
+    return plain[k : k + 1] if k >= 0 else []
+
+
+def ranked(world: World, m: Mention, things: list[Entity], avoid: list[str]) -> list[str]:
+    """ "the heavier one", "the tallest bottle": by what is known of sizes, masses, speeds."""
+    word = rank(m)
+    best = extreme(word, things, world.facts) if word else None
+    if best is None and word and len(things) == 2 and things[0].group:
+        told = [e for e in things if word in e.adjectives]
+        free = [e for e in things if e.id not in avoid and not lex.RANKS.keys() & {*e.adjectives}]
+        best = (told or free or things)[0]
+        best.adjectives += [] if told else [word]
+    return [best.id] if best is not None else []
+
+
+def next_of(world: World, things: list[Entity], avoid: list[str]) -> list[str]:
+    """ "bumps the next wagon": the one after it in its row, else another one."""
+    group = next((world.entities[i].group for i in avoid), None)
+    row = world.groups.get(group or "", [])
+    k = max((row.index(i) for i in avoid if i in row), default=-1)
+    later = row[k + 1 :]
+    return (later or [e.id for e in things if e.id not in avoid])[:1]
 
 
 def picked(world: World, m: Mention, ids: list[str]) -> list[str]:
     """ "the first of two barrels": one member, named by its place."""
-    if m.pick in STACKED and world.entities[ids[0]].group:
-        for i in ids:
-            world.entities[i].pattern = "stack"
-        like = Mention(m.start, m.end, head=m.head, noun=m.noun, adjectives=[m.pick])
-        return of_stack(world, like, [world.entities[i] for i in ids])
-    if m.pick in RANKS:
-        best = extreme(m.pick, [world.entities[i] for i in ids], world.facts)
-        if best is not None:
-            return [best.id]  # "the heavier of two crates"
-    k = ORDINALS.get(
-        m.pick, len(ids) - 1 if m.pick in ("last", "final", "rightmost", "rear") else 0
+    things = [world.entities[i] for i in ids]
+    if m.pick in lex.STACKED:
+        for e in things:
+            e.pattern = "stack"
+    like = Mention(m.start, m.end, head=m.head, noun=m.noun, determiner="the", adjectives=[m.pick])
+    return (
+        ranked(world, like, things, [])
+        or at_place(world, like, things)
+        or name_by(world, things[0], m.pick)
     )
-    entity = world.entities[ids[min(k, len(ids) - 1)]]
-    if not entity.place and not entity.letter:
-        entity.place, entity.label = m.pick, f"{m.pick} {entity.head}"
-        entity.adjectives.append(m.pick)
-        rename(world, entity, new_id(world, slug(entity.label)))
-    return [entity.id]
 
 
 def member_of(world: World, m: Mention, avoid: list[str]) -> list[str]:
     """ "two blue balls ... hits a blue ball": an indefinite that picks a member of a plural."""
-    if any(a in OTHER for a in m.adjectives):
+    if OTHER & {*m.adjectives}:
         return []
     colors = {lex.COLORS[a] for a in m.adjectives if a in lex.COLORS}
     pool = [
-        e
+        e.id
         for e in world.entities.values()
-        if e.group
-        and e.id not in avoid
-        and matches(world, m, e)
-        and e.noun == m.noun
+        if e.group and e.id not in avoid and matches(world, m, e) and e.noun == m.noun
         and (same_quantity(m, e, world.facts) or not measured(m))
         and (not colors or e.color in colors)
-    ]
-    return [pool[0].id] if pool else []
+    ]  # fmt: skip
+    return pool[:1]
 
 
-def kind_of_member(world: World, m: Mention, avoid: list[str]) -> list[str]:
-    """ "Two vehicles meet. The truck stops, the bus ...": members told apart by their kind."""
-    if m.determiner != "the" or m.plural or m.noun is None or m.adjectives or m.letters:
-        return []
-    if (m.count or 1) > 1 or m.part or m.attribute or m.possessor is not None:
-        return []
-    for ids in world.groups.values():
-        free = [world.entities[i] for i in ids]
-        free = [e for e in free if not (e.place or e.letter) and e.id not in avoid]
-        wide = free[0].head if free else ""
-        kinds = HYPERNYMS.get(wide, frozenset())
-        wider = m.noun.kind in kinds and (wide not in _PEOPLE or m.head in _PEOPLE[wide])
-        if len(ids) > 3 or not wider or m.head == wide:
-            continue
-        e = free[0]
-        e.noun, e.head, e.known = m.noun, m.head, True
-        e.label = e.place = m.head
-        rename(world, e, new_id(world, slug(m.head)))
-        return [e.id]
-    return []
-
-
-def specialize(world: World, m: Mention, e: Entity) -> None:
-    """A member of a plural gets its own name ("two cars ... the front car")."""
-    for a in m.adjectives:
-        if not a.startswith("@") and a not in e.adjectives:
-            e.adjectives.append(a)
-        place_of(e, a)
-    e.label = m.text or e.label
-    e.place = e.place or next((a for a in m.adjectives if a in lex.COLORS), "")
-    keep = [
-        a
-        for a in m.adjectives
-        if a in lex.COLORS or a in FRONT | REAR or a in ORDINALS or a in ("left", "right")
-    ]
-    if keep:
-        rename(world, e, new_id(world, slug(" ".join([*keep, e.head]))))
-    others = [x for x in world.groups.get(e.group or "", []) if x != e.id]
-    if len(others) == 1 and e.place in ("front", "rear"):
-        o = world.entities[others[0]]
-        if not o.place:
-            o.place = "rear" if e.place == "front" else "front"
-            o.label = f"{o.place} {o.head}"
-            o.adjectives.append(o.place)
-            rename(world, o, new_id(world, slug(o.label)))
+def one_more(world: World, like: Entity, words: list[str], m: Mention, count: int = 1) -> list[str]:
+    """Another thing of a kind that is there, told apart by the phrase's words."""
+    several = count if count > 1 else None
+    copy = Mention(
+        m.start, m.end, head=like.head, noun=like.noun, adjectives=words, count=several,
+        plural=count > 1, text=" ".join([*words, like.head]), known=like.known,
+    )  # fmt: skip
+    return create(world, copy)

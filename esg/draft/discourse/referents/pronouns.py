@@ -1,214 +1,271 @@
-"""What pronouns, ordinals and "one" mean."""
+"""What pronouns mean, and "one", "the other" and "the second" without a noun."""
 
 from __future__ import annotations
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.referents.choices import one_more, one_of
-from esg.draft.discourse.referents.entities import ORDINALS, Entity
-from esg.draft.discourse.referents.meetings import before_this, meeting, the_others
+from esg.draft.discourse.referents.entities import Entity
+from esg.draft.discourse.referents.matching import CONTRASTS, unlike
+from esg.draft.discourse.referents.members import at_place, name_by, next_of, one_more, ranked
+from esg.draft.discourse.referents.ranks import same_quantity
 from esg.draft.discourse.referents.record import World
-from esg.draft.discourse.referents.registry import add_entity, create
-from esg.draft.grammar.rewrites.persons import named_by_no_person, of_other_gender
+from esg.draft.discourse.referents.registry import add_entity
+from esg.draft.grammar.rewrites.positions import NEIGHBOUR
 from esg.draft.text.elements import Mention
 
-_NEAR = 80
-"""Characters within which "former" and "latter" mean the same two things."""
+_BEINGS = frozenset({"animal", "robot"})
+_DRIVEN = lex.word_set("driven (persons)")
+_MOVERS = _BEINGS | _DRIVEN | {"person", "flyer", "toyvehicle"}
+_HE = lex.word_set("he")
+_SHE = lex.word_set("she")
+_HIS = frozenset({"he", "him", "himself"})
+_HERS = frozenset({"she", "her", "herself"})
+_ANYBODY = frozenset({"someone", "everyone"})
+_NOTHING = frozenset({"i", "we", "you", "something", "everything"})
+_THEY = frozenset(
+    {"they", "them", "themselves", "these", "those", "both", "ones", "all", "each", "some"}
+    | {"many", "several"}
+)
 _WAYS = frozenset({"stairs", "ramp"})
-"""What things move along."""
+_GROWN_UP = frozenset({"person", "he", "she", "man", "woman"})
+"""Persons for whom "it" is no word; a child is one."""
 
 
 def pronoun(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[str]:
+    """Node ids of what a pronoun means, where the clauses told so far do not decide."""
     p = m.pronoun
-    if p in ("he", "she", "him", "her", "himself", "herself", "someone", "everyone"):
-        other = p in ("him", "her") and not subject  # never the subject of its own clause
-        people = [
-            ids
-            for ids in reversed(world.salience)
-            if len(ids) == 1 and world.entities[ids[0]].noun.kind == "person"
-            and not (other and ids[:1] == avoid[:1])
-        ]  # fmt: skip
-        like = (x for x in people if not of_other_gender(p, world.entities[x[0]].head))
-        if who := next(like, next(iter(people), None)):
-            return who
-        if p not in ("someone", "everyone") and not m.determiner:
-            being = named_by_no_person(p, world.entities, world.salience, subject, avoid)
-            if being:
-                return being
-        if p in ("he", "she", "someone") and subject:
-            person = lex.nouns()["person"]
-            return [add_entity(world, person, "person", label=p, origin=m.start).id]
+    if p in _HIS | _HERS | _ANYBODY:
+        return _person(world, m, subject, avoid)
+    if p in _NOTHING:
         return []
-    if p in ("i", "we", "you", "something", "everything"):
-        return []
-    if p == "another" and not world.groups:
-        told = (ids for ids in reversed(world.salience) if not set(ids) <= {*avoid})
-        last = next(told, []) if not subject else []
-        one = len(last) == 1 and world.entities[last[0]].label.lower().startswith("one ")
-        others = (
-            last if one else avoid or (world.subjects[-1] if subject and world.subjects else [])
-        )
-        solid = (world.entities[i] for i in others)
-        model = next((e for e in solid if "structural" not in e.noun.traits), None)
-        if model is not None:
-            return one_more(world, model, ["second"], m)
-    if p == "ones" and m.count and m.count > 1 and "other" in m.adjectives and avoid:
-        known = world.groups.get(world.entities[avoid[0]].group or "", [])
-        rest = [i for i in known if i not in avoid]
-        if len(rest) == m.count:
-            return rest  # "one of three skaters takes the other two down"
-        if not known and "structural" not in world.entities[avoid[0]].noun.traits:
-            like = world.entities[avoid[0]]
-            return create(
-                world,
-                Mention(m.start, m.end, head=like.head, noun=like.noun, count=m.count, plural=True),
-            )
-    if p == "ones" and m.count is None and m.adjectives == ["other"]:
-        rest = the_others(world.salience, world.groups, world.entities)
-        if rest:
-            return rest
-    if p in (
-        "they",
-        "them",
-        "themselves",
-        "these",
-        "those",
-        "both",
-        "ones",
-        "all",
-        "each",
-        "some",
-        "many",
-        "several",
-    ):
-        pool = world.subjects if subject and p not in ("both",) else world.salience
-        two = _last_two_alike(world) if p == "both" and subject else []
-        if two:
-            return two
-        keep = m.count if m.count in (1, 2, 3) and p in ("them", "these", "those") else None
-        keep = m.count if p == "ones" and not m.adjectives else keep  # "eleven run out"
-        for ids in reversed(pool):
-            if len(ids) > 1 and (subject or not set(ids) <= set(avoid)):
-                return list(ids)[:keep]
-        for ids in reversed(world.salience):
-            if len(ids) > 1:
-                return list(ids)[:keep]
-        for ids in reversed(world.salience) if p not in ("both", "each") else ():
-            group = world.groups.get(world.entities[ids[0]].group or "", [])
-            if len(ids) == 1 and len(group) > 1:
-                return list(group)  # "the first domino ... they all topple"
-        recent: list[str] = []
-        for ids in reversed(world.salience):
-            for i in ids:
-                if subject and p == "they" and world.entities[i].noun.kind in _WAYS:
-                    continue  # "rolls down the ramp, and they collide"
-                if i not in recent and "structural" not in world.entities[i].noun.traits:
-                    recent.append(i)
-            if len(recent) >= 2 and (p != "both" or len(recent) > 3):
-                break
-        alike = [i for i in recent if world.entities[i].noun == world.entities[recent[0]].noun]
-        recent = alike if p == "both" and len(alike) > 1 else recent
-        if len(recent) >= 2:
-            met = meeting(world.subjects, recent, world.entities) if subject else []
-            return met or recent[:2][::-1]
-        return recent
+    if p in _THEY:
+        return _others(world, m, avoid) or _several(world, m, subject, avoid)
     if p in ("latter", "former"):
-        two = list(dict.fromkeys(i for i in world.movers if i in world.entities))
-        if 0 <= m.start - world.two[0] < _NEAR:
-            two = world.two[1]  # "the former hits the latter"
-        if len(two) < 2:
-            last = [i for ids in world.salience[-6:] for i in ids if i in world.entities]
-            solid = [i for i in last if "structural" not in world.entities[i].noun.traits]
-            two = list(dict.fromkeys(reversed(solid)))[:2][::-1]
-        world.two = (m.start, two)
-        return two[-1:] if p == "latter" else two[:1]
-    if p == "one" and m.determiner in ("this", "that") and not m.adjectives:
-        for ids in reversed(world.salience):  # "hits the red ball and this one rolls away"
-            if len(ids) == 1 and "structural" not in world.entities[ids[0]].noun.traits:
-                return list(ids)
+        told = [i for ids in world.salience[-6:] for i in ids if _solid(world, i)]
+        two = list(dict.fromkeys(reversed(world.movers if len(world.movers) > 1 else told)))[:2]
+        found = two[:1] if p == "latter" else two[1:]
+        return [i for i in two if i not in found] if {*found} & {*avoid} else found
     if p in ("one", "another", "other"):
-        if (p == "other" or "other" in m.adjectives) and m.determiner == "the":
-            other = _other_of_one(world, m)
-            if other:
-                return other
-        named = next((a for a in m.adjectives if a in ORDINALS), None)
-        like = before_this(named, avoid, world.entities)
-        if like:
-            return like
-        told = [e.id for e in world.entities.values() if named and e.place == named]
-        if named and told:
-            return told[-1:]  # "a third car hits the second"
-        if named and m.determiner == "the" and not world.groups and m.adjectives == [named]:
-            solid = [e.id for e in world.entities.values() if _counts(e)]
-            pair = next((ids for ids in reversed(world.salience) if len(ids) == 2), solid)
-            solid = list(pair) if len(solid) != 2 else solid
-            placed = any(e.place in ORDINALS for e in world.entities.values())
-            if len(solid) == 2 and ORDINALS[named] < 2 and not placed:
-                return [solid[ORDINALS[named]]]  # "a car and a fence. The first one hits"
-        return one_of(world, m, avoid)
-    # it, itself, this, that
-    pools = [world.subjects, world.salience] if subject else [world.salience]
-    for pool in pools:
-        for ids in reversed(pool):
-            fits = [
-                i
-                for i in ids
-                if i not in avoid
-                and "structural" not in world.entities[i].noun.traits
-                and world.entities[i].noun.kind != "person"
-                and world.entities[i].noun.name != "arm"
-                and (world.entities[i].noun.kind not in _WAYS or not _anything_else(world, avoid))
-            ]
-            if len(ids) == 1 and fits:
-                return fits
-            whole = world.entities[ids[0]].group in world.collective
-            if fits and len(ids) > 1 and whole and not (subject and pool is world.salience):
-                return list(ids)
+        return one_of(world, m, subject, avoid)
+    return _thing(world, subject, avoid)
+
+
+def _solid(world: World, i: str) -> bool:
+    return i in world.entities and "structural" not in world.entities[i].noun.traits
+
+
+def _person(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[str]:
+    """Whom "he", "her" or "someone" means: the one named last; somebody new if there is none."""
+    p = m.pronoun
+    other = p in ("him", "her") and not subject  # never the subject of its own clause
+    alone = [ids for ids in reversed(world.salience) if len(ids) == 1]
+    people = [
+        ids
+        for ids in alone
+        if world.entities[ids[0]].noun.kind == "person" and not (other and ids[:1] == avoid[:1])
+    ]
+    alike = [ids for ids in people if not _of_other_gender(p, world.entities[ids[0]].head)]
+    if found := alike or people:
+        return found[0]
+    if p not in _ANYBODY and not m.determiner and (being := _being(world, m, subject, avoid)):
+        return being
+    if not subject:
+        return []
+    person = lex.nouns()["person"]
+    return [add_entity(world, person, "person", label=p, origin=m.start).id]
+
+
+def _of_other_gender(word: str, head: str) -> bool:
+    """Whether "he" or "she" is no word for somebody called a woman or a boy."""
+    female = head in _SHE or head.endswith("woman")
+    male = head in _HE or (head.endswith("man") and not female)
+    return female if word in _HIS else male and word in _HERS
+
+
+def _being(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[str]:
+    """What "he" or "him" means where no known person was named.
+
+    That is a thing with an unknown name, which is a person from now on; else an animal or a robot;
+    else a vehicle ("overtakes him").
+    """
+    sets = [*world.salience, *(world.subjects if subject else ())]
+    lone = [ids[0] for ids in reversed(sets) if len(ids) == 1 and ids[0] not in avoid]
+    alone = [world.entities[i] for i in lone if i in world.entities]
+    for e in alone:
+        if e.noun.kind == "generic" and not e.known and e.group is None:
+            e.noun, e.known = lex.nouns()["person"], True
+            return [e.id]
+    beings = [e for e in alone if e.noun.kind in _BEINGS]
+    driven = [e for e in alone if e.noun.kind in _DRIVEN and m.pronoun != "she"]
+    return [e.id for e in (beings or driven)[:1]]
+
+
+def _others(world: World, m: Mention, avoid: list[str]) -> list[str]:
+    """ "the other two", "the rest": the members of a plural that were not told of."""
+    if m.pronoun != "ones" or "other" not in m.adjectives:
+        return []
+    for ids in [avoid, *reversed(world.salience)] if avoid else reversed(world.salience):
+        group = world.groups.get(world.entities[ids[0]].group or "", [])
+        rest = [i for i in group if i not in ids and not world.entities[i].place]
+        if rest and (m.count or len(rest)) == len(rest):
+            return rest
+    like = [world.entities[i] for i in avoid[:1] if _solid(world, i)]
+    return one_more(world, like[0], [], m, m.count) if like and m.count else []
+
+
+def _several(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[str]:
+    """What "they" or "both" means: the plural named last, else the last two things."""
+    p = m.pronoun
+    keep = m.count if m.count in (1, 2, 3) and p in ("them", "these", "those") else None
+    keep = m.count if p == "ones" and not m.adjectives else keep  # "eleven run out"
+    named = [i for ids in reversed(world.salience) for i in ids if _solid(world, i)]
+    named = [i for i in named if world.entities[i].noun.kind not in _WAYS or not subject]
+    if two := _two_subjects(world, p, named) if subject else []:
+        return two
+    pool = [*reversed(world.subjects if subject and p != "both" else []), *reversed(world.salience)]
+    many = [ids for ids in pool if len(ids) > 1]
+    free = [ids for ids in many if subject or not set(ids) <= {*avoid}]
+    if many:
+        return list((free or many)[0])[:keep]
+    group = world.groups.get(world.entities[named[0]].group or "", []) if named else []
+    if len(group) > 1 and p not in ("both", "each"):
+        return list(group)  # "the first domino ... they all topple"
+    recent = list(dict.fromkeys(named))
+    alike = [i for i in recent if _alike(world, world.entities[i], recent[0])]
+    return (alike if p == "both" and len(alike) > 1 else recent)[:2][::-1]
+
+
+def _two_subjects(world: World, p: str, named: list[str]) -> list[str]:
+    """The last two subjects, where they are of a kind or nothing was named after them.
+
+    "A car passes a bus, a van passes it, and both brake", "a bus comes and they collide"
+    """
+    lone = [ids[0] for ids in reversed(world.subjects[-4:]) if len(ids) == 1]
+    two = list(dict.fromkeys(lone))[:2]
+    if len(two) < 2 or len(world.subjects[-1]) > 1 or p not in ("they", "both"):
+        return []
+    grouped = all(world.entities[i].group for i in two)
+    alike = _alike(world, world.entities[two[0]], two[1]) and not grouped
+    meet = two[0] == named[0] and not any(len(ids) > 1 for ids in world.salience)
+    return two[::-1] if (alike if p == "both" else meet) else []
+
+
+def _thing(world: World, subject: bool, avoid: list[str]) -> list[str]:
+    """What "it", "this" or "itself" means: a subject named before, else the thing named last."""
+    for ids in [*reversed(world.subjects if subject else []), *reversed(world.salience)]:
+        e = world.entities[ids[0]]
+        fits = ids[0] not in avoid and _solid(world, ids[0]) and e.noun.kind != "person"
+        if fits and e.noun.name != "arm" and (len(ids) == 1 or e.group in world.collective):
+            return list(ids)
     for ids in reversed(world.salience):
-        if ids and not set(ids) <= set(avoid):
-            grown = p == "it" and all(_grown_up(world, i) for i in ids)
-            return [] if grown else list(ids)
+        if not set(ids) <= {*avoid}:
+            heads = {world.entities[i].head for i in ids if world.entities[i].noun.kind == "person"}
+            return [] if heads & _GROWN_UP else list(ids)
     return []
 
 
-def _other_of_one(world: World, m: Mention) -> list[str]:
-    """ "One forklift waits; the other one drives off": a second forklift."""
-    alone = [e for e in world.entities.values() if e.label.lower().startswith("one ")]
-    if len(alone) != 1 or world.groups or "structural" in alone[0].noun.traits:
+def one_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[str]:
+    """ "the other one", "the second", "the red one", "the next": a member, or one thing more."""
+    if NEIGHBOUR in m.adjectives and (beside := _beside(world, m, avoid)):
+        return beside
+    solid = [e for i, e in world.entities.items() if _solid(world, i)]
+    row = [world.entities[i] for i in next(reversed(list(world.groups.values())), [])]
+    told = [world.entities[i] for ids in world.salience for i in ids if _solid(world, i)]
+    near = list({e.id: e for e in told if e.id not in avoid}.values())
+    among = _of_one_kind(world, solid, avoid) or row or solid
+    if found := ranked(world, m, row or near, avoid) or at_place(world, m, among):
+        return found
+    words = [a for a in m.adjectives if _tells(a)]
+    having = [e for e in solid if _has(e, words) or same_quantity(m, e, world.facts)]
+    if having:
+        return [max(having, key=lambda e: (e.id not in avoid, solid.index(e))).id]
+    if row and "next" in m.adjectives:
+        return next_of(world, row, avoid)
+    other = bool({"another", "other"} & {m.pronoun, m.determiner, *m.adjectives})
+    if row and (found := _of_row(world, row, words, told if other else [], avoid)):
+        return found
+    if words or other or "next" in m.adjectives:
+        return _one_more_like(world, m, words, subject, avoid)
+    return [e.id for e in near][-1:]
+
+
+def _of_one_kind(world: World, solid: list[Entity], avoid: list[str]) -> list[Entity]:
+    """What "the second" is counted among: what is like the subject, or like a "first" thing."""
+    mates = [e for e in solid if e.id not in avoid and any(_alike(world, e, i) for i in avoid)]
+    placed = [e for e in solid if e.place in lex.ORDINALS and e.group is None]
+    return mates or [e for e in solid if placed and e.noun == placed[-1].noun]
+
+
+def _of_row(
+    world: World, row: list[Entity], words: list[str], told: list[Entity], avoid: list[str]
+) -> list[str]:
+    """A member of a plural: one without a colour, the first, or the first not told of."""
+    colors = [a for a in words if a in lex.COLORS]
+    free = [e for e in row if e.color is None and e.id not in avoid]
+    if words:
+        return name_by(world, free[0], colors[0]) if colors and free else []
+    used = avoid or [i for ids in world.salience[-1:] for i in ids]
+    if not {e.id for e in row} & {*used}:  # "hits the left one. A second stone hits the other"
+        used = [e.id for e in reversed(told) if e in row][:1]
+    return [e.id for e in row if not told or e.id not in used][:1]
+
+
+def _one_more_like(
+    world: World, m: Mention, words: list[str], subject: bool, avoid: list[str]
+) -> list[str]:
+    """ "a blue car ... the red one", "A domino hits the next": one more of the kind meant."""
+    colors = [a for a in words if a in lex.COLORS]
+    solid = [e for i, e in world.entities.items() if _solid(world, i)]
+    model = _rivals(solid, words)
+    if colors and (world.billiards or (not model and m.adjectives == colors)):
+        ball = lex.nouns()["billiard ball" if world.billiards else "ball"]
+        label = f"{colors[0]} ball"
+        more = add_entity(world, ball, "ball", adjectives=colors, label=label, origin=m.start)
+        return [more.id]  # "Red knocks blue away"
+    mine = avoid or (world.subjects[-1] if world.subjects else [])
+    actor = [world.entities[i] for i in mine[:1] if _solid(world, i)]
+    rest = [e for e in solid if e.id not in mine]
+    passed = actor and actor[0].noun.kind in _MOVERS and not subject and rest
+    model = model or [e for e in rest if e.label.lower().startswith("one ")]
+    model = model or (rest if passed or not actor else actor)
+    second = ["second"] if m.pronoun == "another" else []
+    telling = words or [a for a in m.adjectives if a in ("next", "other")] or second
+    return one_more(world, model[-1], telling, m) if model else []
+
+
+def _rivals(solid: list[Entity], words: list[str]) -> list[Entity]:
+    """What a colour, an ordinal or another adjective tells a thing apart from."""
+    if {*words} & lex.COLORS.keys():
+        return [e for e in solid if e.color is not None]
+    if {*words} & lex.ORDINALS.keys():
+        return [e for e in solid if e.place in lex.ORDINALS] or [e for e in solid if e.group]
+    return [e for e in solid if any(unlike(e, a) for a in words)]
+
+
+def _alike(world: World, e: Entity, i: str) -> bool:
+    return e.noun == world.entities[i].noun and "structural" not in e.noun.traits
+
+
+def _beside(world: World, m: Mention, avoid: list[str]) -> list[str]:
+    """ "the one in front (of it)": the next one of its row, or one more."""
+    last = next((ids for ids in reversed(world.salience) if len(ids) == 1), [""])
+    anchor = world.entities.get((avoid or last)[0])
+    place = next((a for a in m.adjectives if a in ("front", "rear")), "")
+    if anchor is None or not place or not _solid(world, anchor.id):
         return []
-    model = alone[0]
-    like = [e for e in world.entities.values() if e.noun == model.noun and e.id != model.id]
-    if like:
-        return [like[0].id] if len(like) == 1 else []
-    return one_more(world, model, ["other"], m)
+    row = world.groups.get(anchor.group or "", [])
+    if not row:
+        alike = [e.id for e in world.entities.values() if _alike(world, e, anchor.id)]
+        return [i for i in alike if i != anchor.id][-1:] or one_more(world, anchor, [place], m)
+    k = {"front": 0, "rear": len(row) - 1, "last": len(row) - 1}.get(anchor.place, 0)
+    k = (k if anchor.place else row.index(anchor.id)) + (-1 if place == "front" else 1)
+    near = world.entities[row[min(max(k, 0), len(row) - 1)]]
+    return name_by(world, near, place) if len(row) == 2 else [near.id]
 
 
-def _grown_up(world: World, i: str) -> bool:
-    """Whether "it" is no word for a person ("the child ... it" is one)."""
-    e = world.entities[i]
-    return e.noun.kind == "person" and e.head in ("person", "he", "she", "man", "woman")
+def _tells(a: str) -> bool:
+    """Whether an adjective tells a thing from others of its kind."""
+    return a in lex.COLORS or a in lex.ORDINALS or any(a in c for c in CONTRASTS)
 
 
-def _counts(e: Entity) -> bool:
-    """Whether it is a thing of its own, no ground, road or place."""
-    traits = e.noun.traits
-    return not ({"ground", "decal"} & traits) and ("structural" not in traits or e.mentioned)
-
-
-def _last_two_alike(world: World) -> list[str]:
-    """The subjects of the clauses before, if they are of one kind ("and both brake")."""
-    last = [ids[0] for ids in world.subjects[-4:] if len(ids) == 1 and ids[0] in world.entities]
-    two = list(dict.fromkeys(reversed(last)))[:2][::-1]
-    if len(two) < 2 or len(world.subjects[-1]) > 1:
-        return []
-    one, other = (world.entities[i] for i in two)
-    return two if one.noun == other.noun and (one.group is None or other.group is None) else []
-
-
-def _anything_else(world: World, avoid: list[str]) -> bool:
-    """Whether the prompt named something that moves, which "it" rather means."""
-    return any(
-        e.movable and e.noun.kind not in ("person", *_WAYS)
-        for ids in world.salience[-4:]
-        for i in ids
-        if i not in avoid and (e := world.entities.get(i)) is not None
-    )
+def _has(e: Entity, words: list[str]) -> bool:
+    return any(lex.COLORS.get(a, a) in (e.color, e.place) or a in e.adjectives for a in words)

@@ -5,34 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 import math
 
-from esg.draft.discourse.referents.entities import ORDINALS, Entity
+from esg.draft import lexicon as lex
+from esg.draft.discourse.referents.entities import Entity
 from esg.draft.discourse.referents.sizes import dimensions_of, mass_of
 from esg.draft.text.elements import Mention
 from esg.draft.text.quantities import Amount
 
-_WORDS = {
-    "mass": (("heavier", "heaviest"), ("lighter", "lightest")),
-    "size": (("larger", "largest", "bigger", "biggest"), ("smaller", "smallest", "tiniest")),
-    "height": (("taller", "tallest"), ("shorter", "shortest")),
-    "length": (("longer", "longest"), ()),
-    "width": (("wider", "widest", "broader", "broadest"), ("narrower", "narrowest")),
-    "speed": (
-        ("faster", "fastest", "quicker", "quickest", "speedier", "speediest"),
-        ("slower", "slowest"),
-    ),
-}
-RANKS: dict[str, tuple[str, float]] = {
-    word: (quantity, sign)
-    for quantity, both in _WORDS.items()
-    for sign, words in zip((1.0, -1.0), both, strict=True)
-    for word in words
-}
-"""Comparatives and superlatives: what they compare, and which end they mean."""
-
-ALONE = RANKS.keys() | ORDINALS.keys() | {
-    "last", "final", "rearmost", "rear-most", "hindmost", "foremost", "leftmost", "rightmost",
-}  # fmt: skip
-"""What stands for a thing without its noun: "the second", "the heavier", "the last"."""
 Facts = Callable[[str], list[Amount]]
 """The quantities that the prompt tells of a node, wherever it does."""
 
@@ -41,18 +19,18 @@ def rank(m: Mention) -> str:
     """The comparative or superlative of a definite noun phrase, or ""."""
     if m.determiner not in ("the", "this", "that") or m.plural or (m.count or 1) > 1:
         return ""
-    return next((a for a in m.adjectives if a in RANKS), "")
+    return next((a for a in m.adjectives if a in lex.RANKS), "")
 
 
 def extreme(word: str, things: Iterable[Entity], facts: Facts) -> Entity | None:
     """The one thing that lies at the end a word means; None if two are equal or nothing is known.
 
     Args:
-        word: A key of `RANKS`.
+        word: A key of `lex.RANKS`.
         things: What it may be.
         facts: What the prompt tells of them.
     """
-    quantity, sign = RANKS[word]
+    quantity, sign = lex.RANKS[word]
     known = [(sign * v, e) for e in things if (v := _value(e, quantity, facts)) is not None]
     known.sort(key=lambda pair: pair[0], reverse=True)
     if len(known) < 2 or math.isclose(known[0][0], known[1][0], rel_tol=1e-9):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Protocol
 
@@ -23,14 +22,13 @@ class Resolve(Protocol):
 class World:
     """Entities and groups in order of mention.
 
-    `resolve` and `of_stack` tie the recursion of reference together: what a possessor means is
-    asked while the thing it possesses is looked for.
+    `resolve` ties the recursion of reference together: what a possessor means is asked while the
+    thing it possesses is looked for.
     """
 
     facts: Facts
     """What the prompt tells of a node."""
     resolve: Resolve
-    of_stack: Callable[[Mention, list[Entity]], list[str]]
     entities: dict[str, Entity] = field(default_factory=dict[str, Entity])
     groups: dict[str, list[str]] = field(default_factory=dict[str, list[str]])
     group_words: dict[str, str] = field(default_factory=dict[str, str])
@@ -44,12 +42,6 @@ class World:
     renamed: dict[str, str] = field(default_factory=dict[str, str])
     subjects: list[list[str]] = field(default_factory=list[list[str]])
     resolved: dict[int, list[str]] = field(default_factory=dict[int, list[str]])
-    two: tuple[int, list[str]] = field(default_factory=lambda: (-1, []))
-    """Where "the former" or "the latter" was read last, and of which two."""
-    ends: dict[tuple[str, float], str] = field(default_factory=dict[tuple[str, float], str])
-    """Of two things alike, which is the larger, slower and so on, once said."""
-    drivers: set[str] = field(default_factory=set[str])
-    """Persons that the prompt lets brake, overtake and the like."""
     movers: list[str] = field(default_factory=list[str])
     """What the clause that is being read is about."""
     warnings: list[str] = field(default_factory=list[str])
@@ -59,5 +51,3 @@ class World:
     """The prompt is about a game over a net, which is no goal."""
     billiards: bool = False
     """The prompt is about billiards: "the black" is a ball."""
-    file_of_two: bool = False
-    """The prompt says "one in front of the other"."""

@@ -2,17 +2,11 @@
 
 from __future__ import annotations
 
-import re
+from collections.abc import Iterable
+from itertools import count
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.referents.entities import (
-    FRONT,
-    ORDINALS,
-    REAR,
-    Entity,
-    slug,
-    unknown_noun,
-)
+from esg.draft.discourse.referents.entities import PLACES, Entity, slug, unknown_noun
 from esg.draft.discourse.referents.matching import same_kind
 from esg.draft.discourse.referents.record import World
 from esg.draft.discourse.referents.sizes import HOLLOW, holding, inclined, sized
@@ -24,20 +18,29 @@ from esg.draft.text.quantities import Amount
 from esg.lexicon import plural
 
 _NAMED_GROUPS = lex.word_set("named groups")
-_PEOPLE = re.compile(r"(?:man|men|woman|women|person|ist|player|keeper|worker|driver|officer)$")
-"""Endings of nouns for people."""
+_NO_NAMES = frozenset({"", "pair", "couple", "number", "lot", "dozen"})
+_TWINS = lex.word_set("twins")
 LARGEST_CM, LIGHTEST_KG = 9000.0, 1e-3
 MAX_COUNT = 40
 """Most members of one plural."""
+_USUAL = {"pin": 10, "domino": 8}
+_USUAL_IN = {"row": 5, "stack": 3, "rack": 6, "queue": 3, "pins": 10, "": 3}
+"""Members of a plural without a number, by kind and by arrangement."""
+_NAMING = frozenset({"front", "rear", "left", "right"}) | lex.ORDINALS.keys()
+"""Places that are part of a name from the first."""
 
-_TWINS = lex.word_set("twins")
+
+def unique(base: str, used: Iterable[str]) -> str:
+    """A name that is not used yet: with a number, if need be."""
+    taken, name, n = set(used), base, 2
+    while name in taken:
+        name, n = f"{base}_{n}", n + 1
+    return name
 
 
 def new_id(world: World, stem: str) -> str:
-    n = 1
-    while f"{stem}_{n}" in world.entities:
-        n += 1
-    return f"{stem}_{n}"
+    """The first id with a number that is free."""
+    return next(i for n in count(1) if (i := f"{stem}_{n}") not in world.entities)
 
 
 def add_entity(
@@ -55,49 +58,21 @@ def add_entity(
     origin: int = -1,
 ) -> Entity:
     """Creates one entity with a readable node id."""
-    adjectives = list(adjectives or [])
-    noun = as_toy(noun, head, adjectives)
-    naming = [
-        a
-        for a in adjectives
-        if a in lex.COLORS or a in FRONT or a in REAR or a in ORDINALS or a in ("left", "right")
-    ]
-    stem = slug(" ".join([*naming, head])) or "object"
+    words = list(adjectives or [])
+    noun = as_toy(noun, head, words)
+    places = {a: p for a in words if (p := PLACES.get(a, a)) in _NAMING and a != "head"}
+    stem = slug(" ".join([*[a for a in words if a in lex.COLORS or a in places], head])) or "object"
     if stem[0].isdigit():
         stem = f"{slug(noun.name)}_{stem}"  # ids become identifiers of emitted code
-    if letter:
-        name = slug(f"{head}_{letter}")
-        name = name if name not in world.entities else new_id(world, name)
-    else:
-        name = new_id(world, stem)
+    lettered = slug(f"{head}_{letter}") if letter else ""
+    free = lettered and lettered not in world.entities
+    name = lettered if free else new_id(world, lettered or stem)
     entity = Entity(
-        name,
-        noun,
-        head,
-        label or head,
-        adjectives,
-        letter,
-        group,
-        pattern,
-        mentioned,
-        known,
-        origin=origin,
-    )
-    for adjective in adjectives:
-        place_of(entity, adjective)
+        name, noun, head, label or head, words, letter, group, pattern, mentioned, known,
+        origin=origin, place=next(reversed(places.values()), ""),
+    )  # fmt: skip
     world.entities[name] = entity
     return entity
-
-
-def place_of(entity: Entity, adjective: str) -> None:
-    if adjective in FRONT:
-        entity.place = "front"
-    elif adjective in REAR:
-        entity.place = "rear"
-    elif adjective in ORDINALS:
-        entity.place = adjective
-    elif adjective in ("left", "right", "leftmost", "rightmost"):
-        entity.place = adjective[:5].removesuffix("m")
 
 
 def note_referents(world: World, ids: list[str], subject: bool = False) -> None:
@@ -131,64 +106,46 @@ def rename(world: World, e: Entity, name: str) -> None:
         ids[:] = swap(ids)
 
 
-def count_of(world: World, m: Mention, noun: lex.Noun) -> int:
-    if m.count is None and m.plural and m.determiner in ("a", "an") and not m.group_word:
-        return 1  # "a 50 g dice"
+def _count(world: World, m: Mention, noun: lex.Noun) -> int:
+    """How many things a phrase names; a usual number where it gives none."""
+    one = m.plural and m.determiner in ("a", "an") and not m.group_word  # "a 50 g dice"
     if m.count is not None:
         if m.count > MAX_COUNT:
             world.warnings.append(
                 f'"{m.text}": {MAX_COUNT} of {m.count} are placed, the most a scene holds.'
             )
         return max(1, min(m.count, MAX_COUNT))
-    if not m.plural and m.pattern is None:
+    if one or "structural" in noun.traits or (not m.plural and m.pattern is None):
         return 1
     listed = [a for a in m.amounts if a.shares]
     if m.plural and listed:
         return len(listed[0].shares)  # "2 kg and 3 kg crates"
-    if noun.kind == "pin":
-        return 10
-    if noun.kind == "domino":
-        return 8
-    return {"row": 5, "stack": 3, "rack": 6, "queue": 3, "pins": 10}.get(
-        m.pattern or "", 4 if m.pattern else 3
-    )
+    return _USUAL.get(noun.kind, _USUAL_IN.get(m.pattern or "", 4))
 
 
-def pattern_of(m: Mention, noun: lex.Noun, count: int) -> str | None:
-    if count <= 1:
+def _pattern(m: Mention, noun: lex.Noun, number: int) -> str | None:
+    """How the members of a plural stand."""
+    if number <= 1:
         return None
     if noun.kind == "pin" and m.pattern in (None, "scatter", "pins", "rack"):
         return "pins"
-    if noun.kind == "domino" and m.pattern is None:
-        return "row"
-    if m.pattern is None and {"stacked", "piled"} & set(m.adjectives):
+    if m.pattern is None and {"stacked", "piled"} & {*m.adjectives}:
         return "stack"
     if m.pattern:
         return m.pattern
-    if noun.kind in ("vehicle",):
-        return "queue" if count <= 3 else "row"
-    if count <= 4 and noun.kind in ("ball", "billiard", "box", "block", "barrel"):
-        return "scatter"
-    return "scatter"
+    if noun.kind == "vehicle":
+        return "queue" if number <= 3 else "row"
+    return "row" if noun.kind == "domino" else "scatter"
 
 
 def enrich(world: World, m: Mention, ids: list[str]) -> None:
-    for k, i in enumerate(ids):
-        e = world.entities[i]
-        _amounts(world, m, e, k, len(ids))
-        if e.group is None:
-            for a in m.adjectives:
-                if a in lex.COLORS and e.color is None:
-                    e.adjectives.append(a)
-
-
-def _amounts(world: World, m: Mention, e: Entity, k: int = 0, number: int = 1) -> None:
-    """What a noun phrase says of thing k of a number ("two boys of 30 kg and 40 kg")."""
+    """Applies what a phrase states of things of a number ("two boys of 30 kg and 40 kg")."""
     said = {part: a.start for a in m.amounts for part in a.shares or (a,)}
-    for amount in dealt(m.amounts, number)[k]:
-        at = f"@{said[amount]}:"
-        word = next((a.split(":")[1] for a in m.adjectives if a.startswith(at)), "")
-        apply_amount(world, e, amount, word)
+    for i, amounts in zip(ids, dealt(m.amounts, len(ids)), strict=False):
+        for amount in amounts:
+            at = f"@{said[amount]}:"
+            word = next((a.split(":")[1] for a in m.adjectives if a.startswith(at)), "")
+            apply_amount(world, world.entities[i], amount, word)
 
 
 def apply_amount(world: World, e: Entity, amount: Amount, word: str = "") -> str:
@@ -230,80 +187,47 @@ def _same_size(world: World, e: Entity, amount: Amount, word: str) -> None:
         world.conflicts.append(f"{e.label} is {before:g} cm and {amount.middle:g} cm {side}")
 
 
-def _ground(world: World, noun: lex.Noun, m: Mention) -> list[str]:
-    e = Entity("ground_1", noun, m.head, m.text or m.head, list(m.adjectives), origin=m.start)
-    world.entities["ground_1"] = e
-    return ["ground_1"]
-
-
 def create(world: World, m: Mention) -> list[str]:
-    if m.noun is None and _PEOPLE.search(m.head):
-        m.noun = lex.nouns()["person"]
-    noun = m.noun or unknown_noun(m.head)
+    """The new things that a phrase names; their ids."""
     if m.group_word == "pair" and m.head in _TWINS:
         m.count, m.plural, m.group_word = None, False, ""  # "a pair of scissors" is one thing
-    named, movers = list(world.entities.values()), movers_of(world)
-    noun = noun_here(m, noun, named, movers, net_sport=world.net_sport)
+    noun = m.noun or unknown_noun(m.head)
+    named = list(world.entities.values())
+    noun = noun_here(m, noun, named, movers_of(world), net_sport=world.net_sport)
     if "structural" in noun.traits and "decal" not in noun.traits:
-        return ["ground_1"] if "ground_1" in world.entities else _ground(world, noun, m)
+        ground = Entity("ground_1", noun, m.head, m.text or m.head, [*m.adjectives], origin=m.start)
+        return [world.entities.setdefault("ground_1", ground).id]
     if m.determiner == "another" or "other" in m.adjectives:
-        like = [e for e in world.entities.values() if e.head.split()[-1] == m.head and e.known]
-        if like and like[-1].head != m.head:
+        like = [e for e in named if e.head.split()[-1] == m.head and e.known]
+        if like:
             noun, m.head = like[-1].noun, like[-1].head  # "a curling stone ... another stone"
-    plain = [a for a in m.adjectives if not a.startswith("@")]
     if m.letters:
         return [letter_of(world, m, x) for x in m.letters]
-    count = count_of(world, m, noun)
-    pattern = pattern_of(m, noun, count)
-    if "structural" in noun.traits:
-        count = 1
-    if count <= 1:
-        e = add_entity(
-            world,
-            noun,
-            m.head,
-            adjectives=plain,
-            label=m.text or m.head,
-            known=m.noun is not None,
-            origin=m.start,
-        )
-        _amounts(world, m, e)
-        return [e.id]
-    group = slug(" ".join([*[a for a in plain if a in lex.COLORS], plural(m.head)]))
-    base = group
-    n = 2
-    while group in world.groups:
-        group, n = f"{base}_{n}", n + 1
-    ids: list[str] = []
-    for k in range(count):
-        label = f"{m.group_word} of {plural(m.head)}" if m.group_word in _NAMED_GROUPS else m.head
-        e = add_entity(
-            world,
-            noun,
-            m.head,
-            adjectives=plain,
-            label=label,
-            group=group,
-            pattern=pattern,
-            known=m.noun is not None,
-            origin=m.start,
-        )
-        _amounts(world, m, e, k, count)
-        ids.append(e.id)
+    number = _count(world, m, noun)
+    plain = [a for a in m.adjectives if not a.startswith("@")]
+    group, label = None, m.text or m.head
+    if number > 1:
+        words = [*[a for a in plain if a in lex.COLORS], plural(m.head)]
+        group, label = unique(slug(" ".join(words)), world.groups), m.head
+        if m.group_word in _NAMED_GROUPS:
+            label = f"{m.group_word} of {plural(m.head)}"
+    ids = [
+        add_entity(
+            world, noun, m.head, adjectives=plain, label=label, group=group,
+            pattern=_pattern(m, noun, number), known=m.noun is not None, origin=m.start,
+        ).id
+        for _ in range(number)
+    ]  # fmt: skip
+    enrich(world, m, ids)
+    if group is None:
+        return ids
     world.groups[group] = ids
     if m.count is None or m.vague:
         world.vague.add(group)
-    if m.group_word and m.group_word not in ("pair", "couple", "number", "lot", "dozen"):
+    if m.group_word not in _NO_NAMES:
         world.collective.add(group)
         world.group_words[group] = m.group_word
-    if world.file_of_two and count == 2:
-        world.file_of_two = False
-        for i, place in zip(list(ids), ("front", "rear"), strict=True):
-            e = world.entities[i]
-            e.place, e.label = place, f"{place} {m.head}"
-            e.adjectives.append(place)
-            rename(world, e, new_id(world, slug(e.label)))
-    return list(world.groups[group])
+    return list(ids)
 
 
 def movers_of(world: World) -> list[Entity]:
@@ -313,34 +237,23 @@ def movers_of(world: World) -> list[Entity]:
 
 def letter_of(world: World, m: Mention, letter: str) -> str:
     """Names a member of a plural, or creates the individual."""
-    pool = [
-        e
-        for e in world.entities.values()
-        if e.group and not e.letter and same_kind(m, e) and not e.place
-    ]
+    free = [e for e in world.entities.values() if e.group and not e.letter and not e.place]
+    pool = [e for e in free if same_kind(m, e)]
     if pool:
         e = pool[0]
         rename(world, e, slug(f"{m.head}_{letter}"))
-        e.letter = letter
-        e.label = f"{m.head} {letter}"
+        e.letter, e.label = letter, f"{m.head} {letter}"
         return e.id
-    if m.head == "@":
-        like = [e for e in world.entities.values() if e.letter]
-        if like:
-            alike = [e for e in like if e.letter[0] == letter[0] and len(letter) > 1]
-            model = (alike or like)[-1]  # "ball A hits ball B; B hits C", "robot R1 ... R2"
-            m.noun, m.head = model.noun, model.head
-    noun = m.noun or unknown_noun(m.head)
+    like = [e for e in world.entities.values() if e.letter]
+    if m.head == "@" and like:
+        alike = [e for e in like if e.letter[0] == letter[0] and len(letter) > 1]
+        model = (alike or like)[-1]  # "ball A hits ball B; B hits C", "robot R1 ... R2"
+        m.noun, m.head = model.noun, model.head
+    noun, known = m.noun or unknown_noun(m.head), m.noun is not None
     plain = [a for a in m.adjectives if not a.startswith("@")]
     entity = add_entity(
-        world,
-        noun,
-        m.head,
-        adjectives=plain,
-        letter=letter,
-        label=f"{m.head} {letter}",
-        known=m.noun is not None,
-        origin=m.start,
-    )
-    _amounts(world, m, entity)
+        world, noun, m.head, adjectives=plain, letter=letter, label=f"{m.head} {letter}",
+        known=known, origin=m.start,
+    )  # fmt: skip
+    enrich(world, m, [entity.id])
     return entity.id

@@ -1,25 +1,18 @@
-"""Discourse: which object each noun phrase and pronoun means."""
+"""Which object each noun phrase means: one of those named so far, or a new one."""
 
 from __future__ import annotations
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.referents.choices import ordinal_of, ranked
-from esg.draft.discourse.referents.entities import (
-    BODY_PARTS,
-    FRONT,
-    ORDINALS,
-    REAR,
-    Entity,
-)
-from esg.draft.discourse.referents.matching import matches, same_kind
+from esg.draft.discourse.referents.entities import OTHER, Entity
+from esg.draft.discourse.referents.matching import matches, same_kind, unlike
 from esg.draft.discourse.referents.members import (
-    by_side,
-    counted_from,
-    kind_of_member,
+    at_place,
     member_of,
-    of_stack,
+    name_by,
+    next_of,
     picked,
-    specialize,
+    place_word,
+    ranked,
 )
 from esg.draft.discourse.referents.pronouns import pronoun
 from esg.draft.discourse.referents.ranks import measured, same_quantity
@@ -29,30 +22,29 @@ from esg.draft.discourse.referents.registry import (
     current_id,
     enrich,
     letter_of,
-    movers_of,
     note_referents,
 )
-from esg.draft.discourse.referents.surroundings import about_golf
-from esg.draft.discourse.referents.wholes import compound, own_vehicle, owns, whole_of
+from esg.draft.discourse.referents.wholes import whole_of
 from esg.draft.text.elements import Mention
 
-_DURING = lex.word_set("during")
-_SCENES = lex.word_set("scenes")
-_ON_THE_GREEN = lex.word_set("on the green")
 _STACKS = lex.word_set("stacks (resolution)")
-_BEHIND_THE_HEAD = 4
-"""Index of the pin straight behind the first one of a triangle (1, 2-3, 4-5-6)."""
+_SCENES = lex.word_set("scenes")
+_DURING = lex.word_set("during")
+_THE = ("the", "this", "that")
+_ONE = ("a", "an", "one", "any")
+_KNOWN = frozenset({*_THE, "these", "those", "its", "his", "her", "their"}) | frozenset(
+    {"both", "all", "each", "every"}
+)
+_DRIVEN = ("vehicle", "flyer", "cart", "watercraft")
 
 
 def new_world() -> World:
     """A world in which nothing has been named."""
-    world = World(
-        facts=lambda node: [],
-        resolve=lambda m, *, subject=False, avoid=None: resolve(
-            world, m, subject=subject, avoid=avoid
-        ),
-        of_stack=lambda m, names: of_stack(world, m, names),
-    )
+
+    def means(m: Mention, *, subject: bool = False, avoid: list[str] | None = None) -> list[str]:
+        return resolve(world, m, subject=subject, avoid=avoid)
+
+    world = World(facts=lambda node: [], resolve=means)
     return world
 
 
@@ -73,13 +65,9 @@ def resolve(
         ids = resolve_one(world, m, subject, avoid or [])
         if m.pick and len(ids) > 1:
             ids = picked(world, m, ids)
-        elif m.single and len(ids) > 1:
-            ids = ids[:1]
-        elif m.subset and len(ids) > m.subset:
-            ids = ids[: m.subset]
+        elif (m.single or m.subset) and len(ids) > 1:
+            ids = ids[: m.subset or 1]
         for other in m.coordinated:
-            if other.pronoun == "another" and m.text.lower().startswith("one "):
-                note_referents(world, ids)  # "hits one tin, then another"
             extra = resolve(world, other, avoid=avoid)
             ids = ids + [e for e in extra if e not in ids]
         world.resolved[key] = ids
@@ -90,293 +78,170 @@ def resolve(
 
 
 def resolve_one(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[str]:
-    told = any(a.endswith("ing") for a in m.adjectives)  # "the chasing group": another one
-    named = m.attribute and m.head in lex.GROUP_WORDS and not told
-    if named and m.determiner in ("the", "this", "that"):
-        whole = next(reversed(list(world.groups.values())), None)  # "the stack collapses"
-        if whole is not None:
-            return list(whole)
-    whole = set(m.adjectives) <= {"whole", "entire"}
-    if m.determiner in ("the", "this", "that") and whole and not m.letters:
-        named = [g for g, word in world.group_words.items() if word == m.head]
-        if m.head in _STACKS:  # "three blocks are stacked, and the tower is hit"
-            named = named or [
-                g for g, ids in world.groups.items() if world.entities[ids[0]].pattern == "stack"
-            ]
-        if named and all(e.head != m.head for e in world.entities.values()):
-            return list(world.groups[named[-1]])  # "a tower of cups ... the tower"
-    if world.billiards and m.head in ("cushion", "rail"):
-        m.attribute = True  # of the billiard table, which every ball touches anyway
-        return []
-    if world.billiards and m.head == "pool" and not m.determiner and m.after_prep in _DURING:
-        m.attribute = True  # "a break shot in pool"
-        return []
-    if m.noun is None and m.head in _SCENES and m.after_prep in _DURING:
-        m.attribute = True  # "collide in a harbor": where it takes place
-        return []
-    if _arranges(world, m):
-        m.attribute = True  # "in a triangle": how a plural stands, no object
-        return []
-    beside = m.head in ("neighbour", "neighbor") and m.determiner in ("its", "their")
-    if beside and avoid and world.entities[avoid[0]].noun.kind != "person":
-        m.pronoun, m.adjectives, m.determiner, m.noun = "one", ["next"], "the", None
-    if m.head == "leader" and m.determiner == "the" and _of_a_file(world):
-        m.pronoun, m.adjectives, m.head, m.noun = "one", ["leading"], "", None
-    whole = whole_of(world, m, subject, avoid)
-    if whole:
+    """Node ids of what a noun phrase means, without what is coordinated with it."""
+    if whole := _plural_by_name(world, m):
         return whole
-    own = m.determiner in ("his", "her", "its", "their")
-    if own and m.head in BODY_PARTS and m.noun is None:
-        m.attribute = True  # "falls flat on his face"
-    if m.attribute or (not m.head and not m.pronoun):
-        if m.possessor is not None:
-            return resolve(world, m.possessor)
+    if _names_nothing(world, m):
+        m.attribute = True
         return []
+    if whole := whole_of(world, m, subject, avoid):
+        return whole
+    if m.attribute or (not m.head and not m.pronoun):
+        return resolve(world, m.possessor) if m.possessor is not None else []
     if m.count == 0:
         return []
-    green = m.pronoun == "one" and m.adjectives == ["green"]
-    balls = [e for e in world.entities.values() if e.noun.kind in ("ball", "billiard")]
-    golf = about_golf(list(world.entities.values()), movers_of(world)) or (
-        balls and all(e.noun.name == "golf ball" for e in balls)
-    )
-    if green and m.after_prep in _ON_THE_GREEN and golf:
-        m.attribute = True  # "bounces on the green": no ball
-        return []
-    if m.pronoun and m.counted_from:
-        whole = next((ids for ids in reversed(world.salience) if len(ids) > 1), [])
-        if found := counted_from(world, m, [world.entities[current_id(world, i)] for i in whole]):
-            return found
     if m.pronoun:
         found = pronoun(world, m, subject, avoid)
-        if (
-            m.amounts
-            and found
-            and not any(
-                same_quantity(m, e, world.facts) for e in map(world.entities.__getitem__, found)
-            )
-        ):
-            enrich(world, m, found)  # "the second, 12 cm tall"
-        like = world.entities.get(avoid[0]) if len(avoid) == 1 else None
-        if not found and m.determiner == "another" and like is not None and like.known:
-            copy = Mention(m.start, m.end, head=like.head, noun=like.noun, text=like.head)
-            return create(world, copy)  # "hits another one"
+        enrich(world, m, found)
         return found
     if m.noun is not None and "structural" in m.noun.traits:
         m.letters = []
-    own = own_vehicle(world, m, subject, avoid)
-    if own:
-        return own
-    if m.role and m.noun is not None:
-        driven = [
-            ids
-            for ids in reversed(world.salience)
-            if len(ids) == 1
-            and world.entities[ids[0]].noun.kind in ("vehicle", "flyer", "cart", "watercraft")
-        ]
-        if m.possessor is not None:
-            return resolve(world, m.possessor)
-        ridden = compound(world, m) if m.drives else []
-        if ridden:
-            return ridden
-        if driven and m.determiner != "a":
-            return driven[0]
-    if m.possessor is not None and not m.attribute and owns(m.possessor):
-        resolve(world, m.possessor)  # "the man's hat": the man is there too
-    if (
-        m.stacked
-        and m.noun is not None
-        and not any(matches(world, m, e) and e.pattern == "stack" for e in world.entities.values())
-    ):
-        create(world, 
-            Mention(
-                m.start, m.end, head=m.head, noun=m.noun, plural=True, pattern="stack",
-                group_word="stack", text=m.head,
-            )
-        )  # fmt: skip
-    found = existing_referents(world, m, avoid)
-    if found and m.possessor is not None and not m.possessor.pronoun and set(found) <= {*avoid}:
-        found = []  # "the police boat follows the smuggler's boat"
-    another = bool({"next", "other", "following", "adjacent"} & {*m.adjectives})
-    another = another or bool(found and world.entities[found[0]].head != m.head)
-    if found and set(found) <= {*avoid} and another:
+    owner = m.possessor
+    if m.role and m.determiner != "a" and (driven := _driven(world, owner)):
+        return driven  # "the driver brakes": the car
+    if owner is not None and not owner.pronoun and owner.noun is not None:
+        resolve(world, owner)  # "the man's hat": the man is there too
+    found = existing(world, m, avoid)
+    another = OTHER & {*m.adjectives} or owner is not None
+    if found and set(found) <= {*avoid} and (another or world.entities[found[0]].head != m.head):
         found = []  # "a curling stone hits the guard stone": not itself
-    if found:
-        enrich(world, m, found)
-        return found
-    return kind_of_member(world, m, avoid) or create(world, m)
+    enrich(world, m, found)
+    return found or create(world, m)
 
 
-def next_in_row(world: World, names: list[Entity], avoid: list[str]) -> list[str]:
-    """ "bumps the next wagon": the one after it in its row, else one more."""
-    group = next((world.entities[i].group for i in avoid if i in world.entities), None)
-    row = world.groups.get(group or "", [])
-    k = max((row.index(i) for i in avoid if i in row), default=-1)
-    later = [e.id for e in names if e.id in row[k + 1 :]] if row else []
-    rest = [e.id for e in names if e.id not in avoid]
-    return (later or rest)[:1]
+def _plural_by_name(world: World, m: Mention) -> list[str]:
+    """ "a tower of cups ... the tower", "three blocks are stacked ... the tower", "the group"."""
+    if m.determiner not in _THE or m.letters or not set(m.adjectives) <= {"whole", "entire"}:
+        return []
+    if m.attribute and m.head in lex.GROUP_WORDS:
+        return list(next(reversed(list(world.groups.values())), []))
+    named = [g for g, word in world.group_words.items() if word == m.head]
+    stacks = [g for g, x in world.groups.items() if world.entities[x[0]].pattern == "stack"]
+    named = named or (stacks if m.head in _STACKS else [])
+    own = any(e.head == m.head for e in world.entities.values())
+    return list(world.groups[named[-1]]) if named and not own else []
 
 
-def _arranges(world: World, m: Mention) -> bool:
-    """Whether a phrase says how a plural stands ("in a queue") and names nothing itself."""
+def _driven(world: World, owner: Mention | None) -> list[str]:
+    """The vehicle that a driver is said to drive, else the one named last."""
+    if owner is not None:
+        return resolve(world, owner)
+    alone = [ids for ids in reversed(world.salience) if len(ids) == 1]
+    return next((ids for ids in alone if world.entities[ids[0]].noun.kind in _DRIVEN), [])
+
+
+def _names_nothing(world: World, m: Mention) -> bool:
+    """Whether a phrase is about the scene: a cushion of the table, "in a depot", "in a queue"."""
+    if world.billiards and m.head in ("cushion", "rail"):
+        return True
+    if m.noun is None and m.head in _SCENES and m.after_prep in _DURING:
+        return True
     if m.after_prep not in ("in", "into") or m.head not in lex.ARRANGEMENTS or m.group_word:
         return False
     if m.determiner not in ("", "a", "an", "one") or m.plural or m.letters:
         return False
     last = world.salience[-1] if world.salience else []
-    many = len(last) > 1
-    if m.head == "rack":  # bottles stand in a rack of their own
-        return many and world.entities[last[0]].noun.kind == "billiard"
-    return many or m.head in lex.SHAPES_OF_GROUPS
+    return len(last) > 1 or m.head in lex.SHAPES_OF_GROUPS
 
 
-def _of_a_file(world: World) -> bool:
-    """Whether a plural was named that one can lead ("three lorries ... the leader")."""
-    whole = next(reversed(list(world.groups.values())), [])
-    named = any(e.head == "leader" for e in world.entities.values())
-    kinds = ("vehicle", "person", "animal", "watercraft", "flyer", "robot")
-    return len(whole) > 1 and not named and world.entities[whole[0]].noun.kind in kinds
-
-
-def existing_referents(world: World, m: Mention, avoid: list[str]) -> list[str]:
-    if (
-        (m.determiner in ("a", "an", "one", "any") or (m.count == 1 and not m.determiner))
-        and not m.plural
-        and not m.letters
-        and m.count in (None, 1)
-    ):
+def existing(world: World, m: Mention, avoid: list[str]) -> list[str]:
+    """What a noun phrase means among the things named so far; none if it names something new."""
+    single = not m.plural and m.count in (None, 1)
+    if single and not m.letters and (m.determiner in _ONE or (m.count and not m.determiner)):
         return member_of(world, m, avoid)
-    definite = m.determiner in (
-        "the",
-        "this",
-        "that",
-        "these",
-        "those",
-        "its",
-        "his",
-        "her",
-        "their",
-        "both",
-        "all",
-        "each",
-        "every",
-    ) or bool(m.letters)
-    structural = m.noun is not None and "structural" in m.noun.traits
-    bare = m.determiner == "" and not m.pattern
-    if not (definite or structural or bare):
-        return []
-    if "another" in (m.determiner,) or ("other" in m.adjectives and not definite):
+    definite = m.determiner in _KNOWN or bool(m.letters)
+    bare = not m.determiner and not m.pattern and "other" not in m.adjectives
+    if not (definite or bare or _structural(m)):
         return []
     names = [e for e in world.entities.values() if matches(world, m, e)]
     if m.letters:
         by_letter = {e.letter: e.id for e in names}
-        ids = [by_letter[x] for x in m.letters if x in by_letter]
-        missing = [x for x in m.letters if x not in by_letter]
-        for x in missing:
-            ids.append(letter_of(world, m, x))
-        return ids
-    if "other" in m.adjectives or "remaining" in m.adjectives:
-        last = world.salience[-1] if world.salience else []
-        among = {e.id for e in names}
-        if not avoid and world.subjects and not m.plural and set(world.subjects[-1]) <= among:
-            last = world.subjects[-1]  # "the cone hits another cone, and the other cone ..."
-        rest = [e.id for e in names if e.id not in last and e.id not in avoid]
-        return rest if m.plural else rest[:1]
-    if not m.plural and " " in m.text:
-        exact = [e for e in names if e.label.lower() == m.text.lower()]
-        names = exact or names  # "a patrol boat ... a sailing boat ... the sailing boat"
+        return [by_letter.get(x) or letter_of(world, m, x) for x in m.letters]
+    if {"other", "remaining"} & {*m.adjectives}:
+        return _rest(world, m, names, avoid)
+    if single and not _structural(m):
+        found = _by_place(world, m, names, avoid)
+        if found or (found is not None and definite):
+            return found
+    return _of_these(world, m, names, avoid, single, definite)
+
+
+def _structural(m: Mention) -> bool:
+    return m.noun is not None and "structural" in m.noun.traits
+
+
+def _of_these(
+    world: World, m: Mention, names: list[Entity], avoid: list[str], single: bool, definite: bool
+) -> list[str]:
+    """Of the things that agree with a phrase all, if it is a plural, else the best."""
+    if not names and definite and measured(m):
+        names = _contradicted(world, m, avoid)
+    groups = {e.group for e in names}
+    every = m.determiner in ("each", "every") and len(groups) == 1 and None not in groups
+    if not single or every:
+        few = (m.count or 2) > len(names) and not definite
+        return [] if few and not _structural(m) else [e.id for e in names]
+    if not m.determiner and not m.pattern and not _structural(m):
+        names = [e for e in names if e.group is None]  # "car hits wall" repeats what is one
+    return _best(world, m, names, avoid)
+
+
+def _rest(world: World, m: Mention, names: list[Entity], avoid: list[str]) -> list[str]:
+    """ "the other cone", "the remaining pins": what was not told of."""
+    told = world.salience if avoid or m.plural else world.subjects
+    last = told[-1] if told else []
+    rest = [e.id for e in names if e.id not in last and e.id not in avoid]
+    return rest if m.plural else rest[:1]
+
+
+def _contradicted(world: World, m: Mention, avoid: list[str]) -> list[Entity]:
+    """ "A ball weighs 10 kg. The 5 kg ball ...": the only thing of its kind all the same."""
     alike = [e for e in world.entities.values() if same_kind(m, e)]
-    if m.counted_from and (found := counted_from(world, m, alike)):
-        return found
-    if not names and definite and len(alike) == 1 and alike[0].id not in avoid and measured(m):
-        names = alike  # "A ball weighs 10 kg. The 5 kg ball ...": the same, contradicted
-    if "next" in m.adjectives and not m.plural and names:
-        return next_in_row(world, names, avoid)
-    if found := ranked(world, m, [e for e in names if e.id not in avoid] or names, avoid):
-        return found
-    if not m.plural:  # "the 2 kg ball hits the 5 kg ball"
-        names = [e for e in names if same_quantity(m, e, world.facts)] or names
-    ordinal = next((a for a in m.adjectives if a in ORDINALS or a in ("last", "final")), None)
-    if ordinal is not None:
-        found = ordinal_of(world, m, ordinal)
-        if not found and ordinal == "first" and m.noun is not None and m.noun.kind == "domino":
-            row = Mention(m.start, m.end, head=m.head, noun=m.noun, plural=True, text=m.head)
-            create(world, row)
-            found = ordinal_of(world, m, ordinal)
-        return found
-    level = of_stack(world, m, names)
-    if level:
-        return level
-    place = next((a for a in m.adjectives if a in FRONT | REAR), None)
-    pin = m.noun is not None and m.noun.kind == "pin"
-    place = "front" if pin and "head" in m.adjectives else place
-    if place is not None and not names and pin:
-        create(world, Mention(m.start, m.end, head=m.head, noun=m.noun, plural=True))
-        names = [e for e in world.entities.values() if matches(world, m, e)]
-    if place is not None:
-        want = "front" if place in FRONT else "rear"
-        exact = [e for e in names if e.place == want]
-        if exact:
-            return [exact[-1].id]
-        member = [e for e in names if e.group is not None and not e.place]
-        if member:
-            chosen = member[0] if want == "front" else member[-1]
-            if want == "rear" and chosen.pattern == "pins" and len(member) > _BEHIND_THE_HEAD:
-                rack = world.groups[chosen.group or ""]  # "the head pin ... the pin behind it"
-                chosen = world.entities[rack[_BEHIND_THE_HEAD]]
-            specialize(world, m, chosen)
-            return [chosen.id]
-        if bare and not definite:
-            return []
-        beside = any(w in m.text for w in ("behind", "following", "in front"))
-        if beside and names and all(e.group is None and not e.place for e in names):
-            return []  # "A car stops. The car behind hits it.": another one
-    if definite and not m.plural and (sided := by_side(world, m, names)):
-        return sided
+    only = [e for e in alike if len(alike) == 1 and e.id not in avoid]
+    return [e for e in only if not any(unlike(e, a) for a in m.adjectives)]
+
+
+def _best(world: World, m: Mention, names: list[Entity], avoid: list[str]) -> list[str]:
+    """The thing that agrees best; a member of a plural gets its colour from the phrase."""
+    color = next((lex.COLORS[a] for a in m.adjectives if a in lex.COLORS), None)
+    if color:  # "several billiard balls ... the red ball": one more
+        uncounted = [e.id for e in names if e.noun.kind == "billiard" and e.group in world.vague]
+        names = [e for e in names if e.color == color or e.id not in uncounted]
     if not names:
         return []
-    few = 2 <= len(names) <= 6 and len({e.group for e in names}) == 1 and names[0].group
-    every = m.determiner in ("each", "every") and bool(few)
-    if m.plural or (m.count or 1) > 1 or every:
-        ids = [e.id for e in names]
-        groups = {e.group for e in names if e.group}
-        if m.count and len(ids) != m.count and len(groups) > 1:
-            recent = next((g for g in reversed(list(world.groups)) if g in groups), None)
-            if recent is not None and len(world.groups[recent]) == m.count:
-                return list(world.groups[recent])
-        if m.count and m.count > len(ids) and not definite:
-            return []
-        if m.count is None and not structural and len(ids) < 2 and (bare or m.group_word):
-            return []
-        return ids
-    if bare and not structural and not definite:
-        # a bare singular ("car hits wall") repeats an object only if one is there
-        singles = [e for e in names if e.group is None]
-        if singles or not (few and {"left", "right"} & {*m.adjectives}):
-            return [singles[-1].id] if singles else []
-    color = next((a for a in m.adjectives if a in lex.COLORS), None)
-    if color is not None:
-        exact = [e for e in names if e.color == lex.COLORS[color]]
-        if exact:
-            return [exact[-1].id]
-        member = [e for e in names if e.group is not None and not e.letter]
-        counted = bool(member) and member[0].group not in world.vague
-        if member and (counted or member[0].noun.kind != "billiard"):
-            specialize(world, m, member[0])
-            return [member[0].id]
-        return []
-    order = [i for ids in world.salience for i in ids]
-    candidates = [e for e in names if e.id not in avoid] or names
-    exact_heads = [e for e in candidates if e.head == m.head or e.noun.name == m.head]
-    pool = exact_heads or candidates
-    if m.head == "ball" and any(e.noun.kind == "billiard" for e in pool):
-        pool = [e for e in pool if not (e.group and e.noun.kind == "billiard")] or pool
-    pool.sort(key=lambda e: max((k for k, i in enumerate(order) if i == e.id), default=-1))
-    groups = {e.group for e in pool}
-    told = [ids[0] for ids in world.salience if len(ids) == 1]
-    mate = next((i for i in reversed(told) if i in {e.id for e in pool}), None)
-    alone = mate is not None and m.determiner == "the" and not m.adjectives
-    if len(pool) > 1 and len(groups) == 1 and None not in groups and alone:
-        return [mate] if mate else []  # "a box falls off. The box hits ..."
-    if len(pool) > 1 and len(groups) == 1 and None not in groups:
-        return [pool[0].id]  # "the head pin"
-    return [pool[-1].id]
+    best = max(names, key=lambda e: _agreement(world, m, e, avoid))
+    return [best.id] if color == best.color or not color else name_by(world, best, color)
+
+
+def _by_place(world: World, m: Mention, names: list[Entity], avoid: list[str]) -> list[str] | None:
+    """The member that a rank, an order or a place picks; None if the phrase names no such."""
+    if "next" in m.adjectives and names:
+        mates = [i for i in avoid if world.entities[i].noun == names[-1].noun]
+        return next_of(world, names, mates)
+    if found := ranked(world, m, [e for e in names if e.id not in avoid] or names, avoid):
+        return found
+    word = place_word(m)
+    alike = [e for e in world.entities.values() if same_kind(m, e)]
+    rows = m.stacked or (m.noun is not None and m.noun.kind in ("pin", "domino"))
+    if word and rows and not alike:
+        row = Mention(m.start, m.end, head=m.head, noun=m.noun, plural=True)
+        row.pattern = "stack" if m.stacked else None
+        alike = [world.entities[i] for i in create(world, row)]
+    if found := at_place(world, m, alike):
+        return found
+    ahead = any(w in m.text for w in ("behind", "following", "in front"))
+    new = word in lex.ORDINALS or (ahead and all(not e.group and not e.place for e in names))
+    return [] if word and new else None  # "The car behind hits it": another one
+
+
+def _agreement(world: World, m: Mention, e: Entity, avoid: list[str]) -> tuple[bool | int, ...]:
+    """How well a thing agrees with a phrase, the weightiest criterion first."""
+    colors = [lex.COLORS[a] for a in m.adjectives if a in lex.COLORS]
+    return (
+        same_quantity(m, e, world.facts),
+        not colors or e.color in colors,
+        e.id not in avoid,
+        " " in m.text and e.label.lower() == m.text.lower(),
+        m.head in (e.head, e.noun.name),
+        max((k for k, ids in enumerate(world.salience) if e.id in ids), default=-1),
+    )

@@ -11,7 +11,6 @@ from esg.draft.lexicon import Noun
 
 WORDS = lex.word_set("words")
 _OWN_SIZE = lex.word_set("own size")
-_BREEDS = lex.word_set("breeds")
 _DRIVEN = frozenset({"vehicle", "cart"})
 _SMALLEST_CM, _FROM_CM, _PER_DECADE_CM = 15.0, 60.0, 8.0
 _LARGEST_CM = 40.0
@@ -30,7 +29,7 @@ def length_of_toy(length_cm: float) -> float:
 def as_toy(noun: Noun, head: str, adjectives: Iterable[str]) -> Noun:
     """The noun as a toy if an adjective makes it one, else itself.
 
-    A toy poodle and a miniature horse are animals; a model is no toy of a person.
+    A model is no toy of a person, and a miniature horse is a horse.
 
     Args:
         noun: The full-sized thing.
@@ -40,13 +39,7 @@ def as_toy(noun: Noun, head: str, adjectives: Iterable[str]) -> Noun:
     said = WORDS.intersection(adjectives)
     if not said or noun.kind in _OWN_SIZE or {"structural", "decal"} & noun.traits:
         return noun
-    alive = noun.kind == "animal" and (
-        head.split()[-1] in _BREEDS or said == frozenset({"miniature"})
-    )
-    if alive:
-        l, w, h = (0.5 * d for d in noun.dimensions_cm)  # noqa: E741
-        return replace(noun, dimensions_cm=(l, w, h), mass_kg=noun.mass_kg / 8.0)
-    if noun.kind == "person" and "toy" not in said:
+    if noun.kind in ("animal", "person") and "toy" not in said:
         return noun
     longest = max(noun.dimensions_cm)
     l, w, h = (d * length_of_toy(longest) / longest for d in noun.dimensions_cm)  # noqa: E741

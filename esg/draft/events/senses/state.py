@@ -19,7 +19,6 @@ from esg.draft.discourse.core import (
 )
 from esg.draft.discourse.places import RELATION_PREPS, hang, holds, place, towers
 from esg.draft.discourse.record import Discourse
-from esg.draft.discourse.referents.entities import BODY_PARTS
 from esg.draft.discourse.referents.registry import apply_amount, current_id
 from esg.draft.discourse.scene import SELF_POWERED, Relation
 from esg.draft.events.acts import add_event, add_hit
@@ -108,7 +107,7 @@ def attachment(d: Discourse, m: Mention, p: Phrase) -> None:
                 else:
                     d.scene.relations.append(Relation(o, owners[0], "near"))
         return
-    if p.prep == "on" and p.mention.head in BODY_PARTS:
+    if p.prep == "on" and p.mention.head in lex.BODY_PARTS:
         # "slides down a ramp on its belly": how it lies, not where the ramp is
         owners = [o for o in owners if not _carries_beings(d, o)]
     place(d, owners, others, p.prep, p.mention.part)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.referents.entities import BODY_PARTS, OWN_PARTS
 from esg.draft.grammar.clauses.frames import Frame, Phrase, State, finite_ahead
 from esg.draft.grammar.clauses.record import Clauses
 from esg.draft.grammar.clauses.words import OWNED, PROPERTIES
@@ -267,7 +266,7 @@ def _of_the_noun(c: Clauses, s: State, f: Frame, phrase: Phrase, m: Mention, i: 
     if noun is None:
         return False
     if phrase.prep == "of":
-        if noun.head in BODY_PARTS | OWN_PARTS:
+        if noun.head in lex.BODY_PARTS | lex.OWN_PARTS:
             noun.possessor = noun.possessor or m
         elif not noun.attribute:
             c.attachments.append((noun, phrase))
@@ -293,7 +292,7 @@ def _attach_to_noun(c: Clauses, s: State, phrase: Phrase, m: Mention) -> None:
     if of and measured is not None and measured.possessor is None:
         measured.possessor = m  # "the speed of the car"
         return
-    part = last if last is not None and last.head in OWN_PARTS - {"door"} else None
+    part = last if last is not None and last.head in lex.OWN_PARTS - {"door"} else None
     if of and part is not None and not part.possessor and not s.boundary:
         part.possessor = m  # "a wheel of the cart hits a stone"
         return

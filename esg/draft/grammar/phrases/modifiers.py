@@ -9,7 +9,6 @@ from __future__ import annotations
 from dataclasses import replace
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.referents.entities import ORDINALS
 from esg.draft.text.elements import Token
 from esg.draft.verbphrases import verb_readings
 
@@ -87,7 +86,12 @@ def _modifier(tokens: list[Token], i: int) -> int:
     low = tokens[k].low
     if low in lex.COLORS or low in lex.SIZES or low in lex.WEIGHTS or low in lex.MATERIALS:
         return 0
-    if low in lex.DETERMINERS or low in lex.PREPOSITIONS or low in ORDINALS or low.endswith("s"):
+    if (
+        low in lex.DETERMINERS
+        or low in lex.PREPOSITIONS
+        or low in lex.ORDINALS
+        or low.endswith("s")
+    ):
         return 0
     participle = any(r.form in ("pp", "ing") for r in verb_readings(low))
     participle = participle or (tokens[k].tag == "VERB" and low.endswith(("ed", "ing", "en")))
@@ -125,7 +129,7 @@ def _second_of_two(tokens: list[Token], i: int, out: list[Token]) -> bool:
     if first.tag != "ADJ" or first.kind != "word" or first.low in lex.DETERMINERS:
         return False
     pair = [first] if n else [first, tokens[i + 1]]
-    apart = {*ORDINALS, *lex.PLACE_ADJECTIVES, *lex.COLORS}
+    apart = {*lex.ORDINALS, *lex.PLACE_ADJECTIVES, *lex.COLORS}
     if any(t.tag != "ADJ" or t.low in apart or verb_readings(t.low) for t in pair):
         return False
     follows = _noun_follows(tokens, i + 1 + (n or 1))

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.referents.entities import BODY_PARTS, COUNTED_FROM, ORDINALS, STACKED
 from esg.draft.grammar.phrases.chunks import Chunks, NounMatch
 from esg.draft.grammar.phrases.letters import letters
 from esg.draft.grammar.phrases.noun_questions import (
@@ -227,7 +226,7 @@ def _stands(c: Chunks, j: int, m: Mention, plural: bool) -> int:
     if top and the and not plural and of_all:
         m.adjectives.append("top")
         j += on_top
-    level = set(m.adjectives) & STACKED.keys() and low_at(c, j) == "of"
+    level = set(m.adjectives) & lex.STACKED.keys() and low_at(c, j) == "of"
     stack = low_at(c, j + 1) in ("the", "a", "this", "that") and low_at(c, j + 2) in _STACKS
     if level and stack and low_at(c, j + 3) != "of":
         m.stacked = True
@@ -283,7 +282,7 @@ def _piece(c: Chunks, p: Place, m: Mention) -> Head | None:
 
 def _body_part(c: Chunks, p: Place, m: Mention) -> Head | None:
     """ "his arm"."""
-    if p.low not in BODY_PARTS or not (low_at(c, p.first - 1) == "'s" or m.determiner in _OWN):
+    if p.low not in lex.BODY_PARTS or not (low_at(c, p.first - 1) == "'s" or m.determiner in _OWN):
         return OTHER
     m.head, m.attribute = p.low, False
     return Head(p.at + 1)
@@ -502,9 +501,9 @@ def _complete(c: Chunks, p: Place, j: int, m: Mention) -> int | None:
     """Adds the phrase with the names and owners that follow its head."""
     tokens = c.tokens
     j = member_of_row(c, j, m) or letters(c, j, m)
-    if set(m.adjectives) & ORDINALS.keys() and low_at(c, j + 1) in ("the", "top", "bottom"):
+    if set(m.adjectives) & lex.ORDINALS.keys() and low_at(c, j + 1) in ("the", "top", "bottom"):
         k = j + 2 if low_at(c, j + 1) == "the" else j + 1
-        if low_at(c, j) == "from" and low_at(c, k) in COUNTED_FROM:
+        if low_at(c, j) == "from" and low_at(c, k) in lex.COUNTED_FROM:
             m.counted_from, j = low_at(c, k), k + 1  # "the second crate from the left"
     m.end = tokens[j - 1].end
     first_word = p.first + (1 if m.determiner and low_at(c, p.first) == m.determiner else 0)

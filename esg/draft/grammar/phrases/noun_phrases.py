@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.referents.ranks import ALONE
 from esg.draft.grammar.phrases.chunks import Chunks
 from esg.draft.grammar.phrases.noun_heads import read_head
 from esg.draft.grammar.phrases.noun_questions import goes_off, is_she, side_acts
@@ -178,7 +177,7 @@ def _ends_early(c: Chunks, i: int, j: int, m: Mention) -> bool:
         m.head, m.attribute = m.adjectives.pop(), True
         _add(c, m, j)
         return True
-    if m.determiner == "the" and m.adjectives[-1] in ALONE and acting:
+    if m.determiner == "the" and m.adjectives[-1] in lex.ALONE and acting:
         after = low_at(c, j + 1)
         many = noun is None or (plural and m.count is None)
         small = many and after in (lex.PREPOSITIONS | lex.ADVERBS) - {"of"}

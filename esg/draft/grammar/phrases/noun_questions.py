@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.referents.ranks import ALONE
 from esg.draft.grammar.phrases.chunks import Chunks
 from esg.draft.grammar.phrases.nouns import low_at, match_noun, token_at
 from esg.draft.grammar.phrases.reader import element_before, noun_soon, verb_ahead
@@ -103,7 +102,7 @@ def does_next(c: Chunks, j: int, m: Mention) -> bool:
         return False
     if low_at(c, j) in _TERRAIN | lex.ATTRIBUTES:
         return False
-    if m.adjectives and m.adjectives[-1] in ALONE | lex.PLACE_ADJECTIVES:
+    if m.adjectives and m.adjectives[-1] in lex.ALONE | lex.PLACE_ADJECTIVES:
         return False
     finite = any(r.form == "s" for r in verb_readings(nxt)) and match_noun(c, j + 1) is None
     return finite or nxt in _IS
@@ -112,7 +111,7 @@ def does_next(c: Chunks, j: int, m: Mention) -> bool:
 def one_does(c: Chunks, j: int, m: Mention) -> bool:
     """ "One rolls away and another hits a box": a verb, as no plural follows "another"."""
     single = m.determiner in ("another", "each", "either", "neither") and not m.adjectives
-    ordinal = m.determiner == "the" and m.adjectives[-1:] and m.adjectives[-1] in ALONE
+    ordinal = m.determiner == "the" and m.adjectives[-1:] and m.adjectives[-1] in lex.ALONE
     single = single or (m.determiner == "the" and m.adjectives == ["other"])
     forms = {r.form for r in verb_readings(low_at(c, j))}
     object_ = low_at(c, j + 1) in lex.DETERMINERS | lex.PRONOUNS | {"nothing", "neither"}

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.referents.entities import ORDINALS
 from esg.draft.grammar.phrases.chunks import Chunks
 from esg.draft.grammar.phrases.nouns import low_at
 from esg.draft.text.elements import Mention
@@ -37,7 +36,7 @@ def member_of_row(c: Chunks, j: int, m: Mention) -> int:
         j: Where the words after the member's noun start.
         m: The member; its adjectives hold "first", "last" and the like.
     """
-    place = next((a for a in m.adjectives if a in ORDINALS or a in _ENDS), "")
+    place = next((a for a in m.adjectives if a in lex.ORDINALS or a in _ENDS), "")
     if not place or m.plural or not _row_follows(c, j) or low_at(c, j + 3) != "of":
         return 0
     size = len(c.elements)
