@@ -19,20 +19,14 @@ from esg.draft.discourse.core import (
 from esg.draft.discourse.event_coreference import time_of_told, told_before
 from esg.draft.discourse.places import carries, elevated, fits_on, holds, place, set_free
 from esg.draft.discourse.record import Discourse, Time
-from esg.draft.discourse.scene import SELF_POWERED, SPEEDS
-from esg.draft.discourse.underway import goes_on
 from esg.draft.events.arrivals import (
-    bounces_over,
     heads_for,
     implied_goal,
-    over_a_deck,
-    over_its_top,
     takes_up_from_above,
     touches_later,
 )
-from esg.draft.events.edges import EDGES, comes_down, from_an_end, off_the_edge, opening
-from esg.draft.events.motions import natural, own, speed_of, stands, start_motion
-from esg.draft.events.table import read_as
+from esg.draft.events.edges import EDGES, comes_down, off_the_edge
+from esg.draft.events.motions import natural, speed_of, start_motion
 from esg.draft.events.timing import (
     PUSHING,
     enter,
@@ -51,7 +45,6 @@ from esg.graph.models import NodeEvent
 
 _GOALMOUTH = lex.word_set("goalmouth")
 _GOING = lex.word_set("going (acts)")
-_VISITING = lex.word_set("visiting")
 WAYS = lex.word_set("ways (acts)")
 _HOLDING = lex.word_set("holding (acts)")
 _OPENINGS = frozenset({"hole", "water"})
@@ -101,9 +94,6 @@ def outcomes(d: Discourse, f: Frame, actors: list[str]) -> None:
         others = [i for i in m.entities if i not in actors]
         if not others:
             continue
-        if p.prep == "from" and from_an_end(d, f, p, others[0]):
-            place(d, actors, others[:1], "on")  # "roll from opposite ends of a table"
-            continue
         reader = OUTCOMES.get(p.prep)
         for actor in actors if reader is not None else []:
             reader(d, actor, Way(f, p, m, others, time, fallen))
@@ -142,10 +132,6 @@ def _off(d: Discourse, actor: str, way: Way) -> None:
         place(d, [actor], [other], "on")
         add_event(d, NodeEvent.FALL, (actor,), f, way.time)
         way.fallen.add(actor)
-    elif p.prep == "off" and {kind_of(d, actor), kind_of(d, other)} == {"billiard"}:
-        add_hit(d, f, [actor], [other], way.time)  # "goes in off the blue"
-    elif p.prep == "over" and (over_its_top(d, f, actor, other) or over_a_deck(d, f, actor, other)):
-        place(d, [actor], [other], "on")
 
 
 def _on_a_slope(d: Discourse, actor: str, way: Way) -> None:
@@ -206,11 +192,7 @@ def goes_in(d: Discourse, f: Frame, actors: list[str], time: Time | None) -> Non
         if not goal and kind_of(d, actor) in ("ball", "sliding"):
             posts = any(entity_of(d, i).head.split()[-1] in _GOALMOUTH for i in named)
             goal = implied_goal(d, actor) if posts else ""
-        table = d.world.billiards or any(e.noun.kind == "billiard" for e in known.values())
-        if not goal and table and kind_of(d, actor) in ("billiard", "ball"):
-            read_as(d, "pocket", f, [], [actor])  # "goes in off the cushion"
         if goal and (enterable(d, goal) or holds(d, goal)):
-            ensure_mover(d, f, actor, goal)
             enter(d, f, actor, goal, None, time)
 
 
@@ -221,12 +203,7 @@ def go_into(
     other, sense = others[0], f.verb.sense
     if structural(d, other):
         return
-    visits = f.verb.lemma in _VISITING and entity_of(d, other).head.split()[-1] in _PLACES
-    if visits and p.prep != "through" and kind_of(d, actor) in SELF_POWERED:
-        d.times.pending[actor] = (NodeEvent.REACH, f, other, time)  # "comes into the station"
-    elif p.prep == "through" and opening(d, others):
-        mark_used(d, f, "a way, no thing that is met")
-    elif p.prep == "through" and _breaks(d, f, other) and not p.mention_plural:
+    if p.prep == "through" and _breaks(d, f, other) and not p.mention_plural:
         add_hit(d, f, [actor], others, time)
     elif p.prep != "into" and sense not in _ENDING_IN and not _goal(d, other):
         return
@@ -252,11 +229,7 @@ def _goal(d: Discourse, other: str) -> bool:
 def _from_above(d: Discourse, f: Frame, actor: str, other: str) -> bool:
     """Whether it comes out of the air, so that it can get over a rim."""
     sense = f.verb.sense
-    if sense in ("fall", "drop", "land", "pocket", "fly"):
-        return True
     if is_airborne(d, actor) and sense not in ("roll", "slide"):
-        return True
-    if sense == "bounce" and bounces_over(d, actor, other):
         return True
     return "there" in f.adverbs and actor in d.moves.came_down
 
@@ -270,8 +243,6 @@ def add_event(
     **extra: Any,
 ) -> str:
     """Adds a point event; its first participant is set in motion if nothing moves it yet."""
-    if kind is NodeEvent.FALL and f.verb.sense == "fall" and stands(d, f, participants[0]):
-        kind = NodeEvent.TOPPLE  # "the lamp falls onto the table": it stood beside it
     told = told_before(d, kind, participants, f, extra.get("region", ""))
     if told:
         time_of_told(d, told, time)
@@ -305,12 +276,8 @@ def add_hit(
             if pair is None:
                 continue
             if f.verb.lemma in ("run", "drive", "slam") and kind_of(d, target) in _OPENINGS:
-                ensure_mover(d, f, mover, target)
                 enter(d, f, mover, target, None, time)  # "runs into the gutter"
                 continue
-            if (id(f), *pair) in d.times.told_hits:
-                continue  # one clause tells one collision of a pair
-            d.times.told_hits.add((id(f), *pair))
             out.append(_hit(d, f, *pair, time))
             time = None
     return out
@@ -332,29 +299,13 @@ def _who_hits(d: Discourse, f: Frame, mover: str, target: str) -> tuple[str, str
 def _hit(d: Discourse, f: Frame, mover: str, target: str, time: Time | None) -> str:
     """One collision, with what it settles of the arrivals told before."""
     aimed = d.times.pending.get(target)
-    if aimed is not None and aimed[0] in (NodeEvent.COLLISION, NodeEvent.ENTER_REGION):
-        mover, target = target, mover  # "a keeper blocks the shot": the ball arrives
     _settle_others(d, mover, target)
     share_support(d, f, mover, target)
-    ensure_mover(d, f, mover, target)
-    _was_under_way(d, f, target)
     event = add_event(d, NodeEvent.COLLISION, (mover, target), f, time)
     for one, other in ((mover, target), (target, mover)):
         arrival = d.times.pending.get(one)
-        same = arrival is not None and arrival[1].sentence == f.sentence
-        if arrival is not None and same and arrival[0] is NodeEvent.REACH and arrival[2] == other:
-            del d.times.pending[one]  # "throws it to a dog, which catches it": once
     d.moves.last_hit = (mover, target)
     return event
-
-
-def _was_under_way(d: Discourse, f: Frame, target: str) -> None:
-    """Sets what is hit in motion, where the prompt goes on as if it were: "then brakes"."""
-    e = entity_of(d, target)
-    if target in d.timeline.tracks or e.noun.kind not in SELF_POWERED or target in d.moves.still:
-        return
-    if goes_on(d.told, f.verb, target, e.adjectives, d.text):
-        own(d, target, SPEEDS.get(e.noun.kind, (50.0, 600.0)), False)
 
 
 def _settle_others(d: Discourse, mover: str, target: str) -> None:

@@ -4,16 +4,14 @@ from __future__ import annotations
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, kind_of, mark_used
-from esg.draft.discourse.decks import is_deck
-from esg.draft.discourse.places import fits_on, holds
+from esg.draft.discourse.places import holds
 from esg.draft.discourse.record import Discourse, Time
 from esg.draft.discourse.referents.registry import add_entity
 from esg.draft.discourse.scene import STRUCK
-from esg.draft.events.timing import is_airborne, settle
+from esg.draft.events.timing import settle
 from esg.draft.grammar.clauses.frames import Frame
 from esg.graph.models import NodeEvent
 
-_GROUNDED = lex.word_set("grounded")
 _OPEN_CARTS = lex.word_set("open carts")
 _TOUCHES = lex.word_set("touches")
 _LIDDED = lex.word_set("lidded")
@@ -64,17 +62,6 @@ def bounces_over(d: Discourse, actor: str, host: str) -> bool:
     """
     vessel = kind_of(d, host) != "box" and kind_of(d, actor) in STRUCK
     return actor in d.moves.came_down or (vessel and holds(d, host))
-
-
-def over_its_top(d: Discourse, f: Frame, actor: str, other: str) -> bool:
-    """ "A cup slides over the table": on it, unlike a ball that is kicked over a bench."""
-    sliding = f.verb.sense in ("slide", "roll") and not f.verb.passive
-    return sliding and kind_of(d, other) == "table" and fits_on(d, actor, other)
-
-
-def over_a_deck(d: Discourse, f: Frame, actor: str, other: str) -> bool:
-    """ "Drives over a pier", unlike what flies or jumps over it."""
-    return is_deck(entity_of(d, other)) and f.verb.lemma in _GROUNDED and not is_airborne(d, actor)
 
 
 def implied_goal(d: Discourse, ball: str) -> str:

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from esg.draft.discourse.core import aimable, entity_of, kind_of, structural
-from esg.draft.discourse.places import carries, elevated, fits_on, place
+from esg.draft.discourse.places import carries, elevated, place
 from esg.draft.discourse.record import Discourse
 from esg.draft.events.acts import add_event, add_hit, share_support
-from esg.draft.events.timing import PUSHING, enter, enterable, representatives, time_of
-from esg.draft.events.told import last_event, mates_of, recent, traits_of
+from esg.draft.events.timing import enter, enterable, representatives, time_of
+from esg.draft.events.told import recent, traits_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.graph.models import NodeEvent
 
@@ -33,10 +33,7 @@ def knock_on(d: Discourse, f: Frame, bodies: list[str]) -> None:
 def _knocked(d: Discourse, f: Frame, body: str, others: list[str], p: Phrase) -> None:
     """Where a blow sends a body: to, onto, into or off something."""
     other, part = others[0], p.mention.part if p.mention is not None else ""
-    if p.prep == "to" and aimable(d, other) and not part:
-        if f.verb.lemma in PUSHING:
-            d.times.pending[body] = (NodeEvent.REACH, f, other, None)
-    elif p.prep in ("to", "onto", "on") and structural(d, other):
+    if p.prep in ("to", "onto", "on") and structural(d, other):
         _down(d, f, body)
     elif p.prep in ("into", "in") and enterable(d, other):
         enter(d, f, body, other, p.mention, time_of(d, f))
@@ -104,62 +101,11 @@ def _at_last(f: Frame, word: str) -> bool:
 
 def _beside_its_mates(d: Discourse, body: str) -> None:
     """ "pushes the red block off the table ... and the green block off too": from there too."""
-    if body in d.scene.supported_by:
-        return
-    for node in reversed(d.timeline.nodes):
-        other = node.participants[0]
-        host = d.scene.supported_by.get(other, "")
-        if (
-            node.event is NodeEvent.FALL
-            and host
-            and entity_of(d, other).noun == entity_of(d, body).noun
-        ):
-            place(d, [body], [host], "on")
-            return
-
-
-def carried_along(d: Discourse, body: str) -> bool:
-    """ "hits the pallet and the stack collapses": moved by a hit of its support or a mate.
-
-    A member that the prompt names has left its plural, so that it needs a hit of its own.
-    """
-    last = last_event(d)
-    if last is None or last.event is not NodeEvent.COLLISION or body in d.timeline.tracks:
-        return False
-    mates = mates_of(d, body)
-    movers = (
-        {i for i in mates if entity_of(d, i).in_group} if entity_of(d, body).in_group else set()
-    )
-    host = d.scene.supported_by.get(body)
-    while host is not None and host not in movers:
-        movers.add(host)
-        host = d.scene.supported_by.get(host)
-    if not (movers - {body}) & {*last.participants}:
-        return False
-    d.timeline.carry(body, last.id)
-    return True
-
-
-def place_where_hit(d: Discourse, thing: str) -> None:
-    """Puts what comes down to the floor on what was hit, or on what its striker stands on."""
-    if thing in d.scene.supported_by or thing in d.timeline.tracks:
-        return
-    hits = [n.participants for n in d.timeline.nodes if n.event is NodeEvent.COLLISION]
-    strikers = {a for a, b in hits if b == thing}
-    for a, b in reversed(hits):
-        if thing not in (a, b) and (a in strikers or not strikers) and fits_on(d, thing, b):
-            place(d, [thing], [b], "on")
-            return
 
 
 def struck_before(d: Discourse, f: Frame, body: str) -> None:
     """ "thrown at a bottle, which falls": the fall implies the hit."""
     if body in d.timeline.tracks:
-        return
-    last = d.moves.last_hit
-    group = entity_of(d, body).group
-    if body in d.now.each and last is not None and group and entity_of(d, last[1]).group == group:
-        add_hit(d, f, [last[0]], [body])  # "hits two boxes and both fall"
         return
     for mover, aimed in d.moves.aim.items():
         track = d.timeline.tracks.get(mover)

@@ -21,13 +21,6 @@ def opening(d: Discourse, ids: list[str]) -> bool:
     return len(ids) == 1 and bool(set(entity_of(d, ids[0]).head.split()) & _HATCHES)
 
 
-def from_an_end(d: Discourse, f: Frame, p: Phrase, other: str) -> bool:
-    """Whether a motion starts at the end of a table or shelf, and stays on it."""
-    end = p.mention is not None and bool(_ENDS & set(p.mention.part.split()))
-    top = entity_of(d, other).noun.traits
-    return end and "support" in top and "incline" not in top and f.verb.sense != "fall"
-
-
 def off_the_edge(d: Discourse, f: Frame, p: Phrase, actors: list[str], time: Time | None) -> bool:
     """ "falls off the end", "over its edge": of the support it moves on."""
     m = p.mention

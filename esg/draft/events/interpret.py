@@ -29,20 +29,17 @@ from esg.draft.discourse.timeline import TimelineBuilder
 from esg.draft.discourse.underway import by_the_clock
 from esg.draft.discourse.windows import Draft
 from esg.draft.events.acts import add_event, outcomes
-from esg.draft.events.leftovers import hand_on, high_up
-from esg.draft.events.lengths import far_away
-from esg.draft.events.motions import speed_of_noun, target_of
+from esg.draft.events.leftovers import hand_on
 from esg.draft.events.senses import SENSES
 from esg.draft.events.senses.outcome import read_miss, target_of_mates
-from esg.draft.events.senses.state import attachment, mass_of_load, upon
-from esg.draft.events.timing import moved_by_others, precedes, settle, time_of
+from esg.draft.events.senses.state import attachment, mass_of_load
+from esg.draft.events.timing import precedes, settle, time_of
 from esg.draft.events.told import (
     constrain,
     ignore,
     last_event,
     mates_of,
     moves,
-    traits_of,
     unread,
 )
 from esg.draft.grammar.clauses.frames import Frame, Phrase
@@ -53,14 +50,12 @@ _THINGS_DO = lex.word_set("things do")
 _THINGS_DO_TO = lex.word_set("things do to")
 _RIDERS_OWN = ("be", "posture", "weigh", "fall", "topple")
 _BREAKING = lex.word_set("breaking (interpret)")
-_ACTED_ON = lex.word_set("acted on")
 _INSTEAD = re.compile(r"\binstead\b(?! of)", re.IGNORECASE)
 _BUT = re.compile(r"\b(?:but|yet)\b[^.;,]*$", re.IGNORECASE)
 _AT_FIRST = re.compile(
     r"\b(?:first|initially|until|till|before|for|after|yet|while|when|at the start|beginning)\b",
     re.IGNORECASE,
 )
-_NOTHING = re.compile(r"\bnothing\s*$", re.IGNORECASE)
 _HITS = (NodeEvent.COLLISION,)
 _NAMED_EVENTS = {
     **dict.fromkeys(("collision", "impact", "crash", "hit", "strike", "contact", "smash"), _HITS),
@@ -70,7 +65,6 @@ _NAMED_EVENTS = {
     "turn": (NodeEvent.HEADING_REACHED,),
 }
 """Nouns for events, and the point events they name."""
-_UNDER_WAY = re.compile(r"(?:halfway|midway|on the way|on (?:its|his|her|their) way)\b", re.I)
 _ANIMAL_VERBS = lex.word_set("animal verbs")
 
 _PERSON_VERBS = lex.word_set("person verbs")
@@ -114,7 +108,6 @@ def interpret(
     refer_all(d, frames)
     d.told = frames = by_the_clock(frames)
     dodge(frames, d.text)
-    upon(d, attachments)
     for m, p in attachments:
         attachment(d, m, p)
     before = -1
@@ -161,11 +154,7 @@ def read_frame(d: Discourse, f: Frame) -> None:
         ignore(d, f, "no physical meaning")
         hand_on(d, f)
         return
-    high_up(d, f, parts.subject)
     handler(d, f, parts.subject, parts.objects)
-    speed_of_noun(d, f, parts.subject)
-    far_away(d, f, parts.subject)
-    hand_on(d, f)
     for p, a in amounts_of(d, f):
         span = precedes(d, a) or (p == "for" and sense in ("fall", "drop"))
         if a.dimension == "time" and span and unread(d, a):
@@ -216,16 +205,11 @@ def _no_ground(d: Discourse, f: Frame, parts: Parts) -> bool:
             ignore(d, f, "the ground does not act")
             return True
         parts.subject = acting
-    if sense in _ACTED_ON:
-        parts.objects = [i for i in parts.objects if aimable(d, i)]
-    if sense in ("roll", "slide") and not f.verb.passive:
-        parts.objects = [i for i in parts.objects if "decal" not in traits_of(d, i)]
     return False
 
 
 def _turn_to(d: Discourse, f: Frame, parts: Parts) -> bool:
     """Settles what was aimed at before, and chooses the one of two that was struck."""
-    _settle_aims(d, f)
     d.now.instead = _INSTEAD.search(sentence(d, f)) is not None or (
         _BUT.search(d.text, max(0, f.verb.start - 30), f.verb.start) is not None
     )
@@ -296,9 +280,6 @@ def _ridden_instead(d: Discourse, f: Frame, parts: Parts) -> bool:
     mount = d.refs.mounts.get(id(f.subject)) if f.subject is not None else None
     if mount is not None and f.verb.sense not in _RIDERS_OWN:
         parts.subject = list(mount)
-    over = f.verb.sense == "topple" and f.verb.lemma == "roll" and not f.verb.passive
-    if over and parts.subject and "round" in traits_of(d, parts.subject[0]):
-        f.verb.sense = "roll"  # "a ball rolls over and hits it": comes over
     return False
 
 
@@ -353,10 +334,6 @@ def _unreal(d: Discourse, f: Frame, subject: list[str], objects: list[str]) -> N
     for p in f.phrases:
         if p.amount is not None:
             d.scene.used.setdefault((p.amount.start, p.amount.end), f.unreal)
-    target = objects[:1] or target_of(d, f, subject)
-    for actor in subject[:1]:
-        if target and moves(d, actor):
-            d.moves.aim[actor] = target[0]
 
 
 def _neither(d: Discourse, f: Frame, subject: list[str]) -> None:
@@ -366,9 +343,6 @@ def _neither(d: Discourse, f: Frame, subject: list[str]) -> None:
     two = list(dict.fromkeys(i for i in fit if aimable(d, i)))[:2]
     for actor in subject[:1]:
         for other in reversed(two):
-            pair = (NodeEvent.MISS, (actor, other))
-            if any((n.event, n.participants) == pair for n in d.timeline.nodes):
-                continue  # "drives past a cat and a dog. It hits neither"
             read_miss(d, replace(f, object=None), [actor], [other])
     mark_used(d, f, "misses")
 
@@ -386,48 +360,13 @@ def _one_by_one(f: Frame) -> set[str]:
     return out
 
 
-def _settle_aims(d: Discourse, f: Frame) -> None:
-    """What was thrown at something hits it before the prompt turns to other things."""
-    mentions = [f.subject, f.object, f.object2, *[p.mention for p in f.phrases]]
-    about = {i for m in mentions if m is not None for i in m.entities}
-    about |= {t for m in mentions if m is not None for t in d.refs.thrown.get(id(m), [])}
-    if f.verb.sense in ("miss", "hit"):
-        about |= {t for i in list(about) for t in d.refs.launched_by.get(i, [])}
-    for i in list(about):  # "the first misses": of those thrown at it the turn is the next's
-        about |= set(mates_of(d, i))
-    for actor, (kind, g, target, _) in list(d.times.pending.items()):
-        if kind is NodeEvent.REACH and g.sentence < f.sentence and _on_the_way(d, f):
-            del d.times.pending[actor]
-            continue
-        aimed = kind in (NodeEvent.COLLISION, NodeEvent.ENTER_REGION)
-        if aimed and g.sentence < f.sentence and about and not about & {actor, target}:
-            settle(d, actor, None)
-
-
-def _on_the_way(d: Discourse, f: Frame) -> bool:
-    """ "walks to the table. Halfway he stumbles": the arrival is not told."""
-    return f.start_of_sentence and _UNDER_WAY.match(sentence(d, f).strip()) is not None
-
-
 def _happens(d: Discourse, f: Frame) -> None:
     """ "The crash happens after 3 seconds", "the second collision 2 s after the first"."""
-    if _NOTHING.search(d.text, max(0, f.verb.start - 12), f.verb.start):
-        ignore(d, f, "nothing happens")
-        lull = next((a for _, a in amounts_of(d, f) if a.dimension == "time"), None)
-        d.times.gap = lull if lull is None or lull.bound is None else replace(lull, low=lull.high)
-        return
     last = _told_event(d, f.subject) or last_event(d)
     if last is None or last.time is not None or last.constraints:
         return
     p = f.phrase("after")
     since = _told_event(d, p.mention) if p is not None else None
-    span = next((a for _, a in amounts_of(d, f) if a.dimension == "time"), None)
-    if since is not None and since is not last and span is not None:
-        constrain(last, "time_since", span.value, since=since.id)
-        last.after.append(since.id)
-        mark_used(d, span, f"time of {last.id}")
-        mark_used(d, f, f"time of {last.id}")
-        return
     time = time_of(d, f)
     if time is not None and (last is d.timeline.nodes[0] or time[2] == "at"):
         last.time, last.time_prescribed = time[0], True
@@ -450,13 +389,6 @@ def _struck_one(d: Discourse, f: Frame, subject: list[str]) -> list[str]:
     m = f.subject
     if m is None or d.moves.last_hit is None or len(subject) != 1 or m.adjectives:
         return subject
-    unnamed = (m.pronoun == "one" and not m.determiner) or (
-        m.pronoun in ("them", "these", "those") and m.count == 1
-    )
-    mates = mates_of(d, subject[0])
-    if unnamed and set(d.moves.last_hit) <= set(mates) and moved_by_others(d, d.moves.last_hit[1]):
-        m.entities = [d.moves.last_hit[1]]
-        return list(m.entities)
     return subject
 
 

@@ -63,16 +63,6 @@ def stops_short(d: Discourse, f: Frame, actor: str, node_id: str) -> None:
         mark_used(d, a, f"gap at {node_id}")
 
 
-def starts_apart(d: Discourse, f: Frame, actors: list[str]) -> None:
-    """ "starts 5 m from a door": how far things are from each other at the start."""
-    for a in _lengths(d, f):
-        other = _apart_from(d, a)
-        others = [x for x in actors if x != other]
-        if other is not None and others:
-            d.scene.relations.append(Relation(others[0], other, "near", a.value))
-            mark_used(d, a, "distance at the start")
-
-
 def distance(d: Discourse, f: Frame, actors: list[str], aim: str | None) -> None:
     """ "toward a bench 6 m away": how far the target is at the start."""
     for a in _lengths(d, f):
@@ -88,21 +78,3 @@ def distance(d: Discourse, f: Frame, actors: list[str], aim: str | None) -> None
             if track is not None and (track.motion is not None or track.hit):
                 d.scene.travel[actors[0]] = a
                 mark_used(d, a, "distance travelled")
-
-
-def far_away(d: Discourse, f: Frame, subject: list[str]) -> None:
-    """ "lands in a bucket 5 m away": how far things are from each other at the start."""
-    for a in _lengths(d, f):
-        after = d.text[a.end : a.end + 8].strip().lower()
-        if not after.startswith(("away", "ahead", "further")):
-            continue
-        near = [
-            m
-            for m in (f.object, *[p.mention for p in f.phrases])
-            if m is not None and m.entities and m.end <= a.start
-        ]
-        others = [i for i in near[-1].entities if i not in subject] if near else []
-        if others and subject and not structural(d, others[0]):
-            for node in subject[:1]:
-                d.scene.relations.append(Relation(node, others[0], "near", a.value))
-            mark_used(d, a, "distance at the start")

@@ -7,8 +7,6 @@ from typing import Any
 from esg.draft import lexicon as lex
 from esg.draft.discourse.concurrence import (
     coincide,
-    later,
-    on_its_own,
     partner_of,
     told_apart_by,
 )
@@ -44,9 +42,6 @@ def representatives(d: Discourse, targets: list[str], movers: list[str]) -> list
         mates = [i for i in targets if e.group is not None and entity_of(d, i).group == e.group]
         if t in d.now.each or e.group is None:
             out.append(t)
-        elif e.pattern == "stack" and len(targets) > 1:
-            out.append(_of_a_stack(d, e.group, targets))
-            seen.add(e.group)
         elif any(not entity_of(d, i).letter and not entity_of(d, i).place for i in mates):
             out.append(_stands_for(d, mates))  # "hits a row of bins and pushes the red one"
             seen.add(e.group)
@@ -62,14 +57,6 @@ def _stands_for(d: Discourse, mates: list[str]) -> str:
     ]
     plain = [i for i in mates if not entity_of(d, i).letter and not entity_of(d, i).place]
     return next(iter([*named, *plain]))
-
-
-def _of_a_stack(d: Discourse, group: str, targets: list[str]) -> str:
-    """Who stands for a stack: the one struck before, one named by its level, or the lowest."""
-    mates = [i for i in d.world.groups.get(group, targets) if i in targets]
-    struck = [i for i in mates if (t := d.timeline.tracks.get(i)) is not None and t.hit]
-    named = [i for i in reversed(mates) if entity_of(d, i).place]
-    return next(iter([*struck, *named, *mates]), targets[0])
 
 
 def time_of(d: Discourse, f: Frame) -> Time | None:
@@ -144,10 +131,6 @@ def _since_when(
         previous = d.times.before_fall[1]
     if not unread(d, time[1]):
         return None, previous
-    if previous is not None and on_its_own(d, f, participants, time):
-        time = (time[0], time[1], "at")
-    if not later(d, time[1]):
-        previous = _begun(d, previous, participants[0])
     return time, previous
 
 
@@ -174,8 +157,6 @@ def _begun(d: Discourse, previous: str | None, mover: str) -> str | None:
     if node is None or node.event is not NodeEvent.TRIGGER or node.participants != (mover,):
         return previous
     changed = (EdgeEvent.BRAKE, EdgeEvent.ACCELERATED_MOTION)
-    if all(c.quantity != "speed_after" for c in node.constraints):
-        return previous
     begun = next((e.from_ for e in d.timeline.edges if e.to == node.id and e.event in changed), "")
     return None if begun == START else begun or previous
 

@@ -19,14 +19,13 @@ from esg.draft.events.acts import (
     kinematics,
     outcomes,
 )
-from esg.draft.events.consequences import knock_on, place_where_hit
+from esg.draft.events.consequences import knock_on
 from esg.draft.events.motions import motion, reverse, start_motion
 from esg.draft.events.senses.launch import launch_by, motion_of_things, read_launch
 from esg.draft.events.table import read_as, sense
-from esg.draft.events.timing import enterable, moved_by_others, time_of
+from esg.draft.events.timing import enterable, time_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
-from esg.draft.text.quantities import Amount
-from esg.graph.models import EventConstraint, NodeEvent
+from esg.graph.models import NodeEvent
 
 _MEETING = lex.word_set("meeting (contact)")
 _NO_THINGS = lex.word_set("no things")
@@ -40,7 +39,6 @@ _BESIDE = re.compile(
     re.IGNORECASE,
 )
 """What may stand between a thing and its own speed."""
-_CATCHING = lex.word_set("catching")
 
 
 _FELLING = lex.word_set("felling")
@@ -57,15 +55,11 @@ def read_hit(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
             add_event(d, NodeEvent.TOPPLE, (pin,), f, None)
         return
     time = time_of(d, f)
-    if f.object is not None and f.object.attribute and not o:
-        o = []
     if f.verb.passive and f.verb.extra.get("motion") and f.phrase("by") is None:
         f.verb.passive = False  # "is reversed into a lamp post"
         o = [i for i in o if i not in s]
     if f.verb.passive and f.verb.lemma == "stick" and o and f.phrase("by") is None:
         f.verb.passive = False  # "gets stuck in a bush"
-    if f.verb.passive and caught(d, f, s):
-        return
     if f.verb.passive:
         by = f.phrase("by")
         by = by or f.phrase("with")
@@ -85,8 +79,6 @@ def read_hit(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         targets = s
     else:
         movers, targets = s, hit_targets(d, f, s, o)
-        if f.verb.lemma in _CATCHING and not set(targets) & set(d.times.pending):
-            targets = list(d.times.pending)[-1:] or targets  # "but the keeper catches it"
         if not s and o and f.subject is None:
             # imperative "hit the ball into the goal": a launch
             read_launch(d, f, s, o)
@@ -116,11 +108,6 @@ def read_hit(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         return
     flat = all(map(partial(structural, d), targets))
     if flat and movers and not f.verb.passive and _crashes_down(d, f, movers):
-        return
-    encounter = f.verb.lemma == "meet" and all(kind_of(d, m) in SELF_POWERED for m in movers)
-    opposed = any("each other" in g.adverbs for g in d.told if g.sentence <= f.sentence)
-    if encounter and not targets and not opposed and not {"head-on", "hard"} & set(f.adverbs):
-        motion(d, f, movers, None)  # "two trains meet at a bridge"
         return
     if not targets and len(movers) >= 2:
         mutual(d, f, movers, time)
@@ -156,17 +143,11 @@ def read_hit(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
                 for i in ids
                 if i not in movers and not structural(d, i)
             ][:1]
-    _comes_too(d, f, movers, targets)
     kinematics(d, f, movers, targets)
     if f.verb.extra.get("motion") == "reverse":
         reverse(d, movers)
-    for m in movers if f.verb.lemma == "run" else ():
-        if moved_by_others(d, m) and kind_of(d, m) in ("person", "animal"):
-            start_motion(d, f, [m], "own", next(iter(targets), None))
     changing = [m for m in movers if _brakes_now(d, m) or comes_down_a_slope(d, m)]
     nodes = add_hit(d, f, movers, targets, time)
-    _speed_at_hit(d, f, nodes, changing)
-    after_hit(d, f, nodes, targets)
     if not o and not f.verb.passive:
         seen = list(targets)
         for p in f.phrases:
@@ -198,44 +179,11 @@ def whose_way(d: Discourse, f: Frame, struck: list[str]) -> list[str]:
         about = g.subject is not None and set(g.subject.entities) & {*struck}
         for p in [Phrase("", g.object), *g.phrases] if about else ():
             m = p.mention
-            if m is not None and m.head in WAYS and m.possessor is not None:
-                m = m.possessor  # "in a bus's way"
-            elif m is None or (m.part not in WAYS and p.prep not in _AHEAD):
+            if m is None or (m.part not in WAYS and p.prep not in _AHEAD):
                 continue
             if set(m.entities) - {*struck}:
                 return [i for i in m.entities if i not in struck and movable(d, i)][:1]
     return []
-
-
-def _comes_too(d: Discourse, f: Frame, movers: list[str], targets: list[str]) -> None:
-    """ "A car at 10 m/s collides with a truck at 15 m/s": both have a speed, so both move."""
-    end = max((m.end for m in d.mentions if set(m.entities) & {*targets}), default=-1)
-    told = [p for p in f.phrases if _speed_in(p) is not None]
-    own = [p for p in told if p is told[0] and len(told) > 1]
-    known = own or any(m in d.moves.stated or m in d.moves.own_speed for m in movers)
-    last = _speed_in(told[-1]) if told else None
-    if last is not None and known and len(targets) == 1 and not f.verb.passive:
-        between = d.text[end : last.start] if end < last.start else ""
-        if end > f.verb.end and _BESIDE.fullmatch(between):
-            d.moves.stated[targets[0]] = last
-            f.phrases = [p for p in f.phrases if p is not told[-1]]
-    for t in targets if not f.verb.passive else ():
-        track = d.timeline.tracks.get(t)
-        still = track is None or (track.motion is None and not track.hit)
-        going = track.motion if track is not None else None
-        if t in d.moves.stated and going is not None and not going.prescribed:
-            going.speed, going.prescribed = d.moves.stated[t].value, True
-            mark_used(d, d.moves.stated[t], "speed")
-        if t in d.moves.stated and still and movable(d, t) and t not in movers:
-            head_on = "head-on" in f.adverbs and bool(movers)
-            d.moves.own_speed[t] = d.moves.stated[t]
-            start_motion(d, f, [t], None, movers[0] if head_on else None)
-
-
-def _speed_in(p: Phrase) -> Amount | None:
-    """The speed that a phrase tells: "at 15 m/s", "with a speed of 1 m/s"."""
-    found = next((a for a in p.told if a.dimension == "speed"), None)
-    return found if found is not None and not found.shares else None
 
 
 def caught(d: Discourse, f: Frame, s: list[str]) -> bool:
@@ -252,8 +200,6 @@ def caught(d: Discourse, f: Frame, s: list[str]) -> bool:
     moving = [i for i in movers if i in d.timeline.tracks] or movers
     if len(others) != 2 or not moving:
         return False
-    add_hit(d, f, moving[:1], s, time_of(d, f))
-    add_hit(d, f, s, [i for i in others if i != moving[0]])
     return True
 
 
@@ -269,8 +215,6 @@ def _crashes_down(d: Discourse, f: Frame, movers: list[str]) -> bool:
         return False
     for mover in movers:
         fresh = mover not in d.timeline.tracks and kind_of(d, mover) not in SELF_POWERED
-        if fresh and p.prep == "to":
-            place_where_hit(d, mover)  # "strikes a shelf; a crate crashes to the ground"
         if mover in d.scene.supported_by or (fresh and p.prep == "to"):
             add_event(d, NodeEvent.FALL, (mover,), f, time_of(d, f))
     return any(m in d.scene.supported_by for m in movers)
@@ -294,18 +238,6 @@ def _brakes_now(d: Discourse, actor: str) -> bool:
     return track is not None and track.motion is not None and track.motion.mode == "brake"
 
 
-def _speed_at_hit(d: Discourse, f: Frame, nodes: list[str], changing: list[str]) -> None:
-    """ "brakes and hits the barrier at 4 m/s": the speed left, not the one driven before."""
-    found = quantity_of(d, f, "speed")
-    draft = d.timeline.node(nodes[0]) if nodes else None
-    if found is None or draft is None or draft.participants[0] not in changing:
-        return
-    draft.constraints.append(
-        EventConstraint(quantity="speed_before", object=draft.participants[0], value=found[1].value)
-    )
-    mark_used(d, found[1], f"speed before {draft.id}")
-
-
 def hit_targets(d: Discourse, f: Frame, s: list[str], o: list[str]) -> list[str]:
     if o:
         return o
@@ -319,39 +251,9 @@ def hit_targets(d: Discourse, f: Frame, s: list[str], o: list[str]) -> list[str]
     return []
 
 
-def after_hit(d: Discourse, f: Frame, nodes: list[str], targets: list[str]) -> None:
-    """Angles and the like stated with a hit."""
-    angle = quantity_of(d, f, "angle")
-    if angle is not None and nodes:
-        draft = d.timeline.node(nodes[0])
-        if draft is not None:
-            draft.constraints.append(
-                EventConstraint(
-                    quantity="angle", object=draft.participants[0], value=angle[1].value
-                )
-            )
-            mark_used(d, angle[1], f"angle of {nodes[0]}")
-
-
 def mutual(d: Discourse, f: Frame, movers: list[str], time: Time | None) -> None:
     """ "Two cars collide": who moves, who is hit."""
     a, b = movers[0], movers[1]
-    latest = d.timeline.node(d.timeline.last_event or "")
-    if (
-        latest is not None
-        and latest.event is NodeEvent.COLLISION
-        and set(latest.participants) == {a, b}
-        and time is None
-    ):
-        mark_used(d, f, latest.id)  # "they meet and collide"
-        return
-    ta, tb = d.timeline.tracks.get(a), d.timeline.tracks.get(b)
-    if (
-        entity_of(d, a).place == "front"
-        or (entity_of(d, b).place == "rear")
-        or (ta is None and tb is not None)
-    ):
-        a, b = b, a
     moving = [
         m
         for m in (a, b)

@@ -10,7 +10,6 @@ from esg.draft.discourse.event_coreference import time_of_told
 from esg.draft.discourse.record import Discourse, Time
 from esg.draft.discourse.scene import SELF_POWERED
 from esg.draft.discourse.tracks import Motion
-from esg.draft.discourse.windows import Draft
 from esg.draft.events.acts import add_event, add_hit, outcomes
 from esg.draft.events.lengths import stops_short
 from esg.draft.events.motions import direction_of, lasts, own, start_motion, wait
@@ -28,9 +27,6 @@ _SHOWN = lex.word_set("shown")
 def read_accelerate(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     able = [a for a in s or o if movable(d, a)]
     actors = [a for a in able if _speeds_up(d, a) or not _free_body(d, a)]
-    if not actors and (s or o):
-        d.scene.ignored[(f.verb.start, f.verb.end)] = "gravity does it"
-        return
     speeds = [(p, a) for p, a in amounts_of(d, f) if a.dimension == "speed"]
     rate = quantity_of(d, f, "acceleration")
     for actor in actors:
@@ -48,8 +44,6 @@ def read_accelerate(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
             if a.low != a.high and a.text.lower().startswith("from"):
                 start, prescribed = a.low, True
                 final = Amount("speed", a.high, a.high, a.start, a.end, a.text)
-            elif p == "from":
-                start, prescribed = a.value, True
             elif p in ("to", "until", "up to", ""):
                 final = a
             else:
@@ -136,14 +130,11 @@ def read_brake(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     if lasting is not None and actors:
         lasting = replace(lasting, high=lasting.low) if lasting.bound == "min" else lasting
         d.times.gap = lasting  # "brakes for 2 s and then hits"
-    found = quantity_of(d, f, "speed")
     rate = quantity_of(d, f, "acceleration")
     for actor in actors if rate is not None else []:
         start = _speed_before_brake(d, actor)
         if start is not None:
             d.moves.rates[actor] = (rate[1], start)
-    if found is not None and f.phrase("from") is None:
-        mark_used(d, found[1], "speed")
     mark_used(d, f, "braking")
 
 
@@ -235,11 +226,6 @@ def read_stop(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     if s and o and not f.verb.passive and s[0] != o[0] and _under_way(d, o[0]):
         add_hit(d, f, o[:1], s[:1], time_of(d, f))  # "the goalie stops the puck"
         return
-    blocks = bool(s) and bool(o) and not f.verb.passive and not movable(d, s[0])
-    if blocks and d.timeline.tracks.get(o[0]) is not None and movable(d, o[0]):
-        add_hit(d, f, o[:1], s[:1], time_of(d, f))  # "until a wall stops it"
-        _stop(d, f, o[0], None)
-        return
     actors = s or o
     if s and o and not f.verb.passive and set(s) != set(o) and _halts(d, f, s, o):
         actors = o  # "a man stops it"
@@ -257,7 +243,6 @@ def read_stop(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         if not moving:
             read_be(d, f, s, o)
             return
-    earlier, caught = d.timeline.last_event, False
     if f.verb.passive:
         by = f.phrase("by")
         if by is not None and by.mention is not None and by.mention.entities:
@@ -266,9 +251,6 @@ def read_stop(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         if not movable(d, actor):
             continue
         time = time_of(d, f)
-        if (time is None and _stands_by_now(d, actor)) or _hangs_still(d, actor):
-            mark_used(d, f, "stands already")  # "pulls up at a light and stops", "the clock stops"
-            continue
         rest = f.phrase("against")
         if rest is not None and rest.mention is not None:
             add_hit(d, f, [actor], [i for i in rest.mention.entities if i != actor][:1])
@@ -277,49 +259,18 @@ def read_stop(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         )
         _stop(d, f, actor, time)
         end = d.timeline.node(d.timeline.last_event or "")
-        if caught and end is not None:
-            _count_from(end, earlier)
         if way is not None and end is not None:  # "stops after 30 m"
             end.constraints.append(
                 EventConstraint(quantity="distance", object=actor, value=way.value)
             )
             mark_used(d, way, "distance travelled")
         _pauses(d, f, actor)
-    _places_loosely(d, f, actors)
 
 
 def _shown(f: Frame) -> bool:
     """ "Show a motorcycle stopping": what is asked for, no state of it."""
     asked = f.parent
     return asked is not None and asked.subject is None and asked.verb.lemma in _SHOWN
-
-
-def _stands_by_now(d: Discourse, actor: str) -> bool:
-    """Whether the last thing told of an actor is that it stopped."""
-    track = d.timeline.tracks.get(actor)
-    moves = track is not None and track.motion is not None and not track.closed
-    last = next((n for n in reversed(d.timeline.nodes) if actor in n.participants), None)
-    return last is not None and last.event is NodeEvent.STOP and not moves
-
-
-def _hangs_still(d: Discourse, actor: str) -> bool:
-    """Whether it hangs on a wall or from a ceiling and nothing has moved it."""
-    track = d.timeline.tracks.get(actor)
-    moved = track is not None and (track.motion is not None or track.hit)
-    return actor in d.scene.attached and not moved
-
-
-def _count_from(end: Draft, earlier: str | None) -> None:
-    """ "is stopped by a foot after 4 s": counted from what came before the foot."""
-    for k, c in enumerate(end.constraints):
-        if c.quantity != "time_since":
-            continue
-        if earlier is not None:
-            end.constraints[k] = c.model_copy(update={"since": earlier})
-        else:
-            del end.constraints[k]
-            end.time, end.time_prescribed = c.value, True
-        return
 
 
 def _halts(d: Discourse, f: Frame, s: list[str], o: list[str]) -> bool:
@@ -344,10 +295,6 @@ def _pauses(d: Discourse, f: Frame, actor: str) -> None:
     if pause is not None and kind_of(d, actor) in SELF_POWERED:
         d.moves.waiting[actor] = pause
         mark_used(d, pause, "waiting time")
-
-
-def _places_loosely(d: Discourse, f: Frame, actors: list[str]) -> None:
-    mark_used(d, f, "stop")
 
 
 def _stop(d: Discourse, f: Frame, actor: str, time: Time | None) -> None:

@@ -17,9 +17,8 @@ from esg.draft.discourse.core import (
 )
 from esg.draft.discourse.places import elevated, place, set_free
 from esg.draft.discourse.record import Discourse
-from esg.draft.discourse.scene import SELF_POWERED
-from esg.draft.events.acts import add_event, add_hit, ensure_mover, goes_in
-from esg.draft.events.consequences import place_where_hit, struck_before
+from esg.draft.events.acts import add_event, add_hit, goes_in
+from esg.draft.events.consequences import struck_before
 from esg.draft.events.edges import off_the_edge
 from esg.draft.events.landings import landing_of
 from esg.draft.events.motions import motion, natural, on_what_was_hit, start_motion
@@ -40,7 +39,6 @@ _UPRIGHT = lex.word_set("upright")
 _OVERTURNED = lex.word_set("overturned")
 _TWO_WHEELED = lex.word_set("two wheeled")
 _SOURCES = ("off", "from", "out of", "over", "down")
-_LOOSE = re.compile(r"\b(?:loose|adrift|unhooked|uncoupled)\b", re.IGNORECASE)
 _OTHER_SIDE = re.compile(r"\s+(?:down\s+)?on\s+(?:the|its)\s+(?:other|far)\s+side", re.IGNORECASE)
 _HANGING = frozenset({"chandelier"})
 STANDING_CM = 60.0
@@ -58,17 +56,10 @@ def read_drop(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     if beyond and under_way and not (o or f.verb.passive or s[0] in d.scene.supported_by):
         mark_used(d, f, "end of the flight")  # "clips the net and drops over"
         return
-    if f.verb.lemma == "unload" and not o and not f.verb.passive:
-        d.scene.ignored[(f.verb.start, f.verb.end)] = "what is unloaded is not said"
-        return
     things = s if f.verb.passive or not o else o
     agents = [x for x in s if x not in things]
     if agents:
         place(d, agents, things, "near")
-    if things and all(kind_of(d, t) == "flyer" for t in things) and f.verb.lemma == "release":
-        motion(d, f, things, "own")  # a glider flies on
-        heights(d, f, things)
-        return
     wheeled = bool(things) and kind_of(d, things[0]) in ("cart", "vehicle")
     if f.verb.lemma == "let" and wheeled and not _raised(d, things[0]):
         motion(d, f, things, None)  # "lets go of a cart"
@@ -96,7 +87,6 @@ def drop(d: Discourse, f: Frame, things: list[str]) -> None:
         if host:
             for t in moved:
                 place(d, [t], host, "on")
-                ensure_mover(d, f, t, None)
                 add_event(d, NodeEvent.FALL, (t,), f, time_of(d, f))
             landing_of(d, f, moved)
             return
@@ -118,30 +108,8 @@ def drop(d: Discourse, f: Frame, things: list[str]) -> None:
             d.times.pending[t] = (NodeEvent.FALL, f, None, time_of(d, f))
 
 
-def _leans_over(d: Discourse, f: Frame, actors: list[str]) -> bool:
-    """ "the first book falls against the second": it tips over beside it."""
-    p = f.phrase("against")
-    m = p.mention if p is not None else None
-    met = [i for i in m.entities if i not in actors and aimable(d, i)] if m else []
-    alone = f.phrase(*_SOURCES) is None and "off" not in f.adverbs
-    solid = [a for a in actors if "round" not in entity_of(d, a).noun.traits and movable(d, a)]
-    beings = any(kind_of(d, a) in ("person", "animal") for a in actors)
-    if not met or not alone or not solid or beings or is_airborne(d, solid[0]):
-        return False
-    if solid[0] in d.scene.heights or has_toppled(d, solid[0]):
-        return False
-    read_as(d, "topple", f, solid, [])
-    add_hit(d, f, solid[:1], met[:1])
-    return True
-
-
 @sense("fall")
 def read_fall(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    if _LOOSE.search(d.text, f.verb.start, f.verb.end) and s:
-        rolling = all({"wheeled", "floating"} & entity_of(d, i).noun.traits for i in s)
-        if rolling or all(kind_of(d, i) in SELF_POWERED for i in s):
-            d.scene.ignored[(f.verb.start, f.verb.end)] = "it is on its own from here on"
-            return  # "a trailer comes loose from a pickup"
     if "in" in f.adverbs and not f.phrases and any(map(partial(enterable, d), recent(d))):
         goes_in(d, f, s, time_of(d, f))  # "pushes until the rubble falls in"
         return
@@ -154,32 +122,16 @@ def read_fall(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     if towed and all(entity_of(d, i).noun.name == "trailer" for i in s):
         d.scene.ignored[(f.verb.start, f.verb.end)] = "it is on its own from here on"
         return
-    slope = f.phrase("down")
-    if (
-        slope is not None
-        and slope.mention is not None
-        and f.verb.lemma == "tumble"
-        and any("incline" in entity_of(d, i).noun.traits for i in slope.mention.entities)
-    ):
-        read_as(d, "roll", f, s, [])
-        return
     set_free(d, [x for x in s if kind_of(d, x) in ("post", "plant", "wall", "street")])
     set_free(d, [x for x in s if x in d.scene.attached])  # what hangs there comes down
     actors = representatives(d, s, [])
     fresh = [a for a in actors if a not in d.timeline.tracks]
-    if actors and all(map(partial(has_toppled, d), actors)):
-        down = f.phrase("off", "from", "out of", "over")
-        if down is None and landing_of(d, f, actors):
-            return
-    if _leans_over(d, f, actors):
-        return
     upright = [a for a in actors if _falls_over(d, a)]
     on_what_was_hit(d, f, fresh)
     ground = f.phrase("to")
     floor = ground.mention.entities if ground is not None and ground.mention else ["?"]
     down = bool(actors) and "?" not in floor and all(map(partial(structural, d), floor))
     if down and not _tall(d, actors[0]):
-        place_where_hit(d, actors[0])  # "a vase tumbles to the floor"
         upright = []
     edge = f.phrase("off", "over", "from", "out of") or f.phrase("at")
     if edge is not None and off_the_edge(d, f, edge, actors, time_of(d, f)):
@@ -194,10 +146,6 @@ def read_fall(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     ):
         read_as(d, "topple", f, s, [])
         return
-    low = [a for a in upright if a_rests_low(d, a)]
-    if len(low) < len(actors) and low and where is None and not f.adverbs:
-        read_as(d, "topple", f, low, [])  # one of them falls off what he rides
-        actors = [a for a in actors if a not in low]
     source = f.phrase(*_SOURCES)
     if source is not None and source.mention is not None and not source.mention.entities:
         source = None
@@ -233,14 +181,6 @@ def read_fall(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
             add_hit(d, f, upright[:1], struck[:1])
             return
     on_something = [a for a in fresh if a in d.scene.supported_by]
-    if (
-        fresh
-        and source is None
-        and f.phrase("onto", "on", "into", "in") is None
-        and not on_something
-    ):
-        drop(d, f, actors)
-        return
     if on_something:
         source = f.phrase("to") or source
         fresh_low: list[str] = []

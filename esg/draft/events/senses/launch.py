@@ -16,18 +16,17 @@ from esg.draft.discourse.core import (
 )
 from esg.draft.discourse.places import place
 from esg.draft.discourse.record import Discourse
-from esg.draft.discourse.referents.registry import add_entity, note_referents
+from esg.draft.discourse.referents.registry import add_entity
 from esg.draft.discourse.scene import SELF_POWERED
 from esg.draft.events.acts import add_event, add_hit, go_into, kinematics, outcomes
-from esg.draft.events.consequences import already_hit, carried_along, consequence, knock_on
+from esg.draft.events.consequences import already_hit, consequence, knock_on
 from esg.draft.events.lengths import distance
 from esg.draft.events.motions import each_passed, motion, start_motion, target_of
-from esg.draft.events.table import read_as, sense
+from esg.draft.events.table import sense
 from esg.draft.events.timing import (
     enterable,
     moved_by_others,
     representatives,
-    speed_after,
     start_height,
     time_of,
 )
@@ -63,11 +62,6 @@ def read_launch(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     if not f.verb.passive and not elsewhere and (out or _throws_off(d, s, thrown)):
         for thing in thrown:
             add_event(d, NodeEvent.FALL, (thing,), f, time_of(d, f))
-        return
-    if not things:
-        p = f.phrase("against", "on", "at")
-        if p is not None and p.mention is not None and agents:
-            read_as(d, "hit", f, agents, p.mention.entities)
         return
     launch_by(d, f, agents, things)
 
@@ -154,10 +148,6 @@ def launch_by(d: Discourse, f: Frame, agents: list[str], things: list[str]) -> N
         motion(d, f, agents, None)
         return
     mode = f.verb.note or "roll"
-    if f.verb.passive and not agents and mode == "slide" and carried_along(d, things[0]):
-        knock_on(d, f, things)  # "hits three wagons; the last one is pushed into a buffer"
-        consequence(d, f, things)
-        return
     if f.verb.lemma == "blow":
         agents = []  # the air that a fan moves touches it, not the fan
     bodily = [a for a in agents if kind_of(d, a) != "person"]
@@ -174,9 +164,6 @@ def launch_by(d: Discourse, f: Frame, agents: list[str], things: list[str]) -> N
     if agents and (pushed or (kind_of(d, things[0]) == "person" and mode in ("slide", "roll"))):
         # one person pushes another: contact, not a throw
         add_hit(d, f, agents[:1], things[:1], time_of(d, f))
-        stated = quantity_of(d, f, "speed")
-        if stated is not None:
-            speed_after(d, things[0], stated[1])
         knock_on(d, f, things)
         consequence(d, f, things)
         return
@@ -203,12 +190,6 @@ def motion_of_things(d: Discourse, f: Frame, things: list[str], mode: str) -> No
     if over is not None and over.mention is not None and not over.mention.part:
         mode = "throw" if mode in ("roll", "slide") else mode
     aim = next((t for t in target if aimable(d, t)), None)
-    if mode == "roll" and f.verb.lemma not in ("roll", "bowl", "putt", "dribble"):
-        aimed = entity_of(d, aim) if aim else None
-        if aimed is not None and (
-            aimed.noun.kind in ("hoop", "wall", "goal") and f.verb.lemma in ("shoot",)
-        ):
-            mode = "throw"
     if mode == "slide" and things and "round" in entity_of(d, things[0]).noun.traits:
         mode = "roll"
     moved = [t for t in representatives(d, things, []) if movable(d, t)]
@@ -237,10 +218,6 @@ def motion_of_things(d: Discourse, f: Frame, things: list[str], mode: str) -> No
     outcomes(d, f, moved)
     consequence(d, f, moved)
     aim_at(d, f, moved, aim)
-    if aim is not None:
-        for t in moved:
-            note_referents(d.world, [aim])
-            note_referents(d.world, [t], subject=f.verb.passive)
 
 
 def aim_at(d: Discourse, f: Frame, moved: list[str], aim: str | None) -> None:

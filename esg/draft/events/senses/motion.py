@@ -12,16 +12,14 @@ from esg.draft.discourse.core import (
     quantity_of,
     structural,
 )
-from esg.draft.discourse.event_coreference import time_of_told
 from esg.draft.discourse.places import holds, place
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import SELF_POWERED, STRUCK, Relation
 from esg.draft.events.acts import add_event, add_hit, ensure_mover, go_into, kinematics
 from esg.draft.events.arrivals import bounces_over
 from esg.draft.events.motions import flies_itself, motion, start_motion, target_of
-from esg.draft.events.senses.contact import after_hit, caught, hit_targets, mutual
+from esg.draft.events.senses.contact import hit_targets
 from esg.draft.events.senses.launch import aim_at, launch_by, motion_of_things
-from esg.draft.events.senses.state import read_acquire
 from esg.draft.events.senses.steer import turn
 from esg.draft.events.senses.topple import read_knock
 from esg.draft.events.table import read_as, sense
@@ -44,15 +42,8 @@ def read_own(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     if s and o and kind_of(d, s[0]) == "person" and kind_of(d, o[0]) in STRUCK:
         launch_by(d, f, s, o)  # "the batsman drives the ball past the bowler"
         return
-    if f.verb.passive and f.verb.lemma in ("squeeze", "crush", "press") and caught(d, f, s):
-        return
-    by = f.phrase("by")
     actors = list(s)
-    if f.verb.passive and by is not None:
-        actors = list(s)
-    elif (
-        o and s and kind_of(d, s[0]) == "person" and f.object is not None and not f.object.attribute
-    ):
+    if o and s and kind_of(d, s[0]) == "person" and f.object is not None and not f.object.attribute:
         if kind_of(d, o[0]) in SELF_POWERED:
             actors = o[:1]
             if f.subject is not None:
@@ -60,15 +51,6 @@ def read_own(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
             place(d, s, o, "near")
     elif not s and o:
         actors = o
-    mounted = [d.scene.supported_by.get(a, "") for a in actors]
-    if (
-        actors
-        and all(m and kind_of(d, m) in SELF_POWERED for m in mounted)
-        and kind_of(d, actors[0]) == "person"
-    ):
-        actors = list(dict.fromkeys(mounted))  # "a man on a bicycle rides"
-        if f.subject is not None:
-            d.refs.mounts[id(f.subject)] = actors
     actors = [a for a in actors if movable(d, a)]
     sides = [x for x in f.adverbs if x in ("left", "right")]
     if (
@@ -81,20 +63,7 @@ def read_own(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
             turn(d, f, actors, side, 90.0, NodeEvent.HEADING_REACHED)
         return
     mode = None
-    if actors and f.verb.lemma in (
-        "go",
-        "come",
-        "move",
-        "travel",
-        "race",
-        "speed",
-        "rush",
-        "hurtle",
-        "run",
-        "proceed",
-    ):
-        mode = None
-    elif actors and kind_of(d, actors[0]) in SELF_POWERED:
+    if actors and kind_of(d, actors[0]) in SELF_POWERED:
         mode = "own"
     if actors and f.verb.lemma in _ON_FOOT and kind_of(d, actors[0]) in ("person", "animal"):
         mode = "own"  # also what was hit: "is hit by a ball and runs into a fence"
@@ -145,13 +114,6 @@ def read_follow(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
 
 def _follows_in(d: Discourse, f: Frame, s: list[str], other: str) -> bool:
     """ "The cue ball follows it in": where the other one went."""
-    for node in reversed(d.timeline.nodes):
-        if node.event is NodeEvent.ENTER_REGION and node.participants == (other,):
-            for actor in s[:1]:
-                ensure_mover(d, f, actor, other)
-                region = node.extra["region"]
-                add_event(d, NodeEvent.ENTER_REGION, (actor,), f, time_of(d, f), region=region)
-            return bool(s)
     return False
 
 
@@ -276,18 +238,7 @@ def read_spin(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
 
 @sense("bounce")
 def read_bounce(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    slope = f.phrase("down")
-    if (
-        slope is not None
-        and slope.mention is not None
-        and any("incline" in entity_of(d, i).noun.traits for i in slope.mention.entities)
-    ):
-        read_roll(d, f, s, o)
-        return
     p = f.phrase("off", "against", "on", "from", "into", "onto")
-    if len(s) > 1 and "apart" in f.adverbs and p is None:
-        mutual(d, f, s, time_of(d, f))
-        return
     kinematics(d, f, s, [])
     for actor in s:
         if p is not None and p.mention is not None and p.mention.attribute:
@@ -305,11 +256,9 @@ def read_bounce(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
                 mark_used(d, f, "rebound of the collision")
             elif p.prep == "into" and _takes_up(d, actor, other):
                 _met_first(d, f, actor, other)
-                ensure_mover(d, f, actor, other)
                 go_into(d, f, actor, p.mention.entities, p, time_of(d, f))
             else:
                 nodes = add_hit(d, f, [actor], [other], time_of(d, f))
-                after_hit(d, f, nodes, [other])
         else:
             aimed = d.moves.aim.get(actor)
             track = d.timeline.tracks.get(actor)
@@ -322,11 +271,6 @@ def read_bounce(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         if q is not p and q.prep in ("off", "against") and q.mention is not None:
             others = [i for i in q.mention.entities if i not in s and not structural(d, i)]
             add_hit(d, f, s, others[:1])
-    to = f.phrase("to")
-    goal = to.mention.entities if to is not None and to.mention is not None else []
-    if goal and not structural(d, goal[0]) and not to.mention.attribute:
-        for actor in [a for a in s if a != goal[0]]:
-            d.times.pending[actor] = (NodeEvent.REACH, f, goal[0], None)  # "rebounds to a forward"
     into = f.phrase("into")
     if into is not None and p is not into:
         for actor in s:
@@ -353,9 +297,6 @@ def _ensure_drop(d: Discourse, f: Frame, actor: str) -> None:
 
 @sense("reach")
 def read_reach(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    if f.object is not None and f.object.attribute and quantity_of(d, f, "speed") is not None:
-        read_acquire(d, f, s, o)
-        return
     targets = o or hit_targets(d, f, s, [])
     for actor in s:
         lines = [t for t in targets if entity_of(d, t).noun.name == "finish line"]
@@ -366,23 +307,8 @@ def read_reach(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         if target is None or target == actor:
             motion(d, f, [actor], None)
             continue
-        into = d.timeline.node(d.timeline.last_event or "")
-        inside = str(into.extra.get("region", "")) if into is not None else ""
-        if (
-            into is not None
-            and into.event is NodeEvent.ENTER_REGION
-            and into.participants == (actor,)
-            and inside.startswith(f"{target}/")
-        ):
-            time_of_told(d, into.id, time_of(d, f))
-            mark_used(d, f, into.id)  # "is kicked into the goal and reaches it after 1.5 s"
-            continue
         ensure_mover(d, f, actor, target)
-        p = f.phrase("in", "into")
-        if p is not None and (holds(d, target) or kind_of(d, target) == "region"):
-            enter(d, f, actor, target, p.mention, time_of(d, f))
-        else:
-            add_event(d, NodeEvent.REACH, (actor, target), f, time_of(d, f))
+        add_event(d, NodeEvent.REACH, (actor, target), f, time_of(d, f))
 
 
 @sense("end")
@@ -390,8 +316,6 @@ def read_end(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """ "ends in the pond", "ends up on the floor": where it comes to be."""
     p = f.phrase("in", "into", "inside", "on", "onto", "against")
     if p is None or p.mention is None or not p.mention.entities or not s:
-        if f.verb.sense == "reach":
-            read_reach(d, f, s, o)
         return
     place = p.mention.entities[0]
     for actor in [a for a in s if a != place and movable(d, a)]:
@@ -401,10 +325,8 @@ def read_end(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
                 add_event(d, NodeEvent.FALL, (actor,), f, time_of(d, f))
             mark_used(d, f, "end of the motion")
         elif inner and (holds(d, place) or enterable(d, place)):
-            ensure_mover(d, f, actor, place)
             enter(d, f, actor, place, p.mention, time_of(d, f))
         else:
-            ensure_mover(d, f, actor, place)
             add_hit(d, f, [actor], [place], time_of(d, f))
 
 

@@ -25,11 +25,6 @@ def read_enter(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     if s and not o and f.phrase("into", "in") is None and any(map(partial(aimable, d), met)):
         read_as(d, "land", f, s, [])  # "splashes onto a parked car"
         return
-    wet = f.phrase("into", "in")
-    named = [*o, *(wet.mention.entities if wet is not None and wet.mention else [])]
-    if f.verb.lemma == "splash" and not any(map(partial(enterable, d), named)):
-        d.scene.ignored[(f.verb.start, f.verb.end)] = "water is not simulated"
-        return
     into = f.phrase("into", "in")
     if not o and into is not None and into.mention is not None:
         o = [i for i in into.mention.entities if enterable(d, i) or holds(d, i)]
@@ -51,18 +46,10 @@ def read_pocket(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     if f.verb.lemma == "sink" and any(kind_of(d, x) == "watercraft" for x in o or s):
         d.scene.ignored[(f.verb.start, f.verb.end)] = "sinking is not simulated"
         return
-    if f.verb.lemma == "sink" and not o:
-        p = f.phrase("in", "into")
-        bodies = s
-        s = []
-        if p is None:
-            d.scene.ignored[(f.verb.start, f.verb.end)] = "sinking is not simulated"
-            return
     strikers = [x for x in s if kind_of(d, x) in ("billiard", "ball")]
     if strikers and bodies and not already_hit(d, f, strikers, bodies):
         add_hit(d, f, strikers[:1], bodies, time_of(d, f))
     for b in bodies[:1]:
-        ensure_mover(d, f, b, None)
         p = f.phrase("in", "into", "to")
         goal = [i for i in (p.mention.entities if p and p.mention else [])]
         if goal:
@@ -103,9 +90,6 @@ def read_miss(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         s, o = list(by.mention.entities), s  # "is nearly hit by a motorbike"
     targets = hit_targets(d, f, s, o)
     if f.verb.lemma in ("catch", "grab") and f.verb.negated:
-        for thing in o:
-            if d.times.pending.get(thing, (None,))[0] is NodeEvent.REACH:
-                del d.times.pending[thing]
         d.scene.ignored[(f.verb.start, f.verb.end)] = "negated"
         return
     if not targets and len(s) > 1:
@@ -154,5 +138,4 @@ def read_avoid(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         o = [i for i in fit if aimable(d, i)][:1]
     for actor in s:
         for other in [x for x in o if x != actor][:1]:
-            ensure_mover(d, f, actor, None)
             add_event(d, NodeEvent.MISS, (actor, other), f, time_of(d, f))

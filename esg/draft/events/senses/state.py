@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import partial
-from itertools import pairwise
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import (
@@ -17,13 +16,11 @@ from esg.draft.discourse.core import (
     quantity_of,
     structural,
 )
-from esg.draft.discourse.places import RELATION_PREPS, hang, holds, place, towers
+from esg.draft.discourse.places import RELATION_PREPS, holds, place
 from esg.draft.discourse.record import Discourse
-from esg.draft.discourse.referents.entities import BODY_PARTS
 from esg.draft.discourse.referents.registry import apply_amount, current_id
 from esg.draft.discourse.scene import SELF_POWERED, Relation
 from esg.draft.events.acts import add_event, add_hit
-from esg.draft.events.lengths import starts_apart
 from esg.draft.events.motions import motion, sets_off_late
 from esg.draft.events.table import read_as, sense
 from esg.draft.events.timing import speed_after, start_height, time_of
@@ -47,7 +44,6 @@ _LEANT_ON_CM = 60.0
 _UPON = ("on", "in", "inside", "upon")
 _LEANING = frozenset({"lean", "prop"})
 _HANGING = lex.word_set("hanging")
-_HUNG_BY = lex.word_set("hung by")
 _SIDES = lex.word_set("sides (state)")
 _CARRIED_ALONG = lex.word_set("carried along")
 _RESTING = lex.word_set("resting (state)")
@@ -108,16 +104,7 @@ def attachment(d: Discourse, m: Mention, p: Phrase) -> None:
                 else:
                     d.scene.relations.append(Relation(o, owners[0], "near"))
         return
-    if p.prep == "on" and p.mention.head in BODY_PARTS:
-        # "slides down a ramp on its belly": how it lies, not where the ramp is
-        owners = [o for o in owners if not _carries_beings(d, o)]
     place(d, owners, others, p.prep, p.mention.part)
-
-
-def _carries_beings(d: Discourse, node: str) -> bool:
-    """Whether people and animals are on it, not it on them: slopes, furniture."""
-    traits = entity_of(d, node).noun.traits
-    return bool({"support", "incline"} & traits) or not movable(d, node)
 
 
 def _sharers(d: Discourse, owners: list[str], p: Phrase) -> list[str]:
@@ -153,10 +140,6 @@ def mass_of_load(d: Discourse, a: Amount) -> bool:
 @sense("be")
 def read_be(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     things = s or o
-    if f.subject is not None and f.subject.attribute and f.subject.possessor is None and not s:
-        things = o
-    if o and s and f.object is not None and f.object.attribute is False:
-        mark_used(d, f, "copula")
     _hovering(d, f, things)
     places(d, f, things)
     for _, a in amounts_of(d, f):
@@ -209,10 +192,6 @@ def read_posture(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     if f.verb.lemma == "stick" and not f.reduced and s and _at_end(d, f, s[0], "at"):
         p = f.phrase("at", "on", "in", "against", "onto", "upon")
         add_hit(d, f, s[:1], p.mention.entities[:1] if p and p.mention else [], time_of(d, f))
-        return
-    moved = s and not f.reduced and f.link == "then" and f.verb.lemma in _RESTING
-    if moved and not f.verb.passive and _at_end(d, f, s[0]):
-        read_as(d, "land", f, s, o)
         return
     read_be(d, f, s, o)
 
@@ -319,25 +298,11 @@ def places(d: Discourse, f: Frame, things: list[str]) -> None:
         pattern = "row"
     for t in things if pattern is not None else []:
         _pattern_of(d, t, pattern)
-    for _, a in amounts_of(d, f):
-        if a.dimension == "length" and d.text[a.end : a.end + 7].strip().startswith("apart"):
-            rows = d.world.groups.values()
-            whole = next((g for g in rows if things[:1] and things[0] in g), things)
-            for one, other in pairwise(things if len(things) > 1 else whole):
-                d.scene.relations.append(Relation(one, other, "near", a.value))
-                mark_used(d, a, "distance")
     for p in f.phrases:
         if p.mention is None or p.mention.attribute:
             _arrange(d, things, p)
             continue
         others = p.mention.entities
-        if f.verb.lemma in _HANGING and p.prep in _HUNG_BY and others:
-            high = towers(d, others[0]) or kind_of(d, others[0]) == "ceiling"
-            hung = [t for t in things if high and not structural(d, t)]
-            for t in hung:
-                hang(d, t, others[0])
-            if hung:
-                continue
         if f.verb.lemma in _LEANING and p.prep in ("on", "against", "at", "by") and others:
             host = entity_of(d, others[0])
             if (host.dimensions_cm or host.noun.dimensions_cm)[2] >= _LEANT_ON_CM:
@@ -416,15 +381,3 @@ def read_start(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     if speed is not None and len(s) == 1:
         d.moves.stated[s[0]] = speed[1]
     sets_off_late(d, f, s)
-    starts_apart(d, f, s)
-    _starts_off(d, f, s, o)
-
-
-def _starts_off(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    """ "The light turns green and the van starts": it drives off, and nothing more is told."""
-    fresh = [a for a in s if not d.timeline.track(a).motion and not d.timeline.track(a).hit]
-    driven = [a for a in fresh if kind_of(d, a) in SELF_POWERED]
-    at = next((k for k, g in enumerate(d.told) if g.verb is f.verb), 0)
-    later = {i for g in d.told[at + 1 :] if g.subject for i in g.subject.entities}
-    if driven and not o and not f.phrases and not later & {*driven}:
-        motion(d, f, driven, None)

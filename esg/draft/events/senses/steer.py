@@ -38,18 +38,12 @@ def read_turn(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         d.scene.ignored[(f.verb.start, f.verb.end)] = "a fixed object does not turn"
         return
     driven = [i for i in o[:1] if kind_of(d, i) == "vehicle"]
-    if driven and s and kind_of(d, s[0]) == "person" and f.subject is not None:
-        d.refs.mounts[id(f.subject)] = driven  # "The driver turns his car left and hits a tree"
-        s, o = driven, []
     own = f.object is not None and f.object.determiner in ("its", "his", "her")
     own = own and not driven
     if own and f.object is not None and (not o or o[:1] != s[:1]):
         d.scene.ignored[(f.verb.start, f.verb.end)] = "a part turns, not the whole"
         return
     words = [*f.adverbs, f.verb.extra.get("dir", "")]
-    for p in f.phrases:
-        if (p.mention is not None and p.mention.attribute) or (p.mention and p.mention.part):
-            words += [p.mention.head, p.mention.part]
     span = d.text[f.verb.start : f.verb.end + 40].lower()
     sides = {"left": "left", "anticlockwise": "left", "counterclockwise": "left"}
     sides |= {"right": "right", "clockwise": "right"}
@@ -69,9 +63,6 @@ def read_turn(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         actors = [a for a, t in d.timeline.tracks.items() if t.motion is not None][-1:]
     turn(d, f, actors, direction, degrees, NodeEvent.HEADING_REACHED)
     _further_turns(d, f, actors, degrees)
-    cross = f.phrase("at", "into", "onto", "down")
-    if cross is not None:
-        mark_used(d, f, "turn")
 
 
 def _further_turns(d: Discourse, f: Frame, actors: list[str], degrees: float) -> None:
