@@ -182,7 +182,7 @@ OUTCOMES: dict[str, Callable[[Discourse, str, Way], None]] = {
 
 def goes_in(d: Discourse, f: Frame, actors: list[str], time: Time | None) -> None:
     """ "bounces off the rim and goes in": into the goal, hoop or hole named before."""
-    named, known = recent(d), d.world.entities
+    named = recent(d)
     for actor in actors:
         goals = [i for i in named if enterable(d, i)]
         last = last_event(d)
@@ -298,12 +298,9 @@ def _who_hits(d: Discourse, f: Frame, mover: str, target: str) -> tuple[str, str
 
 def _hit(d: Discourse, f: Frame, mover: str, target: str, time: Time | None) -> str:
     """One collision, with what it settles of the arrivals told before."""
-    aimed = d.times.pending.get(target)
     _settle_others(d, mover, target)
     share_support(d, f, mover, target)
     event = add_event(d, NodeEvent.COLLISION, (mover, target), f, time)
-    for one, other in ((mover, target), (target, mover)):
-        arrival = d.times.pending.get(one)
     d.moves.last_hit = (mover, target)
     return event
 
@@ -341,19 +338,22 @@ def comes_down_a_slope(d: Discourse, mover: str) -> bool:
     return host is not None and moves(d, mover) and "incline" in traits_of(d, host)
 
 
+def braking(d: Discourse, mover: str) -> bool:
+    """Whether what moves it is that it brakes."""
+    track = d.timeline.tracks.get(mover)
+    return track is not None and track.motion is not None and track.motion.mode == "brake"
+
+
 def kinematics(d: Discourse, f: Frame, movers: list[str], targets: list[str]) -> None:
     """A stated speed belongs to the mover ("hits the wall at 5 m/s": just before it)."""
-    found = quantity_of(d, f, "speed")
-    if found is None or not movers:
+    if not movers or quantity_of(d, f, "speed") is None:
         return
     speed, prescribed = speed_of(d, f, movers, natural(d, movers[0]))
     for mover in movers:
         track = d.timeline.tracks.get(mover)
-        if track is not None and track.motion is not None and track.motion.mode == "brake":
+        if braking(d, mover) or comes_down_a_slope(d, mover):
             continue
-        if comes_down_a_slope(d, mover):
-            continue
-        if track is not None and track.motion is not None and not track.closed:
+        if moves(d, mover) and track is not None and track.motion is not None:
             track.motion.speed, track.motion.prescribed = speed, prescribed
         elif not moved_by_others(d, mover):
             start_motion(d, f, [mover], None, targets[0] if targets else None)

@@ -88,7 +88,7 @@ def read_miss(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     by = f.phrase("by")
     if f.verb.passive and by is not None and by.mention is not None and by.mention.entities:
         s, o = list(by.mention.entities), s  # "is nearly hit by a motorbike"
-    targets = hit_targets(d, f, s, o)
+    targets = hit_targets(f, s, o)
     if f.verb.lemma in ("catch", "grab") and f.verb.negated:
         d.scene.ignored[(f.verb.start, f.verb.end)] = "negated"
         return
