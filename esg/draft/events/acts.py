@@ -110,7 +110,7 @@ def _goes_in_off(d: Discourse, f: Frame, actors: list[str], time: Time | None) -
 
 def _into(d: Discourse, actor: str, way: Way) -> None:
     if actor in way.fallen and holds(d, way.others[0]):
-        enter(d, way.f, actor, way.others[0], way.m, way.time)
+        enter(d, way.f, actor, way.others[0], way.time)
     else:
         go_into(d, way.f, actor, way.others, way.p, way.time)
 
@@ -193,7 +193,7 @@ def goes_in(d: Discourse, f: Frame, actors: list[str], time: Time | None) -> Non
             posts = any(entity_of(d, i).head.split()[-1] in _GOALMOUTH for i in named)
             goal = implied_goal(d, actor) if posts else ""
         if goal and (enterable(d, goal) or holds(d, goal)):
-            enter(d, f, actor, goal, None, time)
+            enter(d, f, actor, goal, time)
 
 
 def go_into(
@@ -210,7 +210,7 @@ def go_into(
     elif enterable(d, other) or (
         _from_above(d, f, actor, other) and takes_up_from_above(d, other, p.prep)
     ):
-        enter(d, f, actor, other, p.mention, time)
+        enter(d, f, actor, other, time)
     else:
         add_hit(d, f, [actor], others, time)
 
@@ -276,7 +276,7 @@ def add_hit(
             if pair is None:
                 continue
             if f.verb.lemma in ("run", "drive", "slam") and kind_of(d, target) in _OPENINGS:
-                enter(d, f, mover, target, None, time)  # "runs into the gutter"
+                enter(d, f, mover, target, time)  # "runs into the gutter"
                 continue
             out.append(_hit(d, f, *pair, time))
             time = None

@@ -36,7 +36,7 @@ def _knocked(d: Discourse, f: Frame, body: str, others: list[str], p: Phrase) ->
     if p.prep in ("to", "onto", "on") and structural(d, other):
         _down(d, f, body)
     elif p.prep in ("into", "in") and enterable(d, other):
-        enter(d, f, body, other, p.mention, time_of(d, f))
+        enter(d, f, body, other, time_of(d, f))
     elif p.prep in ("into", "in") and not structural(d, other):
         add_hit(d, f, [body], others, time_of(d, f))
     elif p.prep in ("onto", "against") and not structural(d, other):

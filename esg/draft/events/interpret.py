@@ -29,7 +29,6 @@ from esg.draft.discourse.timeline import TimelineBuilder
 from esg.draft.discourse.underway import by_the_clock
 from esg.draft.discourse.windows import Draft
 from esg.draft.events.acts import add_event, outcomes
-from esg.draft.events.leftovers import hand_on
 from esg.draft.events.senses import SENSES
 from esg.draft.events.senses.outcome import read_miss, target_of_mates
 from esg.draft.events.senses.state import attachment, mass_of_load
@@ -152,7 +151,6 @@ def read_frame(d: Discourse, f: Frame) -> None:
     handler = SENSES.get(sense)
     if handler is None:
         ignore(d, f, "no physical meaning")
-        hand_on(d, f)
         return
     handler(d, f, parts.subject, parts.objects)
     for p, a in amounts_of(d, f):

@@ -30,7 +30,7 @@ def landing_of(d: Discourse, f: Frame, moved: list[str]) -> bool:
         if structural(d, other):
             _on_the_ground(d, f, t)
         elif takes_up_from_above(d, other, p.prep) or kind_of(d, other) in ("region", "water"):
-            enter(d, f, t, other, m, time_of(d, f))
+            enter(d, f, t, other, time_of(d, f))
         else:
             add_hit(d, f, [t], m.entities, time_of(d, f))
     return True

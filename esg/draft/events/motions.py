@@ -18,7 +18,6 @@ from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import SELF_POWERED, SPEEDS
 from esg.draft.discourse.timeline import LAUNCHES, START
 from esg.draft.discourse.tracks import Motion
-from esg.draft.events.leftovers import SETS_OFF
 from esg.draft.events.lengths import distance
 from esg.draft.events.timing import is_airborne, moved_by_others, speed_after, time_of
 from esg.draft.events.told import at_rest, constrain, last_event, last_of, size_of, things, unread
@@ -30,6 +29,7 @@ _AIRBORNE = lex.word_set("airborne")
 
 
 _TALL_CM = 50.0
+_SETS_OFF = lex.word_set("sets off")
 _AIMS = ("towards", "toward", "at", "to", "into", "onto", "against", "after", "on", "in")
 
 _IN_THE_AIR = lex.word_set("in the air")
@@ -114,7 +114,7 @@ def wait(d: Discourse, actor: str) -> None:
 
 def sets_off_late(d: Discourse, f: Frame, actors: list[str]) -> None:
     """ "After 3 s it drives off", "starts to roll at 2 s": it stands still until then."""
-    begins = f.verb.lemma in SETS_OFF or f.verb.extra.get("start")
+    begins = f.verb.lemma in _SETS_OFF or f.verb.extra.get("start")
     met = f.phrase("into", "against", "onto") is not None
     time = time_of(d, f) if begins and not met else None
     for actor in actors:

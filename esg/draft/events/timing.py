@@ -17,7 +17,6 @@ from esg.draft.discourse.timeline import START
 from esg.draft.discourse.windows import Draft
 from esg.draft.events.told import constrain, mates_of, moves, unread
 from esg.draft.grammar.clauses.frames import Frame
-from esg.draft.text.elements import Mention
 from esg.draft.text.quantities import Amount
 from esg.graph.models import EdgeEvent, EventConstraint, NodeEvent, Quantity, Role
 
@@ -265,7 +264,7 @@ def _land_aim(
         if there and n.event in (*_MEETING, NodeEvent.MISS) and mates & {*n.participants}:
             return  # "throws three stones at it; the last one knocks it off"
     if enterable(d, other):
-        enter(d, f, name, other, None, time)
+        enter(d, f, name, other, time)
     else:
         d.add_event(NodeEvent.COLLISION, (name, other), f, time)
         d.moves.last_hit = (name, other)
@@ -326,14 +325,8 @@ def is_airborne(d: Discourse, actor: str) -> bool:
     return any(e.actor == actor and e.params.elevation_deg is not None for e in d.timeline.edges)
 
 
-def enter(
-    d: Discourse,
-    f: Frame,
-    actor: str,
-    other: str,
-    m: Mention | None,
-    time: Time | None,
-) -> None:
+def enter(d: Discourse, f: Frame, actor: str, other: str, time: Time | None) -> None:
+    """Something enters a goal, a pocket, a vessel or water."""
     noun = entity_of(d, other).noun
     if noun.kind == "region":
         host = next((i for i, e in d.world.entities.items() if e.noun.kind == "billiardtable"), "")

@@ -60,7 +60,7 @@ def read_own(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     sides = [x for x in f.adverbs if x in ("left", "right")]
     if sides and kind in SELF_POWERED and f.verb.lemma in _TURNING:
         for side in sides:
-            turn(d, f, actors, side, 90.0, NodeEvent.HEADING_REACHED)
+            turn(d, f, actors, side, 90.0)
         return
     # also what was hit: "is hit by a ball and runs into a fence"
     afoot = f.verb.lemma in _ON_FOOT and kind in ("person", "animal")
@@ -270,7 +270,7 @@ def read_end(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
                 add_event(d, NodeEvent.FALL, (actor,), f, time_of(d, f))
             mark_used(d, f, "end of the motion")
         elif inner and (holds(d, end) or enterable(d, end)):
-            enter(d, f, actor, end, p.mention, time_of(d, f))
+            enter(d, f, actor, end, time_of(d, f))
         else:
             add_hit(d, f, [actor], [end], time_of(d, f))
 
