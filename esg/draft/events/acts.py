@@ -19,13 +19,15 @@ from esg.draft.discourse.core import (
 from esg.draft.discourse.event_coreference import time_of_told, told_before
 from esg.draft.discourse.places import carries, elevated, fits_on, holds, place, set_free
 from esg.draft.discourse.record import Discourse, Time
-from esg.draft.events.arrivals import (
+from esg.draft.events.ends import (
+    EDGES,
+    comes_down,
     heads_for,
     implied_goal,
+    off_the_edge,
     takes_up_from_above,
     touches_later,
 )
-from esg.draft.events.edges import EDGES, comes_down, off_the_edge
 from esg.draft.events.motions import natural, speed_of, start_motion
 from esg.draft.events.timing import (
     PUSHING,

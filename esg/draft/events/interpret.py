@@ -19,7 +19,7 @@ from esg.draft.discourse.core import (
 from esg.draft.discourse.dodging import dodge
 from esg.draft.discourse.event_coreference import sentence
 from esg.draft.discourse.in_turn import one_time_each
-from esg.draft.discourse.record import Discourse, Time
+from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.references import RIDDEN, STATES, refer_all
 from esg.draft.discourse.referents.entities import ORDINALS
 from esg.draft.discourse.referents.record import World
@@ -74,15 +74,6 @@ def begin(world: World, text: str, mentions: list[Mention]) -> Discourse:
     """The discourse of a prompt of which nothing has been read yet."""
     timeline = TimelineBuilder()
 
-    def event(
-        kind: NodeEvent,
-        participants: tuple[str, ...],
-        f: Frame,
-        time: Time | None,
-        **extra: object,
-    ) -> str:
-        return add_event(d, kind, participants, f, time, **extra)
-
     d = Discourse(
         world=world,
         text=text,
@@ -91,7 +82,7 @@ def begin(world: World, text: str, mentions: list[Mention]) -> Discourse:
         mentions=mentions,
         told=[],
         attached=[],
-        add_event=event,
+        add_event=lambda *a, **named: add_event(d, *a, **named),
         outcomes=lambda f, actors: outcomes(d, f, actors),
     )
     world.facts = partial(facts_of, d)
@@ -206,12 +197,11 @@ def _no_ground(d: Discourse, f: Frame, parts: Parts) -> bool:
     return False
 
 
-def _turn_to(d: Discourse, f: Frame, parts: Parts) -> bool:
-    """Settles what was aimed at before, and chooses the one of two that was struck."""
+def _instead(d: Discourse, f: Frame, parts: Parts) -> bool:
+    """ "throws a ball at a can but hits a box": it does not hit what it was aimed at."""
     d.now.instead = _INSTEAD.search(sentence(d, f)) is not None or (
         _BUT.search(d.text, max(0, f.verb.start - 30), f.verb.start) is not None
     )
-    parts.subject = _struck_one(d, f, parts.subject)
     return False
 
 
@@ -243,7 +233,10 @@ def _does_not_happen(d: Discourse, f: Frame, parts: Parts) -> bool:
     """What is planned, feared or denied; a hit that is denied is a miss."""
     sense, negated = f.verb.sense, f.verb.negated
     if f.unreal:
-        _unreal(d, f, parts.subject, parts.objects)
+        ignore(d, f, f.unreal)
+        for p in f.phrases:
+            if p.amount is not None:
+                d.scene.used.setdefault((p.amount.start, p.amount.end), f.unreal)
         return True
     if f.object is None and "neither" in f.adverbs and sense == "hit":
         _neither(d, f, parts.subject)
@@ -267,7 +260,7 @@ def _thrown_instead(d: Discourse, f: Frame, parts: Parts) -> bool:
     people = all(kind_of(d, i) == "person" for i in parts.subject)
     if things_do and flying and people and not set(flying) & set(parts.objects):
         parts.subject = list(flying)
-    parts.subject, parts.objects = _what_the_thrower_misses(d, f, parts.subject, parts.objects)
+    _what_the_thrower_misses(d, f, parts)
     return False
 
 
@@ -285,7 +278,7 @@ STEPS: tuple[Step, ...] = (
     _in_pairs,
     _mount_instead,
     _no_ground,
-    _turn_to,
+    _instead,
     _speeds_and_masses,
     _does_not_happen,
     _thrown_instead,
@@ -305,33 +298,25 @@ def _sense_here(f: Frame, parts: Parts) -> str:
     return sense
 
 
-def _what_the_thrower_misses(
-    d: Discourse, f: Frame, subject: list[str], objects: list[str]
-) -> tuple[list[str], list[str]]:
+def _what_the_thrower_misses(d: Discourse, f: Frame, parts: Parts) -> None:
     """ "She throws a ball at a can. She misses it and hits a box": the ball does both."""
+    subject, objects = parts.subject, parts.objects
     shot = d.refs.launched_by.get(subject[0], []) if len(subject) == 1 else []
     flying = [t for t in shot if moves(d, t)]
     missed = f.verb.sense == "miss"
     if f.verb.passive or f.verb.sense not in ("miss", "hit") or not flying:
-        return subject, objects
-    aims = [t for t in [d.moves.aim.get(flying[0])] if t] or target_of_mates(d, flying[0])
-    target = next(iter(aims), "")
+        return
+    aim = d.moves.aim.get(flying[0])
+    aims = [aim] if aim else target_of_mates(d, flying[0])
+    aimed = {*aims[:1], *[i for t in aims[:1] for i in mates_of(d, t)]} & {*objects}
     itself = set(objects) <= set(flying)  # "kicks another ball and hits it"
-    mates = mates_of(d, target) if target else []
-    told = itself and (missed or target)
-    if not told and objects[:1] != [target] and not set(objects) & set(mates):
-        return subject, objects
+    if not aimed and not (itself and (missed or aims)):
+        return
     if f.subject is not None:
         d.refs.thrown[id(f.subject)] = flying
-    return flying, (aims[:1] if not missed else []) if itself else objects
-
-
-def _unreal(d: Discourse, f: Frame, subject: list[str], objects: list[str]) -> None:
-    """What does not happen: at most the direction of a motion that is under way."""
-    ignore(d, f, f.unreal)
-    for p in f.phrases:
-        if p.amount is not None:
-            d.scene.used.setdefault((p.amount.start, p.amount.end), f.unreal)
+    if itself:
+        parts.objects = [] if missed else aims[:1]
+    parts.subject = flying
 
 
 def _neither(d: Discourse, f: Frame, subject: list[str]) -> None:
@@ -363,8 +348,6 @@ def _happens(d: Discourse, f: Frame) -> None:
     last = _told_event(d, f.subject) or last_event(d)
     if last is None or last.time is not None or last.constraints:
         return
-    p = f.phrase("after")
-    since = _told_event(d, p.mention) if p is not None else None
     time = time_of(d, f)
     if time is not None and (last is d.timeline.nodes[0] or time[2] == "at"):
         last.time, last.time_prescribed = time[0], True
@@ -380,14 +363,6 @@ def _told_event(d: Discourse, m: Mention | None) -> Draft | None:
     told = [n for n in d.timeline.nodes if n.event in kinds]
     place = next((ORDINALS[a] for a in m.adjectives if a in ORDINALS), -1)
     return told[place] if -len(told) <= place < len(told) else None
-
-
-def _struck_one(d: Discourse, f: Frame, subject: list[str]) -> list[str]:
-    """ "two balls collide and one of them rolls away": the one that was hit."""
-    m = f.subject
-    if m is None or d.moves.last_hit is None or len(subject) != 1 or m.adjectives:
-        return subject
-    return subject
 
 
 def _guess_kind(d: Discourse, node: str, lemma: str) -> None:

@@ -8,9 +8,9 @@ from esg.draft.discourse.core import amounts_of, entity_of, mark_used, structura
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.registry import current_id
 from esg.draft.discourse.scene import Relation
+from esg.draft.events.told import at_rest, constrain, unread
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.quantities import Amount
-from esg.graph.models import EventConstraint
 
 _APART = re.compile(
     r"\s*(?:(?:away|ahead|clear)\s+)?(?:directly\s+|right\s+|just\s+)?"
@@ -43,24 +43,16 @@ def _apart_from(d: Discourse, a: Amount) -> str | None:
 
 def _lengths(d: Discourse, f: Frame) -> list[Amount]:
     """Lengths of a clause that nothing has read yet."""
-    return [
-        a
-        for _, a in amounts_of(d, f)
-        if a.dimension == "length" and (a.start, a.end) not in d.scene.used
-    ]
+    return [a for _, a in amounts_of(d, f) if a.dimension == "length" and unread(d, a)]
 
 
 def stops_short(d: Discourse, f: Frame, actor: str, node_id: str) -> None:
     """ "stops 1 m in front of a barrier": the gap that is left when the event happens."""
-    node = d.timeline.node(node_id)
     for a in _lengths(d, f):
         other = _apart_from(d, a)
-        if other is None or other == actor or node is None:
-            continue
-        node.constraints.append(
-            EventConstraint(quantity="distance", object=actor, value=a.value, to=other)
-        )
-        mark_used(d, a, f"gap at {node_id}")
+        if other is not None and other != actor:
+            constrain(d.timeline.node(node_id), "distance", a.value, actor, to=other)
+            mark_used(d, a, f"gap at {node_id}")
 
 
 def distance(d: Discourse, f: Frame, actors: list[str], aim: str | None) -> None:
@@ -74,7 +66,6 @@ def distance(d: Discourse, f: Frame, actors: list[str], aim: str | None) -> None
         elif after.startswith("apart") or _FROM_AFAR.search(d.text[: a.start]):
             continue  # "two balls 4 m apart roll": the gap at the start (`spacing`)
         elif f.verb.sense in ("own", "roll", "slide", "fly", "launch", "reverse") and actors:
-            track = d.timeline.tracks.get(actors[0])
-            if track is not None and (track.motion is not None or track.hit):
+            if not at_rest(d, actors[0]):
                 d.scene.travel[actors[0]] = a
                 mark_used(d, a, "distance travelled")

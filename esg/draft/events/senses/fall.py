@@ -20,9 +20,8 @@ from esg.draft.discourse.core import (
 from esg.draft.discourse.places import elevated, place, set_free
 from esg.draft.discourse.record import Discourse
 from esg.draft.events.acts import add_event, add_hit, goes_in
-from esg.draft.events.consequences import struck_before
-from esg.draft.events.edges import off_the_edge
-from esg.draft.events.landings import landing_of
+from esg.draft.events.consequences import landing_of, struck_before
+from esg.draft.events.ends import off_the_edge
 from esg.draft.events.motions import motion, natural, on_what_was_hit, start_motion
 from esg.draft.events.senses.launch import heights, motion_of_things
 from esg.draft.events.table import read_as, sense

@@ -16,7 +16,7 @@ from esg.draft.discourse.places import holds, place
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import SELF_POWERED, STRUCK, Relation
 from esg.draft.events.acts import add_event, add_hit, ensure_mover, go_into, kinematics
-from esg.draft.events.arrivals import bounces_over
+from esg.draft.events.ends import bounces_over
 from esg.draft.events.motions import flies_itself, motion, start_motion, target_of
 from esg.draft.events.roles import doer_and_done
 from esg.draft.events.senses.contact import hit_targets

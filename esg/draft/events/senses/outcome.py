@@ -10,8 +10,8 @@ from esg.draft.discourse.places import holds
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.registry import add_entity
 from esg.draft.events.acts import add_event, add_hit, ensure_mover
-from esg.draft.events.arrivals import implied_goal
 from esg.draft.events.consequences import already_hit
+from esg.draft.events.ends import implied_goal
 from esg.draft.events.roles import doer_and_done, filling, role
 from esg.draft.events.senses.contact import aim_of_mates, hit_targets
 from esg.draft.events.table import read_as, sense
