@@ -8,14 +8,7 @@ from functools import partial
 import re
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.core import (
-    aimable,
-    amounts_of,
-    entity_of,
-    facts_of,
-    kind_of,
-    mark_used,
-)
+from esg.draft.discourse.core import aimable, amounts_of, entity_of, facts_of, kind_of, mark_used
 from esg.draft.discourse.dodging import dodge
 from esg.draft.discourse.event_coreference import sentence
 from esg.draft.discourse.in_turn import one_time_each
@@ -33,14 +26,7 @@ from esg.draft.events.senses import SENSES
 from esg.draft.events.senses.outcome import read_miss, target_of_mates
 from esg.draft.events.senses.state import attachment, mass_of_load
 from esg.draft.events.timing import precedes, settle, time_of
-from esg.draft.events.told import (
-    constrain,
-    ignore,
-    last_event,
-    mates_of,
-    moves,
-    unread,
-)
+from esg.draft.events.told import constrain, ignore, last_event, mates_of, moves, unread
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.text.elements import Mention
 from esg.graph.models import NodeEvent, Role

@@ -5,11 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.concurrence import (
-    coincide,
-    partner_of,
-    told_apart_by,
-)
+from esg.draft.discourse.concurrence import coincide, partner_of, told_apart_by
 from esg.draft.discourse.core import amounts_of, describe, entity_of, kind_of, mark_used, structural
 from esg.draft.discourse.record import Discourse, Time
 from esg.draft.discourse.scene import SELF_POWERED, pocket_name

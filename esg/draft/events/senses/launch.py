@@ -5,14 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.core import (
-    aimable,
-    amounts_of,
-    entity_of,
-    kind_of,
-    mark_used,
-    movable,
-)
+from esg.draft.discourse.core import aimable, amounts_of, entity_of, kind_of, mark_used, movable
 from esg.draft.discourse.places import place
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.registry import add_entity
@@ -30,15 +23,7 @@ from esg.draft.events.timing import (
     start_height,
     time_of,
 )
-from esg.draft.events.told import (
-    amount,
-    ignore,
-    moves,
-    recent,
-    size_of,
-    things,
-    traits_of,
-)
+from esg.draft.events.told import amount, ignore, moves, recent, size_of, things, traits_of
 from esg.draft.grammar.clauses.frames import Frame
 from esg.graph.models import NodeEvent
 

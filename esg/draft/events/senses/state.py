@@ -24,16 +24,7 @@ from esg.draft.events.acts import add_event, add_hit
 from esg.draft.events.motions import motion, sets_off_late
 from esg.draft.events.table import read_as, sense
 from esg.draft.events.timing import speed_after, start_height, time_of
-from esg.draft.events.told import (
-    amount,
-    at_rest,
-    ignore,
-    moves,
-    size_of,
-    things,
-    traits_of,
-    unread,
-)
+from esg.draft.events.told import amount, at_rest, ignore, moves, size_of, things, traits_of, unread
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.grammar.rewrites.shares import dealt
 from esg.draft.text.elements import Mention
