@@ -19,6 +19,8 @@ from esg.draft.discourse.core import (
 from esg.draft.discourse.event_coreference import time_of_told, told_before
 from esg.draft.discourse.places import carries, elevated, fits_on, holds, place, set_free
 from esg.draft.discourse.record import Discourse, Time
+from esg.draft.discourse.scene import SELF_POWERED, SPEEDS
+from esg.draft.discourse.underway import goes_on
 from esg.draft.events.ends import (
     EDGES,
     comes_down,
@@ -28,7 +30,7 @@ from esg.draft.events.ends import (
     takes_up_from_above,
     touches_later,
 )
-from esg.draft.events.motions import natural, speed_of, start_motion
+from esg.draft.events.motions import natural, own, speed_of, start_motion
 from esg.draft.events.timing import (
     PUSHING,
     enter,
@@ -94,10 +96,10 @@ def outcomes(d: Discourse, f: Frame, actors: list[str]) -> None:
                 add_event(d, NodeEvent.FALL, (actor,), f, time)  # "slips out of his hand"
             continue
         others = [i for i in m.entities if i not in actors]
-        if not others:
-            continue
         reader = OUTCOMES.get(p.prep)
-        for actor in actors if reader is not None else []:
+        if not others or reader is None:
+            continue
+        for actor in actors:
             reader(d, actor, Way(f, p, m, others, time, fallen))
 
 
@@ -300,11 +302,24 @@ def _who_hits(d: Discourse, f: Frame, mover: str, target: str) -> tuple[str, str
 
 def _hit(d: Discourse, f: Frame, mover: str, target: str, time: Time | None) -> str:
     """One collision, with what it settles of the arrivals told before."""
+    aimed = d.times.pending.get(target)
+    if aimed is not None and aimed[0] in (NodeEvent.COLLISION, NodeEvent.ENTER_REGION):
+        mover, target = target, mover  # "a keeper blocks the shot": the ball arrives
     _settle_others(d, mover, target)
     share_support(d, f, mover, target)
+    _was_under_way(d, f, target)
     event = add_event(d, NodeEvent.COLLISION, (mover, target), f, time)
     d.moves.last_hit = (mover, target)
     return event
+
+
+def _was_under_way(d: Discourse, f: Frame, target: str) -> None:
+    """Sets what is hit in motion, where the prompt goes on as if it were: "then brakes"."""
+    e = entity_of(d, target)
+    if target in d.timeline.tracks or e.noun.kind not in SELF_POWERED or target in d.moves.still:
+        return
+    if goes_on(d.told, f.verb, target, e.adjectives, d.text):
+        own(d, target, SPEEDS.get(e.noun.kind, (50.0, 600.0)), False)
 
 
 def _settle_others(d: Discourse, mover: str, target: str) -> None:

@@ -94,6 +94,10 @@ def struck_before(d: Discourse, f: Frame, body: str) -> None:
     """ "thrown at a bottle, which falls": the fall implies the hit."""
     if body in d.timeline.tracks:
         return
+    last = d.moves.last_hit
+    if body in d.now.each and last is not None and last[1] in mates_of(d, body):
+        add_hit(d, f, [last[0]], [body])  # "hits two boxes and both fall"
+        return
     for mover, aimed in d.moves.aim.items():
         track = d.timeline.tracks.get(mover)
         if aimed == body and track is not None and not track.closed:

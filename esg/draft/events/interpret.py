@@ -12,7 +12,7 @@ from esg.draft.discourse.core import aimable, amounts_of, entity_of, facts_of, k
 from esg.draft.discourse.dodging import dodge
 from esg.draft.discourse.event_coreference import sentence
 from esg.draft.discourse.in_turn import one_time_each
-from esg.draft.discourse.record import Discourse
+from esg.draft.discourse.record import Discourse, Time
 from esg.draft.discourse.references import RIDDEN, STATES, refer_all
 from esg.draft.discourse.referents.entities import ORDINALS
 from esg.draft.discourse.referents.record import World
@@ -60,6 +60,11 @@ def begin(world: World, text: str, mentions: list[Mention]) -> Discourse:
     """The discourse of a prompt of which nothing has been read yet."""
     timeline = TimelineBuilder()
 
+    def event(
+        kind: NodeEvent, participants: tuple[str, ...], f: Frame, time: Time | None, **more: object
+    ) -> str:
+        return add_event(d, kind, participants, f, time, **more)
+
     d = Discourse(
         world=world,
         text=text,
@@ -68,7 +73,7 @@ def begin(world: World, text: str, mentions: list[Mention]) -> Discourse:
         mentions=mentions,
         told=[],
         attached=[],
-        add_event=lambda *a, **named: add_event(d, *a, **named),
+        add_event=event,
         outcomes=lambda f, actors: outcomes(d, f, actors),
     )
     world.facts = partial(facts_of, d)
@@ -312,6 +317,9 @@ def _neither(d: Discourse, f: Frame, subject: list[str]) -> None:
     two = list(dict.fromkeys(i for i in fit if aimable(d, i)))[:2]
     for actor in subject[:1]:
         for other in reversed(two):
+            pair = (NodeEvent.MISS, (actor, other))
+            if any((n.event, n.participants) == pair for n in d.timeline.nodes):
+                continue  # "drives past a cat and a dog. It hits neither"
             read_miss(d, replace(f, object=None), [actor], [other])
     mark_used(d, f, "misses")
 

@@ -21,6 +21,7 @@ _APART = re.compile(
 """What stands between a length and the thing it is measured from."""
 
 _FROM_AFAR = re.compile(r"from\s+a\s+distance\s+of\s+(?:about\s+)?$", re.IGNORECASE)
+_TRAVELLING = ("own", "roll", "slide", "fly", "launch", "reverse")
 _PAINTED = frozenset({"crosswalk", "finish line"})
 """What lies on a road and ends: a road itself, or a crossing of two, is under who stops."""
 
@@ -65,7 +66,6 @@ def distance(d: Discourse, f: Frame, actors: list[str], aim: str | None) -> None
             mark_used(d, a, "distance at the start")
         elif after.startswith("apart") or _FROM_AFAR.search(d.text[: a.start]):
             continue  # "two balls 4 m apart roll": the gap at the start (`spacing`)
-        elif f.verb.sense in ("own", "roll", "slide", "fly", "launch", "reverse") and actors:
-            if not at_rest(d, actors[0]):
-                d.scene.travel[actors[0]] = a
-                mark_used(d, a, "distance travelled")
+        elif f.verb.sense in _TRAVELLING and actors and not at_rest(d, actors[0]):
+            d.scene.travel[actors[0]] = a
+            mark_used(d, a, "distance travelled")

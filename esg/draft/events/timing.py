@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.concurrence import coincide, partner_of, told_apart_by
+from esg.draft.discourse.concurrence import coincide, later, on_its_own, partner_of, told_apart_by
 from esg.draft.discourse.core import amounts_of, describe, entity_of, kind_of, mark_used, structural
 from esg.draft.discourse.record import Discourse, Time
 from esg.draft.discourse.scene import SELF_POWERED, pocket_name
@@ -126,7 +126,9 @@ def _since_when(
         previous = d.times.before_fall[1]
     if not unread(d, time[1]):
         return None, previous
-    return time, previous
+    if previous is not None and on_its_own(d, f, participants, time):
+        time = (time[0], time[1], "at")
+    return time, previous if later(d, time[1]) else _begun(d, previous, participants[0])
 
 
 def _time_since(d: Discourse, draft: Draft, time: Time, previous: str | None) -> None:
@@ -149,7 +151,8 @@ def _begun(d: Discourse, previous: str | None, mover: str) -> str | None:
     "It slows down to 5 m/s and hits a cone after 4 s": not 4 s after it has slowed down.
     """
     node = d.timeline.node(previous) if previous is not None else None
-    if node is None or node.event is not NodeEvent.TRIGGER or node.participants != (mover,):
+    changes = node is not None and any(c.quantity == "speed_after" for c in node.constraints)
+    if node is None or not changes or node.participants != (mover,):
         return previous
     changed = (EdgeEvent.BRAKE, EdgeEvent.ACCELERATED_MOTION)
     begun = next((e.from_ for e in d.timeline.edges if e.to == node.id and e.event in changed), "")
@@ -291,7 +294,7 @@ def start_height(d: Discourse, bodies: list[str], a: Amount) -> None:
                 EventConstraint(quantity="height", object=t, value=a.value)
             )
         elif before != a.value:
-            low = before if isinstance(before, float) else before[0]
+            low = before if isinstance(before, int | float) else before[0]
             told = f"{entity_of(d, t).label} starts at {low:g} cm and {a.low:g} cm"
             d.world.conflicts.append(told)
     mark_used(d, a, "start height")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
+import re
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, kind_of, mark_used, movable, quantity_of, structural
@@ -36,6 +37,13 @@ _PLACES_HIT = lex.word_set("places hit")
 _FELLING = lex.word_set("felling")
 _AHEAD = frozenset({"in front of", "before"})
 _STUMBLING = frozenset({"trip", "stumble"})
+_BESIDE = re.compile(
+    r"\s*(?:,\s*)?(?:\(|at|with\s+(?:an?\s+)?(?:constant\s+)?(?:speed|velocity)\s+of|doing|going"
+    r"|(?:which\s+is\s+|that\s+is\s+)?(?:moving|travell?ing|driving|rolling|sliding|coming)"
+    r"(?:\s+\w+){0,4}\s+(?:at|with))\s*",
+    re.IGNORECASE,
+)
+"""What may stand between a thing and its own speed."""
 _BLOWS = ("hit", "strike", "tap", "smack", "whack")
 
 
@@ -68,6 +76,7 @@ def read_hit(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         mutual(d, f, movers, time)
         return
     targets = targets or _implied(d, movers)
+    _comes_too(d, f, movers, targets)
     kinematics(d, f, movers, targets)
     if f.verb.extra.get("motion") == "reverse":
         reverse(d, movers)
@@ -206,6 +215,31 @@ def _speed_at_hit(d: Discourse, f: Frame, nodes: list[str], changing: list[str])
         mark_used(d, speed, f"speed before {node.id}")
 
 
+def _comes_too(d: Discourse, f: Frame, movers: list[str], targets: list[str]) -> None:
+    """ "A car at 10 m/s collides with a truck at 15 m/s": both have a speed, so both move."""
+    told = [p for p in f.phrases if any(a.dimension == "speed" for a in p.told)]
+    named = [m for p in f.phrases if (m := p.mention) is not None and {*m.entities} & {*targets}]
+    named += [m for m in [f.object] if m is not None and {*m.entities} & {*targets}]
+    known = len(told) > 1 or any(m in d.moves.stated or m in d.moves.own_speed for m in movers)
+    if f.verb.passive or len(targets) != 1:
+        return
+    if told and known and named:
+        last = next(a for a in told[-1].told if a.dimension == "speed")
+        between = d.text[named[-1].end : last.start]
+        if not last.shares and _BESIDE.fullmatch(between):
+            d.moves.stated[targets[0]] = last
+            f.phrases = [p for p in f.phrases if p is not told[-1]]
+    for t in [t for t in targets if t in d.moves.stated]:
+        track = d.timeline.tracks.get(t)
+        going = track.motion if track is not None else None
+        if going is not None and not going.prescribed:
+            going.speed, going.prescribed = d.moves.stated[t].value, True
+            mark_used(d, d.moves.stated[t], "speed")
+        if at_rest(d, t) and movable(d, t) and t not in movers:
+            d.moves.own_speed[t] = d.moves.stated[t]
+            start_motion(d, f, [t], None, movers[0] if movers and "head-on" in f.adverbs else None)
+
+
 def whose_way(d: Discourse, f: Frame, struck: list[str]) -> list[str]:
     """ "gets in the way of a tram and is hit", "runs in front of a bus": by that."""
     now = next((k for k, x in enumerate(d.told) if x.verb is f.verb), 0)
@@ -241,6 +275,10 @@ def hit_targets(f: Frame, s: list[str], o: list[str]) -> list[str]:
 def mutual(d: Discourse, f: Frame, movers: list[str], time: Time | None) -> None:
     """ "Two cars collide": who moves, who is hit."""
     a, b = movers[0], movers[1]
+    first, second = entity_of(d, a), entity_of(d, b)
+    comes = b in d.timeline.tracks and a not in d.timeline.tracks
+    if first.place == "front" or second.place == "rear" or comes:
+        a, b = b, a
     if at_rest(d, a) and at_rest(d, b):
         driven = any(kind_of(d, m) in SELF_POWERED for m in (a, b))
         driven = driven or all(m in d.moves.stated or m in d.moves.own_speed for m in (a, b))

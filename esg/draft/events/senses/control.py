@@ -192,6 +192,11 @@ def read_stop(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     if on_other and _flies(d, o[0]):
         add_hit(d, f, o[:1], s[:1], time_of(d, f))  # "the goalie stops the puck"
         return
+    blocks = on_other and not movable(d, s[0]) and movable(d, o[0]) and o[0] in d.timeline.tracks
+    if blocks:
+        add_hit(d, f, o[:1], s[:1], time_of(d, f))  # "until a wall stops it"
+        _stop(d, f, o[0], None)
+        return
     actors = o if on_other and _halts(d, f, s, o) else s or o
     actors = representatives(d, actors, []) if len(actors) > 2 else actors
     if _stands_there(d, f, actors):

@@ -205,8 +205,9 @@ def read_bounce(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
             others = [i for i in things(q) if i not in s and not structural(d, i)]
             add_hit(d, f, s, others[:1])
     into = f.phrase("into")
-    for actor in s if things(into) and into is not None and p is not into else []:
-        go_into(d, f, actor, things(into), into, None)
+    if into is not None and into is not p and things(into):
+        for actor in s:
+            go_into(d, f, actor, things(into), into, None)
 
 
 def _rebound(d: Discourse, f: Frame, actor: str, p: Phrase | None) -> None:

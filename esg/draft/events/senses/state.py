@@ -18,6 +18,7 @@ from esg.draft.discourse.core import (
 )
 from esg.draft.discourse.places import RELATION_PREPS, holds, place
 from esg.draft.discourse.record import Discourse
+from esg.draft.discourse.referents.entities import BODY_PARTS
 from esg.draft.discourse.referents.registry import apply_amount, current_id
 from esg.draft.discourse.scene import SELF_POWERED, Relation
 from esg.draft.events.acts import add_event, add_hit
@@ -66,11 +67,19 @@ def attachment(d: Discourse, m: Mention, p: Phrase) -> None:
     elif p.mention is not None:
         others = p.mention.entities or ids_of(d, p.mention, avoid=owners)
         if p.prep != "with":
+            if p.prep == "on" and p.mention.head in BODY_PARTS:
+                # "slides down a ramp on its belly": how it lies, not where the ramp is
+                owners = [o for o in owners if movable(d, o) and not _bears(d, o)]
             place(d, owners, others, p.prep, p.mention.part)
             return
         # "a table with bottles on it": the on-phrase places them; else they rest on a support
         loose = [o for o in others if o not in d.scene.supported_by and o not in owners]
         attachment_with(d, owners, loose)
+
+
+def _bears(d: Discourse, node: str) -> bool:
+    """Whether people and animals are on it, not it on them: slopes, furniture."""
+    return bool({"support", "incline"} & traits_of(d, node))
 
 
 def _tell(d: Discourse, owners: list[str], told: list[Amount], word: str, prep: str = "") -> None:
@@ -324,3 +333,8 @@ def read_start(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     if speed is not None and len(s) == 1:
         d.moves.stated[s[0]] = speed[1]
     sets_off_late(d, f, s)
+    driven = [a for a in s if at_rest(d, a) and kind_of(d, a) in SELF_POWERED]
+    at = next((k for k, g in enumerate(d.told) if g.verb is f.verb), 0)
+    later = {i for g in d.told[at + 1 :] if g.subject for i in g.subject.entities}
+    if driven and not o and not f.phrases and not later & {*driven}:
+        motion(d, f, driven, None)  # "The light turns green and the van starts"

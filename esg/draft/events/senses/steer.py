@@ -44,6 +44,9 @@ def read_turn(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         return
     own = f.object is not None and f.object.determiner in ("its", "his", "her")
     driven = bool(o) and kind_of(d, o[0]) == "vehicle"
+    if driven and s and kind_of(d, s[0]) == "person" and f.subject is not None:
+        d.refs.mounts[id(f.subject)] = o[:1]  # "The driver turns his car left and hits a tree"
+        s, o = o[:1], []
     if own and not driven and (not o or o[:1] != s[:1]):
         ignore(d, f, "a part turns, not the whole")
         return

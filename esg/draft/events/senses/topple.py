@@ -12,7 +12,7 @@ from esg.draft.events.roles import doer_and_done
 from esg.draft.events.senses.contact import whose_way
 from esg.draft.events.table import read_as, sense
 from esg.draft.events.timing import moved_by_others, representatives, speed_after, time_of
-from esg.draft.events.told import at_rest, happened, mates_of
+from esg.draft.events.told import at_rest, happened, mates_of, traits_of
 from esg.draft.grammar.clauses.frames import Frame
 from esg.graph.models import NodeEvent
 
@@ -25,8 +25,18 @@ def read_knock(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     elif s:
         kinematics(d, f, s, o)
         add_hit(d, f, s, o, time_of(d, f))
+    _topples_too(d, f, s, o)
     knock_on(d, f, o)
     consequence(d, f, o)
+
+
+def _topples_too(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
+    """A member of a row that knocks over the next one falls over itself."""
+    for a in s[:1]:
+        upright = kind_of(d, a) in ("domino", "pin") or "topples" in traits_of(d, a)
+        fallen = happened(d, NodeEvent.TOPPLE, a)
+        if upright and not fallen and moved_by_others(d, a) and {*mates_of(d, a)} & {*o}:
+            add_event(d, NodeEvent.TOPPLE, (a,), f, None)
 
 
 @sense("cause")
@@ -77,6 +87,7 @@ def read_topple(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     if o and movers and not tipped and not already_hit(d, f, movers, o):
         add_hit(d, f, movers[:1], o, time_of(d, f))
     bodies = representatives(d, o, s) if o else representatives(d, s, [])
+    _topples_too(d, f, s, bodies if o else [])
     for b in bodies:
         if not movable(d, b) or (len(s) > 1 and happened(d, NodeEvent.TOPPLE, b)):
             continue  # "a bike falls over, and all the bikes fall over": once
