@@ -23,6 +23,7 @@ from esg.draft.discourse.scene import SELF_POWERED, SPEEDS
 from esg.draft.discourse.underway import goes_on
 from esg.draft.events.ends import (
     EDGES,
+    bounces_over,
     comes_down,
     heads_for,
     implied_goal,
@@ -31,6 +32,7 @@ from esg.draft.events.ends import (
     touches_later,
 )
 from esg.draft.events.motions import natural, own, speed_of, start_motion
+from esg.draft.events.roles import role
 from esg.draft.events.timing import (
     PUSHING,
     enter,
@@ -52,7 +54,6 @@ _GOING = lex.word_set("going (acts)")
 WAYS = lex.word_set("ways (acts)")
 _HOLDING = lex.word_set("holding (acts)")
 _OPENINGS = frozenset({"hole", "water"})
-_PLACES = lex.word_set("places (acts)")
 _ENDING_IN = ("cause", "fall", "land", "pocket", "launch", "drop", "reach")
 _STANDING = ("noop", "be", "posture")
 
@@ -82,7 +83,7 @@ def outcomes(d: Discourse, f: Frame, actors: list[str]) -> None:
     """Events that a motion's prepositional phrases state: into, off, onto, against, past."""
     time = time_of(d, f)
     fallen: set[str] = set()
-    if "in" in f.adverbs and f.verb.lemma in _GOING and f.phrase("into", "in") is None:
+    if "in" in f.adverbs and f.verb.lemma in _GOING and role(f, "inside") is None:
         _goes_in_off(d, f, actors, time)
     for p in f.phrases:
         m = p.mention
@@ -136,6 +137,10 @@ def _off(d: Discourse, actor: str, way: Way) -> None:
         place(d, [actor], [other], "on")
         add_event(d, NodeEvent.FALL, (actor,), f, way.time)
         way.fallen.add(actor)
+        return
+    slides = f.verb.sense in ("slide", "roll") and not f.verb.passive and p.prep == "over"
+    if slides and kind_of(d, other) == "table" and fits_on(d, actor, other):
+        place(d, [actor], [other], "on")  # "a cup slides over the table"
 
 
 def _on_a_slope(d: Discourse, actor: str, way: Way) -> None:
@@ -234,6 +239,8 @@ def _from_above(d: Discourse, f: Frame, actor: str, other: str) -> bool:
     """Whether it comes out of the air, so that it can get over a rim."""
     sense = f.verb.sense
     if is_airborne(d, actor) and sense not in ("roll", "slide"):
+        return True
+    if sense == "bounce" and bounces_over(d, actor, other):
         return True
     return "there" in f.adverbs and actor in d.moves.came_down
 

@@ -7,6 +7,7 @@ from esg.draft.discourse.places import carries, elevated, place
 from esg.draft.discourse.record import Discourse
 from esg.draft.events.acts import add_event, add_hit, share_support
 from esg.draft.events.ends import opening, takes_up_from_above
+from esg.draft.events.roles import role
 from esg.draft.events.timing import enter, enterable, is_airborne, representatives, time_of
 from esg.draft.events.told import happened, mates_of, recent, traits_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
@@ -110,7 +111,7 @@ def landing_of(d: Discourse, f: Frame, moved: list[str]) -> bool:
     for way in f.phrases:
         if way.prep == "through" and way.mention and opening(d, way.mention.entities):
             way.prep = "by way of"  # "drops through a hatch onto a cart"
-    p = f.phrase("onto", "on", "into", "in", "through", "to", "upon")
+    p = role(f, "landing")
     m = p.mention if p is not None else None
     if p is None or m is None:
         return False

@@ -14,7 +14,6 @@ from esg.draft.events.told import recent, traits_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.graph.models import NodeEvent
 
-_ENDS = lex.word_set("ends (edges)")
 EDGES = lex.word_set("edges")
 _HATCHES = lex.word_set("hatches")
 _BACKS = lex.word_set("backs")

@@ -25,8 +25,8 @@ from esg.draft.events.acts import add_event, outcomes
 from esg.draft.events.senses import SENSES
 from esg.draft.events.senses.outcome import read_miss, target_of_mates
 from esg.draft.events.senses.state import attachment, mass_of_load
-from esg.draft.events.timing import precedes, settle, time_of
-from esg.draft.events.told import constrain, ignore, last_event, mates_of, moves, unread
+from esg.draft.events.timing import hand_on, precedes, settle, time_of
+from esg.draft.events.told import constrain, ignore, last_event, mates_of, moves, traits_of, unread
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.text.elements import Mention
 from esg.graph.models import NodeEvent, Role
@@ -133,8 +133,10 @@ def read_frame(d: Discourse, f: Frame) -> None:
     handler = SENSES.get(sense)
     if handler is None:
         ignore(d, f, "no physical meaning")
+        hand_on(d, f)
         return
     handler(d, f, parts.subject, parts.objects)
+    hand_on(d, f)
     for p, a in amounts_of(d, f):
         span = precedes(d, a) or (p == "for" and sense in ("fall", "drop"))
         if a.dimension == "time" and span and unread(d, a):
@@ -262,6 +264,9 @@ def _ridden_instead(d: Discourse, f: Frame, parts: Parts) -> bool:
     mount = d.refs.mounts.get(id(f.subject)) if f.subject is not None else None
     if mount is not None and f.verb.sense not in _RIDERS_OWN:
         parts.subject = list(mount)
+    over = f.verb.sense == "topple" and f.verb.lemma == "roll" and not f.verb.passive
+    if over and parts.subject and "round" in traits_of(d, parts.subject[0]):
+        f.verb.sense = "roll"  # "a ball rolls over and hits it": comes over
     return False
 
 

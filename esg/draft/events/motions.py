@@ -19,18 +19,15 @@ from esg.draft.discourse.scene import SELF_POWERED, SPEEDS
 from esg.draft.discourse.timeline import LAUNCHES, START
 from esg.draft.discourse.tracks import Motion
 from esg.draft.events.lengths import distance
-from esg.draft.events.timing import is_airborne, moved_by_others, speed_after, time_of
-from esg.draft.events.told import at_rest, constrain, last_event, last_of, size_of, things, unread
+from esg.draft.events.roles import filling, role
+from esg.draft.events.timing import SETS_OFF, moved_by_others, speed_after, time_of
+from esg.draft.events.told import at_rest, constrain, last_event, last_of, unread
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.quantities import Amount
 from esg.graph.models import ForceDirection, NodeEvent, Quantity
 
 _AIRBORNE = lex.word_set("airborne")
 
-
-_TALL_CM = 50.0
-_SETS_OFF = lex.word_set("sets off")
-_AIMS = ("towards", "toward", "at", "to", "into", "onto", "against", "after", "on", "in")
 
 _IN_THE_AIR = lex.word_set("in the air")
 _WINGED = lex.word_set("winged")
@@ -114,8 +111,8 @@ def wait(d: Discourse, actor: str) -> None:
 
 def sets_off_late(d: Discourse, f: Frame, actors: list[str]) -> None:
     """ "After 3 s it drives off", "starts to roll at 2 s": it stands still until then."""
-    begins = f.verb.lemma in _SETS_OFF or f.verb.extra.get("start")
-    met = f.phrase("into", "against", "onto") is not None
+    begins = f.verb.lemma in SETS_OFF or f.verb.extra.get("start")
+    met = role(f, "obstacle") is not None
     time = time_of(d, f) if begins and not met else None
     for actor in actors:
         track = d.timeline.track(actor)
@@ -186,7 +183,7 @@ def natural(d: Discourse, actor: str) -> str:
 
 def target_of(d: Discourse, f: Frame, avoid: list[str]) -> list[str]:
     """What a motion is aimed at."""
-    return [i for i in things(f.phrase(*_AIMS)) if i not in avoid]
+    return [i for i in filling(f, "aim") if i not in avoid]
 
 
 def motion(d: Discourse, f: Frame, actors: list[str], mode: str | None) -> None:
@@ -341,14 +338,3 @@ def reverse(d: Discourse, actors: list[str]) -> None:
             )
         if track.direction in (None, ForceDirection.ALONG_FORWARD_ONLY):
             track.direction = ForceDirection.ALONG_FORWARD_OR_BACKWARD
-
-
-def stands(d: Discourse, f: Frame, body: str) -> bool:
-    """Whether something tall stands or leans on the ground, where it can only tip over."""
-    e = entity_of(d, body)
-    tall = size_of(d, body)[2] >= _TALL_CM
-    held = body in d.scene.supported_by or body in d.scene.attached
-    down = f.phrase("off", "from", "out of", "over") is not None or "off" in f.adverbs
-    lifted = body in d.scene.heights or is_airborne(d, body)
-    upright = body in d.moves.leaning or ("topples" in e.noun.traits and tall)
-    return upright and not (held or down or lifted)

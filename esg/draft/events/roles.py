@@ -15,11 +15,20 @@ from esg.draft.grammar.clauses.frames import Frame, Phrase
 
 
 @cache
+def _rows() -> list[dict[str, str]]:
+    with open(lex.DATA / "roles.csv", encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file, delimiter=";"))
+
+
+@cache
 def roles() -> dict[tuple[str, str], tuple[str, ...]]:
     """Prepositions by role and sense."""
-    with open(lex.DATA / "roles.csv", encoding="utf-8", newline="") as file:
-        rows = list(csv.DictReader(file, delimiter=";"))
-    return {(r["role"], r["sense"]): tuple(r["prepositions"].split("|")) for r in rows}
+    return {(r["role"], r["sense"]): tuple(r["prepositions"].split("|")) for r in _rows()}
+
+
+def examples() -> list[tuple[str, str, str]]:
+    """Role, sentence and what fills the role in it, by row of the table."""
+    return [(r["role"], r["example"], r["filled by"]) for r in _rows()]
 
 
 def role(f: Frame, name: str) -> Phrase | None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+import re
 from typing import Any
 
 from esg.draft import lexicon as lex
@@ -11,6 +13,7 @@ from esg.draft.discourse.record import Discourse, Time
 from esg.draft.discourse.scene import SELF_POWERED, pocket_name
 from esg.draft.discourse.timeline import START
 from esg.draft.discourse.windows import Draft
+from esg.draft.events.roles import role
 from esg.draft.events.told import constrain, mates_of, moves, unread
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.quantities import Amount
@@ -23,6 +26,10 @@ _TIMES = frozenset(
 )
 _MEETING = (NodeEvent.COLLISION, NodeEvent.ENTER_REGION)
 _REPLACING = (*_MEETING, NodeEvent.REACH, NodeEvent.TOPPLE, NodeEvent.FALL)
+_ON_THE_WAY = lex.word_set("on the way")
+_WITHIN = ("in", "within", "over")
+_LASTS = re.compile(r"(?:over|(?:with)?in) the (?:course|space) of|within|inside|in under", re.I)
+SETS_OFF = lex.word_set("sets off")
 PUSHING = lex.word_set("pushing")
 
 
@@ -232,7 +239,7 @@ def settle(
 def _leaves(f: Frame) -> bool:
     """ "falls off", "comes loose", "two drums fall down": a fall from what it stood on."""
     down = "down" in {*f.adverbs, f.verb.extra.get("particle", "")} and not f.phrases
-    leaves = f.phrase("off", "from", "out of") is not None or {"off", "out"} & {*f.adverbs}
+    leaves = role(f, "source") is not None or {"off", "out"} & {*f.adverbs}
     return bool(leaves) or down or f.verb.lemma in ("come", "break", "detach")
 
 
@@ -277,6 +284,21 @@ def enterable(d: Discourse, node: str) -> bool:
 def precedes(d: Discourse, a: Amount) -> bool:
     """Whether a time says how long before the next event: "2 seconds before B hits"."""
     return d.text[a.end : a.end + 8].lower().startswith(" before ")
+
+
+def hand_on(d: Discourse, f: Frame) -> None:
+    """ "closes the gap in 2 s and hits it": the time of what comes next in the sentence."""
+    after = [g for g in d.told if g.sentence == f.sentence and g.verb.start > f.verb.start]
+    following = next((g for g in after if not g.unreal), None)
+    begins = f.verb.lemma in SETS_OFF or f.verb.extra.get("start")
+    if f.verb.sense not in _ON_THE_WAY or begins or following is None:
+        return  # "after 3 s it drives off and hits": when it sets off
+    for p, a in amounts_of(d, f):
+        free = a.dimension == "time" and not a.measure and d.times.gap is None and unread(d, a)
+        if free and following.link != "purpose" and (p in _WITHIN or _LASTS.match(a.text)):
+            within = a.bound == "max" or p == "within"
+            d.times.gap = replace(a, low=0.05 * a.high) if within else a
+            d.times.gap_of = f
 
 
 def start_height(d: Discourse, bodies: list[str], a: Amount) -> None:

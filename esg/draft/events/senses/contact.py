@@ -26,7 +26,7 @@ from esg.draft.events.motions import motion, reverse, start_motion
 from esg.draft.events.roles import role
 from esg.draft.events.senses.launch import launch_by, motion_of_things, read_launch
 from esg.draft.events.table import read_as, sense
-from esg.draft.events.timing import enterable, time_of
+from esg.draft.events.timing import enterable, moved_by_others, time_of
 from esg.draft.events.told import amount, at_rest, constrain, ignore, recent, things
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.graph.models import NodeEvent
@@ -80,6 +80,9 @@ def read_hit(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     kinematics(d, f, movers, targets)
     if f.verb.extra.get("motion") == "reverse":
         reverse(d, movers)
+    for m in movers if f.verb.lemma == "run" else ():
+        if moved_by_others(d, m) and kind_of(d, m) in ("person", "animal"):
+            start_motion(d, f, [m], "own", next(iter(targets), None))
     changing = [m for m in movers if braking(d, m) or comes_down_a_slope(d, m)]
     nodes = add_hit(d, f, movers, targets, time)
     _speed_at_hit(d, f, nodes, changing)

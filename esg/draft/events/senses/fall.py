@@ -56,6 +56,9 @@ def read_drop(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     if beyond and under_way and not (o or f.verb.passive or s[0] in d.scene.supported_by):
         mark_used(d, f, "end of the flight")  # "clips the net and drops over"
         return
+    if f.verb.lemma == "unload" and not o and not f.verb.passive:
+        ignore(d, f, "what is unloaded is not said")
+        return
     dropped = s if f.verb.passive or not o else o
     agents = [x for x in s if x not in dropped]
     if agents:

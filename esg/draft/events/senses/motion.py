@@ -18,7 +18,7 @@ from esg.draft.discourse.scene import SELF_POWERED, STRUCK, Relation
 from esg.draft.events.acts import add_event, add_hit, ensure_mover, go_into, kinematics
 from esg.draft.events.ends import bounces_over
 from esg.draft.events.motions import flies_itself, motion, start_motion, target_of
-from esg.draft.events.roles import doer_and_done
+from esg.draft.events.roles import doer_and_done, filling
 from esg.draft.events.senses.contact import hit_targets
 from esg.draft.events.senses.launch import aim_at, launch_by, motion_of_things
 from esg.draft.events.senses.steer import turn
@@ -183,7 +183,7 @@ def read_spin(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     if own and about and f.phrase("to", "into") is None:
         read_as(d, "turn", f, s, o)  # "the robot spins around", which no hit makes it do
         return
-    under = things(f.phrase("on", "upon"))
+    under = filling(f, "surface")
     if s and under:
         place(d, s, under, "on")
     elif s and not moved_by_others(d, s[0]):
@@ -278,7 +278,7 @@ def read_end(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
 
 @sense("swing")
 def read_swing(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    into = things(f.phrase("into", "against", "onto"))
+    into = filling(f, "obstacle")
     target = hit_targets(f, s, o)
     if o and into:
         add_hit(d, f, o[:1], into[:1], time_of(d, f))  # "a crane swings a beam into a scaffold"

@@ -16,7 +16,7 @@ from esg.draft.discourse.core import (
     quantity_of,
     structural,
 )
-from esg.draft.discourse.places import RELATION_PREPS, holds, place
+from esg.draft.discourse.places import RELATION_PREPS, hang, holds, place, towers
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.entities import BODY_PARTS
 from esg.draft.discourse.referents.registry import apply_amount, current_id
@@ -44,6 +44,8 @@ _PATTERN_VERBS = {
 """Arrangement of a plural by the verb that says how it stands."""
 _LEANT_ON_CM = 60.0
 _LEANING = frozenset({"lean", "prop"})
+_HANGING = lex.word_set("hanging")
+_HUNG_BY = lex.word_set("hung by")
 _BESIDE = ("on", "against", "at", "by")
 _FILLING = ("cover", "load", "fill", "stack", "set")
 _MEASURES = ("tall", "high", "wide", "long", "thick", "deep")
@@ -257,6 +259,8 @@ def places(d: Discourse, f: Frame, bodies: list[str]) -> None:
         others = things(p)
         if p.mention is None or p.mention.attribute:
             _arrange(d, bodies, p)
+        elif f.verb.lemma in _HANGING and p.prep in _HUNG_BY and _hangs(d, bodies, others):
+            continue
         elif p.prep == "with" and f.verb.lemma in _FILLING:
             loaded = f.verb.lemma == "load" and bodies and kind_of(d, bodies[0]) in SELF_POWERED
             if loaded:
@@ -274,6 +278,15 @@ def places(d: Discourse, f: Frame, bodies: list[str]) -> None:
             for t in bodies:
                 d.scene.relations.append(Relation(t, others[0], "near", gap.value))
             mark_used(d, gap, "distance")
+
+
+def _hangs(d: Discourse, bodies: list[str], others: list[str]) -> bool:
+    """ "A lamp hangs from the ceiling": fixed to what is above it."""
+    high = bool(others) and (towers(d, others[0]) or kind_of(d, others[0]) == "ceiling")
+    hung = [t for t in bodies if high and not structural(d, t)]
+    for t in hung:
+        hang(d, t, others[0])
+    return bool(hung)
 
 
 def _leans(d: Discourse, host: str) -> bool:

@@ -77,6 +77,10 @@ def read_topple(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         read_as(d, "fall", f, s, o)  # "a pallet tips off a forklift"
         return
     set_free(d, o or s)
+    next_one = f.object is not None and "next" in f.object.adjectives
+    if s and next_one and f.subject is not None and f.subject.determiner in ("each", "every"):
+        mates = mates_of(d, s[0])
+        s, o = (mates[:1], mates[1:2]) if len(mates) > 1 else (s, o)
     if f.verb.passive:
         s, o = doer_and_done(f, s, o)
         knocked = f.verb.extra.get("contact") and o and not moved_by_others(d, o[0])
