@@ -55,21 +55,14 @@ def read_hit(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     time = time_of(d, f)
     if f.verb.passive and _runs_in_itself(f, o):
         f.verb.passive, o = False, [i for i in o if i not in s]
-    if f.verb.passive:
-        movers, targets = _strikers(d, f, s), s
-        if not movers and s:
-            thrown = quantity_of(d, f, "angle") is not None
-            motion_of_things(d, f, s, "throw") if thrown else motion(d, f, s, None)
-            return  # "a cue ball is struck at 3 m/s"
-    elif not s and o and f.subject is None:
+    if not s and o and f.subject is None and not f.verb.passive:
         read_launch(d, f, s, o)  # "hit the ball into the goal"
         return
-    else:
-        movers, targets = s, hit_targets(f, s, o)
-    host = f.phrase("on", "in", "at")
-    if len(movers) >= 2 and host is not None and targets == things(host):
-        place(d, movers, targets, host.prep)
-        targets = []
+    movers, targets = _who_and_what(d, f, s, o)
+    if f.verb.passive and not movers and s:
+        thrown = quantity_of(d, f, "angle") is not None
+        motion_of_things(d, f, s, "throw") if thrown else motion(d, f, s, None)
+        return  # "a cue ball is struck at 3 m/s"
     if any(read(d, f, movers, targets) for read in _NO_HITS):
         return
     if not targets and len(movers) >= 2:
@@ -78,20 +71,33 @@ def read_hit(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     targets = targets or _implied(d, movers)
     _comes_too(d, f, movers, targets)
     kinematics(d, f, movers, targets)
-    if f.verb.extra.get("motion") == "reverse":
-        reverse(d, movers)
-    for m in movers if f.verb.lemma == "run" else ():
-        if moved_by_others(d, m) and kind_of(d, m) in ("person", "animal"):
-            start_motion(d, f, [m], "own", next(iter(targets), None))
+    _runs_or_reverses(d, f, movers, targets)
     changing = [m for m in movers if braking(d, m) or comes_down_a_slope(d, m)]
     nodes = add_hit(d, f, movers, targets, time)
     _speed_at_hit(d, f, nodes, changing)
     if not o and not f.verb.passive:
         _hits_more(d, f, movers, targets)
+    _goes_on_to(d, f, targets, bool(o and nodes))
+
+
+def _goes_on_to(d: Discourse, f: Frame, targets: list[str], sent: bool) -> None:
+    """ "hits the ball off the table", "hits a box into a wall": where what is hit goes."""
     if things(f.phrase("off")) and targets:
         outcomes(d, f, targets[:1])
-    elif o and f.phrase("into", "onto", "toward", "towards", "against") is not None and nodes:
+    elif sent and f.phrase("into", "onto", "toward", "towards", "against") is not None:
         knock_on(d, f, targets[:1])
+
+
+def _who_and_what(
+    d: Discourse, f: Frame, s: list[str], o: list[str]
+) -> tuple[list[str], list[str]]:
+    """What hits, and what is hit; of "two cars collide on a bridge" the bridge is neither."""
+    movers, targets = (_strikers(d, f, s), s) if f.verb.passive else (s, hit_targets(f, s, o))
+    host = f.phrase("on", "in", "at")
+    if len(movers) >= 2 and host is not None and targets == things(host):
+        place(d, movers, targets, host.prep)
+        targets = []
+    return movers, targets
 
 
 def _fells(d: Discourse, f: Frame, s: list[str], o: list[str]) -> bool:
@@ -195,6 +201,15 @@ def _implied(d: Discourse, movers: list[str]) -> list[str]:
     return [i for i in recent(d) if i not in movers and not structural(d, i)][:1]
 
 
+def _runs_or_reverses(d: Discourse, f: Frame, movers: list[str], targets: list[str]) -> None:
+    """ "reverses into a wall"; "is hit by a ball and runs into a fence": by himself."""
+    if f.verb.extra.get("motion") == "reverse":
+        reverse(d, movers)
+    for m in movers if f.verb.lemma == "run" else ():
+        if moved_by_others(d, m) and kind_of(d, m) in ("person", "animal"):
+            start_motion(d, f, [m], "own", next(iter(targets), None))
+
+
 def _hits_more(d: Discourse, f: Frame, movers: list[str], targets: list[str]) -> None:
     """ "crashes through a fence and into a wall", "collides with a van and with a bus"."""
     seen = [*targets, *movers]
@@ -220,27 +235,34 @@ def _speed_at_hit(d: Discourse, f: Frame, nodes: list[str], changing: list[str])
 
 def _comes_too(d: Discourse, f: Frame, movers: list[str], targets: list[str]) -> None:
     """ "A car at 10 m/s collides with a truck at 15 m/s": both have a speed, so both move."""
-    told = [p for p in f.phrases if any(a.dimension == "speed" for a in p.told)]
-    named = [m for p in f.phrases if (m := p.mention) is not None and {*m.entities} & {*targets}]
-    named += [m for m in [f.object] if m is not None and {*m.entities} & {*targets}]
-    known = len(told) > 1 or any(m in d.moves.stated or m in d.moves.own_speed for m in movers)
     if f.verb.passive or len(targets) != 1:
         return
-    if told and known and named:
-        last = next(a for a in told[-1].told if a.dimension == "speed")
-        between = d.text[named[-1].end : last.start]
-        if not last.shares and _BESIDE.fullmatch(between):
-            d.moves.stated[targets[0]] = last
-            f.phrases = [p for p in f.phrases if p is not told[-1]]
-    for t in [t for t in targets if t in d.moves.stated]:
-        track = d.timeline.tracks.get(t)
-        going = track.motion if track is not None else None
-        if going is not None and not going.prescribed:
-            going.speed, going.prescribed = d.moves.stated[t].value, True
-            mark_used(d, d.moves.stated[t], "speed")
-        if at_rest(d, t) and movable(d, t) and t not in movers:
-            d.moves.own_speed[t] = d.moves.stated[t]
-            start_motion(d, f, [t], None, movers[0] if movers and "head-on" in f.adverbs else None)
+    t = targets[0]
+    _speed_beside(d, f, movers, t)
+    if t not in d.moves.stated:
+        return
+    track = d.timeline.tracks.get(t)
+    going = track.motion if track is not None else None
+    if going is not None and not going.prescribed:
+        going.speed, going.prescribed = d.moves.stated[t].value, True
+        mark_used(d, d.moves.stated[t], "speed")
+    if at_rest(d, t) and movable(d, t) and t not in movers:
+        d.moves.own_speed[t] = d.moves.stated[t]
+        start_motion(d, f, [t], None, movers[0] if movers and "head-on" in f.adverbs else None)
+
+
+def _speed_beside(d: Discourse, f: Frame, movers: list[str], target: str) -> None:
+    """A speed told beside what is hit is its own, where that of what hits it is known."""
+    told = [p for p in f.phrases if any(a.dimension == "speed" for a in p.told)]
+    met = [m for m in (f.object, *(p.mention for p in f.phrases)) if m and target in m.entities]
+    known = len(told) > 1 or any(m in d.moves.stated or m in d.moves.own_speed for m in movers)
+    if not told or not known or not met:
+        return
+    last = next(a for a in told[-1].told if a.dimension == "speed")
+    between = d.text[max(m.end for m in met) : last.start]
+    if not last.shares and _BESIDE.fullmatch(between):
+        d.moves.stated[target] = last
+        f.phrases = [p for p in f.phrases if p is not told[-1]]
 
 
 def whose_way(d: Discourse, f: Frame, struck: list[str]) -> list[str]:

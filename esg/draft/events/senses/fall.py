@@ -47,17 +47,7 @@ STANDING_CM = 60.0
 
 @sense("drop")
 def read_drop(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    if not f.verb.passive and not o and f.object is not None and f.object.attribute:
-        ignore(d, f, "nothing is let go")  # "releases the brakes"
-        return
-    beyond = "over" in f.adverbs or f.phrase("behind", "beyond", "over", "past") is not None
-    beyond = beyond or _OTHER_SIDE.match(d.text, f.verb.end) is not None
-    under_way = bool(s) and all(i in d.timeline.tracks or i in d.moves.stated for i in s)
-    if beyond and under_way and not (o or f.verb.passive or s[0] in d.scene.supported_by):
-        mark_used(d, f, "end of the flight")  # "clips the net and drops over"
-        return
-    if f.verb.lemma == "unload" and not o and not f.verb.passive:
-        ignore(d, f, "what is unloaded is not said")
+    if not o and not f.verb.passive and _lets_nothing_go(d, f, s):
         return
     dropped = s if f.verb.passive or not o else o
     agents = [x for x in s if x not in dropped]
@@ -70,6 +60,22 @@ def read_drop(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         motion_of_things(d, f, dropped, natural(d, dropped[0]) if dropped else "roll")
     else:
         drop(d, f, dropped)
+
+
+def _lets_nothing_go(d: Discourse, f: Frame, s: list[str]) -> bool:
+    """ "releases the brakes", "is unloading", "clips the net and drops over": no fall."""
+    beyond = "over" in f.adverbs or f.phrase("behind", "beyond", "over", "past") is not None
+    beyond = beyond or _OTHER_SIDE.match(d.text, f.verb.end) is not None
+    under_way = bool(s) and all(i in d.timeline.tracks or i in d.moves.stated for i in s)
+    if f.object is not None and f.object.attribute:
+        ignore(d, f, "nothing is let go")
+    elif beyond and under_way and s[0] not in d.scene.supported_by:
+        mark_used(d, f, "end of the flight")
+    elif f.verb.lemma == "unload":
+        ignore(d, f, "what is unloaded is not said")
+    else:
+        return False
+    return True
 
 
 def _held_up(d: Discourse, body: str) -> bool:

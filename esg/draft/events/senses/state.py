@@ -256,28 +256,33 @@ def places(d: Discourse, f: Frame, bodies: list[str]) -> None:
     for t in bodies:
         _pattern_of(d, t, pattern)
     for p in f.phrases:
-        others = things(p)
-        if p.mention is None or p.mention.attribute:
-            _arrange(d, bodies, p)
-        elif f.verb.lemma in _HANGING and p.prep in _HUNG_BY and _hangs(d, bodies, others):
-            continue
-        elif p.prep == "with" and f.verb.lemma in _FILLING:
-            loaded = f.verb.lemma == "load" and bodies and kind_of(d, bodies[0]) in SELF_POWERED
-            if loaded:
-                place(d, others, bodies[:1], "on")  # "a truck loaded with barrels"
-            else:
-                attachment_with(d, bodies, others)
-        elif f.verb.lemma in _LEANING and p.prep in _BESIDE and others and _leans(d, others[0]):
-            _lean(d, bodies, others)
-        elif p.prep in RELATION_PREPS:
-            apart = gap is not None and bodies and p.prep not in ("on", "in", "inside")
-            mark_used(d, gap if apart else None, "distance")
-            fixed = gap.value if gap is not None and apart else None
-            place(d, bodies, others, p.prep, p.mention.part, fixed)
-        elif p.prep in ("from", "away from") and gap is not None and others and bodies:
-            for t in bodies:
-                d.scene.relations.append(Relation(t, others[0], "near", gap.value))
-            mark_used(d, gap, "distance")
+        _place_by(d, f, bodies, p, gap)
+
+
+def _place_by(d: Discourse, f: Frame, bodies: list[str], p: Phrase, gap: Amount | None) -> None:
+    """Where one phrase says that things are."""
+    others = things(p)
+    if p.mention is None or p.mention.attribute:
+        _arrange(d, bodies, p)
+    elif f.verb.lemma in _HANGING and p.prep in _HUNG_BY and _hangs(d, bodies, others):
+        return
+    elif p.prep == "with" and f.verb.lemma in _FILLING:
+        loaded = f.verb.lemma == "load" and bodies and kind_of(d, bodies[0]) in SELF_POWERED
+        if loaded:
+            place(d, others, bodies[:1], "on")  # "a truck loaded with barrels"
+        else:
+            attachment_with(d, bodies, others)
+    elif f.verb.lemma in _LEANING and p.prep in _BESIDE and others and _leans(d, others[0]):
+        _lean(d, bodies, others)
+    elif p.prep in RELATION_PREPS:
+        apart = gap is not None and bodies and p.prep not in ("on", "in", "inside")
+        mark_used(d, gap if apart else None, "distance")
+        fixed = gap.value if gap is not None and apart else None
+        place(d, bodies, others, p.prep, p.mention.part, fixed)
+    elif p.prep in ("from", "away from") and gap is not None and others and bodies:
+        for t in bodies:
+            d.scene.relations.append(Relation(t, others[0], "near", gap.value))
+        mark_used(d, gap, "distance")
 
 
 def _hangs(d: Discourse, bodies: list[str], others: list[str]) -> bool:

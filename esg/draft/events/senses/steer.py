@@ -31,6 +31,12 @@ def _rates(degrees: float, lasting: Amount | None) -> tuple[float, float]:
     return (0.9 * degrees / lasting.high, 1.1 * degrees / lasting.low)
 
 
+def _side(d: Discourse, f: Frame) -> str:
+    span = d.text[f.verb.start : f.verb.end + 40].lower()
+    side = "right" if " right" in span.split(".")[0] else "left"
+    return next((_SIDES[w] for w in (*f.adverbs, f.verb.extra.get("dir")) if w in _SIDES), side)
+
+
 def _degrees(d: Discourse, a: Amount) -> float:
     mark_used(d, a, "turn angle")
     return max(1.0, min(720.0, abs(a.middle)))
@@ -50,9 +56,7 @@ def read_turn(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     if own and not driven and (not o or o[:1] != s[:1]):
         ignore(d, f, "a part turns, not the whole")
         return
-    span = d.text[f.verb.start : f.verb.end + 40].lower()
-    side = "right" if " right" in span.split(".")[0] else "left"
-    side = next((_SIDES[w] for w in (*f.adverbs, f.verb.extra.get("dir")) if w in _SIDES), side)
+    side = _side(d, f)
     degrees = 180.0 if f.verb.extra.get("dir") in ("u", "around", "back") else 90.0
     angles = [a for _, a in amounts_of(d, f) if a.dimension == "angle"]
     if angles:

@@ -77,14 +77,7 @@ def read_topple(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         read_as(d, "fall", f, s, o)  # "a pallet tips off a forklift"
         return
     set_free(d, o or s)
-    next_one = f.object is not None and "next" in f.object.adjectives
-    if s and next_one and f.subject is not None and f.subject.determiner in ("each", "every"):
-        mates = mates_of(d, s[0])
-        s, o = (mates[:1], mates[1:2]) if len(mates) > 1 else (s, o)
-    if f.verb.passive:
-        s, o = doer_and_done(f, s, o)
-        knocked = f.verb.extra.get("contact") and o and not moved_by_others(d, o[0])
-        s = s or (whose_way(d, f, o) if knocked else [])
+    s, o = _knocker(d, f, s, o)
     movers = [m for m in s if kind_of(d, m) != "person"] or s
     # tipping a thing over is no blow
     tipped = f.verb.lemma == "tip" and all(kind_of(d, m) == "person" for m in movers)
@@ -101,6 +94,19 @@ def read_topple(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
             start_motion(d, f, [b], "slide")
         add_event(d, NodeEvent.TOPPLE, (b,), f, time_of(d, f))
     knock_on(d, f, bodies)
+
+
+def _knocker(d: Discourse, f: Frame, s: list[str], o: list[str]) -> tuple[list[str], list[str]]:
+    """What knocks over what: "each domino knocks over the next" is the first and the second."""
+    next_one = f.object is not None and "next" in f.object.adjectives
+    if s and next_one and f.subject is not None and f.subject.determiner in ("each", "every"):
+        mates = mates_of(d, s[0])
+        s, o = (mates[:1], mates[1:2]) if len(mates) > 1 else (s, o)
+    if f.verb.passive:
+        s, o = doer_and_done(f, s, o)
+        knocked = f.verb.extra.get("contact") and o and not moved_by_others(d, o[0])
+        s = s or (whose_way(d, f, o) if knocked else [])
+    return s, o
 
 
 def _collapsing(d: Discourse, body: str) -> str:
