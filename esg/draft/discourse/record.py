@@ -96,8 +96,6 @@ class References:
     """A sentence, and what its clauses go along or through."""
     reasons: set[str] = field(default_factory=set[str])
     """What something is done for ("brakes for a cow")."""
-    upon_it: set[int] = field(default_factory=set[int])
-    """Mentions of what another thing carries ("a cart with a box on it")."""
     stand_there: dict[int, list[Mention]] = field(default_factory=dict[int, list[Mention]])
     """What stands at the place that a phrase names."""
     mounts: dict[int, list[str]] = field(default_factory=dict[int, list[str]])
@@ -132,8 +130,6 @@ class Moves:
     """What the prompt says rolls or slides."""
     flying: set[str] = field(default_factory=set[str])
     """What flies by its own power."""
-    taxiing: set[str] = field(default_factory=set[str])
-    """What moves on wheels, also if it could fly."""
     leaning: set[str] = field(default_factory=set[str])
     """What leans on something, so that it tips over when it falls."""
     still: dict[str, int] = field(default_factory=dict[str, int])
@@ -158,8 +154,6 @@ class Times:
     """Point events in the order told, with the clauses that tell them."""
     before: dict[str, str | None] = field(default_factory=dict[str, "str | None"])
     """By point event, what was told last before it."""
-    told_hits: set[tuple[int, str, str]] = field(default_factory=set[tuple[int, str, str]])
-    """Collisions by the clause that tells them."""
 
 
 @dataclass

@@ -63,8 +63,8 @@ def flies_itself(d: Discourse, actor: str) -> bool:
 
 
 def direction_of(d: Discourse, actor: str, mode: str) -> ForceDirection:
-    flies = kind_of(d, actor) == "flyer" and actor not in d.moves.taxiing
-    if mode in ("throw", "drop", "fly") or flies or actor in d.moves.flying:
+    flies = kind_of(d, actor) == "flyer" or actor in d.moves.flying
+    if mode in ("throw", "drop", "fly") or flies:
         return ForceDirection.ANY_3D
     if mode in LAUNCHES:
         return ForceDirection.HORIZONTAL_PLANE
