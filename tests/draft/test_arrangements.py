@@ -182,19 +182,6 @@ def test_levels_of_a_stack(prompt: str, index: int) -> None:
     assert _told(doc) == [("Collision", "stone_1", name)]
 
 
-def test_a_stack_collapses_because_of_the_hit() -> None:
-    """Let the blow on the pallet reach the stack; a stack alone tips at its top."""
-    doc = draft("A cart hits the pallet and the stack of boxes collapses.")
-    assert verify(doc) == ()
-    assert doc.timeline_system is not None
-    assert doc.timeline_system.actors["box_1"].role.value == "passive"
-    assert _told(doc)[-1] == ("Topple", "box_1")
-    alone = draft("A stack of three crates topples over.")
-    assert _told(alone) == [("Topple", "crate_3")]
-    named = draft("A ball hits a stack of three crates and the top crate falls off.")
-    assert _told(named) == [("Collision", "ball_1", "top_crate_1"), ("Fall", "top_crate_1")]
-
-
 @pytest.mark.parametrize(
     ("thing", "spin"), [("coin", "roll"), ("barrel", "roll"), ("crate", "slide")]
 )

@@ -116,7 +116,6 @@ def test_a_time_may_be_told_with_the_second_mention() -> None:
         ("A mug stands on a desk. The mug ends up on the floor.", ["Fall mug"]),
         ("A car leaves the road and ends in a pond.", ["EnterRegion car"]),
         ("The brick lands on a car.", ["Collision brick car"]),
-        ("A train comes into the station and stops.", ["Stop train"]),
         ("A girl on a skateboard waves. She hits a hydrant.", ["Collision skateboard hydrant"]),
         ("A car changes lanes and hits a van.", ["Collision car van"]),
         ("A man falls.", ["Topple man"]),

@@ -21,7 +21,6 @@ from tests.draft.told import events
         ("A dog gets in the way of a bicycle and is hit.", [("Collision", "bicycle_1", "dog_1")]),
         ("A cat walks into the path of a tram and is struck.", [("Collision", "tram_1", "cat_1")]),
         ("A hen steps in front of a tractor and gets hit.", [("Collision", "tractor_1", "hen_1")]),
-        ("A bollard stands in a bus's way and is hit.", [("Collision", "bus_1", "bollard_1")]),
         (
             "A boy runs in front of a bike and is knocked over.",
             [("Collision", "bike_1", "boy_1"), ("Topple", "boy_1")],

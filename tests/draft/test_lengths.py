@@ -52,16 +52,6 @@ def test_where_and_how_fast_a_motion_starts() -> None:
     assert (edge.params.speed, edge.speed_is_prescribed) == (200.0, True)
 
 
-def test_the_second_collision_is_timed_from_the_first() -> None:
-    doc = draft(
-        "A white ball hits a red ball. The red ball hits a blue ball. "
-        "The second collision takes place 2 seconds after the first one."
-    )
-    first, second = points(doc, NodeEvent.COLLISION)
-    assert constraint(second, "time_since") == (2.0, first.id, None)
-    assert not verify(doc)
-
-
 def test_nothing_that_happens_takes_no_time() -> None:
     doc = draft("A van hits a rack. Nothing happens, but after two seconds a box falls down.")
     assert not points(doc, NodeEvent.COLLISION)[0].time_is_prescribed

@@ -162,12 +162,6 @@ def test_a_wait_ends_the_drive_before_it() -> None:
     ]
 
 
-def test_the_first_seconds_of_a_drive_are_its_length() -> None:
-    doc = drafted("During the first 2 s a car drives at 5 m/s, then it brakes and stops.")
-    assert nodes(doc, NodeEvent.TRIGGER)[0].timestamp == 2.0
-    assert nodes(doc, NodeEvent.STOP)[0].timestamp is None
-
-
 def test_what_recurs_is_no_time_of_an_event() -> None:
     node = only("Every two seconds a ball is thrown at a wall.")
     assert not node.time_is_prescribed

@@ -90,10 +90,6 @@ def read(prompt: str) -> list[tuple[Any, ...]]:
             "A van stops in front of a school, and a car that follows it hits it from behind.",
             [("Stop", "van_1"), ("Collision", "car_1", "van_1")],
         ),
-        (
-            "A jeep comes out of a yard and forces a cyclist to brake. The cyclist falls.",
-            [("Topple", "cyclist_1")],
-        ),
         # bends, lids, roofs, chimneys
         (
             "A hammer falls off a bench and lands in a toolbox.",

@@ -149,14 +149,6 @@ def test_reads_times_told_apart_from_their_verb(
     assert last.time_is_prescribed and last.timestamp == pytest.approx(seconds)
 
 
-def test_reads_a_height_that_is_no_way() -> None:
-    """ "Floats down from 3 m up" says where it starts."""
-    timeline = drafted("A feather floats down from 3 m up and lands on a cat.").timeline_system
-    assert timeline is not None
-    told = [c for n in timeline.sequence_graph.nodes for c in n.constraints]
-    assert [(c.quantity, c.value) for c in told] == [("height", 300.0)]
-
-
 def test_a_way_is_no_gap() -> None:
     """What rolls 3 m away from a box has not started there."""
     assert gaps("A ball rolls 3 m from the box and stops.") == []

@@ -70,14 +70,6 @@ def test_another_and_the_second_are_one_object() -> None:
     assert events(doc) == [("Collision", "puck_1", "puck_2"), ("EnterRegion", "puck_2")]
 
 
-def test_one_of_two_colliding_balls() -> None:
-    """Let only the ball that was hit go on, passively."""
-    doc = clean("Two billiard balls collide, and one of them rolls into the pocket.")
-    assert events(doc)[-1] == ("EnterRegion", "billiard_ball_2") and len(events(doc)) == 2
-    assert doc.timeline_system is not None
-    assert doc.timeline_system.actors["billiard_ball_2"].role.value == "passive"
-
-
 @pytest.mark.parametrize(
     ("prompt", "mover", "target"),
     [
@@ -177,14 +169,6 @@ def test_a_relative_clause_goes_on_with_the_story(
 ) -> None:
     """Put what a relative clause tells of the thing hit after the hit."""
     assert events(clean(prompt)) == expected
-
-
-def test_reaching_what_was_entered_tells_the_time_of_it() -> None:
-    """Make no second event of "reaches it"; its time is the entry's."""
-    doc = clean("A ball is kicked into the goal and reaches it after 1.5 s.")
-    assert events(doc) == [("EnterRegion", "ball_1")]
-    assert doc.timeline_system is not None
-    assert doc.timeline_system.sequence_graph.nodes[1].timestamp == 1.5
 
 
 def test_a_list_of_objects_does_not_act() -> None:

@@ -6,7 +6,7 @@ import pytest
 
 from esg.draft import draft
 from esg.graph import verify
-from esg.graph.models import EdgeEvent, NodeEvent, SequenceGraph
+from esg.graph.models import NodeEvent, SequenceGraph
 
 
 def told(prompt: str) -> tuple[SequenceGraph, dict[str, str | None]]:
@@ -38,24 +38,6 @@ def test_a_member_is_told_by_its_row(prompt: str, struck: str, members: int) -> 
     assert sum(pattern == "row" for pattern in things.values()) == members
 
 
-def test_the_remaining_ones_of_a_row_are_carried_along_by_the_blow() -> None:
-    graph, _ = told(
-        "A marble hits the first of five dominoes in a row; the remaining dominoes topple."
-    )
-    (hit,) = [n for n in graph.nodes if n.event is NodeEvent.COLLISION]
-    assert hit.participants == ("marble_1", "first_domino_1")
-    (toppled,) = points(graph, NodeEvent.TOPPLE)
-    (carried,) = [e for e in graph.edges if e.actor == toppled[0]]
-    assert toppled != ("first_domino_1",)
-    assert carried.event is EdgeEvent.INERTIAL_CONNECTOR and carried.from_ == hit.id
-
-
-def test_every_one_of_a_plural_includes_the_one_that_was_hit() -> None:
-    graph, _ = told("A bowling ball strikes the head pin, and every pin goes down.")
-    ((_, head),) = points(graph, NodeEvent.COLLISION)
-    assert points(graph, NodeEvent.TOPPLE) == [(head,)]
-
-
 def test_each_member_knocks_over_the_next_from_the_first_on() -> None:
     graph, _ = told(
         "A finger pushes the first of seven dominoes, and each domino knocks over the next."
@@ -64,12 +46,6 @@ def test_each_member_knocks_over_the_next_from_the_first_on() -> None:
         ("finger_1", "first_domino_1"),
         ("first_domino_1", "domino_2"),
     ]
-
-
-def test_books_of_a_row_that_was_hit_fall_over() -> None:
-    graph, _ = told("A ball rolls into the first book in a line of six, which fall one by one.")
-    assert points(graph, NodeEvent.TOPPLE) == [("first_book_1",)]
-    assert not points(graph, NodeEvent.FALL)
 
 
 def test_the_rest_is_no_object() -> None:

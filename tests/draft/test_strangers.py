@@ -178,10 +178,6 @@ def read(prompt: str) -> tuple[EsgDocument, list[tuple[Any, ...]]]:
         ),
         # the one on it, the top one
         (
-            "A cart with a block on top of it runs into a wall, so the block slides off.",
-            [("Collision", "cart_1", "wall_1"), ("Fall", "block_1")],
-        ),
-        (
             "A forklift hits a stack of pallets, knocking the top pallet off.",
             [("Collision", "forklift_1", "top_pallet_1"), ("Fall", "top_pallet_1")],
         ),
@@ -239,10 +235,6 @@ def read(prompt: str) -> tuple[EsgDocument, list[tuple[Any, ...]]]:
             ],
         ),
         # who rides falls off, who walks falls over
-        (
-            "A boy on a scooter runs into a girl, and both fall to the ground.",
-            [("Collision", "scooter_1", "girl_1"), ("Topple", "girl_1"), ("Fall", "boy_1")],
-        ),
         ("A horse jumps over a fence and throws off the rider.", [("Fall", "rider_1")]),
         # what is caught was thrown
         (

@@ -73,8 +73,6 @@ class References:
 
     told: list[Told] = field(default_factory=list[Told])
     """The clauses in the order of the text."""
-    upon_it: set[int] = field(default_factory=set[int])
-    """Mentions of what another thing carries ("a cart with a box on it")."""
     mounts: dict[int, list[str]] = field(default_factory=dict[int, list[str]])
     """What the person of a subject phrase rides or drives."""
     thrown: dict[int, list[str]] = field(default_factory=dict[int, list[str]])
@@ -104,8 +102,6 @@ class Moves:
     """What the prompt says rolls or slides."""
     flying: set[str] = field(default_factory=set[str])
     """What flies by its own power."""
-    taxiing: set[str] = field(default_factory=set[str])
-    """What moves on wheels, also if it could fly."""
     leaning: set[str] = field(default_factory=set[str])
     """What leans on something, so that it tips over when it falls."""
     still: dict[str, int] = field(default_factory=dict[str, int])
@@ -130,8 +126,6 @@ class Times:
     """Point events in the order told, with the clauses that tell them."""
     before: dict[str, str | None] = field(default_factory=dict[str, "str | None"])
     """By point event, what was told last before it."""
-    told_hits: set[tuple[int, str, str]] = field(default_factory=set[tuple[int, str, str]])
-    """Collisions by the clause that tells them."""
 
 
 @dataclass

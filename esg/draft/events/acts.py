@@ -20,18 +20,18 @@ from esg.draft.discourse.event_coreference import goes_on, time_of_told, told_be
 from esg.draft.discourse.places import carries, elevated, fits_on, holds, place, set_free
 from esg.draft.discourse.record import Discourse, Time
 from esg.draft.discourse.scene import SELF_POWERED, SPEEDS
-from esg.draft.events.arrivals import (
+from esg.draft.events.ends import (
+    EDGES,
     bounces_over,
+    comes_down,
     heads_for,
     implied_goal,
-    over_a_deck,
-    over_its_top,
+    off_the_edge,
     takes_up_from_above,
     touches_later,
 )
-from esg.draft.events.edges import EDGES, comes_down, from_an_end, off_the_edge, opening
-from esg.draft.events.motions import natural, own, speed_of, stands, start_motion
-from esg.draft.events.table import read_as
+from esg.draft.events.motions import natural, own, speed_of, start_motion
+from esg.draft.events.roles import role
 from esg.draft.events.timing import (
     PUSHING,
     enter,
@@ -50,11 +50,9 @@ from esg.graph.models import NodeEvent
 
 _GOALMOUTH = lex.word_set("goalmouth")
 _GOING = lex.word_set("going (acts)")
-_VISITING = lex.word_set("visiting")
 WAYS = lex.word_set("ways (acts)")
 _HOLDING = lex.word_set("holding (acts)")
 _OPENINGS = frozenset({"hole", "water"})
-_PLACES = lex.word_set("places (acts)")
 _ENDING_IN = ("cause", "fall", "land", "pocket", "launch", "drop", "reach")
 _STANDING = ("noop", "be", "posture")
 
@@ -84,7 +82,7 @@ def outcomes(d: Discourse, f: Frame, actors: list[str]) -> None:
     """Events that a motion's prepositional phrases state: into, off, onto, against, past."""
     time = time_of(d, f)
     fallen: set[str] = set()
-    if "in" in f.adverbs and f.verb.lemma in _GOING and f.phrase("into", "in") is None:
+    if "in" in f.adverbs and f.verb.lemma in _GOING and role(f, "inside") is None:
         _goes_in_off(d, f, actors, time)
     for p in f.phrases:
         m = p.mention
@@ -98,13 +96,10 @@ def outcomes(d: Discourse, f: Frame, actors: list[str]) -> None:
                 add_event(d, NodeEvent.FALL, (actor,), f, time)  # "slips out of his hand"
             continue
         others = [i for i in m.entities if i not in actors]
-        if not others:
-            continue
-        if p.prep == "from" and from_an_end(d, f, p, others[0]):
-            place(d, actors, others[:1], "on")  # "roll from opposite ends of a table"
-            continue
         reader = OUTCOMES.get(p.prep)
-        for actor in actors if reader is not None else []:
+        if not others or reader is None:
+            continue
+        for actor in actors:
             reader(d, actor, Way(f, p, m, others, time, fallen))
 
 
@@ -119,7 +114,7 @@ def _goes_in_off(d: Discourse, f: Frame, actors: list[str], time: Time | None) -
 
 def _into(d: Discourse, actor: str, way: Way) -> None:
     if actor in way.fallen and holds(d, way.others[0]):
-        enter(d, way.f, actor, way.others[0], way.m, way.time)
+        enter(d, way.f, actor, way.others[0], way.time)
     else:
         go_into(d, way.f, actor, way.others, way.p, way.time)
 
@@ -141,10 +136,10 @@ def _off(d: Discourse, actor: str, way: Way) -> None:
         place(d, [actor], [other], "on")
         add_event(d, NodeEvent.FALL, (actor,), f, way.time)
         way.fallen.add(actor)
-    elif p.prep == "off" and {kind_of(d, actor), kind_of(d, other)} == {"billiard"}:
-        add_hit(d, f, [actor], [other], way.time)  # "goes in off the blue"
-    elif p.prep == "over" and (over_its_top(d, f, actor, other) or over_a_deck(d, f, actor, other)):
-        place(d, [actor], [other], "on")
+        return
+    slides = f.verb.sense in ("slide", "roll") and not f.verb.passive and p.prep == "over"
+    if slides and kind_of(d, other) == "table" and fits_on(d, actor, other):
+        place(d, [actor], [other], "on")  # "a cup slides over the table"
 
 
 def _on_a_slope(d: Discourse, actor: str, way: Way) -> None:
@@ -195,7 +190,7 @@ OUTCOMES: dict[str, Callable[[Discourse, str, Way], None]] = {
 
 def goes_in(d: Discourse, f: Frame, actors: list[str], time: Time | None) -> None:
     """ "bounces off the rim and goes in": into the goal, hoop or hole named before."""
-    named, known = recent(d), d.world.entities
+    named = recent(d)
     for actor in actors:
         goals = [i for i in named if enterable(d, i)]
         last = last_event(d)
@@ -205,12 +200,8 @@ def goes_in(d: Discourse, f: Frame, actors: list[str], time: Time | None) -> Non
         if not goal and kind_of(d, actor) in ("ball", "sliding"):
             posts = any(entity_of(d, i).head.split()[-1] in _GOALMOUTH for i in named)
             goal = implied_goal(d, actor) if posts else ""
-        table = d.world.billiards or any(e.noun.kind == "billiard" for e in known.values())
-        if not goal and table and kind_of(d, actor) in ("billiard", "ball"):
-            read_as(d, "pocket", f, [], [actor])  # "goes in off the cushion"
         if goal and (enterable(d, goal) or holds(d, goal)):
-            ensure_mover(d, f, actor, goal)
-            enter(d, f, actor, goal, None, time)
+            enter(d, f, actor, goal, time)
 
 
 def go_into(
@@ -220,19 +211,14 @@ def go_into(
     other, sense = others[0], f.verb.sense
     if structural(d, other):
         return
-    visits = f.verb.lemma in _VISITING and entity_of(d, other).head.split()[-1] in _PLACES
-    if visits and p.prep != "through" and kind_of(d, actor) in SELF_POWERED:
-        d.times.pending[actor] = (NodeEvent.REACH, f, other, time)  # "comes into the station"
-    elif p.prep == "through" and opening(d, others):
-        mark_used(d, f, "a way, no thing that is met")
-    elif p.prep == "through" and _breaks(d, f, other) and not p.mention_plural:
+    if p.prep == "through" and _breaks(d, f, other) and not p.mention_plural:
         add_hit(d, f, [actor], others, time)
     elif p.prep != "into" and sense not in _ENDING_IN and not _goal(d, other):
         return
     elif enterable(d, other) or (
         _from_above(d, f, actor, other) and takes_up_from_above(d, other, p.prep)
     ):
-        enter(d, f, actor, other, p.mention, time)
+        enter(d, f, actor, other, time)
     else:
         add_hit(d, f, [actor], others, time)
 
@@ -251,8 +237,6 @@ def _goal(d: Discourse, other: str) -> bool:
 def _from_above(d: Discourse, f: Frame, actor: str, other: str) -> bool:
     """Whether it comes out of the air, so that it can get over a rim."""
     sense = f.verb.sense
-    if sense in ("fall", "drop", "land", "pocket", "fly"):
-        return True
     if is_airborne(d, actor) and sense not in ("roll", "slide"):
         return True
     if sense == "bounce" and bounces_over(d, actor, other):
@@ -269,8 +253,6 @@ def add_event(
     **extra: Any,
 ) -> str:
     """Adds a point event; its first participant is set in motion if nothing moves it yet."""
-    if kind is NodeEvent.FALL and f.verb.sense == "fall" and stands(d, f, participants[0]):
-        kind = NodeEvent.TOPPLE  # "the lamp falls onto the table": it stood beside it
     told = told_before(d, kind, participants, f, extra.get("region", ""))
     if told:
         time_of_told(d, told, time)
@@ -304,12 +286,8 @@ def add_hit(
             if pair is None:
                 continue
             if f.verb.lemma in ("run", "drive", "slam") and kind_of(d, target) in _OPENINGS:
-                ensure_mover(d, f, mover, target)
-                enter(d, f, mover, target, None, time)  # "runs into the gutter"
+                enter(d, f, mover, target, time)  # "runs into the gutter"
                 continue
-            if (id(f), *pair) in d.times.told_hits:
-                continue  # one clause tells one collision of a pair
-            d.times.told_hits.add((id(f), *pair))
             out.append(_hit(d, f, *pair, time))
             time = None
     return out
@@ -335,14 +313,8 @@ def _hit(d: Discourse, f: Frame, mover: str, target: str, time: Time | None) -> 
         mover, target = target, mover  # "a keeper blocks the shot": the ball arrives
     _settle_others(d, mover, target)
     share_support(d, f, mover, target)
-    ensure_mover(d, f, mover, target)
     _was_under_way(d, f, target)
     event = add_event(d, NodeEvent.COLLISION, (mover, target), f, time)
-    for one, other in ((mover, target), (target, mover)):
-        arrival = d.times.pending.get(one)
-        same = arrival is not None and arrival[1].sentence == f.sentence
-        if arrival is not None and same and arrival[0] is NodeEvent.REACH and arrival[2] == other:
-            del d.times.pending[one]  # "throws it to a dog, which catches it": once
     d.moves.last_hit = (mover, target)
     return event
 
@@ -389,19 +361,22 @@ def comes_down_a_slope(d: Discourse, mover: str) -> bool:
     return host is not None and moves(d, mover) and "incline" in traits_of(d, host)
 
 
+def braking(d: Discourse, mover: str) -> bool:
+    """Whether what moves it is that it brakes."""
+    track = d.timeline.tracks.get(mover)
+    return track is not None and track.motion is not None and track.motion.mode == "brake"
+
+
 def kinematics(d: Discourse, f: Frame, movers: list[str], targets: list[str]) -> None:
     """A stated speed belongs to the mover ("hits the wall at 5 m/s": just before it)."""
-    found = quantity_of(d, f, "speed")
-    if found is None or not movers:
+    if not movers or quantity_of(d, f, "speed") is None:
         return
     speed, prescribed = speed_of(d, f, movers, natural(d, movers[0]))
     for mover in movers:
         track = d.timeline.tracks.get(mover)
-        if track is not None and track.motion is not None and track.motion.mode == "brake":
+        if braking(d, mover) or comes_down_a_slope(d, mover):
             continue
-        if comes_down_a_slope(d, mover):
-            continue
-        if track is not None and track.motion is not None and not track.closed:
+        if moves(d, mover) and track is not None and track.motion is not None:
             track.motion.speed, track.motion.prescribed = speed, prescribed
         elif not moved_by_others(d, mover):
             start_motion(d, f, [mover], None, targets[0] if targets else None)

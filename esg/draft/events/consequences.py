@@ -1,13 +1,15 @@
-"""What a hit does to what is hit: knocked on, off or over, carried along."""
+"""What a hit or a fall leads to: knocked on, off or over, where it comes down."""
 
 from __future__ import annotations
 
-from esg.draft.discourse.core import aimable, entity_of, kind_of, structural
-from esg.draft.discourse.places import carries, elevated, fits_on, place
+from esg.draft.discourse.core import aimable, entity_of, kind_of, mark_used, structural
+from esg.draft.discourse.places import carries, elevated, place
 from esg.draft.discourse.record import Discourse
 from esg.draft.events.acts import add_event, add_hit, share_support
-from esg.draft.events.timing import PUSHING, enter, enterable, representatives, time_of
-from esg.draft.events.told import last_event, mates_of, recent, traits_of
+from esg.draft.events.ends import opening, takes_up_from_above
+from esg.draft.events.roles import role
+from esg.draft.events.timing import enter, enterable, is_airborne, representatives, time_of
+from esg.draft.events.told import happened, mates_of, recent, traits_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.graph.models import NodeEvent
 
@@ -33,13 +35,10 @@ def knock_on(d: Discourse, f: Frame, bodies: list[str]) -> None:
 def _knocked(d: Discourse, f: Frame, body: str, others: list[str], p: Phrase) -> None:
     """Where a blow sends a body: to, onto, into or off something."""
     other, part = others[0], p.mention.part if p.mention is not None else ""
-    if p.prep == "to" and aimable(d, other) and not part:
-        if f.verb.lemma in PUSHING:
-            d.times.pending[body] = (NodeEvent.REACH, f, other, None)
-    elif p.prep in ("to", "onto", "on") and structural(d, other):
+    if p.prep in ("to", "onto", "on") and structural(d, other):
         _down(d, f, body)
     elif p.prep in ("into", "in") and enterable(d, other):
-        enter(d, f, body, other, p.mention, time_of(d, f))
+        enter(d, f, body, other, time_of(d, f))
     elif p.prep in ("into", "in") and not structural(d, other):
         add_hit(d, f, [body], others, time_of(d, f))
     elif p.prep in ("onto", "against") and not structural(d, other):
@@ -65,91 +64,31 @@ def _down(d: Discourse, f: Frame, body: str) -> None:
 
 
 def already_hit(d: Discourse, f: Frame, s: list[str], o: list[str]) -> bool:
-    if not any(d.timeline.tracks.get(b) is not None and d.timeline.tracks[b].hit for b in o):
+    """Whether a clause tells what the hit before it led to, and no hit of its own."""
+    last, tracks = d.moves.last_hit, [d.timeline.tracks.get(b) for b in o]
+    if not any(t is not None and t.hit for t in tracks):
         return False
     if f.causer is not None:
         return True
-    last = d.moves.last_hit
     if last is None or last[1] not in o or f.link not in ("cause", "then", "while"):
         return False
     # "the second hits it and the third knocks it over": a hit of its own
-    people = all(kind_of(d, i) == "person" for i in s)
-    mates = {i for x in s for i in d.world.groups.get(entity_of(d, x).group or "", [x])}
-    return (
-        not s
-        or last[0] in s
-        or (people and kind_of(d, last[0]) != "person")
-        or (last[0] not in mates and not aimable(d, s[0]))
-    )
+    people = all(kind_of(d, i) == "person" for i in s) and kind_of(d, last[0]) != "person"
+    fixed = bool(s) and not aimable(d, s[0]) and not any(last[0] in mates_of(d, x) for x in s)
+    return last[0] in s or people or fixed
 
 
 def consequence(d: Discourse, f: Frame, bodies: list[str]) -> None:
-    words = " ".join(f.adverbs)
-    if "over" in f.adverbs or "down" in f.adverbs or "upside down" in words:
-        for b in representatives(d, bodies, []):
-            add_event(d, NodeEvent.TOPPLE, (b,), f, None)
-    elif _at_last(f, "off") and f.verb.sense in ("knock", "launch", "cause"):
-        for b in representatives(d, bodies, []):
-            _beside_its_mates(d, b)
-            stacked = entity_of(d, b).pattern == "stack" and entity_of(d, b).in_group
-            if b in d.scene.supported_by or stacked:
-                add_event(d, NodeEvent.FALL, (b,), f, None)
-
-
-def _at_last(f: Frame, word: str) -> bool:
-    """Whether the clause ends with an adverb, "too" and the like left out."""
+    """ "knocks it over", "pushes it off": what comes of the hit."""
     rest = [a for a in f.adverbs if a not in ("too", "also", "again", "then", "instead")]
-    return bool(rest) and rest[-1] == word
-
-
-def _beside_its_mates(d: Discourse, body: str) -> None:
-    """ "pushes the red block off the table ... and the green block off too": from there too."""
-    if body in d.scene.supported_by:
-        return
-    for node in reversed(d.timeline.nodes):
-        other = node.participants[0]
-        host = d.scene.supported_by.get(other, "")
-        if (
-            node.event is NodeEvent.FALL
-            and host
-            and entity_of(d, other).noun == entity_of(d, body).noun
-        ):
-            place(d, [body], [host], "on")
-            return
-
-
-def carried_along(d: Discourse, body: str) -> bool:
-    """ "hits the pallet and the stack collapses": moved by a hit of its support or a mate.
-
-    A member that the prompt names has left its plural, so that it needs a hit of its own.
-    """
-    last = last_event(d)
-    if last is None or last.event is not NodeEvent.COLLISION or body in d.timeline.tracks:
-        return False
-    mates = mates_of(d, body)
-    movers = (
-        {i for i in mates if entity_of(d, i).in_group} if entity_of(d, body).in_group else set()
-    )
-    host = d.scene.supported_by.get(body)
-    while host is not None and host not in movers:
-        movers.add(host)
-        host = d.scene.supported_by.get(host)
-    if not (movers - {body}) & {*last.participants}:
-        return False
-    d.timeline.carry(body, last.id)
-    return True
-
-
-def place_where_hit(d: Discourse, thing: str) -> None:
-    """Puts what comes down to the floor on what was hit, or on what its striker stands on."""
-    if thing in d.scene.supported_by or thing in d.timeline.tracks:
-        return
-    hits = [n.participants for n in d.timeline.nodes if n.event is NodeEvent.COLLISION]
-    strikers = {a for a, b in hits if b == thing}
-    for a, b in reversed(hits):
-        if thing not in (a, b) and (a in strikers or not strikers) and fits_on(d, thing, b):
-            place(d, [thing], [b], "on")
-            return
+    off = rest[-1:] == ["off"] and f.verb.sense in ("knock", "launch", "cause")
+    over = {"over", "down"} & {*f.adverbs} or "upside down" in " ".join(f.adverbs)
+    for b in representatives(d, bodies, []) if over or off else []:
+        e = entity_of(d, b)
+        if over:
+            add_event(d, NodeEvent.TOPPLE, (b,), f, None)
+        elif b in d.scene.supported_by or (e.pattern == "stack" and e.in_group):
+            add_event(d, NodeEvent.FALL, (b,), f, None)
 
 
 def struck_before(d: Discourse, f: Frame, body: str) -> None:
@@ -157,8 +96,7 @@ def struck_before(d: Discourse, f: Frame, body: str) -> None:
     if body in d.timeline.tracks:
         return
     last = d.moves.last_hit
-    group = entity_of(d, body).group
-    if body in d.now.each and last is not None and group and entity_of(d, last[1]).group == group:
+    if body in d.now.each and last is not None and last[1] in mates_of(d, body):
         add_hit(d, f, [last[0]], [body])  # "hits two boxes and both fall"
         return
     for mover, aimed in d.moves.aim.items():
@@ -166,3 +104,39 @@ def struck_before(d: Discourse, f: Frame, body: str) -> None:
         if aimed == body and track is not None and not track.closed:
             add_hit(d, f, [mover], [body])
             return
+
+
+def landing_of(d: Discourse, f: Frame, moved: list[str]) -> bool:
+    """Reads where what falls comes down; whether the clause says so."""
+    for way in f.phrases:
+        if way.prep == "through" and way.mention and opening(d, way.mention.entities):
+            way.prep = "by way of"  # "drops through a hatch onto a cart"
+    p = role(f, "landing")
+    m = p.mention if p is not None else None
+    if p is None or m is None:
+        return False
+    if not m.entities or (structural(d, m.entities[0]) and m.start < f.verb.start):
+        return False  # "In a café a waiter drops a tray": where, not where to
+    other = m.entities[0]
+    d.moves.came_down.update(moved)
+    for t in [t for t in moved if t != other]:
+        if structural(d, other):
+            _on_the_ground(d, f, t)
+        elif takes_up_from_above(d, other, p.prep) or kind_of(d, other) in ("region", "water"):
+            enter(d, f, t, other, time_of(d, f))
+        else:
+            add_hit(d, f, [t], m.entities, time_of(d, f))
+    return True
+
+
+def _on_the_ground(d: Discourse, f: Frame, body: str) -> None:
+    """A fall to the ground, unless it was in the air: a flight or a jump ends there."""
+    lands = f.verb.sense == "land"
+    held = body in d.scene.supported_by
+    if kind_of(d, body) == "flyer" or (lands and is_airborne(d, body) and not held):
+        return
+    leaper = kind_of(d, body) in ("person", "animal") and lands
+    if leaper and not held and body not in d.scene.heights:
+        mark_used(d, f, "end of a jump")
+    elif not happened(d, NodeEvent.FALL, body):
+        add_event(d, NodeEvent.FALL, (body,), f, time_of(d, f))

@@ -10,14 +10,7 @@ import re
 from esg.draft import lexicon as lex
 from esg.draft.discourse.antecedents import STATES
 from esg.draft.discourse.concurrence import one_time_each
-from esg.draft.discourse.core import (
-    aimable,
-    amounts_of,
-    entity_of,
-    facts_of,
-    kind_of,
-    mark_used,
-)
+from esg.draft.discourse.core import aimable, amounts_of, entity_of, facts_of, kind_of, mark_used
 from esg.draft.discourse.dodging import dodge
 from esg.draft.discourse.event_coreference import sentence
 from esg.draft.discourse.record import Discourse, Time
@@ -28,22 +21,11 @@ from esg.draft.discourse.scene import SELF_POWERED, Scene
 from esg.draft.discourse.timeline import TimelineBuilder
 from esg.draft.discourse.windows import Draft
 from esg.draft.events.acts import add_event, outcomes
-from esg.draft.events.leftovers import hand_on, high_up
-from esg.draft.events.lengths import far_away
-from esg.draft.events.motions import speed_of_noun, target_of
 from esg.draft.events.senses import SENSES
 from esg.draft.events.senses.outcome import read_miss, target_of_mates
-from esg.draft.events.senses.state import attachment, mass_of_load, upon
-from esg.draft.events.timing import moved_by_others, precedes, settle, time_of
-from esg.draft.events.told import (
-    constrain,
-    ignore,
-    last_event,
-    mates_of,
-    moves,
-    traits_of,
-    unread,
-)
+from esg.draft.events.senses.state import attachment, mass_of_load
+from esg.draft.events.timing import hand_on, precedes, settle, time_of
+from esg.draft.events.told import constrain, ignore, last_event, mates_of, moves, traits_of, unread
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.text.elements import Mention
 from esg.graph.models import NodeEvent, Role
@@ -52,14 +34,12 @@ _THINGS_DO = lex.word_set("things do")
 _THINGS_DO_TO = lex.word_set("things do to")
 _RIDERS_OWN = ("be", "posture", "weigh", "fall", "topple")
 _BREAKING = lex.word_set("breaking (interpret)")
-_ACTED_ON = lex.word_set("acted on")
 _INSTEAD = re.compile(r"\binstead\b(?! of)", re.IGNORECASE)
 _BUT = re.compile(r"\b(?:but|yet)\b[^.;,]*$", re.IGNORECASE)
 _AT_FIRST = re.compile(
     r"\b(?:first|initially|until|till|before|for|after|yet|while|when|at the start|beginning)\b",
     re.IGNORECASE,
 )
-_NOTHING = re.compile(r"\bnothing\s*$", re.IGNORECASE)
 _HITS = (NodeEvent.COLLISION,)
 _NAMED_EVENTS = {
     **dict.fromkeys(("collision", "impact", "crash", "hit", "strike", "contact", "smash"), _HITS),
@@ -69,7 +49,6 @@ _NAMED_EVENTS = {
     "turn": (NodeEvent.HEADING_REACHED,),
 }
 """Nouns for events, and the point events they name."""
-_UNDER_WAY = re.compile(r"(?:halfway|midway|on the way|on (?:its|his|her|their) way)\b", re.I)
 _ANIMAL_VERBS = lex.word_set("animal verbs")
 
 _PERSON_VERBS = lex.word_set("person verbs")
@@ -81,13 +60,9 @@ def begin(world: World, text: str, mentions: list[Mention]) -> Discourse:
     timeline = TimelineBuilder()
 
     def event(
-        kind: NodeEvent,
-        participants: tuple[str, ...],
-        f: Frame,
-        time: Time | None,
-        **extra: object,
+        kind: NodeEvent, participants: tuple[str, ...], f: Frame, time: Time | None, **more: object
     ) -> str:
-        return add_event(d, kind, participants, f, time, **extra)
+        return add_event(d, kind, participants, f, time, **more)
 
     d = Discourse(
         world=world,
@@ -112,7 +87,6 @@ def interpret(
     d.told, d.attached = frames, attachments
     refer_all(d, frames)
     dodge(frames, d.text)
-    upon(d, attachments)
     for m, p in attachments:
         attachment(d, m, p)
     before = -1
@@ -160,10 +134,7 @@ def read_frame(d: Discourse, f: Frame) -> None:
         ignore(d, f, "no physical meaning")
         hand_on(d, f)
         return
-    high_up(d, f, parts.subject)
     handler(d, f, parts.subject, parts.objects)
-    speed_of_noun(d, f, parts.subject)
-    far_away(d, f, parts.subject)
     hand_on(d, f)
     for p, a in amounts_of(d, f):
         span = precedes(d, a) or (p == "for" and sense in ("fall", "drop"))
@@ -199,20 +170,14 @@ def _no_ground(d: Discourse, f: Frame, parts: Parts) -> bool:
             ignore(d, f, "the ground does not act")
             return True
         parts.subject = acting
-    if sense in _ACTED_ON:
-        parts.objects = [i for i in parts.objects if aimable(d, i)]
-    if sense in ("roll", "slide") and not f.verb.passive:
-        parts.objects = [i for i in parts.objects if "decal" not in traits_of(d, i)]
     return False
 
 
-def _turn_to(d: Discourse, f: Frame, parts: Parts) -> bool:
-    """Settles what was aimed at before, and chooses the one of two that was struck."""
-    _settle_aims(d, f)
+def _instead(d: Discourse, f: Frame, parts: Parts) -> bool:
+    """ "throws a ball at a can but hits a box": it does not hit what it was aimed at."""
     d.now.instead = _INSTEAD.search(sentence(d, f)) is not None or (
         _BUT.search(d.text, max(0, f.verb.start - 30), f.verb.start) is not None
     )
-    parts.subject = _struck_one(d, f, parts.subject)
     return False
 
 
@@ -244,7 +209,10 @@ def _does_not_happen(d: Discourse, f: Frame, parts: Parts) -> bool:
     """What is planned, feared or denied; a hit that is denied is a miss."""
     sense, negated = f.verb.sense, f.verb.negated
     if f.unreal:
-        _unreal(d, f, parts.subject, parts.objects)
+        ignore(d, f, f.unreal)
+        for p in f.phrases:
+            if p.amount is not None:
+                d.scene.used.setdefault((p.amount.start, p.amount.end), f.unreal)
         return True
     if f.object is None and "neither" in f.adverbs and sense == "hit":
         _neither(d, f, parts.subject)
@@ -268,7 +236,7 @@ def _thrown_instead(d: Discourse, f: Frame, parts: Parts) -> bool:
     people = all(kind_of(d, i) == "person" for i in parts.subject)
     if things_do and flying and people and not set(flying) & set(parts.objects):
         parts.subject = list(flying)
-    parts.subject, parts.objects = _what_the_thrower_misses(d, f, parts.subject, parts.objects)
+    _what_the_thrower_misses(d, f, parts)
     return False
 
 
@@ -288,7 +256,7 @@ def _ridden_instead(d: Discourse, f: Frame, parts: Parts) -> bool:
 STEPS: tuple[Step, ...] = (
     _mount_instead,
     _no_ground,
-    _turn_to,
+    _instead,
     _speeds_and_masses,
     _does_not_happen,
     _thrown_instead,
@@ -308,37 +276,25 @@ def _sense_here(f: Frame, parts: Parts) -> str:
     return sense
 
 
-def _what_the_thrower_misses(
-    d: Discourse, f: Frame, subject: list[str], objects: list[str]
-) -> tuple[list[str], list[str]]:
+def _what_the_thrower_misses(d: Discourse, f: Frame, parts: Parts) -> None:
     """ "She throws a ball at a can. She misses it and hits a box": the ball does both."""
+    subject, objects = parts.subject, parts.objects
     shot = d.refs.launched_by.get(subject[0], []) if len(subject) == 1 else []
     flying = [t for t in shot if moves(d, t)]
     missed = f.verb.sense == "miss"
     if f.verb.passive or f.verb.sense not in ("miss", "hit") or not flying:
-        return subject, objects
-    aims = [t for t in [d.moves.aim.get(flying[0])] if t] or target_of_mates(d, flying[0])
-    target = next(iter(aims), "")
+        return
+    aim = d.moves.aim.get(flying[0])
+    aims = [aim] if aim else target_of_mates(d, flying[0])
+    aimed = {*aims[:1], *[i for t in aims[:1] for i in mates_of(d, t)]} & {*objects}
     itself = set(objects) <= set(flying)  # "kicks another ball and hits it"
-    mates = mates_of(d, target) if target else []
-    told = itself and (missed or target)
-    if not told and objects[:1] != [target] and not set(objects) & set(mates):
-        return subject, objects
+    if not aimed and not (itself and (missed or aims)):
+        return
     if f.subject is not None:
         d.refs.thrown[id(f.subject)] = flying
-    return flying, (aims[:1] if not missed else []) if itself else objects
-
-
-def _unreal(d: Discourse, f: Frame, subject: list[str], objects: list[str]) -> None:
-    """What does not happen: at most the direction of a motion that is under way."""
-    ignore(d, f, f.unreal)
-    for p in f.phrases:
-        if p.amount is not None:
-            d.scene.used.setdefault((p.amount.start, p.amount.end), f.unreal)
-    target = objects[:1] or target_of(d, f, subject)
-    for actor in subject[:1]:
-        if target and moves(d, actor):
-            d.moves.aim[actor] = target[0]
+    if itself:
+        parts.objects = [] if missed else aims[:1]
+    parts.subject = flying
 
 
 def _neither(d: Discourse, f: Frame, subject: list[str]) -> None:
@@ -368,47 +324,10 @@ def _one_by_one(f: Frame) -> set[str]:
     return out
 
 
-def _settle_aims(d: Discourse, f: Frame) -> None:
-    """What was thrown at something hits it before the prompt turns to other things."""
-    mentions = [f.subject, f.object, f.object2, *[p.mention for p in f.phrases]]
-    about = {i for m in mentions if m is not None for i in m.entities}
-    about |= {t for m in mentions if m is not None for t in d.refs.thrown.get(id(m), [])}
-    if f.verb.sense in ("miss", "hit"):
-        about |= {t for i in list(about) for t in d.refs.launched_by.get(i, [])}
-    for i in list(about):  # "the first misses": of those thrown at it the turn is the next's
-        about |= set(mates_of(d, i))
-    for actor, (kind, g, target, _) in list(d.times.pending.items()):
-        if kind is NodeEvent.REACH and g.sentence < f.sentence and _on_the_way(d, f):
-            del d.times.pending[actor]
-            continue
-        aimed = kind in (NodeEvent.COLLISION, NodeEvent.ENTER_REGION)
-        if aimed and g.sentence < f.sentence and about and not about & {actor, target}:
-            settle(d, actor, None)
-
-
-def _on_the_way(d: Discourse, f: Frame) -> bool:
-    """ "walks to the table. Halfway he stumbles": the arrival is not told."""
-    return f.start_of_sentence and _UNDER_WAY.match(sentence(d, f).strip()) is not None
-
-
 def _happens(d: Discourse, f: Frame) -> None:
     """ "The crash happens after 3 seconds", "the second collision 2 s after the first"."""
-    if _NOTHING.search(d.text, max(0, f.verb.start - 12), f.verb.start):
-        ignore(d, f, "nothing happens")
-        lull = next((a for _, a in amounts_of(d, f) if a.dimension == "time"), None)
-        d.times.gap = lull if lull is None or lull.bound is None else replace(lull, low=lull.high)
-        return
     last = _told_event(d, f.subject) or last_event(d)
     if last is None or last.time is not None or last.constraints:
-        return
-    p = f.phrase("after")
-    since = _told_event(d, p.mention) if p is not None else None
-    span = next((a for _, a in amounts_of(d, f) if a.dimension == "time"), None)
-    if since is not None and since is not last and span is not None:
-        constrain(last, "time_since", span.value, since=since.id)
-        last.after.append(since.id)
-        mark_used(d, span, f"time of {last.id}")
-        mark_used(d, f, f"time of {last.id}")
         return
     time = time_of(d, f)
     if time is not None and (last is d.timeline.nodes[0] or time[2] == "at"):
@@ -425,21 +344,6 @@ def _told_event(d: Discourse, m: Mention | None) -> Draft | None:
     told = [n for n in d.timeline.nodes if n.event in kinds]
     place = next((lex.ORDINALS[a] for a in m.adjectives if a in lex.ORDINALS), -1)
     return told[place] if -len(told) <= place < len(told) else None
-
-
-def _struck_one(d: Discourse, f: Frame, subject: list[str]) -> list[str]:
-    """ "two balls collide and one of them rolls away": the one that was hit."""
-    m = f.subject
-    if m is None or d.moves.last_hit is None or len(subject) != 1 or m.adjectives:
-        return subject
-    unnamed = (m.pronoun == "one" and not m.determiner) or (
-        m.pronoun in ("them", "these", "those") and m.count == 1
-    )
-    mates = mates_of(d, subject[0])
-    if unnamed and set(d.moves.last_hit) <= set(mates) and moved_by_others(d, d.moves.last_hit[1]):
-        m.entities = [d.moves.last_hit[1]]
-        return list(m.entities)
-    return subject
 
 
 def _guess_kind(d: Discourse, node: str, lemma: str) -> None:

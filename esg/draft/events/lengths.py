@@ -8,9 +8,9 @@ from esg.draft.discourse.core import amounts_of, entity_of, mark_used, structura
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.registry import current_id
 from esg.draft.discourse.scene import Relation
+from esg.draft.events.told import at_rest, constrain, unread
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.quantities import Amount
-from esg.graph.models import EventConstraint
 
 _APART = re.compile(
     r"\s*(?:(?:away|ahead|clear)\s+)?(?:directly\s+|right\s+|just\s+)?"
@@ -21,6 +21,7 @@ _APART = re.compile(
 """What stands between a length and the thing it is measured from."""
 
 _FROM_AFAR = re.compile(r"from\s+a\s+distance\s+of\s+(?:about\s+)?$", re.IGNORECASE)
+_TRAVELLING = ("own", "roll", "slide", "fly", "launch", "reverse")
 _PAINTED = frozenset({"crosswalk", "finish line"})
 """What lies on a road and ends: a road itself, or a crossing of two, is under who stops."""
 
@@ -43,34 +44,16 @@ def _apart_from(d: Discourse, a: Amount) -> str | None:
 
 def _lengths(d: Discourse, f: Frame) -> list[Amount]:
     """Lengths of a clause that nothing has read yet."""
-    return [
-        a
-        for _, a in amounts_of(d, f)
-        if a.dimension == "length" and (a.start, a.end) not in d.scene.used
-    ]
+    return [a for _, a in amounts_of(d, f) if a.dimension == "length" and unread(d, a)]
 
 
 def stops_short(d: Discourse, f: Frame, actor: str, node_id: str) -> None:
     """ "stops 1 m in front of a barrier": the gap that is left when the event happens."""
-    node = d.timeline.node(node_id)
     for a in _lengths(d, f):
         other = _apart_from(d, a)
-        if other is None or other == actor or node is None:
-            continue
-        node.constraints.append(
-            EventConstraint(quantity="distance", object=actor, value=a.value, to=other)
-        )
-        mark_used(d, a, f"gap at {node_id}")
-
-
-def starts_apart(d: Discourse, f: Frame, actors: list[str]) -> None:
-    """ "starts 5 m from a door": how far things are from each other at the start."""
-    for a in _lengths(d, f):
-        other = _apart_from(d, a)
-        others = [x for x in actors if x != other]
-        if other is not None and others:
-            d.scene.relations.append(Relation(others[0], other, "near", a.value))
-            mark_used(d, a, "distance at the start")
+        if other is not None and other != actor:
+            constrain(d.timeline.node(node_id), "distance", a.value, actor, to=other)
+            mark_used(d, a, f"gap at {node_id}")
 
 
 def distance(d: Discourse, f: Frame, actors: list[str], aim: str | None) -> None:
@@ -83,26 +66,6 @@ def distance(d: Discourse, f: Frame, actors: list[str], aim: str | None) -> None
             mark_used(d, a, "distance at the start")
         elif after.startswith("apart") or _FROM_AFAR.search(d.text[: a.start]):
             continue  # "two balls 4 m apart roll": the gap at the start (`spacing`)
-        elif f.verb.sense in ("own", "roll", "slide", "fly", "launch", "reverse") and actors:
-            track = d.timeline.tracks.get(actors[0])
-            if track is not None and (track.motion is not None or track.hit):
-                d.scene.travel[actors[0]] = a
-                mark_used(d, a, "distance travelled")
-
-
-def far_away(d: Discourse, f: Frame, subject: list[str]) -> None:
-    """ "lands in a bucket 5 m away": how far things are from each other at the start."""
-    for a in _lengths(d, f):
-        after = d.text[a.end : a.end + 8].strip().lower()
-        if not after.startswith(("away", "ahead", "further")):
-            continue
-        near = [
-            m
-            for m in (f.object, *[p.mention for p in f.phrases])
-            if m is not None and m.entities and m.end <= a.start
-        ]
-        others = [i for i in near[-1].entities if i not in subject] if near else []
-        if others and subject and not structural(d, others[0]):
-            for node in subject[:1]:
-                d.scene.relations.append(Relation(node, others[0], "near", a.value))
-            mark_used(d, a, "distance at the start")
+        elif f.verb.sense in _TRAVELLING and actors and not at_rest(d, actors[0]):
+            d.scene.travel[actors[0]] = a
+            mark_used(d, a, "distance travelled")

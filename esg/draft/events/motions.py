@@ -15,13 +15,13 @@ from esg.draft.discourse.core import (
 )
 from esg.draft.discourse.places import fits_on, place
 from esg.draft.discourse.record import Discourse
-from esg.draft.discourse.scene import SELF_POWERED, SPEEDS, Relation
+from esg.draft.discourse.scene import SELF_POWERED, SPEEDS
 from esg.draft.discourse.timeline import LAUNCHES, START
 from esg.draft.discourse.tracks import Motion
-from esg.draft.events.leftovers import SETS_OFF
 from esg.draft.events.lengths import distance
-from esg.draft.events.timing import is_airborne, moved_by_others, speed_after, time_of
-from esg.draft.events.told import at_rest, constrain, last_event, last_of, size_of, things, unread
+from esg.draft.events.roles import filling, role
+from esg.draft.events.timing import SETS_OFF, moved_by_others, speed_after, time_of
+from esg.draft.events.told import at_rest, constrain, last_event, last_of, unread
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.quantities import Amount
 from esg.graph.models import ForceDirection, NodeEvent, Quantity
@@ -29,12 +29,7 @@ from esg.graph.models import ForceDirection, NodeEvent, Quantity
 _AIRBORNE = lex.word_set("airborne")
 
 
-_TALL_CM = 50.0
-_AIMS = ("towards", "toward", "at", "to", "into", "onto", "against", "after", "on", "in")
-
 _IN_THE_AIR = lex.word_set("in the air")
-_ON_WHEELS = lex.word_set("on wheels")
-_WITH_OFF = lex.word_set("with off")
 _WINGED = lex.word_set("winged")
 
 
@@ -68,8 +63,8 @@ def flies_itself(d: Discourse, actor: str) -> bool:
 
 
 def direction_of(d: Discourse, actor: str, mode: str) -> ForceDirection:
-    flies = kind_of(d, actor) == "flyer" and actor not in d.moves.taxiing
-    if mode in ("throw", "drop", "fly") or flies or actor in d.moves.flying:
+    flies = kind_of(d, actor) == "flyer" or actor in d.moves.flying
+    if mode in ("throw", "drop", "fly") or flies:
         return ForceDirection.ANY_3D
     if mode in LAUNCHES:
         return ForceDirection.HORIZONTAL_PLANE
@@ -117,10 +112,7 @@ def wait(d: Discourse, actor: str) -> None:
 def sets_off_late(d: Discourse, f: Frame, actors: list[str]) -> None:
     """ "After 3 s it drives off", "starts to roll at 2 s": it stands still until then."""
     begins = f.verb.lemma in SETS_OFF or f.verb.extra.get("start")
-    if f.verb.lemma in _WITH_OFF:  # not "after 3 s a car drives into a wall"
-        words = {*d.text[f.verb.start : f.verb.end].lower().split(), *f.adverbs}
-        begins = bool(words & {"off", "away", "out", "again", "on"})
-    met = f.phrase("into", "against", "onto") is not None
+    met = role(f, "obstacle") is not None
     time = time_of(d, f) if begins and not met else None
     for actor in actors:
         track = d.timeline.track(actor)
@@ -161,8 +153,6 @@ def start_motion(
         chosen = mode or natural(d, actor)
         if f.verb.lemma in _IN_THE_AIR and flies_itself(d, actor):
             d.moves.flying.add(actor)
-        elif f.verb.lemma in _ON_WHEELS and actor not in d.moves.flying:
-            d.moves.taxiing.add(actor)
         speed, prescribed = speed_of(d, f, [actor], chosen)
         if chosen in LAUNCHES:
             _launch(d, actor, chosen, speed, prescribed, target)
@@ -193,7 +183,7 @@ def natural(d: Discourse, actor: str) -> str:
 
 def target_of(d: Discourse, f: Frame, avoid: list[str]) -> list[str]:
     """What a motion is aimed at."""
-    return [i for i in things(f.phrase(*_AIMS)) if i not in avoid]
+    return [i for i in filling(f, "aim") if i not in avoid]
 
 
 def motion(d: Discourse, f: Frame, actors: list[str], mode: str | None) -> None:
@@ -218,7 +208,6 @@ def motion(d: Discourse, f: Frame, actors: list[str], mode: str | None) -> None:
         speed_after(d, actors[0], speeds[0])
     elif speeds and len(actors) == 1:
         _speed_told_late(d, f, actors[0], speeds[0])
-    _order_of(d, f, actors)
     mark_used(d, f, "motion")
     distance(d, f, actors, aim)
     if "off" in f.adverbs:
@@ -310,17 +299,6 @@ def lies_on_something(d: Discourse, actor: str) -> bool:
     return last is not None and last.event is NodeEvent.COLLISION
 
 
-def _order_of(d: Discourse, f: Frame, actors: list[str]) -> None:
-    """ "a bus and a taxi drive with the taxi ahead"."""
-    ahead = {"ahead", "in front"} & {*f.adverbs}
-    if len(actors) < 2 or not (ahead or "behind" in f.adverbs):
-        return
-    for one in things(f.phrase("with")):
-        for other in [a for a in actors if a != one]:
-            kind = "in_front_of" if ahead else "behind"
-            d.scene.relations.append(Relation(one, other, kind))
-
-
 def _tipped(d: Discourse, actor: str) -> bool:
     """ "The seesaw tips and a boy slides off": from what has just toppled."""
     last = last_event(d)
@@ -360,30 +338,3 @@ def reverse(d: Discourse, actors: list[str]) -> None:
             )
         if track.direction in (None, ForceDirection.ALONG_FORWARD_ONLY):
             track.direction = ForceDirection.ALONG_FORWARD_OR_BACKWARD
-
-
-def stands(d: Discourse, f: Frame, body: str) -> bool:
-    """Whether something tall stands or leans on the ground, where it can only tip over."""
-    e = entity_of(d, body)
-    tall = size_of(d, body)[2] >= _TALL_CM
-    held = body in d.scene.supported_by or body in d.scene.attached
-    down = f.phrase("off", "from", "out of", "over") is not None or "off" in f.adverbs
-    lifted = body in d.scene.heights or is_airborne(d, body)
-    in_row = e.pattern == "row" and e.group is not None and not (held or down or lifted)
-    if in_row and moved_by_others(d, body):
-        return True  # "hits the first of a row of books, which fall one after another"
-    upright = body in d.moves.leaning or ("topples" in e.noun.traits and tall)
-    return upright and not (held or down or lifted)
-
-
-def speed_of_noun(d: Discourse, f: Frame, subject: list[str]) -> None:
-    """ "a mallet swung at 3 m/s", "a boat making 30 knots": the speed that nothing has read."""
-    found = quantity_of(d, f, "speed")
-    if found is None or not f.reduced or len(subject) != 1 or not unread(d, found[1]):
-        return
-    edges = [e for e in d.timeline.edges if e.actor == subject[0]]
-    if edges and not any(e.speed_is_prescribed for e in edges):
-        d.timeline.set_speed(subject[0], found[1].value, prescribed=True)
-        mark_used(d, found[1], "speed")
-    elif not edges:
-        d.moves.stated[subject[0]] = found[1]

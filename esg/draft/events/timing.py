@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+import re
 from typing import Any
 
 from esg.draft import lexicon as lex
@@ -11,9 +13,9 @@ from esg.draft.discourse.record import Discourse, Time
 from esg.draft.discourse.scene import SELF_POWERED, pocket_name
 from esg.draft.discourse.timeline import START
 from esg.draft.discourse.windows import Draft
+from esg.draft.events.roles import role
 from esg.draft.events.told import constrain, mates_of, moves, unread
 from esg.draft.grammar.clauses.frames import Frame
-from esg.draft.text.elements import Mention
 from esg.draft.text.quantities import Amount
 from esg.graph.models import EdgeEvent, EventConstraint, NodeEvent, Quantity, Role
 
@@ -24,6 +26,10 @@ _TIMES = frozenset(
 )
 _MEETING = (NodeEvent.COLLISION, NodeEvent.ENTER_REGION)
 _REPLACING = (*_MEETING, NodeEvent.REACH, NodeEvent.TOPPLE, NodeEvent.FALL)
+_ON_THE_WAY = lex.word_set("on the way")
+_WITHIN = ("in", "within", "over")
+_LASTS = re.compile(r"(?:over|(?:with)?in) the (?:course|space) of|within|inside|in under", re.I)
+SETS_OFF = lex.word_set("sets off")
 PUSHING = lex.word_set("pushing")
 
 
@@ -38,9 +44,6 @@ def representatives(d: Discourse, targets: list[str], movers: list[str]) -> list
         mates = [i for i in targets if e.group is not None and entity_of(d, i).group == e.group]
         if t in d.now.each or e.group is None:
             out.append(t)
-        elif e.pattern == "stack" and len(targets) > 1:
-            out.append(_of_a_stack(d, e.group, targets))
-            seen.add(e.group)
         elif any(not entity_of(d, i).letter and not entity_of(d, i).place for i in mates):
             out.append(_stands_for(d, mates))  # "hits a row of bins and pushes the red one"
             seen.add(e.group)
@@ -56,14 +59,6 @@ def _stands_for(d: Discourse, mates: list[str]) -> str:
     ]
     plain = [i for i in mates if not entity_of(d, i).letter and not entity_of(d, i).place]
     return next(iter([*named, *plain]))
-
-
-def _of_a_stack(d: Discourse, group: str, targets: list[str]) -> str:
-    """Who stands for a stack: the one struck before, one named by its level, or the lowest."""
-    mates = [i for i in d.world.groups.get(group, targets) if i in targets]
-    struck = [i for i in mates if (t := d.timeline.tracks.get(i)) is not None and t.hit]
-    named = [i for i in reversed(mates) if entity_of(d, i).place]
-    return next(iter([*struck, *named, *mates]), targets[0])
 
 
 def time_of(d: Discourse, f: Frame) -> Time | None:
@@ -140,9 +135,7 @@ def _since_when(
         return None, previous
     if previous is not None and on_its_own(d, f, participants, time):
         time = (time[0], time[1], "at")
-    if not later(d, time[1]):
-        previous = _begun(d, previous, participants[0])
-    return time, previous
+    return time, previous if later(d, time[1]) else _begun(d, previous, participants[0])
 
 
 def _time_since(d: Discourse, draft: Draft, time: Time, previous: str | None) -> None:
@@ -165,11 +158,10 @@ def _begun(d: Discourse, previous: str | None, mover: str) -> str | None:
     "It slows down to 5 m/s and hits a cone after 4 s": not 4 s after it has slowed down.
     """
     node = d.timeline.node(previous) if previous is not None else None
-    if node is None or node.event is not NodeEvent.TRIGGER or node.participants != (mover,):
+    changes = node is not None and any(c.quantity == "speed_after" for c in node.constraints)
+    if node is None or not changes or node.participants != (mover,):
         return previous
     changed = (EdgeEvent.BRAKE, EdgeEvent.ACCELERATED_MOTION)
-    if all(c.quantity != "speed_after" for c in node.constraints):
-        return previous
     begun = next((e.from_ for e in d.timeline.edges if e.to == node.id and e.event in changed), "")
     return None if begun == START else begun or previous
 
@@ -247,7 +239,7 @@ def settle(
 def _leaves(f: Frame) -> bool:
     """ "falls off", "comes loose", "two drums fall down": a fall from what it stood on."""
     down = "down" in {*f.adverbs, f.verb.extra.get("particle", "")} and not f.phrases
-    leaves = f.phrase("off", "from", "out of") is not None or {"off", "out"} & {*f.adverbs}
+    leaves = role(f, "source") is not None or {"off", "out"} & {*f.adverbs}
     return bool(leaves) or down or f.verb.lemma in ("come", "break", "detach")
 
 
@@ -278,7 +270,7 @@ def _land_aim(
         if there and n.event in (*_MEETING, NodeEvent.MISS) and mates & {*n.participants}:
             return  # "throws three stones at it; the last one knocks it off"
     if enterable(d, other):
-        enter(d, f, name, other, None, time)
+        enter(d, f, name, other, time)
     else:
         d.add_event(NodeEvent.COLLISION, (name, other), f, time)
         d.moves.last_hit = (name, other)
@@ -292,6 +284,21 @@ def enterable(d: Discourse, node: str) -> bool:
 def precedes(d: Discourse, a: Amount) -> bool:
     """Whether a time says how long before the next event: "2 seconds before B hits"."""
     return d.text[a.end : a.end + 8].lower().startswith(" before ")
+
+
+def hand_on(d: Discourse, f: Frame) -> None:
+    """ "closes the gap in 2 s and hits it": the time of what comes next in the sentence."""
+    after = [g for g in d.told if g.sentence == f.sentence and g.verb.start > f.verb.start]
+    following = next((g for g in after if not g.unreal), None)
+    begins = f.verb.lemma in SETS_OFF or f.verb.extra.get("start")
+    if f.verb.sense not in _ON_THE_WAY or begins or following is None:
+        return  # "after 3 s it drives off and hits": when it sets off
+    for p, a in amounts_of(d, f):
+        free = a.dimension == "time" and not a.measure and d.times.gap is None and unread(d, a)
+        if free and following.link != "purpose" and (p in _WITHIN or _LASTS.match(a.text)):
+            within = a.bound == "max" or p == "within"
+            d.times.gap = replace(a, low=0.05 * a.high) if within else a
+            d.times.gap_of = f
 
 
 def start_height(d: Discourse, bodies: list[str], a: Amount) -> None:
@@ -309,7 +316,7 @@ def start_height(d: Discourse, bodies: list[str], a: Amount) -> None:
                 EventConstraint(quantity="height", object=t, value=a.value)
             )
         elif before != a.value:
-            low = before if isinstance(before, float) else before[0]
+            low = before if isinstance(before, int | float) else before[0]
             told = f"{entity_of(d, t).label} starts at {low:g} cm and {a.low:g} cm"
             d.world.conflicts.append(told)
     mark_used(d, a, "start height")
@@ -339,14 +346,8 @@ def is_airborne(d: Discourse, actor: str) -> bool:
     return any(e.actor == actor and e.params.elevation_deg is not None for e in d.timeline.edges)
 
 
-def enter(
-    d: Discourse,
-    f: Frame,
-    actor: str,
-    other: str,
-    m: Mention | None,
-    time: Time | None,
-) -> None:
+def enter(d: Discourse, f: Frame, actor: str, other: str, time: Time | None) -> None:
+    """Something enters a goal, a pocket, a vessel or water."""
     noun = entity_of(d, other).noun
     if noun.kind == "region":
         host = next((i for i, e in d.world.entities.items() if e.noun.kind == "billiardtable"), "")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 import re
 
@@ -14,23 +15,26 @@ from esg.draft.events.acts import (
     WAYS,
     add_event,
     add_hit,
+    braking,
     comes_down_a_slope,
     ensure_mover,
     kinematics,
     outcomes,
 )
-from esg.draft.events.consequences import knock_on, place_where_hit
+from esg.draft.events.consequences import knock_on
 from esg.draft.events.motions import motion, reverse, start_motion
+from esg.draft.events.roles import role
 from esg.draft.events.senses.launch import launch_by, motion_of_things, read_launch
 from esg.draft.events.table import read_as, sense
 from esg.draft.events.timing import enterable, moved_by_others, time_of
+from esg.draft.events.told import amount, at_rest, constrain, ignore, recent, things
 from esg.draft.grammar.clauses.frames import Frame, Phrase
-from esg.draft.text.quantities import Amount
-from esg.graph.models import EventConstraint, NodeEvent
+from esg.graph.models import NodeEvent
 
 _MEETING = lex.word_set("meeting (contact)")
 _NO_THINGS = lex.word_set("no things")
 _PLACES_HIT = lex.word_set("places hit")
+_FELLING = lex.word_set("felling")
 _AHEAD = frozenset({"in front of", "before"})
 _STUMBLING = frozenset({"trip", "stumble"})
 _BESIDE = re.compile(
@@ -40,153 +44,225 @@ _BESIDE = re.compile(
     re.IGNORECASE,
 )
 """What may stand between a thing and its own speed."""
-_CATCHING = lex.word_set("catching")
-
-
-_FELLING = lex.word_set("felling")
+_BLOWS = ("hit", "strike", "tap", "smack", "whack")
 
 
 @sense("hit")
 def read_hit(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    struck = s if f.verb.passive else o
-    out = f.verb.lemma != "take" or "out" in d.text[f.verb.start : f.verb.end + 5].split()
-    felled = f.verb.lemma in _FELLING and out and bool(struck)
-    if felled and kind_of(d, struck[0]) in ("pin", "domino"):
-        read_as(d, "knock", f, s, o)  # "takes out eight pins"
-        for pin in struck if len(struck) <= 3 else struck[:1]:
-            add_event(d, NodeEvent.TOPPLE, (pin,), f, None)
+    """Who hits, what is hit, unless the clause tells of something else, and what follows."""
+    if _fells(d, f, s, o):
         return
     time = time_of(d, f)
-    if f.object is not None and f.object.attribute and not o:
-        o = []
-    if f.verb.passive and f.verb.extra.get("motion") and f.phrase("by") is None:
-        f.verb.passive = False  # "is reversed into a lamp post"
-        o = [i for i in o if i not in s]
-    if f.verb.passive and f.verb.lemma == "stick" and o and f.phrase("by") is None:
-        f.verb.passive = False  # "gets stuck in a bush"
-    if f.verb.passive and caught(d, f, s):
+    if f.verb.passive and _runs_in_itself(f, o):
+        f.verb.passive, o = False, [i for i in o if i not in s]
+    if not s and o and f.subject is None and not f.verb.passive:
+        read_launch(d, f, s, o)  # "hit the ball into the goal"
         return
-    if f.verb.passive:
-        by = f.phrase("by")
-        by = by or f.phrase("with")
-        movers = by.mention.entities if by is not None and by.mention is not None else []
-        if not movers:
-            movers = whose_way(d, f, s)
-        if not movers:
-            movers = [
-                a for a, t in d.timeline.tracks.items() if t.motion is not None and a not in s
-            ][-1:]
-        if not movers and s:
-            if quantity_of(d, f, "angle") is not None:
-                motion_of_things(d, f, s, "throw")
-            else:
-                motion(d, f, s, None)  # "a cue ball is struck at 3 m/s"
-            return
-        targets = s
-    else:
-        movers, targets = s, hit_targets(d, f, s, o)
-        if f.verb.lemma in _CATCHING and not set(targets) & set(d.times.pending):
-            targets = list(d.times.pending)[-1:] or targets  # "but the keeper catches it"
-        if not s and o and f.subject is None:
-            # imperative "hit the ball into the goal": a launch
-            read_launch(d, f, s, o)
-            return
-    if (
-        movers
-        and all(kind_of(d, m) == "person" for m in movers)
-        and targets
-        and (not f.verb.passive or f.reduced)
-        and f.verb.lemma in ("hit", "strike", "tap", "smack", "whack")
-        and kind_of(d, targets[0]) in ("ball", "billiard", "sliding")
-    ):
-        launch_by(d, f, movers, targets)
-        return
-    host = f.phrase("on", "in", "at")
-    if (
-        len(movers) >= 2
-        and host is not None
-        and host.mention is not None
-        and targets == host.mention.entities
-    ):
-        place(d, movers, targets, host.prep)
-        targets = []
-    over = d.text[f.verb.start : f.verb.end].lower().endswith("over")
-    if over and targets and all(map(partial(enterable, d), targets)):
-        motion(d, f, movers, None)  # "runs over the hole": a path
-        return
-    flat = all(map(partial(structural, d), targets))
-    if flat and movers and not f.verb.passive and _crashes_down(d, f, movers):
-        return
-    encounter = f.verb.lemma == "meet" and all(kind_of(d, m) in SELF_POWERED for m in movers)
-    opposed = any("each other" in g.adverbs for g in d.told if g.sentence <= f.sentence)
-    if encounter and not targets and not opposed and not {"head-on", "hard"} & set(f.adverbs):
-        motion(d, f, movers, None)  # "two trains meet at a bridge"
+    movers, targets = _who_and_what(d, f, s, o)
+    if f.verb.passive and not movers and s:
+        thrown = quantity_of(d, f, "angle") is not None
+        motion_of_things(d, f, s, "throw") if thrown else motion(d, f, s, None)
+        return  # "a cue ball is struck at 3 m/s"
+    if any(read(d, f, movers, targets) for read in _NO_HITS):
         return
     if not targets and len(movers) >= 2:
         mutual(d, f, movers, time)
         return
-    rim = f.object is not None and f.object.head in ("cushion", "rail") and f.object.attribute
-    if rim and not targets:
+    targets = targets or _implied(d, movers)
+    _comes_too(d, f, movers, targets)
+    kinematics(d, f, movers, targets)
+    _runs_or_reverses(d, f, movers, targets)
+    changing = [m for m in movers if braking(d, m) or comes_down_a_slope(d, m)]
+    nodes = add_hit(d, f, movers, targets, time)
+    _speed_at_hit(d, f, nodes, changing)
+    if not o and not f.verb.passive:
+        _hits_more(d, f, movers, targets)
+    _goes_on_to(d, f, targets, bool(o and nodes))
+
+
+def _goes_on_to(d: Discourse, f: Frame, targets: list[str], sent: bool) -> None:
+    """ "hits the ball off the table", "hits a box into a wall": where what is hit goes."""
+    if things(f.phrase("off")) and targets:
+        outcomes(d, f, targets[:1])
+    elif sent and f.phrase("into", "onto", "toward", "towards", "against") is not None:
+        knock_on(d, f, targets[:1])
+
+
+def _who_and_what(
+    d: Discourse, f: Frame, s: list[str], o: list[str]
+) -> tuple[list[str], list[str]]:
+    """What hits, and what is hit; of "two cars collide on a bridge" the bridge is neither."""
+    movers, targets = (_strikers(d, f, s), s) if f.verb.passive else (s, hit_targets(f, s, o))
+    host = f.phrase("on", "in", "at")
+    if len(movers) >= 2 and host is not None and targets == things(host):
+        place(d, movers, targets, host.prep)
+        targets = []
+    return movers, targets
+
+
+def _fells(d: Discourse, f: Frame, s: list[str], o: list[str]) -> bool:
+    """ "takes out eight pins": they fall over."""
+    struck = s if f.verb.passive else o
+    out = f.verb.lemma != "take" or "out" in d.text[f.verb.start : f.verb.end + 5].split()
+    felled = f.verb.lemma in _FELLING and out and bool(struck)
+    if not felled or kind_of(d, struck[0]) not in ("pin", "domino"):
+        return False
+    read_as(d, "knock", f, s, o)
+    for pin in struck if len(struck) <= 3 else struck[:1]:
+        add_event(d, NodeEvent.TOPPLE, (pin,), f, None)
+    return True
+
+
+def _runs_in_itself(f: Frame, o: list[str]) -> bool:
+    """ "is reversed into a lamp post", "gets stuck in a bush": the subject is what hits."""
+    stuck = f.verb.lemma == "stick" and bool(o)
+    return role(f, "agent") is None and bool(f.verb.extra.get("motion") or stuck)
+
+
+def _strikers(d: Discourse, f: Frame, struck: list[str]) -> list[str]:
+    """What hits in "is hit": by that, with that, whose way it was in, what moved last."""
+    moving = [a for a, t in d.timeline.tracks.items() if t.motion is not None and a not in struck]
+    by = role(f, "agent") or f.phrase("with")
+    return things(by) or whose_way(d, f, struck) or moving[-1:]
+
+
+def _strikes_ball(d: Discourse, f: Frame, movers: list[str], targets: list[str]) -> bool:
+    """ "A player strikes the ball": it flies off."""
+    people = bool(movers) and all(kind_of(d, m) == "person" for m in movers)
+    played = f.verb.lemma in _BLOWS and (not f.verb.passive or f.reduced)
+    ball = bool(targets) and kind_of(d, targets[0]) in ("ball", "billiard", "sliding")
+    if people and played and ball:
+        launch_by(d, f, movers, targets)
+        return True
+    return False
+
+
+def _runs_over(d: Discourse, f: Frame, movers: list[str], targets: list[str]) -> bool:
+    """ "runs over the hole": a path."""
+    over = d.text[f.verb.start : f.verb.end].lower().endswith("over")
+    if over and targets and all(map(partial(enterable, d), targets)):
+        motion(d, f, movers, None)
+        return True
+    return False
+
+
+def _crashes_down(d: Discourse, f: Frame, movers: list[str], targets: list[str]) -> bool:
+    """ "crashes to the floor": a fall from where it stands."""
+    p = f.phrase("to", "onto", "on", "down")
+    flat = all(map(partial(structural, d), [*targets, *things(p)]))
+    if p is None or f.verb.passive or not flat:
+        return False
+    for mover in movers:
+        fresh = mover not in d.timeline.tracks and kind_of(d, mover) not in SELF_POWERED
+        if mover in d.scene.supported_by or (fresh and p.prep == "to"):
+            add_event(d, NodeEvent.FALL, (mover,), f, time_of(d, f))
+    return any(m in d.scene.supported_by for m in movers)
+
+
+def _hits_no_thing(d: Discourse, f: Frame, movers: list[str], targets: list[str]) -> bool:
+    """ "hits the cushion", "hits a snag", "stumbles": nothing that is met, or was understood."""
+    m, after = f.object, d.text[f.verb.end : f.verb.end + 12].lower().split()[:1]
+    if targets or len(movers) >= 2:
+        return False
+    article = after and after[0] in ("a", "an", "the", "its", "his", "her")
+    named = m is not None and m.attribute and m.head not in _PLACES_HIT and not f.verb.passive
+    if m is not None and m.attribute and m.head in ("cushion", "rail"):
         for mover in movers:
             ensure_mover(d, f, mover, None)
             d.scene.needs.append(("billiard_table", mover))
-        d.scene.ignored[(f.verb.start, f.verb.end)] = "a part that every ball touches"
-        return
-    if not targets and movers and f.object is None and _names_something(d, f):
-        d.scene.ignored[(f.verb.start, f.verb.end)] = "what is hit was not understood"
-        return
-    if not targets and f.object is not None and f.object.head in _NO_THINGS:
-        d.scene.ignored[(f.verb.start, f.verb.end)] = "what is hit is no thing"
-        return
-    if not targets and f.verb.lemma in _STUMBLING:
+        ignore(d, f, "a part that every ball touches")
+    elif m is not None and m.head in _NO_THINGS:
+        ignore(d, f, "what is hit is no thing")
+    elif (movers and m is None and article) or (named and m and m.determiner in ("a", "an")):
+        ignore(d, f, "what is hit was not understood")
+    elif f.verb.lemma in _STUMBLING:
         mark_used(d, f, "stumbles")
-        return
-    named = f.object is not None and f.object.attribute and f.object.head not in _PLACES_HIT
-    if not targets and named and not f.verb.passive and f.object.determiner in ("a", "an"):
-        d.scene.ignored[(f.verb.start, f.verb.end)] = "what is hit was not understood"
-        return
-    if not targets and movers:
-        aimed = d.moves.aim.get(movers[0]) or aim_of_mates(d, movers[0])
-        if aimed is not None and aimed != movers[0]:
-            targets = [aimed]
-        else:
-            targets = [
-                i
-                for ids in reversed(d.world.salience)
-                for i in ids
-                if i not in movers and not structural(d, i)
-            ][:1]
-    _comes_too(d, f, movers, targets)
-    kinematics(d, f, movers, targets)
+    else:
+        return False
+    return True
+
+
+_NO_HITS: tuple[Callable[[Discourse, Frame, list[str], list[str]], bool], ...] = (
+    _strikes_ball,
+    _runs_over,
+    _crashes_down,
+    _hits_no_thing,
+)
+"""What a verb of contact may tell instead of a collision, in the order it is looked for."""
+
+
+def _implied(d: Discourse, movers: list[str]) -> list[str]:
+    """ "throws a ball at a can and hits": what was aimed at, else what was named last."""
+    if not movers:
+        return []
+    aimed = d.moves.aim.get(movers[0]) or aim_of_mates(d, movers[0])
+    if aimed is not None and aimed != movers[0]:
+        return [aimed]
+    return [i for i in recent(d) if i not in movers and not structural(d, i)][:1]
+
+
+def _runs_or_reverses(d: Discourse, f: Frame, movers: list[str], targets: list[str]) -> None:
+    """ "reverses into a wall"; "is hit by a ball and runs into a fence": by himself."""
     if f.verb.extra.get("motion") == "reverse":
         reverse(d, movers)
     for m in movers if f.verb.lemma == "run" else ():
         if moved_by_others(d, m) and kind_of(d, m) in ("person", "animal"):
             start_motion(d, f, [m], "own", next(iter(targets), None))
-    changing = [m for m in movers if _brakes_now(d, m) or comes_down_a_slope(d, m)]
-    nodes = add_hit(d, f, movers, targets, time)
-    _speed_at_hit(d, f, nodes, changing)
-    after_hit(d, f, nodes, targets)
-    if not o and not f.verb.passive:
-        seen = list(targets)
-        for p in f.phrases:
-            if (
-                (p.prep in ("into", "against", "through") or _meets_with(f, p))
-                and p.mention is not None
-                and not p.mention.attribute
-            ):
-                extra = [
-                    i
-                    for i in p.mention.entities
-                    if i not in seen and i not in movers and not structural(d, i)
-                ]
-                seen += extra
-                add_hit(d, f, movers, extra)
-    tail = f.phrase("off")
-    if tail is not None and tail.mention is not None and targets:
-        outcomes(d, f, targets[:1])
-    elif o and f.phrase("into", "onto", "toward", "towards", "against") is not None and nodes:
-        knock_on(d, f, targets[:1])
+
+
+def _hits_more(d: Discourse, f: Frame, movers: list[str], targets: list[str]) -> None:
+    """ "crashes through a fence and into a wall", "collides with a van and with a bus"."""
+    seen = [*targets, *movers]
+    for p in f.phrases:
+        # not "hits the hurdle with his knee"
+        meets = p.prep == "with" and f.verb.lemma in _MEETING
+        if p.mention is None or p.mention.attribute:
+            continue
+        if meets or p.prep in ("into", "against", "through"):
+            more = [i for i in p.mention.entities if i not in seen and not structural(d, i)]
+            seen += more
+            add_hit(d, f, movers, more)
+
+
+def _speed_at_hit(d: Discourse, f: Frame, nodes: list[str], changing: list[str]) -> None:
+    """ "brakes and hits the barrier at 4 m/s": the speed left, not the one driven before."""
+    speed = amount(d, f, "speed")
+    node = d.timeline.node(nodes[0]) if nodes else None
+    if speed is not None and node is not None and node.participants[0] in changing:
+        constrain(node, "speed_before", speed.value)
+        mark_used(d, speed, f"speed before {node.id}")
+
+
+def _comes_too(d: Discourse, f: Frame, movers: list[str], targets: list[str]) -> None:
+    """ "A car at 10 m/s collides with a truck at 15 m/s": both have a speed, so both move."""
+    if f.verb.passive or len(targets) != 1:
+        return
+    t = targets[0]
+    _speed_beside(d, f, movers, t)
+    if t not in d.moves.stated:
+        return
+    track = d.timeline.tracks.get(t)
+    going = track.motion if track is not None else None
+    if going is not None and not going.prescribed:
+        going.speed, going.prescribed = d.moves.stated[t].value, True
+        mark_used(d, d.moves.stated[t], "speed")
+    if at_rest(d, t) and movable(d, t) and t not in movers:
+        d.moves.own_speed[t] = d.moves.stated[t]
+        start_motion(d, f, [t], None, movers[0] if movers and "head-on" in f.adverbs else None)
+
+
+def _speed_beside(d: Discourse, f: Frame, movers: list[str], target: str) -> None:
+    """A speed told beside what is hit is its own, where that of what hits it is known."""
+    told = [p for p in f.phrases if any(a.dimension == "speed" for a in p.told)]
+    met = [m for m in (f.object, *(p.mention for p in f.phrases)) if m and target in m.entities]
+    known = len(told) > 1 or any(m in d.moves.stated or m in d.moves.own_speed for m in movers)
+    if not told or not known or not met:
+        return
+    last = next(a for a in told[-1].told if a.dimension == "speed")
+    between = d.text[max(m.end for m in met) : last.start]
+    if not last.shares and _BESIDE.fullmatch(between):
+        d.moves.stated[target] = last
+        f.phrases = [p for p in f.phrases if p is not told[-1]]
 
 
 def whose_way(d: Discourse, f: Frame, struck: list[str]) -> list[str]:
@@ -197,83 +273,11 @@ def whose_way(d: Discourse, f: Frame, struck: list[str]) -> list[str]:
             break
         about = g.subject is not None and set(g.subject.entities) & {*struck}
         for p in [Phrase("", g.object), *g.phrases] if about else ():
-            m = p.mention
-            if m is not None and m.head in WAYS and m.possessor is not None:
-                m = m.possessor  # "in a bus's way"
-            elif m is None or (m.part not in WAYS and p.prep not in _AHEAD):
-                continue
-            if set(m.entities) - {*struck}:
-                return [i for i in m.entities if i not in struck and movable(d, i)][:1]
+            ahead = p.mention is not None and (p.mention.part in WAYS or p.prep in _AHEAD)
+            others = [i for i in things(p) if i not in struck]
+            if ahead and others:
+                return [i for i in others if movable(d, i)][:1]
     return []
-
-
-def _comes_too(d: Discourse, f: Frame, movers: list[str], targets: list[str]) -> None:
-    """ "A car at 10 m/s collides with a truck at 15 m/s": both have a speed, so both move."""
-    end = max((m.end for m in d.mentions if set(m.entities) & {*targets}), default=-1)
-    told = [p for p in f.phrases if _speed_in(p) is not None]
-    own = [p for p in told if p is told[0] and len(told) > 1]
-    known = own or any(m in d.moves.stated or m in d.moves.own_speed for m in movers)
-    last = _speed_in(told[-1]) if told else None
-    if last is not None and known and len(targets) == 1 and not f.verb.passive:
-        between = d.text[end : last.start] if end < last.start else ""
-        if end > f.verb.end and _BESIDE.fullmatch(between):
-            d.moves.stated[targets[0]] = last
-            f.phrases = [p for p in f.phrases if p is not told[-1]]
-    for t in targets if not f.verb.passive else ():
-        track = d.timeline.tracks.get(t)
-        still = track is None or (track.motion is None and not track.hit)
-        going = track.motion if track is not None else None
-        if t in d.moves.stated and going is not None and not going.prescribed:
-            going.speed, going.prescribed = d.moves.stated[t].value, True
-            mark_used(d, d.moves.stated[t], "speed")
-        if t in d.moves.stated and still and movable(d, t) and t not in movers:
-            head_on = "head-on" in f.adverbs and bool(movers)
-            d.moves.own_speed[t] = d.moves.stated[t]
-            start_motion(d, f, [t], None, movers[0] if head_on else None)
-
-
-def _speed_in(p: Phrase) -> Amount | None:
-    """The speed that a phrase tells: "at 15 m/s", "with a speed of 1 m/s"."""
-    found = next((a for a in p.told if a.dimension == "speed"), None)
-    return found if found is not None and not found.shares else None
-
-
-def caught(d: Discourse, f: Frame, s: list[str]) -> bool:
-    """ "is squeezed between it and the wall", "is pinned against a wall by a car"."""
-    between, against = f.phrase("between"), f.phrase("against")
-    p = between or against
-    if p is None or p.mention is None or len(s) != 1:
-        return False
-    others = [i for i in p.mention.entities if i != s[0]]
-    by = f.phrase("by")
-    if between is None:
-        others = [*(by.mention.entities if by and by.mention else []), *others]
-    movers = [i for i in others if movable(d, i) and kind_of(d, i) in SELF_POWERED]
-    moving = [i for i in movers if i in d.timeline.tracks] or movers
-    if len(others) != 2 or not moving:
-        return False
-    add_hit(d, f, moving[:1], s, time_of(d, f))
-    add_hit(d, f, s, [i for i in others if i != moving[0]])
-    return True
-
-
-def _meets_with(f: Frame, p: Phrase) -> bool:
-    """ "collides with a van", not "hits the hurdle with his knee"."""
-    return p.prep == "with" and f.verb.lemma in _MEETING
-
-
-def _crashes_down(d: Discourse, f: Frame, movers: list[str]) -> bool:
-    """ "crashes to the floor": a fall from where it stands."""
-    p = f.phrase("to", "onto", "on", "down")
-    if p is None or p.mention is None or not all(map(partial(structural, d), p.mention.entities)):
-        return False
-    for mover in movers:
-        fresh = mover not in d.timeline.tracks and kind_of(d, mover) not in SELF_POWERED
-        if fresh and p.prep == "to":
-            place_where_hit(d, mover)  # "strikes a shelf; a crate crashes to the ground"
-        if mover in d.scene.supported_by or (fresh and p.prep == "to"):
-            add_event(d, NodeEvent.FALL, (mover,), f, time_of(d, f))
-    return any(m in d.scene.supported_by for m in movers)
 
 
 def aim_of_mates(d: Discourse, mover: str) -> str | None:
@@ -283,84 +287,27 @@ def aim_of_mates(d: Discourse, mover: str) -> str | None:
     return d.moves.aim[like[-1]] if like else None
 
 
-def _names_something(d: Discourse, f: Frame) -> bool:
-    """Whether an article follows the verb, so that there is an object that was not read."""
-    after = d.text[f.verb.end : f.verb.end + 12].lower().split()
-    return bool(after) and after[0] in ("a", "an", "the", "its", "his", "her")
-
-
-def _brakes_now(d: Discourse, actor: str) -> bool:
-    track = d.timeline.tracks.get(actor)
-    return track is not None and track.motion is not None and track.motion.mode == "brake"
-
-
-def _speed_at_hit(d: Discourse, f: Frame, nodes: list[str], changing: list[str]) -> None:
-    """ "brakes and hits the barrier at 4 m/s": the speed left, not the one driven before."""
-    found = quantity_of(d, f, "speed")
-    draft = d.timeline.node(nodes[0]) if nodes else None
-    if found is None or draft is None or draft.participants[0] not in changing:
-        return
-    draft.constraints.append(
-        EventConstraint(quantity="speed_before", object=draft.participants[0], value=found[1].value)
-    )
-    mark_used(d, found[1], f"speed before {draft.id}")
-
-
-def hit_targets(d: Discourse, f: Frame, s: list[str], o: list[str]) -> list[str]:
-    if o:
-        return o
-    p = f.phrase("with", "through", "into", "against", "at", "on", "onto", "to", "in")
+def hit_targets(f: Frame, s: list[str], o: list[str]) -> list[str]:
+    """What a clause says is hit: its object, else what a phrase names."""
+    p = role(f, "met")
     if f.verb.lemma in _STUMBLING:
         p = f.phrase("over", "on", "into", "against") or p
-    if p is not None and p.mention is not None and not (p.prep == "in" and p.mention.attribute):
-        found = [i for i in p.mention.entities if i not in s]
-        if found:
-            return found
-    return []
-
-
-def after_hit(d: Discourse, f: Frame, nodes: list[str], targets: list[str]) -> None:
-    """Angles and the like stated with a hit."""
-    angle = quantity_of(d, f, "angle")
-    if angle is not None and nodes:
-        draft = d.timeline.node(nodes[0])
-        if draft is not None:
-            draft.constraints.append(
-                EventConstraint(
-                    quantity="angle", object=draft.participants[0], value=angle[1].value
-                )
-            )
-            mark_used(d, angle[1], f"angle of {nodes[0]}")
+    if o or p is None or (p.prep == "in" and p.mention is not None and p.mention.attribute):
+        return o
+    return [i for i in things(p) if i not in s]
 
 
 def mutual(d: Discourse, f: Frame, movers: list[str], time: Time | None) -> None:
     """ "Two cars collide": who moves, who is hit."""
     a, b = movers[0], movers[1]
-    latest = d.timeline.node(d.timeline.last_event or "")
-    if (
-        latest is not None
-        and latest.event is NodeEvent.COLLISION
-        and set(latest.participants) == {a, b}
-        and time is None
-    ):
-        mark_used(d, f, latest.id)  # "they meet and collide"
-        return
-    ta, tb = d.timeline.tracks.get(a), d.timeline.tracks.get(b)
-    if (
-        entity_of(d, a).place == "front"
-        or (entity_of(d, b).place == "rear")
-        or (ta is None and tb is not None)
-    ):
+    first, second = entity_of(d, a), entity_of(d, b)
+    comes = b in d.timeline.tracks and a not in d.timeline.tracks
+    if first.place == "front" or second.place == "rear" or comes:
         a, b = b, a
-    moving = [
-        m
-        for m in (a, b)
-        if (t := d.timeline.tracks.get(m)) is not None and (t.motion is not None or t.hit)
-    ]
-    if not moving:
+    if at_rest(d, a) and at_rest(d, b):
         driven = any(kind_of(d, m) in SELF_POWERED for m in (a, b))
         driven = driven or all(m in d.moves.stated or m in d.moves.own_speed for m in (a, b))
-        for m in (a, b) if driven else (a,):
+        for m, other in ((a, b), (b, a)) if driven else ((a, b),):
             if movable(d, m):
-                start_motion(d, f, [m], None, b if m == a else a)
+                start_motion(d, f, [m], None, other)
     add_hit(d, f, [a], [b], time)

@@ -10,88 +10,87 @@ from esg.draft.discourse.event_coreference import time_of_told
 from esg.draft.discourse.record import Discourse, Time
 from esg.draft.discourse.scene import SELF_POWERED
 from esg.draft.discourse.tracks import Motion
-from esg.draft.discourse.windows import Draft
-from esg.draft.events.acts import add_event, add_hit, outcomes
+from esg.draft.events.acts import add_event, add_hit, braking, outcomes
 from esg.draft.events.lengths import stops_short
 from esg.draft.events.motions import direction_of, lasts, own, start_motion, wait
+from esg.draft.events.roles import filling
 from esg.draft.events.senses.state import places, read_be
 from esg.draft.events.table import sense
 from esg.draft.events.timing import moved_by_others, representatives, time_of
+from esg.draft.events.told import amount, at_rest, constrain, ignore, last_of, moves, things, unread
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.quantities import Amount
-from esg.graph.models import EventConstraint, NodeEvent, Quantity, Role
+from esg.graph.models import NodeEvent, Quantity, Role
 
 _SHOWN = lex.word_set("shown")
+
+
+def _from_to(a: Amount) -> bool:
+    """Whether it is a change: "from 15 m/s to 5 m/s"."""
+    return a.low != a.high and a.text.lower().startswith("from")
 
 
 @sense("accelerate")
 def read_accelerate(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     able = [a for a in s or o if movable(d, a)]
     actors = [a for a in able if _speeds_up(d, a) or not _free_body(d, a)]
-    if not actors and (s or o):
-        d.scene.ignored[(f.verb.start, f.verb.end)] = "gravity does it"
-        return
-    speeds = [(p, a) for p, a in amounts_of(d, f) if a.dimension == "speed"]
-    rate = quantity_of(d, f, "acceleration")
+    rate = amount(d, f, "acceleration")
+    duration = amount(d, f, "time", "for")
     for actor in actors:
         wait(d, actor)
         track = d.timeline.track(actor)
-        if track.motion is not None and not track.closed and track.motion.mode == "own":
-            time = time_of(d, f)
-            add_event(d, NodeEvent.TRIGGER, (actor,), f, time)
-        start: Quantity = (0.0, 500.0)
-        prescribed = False
-        params: dict[str, object] = {"acceleration": rate[1].value if rate else (50.0, 600.0)}
-        final: Amount | None = None
-        for p, a in speeds:
-            mark_used(d, a, "speed")
-            if a.low != a.high and a.text.lower().startswith("from"):
-                start, prescribed = a.low, True
-                final = Amount("speed", a.high, a.high, a.start, a.end, a.text)
-            elif p == "from":
-                start, prescribed = a.value, True
-            elif p in ("to", "until", "up to", ""):
-                final = a
-            else:
-                start, prescribed = a.value, True
-        if track.motion is not None and track.motion.prescribed and not prescribed:
-            start, prescribed = track.motion.speed or start, True
+        if moves(d, actor) and track.motion is not None and track.motion.mode == "own":
+            add_event(d, NodeEvent.TRIGGER, (actor,), f, time_of(d, f))
+        start, final = _speeds(d, f)
+        if start is None and track.motion is not None and track.motion.prescribed:
+            start = track.motion.speed
         if "from rest" in f.adverbs:
-            start, prescribed = 0.0, True
-        if rate is not None:
-            mark_used(d, rate[1], "acceleration")
-        duration = next(
-            (a for p, a in amounts_of(d, f) if a.dimension == "time" and p == "for"), None
+            start = 0.0
+        mark_used(d, rate, "acceleration")
+        mark_used(d, duration, "duration")
+        motion = Motion(
+            "accelerate",
+            (0.0, 500.0) if start is None else start,
+            start is not None,
+            d.moves.aim.get(actor),
+            {"acceleration": rate.value if rate else (50.0, 600.0)},
+            duration.value if duration else None,
         )
-        if duration is not None:
-            mark_used(d, duration, "duration")
-        d.timeline.move(
-            actor,
-            Motion(
-                "accelerate",
-                start,
-                prescribed,
-                d.moves.aim.get(actor),
-                params,
-                duration.value if duration else None,
-            ),
-            direction_of(d, actor, "own"),
-        )
+        d.timeline.move(actor, motion, direction_of(d, actor, "own"))
         if final is not None:
             node = d.timeline.trigger(actor, f"{actor} has reached its speed")
-            draft = d.timeline.node(node)
-            assert draft is not None
-            draft.constraints.append(
-                EventConstraint(quantity="speed_after", object=actor, value=final.value)
-            )
             time = time_of(d, f)
-            if time is not None and (time[1].start, time[1].end) not in d.scene.used:
+            draft = d.timeline.node(node)
+            if draft is not None and time is not None and unread(d, time[1]):
                 mark_used(d, time[1], "time")
                 draft.time, draft.time_prescribed = time[0], True
-            d.timeline.move(actor, Motion("own", final.value, True), direction_of(d, actor, "own"))
-            d.timeline.track(actor).closed = True
+            _goes_on_at(d, actor, node, final)
     mark_used(d, f, "acceleration")
     outcomes(d, f, actors)
+
+
+def _speeds(d: Discourse, f: Frame) -> tuple[Quantity | None, Amount | None]:
+    """The speeds that an acceleration starts from and leads to."""
+    start: Quantity | None = None
+    final: Amount | None = None
+    for p, a in amounts_of(d, f):
+        if a.dimension != "speed":
+            continue
+        mark_used(d, a, "speed")
+        if _from_to(a):
+            start, final = a.low, replace(a, low=a.high)
+        elif p in ("to", "until", "up to", ""):
+            final = a
+        else:
+            start = a.value
+    return start, final
+
+
+def _goes_on_at(d: Discourse, actor: str, node: str, final: Amount) -> None:
+    """From an event on it moves at the speed that a change of speed has led to."""
+    constrain(d.timeline.node(node), "speed_after", final.value, actor)
+    d.timeline.move(actor, Motion("own", final.value, True), direction_of(d, actor, "own"))
+    d.timeline.track(actor).closed = True
 
 
 def _speeds_up(d: Discourse, actor: str) -> bool:
@@ -106,54 +105,38 @@ def _free_body(d: Discourse, actor: str) -> bool:
 
 
 def add_brake(d: Discourse, f: Frame, actor: str, time: Time | None) -> None:
+    """What moves, or starts to move now, brakes from here on."""
     if not movable(d, actor):
         return
-    track = d.timeline.track(actor)
-    if track.motion is None and not track.hit:
+    if at_rest(d, actor):
         start_motion(d, f, [actor])
-    if track.motion is not None and track.motion.mode == "brake" and not track.closed:
+    if braking(d, actor) and moves(d, actor):
         return
     add_event(d, NodeEvent.TRIGGER, (actor,), f, time, stem="brake")
     motion = d.timeline.track(actor).motion
     target = motion.target if motion is not None else None
-    d.timeline.move(
-        actor,
-        Motion("brake", None, False, target, {"damping": (0.3, 6.0)}),
-        direction_of(d, actor, "own"),
-    )
+    brake = Motion("brake", None, False, target, {"damping": (0.3, 6.0)})
+    d.timeline.move(actor, brake, direction_of(d, actor, "own"))
 
 
 @sense("brake")
 def read_brake(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    if _slows_to(d, f):
-        read_slow(d, f, s, o)
+    found = quantity_of(d, f, "speed")
+    if found is not None and (_from_to(found[1]) or found[0] in ("to", "down to")):
+        read_slow(d, f, s, o)  # "brakes to 5 m/s"
         return
     actors = s or [a for a, t in d.timeline.tracks.items() if t.motion is not None][-1:]
     lasting = next((a for p, a in amounts_of(d, f) if lasts(p, a)), None)
+    rate = amount(d, f, "acceleration")
     for actor in actors:
         time = time_of(d, f)
         add_brake(d, f, actor, None if time is not None and time[1] is lasting else time)
-    if lasting is not None and actors:
-        lasting = replace(lasting, high=lasting.low) if lasting.bound == "min" else lasting
-        d.times.gap = lasting  # "brakes for 2 s and then hits"
-    found = quantity_of(d, f, "speed")
-    rate = quantity_of(d, f, "acceleration")
-    for actor in actors if rate is not None else []:
         start = _speed_before_brake(d, actor)
-        if start is not None:
-            d.moves.rates[actor] = (rate[1], start)
-    if found is not None and f.phrase("from") is None:
-        mark_used(d, found[1], "speed")
+        if rate is not None and start is not None:
+            d.moves.rates[actor] = (rate, start)
+    if lasting is not None and actors:  # "brakes for 2 s and then hits"
+        d.times.gap = replace(lasting, high=lasting.low) if lasting.bound == "min" else lasting
     mark_used(d, f, "braking")
-
-
-def _slows_to(d: Discourse, f: Frame) -> bool:
-    """ "brakes to 5 m/s", "brakes from 15 m/s to 5 m/s": the speed that braking leaves."""
-    found = quantity_of(d, f, "speed")
-    if found is None:
-        return False
-    both = found[1].low < found[1].high and found[1].text.lower().startswith("from")
-    return both or any(p in ("to", "down to") and a is found[1] for p, a in amounts_of(d, f))
 
 
 def _speed_before_brake(d: Discourse, actor: str) -> float | None:
@@ -167,202 +150,115 @@ def _speed_before_brake(d: Discourse, actor: str) -> float | None:
 
 def _rate_of_braking(d: Discourse, actor: str, node: str) -> None:
     """ "brakes at 3 m/s² from 9 m/s and stops": the time that this takes."""
-    if actor not in d.moves.rates:
-        return
-    amount, speed = d.moves.rates.pop(actor)
+    told, speed = d.moves.rates.pop(actor, (None, 0.0))
     draft = d.timeline.node(node)
-    rate = abs(amount.middle)
-    if (
-        draft is None
-        or rate <= 0.0
-        or any(c.quantity in ("time_to_stop", "time_since") for c in draft.constraints)
-    ):
+    if draft is None or told is None or told.middle == 0.0:
         return
-    draft.constraints.append(
-        EventConstraint(quantity="time_to_stop", object=actor, value=speed / rate)
-    )
-    mark_used(d, amount, "time to stop at this rate")
+    if not any(c.quantity in ("time_to_stop", "time_since") for c in draft.constraints):
+        constrain(draft, "time_to_stop", speed / abs(told.middle), actor)
+        mark_used(d, told, "time to stop at this rate")
 
 
 @sense("slow")
 def read_slow(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    actors = s or o
-    final = next(
-        (a for p, a in amounts_of(d, f) if a.dimension == "speed" and p in ("to", "")), None
-    )
-    initial: Amount | None = None
-    if final is not None and final.low < final.high and final.text.lower().startswith("from"):
-        # "from 20 m/s to 8 m/s"
+    """ "slows down from 20 m/s to 8 m/s": brakes, and goes on at the speed that is left."""
+    final, initial = amount(d, f, "speed", "to", ""), amount(d, f, "speed", "from")
+    if final is not None and final.low < final.high and _from_to(final):
         initial, final = replace(final, low=final.high), replace(final, high=final.low)
-    initial = initial or next(
-        (a for p, a in amounts_of(d, f) if a.dimension == "speed" and p == "from"), None
-    )
-    for actor in actors:
-        if not movable(d, actor):
-            d.scene.ignored[(f.verb.start, f.verb.end)] = "it cannot move"
+    for actor in s or o:
+        if not movable(d, actor) or _free_body(d, actor):
+            ignore(d, f, "friction slows it" if movable(d, actor) else "it cannot move")
             continue
-        if initial is not None and not _free_body(d, actor):
+        if initial is not None:
             mark_used(d, initial, "speed")
             own(d, actor, initial.value, True)
-        if _free_body(d, actor):
-            d.scene.ignored[(f.verb.start, f.verb.end)] = "friction slows it"
-            continue
         add_brake(d, f, actor, time_of(d, f) if final is None else None)
-        if final is not None:
-            node = d.timeline.trigger(actor, describe(d, f))
-            draft = d.timeline.node(node)
-            assert draft is not None
-            draft.constraints.append(
-                EventConstraint(quantity="speed_after", object=actor, value=final.value)
-            )
-            mark_used(d, final, "speed after slowing")
-            time = time_of(d, f)
-            brake = next(
-                (n.id for n in reversed(d.timeline.nodes[:-1]) if actor in n.participants), None
-            )
-            if time is not None and brake is not None:
-                draft.constraints.append(
-                    EventConstraint(quantity="time_since", object=actor, value=time[0], since=brake)
-                )
-                mark_used(d, time[1], "time")
-            d.timeline.move(actor, Motion("own", final.value, True), direction_of(d, actor, "own"))
-            d.timeline.track(actor).closed = True
+        if final is None:
+            continue
+        brake, time = last_of(d, actor), time_of(d, f)
+        node = d.timeline.trigger(actor, describe(d, f))
+        mark_used(d, final, "speed after slowing")
+        _goes_on_at(d, actor, node, final)
+        if time is not None and brake is not None:
+            constrain(d.timeline.node(node), "time_since", time[0], actor, since=brake.id)
+            mark_used(d, time[1], "time")
     mark_used(d, f, "slowing")
 
 
 @sense("stop")
 def read_stop(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    if s and o and not f.verb.passive and s[0] != o[0] and _under_way(d, o[0]):
+    """Comes to rest by itself, or is brought to rest by what it meets."""
+    on_other = bool(s and o) and not f.verb.passive and s[0] != o[0]
+    if on_other and _flies(d, o[0]):
         add_hit(d, f, o[:1], s[:1], time_of(d, f))  # "the goalie stops the puck"
         return
-    blocks = bool(s) and bool(o) and not f.verb.passive and not movable(d, s[0])
-    if blocks and d.timeline.tracks.get(o[0]) is not None and movable(d, o[0]):
+    blocks = on_other and not movable(d, s[0]) and movable(d, o[0]) and o[0] in d.timeline.tracks
+    if blocks:
         add_hit(d, f, o[:1], s[:1], time_of(d, f))  # "until a wall stops it"
         _stop(d, f, o[0], None)
         return
-    actors = s or o
-    if s and o and not f.verb.passive and set(s) != set(o) and _halts(d, f, s, o):
-        actors = o  # "a man stops it"
+    actors = o if on_other and _halts(d, f, s, o) else s or o
     actors = representatives(d, actors, []) if len(actors) > 2 else actors
-    finite = f.relative and f.verb.form in ("s", "past") and not f.verb.passive
-    tracks = [d.timeline.tracks.get(a) for a in actors]
-    told = finite and any(t is not None and t.under_way for t in tracks)
-    brought = f.verb.passive and f.verb.lemma == "bring"
-    if (f.reduced and not told and not _shown(f)) or (
-        f.verb.passive and not brought and not any(a in d.timeline.tracks for a in actors)
-    ):
-        moving = [
-            a for a in actors if a in d.timeline.tracks and d.timeline.tracks[a].motion is not None
-        ]
-        if not moving:
-            read_be(d, f, s, o)
-            return
-    earlier, caught = d.timeline.last_event, False
-    if f.verb.passive:
-        by = f.phrase("by")
-        if by is not None and by.mention is not None and by.mention.entities:
-            caught = bool(add_hit(d, f, actors, by.mention.entities))
-    for actor in actors:
-        if not movable(d, actor):
-            continue
-        time = time_of(d, f)
-        if (time is None and _stands_by_now(d, actor)) or _hangs_still(d, actor):
-            mark_used(d, f, "stands already")  # "pulls up at a light and stops", "the clock stops"
-            continue
-        rest = f.phrase("against")
-        if rest is not None and rest.mention is not None:
-            add_hit(d, f, [actor], [i for i in rest.mention.entities if i != actor][:1])
-        way = next(
-            (a for p, a in amounts_of(d, f) if a.dimension == "length" and p == "after"), None
-        )
-        _stop(d, f, actor, time)
-        end = d.timeline.node(d.timeline.last_event or "")
-        if caught and end is not None:
-            _count_from(end, earlier)
-        if way is not None and end is not None:  # "stops after 30 m"
-            end.constraints.append(
-                EventConstraint(quantity="distance", object=actor, value=way.value)
-            )
-            mark_used(d, way, "distance travelled")
-        _pauses(d, f, actor)
-    _places_loosely(d, f, actors)
-
-
-def _shown(f: Frame) -> bool:
-    """ "Show a motorcycle stopping": what is asked for, no state of it."""
-    asked = f.parent
-    return asked is not None and asked.subject is None and asked.verb.lemma in _SHOWN
-
-
-def _stands_by_now(d: Discourse, actor: str) -> bool:
-    """Whether the last thing told of an actor is that it stopped."""
-    track = d.timeline.tracks.get(actor)
-    moves = track is not None and track.motion is not None and not track.closed
-    last = next((n for n in reversed(d.timeline.nodes) if actor in n.participants), None)
-    return last is not None and last.event is NodeEvent.STOP and not moves
-
-
-def _hangs_still(d: Discourse, actor: str) -> bool:
-    """Whether it hangs on a wall or from a ceiling and nothing has moved it."""
-    track = d.timeline.tracks.get(actor)
-    moved = track is not None and (track.motion is not None or track.hit)
-    return actor in d.scene.attached and not moved
-
-
-def _count_from(end: Draft, earlier: str | None) -> None:
-    """ "is stopped by a foot after 4 s": counted from what came before the foot."""
-    for k, c in enumerate(end.constraints):
-        if c.quantity != "time_since":
-            continue
-        if earlier is not None:
-            end.constraints[k] = c.model_copy(update={"since": earlier})
-        else:
-            del end.constraints[k]
-            end.time, end.time_prescribed = c.value, True
+    if _stands_there(d, f, actors):
+        read_be(d, f, s, o)
         return
+    if f.verb.passive:
+        add_hit(d, f, actors, filling(f, "agent"))
+    for actor in [a for a in actors if movable(d, a)]:
+        time = time_of(d, f)
+        rest = things(f.phrase("against"))
+        add_hit(d, f, [actor], [i for i in rest if i != actor][:1])
+        _stop(d, f, actor, time)
+        way = amount(d, f, "length", "after")
+        if way is not None:  # "stops after 30 m"
+            constrain(d.timeline.node(d.timeline.last_event or ""), "distance", way.value, actor)
+            mark_used(d, way, "distance travelled")
+        pause = amount(d, f, "time", "for")
+        if pause is not None and kind_of(d, actor) in SELF_POWERED:
+            d.moves.waiting[actor] = pause  # "stops for 3 s": until it moves on
+            mark_used(d, pause, "waiting time")
+
+
+def _stands_there(d: Discourse, f: Frame, actors: list[str]) -> bool:
+    """ "A bicycle stopped in the road": a state of what has not moved."""
+    tracks = [t for a in actors if (t := d.timeline.tracks.get(a)) is not None]
+    if any(t.motion is not None for t in tracks):
+        return False
+    finite = f.relative and f.verb.form in ("s", "past") and not f.verb.passive
+    told = finite and any(t.under_way for t in tracks)
+    brought = f.verb.passive and f.verb.lemma == "bring"
+    asked = f.parent  # "Show a motorcycle stopping"
+    shown = asked is not None and asked.subject is None and asked.verb.lemma in _SHOWN
+    return (f.reduced and not told and not shown) or (f.verb.passive and not brought and not tracks)
 
 
 def _halts(d: Discourse, f: Frame, s: list[str], o: list[str]) -> bool:
     """Whether the subject brings something else to a stop."""
-    moved = d.timeline.tracks.get(s[0])
+    moved, going = d.timeline.tracks.get(s[0]), d.timeline.tracks.get(o[0])
     own = moved is not None and moved.motion is not None
-    going = d.timeline.tracks.get(o[0])
     afoot = kind_of(d, s[0]) in ("person", "animal", "robot")
     if own and afoot and going is not None and going.motion is not None:
         return movable(d, o[0])  # "runs after the cart and stops it"
     return f.object is not None and not own and movable(d, o[0])
 
 
-def _under_way(d: Discourse, body: str) -> bool:
+def _flies(d: Discourse, body: str) -> bool:
+    """Whether it was launched or hit."""
     track = d.timeline.tracks.get(body)
-    return track is not None and (track.launched or track.hit) and body not in SELF_POWERED
-
-
-def _pauses(d: Discourse, f: Frame, actor: str) -> None:
-    """ "stops for 3 s": the time until it moves on."""
-    pause = next((a for p, a in amounts_of(d, f) if a.dimension == "time" and p == "for"), None)
-    if pause is not None and kind_of(d, actor) in SELF_POWERED:
-        d.moves.waiting[actor] = pause
-        mark_used(d, pause, "waiting time")
-
-
-def _places_loosely(d: Discourse, f: Frame, actors: list[str]) -> None:
-    mark_used(d, f, "stop")
+    return track is not None and (track.launched or track.hit)
 
 
 def _stop(d: Discourse, f: Frame, actor: str, time: Time | None) -> None:
-    track = d.timeline.track(actor)
-    last = next((n for n in reversed(d.timeline.nodes) if actor in n.participants), None)
-    resting = track.motion is None or track.closed
-    if last is not None and last.event is NodeEvent.STOP and resting and not track.hit:
+    """It comes to rest, braking if it drives."""
+    track, last = d.timeline.track(actor), last_of(d, actor)
+    resting = not moves(d, actor) and not track.hit
+    if last is not None and last.event is NodeEvent.STOP and resting:
         time_of_told(d, last.id, time)
         mark_used(d, f, last.id)  # "pulls up at the light and stops"
         return
-    if track.motion is None and not track.hit:
+    if at_rest(d, actor):
         start_motion(d, f, [actor])
-        track = d.timeline.track(actor)
-    motion = track.motion
-    driven = motion is not None and motion.mode in ("own", "accelerate")
+    driven = track.motion is not None and track.motion.mode in ("own", "accelerate")
     if driven and track.role is Role.ACTIVE:
         add_brake(d, f, actor, None)
     node = add_event(d, NodeEvent.STOP, (actor,), f, time)
@@ -388,14 +284,9 @@ def _stands_after(d: Discourse, stop: str) -> None:
 
 @sense("park")
 def read_park(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    if (
-        f.verb.passive
-        or f.reduced
-        or f.verb.form == "pp"
-        or not s
-        or kind_of(d, s[0]) not in SELF_POWERED
-    ):
+    stands = f.verb.passive or f.reduced or f.verb.form == "pp" or not s
+    if stands or kind_of(d, s[0]) not in SELF_POWERED:
         read_be(d, f, s, o)
-        return
-    _stop(d, f, s[0], time_of(d, f))
-    places(d, f, s)
+    else:
+        _stop(d, f, s[0], time_of(d, f))
+        places(d, f, s)

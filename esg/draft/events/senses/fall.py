@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import dataclass
 from functools import partial
 import re
 
@@ -17,11 +19,9 @@ from esg.draft.discourse.core import (
 )
 from esg.draft.discourse.places import elevated, place, set_free
 from esg.draft.discourse.record import Discourse
-from esg.draft.discourse.scene import SELF_POWERED
-from esg.draft.events.acts import add_event, add_hit, ensure_mover, goes_in
-from esg.draft.events.consequences import place_where_hit, struck_before
-from esg.draft.events.edges import off_the_edge
-from esg.draft.events.landings import landing_of
+from esg.draft.events.acts import add_event, add_hit, goes_in
+from esg.draft.events.consequences import landing_of, struck_before
+from esg.draft.events.ends import off_the_edge
 from esg.draft.events.motions import motion, natural, on_what_was_hit, start_motion
 from esg.draft.events.senses.launch import heights, motion_of_things
 from esg.draft.events.table import read_as, sense
@@ -32,15 +32,13 @@ from esg.draft.events.timing import (
     representatives,
     time_of,
 )
-from esg.draft.events.told import recent
+from esg.draft.events.told import ignore, last_of, recent, size_of, things, traits_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.graph.models import NodeEvent
 
 _UPRIGHT = lex.word_set("upright")
 _OVERTURNED = lex.word_set("overturned")
 _TWO_WHEELED = lex.word_set("two wheeled")
-_SOURCES = ("off", "from", "out of", "over", "down")
-_LOOSE = re.compile(r"\b(?:loose|adrift|unhooked|uncoupled)\b", re.IGNORECASE)
 _OTHER_SIDE = re.compile(r"\s+(?:down\s+)?on\s+(?:the|its)\s+(?:other|far)\s+side", re.IGNORECASE)
 _HANGING = frozenset({"chandelier"})
 STANDING_CM = 60.0
@@ -49,246 +47,235 @@ STANDING_CM = 60.0
 
 @sense("drop")
 def read_drop(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    if not f.verb.passive and not o and f.object is not None and f.object.attribute:
-        d.scene.ignored[(f.verb.start, f.verb.end)] = "nothing is let go"
-        return  # "releases the brakes"
+    if not o and not f.verb.passive and _lets_nothing_go(d, f, s):
+        return
+    dropped = s if f.verb.passive or not o else o
+    agents = [x for x in s if x not in dropped]
+    if agents:
+        place(d, agents, dropped, "near")
+    wheeled = bool(dropped) and kind_of(d, dropped[0]) in ("cart", "vehicle")
+    if f.verb.lemma == "let" and wheeled and not _held_up(d, dropped[0]):
+        motion(d, f, dropped, None)  # "lets go of a cart"
+    elif quantity_of(d, f, "speed") is not None and f.verb.lemma == "release":
+        motion_of_things(d, f, dropped, natural(d, dropped[0]) if dropped else "roll")
+    else:
+        drop(d, f, dropped)
+
+
+def _lets_nothing_go(d: Discourse, f: Frame, s: list[str]) -> bool:
+    """ "releases the brakes", "is unloading", "clips the net and drops over": no fall."""
     beyond = "over" in f.adverbs or f.phrase("behind", "beyond", "over", "past") is not None
     beyond = beyond or _OTHER_SIDE.match(d.text, f.verb.end) is not None
     under_way = bool(s) and all(i in d.timeline.tracks or i in d.moves.stated for i in s)
-    if beyond and under_way and not (o or f.verb.passive or s[0] in d.scene.supported_by):
-        mark_used(d, f, "end of the flight")  # "clips the net and drops over"
-        return
-    if f.verb.lemma == "unload" and not o and not f.verb.passive:
-        d.scene.ignored[(f.verb.start, f.verb.end)] = "what is unloaded is not said"
-        return
-    things = s if f.verb.passive or not o else o
-    agents = [x for x in s if x not in things]
-    if agents:
-        place(d, agents, things, "near")
-    if things and all(kind_of(d, t) == "flyer" for t in things) and f.verb.lemma == "release":
-        motion(d, f, things, "own")  # a glider flies on
-        heights(d, f, things)
-        return
-    wheeled = bool(things) and kind_of(d, things[0]) in ("cart", "vehicle")
-    if f.verb.lemma == "let" and wheeled and not _raised(d, things[0]):
-        motion(d, f, things, None)  # "lets go of a cart"
-        return
-    if quantity_of(d, f, "speed") is not None and f.verb.lemma == "release":
-        motion_of_things(d, f, things, natural(d, things[0]) if things else "roll")
-        return
-    drop(d, f, things)
+    if f.object is not None and f.object.attribute:
+        ignore(d, f, "nothing is let go")
+    elif beyond and under_way and s[0] not in d.scene.supported_by:
+        mark_used(d, f, "end of the flight")
+    elif f.verb.lemma == "unload":
+        ignore(d, f, "what is unloaded is not said")
+    else:
+        return False
+    return True
 
 
-def _raised(d: Discourse, thing: str) -> bool:
-    """Whether something holds it up that is no vehicle's driver: a crane, a magnet."""
-    return thing in d.scene.supported_by or thing in d.scene.heights
+def _held_up(d: Discourse, body: str) -> bool:
+    """Whether it is above the ground: on something, or at a stated height."""
+    return body in d.scene.supported_by or body in d.scene.heights
 
 
-def drop(d: Discourse, f: Frame, things: list[str]) -> None:
-    many = len(things) > 2
-    moved = representatives(d, things, []) if many else things
+def drop(d: Discourse, f: Frame, bodies: list[str]) -> None:
+    """Lets bodies fall: off what the clause names, or from where they are."""
+    moved = representatives(d, bodies, []) if len(bodies) > 2 else bodies
     moved = [t for t in moved if movable(d, t)]
     source = f.phrase("off", "from")
-    if source is not None and _landed_before(d, f, source):
-        source = None
-    if source is not None and source.mention is not None:
-        host = [i for i in source.mention.entities if elevated(d, i)]
-        if host:
-            for t in moved:
-                place(d, [t], host, "on")
-                ensure_mover(d, f, t, None)
-                add_event(d, NodeEvent.FALL, (t,), f, time_of(d, f))
-            landing_of(d, f, moved)
-            return
+    host = [i for i in things(source) if elevated(d, i) and not _landed_before(f, source)]
+    if host:
+        for t in moved:
+            place(d, [t], host, "on")
+            add_event(d, NodeEvent.FALL, (t,), f, time_of(d, f))
+        landing_of(d, f, moved)
+        return
     flying = {t for t in moved if is_airborne(d, t) and t not in d.scene.supported_by}
     for t in moved:
-        if not moved_by_others(d, t):
-            track = d.timeline.tracks.get(t)
-            if track is None or track.motion is None:
-                start_motion(d, f, [t], "drop")
+        track = d.timeline.tracks.get(t)
+        if not moved_by_others(d, t) and (track is None or track.motion is None):
+            start_motion(d, f, [t], "drop")
     heights(d, f, moved)
     mark_used(d, f, "drop")
     if "in" in f.adverbs and any(map(partial(enterable, d), recent(d))):
         goes_in(d, f, moved, time_of(d, f))  # "circles the hole and drops in"
-        return
-    if not landing_of(d, f, moved):
+    elif not landing_of(d, f, moved):
         for t in moved:
-            if t in flying:
-                continue  # "drops behind the net" after a throw: it leaves no support
-            d.times.pending[t] = (NodeEvent.FALL, f, None, time_of(d, f))
+            if t not in flying:  # "drops behind the net" after a throw: it leaves no support
+                d.times.pending[t] = (NodeEvent.FALL, f, None, time_of(d, f))
 
 
-def _leans_over(d: Discourse, f: Frame, actors: list[str]) -> bool:
-    """ "the first book falls against the second": it tips over beside it."""
-    p = f.phrase("against")
-    m = p.mention if p is not None else None
-    met = [i for i in m.entities if i not in actors and aimable(d, i)] if m else []
-    alone = f.phrase(*_SOURCES) is None and "off" not in f.adverbs
-    solid = [a for a in actors if "round" not in entity_of(d, a).noun.traits and movable(d, a)]
-    beings = any(kind_of(d, a) in ("person", "animal") for a in actors)
-    if not met or not alone or not solid or beings or is_airborne(d, solid[0]):
-        return False
-    if solid[0] in d.scene.heights or has_toppled(d, solid[0]):
-        return False
-    read_as(d, "topple", f, solid, [])
-    add_hit(d, f, solid[:1], met[:1])
-    return True
+@dataclass
+class Fall:
+    """Who falls, from what.
+
+    Args:
+        f: The clause.
+        whole: Who falls, all of a plural.
+        actors: Who falls, one for a plural.
+        fresh: Those of them that have not moved yet.
+        upright: Those of them that tip over where they stand on the ground.
+        source: What they fall from.
+    """
+
+    f: Frame
+    whole: list[str]
+    actors: list[str]
+    fresh: list[str]
+    upright: list[str]
+    source: Phrase | None
 
 
 @sense("fall")
 def read_fall(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    if _LOOSE.search(d.text, f.verb.start, f.verb.end) and s:
-        rolling = all({"wheeled", "floating"} & entity_of(d, i).noun.traits for i in s)
-        if rolling or all(kind_of(d, i) in SELF_POWERED for i in s):
-            d.scene.ignored[(f.verb.start, f.verb.end)] = "it is on its own from here on"
-            return  # "a trailer comes loose from a pickup"
-    if "in" in f.adverbs and not f.phrases and any(map(partial(enterable, d), recent(d))):
-        goes_in(d, f, s, time_of(d, f))  # "pushes until the rubble falls in"
-        return
-    met = f.phrase("off")
-    hosts = met.mention.entities if met is not None and met.mention is not None else o
-    if f.verb.lemma == "come" and _rebounds(d, s, hosts):
-        read_as(d, "hit", f, s, hosts[:1])  # "comes off the defender's knee"
-        return
-    towed = f.verb.lemma == "come" and bool(s) and not hosts and met is None
-    if towed and all(entity_of(d, i).noun.name == "trailer" for i in s):
-        d.scene.ignored[(f.verb.start, f.verb.end)] = "it is on its own from here on"
-        return
-    slope = f.phrase("down")
-    if (
-        slope is not None
-        and slope.mention is not None
-        and f.verb.lemma == "tumble"
-        and any("incline" in entity_of(d, i).noun.traits for i in slope.mention.entities)
-    ):
-        read_as(d, "roll", f, s, [])
+    """What "falls" means for who does, from the most special reading to a plain fall."""
+    if _comes(d, f, s, o):
         return
     set_free(d, [x for x in s if kind_of(d, x) in ("post", "plant", "wall", "street")])
     set_free(d, [x for x in s if x in d.scene.attached])  # what hangs there comes down
     actors = representatives(d, s, [])
     fresh = [a for a in actors if a not in d.timeline.tracks]
-    if actors and all(map(partial(has_toppled, d), actors)):
-        down = f.phrase("off", "from", "out of", "over")
-        if down is None and landing_of(d, f, actors):
-            return
-    if _leans_over(d, f, actors):
-        return
-    upright = [a for a in actors if _falls_over(d, a)]
+    floor = things(f.phrase("to"))
+    down = bool(actors and floor) and all(map(partial(structural, d), floor))
+    low = down and not _tall(d, actors[0])  # "a vase tumbles to the floor"
+    upright = [a for a in actors if _falls_over(d, a) and not low]
+    source = f.phrase("off", "from", "out of", "over", "down")
+    if not things(source) or _landed_before(f, source):
+        source = None
+    fall = Fall(f, s, actors, fresh, upright, source)
     on_what_was_hit(d, f, fresh)
-    ground = f.phrase("to")
-    floor = ground.mention.entities if ground is not None and ground.mention else ["?"]
-    down = bool(actors) and "?" not in floor and all(map(partial(structural, d), floor))
-    if down and not _tall(d, actors[0]):
-        place_where_hit(d, actors[0])  # "a vase tumbles to the floor"
-        upright = []
+    if not any(read(d, fall) for read in _FALLS):
+        _plain_fall(d, fall)
+
+
+def _comes(d: Discourse, f: Frame, s: list[str], o: list[str]) -> bool:
+    """Falls that are none: "comes off the post", "a trailer comes loose", "falls in"."""
+    if "in" in f.adverbs and not f.phrases and any(map(partial(enterable, d), recent(d))):
+        goes_in(d, f, s, time_of(d, f))  # "pushes until the rubble falls in"
+        return True
+    met = f.phrase("off")
+    hosts = things(met) if met is not None else o
+    if f.verb.lemma != "come" or not s:
+        return False
+    if _rebounds(d, s, hosts):
+        read_as(d, "hit", f, s, hosts[:1])  # "comes off the defender's knee"
+        return True
+    if met is None and not hosts and all(entity_of(d, i).noun.name == "trailer" for i in s):
+        ignore(d, f, "it is on its own from here on")
+        return True
+    return False
+
+
+def _over_the_edge(d: Discourse, fall: Fall) -> bool:
+    f = fall.f
     edge = f.phrase("off", "over", "from", "out of") or f.phrase("at")
-    if edge is not None and off_the_edge(d, f, edge, actors, time_of(d, f)):
-        landing_of(d, f, actors)
-        return
+    if edge is None or not off_the_edge(d, f, edge, fall.actors, time_of(d, f)):
+        return False
+    landing_of(d, f, fall.actors)
+    return True
+
+
+def _tips_over(d: Discourse, fall: Fall) -> bool:
+    """ "The lamp falls": it tips over where it stands."""
+    f = fall.f
     where = f.phrase("off", "from", "out of", "over", "down", "onto", "on", "into", "in")
-    if (
-        upright
-        and not {"off", "out"} & {*f.adverbs, f.verb.extra.get("particle", "")}
-        and (where is None or where.mention is None or where.mention.attribute)
-        and a_rests_low(d, upright[0])
-    ):
-        read_as(d, "topple", f, s, [])
-        return
-    low = [a for a in upright if a_rests_low(d, a)]
-    if len(low) < len(actors) and low and where is None and not f.adverbs:
-        read_as(d, "topple", f, low, [])  # one of them falls off what he rides
-        actors = [a for a in actors if a not in low]
-    source = f.phrase(*_SOURCES)
-    if source is not None and source.mention is not None and not source.mention.entities:
-        source = None
-    if source is not None and _landed_before(d, f, source):
-        source = None
-    for actor in fresh:
+    there = where is not None and where.mention is not None and not where.mention.attribute
+    off = {"off", "out"} & {*f.adverbs, f.verb.extra.get("particle", "")}
+    if not fall.upright or off or there or not a_rests_low(d, fall.upright[0]):
+        return False
+    read_as(d, "topple", f, fall.whole, [])
+    return True
+
+
+def _lands_on_its_way(d: Discourse, fall: Fall) -> bool:
+    """ "slips and tumbles onto a drum": it moved before, and comes from no named support."""
+    f = fall.f
+    for actor in fall.fresh:
         struck_before(d, f, actor)
-    fresh = [a for a in fresh if a not in d.timeline.tracks]
+    fall.fresh = [a for a in fall.fresh if a not in d.timeline.tracks]
     into = f.phrase("into", "in", "through", "onto", "on")
-    if (
-        source is None
-        and len(fresh) < len(actors)
-        and into is not None
-        and into.mention is not None
-        and into.mention.entities
-        and (into.prep in ("into", "in", "through") or _on_its_way(d, f, actors, into))
-    ):
-        heights(d, f, actors)
-        if landing_of(d, f, actors):
-            return
-    onto = f.phrase("on", "onto", "against")
-    if upright and onto is not None and onto.mention is not None and source is None:
-        struck = [i for i in onto.mention.entities if i not in actors and aimable(d, i)]
-        flat = onto.mention.entities and all(map(partial(structural, d), onto.mention.entities))
-        if flat and a_rests_low(d, upright[0]) and kind_of(d, upright[0]) in _UPRIGHT:
-            read_as(d, "topple", f, s, [])
-            return
-        if struck and kind_of(d, upright[0]) in ("person", "animal"):
-            add_hit(d, f, upright[:1], struck[:1], time_of(d, f))
-            return
-        if struck and a_rests_low(d, upright[0]) and kind_of(d, upright[0]) != "bottle":
-            read_as(d, "topple", f, s, [])
-            add_hit(d, f, upright[:1], struck[:1])
-            return
-    on_something = [a for a in fresh if a in d.scene.supported_by]
-    if (
-        fresh
-        and source is None
-        and f.phrase("onto", "on", "into", "in") is None
-        and not on_something
-    ):
-        drop(d, f, actors)
-        return
-    if on_something:
-        source = f.phrase("to") or source
-        fresh_low: list[str] = []
+    if fall.source is not None or len(fall.fresh) == len(fall.actors) or not things(into):
+        return False
+    hosts = d.scene.supported_by
+    solid = into is not None and not structural(d, things(into)[0])
+    held = any(a in hosts or _falls_over(d, a) for a in fall.actors)
+    inside = into is not None and into.prep in ("into", "in", "through")
+    if not inside and (not solid or held):
+        return False
+    heights(d, f, fall.actors)
+    return landing_of(d, f, fall.actors)
+
+
+def _falls_onto(d: Discourse, fall: Fall) -> bool:
+    """ "A ladder falls against a wall": what tips over meets what is beside it."""
+    f, onto = fall.f, fall.f.phrase("on", "onto", "against")
+    if not fall.upright or onto is None or fall.source is not None:
+        return False
+    body, met = fall.upright[0], things(onto)
+    struck = [i for i in met if i not in fall.actors and aimable(d, i)]
+    flat = bool(met) and all(map(partial(structural, d), met))
+    low, being = a_rests_low(d, body), kind_of(d, body) in ("person", "animal")
+    tips = (flat and kind_of(d, body) in _UPRIGHT) or (struck and kind_of(d, body) != "bottle")
+    if struck and being:
+        add_hit(d, f, [body], struck[:1], time_of(d, f))
+    elif low and tips:
+        read_as(d, "topple", f, fall.whole, [])
+        add_hit(d, f, [body], struck[:1])
     else:
-        fresh_low = fresh
-    fresh, held = fresh_low, fresh
-    if held and not fresh:
-        for actor in held:
-            start_motion(
-                d, f, [actor], "roll" if "round" in entity_of(d, actor).noun.traits else "slide"
-            )
+        return False
+    return True
+
+
+_FALLS: tuple[Callable[[Discourse, Fall], bool], ...] = (
+    _over_the_edge,
+    _tips_over,
+    _lands_on_its_way,
+    _falls_onto,
+)
+"""Readings of a fall, in the order they are tried; what none of them reads is a plain fall."""
+
+
+def _plain_fall(d: Discourse, fall: Fall) -> None:
+    """Falls from a support, or from where it is in the air."""
+    f, fresh, source = fall.f, fall.fresh, fall.source
+    held = [a for a in fresh if a in d.scene.supported_by]
+    for actor in fresh if held else []:
+        _slip(d, f, actor)
+    if held:
+        fresh, source = [], f.phrase("to") or source
     if fresh and source is None:
         drop(d, f, fresh)
         return
-    for actor in actors:
+    host = next(iter(things(source)), None)
+    for actor in fall.actors:
         if not movable(d, actor):
             continue
         lands = source is None and actor not in d.scene.supported_by
         if lands and _thrown_up(d, actor) and not _bounced(d, actor):
             mark_used(d, f, "end of the flight")
             continue
-        if source is not None and source.mention is not None and source.mention.entities:
-            host = source.mention.entities[0]
-            if host != actor and elevated(d, host):
-                place(d, [actor], [host], "on")
+        high = host is not None and elevated(d, host)
+        if high and host is not None and host != actor:
+            place(d, [actor], [host], "on")
         heights(d, f, [actor])
-        if actor in fresh:
-            high = (
-                source is not None
-                and source.mention is not None
-                and source.mention.entities
-                and not elevated(d, source.mention.entities[0])
-            )
-            if high or (actor in d.scene.heights and actor not in d.scene.supported_by):
-                start_motion(d, f, [actor], "drop")
-            else:
-                start_motion(
-                    d, f, [actor], "roll" if "round" in entity_of(d, actor).noun.traits else "slide"
-                )
+        in_the_air = actor in d.scene.heights and actor not in d.scene.supported_by
+        if actor in fresh and (in_the_air or (host is not None and not high)):
+            start_motion(d, f, [actor], "drop")
+        elif actor in fresh:
+            _slip(d, f, actor)
         add_event(d, NodeEvent.FALL, (actor,), f, time_of(d, f))
-    landing = f.phrase("onto", "into", "on", "in")
-    if (
-        landing is not None
-        and landing.mention is not None
-        and landing.mention.entities
-        and not structural(d, landing.mention.entities[0])
-    ):
-        landing_of(d, f, actors)
+    landing = things(f.phrase("onto", "into", "on", "in"))
+    if landing and not structural(d, landing[0]):
+        landing_of(d, f, fall.actors)
+
+
+def _slip(d: Discourse, f: Frame, actor: str) -> None:
+    start_motion(d, f, [actor], "roll" if "round" in traits_of(d, actor) else "slide")
 
 
 def _falls_over(d: Discourse, node: str) -> bool:
@@ -298,46 +285,41 @@ def _falls_over(d: Discourse, node: str) -> bool:
         return False
     if "topples" in e.noun.traits or e.noun.kind in _UPRIGHT | _OVERTURNED:
         return True
-    if e.pattern == "stack" and e.in_group and not e.place:
-        return True
-    if node in d.moves.leaning or e.noun.name in _TWO_WHEELED:
+    if node in d.moves.leaning or e.noun.name in _TWO_WHEELED or _stacked(d, node):
         return True
     runs = node in d.timeline.tracks and node not in d.scene.supported_by
     return runs and e.noun.kind == "animal" and not is_airborne(d, node)
 
 
-def _rebounds(d: Discourse, things: list[str], hosts: list[str]) -> bool:
+def _stacked(d: Discourse, node: str) -> bool:
+    e = entity_of(d, node)
+    return e.pattern == "stack" and e.in_group and not e.place
+
+
+def a_rests_low(d: Discourse, node: str) -> bool:
+    """Whether an upright thing stands on the ground, so that "falls" means that it topples."""
+    return kind_of(d, node) == "domino" or _stacked(d, node) or not _held_up(d, node)
+
+
+def _rebounds(d: Discourse, bodies: list[str], hosts: list[str]) -> bool:
     """Whether what comes off is a ball or puck, and what it comes off holds none."""
-    flying = things and all(kind_of(d, i) in ("ball", "billiard", "sliding") for i in things)
+    flying = all(kind_of(d, i) in ("ball", "billiard", "sliding") for i in bodies)
     firm = ("person", "post", "goal", "wall", "animal", "robot", "hoop")
-    return bool(flying and hosts) and kind_of(d, hosts[0]) in firm
+    return flying and bool(hosts) and kind_of(d, hosts[0]) in firm
 
 
 def _tall(d: Discourse, node: str) -> bool:
     """Whether it is so tall that it stands on the ground rather than on something."""
-    size = entity_of(d, node).dimensions_cm or entity_of(d, node).noun.dimensions_cm
-    tall = size[2] >= STANDING_CM or kind_of(d, node) in ("person", "animal", "wall")
-    return tall or kind_of(d, node) == "domino" or node in d.moves.leaning
+    stands = kind_of(d, node) in ("person", "animal", "wall", "domino")
+    return stands or size_of(d, node)[2] >= STANDING_CM or node in d.moves.leaning
 
 
-def _landed_before(d: Discourse, f: Frame, source: Phrase) -> bool:
+def _landed_before(f: Frame, source: Phrase | None) -> bool:
     """Whether what it falls from is named after what it first lands in."""
-    if source.mention is None:
+    if source is None or source.mention is None:
         return False
     earlier = [p for p in f.phrases if p.mention and p.mention.start < source.mention.start]
     return any(p.prep in ("onto", "into") for p in earlier)
-
-
-def _on_its_way(d: Discourse, f: Frame, actors: list[str], onto: Phrase) -> bool:
-    """ "slips and tumbles onto a drum": it comes from no support that the prompt names."""
-    hosts = d.scene.supported_by
-    solid = onto.mention is not None and not structural(d, onto.mention.entities[0])
-    upright = any(_falls_over(d, a) and a not in hosts for a in actors)
-    return solid and not upright and not any(a in hosts for a in actors)
-
-
-def has_toppled(d: Discourse, body: str) -> bool:
-    return any(n.event is NodeEvent.TOPPLE and body in n.participants for n in d.timeline.nodes)
 
 
 def _thrown_up(d: Discourse, body: str) -> bool:
@@ -351,7 +333,7 @@ def _thrown_up(d: Discourse, body: str) -> bool:
 
 def _bounced(d: Discourse, body: str) -> bool:
     """ "hits the window and falls to the ground": it comes down from what it hit."""
-    last = next((n for n in reversed(d.timeline.nodes) if body in n.participants), None)
+    last = last_of(d, body)
     return last is not None and last.event is NodeEvent.COLLISION
 
 
@@ -359,23 +341,12 @@ def _bounced(d: Discourse, body: str) -> bool:
 def read_land(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     whole = len(s) > 1 and entity_of(d, s[0]).group in d.world.collective
     s = representatives(d, s, []) if whole else s  # "a stack of books lands on a dog"
+    flat = any(map(partial(structural, d), things(f.phrase("on", "onto", "in", "upon"))))
     for actor in s:
         struck_before(d, f, actor)
-        if actor not in d.timeline.tracks and not moved_by_others(d, actor):
+        if actor not in d.timeline.tracks:
             start_motion(d, f, [actor], "drop")
-            ground = f.phrase("on", "onto", "in", "upon")
-            under = ground.mention.entities if ground and ground.mention else []
-            flat = any(map(partial(structural, d), under))
             if flat and kind_of(d, actor) not in ("flyer", "animal", "person"):
                 add_event(d, NodeEvent.FALL, (actor,), f, time_of(d, f))
-    if not landing_of(d, f, s):
-        mark_used(d, f, "landing")
+    landing_of(d, f, s)
     mark_used(d, f, "landing")
-
-
-def a_rests_low(d: Discourse, node: str) -> bool:
-    """Whether an upright thing stands on the ground, so that "falls" means that it topples."""
-    e = entity_of(d, node)
-    if kind_of(d, node) == "domino" or (e.pattern == "stack" and e.in_group and not e.place):
-        return True
-    return node not in d.scene.supported_by and node not in d.scene.heights

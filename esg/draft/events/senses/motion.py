@@ -12,16 +12,15 @@ from esg.draft.discourse.core import (
     quantity_of,
     structural,
 )
-from esg.draft.discourse.event_coreference import time_of_told
 from esg.draft.discourse.places import holds, place
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import SELF_POWERED, STRUCK, Relation
 from esg.draft.events.acts import add_event, add_hit, ensure_mover, go_into, kinematics
-from esg.draft.events.arrivals import bounces_over
+from esg.draft.events.ends import bounces_over
 from esg.draft.events.motions import flies_itself, motion, start_motion, target_of
-from esg.draft.events.senses.contact import after_hit, caught, hit_targets, mutual
+from esg.draft.events.roles import doer_and_done, filling
+from esg.draft.events.senses.contact import hit_targets
 from esg.draft.events.senses.launch import aim_at, launch_by, motion_of_things
-from esg.draft.events.senses.state import read_acquire
 from esg.draft.events.senses.steer import turn
 from esg.draft.events.senses.topple import read_knock
 from esg.draft.events.table import read_as, sense
@@ -33,165 +32,97 @@ from esg.draft.events.timing import (
     representatives,
     time_of,
 )
-from esg.draft.grammar.clauses.frames import Frame
+from esg.draft.events.told import happened, ignore, moves, things, traits_of
+from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.graph.models import NodeEvent
 
 _ON_FOOT = lex.word_set("on foot")
+_TURNING = ("go", "move", "drive", "head", "run", "walk", "ride")
+_AT_A_TARGET = ("charge", "lunge", "leap", "pounce", "spring", "fly", "dive")
 
 
 @sense("own")
 def read_own(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    if s and o and kind_of(d, s[0]) == "person" and kind_of(d, o[0]) in STRUCK:
+    """Drives, walks, runs: by itself, or what a person drives."""
+    person = bool(s) and kind_of(d, s[0]) == "person"
+    if person and o and kind_of(d, o[0]) in STRUCK:
         launch_by(d, f, s, o)  # "the batsman drives the ball past the bowler"
         return
-    if f.verb.passive and f.verb.lemma in ("squeeze", "crush", "press") and caught(d, f, s):
-        return
-    by = f.phrase("by")
-    actors = list(s)
-    if f.verb.passive and by is not None:
-        actors = list(s)
-    elif (
-        o and s and kind_of(d, s[0]) == "person" and f.object is not None and not f.object.attribute
-    ):
-        if kind_of(d, o[0]) in SELF_POWERED:
-            actors = o[:1]
-            if f.subject is not None:
-                d.refs.mounts[id(f.subject)] = actors
-            place(d, s, o, "near")
-    elif not s and o:
-        actors = o
-    mounted = [d.scene.supported_by.get(a, "") for a in actors]
-    if (
-        actors
-        and all(m and kind_of(d, m) in SELF_POWERED for m in mounted)
-        and kind_of(d, actors[0]) == "person"
-    ):
-        actors = list(dict.fromkeys(mounted))  # "a man on a bicycle rides"
+    actors = s or o
+    drives = person and o and f.object is not None and not f.object.attribute
+    if drives and kind_of(d, o[0]) in SELF_POWERED:
+        actors = o[:1]
         if f.subject is not None:
             d.refs.mounts[id(f.subject)] = actors
+        place(d, s, o, "near")
     actors = [a for a in actors if movable(d, a)]
+    kind = kind_of(d, actors[0]) if actors else ""
     sides = [x for x in f.adverbs if x in ("left", "right")]
-    if (
-        sides
-        and actors
-        and kind_of(d, actors[0]) in SELF_POWERED
-        and f.verb.lemma in ("go", "move", "drive", "head", "run", "walk", "ride")
-    ):
+    if sides and kind in SELF_POWERED and f.verb.lemma in _TURNING:
         for side in sides:
-            turn(d, f, actors, side, 90.0, NodeEvent.HEADING_REACHED)
+            turn(d, f, actors, side, 90.0)
         return
-    mode = None
-    if actors and f.verb.lemma in (
-        "go",
-        "come",
-        "move",
-        "travel",
-        "race",
-        "speed",
-        "rush",
-        "hurtle",
-        "run",
-        "proceed",
-    ):
-        mode = None
-    elif actors and kind_of(d, actors[0]) in SELF_POWERED:
-        mode = "own"
-    if actors and f.verb.lemma in _ON_FOOT and kind_of(d, actors[0]) in ("person", "animal"):
-        mode = "own"  # also what was hit: "is hit by a ball and runs into a fence"
-    motion(d, f, actors, mode)
-    if f.verb.lemma in ("charge", "lunge", "leap", "pounce", "spring", "fly", "dive"):
+    # also what was hit: "is hit by a ball and runs into a fence"
+    afoot = f.verb.lemma in _ON_FOOT and kind in ("person", "animal")
+    motion(d, f, actors, "own" if kind in SELF_POWERED or afoot else None)
+    if f.verb.lemma in _AT_A_TARGET:
         aim_at(d, f, actors, next(iter(target_of(d, f, actors)), None))
 
 
 @sense("approach")
 def read_approach(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     motion(d, f, s, None)
-    for actor in s:
-        if o:
-            d.moves.aim[actor] = o[0]
-            track = d.timeline.tracks.get(actor)
-            if track is not None and track.motion is not None:
-                track.motion.target = o[0]
+    for actor in s if o else []:
+        d.moves.aim[actor] = o[0]
+        track = d.timeline.tracks.get(actor)
+        if track is not None and track.motion is not None:
+            track.motion.target = o[0]
 
 
 @sense("follow")
 def read_follow(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    if f.verb.passive:
-        by = f.phrase("by")
-        s, o = (list(by.mention.entities) if by and by.mention else []), s
-    if "in" in f.adverbs and o and _follows_in(d, f, s, o[0]):
-        return
+    """ "follows it at a distance of 15 m": behind it, which moves, too."""
+    s, o = doer_and_done(f, s, o)
     motion(d, f, s, None)
-    for actor in s:
-        if o:
-            d.moves.aim.setdefault(actor, o[0])
-            gap = quantity_of(d, f, "length")
-            if gap is not None and gap[0] == "at" and actor not in d.scene.travel:
-                relation = Relation(actor, o[0], "behind", gap[1].value)
-                d.scene.relations.append(relation)  # "follows it at a distance of 15 m"
-                mark_used(d, gap[1], "distance")
-            else:
-                place(d, [actor], o, "behind")
-            track = d.timeline.tracks.get(o[0])
-            if (track is None and movable(d, o[0])) or (
-                track is not None
-                and track.motion is not None
-                and (p := f.phrase("at")) is not None
-                and p.mention is not None
-                and "same" in p.mention.adjectives
-            ):
-                start_motion(d, f, o[:1])
-
-
-def _follows_in(d: Discourse, f: Frame, s: list[str], other: str) -> bool:
-    """ "The cue ball follows it in": where the other one went."""
-    for node in reversed(d.timeline.nodes):
-        if node.event is NodeEvent.ENTER_REGION and node.participants == (other,):
-            for actor in s[:1]:
-                ensure_mover(d, f, actor, other)
-                region = node.extra["region"]
-                add_event(d, NodeEvent.ENTER_REGION, (actor,), f, time_of(d, f), region=region)
-            return bool(s)
-    return False
+    gap, at = quantity_of(d, f, "length"), f.phrase("at")
+    same = at is not None and at.mention is not None and "same" in at.mention.adjectives
+    for actor in s if o else []:
+        d.moves.aim.setdefault(actor, o[0])
+        if gap is not None and gap[0] == "at" and actor not in d.scene.travel:
+            d.scene.relations.append(Relation(actor, o[0], "behind", gap[1].value))
+            mark_used(d, gap[1], "distance")
+        else:
+            place(d, [actor], o, "behind")
+        track = d.timeline.tracks.get(o[0])
+        if track is None or (track.motion is not None and same):
+            start_motion(d, f, o[:1])
 
 
 @sense("coast")
-def read_coast(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    motion(d, f, s, None)
-
-
 @sense("continue")
-def read_continue(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    motion(d, f, s, None)
-
-
 @sense("cross")
-def read_cross(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
+def read_goes_on(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     motion(d, f, s, None)
 
 
 @sense("leave")
 def read_leave(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    flung = (
-        bool(s)
-        and kind_of(d, s[0]) in STRUCK | {"sliding", "rock"}
-        and not moved_by_others(d, s[0])
-    )
-    if flung and quantity_of(d, f, "angle") is not None:
+    flung = bool(s) and kind_of(d, s[0]) in STRUCK | {"sliding", "rock"}
+    if flung and not moved_by_others(d, s[0]) and quantity_of(d, f, "angle") is not None:
         motion_of_things(d, f, s, "throw")  # "leaves the boot at an angle of 30 degrees"
-        return
-    motion(d, f, s, None)
+    else:
+        motion(d, f, s, None)
 
 
 def _pushes(d: Discourse, f: Frame, s: list[str], o: list[str]) -> bool:
     """ "hits a bale, rolling it into a fence": the object is moved by the hit."""
-    rolls = kind_of(d, s[0]) == "animal" and not f.reduced if s else False
-    other = bool(s and o) and kind_of(d, s[0]) != "person" and s[0] != o[0]
-    if other and not rolls and movable(d, o[0]):
-        read_knock(d, f, s, o)
-        mark_used(d, f, "consequence of the collision")
-        return True
-    return False
+    if not s or not o or kind_of(d, s[0]) == "person" or s[0] == o[0] or not movable(d, o[0]):
+        return False
+    if kind_of(d, s[0]) == "animal" and not f.reduced:
+        return False
+    read_knock(d, f, s, o)
+    mark_used(d, f, "consequence of the collision")
+    return True
 
 
 @sense("roll")
@@ -205,20 +136,11 @@ def read_roll(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     d.moves.rolling.update(actors)
     if f.subject is not None and actors == o:
         d.refs.thrown[id(f.subject)] = list(o)
-    driven = actors and kind_of(d, actors[0]) in SELF_POWERED and not _sent_off(d, f, actors)
-    if driven and not o:
+    if actors and not o and kind_of(d, actors[0]) in SELF_POWERED and not _sent_off(d, f, actors):
         motion(d, f, actors, "own")
         return
-    motion(
-        d,
-        f,
-        actors,
-        "roll"
-        if actors and "round" in entity_of(d, actors[0]).noun.traits
-        else "slide"
-        if f.verb.sense == "slide"
-        else "roll",
-    )
+    slides = f.verb.sense == "slide" and actors and "round" not in traits_of(d, actors[0])
+    motion(d, f, actors, "slide" if slides else "roll")
     if f.verb.passive or actors == o:
         aim = next((t for t in target_of(d, f, actors) if aimable(d, t)), None)
         aim_at(d, f, representatives(d, actors, []), aim)
@@ -230,13 +152,10 @@ def read_slide(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         return
     actors = o if o and (not s or kind_of(d, s[0]) == "person") else s
     d.moves.rolling.update(actors)
-    gliding = f.verb.lemma == "glide" and bool(actors) and kind_of(d, actors[0]) == "person"
-    driven = bool(actors) and kind_of(d, actors[0]) in SELF_POWERED - {"person", "cart"}
-    driven = gliding or (driven and not _sent_off(d, f, actors))  # a skater glides along
-    if driven and not o:
-        motion(d, f, actors, "own")
-        return
-    motion(d, f, actors, "slide")
+    kind = kind_of(d, actors[0]) if actors else ""
+    glides = f.verb.lemma == "glide" and kind == "person"  # a skater glides along
+    driven = kind in SELF_POWERED - {"person", "cart"} and not _sent_off(d, f, actors)
+    motion(d, f, actors, "own" if not o and (glides or driven) else "slide")
 
 
 def _sent_off(d: Discourse, f: Frame, actors: list[str]) -> bool:
@@ -258,86 +177,62 @@ def read_fly(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
 
 @sense("spin")
 def read_spin(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    under = f.phrase("on", "upon")
-    about = "around" in f.adverbs or "round" in f.adverbs or quantity_of(d, f, "angle")
-    met = any(n.event is NodeEvent.COLLISION and {*s} & {*n.participants} for n in d.timeline.nodes)
-    own = bool(s) and not met and kind_of(d, s[0]) in SELF_POWERED
+    about = {"around", "round"} & {*f.adverbs} or quantity_of(d, f, "angle")
+    own = bool(s) and kind_of(d, s[0]) in SELF_POWERED
+    own = own and not any(happened(d, NodeEvent.COLLISION, a) for a in s)
     if own and about and f.phrase("to", "into") is None:
         read_as(d, "turn", f, s, o)  # "the robot spins around", which no hit makes it do
         return
-    if s and under is not None and under.mention is not None and under.mention.entities:
-        place(d, s, under.mention.entities, "on")
+    under = filling(f, "surface")
+    if s and under:
+        place(d, s, under, "on")
     elif s and not moved_by_others(d, s[0]):
         motion(d, f, s, None)
     elif s and f.phrase("into", "against", "off") is not None:
         read_as(d, "slide", f, s, o)  # hit by a car, it spins into a wall
-    d.scene.ignored[(f.verb.start, f.verb.end)] = "spin is not prescribed"
+    ignore(d, f, "spin is not prescribed")
 
 
 @sense("bounce")
 def read_bounce(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    slope = f.phrase("down")
-    if (
-        slope is not None
-        and slope.mention is not None
-        and any("incline" in entity_of(d, i).noun.traits for i in slope.mention.entities)
-    ):
-        read_roll(d, f, s, o)
-        return
+    """ "bounces off a wall into a bucket": off the first thing, then what the rest names."""
     p = f.phrase("off", "against", "on", "from", "into", "onto")
-    if len(s) > 1 and "apart" in f.adverbs and p is None:
-        mutual(d, f, s, time_of(d, f))
-        return
     kinematics(d, f, s, [])
     for actor in s:
-        if p is not None and p.mention is not None and p.mention.attribute:
-            ensure_mover(d, f, actor, None)
-            if p.mention.head in ("cushion", "rail"):
-                d.scene.needs.append(("billiard_table", actor))
-            mark_used(d, f, "rebound")
-            continue
-        if p is not None and p.mention is not None and p.mention.entities:
-            other = p.mention.entities[0]
-            if structural(d, other):
-                _ensure_drop(d, f, actor)
-                mark_used(d, f, "bounce on the ground")
-            elif {*(d.moves.last_hit or ())} == {actor, other} and p.prep in ("off", "from"):
-                mark_used(d, f, "rebound of the collision")
-            elif p.prep == "into" and _takes_up(d, actor, other):
-                _met_first(d, f, actor, other)
-                ensure_mover(d, f, actor, other)
-                go_into(d, f, actor, p.mention.entities, p, time_of(d, f))
-            else:
-                nodes = add_hit(d, f, [actor], [other], time_of(d, f))
-                after_hit(d, f, nodes, [other])
-        else:
-            aimed = d.moves.aim.get(actor)
-            track = d.timeline.tracks.get(actor)
-            if aimed is not None and track is not None and not track.closed:
-                add_hit(d, f, [actor], [aimed], time_of(d, f))
-            elif track is None:
-                _ensure_drop(d, f, actor)
-            mark_used(d, f, "rebound")
+        _rebound(d, f, actor, p)
     for q in f.phrases:
-        if q is not p and q.prep in ("off", "against") and q.mention is not None:
-            others = [i for i in q.mention.entities if i not in s and not structural(d, i)]
+        if q is not p and q.prep in ("off", "against"):
+            others = [i for i in things(q) if i not in s and not structural(d, i)]
             add_hit(d, f, s, others[:1])
-    to = f.phrase("to")
-    goal = to.mention.entities if to is not None and to.mention is not None else []
-    if goal and not structural(d, goal[0]) and not to.mention.attribute:
-        for actor in [a for a in s if a != goal[0]]:
-            d.times.pending[actor] = (NodeEvent.REACH, f, goal[0], None)  # "rebounds to a forward"
     into = f.phrase("into")
-    if into is not None and p is not into:
+    if into is not None and into is not p and things(into):
         for actor in s:
-            go_into(d, f, actor, into.mention.entities if into.mention else [], into, None)
+            go_into(d, f, actor, things(into), into, None)
 
 
-def _met_first(d: Discourse, f: Frame, actor: str, host: str) -> None:
-    """ "is thrown at a wall and bounces into a bucket": off what it was aimed at."""
-    aimed, track = d.moves.aim.get(actor), d.timeline.tracks.get(actor)
-    if aimed is not None and aimed != host and track is not None and not track.closed:
-        add_hit(d, f, [actor], [aimed])
+def _rebound(d: Discourse, f: Frame, actor: str, p: Phrase | None) -> None:
+    """What it bounces off: what the phrase names, else what it was aimed at, else the ground."""
+    met = things(p)
+    aimed = d.moves.aim.get(actor)
+    if p is not None and p.mention is not None and p.mention.attribute:
+        ensure_mover(d, f, actor, None)
+        if p.mention.head in ("cushion", "rail"):
+            d.scene.needs.append(("billiard_table", actor))
+    elif met and p is not None and not structural(d, met[0]):
+        if {*(d.moves.last_hit or ())} == {actor, met[0]} and p.prep in ("off", "from"):
+            mark_used(d, f, "rebound of the collision")
+        elif p.prep == "into" and _takes_up(d, actor, met[0]):
+            if aimed is not None and aimed != met[0] and moves(d, actor):
+                add_hit(d, f, [actor], [aimed])  # "is thrown at a wall and bounces into a bucket"
+            go_into(d, f, actor, met, p, time_of(d, f))
+        else:
+            add_hit(d, f, [actor], met[:1], time_of(d, f))
+        return
+    elif not met and aimed is not None and moves(d, actor):
+        add_hit(d, f, [actor], [aimed], time_of(d, f))
+    elif actor not in d.timeline.tracks:
+        start_motion(d, f, [actor], "drop")
+    mark_used(d, f, "rebound")
 
 
 def _takes_up(d: Discourse, actor: str, host: str) -> bool:
@@ -346,17 +241,9 @@ def _takes_up(d: Discourse, actor: str, host: str) -> bool:
     return enterable(d, host) or (over and holds(d, host))
 
 
-def _ensure_drop(d: Discourse, f: Frame, actor: str) -> None:
-    if actor not in d.timeline.tracks:
-        start_motion(d, f, [actor], "drop")
-
-
 @sense("reach")
 def read_reach(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    if f.object is not None and f.object.attribute and quantity_of(d, f, "speed") is not None:
-        read_acquire(d, f, s, o)
-        return
-    targets = o or hit_targets(d, f, s, [])
+    targets = o or hit_targets(f, s, [])
     for actor in s:
         lines = [t for t in targets if entity_of(d, t).noun.name == "finish line"]
         told = [t for t in targets if t != actor and not structural(d, t)]
@@ -365,23 +252,8 @@ def read_reach(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
             target = d.moves.aim.get(actor)  # "runs to the swing and gets there first"
         if target is None or target == actor:
             motion(d, f, [actor], None)
-            continue
-        into = d.timeline.node(d.timeline.last_event or "")
-        inside = str(into.extra.get("region", "")) if into is not None else ""
-        if (
-            into is not None
-            and into.event is NodeEvent.ENTER_REGION
-            and into.participants == (actor,)
-            and inside.startswith(f"{target}/")
-        ):
-            time_of_told(d, into.id, time_of(d, f))
-            mark_used(d, f, into.id)  # "is kicked into the goal and reaches it after 1.5 s"
-            continue
-        ensure_mover(d, f, actor, target)
-        p = f.phrase("in", "into")
-        if p is not None and (holds(d, target) or kind_of(d, target) == "region"):
-            enter(d, f, actor, target, p.mention, time_of(d, f))
         else:
+            ensure_mover(d, f, actor, target)
             add_event(d, NodeEvent.REACH, (actor, target), f, time_of(d, f))
 
 
@@ -389,33 +261,28 @@ def read_reach(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
 def read_end(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """ "ends in the pond", "ends up on the floor": where it comes to be."""
     p = f.phrase("in", "into", "inside", "on", "onto", "against")
-    if p is None or p.mention is None or not p.mention.entities or not s:
-        if f.verb.sense == "reach":
-            read_reach(d, f, s, o)
+    if p is None or not things(p):
         return
-    place = p.mention.entities[0]
-    for actor in [a for a in s if a != place and movable(d, a)]:
+    end = things(p)[0]
+    for actor in [a for a in s if a != end and movable(d, a)]:
         inner = p.prep in ("in", "into", "inside")
-        if structural(d, place):
+        if structural(d, end):
             if p.prep in ("on", "onto") and actor in d.scene.supported_by:
                 add_event(d, NodeEvent.FALL, (actor,), f, time_of(d, f))
             mark_used(d, f, "end of the motion")
-        elif inner and (holds(d, place) or enterable(d, place)):
-            ensure_mover(d, f, actor, place)
-            enter(d, f, actor, place, p.mention, time_of(d, f))
+        elif inner and (holds(d, end) or enterable(d, end)):
+            enter(d, f, actor, end, time_of(d, f))
         else:
-            ensure_mover(d, f, actor, place)
-            add_hit(d, f, [actor], [place], time_of(d, f))
+            add_hit(d, f, [actor], [end], time_of(d, f))
 
 
 @sense("swing")
 def read_swing(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    into = f.phrase("into", "against", "onto")
-    if o and into is not None and into.mention is not None and into.mention.entities:
-        add_hit(d, f, o[:1], into.mention.entities[:1], time_of(d, f))
-        return  # "a crane swings a beam into a scaffold"
-    target = hit_targets(d, f, s, o)
-    if f.phrase("at", "into", "against") is not None and target and s:
+    into = filling(f, "obstacle")
+    target = hit_targets(f, s, o)
+    if o and into:
+        add_hit(d, f, o[:1], into[:1], time_of(d, f))  # "a crane swings a beam into a scaffold"
+    elif f.phrase("at", "into", "against") is not None and target and s:
         add_hit(d, f, s[:1], target, time_of(d, f))
     else:
         motion(d, f, s, None)

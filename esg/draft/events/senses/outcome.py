@@ -11,114 +11,84 @@ from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.registry import add_entity
 from esg.draft.events.acts import add_event, add_hit, ensure_mover
 from esg.draft.events.consequences import already_hit
+from esg.draft.events.ends import implied_goal
+from esg.draft.events.roles import doer_and_done, filling, role
 from esg.draft.events.senses.contact import aim_of_mates, hit_targets
 from esg.draft.events.table import read_as, sense
 from esg.draft.events.timing import enter, enterable, time_of
+from esg.draft.events.told import happened, ignore, things
 from esg.draft.grammar.clauses.frames import Frame
 from esg.graph.models import NodeEvent
 
 
 @sense("enter")
 def read_enter(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    onto = f.phrase("onto", "on", "against")
-    met = onto.mention.entities if onto is not None and onto.mention is not None else []
-    if s and not o and f.phrase("into", "in") is None and any(map(partial(aimable, d), met)):
+    into, met = role(f, "inside"), things(f.phrase("onto", "on", "against"))
+    if s and not o and into is None and any(map(partial(aimable, d), met)):
         read_as(d, "land", f, s, [])  # "splashes onto a parked car"
         return
-    wet = f.phrase("into", "in")
-    named = [*o, *(wet.mention.entities if wet is not None and wet.mention else [])]
-    if f.verb.lemma == "splash" and not any(map(partial(enterable, d), named)):
-        d.scene.ignored[(f.verb.start, f.verb.end)] = "water is not simulated"
-        return
-    into = f.phrase("into", "in")
-    if not o and into is not None and into.mention is not None:
-        o = [i for i in into.mention.entities if enterable(d, i) or holds(d, i)]
+    o = o or [i for i in things(into) if enterable(d, i) or holds(d, i)]
+    target = next((t for t in o if not structural(d, t)), None)
     for actor in s:
-        target = next((t for t in o if not structural(d, t)), None)
-        if target is not None and actor in d.world.entities and movable(d, actor):
+        if target is not None and movable(d, actor):
             ensure_mover(d, f, actor, target)
-            enter(d, f, actor, target, f.object, time_of(d, f))
+            enter(d, f, actor, target, time_of(d, f))
         else:
             mark_used(d, f, "continues on its way")
 
 
 @sense("pocket")
 def read_pocket(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    if f.verb.passive:
-        by = f.phrase("by")
-        o, s = s, list(by.mention.entities) if by and by.mention else []
-    bodies = o
+    s, o = doer_and_done(f, s, o)
     if f.verb.lemma == "sink" and any(kind_of(d, x) == "watercraft" for x in o or s):
-        d.scene.ignored[(f.verb.start, f.verb.end)] = "sinking is not simulated"
+        ignore(d, f, "sinking is not simulated")
         return
-    if f.verb.lemma == "sink" and not o:
-        p = f.phrase("in", "into")
-        bodies = s
-        s = []
-        if p is None:
-            d.scene.ignored[(f.verb.start, f.verb.end)] = "sinking is not simulated"
-            return
     strikers = [x for x in s if kind_of(d, x) in ("billiard", "ball")]
-    if strikers and bodies and not already_hit(d, f, strikers, bodies):
-        add_hit(d, f, strikers[:1], bodies, time_of(d, f))
-    for b in bodies[:1]:
-        ensure_mover(d, f, b, None)
-        p = f.phrase("in", "into", "to")
-        goal = [i for i in (p.mention.entities if p and p.mention else [])]
+    if strikers and o and not already_hit(d, f, strikers, o):
+        add_hit(d, f, strikers[:1], o, time_of(d, f))
+    goal = things(f.phrase("in", "into", "to"))
+    for b in o[:1]:
         if goal:
-            enter(d, f, b, goal[0], p.mention if p else None, time_of(d, f))
+            enter(d, f, b, goal[0], time_of(d, f))
         else:
             d.scene.needs.append(("billiard_table", b))
-            add_event(
-                d,
-                NodeEvent.ENTER_REGION,
-                (b,),
-                f,
-                time_of(d, f),
-                region="billiard_table_1/bottom left pocket",
-            )
+            region = "billiard_table_1/bottom left pocket"
+            add_event(d, NodeEvent.ENTER_REGION, (b,), f, time_of(d, f), region=region)
 
 
 @sense("score")
 def read_score(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    balls = [i for i, e in d.world.entities.items() if e.noun.kind in ("ball", "sliding")]
-    ball = next((i for i in [*o, *s] if i in balls), balls[-1] if balls else None)
-    if ball is None:
+    """The last ball enters the goal, both of which the prompt need not name."""
+    known = d.world.entities
+    balls = [i for i, e in known.items() if e.noun.kind in ("ball", "sliding")]
+    ball = next(iter([*[i for i in (*o, *s) if i in balls], *balls[-1:]]), "")
+    if not ball:
         ball = add_entity(d.world, lex.nouns()["soccer ball"], "soccer ball", mentioned=False).id
-    goal = next((i for i, e in d.world.entities.items() if "goal" in e.noun.traits), None)
-    if goal is None:
-        name = "basketball hoop" if entity_of(d, ball).noun.name == "basketball" else "goal"
-        goal = add_entity(d.world, lex.nouns()[name], name, mentioned=False).id
-    if any(n.event is NodeEvent.ENTER_REGION and ball in n.participants for n in d.timeline.nodes):
+    goals = [i for i, e in known.items() if "goal" in e.noun.traits]
+    if happened(d, NodeEvent.ENTER_REGION, ball):
         mark_used(d, f, "goal")
         return
+    goal = goals[0] if goals else implied_goal(d, ball)
     ensure_mover(d, f, ball, goal)
-    enter(d, f, ball, goal, None, time_of(d, f))
+    enter(d, f, ball, goal, time_of(d, f))
 
 
 @sense("miss")
 def read_miss(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    by = f.phrase("by")
-    if f.verb.passive and by is not None and by.mention is not None and by.mention.entities:
-        s, o = list(by.mention.entities), s  # "is nearly hit by a motorbike"
-    targets = hit_targets(d, f, s, o)
+    if f.verb.passive and filling(f, "agent"):
+        s, o = doer_and_done(f, s, o)  # "is nearly hit by a motorbike"
+    targets = hit_targets(f, s, o)
     if f.verb.lemma in ("catch", "grab") and f.verb.negated:
-        for thing in o:
-            if d.times.pending.get(thing, (None,))[0] is NodeEvent.REACH:
-                del d.times.pending[thing]
-        d.scene.ignored[(f.verb.start, f.verb.end)] = "negated"
+        ignore(d, f, "negated")
         return
     if not targets and len(s) > 1:
         s, targets = s[:1], s[1:2]  # "they nearly collide"
     for actor in s:
-        if not targets and actor in d.moves.aim:
-            targets = [d.moves.aim[actor]]
-        if not targets:
-            targets = target_of_mates(d, actor)
+        aim = d.moves.aim.get(actor)
+        targets = targets or ([aim] if aim else target_of_mates(d, actor))
         ensure_mover(d, f, actor, targets[0] if targets else None)
-        for other in targets[:1]:
-            if other != actor:
-                add_event(d, NodeEvent.MISS, (actor, other), f, time_of(d, f))
+        for other in [t for t in targets[:1] if t != actor]:
+            add_event(d, NodeEvent.MISS, (actor, other), f, time_of(d, f))
 
 
 def target_of_mates(d: Discourse, actor: str) -> list[str]:
@@ -139,10 +109,10 @@ def target_of_mates(d: Discourse, actor: str) -> list[str]:
 def read_clear(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """ "clears the fence": goes over it without touching it."""
     moving = [a for a in s if movable(d, a) and kind_of(d, a) != "person"] or s
-    if moving and o and d.timeline.tracks.get(moving[0]) is not None:
+    if moving and o and moving[0] in d.timeline.tracks:
         read_avoid(d, f, moving, o)
     else:
-        d.scene.ignored[(f.verb.start, f.verb.end)] = "clearing away is not simulated"
+        ignore(d, f, "clearing away is not simulated")
 
 
 @sense("avoid")
@@ -154,5 +124,4 @@ def read_avoid(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         o = [i for i in fit if aimable(d, i)][:1]
     for actor in s:
         for other in [x for x in o if x != actor][:1]:
-            ensure_mover(d, f, actor, None)
             add_event(d, NodeEvent.MISS, (actor, other), f, time_of(d, f))

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import partial
-from itertools import pairwise
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import (
@@ -22,10 +21,10 @@ from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.registry import apply_amount, current_id
 from esg.draft.discourse.scene import SELF_POWERED, Relation
 from esg.draft.events.acts import add_event, add_hit
-from esg.draft.events.lengths import starts_apart
 from esg.draft.events.motions import motion, sets_off_late
 from esg.draft.events.table import read_as, sense
 from esg.draft.events.timing import speed_after, start_height, time_of
+from esg.draft.events.told import amount, at_rest, ignore, moves, size_of, things, traits_of, unread
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.grammar.rewrites.shares import dealt
 from esg.draft.text.elements import Mention
@@ -43,25 +42,14 @@ _PATTERN_VERBS = {
 }
 """Arrangement of a plural by the verb that says how it stands."""
 _LEANT_ON_CM = 60.0
-_UPON = ("on", "in", "inside", "upon")
 _LEANING = frozenset({"lean", "prop"})
 _HANGING = lex.word_set("hanging")
 _HUNG_BY = lex.word_set("hung by")
+_BESIDE = ("on", "against", "at", "by")
+_FILLING = ("cover", "load", "fill", "stack", "set")
+_MEASURES = ("tall", "high", "wide", "long", "thick", "deep")
 _SIDES = lex.word_set("sides (state)")
 _CARRIED_ALONG = lex.word_set("carried along")
-_RESTING = lex.word_set("resting (state)")
-
-
-def upon(d: Discourse, attachments: list[tuple[Mention, Phrase]]) -> None:
-    """ "a cart with a box on it": what "it" is that the box is on."""
-    bearers = {id(p.mention): m for m, p in attachments if p.prep == "with" and p.mention}
-    for m, p in attachments:
-        bearer = bearers.get(id(m))
-        it = p.mention is not None and p.mention.pronoun in ("it", "them")
-        if bearer is None or not it or p.mention is None or p.prep not in _UPON:
-            continue
-        p.mention.entities = d.world.resolved[id(p.mention)] = list(bearer.entities)
-        d.refs.upon_it.add(id(m))
 
 
 def attachment(d: Discourse, m: Mention, p: Phrase) -> None:
@@ -72,51 +60,39 @@ def attachment(d: Discourse, m: Mention, p: Phrase) -> None:
     owners = [i for i in owners if i not in later] or owners  # "the first at 2 m/s, the second"
     owners = _sharers(d, owners, p)
     if p.amount is not None:
-        for o, own in zip(owners, dealt([p.amount], len(owners)), strict=True):
-            for a in own:
-                if a.dimension == "speed":
-                    d.moves.stated[o] = a
-                elif apply_amount(d.world, entity_of(d, o), a):
-                    mark_used(d, a, o)
-        return
-    if p.mention is None:
-        return
-    if p.mention.attribute:
+        _tell(d, owners, [p.amount], "", p.prep)
+    elif p.mention is not None and p.mention.attribute:
         _arrange(d, owners, p)
         listed = [p.mention, *[c for c in p.mention.coordinated if c.attribute]]
-        told = dealt([a for c in listed for a in c.amounts], len(owners))
-        for o, own in zip(owners, told, strict=True):
-            for a in own:
-                if a.dimension == "speed":
-                    d.moves.stated[o] = a
-                elif a.dimension == "length" and p.prep == "at" and p.mention.head == "height":
-                    start_height(d, [o], a)
-                elif apply_amount(d.world, entity_of(d, o), a, p.mention.head):
-                    mark_used(d, a, o)
-        return
-    others = p.mention.entities or ids_of(d, p.mention, avoid=owners)
-    if p.prep == "with" and id(p.mention) in d.refs.upon_it:
-        return
-    if p.prep == "with":
+        _tell(d, owners, [a for c in listed for a in c.amounts], p.mention.head, p.prep)
+    elif p.mention is not None:
+        others = p.mention.entities or ids_of(d, p.mention, avoid=owners)
+        if p.prep != "with":
+            if p.prep == "on" and p.mention.head in lex.BODY_PARTS:
+                # "slides down a ramp on its belly": how it lies, not where the ramp is
+                owners = [o for o in owners if movable(d, o) and not _bears(d, o)]
+            place(d, owners, others, p.prep, p.mention.part)
+            return
         # "a table with bottles on it": the on-phrase places them; else they rest on a support
-        for o in others:
-            if owners and o not in d.scene.supported_by and o not in owners:
-                host = entity_of(d, owners[0]).noun
-                if "support" in host.traits or "container" in host.traits:
-                    place(d, [o], owners, "on" if "support" in host.traits else "in")
-                else:
-                    d.scene.relations.append(Relation(o, owners[0], "near"))
-        return
-    if p.prep == "on" and p.mention.head in lex.BODY_PARTS:
-        # "slides down a ramp on its belly": how it lies, not where the ramp is
-        owners = [o for o in owners if not _carries_beings(d, o)]
-    place(d, owners, others, p.prep, p.mention.part)
+        loose = [o for o in others if o not in d.scene.supported_by and o not in owners]
+        attachment_with(d, owners, loose)
 
 
-def _carries_beings(d: Discourse, node: str) -> bool:
+def _bears(d: Discourse, node: str) -> bool:
     """Whether people and animals are on it, not it on them: slopes, furniture."""
-    traits = entity_of(d, node).noun.traits
-    return bool({"support", "incline"} & traits) or not movable(d, node)
+    return bool({"support", "incline"} & traits_of(d, node))
+
+
+def _tell(d: Discourse, owners: list[str], told: list[Amount], word: str, prep: str = "") -> None:
+    """What quantities say of things, one value each where there are as many."""
+    for o, own in zip(owners, dealt(told, len(owners)), strict=True):
+        for a in own:
+            if a.dimension == "speed":
+                d.moves.stated[o] = a
+            elif a.dimension == "length" and prep == "at" and word == "height":
+                start_height(d, [o], a)
+            elif apply_amount(d.world, entity_of(d, o), a, word):
+                mark_used(d, a, o)
 
 
 def _sharers(d: Discourse, owners: list[str], p: Phrase) -> list[str]:
@@ -129,9 +105,15 @@ def _sharers(d: Discourse, owners: list[str], p: Phrase) -> list[str]:
 
 
 def attachment_with(d: Discourse, owners: list[str], others: list[str]) -> None:
-    host = entity_of(d, owners[0]).noun
-    prep = "on" if "support" in host.traits else "in" if "container" in host.traits else "near"
-    place(d, others, owners, prep)
+    """ "a table with bottles", "a cart has a box": on it, in it, or near it."""
+    for host in owners[:1]:
+        traits = traits_of(d, host)
+        prep = "on" if "support" in traits else "in" if "container" in traits else "near"
+        for other in others:
+            if prep != "near":
+                place(d, [other], [host], prep)
+            else:
+                d.scene.relations.append(Relation(other, host, "near"))
 
 
 def mass_of_load(d: Discourse, a: Amount) -> bool:
@@ -151,77 +133,50 @@ def mass_of_load(d: Discourse, a: Amount) -> bool:
 
 @sense("be")
 def read_be(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    things = s or o
-    if f.subject is not None and f.subject.attribute and f.subject.possessor is None and not s:
-        things = o
-    if o and s and f.object is not None and f.object.attribute is False:
-        mark_used(d, f, "copula")
-    _hovering(d, f, things)
-    places(d, f, things)
+    """How high, large and where things are."""
+    bodies = s or o
+    _hovering(d, f, bodies)
+    places(d, f, bodies)
+    named = f.subject.head if f.subject is not None and f.subject.attribute else ""
     for _, a in amounts_of(d, f):
-        if (a.start, a.end) in d.scene.used:
-            continue
-        named = f.subject.head if f.subject is not None and f.subject.attribute else ""
-        if a.dimension == "length" and named in _SIDES:
-            for t in things:
-                apply_amount(d.world, entity_of(d, t), a, named)
-            mark_used(d, a, named)
-        elif a.dimension == "length":
-            word = next((x for x in f.adverbs), "")
-            after = d.text[a.end : a.end + 12].strip().split(" ")[0].strip(".,;")
-            if after in ("tall", "high", "wide", "long", "thick", "deep"):
-                for t in things:
-                    apply_amount(d.world, entity_of(d, t), a, after)
-                mark_used(d, a, word or after)
+        after = d.text[a.end : a.end + 12].strip().split(" ")[0].strip(".,;")
+        side = named if named in _SIDES else after if after in _MEASURES else ""
+        if a.dimension == "length" and side and unread(d, a):
+            for t in bodies:
+                apply_amount(d.world, entity_of(d, t), a, side)
+            mark_used(d, a, side)
     mark_used(d, f, "state")
 
 
-def _hovering(d: Discourse, f: Frame, things: list[str]) -> None:
+def _hovering(d: Discourse, f: Frame, bodies: list[str]) -> None:
     """ "hovers 3 m above the ground": a height at the start."""
-    grounded = f.phrase("above", "over", "off")
-    others = grounded.mention.entities if grounded and grounded.mention else []
+    others = things(f.phrase("above", "over", "off"))
+    if f.verb.sense != "posture" or not all(map(partial(structural, d), others)):
+        return
     for _, a in amounts_of(d, f):
         above = d.text[a.end : a.end + 7].strip().startswith(("above", "up", "high", "off"))
-        tall = f.verb.sense == "posture" and all(map(partial(structural, d), others))
-        above = above or (f.verb.lemma in ("hover", "float") and "at " in _just_before(d, a))
-        if a.dimension == "length" and above and tall:
-            start_height(d, things, a)
-
-
-def _just_before(d: Discourse, a: Amount) -> str:
-    return d.text[max(0, a.start - 4) : a.start].lower()
+        at = "at " in d.text[max(0, a.start - 4) : a.start].lower()
+        if a.dimension == "length" and (above or (at and f.verb.lemma in ("hover", "float"))):
+            start_height(d, bodies, a)
 
 
 @sense("posture")
 def read_posture(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    """A state; of what has moved before, where it ends ("and at the end rests on a towel")."""
-    lasting = next((a for _, a in amounts_of(d, f) if a.dimension == "time"), None)
-    if lasting is not None and f.verb.lemma in _WAITING and not f.reduced:
-        for actor in s:
-            if kind_of(d, actor) in SELF_POWERED:
-                track = d.timeline.tracks.get(actor)
-                if track is not None and track.motion is not None and not track.closed:
-                    add_event(d, NodeEvent.TRIGGER, (actor,), f, None)  # "drives for 4 s, waits"
-                    track.motion = None
-                d.moves.waiting[actor] = lasting
-                mark_used(d, lasting, "waiting time")
-    if f.verb.lemma == "stick" and not f.reduced and s and _at_end(d, f, s[0], "at"):
-        p = f.phrase("at", "on", "in", "against", "onto", "upon")
-        add_hit(d, f, s[:1], p.mention.entities[:1] if p and p.mention else [], time_of(d, f))
-        return
-    moved = s and not f.reduced and f.link == "then" and f.verb.lemma in _RESTING
-    if moved and not f.verb.passive and _at_end(d, f, s[0]):
-        read_as(d, "land", f, s, o)
-        return
-    read_be(d, f, s, o)
-
-
-def _at_end(d: Discourse, f: Frame, actor: str, *preps: str) -> bool:
-    track = d.timeline.tracks.get(actor)
-    if track is None or (track.motion is None and not track.hit):
-        return False
-    on = f.phrase("on", "in", "against", "onto", "upon", *preps)
-    return on is not None and on.mention is not None and bool(on.mention.entities)
+    """A state, and how long it lasts; what sticks to something has hit it."""
+    lasting = amount(d, f, "time")
+    waits = lasting is not None and f.verb.lemma in _WAITING and not f.reduced
+    for actor in [a for a in s if waits and kind_of(d, a) in SELF_POWERED]:
+        if moves(d, actor):
+            add_event(d, NodeEvent.TRIGGER, (actor,), f, None)  # "drives for 4 s, waits"
+            d.timeline.track(actor).motion = None
+        if lasting is not None:
+            d.moves.waiting[actor] = lasting
+            mark_used(d, lasting, "waiting time")
+    met = things(f.phrase("at", "on", "in", "against", "onto", "upon"))
+    if f.verb.lemma == "stick" and not f.reduced and s and met and not at_rest(d, s[0]):
+        add_hit(d, f, s[:1], met[:1], time_of(d, f))
+    else:
+        read_be(d, f, s, o)
 
 
 @sense("unknown")
@@ -248,9 +203,8 @@ def read_weigh(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
 
 @sense("have")
 def read_have(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    word = f.object.head if f.object is not None else ""
-    _measured(d, f, s, word)
-    if s and o and f.phrase("on", "in", "inside") is None:
+    _measured(d, f, s, f.object.head if f.object is not None else "")
+    if f.phrase("on", "in", "inside") is None:
         attachment_with(d, s, o)
     places(d, f, o)
     mark_used(d, f, "property")
@@ -258,14 +212,12 @@ def read_have(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
 
 @sense("measure")
 def read_measure(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    _measured(d, f, s)
+    _measured(d, f, s, "")
     mark_used(d, f, "size")
 
 
-def _measured(d: Discourse, f: Frame, things: list[str], word: str = "") -> None:
-    """What the quantities of a clause say of things, one value each where there are as many."""
-    told = dealt([a for _, a in amounts_of(d, f)], len(things))
-    for t, own in zip(things, told, strict=True):
+def _measured(d: Discourse, f: Frame, bodies: list[str], word: str) -> None:
+    for t, own in zip(bodies, dealt([a for _, a in amounts_of(d, f)], len(bodies)), strict=True):
         for a in own:
             if apply_amount(d.world, entity_of(d, t), a, word):
                 mark_used(d, a, t)
@@ -280,7 +232,7 @@ def read_contain(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
 
 @sense("face")
 def read_face(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    target = o or [i for p in f.phrases if p.mention for i in p.mention.entities]
+    target = o or [i for p in f.phrases for i in things(p)]
     for t in s:
         if target and target[0] != t:
             d.scene.facing[t] = target[0]
@@ -289,98 +241,81 @@ def read_face(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
 
 @sense("surround")
 def read_surround(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    inner, outer = (
-        (
-            s,
-            [
-                i
-                for p in f.phrases
-                if p.prep in ("by", "with") and p.mention
-                for i in p.mention.entities
-            ],
-        )
-        if f.verb.passive
-        else (o, s)
-    )
-    if inner and outer:
-        for t in outer:
-            d.scene.relations.append(Relation(t, inner[0], "surround"))
+    around = [i for p in f.phrases if p.prep in ("by", "with") for i in things(p)]
+    inner, outer = (s, around) if f.verb.passive else (o, s)
+    for t in outer if inner else []:
+        d.scene.relations.append(Relation(t, inner[0], "surround"))
     mark_used(d, f, "state")
 
 
-def places(d: Discourse, f: Frame, things: list[str]) -> None:
-    distance = next(
-        (a for p, a in amounts_of(d, f) if a.dimension == "length" and p in ("", "at", "about")),
-        None,
-    )
-    pattern = _PATTERN_VERBS.get(f.verb.lemma)
-    if "in a row" in f.adverbs:
-        pattern = "row"
-    for t in things if pattern is not None else []:
+def places(d: Discourse, f: Frame, bodies: list[str]) -> None:
+    """Where a clause says that things are, how far from others, and in what arrangement."""
+    gap = next((a for p in ("", "at", "about") if (a := amount(d, f, "length", p))), None)
+    pattern = "row" if "in a row" in f.adverbs else _PATTERN_VERBS.get(f.verb.lemma)
+    for t in bodies:
         _pattern_of(d, t, pattern)
-    for _, a in amounts_of(d, f):
-        if a.dimension == "length" and d.text[a.end : a.end + 7].strip().startswith("apart"):
-            rows = d.world.groups.values()
-            whole = next((g for g in rows if things[:1] and things[0] in g), things)
-            for one, other in pairwise(things if len(things) > 1 else whole):
-                d.scene.relations.append(Relation(one, other, "near", a.value))
-                mark_used(d, a, "distance")
     for p in f.phrases:
-        if p.mention is None or p.mention.attribute:
-            _arrange(d, things, p)
-            continue
-        others = p.mention.entities
-        if f.verb.lemma in _HANGING and p.prep in _HUNG_BY and others:
-            high = towers(d, others[0]) or kind_of(d, others[0]) == "ceiling"
-            hung = [t for t in things if high and not structural(d, t)]
-            for t in hung:
-                hang(d, t, others[0])
-            if hung:
-                continue
-        if f.verb.lemma in _LEANING and p.prep in ("on", "against", "at", "by") and others:
-            host = entity_of(d, others[0])
-            if (host.dimensions_cm or host.noun.dimensions_cm)[2] >= _LEANT_ON_CM:
-                _lean(d, things, others)
-                continue
-        if p.prep == "with" and f.verb.lemma in ("cover", "load", "fill", "stack", "set"):
-            for t in things[:1]:
-                if f.verb.lemma == "load" and kind_of(d, t) in SELF_POWERED:
-                    place(d, others, [t], "on")  # "a truck loaded with barrels"
-                else:
-                    attachment_with(d, [t], others)
-            continue
-        if p.prep in RELATION_PREPS:
-            fixed = None
-            if distance is not None and things and p.prep not in ("on", "in", "inside"):
-                fixed = distance.value
-                mark_used(d, distance, "distance")
-            place(d, things, others, p.prep, p.mention.part, fixed)
-        elif p.prep in ("from", "away from") and distance is not None and others and things:
-            for t in things:
-                d.scene.relations.append(Relation(t, others[0], "near", distance.value))
-            mark_used(d, distance, "distance")
+        _place_by(d, f, bodies, p, gap)
 
 
-def _lean(d: Discourse, things: list[str], others: list[str]) -> None:
+def _place_by(d: Discourse, f: Frame, bodies: list[str], p: Phrase, gap: Amount | None) -> None:
+    """Where one phrase says that things are."""
+    others = things(p)
+    if p.mention is None or p.mention.attribute:
+        _arrange(d, bodies, p)
+    elif f.verb.lemma in _HANGING and p.prep in _HUNG_BY and _hangs(d, bodies, others):
+        return
+    elif p.prep == "with" and f.verb.lemma in _FILLING:
+        loaded = f.verb.lemma == "load" and bodies and kind_of(d, bodies[0]) in SELF_POWERED
+        if loaded:
+            place(d, others, bodies[:1], "on")  # "a truck loaded with barrels"
+        else:
+            attachment_with(d, bodies, others)
+    elif f.verb.lemma in _LEANING and p.prep in _BESIDE and others and _leans(d, others[0]):
+        _lean(d, bodies, others)
+    elif p.prep in RELATION_PREPS:
+        apart = gap is not None and bodies and p.prep not in ("on", "in", "inside")
+        mark_used(d, gap if apart else None, "distance")
+        fixed = gap.value if gap is not None and apart else None
+        place(d, bodies, others, p.prep, p.mention.part, fixed)
+    elif p.prep in ("from", "away from") and gap is not None and others and bodies:
+        for t in bodies:
+            d.scene.relations.append(Relation(t, others[0], "near", gap.value))
+        mark_used(d, gap, "distance")
+
+
+def _hangs(d: Discourse, bodies: list[str], others: list[str]) -> bool:
+    """ "A lamp hangs from the ceiling": fixed to what is above it."""
+    high = bool(others) and (towers(d, others[0]) or kind_of(d, others[0]) == "ceiling")
+    hung = [t for t in bodies if high and not structural(d, t)]
+    for t in hung:
+        hang(d, t, others[0])
+    return bool(hung)
+
+
+def _leans(d: Discourse, host: str) -> bool:
+    return size_of(d, host)[2] >= _LEANT_ON_CM
+
+
+def _lean(d: Discourse, bodies: list[str], others: list[str]) -> None:
     """ "A broom leans on a wall": it stands beside it on its end, and can only tip over."""
-    for t in things:
-        e = entity_of(d, t)
-        dims = list(e.dimensions_cm or e.noun.dimensions_cm)
+    for t in bodies:
+        e, dims = entity_of(d, t), size_of(d, t)
         if movable(d, t) and max(dims[:2]) > 2.0 * dims[2]:
             long = 0 if dims[0] >= dims[1] else 1
             dims[long], dims[2] = dims[2], dims[long]
             e.dimensions_cm = dims
         d.moves.leaning.add(t)
-    place(d, things, others, "against")
+    place(d, bodies, others, "against")
 
 
-def _arrange(d: Discourse, things: list[str], p: Phrase) -> None:
+def _arrange(d: Discourse, bodies: list[str], p: Phrase) -> None:
     """ "in a triangle", "in a queue": how a plural stands."""
     m = p.mention
     pattern = lex.ARRANGEMENTS.get(m.head) if m is not None else None
     if m is None or not m.attribute or p.prep not in ("in", "into") or pattern is None:
         return
-    for t in things:
+    for t in bodies:
         _pattern_of(d, t, pattern)
 
 
@@ -404,7 +339,7 @@ def read_carry(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
 
 @sense("apply")
 def read_apply(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    d.scene.ignored[(f.verb.start, f.verb.end)] = "no physical meaning"
+    ignore(d, f, "no physical meaning")
 
 
 @sense("start")
@@ -415,15 +350,8 @@ def read_start(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     if speed is not None and len(s) == 1:
         d.moves.stated[s[0]] = speed[1]
     sets_off_late(d, f, s)
-    starts_apart(d, f, s)
-    _starts_off(d, f, s, o)
-
-
-def _starts_off(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    """ "The light turns green and the van starts": it drives off, and nothing more is told."""
-    fresh = [a for a in s if not d.timeline.track(a).motion and not d.timeline.track(a).hit]
-    driven = [a for a in fresh if kind_of(d, a) in SELF_POWERED]
+    driven = [a for a in s if at_rest(d, a) and kind_of(d, a) in SELF_POWERED]
     at = next((k for k, g in enumerate(d.told) if g.verb is f.verb), 0)
     later = {i for g in d.told[at + 1 :] if g.subject for i in g.subject.entities}
     if driven and not o and not f.phrases and not later & {*driven}:
-        motion(d, f, driven, None)
+        motion(d, f, driven, None)  # "The light turns green and the van starts"

@@ -2,27 +2,26 @@
 
 from __future__ import annotations
 
-from esg.draft.discourse.core import (
-    amounts_of,
-    kind_of,
-    mark_used,
-    movable,
-    quantity_of,
-    structural,
-)
+from esg.draft.discourse.core import amounts_of, kind_of, mark_used, movable, structural
 from esg.draft.discourse.places import place
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.tracks import Motion
 from esg.draft.events.acts import add_event, outcomes
 from esg.draft.events.motions import direction_of, each_passed, motion, reverse, start_motion
+from esg.draft.events.roles import doer_and_done
 from esg.draft.events.table import read_as, sense
 from esg.draft.events.timing import time_of
+from esg.draft.events.told import amount, at_rest, constrain, ignore, things
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.quantities import Amount, find_amounts
-from esg.graph.models import EventConstraint, NodeEvent
+from esg.graph.models import NodeEvent
 
 _LEAST_TURN_S = 0.01
 """A turn told to last less has no rate of its own."""
+_SIDES = {
+    **dict.fromkeys(("left", "anticlockwise", "counterclockwise"), "left"),
+    **dict.fromkeys(("right", "clockwise"), "right"),
+}
 
 
 def _rates(degrees: float, lasting: Amount | None) -> tuple[float, float]:
@@ -32,112 +31,73 @@ def _rates(degrees: float, lasting: Amount | None) -> tuple[float, float]:
     return (0.9 * degrees / lasting.high, 1.1 * degrees / lasting.low)
 
 
+def _side(d: Discourse, f: Frame) -> str:
+    span = d.text[f.verb.start : f.verb.end + 40].lower()
+    side = "right" if " right" in span.split(".")[0] else "left"
+    return next((_SIDES[w] for w in (*f.adverbs, f.verb.extra.get("dir")) if w in _SIDES), side)
+
+
+def _degrees(d: Discourse, a: Amount) -> float:
+    mark_used(d, a, "turn angle")
+    return max(1.0, min(720.0, abs(a.middle)))
+
+
 @sense("turn")
 def read_turn(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
+    """ "turns right by 60 degrees, then left": each turn with its side and angle."""
     if s and not any(movable(d, a) for a in s):
-        d.scene.ignored[(f.verb.start, f.verb.end)] = "a fixed object does not turn"
+        ignore(d, f, "a fixed object does not turn")
         return
-    driven = [i for i in o[:1] if kind_of(d, i) == "vehicle"]
-    if driven and s and kind_of(d, s[0]) == "person" and f.subject is not None:
-        d.refs.mounts[id(f.subject)] = driven  # "The driver turns his car left and hits a tree"
-        s, o = driven, []
     own = f.object is not None and f.object.determiner in ("its", "his", "her")
-    own = own and not driven
-    if own and f.object is not None and (not o or o[:1] != s[:1]):
-        d.scene.ignored[(f.verb.start, f.verb.end)] = "a part turns, not the whole"
+    driven = bool(o) and kind_of(d, o[0]) == "vehicle"
+    if driven and s and kind_of(d, s[0]) == "person" and f.subject is not None:
+        d.refs.mounts[id(f.subject)] = o[:1]  # "The driver turns his car left and hits a tree"
+        s, o = o[:1], []
+    if own and not driven and (not o or o[:1] != s[:1]):
+        ignore(d, f, "a part turns, not the whole")
         return
-    words = [*f.adverbs, f.verb.extra.get("dir", "")]
-    for p in f.phrases:
-        if (p.mention is not None and p.mention.attribute) or (p.mention and p.mention.part):
-            words += [p.mention.head, p.mention.part]
-    span = d.text[f.verb.start : f.verb.end + 40].lower()
-    sides = {"left": "left", "anticlockwise": "left", "counterclockwise": "left"}
-    sides |= {"right": "right", "clockwise": "right"}
-    direction = next((sides[w] for w in words if w in sides), "")
-    if not direction:
-        direction = "right" if " right" in span.split(".")[0] else "left"
+    side = _side(d, f)
     degrees = 180.0 if f.verb.extra.get("dir") in ("u", "around", "back") else 90.0
-    amount = quantity_of(d, f, "angle")
-    if amount is not None:
-        degrees = max(1.0, min(720.0, abs(amount[1].middle)))
-        mark_used(d, amount[1], "turn angle")
+    angles = [a for _, a in amounts_of(d, f) if a.dimension == "angle"]
+    if angles:
+        degrees = _degrees(d, angles[0])
     for a in find_amounts(d.text[f.verb.start : f.verb.end]):
         degrees = max(1.0, min(720.0, abs(a.middle)))  # "makes a 60-degree turn"
         d.scene.used[(f.verb.start + a.start, f.verb.start + a.end)] = "turn angle"
-    actors = s or o
-    if not actors:
-        actors = [a for a, t in d.timeline.tracks.items() if t.motion is not None][-1:]
-    turn(d, f, actors, direction, degrees, NodeEvent.HEADING_REACHED)
-    _further_turns(d, f, actors, degrees)
-    cross = f.phrase("at", "into", "onto", "down")
-    if cross is not None:
-        mark_used(d, f, "turn")
+    actors = s or o or [a for a, t in d.timeline.tracks.items() if t.motion is not None][-1:]
+    turn(d, f, actors, side, degrees)
+    sides = [*f.adverbs, *(p.mention.head for p in f.phrases if p.mention is not None)]
+    for k, side in enumerate([x for x in sides if x in ("left", "right")][1:], 1):
+        degrees = _degrees(d, angles[k]) if k < len(angles) else degrees
+        turn(d, f, actors, side, degrees)
 
 
-def _further_turns(d: Discourse, f: Frame, actors: list[str], degrees: float) -> None:
-    """ "turns right, then left": the turns after the first, each with its own angle."""
-    sides = [x for x in f.adverbs if x in ("left", "right")]
-    sides += [
-        p.mention.head
-        for p in f.phrases
-        if p.mention is not None and p.mention.head in ("left", "right")
-    ]
-    angles = [a for _, a in amounts_of(d, f) if a.dimension == "angle"]
-    for k, side in enumerate(sides[1:], 1):
-        if k < len(angles):
-            degrees = max(1.0, min(720.0, abs(angles[k].middle)))
-            mark_used(d, angles[k], "turn angle")
-        turn(d, f, actors, side, degrees, NodeEvent.HEADING_REACHED)
-
-
-def turn(
-    d: Discourse, f: Frame, actors: list[str], direction: str, degrees: float, kind: NodeEvent
-) -> None:
-    for actor in actors:
-        if not movable(d, actor):
-            continue
+def turn(d: Discourse, f: Frame, actors: list[str], direction: str, degrees: float) -> None:
+    """Each actor turns from when the clause says on, or until then."""
+    for actor in [a for a in actors if movable(d, a)]:
         track = d.timeline.track(actor)
         if track.motion is None:
             start_motion(d, f, [actor], "own")
-        time, ends = time_of(d, f), None
-        lasting = lasting_of(d, f) if kind is NodeEvent.HEADING_REACHED else None
-        time = None if lasting is not None else time
+        lasting, ends = _lasting(d, f), None
+        time = time_of(d, f) if lasting is None else None
         if time is not None and (isinstance(time[0], tuple) or f.phrase("by") is not None):
             time, ends = None, time  # "turns right within 6 s": when the turn is done
-        speed, prescribed = (
-            (track.motion.speed, track.motion.prescribed) if track.motion else (None, False)
-        )
+        now = track.motion or Motion("own")
         begin = add_event(d, NodeEvent.TRIGGER, (actor,), f, time, stem="turn_start")
         track.closed = True
-        d.timeline.move(
-            actor,
-            Motion(
-                "turn",
-                speed,
-                prescribed,
-                None,
-                {
-                    "turn_direction": direction,
-                    "turn_degrees": degrees,
-                    "turn_rate_deg_s": _rates(degrees, lasting),
-                },
-            ),
-            direction_of(d, actor, "own"),
-        )
-        end = add_event(d, kind, (actor,), f, ends, turn_direction=direction, turn_degrees=degrees)
-        done = d.timeline.node(end)
-        if lasting is not None and done is not None:
-            done.constraints.append(
-                EventConstraint(
-                    quantity="time_since", object=actor, value=lasting.value, since=begin
-                )
-            )
+        told: dict[str, object] = {"turn_direction": direction, "turn_degrees": degrees}
+        params = {**told, "turn_rate_deg_s": _rates(degrees, lasting)}
+        swing = Motion("turn", now.speed, now.prescribed, None, params)
+        d.timeline.move(actor, swing, direction_of(d, actor, "own"))
+        end = add_event(d, NodeEvent.HEADING_REACHED, (actor,), f, ends, **told)
+        if lasting is not None:
+            constrain(d.timeline.node(end), "time_since", lasting.value, actor, since=begin)
             mark_used(d, lasting, f"duration of the turn up to {end}")
 
 
-def lasting_of(d: Discourse, f: Frame) -> Amount | None:
+def _lasting(d: Discourse, f: Frame) -> Amount | None:
     """ "turns right by 90 degrees in 1 s": how long it takes, if the angle is stated too."""
-    if quantity_of(d, f, "angle") is None:
+    if amount(d, f, "angle") is None:
         return None
     times = [p.amount for p in f.phrases if p.amount and p.prep in ("in", "over", "during")]
     return next((a for a in times if a.dimension == "time" and a.measure != "start"), None)
@@ -149,37 +109,24 @@ def read_swerve(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     if f.verb.lemma == "dodge" and not sides & {"left", "right"}:
         read_as(d, "avoid", f, s, o)  # it says that it is not hit, not where it goes
         return
-    direction = (
-        "right"
-        if "right" in f.adverbs or any(p.mention and p.mention.head == "right" for p in f.phrases)
-        else "left"
-    )
-    amount = quantity_of(d, f, "angle")
-    degrees = amount[1].middle if amount is not None else 30.0
-    if amount is not None:
-        mark_used(d, amount[1], "turn angle")
-    turn(d, f, s, direction, degrees, NodeEvent.HEADING_REACHED)
-    avoided = o
-    around = f.phrase("around", "past")
-    if around is not None and around.mention is not None:
-        avoided = around.mention.entities
+    angle, around = amount(d, f, "angle"), f.phrase("around", "past")
+    mark_used(d, angle, "turn angle")
+    degrees = angle.middle if angle is not None else 30.0
+    turn(d, f, s, "right" if "right" in sides else "left", degrees)
+    avoided = o if around is None else things(around)
     for actor in s:
         for other in avoided[:1]:
             if other != actor and not structural(d, other):
                 add_event(d, NodeEvent.MISS, (actor, other), f, None)
-    into = f.phrase("into")
-    if into is not None and into.mention is not None:
+    if f.phrase("into") is not None:
         outcomes(d, f, s)
 
 
 @sense("overtake")
 def read_overtake(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    if f.verb.passive:
-        by = f.phrase("by")
-        s, o = (list(by.mention.entities) if by and by.mention else []), s
+    s, o = doer_and_done(f, s, o)
     for actor in s:
-        track = d.timeline.tracks.get(actor)
-        if track is None or track.motion is None:
+        if at_rest(d, actor):
             start_motion(d, f, [actor])
         for other in each_passed(f, o):
             if other != actor and not structural(d, other):
@@ -198,6 +145,5 @@ def read_merge(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
 
 @sense("reverse")
 def read_reverse(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    actors = s or o
-    motion(d, f, actors, "own")
-    reverse(d, actors)
+    motion(d, f, s or o, "own")
+    reverse(d, s or o)

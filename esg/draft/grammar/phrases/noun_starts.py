@@ -188,6 +188,8 @@ def noun_at_or_after(c: Chunks, k: int) -> bool:
             continue
         if match_noun(c, j) is not None:
             return low not in lex.ATTRIBUTES
+        if low in ("one", "ones"):
+            return True  # "the 5 kg one"
         if low in EXTENTS:
             continue
         if not is_adjective(c, j):

@@ -1,19 +1,73 @@
-"""Where motions end: arrivals, what is taken up from above, what is passed over."""
+"""Where motions end: edges and openings, arrivals, what is taken up from above."""
 
 from __future__ import annotations
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.core import entity_of, kind_of, mark_used
-from esg.draft.discourse.decks import is_deck
-from esg.draft.discourse.places import fits_on, holds
+from esg.draft.discourse.core import entity_of, kind_of, mark_used, structural
+from esg.draft.discourse.places import elevated, holds, place
 from esg.draft.discourse.record import Discourse, Time
 from esg.draft.discourse.referents.registry import add_entity
 from esg.draft.discourse.scene import STRUCK
-from esg.draft.events.timing import is_airborne, settle
-from esg.draft.grammar.clauses.frames import Frame
+from esg.draft.events.motions import lies_on_something
+from esg.draft.events.timing import settle
+from esg.draft.events.told import recent, traits_of
+from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.graph.models import NodeEvent
 
-_GROUNDED = lex.word_set("grounded")
+EDGES = lex.word_set("edges")
+_HATCHES = lex.word_set("hatches")
+_BACKS = lex.word_set("backs")
+
+
+def opening(d: Discourse, ids: list[str]) -> bool:
+    """Whether it is a hatch or the like, which things pass and nothing stays in."""
+    return len(ids) == 1 and bool(set(entity_of(d, ids[0]).head.split()) & _HATCHES)
+
+
+def off_the_edge(d: Discourse, f: Frame, p: Phrase, actors: list[str], time: Time | None) -> bool:
+    """ "falls off the end", "over its edge": of the support it moves on."""
+    m = p.mention
+    falls = f.verb.sense in ("fall", "drop")  # "falls at the end of the bar"
+    if m is None:
+        return False
+    back = p.prep == "off" and m.head in _BACKS and m.determiner == "the" and not m.noun
+    if m.part not in EDGES and not back:
+        return False
+    if p.prep not in ("off", "over") and not (falls and p.prep in ("at", "from")):
+        return False
+    hosts = [i for i in m.entities if i not in actors]
+    if hosts and not elevated(d, hosts[0]):
+        return False
+    for actor in actors:
+        if hosts:
+            place(d, [actor], hosts[:1], "on")
+        if not hosts and actor not in d.scene.supported_by:
+            near = _carrier_named(d, actor, back)
+            if not near:
+                return False
+            place(d, [actor], [near], "on")
+        d.add_event(NodeEvent.FALL, (actor,), f, time)
+    return bool(actors)
+
+
+def comes_down(d: Discourse, f: Frame, actor: str, p: Phrase) -> bool:
+    """ "slides down to the ground" from the heap it lies on."""
+    assert p.mention is not None
+    down = "down" in d.text[f.verb.end : p.mention.start].lower().split()
+    rests = actor in d.scene.supported_by or lies_on_something(d, actor)
+    return down and rests and kind_of(d, actor) not in ("person", "animal")
+
+
+def _carrier_named(d: Discourse, actor: str, back: bool) -> str:
+    """What the prompt spoke of last that the actor can stand or run on, or is loaded on."""
+    for i in recent(d):
+        loaded = back and kind_of(d, i) in ("vehicle", "cart", "watercraft")
+        carries = not structural(d, i) and {"support", "incline"} & traits_of(d, i)
+        if i != actor and (loaded or (carries and not back)):
+            return i
+    return ""
+
+
 _OPEN_CARTS = lex.word_set("open carts")
 _TOUCHES = lex.word_set("touches")
 _LIDDED = lex.word_set("lidded")
@@ -64,17 +118,6 @@ def bounces_over(d: Discourse, actor: str, host: str) -> bool:
     """
     vessel = kind_of(d, host) != "box" and kind_of(d, actor) in STRUCK
     return actor in d.moves.came_down or (vessel and holds(d, host))
-
-
-def over_its_top(d: Discourse, f: Frame, actor: str, other: str) -> bool:
-    """ "A cup slides over the table": on it, unlike a ball that is kicked over a bench."""
-    sliding = f.verb.sense in ("slide", "roll") and not f.verb.passive
-    return sliding and kind_of(d, other) == "table" and fits_on(d, actor, other)
-
-
-def over_a_deck(d: Discourse, f: Frame, actor: str, other: str) -> bool:
-    """ "Drives over a pier", unlike what flies or jumps over it."""
-    return is_deck(entity_of(d, other)) and f.verb.lemma in _GROUNDED and not is_airborne(d, actor)
 
 
 def implied_goal(d: Discourse, ball: str) -> str:
