@@ -47,10 +47,6 @@ from tests.draft.told import events
             [("Collision", "golf_ball_1", "rake_1")],
         ),
         # what is taken along falls, too
-        (
-            "A vase falls off the windowsill, taking a candle with it.",
-            [("Fall", "vase_1"), ("Fall", "candle_1")],
-        ),
         # "no one" does nothing
         (
             "No one scores: a ball rolls past the right post.",
@@ -98,17 +94,8 @@ from tests.draft.told import events
         ),
         # nouns and verbs that a conjunction leaves out
         (
-            "The green ball does not touch the post, but the yellow one does.",
-            [("Miss", "green_ball_1", "post_1"), ("Collision", "yellow_ball_1", "post_1")],
-        ),
-        (
             "The left and the right cart hit a wall.",
             [("Collision", "left_cart_1", "wall_1"), ("Collision", "right_cart_1", "wall_1")],
-        ),
-        (
-            "The rider on the black horse stops, the one on the white horse jumps over the fence "
-            "and hits a gate.",
-            [("Stop", "black_horse_1"), ("Collision", "white_horse_1", "gate_1")],
         ),
         # some of a plural
         (
