@@ -56,6 +56,16 @@ def stops_short(d: Discourse, f: Frame, actor: str, node_id: str) -> None:
             mark_used(d, a, f"gap at {node_id}")
 
 
+def starts_apart(d: Discourse, f: Frame, actors: list[str]) -> None:
+    """ "starts 5 m from a door": how far things are from each other at the start."""
+    for a in _lengths(d, f):
+        other = _apart_from(d, a)
+        others = [x for x in actors if x != other]
+        if other is not None and others:
+            d.scene.relations.append(Relation(others[0], other, "near", a.value))
+            mark_used(d, a, "distance at the start")
+
+
 def distance(d: Discourse, f: Frame, actors: list[str], aim: str | None) -> None:
     """ "toward a bench 6 m away": how far the target is at the start."""
     for a in _lengths(d, f):

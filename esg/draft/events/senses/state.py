@@ -21,6 +21,7 @@ from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.registry import apply_amount, current_id
 from esg.draft.discourse.scene import SELF_POWERED, Relation
 from esg.draft.events.acts import add_event, add_hit
+from esg.draft.events.lengths import starts_apart
 from esg.draft.events.motions import motion, sets_off_late
 from esg.draft.events.table import read_as, sense
 from esg.draft.events.timing import speed_after, start_height, time_of
@@ -350,6 +351,7 @@ def read_start(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     if speed is not None and len(s) == 1:
         d.moves.stated[s[0]] = speed[1]
     sets_off_late(d, f, s)
+    starts_apart(d, f, s)
     driven = [a for a in s if at_rest(d, a) and kind_of(d, a) in SELF_POWERED]
     at = next((k for k, g in enumerate(d.told) if g.verb is f.verb), 0)
     later = {i for g in d.told[at + 1 :] if g.subject for i in g.subject.entities}
