@@ -25,7 +25,7 @@ def dodge(frames: list[Frame], text: str) -> None:
         text: The prompt.
     """
     for k, g in enumerate(frames):
-        who = set(g.subject.entities) if g.subject is not None else set()
+        who = set(g.subject.entities) if g.subject is not None else set[str]()
         aside = g.verb.lemma in _DODGING or (
             g.verb.lemma in _STEPPING and _ASIDE.match(text, g.verb.end) is not None
         )

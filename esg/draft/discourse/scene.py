@@ -29,23 +29,23 @@ class Scene:
     world: World
     timeline: TimelineBuilder
     text: str = ""
-    relations: list[Relation] = field(default_factory=list)
-    needs: list[tuple[str, str]] = field(default_factory=list)
+    relations: list[Relation] = field(default_factory=list[Relation])
+    needs: list[tuple[str, str]] = field(default_factory=list[tuple[str, str]])
     """Implied supports: (kind of need, node id)."""
-    supported_by: dict[str, str] = field(default_factory=dict)
-    inside_of: dict[str, str] = field(default_factory=dict)
-    attached: dict[str, str] = field(default_factory=dict)
+    supported_by: dict[str, str] = field(default_factory=dict[str, str])
+    inside_of: dict[str, str] = field(default_factory=dict[str, str])
+    attached: dict[str, str] = field(default_factory=dict[str, str])
     """What hangs on a vertical face: node -> wall."""
-    marked: dict[str, str] = field(default_factory=dict)
+    marked: dict[str, str] = field(default_factory=dict[str, str])
     """The road or lane that a node is said to be on."""
-    heights: dict[str, Quantity] = field(default_factory=dict)
-    facing: dict[str, str] = field(default_factory=dict)
-    travel: dict[str, Amount] = field(default_factory=dict)
+    heights: dict[str, Quantity] = field(default_factory=dict[str, Quantity])
+    facing: dict[str, str] = field(default_factory=dict[str, str])
+    travel: dict[str, Amount] = field(default_factory=dict[str, Amount])
     """Stated distance of a motion, by actor."""
-    used: dict[tuple[int, int], str] = field(default_factory=dict)
+    used: dict[tuple[int, int], str] = field(default_factory=dict[tuple[int, int], str])
     """Spans that became something: (start, end) -> pointer or note."""
-    ignored: dict[tuple[int, int], str] = field(default_factory=dict)
-    warnings: list[str] = field(default_factory=list)
+    ignored: dict[tuple[int, int], str] = field(default_factory=dict[tuple[int, int], str])
+    warnings: list[str] = field(default_factory=list[str])
 
 
 STRUCK = lex.word_set("struck")

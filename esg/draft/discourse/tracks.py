@@ -17,7 +17,7 @@ class Motion:
     speed: Quantity | None = None
     prescribed: bool = False
     target: str | None = None
-    params: dict[str, Any] = field(default_factory=dict)
+    params: dict[str, Any] = field(default_factory=dict[str, Any])
     duration: Quantity | None = None
 
 

@@ -43,11 +43,11 @@ class Draft:
     description: str
     time: Quantity | None = None
     time_prescribed: bool = False
-    constraints: list[EventConstraint] = field(default_factory=list)
-    extra: dict[str, Any] = field(default_factory=dict)
+    constraints: list[EventConstraint] = field(default_factory=list[EventConstraint])
+    extra: dict[str, Any] = field(default_factory=dict[str, Any])
     usual: float | None = None
     """Time from the event before that follows from what the prompt states [s]."""
-    after: list[str] = field(default_factory=list)
+    after: list[str] = field(default_factory=list[str])
     """Events that come before without a common actor."""
 
 

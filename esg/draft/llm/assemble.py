@@ -50,9 +50,9 @@ class _Work:
     raw: Json
     objects: Names
     repair: bool
-    groups: dict[str, list[str]] = field(default_factory=dict)
+    groups: dict[str, list[str]] = field(default_factory=dict[str, list[str]])
     base: str | None = None
-    log: list[str] = field(default_factory=list)
+    log: list[str] = field(default_factory=list[str])
 
 
 def assemble(

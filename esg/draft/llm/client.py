@@ -36,7 +36,7 @@ class Call:
     model: str
     instructions: str
     messages: tuple[tuple[str, str], ...]
-    schema: dict[str, Any] = field(default_factory=dict)
+    schema: dict[str, Any] = field(default_factory=dict[str, Any])
     seed: int = 0
     temperature: float | None = 0.0
     max_tokens: int = 8192

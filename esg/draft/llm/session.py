@@ -59,11 +59,13 @@ class Session:
     client: Client
     patient: PatientClient
     rounds: int = 0
-    calls: list[CallRecord] = field(default_factory=list)
+    calls: list[CallRecord] = field(default_factory=list[CallRecord])
     repairs: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
-    answers: dict[str, Part] = field(default_factory=dict)
-    talks: dict[str, list[tuple[str, str]]] = field(default_factory=dict)
+    answers: dict[str, Part] = field(default_factory=dict[str, Part])
+    talks: dict[str, list[tuple[str, str]]] = field(
+        default_factory=dict[str, list[tuple[str, str]]]
+    )
     document: EsgDocument | None = None
     raw: Json | None = None
     left: str = ""

@@ -40,7 +40,7 @@ class Entity:
     noun: lex.Noun
     head: str
     label: str
-    adjectives: list[str] = field(default_factory=list)
+    adjectives: list[str] = field(default_factory=list[str])
     letter: str = ""
     group: str | None = None
     pattern: str | None = None
@@ -51,7 +51,7 @@ class Entity:
     mass_factor: float = 1.0
     dimensions_cm: list[float] | None = None
     dimensions_prescribed: bool = False
-    sides: dict[str, float] = field(default_factory=dict)
+    sides: dict[str, float] = field(default_factory=dict[str, float])
     """Stated sides [cm]."""
     static: bool = False
     """Hung on a wall or below a ceiling, and so fixed until the prompt moves it."""
