@@ -181,11 +181,21 @@ def one_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[st
     if row and "next" in m.adjectives:
         return next_of(world, row, avoid)
     other = bool({"another", "other"} & {m.pronoun, m.determiner, *m.adjectives})
+    if other and m.determiner == "the" and (second := _second_of_two(world, row, avoid)):
+        return second
     if row and (found := _of_row(world, row, words, told if other else [], avoid)):
         return found
     if words or other or "next" in m.adjectives:
         return _one_more_like(world, m, words, subject, avoid)
     return [e.id for e in near][-1:]
+
+
+def _second_of_two(world: World, row: list[Entity], avoid: list[str]) -> list[str]:
+    """ "Two cars drive, one in front of the other": of both in one clause, the one not named."""
+    two = [e.id for e in row]
+    named = next((ids[0] for ids in reversed(world.salience) if len(ids) == 1), "")
+    both = len(two) == 2 and named in two and {*two} <= {*avoid}
+    return [i for i in two if i != named] if both else []
 
 
 def _of_one_kind(world: World, solid: list[Entity], avoid: list[str]) -> list[Entity]:

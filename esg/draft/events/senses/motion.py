@@ -40,6 +40,11 @@ _ON_FOOT = lex.word_set("on foot")
 _TURNING = ("go", "move", "drive", "head", "run", "walk", "ride")
 _AT_A_TARGET = ("charge", "lunge", "leap", "pounce", "spring", "fly", "dive")
 
+_ANYHOW = frozenset(
+    {"go", "come", "move", "travel", "race", "speed", "rush", "hurtle", "run", "proceed"}
+)
+"""Verbs that do not say whether something moves by itself: what was hit "moves off at 5 m/s"."""
+
 
 @sense("own")
 def read_own(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
@@ -64,7 +69,8 @@ def read_own(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         return
     # also what was hit: "is hit by a ball and runs into a fence"
     afoot = f.verb.lemma in _ON_FOOT and kind in ("person", "animal")
-    motion(d, f, actors, "own" if kind in SELF_POWERED or afoot else None)
+    by_itself = kind in SELF_POWERED and f.verb.lemma not in _ANYHOW
+    motion(d, f, actors, "own" if by_itself or afoot else None)
     if f.verb.lemma in _AT_A_TARGET:
         aim_at(d, f, actors, next(iter(target_of(d, f, actors)), None))
 
