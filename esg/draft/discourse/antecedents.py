@@ -85,6 +85,7 @@ def part_of(d: Discourse, t: Told, i: str) -> str:
 def it_means(d: Discourse, f: Frame, m: Mention, avoid: list[str]) -> list[str]:
     """The thing, or the plural of one name, that "it" means in a clause; none if nothing suits."""
     asked = _asked(f, m)
+    carries = f.verb.sense in STATES and m is not f.subject  # "a bucket standing on top of it"
     scores: dict[tuple[str, ...], float] = {}
     for age, t in enumerate(reversed(d.refs.told)):
         for ids in t.named():
@@ -101,7 +102,8 @@ def it_means(d: Discourse, f: Frame, m: Mention, avoid: list[str]) -> list[str]:
                 "same actor": m is not f.subject and f.subject is t.frame.subject,
                 "another actor": m is not f.subject and part in ("does", "is") and _new(f),
                 "way": kind_of(d, i) in _WAYS,
-                "fixed": _stands_firm(d, i, asked == "falls" and part == "undergoes"),
+                "fixed": not carries
+                and _stands_firm(d, i, asked == "falls" and part == "undergoes"),
                 "stays": part in ("undergoes", "is met") and _stays(d, f, i, t, stands),
                 "aside": t.frame.subordinate not in ("", "so") and f.start_of_sentence,
             }

@@ -172,6 +172,7 @@ def _region(e: Entity, graph: _Graph) -> str:
     """The region that an entity is in, which it adds to the graph."""
     scene, entities = graph.scene, graph.entities
     wall, host = scene.attached.get(e.id, ""), scene.supported_by.get(e.id, "")
+    host = _top_of_stack(entities[host], e, entities) if host in entities else host
     parent, kind = GROUND, RegionType.SUPPORT_SURFACE
     name, text = "ground_area_1", "open ground"
     if wall in entities:
@@ -189,6 +190,13 @@ def _region(e: Entity, graph: _Graph) -> str:
         name, SemanticRegion(region_description=text, region_type=kind, parent_object=parent)
     )
     return name
+
+
+def _top_of_stack(host: Entity, e: Entity, entities: dict[str, Entity]) -> str:
+    """Of a stack its last member, which lies on top; others carry what they are said to."""
+    members = [x for x in entities.values() if x.group == host.group and x.in_group]
+    stacked = host.pattern == "stack" and e not in members and members[:1] == [host]
+    return members[-1].id if stacked else host.id
 
 
 def _road_under(e: Entity, graph: _Graph) -> str:

@@ -67,7 +67,7 @@ def test_a_bin_stands_below_the_belt_that_feeds_it() -> None:
 
 
 def test_what_stands_on_a_stack_stands_on_its_top() -> None:
-    _, doc = _cast("A forklift hits a stack of pallets and a bucket standing on top of the stack falls.")
+    _, doc = _cast("A forklift hits a stack of pallets and a bucket standing on top of it falls.")
     graph = doc.spatial_relation_graph
     stack = [n for n, v in graph.nodes.items() if v.group == graph.nodes["pallet_1"].group]
     region = graph.semantic_regions[str(graph.nodes["bucket_1"].semantic_region)]
@@ -82,7 +82,7 @@ def test_what_stands_on_a_stack_stands_on_its_top() -> None:
 
 def test_what_falls_off_a_stack_waits_until_the_stack_is_hit() -> None:
     """Whichever member is hit, the bucket on top sets off after that."""
-    _, doc = _cast("A forklift hits a stack of pallets and a bucket standing on top of the stack falls.")
+    _, doc = _cast("A forklift hits a stack of pallets and a bucket standing on top of it falls.")
     doc = solve(doc, hints=start_hints(doc))
     plan = make_plan(doc, build_scene(doc), seed=0)
     hit = choreograph(doc).nominal["forklift_1_pallet_1_collision/event_time"]
