@@ -436,6 +436,96 @@ class Coverage(Model):
     warnings: tuple[str, ...] = ()
 
 
+class Predicate(str, enum.Enum):
+    """What a statement says of its participants; docs/graph/statements.md says when each is kept.
+
+    All but the last are measured on a replay (`esg.metrics.statements`).
+    """
+
+    SUPPORTED_BY = "supported_by"
+    INSIDE = "inside"
+    ABOVE = "above"
+    HANGS_FROM = "hangs_from"
+    ATTACHED_TO = "attached_to"
+    LEANS_ON = "leans_on"
+    MOVES = "moves"
+    ROLLS = "rolls"
+    SLIDES = "slides"
+    SPINS = "spins"
+    TUMBLES = "tumbles"
+    AIRBORNE = "airborne"
+    CARRIED_BY = "carried_by"
+    STAYS_UPRIGHT = "stays_upright"
+    STAYS_STILL = "stays_still"
+    TOUCHES = "touches"
+    NEVER_TOUCHES = "never_touches"
+    ENDS_ON = "ends_on"
+    ENDS_IN = "ends_in"
+    ENDS_NEAR = "ends_near"
+    AT_REST = "at_rest"
+    SAME_TIME = "same_time"
+    BEFORE = "before"
+    SLOWER_THAN = "slower_than"
+    FASTER_THAN = "faster_than"
+    SIZE = "size"
+    COUNT = "count"
+    ABSENT = "absent"
+    NOT_REPRESENTED = "not_represented"
+    """Its words are understood as a statement that the document cannot hold (`note` says why)."""
+
+
+Direction = Literal[
+    "left",
+    "right",
+    "front",
+    "back",
+    "up",
+    "down",
+    "forward",
+    "backward",
+    "toward",
+    "away_from",
+    "along",
+    "past",
+    "across",
+    "through",
+    "around",
+    "between",
+]
+"""Left is +X and front +Y (the viewer stands at +Y); forward is an object's own heading at the
+start; from `toward` on a direction has a target."""
+
+
+class Statement(Model):
+    """One thing that the prompt states beyond its objects, relations, quantities and events.
+
+    The drafter writes it, the judge measures it on the replay, and no stage drops it.
+    """
+
+    id: str
+    predicate: Predicate
+    text: str
+    """The words that state it; `start` and `end` are their place in the prompt."""
+    start: int
+    end: int
+    object: tuple[str, ...] = ()
+    """Node ids of what it is said of (each of them); of `same_time` and `before`, two events."""
+    target: tuple[str, ...] = ()
+    """Node ids of the other participant (any of them)."""
+    direction: Direction | None = None
+    quantity: Literal["speed", "distance", "height", "length", "width", "angle", "count"] | None = (
+        None
+    )
+    value: Quantity | None = None
+    """In the document's units [cm/s, cm, degrees, 1]."""
+    noun: str | None = None
+    """Of `absent` and `count`."""
+    when: str = "throughout"
+    """start, end, throughout, the id of a point event, or two of these as "from..to"."""
+    note: str = ""
+    """Of `not_represented`: what is missing, in words for the reader of a report."""
+
+
 class AssetChoice(Model):
     """The configuration that takes the place of an asset's own, and why."""
 
@@ -640,6 +730,8 @@ class EsgDocument(Model):
     spatial_relation_graph: SpatialRelationGraph = SpatialRelationGraph()
     timeline_system: TimelineSystem | None = None
     coverage: Coverage = Coverage()
+    statements: tuple[Statement, ...] | None = None
+    """What the prompt states beyond the rest; None where it states nothing more."""
     casting: Casting | None = None
     """None where nothing had to be chosen."""
     choreography: Choreography | None = None

@@ -16,6 +16,7 @@ from esg.graph import (
     rules_scene,
     rules_segments,
     rules_stages,
+    rules_statements,
     rules_timeline,
 )
 from esg.graph.canonical import plain
@@ -52,6 +53,7 @@ def verify(doc: EsgDocument | Mapping[str, Any]) -> tuple[Violation, ...]:
             rules_timeline,
             rules_events,
             rules_segments,
+            rules_statements,
             rules_stages,
             rules_casting,
         ):

@@ -6,6 +6,8 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
+from esg.graph.models import Direction, Predicate
+
 EventType = Literal[
     "collision",
     "moves",
@@ -124,6 +126,32 @@ class SuiteConstraint(_Frozen):
         return " ".join([*parts, self.unit]).strip()
 
 
+class SuiteStatement(_Frozen):
+    """One thing that a prompt states beyond its events, scored by SKR.
+
+    `object`, `target`, `a` and `b` are noun phrases or exact references as in `SuiteEvent`; of
+    `same_time` and `before` the ids of events. `value` is in base units (m, m/s, degrees, 1).
+    """
+
+    id: str
+    says: Predicate
+    object: str | None = None
+    target: str | None = None
+    a: str | None = None
+    b: str | None = None
+    direction: Direction | None = None
+    quantity: Literal["speed", "distance", "height", "length", "width", "angle", "count"] | None = (
+        None
+    )
+    value: float | None = None
+    range: tuple[float, float] | None = None
+    alike: str | None = None
+    """Of `size`: a thing whose size it has ("as: chair")."""
+    noun: str | None = None
+    when: str = "throughout"
+    note: str = ""
+
+
 class SuiteScene(_Frozen):
     """One prompt and what must happen in it."""
 
@@ -134,6 +162,7 @@ class SuiteScene(_Frozen):
     constraints: tuple[SuiteConstraint, ...] = ()
     objects: tuple[str, ...] = ()
     """Further objects that the text prescribes although no event names them (they count in SLR)."""
+    statements: tuple[SuiteStatement, ...] = ()
 
 
 class Suite(_Frozen):
@@ -179,6 +208,20 @@ class ConstraintVerdict(_Frozen):
     reason: str = ""
 
 
+class StatementVerdict(_Frozen):
+    """Whether one statement was kept, and what was measured."""
+
+    id: str
+    says: str
+    words: str = ""
+    """The words of the prompt, where the statement is a document's."""
+    kept: bool | None
+    """None: not represented, so there is nothing to measure."""
+    measured: dict[str, float] = {}
+    reason: str = ""
+    """Why it is broken or not represented; empty when kept."""
+
+
 class Overlap(_Frozen):
     """A pair that starts interpenetrating."""
 
@@ -220,6 +263,7 @@ class SceneVerdict(_Frozen):
     layout: LayoutVerdict
     events: tuple[EventVerdict, ...] = ()
     constraints: tuple[ConstraintVerdict, ...] = ()
+    statements: tuple[StatementVerdict, ...] = ()
     bindings: dict[str, tuple[str, ...]] = {}
     """Phrase to the names of the bodies or regions it was bound to."""
 

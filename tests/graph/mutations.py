@@ -818,6 +818,36 @@ def stages(m: Maker) -> None:
     m.add("REF_NAMED_REGION", (*EVENTS, 3, "region"), entering)
 
 
+def statements(m: Maker) -> None:
+    """Statements of what is not there, said twice, or without what they are measured by."""
+    if m.base != "finished":
+        return
+    car = {"text": "The car", "start": 0, "end": 7, "object": ["car_1"]}
+    bin_ = {"target": ["trashbin_1"]}
+    told: list[Json] = [
+        {"id": "s1", "predicate": "moves", "direction": "left", "when": "start", **car},
+        {"id": "s2", "predicate": "ends_near", **car, **bin_},
+    ]
+    stated = {**m.raw, "statements": told}
+    first, second = ("statements", 0), ("statements", 1)
+    m.add("STATEMENT_TWICE", (*second, "id"), put(stated, (*second, "id"), "s1"))
+    m.add("STATEMENT_UNKNOWN", (*first, "object"), put(stated, (*first, "object"), ["ghost"]))
+    m.add("STATEMENT_UNKNOWN", (*second, "target"), put(stated, (*second, "target"), ["ghost"]))
+    m.add("STATEMENT_UNKNOWN", (*first, "when"), put(stated, (*first, "when"), "start..ghost"))
+    for part, missing in ((first, "object"), (first, "direction"), (second, "target")):
+        m.add("STATEMENT_INCOMPLETE", (*part, missing), without(stated, (*part, missing)))
+    towards = put(stated, (*first, "direction"), "toward")
+    m.add("STATEMENT_INCOMPLETE", (*first, "target"), towards)
+    for says, needs in (
+        ("absent", "noun"), ("count", "value"), ("faster_than", "value"), ("not_represented", "note"),
+    ):  # fmt: skip
+        changed = put(stated, (*second, "predicate"), says)
+        also = ("STATEMENT_INCOMPLETE",)
+        m.add("STATEMENT_INCOMPLETE", (*second, needs), changed, *also)
+    one = put(stated, (*second, "predicate"), "same_time")
+    m.add("STATEMENT_INCOMPLETE", (*second, "object"), one, "STATEMENT_UNKNOWN")
+
+
 def casting(m: Maker) -> None:
     """Choices and a choreography that name what is not there, or choose what cannot be."""
     if m.base != "finished":
@@ -881,6 +911,7 @@ GENERATORS: tuple[Callable[[Maker], None], ...] = (
     events,
     segments,
     stages,
+    statements,
     casting,
 )
 
