@@ -22,6 +22,7 @@ from esg.draft.grammar.rewrites.inversions import straighten
 from esg.draft.grammar.rewrites.ones import name_ones
 from esg.draft.grammar.rewrites.patterns import rewrite
 from esg.draft.grammar.rewrites.shares import count
+from esg.draft.statements import state
 from esg.draft.text.elements import Element
 from esg.draft.text.tagging import pos_tags
 from esg.draft.text.tokens import tokenize
@@ -86,6 +87,7 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     gaps = {frozenset((r.source, r.target)): r.distance for r in told if r.distance is not None}
     timeline = scene.timeline.build(gaps)
     too_long(timeline)
+    statements = state(discourse, clauses.frames)
     coverage = in_prompt(account(text, elements, clauses.mentions, scene, tokens), text, prompt)
     expanded = text + ("" if not reasons else " [" + "; ".join(reasons) + "]")
-    return build(scene, prompt, seed, timeline, coverage, expanded)
+    return build(scene, prompt, seed, timeline, coverage, statements, expanded)

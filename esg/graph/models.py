@@ -393,6 +393,8 @@ class MotionParams(Model):
     duration: Quantity | None = None
     """[s]"""
     spin: Literal["roll", "slide", "none"] | None = None
+    backward: Literal[True] | None = None
+    """Moves with its back in front; `heading_deg` is the way it goes."""
 
 
 class TimelineEdge(Model):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from esg.draft import lexicon as lex
+from esg.draft.discourse.proposition import Clause
 from esg.draft.discourse.referents.record import World
 from esg.draft.discourse.timeline import TimelineBuilder
 from esg.draft.text.quantities import Amount
@@ -46,6 +47,8 @@ class Scene:
     """Spans that became something: (start, end) -> pointer or note."""
     ignored: dict[tuple[int, int], str] = field(default_factory=dict[tuple[int, int], str])
     warnings: list[str] = field(default_factory=list[str])
+    clauses: list[Clause] = field(default_factory=list[Clause])
+    """The clauses that were read, with what they move."""
 
 
 STRUCK = lex.word_set("struck")

@@ -33,6 +33,7 @@ from esg.graph.models import (
     SceneParameters,
     SemanticRegion,
     SpatialRelationGraph,
+    Statement,
     TimelineSystem,
 )
 from esg.graph.relations import conflict
@@ -74,6 +75,7 @@ def build(
     seed: int,
     timeline: TimelineSystem | None,
     coverage: Coverage,
+    statements: tuple[Statement, ...] | None,
     expanded: str,
 ) -> EsgDocument:
     """Writes a scene as a document.
@@ -84,6 +86,7 @@ def build(
         seed: Enters the scene id and the provenance.
         timeline: Its events; None if nothing moves.
         coverage: What became of the prompt's words.
+        statements: What it states beyond objects, relations and events.
         expanded: The prompt with what was added.
     """
     scene_type, preset = environment(scene)
@@ -118,6 +121,7 @@ def build(
         ),
         timeline_system=timeline,
         coverage=coverage,
+        statements=statements,
         provenance=(
             Provenance(
                 stage="draft",

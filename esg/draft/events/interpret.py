@@ -21,6 +21,7 @@ from esg.draft.discourse.scene import SELF_POWERED, Scene
 from esg.draft.discourse.timeline import TimelineBuilder
 from esg.draft.discourse.windows import Draft
 from esg.draft.events.acts import add_event, outcomes
+from esg.draft.events.courses import follow, snapshot
 from esg.draft.events.senses import SENSES
 from esg.draft.events.senses.outcome import read_miss, target_of_mates
 from esg.draft.events.senses.state import attachment, mass_of_load
@@ -134,7 +135,9 @@ def read_frame(d: Discourse, f: Frame) -> None:
         ignore(d, f, "no physical meaning")
         hand_on(d, f)
         return
+    was = snapshot(d)
     handler(d, f, parts.subject, parts.objects)
+    d.scene.clauses.append(follow(d, f, was, parts.subject, parts.objects))
     hand_on(d, f)
     for p, a in amounts_of(d, f):
         span = precedes(d, a) or (p == "for" and sense in ("fall", "drop"))

@@ -27,6 +27,8 @@ from esg.draft.text.quantities import Amount
 from esg.graph.models import ForceDirection, NodeEvent, Quantity
 
 _AIRBORNE = lex.word_set("airborne")
+_SLOW, _FAST = (0.0, 0.25), (0.5, 1.0)
+"""The parts of the range of plausible speeds that are slow and fast."""
 
 
 _IN_THE_AIR = lex.word_set("in the air")
@@ -338,3 +340,16 @@ def reverse(d: Discourse, actors: list[str]) -> None:
             )
         if track.direction in (None, ForceDirection.ALONG_FORWARD_ONLY):
             track.direction = ForceDirection.ALONG_FORWARD_OR_BACKWARD
+        if track.motion is not None and track.at == START:
+            track.motion.params["backward"] = True
+            if not track.motion.prescribed and track.motion.speed is not None:
+                track.motion.speed = paced(track.motion.speed, "slow")
+
+
+def paced(speed: Quantity, pace: str) -> Quantity:
+    """The part of a range of speeds that a word such as "slowly" leaves [cm/s]."""
+    if not isinstance(speed, tuple):
+        return speed
+    low, high = speed
+    part = _SLOW if pace == "slow" else _FAST
+    return (round(low + part[0] * (high - low), 4), round(low + part[1] * (high - low), 4))

@@ -100,8 +100,7 @@ class Story:
 
     def reverses(self, actor: str) -> bool:
         """Whether an actor starts by driving backwards."""
-        speed = self.phases[actor][0].edge.params.speed
-        return isinstance(speed, (int, float)) and speed < 0
+        return self.phases[actor][0].edge.params.backward is True
 
     def meet_again(self, node: TimelineNode) -> bool:
         """Whether the bodies of an event hit each other later: who passes is run into after it."""

@@ -1,0 +1,118 @@
+"""What clauses said of ways and speeds, carried over to the motions that they tell."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from esg.draft.discourse.core import kind_of, movable
+from esg.draft.discourse.proposition import Clause
+from esg.draft.discourse.record import Discourse
+from esg.draft.discourse.tracks import Motion
+from esg.draft.events.motions import paced
+from esg.draft.events.stated import said
+from esg.draft.grammar.clauses.frames import Frame
+from esg.graph.models import EdgeEvent, MotionParams, NodeEvent
+
+_TRANSITIVE = frozenset(
+    {"launch", "knock", "drop", "carry", "roll", "slide", "bounce", "tow", "own", "pass", "posture"}
+)
+"""Senses whose object, where there is one, is what moves as the clause says."""
+_HEADINGS = {"left": 0.0, "right": 180.0, "front": 90.0, "back": 270.0}
+"""Headings [degrees] of the viewer's directions: left is +X, front +Y."""
+_DRIVEN = (EdgeEvent.UNIFORM_MOTION, EdgeEvent.TOWARD, EdgeEvent.ACCELERATED_MOTION)
+
+
+@dataclass(frozen=True)
+class Before:
+    """What the timeline held before a clause was read."""
+
+    tracks: dict[str, tuple[int, bool, str]]
+    nodes: int
+    edges: int
+
+
+def snapshot(d: Discourse) -> Before:
+    """Notes what the timeline holds."""
+    tracks = {a: (id(t.motion), t.hit, t.at) for a, t in d.timeline.tracks.items()}
+    return Before(tracks, len(d.timeline.nodes), len(d.timeline.edges))
+
+
+def follow(d: Discourse, f: Frame, was: Before, subject: list[str], objects: list[str]) -> Clause:
+    """What a clause set in motion, and its words on it carried over to the motion.
+
+    Args:
+        d: The discourse after the clause was read.
+        f: The clause.
+        was: What the timeline held before.
+        subject, objects: What it is about (node ids).
+    """
+    tracks = d.timeline.tracks
+    new = {a for a, t in tracks.items() if was.tracks.get(a) != (id(t.motion), t.hit, t.at)}
+    moved = [i for i in objects if i in new] if f.verb.sense in _TRANSITIVE else []
+    moved = moved or [i for i in (*subject, *objects) if i in new]
+    moved = moved or [i for i in subject if i in tracks and tracks[i].under_way]
+    moved = [i for i in dict.fromkeys(moved) if i in d.world.entities and movable(d, i)]
+    clause = Clause(
+        f,
+        moved,
+        {a: was.tracks[a][2] if a in was.tracks else "scene_start" for a in moved},
+        [n.id for n in d.timeline.nodes[was.nodes :]],
+        said(d.text, f),
+    )
+    for mover in moved:
+        _carry_over(d, clause, mover, was)
+    return clause
+
+
+def _carry_over(d: Discourse, clause: Clause, mover: str, was: Before) -> None:
+    """Gives the motions of a clause the course and the pace that its words state."""
+    first = d.timeline.tracks[mover].at == "scene_start" or was.edges == 0 or not any(
+        e.actor == mover for e in d.timeline.edges[: was.edges]
+    )  # fmt: skip
+    for s in clause.said:
+        if s.row.pace:
+            _change(d, mover, was, pace=s.row.pace)
+        elif s.row.direction in _HEADINGS and first:
+            _change(d, mover, was, heading_deg=_HEADINGS[s.row.direction or ""])
+        elif s.row.direction == "up" and kind_of(d, mover) != "flyer":
+            _change(d, mover, was, thrown_up=True)
+        elif s.row.direction == "backward" and first:
+            _change(d, mover, was, backward=True)
+
+
+def _change(d: Discourse, mover: str, was: Before, pace: str = "", **course: Any) -> None:
+    motion = d.timeline.tracks[mover].motion
+    if motion is not None and motion.mode not in ("coast", "brake"):
+        _change_motion(motion, pace, course)
+    for k, e in enumerate(d.timeline.edges):
+        if k < was.edges or e.actor != mover or e.event not in _DRIVEN:
+            continue
+        changed: dict[str, Any] = _fitting(e.event, e.params, course)
+        if pace and not e.speed_is_prescribed and e.params.speed is not None:
+            changed["speed"] = paced(e.params.speed, pace)
+        if changed:
+            params = e.params.model_copy(update=changed)
+            d.timeline.edges[k] = e.model_copy(update={"params": params})
+
+
+def _change_motion(motion: Motion, pace: str, course: dict[str, Any]) -> None:
+    if pace and not motion.prescribed and motion.speed is not None:
+        motion.speed = paced(motion.speed, pace)
+    if "thrown_up" in course:
+        if motion.mode in ("throw", "fly"):
+            motion.params["elevation_deg"] = 90.0
+    else:
+        motion.params.update(course)
+
+
+def _fitting(event: EdgeEvent, params: MotionParams, course: dict[str, Any]) -> dict[str, Any]:
+    if "thrown_up" not in course:
+        return dict(course)
+    flies = event is EdgeEvent.TOWARD and isinstance(params.elevation_deg, tuple)
+    return {"elevation_deg": 90.0} if flies else {}
+
+
+def measurable(kind: NodeEvent) -> bool:
+    """Whether a point event is an outcome that the judge can time."""
+    return kind not in (NodeEvent.TRIGGER, NodeEvent.SCENE_START)

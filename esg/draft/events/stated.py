@@ -1,0 +1,79 @@
+"""What the words around a verb state of its motion: which way, how fast, in what manner.
+
+`data/statements.csv` says which adverbs, phrases and verbs state what, with a sentence for each.
+"""
+
+from __future__ import annotations
+
+import csv
+from functools import cache
+import re
+
+from esg.draft import lexicon as lex
+from esg.draft.discourse.proposition import Row, Said
+from esg.draft.grammar.clauses.frames import Frame, Phrase
+from esg.graph.models import Predicate
+
+_REACH = 160
+"""How far from its verb an adverb may stand, in characters."""
+
+
+@cache
+def rows() -> tuple[Row, ...]:
+    """The table."""
+    with open(lex.DATA / "statements.csv", encoding="utf-8", newline="") as file:
+        return tuple(
+            Row(
+                r["part"],
+                frozenset(r["words"].split("|")),
+                Predicate(r["states"]),
+                r["direction"] or None,  # type: ignore[arg-type]  # a test reads the whole table
+                r["pace"],
+                r["example"],
+            )
+            for r in csv.DictReader(file, delimiter=";")
+        )
+
+
+@cache
+def _by_word() -> dict[tuple[str, str], tuple[Row, ...]]:
+    out: dict[tuple[str, str], tuple[Row, ...]] = {}
+    for row in rows():
+        for word in row.words:
+            out[row.part, word] = (*out.get((row.part, word), ()), row)
+    return out
+
+
+def said(text: str, f: Frame) -> list[Said]:
+    """What the adverbs, phrases and the verb of a clause state of its motion."""
+    verb = (f.verb.start, f.verb.end)
+    out = [Said(row, *verb) for row in _by_word().get(("verb", f.verb.lemma), ())]
+    for word in f.adverbs:
+        for row in _by_word().get(("adverb", word), ()):
+            out.append(Said(row, *(_place_of(word, text, f) or verb)))
+    for p in f.phrases:
+        if p.mention is None:
+            continue
+        if p.mention.attribute and p.prep in ("to", "toward", "towards"):
+            found = _by_word().get(("side", p.mention.head), ())
+        else:
+            found = () if p.mention.attribute else _by_word().get(("phrase", p.prep), ())
+        start = _start_of(p, text)
+        out += [Said(row, start, p.mention.end, p) for row in found]
+    return out
+
+
+def _place_of(word: str, text: str, f: Frame) -> tuple[int, int] | None:
+    """Where an adverb of a clause stands: the place nearest to its verb."""
+    low = max(0, f.verb.start - _REACH)
+    found = re.finditer(rf"\b{re.escape(word)}\b", text[low : f.verb.end + _REACH], re.IGNORECASE)
+    places = [(low + m.start(), low + m.end()) for m in found]
+    return min(places, key=lambda at: abs(at[0] - f.verb.end), default=None)
+
+
+def _start_of(p: Phrase, text: str) -> int:
+    """Where a phrase starts: at its preposition, if that stands just before what it names."""
+    assert p.mention is not None
+    before = text[max(0, p.mention.start - 30) : p.mention.start].lower()
+    at = before.rfind(p.prep.split()[0])
+    return p.mention.start - (len(before) - at) if at >= 0 else p.mention.start

@@ -1,0 +1,192 @@
+"""The statements of a prompt, clause by clause."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import Any
+
+from esg.draft.discourse.core import kind_of, structural
+from esg.draft.discourse.proposition import Clause, Said
+from esg.draft.discourse.record import Discourse
+from esg.draft.discourse.scene import SELF_POWERED
+from esg.draft.events.courses import measurable
+from esg.draft.events.told import things, traits_of
+from esg.draft.grammar.clauses.frames import Frame, Phrase
+from esg.draft.statements.unkept import dropped, missing
+from esg.graph.models import Predicate, Quantity, Statement, TimelineEdge
+
+START = "scene_start"
+_LASTING = ("own", "roll", "slide", "spin", "coast", "continue", "accelerate", "brake", "swerve")
+"""Senses of moving on something, and not onto it."""
+_TARGETED = frozenset({"toward", "away_from", "along", "past", "across", "through", "around"})
+
+
+@dataclass
+class _Book:
+    """The statements so far."""
+
+    d: Discourse
+    items: list[Statement] = field(default_factory=list[Statement])
+
+    def add(self, says: Predicate, start: int, end: int, **more: Any) -> None:
+        """Writes down a statement whose words stand in the text from start to end."""
+        words = self.d.text[start:end]
+        told = Statement(
+            id=f"s{len(self.items) + 1}", predicate=says, text=words, start=start, end=end, **more
+        )
+        same = ("id", "text", "start", "end")
+        if all(
+            told.model_dump(exclude={*same}) != x.model_dump(exclude={*same}) for x in self.items
+        ):
+            self.items.append(told)
+
+
+def state(d: Discourse, frames: list[Frame]) -> tuple[Statement, ...] | None:
+    """What the prompt states beyond objects, relations and events; None if nothing.
+
+    Args:
+        d: The discourse, after the timeline's motions have been finished.
+        frames: All clauses.
+    """
+    book = _Book(d)
+    read = {(c.frame.verb.start, c.frame.verb.end) for c in d.scene.clauses}
+    for clause in d.scene.clauses:
+        why = missing(d, clause)
+        if why:
+            _unkept(book, clause.frame, why)
+        if clause.movers:
+            _motion(book, clause)
+    for f in frames:
+        why = dropped(d, f)
+        if why and ((f.verb.start, f.verb.end) not in read or not _moves(d, f)):
+            _unkept(book, f, why)
+    for actor, at in d.moves.still.items():
+        if actor in d.world.entities:
+            book.add(Predicate.STAYS_STILL, at, _word_end(d.text, at), object=(actor,))
+    return tuple(sorted(book.items, key=lambda s: s.start)) or None
+
+
+def _moves(d: Discourse, f: Frame) -> bool:
+    return any(c.frame.verb is f.verb and c.movers for c in d.scene.clauses)
+
+
+def _unkept(book: _Book, f: Frame, why: str) -> None:
+    """A verb that no part of the document stands for."""
+    about = [i for m in (f.subject, f.object) if m is not None for i in m.entities]
+    nodes = tuple(i for i in dict.fromkeys(about) if i in book.d.world.entities)
+    book.add(Predicate.NOT_REPRESENTED, f.verb.start, f.verb.end, object=nodes, note=why)
+
+
+def _motion(book: _Book, clause: Clause) -> None:
+    """What the words of a clause state of what it moves."""
+    for s in clause.said:
+        for mover in clause.movers:
+            _said(book, clause, s, mover)
+    for p in clause.frame.phrases:
+        _support(book, clause, p)
+
+
+def _said(book: _Book, clause: Clause, s: Said, mover: str) -> None:
+    d, says = book.d, s.row.states
+    where = _when(d, clause, mover)
+    if says in (Predicate.SLOWER_THAN, Predicate.FASTER_THAN):
+        value = _pace(d, clause, mover, says)
+        if value is not None:
+            book.add(says, s.start, s.end, object=(mover,), quantity="speed", value=value,
+                     when=where)  # fmt: skip
+    elif says is Predicate.CARRIED_BY:
+        bearers = [i for i in _ids(clause.frame.subject) if i != mover]
+        for load in [i for i in _ids(clause.frame.object) if i in d.world.entities]:
+            if d.scene.supported_by.get(load) in (bearers or [mover]):
+                bearer = d.scene.supported_by[load]
+                book.add(says, s.start, s.end, object=(load,), target=(bearer,))
+    elif says is Predicate.ROLLS:
+        if "round" in traits_of(d, mover) or kind_of(d, mover) not in SELF_POWERED:
+            book.add(says, s.start, s.end, object=(mover,), when=where)
+    elif says is Predicate.SLIDES:
+        book.add(says, s.start, s.end, object=(mover,), when=where)
+    elif s.row.part == "verb":
+        others = [i for i in _ids(clause.frame.object) if i != mover and i in d.world.entities]
+        if others:
+            book.add(says, s.start, s.end, object=(mover,), target=tuple(others[:1]),
+                     direction=s.row.direction, when=where)  # fmt: skip
+    elif says is Predicate.MOVES:
+        _direction(book, clause, s, mover, where)
+
+
+def _direction(book: _Book, clause: Clause, s: Said, mover: str, where: str) -> None:
+    d, direction = book.d, s.row.direction
+    if direction not in _TARGETED and direction != "between":
+        book.add(Predicate.MOVES, s.start, s.end, object=(mover,), direction=direction, when=where)
+        return
+    targets = [i for i in things(s.phrase) if i != mover and i in d.world.entities]
+    if not targets or structural(d, targets[0]) or _met(d, mover, targets):
+        return  # along a road: what it is on; what it meets is an event
+    some = tuple(targets) if direction == "between" else tuple(targets[:1])
+    book.add(Predicate.MOVES, s.start, s.end, object=(mover,), target=some, direction=direction,
+             when=where)  # fmt: skip
+
+
+def _met(d: Discourse, mover: str, others: list[str]) -> bool:
+    """Whether an event tells of the mover and one of the others."""
+    for n in d.timeline.nodes:
+        about = {*n.participants, str(n.extra.get("region", "")).split("/")[0]}
+        if measurable(n.event) and mover in about and about & {*others}:
+            return True
+    return False
+
+
+def _support(book: _Book, clause: Clause, p: Phrase) -> None:
+    """ "Rolls on a table": it starts on it, and stays unless it is told to leave it."""
+    d = book.d
+    if p.mention is None or p.prep not in ("on", "along", "across", "atop"):
+        return
+    if clause.frame.verb.sense not in _LASTING:
+        return
+    for mover in clause.movers:
+        host = d.scene.supported_by.get(mover)
+        if host is None or host not in p.mention.entities or structural(d, host):
+            continue
+        leaves = any(mover in n.participants and n.event.value in ("Fall", "EnterRegion")
+                     for n in d.timeline.nodes)  # fmt: skip
+        book.add(Predicate.SUPPORTED_BY, p.mention.start, p.mention.end, object=(mover,),
+                 target=(host,), when="start" if leaves else "throughout")  # fmt: skip
+
+
+def _when(d: Discourse, clause: Clause, mover: str) -> str:
+    """The part of the scene that a clause tells: from the event before it to the one it leads to."""
+    since = clause.since.get(mover, START)
+    edge = next((e for e in _of(d, mover) if e.from_ == since), None)
+    kinds = {n.id: n.event for n in d.timeline.nodes}
+    begin = "start" if since == START else since
+    end = edge.to if edge is not None else "end"
+    if begin != "start" and not measurable(kinds[begin]):
+        return "throughout"
+    end = end if end in kinds and measurable(kinds[end]) else "end"
+    return "throughout" if (begin, end) == ("start", "end") else f"{begin}..{end}"
+
+
+def _of(d: Discourse, mover: str) -> Iterator[TimelineEdge]:
+    return (e for e in d.timeline.edges if e.actor == mover)
+
+
+def _pace(d: Discourse, clause: Clause, mover: str, says: Predicate) -> float | None:
+    """The speed [cm/s] that a word such as "slowly" leaves a mover of its kind."""
+    since = clause.since.get(mover, START)
+    edge = next((e for e in _of(d, mover) if e.from_ == since), None)
+    speed: Quantity | None = edge.params.speed if edge is not None else None
+    if edge is None or edge.speed_is_prescribed or not isinstance(speed, tuple):
+        return None
+    return round(1.1 * speed[1] if says is Predicate.SLOWER_THAN else 0.9 * speed[0], 2)
+
+
+def _ids(m: object) -> list[str]:
+    return list(getattr(m, "entities", ()))
+
+
+def _word_end(text: str, start: int) -> int:
+    end = start
+    while end < len(text) and (text[end].isalnum() or text[end] in "'’"):
+        end += 1
+    return max(end, start + 1)

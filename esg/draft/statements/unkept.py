@@ -1,0 +1,72 @@
+"""Verbs whose meaning the document cannot hold, and words that say why.
+
+`data/unkept.csv` names them by sense, lemma and voice, with a sentence for each.
+"""
+
+from __future__ import annotations
+
+import csv
+from dataclasses import dataclass
+from functools import cache
+
+from esg.draft import lexicon as lex
+from esg.draft.discourse.core import kind_of
+from esg.draft.discourse.proposition import Clause
+from esg.draft.discourse.record import Discourse
+from esg.draft.grammar.clauses.frames import Frame
+
+_NO_PICTURE = lex.word_set("no picture (statements)")
+_NOT_TOLD = frozenset({"gerund", "no event of its own"})
+"""Reasons for which a verb is no statement of the prompt."""
+NOTHING_MOVES = "nothing of the kind happens in the scene"
+
+
+@dataclass(frozen=True)
+class _Row:
+    sense: str
+    lemmas: frozenset[str]
+    voice: str
+    missing: str
+    example: str
+
+
+@cache
+def rows() -> tuple[_Row, ...]:
+    """The table."""
+    with open(lex.DATA / "unkept.csv", encoding="utf-8", newline="") as file:
+        return tuple(
+            _Row(r["sense"], frozenset(r["lemmas"].split("|")), r["voice"], r["missing"],
+                 r["example"])
+            for r in csv.DictReader(file, delimiter=";")
+        )  # fmt: skip
+
+
+def missing(d: Discourse, clause: Clause) -> str:
+    """What a clause that was read says and the document does not hold; empty if it holds it."""
+    f = clause.frame
+    for row in rows():
+        if row.sense == f.verb.sense and {f.verb.lemma, "*"} & row.lemmas:
+            return row.missing if _applies(d, row.voice, clause) else ""
+    return ""
+
+
+def _applies(d: Discourse, voice: str, clause: Clause) -> bool:
+    f = clause.frame
+    if voice == "active":
+        return not f.verb.passive and not f.reduced and f.object is not None
+    if voice.startswith("!"):
+        doers = f.subject.entities if f.subject is not None else []
+        kinds = {kind_of(d, i) for i in (*doers, *clause.movers) if i in d.world.entities}
+        return voice[1:] not in kinds
+    return True
+
+
+def dropped(d: Discourse, f: Frame) -> str:
+    """Why a clause that no reading took up is missed in the scene; empty if it need not be."""
+    span = (f.verb.start, f.verb.end)
+    why = d.scene.ignored.get(span)
+    if why is None or span in d.scene.used or f.unreal or why in _NOT_TOLD:
+        return ""
+    if f.verb.negated or f.verb.lemma in _NO_PICTURE or f.verb.auxiliary == f.verb.lemma:
+        return ""
+    return NOTHING_MOVES if why == "no physical meaning" else why
