@@ -8,7 +8,7 @@ from functools import partial
 from esg.draft.discourse.referents.resolution import new_world
 from esg.draft.document.build import build, is_restricted
 from esg.draft.document.comparisons import compare
-from esg.draft.document.coverage import account, in_prompt
+from esg.draft.document.coverage import account, in_prompt, stated_in_prompt
 from esg.draft.document.expand import expand
 from esg.draft.document.screening import contradictions, nothing_to_draw, screen, too_long, too_much
 from esg.draft.document.spacing import space
@@ -89,5 +89,6 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     too_long(timeline)
     statements = state(discourse, clauses.frames)
     coverage = in_prompt(account(text, elements, clauses.mentions, scene, tokens), text, prompt)
+    statements = stated_in_prompt(statements, text, prompt)
     expanded = text + ("" if not reasons else " [" + "; ".join(reasons) + "]")
     return build(scene, prompt, seed, timeline, coverage, statements, expanded)

@@ -46,6 +46,7 @@ class Clause:
         since: By mover, the event that its motion starts from.
         events: Ids of the point events it told at once.
         said: What its words state of the motion.
+        told: Whether it added anything to the scene.
     """
 
     frame: Frame
@@ -53,3 +54,4 @@ class Clause:
     since: dict[str, str]
     events: list[str]
     said: list[Said] = field(default_factory=list[Said])
+    told: bool = True

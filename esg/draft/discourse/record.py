@@ -104,6 +104,8 @@ class Moves:
     """What flies by its own power."""
     leaning: set[str] = field(default_factory=set[str])
     """What leans on something, so that it tips over when it falls."""
+    on_top: dict[str, str] = field(default_factory=dict[str, str])
+    """What moves about on something, and on what."""
     still: dict[str, int] = field(default_factory=dict[str, int])
     """What is said not to move, and where the prompt says so."""
 

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 import re
-from typing import Literal
+from typing import Literal, TypeVar
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.scene import Scene
 from esg.draft.text.amounts import Amount
 from esg.draft.text.elements import Element, Mention, Token, Verb, Word
-from esg.graph.models import Coverage, CoverageItem, NodeEvent
+from esg.graph.models import Coverage, CoverageItem, NodeEvent, Statement
+
+
+_T = TypeVar("_T", CoverageItem, Statement)
 
 
 @dataclass(frozen=True)
@@ -60,7 +63,7 @@ def account(
         words = text[e.start : e.end]
         if isinstance(e, Verb):
             fates.append((e, _verb(e, words, scene)))
-        elif isinstance(e, Word) and (fate := _word(e, words)) is not None:
+        elif isinstance(e, Word) and (fate := _word(e, words, scene)) is not None:
             fates.append((e, fate))
     items = [
         CoverageItem(text=text[at.start : at.end], start=at.start, end=at.end, kind=f.kind,
@@ -121,8 +124,10 @@ def _verb(v: Verb, words: str, scene: Scene) -> _Fate:
     return _Fate("event", "not_understood", warning=f'The verb "{words}" was not understood.')
 
 
-def _word(w: Word, words: str) -> _Fate | None:
+def _word(w: Word, words: str, scene: Scene) -> _Fate | None:
     """What became of a small word; None for those that need no account."""
+    if w.kind == "adv" and (w.start, w.end) in scene.used:
+        return _Fate("modifier", note=scene.used[w.start, w.end])
     if w.kind == "adv" and w.low in _ORDER:
         return _Fate("modifier", note=_ORDER[w.low])
     if w.kind in ("prep", "adv", "sub") and " " in words:
@@ -153,10 +158,22 @@ def in_prompt(coverage: Coverage, text: str, prompt: str) -> Coverage:
     """
     if text == prompt:
         return coverage
-    items: list[CoverageItem] = []
-    for item in coverage.items:
-        found = [m.start() for m in re.finditer(re.escape(item.text), prompt)] if item.text else []
-        start = min(found, key=lambda k: abs(k - item.start), default=min(item.start, len(prompt)))
-        end = start + len(item.text) if found else min(item.end, len(prompt))
-        items.append(item.model_copy(update={"start": start, "end": max(start, end)}))
-    return coverage.model_copy(update={"items": tuple(items)})
+    items = tuple(_moved(item, prompt) for item in coverage.items)
+    return coverage.model_copy(update={"items": items})
+
+
+def stated_in_prompt(
+    statements: tuple[Statement, ...] | None, text: str, prompt: str
+) -> tuple[Statement, ...] | None:
+    """Statements with their places in the prompt as it was typed; see `in_prompt`."""
+    if text == prompt or statements is None:
+        return statements
+    return tuple(_moved(s, prompt) for s in statements)
+
+
+def _moved(item: _T, prompt: str) -> _T:
+    """An item at the place of its words in the prompt that is nearest to where it was read."""
+    found = [m.start() for m in re.finditer(re.escape(item.text), prompt)] if item.text else []
+    start = min(found, key=lambda k: abs(k - item.start), default=min(item.start, len(prompt)))
+    end = start + len(item.text) if found else min(item.end, len(prompt))
+    return item.model_copy(update={"start": start, "end": max(start, end)})

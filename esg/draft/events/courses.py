@@ -11,15 +11,21 @@ from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.tracks import Motion
 from esg.draft.events.motions import paced
 from esg.draft.events.stated import said
+from esg.draft.events.told import size_of
 from esg.draft.grammar.clauses.frames import Frame
 from esg.graph.models import EdgeEvent, MotionParams, NodeEvent
+from esg.graph.rules_segments import LEAST_SPEED_CM_S
 
 _TRANSITIVE = frozenset(
     {"launch", "knock", "drop", "carry", "roll", "slide", "bounce", "tow", "own", "pass", "posture"}
 )
 """Senses whose object, where there is one, is what moves as the clause says."""
+AT_ITS_OWN_PACE = ("brake", "stop", "slow", "fall", "drop", "topple", "turn")
+"""Senses whose adverbs of pace are not about a speed that one could choose."""
 _HEADINGS = {"left": 0.0, "right": 180.0, "front": 90.0, "back": 270.0}
 """Headings [degrees] of the viewer's directions: left is +X, front +Y."""
+_ABOUT_S = 2.5
+"""How long what moves about on something shall need for half of its length [s]."""
 _DRIVEN = (EdgeEvent.UNIFORM_MOTION, EdgeEvent.TOWARD, EdgeEvent.ACCELERATED_MOTION)
 
 
@@ -30,12 +36,26 @@ class Before:
     tracks: dict[str, tuple[int, bool, str]]
     nodes: int
     edges: int
+    rest: tuple[object, ...]
+    """Everything else that a clause can add to, to tell whether it did."""
 
 
 def snapshot(d: Discourse) -> Before:
     """Notes what the timeline holds."""
     tracks = {a: (id(t.motion), t.hit, t.at) for a, t in d.timeline.tracks.items()}
-    return Before(tracks, len(d.timeline.nodes), len(d.timeline.edges))
+    return Before(tracks, len(d.timeline.nodes), len(d.timeline.edges), _rest(d))
+
+
+def _rest(d: Discourse) -> tuple[object, ...]:
+    scene, motions = d.scene, [t.motion for t in d.timeline.tracks.values()]
+    return (
+        *map(len, (scene.relations, scene.supported_by, scene.attached, scene.heights)),
+        *map(len, (scene.travel, scene.facing, scene.marked, d.moves.stated, d.moves.waiting)),
+        tuple(d.times.pending.items()),
+        sum(len(n.constraints) for n in d.timeline.nodes),
+        [(m.speed, m.target, m.duration, tuple(m.params)) for m in motions if m is not None],
+        len(d.world.entities),
+    )
 
 
 def follow(d: Discourse, f: Frame, was: Before, subject: list[str], objects: list[str]) -> Clause:
@@ -59,6 +79,7 @@ def follow(d: Discourse, f: Frame, was: Before, subject: list[str], objects: lis
         {a: was.tracks[a][2] if a in was.tracks else "scene_start" for a in moved},
         [n.id for n in d.timeline.nodes[was.nodes :]],
         said(d.text, f),
+        told=bool(new) or snapshot(d) != was,
     )
     for mover in moved:
         _carry_over(d, clause, mover, was)
@@ -71,6 +92,8 @@ def _carry_over(d: Discourse, clause: Clause, mover: str, was: Before) -> None:
         e.actor == mover for e in d.timeline.edges[: was.edges]
     )  # fmt: skip
     for s in clause.said:
+        if s.row.pace and clause.frame.verb.sense in AT_ITS_OWN_PACE:
+            continue
         if s.row.pace:
             _change(d, mover, was, pace=s.row.pace)
         elif s.row.direction in _HEADINGS and first:
@@ -111,6 +134,18 @@ def _fitting(event: EdgeEvent, params: MotionParams, course: dict[str, Any]) -> 
         return dict(course)
     flies = event is EdgeEvent.TOWARD and isinstance(params.elevation_deg, tuple)
     return {"elevation_deg": 90.0} if flies else {}
+
+
+def keep_on(d: Discourse) -> None:
+    """Slows down what moves about on a table or board, so that it does not get to its edge."""
+    for actor, host in d.moves.on_top.items():
+        motion = d.timeline.tracks[actor].motion if actor in d.timeline.tracks else None
+        told = any(actor in n.participants for n in d.timeline.nodes)
+        if motion is None or motion.prescribed or told or not isinstance(motion.speed, tuple):
+            continue
+        most = max(max(size_of(d, host)[:2]) / (2.0 * _ABOUT_S), LEAST_SPEED_CM_S)
+        if most < motion.speed[1]:
+            motion.speed = (min(motion.speed[0], 0.5 * most), round(most, 4))
 
 
 def measurable(kind: NodeEvent) -> bool:

@@ -13,7 +13,7 @@ from esg.draft.discourse.core import (
     movable,
     quantity_of,
 )
-from esg.draft.discourse.places import fits_on, place
+from esg.draft.discourse.places import carries, fits_on, place
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import SELF_POWERED, SPEEDS
 from esg.draft.discourse.timeline import LAUNCHES, START
@@ -21,7 +21,7 @@ from esg.draft.discourse.tracks import Motion
 from esg.draft.events.lengths import distance
 from esg.draft.events.roles import filling, role
 from esg.draft.events.timing import SETS_OFF, moved_by_others, speed_after, time_of
-from esg.draft.events.told import at_rest, constrain, last_event, last_of, unread
+from esg.draft.events.told import at_rest, constrain, last_event, last_of, things, unread
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.quantities import Amount
 from esg.graph.models import ForceDirection, NodeEvent, Quantity
@@ -31,6 +31,8 @@ _SLOW, _FAST = (0.0, 0.25), (0.5, 1.0)
 """The parts of the range of plausible speeds that are slow and fast."""
 
 
+_CARRYING = ("on", "atop", "on top of")
+_COMES_ONTO = lex.word_set("comes onto")
 _IN_THE_AIR = lex.word_set("in the air")
 _WINGED = lex.word_set("winged")
 
@@ -199,9 +201,11 @@ def motion(d: Discourse, f: Frame, actors: list[str], mode: str | None) -> None:
             f'It is not clear what "{d.text[f.verb.start : f.verb.end]}" moves.'
         )
         return
-    aim = next((t for t in target_of(d, f, actors) if aimable(d, t)), None)
-    sets_off_late(d, f, actors)
     fresh = [a for a in actors if at_rest(d, a)]
+    under = _moves_on_it(d, f, fresh)
+    d.moves.on_top.update((a, under[0]) for a in fresh if under)
+    aim = next((t for t in target_of(d, f, actors) if aimable(d, t) and t not in under), None)
+    sets_off_late(d, f, actors)
     for actor in actors:
         if aim is not None:
             d.moves.aim[actor] = aim
@@ -216,6 +220,18 @@ def motion(d: Discourse, f: Frame, actors: list[str], mode: str | None) -> None:
         _comes_off(d, f, actors, fresh)
     _lasts_for(d, f, actors)
     d.outcomes(f, actors)
+
+
+def _moves_on_it(d: Discourse, f: Frame, fresh: list[str]) -> list[str]:
+    """ "A ball rolls on a table", "drives out on the pier": it is on that from the start."""
+    on = f.phrase(*_CARRYING)
+    if on is None or on.mention is None or on.mention.part or f.verb.lemma in _COMES_ONTO:
+        return []
+    hosts = [h for h in things(on) if aimable(d, h) and all(carries(d, h, a) for a in fresh)]
+    if not fresh or not hosts or any(a in d.scene.supported_by for a in fresh):
+        return [h for h in hosts if all(d.scene.supported_by.get(a) == h for a in fresh)]
+    place(d, fresh, hosts, "on")
+    return hosts[:1]
 
 
 def mounts_of(d: Discourse, f: Frame, actors: list[str]) -> list[str]:

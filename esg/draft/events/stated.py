@@ -58,7 +58,7 @@ def said(text: str, f: Frame) -> list[Said]:
             found = _by_word().get(("side", p.mention.head), ())
         else:
             found = () if p.mention.attribute else _by_word().get(("phrase", p.prep), ())
-        start = _start_of(p, text)
+        start = start_of(p, text)
         out += [Said(row, start, p.mention.end, p) for row in found]
     return out
 
@@ -71,7 +71,7 @@ def _place_of(word: str, text: str, f: Frame) -> tuple[int, int] | None:
     return min(places, key=lambda at: abs(at[0] - f.verb.end), default=None)
 
 
-def _start_of(p: Phrase, text: str) -> int:
+def start_of(p: Phrase, text: str) -> int:
     """Where a phrase starts: at its preposition, if that stands just before what it names."""
     assert p.mention is not None
     before = text[max(0, p.mention.start - 30) : p.mention.start].lower()

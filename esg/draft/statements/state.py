@@ -10,7 +10,8 @@ from esg.draft.discourse.core import kind_of, structural
 from esg.draft.discourse.proposition import Clause, Said
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import SELF_POWERED
-from esg.draft.events.courses import measurable
+from esg.draft.events.courses import AT_ITS_OWN_PACE, measurable
+from esg.draft.events.stated import start_of
 from esg.draft.events.told import things, traits_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.statements.unkept import dropped, missing
@@ -40,6 +41,8 @@ class _Book:
             told.model_dump(exclude={*same}) != x.model_dump(exclude={*same}) for x in self.items
         ):
             self.items.append(told)
+        if says is not Predicate.NOT_REPRESENTED:
+            self.d.scene.used.setdefault((start, end), f"statement: {says.value}")
 
 
 def state(d: Discourse, frames: list[Frame]) -> tuple[Statement, ...] | None:
@@ -57,8 +60,9 @@ def state(d: Discourse, frames: list[Frame]) -> tuple[Statement, ...] | None:
             _unkept(book, clause.frame, why)
         if clause.movers:
             _motion(book, clause)
+    said = {(s.start, s.end) for s in book.items}
     for f in frames:
-        why = dropped(d, f)
+        why = "" if (f.verb.start, f.verb.end) in said else dropped(d, f)
         if why and ((f.verb.start, f.verb.end) not in read or not _moves(d, f)):
             _unkept(book, f, why)
     for actor, at in d.moves.still.items():
@@ -85,13 +89,15 @@ def _motion(book: _Book, clause: Clause) -> None:
             _said(book, clause, s, mover)
     for p in clause.frame.phrases:
         _support(book, clause, p)
+        _left_over(book, clause, p)
 
 
 def _said(book: _Book, clause: Clause, s: Said, mover: str) -> None:
     d, says = book.d, s.row.states
     where = _when(d, clause, mover)
     if says in (Predicate.SLOWER_THAN, Predicate.FASTER_THAN):
-        value = _pace(d, clause, mover, says)
+        own = clause.frame.verb.sense in AT_ITS_OWN_PACE
+        value = None if own else _pace(d, clause, mover, says)
         if value is not None:
             book.add(says, s.start, s.end, object=(mover,), quantity="speed", value=value,
                      when=where)  # fmt: skip
@@ -152,6 +158,37 @@ def _support(book: _Book, clause: Clause, p: Phrase) -> None:
                      for n in d.timeline.nodes)  # fmt: skip
         book.add(Predicate.SUPPORTED_BY, p.mention.start, p.mention.end, object=(mover,),
                  target=(host,), when="start" if leaves else "throughout")  # fmt: skip
+
+
+def _left_over(book: _Book, clause: Clause, p: Phrase) -> None:
+    """A phrase of a motion that nothing in the document takes up ("passes under a bridge")."""
+    d, m = book.d, p.mention
+    if m is None or m.attribute or p.amount is not None:
+        return
+    others = [i for i in things(p) if i in d.world.entities and i not in clause.movers]
+    if not others or structural(d, others[0]) or _taken_up(d, clause, others):
+        return
+    if any(s.target and set(s.target) & {*others} for s in book.items):
+        return
+    start = max(start_of(p, d.text), 0)
+    note = f"nothing in the scene stands for \"{p.prep}\""
+    book.add(Predicate.NOT_REPRESENTED, start, m.end, object=tuple(clause.movers[:1]),
+             target=tuple(others[:1]), note=note)  # fmt: skip
+
+
+def _taken_up(d: Discourse, clause: Clause, others: list[str]) -> bool:
+    """Whether a relation, a support, an aim or an event is about what a phrase names."""
+    some, scene, f = {*others}, d.scene, clause.frame
+    about = {*clause.movers, *_ids(f.subject), *_ids(f.object)}
+    if any({r.source, r.target} & some and {r.source, r.target} & about for r in scene.relations):
+        return True
+    if any(scene.supported_by.get(i) in some or scene.attached.get(i) in some for i in about):
+        return True
+    if any(scene.supported_by.get(o) in about for o in others):
+        return True
+    if any(e.actor in about and e.target in some for e in d.timeline.edges if e.target):
+        return True
+    return any(_met(d, i, others) for i in about)
 
 
 def _when(d: Discourse, clause: Clause, mover: str) -> str:

@@ -18,6 +18,11 @@ from esg.draft.grammar.clauses.frames import Frame
 _NO_PICTURE = lex.word_set("no picture (statements)")
 _NOT_TOLD = frozenset({"gerund", "no event of its own"})
 """Reasons for which a verb is no statement of the prompt."""
+_ACTS = frozenset(
+    {"own", "launch", "roll", "slide", "fly", "bounce", "carry", "drop", "fall", "hit", "knock",
+     "tow", "topple", "turn", "swerve", "enter", "pocket", "scatter", "accelerate", "reverse"}
+)  # fmt: skip
+"""Senses of acting: what they tell adds something to the scene, or was told before."""
 NOTHING_MOVES = "nothing of the kind happens in the scene"
 
 
@@ -47,7 +52,9 @@ def missing(d: Discourse, clause: Clause) -> str:
     for row in rows():
         if row.sense == f.verb.sense and {f.verb.lemma, "*"} & row.lemmas:
             return row.missing if _applies(d, row.voice, clause) else ""
-    return ""
+    note = d.scene.used.get((f.verb.start, f.verb.end), "")
+    again = any(n.id == note for n in d.timeline.nodes)
+    return "" if clause.told or again or f.verb.sense not in _ACTS else NOTHING_MOVES
 
 
 def _applies(d: Discourse, voice: str, clause: Clause) -> bool:
