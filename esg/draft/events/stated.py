@@ -14,6 +14,12 @@ from esg.draft.discourse.proposition import Row, Said
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.graph.models import Predicate
 
+_INTENSE = re.compile(
+    r"\s+(?:in|at|on|into|onto|next|behind|beside|before|after|through|off|over|past|against)\b",
+    re.IGNORECASE,
+)
+"""What follows a "right" that says how exactly, and not which way ("right in front of")."""
+_UPWARD = lex.word_set("goes up")
 _REACH = 160
 """How far from its verb an adverb may stand, in characters."""
 
@@ -50,7 +56,10 @@ def said(text: str, f: Frame) -> list[Said]:
     out = [Said(row, *verb) for row in _by_word().get(("verb", f.verb.lemma), ())]
     for word in f.adverbs:
         for row in _by_word().get(("adverb", word), ()):
-            out.append(Said(row, *(_place_of(word, text, f) or verb)))
+            at = _place_of(word, text, f) or verb
+            exactly = word == "right" and _INTENSE.match(text, at[1]) is not None
+            if not exactly and (word != "up" or _goes_up(f)):
+                out.append(Said(row, *at))
     for p in f.phrases:
         if p.mention is None:
             continue
@@ -61,6 +70,11 @@ def said(text: str, f: Frame) -> list[Said]:
         start = start_of(p, text)
         out += [Said(row, start, p.mention.end, p) for row in found]
     return out
+
+
+def _goes_up(f: Frame) -> bool:
+    """Whether "up" is a way, not "drives up", "picks up", "slows up"."""
+    return f.verb.sense == "fly" or f.verb.lemma in _UPWARD
 
 
 def _place_of(word: str, text: str, f: Frame) -> tuple[int, int] | None:

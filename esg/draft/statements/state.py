@@ -20,6 +20,8 @@ from esg.graph.models import Predicate, Quantity, Statement, TimelineEdge
 START = "scene_start"
 _LASTING = ("own", "roll", "slide", "spin", "coast", "continue", "accelerate", "brake", "swerve")
 """Senses of moving on something, and not onto it."""
+_TURNING = ("turn", "swerve", "face", "topple")
+"""Senses whose sides are not ways of moving."""
 _TARGETED = frozenset({"toward", "away_from", "along", "past", "across", "through", "around"})
 
 
@@ -123,12 +125,16 @@ def _said(book: _Book, clause: Clause, s: Said, mover: str) -> None:
 
 def _direction(book: _Book, clause: Clause, s: Said, mover: str, where: str) -> None:
     d, direction = book.d, s.row.direction
+    if clause.frame.verb.sense in _TURNING or "turn" in d.scene.used.get(_span(clause.frame), ""):
+        return
     if direction not in _TARGETED and direction != "between":
         book.add(Predicate.MOVES, s.start, s.end, object=(mover,), direction=direction, when=where)
         return
     targets = [i for i in things(s.phrase) if i != mover and i in d.world.entities]
     if not targets or structural(d, targets[0]) or _met(d, mover, targets):
         return  # along a road: what it is on; what it meets is an event
+    if direction in ("along", "across") and d.scene.supported_by.get(mover) in targets:
+        return  # told as what carries it
     some = tuple(targets) if direction == "between" else tuple(targets[:1])
     book.add(Predicate.MOVES, s.start, s.end, object=(mover,), target=some, direction=direction,
              when=where)  # fmt: skip
@@ -166,7 +172,7 @@ def _left_over(book: _Book, clause: Clause, p: Phrase) -> None:
     if m is None or m.attribute or p.amount is not None:
         return
     others = [i for i in things(p) if i in d.world.entities and i not in clause.movers]
-    if not others or structural(d, others[0]) or _taken_up(d, clause, others):
+    if not others or structural(d, others[0]) or _taken_up(d, clause, p, others):
         return
     if any(s.target and set(s.target) & {*others} for s in book.items):
         return
@@ -176,7 +182,7 @@ def _left_over(book: _Book, clause: Clause, p: Phrase) -> None:
              target=tuple(others[:1]), note=note)  # fmt: skip
 
 
-def _taken_up(d: Discourse, clause: Clause, others: list[str]) -> bool:
+def _taken_up(d: Discourse, clause: Clause, p: Phrase, others: list[str]) -> bool:
     """Whether a relation, a support, an aim or an event is about what a phrase names."""
     some, scene, f = {*others}, d.scene, clause.frame
     about = {*clause.movers, *_ids(f.subject), *_ids(f.object)}
@@ -188,6 +194,10 @@ def _taken_up(d: Discourse, clause: Clause, others: list[str]) -> bool:
         return True
     if any(e.actor in about and e.target in some for e in d.timeline.edges if e.target):
         return True
+    if any(c.to in some for n in d.timeline.nodes for c in n.constraints):
+        return True  # "stops 1 m in front of a gate"
+    if p.prep == "with" and any(o in scene.supported_by or o in scene.attached for o in others):
+        return True  # "a table with bottles": told of the table
     return any(_met(d, i, others) for i in about)
 
 
@@ -216,6 +226,10 @@ def _pace(d: Discourse, clause: Clause, mover: str, says: Predicate) -> float | 
     if edge is None or edge.speed_is_prescribed or not isinstance(speed, tuple):
         return None
     return round(1.1 * speed[1] if says is Predicate.SLOWER_THAN else 0.9 * speed[0], 2)
+
+
+def _span(f: Frame) -> tuple[int, int]:
+    return (f.verb.start, f.verb.end)
 
 
 def _ids(m: object) -> list[str]:

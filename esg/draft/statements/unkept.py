@@ -54,17 +54,20 @@ def missing(d: Discourse, clause: Clause) -> str:
             return row.missing if _applies(d, row.voice, clause) else ""
     note = d.scene.used.get((f.verb.start, f.verb.end), "")
     again = any(n.id == note for n in d.timeline.nodes)
-    return "" if clause.told or again or f.verb.sense not in _ACTS else NOTHING_MOVES
+    told = clause.told or again or bool(clause.movers)
+    return "" if told or f.verb.sense not in _ACTS else NOTHING_MOVES
 
 
 def _applies(d: Discourse, voice: str, clause: Clause) -> bool:
+    """Whether a row's conditions hold: active (with an object), !KIND of those who act."""
     f = clause.frame
-    if voice == "active":
-        return not f.verb.passive and not f.reduced and f.object is not None
-    if voice.startswith("!"):
-        doers = f.subject.entities if f.subject is not None else []
-        kinds = {kind_of(d, i) for i in (*doers, *clause.movers) if i in d.world.entities}
-        return voice[1:] not in kinds
+    doers = f.subject.entities if f.subject is not None else []
+    kinds = {kind_of(d, i) for i in (*doers, *clause.movers) if i in d.world.entities}
+    for condition in voice.split():
+        if condition == "active" and (f.verb.passive or f.reduced or f.object is None):
+            return False
+        if condition.startswith("!") and condition[1:] in kinds:
+            return False
     return True
 
 

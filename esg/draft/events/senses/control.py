@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.core import amounts_of, describe, kind_of, mark_used, movable, quantity_of
+from esg.draft.discourse.core import aimable, amounts_of, describe, kind_of, mark_used, movable, quantity_of
 from esg.draft.discourse.event_coreference import time_of_told
 from esg.draft.discourse.record import Discourse, Time
 from esg.draft.discourse.scene import SELF_POWERED
@@ -22,6 +22,9 @@ from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.quantities import Amount
 from esg.graph.models import NodeEvent, Quantity, Role
 
+_STOPPING_BY = ("in front of", "before", "next to", "near", "beside", "by", "at", "close to")
+STOPS_BY_CM = (20.0, 120.0)
+"""Gap that is left by what stops in front of or beside something [cm]."""
 _SHOWN = lex.word_set("shown")
 
 
@@ -266,6 +269,19 @@ def _stop(d: Discourse, f: Frame, actor: str, time: Time | None) -> None:
         _stands_after(d, node)
     _rate_of_braking(d, actor, node)
     stops_short(d, f, actor, node)
+    _stops_by(d, f, actor, node)
+
+
+def _stops_by(d: Discourse, f: Frame, actor: str, node_id: str) -> None:
+    """ "Stops in front of a gate": the gap that is left is small, and no hit comes of it."""
+    node = d.timeline.node(node_id)
+    beside = f.phrase(*_STOPPING_BY)
+    others = [i for i in things(beside) if aimable(d, i) and i != actor]
+    if node is None or not others or node.constraints or f.verb.sense != "stop":
+        return
+    met = any({actor, others[0]} <= {*n.participants} for n in d.timeline.nodes)
+    if not met and not moves(d, others[0]):
+        constrain(node, "distance", STOPS_BY_CM, actor, to=others[0])
 
 
 def _stands_after(d: Discourse, stop: str) -> None:
