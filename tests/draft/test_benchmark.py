@@ -8,6 +8,9 @@ from pathlib import Path
 import pytest
 
 from benchmarks import drafting
+from benchmarks.drafting import __main__ as command
+from benchmarks.drafting import corpus
+from benchmarks.drafting.score import run
 from esg.graph.models import EsgDocument
 from esg.outcomes import UserError
 
@@ -63,13 +66,14 @@ def test_blind_prompts_are_new_and_no_part_of_all(split: str) -> None:
     assert {r["split"] for r in drafting.load("all")} == {"dev", "test"}
 
 
-@pytest.mark.parametrize("split", ["test", *drafting.BLIND, "all", None])
+@pytest.mark.parametrize("option", [["--show"], ["--unsaid", "3"]])
+@pytest.mark.parametrize("split", [*corpus.HELD_OUT, "all", None])
 def test_misses_of_held_out_prompts_stay_closed(
-    split: str | None, capsys: pytest.CaptureFixture[str]
+    split: str | None, option: list[str], capsys: pytest.CaptureFixture[str]
 ) -> None:
     """Exit code 2 and one line, before anything is drafted; the default split is held out too."""
     with pytest.raises(SystemExit) as end:
-        drafting.main(["--show", "--no-ablation", *(["--split", split] if split else [])])
+        command.main([*option, "--no-ablation", *(["--split", split] if split else [])])
     assert end.value.code == 2
     printed = capsys.readouterr()
     assert "--open-held-out" in printed.err and not printed.out
@@ -85,11 +89,8 @@ def refusing(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     def refuse(prompt: str, **_: object) -> EsgDocument:
         raise UserError(f"no {prompt}")
 
-    monkeypatch.setattr(drafting, "PROMPTS", tmp_path)
-    monkeypatch.setattr(drafting, "run", lambda split, _, files: _run(split, refuse, files))
-
-
-_run = drafting.run
+    monkeypatch.setattr(corpus, "PROMPTS", tmp_path)
+    monkeypatch.setattr(command, "run", lambda split, _, files: run(split, refuse, files))
 
 
 @pytest.mark.usefixtures("refusing")
@@ -98,10 +99,10 @@ def test_totals_show_no_miss_and_the_explicit_word_opens_them(
 ) -> None:
     """Without --show only numbers are printed; --open-held-out lists the misses."""
     blind = ["--split", "blind", "--no-ablation"]
-    assert drafting.main(blind) == 0
+    assert command.main(blind) == 0
     closed = capsys.readouterr().out
     assert "split blind" in closed and "pear" not in closed
-    assert drafting.main([*blind, "--show", "--open-held-out"]) == 0
+    assert command.main([*blind, "--show", "--open-held-out"]) == 0
     assert "blind-001 refused" in capsys.readouterr().out
 
 
