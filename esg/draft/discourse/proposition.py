@@ -10,7 +10,7 @@ from esg.graph.models import Direction, Predicate
 
 @dataclass(frozen=True)
 class Row:
-    """A row of the table: `part` is adverb, side ("to the left"), phrase or verb."""
+    """A row of the table: `part` is adverb, side ("to the left"), phrase, goal or verb."""
 
     part: str
     words: frozenset[str]

@@ -12,7 +12,6 @@ from esg.draft.text.amounts import Amount
 from esg.draft.text.elements import Element, Mention, Token, Verb, Word
 from esg.graph.models import Coverage, CoverageItem, NodeEvent, Statement
 
-
 _T = TypeVar("_T", CoverageItem, Statement)
 
 

@@ -192,6 +192,9 @@ def target_of(d: Discourse, f: Frame, avoid: list[str]) -> list[str]:
 
 def motion(d: Discourse, f: Frame, actors: list[str], mode: str | None) -> None:
     """Common part of all self motion: speed, target, and what the phrases say happens."""
+    fresh = [a for a in actors if at_rest(d, a)]
+    under = _moves_on_it(d, f, fresh)
+    d.moves.on_top.update((a, under[0]) for a in fresh if under)
     actors = mounts_of(d, f, actors)
     speeds = [a for _, a in amounts_of(d, f) if a.dimension == "speed"]
     if len(speeds) == len(actors) > 1:
@@ -202,8 +205,6 @@ def motion(d: Discourse, f: Frame, actors: list[str], mode: str | None) -> None:
         )
         return
     fresh = [a for a in actors if at_rest(d, a)]
-    under = _moves_on_it(d, f, fresh)
-    d.moves.on_top.update((a, under[0]) for a in fresh if under)
     aim = next((t for t in target_of(d, f, actors) if aimable(d, t) and t not in under), None)
     sets_off_late(d, f, actors)
     for actor in actors:

@@ -66,7 +66,9 @@ def said(text: str, f: Frame) -> list[Said]:
         if p.mention.attribute and p.prep in ("to", "toward", "towards"):
             found = _by_word().get(("side", p.mention.head), ())
         else:
-            found = () if p.mention.attribute else _by_word().get(("phrase", p.prep), ())
+            solid = not p.mention.attribute
+            found = _by_word().get(("phrase", p.prep), ()) if solid else ()
+            found += _by_word().get(("goal", p.prep), ()) if solid else ()
         start = start_of(p, text)
         out += [Said(row, start, p.mention.end, p) for row in found]
     return out

@@ -11,10 +11,12 @@ from esg.draft.discourse.proposition import Clause, Said
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import SELF_POWERED
 from esg.draft.events.courses import AT_ITS_OWN_PACE, measurable
+from esg.draft.events.motions import flies_itself
 from esg.draft.events.stated import start_of
 from esg.draft.events.told import things, traits_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.statements.unkept import dropped, missing
+from esg.draft.statements.unseen import unseen
 from esg.graph.models import Predicate, Quantity, Statement, TimelineEdge
 
 START = "scene_start"
@@ -67,6 +69,8 @@ def state(d: Discourse, frames: list[Frame]) -> tuple[Statement, ...] | None:
         why = "" if (f.verb.start, f.verb.end) in said else dropped(d, f)
         if why and ((f.verb.start, f.verb.end) not in read or not _moves(d, f)):
             _unkept(book, f, why)
+    for m, why in unseen(d):
+        book.add(Predicate.NOT_REPRESENTED, m.start, m.end, note=why)
     for actor, at in d.moves.still.items():
         if actor in d.world.entities:
             book.add(Predicate.STAYS_STILL, at, _word_end(d.text, at), object=(actor,))
@@ -114,6 +118,13 @@ def _said(book: _Book, clause: Clause, s: Said, mover: str) -> None:
             book.add(says, s.start, s.end, object=(mover,), when=where)
     elif says is Predicate.SLIDES:
         book.add(says, s.start, s.end, object=(mover,), when=where)
+    elif s.row.part == "goal":
+        _goal(book, clause, s, mover)
+    elif says is Predicate.AIRBORNE:
+        if mover in d.moves.flying or kind_of(d, mover) == "flyer" or flies_itself(d, mover):
+            book.add(says, s.start, s.end, object=(mover,), when=where)
+    elif says in (Predicate.INSIDE, Predicate.SUPPORTED_BY):
+        _driver(book, clause, s, mover)
     elif s.row.part == "verb":
         others = [i for i in _ids(clause.frame.object) if i != mover and i in d.world.entities]
         if others:
@@ -121,6 +132,30 @@ def _said(book: _Book, clause: Clause, s: Said, mover: str) -> None:
                      direction=s.row.direction, when=where)  # fmt: skip
     elif says is Predicate.MOVES:
         _direction(book, clause, s, mover, where)
+
+
+def _goal(book: _Book, clause: Clause, s: Said, mover: str) -> None:
+    """ "Runs to the left of a chair": where it gets to; beside what moves, where it keeps."""
+    d = book.d
+    targets = [i for i in things(s.phrase) if i != mover and i in d.world.entities][:1]
+    if not targets or structural(d, targets[0]) or _met(d, mover, targets):
+        return
+    also = {i for c in d.scene.clauses for i in c.movers}
+    own = any(e.to and e.actor == mover for e in d.timeline.edges)
+    if own and not any(c.to in targets for n in d.timeline.nodes for c in n.constraints):
+        when = "throughout" if targets[0] in also else "end"
+        book.add(s.row.states, s.start, s.end, object=(mover,), target=tuple(targets), when=when)
+
+
+def _driver(book: _Book, clause: Clause, s: Said, mover: str) -> None:
+    """ "A man drives a car": he is in it; "rides a horse": on it."""
+    d = book.d
+    riders = [i for i in _ids(clause.frame.subject) if i in d.world.entities and i != mover]
+    riders = [i for i in riders if kind_of(d, i) in ("person", "animal", "robot")]
+    if riders and kind_of(d, mover) in SELF_POWERED:
+        open_ = d.scene.supported_by.get(riders[0]) == mover or s.row.states is not Predicate.INSIDE
+        says = Predicate.SUPPORTED_BY if open_ else Predicate.INSIDE
+        book.add(says, s.start, s.end, object=tuple(riders), target=(mover,))
 
 
 def _direction(book: _Book, clause: Clause, s: Said, mover: str, where: str) -> None:
@@ -131,8 +166,10 @@ def _direction(book: _Book, clause: Clause, s: Said, mover: str, where: str) -> 
         book.add(Predicate.MOVES, s.start, s.end, object=(mover,), direction=direction, when=where)
         return
     targets = [i for i in things(s.phrase) if i != mover and i in d.world.entities]
-    if not targets or structural(d, targets[0]) or _met(d, mover, targets):
-        return  # along a road: what it is on; what it meets is an event
+    if not targets or _met(d, mover, targets):
+        return  # what it meets is an event
+    if structural(d, targets[0]) and direction not in ("along", "across"):
+        return
     if direction in ("along", "across") and d.scene.supported_by.get(mover) in targets:
         return  # told as what carries it
     some = tuple(targets) if direction == "between" else tuple(targets[:1])
@@ -177,7 +214,7 @@ def _left_over(book: _Book, clause: Clause, p: Phrase) -> None:
     if any(s.target and set(s.target) & {*others} for s in book.items):
         return
     start = max(start_of(p, d.text), 0)
-    note = f"nothing in the scene stands for \"{p.prep}\""
+    note = f'nothing in the scene stands for "{p.prep}"'
     book.add(Predicate.NOT_REPRESENTED, start, m.end, object=tuple(clause.movers[:1]),
              target=tuple(others[:1]), note=note)  # fmt: skip
 
@@ -202,7 +239,7 @@ def _taken_up(d: Discourse, clause: Clause, p: Phrase, others: list[str]) -> boo
 
 
 def _when(d: Discourse, clause: Clause, mover: str) -> str:
-    """The part of the scene that a clause tells: from the event before it to the one it leads to."""
+    """The part of the scene that a clause tells: from one event to the next."""
     since = clause.since.get(mover, START)
     edge = next((e for e in _of(d, mover) if e.from_ == since), None)
     kinds = {n.id: n.event for n in d.timeline.nodes}

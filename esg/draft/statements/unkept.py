@@ -59,16 +59,24 @@ def missing(d: Discourse, clause: Clause) -> str:
 
 
 def _applies(d: Discourse, voice: str, clause: Clause) -> bool:
-    """Whether a row's conditions hold: active (with an object), !KIND of those who act."""
+    """Whether a row's conditions hold: active (with an object), later, !KIND of those who act."""
     f = clause.frame
     doers = f.subject.entities if f.subject is not None else []
     kinds = {kind_of(d, i) for i in (*doers, *clause.movers) if i in d.world.entities}
     for condition in voice.split():
         if condition == "active" and (f.verb.passive or f.reduced or f.object is None):
             return False
+        if condition == "later" and not _acted_before(d, clause, doers):
+            return False
         if condition.startswith("!") and condition[1:] in kinds:
             return False
     return True
+
+
+def _acted_before(d: Discourse, clause: Clause, doers: list[str]) -> bool:
+    """Whether an earlier clause tells of a motion of those who act, or that they did anything."""
+    earlier = d.scene.clauses[: d.scene.clauses.index(clause)]
+    return any({*doers} & {*c.movers} for c in earlier)
 
 
 def dropped(d: Discourse, f: Frame) -> str:

@@ -5,7 +5,15 @@ from __future__ import annotations
 from dataclasses import replace
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.core import aimable, amounts_of, describe, kind_of, mark_used, movable, quantity_of
+from esg.draft.discourse.core import (
+    aimable,
+    amounts_of,
+    describe,
+    kind_of,
+    mark_used,
+    movable,
+    quantity_of,
+)
 from esg.draft.discourse.event_coreference import time_of_told
 from esg.draft.discourse.record import Discourse, Time
 from esg.draft.discourse.scene import SELF_POWERED

@@ -49,7 +49,7 @@ _ANYHOW = frozenset(
 @sense("own")
 def read_own(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """Drives, walks, runs: by itself, or what a person drives."""
-    person = bool(s) and kind_of(d, s[0]) == "person"
+    person = bool(s) and kind_of(d, s[0]) in ("person", "animal", "robot")
     if person and o and kind_of(d, o[0]) in STRUCK:
         launch_by(d, f, s, o)  # "the batsman drives the ball past the bowler"
         return

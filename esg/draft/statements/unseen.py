@@ -1,0 +1,25 @@
+"""Words for what no scene of solid bodies shows: fluids, light and weather, the camera."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from esg.draft import lexicon as lex
+from esg.draft.discourse.record import Discourse
+from esg.draft.text.elements import Mention
+
+_KINDS = (
+    (lex.word_set("unseen fluids"), "fluids are not simulated"),
+    (lex.word_set("unseen light and weather"), "light and weather are not simulated"),
+    (lex.word_set("unseen views"), "the camera and the style of the picture are not part of it"),
+)
+
+
+def unseen(d: Discourse) -> Iterator[tuple[Mention, str]]:
+    """Noun phrases that became no object, with what the scene lacks of them."""
+    for m in d.mentions:
+        if m.entities or d.world.resolved.get(id(m)) or m.amounts or m.pronoun:
+            continue
+        for words, why in _KINDS:
+            if m.head in words or m.head.removesuffix("s") in words:
+                yield m, why
