@@ -126,7 +126,8 @@ def _events(doc: EsgDocument, row: dict[str, Any], told: Told) -> list[Fault]:
     out = [Fault("missing", str(event)) for event in told.missing]
     out += [Fault("invented", f"{n.event.value}{n.participants}") for n in told.invented]
     if row.get("static") and doc.timeline_system:
-        movers = {e.actor for e in doc.timeline_system.sequence_graph.edges}
+        edges = doc.timeline_system.sequence_graph.edges
+        movers = {e.actor for e in edges if e.params.speed != 0.0}
         out += [Fault("invented", f"motion of {name}") for name in sorted(movers)]
     return out
 
@@ -155,17 +156,18 @@ def _drawn(doc: EsgDocument, row: dict[str, Any]) -> list[Fault]:
         ]
         if head_of(doc, name) in absent and name not in implied:
             out.append(Fault("absent", what))
-        elif name in used or name in implied or any(_any_number(i) for i in askers):
+        elif name in used or name in implied or any(_any_number(i, row["prompt"]) for i in askers):
             continue
         else:
             out.append(Fault("twice" if askers else "spurious", what))
     return out
 
 
-def _any_number(item: dict[str, Any]) -> bool:
-    """Whether a phrase is a plural that says no number."""
+def _any_number(item: dict[str, Any], prompt: str) -> bool:
+    """Whether the prompt names it in a plural that says no number."""
     last = re.findall(r"[a-z0-9]+", item["phrase"].lower())[-1]
-    return "count" not in item and words_of(last) != [last]
+    said = {w for w in re.findall(r"[a-z0-9]+", prompt.lower()) if words_of(w) == words_of(last)}
+    return "count" not in item and any(words_of(w) != [w] for w in said)
 
 
 def _assigned(

@@ -270,6 +270,8 @@ def _comes_off(d: Discourse, f: Frame, actors: list[str], fresh: list[str]) -> N
     if f.verb.sense in ("roll", "slide") and f.phrase("off", "from") is None:
         on_what_was_hit(d, f, fresh)
     for actor in actors:
+        if f.verb.sense in ("fly", "own") and flies_itself(d, actor):
+            continue
         came = actor in d.moves.came_down and f.verb.lemma in ("roll", "tumble")
         slid = f.verb.lemma in ("slide", "slip") or came
         held = actor in d.scene.supported_by or entity_of(d, actor).pattern == "stack"

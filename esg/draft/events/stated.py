@@ -54,7 +54,7 @@ def said(text: str, f: Frame) -> list[Said]:
     """What the adverbs, phrases and the verb of a clause state of its motion."""
     verb = (f.verb.start, f.verb.end)
     out = [Said(row, *verb) for row in _by_word().get(("verb", f.verb.lemma), ())]
-    for word in f.adverbs:
+    for word in adverbs_of(text, f):
         for row in _by_word().get(("adverb", word), ()):
             at = _place_of(word, text, f) or verb
             exactly = word == "right" and _INTENSE.match(text, at[1]) is not None
@@ -72,6 +72,12 @@ def said(text: str, f: Frame) -> list[Said]:
         start = start_of(p, text)
         out += [Said(row, start, p.mention.end, p) for row in found]
     return out
+
+
+def adverbs_of(text: str, f: Frame) -> list[str]:
+    """The adverbs of a clause, those inside its verb group ("is gently placed") included."""
+    group = text[f.verb.start : f.verb.end].lower().split()
+    return [*f.adverbs, *[w for w in group[1:-1] if w not in f.adverbs]]
 
 
 def _goes_up(f: Frame) -> bool:

@@ -127,8 +127,9 @@ def _said(book: _Book, clause: Clause, s: Said, mover: str) -> None:
         _driver(book, clause, s, mover)
     elif s.row.part == "verb":
         others = [i for i in _ids(clause.frame.object) if i != mover and i in d.world.entities]
-        if others:
-            book.add(says, s.start, s.end, object=(mover,), target=tuple(others[:1]),
+        some = () if s.row.direction in ("up", "down") else tuple(others[:1])
+        if some != tuple(others[:1]) or (others and not _met(d, mover, others)):
+            book.add(says, s.start, s.end, object=(mover,), target=some,
                      direction=s.row.direction, when=where)  # fmt: skip
     elif says is Predicate.MOVES:
         _direction(book, clause, s, mover, where)
@@ -160,6 +161,9 @@ def _driver(book: _Book, clause: Clause, s: Said, mover: str) -> None:
 
 def _direction(book: _Book, clause: Clause, s: Said, mover: str, where: str) -> None:
     d, direction = book.d, s.row.direction
+    if s.phrase is not None and direction in ("up", "down"):
+        _slope(book, s, mover, where)
+        return
     if clause.frame.verb.sense in _TURNING or "turn" in d.scene.used.get(_span(clause.frame), ""):
         return
     if direction not in _TARGETED and direction != "between":
@@ -175,6 +179,18 @@ def _direction(book: _Book, clause: Clause, s: Said, mover: str, where: str) -> 
     some = tuple(targets) if direction == "between" else tuple(targets[:1])
     book.add(Predicate.MOVES, s.start, s.end, object=(mover,), target=some, direction=direction,
              when=where)  # fmt: skip
+
+
+def _slope(book: _Book, s: Said, mover: str, where: str) -> None:
+    """ "Up the stairs" is a way up; "down the road" one along it."""
+    d = book.d
+    on = [i for i in things(s.phrase) if i != mover and i in d.world.entities][:1]
+    if on and structural(d, on[0]):
+        book.add(Predicate.MOVES, s.start, s.end, object=(mover,), target=tuple(on),
+                 direction="along", when=where)  # fmt: skip
+    elif on:
+        book.add(Predicate.MOVES, s.start, s.end, object=(mover,), direction=s.row.direction,
+                 when=where)  # fmt: skip
 
 
 def _met(d: Discourse, mover: str, others: list[str]) -> bool:

@@ -13,14 +13,17 @@ from esg.draft import lexicon as lex
 from esg.draft.discourse.core import kind_of
 from esg.draft.discourse.proposition import Clause
 from esg.draft.discourse.record import Discourse
+from esg.draft.events.stated import adverbs_of
 from esg.draft.grammar.clauses.frames import Frame
 
 _NO_PICTURE = lex.word_set("no picture (statements)")
+_MANNERS = frozenset({"gently", "carefully", "slowly", "softly", "quickly", "then", "suddenly"})
 _NOT_TOLD = frozenset({"gerund", "no event of its own"})
 """Reasons for which a verb is no statement of the prompt."""
 _ACTS = frozenset(
     {"own", "launch", "roll", "slide", "fly", "bounce", "carry", "drop", "fall", "hit", "knock",
-     "tow", "topple", "turn", "swerve", "enter", "pocket", "scatter", "accelerate", "reverse"}
+     "tow", "topple", "turn", "swerve", "enter", "pocket", "scatter", "accelerate", "reverse", "land",
+     "reach"}
 )  # fmt: skip
 """Senses of acting: what they tell adds something to the scene, or was told before."""
 NOTHING_MOVES = "nothing of the kind happens in the scene"
@@ -50,8 +53,9 @@ def missing(d: Discourse, clause: Clause) -> str:
     """What a clause that was read says and the document does not hold; empty if it holds it."""
     f = clause.frame
     for row in rows():
-        if row.sense == f.verb.sense and {f.verb.lemma, "*"} & row.lemmas:
-            return row.missing if _applies(d, row.voice, clause) else ""
+        named = row.sense == f.verb.sense and {f.verb.lemma, "*"} & row.lemmas
+        if named and _applies(d, row.voice, clause):
+            return row.missing
     note = d.scene.used.get((f.verb.start, f.verb.end), "")
     again = any(n.id == note for n in d.timeline.nodes)
     told = clause.told or again or bool(clause.movers)
@@ -59,12 +63,16 @@ def missing(d: Discourse, clause: Clause) -> str:
 
 
 def _applies(d: Discourse, voice: str, clause: Clause) -> bool:
-    """Whether a row's conditions hold: active (with an object), later, !KIND of those who act."""
+    """Whether a row's conditions hold: active (with an object), gently (passive, but told as an
+    act by an adverb of manner), later (after another act), !KIND of those who act.
+    """
     f = clause.frame
     doers = f.subject.entities if f.subject is not None else []
     kinds = {kind_of(d, i) for i in (*doers, *clause.movers) if i in d.world.entities}
     for condition in voice.split():
         if condition == "active" and (f.verb.passive or f.reduced or f.object is None):
+            return False
+        if condition == "gently" and not (f.verb.passive and _MANNERS & {*adverbs_of(d.text, f)}):
             return False
         if condition == "later" and not _acted_before(d, clause, doers):
             return False

@@ -17,7 +17,7 @@ from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import SELF_POWERED, STRUCK, Relation
 from esg.draft.events.acts import add_event, add_hit, ensure_mover, go_into, kinematics
 from esg.draft.events.ends import bounces_over
-from esg.draft.events.motions import flies_itself, motion, start_motion, target_of
+from esg.draft.events.motions import flies_itself, motion, own, start_motion, target_of
 from esg.draft.events.roles import doer_and_done, filling
 from esg.draft.events.senses.contact import hit_targets
 from esg.draft.events.senses.launch import aim_at, launch_by, motion_of_things
@@ -36,6 +36,7 @@ from esg.draft.events.told import happened, ignore, moves, things, traits_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.graph.models import NodeEvent
 
+_HOVERING = ("float", "hover", "levitate")
 _ON_FOOT = lex.word_set("on foot")
 _TURNING = ("go", "move", "drive", "head", "run", "walk", "ride")
 _AT_A_TARGET = ("charge", "lunge", "leap", "pounce", "spring", "fly", "dive")
@@ -53,6 +54,9 @@ def read_own(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     if person and o and kind_of(d, o[0]) in STRUCK:
         launch_by(d, f, s, o)  # "the batsman drives the ball past the bowler"
         return
+    if f.verb.lemma == "move" and s and o and s[0] != o[0] and _by_hand(d, s[0], o[0]):
+        launch_by(d, f, s, o)  # "a dog moves a pillow"
+        return
     actors = s or o
     drives = person and o and f.object is not None and not f.object.attribute
     if drives and kind_of(d, o[0]) in SELF_POWERED:
@@ -69,10 +73,31 @@ def read_own(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         return
     # also what was hit: "is hit by a ball and runs into a fence"
     afoot = f.verb.lemma in _ON_FOOT and kind in ("person", "animal")
+    if f.verb.lemma in _HOVERING and actors and all(flies_itself(d, a) for a in actors):
+        _hovers(d, f, actors)
+        return
     by_itself = kind in SELF_POWERED and f.verb.lemma not in _ANYHOW
     motion(d, f, actors, "own" if by_itself or afoot else None)
     if f.verb.lemma in _AT_A_TARGET:
         aim_at(d, f, actors, next(iter(target_of(d, f, actors)), None))
+
+
+def _hovers(d: Discourse, f: Frame, actors: list[str]) -> None:
+    """ "A drone floats in the air": it holds its height, and goes nowhere unless it is said."""
+    ways = [p for p in f.phrases if p.mention is not None and not p.mention.attribute]
+    for actor in actors:
+        d.moves.flying.add(actor)
+        if ways or quantity_of(d, f, "speed") is not None:
+            motion(d, f, [actor], None)
+        else:
+            own(d, actor, 0.0, False)
+    mark_used(d, f, "hovering")
+
+
+def _by_hand(d: Discourse, doer: str, thing: str) -> bool:
+    """Whether somebody moves a thing that does not move by itself."""
+    acts = kind_of(d, doer) in ("person", "animal", "robot")
+    return acts and movable(d, thing) and kind_of(d, thing) not in SELF_POWERED
 
 
 @sense("approach")
