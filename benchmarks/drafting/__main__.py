@@ -132,6 +132,7 @@ def _whole_text(whole: dict[str, Any]) -> str:
     by_class = ", ".join(f"{k.replace('_', ' ')} {v}" for k, v in spurious["by_class"].items())
     rest = {
         "silent, its main event right": whole["silent_but_main_event_right"],
+        "wrong, said only of stand-ins": whole["owns_up_to_stand_ins_alone"],
         "fully right, but owns up": whole["fully_right_but_owns_up"],
         "with spurious objects": f"{spurious['prompts']:>7}  ({by_class})",
         "  of words that are no things": spurious["absent"],

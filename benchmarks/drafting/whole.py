@@ -17,6 +17,7 @@ from benchmarks.drafting.corpus import bind, head_of, words_of
 from benchmarks.drafting.events import Told
 from benchmarks.drafting.statements import holds
 from esg.graph.models import EsgDocument, Predicate
+from esg.lexicon.morphology import singular
 
 
 class Outcome(str, enum.Enum):
@@ -44,6 +45,7 @@ class Verdict:
         outcome: Class.
         main_right: All events found, none invented.
         says: Whether the draft owns up to anything.
+        stand_ins_only: Whether it owns up to nothing but things it drew as stand-ins.
         faults: All that keeps it from being fully right.
         statements: Predicate and whether it is held, of every labelled statement.
         unsayable: Of every phrase that no document can hold, whether the draft names it.
@@ -52,6 +54,7 @@ class Verdict:
     outcome: Outcome
     main_right: bool
     says: bool
+    stand_ins_only: bool
     faults: tuple[Fault, ...]
     statements: tuple[tuple[str, bool], ...]
     unsayable: tuple[bool, ...]
@@ -62,14 +65,15 @@ def owned_up(doc: EsgDocument) -> list[tuple[str, str]]:
     out = [
         (s.note, s.text) for s in doc.statements or () if s.predicate is Predicate.NOT_REPRESENTED
     ]
+    warnings = doc.coverage.warnings
+    out += [(re.sub(r'"[^"]*"', '"…"', w), " ".join(re.findall(r'"([^"]*)"', w))) for w in warnings]
     out += [
         (i.note or "an event that was not understood", i.text)
         for i in doc.coverage.items
-        if i.kind == "event" and i.status == "not_understood"
+        if i.kind == "event"
+        and i.status == "not_understood"
+        and not any(f'"{i.text}"' in w for w in warnings)
     ]
-    for warning in doc.coverage.warnings:
-        words = " ".join(re.findall(r'"([^"]*)"', warning))
-        out.append((re.sub(r'"[^"]*"', '"…"', warning), words))
     return list(dict.fromkeys((note, words.lower()) for note, words in out))
 
 
@@ -113,7 +117,8 @@ def judge(
     else:
         outcome = Outcome.MAIN_RIGHT if main else Outcome.SAID
     named = tuple(_names(notes, words) for words in unsayable)
-    return Verdict(outcome, main, says, tuple(found), statements, named)
+    stand_ins = bool(notes) and all("stand-in" in note for note, _ in notes)
+    return Verdict(outcome, main, says, stand_ins, tuple(found), statements, named)
 
 
 def _names(notes: list[tuple[str, str]], words: str) -> bool:
@@ -164,10 +169,12 @@ def _drawn(doc: EsgDocument, row: dict[str, Any]) -> list[Fault]:
 
 
 def _any_number(item: dict[str, Any], prompt: str) -> bool:
-    """Whether the prompt names it in a plural that says no number."""
-    last = re.findall(r"[a-z0-9]+", item["phrase"].lower())[-1]
-    said = {w for w in re.findall(r"[a-z0-9]+", prompt.lower()) if words_of(w) == words_of(last)}
-    return "count" not in item and any(words_of(w) != [w] for w in said)
+    """Whether an object without a count is a plural in its phrase or in the prompt."""
+    head = words_of(item["phrase"])[-1]
+    tokens = re.findall(r"[a-z0-9]+", f"{item['phrase']} {prompt}".lower())
+    return "count" not in item and any(
+        t != head and head in (singular(t), *words_of(t)) for t in tokens
+    )
 
 
 def _assigned(
@@ -222,6 +229,9 @@ def summary(verdicts: list[Verdict]) -> dict[str, Any]:
         "prompts": total,
         "classes": {o.value: share(of[o]) for o in Outcome},
         "silent_but_main_event_right": share(v for v in of[Outcome.SILENT] if v.main_right),
+        "owns_up_to_stand_ins_alone": share(
+            v for v in verdicts if v.stand_ins_only and v.outcome is not Outcome.FULLY_RIGHT
+        ),
         "fully_right_but_owns_up": share(v for v in of[Outcome.FULLY_RIGHT] if v.says),
         "spurious": {
             "prompts": share(faulty(("absent", "spurious"), verdicts)),

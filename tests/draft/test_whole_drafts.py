@@ -60,9 +60,9 @@ def _kinds(verdict: Verdict) -> set[str]:
     return {f.kind for f in verdict.faults}
 
 
-OWNS_UP: Json = {"predicate": "not_represented", "note": "manner is not simulated"}
-SLOWLY = {"statements": [{"says": "slower_than", "object": "ball"}]}
-MORE = {"events": [*FALL_LABEL["events"], {"type": "topples", "object": "vase"}]}
+OWNS_UP: dict[str, str] = {"predicate": "not_represented", "note": "manner is not simulated"}
+SLOWLY: Json = {"statements": [{"says": "slower_than", "object": "ball"}]}
+MORE: Json = {"events": [*FALL_LABEL["events"], {"type": "topples", "object": "vase"}]}
 
 
 @pytest.mark.parametrize(
@@ -137,8 +137,9 @@ def test_a_thing_that_is_drawn_twice_is_a_fault_unless_a_plural_says_no_number()
     one: Json = {"prompt": "", "objects": [{"phrase": "ball"}, {"phrase": "table"}]}
     plural = one | {"objects": [{"phrase": "balls"}, {"phrase": "table"}]}
     two = one | {"objects": [{"phrase": "ball", "count": 2}, {"phrase": "table"}]}
-    seen = [_kinds(score_document(_row(x), doc).verdicts[0]) for x in (one, plural, two)]
-    assert seen == [{"twice"}, set(), set()]
+    told = one | {"prompt": "Balls lie on a table."}
+    seen = [_kinds(score_document(_row(x), doc).verdicts[0]) for x in (one, plural, told, two)]
+    assert seen == [{"twice"}, set(), set(), set()]
 
 
 def test_every_phrase_gets_a_node_of_its_own() -> None:
@@ -332,6 +333,9 @@ def test_the_classes_add_up_and_unsayable_words_are_looked_for() -> None:
         "fully_right": 25.0, "main_event_right": 25.0, "wrong_but_said": 0.0, "silent_wrong": 50.0,
     }  # fmt: skip
     assert out["silent_but_main_event_right"] == 25.0
+    assert out["owns_up_to_stand_ins_alone"] == 0.0
+    stood_in = _verdict(draft("A ball rolls off a table and hits a zorble."))
+    assert summary([stood_in])["owns_up_to_stand_ins_alone"] == 100.0
     assert out["spurious"] == {
         "prompts": 25.0,
         "absent": 25.0,
