@@ -48,6 +48,10 @@ _RESTRICTED = re.compile(
 )
 
 
+_CARDINALS = {0.0: "+X", 90.0: "+Y", 180.0: "-X", 270.0: "-Y"}
+"""Directions by heading [degrees]."""
+
+
 @dataclass
 class _Graph:
     """The parts of a document that name each other."""
@@ -280,15 +284,32 @@ def _relate(graph: _Graph) -> None:
             )
 
 
+def _courses(graph: _Graph) -> dict[str, str]:
+    """Where those who go in one of the viewer's directions face: that way, or back to front."""
+    out: dict[str, str] = {}
+    for edge in graph.scene.timeline.edges:
+        heading = edge.params.heading_deg
+        if isinstance(heading, int | float):
+            turned = heading + (180.0 if edge.params.backward else 0.0)
+            out.setdefault(edge.actor, _CARDINALS[turned % 360.0])
+    return out
+
+
 def _face(graph: _Graph) -> None:
     """Exactly one `face` per regular object that is not round."""
     aims: dict[str, str] = {}
+    courses = _courses(graph)
     for edge in graph.scene.timeline.edges:
         if edge.target is not None and edge.event.value != "InertialConnector":
             aims.setdefault(edge.actor, edge.target)
     for name, node in graph.nodes.items():
         e = graph.entities[name]
         if node.is_structural or ("round" in e.noun.traits and e.noun.shape == "sphere"):
+            continue
+        if name in courses:
+            text = f"{e.label} faces the way that it goes"
+            _add(graph, name, GROUND, RelationType.FACE, cardinal=courses[name], confidence=0.9,
+                 semantic_description=text)  # fmt: skip
             continue
         target = graph.scene.facing.get(name) or aims.get(name, "")
         if target != name and target in graph.nodes and not graph.nodes[target].is_structural:

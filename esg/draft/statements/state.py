@@ -16,7 +16,8 @@ from esg.draft.events.stated import start_of
 from esg.draft.events.told import things, traits_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.statements.unkept import dropped, missing
-from esg.draft.statements.unseen import unseen
+from esg.draft.statements.unseen import NO_MANNER, manner, unseen
+from esg.draft.text.elements import Word
 from esg.graph.models import Predicate, Quantity, Statement, TimelineEdge
 
 START = "scene_start"
@@ -24,6 +25,8 @@ _LASTING = ("own", "roll", "slide", "spin", "coast", "continue", "accelerate", "
 """Senses of moving on something, and not onto it."""
 _TURNING = ("turn", "swerve", "face", "topple")
 """Senses whose sides are not ways of moving."""
+_ON_THE_WAY = ("along", "across", "through")
+"""Directions that roads, fields and floors have, too."""
 _TARGETED = frozenset({"toward", "away_from", "along", "past", "across", "through", "around"})
 
 
@@ -49,12 +52,13 @@ class _Book:
             self.d.scene.used.setdefault((start, end), f"statement: {says.value}")
 
 
-def state(d: Discourse, frames: list[Frame]) -> tuple[Statement, ...] | None:
+def state(d: Discourse, frames: list[Frame], words: list[Word]) -> tuple[Statement, ...] | None:
     """What the prompt states beyond objects, relations and events; None if nothing.
 
     Args:
         d: The discourse, after the timeline's motions have been finished.
         frames: All clauses.
+        words: The adverbs of the text.
     """
     book = _Book(d)
     read = {(c.frame.verb.start, c.frame.verb.end) for c in d.scene.clauses}
@@ -69,6 +73,9 @@ def state(d: Discourse, frames: list[Frame]) -> tuple[Statement, ...] | None:
         why = "" if (f.verb.start, f.verb.end) in said else dropped(d, f)
         if why and ((f.verb.start, f.verb.end) not in read or not _moves(d, f)):
             _unkept(book, f, why)
+    for w in words:
+        if (w.start, w.end) not in d.scene.used and manner(w.low):
+            book.add(Predicate.NOT_REPRESENTED, w.start, w.end, note=NO_MANNER)
     for m, why in unseen(d):
         book.add(Predicate.NOT_REPRESENTED, m.start, m.end, note=why)
     for actor, at in d.moves.still.items():
@@ -172,7 +179,7 @@ def _direction(book: _Book, clause: Clause, s: Said, mover: str, where: str) -> 
     targets = [i for i in things(s.phrase) if i != mover and i in d.world.entities]
     if not targets or _met(d, mover, targets):
         return  # what it meets is an event
-    if structural(d, targets[0]) and direction not in ("along", "across"):
+    if structural(d, targets[0]) and direction not in _ON_THE_WAY:
         return
     if direction in ("along", "across") and d.scene.supported_by.get(mover) in targets:
         return  # told as what carries it

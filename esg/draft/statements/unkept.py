@@ -13,6 +13,7 @@ from esg.draft import lexicon as lex
 from esg.draft.discourse.core import kind_of
 from esg.draft.discourse.proposition import Clause
 from esg.draft.discourse.record import Discourse
+from esg.draft.events.courses import measurable
 from esg.draft.events.stated import adverbs_of
 from esg.draft.grammar.clauses.frames import Frame
 
@@ -22,8 +23,8 @@ _NOT_TOLD = frozenset({"gerund", "no event of its own"})
 """Reasons for which a verb is no statement of the prompt."""
 _ACTS = frozenset(
     {"own", "launch", "roll", "slide", "fly", "bounce", "carry", "drop", "fall", "hit", "knock",
-     "tow", "topple", "turn", "swerve", "enter", "pocket", "scatter", "accelerate", "reverse", "land",
-     "reach"}
+     "tow", "topple", "turn", "swerve", "enter", "pocket", "scatter", "accelerate", "reverse",
+     "land", "reach"}
 )  # fmt: skip
 """Senses of acting: what they tell adds something to the scene, or was told before."""
 NOTHING_MOVES = "nothing of the kind happens in the scene"
@@ -64,7 +65,7 @@ def missing(d: Discourse, clause: Clause) -> str:
 
 def _applies(d: Discourse, voice: str, clause: Clause) -> bool:
     """Whether a row's conditions hold: active (with an object), gently (passive, but told as an
-    act by an adverb of manner), later (after another act), !KIND of those who act.
+    act by an adverb of manner), unmet (it leads to no event), later (after another act), !KIND of those who act.
     """
     f = clause.frame
     doers = f.subject.entities if f.subject is not None else []
@@ -74,11 +75,19 @@ def _applies(d: Discourse, voice: str, clause: Clause) -> bool:
             return False
         if condition == "gently" and not (f.verb.passive and _MANNERS & {*adverbs_of(d.text, f)}):
             return False
+        if condition == "unmet" and _leads_to_an_event(d, clause):
+            return False
         if condition == "later" and not _acted_before(d, clause, doers):
             return False
         if condition.startswith("!") and condition[1:] in kinds:
             return False
     return True
+
+
+def _leads_to_an_event(d: Discourse, clause: Clause) -> bool:
+    """Whether an event that one could see is told of what a clause moves."""
+    about = {*clause.movers}
+    return any(measurable(n.event) and about & {*n.participants} for n in d.timeline.nodes)
 
 
 def _acted_before(d: Discourse, clause: Clause, doers: list[str]) -> bool:

@@ -15,6 +15,15 @@ _KINDS = (
 )
 
 
+_PLAIN = lex.word_set("adverbs of no picture")
+NO_MANNER = "manner is not simulated"
+
+
+def manner(word: str) -> bool:
+    """Whether an adverb says how something looks or goes, and not when, whether or how much."""
+    return (word.endswith("ly") and word not in _PLAIN) or word in ("sideways", "aside", "askew")
+
+
 def unseen(d: Discourse) -> Iterator[tuple[Mention, str]]:
     """Noun phrases that became no object, with what the scene lacks of them."""
     for m in d.mentions:

@@ -76,6 +76,7 @@ class Stage:
         frames: From an active body's own frame to the constellation's, once known.
         moving: Path of each passive body that was set in motion, in the constellation's frame.
         elsewhere: Times of events of other constellations, which this one's may be timed from.
+        yaw: World yaw [rad] of the constellation's frame, where the prompt states a course.
         tight: Factor on free distances and times; below 1 where space is short.
         anchor: The table or shelf it all takes place on, None for the ground.
         airborne: Actors that left their support (`falls.Flight`).
@@ -117,6 +118,7 @@ class Stage:
         self.met: dict[str, str] = {}
         self.overtaken: dict[str, tuple[str, float, tuple[float, float]]] = {}
         self._next_phase = {a: 0 for a in self.tracks}
+        self.yaw: float | None = None
         self.tight = tight
         actors = sorted(
             self.tracks, key=lambda a: list(story.nodes).index(story.phases[a][0].start.id)
@@ -346,7 +348,8 @@ class Stage:
             corridors.append(
                 Corridor(tuple((100.0 * x, 100.0 * y) for x, y in points), 100.0 * width, everyone)
             )
-        return Constellation(placements, tuple(corridors), anchor=self.anchor)
+        yaw_deg = None if self.yaw is None or self.anchor is not None else math.degrees(self.yaw)
+        return Constellation(placements, tuple(corridors), anchor=self.anchor, yaw_deg=yaw_deg)
 
 
 def speed_is_fixed(phase: Phase) -> bool:

@@ -17,6 +17,7 @@ from esg.dynamics.choreography.moves import controlled, plain, turned
 from esg.dynamics.choreography.placing import enter_beside
 from esg.dynamics.choreography.pockets import play_pocket, pocket_event
 from esg.dynamics.choreography.stage import Stage
+from esg.dynamics.choreography.ways import place_by_the_way, state_course, ways_stated
 from esg.dynamics.story.stagecraft import fit_to_surface
 from esg.dynamics.story.story import Story, read_story
 from esg.graph.canonical import entropy
@@ -75,6 +76,7 @@ def _components(doc: EsgDocument, story: Story) -> list[set[str]]:
         for p in story.phases.values()
         for e in p
     ]
+    links += [{s.object[0], s.target[0]} for s in ways_stated(doc, story)]
     for link in [s for s in links if s]:
         touching = [g for g in groups if g & link]
         merged = link.union(*touching)
@@ -138,3 +140,5 @@ def _tell(stage: Stage) -> None:
     for actor in stage.tracks:
         if actor not in stage.frames:
             enter_beside(stage, actor)
+    state_course(stage)
+    place_by_the_way(stage)

@@ -1,0 +1,135 @@
+"""Ways that the prompt states: things beside them, and the course in the viewer's directions.
+
+What a statement says of a motion ("runs away from a tree", "past a bench", "to the left of a
+chair") leaves open where the other thing stands; it is put where the statement holds.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+import math
+
+from esg.dynamics.choreography.stage import Stage
+from esg.dynamics.story.kinematics import Frame, half_along
+from esg.dynamics.story.story import Story
+from esg.graph.models import EdgeEvent, EsgDocument, Predicate, Statement
+
+_AHEAD_M = 1.0
+"""Gap that is left to what something moves toward."""
+_BEHIND_M = 1.0
+"""Gap to what something moves away from."""
+_BESIDE_M = 0.6
+"""Gap to what something moves past or along, or gets beside."""
+_SIDES: dict[Predicate, tuple[float, float]] = {
+    Predicate.LEFT_OF: (1.0, 0.0),
+    Predicate.RIGHT_OF: (-1.0, 0.0),
+    Predicate.IN_FRONT_OF: (0.0, 1.0),
+    Predicate.BEHIND: (0.0, -1.0),
+}
+"""The side of the other thing on which something gets to be: left is +X, front +Y."""
+_DRIVEN = (EdgeEvent.UNIFORM_MOTION, EdgeEvent.ACCELERATED_MOTION, EdgeEvent.TOWARD)
+Way = tuple[tuple[float, float], tuple[float, float], float]
+"""Start and end [m] and heading [rad] of a motion, in the constellation's frame."""
+
+
+def state_course(stage: Stage) -> None:
+    """Finds the yaw of the constellation in which the lead goes the way that the prompt states."""
+    lead = stage.lead
+    edge = stage.story.phases[lead][0].edge
+    heading = edge.params.heading_deg
+    angle = stage.frames.get(lead, Frame()).angle
+    if stage.anchor is not None:
+        return
+    if isinstance(heading, int | float) and edge.event in _DRIVEN:
+        stage.yaw = math.radians(heading) - angle
+        return
+    for s in _stated(stage):
+        if s.predicate in _SIDES and s.object[:1] == (lead,):
+            stage.yaw = _approach(stage, s) - angle
+
+
+def _approach(stage: Stage, s: Statement) -> float:
+    """Heading [rad] that leads to a side of a thing without leading through it.
+
+    Beside it is reached along Y, in front and behind along X; from where it is said to start.
+    """
+    x, _ = _SIDES[s.predicate]
+    begins = {
+        r.relation_type.value
+        for r in stage.doc.spatial_relation_graph.edges.binary_relations
+        if r.from_ in s.object and r.to in s.target
+    }
+    if x:
+        return math.radians(270.0 if "in_front_of" in begins else 90.0)
+    return math.radians(180.0 if "left_of" in begins else 0.0)
+
+
+def place_by_the_way(stage: Stage) -> None:
+    """Puts what statements name beside the ways, unless its place is known already."""
+    for s in _stated(stage):
+        mover, other = s.object[0], s.target[0]
+        if stage.key(other) in stage.places or stage.key(other) == stage.anchor:
+            continue
+        way = _way(stage, mover)
+        spot = _spot(stage, s, way, mover, other) if way is not None else None
+        if spot is not None:
+            stage.places[stage.key(other)] = spot
+
+
+def ways_stated(doc: EsgDocument, story: Story) -> Iterator[Statement]:
+    """The statements of ways that have one mover and one other thing, which waits."""
+    nodes = doc.spatial_relation_graph.nodes
+    for s in doc.statements or ():
+        ways = s.predicate is Predicate.MOVES or (s.predicate in _SIDES and s.when == "end")
+        if not ways or len(s.object) != 1 or len(s.target) != 1:
+            continue
+        free = not nodes[s.target[0]].is_structural and s.target[0] not in story.phases
+        if s.object[0] in story.phases and free:
+            yield s
+
+
+def _stated(stage: Stage) -> Iterator[Statement]:
+    """Those of a mover of this stage."""
+    return (s for s in ways_stated(stage.doc, stage.story) if s.object[0] in stage.tracks)
+
+
+def _way(stage: Stage, mover: str) -> Way | None:
+    frame, points = stage.frames.get(mover), stage.tracks[mover].points
+    if frame is None or len(points) < 2:
+        return None
+    start, end = frame.apply(*points[0]), frame.apply(*points[-1])
+    return start, end, math.atan2(end[1] - start[1], end[0] - start[0])
+
+
+def _spot(
+    stage: Stage, s: Statement, way: Way, mover: str, other: str
+) -> tuple[float, float, float | None] | None:
+    """Where the other thing stands: x, y [m], yaw [rad] (None: any)."""
+    start, end, heading = way
+    mine, its = stage.prop(mover), stage.prop(other)
+    if s.predicate in _SIDES:
+        yaw = stage.yaw or 0.0
+        x, y = _SIDES[s.predicate]
+        side = math.atan2(y, x) - yaw
+        reach = half_along(its.length, its.width, -yaw - side) + _BESIDE_M
+        reach += half_along(mine.length, mine.width, heading - side)
+        return _beside(end, side + math.pi, reach, -yaw)
+    if s.direction == "toward":
+        reach = mine.half_length + half_along(its.length, its.width, 0.0) + _AHEAD_M
+        return _beside(end, heading, reach, None)
+    if s.direction == "away_from":
+        reach = mine.half_length + half_along(its.length, its.width, 0.0) + _BEHIND_M
+        return _beside(start, heading + math.pi, reach, None)
+    if s.direction in ("past", "along"):
+        middle = (0.5 * (start[0] + end[0]), 0.5 * (start[1] + end[1]))
+        lengthwise = 0.0 if its.length >= its.width else math.pi / 2
+        reach = mine.half_width + 0.5 * min(its.length, its.width) + _BESIDE_M
+        return _beside(middle, heading + math.pi / 2, reach, heading + lengthwise)
+    return None
+
+
+def _beside(
+    point: tuple[float, float], heading: float, reach: float, yaw: float | None
+) -> tuple[float, float, float | None]:
+    x, y = point[0] + reach * math.cos(heading), point[1] + reach * math.sin(heading)
+    return (x, y, yaw)
