@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 from functools import cache
 from pathlib import Path
+from typing import TypeGuard
 
 import pytest
 
@@ -13,7 +14,7 @@ from esg.codeversion import COMMON, SOURCES
 ESG = Path(__file__).resolve().parents[2] / "esg"
 NO_RESULT = (
     "files.py", "paths.py", "progress.py", "workers.py", "leftovers.py",
-    "engines/newton/__init__.py",  # Others take only from it what quiets Warp.
+    "engines/newton/__init__.py", "engines/newton/setup.py",  # Other rooms let it quiet Warp.
 )  # fmt: skip
 """How something is stored or shown, which changes no result."""
 
@@ -31,11 +32,16 @@ def source(module: str) -> Path | None:
     return None
 
 
+def for_types(node: ast.AST) -> TypeGuard[ast.If]:
+    """Whether a statement is for type checkers only."""
+    return isinstance(node, ast.If) and ast.unparse(node.test).endswith("TYPE_CHECKING")
+
+
 def imported(node: ast.AST) -> list[tuple[Path, str]]:
     """Files of the package that are imported below a node, each with the name taken from it."""
     found: list[tuple[Path, str]] = []
     for child in ast.iter_child_nodes(node):
-        if isinstance(child, ast.If) and ast.unparse(child.test).endswith("TYPE_CHECKING"):
+        if for_types(child):
             continue
         if isinstance(child, ast.ImportFrom) and (child.module or "").startswith("esg"):
             for name in (a.name for a in child.names):
@@ -47,15 +53,23 @@ def imported(node: ast.AST) -> list[tuple[Path, str]]:
 
 
 def needs(path: Path, name: str) -> list[tuple[Path, str]]:
-    """What a name of a file needs: nothing for a plain value, a door's function only its own."""
+    """What a name of a file needs: nothing for a plain value; of a door, what is behind that name.
+
+    A door (`__init__.py`) has a function for the name, or names its home for type checkers and
+    imports that when the name is asked for.
+    """
     body = tree(path).body
     values = [n for n in body if isinstance(n, ast.Assign) and isinstance(n.value, ast.Constant)]
     if name in {ast.unparse(target) for n in values for target in n.targets}:
         return []
     functions = [n for n in body if isinstance(n, ast.FunctionDef)]
-    if path.name != "__init__.py" or name not in {f.name for f in functions}:
+    if path.name != "__init__.py":
         return imported(tree(path))
-    return [i for n in body if n not in functions or n.name == name for i in imported(n)]
+    if name in {f.name for f in functions}:
+        others = [f for f in functions if f.name != name]
+        return [i for n in body if n not in others for i in imported(n)]
+    homes = [i for n in body if for_types(n) for i in imported(ast.Module(n.body, []))]
+    return imported(tree(path)) + [(home, n) for home, n in homes if n == name]
 
 
 def reached(stage: str) -> set[str]:
