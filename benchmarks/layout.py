@@ -34,8 +34,8 @@ def settle_cm(doc: EsgDocument) -> dict[str, float]:
     import numpy as np
 
     from esg.dynamics.plan.build import build_scene
-    from esg.engines.base import get_engine
     from esg.engines.program import FIELDS, ProgramBatch
+    from esg.engines.registry import get_engine
 
     scene = build_scene(doc)
     count = len(scene.bodies)

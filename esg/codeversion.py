@@ -12,8 +12,9 @@ from importlib import metadata
 from pathlib import Path
 
 _ROOT = Path(__file__).parent
-_COMMON = (
+COMMON = (
     "graph",
+    "engines/program.py",
     "lexicon",
     "units.py",
     "thresholds.py",
@@ -36,11 +37,25 @@ SOURCES: dict[str, tuple[str, ...]] = {
         "assets",
     ),
     "layout": ("layout", "assets"),
-    "optimize": (*_SIMULATION, "layout"),
-    "compile": ("compile", "engines", "dynamics", "assets", "metrics"),
+    "optimize": (
+        *_SIMULATION,
+        "layout",
+        "assets",
+        "metrics/__init__.py",
+        "metrics/geometry.py",
+        "metrics/replay.py",
+    ),
+    "compile": (
+        "compile",
+        "engines",
+        "dynamics",
+        "assets",
+        "metrics",
+        "layout/problem/hints.py",
+    ),
     "replay": ("compile", "engines"),
-    "judge": ("metrics", "engines", "dynamics"),
-    "record": ("view", "store", "assets", "metrics", "engines", "compile"),
+    "judge": ("metrics", "engines", "dynamics", "draft/document/coverage.py"),
+    "record": ("view", "store", "assets", "metrics", "engines", "compile", "scenereading.py"),
 }
 """Parts of the package (files or folders below `esg/`) that each stage's result depends on."""
 
@@ -65,7 +80,7 @@ def code_version(stage: str) -> str:
         stage: A key of `SOURCES`.
     """
     digest = hashlib.sha256()
-    for part in sorted({*_COMMON, *SOURCES[stage], "stages.py"}):
+    for part in sorted({*COMMON, *SOURCES[stage], "stages.py"}):
         digest.update(f"{part}={_tree_hash(part)};".encode())
     for library in LIBRARIES[stage]:
         digest.update(f"{library}={_version(library)};".encode())

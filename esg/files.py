@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Generator
 import contextlib
 import errno
+import json
 import os
 from pathlib import Path
 import re
 import time
-from typing import IO
+from typing import IO, Any
 import uuid
 
 from esg.outcomes import UserError
@@ -95,6 +96,16 @@ def atomic_file(path: Path) -> Generator[IO[bytes]]:
         raise explained(error, path) from error
     finally:
         temporary.unlink(missing_ok=True)
+
+
+def write_json(path: Path, document: Any) -> None:
+    """Writes a JSON document for people, complete or not at all.
+
+    Raises:
+        OSError: As for `atomic_file`.
+    """
+    with atomic_file(path) as file:
+        file.write(json.dumps(document, indent=2, ensure_ascii=False).encode() + b"\n")
 
 
 def atomic_write(path: Path, write: Callable[[Path], object]) -> None:

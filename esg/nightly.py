@@ -68,11 +68,11 @@ def conclude_suite(
     Raises:
         UserError: If the folder cannot be written.
     """
-    from esg.commands.bench import results, write_json
-    from esg.commands.database import database_path, record_run
     from esg.failures import report_failures
+    from esg.files import write_json
     from esg.metrics import load_suite
     from esg.report.run import RUN_FILE
+    from esg.runs import database_path, record_run, results
     from esg.scenefolder import publish, safe_name
 
     loaded = load_suite(suite)
@@ -132,7 +132,7 @@ def _report(folder: Path, db: Path) -> str:
         path = folder / "report.html"
         write_report(load_run(folder, database=db), path)
     except Exception as error:
-        from esg.commands.console import warn
+        from esg.notices import warn
 
         warn([f"no report: {type(error).__name__}: {error}"])
         return ""

@@ -196,8 +196,8 @@ def _replay(state: SceneState, folder: Path) -> None:
 
 
 def _replay_program(state: SceneState) -> Rollout:
-    from esg.engines.base import get_engine
     from esg.engines.program import batch_programs
+    from esg.engines.registry import get_engine
 
     scene, program = load_scene(state)
     engine = get_engine(state.request.engine, state.request.device)

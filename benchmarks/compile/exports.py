@@ -26,9 +26,9 @@ from esg.compile import compile_many, replay_class
 from esg.compile.build import ClassFiles, Library
 from esg.compile.export import export
 from esg.compile.names import unique_identifiers
-from esg.engines.base import get_engine
 from esg.engines.manifest import Manifest, load_manifest
 from esg.engines.program import HoldVelocity, batch_programs
+from esg.engines.registry import get_engine
 from esg.engines.scene import Rollout
 from esg.scenefolder import is_scene_folder
 

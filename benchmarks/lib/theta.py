@@ -15,8 +15,9 @@ from esg.dynamics import build_scene, start_hints
 from esg.dynamics.casting import fitted
 from esg.dynamics.plan.planner import Plan, make_plan
 from esg.dynamics.search.panel import REFERENCE_DT_S, Panel
-from esg.engines.base import VERIFY_DT_S, get_engine
+from esg.engines.base import VERIFY_DT_S
 from esg.engines.program import batch_programs
+from esg.engines.registry import get_engine
 from esg.engines.scene import Variation
 from esg.graph.models import EsgDocument
 from esg.layout import solve

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from cyclopts import Parameter
 
 if TYPE_CHECKING:
-    from esg.metrics.models import Suite
     from esg.pipeline import SceneState
 
 MAX_RUNS = 1000
@@ -46,13 +45,14 @@ def bench(
         workers: Worker processes; default one a core.
     """
     from esg.commands import inputs
-    from esg.commands.database import record_run
     from esg.commands.generate import exit_code
     from esg.commands.live import live
     from esg.failures import report_failures
+    from esg.files import write_json
     from esg.metrics import load_suite
     from esg.pipeline import STAGES
     from esg.report.run import RUN_FILE
+    from esg.runs import record_run, results
     from esg.scenefolder import check_writable, publish
     from esg.workers import default_processes
 
@@ -161,41 +161,13 @@ def closed_loop(states: list[SceneState]) -> dict[str, Any]:
     return out
 
 
-def results(
-    suite: Suite, states: list[SceneState], runs: int, seed: int, strategy: str, engine: str
-) -> dict[str, Any]:
-    """The document of `--json`.
-
-    Args:
-        suite: The suite.
-        states: Final states, all runs of the first scene first.
-        runs: Runs a scene.
-        seed: Seed of the first run.
-        strategy: Search strategy.
-        engine: Engine of the replay.
-    """
-    from esg.metrics import SceneRun, bench_json
-    from esg.stages import REPLAY_RATE_HZ
-
-    by_scene: dict[str, list[SceneRun]] = {}
-    for k, scene in enumerate(suite.scenes):
-        by_scene[scene.id] = [
-            SceneRun(
-                seed=seed + run,
-                verdict=verdict_of(state),
-                outcome=state.outcome.value if state.outcome else "crashed",
-                seconds=round(state.seconds, 3),
-            )
-            for run, state in enumerate(states[k * runs : (k + 1) * runs])
-        ]
-    return bench_json(suite, by_scene, strategy=strategy, engine=engine, dt=1 / REPLAY_RATE_HZ)
-
-
 def missed(states: list[SceneState]) -> list[dict[str, Any]]:
     """What of the suite did not happen, with the judge's reason, whatever a scene's outcome.
 
     A scene can be `solved` by its own timeline and miss what the suite asks for.
     """
+    from esg.runs import verdict_of
+
     rows: list[dict[str, Any]] = []
     for state in states:
         verdict = verdict_of(state)
@@ -238,21 +210,3 @@ def missed_lines(rows: list[dict[str, Any]]) -> list[str]:
         rest = len(lines) - MISSED_LINES
         lines = [*lines[:MISSED_LINES], f"missed  {rest} more; --json FILE lists all"]
     return lines
-
-
-def verdict_of(state: SceneState) -> Any:
-    """The judge's verdict of a scene, None if it did not come to that."""
-    from esg.stages import load_verdict
-
-    return load_verdict(state) if "judge" in state.artifacts else None
-
-
-def write_json(path: Path, document: dict[str, Any]) -> None:
-    """Writes a JSON file, complete or not at all."""
-    import json
-    import os
-
-    path.parent.mkdir(parents=True, exist_ok=True)
-    partial = path.with_name(f".{path.name}.{os.getpid()}.tmp")
-    partial.write_text(json.dumps(document, indent=2, ensure_ascii=False) + "\n", encoding="utf-8")
-    partial.replace(path)

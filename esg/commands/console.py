@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator, Iterable
+from collections.abc import Generator
 import contextlib
 import json
 import os
 import sys
 from typing import Any, TextIO
 import warnings
+
+from esg.notices import warn
 
 
 def quiet_native_output() -> None:
@@ -85,18 +87,6 @@ def note_first_use() -> None:
                 "longer (`esg setup` does it ahead)"
             ]
         )
-
-
-def warn(problems: Iterable[str]) -> None:
-    """Says on stderr, a line each, what the command had to do without.
-
-    A stderr that is closed or full takes nothing, which changes no exit code.
-    """
-    try:
-        for problem in problems:
-            print(f"esg: {problem}", file=sys.stderr, flush=True)
-    except OSError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stderr.fileno())
 
 
 class Progress:

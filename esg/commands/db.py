@@ -22,7 +22,7 @@ def rebuild(*folders: Path, db: Path | None = None, json: _Json = False) -> int:
         json: Print one JSON document.
     """
     from esg.commands.console import emit
-    from esg.commands.database import database_path
+    from esg.runs import database_path
     from esg.store import rebuild as run
 
     path = db or database_path()
@@ -44,8 +44,8 @@ def ingest(*paths: Path, db: Path | None = None, json: _Json = False) -> int:
         json: Print one JSON document.
     """
     from esg.commands.console import emit
-    from esg.commands.database import database_path
     from esg.outcomes import UserError
+    from esg.runs import database_path
     from esg.store import ingest as run
 
     if not paths:
@@ -89,8 +89,8 @@ def prune(
         json: Print one JSON document.
     """
     from esg.commands.console import emit
-    from esg.commands.database import database_path
     from esg.commands.inputs import in_range
+    from esg.runs import database_path
     from esg.store.artifacts import ArtifactStore
     from esg.store.retention import prune_runs
 

@@ -48,13 +48,13 @@ def generate(
         json: Print one JSON document with outcome, metrics and paths.
     """
     from esg.commands.console import emit, note_first_use
-    from esg.commands.database import record_run
     from esg.commands.inputs import check_cache, check_device, check_seed, checked, clean_prompt
     from esg.commands.live import live
     from esg.failures import report_failures
     from esg.outcomes import UserError
     from esg.pipeline import recall
     from esg.requests import generate_requests
+    from esg.runs import record_run
     from esg.scenefolder import check_writable, publish
 
     prompt, _, device, seed, pictures, _ = checked(

@@ -31,10 +31,11 @@ def report(
     Returns:
         0, or 3 if files of the run are damaged: the page names them and shows the rest.
     """
-    from esg.commands.console import emit, progress, warn
-    from esg.commands.database import database_path
+    from esg.commands.console import emit, progress
     from esg.commands.inputs import check_target, checked
+    from esg.notices import warn
     from esg.report import load_run, write_report
+    from esg.runs import database_path
 
     path = out or run / "report.html"
     chosen, _, loaded = checked(

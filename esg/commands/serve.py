@@ -58,7 +58,6 @@ def serve(
     """
     from esg.commands.bench import MAX_RUNS
     from esg.commands.console import emit
-    from esg.commands.database import database_path
     from esg.commands.inputs import (
         check_cache,
         check_device,
@@ -68,6 +67,7 @@ def serve(
         in_range,
     )
     from esg.metrics import load_suite
+    from esg.runs import database_path
     from esg.scenefolder import check_writable
 
     suites = suite or [DEFAULT_SUITE]

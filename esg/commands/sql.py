@@ -23,7 +23,7 @@ def sql(
         json: Print one JSON document: columns and rows.
     """
     from esg.commands.console import emit, table
-    from esg.commands.database import database_path
+    from esg.runs import database_path
     from esg.store import query as run
 
     result = run(database_path() if db is None else db, query)

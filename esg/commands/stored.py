@@ -60,8 +60,8 @@ def stored_row(scene: str) -> dict[str, Any] | None:
     Raises:
         UserError: If the id names several scenes, or the scene has no final document.
     """
-    from esg.commands.database import database_path
     from esg.outcomes import UserError
+    from esg.runs import database_path
     from esg.store import query
 
     db = database_path()
@@ -96,8 +96,8 @@ def stored_rollout(key: str) -> Any:
     import numpy as np
     import pyarrow.parquet as pq
 
-    from esg.commands.database import database_path
     from esg.engines.scene import ContactLog, Rollout
+    from esg.runs import database_path
     from esg.store import query
 
     text = key.replace("'", "''")

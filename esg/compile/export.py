@@ -7,9 +7,9 @@ from pathlib import Path
 import tempfile
 from typing import Literal, get_args
 
-from esg.engines.base import get_engine
 from esg.engines.manifest import Manifest, load_manifest
 from esg.engines.program import batch_programs
+from esg.engines.registry import get_engine
 from esg.engines.scene import Rollout
 from esg.files import TEMPORARY
 from esg.outcomes import UserError

@@ -13,9 +13,10 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from esg.engines.base import ENGINES, get_engine
+from esg.engines.base import ENGINES
 from esg.engines.manifest import Manifest, load_manifest
 from esg.engines.program import batch_programs
+from esg.engines.registry import get_engine
 from esg.engines.scene import Rollout
 from esg.outcomes import UserError
 from esg.scenereading import damaged, first_line

@@ -20,7 +20,8 @@ from esg.dynamics.search.baselines import BASELINES, minimize
 from esg.dynamics.search.batched import search
 from esg.dynamics.search.closedloop import close_loop
 from esg.dynamics.search.results import static_result, write_result
-from esg.engines.base import Engine, get_engine
+from esg.engines.base import Engine
+from esg.engines.registry import get_engine
 from esg.graph.canonical import document_hash, entropy
 from esg.graph.casting import effective
 from esg.graph.models import ClosedLoop, DynamicsResult, EsgDocument, Provenance

@@ -1,6 +1,6 @@
 """Rollouts: Newton (reference), PhysX (verify) and Rapier (audit) behind one interface.
 
-`esg.engines.base.get_engine` returns an engine; `available` says which can be used here, `warmup`
+`get_engine` returns an engine; `available` says which can be used here, `warmup`
 compiles what Newton needs before a user's first scene has to wait for it.
 """
 
@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from esg.engines.base import ENGINES, VERIFY_DT_S, Engine, get_engine
+from esg.engines.base import ENGINES, VERIFY_DT_S, Engine
+from esg.engines.registry import get_engine
 
 __all__ = ["ENGINES", "VERIFY_DT_S", "Engine", "available", "get_engine", "warmup"]
 

@@ -6,8 +6,9 @@ from collections.abc import Callable
 import itertools
 import time
 
-from esg.engines.base import ENGINES, get_engine
+from esg.engines.base import ENGINES
 from esg.engines.program import AdjustProperties, Program, SetVelocity, batch_programs
+from esg.engines.registry import get_engine
 from esg.engines.scene import Body, Shape, ShapeKind, SimScene
 
 _KINDS: tuple[ShapeKind, ...] = ("sphere", "box", "capsule", "cylinder", "convex")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
+from graphlib import CycleError, TopologicalSorter
 from typing import Any
 
 from esg.graph.casting import effective
@@ -120,52 +121,18 @@ def reachable(start: str, edges: list[tuple[str, str]]) -> set[str]:
 def components(nodes: list[str], edges: list[tuple[str, str]]) -> list[list[str]]:
     """Strongly connected components of more than one node, or of one node with a loop.
 
-    Tarjan's algorithm without recursion; components and their members are sorted.
+    Components and their members are sorted.
     """
-    following: dict[str, list[str]] = {n: [] for n in nodes}
-    for a, b in edges:
-        if a in following and b in following:
-            following[a].append(b)
-    index: dict[str, int] = {}
-    low: dict[str, int] = {}
-    stack: list[str] = []
-    on_stack: set[str] = set()
-    out: list[list[str]] = []
-    for root in nodes:
-        if root in index:
-            continue
-        work = [(root, 0)]
-        while work:
-            node, position = work.pop()
-            if position == 0:
-                index[node] = low[node] = len(index)
-                stack.append(node)
-                on_stack.add(node)
-            children = following[node]
-            descended = False
-            while position < len(children):
-                child = children[position]
-                position += 1
-                if child not in index:
-                    work.append((node, position))
-                    work.append((child, 0))
-                    descended = True
-                    break
-                if child in on_stack:
-                    low[node] = min(low[node], index[child])
-            if descended:
-                continue
-            if low[node] == index[node]:
-                component: list[str] = []
-                while True:
-                    member = stack.pop()
-                    on_stack.discard(member)
-                    component.append(member)
-                    if member == node:
-                        break
-                if len(component) > 1 or node in following[node]:
-                    out.append(sorted(component))
-            if work:
-                parent = work[-1][0]
-                low[parent] = min(low[parent], low[node])
-    return sorted(out)
+    before: dict[str, set[str]] = {n: set() for n in nodes}
+    inner = [(a, b) for a, b in edges if a in before and b in before]
+    for a, b in inner:
+        before[b].add(a)
+    try:
+        TopologicalSorter(before).prepare()
+    except CycleError:
+        after = {n: reachable(n, inner) for n in nodes}
+        circles = {
+            tuple(sorted(m for m in after[n] if n in after[m])) for n in nodes if n in after[n]
+        }
+        return [list(circle) for circle in sorted(circles)]
+    return []

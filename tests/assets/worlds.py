@@ -9,8 +9,8 @@ import numpy as np
 from esg.assets.library.catalogue import Entry, catalogue
 from esg.assets.stage import configure
 from esg.dynamics.plan.build import make_body
-from esg.engines.base import get_engine
 from esg.engines.program import Program, batch_programs
+from esg.engines.registry import get_engine
 from esg.engines.scene import Rollout, SimScene
 from esg.graph.models import (
     AssetConfiguration,

@@ -32,7 +32,7 @@ def states(monkeypatch: pytest.MonkeyPatch) -> list[Any]:
         SimpleNamespace(request=SimpleNamespace(name=f"S1-run{k}", seed=k), reason="no road", v=v)
         for k, v in enumerate(found)
     ]
-    monkeypatch.setattr(bench, "verdict_of", lambda state: state.v)
+    monkeypatch.setattr("esg.runs.verdict_of", lambda state: state.v)
     return made
 
 

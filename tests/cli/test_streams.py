@@ -36,7 +36,7 @@ def test_nobody_takes_what_is_printed(stdout: str, code: int) -> None:
 def test_a_file_never_gets_the_number_of_a_closed_stream(tmp_path: Path) -> None:
     """What libraries print would go into the first file that is opened."""
     code = (
-        "import sys; from esg.commands.console import quiet_native_output, warn\n"
+        "import sys; from esg.commands.console import quiet_native_output\nfrom esg.notices import warn\n"
         "quiet_native_output()\n"
         "print('nobody'); warn(['nobody']); assert not sys.stderr.isatty()\n"
         f"file = open({str(tmp_path / 'file')!r}, 'w')\n"

@@ -9,8 +9,8 @@ from random_scenes import random_scene
 
 from esg.compile import compile_many, replay_class
 from esg.compile.build import Library, read_classes
-from esg.engines.base import get_engine
 from esg.engines.program import Program, batch_programs
+from esg.engines.registry import get_engine
 from esg.engines.scene import Rollout, SimScene, Variation
 
 ENGINES = ("physx", "rapier")

@@ -103,6 +103,7 @@ def test_a_faultless_model_is_assembled_without_loss(prompt: str) -> None:
     assert motion(got) == motion(wanted)
     dims = {n: a.expected_dimensions_cm for n, a in got.asset_requirement.items()}
     assert dims == {n: a.expected_dimensions_cm for n, a in wanted.asset_requirement.items()}
+    assert got.scene_definition.wording == wanted.scene_definition.wording
 
 
 def test_stages_are_asked_in_order_and_see_what_is_settled() -> None:

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from esg.engines.base import get_engine
 from esg.engines.newton import clear_cache
 from esg.engines.newton.setup import quiet_warp
 from esg.engines.newton.sharing import sort_few_contacts
 from esg.engines.program import Program, SetVelocity, batch_programs
+from esg.engines.registry import get_engine
 from esg.engines.scene import SimScene
 from tests.engines.lab import ball, box
 

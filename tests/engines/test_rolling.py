@@ -7,8 +7,8 @@ import math
 import numpy as np
 import pytest
 
-from esg.engines.base import get_engine
 from esg.engines.program import Program, SetVelocity, batch_programs
+from esg.engines.registry import get_engine
 from esg.engines.scene import Body, Rollout, Shape, SimScene
 
 ON_RIM = (math.sin(math.pi / 4), 0.0, 0.0, math.cos(math.pi / 4))

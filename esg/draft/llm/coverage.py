@@ -98,9 +98,9 @@ def _events(prompt: str, doc: EsgDocument) -> list[CoverageItem]:
     graph = doc.timeline_system.sequence_graph if doc.timeline_system else None
     items: list[CoverageItem] = []
     for i in other.coverage.items:
-        kinds = _kinds_of(other, i.note) if i.kind == "event" else frozenset()
-        if i.status == "not_understood":
-            kinds = frozenset()  # a verb that the rules drafter does not know says nothing here
+        if i.kind != "event" or i.status == "not_understood":
+            continue  # a verb that the rules drafter does not know says nothing here
+        kinds = _kinds_of(other, i.note)
         if not kinds:
             continue
         where = ""

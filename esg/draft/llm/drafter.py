@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Coroutine, Sequence
+from dataclasses import replace
 import threading
 from typing import Any, TypeVar
 
@@ -25,6 +26,7 @@ from esg.draft.llm.records import STAGES, VARIANTS, CallRecord, LlmDraft, Varian
 from esg.draft.llm.session import Session
 from esg.draft.llm.settings import LlmSettings, load_settings, require_endpoint
 from esg.draft.llm.store import CachingClient, CassetteClient
+from esg.draft.said import recorded
 from esg.graph.models import EsgDocument
 from esg.outcomes import Outcome, UserError
 
@@ -112,7 +114,9 @@ async def _batch(
 
     async def one(prompt: str) -> LlmDraft:
         async with gate:
-            return await Session(prompt, seed, settings, variant, stack, patient).run()
+            result = await Session(prompt, seed, settings, variant, stack, patient).run()
+        made = result.document
+        return result if made is None else replace(result, document=recorded(made))
 
     try:
         return tuple(await asyncio.gather(*(one(p) for p in prompts)))

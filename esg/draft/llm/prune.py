@@ -37,7 +37,8 @@ def pruned(raw: Json) -> tuple[Json, tuple[str, ...]]:
         The document, and what was dropped, in words. Without a single event left, or with a rule
         broken outside the timeline, the document comes back as it was.
     """
-    out, log = copy.deepcopy(raw), []
+    out = copy.deepcopy(raw)
+    log: list[str] = []
     for _ in range(MAX_PASSES):
         violations = verify(out)
         if not violations:
@@ -52,7 +53,8 @@ def pruned(raw: Json) -> tuple[Json, tuple[str, ...]]:
 
 
 def _nodes(raw: Json) -> list[Json]:
-    return (raw.get("timeline_system") or {}).get("sequence_graph", {}).get("nodes", [])
+    timeline: Json = raw.get("timeline_system") or {}
+    return timeline.get("sequence_graph", {}).get("nodes", [])
 
 
 def _edges(raw: Json) -> list[Json]:
@@ -116,7 +118,8 @@ def _span(node: Json) -> tuple[float, float] | None:
 
 def _in_order(raw: Json) -> list[Json]:
     """Events, predecessors first; those of a circle in the order of the document."""
-    left, out = list(_nodes(raw)), []
+    left = list(_nodes(raw))
+    out: list[Json] = []
     while left:
         names = {n["id"] for n in left}
         free = (

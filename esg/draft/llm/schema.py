@@ -7,6 +7,7 @@ import copy
 from typing import Any
 
 from esg.draft.llm.stages import REPLIES
+from esg.untyped import is_list, is_object
 
 
 def bounded(schema: Any, items: int | None, text: int | None) -> Any:
@@ -20,9 +21,9 @@ def bounded(schema: Any, items: int | None, text: int | None) -> Any:
     Returns:
         A copy with maxItems and maxLength.
     """
-    if isinstance(schema, list):
+    if is_list(schema):
         return [bounded(x, items, text) for x in schema]
-    if not isinstance(schema, dict):
+    if not is_object(schema):
         return schema
     out = {k: bounded(v, items, text) for k, v in schema.items()}
     if items is not None and out.get("type") == "array":

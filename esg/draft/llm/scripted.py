@@ -12,11 +12,12 @@ from collections.abc import Callable, Sequence
 import hashlib
 import json
 import re
-from typing import Any
+from typing import Any, get_args
 
 import numpy as np
 
 from esg.draft.llm.client import Call, Reply
+from esg.draft.llm.stages import ParameterName
 from esg.graph.models import EsgDocument, Quantity
 
 Json = dict[str, Any]
@@ -203,17 +204,6 @@ def _spatial(doc: EsgDocument) -> Json:
     }
 
 
-_PARAMETERS = (
-    "speed",
-    "acceleration",
-    "damping",
-    "heading_deg",
-    "elevation_deg",
-    "turn_rate_deg_s",
-    "duration",
-)
-
-
 def _timeline(doc: EsgDocument) -> Json | None:
     if doc.timeline_system is None:
         return None
@@ -255,7 +245,7 @@ def _timeline(doc: EsgDocument) -> Json | None:
     segments: list[Json] = []
     for e in graph.edges:
         parameters: list[Json] = []
-        for name in _PARAMETERS:
+        for name in get_args(ParameterName):
             ends = _ends(getattr(e.params, name))
             if ends is not None:
                 parameters.append({"name": name, "low": ends[0], "high": ends[1]})

@@ -21,6 +21,7 @@ from esg.graph.models import (
     RelationType,
     Role,
 )
+from esg.untyped import is_list, is_object
 
 
 class Part(BaseModel):
@@ -331,15 +332,15 @@ def find_object(text: str) -> dict[str, Any] | None:
             continue
         except (ValueError, RecursionError):
             return None
-        return tree if isinstance(tree, dict) else None
+        return tree if is_object(tree) else None
     return None
 
 
 def _words(tree: Any, key: str = "") -> Any:
     """The tree with synonyms of allowed words replaced."""
-    if isinstance(tree, dict):
+    if is_object(tree):
         return {k: _words(v, k) for k, v in tree.items()}
-    if isinstance(tree, list):
+    if is_list(tree):
         return [_words(v) for v in tree]
     if isinstance(tree, str) and key in _CHOICES:
         word = re.sub(r"[^a-z0-9]+", "_", tree.strip().lower()).strip("_")

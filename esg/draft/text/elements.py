@@ -106,3 +106,8 @@ class Word:
 
 
 Element = Mention | Verb | Word
+
+
+def element_at(elements: list[Element], i: int) -> Element | None:
+    """The element at a place; None before the first and after the last."""
+    return elements[i] if 0 <= i < len(elements) else None

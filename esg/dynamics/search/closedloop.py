@@ -16,7 +16,8 @@ from esg.dynamics.losses.quantities import quantity_of
 from esg.dynamics.plan import Plan
 from esg.dynamics.search.panel import Found, rounded
 from esg.dynamics.search.simulate import Simulator
-from esg.engines.base import VERIFY_DT_S, get_engine
+from esg.engines.base import VERIFY_DT_S
+from esg.engines.registry import get_engine
 from esg.graph.models import ClosedLoop
 
 VERIFY_ENGINE = "physx"

@@ -20,7 +20,8 @@ from esg.dynamics.losses.horizon import expected_end, told_by
 from esg.dynamics.plan import Plan
 from esg.dynamics.search.simulate import ENSEMBLE, Simulator
 from esg.dynamics.story.proxies import faceted
-from esg.engines.base import Engine, get_engine
+from esg.engines.base import Engine
+from esg.engines.registry import get_engine
 from esg.graph.models import SearchStep
 
 Floats = NDArray[np.float64]

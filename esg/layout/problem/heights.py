@@ -24,61 +24,68 @@ def heights(
     Objects follow their supports; what hangs on a wall may slide up and down to satisfy
     higher_than, lower_than, same_level_as and above, in a few passes over those edges.
     """
-    names = list(doc.spatial_relation_graph.nodes)
     airborne = {n: z for u in builder.units for n, z in u.z_cm.items()}
     lift: dict[str, float] = {}
-
-    def solve() -> dict[str, float]:
-        out: dict[str, float] = {}
-
-        def height(name: str, depth: int) -> float:
-            if name not in out:
-                s = supports.of[name]
-                if name in airborne:
-                    out[name] = airborne[name]
-                elif s.parent is None or depth > len(names):
-                    out[name] = s.z_cm
-                else:
-                    out[name] = height(s.parent, depth + 1) + s.z_cm + lift.get(name, 0.0)
-            return out[name]
-
-        for n in names:
-            height(n, 0)
-        return out
-
-    z = solve()
+    names = list(doc.spatial_relation_graph.nodes)
+    z = _resting(names, supports, airborne, lift)
     edges = [
         e
         for e in doc.spatial_relation_graph.edges.binary_relations
-        if e.from_ in z
-        and e.to in z
-        and (e.relation_type in LEVEL or e.relation_type is RelationType.ABOVE)
-    ]  # fmt: skip
+        if e.from_ in z and e.to in z and e.relation_type in (*LEVEL, RelationType.ABOVE)
+    ]
     for _ in range(PASSES if edges else 0):
         for e in edges:
-            for mine, other, sign in ((e.from_, e.to, 1.0), (e.to, e.from_, -1.0)):
+            for mine, other, first in ((e.from_, e.to, True), (e.to, e.from_, False)):
                 s = supports.of[mine]
                 if s.kind not in ("vertical", "above") or s.parent is None:
                     continue
                 here, there = middle(mine, z, shape), middle(other, z, shape)
-                want = here
-                if e.relation_type is RelationType.SAME_LEVEL_AS:
-                    want = there
-                elif e.relation_type is RelationType.LOWER_THAN:
-                    want = (
-                        min(here, there - MARGIN_CM) if sign > 0 else max(here, there + MARGIN_CM)
-                    )
-                elif e.relation_type is RelationType.HIGHER_THAN:
-                    want = (
-                        max(here, there + MARGIN_CM) if sign > 0 else min(here, there - MARGIN_CM)
-                    )
-                elif sign > 0:
-                    clear = 0.5 * (shape[mine].height + shape[other].height) + MARGIN_CM
-                    want = max(here, there + clear)
-                room = max(0.0, shape[s.parent].height - shape[mine].height)
+                clear = 0.5 * (shape[mine].height + shape[other].height) + MARGIN_CM
+                want = _wanted(e.relation_type, first, here, there, clear)
                 at = z[mine] - z[s.parent] + want - here
                 if s.kind == "vertical":
+                    room = max(0.0, shape[s.parent].height - shape[mine].height)
                     at = min(max(at, 0.0), room)
                 lift[mine] = at - s.z_cm
-                z = solve()
+                z = _resting(names, supports, airborne, lift)
     return z
+
+
+def _resting(
+    names: list[str], supports: SupportMap, airborne: dict[str, float], lift: dict[str, float]
+) -> dict[str, float]:
+    """Heights [cm] on the supports, those that may slide lifted by `lift` [cm]."""
+    out: dict[str, float] = {}
+
+    def height(name: str, depth: int) -> float:
+        if name not in out:
+            s = supports.of[name]
+            if name in airborne:
+                out[name] = airborne[name]
+            elif s.parent is None or depth > len(names):
+                out[name] = s.z_cm
+            else:
+                out[name] = height(s.parent, depth + 1) + s.z_cm + lift.get(name, 0.0)
+        return out[name]
+
+    for n in names:
+        height(n, 0)
+    return out
+
+
+def _wanted(relation: RelationType, first: bool, here: float, there: float, clear: float) -> float:
+    """Height [cm] nearest to `here` at which a relation to something `there` holds.
+
+    Args:
+        relation: One of `LEVEL`, or above.
+        first: Whether what moves is the first of the two that the relation names.
+        here, there: Heights of both middles [cm].
+        clear: How far apart these are when one is above the other [cm].
+    """
+    if relation is RelationType.SAME_LEVEL_AS:
+        return there
+    if relation is RelationType.ABOVE:
+        return max(here, there + clear) if first else here
+    if (relation is RelationType.HIGHER_THAN) == first:
+        return max(here, there + MARGIN_CM)
+    return min(here, there - MARGIN_CM)

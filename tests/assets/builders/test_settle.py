@@ -8,8 +8,8 @@ import pytest
 from esg.assets.library.catalogue import entries_by_name
 from esg.assets.stage import configure
 from esg.dynamics.plan.build import make_body
-from esg.engines.base import get_engine
 from esg.engines.program import Program, SetVelocity, batch_programs
+from esg.engines.registry import get_engine
 from esg.engines.scene import SimScene
 from esg.graph.models import Node, Pose
 from tests.assets.worlds import EMPTY, faults, requirement, settle, solid_entries

@@ -11,8 +11,8 @@ from esg.assets.geometry.massprops import mass_properties
 from esg.assets.library.catalogue import Entry, catalogue, entries_by_name
 from esg.assets.stage import configure
 from esg.dynamics.plan.build import make_body
-from esg.engines.base import get_engine
 from esg.engines.program import Program, batch_programs
+from esg.engines.registry import get_engine
 from esg.engines.scene import SimScene
 from esg.graph.models import AssetConfiguration, AssetRequirement, Node, Pose
 from tests.assets.worlds import EMPTY, requirement

@@ -13,8 +13,8 @@ from esg.assets.library.catalogue import catalogue, entries_by_name
 from esg.assets.stage import configure
 from esg.draft import draft
 from esg.dynamics.plan.build import make_body
-from esg.engines.base import get_engine
 from esg.engines.program import Program, SetVelocity, batch_programs
+from esg.engines.registry import get_engine
 from esg.engines.scene import SimScene
 from esg.graph.models import AssetConfiguration, EsgDocument, Node, Pose
 from esg.units import quat_rotate

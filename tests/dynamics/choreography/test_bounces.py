@@ -9,8 +9,8 @@ import pytest
 
 from esg.dynamics import build_scene, start_hints
 from esg.dynamics.plan.planner import make_plan
-from esg.engines.base import get_engine
 from esg.engines.program import SetVelocity, batch_programs
+from esg.engines.registry import get_engine
 from esg.graph.models import EsgDocument
 from esg.layout import solve
 from esg.units import GRAVITY_MPS2

@@ -12,8 +12,8 @@ from esg.draft import draft
 from esg.dynamics import build_scene, start_hints
 from esg.dynamics.casting import fitted
 from esg.dynamics.plan.planner import make_plan
-from esg.engines.base import get_engine
 from esg.engines.program import HoldVelocity, batch_programs
+from esg.engines.registry import get_engine
 from esg.graph.models import Actor, EsgDocument, TimelineEdge, TimelineNode
 from esg.layout import solve
 from tests.dynamics.stage import asset, document, lay_out

@@ -20,8 +20,8 @@ from esg.dynamics.search.panel import Found
 from esg.dynamics.story.kinematics import braking_distance
 from esg.dynamics.story.stagecraft import prop
 from esg.dynamics.story.tipping import topple_speed
-from esg.engines.base import get_engine
 from esg.engines.program import batch_programs, program_from_json
+from esg.engines.registry import get_engine
 from esg.graph.models import DynamicsResult, EsgDocument
 from esg.layout import solve
 from esg.layout.problem.hints import Placement

@@ -11,8 +11,8 @@ from esg.dynamics import build_scene, optimize, start_hints
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.choreography.telling import _tell, choreograph
 from esg.dynamics.story.story import read_story
-from esg.engines.base import get_engine
 from esg.engines.program import batch_programs, program_from_json
+from esg.engines.registry import get_engine
 from esg.graph.models import EsgDocument
 from esg.layout import solve
 from esg.metrics import expectations_from_timeline, judge

@@ -25,8 +25,8 @@ from esg.dynamics.choreography.telling import choreograph
 from esg.dynamics.plan.planner import make_plan
 from esg.dynamics.story.stagecraft import prop
 from esg.dynamics.story.story import read_story
-from esg.engines.base import get_engine
 from esg.engines.program import batch_programs
+from esg.engines.registry import get_engine
 from esg.graph.models import AssetConfiguration, EsgDocument, Proxy, ProxyKind
 from esg.layout import solve
 from esg.units import GRAVITY_MPS2

@@ -12,11 +12,11 @@ from esg.dynamics.fleet import many
 from esg.dynamics.fleet.many import Clock, optimize_many
 from esg.dynamics.search import batched
 from esg.dynamics.strategies import optimize
-from esg.engines.base import get_engine
 from esg.engines.fleet import FleetNewton, FleetSurrogate
 from esg.engines.fleet import surrogate as fleet_surrogate
 from esg.engines.jobs import Buffer, Expected, make_job, read
 from esg.engines.program import HoldVelocity, Program, SetVelocity, batch_programs
+from esg.engines.registry import get_engine
 from esg.engines.scene import Body, Rollout, Shape, SimScene, Variation
 from esg.engines.shapes import SceneShapes
 from esg.graph.models import EsgDocument

@@ -14,7 +14,7 @@ from esg.dynamics.search.panel import REFERENCE_DT_S
 from esg.dynamics.search.simulate import Simulator
 from esg.dynamics.story.proxies import coarse, simple_document
 from esg.dynamics.strategies import optimize
-from esg.engines.base import get_engine
+from esg.engines.registry import get_engine
 from esg.graph.models import Pose
 from esg.outcomes import UserError
 from tests.dynamics import stories

@@ -10,8 +10,8 @@ import pytest
 
 from esg.dynamics import build_scene
 from esg.dynamics.plan.planner import Plan, make_plan
-from esg.engines.base import get_engine
 from esg.engines.program import batch_programs
+from esg.engines.registry import get_engine
 from esg.engines.scene import Body, Shape, SimScene
 from esg.units import quat_multiply, quat_rotate
 from tests.dynamics import stories

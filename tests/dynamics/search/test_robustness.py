@@ -15,8 +15,8 @@ from esg.dynamics.search.baselines import minimize
 from esg.dynamics.search.panel import REFERENCE_DT_S, Panel
 from esg.dynamics.search.simulate import Simulator
 from esg.dynamics.strategies import optimize
-from esg.engines.base import get_engine
 from esg.engines.program import Program, SetVelocity, batch_programs
+from esg.engines.registry import get_engine
 from esg.engines.scene import SimScene
 from esg.graph.models import EsgDocument, Pose
 from tests.dynamics import stories

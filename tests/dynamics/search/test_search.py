@@ -13,8 +13,8 @@ from esg.dynamics.search.batched import Explored, search, settled
 from esg.dynamics.search.panel import GOOD_LOSS, REFERENCE_DT_S, Panel
 from esg.dynamics.search.simulate import Simulator
 from esg.dynamics.strategies import optimize
-from esg.engines.base import get_engine
 from esg.engines.program import batch_programs, program_from_json
+from esg.engines.registry import get_engine
 from esg.graph.models import EsgDocument, EventConstraint
 from esg.outcomes import UserError
 from tests.dynamics import stories

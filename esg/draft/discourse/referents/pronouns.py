@@ -7,7 +7,7 @@ from esg.draft.discourse.referents.entities import Entity
 from esg.draft.discourse.referents.matching import CONTRASTS, unlike
 from esg.draft.discourse.referents.members import at_place, name_by, next_of, one_more, ranked
 from esg.draft.discourse.referents.ranks import same_quantity
-from esg.draft.discourse.referents.record import World
+from esg.draft.discourse.referents.record import World, last_group, named_alone
 from esg.draft.discourse.referents.registry import add_entity
 from esg.draft.grammar.rewrites.positions import NEIGHBOUR
 from esg.draft.text.elements import Mention
@@ -53,11 +53,21 @@ def _solid(world: World, i: str) -> bool:
     return i in world.entities and "structural" not in world.entities[i].noun.traits
 
 
+def _solids(world: World) -> list[Entity]:
+    """Things of the scene, without its floors and walls, in order of mention."""
+    return [e for i, e in world.entities.items() if _solid(world, i)]
+
+
+def _told(world: World) -> list[Entity]:
+    """Things of the scene, once for every time they are named, most recent last."""
+    return [world.entities[i] for ids in world.salience for i in ids if _solid(world, i)]
+
+
 def _person(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[str]:
     """Whom "he", "her" or "someone" means: the one named last; somebody new if there is none."""
     p = m.pronoun
     other = p in ("him", "her") and not subject  # never the subject of its own clause
-    alone = [ids for ids in reversed(world.salience) if len(ids) == 1]
+    alone = named_alone(world)
     people = [
         ids
         for ids in alone
@@ -167,16 +177,15 @@ def one_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[st
     """ "the other one", "the second", "the red one", "the next": a member, or one thing more."""
     if NEIGHBOUR in m.adjectives and (beside := _beside(world, m, avoid)):
         return beside
-    solid = [e for i, e in world.entities.items() if _solid(world, i)]
-    row = [world.entities[i] for i in next(reversed(list(world.groups.values())), [])]
-    told = [world.entities[i] for ids in world.salience for i in ids if _solid(world, i)]
+    solid = _solids(world)
+    row = [world.entities[i] for i in last_group(world)]
+    told = _told(world)
     near = list({e.id: e for e in told if e.id not in avoid}.values())
     among = _of_one_kind(world, solid, avoid) or row or solid
     if found := ranked(world, m, row or near, avoid) or at_place(world, m, among):
         return found
     words = [a for a in m.adjectives if _tells(a)]
-    having = [e for e in solid if _has(e, words) or same_quantity(m, e, world.facts)]
-    if having:
+    if having := [e for e in solid if _has(e, words) or same_quantity(m, e, world.facts)]:
         return [max(having, key=lambda e: (e.id not in avoid, solid.index(e))).id]
     if row and "next" in m.adjectives:
         return next_of(world, row, avoid)
@@ -193,7 +202,7 @@ def one_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[st
 def _second_of_two(world: World, row: list[Entity], avoid: list[str]) -> list[str]:
     """ "Two cars drive, one in front of the other": of both in one clause, the one not named."""
     two = [e.id for e in row]
-    named = next((ids[0] for ids in reversed(world.salience) if len(ids) == 1), "")
+    named = next(iter(named_alone(world)), [""])[0]
     both = len(two) == 2 and named in two and {*two} <= {*avoid}
     return [i for i in two if i != named] if both else []
 
@@ -224,7 +233,7 @@ def _one_more_like(
 ) -> list[str]:
     """ "a blue car ... the red one", "A domino hits the next": one more of the kind meant."""
     colors = [a for a in words if a in lex.COLORS]
-    solid = [e for i, e in world.entities.items() if _solid(world, i)]
+    solid = _solids(world)
     model = _rivals(solid, words)
     if colors and (world.billiards or (not model and m.adjectives == colors)):
         ball = lex.nouns()["billiard ball" if world.billiards else "ball"]
@@ -257,7 +266,7 @@ def _alike(world: World, e: Entity, i: str) -> bool:
 
 def _beside(world: World, m: Mention, avoid: list[str]) -> list[str]:
     """ "the one in front (of it)": the next one of its row, or one more."""
-    last = next((ids for ids in reversed(world.salience) if len(ids) == 1), [""])
+    last = next(iter(named_alone(world)), [""])
     anchor = world.entities.get((avoid or last)[0])
     place = next((a for a in m.adjectives if a in ("front", "rear")), "")
     if anchor is None or not place or not _solid(world, anchor.id):

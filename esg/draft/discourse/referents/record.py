@@ -51,3 +51,13 @@ class World:
     """The prompt is about a game over a net, which is no goal."""
     billiards: bool = False
     """The prompt is about billiards: "the black" is a ball."""
+
+
+def last_group(world: World) -> list[str]:
+    """Members of the plural that was named last; none while there is no plural."""
+    return next(reversed(world.groups.values()), list[str]())
+
+
+def named_alone(world: World) -> list[list[str]]:
+    """What was named as one thing, as sets of one node id, most recent first."""
+    return [ids for ids in reversed(world.salience) if len(ids) == 1]

@@ -16,7 +16,7 @@ from esg.draft.discourse.referents.members import (
 )
 from esg.draft.discourse.referents.pronouns import pronoun
 from esg.draft.discourse.referents.ranks import measured, same_quantity
-from esg.draft.discourse.referents.record import World
+from esg.draft.discourse.referents.record import World, last_group, named_alone
 from esg.draft.discourse.referents.registry import (
     create,
     current_id,
@@ -114,7 +114,7 @@ def _plural_by_name(world: World, m: Mention) -> list[str]:
     if m.determiner not in _THE or m.letters or not set(m.adjectives) <= {"whole", "entire"}:
         return []
     if m.attribute and m.head in lex.GROUP_WORDS:
-        return list(next(reversed(list(world.groups.values())), []))
+        return list(last_group(world))
     named = [g for g, word in world.group_words.items() if word == m.head]
     stacks = [g for g, x in world.groups.items() if world.entities[x[0]].pattern == "stack"]
     named = named or (stacks if m.head in _STACKS else [])
@@ -126,8 +126,8 @@ def _driven(world: World, owner: Mention | None) -> list[str]:
     """The vehicle that a driver is said to drive, else the one named last."""
     if owner is not None:
         return resolve(world, owner)
-    alone = [ids for ids in reversed(world.salience) if len(ids) == 1]
-    return next((ids for ids in alone if world.entities[ids[0]].noun.kind in _DRIVEN), [])
+    driven = (i for i in named_alone(world) if world.entities[i[0]].noun.kind in _DRIVEN)
+    return next(driven, list[str]())
 
 
 def _names_nothing(world: World, m: Mention) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from esg.draft import lexicon as lex
-from esg.draft.text.elements import Element, Mention, Verb, Word
+from esg.draft.text.elements import Element, Mention, Verb, Word, element_at
 from esg.draft.text.quantities import Amount
 
 
@@ -127,9 +127,9 @@ def finite_ahead(elements: list[Element], i: int) -> bool:
 
 def _after_parenthesis(elements: list[Element], i: int) -> int:
     """Past ", unable to stop," or ", frightened," between a subject and its verb; else i itself."""
-    if getattr(elements[i] if i < len(elements) else None, "low", "") != ",":
+    if getattr(element_at(elements, i), "low", "") != ",":
         return i
-    which = getattr(elements[i + 1] if i + 1 < len(elements) else None, "kind", "") == "rel"
+    which = getattr(element_at(elements, i + 1), "kind", "") == "rel"
     for k in range(i + 1 + which, min(i + 8 + 6 * which, len(elements))):
         e = elements[k]
         if which and not (isinstance(e, Word) and e.low in (",", ".", ";", "!", "?", ":")):

@@ -7,6 +7,8 @@ the interpreter makes no events of them.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import dataclass
 import re
 
 from esg.draft import lexicon as lex
@@ -93,6 +95,19 @@ def mark_unreal(frames: list[Frame], text: str) -> None:
             f.unreal = "nobody does it"
 
 
+@dataclass(frozen=True)
+class _Told:
+    """A frame among those of its sentence, with what governs it and what takes it back."""
+
+    frame: Frame
+    earlier: list[Frame]
+    later: list[Frame]
+    before: str
+    """Text right before the verb."""
+    contrast: bool
+    governor: Frame | None
+
+
 def _reason(f: Frame, earlier: list[Frame], later: list[Frame], text: str) -> str:
     """Why a frame is not asserted; "" if it is."""
     if _COUNTERFACTUAL.search(text, f.verb.start, f.verb.end):
@@ -103,40 +118,89 @@ def _reason(f: Frame, earlier: list[Frame], later: list[Frame], text: str) -> st
         f.link = "then"
         return ""
     before = text[max(0, f.verb.start - 40) : f.verb.start]
-    contrast = _contrast(f, text)
-    modal = f.verb.modal
-    if modal in ("would", "could") and not _polite(f, earlier):
-        return f'"{modal}": a possibility'
-    if modal in ("should", "might", "may", "must", "can") and contrast:
-        return f'"{modal}": a possibility'
-    if f.subordinate == "before" and modal in ("can", "could"):
-        return "it is prevented"
-    if f.verb.infinitive and _ABOUT_TO.search(before):
-        return "about to: it does not happen yet"
-    if f.verb.infinitive and _WAS_MEANT_TO.search(before):
-        return "it was only meant to happen"
-    if f.verb.infinitive and _MEANT_TO.search(before) and contrast:
-        return "it was only meant to happen"
-    if f.subordinate == "before" and _stopped_first(f, [*earlier[-1:], *later[:1]]):
-        return "it stops before that"
-    done = f.verb.sense in _TRIED_IS_DONE and f.verb.lemma != "dodge"
-    if "tried" in f.verb.extra and not done:
-        return "an attempt"
-    governor = _governor(f, earlier)
-    if governor is not None:
-        lemma = governor.verb.lemma
-        if lemma in _WISHES and not _spoken(governor):
-            return "a wish"
-        if lemma in _ATTEMPTS and not done:
-            return "an attempt"
-        purpose = f.link == "purpose" and f.causer is None and f.verb.sense != "miss"
-        if purpose and contrast and governor.verb.sense not in ("be", "noop", "posture"):
-            return "a purpose that is not reached"
-    progressive = f.verb.form == "ing" and bool(f.verb.auxiliary)
-    interrupted = any(g.subordinate == "when" for g in later[:1])
-    if progressive and interrupted and f.verb.sense in ("overtake", "pass"):
-        return "under way when something else happens"
-    return ""
+    told = _Told(f, earlier, later, before, _contrast(f, text), _governor(f, earlier))
+    return next((reason for applies, reason in _REASONS if applies(told)), "").format(
+        modal=f.verb.modal
+    )
+
+
+def _possible(t: _Told) -> bool:
+    modal = t.frame.verb.modal
+    if modal in ("would", "could"):
+        return not _polite(t.frame, t.earlier)
+    return modal in ("should", "might", "may", "must", "can") and t.contrast
+
+
+def _prevented(t: _Told) -> bool:
+    return t.frame.subordinate == "before" and t.frame.verb.modal in ("can", "could")
+
+
+def _about_to(t: _Told) -> bool:
+    return t.frame.verb.infinitive and _ABOUT_TO.search(t.before) is not None
+
+
+def _only_meant(t: _Told) -> bool:
+    was = _WAS_MEANT_TO.search(t.before) or (t.contrast and _MEANT_TO.search(t.before))
+    return t.frame.verb.infinitive and bool(was)
+
+
+def _stopped_first(t: _Told) -> bool:
+    """ "stops before it reaches the wall": what has stopped gets no further."""
+    near = [*t.earlier[-1:], *t.later[:1]]
+    main = next((g for g in near if g.subordinate != "before"), None)
+    if t.frame.subordinate != "before" or main is None or main.verb.negated:
+        return False
+    event, does = t.frame.verb.sense, main.verb.sense
+    back = main.verb.extra.get("dir") in ("around", "back", "u") or does == "reverse"
+    if back and does in ("turn", "reverse") and event in ("hit", "reach", "enter"):
+        return True  # "turns around before it reaches the wall"
+    down = does in ("fall", "topple") and event == "reach" and main.subject is t.frame.subject
+    ended = does == "stop" or down
+    return ended and event in ("hit", "reach", "enter", "fall", "own", "knock", "topple")
+
+
+def _only_tried(t: _Told) -> bool:
+    verb, g = t.frame.verb, t.governor
+    done = verb.sense in _TRIED_IS_DONE and verb.lemma != "dodge"
+    tried = "tried" in verb.extra or (g is not None and g.verb.lemma in _ATTEMPTS)
+    return tried and not done
+
+
+def _wished(t: _Told) -> bool:
+    """ "The goalkeeper wants to stop the ball"; "I want a ball to hit a pin" is what happens."""
+    g = t.governor
+    if g is None or g.verb.lemma not in _WISHES:
+        return False
+    return g.subject is not None and g.subject.pronoun not in _SPEAKERS
+
+
+def _not_reached(t: _Told) -> bool:
+    """ "brakes to stop at the line, but": what an act was for."""
+    f, g = t.frame, t.governor
+    purpose = f.link == "purpose" and f.causer is None and f.verb.sense != "miss"
+    acts = g is not None and g.verb.sense not in ("be", "noop", "posture")
+    return purpose and acts and t.contrast
+
+
+def _interrupted(t: _Told) -> bool:
+    verb = t.frame.verb
+    progressive = verb.form == "ing" and bool(verb.auxiliary)
+    when = any(g.subordinate == "when" for g in t.later[:1])
+    return progressive and when and verb.sense in ("overtake", "pass")
+
+
+_REASONS: tuple[tuple[Callable[[_Told], bool], str], ...] = (
+    (_possible, '"{modal}": a possibility'),
+    (_prevented, "it is prevented"),
+    (_about_to, "about to: it does not happen yet"),
+    (_only_meant, "it was only meant to happen"),
+    (_stopped_first, "it stops before that"),
+    (_only_tried, "an attempt"),
+    (_wished, "a wish"),
+    (_not_reached, "a purpose that is not reached"),
+    (_interrupted, "under way when something else happens"),
+)
+"""Why an event that is told does not happen: the first reason that applies."""
 
 
 def _comes_true(f: Frame, following: list[Frame], text: str) -> bool:
@@ -161,34 +225,10 @@ def _governor(f: Frame, earlier: list[Frame]) -> Frame | None:
     return f.parent or f.causer or (earlier[-1] if earlier else None)
 
 
-def _spoken(governor: Frame) -> bool:
-    """ "I want a ball to hit a pin": what the user asks for is what happens."""
-    subject = governor.subject
-    return subject is None or subject.pronoun in _SPEAKERS
-
-
 def _polite(f: Frame, earlier: list[Frame]) -> bool:
     """ "I would like a ball to hit a box"."""
     speaker = f.subject is not None and f.subject.pronoun in _SPEAKERS
     return speaker or f.verb.lemma in ("like", "love", "want")
-
-
-def _stopped_first(f: Frame, near: list[Frame]) -> bool:
-    """ "stops before it reaches the wall": what has stopped gets no further."""
-    main = next((g for g in near if g.subordinate != "before"), None)
-    if main is None or main.verb.negated:
-        return False
-    down = main.verb.sense in ("fall", "topple") and f.verb.sense == "reach"
-    back = main.verb.extra.get("dir") in ("around", "back", "u") or main.verb.sense == "reverse"
-    if (
-        back
-        and main.verb.sense in ("turn", "reverse")
-        and f.verb.sense in ("hit", "reach", "enter")
-    ):
-        return True  # "turns around before it reaches the wall"
-    if main.verb.sense != "stop" and not (down and main.subject is f.subject):
-        return False
-    return f.verb.sense in ("hit", "reach", "enter", "fall", "own", "knock", "topple")
 
 
 def _contrast(f: Frame, text: str) -> bool:

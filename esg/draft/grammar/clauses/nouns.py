@@ -6,7 +6,7 @@ from esg.draft import lexicon as lex
 from esg.draft.grammar.clauses.frames import Frame, Phrase, State, finite_ahead
 from esg.draft.grammar.clauses.record import Clauses
 from esg.draft.grammar.clauses.words import OWNED, PROPERTIES
-from esg.draft.text.elements import Element, Mention, Verb, Word
+from esg.draft.text.elements import Element, Mention, Verb, Word, element_at
 
 _OCCASIONS = lex.word_set("occasions")
 _THIS = lex.word_set("this")
@@ -84,11 +84,7 @@ def mention(c: Clauses, s: State, m: Mention, i: int) -> None:
     if s.relative is not None and s.boundary and s.boundary_kind in ("rel", "whose"):
         _subject_of_relative(s, m)
     elif m.after_prep:
-        _attach(c, s, Phrase(m.after_prep, m), i)
-        if not m.attribute:
-            s.last, s.last_after_prep = m, True
-        if s.boundary_kind != "comma" or not s.boundary or s.frame is not None:
-            s.boundary = s.boundary and s.frame is None
+        _part_of_a_phrase(c, s, m, i)
     elif listed and s.last is not None and not new_clause and s.last is not s.relative:
         s.last.coordinated.append(m)
         s.subject = s.last if s.frame is None and s.subject is None else s.subject
@@ -105,7 +101,7 @@ def mention(c: Clauses, s: State, m: Mention, i: int) -> None:
 
 def _coordinated(c: Clauses, s: State, i: int) -> bool:
     """Whether a conjunction or a comma links a noun to the one before."""
-    link, before = (c.elements[i - n] if i >= n else None for n in (1, 2))
+    link, before = (element_at(c.elements, i - n) for n in (1, 2))
     if not isinstance(link, Word) or s.last is None or not isinstance(before, (Mention, Word)):
         return False
     return link.kind == "conj" or link.low in (",", "then", "finally", "lastly")
@@ -123,7 +119,7 @@ def _property(c: Clauses, s: State, m: Mention, listed: bool) -> bool:
 
 def _begins_clause(c: Clauses, s: State, m: Mention, i: int) -> bool:
     """Whether a noun without a preposition is the subject of a clause that it begins."""
-    previous = c.elements[i - 1] if i else None
+    previous = element_at(c.elements, i - 1)
     if m.after_prep:
         return False
     if s.boundary:
@@ -131,7 +127,7 @@ def _begins_clause(c: Clauses, s: State, m: Mention, i: int) -> bool:
         return finite_ahead(c.elements, i + 1) and not _in_a_list(c, s, previous, i)
     if s.frame is None:
         return False
-    verb = c.elements[i + 1] if i + 1 < len(c.elements) else None
+    verb = element_at(c.elements, i + 1)
     after_noun = isinstance(previous, Mention)
     acts = isinstance(verb, Verb) and not verb.infinitive and verb.form in ("s", "past")
     if after_noun and acts and m.pronoun in ("it", "he", "she", "they"):
@@ -148,7 +144,7 @@ def _says_nothing(c: Clauses, s: State, m: Mention, i: int) -> bool:
     """ "cyclists, who all avoid it", "and this time it goes in"."""
     if m.after_prep:
         return False
-    ahead = c.elements[i + 1] if i + 1 < len(c.elements) else None
+    ahead = element_at(c.elements, i + 1)
     floats = m.pronoun in ("all", "both", "each") and isinstance(ahead, Verb)
     if floats and s.boundary_kind == "rel" and s.relative is not None:
         return True
@@ -164,6 +160,15 @@ def _subject_of_relative(s: State, m: Mention) -> None:
     s.subject = s.last = m
     s.boundary = False
     s.boundary_kind = "objrel" if s.boundary_kind == "rel" else "own"
+
+
+def _part_of_a_phrase(c: Clauses, s: State, m: Mention, i: int) -> None:
+    """ "rolls off the table": a noun after a preposition."""
+    _attach(c, s, Phrase(m.after_prep, m), i)
+    if not m.attribute:
+        s.last, s.last_after_prep = m, True
+    if s.frame is not None:
+        s.boundary = False
 
 
 def _more_subjects(s: State) -> bool:
@@ -188,12 +193,12 @@ def _object(frame: Frame, m: Mention) -> None:
 
 def runs_on(c: Clauses, i: int) -> bool:
     """Whether the conjunction before a participle follows the clause without a comma."""
-    return getattr((c.elements[i - 2 : i - 1] or [None])[0], "low", "") != ","
+    return getattr(element_at(c.elements, i - 2), "low", "") != ","
 
 
 def _stated_of_it(c: Clauses, s: State, m: Mention, i: int) -> bool:
     """ "its radius is 12 cm and its mass 4 kg", "one ball weighs 5 g, the other 8 g"."""
-    value = c.elements[i + 1] if i + 1 < len(c.elements) else None
+    value = element_at(c.elements, i + 1)
     subject = s.frame.subject if s.frame is not None else s.subject
     if not isinstance(value, Word) or value.amount is None or subject is None:
         return False
@@ -273,7 +278,7 @@ def _of_the_noun(c: Clauses, s: State, f: Frame, phrase: Phrase, m: Mention, i: 
         else:
             return False
         return True
-    follows = isinstance(c.elements[i - 2] if i >= 2 else None, Mention)
+    follows = isinstance(element_at(c.elements, i - 2), Mention)
     if phrase.prep not in _OF_NOUNS or not follows:
         return False
     if f.object is not noun and not s.last_after_prep:

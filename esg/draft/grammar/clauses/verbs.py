@@ -25,7 +25,7 @@ from esg.draft.grammar.clauses.links import (
 )
 from esg.draft.grammar.clauses.nouns import runs_on
 from esg.draft.grammar.clauses.record import Clauses
-from esg.draft.text.elements import Mention, Verb, Word
+from esg.draft.text.elements import Mention, Verb, Word, element_at
 from esg.draft.text.quantities import Amount
 
 _LETTING = lex.word_set("letting (verbs)")
@@ -41,7 +41,7 @@ _STATES = frozenset({"be", "posture", "park", "weigh", "measure", "have", "conta
 
 def verb(c: Clauses, s: State, v: Verb, i: int) -> None:
     """Opens a frame for a verb, with its subject and its link to the frames before."""
-    before = c.elements[i - 1] if i else None
+    before = element_at(c.elements, i - 1)
     after_prep = before.low if isinstance(before, Word) and before.kind == "prep" else ""
     if v.form == "ing" and after_prep in ("of", "for") and s.frame is not None:
         s.frame.adverbs.append(v.lemma)  # "after 6 seconds of braking"
@@ -271,7 +271,7 @@ LINKS: tuple[Callable[[Clauses, State, _Opening], bool], ...] = (
 
 def _acts_on(c: Clauses, i: int) -> bool:
     """Whether a thing follows directly, which no passive participle has ("struck the pane")."""
-    nxt = c.elements[i + 1] if i + 1 < len(c.elements) else None
+    nxt = element_at(c.elements, i + 1)
     return isinstance(nxt, Mention) and not nxt.attribute
 
 
@@ -310,7 +310,7 @@ def _after_comma(c: Clauses, i: int) -> bool:
 
 def _parenthetical(c: Clauses, i: int) -> bool:
     """ "the puck, sliding at 5 m/s, hits": a participle between commas."""
-    before = c.elements[i - 1] if i else None
+    before = element_at(c.elements, i - 1)
     if not (isinstance(before, Word) and before.low == ","):
         return False
     for k in range(i + 1, len(c.elements)):

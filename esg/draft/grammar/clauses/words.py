@@ -7,7 +7,7 @@ from collections.abc import Callable
 from esg.draft import lexicon as lex
 from esg.draft.grammar.clauses.frames import Phrase, State, finite_ahead
 from esg.draft.grammar.clauses.record import Clauses
-from esg.draft.text.elements import Mention, Verb, Word
+from esg.draft.text.elements import Element, Mention, Verb, Word, element_at
 from esg.draft.text.quantities import Amount
 
 PROPERTIES = lex.word_set("properties")
@@ -32,7 +32,7 @@ def _punctuation(c: Clauses, s: State, w: Word, i: int) -> State | None:
         flush(c, s)
         c.sentence += 1
         return State(main=s.main)
-    stated = c.elements[i - 1] if i else None
+    stated = element_at(c.elements, i - 1)
     if w.low == ")" and isinstance(stated, Word) and stated.amount is not None:
         s.boundary, s.boundary_kind = False, ""  # "the block (2 kg) travelling at"
     elif w.low in ",:-–—()":
@@ -59,7 +59,7 @@ def _subordinator(c: Clauses, s: State, w: Word, i: int) -> None:
 
 
 def _preposition(c: Clauses, s: State, w: Word, i: int) -> None:
-    nxt = c.elements[i + 1] if i + 1 < len(c.elements) else None
+    nxt = element_at(c.elements, i + 1)
     small = nxt if isinstance(nxt, Word) else None
     if nxt is None or (small is not None and _ends_phrase(small)):
         if small is not None and small.kind == "rel" and small.low in ("which", "whom"):
@@ -83,7 +83,7 @@ def _quantity(c: Clauses, s: State, w: Word, i: int) -> None:
     phrase = Phrase(s.prep, None, w.amount)
     owner = _time_apart(c, s, phrase, i)
     if owner is None and s.frame is not None:
-        link = c.elements[i - 2] if i >= 2 else None
+        link = element_at(c.elements, i - 2)
         pair = isinstance(link, Word) and link.amount is not None
         ahead = s.boundary and finite_ahead(c.elements, i + 1)
         fronted = s.boundary_kind == "comma" or _opens_clause(c, i)
@@ -98,18 +98,18 @@ def _time_apart(
 ) -> list[Phrase] | list[Phrase | Amount | str] | None:
     """Where a time goes that is not of its own clause; None for the usual place."""
     assert phrase.amount is not None
-    nxt = c.elements[i + 1] if i + 1 < len(c.elements) else None
+    nxt = element_at(c.elements, i + 1)
     timed = phrase.amount.dimension == "time"
     if timed and s.boundary and _set_off_by_commas(c, i):
         phrase.prep = s.prep or "after"
         return s.loose  # "and, a good three seconds on, hits"
     if isinstance(nxt, Word) and nxt.low in ("later", "afterwards", "afterward"):
         phrase.prep = "after"
-        rest = c.elements[i + 2] if i + 2 < len(c.elements) else None
+        rest = element_at(c.elements, i + 2)
         acts = isinstance(rest, Verb) and s.boundary_kind == "conj"
         if s.boundary and (acts or getattr(rest, "low", "") == ","):
             return s.loose  # "and, 1.5 s later, crashes"
-    link = c.elements[i - 2] if i >= 2 else None
+    link = element_at(c.elements, i - 2)
     joined = isinstance(link, Word) and link.kind == "conj" and s.prep == "after"
     if timed and joined and isinstance(nxt, Verb):
         return s.loose  # "accelerates and after 2 s hits"
@@ -159,7 +159,7 @@ READERS: dict[str, Callable[[Clauses, State, Word, int], State | None]] = {
 
 def _set_off_by_commas(c: Clauses, i: int) -> bool:
     """Whether a time stands between commas and a verb follows."""
-    verb = c.elements[i + 2] if i + 2 < len(c.elements) else None
+    verb = element_at(c.elements, i + 2)
     before = next((e for e in reversed(c.elements[:i]) if getattr(e, "kind", "") != "prep"), None)
     commas = getattr(before, "low", "") == "," and _next_low(c, i + 1) == ","
     finite = isinstance(verb, Verb) and verb.form in ("s", "past") and not verb.infinitive
@@ -168,7 +168,7 @@ def _set_off_by_commas(c: Clauses, i: int) -> bool:
 
 def _opens_clause(c: Clauses, i: int) -> bool:
     """ "and after 2 s a box falls": a time between a conjunction and the next subject."""
-    before = c.elements[i - 2] if i >= 2 else None
+    before = element_at(c.elements, i - 2)
     subject = next((e for e in c.elements[i + 1 :] if getattr(e, "low", "") != ","), None)
     joined = isinstance(before, Word) and before.kind == "conj"
     now = isinstance(subject, Verb) and subject.form in ("s", "past") and not subject.auxiliary
@@ -188,19 +188,18 @@ def _more_told(c: Clauses, i: int) -> bool:
 def _in_list(c: Clauses, s: State, w: Word, i: int) -> bool:
     """ "a crate weighing 40 kg, 1 m wide, ...": one more property of the same noun."""
     assert w.amount is not None
-    before = c.elements[i - 2] if i >= 2 else None
+    before = element_at(c.elements, i - 2)
     listed = isinstance(before, Word) and before.amount is not None
     known = c.quantified.amounts if c.quantified is not None else []
     if isinstance(before, Word) and c.quantified is not None and before.amount in known:
-        size = _size_word(c, i) or w.amount.measure or ("size" if w.amount.sides else "")
+        size = _size_word(c, i) or _own_measure(w.amount)
         if size and w.amount.dimension == "length":
             c.quantified.adjectives.append(f"@{w.amount.start}:{size}")
             c.quantified.amounts.append(w.amount)
             return True
     if not listed or s.frame is None or s.frame.verb.sense not in ("weigh", "measure", "have"):
         return False
-    owner, size = s.frame.subject, _size_word(c, i) or w.amount.measure
-    size = size or ("size" if w.amount.sides else "")
+    owner, size = s.frame.subject, _size_word(c, i) or _own_measure(w.amount)
     if owner is None or not size or w.amount.dimension != "length":
         return False
     owner.adjectives.append(f"@{w.amount.start}:{size}")
@@ -210,9 +209,9 @@ def _in_list(c: Clauses, s: State, w: Word, i: int) -> bool:
 
 def _size_word(c: Clauses, i: int) -> str:
     """ "wide" of "1 m wide", "diameter" of "2 cm in diameter"."""
-    after = c.elements[i + 1] if i + 1 < len(c.elements) else None
-    if isinstance(after, Word) and after.low in ("in", "of") and i + 2 < len(c.elements):
-        measure = c.elements[i + 2]
+    after = element_at(c.elements, i + 1)
+    if isinstance(after, Word) and after.low in ("in", "of"):
+        measure = element_at(c.elements, i + 2)
         if isinstance(measure, Mention) and measure.attribute and measure.head in PROPERTIES:
             c.told.update((id(after), id(measure)))
             return measure.head
@@ -220,17 +219,29 @@ def _size_word(c: Clauses, i: int) -> str:
     return word if word in _SIZES else ""
 
 
+def _own_measure(amount: Amount) -> str:
+    """What a quantity says by itself that it measures: "size" of "2 by 3 m"."""
+    return amount.measure or ("size" if amount.sides else "")
+
+
+def _before_link(c: Clauses, i: int) -> Element | None:
+    """What stands before the "and" before a quantity, without the size of "20 cm thick and 2 m"."""
+    before = element_at(c.elements, i - 2)
+    sized = isinstance(before, Word) and before.low in _SIZES
+    return element_at(c.elements, i - 3) if sized else before
+
+
 def _fronted_size(c: Clauses, w: Word, i: int) -> bool:
     """ "Two metres tall, the bookcase topples": a property before its noun."""
     assert w.amount is not None
-    before = c.elements[i - 1] if i else None
+    before = element_at(c.elements, i - 1)
     opens = before is None or (isinstance(before, Word) and before.low in ".;!?:")
     heavy = w.amount.dimension == "mass" and _next_low(c, i + 1) in ("heavy", "in")
     size = _size_word(c, i) if w.amount.dimension == "length" else ""
     if not opens or not (heavy or size):
         return False
     comma = next((k for k in range(i + 1, i + 4) if _next_low(c, k) in (",", ":")), 0)
-    noun = c.elements[comma + 1] if comma and comma + 1 < len(c.elements) else None
+    noun = element_at(c.elements, comma + 1) if comma else None
     if not isinstance(noun, Mention) or noun.pronoun or noun.attribute:
         return False
     if size:
@@ -240,7 +251,7 @@ def _fronted_size(c: Clauses, w: Word, i: int) -> bool:
 
 
 def _next_low(c: Clauses, i: int) -> str:
-    return getattr(c.elements[i], "low", "") if i < len(c.elements) else ""
+    return getattr(element_at(c.elements, i), "low", "")
 
 
 def _belongs_to_noun(c: Clauses, s: State, w: Word, i: int) -> bool:
@@ -248,12 +259,9 @@ def _belongs_to_noun(c: Clauses, s: State, w: Word, i: int) -> bool:
     assert w.amount is not None
     if _in_list(c, s, w, i) or _one_more(c, w, i):
         return True
-    previous = c.elements[i - 1] if i else None
-    before = c.elements[i - 2] if i >= 2 else None
+    previous = element_at(c.elements, i - 1)
     link = previous.low if isinstance(previous, Word) else ""
-    if i >= 3 and isinstance(before, Word) and before.low in _SIZES:
-        before = c.elements[i - 3]  # "20 cm thick and 2 m high"
-    noun = before if link in _BEFORE_AMOUNTS else previous
+    noun = _before_link(c, i) if link in _BEFORE_AMOUNTS else previous
     if not isinstance(noun, Mention):
         return False
     size, dimension = _size_word(c, i), w.amount.dimension
@@ -266,7 +274,7 @@ def _belongs_to_noun(c: Clauses, s: State, w: Word, i: int) -> bool:
             return False  # "to the right within 6 s"
     elif not (inclined and dimension == "angle"):  # "a slope of 15 degrees"
         size = size if dimension == "length" else ""
-        size = size or w.amount.measure or ("size" if w.amount.sides else "")
+        size = size or _own_measure(w.amount)
         if not _is_property(s, w, noun, link, size):
             return False
         if size:
@@ -291,9 +299,7 @@ def _is_property(s: State, w: Word, noun: Mention, link: str, size: str) -> bool
 def _one_more(c: Clauses, w: Word, i: int) -> bool:
     """ "a crate of 40 kg and 1 m": one more quantity of the noun that the last was of."""
     assert w.amount is not None
-    link, before = (c.elements[i - n] if i >= n else None for n in (1, 2))
-    if i >= 3 and isinstance(before, Word) and before.low in _SIZES:
-        before = c.elements[i - 3]
+    link, before = element_at(c.elements, i - 1), _before_link(c, i)
     if not (isinstance(link, Word) and link.kind == "conj" and isinstance(before, Word)):
         return False
     noun = c.quantified

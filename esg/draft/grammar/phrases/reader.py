@@ -317,30 +317,38 @@ def looks_like_verb(c: Chunks, j: int, m: Mention) -> bool:
 
 def unknown_verb(c: Chunks, i: int) -> bool:
     """ "The bag rips, and", ", rounds a shelf": an unknown word in -s in place of a verb."""
-    low, token, nxt = low_at(c, i), c.tokens[i], token_at(c, i + 1)
-    noun, previous = match_noun(c, i), element_before(c)
+    previous, nxt = element_before(c), token_at(c, i + 1)
+    if not _unknown_in_s(c, i, previous):
+        return False
+    object_ = nxt is not None and nxt.low in lex.DETERMINERS | lex.PRONOUNS
+    way = nxt is not None and nxt.low in lex.PREPOSITIONS | lex.ADVERBS - {"of"}
+    if isinstance(previous, Mention):
+        ends = nxt is None or nxt.kind in ("punct", "qty") or nxt.low in ("and", "but", "to")
+        return (ends or object_ or way) and _subject_without_verb(c, i, previous)
+    told = any(isinstance(e, Verb) for e in c.elements)
+    listed = isinstance(previous, Word) and (previous.kind == "conj" or previous.low == ",")
+    return listed and told and c.tokens[i].tag == "VERB" and (object_ or way)
+
+
+def _unknown_in_s(c: Chunks, i: int, previous: Element | None) -> bool:
+    """Whether a word ends in -s and no table knows it as anything but, at most, a plural."""
+    low, noun = low_at(c, i), match_noun(c, i)
     after_one = isinstance(previous, Mention) and previous.determiner in ("a", "an")
     after_one = after_one and noun is not None and noun[2] and noun[1] == 1  # "a cyclist signals,"
     known = (noun is not None and not after_one) or verb_readings(low) or is_adjective(c, i)
     if known or not low.isalpha() or not low.endswith("s") or low.endswith("ss"):
         return False
-    singular = lex.singular(low)[0]
     closed = lex.PREPOSITIONS | lex.ADVERBS | lex.MODALS | lex.DETERMINERS | lex.PRONOUNS
-    if low in closed | lex.SUBORDINATORS or {low, singular} & (lex.PARTS | lex.ATTRIBUTES):
-        return False
-    ends = nxt is None or nxt.kind in ("punct", "qty")
-    object_ = nxt is not None and nxt.low in lex.DETERMINERS | lex.PRONOUNS
-    way = nxt is not None and nxt.low in lex.PREPOSITIONS | lex.ADVERBS - {"of"}
-    if isinstance(previous, Mention):
-        before = c.elements[-2] if len(c.elements) > 1 else None
-        opens = before is None or getattr(before, "kind", "") in ("punct", "conj", "sub", "adv")
-        one = previous.determiner in ("a", "an", "the", "this", "that", "its", "one")
-        alone = one and not previous.plural and previous.end == c.tokens[i - 1].end
-        ends = ends or object_ or way or (nxt is not None and nxt.low in ("and", "but", "to"))
-        return opens and alone and ends
-    told = any(isinstance(e, Verb) for e in c.elements)
-    listed = isinstance(previous, Word) and (previous.kind == "conj" or previous.low == ",")
-    return listed and told and token.tag == "VERB" and (object_ or way)
+    measures = lex.PARTS | lex.ATTRIBUTES
+    return low not in closed | lex.SUBORDINATORS and not {low, lex.singular(low)[0]} & measures
+
+
+def _subject_without_verb(c: Chunks, i: int, m: Mention) -> bool:
+    """Whether a single thing opens a clause right before a word."""
+    before = c.elements[-2] if len(c.elements) > 1 else None
+    opens = before is None or getattr(before, "kind", "") in ("punct", "conj", "sub", "adv")
+    one = m.determiner in ("a", "an", "the", "this", "that", "its", "one")
+    return opens and one and not m.plural and m.end == c.tokens[i - 1].end
 
 
 def compound_noun(c: Chunks, k: int, m: Mention) -> bool:

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from esg.draft import lexicon as lex
 from esg.draft.grammar.clauses.frames import finite_ahead
 from esg.draft.grammar.rewrites.positions import picks, place_of
-from esg.draft.text.elements import Element, Mention, Verb, Word
+from esg.draft.text.elements import Element, Mention, Verb, Word, element_at
 from esg.draft.verbphrases import verb_readings
 
 STOPS = ".;:!?\n"
@@ -26,19 +26,19 @@ _APPROACHES = frozenset({"approach", "own", "roll", "slide", "reach"})
 
 def word_at(elements: list[Element], i: int) -> Word | None:
     """The small word at a place, if one stands there."""
-    e = elements[i] if 0 <= i < len(elements) else None
+    e = element_at(elements, i)
     return e if isinstance(e, Word) else None
 
 
 def mention_at(elements: list[Element], i: int) -> Mention | None:
     """The noun phrase at a place, if one stands there."""
-    e = elements[i] if 0 <= i < len(elements) else None
+    e = element_at(elements, i)
     return e if isinstance(e, Mention) else None
 
 
 def verb_at(elements: list[Element], i: int) -> Verb | None:
     """The verb at a place, if one stands there."""
-    e = elements[i] if 0 <= i < len(elements) else None
+    e = element_at(elements, i)
     return e if isinstance(e, Verb) else None
 
 
@@ -195,7 +195,7 @@ def starts_clause(_: list[Element], __: int, out: list[Element]) -> bool:
 
 def breaks(elements: list[Element], i: int, _: list[Element]) -> bool:
     """A clause ends."""
-    e = elements[i] if i < len(elements) else None
+    e = element_at(elements, i)
     return e is None or (isinstance(e, Word) and e.kind in ("punct", "conj", "sub", "rel"))
 
 

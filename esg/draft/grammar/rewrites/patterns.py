@@ -19,7 +19,7 @@ import re
 from esg.draft import lexicon as lex
 from esg.draft.grammar.rewrites.conditions import PLACES, PROPERTIES, blow_at
 from esg.draft.grammar.rewrites.results import PART, TEST, Spans, make
-from esg.draft.text.elements import Element, Mention, Verb, Word
+from esg.draft.text.elements import Element, Mention, Verb, Word, element_at
 
 _ITEM = re.compile(
     r'(?:(?P<name>[a-z]\w*):)?(?:(?P<type>[A-Z]+)|"(?P<low>[^"]+)"|<(?P<place>[^>]+)>)'
@@ -137,7 +137,7 @@ def _item(m: re.Match[str]) -> Item:
         tests.append(_test(f"low={m['low']}"))
 
     def step(elements: list[Element], i: int, out: list[Element]) -> int:
-        e = elements[i] if i < len(elements) else None
+        e = element_at(elements, i)
         fits = e is not None and isinstance(e, types) and all(test(e) for test in tests)
         return 1 if fits else -1
 

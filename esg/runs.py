@@ -1,12 +1,13 @@
-"""The run database of the command line: where it is, and adding a run to it."""
+"""What a run of many scenes comes to: its results, and its rows in the run database."""
 
 from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from esg.metrics.models import Suite
     from esg.pipeline import SceneState
 
 
@@ -44,7 +45,7 @@ def record_run(
 
     from esg import __version__
     from esg.codeversion import code_version
-    from esg.commands.console import warn
+    from esg.notices import warn
     from esg.outcomes import UserError
     from esg.pipeline import STAGES
     from esg.scenefolder import safe_name
@@ -78,3 +79,40 @@ def record_run(
         warn([f"the run is not in the database {db}: {why}"])
         return None
     return run.run_id
+
+
+def results(
+    suite: Suite, states: list[SceneState], runs: int, seed: int, strategy: str, engine: str
+) -> dict[str, Any]:
+    """The document of `--json`.
+
+    Args:
+        suite: The suite.
+        states: Final states, all runs of the first scene first.
+        runs: Runs a scene.
+        seed: Seed of the first run.
+        strategy: Search strategy.
+        engine: Engine of the replay.
+    """
+    from esg.metrics import SceneRun, bench_json
+    from esg.stages import REPLAY_RATE_HZ
+
+    by_scene: dict[str, list[SceneRun]] = {}
+    for k, scene in enumerate(suite.scenes):
+        by_scene[scene.id] = [
+            SceneRun(
+                seed=seed + run,
+                verdict=verdict_of(state),
+                outcome=state.outcome.value if state.outcome else "crashed",
+                seconds=round(state.seconds, 3),
+            )
+            for run, state in enumerate(states[k * runs : (k + 1) * runs])
+        ]
+    return bench_json(suite, by_scene, strategy=strategy, engine=engine, dt=1 / REPLAY_RATE_HZ)
+
+
+def verdict_of(state: SceneState) -> Any:
+    """The judge's verdict of a scene, None if it did not come to that."""
+    from esg.stages import load_verdict
+
+    return load_verdict(state) if "judge" in state.artifacts else None
