@@ -38,6 +38,9 @@ EVENT_FIELDS: dict[str, tuple[str, ...]] = {
 
 EVENT_OPTIONAL: dict[str, tuple[str, ...]] = {"turns": ("degrees",), "falls": ("from",)}
 
+OF_EVENTS = frozenset({Predicate.SAME_TIME, Predicate.BEFORE})
+"""Predicates whose participants are events."""
+
 Quantity = Literal[
     "mass",
     "speed",
@@ -135,6 +138,8 @@ class SuiteStatement(_Frozen):
 
     id: str
     says: Predicate
+    words: str = ""
+    """The words of the prompt, where the statement is a document's."""
     object: str | None = None
     target: str | None = None
     a: str | None = None
@@ -150,6 +155,14 @@ class SuiteStatement(_Frozen):
     noun: str | None = None
     when: str = "throughout"
     note: str = ""
+
+    @property
+    def participants(self) -> tuple[str, ...]:
+        """The phrases of things (events and nouns excluded), in the order object, target, a, b."""
+        if self.says in OF_EVENTS:
+            return ()
+        phrases = (self.object, self.target, self.a, self.b, self.alike)
+        return tuple(p for p in phrases if p is not None)
 
 
 class SuiteScene(_Frozen):
@@ -287,6 +300,23 @@ class SceneVerdict(_Frozen):
         """Valid layout and every event completed."""
         return self.layout.valid and self.completed == self.n_events
 
+    @property
+    def understood(self) -> bool:
+        """Whether the document represents every statement."""
+        return all(s.kept is not None for s in self.statements)
+
+    @property
+    def kept(self) -> bool:
+        """Whether no statement that the document represents is broken."""
+        return all(s.kept is not False for s in self.statements)
+
+    @property
+    def skr(self) -> float | None:
+        """Share of statements kept, of those represented and not; None without statements."""
+        if not self.statements:
+            return None
+        return sum(s.kept is True for s in self.statements) / len(self.statements)
+
     def ppa(
         self, thresholds: Literal["standard", "strict", "lenient"] = "standard"
     ) -> float | None:
@@ -302,6 +332,7 @@ class SceneVerdict(_Frozen):
         data["n_events"] = self.n_events
         data["completed"] = self.completed
         data["slr"] = self.slr
+        data["skr"] = self.skr
         data["verified"] = self.verified
         data["ppa"] = {t: self.ppa(t) for t in ("standard", "strict", "lenient")}  # type: ignore[arg-type]  # literals of a tuple
         return data
