@@ -7,7 +7,7 @@ binds to nothing yields an empty Binding with the reason, never an exception.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 import math
 import re
 
@@ -32,6 +32,8 @@ from esg.metrics.regions import bind_regions, loose_regions
 from esg.units import quat_rotate
 
 _COLOR_DISTANCE = 0.35
+_KIND_OF = 1.0
+"""Least level of a candidate that is of the asked kind, not only a relative of it."""
 
 
 @dataclass(frozen=True)
@@ -125,6 +127,22 @@ def bind(phrase: str, scene: SimScene, *, target: bool = False) -> Binding:
         names = ", ".join(scene.bodies[i].name for i in bodies)
         problem = f"{phrase!r} asks for {need} objects, the scene has {len(bodies)} ({names})"
     return Binding(phrase, bodies, ground=ground, plural=parsed.plural, problem=problem)
+
+
+def named(noun: str, scene: SimScene, *, every: bool = False) -> tuple[int, ...]:
+    """Bodies that a noun names as a kind, not one of them that a phrase singles out.
+
+    Args:
+        noun: A noun, with or without attributes ("red ball").
+        scene: The scene.
+        every: Whether its attributes do not matter, and what nobody mentioned counts too.
+    """
+    wanted = replace(parse(noun), plural=True, count=None)
+    if not every:
+        return _bind_bodies(wanted, scene)
+    found = [c for i, b in enumerate(scene.bodies) if (c := _candidate(i, b, wanted)) is not None]
+    # A relative is another kind: where no desk is asked for, a table may stand.
+    return tuple(c.index for c in found if c.level >= _KIND_OF)
 
 
 def _is_distributive(text: str) -> bool:
