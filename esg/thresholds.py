@@ -131,8 +131,8 @@ PICKED_M, PICKED_SHARE = 0.05, 1.0 / 3.0
 """What is picked up rises by this, or by this share of its height, whichever is less."""
 BALLISTIC = 0.5
 """What falls or flies freely loses more than this share of g upwards; what is held does not."""
-JUMP_SHARE = 0.1
-"""What jumps rises by this share of its height."""
+JUMP_SHARE, JUMP_OWN_S = 0.1, 0.25
+"""What jumps rises by this share of its height, and is set in motion no longer before."""
 OPEN_SHARE = 1.0 / 3.0
 """What slides open goes over this share of its way."""
 PIECES, PIECE_GAP_M = 3, 0.02

@@ -179,7 +179,7 @@ def _query(
 ) -> Query:
     bound = _bound(event, bindings)
     if event.type == "misses":
-        both = {frozenset(bindings[q].bodies) for q in (event.a, event.b) if q}
+        both = {frozenset(bindings[q].bodies) for q in event.participants}
         later = suite_scene.events[suite_scene.events.index(event) + 1 :]
         again = any(
             e.type == "collision"

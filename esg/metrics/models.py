@@ -19,8 +19,18 @@ EventType = Literal[
     "topples",
     "reaches",
     "misses",
+    "bounces",
+    "picked_up",
+    "placed",
+    "jumps",
+    "spins",
+    "opens",
+    "closes",
+    "swings",
+    "breaks",
+    "separates",
 ]
-"""`misses` is this project's own (a timeline's Miss event); suites of the format do not need it."""
+"""From `misses` on, those of the format's second edition."""
 
 EVENT_FIELDS: dict[str, tuple[str, ...]] = {
     "collision": ("a", "b"),
@@ -32,11 +42,33 @@ EVENT_FIELDS: dict[str, tuple[str, ...]] = {
     "falls": ("object",),
     "topples": ("object",),
     "reaches": ("object", "target"),
-    "misses": ("a", "b"),
+    "misses": ("object", "target"),
+    "bounces": ("object", "target"),
+    "picked_up": ("object",),
+    "placed": ("object", "target"),
+    "jumps": ("object",),
+    "spins": ("object",),
+    "opens": ("object",),
+    "closes": ("object",),
+    "swings": ("object",),
+    "breaks": ("object",),
+    "separates": ("a", "b"),
 }
 """Required fields of every event type."""
 
-EVENT_OPTIONAL: dict[str, tuple[str, ...]] = {"turns": ("degrees",), "falls": ("from",)}
+EVENT_INSTEAD: dict[str, tuple[str, ...]] = {"misses": ("a", "b")}
+"""Other fields that may stand for the required ones: a timeline's Miss, at any distance."""
+EVENT_OPTIONAL: dict[str, tuple[str, ...]] = {
+    "turns": ("degrees",),
+    "falls": ("from",),
+    "bounces": ("times",),
+    "spins": ("degrees",),
+    "opens": ("degrees",),
+    "closes": ("degrees",),
+    "swings": ("times",),
+}
+EVENT_DEGREES: dict[str, float] = {"spins": 360.0, "opens": 30.0, "closes": 30.0}
+"""What `degrees` is where it is left out; 90 for all others."""
 
 OF_EVENTS = frozenset({Predicate.SAME_TIME, Predicate.BEFORE})
 """Predicates whose participants are events."""
@@ -77,6 +109,7 @@ class SuiteEvent(_Frozen):
     from_: Annotated[str | None, Field(alias="from")] = None
     direction: Literal["left", "right"] | None = None
     degrees: float = 90.0
+    times: int = 1
     after: tuple[str, ...] = ()
     """Ids of the events that must come before; the default is resolved on loading."""
 
