@@ -20,6 +20,7 @@ from esg.thresholds import (
     JUMP_OWN_S,
     JUMP_SHARE,
     MOMENT_S,
+    MOST,
     PICKED_M,
     PICKED_SHARE,
     SAMPLE_S,
@@ -96,26 +97,24 @@ def picked_up(replay: Replay, q: Query) -> Iterator[Found]:
     """Rising off what carries it, held."""
     begin = replay.after(q.since)
     g = abs(replay.scene.gravity[2])
-    step = max(1, round(0.5 * MOMENT_S / replay.frame_s))
+    step = max(1, round(MOMENT_S / replay.frame_s))
     fixed = tuple(j for j, b in enumerate(replay.scene.bodies) if b.static and b.collides)
     for i in q.bound["object"].bodies:
-        z, vz = replay.position[:, i, 2], replay.velocity[:, i, 2]
+        z = replay.position[:, i, 2]
+        gained = np.diff(replay.velocity[:, i, 2]) / np.diff(replay.time)
         rise = z[begin:] - np.minimum.accumulate(z[begin:])
         need = min(PICKED_M, PICKED_SHARE * 2.0 * replay.scene.bodies[i].half_extents[2])
         high = begin + np.flatnonzero(rise >= need)
         below = Binding("", bodies=fixed + _carriers(replay, i, begin), ground=True)
         reason = f"rises by {100 * float(rise.max(initial=0.0)):.0f} cm (needs {100 * need:.0f} cm)"
-        for k in high[:: max(1, step)]:
-            first, last = max(int(k) - step, 0), min(int(k) + step, len(z) - 1)
-            gained = (vz[last] - vz[first]) / (replay.time[last] - replay.time[first])
-            if gained < -BALLISTIC * g:
+        for k in high[::step]:
+            held = gained[k : k + step] > -BALLISTIC * g
+            if not held.any() or held.mean() < MOST:
                 reason = "flies up, and is not held"
             elif carried(replay, i, below, np.array([k]))[0]:
                 reason = "rises with what carries it"
             else:
-                yield Found(
-                    float(replay.time[high[0]]), (i,), measured={"rise_m": float(rise.max())}
-                )
+                yield Found(float(replay.time[k]), (i,), measured={"rise_m": float(rise.max())})
                 break
         else:
             yield Found(None, (i,), reason)
