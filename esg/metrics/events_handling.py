@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 
-from esg.engines.program import HoldVelocity
+from esg.engines.program import AdjustProperties, ApplyImpulse, SetVelocity
 from esg.metrics.binding import Binding
 from esg.metrics.detection import Found, Query, duration_of, runs
 from esg.metrics.events_space import inside_volume, is_over, volumes
@@ -165,12 +165,13 @@ def _held(replay: Replay, body: int) -> Bools:
     out = np.zeros(len(replay.time), bool)
     for control in replay.controls(body):
         p = control.primitive
-        if isinstance(p, HoldVelocity):
-            ends = [p.end]
-            for name in p.until_contact:
-                hits = replay.hits(body, replay.scene.index(name))
-                ends += [h.time for h in hits if h.time >= p.start]
-            out |= (replay.time >= p.start) & (replay.time < min(ends))
+        if isinstance(p, SetVelocity | ApplyImpulse | AdjustProperties):
+            continue
+        ends = [p.end]
+        for name in p.until_contact:
+            hits = replay.hits(body, replay.scene.index(name))
+            ends += [h.time for h in hits if h.time >= p.start]
+        out |= (replay.time >= p.start) & (replay.time < min(ends))
     return out
 
 
