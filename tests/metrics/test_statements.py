@@ -432,3 +432,14 @@ def test_a_flight_is_between_its_events():
     world = moving(z=falling)
     assert world.states("airborne", [falls], object="car", when="start..e1").kept
     assert not world.states("airborne", [falls], object="car").kept
+
+
+def test_between_events_is_neither_of_their_moments():
+    """A hit is logged in the step that changes what it hits."""
+    world = World().add(ball("ball_1"), x=line(0.0, 6.0, 0.0, 0.4)).add(body("crate_1"), x=2.6)
+    world.add(ball("ball_2"), x=line(5.0, 6.0, 0.395)).touch(0.4, "ball_1", "ball_2", 2.0)
+    hits = HITS[:1]
+    assert world.states("stays_still", hits, object="ball 2", when="start..e1").kept
+    pair = {"a": "ball 1", "b": "ball 2", "when": "start..e1"}
+    assert world.states("never_touches", hits, **pair).kept
+    assert world.states("touches", hits, **pair).kept

@@ -14,7 +14,6 @@ from esg.metrics.statements.query import Kept, StatementQuery
 from esg.metrics.support import contact_times, on_ground, touching
 from esg.thresholds import (
     AT_REST_MPS,
-    MOMENT_S,
     ROLLING,
     ROLLING_SHARE,
     SLIDING,
@@ -110,12 +109,8 @@ def tumbles(replay: Replay, q: StatementQuery, body: int) -> Kept:
 
 
 def airborne(replay: Replay, q: StatementQuery, body: int) -> Kept:
-    """Nothing touches it, the moment of the events that begin and end the time aside."""
-    w = q.window
-    begin = replay.after(w.begin + MOMENT_S) if w.after_event else w.first
-    end = replay.frame_before(w.end - MOMENT_S) if w.before_event else w.last
-    free = ~touching(replay, body)[begin : max(end, begin) + 1]
-    return mostly(free, "stay in the air")
+    """Nothing touches it."""
+    return mostly(~touching(replay, body)[q.window.frames], "stay in the air")
 
 
 def stays_upright(replay: Replay, q: StatementQuery, body: int) -> Kept:

@@ -56,15 +56,12 @@ class Window:
     Args:
         begin, end: [s]; equal for one instant.
         first, last: Frames, inclusive.
-        after_event, before_event: Whether an event begins or ends it.
     """
 
     begin: float
     end: float
     first: int
     last: int
-    after_event: bool = False
-    before_event: bool = False
 
     @property
     def frames(self) -> slice:
@@ -137,7 +134,12 @@ def window_of(
     if begin > end:
         return f"{first} comes after {last} ({begin:.2f} s, {end:.2f} s)"
     if dots:
-        return _window(replay, begin, end, first in times, last in times)
+        if statement.says is not Predicate.TOUCHES:
+            # Between two events it is after the moment of the one and before that of the other.
+            middle = 0.5 * (begin + end)
+            begin = min(begin + MOMENT_S, middle) if first in times else begin
+            end = max(end - MOMENT_S, middle) if last in times else end
+        return _window(replay, begin, end)
     if first in times:
         return _window(replay, begin - MOMENT_S, end + MOMENT_S)
     if statement.says in OF_MOTION:
@@ -146,8 +148,6 @@ def window_of(
     return _window(replay, begin, end)
 
 
-def _window(
-    replay: Replay, begin: float, end: float, after: bool = False, before: bool = False
-) -> Window:
+def _window(replay: Replay, begin: float, end: float) -> Window:
     begin, end = max(begin, float(replay.time[0])), min(end, replay.end)
-    return Window(begin, end, replay.frame_at(begin), replay.frame_at(end), after, before)
+    return Window(begin, end, replay.frame_at(begin), replay.frame_at(end))
