@@ -62,6 +62,82 @@ HANGS_M = 0.02
 MEETS_M = 0.001
 """Overlap from which on it would meet something."""
 
+# -- statements: the second edition of the suite format, where a reason stands it is ours --
+
+MOMENT_S = 0.1
+"""A statement about an event is about so long on either side of it."""
+OPENING_S = 0.5
+"""A statement about motion at the start or the end is about so long: what moves for that long has
+moved (`MOVING_FOR_S`)."""
+SAMPLE_S = 0.05
+"""Statements of place are sampled so often: shorter than a moment, and what touches without a pause
+this long touches on (`HIT_GAP_S`)."""
+MOST = 0.95
+"""What holds in this share of the samples holds throughout."""
+CARRIED_M = 0.01
+"""What is this close from below carries; what is this close touches."""
+FROM_BELOW = 0.25
+"""Sunk by `CARRIED_M`, what is carried comes nearer to what carries it by this share of that: a
+surface of up to 75 degrees carries, a wall does not."""
+ABOVE_TOLERANCE = 0.10
+"""A stated distance above something may be off by this share."""
+DIRECTION_DEG = 35.0
+"""A displacement may be so far off its direction."""
+ROLLING, ROLLING_SHARE = (0.85, 1.15), 0.7
+"""What rolls has this spin over v/r in this share of the samples in which it moves on its
+support."""
+SLIDING = 0.2
+"""What slides has less spin over v/r, in the same share."""
+WHEELS_DEG = 20.0
+"""Wheels roll while they go within this angle of their heading: the slip at which a tyre has lost
+its grip (passenger cars peak at 8 to 12 degrees)."""
+SPUN_DEG = 180.0
+"""What spins turns about its vertical by more: half a turn is more than any corner asks for."""
+TUMBLED_DEG = 90.0
+"""What tumbles tilts by more; by half of it, it has toppled (`TOPPLED_DEG`)."""
+LEANING_DEG = 5.0
+"""What leans has no axis this close to the vertical: settling leaves under 1 degree."""
+TOGETHER_M = 0.05
+"""What is carried along stays in its place by this much."""
+UPRIGHT_DEG = 30.0
+STILL_M = 0.02
+"""Less is no motion."""
+AT_REST_MPS = 0.05
+NEAR_END_M = 0.5
+"""What ends near something is no farther from it than this, or than its own size."""
+SAME_TIME_S = 0.3
+BEFORE_S = 0.1
+"""Least time by which one event comes before another."""
+SIZE_TOLERANCE = 0.15
+ALONG_M = 1.0
+"""What moves along something stays this close to it, or as close as its own size: an arm's reach
+and half a lane's margin beside a kerb."""
+ACROSS_SHARE = 0.5
+"""What moves across something goes over this share of it: it leaves the half on which it came."""
+SLOPE_SHARE = 0.25
+"""What moves up or down something rises or sinks by this share of its height: shorter ways are a
+shake, longer ones leave out what starts half way."""
+AROUND_DEG, BEND_DEG = 120.0, 40.0
+"""What moves around something sees it turn by so much while its course bends by so much: a straight
+way past sees up to 180 degrees and bends by none."""
+
+# -- further events: the second edition of the suite format --
+
+BOUNCE_MPS = 0.3
+"""What bounces leaves faster than this."""
+PASS_M, PASS_SIZES = 3.0, 2.0
+"""What misses something passes it this close, or within so many times its size."""
+PICKED_M, PICKED_SHARE = 0.05, 1.0 / 3.0
+"""What is picked up rises by this, or by this share of its height, whichever is less."""
+BALLISTIC = 0.5
+"""What falls or flies freely loses more than this share of g upwards; what is held does not."""
+JUMP_SHARE, JUMP_OWN_S = 0.1, 0.25
+"""What jumps rises by this share of its height, and is set in motion no longer before."""
+OPEN_SHARE = 1.0 / 3.0
+"""What slides open goes over this share of its way."""
+PIECES, PIECE_GAP_M = 3, 0.02
+"""What is broken is in so many pieces so far apart."""
+
 # -- what the planner asks for --
 
 SAFE_IMPULSE_NS = 0.25

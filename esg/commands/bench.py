@@ -185,6 +185,11 @@ def missed(states: list[SceneState]) -> list[dict[str, Any]]:
             for c in verdict.constraints
             if c.score == 0.0
         ]
+        rows += [
+            {**where, "what": f"{s.id} ({s.says})", "reason": s.reason}
+            for s in verdict.statements
+            if s.kept is not True
+        ]
         if not verdict.slr:
             reason = "; ".join(verdict.layout.faults)
             rows.append({**where, "what": "layout", "reason": reason})

@@ -15,10 +15,12 @@ if TYPE_CHECKING:
         EventVerdict,
         LayoutVerdict,
         SceneVerdict,
+        StatementVerdict,
         Suite,
         SuiteConstraint,
         SuiteEvent,
         SuiteScene,
+        SuiteStatement,
     )
     from esg.metrics.suite import load_suite, parse_suite
 
@@ -35,10 +37,12 @@ _HOME = {
     "EventVerdict": "models",
     "LayoutVerdict": "models",
     "SceneVerdict": "models",
+    "StatementVerdict": "models",
     "Suite": "models",
     "SuiteConstraint": "models",
     "SuiteEvent": "models",
     "SuiteScene": "models",
+    "SuiteStatement": "models",
     "load_suite": "suite",
     "parse_suite": "suite",
 }
@@ -50,10 +54,12 @@ __all__ = [
     "LayoutVerdict",
     "SceneRun",
     "SceneVerdict",
+    "StatementVerdict",
     "Suite",
     "SuiteConstraint",
     "SuiteEvent",
     "SuiteScene",
+    "SuiteStatement",
     "bench_json",
     "bind",
     "comparison_table",

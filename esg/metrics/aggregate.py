@@ -10,7 +10,7 @@ from pathlib import Path
 import statistics
 from typing import Any
 
-from esg.metrics.models import SceneVerdict, Suite, SuiteScene
+from esg.metrics.models import SceneVerdict, Suite, SuiteScene, SuiteStatement
 
 NONE_LISTED = "none listed"
 """Instead of a rate of events where a suite asks for none."""
@@ -45,8 +45,8 @@ def bench_json(
     """The document that `esg bench --json` writes.
 
     A run without a verdict completes nothing, fails SLR and scores 0. `ecr_std` is the (population)
-    standard deviation over the per-run sums of completed events; SLR and PPA are percentages; a
-    suite without constraints has null PPA.
+    standard deviation over the per-run sums of completed events; SLR, PPA, SKR are percentages; a
+    suite without constraints has null PPA, one without statements null SKR.
 
     Args:
         suite: The suite.
@@ -80,6 +80,7 @@ def bench_json(
             "ppa": _ppa(suite, runs, "score"),
             "ppa_strict": _ppa(suite, runs, "score_strict"),
             "ppa_lenient": _ppa(suite, runs, "score_lenient"),
+            "skr": _skr(scenes),
             "seconds_per_scene": statistics.fmean(run.seconds for run in every),
         },
     }
@@ -102,9 +103,26 @@ def _scene_json(scene: SuiteScene, runs: Sequence[SceneRun]) -> dict[str, Any]:
         "completed": [r.verdict.completed if r.verdict else 0 for r in runs],
         "slr": [int(r.verdict.slr) if r.verdict else 0 for r in runs],
         "ppa": ppa,
+        "statements": [_statement_json(s, i, runs) for i, s in enumerate(scene.statements)],
         "outcome": [r.outcome for r in runs],
         "seconds": [r.seconds for r in runs],
     }
+
+
+def _statement_json(statement: SuiteStatement, i: int, runs: Sequence[SceneRun]) -> dict[str, Any]:
+    verdicts = [r.verdict.statements[i] if r.verdict else None for r in runs]
+    return {
+        "id": statement.id,
+        "says": statement.says.value,
+        "kept": [v.kept if v else False for v in verdicts],
+        "measured": [v.measured if v else {} for v in verdicts],
+    }
+
+
+def _skr(scenes: Sequence[Mapping[str, Any]]) -> float | None:
+    """Share of statements kept over all scenes and runs, in percent (suite format)."""
+    kept = [k is True for scene in scenes for s in scene["statements"] for k in s["kept"]]
+    return 100.0 * statistics.fmean(kept) if kept else None
 
 
 def _ppa(suite: Suite, runs: Mapping[str, Sequence[SceneRun]], name: str) -> float | None:
@@ -141,6 +159,7 @@ def comparison_rows(bench: Mapping[str, Any]) -> list[dict[str, str]]:
             else NONE_LISTED,
             "slr": f"{100 * statistics.fmean(scene['slr']):.0f}%",
             "ppa": _percent([x for c in scene["ppa"] for x in c["scores"]]),
+            "skr": _percent([k is True for s in scene["statements"] for k in s["kept"]]),
             "outcome": _tally(scene["outcome"]),
             "seconds": f"{statistics.fmean(scene['seconds']):.1f}",
         }
@@ -155,6 +174,7 @@ def comparison_rows(bench: Mapping[str, Any]) -> list[dict[str, str]]:
         "ours": _pm(totals["ecr_mean"], totals["ecr_std"]) if totals["events"] else NONE_LISTED,
         "slr": f"{totals['slr']:.0f}%",
         "ppa": "" if totals["ppa"] is None else f"{totals['ppa']:.1f}%",
+        "skr": "" if totals["skr"] is None else f"{totals['skr']:.1f}%",
         "outcome": "",
         "seconds": f"{totals['seconds_per_scene']:.1f}",
     }
@@ -169,8 +189,10 @@ def comparison_table(bench: Mapping[str, Any]) -> str:
     paper = load_paper_results()
     columns = {
         "scene": "Scene", "events": "N", "ours": "Ours", "slr": "SLR", "ppa": "PPA",
-        "outcome": "Outcome", "seconds": "s/scene",
+        "skr": "SKR", "outcome": "Outcome", "seconds": "s/scene",
     }  # fmt: skip
+    if bench["totals"]["skr"] is None:
+        del columns["skr"]
     if bench["suite"] == "paper":
         columns |= {m: paper["method_names"][m] for m in paper["methods"]}
     rows = comparison_rows(bench)

@@ -7,7 +7,8 @@ binds to nothing yields an empty Binding with the reason, never an exception.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
 import math
 import re
 
@@ -17,6 +18,7 @@ from esg.engines.scene import GROUND, Body, SimScene
 from esg.metrics.normalization import normalize
 from esg.metrics.phrases import (
     COLORS,
+    COMPARISONS,
     GROUND_WORDS,
     HYPERNYMS,
     OPPOSITE,
@@ -32,6 +34,10 @@ from esg.metrics.regions import bind_regions, loose_regions
 from esg.units import quat_rotate
 
 _COLOR_DISTANCE = 0.35
+_ALIKE = 0.01
+"""Who differs by no more than this share of a quantity is alike in it."""
+_KIND_OF = 1.0
+"""Least level of a candidate that is of the asked kind, not only a relative of it."""
 
 
 @dataclass(frozen=True)
@@ -125,6 +131,22 @@ def bind(phrase: str, scene: SimScene, *, target: bool = False) -> Binding:
         names = ", ".join(scene.bodies[i].name for i in bodies)
         problem = f"{phrase!r} asks for {need} objects, the scene has {len(bodies)} ({names})"
     return Binding(phrase, bodies, ground=ground, plural=parsed.plural, problem=problem)
+
+
+def named(noun: str, scene: SimScene, *, every: bool = False) -> tuple[int, ...]:
+    """Bodies that a noun names as a kind, not one of them that a phrase singles out.
+
+    Args:
+        noun: A noun, with or without attributes ("red ball").
+        scene: The scene.
+        every: Whether its attributes do not matter, and what nobody mentioned counts too.
+    """
+    wanted = replace(parse(noun), plural=True, count=None)
+    if not every:
+        return _bind_bodies(wanted, scene)
+    found = [c for i, b in enumerate(scene.bodies) if (c := _candidate(i, b, wanted)) is not None]
+    # A relative is another kind: where no desk is asked for, a table may stand.
+    return tuple(c.index for c in found if c.level >= _KIND_OF)
 
 
 def _is_distributive(text: str) -> bool:
@@ -228,13 +250,14 @@ def _bind_bodies(wanted: Phrase, scene: SimScene) -> tuple[int, ...]:
         found = [c for c in found if wanted.word in c.called] or found
     # Words that at least one candidate carries decide between candidates; others say nothing.
     for word in wanted.modifiers:
-        if word in COLORS or word in POSITIONS:
+        if word in COLORS or word in POSITIONS or word in COMPARISONS:
             continue
         having = [c for c in found if word in c.words]
         found = having or found
     found = _by_color(found, wanted)
     found = _by_identifier(found, wanted)
     found = _by_position(found, wanted)
+    found = _by_comparison(found, wanted, scene)
     found = _by_ordinal(found, wanted)
     if not found:
         return _bind_alias(wanted, scene)
@@ -335,6 +358,45 @@ def _by_position(found: list[_Candidate], wanted: Phrase) -> list[_Candidate]:
             continue
         found = [c for c, k in zip(found, key, strict=True) if k >= max(key) - 1e-6]
     return found
+
+
+def _by_comparison(found: list[_Candidate], wanted: Phrase, scene: SimScene) -> list[_Candidate]:
+    """The most or the least of something, as simulated; nobody where all are alike in it."""
+    for word in (w for w in wanted.modifiers if w in COMPARISONS):
+        if len(found) <= 1:
+            continue
+        quantity, sign = COMPARISONS[word]
+        key = [sign * k for k in _compared(found, quantity, scene)]
+        order = sorted(range(len(found)), key=lambda i: -key[i])
+        keep = (wanted.count or 2) if wanted.plural else 1
+        if keep < len(found):
+            last, next_ = key[order[keep - 1]], key[order[keep]]
+            if abs(last - next_) <= _ALIKE * max(abs(last), abs(next_)):
+                return []
+        found = [found[i] for i in sorted(order[:keep])]
+    return found
+
+
+def _compared(found: list[_Candidate], quantity: str, scene: SimScene) -> list[float]:
+    """What a comparison of candidates goes by [kg or m]."""
+    if quantity == "distance":
+        names = {c.body.name for c in found}
+        movers = [b for b in scene.bodies if b.active and b.name not in names]
+        if not movers:
+            # Nobody is there to be near to but the viewer, who stands at +Y.
+            return [-c.body.position[1] for c in found]
+        return [min(math.dist(c.body.position, m.position) for m in movers) for c in found]
+    return [_MEASURES[quantity](c.body) for c in found]
+
+
+_MEASURES: dict[str, Callable[[Body], float]] = {
+    "mass": lambda b: b.mass,
+    "height": lambda b: b.half_extents[2],
+    "length": lambda b: max(b.half_extents[:2]),
+    "width": lambda b: min(b.half_extents[:2]),
+    "size": lambda b: math.prod(b.half_extents) ** (1.0 / 3.0),
+    "altitude": lambda b: b.position[2],
+}
 
 
 def _position_key(body: Body, position: str, found: list[_Candidate]) -> float:

@@ -19,16 +19,28 @@ from esg.metrics.detection import (
     Found,
     Query,
 )
+from esg.metrics.events_handling import bounces, jumps, picked_up, placed, spins
+from esg.metrics.events_joints import breaks, closes, opens, separates, swings
 from esg.metrics.events_motion import brakes, moves, stops, turns
-from esg.metrics.events_space import enters, falls, reaches, topples
-from esg.metrics.geometry import first_pass, gets_ahead
+from esg.metrics.events_space import (
+    enters,
+    falls,
+    inside_volume,
+    reaches,
+    surface_distance,
+    topples,
+)
+from esg.metrics.geometry import APPROACH_M, first_pass, gets_ahead
 from esg.metrics.replay import GROUND_INDEX, Hit, Replay
+from esg.metrics.support import local_position
 from esg.thresholds import (
     MAX_CONTACT_DEPTH_M,
     MAX_RECHECK_DEPTH_M,
     MIN_EVENT_GAP_S,
     MIN_IMPULSE_NS,
     MOVING_MPS,
+    PASS_M,
+    PASS_SIZES,
     RECHECK_AFTER_S,
     T_MAX_S,
 )
@@ -109,29 +121,79 @@ def _collision(replay: Replay, q: Query) -> Iterator[Found]:
     yield best or Found(None, reason=reason)
 
 
+def _two(q: Query) -> tuple[Binding, Binding]:
+    """Who misses whom."""
+    return q.bound.get("a") or q.bound["object"], q.bound.get("b") or q.bound["target"]
+
+
 def _misses(replay: Replay, q: Query) -> Iterator[Found]:
     if q.meet_again:
         yield _passes(replay, q)
         return
-    for a, b in pairs(q.bound["a"], q.bound["b"]):
+    if _two(q)[1].regions:
+        yield from _misses_region(replay, q)
+        return
+    for a, b in pairs(*_two(q)):
         if any(h.impulse > 0 for h in replay.hits(a, b)):
             name_a, name_b = names(replay, (a, b))
             yield Found(None, (a, b), f"{name_a} touches {name_b}")
             return
     gap = math.inf
     at, who = 0, (0, 0)
-    for a, b in pairs(q.bound["a"], q.bound["b"]):
+    for a, b in pairs(*_two(q)):
         distance = _distances(replay, a, b)
         k = first_pass(distance)
         if distance[k] < gap:
             gap, at, who = float(distance[k]), k, (a, b)
-    yield Found(float(replay.time[at]), who, measured={"center_distance_m": gap})
+    found = Found(float(replay.time[at]), who, measured={"center_distance_m": gap})
+    yield found if "a" in q.bound else _near_miss(replay, q, found, at)
+
+
+def _near_miss(replay: Replay, q: Query, found: Found, at: int) -> Found:
+    """The pass, if what misses came nearer, and so near that one may speak of a miss."""
+    body, target = found.bodies
+    apart = _distances(replay, body, target)
+    if float(np.maximum.accumulate(apart)[at] - apart[at]) < APPROACH_M:
+        return Found(None, found.bodies, f"never comes nearer to {q.bound['target'].phrase!r}")
+    return _within_reach(replay, q, found, at, _size(replay, target))
+
+
+def _size(replay: Replay, body: int) -> float:
+    """Largest extent of a body [m], 0 for the ground."""
+    return 0.0 if body == GROUND_INDEX else 2.0 * max(replay.scene.bodies[body].half_extents)
+
+
+def _within_reach(replay: Replay, q: Query, found: Found, at: int, size: float) -> Found:
+    gap = surface_distance(replay, found.bodies[0], q.bound["target"], at)
+    limit = max(PASS_M, PASS_SIZES * size)
+    if gap > limit:
+        return Found(None, found.bodies, f"passes {gap:.1f} m away (limit {limit:.1f} m)")
+    return Found(found.time, found.bodies, measured={**found.measured, "distance_m": gap})
+
+
+def _misses_region(replay: Replay, q: Query) -> Iterator[Found]:
+    """Passing a goal or a pocket without going in."""
+    for i in q.bound["object"].bodies:
+        for region in q.bound["target"].regions:
+            r = replay.scene.regions[region]
+            name = replay.scene.bodies[i].name
+            if inside_volume(replay, i, region, None)[0].any():
+                yield Found(None, (i,), f"{name} goes into {r.name}")
+                return
+            parent = replay.scene.index(r.parent)
+            apart = np.linalg.norm(local_position(replay, i, parent) - np.array(r.center), axis=1)
+            at = first_pass(apart)
+            if float(np.maximum.accumulate(apart)[at] - apart[at]) < APPROACH_M:
+                yield Found(None, (i,), f"{name} never comes nearer to {r.name}")
+                continue
+            found = Found(float(replay.time[at]), (i,))
+            yield _within_reach(replay, q, found, at, 2.0 * max(r.half_extents))
 
 
 def _passes(replay: Replay, q: Query) -> Found:
     """One gets ahead of the other before they touch: who overtakes may be run into later."""
     reason = ""
-    for a, b in pairs(q.bound["a"], q.bound["b"]):
+    for a, b in pairs(*_two(q)):
         first = min((h.time for h in replay.hits(a, b) if h.impulse > 0), default=math.inf)
         offset = (replay.position[:, a] - replay.position[:, b])[:, :2]
         velocity = replay.velocity[:, a, :2]
@@ -162,4 +224,14 @@ _DETECTORS: dict[str, Callable[[Replay, Query], Iterator[Found]]] = {
     "falls": falls,
     "topples": topples,
     "reaches": reaches,
+    "bounces": bounces,
+    "picked_up": picked_up,
+    "placed": placed,
+    "jumps": jumps,
+    "spins": spins,
+    "opens": opens,
+    "closes": closes,
+    "swings": swings,
+    "breaks": breaks,
+    "separates": separates,
 }

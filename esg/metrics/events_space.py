@@ -25,7 +25,7 @@ _LOWER_M = 0.01
 """Lower than this below its support, a body that rests has come down."""
 
 
-def _inside(
+def inside_volume(
     replay: Replay, body: int, region: int | None, container: int | None
 ) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
     """Per frame: the centre is inside the volume; it is below the volume, within its outline."""
@@ -50,7 +50,8 @@ def _inside(
     return outline & (np.abs(local[:, 2]) <= half[2]), outline & (local[:, 2] < -half[2])
 
 
-def _volumes(replay: Replay, target: Binding) -> list[tuple[int | None, int | None]]:
+def volumes(replay: Replay, target: Binding) -> list[tuple[int | None, int | None]]:
+    """What things can be in: regions and, of bodies that have none, the bodies themselves."""
     out: list[tuple[int | None, int | None]] = [(r, None) for r in target.regions]
     for b in target.bodies:
         regions = container_regions(replay.scene, b)
@@ -63,10 +64,10 @@ def enters(replay: Replay, q: Query) -> Iterator[Found]:
     begin = replay.after(q.since)
     for i in q.bound["object"].bodies:
         reason = f"the centre of {replay.scene.bodies[i].name} never enters the target"
-        for region, container in _volumes(replay, q.bound["target"]):
+        for region, container in volumes(replay, q.bound["target"]):
             if container == i:
                 continue
-            inside, below = _inside(replay, i, region, container)
+            inside, below = inside_volume(replay, i, region, container)
             done = False
             for start, stop in runs(inside):
                 if start == 0 or start < begin:
@@ -97,7 +98,7 @@ def falls(replay: Replay, q: Query) -> Iterator[Found]:
         supported = (np.abs(vz) < MOVING_MPS) & (acceleration > -0.5 * g)
         supported[begin] = True
         if (support := q.bound.get("from")) is not None and support.bodies:
-            over = np.any([_over(replay, i, s) for s in support.bodies], axis=0)
+            over = np.any([is_over(replay, i, s) for s in support.bodies], axis=0)
             if not (supported & over)[begin:].any():
                 # What stood on something that topples is on its way when that counts as toppled.
                 if not _slid_off(z, supported, over, begin):
@@ -130,7 +131,7 @@ def _slid_off(
     return not rested.any()
 
 
-def _over(replay: Replay, body: int, support: int) -> NDArray[np.bool_]:
+def is_over(replay: Replay, body: int, support: int) -> NDArray[np.bool_]:
     """Frames at which a body's centre is above the outline of its support (with its own width)."""
     s = replay.scene.bodies[support]
     inverse = replay.quaternion[:, support] * np.array([-1.0, -1.0, -1.0, 1.0])

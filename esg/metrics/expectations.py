@@ -1,4 +1,4 @@
-"""What a document's own timeline promises, as a suite scene: lets a generated scene be judged.
+"""What a document promises, as a suite scene: lets a generated scene be judged.
 
 A benchmark never uses this: there the suite is the ground truth. Participants are exact references,
 so that nothing depends on how phrases bind.
@@ -21,13 +21,14 @@ from esg.graph.models import (
 )
 from esg.metrics.models import SuiteConstraint, SuiteEvent, SuiteScene
 from esg.metrics.quantities import BASE_UNIT, DIMENSION_OF
+from esg.metrics.statements.expected import Moments, expected_statements
 from esg.units import m_from_cm
 
 _OWN_POWER = (EdgeEvent.UNIFORM_MOTION, EdgeEvent.ACCELERATED_MOTION)
 
 
 def expectations_from_timeline(doc: EsgDocument, scene: SimScene | None = None) -> SuiteScene:
-    """The events and constraints that a document's timeline states.
+    """The events and constraints of a document's timeline, and its statements.
 
     Point events become events of the same meaning; a Brake segment becomes a `brakes` event; motion
     under own power that leads to no measurable event becomes a `moves` event. SceneStart and
@@ -35,15 +36,17 @@ def expectations_from_timeline(doc: EsgDocument, scene: SimScene | None = None) 
     masses become constraints; plausible guesses do not.
 
     Args:
-        doc: A document with or without a timeline (without: no events).
+        doc: A document with or without a timeline (without: no events, but its statements).
         scene: Restricts participants to bodies and regions that exist; None takes all.
     """
     doc = effective(doc)
     definition = doc.scene_definition
     events: list[SuiteEvent] = []
     constraints: list[SuiteConstraint] = []
+    moments = Moments({}, {})
     if doc.timeline_system is not None:
         graph = doc.timeline_system.sequence_graph
+        moments = _moments(graph)
         events = _any_member(doc, _events(graph))
         constraints = _constraints(graph, events)
     constraints += _masses(doc)
@@ -59,6 +62,7 @@ def expectations_from_timeline(doc: EsgDocument, scene: SimScene | None = None) 
         events=tuple(events),
         constraints=tuple(constraints),
         objects=tuple(mentioned),
+        statements=expected_statements(doc, moments),
     )
 
 
@@ -161,6 +165,28 @@ def _events(graph: SequenceGraph) -> list[SuiteEvent]:
         else:
             before[node_id] = after
     return out
+
+
+def _moments(graph: SequenceGraph) -> Moments:
+    """Which measured events stand for the point events that `when` may name.
+
+    A point event that is measured stands for itself. For one that is not (a trigger) the measured
+    event before it begins a time, and the one after it ends a time.
+    """
+    measured = {n.id for n in graph.nodes if _node_event(n) is not None}
+    order = _topological(graph)
+    begins: dict[str, str] = {}
+    ends: dict[str, str] = {}
+    for node in order:
+        before = [begins[e.from_] for e in graph.edges if e.to == node and e.from_ in begins]
+        begins[node] = node if node in measured else (before[-1] if before else "start")
+    for node in reversed(order):
+        later = [ends[e.to] for e in graph.edges if e.from_ == node and e.to in ends]
+        ends[node] = node if node in measured else (later[0] if later else "end")
+    for node in graph.nodes:
+        if node.event is NodeEvent.SCENE_START:
+            begins[node.id] = ends[node.id] = "start"
+    return Moments(begins, ends)
 
 
 def _topological(graph: SequenceGraph) -> list[str]:

@@ -25,6 +25,7 @@ from esg.metrics.models import (
     SuiteScene,
 )
 from esg.metrics.replay import GROUND_INDEX, Replay
+from esg.metrics.statements import bind_statements, failed_statement, judge_statements
 
 MAX_INITIAL_PENETRATION_M = 0.02
 _SETTLED_M = 1e-4
@@ -52,6 +53,7 @@ def judge(
     """
     replay = Replay(scene, program, rollout, world)
     bindings = bind_all(scene, suite_scene)
+    stated = bind_statements(suite_scene, replay)
     found = _judge_events(replay, suite_scene, bindings)
     world_view = Scored(replay, {e.id: e for e in suite_scene.events}, found, bindings)
     return SceneVerdict(
@@ -62,7 +64,10 @@ def judge(
         layout=judge_layout(replay, suite_scene, bindings),
         events=tuple(_event_verdict(replay, e, found[e.id]) for e in suite_scene.events),
         constraints=tuple(measure(c, world_view) for c in suite_scene.constraints),
-        bindings={p: b.names(scene) for p, b in bindings.items()},
+        statements=judge_statements(
+            replay, suite_scene, stated, {k: f.time for k, f in found.items()}
+        ),
+        bindings={p: b.names(scene) for p, b in {**stated, **bindings}.items()},
     )
 
 
@@ -83,6 +88,7 @@ def failed_verdict(
         layout=LayoutVerdict(valid=False, missing=(reason,)),
         events=events,
         constraints=constraints,
+        statements=tuple(failed_statement(s, reason) for s in suite_scene.statements),
     )
 
 
@@ -173,7 +179,7 @@ def _query(
 ) -> Query:
     bound = _bound(event, bindings)
     if event.type == "misses":
-        both = {frozenset(bindings[q].bodies) for q in (event.a, event.b) if q}
+        both = {frozenset(bindings[q].bodies) for q in event.participants}
         later = suite_scene.events[suite_scene.events.index(event) + 1 :]
         again = any(
             e.type == "collision"

@@ -19,8 +19,18 @@ EventType = Literal[
     "topples",
     "reaches",
     "misses",
+    "bounces",
+    "picked_up",
+    "placed",
+    "jumps",
+    "spins",
+    "opens",
+    "closes",
+    "swings",
+    "breaks",
+    "separates",
 ]
-"""`misses` is this project's own (a timeline's Miss event); suites of the format do not need it."""
+"""From `misses` on, those of the format's second edition."""
 
 EVENT_FIELDS: dict[str, tuple[str, ...]] = {
     "collision": ("a", "b"),
@@ -32,11 +42,36 @@ EVENT_FIELDS: dict[str, tuple[str, ...]] = {
     "falls": ("object",),
     "topples": ("object",),
     "reaches": ("object", "target"),
-    "misses": ("a", "b"),
+    "misses": ("object", "target"),
+    "bounces": ("object", "target"),
+    "picked_up": ("object",),
+    "placed": ("object", "target"),
+    "jumps": ("object",),
+    "spins": ("object",),
+    "opens": ("object",),
+    "closes": ("object",),
+    "swings": ("object",),
+    "breaks": ("object",),
+    "separates": ("a", "b"),
 }
 """Required fields of every event type."""
 
-EVENT_OPTIONAL: dict[str, tuple[str, ...]] = {"turns": ("degrees",), "falls": ("from",)}
+EVENT_INSTEAD: dict[str, tuple[str, ...]] = {"misses": ("a", "b")}
+"""Other fields that may stand for the required ones: a timeline's Miss, at any distance."""
+EVENT_OPTIONAL: dict[str, tuple[str, ...]] = {
+    "turns": ("degrees",),
+    "falls": ("from",),
+    "bounces": ("times",),
+    "spins": ("degrees",),
+    "opens": ("degrees",),
+    "closes": ("degrees",),
+    "swings": ("times",),
+}
+EVENT_DEGREES: dict[str, float] = {"spins": 360.0, "opens": 30.0, "closes": 30.0}
+"""What `degrees` is where it is left out; 90 for all others."""
+
+OF_EVENTS = frozenset({Predicate.SAME_TIME, Predicate.BEFORE})
+"""Predicates whose participants are events."""
 
 Quantity = Literal[
     "mass",
@@ -74,6 +109,7 @@ class SuiteEvent(_Frozen):
     from_: Annotated[str | None, Field(alias="from")] = None
     direction: Literal["left", "right"] | None = None
     degrees: float = 90.0
+    times: int = 1
     after: tuple[str, ...] = ()
     """Ids of the events that must come before; the default is resolved on loading."""
 
@@ -135,6 +171,8 @@ class SuiteStatement(_Frozen):
 
     id: str
     says: Predicate
+    words: str = ""
+    """The words of the prompt, where the statement is a document's."""
     object: str | None = None
     target: str | None = None
     a: str | None = None
@@ -150,6 +188,14 @@ class SuiteStatement(_Frozen):
     noun: str | None = None
     when: str = "throughout"
     note: str = ""
+
+    @property
+    def participants(self) -> tuple[str, ...]:
+        """The phrases of things (events and nouns excluded), in the order object, target, a, b."""
+        if self.says in OF_EVENTS:
+            return ()
+        phrases = (self.object, self.target, self.a, self.b, self.alike)
+        return tuple(p for p in phrases if p is not None)
 
 
 class SuiteScene(_Frozen):
@@ -287,6 +333,23 @@ class SceneVerdict(_Frozen):
         """Valid layout and every event completed."""
         return self.layout.valid and self.completed == self.n_events
 
+    @property
+    def understood(self) -> bool:
+        """Whether the document represents every statement."""
+        return all(s.kept is not None for s in self.statements)
+
+    @property
+    def kept(self) -> bool:
+        """Whether no statement that the document represents is broken."""
+        return all(s.kept is not False for s in self.statements)
+
+    @property
+    def skr(self) -> float | None:
+        """Share of statements kept, of those represented and not; None without statements."""
+        if not self.statements:
+            return None
+        return sum(s.kept is True for s in self.statements) / len(self.statements)
+
     def ppa(
         self, thresholds: Literal["standard", "strict", "lenient"] = "standard"
     ) -> float | None:
@@ -302,6 +365,7 @@ class SceneVerdict(_Frozen):
         data["n_events"] = self.n_events
         data["completed"] = self.completed
         data["slr"] = self.slr
+        data["skr"] = self.skr
         data["verified"] = self.verified
         data["ppa"] = {t: self.ppa(t) for t in ("standard", "strict", "lenient")}  # type: ignore[arg-type]  # literals of a tuple
         return data

@@ -145,6 +145,23 @@ POSITIONS = {"front", "rear", "left", "right", "top", "bottom", "middle"}
 OPPOSITE = {"front": "rear", "rear": "front", "left": "right", "right": "left", "top": "bottom",
             "bottom": "top"}  # fmt: skip
 
+COMPARISONS: dict[str, tuple[str, int]] = {
+    **dict.fromkeys(("lighter", "lightest"), ("mass", -1)),
+    **dict.fromkeys(("heavier", "heaviest"), ("mass", 1)),
+    **dict.fromkeys(("taller", "tallest"), ("height", 1)),
+    **dict.fromkeys(("shorter", "shortest"), ("height", -1)),
+    **dict.fromkeys(("longer", "longest"), ("length", 1)),
+    **dict.fromkeys(("wider", "widest", "broader", "broadest"), ("width", 1)),
+    **dict.fromkeys(("narrower", "narrowest", "thinner", "thinnest"), ("width", -1)),
+    **dict.fromkeys(("bigger", "biggest", "larger", "largest"), ("size", 1)),
+    **dict.fromkeys(("smaller", "smallest"), ("size", -1)),
+    **dict.fromkeys(("higher", "highest"), ("altitude", 1)),
+    "lowest": ("altitude", -1),
+    **dict.fromkeys(("nearer", "nearest", "closer", "closest"), ("distance", -1)),
+    **dict.fromkeys(("farther", "farthest", "further", "furthest"), ("distance", 1)),
+}
+"""What comparatives and superlatives compare, and whether the most (1) or the least has it."""
+
 COLORS: dict[str, tuple[float, float, float]] = {
     "black": (0.05, 0.05, 0.05),
     "white": (0.95, 0.95, 0.95),

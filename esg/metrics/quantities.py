@@ -18,8 +18,10 @@ DIMENSION_OF: dict[str, Dimension] = {
     "distance": "length",
     "height": "length",
     "angle": "angle",
+    "length": "length",
+    "width": "length",
 }
-"""Dimension of every quantity a suite may constrain."""
+"""Dimension of every quantity a suite may constrain or state."""
 
 BASE_UNIT: dict[Dimension, str] = {
     "time": "s",

@@ -84,6 +84,7 @@ class Replay:
         self.position = np.asarray(rollout.position[world], float)
         self.quaternion = np.asarray(rollout.quaternion[world], float)
         self.velocity = np.asarray(rollout.linear_velocity[world], float)
+        self.spin = np.asarray(rollout.angular_velocity[world], float)
         self.contacts: ContactLog = rollout.contacts.select(world)
         self.valid = bool(rollout.valid[world])
         self.speed = np.linalg.norm(self.velocity, axis=-1)

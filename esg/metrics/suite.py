@@ -6,7 +6,9 @@ from pathlib import Path
 from typing import Any, get_args
 
 from esg.metrics.models import (
+    EVENT_DEGREES,
     EVENT_FIELDS,
+    EVENT_INSTEAD,
     EVENT_OPTIONAL,
     EventType,
     Suite,
@@ -14,11 +16,20 @@ from esg.metrics.models import (
     SuiteScene,
 )
 from esg.metrics.suite_constraints import START, read_constraints
-from esg.metrics.suite_problems import Problems, closest, kind_of, read_number, report_unknown, show
+from esg.metrics.suite_problems import (
+    Problems,
+    closest,
+    kind_of,
+    read_number,
+    read_phrase,
+    report_unknown,
+    show,
+)
+from esg.metrics.suite_statements import read_statements
 from esg.outcomes import UserError
 from esg.untyped import is_list, is_object
 
-_SCENE_FIELDS = ("id", "level", "prompt", "events", "constraints", "objects")
+_SCENE_FIELDS = ("id", "level", "prompt", "events", "constraints", "objects", "statements")
 _SUITE_FIELDS = ("suite", "source", "scenes")
 
 
@@ -146,6 +157,7 @@ def _scene(item: Any, index: int, problems: Problems) -> SuiteScene | None:
     events = _events(item.get("events"), where, problems)
     ids = [e.id for e in events]
     constraints = read_constraints(item.get("constraints"), where, ids, events, problems)
+    statements = read_statements(item.get("statements"), where, ids, problems)
     objects: Any = item.get("objects") or []
     if not is_list(objects) or not all(isinstance(o, str) and o.strip() for o in objects):
         problems.add(f"{where} /objects", f"is {show(objects)}", "list noun phrases")
@@ -160,6 +172,7 @@ def _scene(item: Any, index: int, problems: Problems) -> SuiteScene | None:
         events=tuple(events),
         constraints=tuple(constraints),
         objects=tuple(objects),
+        statements=tuple(statements),
     )
 
 
@@ -203,31 +216,37 @@ def _event_fields(item: dict[str, Any], place: str, problems: Problems) -> dict[
         )
         return {}
     required = EVENT_FIELDS[kind]
+    instead = EVENT_INSTEAD.get(kind, ())
+    if any(name in item for name in instead) and not any(name in item for name in required):
+        required = instead
     optional = EVENT_OPTIONAL.get(kind, ())
     values: dict[str, Any] = {"type": kind}
+    if kind in EVENT_DEGREES:
+        values["degrees"] = EVENT_DEGREES[kind]
     for name in (*required, *optional):
-        if name == "degrees":
-            if "degrees" in item:
-                degrees = read_number(item["degrees"], f"{place}/degrees", problems)
-                if degrees is not None and not 0 < degrees <= 3600:
-                    problems.add(f"{place}/degrees", f"is {degrees:g}", "give an angle above 0")
-                values["degrees"] = degrees
-            continue
-        if name not in item:
-            if name in required:
-                problems.add(f"{place}/{name}", f"is missing in a {kind!r} event", f"add {name!r}")
-            continue
-        text = item[name]
-        if name == "direction":
-            if text not in ("left", "right"):
-                problems.add(f"{place}/direction", f"is {show(text)}", "write left or right")
-            values[name] = text
-        elif isinstance(text, str | int) and not isinstance(text, bool) and str(text).strip():
-            values[name] = str(text).strip()
-        else:
-            problems.add(f"{place}/{name}", f"is {show(text)}", "write a noun phrase")
+        if name in item:
+            values[name] = _event_field(name, item[name], f"{place}/{name}", problems)
+        elif name in required:
+            problems.add(f"{place}/{name}", f"is missing in a {kind!r} event", f"add {name!r}")
     report_unknown(place, item, ("id", "type", "after", *required, *optional), problems)
     return values
+
+
+def _event_field(name: str, value: Any, place: str, problems: Problems) -> Any:
+    if name == "degrees":
+        degrees = read_number(value, place, problems)
+        if degrees is not None and not 0 < degrees <= 3600:
+            problems.add(place, f"is {degrees:g}", "give an angle above 0")
+        return degrees
+    if name == "times":
+        if isinstance(value, bool) or not isinstance(value, int) or not 0 < value <= 1000:
+            problems.add(place, f"is {show(value)}", "write how often, from 1 on")
+        return value
+    if name == "direction":
+        if value not in ("left", "right"):
+            problems.add(place, f"is {show(value)}", "write left or right")
+        return value
+    return read_phrase(value, place, problems)
 
 
 def _after(

@@ -32,6 +32,14 @@ def read_number(value: Any, place: str, problems: Problems) -> float | None:
     return float(value)
 
 
+def read_phrase(value: Any, place: str, problems: Problems) -> str | None:
+    """A noun phrase; anything else is added to `problems` and gives None."""
+    if isinstance(value, str | int) and not isinstance(value, bool) and str(value).strip():
+        return str(value).strip()
+    problems.add(place, f"is {show(value)}", "write a noun phrase")
+    return None
+
+
 def report_unknown(
     place: str,
     item: dict[Any, Any],

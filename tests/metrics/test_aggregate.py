@@ -13,6 +13,7 @@ from esg.metrics import (
     Suite,
     SuiteConstraint,
     SuiteScene,
+    SuiteStatement,
     bench_json,
     comparison_table,
     load_paper_results,
@@ -56,11 +57,11 @@ def test_report_has_the_stable_shape():
     data = report()
     assert list(data) == ["suite", "runs", "strategy", "engine", "dt", "scenes", "totals"]
     assert list(data["scenes"][0]) == [
-        "id", "n_events", "completed", "slr", "ppa", "outcome", "seconds",
+        "id", "n_events", "completed", "slr", "ppa", "statements", "outcome", "seconds",
     ]  # fmt: skip
     assert list(data["scenes"][0]["ppa"][0]) == ["constraint", "scores", "measured"]
     assert list(data["totals"]) == [
-        "events", "ecr_mean", "ecr_std", "slr", "ppa", "ppa_strict", "ppa_lenient",
+        "events", "ecr_mean", "ecr_std", "slr", "ppa", "ppa_strict", "ppa_lenient", "skr",
         "seconds_per_scene",
     ]  # fmt: skip
     json.dumps(data, allow_nan=False)
@@ -160,3 +161,32 @@ def test_comparison_shows_the_papers_columns_for_its_suite_only():
 def test_paper_results_are_reachable_in_data():
     link = Path(__file__).parents[2] / "data" / "paper_results.json"
     assert json.loads(link.read_text()) == load_paper_results()
+
+
+def test_statements_kept_are_counted_over_all_scenes_and_runs():
+    says = (
+        SuiteStatement(id="s1", says="faster_than", object="ball 1", value=1.0, when="start..e1"),
+        SuiteStatement(id="s2", says="absent", noun="ball"),
+    )
+    scenes = (
+        SuiteScene(id="A", prompt="a", events=tuple(CHAIN), statements=says),
+        SuiteScene(id="B", prompt="b", events=tuple(CHAIN[:1])),
+    )
+    suite = Suite(suite="two", scenes=scenes)
+    verdict = chain(0.4, 0.8).judge(CHAIN, statements=says)
+    runs = {
+        "A": [SceneRun(0, verdict, "solved", 1.0), SceneRun(1, None, "crashed", 1.0)],
+        "B": [SceneRun(k, good(scenes[1]), "solved", 1.0) for k in range(2)],
+    }
+    data = bench_json(suite, runs, strategy="batched", engine="physx", dt=1 / 240)
+    first, second = data["scenes"][0]["statements"]
+    assert (first["id"], first["says"], first["kept"]) == ("s1", "faster_than", [True, False])
+    assert first["measured"] == [{"speed_mps": pytest.approx(2.0, abs=0.01)}, {}]
+    assert second["kept"] == [False, False]
+    assert data["totals"]["skr"] == pytest.approx(25.0)
+    assert data["scenes"][1]["statements"] == []
+    json.dumps(data, allow_nan=False)
+    table = comparison_table(data)
+    assert "SKR" in table
+    assert "25.0%" in table
+    assert "SKR" not in comparison_table(report())

@@ -344,3 +344,49 @@ def test_a_collective_behind_what_it_is_made_of_means_its_members(
 
 def test_a_stack_of_one_is_no_stack() -> None:
     assert bind("tire stack", scene(thing("tire_1", "tire", "tire"))).problem
+
+
+def bottles() -> SimScene:
+    """Three bottles of rising height and mass from left to right, and a car that drives."""
+    sizes = [(0.05, 0.05, h) for h in (0.1, 0.2, 0.3)]
+    made = [
+        at(thing(f"bottle_{k + 1}", mass=0.5 * (k + 1), half_extents=size), x=-1.0 * k, y=0.3 * k)
+        for k, size in enumerate(sizes)
+    ]
+    return scene(*made, at(thing("car_1", active=True), x=-4.0))
+
+
+@pytest.mark.parametrize(
+    ("phrase", "names"),
+    [
+        ("the tallest bottle", ("bottle_3",)),
+        ("the shortest bottle", ("bottle_1",)),
+        ("the lighter bottle", ("bottle_1",)),
+        ("the heaviest bottle", ("bottle_3",)),
+        ("the two heavier bottles", ("bottle_2", "bottle_3")),
+        ("the left bottle", ("bottle_1",)),
+        ("the nearest bottle", ("bottle_3",)),
+        ("the farthest bottle", ("bottle_1",)),
+        ("the smallest bottle", ("bottle_1",)),
+        ("the narrowest bottle", ()),
+    ],
+)
+def test_comparisons_go_by_what_is_simulated(phrase, names):
+    found = bind(phrase, bottles())
+    assert found.names(bottles()) == names
+    assert bool(found.problem) is not bool(names)
+
+
+def test_without_a_mover_the_nearest_is_the_one_before_the_viewer():
+    lone = SimScene("test", bottles().bodies[:3])
+    assert bind("the nearest bottle", lone).names(lone) == ("bottle_3",)
+    assert bind("the farthest bottle", lone).names(lone) == ("bottle_1",)
+
+
+def test_a_name_does_not_make_a_thing_the_heavier_one():
+    pair = scene(
+        thing("ball_1", label="heavier ball", mass=1.0), thing("ball_2", label="ball", mass=3.0)
+    )
+    assert bind("the heavier ball", pair).names(pair) == ("ball_2",)
+    alone = scene(thing("ball_1", label="ball"))
+    assert bind("the heavier ball", alone).names(alone) == ("ball_1",)

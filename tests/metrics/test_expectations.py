@@ -12,6 +12,7 @@ from esg.graph.models import (
     SceneParameters,
     SequenceGraph,
     SpatialRelationGraph,
+    Statement,
     TimelineEdge,
     TimelineNode,
     TimelineSystem,
@@ -174,3 +175,52 @@ def test_one_member_named_for_a_group_means_any_of_it():
     assert expectations_from_timeline(pins("pin_1")).events[0].b == "=pin_1,pin_2,pin_3"
     both = expectations_from_timeline(pins("pin_1", "pin_2")).events
     assert [e.b for e in both] == ["=pin_1", "=pin_2"]
+
+
+def stated(doc: EsgDocument, **fields: object):
+    """The only statement of a document, as the judge gets it."""
+    values = {"id": "s1", "text": "in words", "start": 0, "end": 8, **fields}
+    doc = doc.model_copy(update={"statements": (Statement.model_validate(values),)})
+    (found,) = expectations_from_timeline(doc).statements
+    assert found.words == "in words"
+    return found
+
+
+def test_statements_have_exact_references_and_base_units():
+    doc = document([START], [])
+    moved = stated(doc, predicate="faster_than", object=["car_1", "bin_1"], value=250.0)
+    assert (moved.object, moved.value, moved.when) == ("=car_1,bin_1", 2.5, "throughout")
+    above = stated(doc, predicate="above", object=["car_1"], target=["bin_1"], value=(50.0, 150.0))
+    assert (above.target, above.value, above.range) == ("=bin_1", None, (0.5, 1.5))
+    alike = stated(doc, predicate="size", object=["car_1"], target=["bin_1"], quantity="height")
+    assert (alike.target, alike.alike) == (None, "=bin_1")
+    count = stated(doc, predicate="count", noun="bin", quantity="count", value=3)
+    assert (count.noun, count.value) == ("bin", 3)
+    assert stated(doc, predicate="not_represented", note="no wind").note == "no wind"
+
+
+def test_statements_need_no_timeline():
+    doc = document([], []).model_copy(update={"timeline_system": None})
+    assert stated(doc, predicate="supported_by", object=["car_1"], target=["table_1"])
+
+
+def test_moments_that_are_not_measured_give_way_to_measured_ones():
+    doc = document(
+        [
+            START,
+            N(id="hit", event="Collision", participants=("car_1", "bin_1"), window=(1, 2)),
+            N(id="go", event="Trigger", participants=("bin_1",), window=(2, 3)),
+            N(id="halt", event="Stop", participants=("bin_1",), window=(3, 4)),
+        ],
+        [
+            edge("drive", "start", "hit", "UniformMotion", "car_1", target="bin_1"),
+            edge("wait", "hit", "go", "InertialConnector", "bin_1"),
+            edge("roll", "go", "halt", "UniformMotion", "bin_1"),
+        ],
+    )
+    still = {"predicate": "at_rest", "object": ["bin_1"]}
+    assert stated(doc, **still, when="go..halt").when == "hit..halt"
+    assert stated(doc, **still, when="start..go").when == "start..halt"
+    assert stated(doc, **still, when="go").when == "hit"
+    before = stated(doc, predicate="before", object=["hit", "halt"])
+    assert (before.a, before.b, before.object) == ("hit", "halt", None)

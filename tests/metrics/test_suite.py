@@ -210,3 +210,89 @@ def test_any_yaml_is_accepted_or_reported(data):
         parse_suite(yaml.safe_dump(data))
     except UserError as error:
         assert "problem" in str(error)
+
+
+def stated(*statements: str) -> str:
+    return with_scene("statements:\n" + "\n".join(f"  - {s}" for s in statements))
+
+
+def test_statements_are_read_in_base_units():
+    (scene,) = parse_suite(
+        stated(
+            "{id: s1, says: supported_by, object: ball, target: table, when: start}",
+            "{id: s2, says: moves, object: ball, direction: toward the red box, when: start..e1}",
+            "{id: s3, says: slower_than, object: car, value: 36, unit: km/h}",
+            "{id: s4, says: above, object: kite, target: roof, distance: 50, unit: cm}",
+            "{id: s5, says: size, object: pole, quantity: height, value: 3}",
+            "{id: s6, says: size, object: ball, as: melon}",
+            "{id: s7, says: count, noun: pin, value: 10}",
+            "{id: s8, says: touches, a: car, b: box, when: e1}",
+        )
+    ).scenes
+    by_id = {s.id: s for s in scene.statements}
+    assert by_id["s1"].when == "start"
+    assert (by_id["s2"].direction, by_id["s2"].target) == ("toward", "the red box")
+    assert by_id["s3"].value == pytest.approx(10.0)
+    assert by_id["s4"].value == pytest.approx(0.5)
+    assert (by_id["s5"].quantity, by_id["s5"].value) == ("height", 3.0)
+    assert by_id["s6"].alike == "melon"
+    assert by_id["s7"].value == 10
+    assert by_id["s8"].participants == ("car", "box")
+
+
+def test_all_mistakes_of_statements_are_reported_at_once():
+    text = problems(
+        stated(
+            "{id: s1, says: roles, object: ball}",
+            "{id: s2, says: supported_by, object: ball}",
+            "{id: s2, says: moves, object: ball, direction: lef}",
+            "{id: s4, says: moves, object: ball, direction: along}",
+            "{id: s5, says: rolls, object: ball, when: e1..e7}",
+            "{id: s6, says: faster_than, object: ball, value: fast, speed: 3}",
+            "{id: s7, says: size, object: ball, value: 3, as: melon}",
+            "{id: s8, says: before, a: e1, b: e9}",
+            "{id: s9, says: count, noun: pin, value: -1}",
+            "{says: absent, noun: tray}",
+            "{id: s11, says: slower_than, object: ball, value: 3, unit: kg}",
+        )
+    )
+    for line in (
+        "/statements/0/says: 'roles' is no statement; did you mean 'rolls'?",
+        "/statements/1/target: is missing in a 'supported_by' statement",
+        "/statements/2/direction: 'lef' is no direction; did you mean 'left'?",
+        "/statements/2/id: id 's2' is used twice",
+        "/statements/3/direction: 'along' is of nothing",
+        "/statements/4/when: 'e1..e7' is no time; write one of start, end, throughout, e1",
+        "/statements/5/value: is 'fast'",
+        "/statements/5/speed: is not a field",
+        "/statements/6: has both value and as",
+        "/statements/7/b: 'e9' is no event",
+        "/statements/8/value: is -1",
+        "/statements/9/id: is missing",
+        "/statements/10/unit: 'kg' is a unit of mass",
+    ):
+        assert line in text, line
+
+
+def test_statements_are_a_list_of_mappings():
+    assert "write a list of statements" in problems(with_scene("statements: rolls"))
+    assert "write {id: s1" in problems(stated("rolls"))
+
+
+def test_events_of_the_second_edition_are_read():
+    text = with_events(
+        "{id: e2, type: bounces, object: ball, target: floor, times: 3}",
+        "{id: e3, type: spins, object: top}",
+        "{id: e4, type: opens, object: door}",
+        "{id: e5, type: misses, object: ball, target: goal}",
+        "{id: e6, type: misses, a: ball, b: goal}",
+        "{id: e7, type: separates, a: ball, b: goal}",
+    )
+    events = {e.id: e for e in parse_suite(text).scenes[0].events}
+    assert (events["e2"].times, events["e3"].degrees, events["e4"].degrees) == (3, 360.0, 30.0)
+    assert events["e5"].participants == events["e6"].participants == ("ball", "goal")
+    wrong = problems(with_events("{id: e2, type: bounces, object: b, target: c, times: 0.5}"))
+    assert "/times: is 0.5; write how often" in wrong
+    assert "/target: is missing in a 'misses'" in problems(
+        with_events("{id: e2, type: misses, object: b}")
+    )

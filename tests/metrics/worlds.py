@@ -9,8 +9,14 @@ import numpy as np
 
 from esg.engines.program import Primitive, Program
 from esg.engines.scene import Body, ContactLog, Region, Rollout, Shape, SimScene
-from esg.metrics import SuiteConstraint, SuiteEvent, SuiteScene, judge
-from esg.units import quat_from_euler_deg
+from esg.metrics import (
+    SuiteConstraint,
+    SuiteEvent,
+    SuiteScene,
+    SuiteStatement,
+    judge,
+)
+from esg.units import quat_from_euler_deg, quat_multiply
 
 DT = 1.0 / 240.0
 Path = Callable[[np.ndarray], np.ndarray]
@@ -49,6 +55,7 @@ class World:
         self.bodies: list[Body] = []
         self.paths: list[np.ndarray] = []
         self.turns: list[np.ndarray] = []
+        self.spins: list[np.ndarray] = []
         self.contacts: list[tuple[float, str, str, float, float]] = []
         self.primitives: list[Primitive] = []
         self.regions: list[Region] = []
@@ -61,8 +68,12 @@ class World:
         z: float | Path | None = None,
         yaw_deg: float | Path = 0.0,
         pitch_deg: float | Path = 0.0,
+        rolling: float = 0.0,
     ) -> World:
-        """Adds a body on a path; numbers are constant, functions take the time array."""
+        """Adds a body on a path; numbers are constant, functions take the time array.
+
+        `rolling` is spin over that of rolling; its attitude, which nothing asks for, does not turn.
+        """
         z = item.position[2] if z is None else z
         columns = [self._curve(v) for v in (x, y, z)]
         path = np.stack(columns, axis=1)
@@ -71,6 +82,12 @@ class World:
             np.array([quat_from_euler_deg(a, b) for a, b in zip(yaw, pitch, strict=True)])
         )
         self.paths.append(path)
+        spin = _spin(self.turns[-1], self.dt)
+        if rolling:
+            velocity = np.diff(path, axis=0, prepend=path[:1]) / self.dt
+            about = np.stack([-velocity[:, 1], velocity[:, 0], 0.0 * velocity[:, 2]], axis=1)
+            spin = rolling * about / item.roll_radius
+        self.spins.append(spin)
         self.bodies.append(replace(item, position=tuple(path[0].tolist())))
         return self
 
@@ -134,7 +151,7 @@ class World:
             position=position.astype(np.float32),
             quaternion=quaternion.astype(np.float32),
             linear_velocity=velocity.astype(np.float32),
-            angular_velocity=np.zeros_like(velocity, dtype=np.float32),
+            angular_velocity=np.stack(self.spins, axis=1)[None].astype(np.float32),
             contacts=log,
             valid=np.array([valid]),
         )
@@ -145,6 +162,7 @@ class World:
         constraints: Sequence[SuiteConstraint] = (),
         objects: Sequence[str] = (),
         valid: bool = True,
+        statements: Sequence[SuiteStatement] = (),
     ):
         """The verdict on the world."""
         expected = SuiteScene(
@@ -153,12 +171,28 @@ class World:
             events=tuple(events),
             constraints=tuple(constraints),
             objects=tuple(objects),
+            statements=tuple(statements),
         )
         return judge(self.scene, self.program, self.rollout(valid), expected)
 
     def event(self, **fields: object):
         """The verdict on one event."""
         return self.judge([SuiteEvent.model_validate({"id": "e1", **fields})]).events[0]
+
+    def states(self, says: str, events: Sequence[SuiteEvent] = (), **fields: object):
+        """The verdict on one statement."""
+        made = SuiteStatement.model_validate({"id": "s1", "says": says, **fields})
+        return self.judge(events, statements=[made]).statements[0]
+
+
+def _spin(turns: np.ndarray, dt: float) -> np.ndarray:
+    """Angular velocity of attitudes over time, shape [T, 3]."""
+    steps = quat_multiply(turns[1:], turns[:-1] * np.array([-1.0, -1.0, -1.0, 1.0]))
+    steps = steps * np.where(steps[:, 3:] < 0, -1.0, 1.0)
+    size = np.linalg.norm(steps[:, :3], axis=1, keepdims=True)
+    angle = 2.0 * np.arctan2(size, steps[:, 3:])
+    axis = steps[:, :3] / np.where(size > 0, size, 1.0)
+    return np.concatenate([np.zeros((1, 3)), axis * angle / dt])
 
 
 def line(start: float, speed: float, begin: float = 0.0, end: float = np.inf) -> Path:

@@ -1,0 +1,175 @@
+"""Events of jointed and breakable things: opens, closes, swings, breaks, separates.
+
+Scenes have no joints yet: what turns or slides in its place is taken for jointed, what touches at
+first for attached.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+import itertools
+
+import numpy as np
+
+from esg.metrics.binding import Binding
+from esg.metrics.detection import Found, Query
+from esg.metrics.events_space import surface_distance
+from esg.metrics.geometry import compound_distance
+from esg.metrics.replay import GROUND_INDEX, Floats, Replay
+from esg.metrics.support import Bools, Frames, touching
+from esg.thresholds import (
+    AT_REST_MPS,
+    CARRIED_M,
+    OPEN_SHARE,
+    PIECE_GAP_M,
+    PIECES,
+    SAMPLE_S,
+    STOPPED_MPS,
+)
+from esg.units import quat_rotate
+
+_STRAIGHT_DEG = 10.0
+"""What slides turns by less."""
+_DIP_M = 0.005
+"""A lowest point is passed by at least so much on either side."""
+
+
+def opens(replay: Replay, q: Query) -> Iterator[Found]:
+    """Turning or sliding away from where it was."""
+    yield from _turns_open(replay, q, settled=False)
+
+
+def closes(replay: Replay, q: Query) -> Iterator[Found]:
+    """Turning or sliding to where it stays."""
+    yield from _turns_open(replay, q, settled=True)
+
+
+def _turns_open(replay: Replay, q: Query, *, settled: bool) -> Iterator[Found]:
+    begin = replay.after(q.since)
+    for i in q.bound["object"].bodies:
+        angle, slid, stays = _opening(replay, i, begin)
+        enough = (
+            (angle >= q.event.degrees) | (slid >= OPEN_SHARE) & (angle < _STRAIGHT_DEG)
+        ) & stays
+        if settled:
+            enough &= np.abs(np.gradient(angle, replay.time)) < 5.0
+            enough &= replay.speed[:, i] < AT_REST_MPS
+        frames = np.flatnonzero(enough[begin:])
+        if len(frames):
+            k = begin + int(frames[0])
+            measured = {"turned_deg": float(angle[k]), "slid_share": float(slid[k])}
+            yield Found(float(replay.time[k]), (i,), measured=measured)
+            continue
+        most = float(angle[begin:].max(initial=0.0))
+        name = replay.scene.bodies[i].name
+        reason = f"{name} turns by {most:.0f} degrees, {q.event.degrees:.0f} asked"
+        if replay.scene.bodies[i].static:
+            reason = f"{name} is fixed"
+        elif not stays[begin:].all():
+            reason = f"{name} leaves its place, and is no jointed part"
+        elif settled and most >= q.event.degrees:
+            reason = f"{name} never comes to rest"
+        yield Found(None, (i,), reason)
+
+
+def _opening(replay: Replay, body: int, begin: int) -> tuple[Floats, Floats, Bools]:
+    """From a frame on: angle turned [degrees], share of its own length slid, and whether it is
+    still in its place, each [T].
+    """
+    begin = min(begin, len(replay.time) - 1)
+    q, p = replay.quaternion[:, body], replay.position[:, body]
+    angle = np.degrees(2.0 * np.arccos(np.clip(np.abs(q @ q[begin]), 0.0, 1.0)))
+    half = np.array(replay.scene.bodies[body].half_extents)
+    shift = quat_rotate(q[begin] * np.array([-1.0, -1.0, -1.0, 1.0]), p - p[begin])
+    slid = (np.abs(shift) / (2.0 * half)).max(axis=1)
+    stays = np.linalg.norm(p - p[begin], axis=1) <= 2.0 * float(half.max())
+    return angle, slid, stays
+
+
+def swings(replay: Replay, q: Query) -> Iterator[Found]:
+    """Passing the lowest point of its way in the air, as often as asked."""
+    begin = replay.after(q.since)
+    for i in q.bound["object"].bodies:
+        free = ~touching(replay, i)
+        low = _dips(replay.position[:, i, 2])
+        passes = [k for k in low if k >= begin and free[k] and replay.speed[k, i] > STOPPED_MPS]
+        if len(passes) >= q.event.times:
+            k = passes[q.event.times - 1]
+            yield Found(float(replay.time[k]), (i,), measured={"times": float(len(passes))})
+        else:
+            reason = f"passes its lowest point {len(passes)} times, {q.event.times} asked"
+            yield Found(None, (i,), reason)
+
+
+def _dips(height: Floats) -> list[int]:
+    """Frames at which a height [T] is lowest between two that are higher by `_DIP_M`."""
+    out: list[int] = []
+    lowest, top, armed = 0, float(height[0]), False
+    for k, z in enumerate(height.tolist()):
+        if armed and z >= height[lowest] + _DIP_M:
+            out.append(lowest)
+            top, armed = z, False
+        top = max(top, z)
+        if z <= top - _DIP_M and (not armed or z < height[lowest]):
+            lowest, armed = k, True
+    return out
+
+
+def _sampled(replay: Replay, begin: int) -> Frames:
+    step = max(1, round(SAMPLE_S / replay.frame_s))
+    return np.unique(np.append(np.arange(begin, len(replay.time), step), len(replay.time) - 1))
+
+
+def breaks(replay: Replay, q: Query) -> Iterator[Found]:
+    """Coming apart into pieces: the bodies that the phrase means, and those of their groups."""
+    begin = replay.after(q.since)
+    bodies = replay.scene.bodies
+    groups = {bodies[i].group for i in q.bound["object"].bodies} - {""}
+    own = {i for i, b in enumerate(bodies) if b.group in groups} | set(q.bound["object"].bodies)
+    parts = tuple(sorted(own))
+    if len(parts) < PIECES:
+        yield Found(None, parts, f"{q.bound['object'].phrase!r} is in one piece that cannot break")
+        return
+    if _pieces(replay, parts, 0) >= PIECES:
+        yield Found(None, parts, "is in pieces from the start")
+        return
+    most = 0
+    for k in _sampled(replay, begin):
+        most = max(most, n := _pieces(replay, parts, int(k)))
+        if n >= PIECES:
+            yield Found(float(replay.time[k]), parts, measured={"pieces": float(n)})
+            return
+    yield Found(None, parts, f"is in {most} pieces at most (needs {PIECES})")
+
+
+def _pieces(replay: Replay, parts: tuple[int, ...], frame: int) -> int:
+    """Number of groups of bodies that are `PIECE_GAP_M` apart from all others."""
+    label = {i: i for i in parts}
+    placed = {i: replay.placed_solid(i, frame) for i in parts}
+    for i, j in itertools.combinations(parts, 2):
+        if compound_distance(placed[i], placed[j], cutoff=PIECE_GAP_M) < PIECE_GAP_M:
+            old = label[j]
+            for k in parts:
+                label[k] = label[i] if label[k] == old else label[k]
+    return len(set(label.values()))
+
+
+def separates(replay: Replay, q: Query) -> Iterator[Found]:
+    """Two that touched are apart."""
+    begin = min(replay.after(q.since), len(replay.time) - 1)
+    for i in q.bound["a"].bodies:
+        for j in (j for j in q.bound["b"].bodies if j != i):
+            other = Binding("", bodies=(j,))
+            gap = surface_distance(replay, i, other, max(begin - 1, 0))
+            if gap > CARRIED_M:
+                yield Found(None, (i, j), f"are {100 * gap:.0f} cm apart before")
+                continue
+            for k in _sampled(replay, begin):
+                gap = surface_distance(replay, i, other, int(k))
+                if gap > PIECE_GAP_M:
+                    yield Found(float(replay.time[k]), (i, j), measured={"gap_m": gap})
+                    break
+            else:
+                yield Found(None, (i, j), "stay together")
+        if q.bound["b"].ground:
+            yield Found(None, (i, GROUND_INDEX), "nothing is attached to the ground")

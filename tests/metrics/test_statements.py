@@ -1,0 +1,445 @@
+"""Every predicate, kept and broken, on replays with known answers."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+import math
+
+import numpy as np
+import pytest
+
+from esg.engines.scene import Region, Shape
+from esg.graph.models import Predicate
+from esg.metrics import SuiteEvent, SuiteScene, SuiteStatement
+from esg.metrics.judging import failed_verdict
+from tests.metrics.worlds import World, ball, body, line
+
+TABLE = Shape("box", (1.0, 0.5, 0.4))
+BOX = Shape("box", (0.1, 0.1, 0.1))
+ROAD = {"shapes": (), "static": True, "half_extents": (10.0, 2.0, 0.005)}
+
+
+def table(**more: object):
+    return body("table_1", TABLE, static=True, **more)
+
+
+def on_table(x=0.0, z=0.9, **more: object) -> World:
+    return World(2.0).add(table()).add(ball("ball_1"), x=x, z=z, **more)
+
+
+def pair(gap: float = 1.0, **more: object) -> World:
+    return World(2.0).add(ball("ball_1"), **more).add(body("crate_1", BOX), x=0.2 + gap)
+
+
+def moving(x=0.0, y=0.0, z=None, **more: object) -> World:
+    return World(2.0).add(body("car_1"), x=x, y=y, z=z, **more)
+
+
+def falling(t: np.ndarray) -> np.ndarray:
+    return np.maximum(0.1, 2.1 - 4.905 * t**2)
+
+
+def arc(t: np.ndarray) -> np.ndarray:
+    """Stands, flies from 0.5 s to 1.3 s, and stands again."""
+    s = np.clip(t - 0.5, 0.0, 0.8)
+    return 0.1 + 4.905 * s * (0.8 - s)
+
+
+def circle(share: float, radius: float = 2.0):
+    """Part of a circle about the origin in two seconds."""
+    return {
+        "x": lambda t: radius * np.cos(math.pi * share * t),
+        "y": lambda t: radius * np.sin(math.pi * share * t),
+    }
+
+
+def wall(x: float = 3.0) -> World:
+    world = World(2.0)
+    return world.add(body("wall_1", Shape("box", (0.1, 4.0, 1.0)), static=True), x=x)
+
+
+def gate(x: float = 2.0) -> World:
+    inside = Region("gate_1/inside", "gate_1", (0.0, 0.0, 0.0), (0.2, 1.0, 1.0), "inside")
+    made = body("gate_1", Shape("box", (0.2, 1.0, 1.0)), static=True)
+    return World(2.0).add(made, x=x).region(inside)
+
+
+def two_posts() -> World:
+    world = World(2.0)
+    for k, y in enumerate((-1.0, 1.0)):
+        world.add(body(f"post_{k + 1}", static=True), x=2.0, y=y)
+    return world
+
+
+def hit() -> World:
+    """Ball 1 hits ball 2 at 0.4 s, ball 2 hits ball 3 at 0.8 s."""
+    world = World()
+    world.add(ball("ball_1"), x=line(0.0, 2.0, 0.0, 0.4)).add(
+        ball("ball_2"), x=line(1, 2, 0.4, 0.8)
+    )
+    world.add(ball("ball_3"), x=line(2.0, 2.0, 0.8))
+    return world.touch(0.4, "ball_1", "ball_2", 2.0).touch(0.8, "ball_2", "ball_3", 2.0)
+
+
+HITS = (
+    SuiteEvent(id="e1", type="collision", a="ball 1", b="ball 2"),
+    SuiteEvent(id="e2", type="collision", a="ball 2", b="ball 3", after=("e1",)),
+)
+ON = {"object": "ball", "target": "table"}
+TO = {"object": "ball", "target": "crate"}
+CAR = {"object": "car"}
+Make = Callable[[], World]
+
+
+def case(says: str, kept: Make, broken: Make, why: str, **fields: object):
+    return pytest.param(says, kept, broken, why, fields, id=f"{says}-{why}")
+
+
+CASES = [
+    case("supported_by", on_table, lambda: on_table(z=1.2), "not rest on", **ON),
+    case("supported_by", on_table, lambda: on_table(x=1.2), "not rest on", when="start", **ON),
+    case(
+        "supported_by",
+        lambda: on_table(z=lambda t: np.where(t < 1.95, 0.9, 0.8)),
+        lambda: on_table(x=line(0, 1.0), z=lambda t: np.where(t < 1.0, 0.9, 0.1)),
+        "49% of the time",
+        **ON,
+    ),
+    case(
+        "supported_by",
+        lambda: moving(),
+        lambda: moving(z=0.2),
+        "not rest on",
+        object="car",
+        target="ground",
+    ),
+    case(
+        "supported_by",
+        lambda: moving().add(body("road_1", **ROAD), z=0.0),
+        lambda: moving(y=3.0).add(body("road_1", **ROAD), z=0.0),
+        "not rest on",
+        object="car",
+        target="=road_1",
+    ),
+    case("inside", lambda: gate(0.0).add(ball("ball_1"), z=0.5), lambda: gate().add(ball("ball_1")),
+         "not lie inside", object="ball", target="gate"),
+    case("above", lambda: on_table(z=1.4), on_table, "stay clear", distance=None, **ON),
+    case("above", lambda: on_table(z=1.4), lambda: on_table(x=2.0), "not over", **ON),
+    case("above", lambda: on_table(z=1.44), lambda: on_table(z=1.5), "at 0.5 m", value=0.5, **ON),
+    case(
+        "hangs_from",
+        lambda: World().add(table(), z=2.0).add(body("lamp_1", static=True), z=1.5),
+        lambda: World().add(table(), z=2.0).add(body("lamp_1", static=True), z=2.5),
+        "not below",
+        object="lamp",
+        target="table",
+    ),
+    case(
+        "attached_to",
+        lambda: wall().add(body("sign_1", static=True), x=2.8),
+        lambda: wall().add(body("sign_1"), x=2.8),
+        "no joint",
+        object="sign",
+        target="wall",
+    ),
+    case(
+        "attached_to",
+        lambda: wall().add(body("sign_1", static=True), x=2.8),
+        lambda: wall().add(body("sign_1", static=True), x=2.0),
+        "80 cm away",
+        object="sign",
+        target="wall",
+    ),
+    case(
+        "leans_on",
+        lambda: wall().add(body("plank_1", Shape("box", (0.5, 0.1, 0.02))), x=2.636, z=0.45,
+                           pitch_deg=-60.0),
+        lambda: wall().add(body("plank_1", Shape("box", (0.5, 0.1, 0.02))), x=2.4),
+        "stands straight",
+        object="plank",
+        target="wall",
+    ),
+    case("moves", lambda: moving(line(0, 1)), lambda: moving(line(0, -1)), "180 degrees off 'left'",
+         direction="left", **CAR),
+    case("moves", lambda: moving(line(0, -1)), lambda: moving(), "no motion",
+         direction="right", **CAR),
+    case("moves", lambda: moving(line(0, 0.5), line(0, 1)), lambda: moving(line(0, 1), line(0, 1)),
+         "45 degrees off 'front' (to the", direction="front", **CAR),
+    case("moves", lambda: moving(y=line(0, -1)), lambda: moving(y=line(0, 1)), "(to the front)",
+         direction="back", **CAR),
+    case("moves", lambda: moving(z=arc), lambda: moving(line(0, 3), z=arc), "off 'up'",
+         direction="up", **CAR),
+    case("moves", lambda: moving(z=falling), lambda: moving(z=line(0.1, 1)), "off 'down'",
+         direction="down", **CAR),
+    case("moves", lambda: moving(y=line(0, 1), yaw_deg=90), lambda: moving(line(0, 1), yaw_deg=90),
+         "90 degrees off its own 'forward'", direction="forward", **CAR),
+    case("moves", lambda: moving(line(0, -1)), lambda: moving(line(0, 1)), "its own 'backward'",
+         direction="backward", **CAR),
+    case("moves", lambda: wall().add(body("car_1"), x=line(0, 1), y=line(3, 0.3)),
+         lambda: World().add(body("wall_1"), x=3.0).add(body("car_1"), x=line(0, 0.5), y=line(0, 1)),
+         "off the way to wall", direction="toward", object="car", target="wall"),
+    case("moves", lambda: wall().add(body("car_1"), x=lambda t: 2.5 - 4 * np.abs(t - 0.6)),
+         lambda: wall().add(body("car_1"), x=line(0, -1)),
+         "no nearer to wall", direction="toward", object="car", target="wall"),
+    case("moves", lambda: wall().add(body("car_1"), x=line(2, -1)),
+         lambda: wall().add(body("car_1"), x=line(0, 1)),
+         "no farther away", direction="away_from", object="car", target="wall"),
+    case("moves", lambda: wall().add(body("car_1"), x=2.5, y=line(0, -1)),
+         lambda: wall().add(body("car_1"), x=line(0, 1)), "90 degrees off the length",
+         direction="along", object="car", target="wall"),
+    case("moves", lambda: wall().add(body("car_1"), x=2.5, y=line(0, -1)),
+         lambda: wall().add(body("car_1"), x=-2.0, y=line(0, -1)), "keeps 4.9 m off",
+         direction="along", object="car", target="wall"),
+    case("moves", lambda: pair().add(body("car_1"), x=line(0, 2), y=1.0),
+         lambda: pair().add(body("car_1"), x=line(0, 0.3), y=1.0), "does not get past",
+         direction="past", object="car", target="crate"),
+    case("moves", lambda: pair().add(body("car_1"), x=line(0, 2), y=1.0),
+         lambda: pair().add(body("car_1"), x=line(0, 2), y=5.0), "4.9 m away; limit 3.0 m",
+         direction="past", object="car", target="crate"),
+    case("moves", lambda: on_table(line(-0.9, 0.8)), lambda: on_table(line(-0.9, 0.3)),
+         "goes over 30% of table", direction="across", **ON),
+    case("moves", lambda: gate().add(ball("ball_1"), x=line(0, 2)),
+         lambda: gate().add(ball("ball_1"), x=line(0, 1)), "ends inside gate",
+         direction="through", object="ball", target="gate"),
+    case("moves", lambda: gate().add(ball("ball_1"), x=line(0, 2)),
+         lambda: gate().add(ball("ball_1"), x=lambda t: 2.0 - 2.0 * np.abs(t - 1.0)),
+         "comes out of gate where", direction="through", object="ball", target="gate"),
+    case("moves", lambda: World(2.0).add(body("tree_1")).add(body("car_1"), **circle(0.8)),
+         lambda: World(2.0).add(body("tree_1")).add(body("car_1"), x=line(-4, 4), y=1.0),
+         "its course bending by 0", direction="around", object="car", target="tree"),
+    case("moves", lambda: two_posts().add(body("car_1"), x=line(0, 2)),
+         lambda: two_posts().add(body("car_1"), x=line(0, 2), y=1.5), "never crosses the line",
+         direction="between", object="car", target="posts"),
+    case("rolls", lambda: World(2.0).add(ball("ball_1"), x=line(0, 2), rolling=1.0),
+         lambda: World(2.0).add(ball("ball_1"), x=line(0, 2)), "rolls for 0% of its way",
+         object="ball"),
+    case("rolls", lambda: World(2.0).add(ball("ball_1"), x=line(0, 2), rolling=0.9),
+         lambda: World(2.0).add(ball("ball_1"), x=line(0, 2), rolling=-1.0), "spin is -1.00",
+         object="ball"),
+    case("rolls", lambda: World(2.0).add(body("car_1", wheeled=True), x=line(0, 2)),
+         lambda: World(2.0).add(body("car_1", wheeled=True), y=line(0, 2)), "0% of its way", **CAR),
+    case("slides", lambda: moving(line(0, 2)),
+         lambda: World(2.0).add(ball("car_1"), x=line(0, 2), rolling=1.0), "spin is 1.00", **CAR),
+    case("slides", lambda: moving(line(0, 2)), lambda: moving(line(0, 2), z=1.0),
+         "never touches anything", **CAR),
+    case("spins", lambda: moving(yaw_deg=line(0, -100)), lambda: moving(yaw_deg=line(0, 45)),
+         "by 90 degrees", **CAR),
+    case("tumbles", lambda: moving(pitch_deg=line(0, 60)), lambda: moving(pitch_deg=line(0, 30)),
+         "by 60 degrees at most", **CAR),
+    case("airborne", lambda: moving(z=1.0), moving, "not stay in the air", **CAR),
+    case("carried_by", lambda: moving(line(0, 1)).add(ball("ball_1"), x=line(0, 1), z=0.3),
+         lambda: moving(line(0, 1)).add(ball("ball_1"), x=line(0, 0.9), z=0.3), "strays by 20 cm",
+         object="ball", target="car"),
+    case("carried_by", lambda: moving(line(0, 1)).add(ball("ball_1"), x=line(0, 1), z=0.3),
+         lambda: moving().add(ball("ball_1"), z=0.3), "nothing called car moves",
+         object="ball", target="car"),
+    case("stays_upright", lambda: moving(pitch_deg=line(0, 14)),
+         lambda: moving(pitch_deg=line(0, 16)), "tilts by 32 degrees", **CAR),
+    case("stays_still", lambda: moving(line(0, 0.009)), lambda: moving(line(0, 0.02)),
+         "moves by 4 cm", **CAR),
+    case("touches", lambda: pair(0.0).touch(1.0, "ball_1", "crate_1", 0.01), pair,
+         "never touches crate", **TO),
+    case("never_touches", pair, lambda: pair(0.0).touch(1.0, "ball_1", "crate_1", 0.01),
+         "touches crate_1 at 1.00 s", **TO),
+    case("never_touches", lambda: moving(z=1.0), lambda: moving(z=falling), "touches ground at 0.6",
+         object="car", target="ground"),
+    case("ends_on", on_table, lambda: on_table(x=line(0, 0.1)), "still moves at 0.10 m/s", **ON),
+    case("ends_on", on_table, lambda: on_table(x=1.5), "cm away from table", **ON),
+    case("ends_on", on_table, lambda: on_table(x=1.101, z=0.5), "beside table", **ON),
+    case("ends_in", lambda: gate(0.0).add(ball("ball_1"), x=line(1.0, -0.9, 0.0, 1.0), z=0.5),
+         lambda: gate(0.0).add(ball("ball_1"), x=line(0.0, 0.9, 0.0, 1.0), z=0.5),
+         "does not end inside", object="ball", target="gate"),
+    case("ends_near", lambda: pair(0.4), lambda: pair(0.6), "0.60 m away", **TO),
+    case("at_rest", lambda: moving(line(0, 1, 0, 1)), lambda: moving(line(0, 1)), "up to 1.00 m/s",
+         when="end", **CAR),
+    case("slower_than", lambda: moving(line(0, 1)), lambda: moving(line(0, 2)), "up to 2.00 m/s",
+         value=1.5, **CAR),
+    case("faster_than", lambda: moving(line(0, 2)), lambda: moving(line(0, 1)),
+         "1.00 m/s at most", value=1.5, **CAR),
+    case("same_time", hit, hit, "0.40 s lie between", a="e1", b="e2"),
+    case("before", hit, hit, "0.40 s after e1", a="e2", b="e1"),
+    case("size", lambda: World().add(table()),
+         lambda: World().add(body("table_1")), "its height is 0.20 m; 0.75 m asked",
+         object="table", quantity="height", value=0.75),
+    case("size", lambda: on_table().add(body("crate_1", TABLE), x=5),
+         lambda: on_table().add(body("crate_1"), x=5), "its size is 0.20 m; 2.00 m asked",
+         object="crate", alike="table"),
+    case("count", hit, lambda: on_table(), "1 are there; 3 asked", noun="ball", value=3),
+    case("absent", on_table, lambda: on_table().add(body("tray_1"), x=5), "tray_1 is there",
+         noun="tray"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("says", "kept", "broken", "why", "fields"), CASES)
+def test_every_predicate_is_kept_and_broken(says, kept, broken, why, fields):
+    fields = {k: v for k, v in fields.items() if k != "distance"}
+    if says not in ("same_time", "before"):
+        good = kept().states(says, **fields)
+        assert good.kept is True, good.reason
+        assert good.reason == ""
+        bad = broken().states(says, **fields)
+    else:
+        bad = broken().states(says, HITS, **fields)
+    assert bad.kept is False
+    assert why in bad.reason
+
+
+def test_the_cases_name_every_predicate():
+    named = {p.values[0] for p in CASES}
+    assert named == {p.value for p in Predicate} - {"not_represented"}
+
+
+@pytest.mark.parametrize(("a", "b", "kept"), [("e1", "e2", True), ("start", "e1", True)])
+def test_events_come_before_others(a, b, kept):
+    assert hit().states("before", HITS, a=a, b=b).kept is kept
+
+
+def test_events_within_a_third_of_a_second_are_at_one_time():
+    world = World().add(ball("ball_1"), x=line(0, 2, 0, 0.4)).add(ball("ball_2"), x=line(1, 2, 0.4))
+    world.add(ball("ball_3"), x=line(2.0, 2.0, 0.6))
+    world.touch(0.4, "ball_1", "ball_2", 2.0).touch(0.7, "ball_2", "ball_3", 2.0)
+    found = world.states("same_time", HITS, a="e1", b="e2")
+    assert found.kept
+    assert found.measured == {"gap_s": pytest.approx(0.3)}
+
+
+def test_what_is_not_represented_is_neither_kept_nor_broken():
+    found = on_table().states("not_represented", words="in the wind", note="there is no wind")
+    assert (found.kept, found.words, found.reason) == (None, "in the wind", "there is no wind")
+
+
+@pytest.mark.parametrize(
+    ("when", "kept"),
+    [("start..e1", True), ("e1..end", False), ("throughout", False), ("start", True),
+     ("e1..e2", False), ("e1", False)],
+)  # fmt: skip
+def test_statements_are_about_their_time(when, kept):
+    world = hit()
+    found = world.states("stays_still", HITS, object="ball 2", when=when)
+    assert found.kept is kept
+    late = world.states("stays_still", HITS, object="ball 1", when="e2..end")
+    assert late.kept
+
+
+@pytest.mark.parametrize(
+    ("when", "why"),
+    [("e2", "event e2 did not happen"), ("start..e9", "no event 'e9' is measured"),
+     ("end..e1", "end comes after e1")],
+)  # fmt: skip
+def test_what_has_no_time_is_broken(when, why):
+    world = hit()
+    world.contacts = world.contacts[:1]
+    found = world.states("stays_still", HITS, object="ball 1", when=when)
+    assert found.kept is False
+    assert why in found.reason
+
+
+def test_what_is_not_there_breaks_its_statement_but_not_the_layout():
+    made = SuiteStatement(id="s1", says=Predicate.SUPPORTED_BY, object="ball", target="shelf")
+    verdict = on_table().judge(statements=[made])
+    assert verdict.statements[0].kept is False
+    assert "'shelf' is not in the scene" in verdict.statements[0].reason
+    assert verdict.verified
+
+
+def test_every_member_of_a_set_keeps_a_statement():
+    world = on_table().add(ball("ball_2"), x=0.5, z=0.9)
+    assert world.states("supported_by", object="=ball_1,ball_2", target="=table_1").kept
+    world.add(ball("ball_3"), x=3.0)
+    found = world.states("supported_by", object="balls", target="table")
+    assert found.kept is False
+    assert found.reason.startswith("ball_3 ")
+
+
+def test_a_stack_on_something_rests_on_it_as_a_whole():
+    world = World(2.0).add(table())
+    for k in range(3):
+        world.add(body(f"crate_{k + 1}"), z=0.9 + 0.2 * k)
+    assert world.states("supported_by", object="crates", target="table").kept
+    alone = world.states("supported_by", object="=crate_3", target="table")
+    assert alone.kept is False
+
+
+def test_skr_counts_what_is_not_represented():
+    says = [
+        SuiteStatement(id="s1", says=Predicate.STAYS_STILL, object="ball", words="lies"),
+        SuiteStatement(id="s2", says=Predicate.ABSENT, noun="table"),
+        SuiteStatement(id="s3", says=Predicate.NOT_REPRESENTED, note="no wind"),
+    ]
+    verdict = on_table().judge(statements=says)
+    assert [s.kept for s in verdict.statements] == [True, False, None]
+    assert verdict.skr == pytest.approx(1 / 3)
+    assert verdict.to_json()["skr"] == verdict.skr
+    assert (verdict.kept, verdict.understood, verdict.verified) == (False, False, True)
+    nothing = on_table().judge()
+    assert (nothing.kept, nothing.understood, nothing.skr) == (True, True, None)
+    diverged = on_table().judge(statements=says, valid=False)
+    assert [s.kept for s in diverged.statements] == [False, False, None]
+    scene = SuiteScene(id="T", prompt="t", statements=tuple(says))
+    failed = failed_verdict("x", scene, "physx", 0.01, "no draft")
+    assert [(s.kept, s.reason) for s in failed.statements] == [
+        (False, "no draft"),
+        (False, "no draft"),
+        (None, "no wind"),
+    ]
+
+
+@pytest.mark.parametrize("degrees", range(0, 360, 15))
+def test_a_mirrored_scene_swaps_left_and_right(degrees):
+    vx, vy = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    world, mirror = moving(line(0, vx), line(0, vy)), moving(line(0, -vx), line(0, vy))
+    for one, other in (("left", "right"), ("right", "left"), ("front", "front"), ("back", "back")):
+        here = world.states("moves", object="car", direction=one)
+        there = mirror.states("moves", object="car", direction=other)
+        assert here.kept is there.kept
+        assert here.measured["off_deg"] == pytest.approx(there.measured["off_deg"], abs=1e-4)
+    kept = [world.states("moves", object="car", direction=d).kept for d in ("left", "right")]
+    assert kept == [vx >= math.cos(math.radians(35)), -vx >= math.cos(math.radians(35))]
+
+
+@pytest.mark.parametrize("yaw", [0.0, 40.0, 130.0, 250.0])
+def test_a_turned_scene_keeps_what_is_said_of_other_things(yaw):
+    a = math.radians(yaw)
+
+    def turned(x, y):
+        return x * math.cos(a) - y * math.sin(a), x * math.sin(a) + y * math.cos(a)
+
+    world = World(2.0)
+    cx, cy = turned(4.0, 0.5)
+    world.add(body("crate_1"), x=cx, y=cy)
+    world.add(
+        body("car_1"),
+        x=lambda t: turned(1.5 * t, 0.0 * t)[0],
+        y=lambda t: turned(1.5 * t, 0.0 * t)[1],
+        yaw_deg=yaw,
+    )
+    for direction, kept in (("toward", True), ("forward", True), ("backward", False)):
+        found = world.states("moves", object="car", target="crate", direction=direction)
+        assert found.kept is kept, found.reason
+
+
+def test_what_rests_in_the_air_for_the_log_still_touches():
+    world = on_table()
+    for k in range(5):
+        world.touch(k / 240, "ball_1", "table_1", 0.01)
+    assert world.states("airborne", object="ball").kept is False
+    hovering = World(2.0).add(ball("ball_1"), z=2.0)
+    assert hovering.states("airborne", object="ball").kept
+
+
+def test_a_flight_is_between_its_events():
+    falls = SuiteEvent(id="e1", type="reaches", object="car", target="@0,0,0")
+    world = moving(z=falling)
+    assert world.states("airborne", [falls], object="car", when="start..e1").kept
+    assert not world.states("airborne", [falls], object="car").kept
+
+
+def test_between_events_is_neither_of_their_moments():
+    """A hit is logged in the step that changes what it hits."""
+    world = World().add(ball("ball_1"), x=line(0.0, 6.0, 0.0, 0.4)).add(body("crate_1"), x=2.6)
+    world.add(ball("ball_2"), x=line(5.0, 6.0, 0.395)).touch(0.4, "ball_1", "ball_2", 2.0)
+    hits = HITS[:1]
+    assert world.states("stays_still", hits, object="ball 2", when="start..e1").kept
+    pair = {"a": "ball 1", "b": "ball 2", "when": "start..e1"}
+    assert world.states("never_touches", hits, **pair).kept
+    assert world.states("touches", hits, **pair).kept
