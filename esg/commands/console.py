@@ -117,6 +117,11 @@ def unshown(lost: Sequence[Mapping[str, Any]], where: str) -> list[str]:
     return [f"  !! {line}" for line in lines]
 
 
+def unseen(rows: Sequence[Mapping[str, Any]]) -> str:
+    """Words that are not shown, each with the number of its scenes."""
+    return ", ".join(f'"{row["words"]}" ({row["scenes"]})' for row in rows)
+
+
 class Progress:
     """A bar on stderr over a number of steps; silent when stderr is no terminal.
 

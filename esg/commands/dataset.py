@@ -356,6 +356,8 @@ def _summary(
 
 def describe(summary: dict[str, Any]) -> str:
     """The same for people."""
+    from esg.commands.console import unseen
+
     state = "complete" if summary["complete"] else "other shards are missing"
     lines = [
         f"{summary['scenes']} of {summary['planned']} scenes in {summary['folder']} ({state})",
@@ -366,8 +368,7 @@ def describe(summary: dict[str, Any]) -> str:
     if summary["splits"]:
         lines.append("  " + ", ".join(f"{k} {v}" for k, v in summary["splits"].items()))
     if summary["not_represented"]:
-        words = (f'"{r["words"]}" ({r["scenes"]})' for r in summary["not_represented"])
-        lines.append(f"  most often not shown: {', '.join(words)}")
+        lines.append(f"  most often not shown: {unseen(summary['not_represented'])}")
     if summary["failures"]:
         lines.append(f"  why: {summary['failures']}")
     return "\n".join(lines)
