@@ -35,8 +35,8 @@ class Outcome(str, enum.Enum):
 _ADVICE = {
     Outcome.SOLVED: "Every event, constraint and statement holds; nothing to do.",
     Outcome.PARTIAL: (
-        "Every event happens, but not all that the prompt says is shown; see `reason`, and say it "
-        "in other words or do without it (--strict counts this as a failure)."
+        "Every event happens, but not all that the prompt says is shown: `not_kept` has the words; "
+        "say it otherwise or do without it (--strict counts this as a failure)."
     ),
     Outcome.NEAREST_FEASIBLE: (
         "Physics rules out one constraint; see `dynamics_result.relaxed` for which gave way and by "
