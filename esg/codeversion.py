@@ -20,6 +20,7 @@ COMMON = (
     "thresholds.py",
     "untyped.py",
     "outcomes.py",
+    "fidelity.py",
     "__init__.py",
 )
 _SIMULATION = ("engines", "dynamics")

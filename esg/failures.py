@@ -18,7 +18,12 @@ FILE = "failures.jsonl"
 
 
 def report_failures(
-    states: Sequence[SceneState], folders: Sequence[Path], out: Path, *, adding: bool = False
+    states: Sequence[SceneState],
+    folders: Sequence[Path],
+    out: Path,
+    *,
+    adding: bool = False,
+    strict: bool = False,
 ) -> None:
     """Writes the file; without failures there is none.
 
@@ -28,11 +33,12 @@ def report_failures(
         out: The output folder.
         adding: Whether the lines of other scenes that are still in the folder stay: single scenes
             gather there, while a suite is one run.
+        strict: Whether `partial` counts as a failure.
     """
     rows = [
         row | {"scene": folder.name}
         for state, folder in zip(states, folders, strict=True)
-        for row in failures([state])
+        for row in failures([state], strict=strict)
     ]
     path = out / FILE
     with _alone(out):

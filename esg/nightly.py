@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 import datetime
 import json
 from pathlib import Path
 from typing import Any
 
+from esg.fidelity import most_unseen
+from esg.outcomes import Outcome
 from esg.pipeline import SceneState, failures
+from esg.stages import not_kept
 
 _SHOWN = (
     "run_id", "started_at", "suite", "strategy", "engine", "runs", "events", "ecr_mean", "ecr_std",
@@ -30,6 +33,8 @@ class NightlyResult:
         regressed: Whether it is worse than the last good run (docs/sql.md).
         verdict: The same in words.
         failed: Number of scene runs that did not end well.
+        partial: Number of scene runs that do not show all of their prompt.
+        not_represented: The words that most often are not shown: words, status, scenes.
         report: Path of the report; empty if there is none.
     """
 
@@ -40,6 +45,8 @@ class NightlyResult:
     regressed: bool
     verdict: str
     failed: int
+    partial: int = 0
+    not_represented: list[dict[str, Any]] = field(default_factory=list)
     report: str = ""
 
     def to_json(self) -> dict[str, Any]:
@@ -94,6 +101,8 @@ def conclude_suite(
         regressed=bool(summary.get("regressed")),
         verdict=verdict(summary),
         failed=len(failures(states)),
+        partial=sum(state.outcome is Outcome.PARTIAL for state in states),
+        not_represented=most_unseen(not_kept(state) for state in states),
         report=_report(folder, db),
     )
 

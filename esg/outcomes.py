@@ -9,6 +9,7 @@ class Outcome(str, enum.Enum):
     """Result of generating one scene (docs/cli.md)."""
 
     SOLVED = "solved"
+    PARTIAL = "partial"
     NEAREST_FEASIBLE = "nearest_feasible"
     INFEASIBLE = "infeasible"
     NOT_CONVERGED = "not_converged"
@@ -23,11 +24,20 @@ class Outcome(str, enum.Enum):
     @property
     def has_scene(self) -> bool:
         """Whether a compiled scene exists for this outcome."""
-        return self in (Outcome.SOLVED, Outcome.NEAREST_FEASIBLE, Outcome.NOT_CONVERGED)
+        return self.is_good or self is Outcome.NOT_CONVERGED
+
+    @property
+    def is_good(self) -> bool:
+        """Whether that scene does what it claims."""
+        return self in (Outcome.SOLVED, Outcome.PARTIAL, Outcome.NEAREST_FEASIBLE)
 
 
 _ADVICE = {
-    Outcome.SOLVED: "Every event and constraint holds; nothing to do.",
+    Outcome.SOLVED: "Every event, constraint and statement holds; nothing to do.",
+    Outcome.PARTIAL: (
+        "Every event happens, but not all that the prompt says is shown: `not_kept` has the words; "
+        "say it otherwise or do without it (--strict counts this as a failure)."
+    ),
     Outcome.NEAREST_FEASIBLE: (
         "Physics rules out one constraint; see `dynamics_result.relaxed` for which gave way and by "
         "how much, and relax it in the prompt."

@@ -310,8 +310,13 @@ def run_scene(request: SceneRequest) -> SceneState:
     return state
 
 
-def failures(states: Sequence[SceneState]) -> list[dict[str, Any]]:
-    """One row for every scene that did not end well: the lines of `failures.jsonl`."""
+def failures(states: Sequence[SceneState], *, strict: bool = False) -> list[dict[str, Any]]:
+    """One row for every scene that did not end well: the lines of `failures.jsonl`.
+
+    Args:
+        states: Scenes that have ended.
+        strict: Whether `partial` counts as a failure.
+    """
     return [
         {
             "scene": s.request.name or s.request.prompt,
@@ -322,10 +327,17 @@ def failures(states: Sequence[SceneState]) -> list[dict[str, Any]]:
             "stage": s.log[-1]["stage"] if s.log else "",
         }
         for s in states
-        if not good(s)
+        if not good(s, strict=strict)
     ]
 
 
-def good(state: SceneState) -> bool:
-    """Whether a scene ended with a compiled scene that does what it claims."""
-    return state.outcome is not None and state.outcome.value in ("solved", "nearest_feasible")
+def good(state: SceneState, *, strict: bool = False) -> bool:
+    """Whether a scene ended with a compiled scene that does what it claims.
+
+    Args:
+        state: The scene.
+        strict: Whether it must also show all that its prompt says.
+    """
+    if state.outcome is None or (strict and state.outcome is Outcome.PARTIAL):
+        return False
+    return state.outcome.is_good

@@ -127,17 +127,33 @@ def read_metrics(path: Path) -> dict[str, Any]:
     """
     if absent(path):
         return {}
-    from pydantic import BaseModel, ConfigDict, ValidationError
+    from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
-    class Facts(BaseModel):
+    class Part(BaseModel):
         model_config = ConfigDict(extra="ignore", strict=True)
 
+    class Lost(Part):
+        words: str
+        start: int
+        end: int
+        status: str
+        reason: str
+
+    class Said(Lost):
+        id: str
+        says: str
+        kept: bool | None
+        measured: dict[str, float]
+
+    class Facts(Part):
         outcome: str = ""
         reason: str = ""
         advice: str = ""
         proof: str
         judged_against: str = ""
         verified: bool = False
+        statements: list[Said] = Field(default_factory=list)
+        not_kept: list[Lost] = Field(default_factory=list)
 
     value = read_object(path)
     try:

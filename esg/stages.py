@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from esg.fidelity import Row, lost_in, sentence, shortfalls, statement_rows
 from esg.outcomes import Outcome
 
 if TYPE_CHECKING:
@@ -67,7 +68,8 @@ def conclude(stage: str, state: SceneState) -> tuple[Outcome | None, str]:
     """The outcome a finished stage implies, None while the scene goes on.
 
     `solved` and `nearest_feasible` are claims of the optimizer; they stand only if the replay of
-    the compiled scene completes the events of the scene's own timeline.
+    the compiled scene completes the events of the scene's own timeline. What is `solved` but does
+    not show all that its prompt says is `partial` (esg.fidelity).
     """
     if stage == "draft":
         violations = json.loads((state.artifact(stage) / "violations.json").read_bytes())
@@ -106,6 +108,16 @@ def load_verdict(state: SceneState) -> SceneVerdict:
     """The judge's verdict: against the suite if there is one, else against the own timeline."""
     metrics = json.loads((state.artifact("judge") / "metrics.json").read_bytes())
     return _read_verdict(metrics["verdict"])
+
+
+def not_kept(state: SceneState) -> list[Row]:
+    """What of its prompt a scene does not show, as far as it came (esg.fidelity)."""
+    if "judge" in state.artifacts:
+        metrics = json.loads((state.artifact("judge") / "metrics.json").read_bytes())
+        return lost_in({}, metrics)
+    if "draft" in state.artifacts:
+        return lost_in(json.loads((state.artifact("draft") / DOCUMENT).read_bytes()), None)
+    return []
 
 
 def _read_verdict(data: dict[str, Any]) -> SceneVerdict:
@@ -212,7 +224,10 @@ def _judge(state: SceneState, folder: Path) -> None:
     expected, from_suite = load_suite_scene(state.request, doc)
     verdict = _verdict(state, expected)
     own = _verdict(state, expectations_from_timeline(doc)) if from_suite else verdict
-    outcome, reason = _outcome(doc, own)
+    said = doc.model_dump(mode="json", include={"coverage", "statements"})
+    statements = statement_rows(said, [s.model_dump(mode="json") for s in own.statements])
+    lost = shortfalls(said, statements)
+    outcome, reason = _outcome(doc, own, lost)
     facts = json.loads((state.artifact("replay") / "replay.json").read_bytes())
     metrics = {
         "outcome": outcome.value,
@@ -225,6 +240,8 @@ def _judge(state: SceneState, folder: Path) -> None:
     }
     if from_suite:
         metrics["own_timeline"] = own.to_json()
+    # The prompt's own statements, whatever a suite asks for; without any nothing is written.
+    metrics |= {k: v for k, v in (("statements", statements), ("not_kept", lost)) if v}
     _write_json(metrics, folder / "metrics.json")
 
 
@@ -237,7 +254,14 @@ def _verdict(state: SceneState, expected: SuiteScene) -> SceneVerdict:
     return judge(scene, program, rollout, expected)
 
 
-def _outcome(doc: EsgDocument, own: SceneVerdict) -> tuple[Outcome, str]:
+def _outcome(doc: EsgDocument, own: SceneVerdict, lost: Sequence[Row] = ()) -> tuple[Outcome, str]:
+    """How a replayed scene ended.
+
+    Args:
+        doc: With the optimizer's claim.
+        own: The verdict by the scene's own timeline.
+        lost: What of the prompt is not shown.
+    """
     from esg.draft.document.coverage import NOTHING_HAPPENS
 
     failures = [f"{e.id} ({e.type}): {e.reason}" for e in own.events if not e.completed]
@@ -251,6 +275,8 @@ def _outcome(doc: EsgDocument, own: SceneVerdict) -> tuple[Outcome, str]:
     unread = [w for w in doc.coverage.warnings if w.startswith(NOTHING_HAPPENS)]
     if claimed is Outcome.SOLVED and unread:
         return Outcome.NOT_CONVERGED, unread[0]
+    if claimed is Outcome.SOLVED and lost:
+        return Outcome.PARTIAL, sentence(lost)
     return claimed, reason
 
 

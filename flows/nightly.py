@@ -107,5 +107,8 @@ def _show(result: NightlyResult, states: Sequence[SceneState]) -> None:
     name = f"nightly-{result.suite}"
     artifacts.table(name, [result.summary], f"{result.suite}: {result.verdict}")
     artifacts.failures(name, failures(states))
+    if result.not_represented:
+        what = f"{result.partial} partial scene runs; words that are most often not shown"
+        artifacts.table(f"{name}-words", result.not_represented, what)
     if result.report:
         artifacts.report_link(name, Path(result.report))

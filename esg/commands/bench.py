@@ -25,6 +25,7 @@ def bench(
     close_loop: Annotated[bool, Parameter(negative="")] = False,
     collision: Literal["exact", "proxy", "sdf"] = "exact",
     out: Path | None = None,
+    strict: Annotated[bool, Parameter(negative="")] = False,
     json: Annotated[Path | None, Parameter(help="Write the results to this JSON file.")] = None,
     workers: int | None = None,
 ) -> int:
@@ -42,6 +43,7 @@ def bench(
         collision: What bodies collide with during the search: exact (their parts), proxy (one
             sphere or box each), or sdf (that first, then signed distance fields).
         out: Folder of the scene folders; default runs/bench-SUITE-STRATEGY-ENGINE.
+        strict: Count scenes that do not show all of their prompt (partial) as failed.
         workers: Worker processes; default one a core.
     """
     from esg.commands import inputs
@@ -76,11 +78,12 @@ def bench(
         states = _states(total, processes, arguments)
         bar.show("writing")
         folders = [publish(state, out) for state in states]
-        report_failures(states, folders, out)
+        report_failures(states, folders, out, strict=strict)
         bar.show("ingesting")
         run_id = record_run(states, "bench", suite=loaded.suite, seeds=runs)
         result = results(loaded, states, runs, seed, strategy, engine)
         result["missed"] = missed(states)
+        result["not_kept"] = not_kept(states)
         if close_loop:
             result["closed_loop"] = closed_loop(states)
         # What `esg report` shows beside the scenes.
@@ -90,7 +93,7 @@ def bench(
     _tell(result)
     cached = sum(s.cached_stages for s in states)
     print(f"{cached} of {total * len(STAGES)} stages from cache; scenes in {out}")
-    return exit_code(states)
+    return exit_code(states, strict=strict)
 
 
 def _states(total: int, processes: int, arguments: tuple[Any, ...]) -> list[SceneState]:
@@ -117,7 +120,8 @@ def _tell(result: dict[str, Any]) -> None:
     from esg.metrics import comparison_table
 
     print(comparison_table(result), end="")
-    print("".join(f"{line}\n" for line in missed_lines(result["missed"])), end="")
+    for word in ("missed", "not_kept"):
+        print("".join(f"{line}\n" for line in missed_lines(result[word], word)), end="")
     if "closed_loop" in result:
         before, after = result["closed_loop"]["open"], result["closed_loop"]["closed"]
         print(
@@ -196,22 +200,45 @@ def missed(states: list[SceneState]) -> list[dict[str, Any]]:
     return rows
 
 
+def not_kept(states: list[SceneState]) -> list[dict[str, Any]]:
+    """What of their own prompts the scenes do not show (esg.fidelity), whatever the suite asks."""
+    from esg.stages import not_kept as lost
+
+    return [
+        {
+            "scene": state.request.name,
+            "seed": state.request.seed,
+            "what": f'"{row["words"]}"',
+            **{k: row[k] for k in ("status", "reason")},
+        }
+        for state in states
+        for row in lost(state)
+    ]
+
+
 def _off(measured: float | None, target: float | tuple[float, float]) -> str:
     asked = f"{target[0]:g} to {target[1]:g}" if isinstance(target, tuple) else f"{target:g}"
     return f"asked {asked}, " + ("not measured" if measured is None else f"measured {measured:.3g}")
 
 
-def missed_lines(rows: list[dict[str, Any]]) -> list[str]:
-    """The same for people: one line for what several runs of a scene have in common."""
+def missed_lines(rows: list[dict[str, Any]], word: str = "missed") -> list[str]:
+    """The same for people: one line for what several runs of a scene have in common.
+
+    Args:
+        rows: Of `missed` or `not_kept`.
+        word: Which of them, for the beginning of every line.
+    """
     common: dict[tuple[str, str, str], list[str]] = {}
     for row in rows:
         scene, _, run = row["scene"].rpartition("-run")
-        common.setdefault((scene, row["what"], row["reason"]), []).append(run)
+        parts = (row.get("status", "").replace("_", " "), row["reason"])
+        common.setdefault((scene, row["what"], ": ".join(filter(None, parts))), []).append(run)
+    begin = word.replace("_", " ")
     lines = [
-        f"missed  {scene} run {', '.join(found)}: {what}: {reason or 'no reason given'}"
-        for (scene, what, reason), found in common.items()
+        f"{begin}  {scene} run {', '.join(found)}: {what}: {why or 'no reason given'}"
+        for (scene, what, why), found in common.items()
     ]
     if len(lines) > MISSED_LINES:
         rest = len(lines) - MISSED_LINES
-        lines = [*lines[:MISSED_LINES], f"missed  {rest} more; --json FILE lists all"]
+        lines = [*lines[:MISSED_LINES], f"{begin}  {rest} more; --json FILE lists all"]
     return lines

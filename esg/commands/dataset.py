@@ -39,6 +39,7 @@ def dataset(
     strategy: Literal["batched", "hybrid", "fd", "ad", "none"] = "batched",
     engine: Literal["physx", "rapier", "newton"] = "physx",
     device: str = "cpu",
+    strict: Annotated[bool, Parameter(negative="")] = False,
     json: Annotated[bool, Parameter(negative="")] = False,
 ) -> int:
     """Make a dataset of proven scenes: Parquet tables, splits, a dataset card.
@@ -65,6 +66,7 @@ def dataset(
         strategy: How the physics is searched; none keeps the first guess.
         engine: Engine of the replay: physx runs the emitted class.
         device: cpu or cuda:N.
+        strict: Count scenes that do not show all of their prompt (partial) as failed.
         json: Print one JSON document with counts and paths.
     """
     from esg.commands.console import progress
@@ -90,7 +92,7 @@ def dataset(
         options: dict[str, Any] = {
             "seed": seed, "counterfactual": counterfactual, "drafter": drafter,
             "strategy": strategy, "engine": engine, "mcap": mcap, "previews": previews,
-            "device": device, "batch": batch or 0,
+            "device": device, "batch": batch or 0, "strict": strict,
         }  # fmt: skip
         spec = DatasetSpec(**source, **options)
     with folder.locked(part), progress(spec.n, "starting") as bar:
@@ -328,8 +330,10 @@ def _summary(
             **base,
             "scenes": facts["scenes"],
             "verified": facts["verified"],
+            "partial": facts.get("partial", 0),
             "failed": failed,
             "outcomes": facts["outcomes"],
+            "not_represented": facts.get("not_represented"),
             "splits": info["scenes_per_split"],
             "failures": f"{place}/failures.jsonl" if failed else None,
         }
@@ -341,8 +345,10 @@ def _summary(
         **base,
         "scenes": _scenes(done.values()),
         "verified": sum(r.verified for r in done.values()),
+        "partial": outcomes.get("partial", 0),
         "failed": sum(len(r.failures) for r in done.values()),
         "outcomes": dict(sorted(outcomes.items())),
+        "not_represented": None,
         "splits": None,
         "failures": None,
     }
@@ -350,14 +356,19 @@ def _summary(
 
 def describe(summary: dict[str, Any]) -> str:
     """The same for people."""
+    from esg.commands.console import unseen
+
     state = "complete" if summary["complete"] else "other shards are missing"
     lines = [
         f"{summary['scenes']} of {summary['planned']} scenes in {summary['folder']} ({state})",
-        f"  {summary['verified']} verified, {summary['failed']} failed",
+        f"  {summary['verified']} verified, {summary['partial']} partial, "
+        f"{summary['failed']} failed",
         "  " + ", ".join(f"{k} {v}" for k, v in summary["outcomes"].items()),
     ]
     if summary["splits"]:
         lines.append("  " + ", ".join(f"{k} {v}" for k, v in summary["splits"].items()))
+    if summary["not_represented"]:
+        lines.append(f"  most often not shown: {unseen(summary['not_represented'])}")
     if summary["failures"]:
         lines.append(f"  why: {summary['failures']}")
     return "\n".join(lines)

@@ -20,17 +20,20 @@ def draft(
         prompt: English description of the scene.
         seed: Of every random choice.
         drafter: rules needs nothing; llm needs an OpenAI-compatible endpoint.
-        json: Print one JSON document: esg, coverage, violations.
+        json: Print one JSON document: esg, coverage, statements, not_kept, violations.
     """
-    from esg.commands.console import emit, table
+    from esg.commands.console import emit, table, unshown
     from esg.commands.inputs import check_seed, checked, clean_prompt
     from esg.draft import draft as run
+    from esg.fidelity import shortfalls, statement_rows
     from esg.graph import canonical_json, verify
 
     prompt, seed = checked(lambda: clean_prompt(prompt), lambda: check_seed(seed))
     doc = run(prompt, seed=seed, drafter=drafter)
     violations = verify(doc)
     data = doc.model_dump(mode="json", by_alias=True)
+    statements = statement_rows(data)
+    lost = shortfalls(data, statements)
     if json:
         import json as codec
 
@@ -39,6 +42,8 @@ def draft(
             {
                 "esg": esg,
                 "coverage": data["coverage"],
+                "statements": statements,
+                "not_kept": lost,
                 "violations": [v.to_json() for v in violations],
             }
         )
@@ -59,6 +64,9 @@ def draft(
     rows = [[i.text, i.kind, i.status, i.pointer or i.note] for i in doc.coverage.items]
     if rows:
         print("\n" + table(["words", "kind", "status", "became"], rows))
+    for row in statements:
+        print(f'statement: {row["id"]}  {row["says"]}  "{row["words"]}"')
+    print("".join(f"{line}\n" for line in unshown(lost, "draft")), end="")
     for warning in doc.coverage.warnings:
         print(f"warning:   {warning}")
     for violation in violations:

@@ -29,6 +29,7 @@ def generate(
     close_loop: Annotated[bool, Parameter(negative="")] = False,
     collision: Collision = "exact",
     render: str = "",
+    strict: Annotated[bool, Parameter(negative="")] = False,
     json: Annotated[bool, Parameter(negative="")] = False,
 ) -> int:
     """Generate one scene and prove it by replaying what was emitted.
@@ -45,6 +46,7 @@ def generate(
             sphere or box each), or sdf (that first, then signed distance fields).
         render: Ground-truth channels to render into the scene folder at 256x256 and 24 frames a
             second, with commas, or all; esg render has further options.
+        strict: Count a scene that does not show all of its prompt (partial) as failed.
         json: Print one JSON document with outcome, metrics and paths.
     """
     from esg.commands.console import emit, note_first_use
@@ -82,22 +84,17 @@ def generate(
             raise UserError(state.reason)
         bar.show("writing")
         folder = publish(state, out)
-        report_failures([state], [folder], out, adding=True)
+        report_failures([state], [folder], out, adding=True, strict=strict)
         bar.show("ingesting")
         record_run([state], "generate")
     summary = summarize(state, folder)
     if pictures is not None and summary["metrics"] is not None:
-        from dataclasses import replace
-
-        from esg.commands.render import run as run_render
-
-        pictures = replace(pictures, device=device, seed=seed)
-        summary["render"] = run_render(folder, folder / "render", pictures)
+        summary["render"] = _rendered(folder, pictures, device, seed)
     if json:
         emit(summary)
     else:
         print(describe(summary))
-    return exit_code([state])
+    return exit_code([state], strict=strict)
 
 
 def _pictures(channels: str) -> Settings:
@@ -106,16 +103,26 @@ def _pictures(channels: str) -> Settings:
     return settings(channels, "256x256", 24.0, 1, "png")
 
 
-def exit_code(states: list[SceneState]) -> int:
-    """3 if any scene did not end well, else 0."""
+def _rendered(folder: Path, pictures: Settings, device: str, seed: int) -> dict[str, Any]:
+    from dataclasses import replace
+
+    from esg.commands.render import run
+
+    return run(folder, folder / "render", replace(pictures, device=device, seed=seed))
+
+
+def exit_code(states: list[SceneState], *, strict: bool = False) -> int:
+    """3 if any scene did not end well, else 0; `strict` counts `partial` as a failure."""
     from esg.pipeline import failures
 
-    return 3 if failures(states) else 0
+    return 3 if failures(states, strict=strict) else 0
 
 
 def summarize(state: SceneState, folder: Path) -> dict[str, Any]:
     """What `--json` prints about one scene."""
     import json
+
+    from esg.fidelity import lost_in, statement_rows
 
     path = folder / "metrics.json"
     metrics = json.loads(path.read_bytes()) if path.exists() else None
@@ -135,6 +142,8 @@ def summarize(state: SceneState, folder: Path) -> dict[str, Any]:
         "verified": bool(metrics and metrics["verified"]),
         "proof": metrics["proof"] if metrics else None,
         "metrics": metrics["verdict"] if metrics else None,
+        "statements": metrics.get("statements", []) if metrics else statement_rows(doc),
+        "not_kept": lost_in(doc, metrics),
         "coverage": {
             "warnings": coverage.get("warnings", []),
             "not_understood": [
@@ -152,6 +161,14 @@ def summarize(state: SceneState, folder: Path) -> dict[str, Any]:
     }
 
 
+def _told(row: dict[str, Any]) -> str:
+    """A statement with its verdict, in a line."""
+    mark = "kept" if row["kept"] else row["status"].replace("_", " ").upper()
+    found = ", ".join(f"{k} {v:.3g}" for k, v in row["measured"].items())
+    says = f'"{row["words"]}" ({row["says"].replace("_", " ")})'
+    return f"  {mark:8} {says}" + (f": {found}" if found else "")
+
+
 def _assumed(doc: dict[str, Any]) -> set[str]:
     """Headings that nobody asked for: what nothing turns is drafted to face the front."""
     edges = doc["spatial_relation_graph"]["edges"]["binary_relations"]
@@ -164,10 +181,13 @@ def _assumed(doc: dict[str, Any]) -> set[str]:
 
 def describe(summary: dict[str, Any]) -> str:
     """The same for people."""
+    from esg.commands.console import unshown
     from esg.pipeline import STAGES
 
     lines = [f"{summary['outcome']}: {summary['folder']}"]
-    if summary["reason"]:
+    lines += unshown(summary["not_kept"], "scene")
+    # The reason of what is partial is that block in one sentence.
+    if summary["reason"] and summary["outcome"] != "partial":
         lines.append(f"  {summary['reason']}")
     if summary["outcome"] != "solved":
         lines.append(f"  {summary['advice']}")
@@ -185,6 +205,7 @@ def describe(summary: dict[str, Any]) -> str:
             # The sign that tells a name from a word means nothing to a reader.
             asked = re.sub(r"(?<!\S)=(?=\S)", "", item["constraint"])
             lines.append(f"  score {item['score']:.2f} {asked}: {measured}")
+        lines += [_told(row) for row in summary["statements"]]
         layout = "valid" if metrics["slr"] else "INVALID"
         proof = {
             "class": "the emitted class, compiled and run in PhysX",

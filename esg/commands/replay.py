@@ -169,6 +169,7 @@ def matrix(folder: Path, expected: SuiteScene, against: str) -> dict[str, Any]:
 def verdict_table(result: dict[str, Any]) -> str:
     """The judge's table of one replay."""
     from esg.commands.console import table
+    from esg.fidelity import judged
 
     verdict = result["verdict"]
     rows = [
@@ -182,12 +183,21 @@ def verdict_table(result: dict[str, Any]) -> str:
         ]
         for event in verdict["events"]
     ]
+    rows += [
+        ["kept" if row["kept"] else row["status"].replace("_", " ").upper(), row["id"],
+         row["says"], said["words"], "", row["reason"]]
+        for said in verdict["statements"]
+        for row in [judged(said)]
+    ]  # fmt: skip
     head = (
         f"{result['scene']}: {result['engine']} at {1 / result['dt']:.0f} Hz, "
         f"proof: {result['proof']}, judged against {_source(result)}"
     )
     tail = f"layout {'valid' if verdict['slr'] else 'INVALID'}, "
     tail += f"{verdict['completed']} of {verdict['n_events']} events"
+    if verdict["statements"]:
+        kept = sum(bool(said["kept"]) for said in verdict["statements"])
+        tail += f", {kept} of {len(verdict['statements'])} statements kept"
     if verdict["ppa"]["standard"] is not None:
         tail += f", PPA {100 * verdict['ppa']['standard']:.0f}%"
     if not rows:

@@ -205,13 +205,20 @@ def _serve_on_server(cron: str, options: dict[str, Any]) -> int:
 
 def describe(nights: Sequence[dict[str, Any]]) -> str:
     """What a night brought, for people."""
+    from esg.commands.console import unseen
+
     lines: list[str] = []
     for night in nights:
         row = night["summary"]
         lines.append(f"{night['suite']}: {night['verdict']}")
         if row.get("events") is not None and row.get("ecr_mean") is not None:
             lines.append(f"  events {row['ecr_mean']:.2f} of {row['events']}")
-        lines.append(f"  {night['failed']} failed scene runs; {night['folder']}")
+        lines.append(
+            f"  {night['failed']} failed and {night['partial']} partial scene runs; "
+            f"{night['folder']}"
+        )
+        if night["not_represented"]:
+            lines.append(f"  most often not shown: {unseen(night['not_represented'])}")
         if night["report"]:
             lines.append(f"  report: {night['report']}")
     return "\n".join(lines)

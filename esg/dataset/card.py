@@ -13,11 +13,13 @@ from typing import Any
 
 from esg.dataset.grammar import Distribution
 from esg.dataset.plan import DatasetSpec
+from esg.fidelity import most_unseen, shortfalls
+from esg.outcomes import Outcome
 from esg.store.assembling import Counts, card_header, card_tables
 
 _SCENE_COLUMNS = [
     "scene_key", "prompt", "family", "level", "rule", "pair", "changed", "outcome", "verified",
-    "slr", "n_events", "n_completed", "ppa", "proof",
+    "slr", "n_events", "n_completed", "ppa", "proof", "fully_understood",
 ]  # fmt: skip
 _MAX_FAILURES = 20
 
@@ -46,6 +48,14 @@ def statistics(out: Path, spec: DatasetSpec, failed: Sequence[Mapping[str, Any]]
         "distinct_prompts": len({s["prompt"] for s in scenes}),
         "families": len({s["family"] for s in scenes}),
         "outcomes": _counted(s["outcome"] for s in scenes),
+        "partial": sum(s["outcome"] == Outcome.PARTIAL.value for s in scenes),
+        "fully_understood": sum(bool(s["fully_understood"]) for s in scenes),
+        "statements": _counted(
+            r["status"]
+            for r in _rows(out, "statements", ["source", "status"])
+            if r["source"] == "prompt"
+        ),
+        "not_represented": _unseen(out),
         "levels": _by(scenes, "level"),
         "rules": _by(scenes, "rule"),
         "proofs": _counted(s["proof"] for s in scenes if s["proof"]),
@@ -73,6 +83,22 @@ def _rows(out: Path, table: str, columns: Sequence[str]) -> Iterable[dict[str, A
         with pq.ParquetFile(path.absolute()) as file:
             for batch in file.iter_batches(columns=list(columns)):
                 yield from batch.to_pylist()
+
+
+def _unseen(out: Path) -> list[dict[str, Any]]:
+    """The words that scenes most often show nothing of: statements and verbs."""
+    place = ["scene_key", "start", "stop", "status"]
+    said: dict[str, list[dict[str, Any]]] = {}
+    for row in _rows(out, "statements", [*place, "source", "words", "reason"]):
+        if row["source"] == "prompt":
+            said.setdefault(row["scene_key"], []).append({**row, "end": row["stop"]})
+    read: dict[str, list[dict[str, Any]]] = {}
+    for row in _rows(out, "coverage", [*place, "text", "kind"]):
+        read.setdefault(row["scene_key"], []).append({**row, "end": row["stop"]})
+    return most_unseen(
+        shortfalls({"coverage": {"items": read.get(key, ())}}, said.get(key, ()))
+        for key in sorted({*said, *read})
+    )
 
 
 def _sizes(out: Path, scenes: Sequence[Mapping[str, Any]]) -> dict[str, dict[str, float]]:
@@ -185,6 +211,7 @@ def card(spec: DatasetSpec, counts: Counts, facts: Mapping[str, Any]) -> str:
     lines += _example_lines(facts["examples"])
     lines += _size_lines(facts["sizes"])
     lines += _share_table("How scenes end", "outcome", facts["outcomes"], n)
+    lines += _statement_lines(facts, n)
     if facts["levels"]:
         lines += _rate_table("By difficulty", "level", facts["levels"], "scenes", "verified")
     if facts["rules"]:
@@ -221,8 +248,9 @@ def _about(spec: DatasetSpec, n: int, good: int) -> str:
         "newton": "the control program, run in Newton at 240 Hz",
     }[spec.engine]
     return (
-        f"{n} scenes, {good} of them ({share}) *verified*: a valid layout, and every expected "
-        f"event happens in the replay ({proof}). Scenes that are not verified are kept and say why "
+        f"{n} scenes, {good} of them ({share}) *verified*: solved, all that the prompt says shown, "
+        f"a valid layout, and every expected event happens in the replay ({proof}). Scenes that "
+        "are not verified are kept and say why "
         "(`verified`, `outcome`, `reason`): filter them as you need. Of sampled scenes, the "
         "expectation is what their sentence says (`expectation`), not what was read into it."
     )
@@ -242,6 +270,8 @@ def command(spec: DatasetSpec) -> str:
             parts.append(f"--{name} {value}")
     if spec.counterfactual:
         parts.append("--counterfactual")
+    if spec.strict:
+        parts.append("--strict")
     return " ".join([*parts, "--out FOLDER"])
 
 
@@ -282,6 +312,26 @@ def _share_table(title: str, name: str, counts: Mapping[str, int], n: int) -> li
     lines = [f"## {title}", "", f"| {name} | scenes | share |", "| --- | ---: | ---: |"]
     ordered = sorted(counts.items(), key=lambda item: (-item[1], item[0]))
     return [*lines, *(f"| {k} | {v} | {100 * v / max(1, n):.1f}% |" for k, v in ordered), ""]
+
+
+def _statement_lines(facts: Mapping[str, Any], n: int) -> list[str]:
+    """What prompts state and what became of it; the words that no scene shows."""
+    said = facts["statements"]
+    told = ", ".join(f"{k.replace('_', ' ')} {v}" for k, v in said.items()) or "none"
+    lines = ["## What prompts say", ""]
+    lines += [
+        f"{facts['fully_understood']} of {n} prompts are fully understood; {facts['partial']} "
+        "scenes are `partial`: usable, but not all that their prompt says is shown. Statements: "
+        f"{told}.",
+        "",
+    ]
+    if not facts["not_represented"]:
+        return lines
+    lines += ["| words that are not shown | why | scenes |", "| --- | --- | ---: |"]
+    for row in facts["not_represented"]:
+        words = row["words"].replace("|", "\\|")
+        lines.append(f"| {words} | {row['status'].replace('_', ' ')} | {row['scenes']} |")
+    return [*lines, ""]
 
 
 def _rate_table(

@@ -62,7 +62,7 @@ class BatchResult:
     Args:
         number: Of the batch.
         scenes: Number of scenes.
-        verified: Number of verified scenes.
+        verified: Number of verified scenes: solved, as expected and as stated (docs/dataset.md).
         outcomes: Number of scenes by outcome.
         failures: Rows of `failures.jsonl`.
         crashes: Traceback by scene id.

@@ -67,6 +67,7 @@ class DatasetSpec(BaseModel):
         previews: Which scenes get a picture.
         fps: Frames a second of the recorded trajectories.
         batch: Scenes a batch.
+        strict: Whether `partial` scenes count as failed.
     """
 
     model_config = ConfigDict(frozen=True, extra="forbid")
@@ -87,6 +88,7 @@ class DatasetSpec(BaseModel):
     previews: PreviewShare = "sample"
     fps: float = 60.0
     batch: int = 0
+    strict: bool = False
 
     @property
     def batch_size(self) -> int:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 import shutil
 import time
@@ -11,6 +11,7 @@ from typing import Any
 
 from esg.dataset.job import BatchJob, BatchResult
 from esg.dataset.plan import SAMPLE_EVERY, PlannedScene
+from esg.outcomes import Outcome
 from esg.pipeline import SceneState, failures
 
 
@@ -20,6 +21,7 @@ def write_batch(job: BatchJob, states: Sequence[SceneState]) -> tuple[BatchResul
     from esg.store.tables import write_tables
 
     records: list[SceneRecord] = []
+    met: list[bool] = []
     verified: list[bool] = []
     for scene, state in zip(job.scenes, states, strict=True):
         record = record_of(
@@ -35,11 +37,13 @@ def write_batch(job: BatchJob, states: Sequence[SceneState]) -> tuple[BatchResul
         rows = {t: r for t, r in record.rows.items() if t != "runs"}
         # Everything but `timings` is the same whenever and however often a scene is made.
         row = {**rows["scenes"][0], "seconds": None, "cached_stages": None, "artifacts": None}
-        verified.append(bool(row["verified"]))
+        met.append(bool(row["verified"]))
+        row["verified"] = met[-1] and _as_said(state, rows["statements"])
+        verified.append(row["verified"])
         records.append(SceneRecord({**rows, "scenes": [row]}))
     written = list(write_tables(job.out / "parts", records, name=job.name).values())
     start = time.perf_counter()
-    for scene, state, good in zip(job.scenes, states, verified, strict=True):
+    for scene, state, good in zip(job.scenes, states, met, strict=True):
         written += _recordings(job, scene, state, good)
     recordings_s = time.perf_counter() - start
     result = BatchResult(
@@ -47,7 +51,7 @@ def write_batch(job: BatchJob, states: Sequence[SceneState]) -> tuple[BatchResul
         scenes=len(states),
         verified=sum(verified),
         outcomes=dict(Counter(s.outcome.value if s.outcome else "unfinished" for s in states)),
-        failures=_failures(job, states, verified),
+        failures=_failures(job, states, met),
         crashes={
             scene.scene_id: entry["traceback"]
             for scene, state in zip(job.scenes, states, strict=True)
@@ -57,6 +61,12 @@ def write_batch(job: BatchJob, states: Sequence[SceneState]) -> tuple[BatchResul
         files={p.relative_to(job.out).as_posix(): p.stat().st_size for p in written},
     )
     return result, recordings_s
+
+
+def _as_said(state: SceneState, statements: Sequence[Mapping[str, Any]]) -> bool:
+    """Whether a stranger who reads the sentence sees it all: nothing was given up or left out."""
+    asked = [row for row in statements if row["source"] == "suite"]
+    return state.outcome is Outcome.SOLVED and all(row["kept"] for row in asked)
 
 
 def _columns(scene: PlannedScene, state: SceneState) -> dict[str, Any]:
@@ -74,19 +84,20 @@ def _columns(scene: PlannedScene, state: SceneState) -> dict[str, Any]:
 
 
 def _failures(
-    job: BatchJob, states: Sequence[SceneState], verified: Sequence[bool]
+    job: BatchJob, states: Sequence[SceneState], met: Sequence[bool]
 ) -> list[dict[str, Any]]:
-    """Scenes that are not verified, and why.
+    """Scenes that failed, and why.
 
-    The expectation decides: a scene that replays as its sentence says is no failure, whatever the
-    optimizer thought of it; one that ended well but not as its sentence says is.
+    The expectation decides: a scene whose layout and events are what its sentence says is no
+    failure, whatever the optimizer thought of it; one that ended well but not as its sentence says
+    is. A `partial` scene is one only if the dataset is strict.
     """
-    told = {row["scene"]: row for row in failures(states)}
+    told = {row["scene"]: row for row in failures(states, strict=job.spec.strict)}
     out: list[dict[str, Any]] = []
-    for scene, state, good in zip(job.scenes, states, verified, strict=True):
-        if good:
-            continue
+    for scene, state, good in zip(job.scenes, states, met, strict=True):
         row = told.get(scene.scene_id)
+        if good and (row is None or state.outcome is not Outcome.PARTIAL):
+            continue
         if row is None:
             row = {
                 "scene": scene.scene_id,
@@ -110,14 +121,12 @@ def unmet(state: SceneState) -> str:
     return "; ".join(parts) or "the layout is invalid"
 
 
-def _recordings(
-    job: BatchJob, scene: PlannedScene, state: SceneState, verified: bool
-) -> list[Path]:
+def _recordings(job: BatchJob, scene: PlannedScene, state: SceneState, met: bool) -> list[Path]:
     """MCAP and picture of a scene, if it is one of those that get them."""
     if "judge" not in state.artifacts:
         return []
     sampled = scene.index % SAMPLE_EVERY == 0
-    mcap = {"all": True, "failed": not verified, "sample": sampled, "none": False}
+    mcap = {"all": True, "failed": not met, "sample": sampled, "none": False}
     picture = {"all": True, "sample": sampled, "none": False}
     out: list[Path] = []
     if not (mcap[job.spec.mcap] or picture[job.spec.previews]):

@@ -9,6 +9,7 @@ import re
 import statistics
 from typing import Any
 
+from esg.fidelity import judged, lost_in, statement_rows
 from esg.outcomes import UserError
 from esg.scenefolder import is_scene_folder
 from esg.scenereading import (
@@ -27,7 +28,7 @@ _TOTALS = ("ecr_mean", "ecr_std", "slr", "ppa", "ppa_strict", "ppa_lenient", "se
 _FACTS = ("suite", "strategy", "engine")
 _WRITTEN = (("draft", "esg.json"), ("compile", "manifest.json"), ("judge", "metrics.json"))
 """Stages and the file of the scene folder that each leaves."""
-_MADE = ("solved", "nearest_feasible", "infeasible", "not_converged")
+_MADE = ("solved", "partial", "nearest_feasible", "infeasible", "not_converged")
 
 
 @dataclass(frozen=True)
@@ -78,6 +79,23 @@ class SceneEntry:
     def verdict(self) -> dict[str, Any]:
         """The judge's verdict as JSON; empty if there is none."""
         return self.metrics.get("verdict", {})
+
+    @property
+    def statements(self) -> list[dict[str, Any]]:
+        """What became of the statements of the prompt (esg.fidelity)."""
+        return self.metrics["statements"] if self.metrics else statement_rows(self.document)
+
+    @property
+    def asked(self) -> list[dict[str, Any]]:
+        """What became of the statements of the suite that it was judged by."""
+        if self.metrics.get("judged_against") != "suite":
+            return []
+        return [judged(statement) for statement in self.verdict["statements"]]
+
+    @property
+    def not_kept(self) -> list[dict[str, Any]]:
+        """What of the prompt is not shown."""
+        return lost_in(self.document, self.metrics or None)
 
     @property
     def seconds(self) -> float:

@@ -246,6 +246,7 @@ _ONE_ROW = {
     "metrics": "an event of a scene's replay",
     "constraints": "a prompt-specified parameter of a scene's replay",
     "coverage": "a noun, event or quantity of a prompt",
+    "statements": "a statement of a prompt or a suite and whether a scene's replay keeps it",
     "timings": "a pipeline stage of a scene",
 }
 

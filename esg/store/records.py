@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 import datetime
 import hashlib
@@ -10,8 +10,15 @@ import json
 import re
 from typing import TYPE_CHECKING, Any
 
+from esg import fidelity
 from esg.metrics.models import SceneVerdict
-from esg.store.rows import constraint_rows, coverage_rows, event_rows, trajectory_row
+from esg.store.rows import (
+    constraint_rows,
+    coverage_rows,
+    event_rows,
+    statement_rows,
+    trajectory_row,
+)
 
 if TYPE_CHECKING:
     from esg.engines.scene import Rollout
@@ -105,6 +112,7 @@ def make_record(
     rollouts: Mapping[str, Rollout] | None = None,
     bodies: tuple[str, ...] = (),
     stages: tuple[Mapping[str, Any], ...] = (),
+    statements: Mapping[str, Sequence[Mapping[str, Any]]] | None = None,
     split: str | None = None,
     family: str | None = None,
     extra: Mapping[str, Any] | None = None,
@@ -126,6 +134,7 @@ def make_record(
         rollouts: Rollouts of one world by engine.
         bodies: Names in the order of the rollouts' body axis.
         stages: Log entries of the stages: stage, seconds, cached, outcome.
+        statements: What became of statements (rows of esg.fidelity), by source: prompt or suite.
         split: Overrides the split of the prompt family.
         family: Overrides the prompt family (counterfactual pairs keep one).
         extra: Further columns of the scene's row, such as rule, pair and manifest.
@@ -150,6 +159,7 @@ def make_record(
         "reason": reason,
         **_judged(verdicts.get(run.engine), run),
         **_documented(documents),
+        **_understood(documents.get("draft"), statements or {}),
         **_timed(stages),
         "artifacts": json.dumps(dict(artifacts or {}), sort_keys=True),
         **(extra or {}),
@@ -164,6 +174,7 @@ def make_record(
             "constraints": [row for e, v in judged for row in constraint_rows(common, run, e, v)],
             "trajectories": [trajectory_row(common, split, e, r, bodies) for e, r in played],
             "coverage": coverage_rows(common, documents.get("draft")),
+            "statements": statement_rows(common, run, statements or {}),
             "timings": [{**common, **_timing(i, s)} for i, s in enumerate(stages)],
         }
     )
@@ -217,6 +228,16 @@ def _documented(documents: Mapping[str, bytes]) -> dict[str, Any]:
     }
 
 
+def _understood(
+    draft: bytes | None, statements: Mapping[str, Sequence[Mapping[str, Any]]]
+) -> dict[str, Any]:
+    """Whether the draft holds all that the prompt says, and which share of it was kept."""
+    return {
+        "fully_understood": None if draft is None else fidelity.fully_understood(json.loads(draft)),
+        "statements_kept": fidelity.share_kept(statements.get("prompt", ())),
+    }
+
+
 def _timing(index: int, stage: Mapping[str, Any]) -> dict[str, Any]:
     return {
         "stage": stage["stage"],
@@ -264,12 +285,14 @@ def record_of(
         scene_id = json.loads(documents["draft"])["scene_definition"]["scene_id"]
     verdicts: dict[str, SceneVerdict] = {}
     proof = ""
+    said = fidelity.statement_rows(json.loads(documents.get("draft", b"{}")))
     if "judge" in state.artifacts:
         metrics = json.loads((state.artifact("judge") / "metrics.json").read_bytes())
         raw = {k: metrics["verdict"][k] for k in SceneVerdict.model_fields}
         verdict = SceneVerdict.model_validate(raw)
         verdicts[verdict.engine] = verdict
         proof = metrics.get("proof", "")
+        said = metrics.get("statements", [])
     elif request.suite_scene:
         verdicts[run.engine] = _nothing(state, run)
     rollouts: dict[str, Rollout] = {}
@@ -298,10 +321,18 @@ def record_of(
         rollouts=rollouts,
         bodies=bodies,
         stages=state.log,
+        statements={"prompt": said, "suite": _asked(state, verdicts.get(run.engine))},
         split=split,
         family=family,
         extra=extra,
     )
+
+
+def _asked(state: SceneState, verdict: SceneVerdict | None) -> list[fidelity.Row]:
+    """What became of the statements of a suite's scene; the prompt's own are no suite's."""
+    if verdict is None or not state.request.suite_scene:
+        return []
+    return [fidelity.judged(s.model_dump(mode="json")) for s in verdict.statements]
 
 
 def thinned(rollout: Rollout, fps: float) -> Rollout:

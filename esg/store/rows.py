@@ -1,8 +1,8 @@
-"""Rows of the tables that have several for one scene: events, constraints, motion, words."""
+"""Rows of tables with several for one scene: events, constraints, motion, words, statements."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 import json
 from typing import TYPE_CHECKING, Any
 
@@ -65,6 +65,40 @@ def constraint_rows(
             }
         )
     return out
+
+
+def statement_rows(
+    common: Mapping[str, Any],
+    run: RunInfo,
+    statements: Mapping[str, Sequence[Mapping[str, Any]]],
+) -> list[dict[str, Any]]:
+    """Rows of table `statements`.
+
+    Args:
+        common: Columns that all tables share.
+        run: Whose engine measured them.
+        statements: Rows of esg.fidelity by source: the scene's own prompt, or its suite.
+    """
+    return [
+        {
+            **common,
+            "strategy": run.strategy,
+            "engine": "" if row["status"] == "not_judged" else run.engine,
+            "source": source,
+            "statement_id": row["id"],
+            "statement_index": i,
+            "says": row["says"],
+            "words": row.get("words"),
+            "start": row.get("start"),
+            "stop": row.get("end"),
+            "status": row["status"],
+            "kept": row["kept"],
+            "measured": json.dumps(row["measured"], sort_keys=True),
+            "reason": row["reason"],
+        }
+        for source, rows in statements.items()
+        for i, row in enumerate(rows)
+    ]
 
 
 def trajectory_row(

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     from esg.store.records import SceneRecord
 
-FORMAT_VERSION = "1.2.0"
+FORMAT_VERSION = "1.3.0"
 ROW_GROUP_SCENES = 100
 COMPRESSION = "zstd"
 
@@ -30,6 +30,7 @@ KEYS: dict[str, tuple[str, ...]] = {
     "metrics": ("scene_key", "engine", "event_id"),
     "constraints": ("scene_key", "engine", "constraint_index"),
     "coverage": ("scene_key", "item_index"),
+    "statements": ("scene_key", "engine", "source", "statement_id"),
     "timings": ("scene_key", "stage"),
 }
 """Primary key of every table; `scene_key` is run, suite, scene and seed (esg.store.records)."""
@@ -55,6 +56,7 @@ COLUMNS: dict[str, dict[str, str]] = {
         "artifacts": "string",
         "rule": "string", "pair": "string", "changed": "string", "parameters": "string",
         "expectation": "string", "manifest": "string",
+        "fully_understood": "bool", "statements_kept": "float64",
     },
     "trajectories": {
         **_SCENE, "split": "string", "engine": "string", "dt_s": "float64", "fps": "float64",
@@ -81,6 +83,12 @@ COLUMNS: dict[str, dict[str, str]] = {
         **_SCENE, "item_index": "int32", "text": "string", "start": "int32", "stop": "int32",
         "kind": "string", "status": "string", "pointer": "string", "note": "string",
     },
+    "statements": {
+        **_SCENE, "strategy": "string", "engine": "string", "source": "string",
+        "statement_id": "string", "statement_index": "int32", "says": "string",
+        "words": "string", "start": "int32", "stop": "int32", "status": "string",
+        "kept": "bool", "measured": "string", "reason": "string",
+    },
     "timings": {
         **_SCENE, "stage": "string", "stage_index": "int32", "seconds": "float64",
         "cached": "bool", "outcome": "string",
@@ -89,9 +97,13 @@ COLUMNS: dict[str, dict[str, str]] = {
 """Column name to type of every table."""
 
 ADDED_COLUMNS: dict[str, tuple[str, ...]] = {
-    "scenes": ("rule", "pair", "changed", "parameters", "expectation", "manifest", "esg_cast"),
-}
-"""Columns that files of an older format lack (`esg_cast` is of 1.2): they read as null."""
+    "scenes": (
+        "rule", "pair", "changed", "parameters", "expectation", "manifest", "esg_cast",
+        "fully_understood", "statements_kept",
+    ),
+}  # fmt: skip
+"""Columns that files of an older format lack (`esg_cast` is of 1.2, what became of statements of
+1.3): they read as null."""
 
 TABLES = tuple(COLUMNS)
 

@@ -114,11 +114,86 @@ def test_generate_says_what_it_did_not_understand() -> None:
         "metrics": None,
         "coverage": {"warnings": ['"zorple" is not in the lexicon'], "not_understood": ["zorple"]},
         "relations_not_met": ["lamp_1 adjacent book_1"],
+        "statements": [],
+        "not_kept": [],
         "stages": [],
         "cached_stages": 0,
     }
     assert "warning: not met: lamp_1 adjacent book_1" in describe(summary)
     assert 'warning: "zorple" is not in the lexicon' in describe(summary)
+
+
+LOST = [
+    {"words": "straight up", "start": 9, "end": 20, "status": "not_represented",
+     "reason": "no path that rises"},
+    {"words": "wags", "start": 25, "end": 29, "status": "not_understood", "reason": ""},
+]  # fmt: skip
+
+
+def test_words_that_are_not_shown_cannot_be_overlooked() -> None:
+    """A block right below the outcome, and every statement with what was measured."""
+    from esg.commands.console import unshown
+    from esg.commands.generate import describe
+
+    said = {"id": "s1", "says": "supported_by", "words": "on it", "start": 0, "end": 5}
+    rows = [
+        {**said, "status": "kept", "kept": True, "measured": {"share": 0.987654}, "reason": ""},
+        {**said, "status": "broken", "kept": False, "measured": {}, "reason": "in the air"},
+    ]
+    event = {"id": "e1", "type": "moves", "completed": True, "time_s": 1.0, "bodies": ["a"],
+             "reason": ""}  # fmt: skip
+    summary = {
+        "outcome": "partial", "folder": "runs/x", "reason": "the same again", "advice": "say more",
+        "metrics": {"events": [event], "constraints": [], "slr": True, "dt_s": 1 / 240},
+        "proof": "class", "coverage": {"warnings": [], "not_understood": []}, "stages": [],
+        "relations_not_met": [], "cached_stages": 0, "statements": rows, "not_kept": LOST,
+    }  # fmt: skip
+    lines = describe(summary).splitlines()
+    assert lines[:5] == [
+        "partial: runs/x",
+        "  !! NOT ALL OF THE PROMPT IS IN THIS SCENE:",
+        '  !!   "straight up"  not represented: no path that rises',
+        '  !!   "wags"         not understood',
+        "  say more",
+    ]
+    assert '  kept     "on it" (supported by): share 0.988' in lines
+    assert '  BROKEN   "on it" (supported by)' in lines
+    assert unshown([], "draft") == []
+
+
+def test_a_draft_says_what_it_does_not_hold(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    from esg.commands.draft import draft
+    from esg.draft import draft as made
+    from esg.graph.models import Statement
+
+    prompt = "A ball rolls straight up and hits a box."
+    place = {"text": "straight up", "start": 13, "end": 24}
+    said = {"id": "s1", "predicate": "not_represented", "note": "no path", **place}
+    doc = made(prompt).model_copy(update={"statements": (Statement.model_validate(said),)})
+    monkeypatch.setattr("esg.draft.draft", lambda *_, **__: doc)
+    assert draft(prompt) == 0
+    assert '  !!   "straight up"  not represented: no path' in capsys.readouterr().out
+    assert draft(prompt, json=True) == 0
+    told = json.loads(capsys.readouterr().out)
+    assert [r["status"] for r in told["statements"]] == ["not_represented"]
+    assert [r["words"] for r in told["not_kept"]] == ["straight up"]
+
+
+def test_strict_counts_partial_scenes_as_failed(tmp_path: Path) -> None:
+    from esg.commands.generate import exit_code
+    from esg.failures import FILE, report_failures
+    from esg.outcomes import Outcome
+    from esg.pipeline import SceneRequest, SceneState
+
+    partial = [SceneState(SceneRequest("x"), outcome=Outcome.PARTIAL, reason='broken: "y"')]
+    assert (exit_code(partial), exit_code(partial, strict=True)) == (0, 3)
+    assert exit_code([SceneState(SceneRequest("x"), outcome=Outcome.SOLVED)], strict=True) == 0
+    report_failures(partial, [tmp_path / "x"], tmp_path)
+    assert not (tmp_path / FILE).exists()
+    report_failures(partial, [tmp_path / "x"], tmp_path, strict=True)
+    assert json.loads((tmp_path / FILE).read_text())["outcome"] == "partial"
 
 
 def test_a_default_heading_is_no_wish_that_was_not_met(tmp_path: Path) -> None:

@@ -76,12 +76,14 @@ def test_scenes_that_end_early_leave_no_work() -> None:
 
 def test_one_line_for_every_scene_that_fails_and_none_for_others() -> None:
     """Its name, how it ended and why, once, on one line."""
-    board = Board(3, Clock())
+    board = Board(4, Clock())
     assert whole(board, "good") == []
+    told = whole(board, "part", "partial", 'broken: "on the table"')
+    assert told == ['part  partial  broken: "on the table"']
     assert whole(board, "near", "nearest_feasible", "gave way") == []
     said = whole(board, "bad", "not_converged", "the replay\ndisagrees")
     assert said == ["bad  not converged  the replay disagrees"]
-    assert "1 nearest feasible, 1 not converged, 1 solved" in board.summary()
+    assert "1 nearest feasible, 1 not converged, 1 partial, 1 solved" in board.summary()
 
 
 def test_what_is_reported_twice_counts_once() -> None:

@@ -59,3 +59,18 @@ def test_a_long_list_is_cut_and_says_where_the_rest_is() -> None:
     lines = bench.missed_lines(rows)
     assert len(lines) == bench.MISSED_LINES + 1
     assert "69 more" in lines[-1]
+
+
+def test_words_that_runs_do_not_show_share_a_line(
+    states: list[Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    lost = {"words": "straight up", "status": "not_represented", "reason": "no path that rises"}
+    monkeypatch.setattr("esg.stages.not_kept", lambda state: [lost] * (state.request.seed > 1))
+    rows = bench.not_kept(cast(Any, states))
+    assert [(r["scene"], r["seed"], r["status"]) for r in rows] == [
+        ("S1-run2", 2, "not_represented"),
+        ("S1-run3", 3, "not_represented"),
+    ]
+    assert bench.missed_lines(rows, "not_kept") == [
+        'not kept  S1 run 2, 3: "straight up": not represented: no path that rises'
+    ]

@@ -3,7 +3,7 @@
 A prompt with `bug` crashes in layout, `hangs` stays there for a minute
 (`pauses` only the first time), `busy` meets an error that passes at the second try, `user`
 is refused by resolve, `bad` is drafted with a violation, `wrong` replays with its second event
-missing. All others replay two balls that hit a third.
+missing, `half` ends with words that are not shown. All others replay two balls that hit a third.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ from typing import Any
 from esg import stages
 from esg.engines.manifest import manifest_bytes, manifest_to_json
 from esg.engines.rollout_file import save_rollout
+from esg.fidelity import statement_rows
 from esg.metrics import SuiteScene
 from esg.outcomes import UserError
 from esg.pipeline import SceneState
@@ -75,8 +76,12 @@ def _world(state: SceneState):
 
 
 def _document(state: SceneState, folder: Path) -> None:
-    text = {"scene_definition": {"scene_id": "fake"}, "prompt": state.request.prompt,
-            "coverage": {"items": []}}  # fmt: skip
+    prompt = state.request.prompt
+    half, at = "half" in prompt, prompt.find("half")
+    said = {"id": "s1", "predicate": "not_represented", "text": "Half", "start": at,
+            "end": at + 4, "note": "no halves"}  # fmt: skip
+    text = {"scene_definition": {"scene_id": "fake"}, "prompt": prompt,
+            "coverage": {"items": []}, "statements": [said] if half else None}  # fmt: skip
     (folder / "esg.json").write_text(json.dumps(text))
 
 
@@ -127,9 +132,10 @@ def _judge(state: SceneState, folder: Path) -> None:
         events = CHAIN if events[0].a not in ("ball 1", "ball 2") else events
     verdict = _world(state).judge(events)
     verdict = verdict.model_copy(update={"engine": "physx"})
-    (folder / "metrics.json").write_text(
-        json.dumps({"verdict": verdict.to_json(), "proof": "class"})
-    )
+    metrics: dict[str, Any] = {"verdict": verdict.to_json(), "proof": "class"}
+    document = json.loads((state.artifact("optimize") / "esg.json").read_bytes())
+    metrics["statements"] = statement_rows(document, [])
+    (folder / "metrics.json").write_text(json.dumps(metrics))
 
 
 def _conclude(stage: str, state: SceneState):
@@ -137,7 +143,9 @@ def _conclude(stage: str, state: SceneState):
 
     if stage == "draft" and "bad" in state.request.prompt:
         return Outcome.INVALID_DRAFT, "CYCLE: a cycle"
-    return (Outcome.SOLVED, "") if stage == "judge" else (None, "")
+    if stage != "judge":
+        return None, ""
+    return (Outcome.PARTIAL if "half" in state.request.prompt else Outcome.SOLVED), ""
 
 
 def write_mcap(path: Path, *_: object) -> None:

@@ -21,7 +21,9 @@ from esg.dataset.folder import DatasetFolder, read_mark
 from esg.dataset.job import BatchJob
 from esg.dataset.plan import DatasetSpec, Prompt, Shard, plan_scenes
 from esg.dataset.running import mark_dead, run_scenes
-from esg.outcomes import UserError
+from esg.dataset.writing import _as_said
+from esg.outcomes import Outcome, UserError
+from esg.pipeline import SceneRequest, SceneState
 from esg.store.tables import part_files, read_table
 from tests.dataset import fakes
 
@@ -134,6 +136,46 @@ def test_the_card_says_how_it_was_made_and_what_is_inside(tmp_path: Path) -> Non
     assert "| wrong | solved | no |" in card
     assert "| bodies | 3 | 3 | 3 | 3 |" in card
     assert "| length of the replay [s] | 3 | 3 | 3 | 3 |" in card
+
+
+def test_partial_scenes_are_kept_but_neither_verified_nor_failed(tmp_path: Path) -> None:
+    build(tmp_path / "a", ["balls", "half balls", "half wrong"], mcap="failed")
+    rows = scenes(tmp_path / "a")
+    assert [(r["outcome"], r["verified"], r["fully_understood"]) for r in rows] == [
+        ("solved", True, True), ("partial", False, False), ("partial", False, False),
+    ]  # fmt: skip
+    assert [r["statements_kept"] for r in rows] == [None, 0.0, 0.0]
+    failed = (tmp_path / "a" / "failures.jsonl").read_text().splitlines()
+    assert [json.loads(t)["prompt"] for t in failed] == ["half wrong"]
+    assert [p.stem for p in (tmp_path / "a" / "mcap").iterdir()] == [rows[2]["scene_id"]]
+    said = read_table(part_files(tmp_path / "a", "statements")[0]).to_pylist()
+    assert {(r["words"], r["status"], r["source"]) for r in said} == {
+        ("Half", "not_represented", "prompt")
+    }
+    facts = json.loads((tmp_path / "a" / "meta" / "info.json").read_text())["statistics"]
+    assert (facts["verified"], facts["partial"], facts["fully_understood"]) == (1, 2, 1)
+    assert facts["not_represented"] == [{"words": "half", "status": "not_represented", "scenes": 2}]
+    card = (tmp_path / "a" / "README.md").read_text()
+    assert "1 of 3 prompts are fully understood; 2 scenes are `partial`" in card
+    assert "| half | not represented | 2 |" in card
+
+
+def test_a_strict_dataset_counts_partial_scenes_as_failed(tmp_path: Path) -> None:
+    build(tmp_path / "a", ["balls", "half balls"], strict=True)
+    failed = (tmp_path / "a" / "failures.jsonl").read_text().splitlines()
+    assert [(json.loads(t)["prompt"], json.loads(t)["outcome"]) for t in failed] == [
+        ("half balls", "partial")
+    ]
+    assert "--strict" in (tmp_path / "a" / "README.md").read_text()
+
+
+def test_verified_asks_for_what_an_expectation_states_too() -> None:
+    """Its events happen, yet something that it says beside them does not hold."""
+    state = SceneState(SceneRequest("x"), outcome=Outcome.SOLVED)
+    rows = [{"source": "suite", "kept": False}, {"source": "prompt", "kept": True}]
+    assert _as_said(state, rows[1:]) and not _as_said(state, rows)
+    given_up = SceneState(SceneRequest("x"), outcome=Outcome.NEAREST_FEASIBLE)
+    assert not _as_said(given_up, [])
 
 
 def test_errors_that_pass_are_retried_and_others_are_not(tmp_path: Path) -> None:

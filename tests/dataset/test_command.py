@@ -73,9 +73,11 @@ def test_a_read_only_disk_is_told_with_its_remedy(
 
 def test_people_are_told_counts_splits_and_where_failures_are() -> None:
     text = describe({
-        "scenes": 10, "planned": 10, "folder": "x", "complete": True, "verified": 9, "failed": 1,
-        "outcomes": {"solved": 9, "crashed": 1}, "splits": {"train": 10},
+        "scenes": 10, "planned": 10, "folder": "x", "complete": True, "verified": 8, "failed": 1, "partial": 1,
+        "outcomes": {"solved": 8, "crashed": 1, "partial": 1}, "splits": {"train": 10},
+        "not_represented": [{"words": "slowly", "status": "not_represented", "scenes": 1}],
         "failures": "x/failures.jsonl",
     })  # fmt: skip
-    assert "9 verified, 1 failed" in text
+    assert "8 verified, 1 partial, 1 failed" in text
+    assert 'most often not shown: "slowly" (1)' in text
     assert "x/failures.jsonl" in text

@@ -8,8 +8,9 @@ from pathlib import Path
 import pytest
 
 from esg.commands.serve import DEFAULT_SUITE, arguments, check_cron, describe, serve
-from esg.nightly import history_row, verdict
-from esg.outcomes import UserError
+from esg.nightly import conclude_suite, history_row, verdict
+from esg.outcomes import Outcome, UserError
+from esg.pipeline import SceneRequest, SceneState
 from esg.store import ingest, write_tables
 from tests.store.samples import record, run_info
 
@@ -103,10 +104,34 @@ def test_description_names_folder_and_verdict() -> None:
     summary = {"events": 18, "ecr_mean": 17.5}
     text = describe([
         {"suite": "paper", "verdict": "no worse", "summary": summary, "failed": 1,
-         "folder": "runs/x", "report": "runs/x/report.html"},
+         "folder": "runs/x", "report": "runs/x/report.html", "partial": 2,
+         "not_represented": [{"words": "slowly", "status": "not_represented", "scenes": 2}]},
     ])  # fmt: skip
     assert "events 17.50 of 18" in text
     assert "runs/x/report.html" in text
+    assert "1 failed and 2 partial scene runs" in text
+    assert 'most often not shown: "slowly" (2)' in text
+
+
+def test_a_night_counts_partial_scenes_apart_from_failures(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    lost = [{"words": "Slowly", "status": "not_represented", "start": 0, "end": 6, "reason": ""}]
+    for place, value in {
+        "esg.scenefolder.publish": lambda state, folder: folder,
+        "esg.failures.report_failures": lambda *_: None,
+        "esg.runs.record_run": lambda *_, **__: None,
+        "esg.nightly._report": lambda *_: "",
+        "esg.nightly.not_kept": lambda s: lost if s.outcome is Outcome.PARTIAL else [],
+    }.items():
+        monkeypatch.setattr(place, value)
+    ends = [Outcome.PARTIAL] * 2 + [Outcome.CRASHED] + [Outcome.SOLVED] * 7
+    states = [SceneState(SceneRequest("x", name=f"S{k}"), outcome=o) for k, o in enumerate(ends)]
+    found = conclude_suite(states, str(DEFAULT_SUITE), 1, tmp_path)
+    assert (found.failed, found.partial) == (1, 2)
+    assert found.to_json()["not_represented"] == [
+        {"words": "slowly", "status": "not_represented", "scenes": 2}
+    ]
 
 
 def test_the_default_suite_is_found_from_any_folder(

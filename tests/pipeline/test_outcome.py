@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
+import json
+from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
+from esg import stages
 from esg.draft import draft
+from esg.graph.models import DynamicsResult, Statement
+from esg.metrics import SceneVerdict, SuiteScene
+from esg.metrics.models import LayoutVerdict, StatementVerdict
 from esg.outcomes import Outcome
+from esg.pipeline import SceneRequest, SceneState, failures
 from esg.stages import _outcome
 
 
@@ -37,3 +44,76 @@ def test_a_replay_that_disagrees_overrules_the_claim() -> None:
     outcome, reason = _outcome(draft("A ball hits a box."), verdict(missed))
     assert outcome is Outcome.NOT_CONVERGED
     assert reason == "the replay disagrees: e1 (collision): never touch"
+
+
+LOST = [
+    {"words": "straight up", "status": "not_represented", "reason": "no path"},
+    {"words": "on the table", "status": "broken", "reason": "0 of 95% of the samples"},
+]
+NEARER = {"strategy": "batched", "duration_s": 1.0, "outcome": "nearest_feasible", "reason": "late"}
+
+
+def test_a_scene_that_does_not_show_all_of_its_prompt_is_partial() -> None:
+    outcome, reason = _outcome(draft("A ball hits a box."), verdict(), LOST)
+    assert outcome is Outcome.PARTIAL
+    assert reason == (
+        'not represented: "straight up"; broken: "on the table": 0 of 95% of the samples'
+    )
+
+
+def test_what_fails_otherwise_keeps_its_outcome() -> None:
+    missed = SimpleNamespace(id="e1", type="collision", reason="never touch", completed=False)
+    doc = draft("A ball hits a box.")
+    assert _outcome(doc, verdict(missed), LOST)[0] is Outcome.NOT_CONVERGED
+    relaxed = doc.model_copy(update={"dynamics_result": DynamicsResult.model_validate(NEARER)})
+    assert _outcome(relaxed, verdict(), LOST) == (Outcome.NEAREST_FEASIBLE, "late")
+    assert _outcome(draft("A wizard enchants a frog."), verdict(), LOST)[0] is Outcome.NOT_CONVERGED
+
+
+def test_partial_is_good_unless_one_is_strict() -> None:
+    assert Outcome.PARTIAL.has_scene and "--strict" in Outcome.PARTIAL.advice
+    ended = [SceneState(SceneRequest("x"), outcome=o) for o in Outcome]
+    strict = {row["outcome"] for row in failures(ended, strict=True)}
+    assert strict - {row["outcome"] for row in failures(ended)} == {"partial"}
+
+
+SUPPORTED = {
+    "id": "s1", "predicate": "supported_by", "text": "A ball", "start": 0, "end": 6,
+    "object": ("ball_1",), "target": ("box_1",),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("suite", [False, True])
+@pytest.mark.parametrize(("kept", "expected"), [(True, "solved"), (False, "partial")])
+def test_the_prompts_own_statements_decide_with_a_suite_too(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, suite: bool, kept: bool, expected: str
+) -> None:
+    """A suite that asks for nothing of the kind changes no outcome; its verdict stays alone."""
+    prompt = "A ball hits a box."
+    doc = draft(prompt).model_copy(update={"statements": (Statement.model_validate(SUPPORTED),)})
+    said = StatementVerdict(id="s1", says="supported_by", kept=kept, measured={"share": 0.1},
+                            reason="" if kept else "carried in 10%")  # fmt: skip
+
+    def judged(_: SceneState, expected: SuiteScene) -> SceneVerdict:
+        own = expected.id != "T1"
+        return SceneVerdict(
+            scene_id="x", suite_scene=expected.id, engine="physx", dt_s=1 / 240,
+            layout=LayoutVerdict(valid=True), statements=(said,) if own else (),
+        )  # fmt: skip
+
+    monkeypatch.setattr(stages, "load_doc", lambda state: doc)
+    monkeypatch.setattr(stages, "_verdict", judged)
+    monkeypatch.setattr(SceneState, "artifact", lambda self, stage: tmp_path)
+    (tmp_path / "replay.json").write_text('{"proof": "class"}')
+    asked = SuiteScene(id="T1", prompt=prompt).model_dump_json() if suite else ""
+    stages._judge(SceneState(SceneRequest(prompt, suite_scene=asked)), tmp_path)
+    metrics = json.loads((tmp_path / "metrics.json").read_text())
+    assert metrics["outcome"] == expected
+    assert [(r["id"], r["kept"], r["words"]) for r in metrics["statements"]] == [
+        ("s1", kept, "A ball")
+    ]
+    assert [r["status"] for r in metrics.get("not_kept", [])] == ([] if kept else ["broken"])
+    assert len(metrics["verdict"]["statements"]) == (0 if suite else 1)
+    state = SceneState(SceneRequest(prompt), {"judge": "key"})
+    assert stages.not_kept(state) == metrics.get("not_kept", [])
+    assert stages.conclude("judge", state)[0] is Outcome(expected)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 import json
 from pathlib import Path
 from typing import Any
@@ -175,6 +176,15 @@ def document(prompt: str, *, label: str = "red ball") -> dict[str, Any]:
     }  # fmt: skip
 
 
+def statement(prompt: str, words: str, status: str, reason: str = "", **measured: float) -> Any:
+    """A row of what became of a statement (esg.fidelity)."""
+    start = prompt.index(words)
+    kept = {"kept": True, "broken": False}.get(status)
+    return {"id": f"s{start}", "says": "supported_by", "words": words, "start": start,
+            "end": start + len(words), "status": status, "kept": kept, "measured": measured,
+            "reason": reason}  # fmt: skip
+
+
 def write_scene(
     folder: Path,
     prompt: str = "A red ball falls onto a box.",
@@ -184,8 +194,13 @@ def write_scene(
     seconds: float = 2.0,
     label: str = "red ball",
     completed: bool = True,
+    said: Sequence[dict[str, Any]] = (),
 ) -> Path:
-    """Writes a scene folder; one that never got past its draft for `invalid_draft`."""
+    """Writes a scene folder; one that never got past its draft for `invalid_draft`.
+
+    `said` are rows of what became of its statements (`statement`); words outside the prompt are
+    not looked for.
+    """
     folder.mkdir(parents=True)
     (folder / "prompt.txt").write_text(prompt + "\n", encoding="utf-8")
     log = [
@@ -194,7 +209,19 @@ def write_scene(
     ]
     lines = "".join(json.dumps(entry) + "\n" for entry in log)
     (folder / "log.jsonl").write_text(lines, encoding="utf-8")
-    (folder / "esg.json").write_text(json.dumps(document(prompt, label=label)), encoding="utf-8")
+    told = document(prompt, label=label)
+    if said:
+        told["coverage"]["items"] = [
+            {k: row[k] for k in ("start", "end")}
+            | {"text": row["words"], "kind": "relation", "status": "used", "note": ""}
+            for row in said
+        ]
+        told["statements"] = [
+            {k: row[k] for k in ("id", "start", "end")}
+            | {"text": row["words"], "predicate": "not_represented", "note": row["reason"]}
+            for row in said
+        ]
+    (folder / "esg.json").write_text(json.dumps(told), encoding="utf-8")
     if outcome in ("invalid_draft", "crashed"):
         return folder
     sim = scene(folder.name)
@@ -246,6 +273,12 @@ def write_scene(
         "judged_against": "suite",
         "verified": completed,
         "verdict": verdict,
+        "statements": list(said),
+        "not_kept": [
+            {k: row[k] for k in ("words", "start", "end", "status", "reason")}
+            for row in said
+            if row["status"] in ("broken", "not_represented")
+        ],
     }
     (folder / "metrics.json").write_text(json.dumps(metrics), encoding="utf-8")
     (folder / "unreal").mkdir()

@@ -11,7 +11,7 @@ import pytest
 from esg.report.page import write_report
 from esg.report.run import load_run
 from tests.report import browser as chrome
-from tests.report.folders import write_scene
+from tests.report.folders import statement, write_scene
 
 pytestmark = [
     pytest.mark.browser,
@@ -26,12 +26,15 @@ def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A run of four scenes: good, failed, hostile, and one without a draft."""
     run = tmp_path_factory.mktemp("run")
     write_scene(run / "S1-run0", seconds=9.0)
+    missing = "A ball misses a box."
+    fates = {"A ball": "kept", "misses": "broken", "a box": "not_represented"}
     write_scene(
         run / "S2-run0",
-        "A ball misses a box.",
+        missing,
         outcome="not_converged",
         reason="the replay disagrees",
         completed=False,
+        said=[statement(missing, words, status) for words, status in fates.items()],
     )
     write_scene(run / "S10-run0", EVIL, reason=EVIL, label=EVIL, seconds=1.0)
     write_scene(run / "S11-run0", "", outcome="invalid_draft", reason="E_EMPTY: no objects")
@@ -115,6 +118,9 @@ def test_cards_filter_sort_and_search(opened: Any) -> None:
     assert shown(opened) == ["S2-run0"]
     choose(opened, "filter-outcome", "")
     choose(opened, "filter-problem", "events")
+    assert shown(opened) == ["S2-run0"]
+    choose(opened, "filter-problem", "")
+    choose(opened, "filter-problem", "said")
     assert shown(opened) == ["S2-run0"]
     choose(opened, "filter-problem", "")
     choose(opened, "filter-event", "collision")
@@ -328,6 +334,43 @@ def test_engines_are_laid_over_each_other(
     driver.execute_script("document.getElementById('engine-rapier').click()")
     wait(driver, blue.replace("return red;", f"return red > {before} + 100;"))
     assert chrome.complaints(driver) == []
+
+
+@pytest.mark.parametrize("width", [420, 1400])
+def test_words_are_marked_by_what_became_of_them(driver: Any, tmp_path: Path, width: int) -> None:
+    """By colour, by a sign, by a legend, by a table, and with what was measured on the mark."""
+    prompt = "A ball on the table flies straight up."
+    said = [
+        statement(prompt, "on the table", "kept", share=1.0),
+        statement(prompt, "straight up", "not_represented", EVIL),
+    ]
+    write_scene(tmp_path / "a", prompt, outcome="partial", reason="not represented", said=said)
+    path = write_report(load_run(tmp_path), tmp_path / "report.html")
+    size = {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": width < 1000}
+    driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
+    try:
+        chrome.open_page(driver, path)
+        marks = driver.execute_script(
+            "return [...document.querySelectorAll('.prompt.large mark')].map((e) => "
+            "[e.textContent, e.className, e.dataset.sign, e.title, e.tabIndex])"
+        )
+        assert [m[:3] for m in marks] == [
+            ["on the table", "cover kept", "✓"],
+            ["straight up", "cover not_represented", "∅"],
+        ]
+        assert "measured: share 1" in marks[0][3] and EVIL in marks[1][3]
+        assert [m[4] for m in marks] == [0, 0]
+        legend = driver.execute_script(
+            "return [...document.querySelectorAll('.fates li')].map((e) => e.textContent)"
+        )
+        assert [text.split()[0] for text in legend] == ["kept", "not"]
+        table = driver.execute_script("return document.querySelector('#statements').textContent")
+        assert "Statements: 1 of 2 kept" in table and EVIL in table
+        assert driver.execute_script("return document.title") != "owned"
+        assert driver.execute_script("return document.documentElement.scrollWidth") <= width
+        assert chrome.complaints(driver) == []
+    finally:
+        driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
 
 
 def test_a_long_name_fits_a_telephone(driver: Any, tmp_path: Path) -> None:

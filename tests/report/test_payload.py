@@ -19,7 +19,14 @@ import pytest
 from esg.report.binary import Chunk
 from esg.report.meshes import MeshLibrary, mesh_chunk
 from esg.report.page import STATIC, embed_json, write_report
-from esg.report.payload import contacts_of, continuous, frames_at, scene_chunk
+from esg.report.payload import (
+    contacts_of,
+    continuous,
+    frames_at,
+    index_entry,
+    scene_chunk,
+    words_of,
+)
 from esg.report.replays import Replayed, replays_of
 from esg.report.run import load_run, read_scene
 from tests.report import folders
@@ -124,6 +131,89 @@ def test_a_scene_chunk_carries_motion_events_and_sources(tmp_path: Path) -> None
     assert replay["contacts"][0][3] == 4.9
     assert "class AScene" in chunk["texts"]["EsgScene.h"]
     assert chunk["document"]["dynamics_result"]["history"] == [1.0, 0.1, 0.01]
+
+
+SAID = "A 🔴 ball on the table flies straight up."
+"""With a character that two units of UTF-16 make up: places count characters."""
+
+
+def said() -> list[dict[str, Any]]:
+    return [
+        folders.statement(SAID, "on the table", "broken", "carried in 0% of 95%", share=0.0),
+        folders.statement(SAID, "the table", "kept", share=1.0),
+        folders.statement(SAID, "straight up", "not_represented", "no path"),
+    ]
+
+
+def test_words_say_what_became_of_them_the_worst_first(tmp_path: Path) -> None:
+    scene = read_scene(folders.write_scene(tmp_path / "a", SAID, outcome="partial", said=said()))
+    pieces = words_of(scene)
+    assert "".join(p["text"] for p in pieces) == SAID
+    assert [(p["text"], p["fate"]) for p in pieces] == [
+        ("A 🔴 ball ", ""), ("on the table", "broken"), (" flies ", ""),
+        ("straight up", "not_represented"), (".", ""),
+    ]  # fmt: skip
+    assert pieces[1]["notes"] == ["supported by: broken: carried in 0% of 95% (measured: share 0)"]
+    entry = index_entry(scene, 0, "a")
+    assert (entry["kept"], entry["statements"]) == (1, 3)
+    assert [r["words"] for r in entry["not_kept"]] == ["on the table", "straight up"]
+    chunk = decode(scene_chunk(scene, [], MeshLibrary()))
+    assert chunk["words"] == pieces and len(chunk["statements"]) == 3
+
+
+def test_pieces_end_where_another_fate_begins(tmp_path: Path) -> None:
+    """A lost word inside a kept statement shows, and neighbours of one kind stay apart."""
+    rows = [
+        folders.statement(SAID, "ball on the table", "kept", share=1.0),
+        folders.statement(SAID, "on", "broken", "in the air"),
+    ]
+    scene = read_scene(folders.write_scene(tmp_path / "a", SAID, said=rows))
+    assert [(p["text"], p["fate"]) for p in words_of(scene)] == [
+        ("A 🔴 ", ""), ("ball ", "kept"), ("on", "broken"), (" the table", "kept"),
+        (" flies straight up.", ""),
+    ]  # fmt: skip
+
+
+def test_a_scene_without_a_verdict_shows_what_its_draft_could_not_hold(tmp_path: Path) -> None:
+    made = folders.write_scene(tmp_path / "a", SAID, outcome="crashed", said=said())
+    scene = read_scene(made)
+    assert not scene.metrics and not scene.problems
+    assert {r["status"] for r in scene.statements} == {"not_represented"}
+    assert "straight up" in [r["words"] for r in scene.not_kept]
+
+
+def test_a_scene_recorded_before_statements_has_none(tmp_path: Path) -> None:
+    made = folders.write_scene(tmp_path / "a")
+    path = made / "metrics.json"
+    old = json.loads(path.read_text())
+    del old["statements"], old["not_kept"]
+    path.write_text(json.dumps(old))
+    scene = read_scene(made)
+    assert (scene.statements, scene.not_kept, scene.problems) == ([], [], ())
+
+
+def test_a_suite_s_statements_stand_apart_from_the_prompt_s(tmp_path: Path) -> None:
+    made = folders.write_scene(tmp_path / "a", SAID, said=said())
+    path = made / "metrics.json"
+    metrics = json.loads(path.read_text())
+    asked = {"id": "s1", "says": "rolls", "kept": False, "measured": {"ratio": 0.1}, "reason": "r"}
+    metrics["verdict"]["statements"] = [asked]
+    path.write_text(json.dumps(metrics))
+    scene = read_scene(made)
+    assert scene.asked == [{**asked, "status": "broken"}] and len(scene.statements) == 3
+    assert decode(scene_chunk(scene, [], MeshLibrary()))["asked"] == scene.asked
+    path.write_text(json.dumps({**metrics, "judged_against": "timeline"}))
+    assert read_scene(made).asked == []
+
+
+def test_statements_of_another_shape_are_damage(tmp_path: Path) -> None:
+    made = folders.write_scene(tmp_path / "a", SAID, said=said())
+    path = made / "metrics.json"
+    wrong = json.loads(path.read_text())
+    wrong["statements"][1]["measured"] = {"share": "all"}
+    path.write_text(json.dumps(wrong))
+    (problem,) = read_scene(made).problems
+    assert "/statements/1/measured/share" in problem
 
 
 def test_a_replay_that_diverged_is_shown_as_far_as_it_went(tmp_path: Path) -> None:

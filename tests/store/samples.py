@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import datetime
+import json
 
+from esg.fidelity import judged, statement_rows
 from esg.metrics import SuiteConstraint
 from esg.store.records import RunInfo, SceneRecord, make_record
 from tests.metrics.test_events import CHAIN, chain
@@ -11,6 +13,12 @@ from tests.metrics.test_events import CHAIN, chain
 UTC = datetime.UTC
 TIME = SuiteConstraint(kind="outcome", quantity="time", event="e2", value=0.8)
 MASS = SuiteConstraint(kind="initial", quantity="mass", object="ball 1", value=1.0)
+
+STATEMENTS = [
+    {"id": "s1", "predicate": "touches", "text": "hits ball 2", "start": 18, "end": 29},
+    {"id": "s2", "predicate": "not_represented", "text": "of Scene", "start": 7, "end": 15,
+     "note": "no such place"},
+]  # fmt: skip
 
 
 def run_info(name: str = "run-1", day: int = 1, **more: object) -> RunInfo:
@@ -41,11 +49,17 @@ def record(
     verdicts = {
         engine: verdict.model_copy(update={"engine": engine}) for engine in (run.engine, *engines)
     }
-    draft = (
+    coverage = (
         b'{"coverage": {"items": [{"text": "Ball", "start": 0, "end": 4, "kind": "object",'
         b' "status": "used"}, {"text": "gently", "start": 5, "end": 11, "kind": "modifier",'
-        b' "status": "not_understood", "note": "manner"}]}}'
+        b' "status": "not_understood", "note": "manner"}]}'
     )
+    draft = coverage + b', "statements": ' + json.dumps(STATEMENTS).encode() + b"}"
+    said = [{"id": "s1", "says": "touches", "kept": complete, "measured": {"impulse_ns": 1.0},
+             "reason": "" if complete else "no hit"}]  # fmt: skip
+    rows = {"prompt": statement_rows(json.loads(draft), said), "suite": []}
+    if run.suite:
+        rows["suite"] = [judged({**said[0], "says": "ends_near", "kept": True, "reason": ""})]
     return make_record(
         run,
         scene_id=scene,
@@ -59,6 +73,7 @@ def record(
         verdicts=verdicts,
         rollouts={run.engine: made.rollout()},
         bodies=made.scene.names,
+        statements=rows,
         stages=(
             {"stage": "draft", "seconds": 0.5, "cached": False},
             {"stage": "replay", "seconds": 1.5, "cached": seed == 1},

@@ -11,10 +11,12 @@ import time
 import pyarrow.parquet as pq
 import pytest
 
+from esg.fidelity import statement_rows
 from esg.outcomes import UserError
 from esg.store import db as module
 from esg.store.db import migrate, migrations, query, snapshot
 from esg.store.ingesting import ingest, rebuild
+from esg.store.records import SceneRecord, make_record
 from esg.store.tables import (
     ADDED_COLUMNS,
     COLUMNS,
@@ -23,11 +25,11 @@ from esg.store.tables import (
     read_table,
     write_tables,
 )
-from tests.store.samples import record, records, run_info
+from tests.store.samples import STATEMENTS, record, records, run_info
 
 VIEWS = (
     "bench_summary", "bench_history", "scene_outcomes", "event_timings", "constraint_errors",
-    "engine_transfer", "cost_per_stage", "coverage_gaps",
+    "engine_transfer", "cost_per_stage", "coverage_gaps", "not_kept", "statement_rates",
 )  # fmt: skip
 
 
@@ -89,12 +91,12 @@ def test_ingest_is_idempotent(db, parts):
     before = counts(db)
     assert before == {
         "runs": 1, "scenes": 6, "trajectories": 6, "metrics": 12, "constraints": 12,
-        "coverage": 12, "timings": 12,
+        "coverage": 12, "timings": 12, "statements": 18,
     }  # fmt: skip
     again = ingest(db, [parts])
-    assert (again.files, again.unchanged) == (0, 7)
+    assert (again.files, again.unchanged) == (0, len(TABLES))
     forced = ingest(db, [parts], force=True)
-    assert forced.files == 7
+    assert forced.files == len(TABLES)
     assert counts(db) == before
 
 
@@ -378,7 +380,7 @@ def test_a_foreign_writer_is_waited_for_then_named_and_readers_use_a_copy(db, pa
     finally:
         release.set()
         holder.join(30)
-    assert ingest(db, [parts], force=True).files == 7
+    assert ingest(db, [parts], force=True).files == len(TABLES)
 
 
 def test_a_foreign_reader_hinders_nobody(db, parts):
@@ -388,7 +390,7 @@ def test_a_foreign_reader_hinders_nobody(db, parts):
     holder.start()
     try:
         assert ready.wait(60)
-        assert ingest(db, [parts], force=True).files == 7
+        assert ingest(db, [parts], force=True).files == len(TABLES)
         assert one(db, "SELECT count(*) FROM scenes") == (6,)
     finally:
         release.set()
@@ -463,7 +465,7 @@ def test_a_killed_ingest_leaves_the_old_database(db, parts):
     worker.join(180)
     assert worker.exitcode == -9
     assert db.read_bytes() == before
-    assert ingest(db, [parts], force=True).files == 7
+    assert ingest(db, [parts], force=True).files == len(TABLES)
 
 
 def test_snapshot_is_a_database(db, tmp_path):
@@ -477,3 +479,96 @@ def test_a_folder_that_duckdb_cannot_name_is_told(parts, tmp_path):
             ingest(tmp_path / name / "esg.duckdb", [parts])
         assert told.value.exit_code == 1
         assert not (tmp_path / name).exists()
+
+
+def test_statements_are_counted_by_what_became_of_them(db):
+    """Of the six scenes two are incomplete: what they say of the hit is broken."""
+    rates = {
+        (r["source"], r["says"]): r
+        for r in query(db, "FROM statement_rates WHERE level = 'chain'").dicts()
+    }
+    assert set(rates) == {
+        ("prompt", "touches"), ("prompt", "not_represented"), ("suite", "ends_near"),
+    }  # fmt: skip
+    hit = rates["prompt", "touches"]
+    assert (hit["statements"], hit["kept"], hit["broken"]) == (6, 4, 2)
+    assert hit["skr"] == pytest.approx(100 * 4 / 6)
+    assert rates["prompt", "not_represented"]["skr"] == 0.0
+    assert rates["suite", "ends_near"]["skr"] == 100.0
+    scene = "SELECT fully_understood, statements_kept FROM scenes WHERE scene_id = 'S2'"
+    assert query(db, f"{scene} ORDER BY seed").rows == [(False, 0.5), (False, 0.0)]
+    row = query(db, "FROM scene_outcomes WHERE scene_id = 'S2'").dicts()[0]
+    assert (row["partial"], row["understood_rate"], row["statements_kept"]) == (0, 0.0, 0.25)
+
+
+def test_the_words_that_are_most_often_not_shown_come_first(db):
+    rows = query(db, "FROM not_kept").dicts()
+    assert [(r["words"], r["status"], r["says"], r["scenes"]) for r in rows] == [
+        ("of scene", "not_represented", "not_represented", 6),
+        ("hits ball 2", "broken", "touches", 2),
+    ]
+    assert rows[0]["usual_reason"] == "no such place"
+    most = "SELECT words FROM not_kept WHERE status <> 'broken' LIMIT 1"
+    assert one(db, most) == ("of scene",)
+
+
+def test_a_verb_without_an_event_is_not_kept_unless_lost_words_tell_of_it(tmp_path):
+    """Verbs come from the coverage; one inside lost words is told once."""
+    run = run_info()
+    made = record(run, "S1", 0)
+    place = {k: made.rows["coverage"][0][k] for k in ("run_id", "scene_key", "seed")}
+    verbs = [
+        {**place, "item_index": 10 + i, "text": text, "start": a, "stop": b, "kind": "event",
+         "status": "not_understood"}
+        for i, (text, a, b) in enumerate((("Wags", 40, 44), ("Scene", 10, 15)))
+    ]  # fmt: skip
+    rows = {**made.rows, "coverage": verbs}
+    write_tables(tmp_path / "parts", [SceneRecord(rows)], name="p")
+    ingest(tmp_path / "a.duckdb", [tmp_path / "parts"])
+    found = query(tmp_path / "a.duckdb", "SELECT words, says FROM not_kept").rows
+    assert sorted(found) == [("of scene", "not_represented"), ("wags", "event")]
+
+
+def test_a_scene_that_was_never_judged_keeps_nothing(tmp_path):
+    said = statement_rows({"statements": STATEMENTS})
+    made = make_record(
+        run_info(), scene_id="S1", seed=0, prompt="x", outcome="crashed",
+        statements={"prompt": said},
+    )  # fmt: skip
+    write_tables(tmp_path / "parts", [made], name="p")
+    ingest(tmp_path / "a.duckdb", [tmp_path / "parts"])
+    rows = query(tmp_path / "a.duckdb", "SELECT statement_id, engine, status FROM statements").rows
+    assert sorted(rows) == [("s1", "", "not_judged"), ("s2", "synthetic", "not_represented")]
+    found = one(tmp_path / "a.duckdb", "SELECT fully_understood, statements_kept FROM scenes")
+    assert found == (None, 0.0)
+
+
+def test_a_database_from_before_statements_grows_and_takes_older_parts(
+    tmp_path, parts, monkeypatch
+):
+    """Five migrations long, with parts that know nothing of statements; newer ones come beside."""
+    older = tmp_path / "older"
+    for table in ("runs", "scenes", "metrics", "coverage"):
+        data = pq.read_table(part_files(parts, table)[0])
+        new = {"fully_understood", "statements_kept"} & set(data.column_names)
+        data = data.drop_columns(sorted(new)).replace_schema_metadata(
+            {b"esg.table": table.encode(), b"esg.format": b"1.2.0"}
+        )
+        (older / table).mkdir(parents=True)
+        pq.write_table(data, older / table / "old.parquet")
+    path = tmp_path / "old.duckdb"
+    known = migrations()[:5]
+    with monkeypatch.context() as past:
+        past.setattr("esg.store.db.migrations", lambda: known)
+        assert migrate(path) == 5
+    assert ingest(path, [older]).rows["scenes"] == 6
+    assert one(path, "SELECT count(*), count(fully_understood) FROM scenes") == (6, 0)
+    assert query(path, "FROM statements").rows == []
+    assert query(path, "FROM not_kept").rows == []
+    write_tables(tmp_path / "newer", records(run_info("run-2")), name="run-2")
+    ingest(path, [tmp_path / "newer"])
+    assert one(path, "SELECT count(DISTINCT run_id) FROM statements") == (1,)
+    rebuild(tmp_path / "again.duckdb", [older, tmp_path / "newer"])
+    for table in TABLES:
+        rows = query(path, f"FROM {table} ORDER BY ALL").rows
+        assert rows == query(tmp_path / "again.duckdb", f"FROM {table} ORDER BY ALL").rows

@@ -21,11 +21,11 @@ export async function detail(s) {
     "article",
     { class: "detail" },
     h("h1", { class: "row wrap" }, h("span", {}, breakable(s.id)), badge(s.outcome)),
-    prompt(s, data.document.coverage),
+    prompt(data),
     s.problems.map((p) => h("p", { class: "warn" }, p)),
-    s.reason && h("p", { class: s.outcome === "solved" ? "" : "warn" }, s.reason),
+    s.reason && h("p", { class: s.outcome === "solved" ? "" : "warn", id: "reason" }, s.reason),
     s.outcome !== "solved" && s.advice && h("p", { class: "faint" }, s.advice),
-    h("div", { class: "two" }, h("div", {}, stage, controls?.element), h("div", {}, events(view, () => player), constraints(data), engines(view))),
+    h("div", { class: "two" }, h("div", {}, stage, controls?.element), h("div", {}, events(view, () => player), statements(data.statements, "Statements", "statements"), statements(data.asked, "Statements of the suite", "asked"), constraints(data), engines(view))),
     graphs?.element,
     section("Scene graph", graphTabs(data)),
     section("Optimizer", optimizer(data)),
@@ -63,25 +63,78 @@ function section(title, content, open = false) {
   return h("details", { class: "section", open }, h("summary", {}, title), content);
 }
 
-// The prompt with every understood piece marked by what became of it.
-function prompt(s, coverage) {
-  const items = [...(coverage?.items ?? [])].sort((a, b) => a.start - b.start || b.end - a.end);
-  const characters = Array.from(s.prompt);
-  const parts = [];
-  let at = 0;
-  for (const item of items) {
-    if (item.start < at || item.end > characters.length) continue;
-    parts.push(characters.slice(at, item.start).join(""));
-    const title = [item.kind, words(item.status), item.note].filter(Boolean).join(": ");
-    parts.push(h("mark", { class: `cover ${item.status}`, title }, characters.slice(item.start, item.end).join("")));
-    at = item.end;
-  }
-  parts.push(characters.slice(at).join(""));
+// What became of words: a sign beside the colour, and what it means.
+const FATES = {
+  used: ["", "became an object, an event, a number or a relation"],
+  kept: ["✓", "stated, and true in the replay"],
+  broken: ["✗", "stated, but not true in the replay"],
+  not_represented: ["∅", "stated, but the scene cannot hold it"],
+  not_understood: ["?", "nothing was made of it"],
+  not_judged: ["…", "stated, but never replayed"],
+  ignored: ["–", "left out: it changes nothing"],
+};
+
+const fate = (name, sign, more, ...text) => h("mark", { class: `cover ${name}`, "data-sign": sign || undefined, ...more }, ...text);
+
+// The prompt with every piece marked by what became of it; Tab and hovering tell what was measured.
+function prompt(data) {
+  const found = new Set(data.words.map((w) => w.fate).filter(Boolean));
+  const parts = data.words.map((w) => {
+    const [sign] = FATES[w.fate] ?? [""];
+    const notes = w.notes.join("\n");
+    return w.fate ? fate(w.fate, sign, { title: notes, tabindex: w.fate === "used" ? undefined : "0", "aria-description": notes }, w.text) : w.text;
+  });
   return h(
     "div",
     {},
     h("p", { class: "prompt large" }, parts),
-    (coverage?.warnings ?? []).map((w) => h("p", { class: "warn" }, w)),
+    found.size > 0 &&
+      h(
+        "ul",
+        { class: "fates", "aria-label": "What the marks mean" },
+        Object.entries(FATES)
+          .filter(([name]) => found.has(name))
+          .map(([name, [sign, meaning]]) => h("li", {}, fate(name, sign, {}, words(name)), ` ${meaning}`)),
+      ),
+    (data.document.coverage?.warnings ?? []).map((w) => h("p", { class: "warn" }, w)),
+  );
+}
+
+// Units that the names of measured values end in.
+const UNITS = { mps: "m/s", m: "m", s: "s", deg: "°", ns: "N s", kg: "kg" };
+
+function quantity(key, value) {
+  const at = key.lastIndexOf("_");
+  const unit = at > 0 ? UNITS[key.slice(at + 1)] : undefined;
+  return unit ? `${words(key.slice(0, at))} ${number(value)} ${unit}` : `${words(key)} ${number(value)}`;
+}
+
+function statements(rows, title, id) {
+  if (!rows.length) return null;
+  const kept = rows.filter((r) => r.status === "kept").length;
+  return h(
+    "div",
+    { id, class: "statements" },
+    h("h2", {}, `${title}: ${kept} of ${rows.length} kept`),
+    h(
+      "table",
+      { class: "figures" },
+      h("thead", {}, h("tr", {}, ["words", "states", "verdict", "measured"].map((c) => h("th", { scope: "col" }, c)))),
+      h(
+        "tbody",
+        {},
+        rows.map((r) =>
+          h(
+            "tr",
+            { class: r.status === "kept" ? "" : "failed" },
+            h("th", { scope: "row" }, r.words || r.id),
+            h("td", {}, words(r.says)),
+            h("td", {}, `${FATES[r.status]?.[0] ?? ""} ${words(r.status)}`),
+            h("td", {}, [Object.entries(r.measured).map(([k, v]) => quantity(k, v)).join(", "), r.reason].filter(Boolean).join("; ") || "–"),
+          ),
+        ),
+      ),
+    ),
   );
 }
 
@@ -157,14 +210,9 @@ function controlPanel(view, player) {
 }
 
 function measured(event) {
-  const units = { mps: "m/s", m: "m", s: "s", deg: "°", ns: "N s", kg: "kg" };
   return Object.entries(event.measured ?? {})
-    .map(([key, value]) => {
-      const at = key.lastIndexOf("_");
-      const unit = units[key.slice(at + 1)];
-      return unit && key !== "time_s" && Math.abs(value) >= 0.005 ? `${words(key.slice(0, at))} ${number(value)} ${unit}` : null;
-    })
-    .filter(Boolean)
+    .filter(([key, value]) => UNITS[key.slice(key.lastIndexOf("_") + 1)] && key !== "time_s" && Math.abs(value) >= 0.005)
+    .map(([key, value]) => quantity(key, value))
     .join(", ");
 }
 

@@ -42,6 +42,7 @@ export const words = (text) => String(text ?? "").replaceAll("_", " ");
 
 const OUTCOMES = {
   solved: "good",
+  partial: "fair",
   nearest_feasible: "fair",
   infeasible: "fair",
   not_converged: "bad",

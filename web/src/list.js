@@ -24,6 +24,7 @@ const PROBLEMS = {
   parameters: ["parameters off", (s) => s.ppa !== null && s.ppa < 1],
   files: ["damaged files", (s) => s.problems.length > 0],
   words: ["words not understood", (s) => s.not_understood.length > 0],
+  said: ["words not shown", (s) => s.not_kept.length > 0],
 };
 
 export function summary() {
@@ -230,11 +231,15 @@ function card(s) {
   if (s.n_events) facts.push(`${s.completed}/${s.n_events} events`);
   if (s.slr !== null && s.slr !== undefined) facts.push(s.slr ? "layout valid" : "layout INVALID");
   if (s.ppa !== null) facts.push(`parameters ${percent(100 * s.ppa)}`);
+  if (s.statements) facts.push(`${s.kept}/${s.statements} statements kept`);
   if (s.items) facts.push(`${s.used}/${s.items} words used`);
   facts.push(`${number(s.seconds, 2)} s`);
-  const missing = s.not_understood.length
-    ? h("p", { class: "warn" }, `not understood: ${s.not_understood.join(", ")}`)
-    : null;
+  const lost = s.not_kept.map((x) => x.words);
+  const nouns = s.not_understood.filter((text) => !lost.includes(text));
+  const missing = [
+    s.not_kept.length > 0 && h("p", { class: "warn" }, s.not_kept.map((x) => `${words(x.status)}: “${x.words}”`).join("; ")),
+    nouns.length > 0 && h("p", { class: "warn" }, `not understood: ${nouns.join(", ")}`),
+  ];
   const failed = s.events.filter((e) => !e.completed);
   return h(
     "li",
@@ -248,9 +253,9 @@ function card(s) {
       h("p", { class: "faint" }, facts.join(" · ")),
       missing,
       s.problems.map((p) => h("p", { class: "warn" }, p)),
-      failed.length && s.outcome !== "solved"
+      failed.length && !["solved", "partial"].includes(s.outcome)
         ? h("p", { class: "warn" }, failed.map((e) => `${called(e)}: ${e.reason}`).join("; "))
-        : s.reason && s.outcome !== "solved"
+        : s.reason && !["solved", "partial"].includes(s.outcome)
           ? h("p", { class: "warn" }, s.reason)
           : null,
     ),

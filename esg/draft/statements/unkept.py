@@ -65,7 +65,8 @@ def missing(d: Discourse, clause: Clause) -> str:
 
 def _applies(d: Discourse, voice: str, clause: Clause) -> bool:
     """Whether a row's conditions hold: active (with an object), gently (passive, but told as an
-    act by an adverb of manner), unmet (it leads to no event), later (after another act), !KIND of those who act.
+    act by an adverb of manner), unmet (it leads to no event), later (after another act), !KIND
+    of those who act.
     """
     f = clause.frame
     doers = f.subject.entities if f.subject is not None else []
@@ -76,6 +77,8 @@ def _applies(d: Discourse, voice: str, clause: Clause) -> bool:
         if condition == "gently" and not (f.verb.passive and _MANNERS & {*adverbs_of(d.text, f)}):
             return False
         if condition == "unmet" and _leads_to_an_event(d, clause):
+            return False
+        if condition == "later" and f.relative:
             return False
         if condition == "later" and not _acted_before(d, clause, doers):
             return False

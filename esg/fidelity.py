@@ -1,0 +1,152 @@
+"""What a scene keeps of its prompt: every statement and every verb by what became of it.
+
+Documents, verdicts and rows are plain JSON here, as commands, tables and pages read them. A row of
+a statement has id, says (its predicate), words, start and end (their place in the prompt), status,
+kept (None unless it was measured), measured and reason; a shortfall has words, start, end, status
+and reason.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+Row = dict[str, Any]
+
+NOT_REPRESENTED = "not_represented"
+NOT_UNDERSTOOD = "not_understood"
+UNSEEN = (NOT_REPRESENTED, NOT_UNDERSTOOD)
+"""Statuses of words of which no scene shows anything."""
+_LOST = ("broken", NOT_REPRESENTED)
+_MOST = 10
+
+
+def statement_rows(
+    document: Mapping[str, Any], verdicts: Iterable[Mapping[str, Any]] | None = None
+) -> list[Row]:
+    """The rows of a document's statements, in its order; none is ever left out.
+
+    Args:
+        document: The ESG.
+        verdicts: The judge's, of its statements; None if it was never judged.
+    """
+    found = None if verdicts is None else {v["id"]: v for v in verdicts}
+    return [_row(s, found) for s in document.get("statements") or ()]
+
+
+def _row(statement: Mapping[str, Any], found: Mapping[str, Mapping[str, Any]] | None) -> Row:
+    row: Row = {
+        "id": statement["id"],
+        "says": statement["predicate"],
+        "words": statement["text"],
+        "start": statement["start"],
+        "end": statement["end"],
+        "kept": None,
+        "measured": {},
+    }
+    if statement["predicate"] == NOT_REPRESENTED:
+        return {**row, "status": NOT_REPRESENTED, "reason": statement.get("note", "")}
+    if found is None:
+        return {**row, "status": "not_judged", "reason": ""}
+    verdict = found.get(statement["id"])
+    if verdict is None:
+        return {**row, "status": NOT_REPRESENTED, "reason": "nothing measures it"}
+    return {**row, **judged(verdict), "words": statement["text"]}
+
+
+def judged(verdict: Mapping[str, Any]) -> Row:
+    """What a verdict adds to a statement's row."""
+    kept = verdict["kept"]
+    return {
+        "id": verdict["id"],
+        "says": verdict["says"],
+        "status": NOT_REPRESENTED if kept is None else "kept" if kept else "broken",
+        "kept": kept,
+        "measured": dict(verdict.get("measured", {})),
+        "reason": verdict.get("reason", ""),
+    }
+
+
+def shortfalls(document: Mapping[str, Any], rows: Iterable[Mapping[str, Any]]) -> list[Row]:
+    """What of a prompt is not shown, in its order.
+
+    Statements that are broken or not represented, and verbs of which no event was made.
+
+    Args:
+        document: The ESG, of which only the coverage is read.
+        rows: Of its statements.
+    """
+    names = ("words", "start", "end", "status", "reason")
+    lost = [{k: row[k] for k in names} for row in rows if row["status"] in _LOST]
+    told = [(row["start"], row["end"]) for row in lost]
+    lost += [
+        {
+            "words": verb["text"],
+            "start": verb["start"],
+            "end": verb["end"],
+            "status": NOT_UNDERSTOOD,
+            "reason": verb.get("note") or "no event was made of this verb",
+        }
+        for verb in _dropped_verbs(document)
+        if not any(a <= verb["start"] and verb["end"] <= b for a, b in told)
+    ]
+    return sorted(lost, key=lambda row: (row["start"], row["end"]))
+
+
+def lost_in(document: Mapping[str, Any], metrics: Mapping[str, Any] | None) -> list[Row]:
+    """The shortfalls of a scene, as far as it came.
+
+    Args:
+        document: Its last ESG; empty if it has none.
+        metrics: What its judge wrote, None if it was never judged.
+    """
+    if metrics is not None:
+        return list(metrics.get("not_kept", ()))
+    return shortfalls(document, statement_rows(document))
+
+
+def fully_understood(document: Mapping[str, Any]) -> bool:
+    """Whether every statement is represented and an event was made of every verb."""
+    rows = statement_rows(document)
+    represented = all(row["status"] != NOT_REPRESENTED for row in rows)
+    return represented and not _dropped_verbs(document)
+
+
+def share_kept(rows: Sequence[Mapping[str, Any]]) -> float | None:
+    """Kept statements among all, those never judged included; None without statements."""
+    return sum(row["kept"] is True for row in rows) / len(rows) if rows else None
+
+
+def sentence(lost: Iterable[Mapping[str, Any]]) -> str:
+    """Shortfalls in one sentence that names their words; of what is broken, what was measured."""
+    parts: dict[str, list[str]] = {}
+    for row in lost:
+        why = f": {row['reason']}" if row["status"] == "broken" and row["reason"] else ""
+        parts.setdefault(row["status"], []).append(f'"{row["words"]}"{why}')
+    order = (NOT_REPRESENTED, "broken", NOT_UNDERSTOOD)
+    return "; ".join(
+        f"{status.replace('_', ' ')}: {', '.join(parts[status])}"
+        for status in order
+        if status in parts
+    )
+
+
+def most_unseen(lost: Iterable[Sequence[Mapping[str, Any]]]) -> list[Row]:
+    """The words that most often are not shown at all, with the number of scenes.
+
+    Args:
+        lost: The shortfalls of every scene.
+    """
+    scenes = Counter(
+        pair
+        for rows in lost
+        for pair in {(r["words"].lower(), r["status"]) for r in rows if r["status"] in UNSEEN}
+    )
+    ordered = sorted(scenes.items(), key=lambda item: (-item[1], item[0]))
+    return [{"words": w, "status": s, "scenes": n} for (w, s), n in ordered[:_MOST]]
+
+
+def _dropped_verbs(document: Mapping[str, Any]) -> list[Mapping[str, Any]]:
+    items = (document.get("coverage") or {}).get("items", ())
+    return [i for i in items if i["kind"] == "event" and i["status"] == NOT_UNDERSTOOD]

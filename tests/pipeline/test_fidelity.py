@@ -1,0 +1,134 @@
+"""What a scene keeps of its prompt, by its document and its verdicts alone."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from esg.fidelity import (
+    fully_understood,
+    lost_in,
+    most_unseen,
+    sentence,
+    share_kept,
+    shortfalls,
+    statement_rows,
+)
+
+PROMPT = "The ball on the table flies straight up and wags."
+
+
+def said(words: str, predicate: str = "supported_by", **more: Any) -> dict[str, Any]:
+    start = PROMPT.index(words)
+    return {
+        "id": words.replace(" ", "_"),
+        "predicate": predicate,
+        "text": words,
+        "start": start,
+        "end": start + len(words),
+        **more,
+    }
+
+
+def verb(words: str, status: str = "not_understood", **more: Any) -> dict[str, Any]:
+    place = {k: said(words)[k] for k in ("text", "start", "end")}
+    return {**place, "kind": "event", "status": status, **more}
+
+
+def document(*statements: dict[str, Any], verbs: tuple[dict[str, Any], ...] = ()) -> dict[str, Any]:
+    return {"statements": list(statements), "coverage": {"items": list(verbs)}}
+
+
+def verdict(words: str, kept: bool | None, reason: str = "", **measured: float) -> dict[str, Any]:
+    name = words.replace(" ", "_")
+    return {"id": name, "says": "supported_by", "kept": kept, "reason": reason,
+            "measured": measured}  # fmt: skip
+
+
+UP = said("straight up", "not_represented", note="no path that rises")
+TABLE = said("on the table")
+
+
+def test_every_statement_has_one_row_whatever_the_judge_returns() -> None:
+    doc = document(TABLE, UP)
+    assert [r["status"] for r in statement_rows(doc)] == ["not_judged", "not_represented"]
+    unmeasured = statement_rows(doc, [])
+    assert [r["status"] for r in unmeasured] == ["not_represented", "not_represented"]
+    assert unmeasured[0]["reason"] == "nothing measures it"
+    rows = statement_rows(doc, [verdict("on the table", True, share=1.0)])
+    assert rows[0] == {
+        "id": "on_the_table", "says": "supported_by", "words": "on the table", "start": 9,
+        "end": 21, "status": "kept", "kept": True, "measured": {"share": 1.0}, "reason": "",
+    }  # fmt: skip
+    assert rows[1]["kept"] is None and rows[1]["reason"] == "no path that rises"
+
+
+def test_a_document_without_statements_has_no_rows() -> None:
+    assert statement_rows({"statements": None}, []) == statement_rows({}) == []
+    assert share_kept([]) is None and fully_understood({})
+
+
+def test_shortfalls_come_in_the_order_of_the_prompt_with_their_reasons() -> None:
+    doc = document(UP, TABLE, verbs=(verb("wags"), verb("flies", "used")))
+    rows = statement_rows(doc, [verdict("on the table", False, "0 of 95% of the samples")])
+    lost = shortfalls(doc, rows)
+    assert [(r["words"], r["status"]) for r in lost] == [
+        ("on the table", "broken"), ("straight up", "not_represented"), ("wags", "not_understood"),
+    ]  # fmt: skip
+    assert sentence(lost) == (
+        'not represented: "straight up"; broken: "on the table": 0 of 95% of the samples; '
+        'not understood: "wags"'
+    )
+    assert share_kept(rows) == 0.0
+
+
+def test_a_verb_inside_lost_words_is_told_once() -> None:
+    whole = said("flies straight up", "not_represented")
+    doc = document(whole, verbs=(verb("flies"), verb("wags")))
+    assert [r["words"] for r in shortfalls(doc, statement_rows(doc, []))] == [
+        "flies straight up",
+        "wags",
+    ]
+
+
+def test_a_kept_statement_does_not_excuse_its_dropped_verb() -> None:
+    doc = document(said("wags", "stays_still"), verbs=(verb("wags"),))
+    rows = statement_rows(doc, [verdict("wags", True)])
+    assert [r["status"] for r in shortfalls(doc, rows)] == ["not_understood"]
+
+
+def test_an_object_that_is_not_understood_is_no_shortfall() -> None:
+    """Outcomes ask for verbs; nouns have their warnings."""
+    assert shortfalls(document(verbs=(verb("ball") | {"kind": "object"},)), []) == []
+
+
+@pytest.mark.parametrize(
+    ("doc", "expected"),
+    [
+        (document(TABLE), True),
+        (document(TABLE, UP), False),
+        (document(verbs=(verb("wags"),)), False),
+        (document(verbs=(verb("wags", "ignored"),)), True),
+    ],
+)
+def test_understood_is_what_the_draft_could_hold(doc: dict[str, Any], expected: bool) -> None:
+    assert fully_understood(doc) is expected
+
+
+def test_what_was_never_judged_is_not_called_broken() -> None:
+    doc = document(TABLE, UP)
+    assert [r["words"] for r in lost_in(doc, None)] == ["straight up"]
+    assert lost_in(doc, {"not_kept": [{"words": "x"}]}) == [{"words": "x"}]
+    assert lost_in({}, {}) == []
+
+
+def test_the_most_frequent_words_count_scenes_not_mentions() -> None:
+    def row(words: str, status: str = "not_represented") -> dict[str, Any]:
+        return {"words": words, "status": status}
+
+    scenes = [[row("Slowly"), row("slowly")], [row("slowly")], [row("spins", "not_understood")]]
+    scenes += [[row("on the table", "broken")]] * 5 + [[row(f"w{k:02d}")] for k in range(20)]
+    most = most_unseen(scenes)
+    assert most[0] == {"words": "slowly", "status": "not_represented", "scenes": 2}
+    assert most[1]["words"] == "spins" and len(most) == 10
