@@ -114,6 +114,8 @@ ALONG_M = 1.0
 and half a lane's margin beside a kerb."""
 ACROSS_SHARE = 0.5
 """What moves across something goes over this share of it: it leaves the half on which it came."""
+ACROSS_LENGTHS = 2.0
+"""What moves across a floor or a field goes this many of its own lengths: nobody waits for half."""
 SLOPE_SHARE = 0.25
 """What moves up or down something rises or sinks by this share of its height: shorter ways are a
 shake, longer ones leave out what starts half way."""

@@ -46,7 +46,8 @@ _SPEED = _Fields(("object", "value"), ("unit",), "speed")
 _FIELDS: dict[str, _Fields] = {
     **dict.fromkeys(
         ("supported_by", "inside", "hangs_from", "attached_to", "leans_on", "carried_by",
-         "ends_on", "ends_in", "ends_near"),
+         "ends_on", "ends_in", "ends_near", "under", "left_of", "right_of", "in_front_of",
+         "behind"),
         _PLACED,
     ),
     **dict.fromkeys(

@@ -150,6 +150,7 @@ def _on_a_slope(d: Discourse, actor: str, way: Way) -> None:
 def _along(d: Discourse, actor: str, way: Way) -> None:
     if "support" in traits_of(d, way.others[0]):
         place(d, [actor], way.others[:1], "on")
+        d.moves.on_top[actor] = way.others[0]
 
 
 def _to_the_edge(d: Discourse, actor: str, way: Way) -> None:

@@ -13,7 +13,7 @@ from esg.draft.events.motions import paced
 from esg.draft.events.stated import said
 from esg.draft.events.told import size_of
 from esg.draft.grammar.clauses.frames import Frame
-from esg.graph.models import EdgeEvent, MotionParams, NodeEvent
+from esg.graph.models import EdgeEvent, ForceDirection, MotionParams, NodeEvent
 from esg.graph.rules_segments import LEAST_SPEED_CM_S
 
 _TRANSITIVE = frozenset(
@@ -102,6 +102,9 @@ def _carry_over(d: Discourse, clause: Clause, mover: str, was: Before) -> None:
             _change(d, mover, was, thrown_up=True)
         elif s.row.direction == "backward" and first:
             _change(d, mover, was, backward=True)
+            track = d.timeline.tracks[mover]
+            if track.direction is ForceDirection.ALONG_FORWARD_ONLY:
+                track.direction = ForceDirection.ALONG_FORWARD_OR_BACKWARD
 
 
 def _change(d: Discourse, mover: str, was: Before, pace: str = "", **course: Any) -> None:

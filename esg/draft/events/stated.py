@@ -67,7 +67,9 @@ def said(text: str, f: Frame) -> list[Said]:
             found = _by_word().get(("side", p.mention.head), ())
         else:
             solid = not p.mention.attribute
-            found = _by_word().get(("phrase", p.prep), ()) if solid else ()
+            away = p.prep == "from" and text[: start_of(p, text)].rstrip().endswith("away")
+            prep = "away from" if away else p.prep
+            found = _by_word().get(("phrase", prep), ()) if solid else ()
             found += _by_word().get(("goal", p.prep), ()) if solid else ()
         start = start_of(p, text)
         out += [Said(row, start, p.mention.end, p) for row in found]

@@ -168,6 +168,9 @@ def _driver(book: _Book, clause: Clause, s: Said, mover: str) -> None:
 
 def _direction(book: _Book, clause: Clause, s: Said, mover: str, where: str) -> None:
     d, direction = book.d, s.row.direction
+    over = s.phrase is not None and s.phrase.prep == "over"
+    if over and not (mover in d.moves.flying or flies_itself(d, mover)):
+        return
     if s.phrase is not None and direction in ("up", "down"):
         _slope(book, s, mover, where)
         return
@@ -223,7 +226,7 @@ def _support(book: _Book, clause: Clause, p: Phrase) -> None:
         leaves = any(mover in n.participants and n.event.value in ("Fall", "EnterRegion")
                      for n in d.timeline.nodes)  # fmt: skip
         book.add(Predicate.SUPPORTED_BY, p.mention.start, p.mention.end, object=(mover,),
-                 target=(host,), when="start" if leaves else "throughout")  # fmt: skip
+                 target=(host,), when="start" if leaves else _when(d, clause, mover))  # fmt: skip
 
 
 def _left_over(book: _Book, clause: Clause, p: Phrase) -> None:

@@ -11,7 +11,7 @@ import math
 
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.kinematics import Frame, half_along
-from esg.dynamics.story.story import Story
+from esg.dynamics.story.story import REACH_BRAKE_DAMPING, Story
 from esg.graph.models import EdgeEvent, EsgDocument, Predicate, Statement
 
 _AHEAD_M = 1.0
@@ -76,6 +76,14 @@ def place_by_the_way(stage: Stage) -> None:
             stage.places[stage.key(other)] = spot
 
 
+def arrives(doc: EsgDocument, actor: str) -> bool:
+    """Whether a side of something is where an actor's way ends."""
+    return any(
+        s.predicate in _SIDES and s.when == "end" and actor in s.object
+        for s in doc.statements or ()
+    )
+
+
 def ways_stated(doc: EsgDocument, story: Story) -> Iterator[Statement]:
     """The statements of ways that have one mover and one other thing, which waits."""
     nodes = doc.spatial_relation_graph.nodes
@@ -113,6 +121,8 @@ def _spot(
         side = math.atan2(y, x) - yaw
         reach = half_along(its.length, its.width, -yaw - side) + _BESIDE_M
         reach += half_along(mine.length, mine.width, heading - side)
+        way = stage.tracks[mover].speed / REACH_BRAKE_DAMPING
+        end = (end[0] + way * math.cos(heading), end[1] + way * math.sin(heading))
         return _beside(end, side + math.pi, reach, -yaw)
     if s.direction == "toward":
         reach = mine.half_length + half_along(its.length, its.width, 0.0) + _AHEAD_M
@@ -120,6 +130,8 @@ def _spot(
     if s.direction == "away_from":
         reach = mine.half_length + half_along(its.length, its.width, 0.0) + _BEHIND_M
         return _beside(start, heading + math.pi, reach, None)
+    if s.direction == "across" and stage.story.flies(mover):
+        return (0.5 * (start[0] + end[0]), 0.5 * (start[1] + end[1]), None)
     if s.direction in ("past", "along"):
         middle = (0.5 * (start[0] + end[0]), 0.5 * (start[1] + end[1]))
         lengthwise = 0.0 if its.length >= its.width else math.pi / 2

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.dynamics.choreography.flights import flown_to
+from esg.dynamics.choreography.ways import arrives
 from esg.dynamics.plan.aim import aim_heading
 from esg.dynamics.plan.cast import Cast
 from esg.dynamics.story.kinematics import ballistic_velocity, wrap_angle
@@ -17,7 +18,7 @@ from esg.dynamics.story.stagecraft import stacked_with, support_of
 from esg.dynamics.story.story import REACH_BRAKE_DAMPING, Phase, turn_of
 from esg.engines.program import AdjustProperties, HoldVelocity, Primitive, SetVelocity
 from esg.engines.scene import Body
-from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
+from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, TimelineNode
 from esg.units import quat_from_euler_deg, yaw_from_quat
 
 AFTER_HIT_DAMPING = 4.0
@@ -76,6 +77,16 @@ class _Leg:
     duration: float
 
 
+def _supports(doc: EsgDocument, name: str) -> list[str]:
+    """What a node lies on, and what that lies on."""
+    out: list[str] = []
+    below = support_of(doc, name)
+    while below is not None and below not in out:
+        out.append(below)
+        below = support_of(doc, below)
+    return out
+
+
 class Composer:
     """Turns phases and values into primitives and start poses.
 
@@ -105,6 +116,15 @@ class Composer:
                     out[actor] = told + SHAKEN_S
                     break
         return out
+
+    @cached_property
+    def _riders(self) -> dict[str, tuple[str, ...]]:
+        """What lies on an actor and has no part of its own: it is under way with it."""
+        nodes = self.doc.spatial_relation_graph.nodes
+        told = {p for n in self.story.nodes.values() for p in n.participants}
+        free = [n for n, x in nodes.items() if n not in told and not x.is_structural]
+        free = [n for n in free if n in self.scene.names and not self.scene.body(n).static]
+        return {a: tuple(n for n in free if a in _supports(self.doc, n)) for a in self.story.phases}
 
     @cached_property
     def _headings(self) -> dict[str, float]:
@@ -239,6 +259,9 @@ class Composer:
         if soars and leg.last and phase.end.event is NodeEvent.MISS:
             # It flies on past what it does not touch.
             end = math.inf
+        if leg.first and not acceleration:
+            flat = abs(speed) * np.array([math.cos(course.heading), math.sin(course.heading), 0.0])
+            course.out += [SetVelocity(r, start, _vec(flat)) for r in self._riders[actor]]
         if leg.first and self.cast.leaves_support(actor, phase):
             # Held, it could not tilt with the slope it goes down.
             flat = np.array([math.cos(course.heading), math.sin(course.heading), 0.0])
@@ -284,7 +307,7 @@ class Composer:
     def _end_drive(self, course: _Course, leg: _Leg, end: float, pushes: bool) -> None:
         """What a driver does at the end of its part: it brakes, or hovers."""
         actor, node = course.actor, leg.phase.end
-        stays = node.event in (NodeEvent.REACH, NodeEvent.STOP)
+        stays = node.event in (NodeEvent.REACH, NodeEvent.STOP) or arrives(self.doc, actor)
         if self.story.soars(actor):
             if stays:
                 course.out.append(self._hover(actor, end, course.speed, course.heading))

@@ -14,13 +14,18 @@ from esg.metrics.replay import Replay
 from esg.metrics.statements import directions, facts, manner, place
 from esg.metrics.statements.query import Kept, StatementQuery, window_of
 
-OfBody = Callable[[Replay, StatementQuery, int], Kept]
+OfBody = place.OfBody
 OfScene = Callable[[Replay, StatementQuery], Kept]
 
 OF_BODIES: dict[Predicate, OfBody] = {
     Predicate.SUPPORTED_BY: place.supported_by,
     Predicate.INSIDE: place.inside,
     Predicate.ABOVE: place.above,
+    Predicate.UNDER: place.under,
+    Predicate.LEFT_OF: place.on_side("left"),
+    Predicate.RIGHT_OF: place.on_side("right"),
+    Predicate.IN_FRONT_OF: place.on_side("front"),
+    Predicate.BEHIND: place.on_side("behind"),
     Predicate.HANGS_FROM: place.hangs_from,
     Predicate.ATTACHED_TO: place.attached_to,
     Predicate.LEANS_ON: place.leans_on,

@@ -14,6 +14,7 @@ from esg.metrics.replay import Floats, Replay
 from esg.metrics.statements.query import Kept, StatementQuery
 from esg.metrics.support import bounds, local_position
 from esg.thresholds import (
+    ACROSS_LENGTHS,
     ACROSS_SHARE,
     ALONG_M,
     AROUND_DEG,
@@ -231,7 +232,7 @@ def _past(replay: Replay, q: StatementQuery, body: int, path: Floats) -> Kept:
 
 def _across(replay: Replay, q: StatementQuery, body: int, path: Floats) -> Kept:
     """Across: over much of its outline, from side to side."""
-    most = 0.0
+    most, size = 0.0, 2.0 * max(replay.scene.bodies[body].half_extents)
     for other in (j for j in q.target.bodies if j != body):
         b = replay.scene.bodies[other]
         half = np.array(b.half_extents[:2])
@@ -246,7 +247,9 @@ def _across(replay: Replay, q: StatementQuery, body: int, path: Floats) -> Kept:
             continue
         with np.errstate(divide="ignore"):
             chord = float(np.min(2.0 * half * length / np.abs(way)))
-        most = max(most, length / chord)
+        # Of a floor or a field nobody crosses the half: several lengths of its own will do.
+        enough = chord if not b.static else min(chord, ACROSS_LENGTHS * size / ACROSS_SHARE)
+        most = max(most, length / enough)
     reason = f"goes over {100 * most:.0f}% of {q.goal}; limit {100 * ACROSS_SHARE:.0f}%"
     return Kept.when(most >= ACROSS_SHARE, reason, share=most)
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
 from esg.metrics.events_space import inside_volume, is_over, surface_distance, volumes
@@ -29,6 +31,8 @@ from esg.thresholds import (
     TOGETHER_M,
 )
 from esg.units import quat_rotate
+
+OfBody = Callable[[Replay, StatementQuery, int], Kept]
 
 
 def mostly(held: Bools, what: str, **measured: float) -> Kept:
@@ -104,6 +108,38 @@ def above(replay: Replay, q: StatementQuery, body: int) -> Kept:
 def attached_to(replay: Replay, q: StatementQuery, body: int) -> Kept:
     """Something holds the two together."""
     return _held(replay, q, body, lower=False)
+
+
+def under(replay: Replay, q: StatementQuery, body: int) -> Kept:
+    """The target is over it: its centre lies within the target's outline, and lower."""
+    samples = q.window.samples(replay)
+    held = np.zeros(len(samples), bool)
+    for other in (j for j in q.target.bodies if j != body):
+        over = is_over(replay, body, other)[samples]
+        held |= over & (replay.position[samples, body, 2] < replay.position[samples, other, 2])
+    return mostly(held, f"be under {q.goal}")
+
+
+def on_side(side: str) -> OfBody:
+    """A measure of being on a side of the target, in the viewer's directions: left is +X.
+
+    Of the two horizontal offsets of their centres, the one to that side is the larger, and the
+    outlines are clear of each other that way.
+    """
+    axis, sign = {"left": (0, 1), "right": (0, -1), "front": (1, 1), "behind": (1, -1)}[side]
+    words = {"front": "in front of", "behind": "behind"}.get(side, f"{side} of")
+
+    def measure(replay: Replay, q: StatementQuery, body: int) -> Kept:
+        samples = q.window.samples(replay)
+        held, last = np.zeros(len(samples), bool), 0.0
+        for other in (j for j in q.target.bodies if j != body):
+            offset = replay.position[samples, body] - replay.position[samples, other]
+            off = sign * offset[:, axis]
+            held |= (off > 0.0) & (off >= np.abs(offset[:, 1 - axis]))
+            last = float(off[-1])
+        return mostly(held, f"be {words} {q.goal}", offset_m=last)
+
+    return measure
 
 
 def hangs_from(replay: Replay, q: StatementQuery, body: int) -> Kept:
