@@ -24,7 +24,7 @@ from esg.thresholds import (
     SLOPE_SHARE,
     STILL_M,
 )
-from esg.units import quat_rotate, yaw_from_quat
+from esg.units import quat_rotate
 
 _VIEWER: dict[str, tuple[float, float, float]] = {
     "left": (1.0, 0.0, 0.0),
@@ -88,9 +88,14 @@ def _of_viewer(replay: Replay, q: StatementQuery, body: int, path: Floats) -> Ke
 
 
 def _of_own(replay: Replay, q: StatementQuery, body: int, path: Floats) -> Kept:
-    """Forward and backward: by its own heading at the start."""
+    """Forward and backward: by its own heading at the start.
+
+    A round thing has none: forward is the way that it sets off, and backward says nothing.
+    """
     direction = q.statement.direction or ""
-    yaw = float(yaw_from_quat(replay.quaternion[0, body]))
+    if direction == "backward" and replay.scene.bodies[body].roll_radius > 0:
+        return Kept(None, reason="a round thing has no back to move to")
+    yaw = float(replay.heading(body)[0])
     sign = 1.0 if direction == "forward" else -1.0
     wanted = sign * np.array([math.cos(yaw), math.sin(yaw), 0.0])
     shift = _level(path[-1] - path[0])
