@@ -439,7 +439,7 @@ class Coverage(Model):
 
 
 class Predicate(str, enum.Enum):
-    """What a statement says of its participants; docs/graph/statements.md says when each is kept.
+    """What a statement says of its participants; docs/metrics/statements.md says when each is kept.
 
     All but the last are measured on a replay (`esg.metrics.statements`).
     """

@@ -41,7 +41,8 @@ def bounces(replay: Replay, q: Query) -> Iterator[Found]:
         if target.ground:
             times += _off_ground(replay, i)
         since = -math.inf if q.since is None else q.since
-        times = sorted(t for t in times if t > since)
+        # A phrase may mean the ground and what is painted on it.
+        times = sorted({t for t in times if t > since})
         if len(times) >= q.event.times:
             yield Found(times[q.event.times - 1], (i,), measured={"times": float(len(times))})
         else:
@@ -176,7 +177,7 @@ def _held(replay: Replay, body: int) -> Bools:
 
 
 def jumps(replay: Replay, q: Query) -> Iterator[Found]:
-    """Leaving what carries it upwards by its own motion, and coming down again."""
+    """Leaving what carries it by its own motion and coming down again, as often as asked."""
     begin = max(replay.after(q.since), 1)
     back = max(1, round(MOMENT_S / replay.frame_s))
     for i in q.bound["object"].bodies:
@@ -184,6 +185,7 @@ def jumps(replay: Replay, q: Query) -> Iterator[Found]:
         need = JUMP_SHARE * 2.0 * replay.scene.bodies[i].half_extents[2]
         reason = f"{replay.scene.bodies[i].name} never leaves what carries it"
         starts = [c.time for c in replay.motions(i)]
+        done = 0
         for start, stop in runs(~touching(replay, i)):
             if start < begin:
                 continue
@@ -196,9 +198,11 @@ def jumps(replay: Replay, q: Query) -> Iterator[Found]:
                 reason = "leaves the ground, but not by its own motion"
             elif z[top] - z[top : stop + 1].min() < 0.5 * rise:
                 reason = "does not come down again"
-            else:
+            elif (done := done + 1) == q.event.times:
                 yield Found(off, (i,), measured={"rise_m": rise})
                 break
+            else:
+                reason = f"jumps {done} times, {q.event.times} asked"
         else:
             yield Found(None, (i,), reason)
 

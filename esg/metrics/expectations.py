@@ -19,7 +19,14 @@ from esg.graph.models import (
     TimelineEdge,
     TimelineNode,
 )
-from esg.metrics.models import SuiteConstraint, SuiteEvent, SuiteScene
+from esg.metrics.models import (
+    EVENT_DEGREES,
+    EVENT_FIELDS,
+    EVENT_OPTIONAL,
+    SuiteConstraint,
+    SuiteEvent,
+    SuiteScene,
+)
 from esg.metrics.quantities import BASE_UNIT, DIMENSION_OF
 from esg.metrics.statements.expected import Moments, expected_statements
 from esg.units import m_from_cm
@@ -121,12 +128,41 @@ def _node_event(node: TimelineNode) -> SuiteEvent | None:
             direction=node.turn_direction or "left",
             degrees=node.turn_degrees or 90.0,
         )
+    if (further := _further_event(node, one, other)) is not None:
+        return further
     target = f"={node.region}" if node.region else other
     if target and node.event is NodeEvent.ENTER_REGION:
         return SuiteEvent(id=node.id, type="enters", object=one, target=target)
     if node.event is NodeEvent.POSITION_AT and node.position_cm is not None:
         return SuiteEvent(id=node.id, type="reaches", object=one, target=_point(node.position_cm))
     return None
+
+
+_FURTHER = {
+    "Bounce": "bounces",
+    "Placed": "placed",
+    "PickedUp": "picked_up",
+    "Jump": "jumps",
+    "Spin": "spins",
+}
+"""Types of events that are named alike, by the point event's value."""
+
+
+def _further_event(node: TimelineNode, one: str, other: str | None) -> SuiteEvent | None:
+    kind = _FURTHER.get(node.event.value)
+    if kind is None:
+        return None
+    required, optional = EVENT_FIELDS[kind], EVENT_OPTIONAL.get(kind, ())
+    if "target" in required and other is None:
+        return None
+    fields: dict[str, object] = {"id": node.id, "type": kind, "object": one}
+    if "target" in required:
+        fields["target"] = other
+    if "degrees" in optional:
+        fields["degrees"] = node.turn_degrees or EVENT_DEGREES[kind]
+    if "times" in optional:
+        fields["times"] = node.model_dump().get("times") or 1
+    return SuiteEvent.model_validate(fields)
 
 
 def _edge_event(edge: TimelineEdge, measurable: set[str]) -> SuiteEvent | None:

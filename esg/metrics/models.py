@@ -62,6 +62,7 @@ EVENT_OPTIONAL: dict[str, tuple[str, ...]] = {
     "turns": ("degrees",),
     "falls": ("from",),
     "bounces": ("times",),
+    "jumps": ("times",),
     "spins": ("degrees",),
     "opens": ("degrees",),
     "closes": ("degrees",),

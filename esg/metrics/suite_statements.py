@@ -188,7 +188,7 @@ def _value(
         try:
             factor = unit_factor(quantity, item.get("unit"))
         except ValueError as error:
-            what, remedy = str(error).split("; ")
+            what, _, remedy = str(error).rpartition("; ")
             problems.add(f"{place}/unit", what, remedy)
     return {"value": number * factor, "quantity": quantity or "count"}
 

@@ -175,6 +175,21 @@ def test_jumps_leave_the_ground_by_their_own_motion(world, why):
     assert why in found.reason
 
 
+def test_jumps_are_counted():
+    world = leap(lambda t: thrown(t) + thrown(t - 0.8) - 0.1, 0.5, 1.3)
+    assert world.event(type="jumps", object="dog", times=2).time_s == pytest.approx(1.3, abs=0.05)
+    thrice = world.event(type="jumps", object="dog", times=3)
+    assert thrice.reason == "jumps 2 times, 3 asked"
+
+
+def test_a_bounce_is_counted_once_whatever_the_ground_is_called():
+    floor = {"shapes": (), "static": True, "half_extents": (9.0, 9.0, 0.005)}
+    world = World(2.0).add(ball("ball_1"), z=bouncing(1.0, 2.0)).add(body("ground_1", **floor), z=0)
+    found = world.event(type="bounces", object="ball", target="ground", times=2)
+    assert found.measured["times"] == 2
+    assert not world.event(type="bounces", object="ball", target="ground", times=3).completed
+
+
 @pytest.mark.parametrize(
     ("rate", "speed", "degrees", "completed"),
     [(200, 0.0, 360, True), (-200, 0.0, 360, True), (170, 0.0, 360, False), (100, 0.0, 90, True),

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import pytest
+
 from esg.graph.models import (
     Actor,
     AssetRequirement,
     EsgDocument,
     EventConstraint,
     Node,
+    NodeEvent,
     SceneDefinition,
     SceneParameters,
     SequenceGraph,
@@ -224,3 +227,23 @@ def test_moments_that_are_not_measured_give_way_to_measured_ones():
     assert stated(doc, **still, when="go").when == "hit"
     before = stated(doc, predicate="before", object=["hit", "halt"])
     assert (before.a, before.b, before.object) == ("hit", "halt", None)
+
+
+@pytest.mark.parametrize(
+    ("fields", "expected"),
+    [
+        ({"event": "Bounce", "participants": ("bin_1", "table_1"), "times": 3}, {"times": 3}),
+        ({"event": "Placed", "participants": ("bin_1", "table_1")}, {"target": "=table_1"}),
+        ({"event": "PickedUp", "participants": ("bin_1",)}, {"type": "picked_up"}),
+        ({"event": "Jump", "participants": ("bin_1",)}, {"type": "jumps", "times": 1}),
+        ({"event": "Spin", "participants": ("bin_1",)}, {"type": "spins", "degrees": 360.0}),
+        ({"event": "Spin", "participants": ("bin_1",), "turn_degrees": 90.0}, {"degrees": 90.0}),
+    ],
+)
+def test_point_events_of_handling_are_events_of_the_same_name(fields, expected):
+    if fields["event"] not in {e.value for e in NodeEvent}:
+        pytest.skip("the document has no such point event")
+    node = N.model_validate({"id": "e1", "window": (1, 2), **fields})
+    (found,) = expectations_from_timeline(document([START, node], [])).events
+    assert {k: getattr(found, k) for k in expected} == expected
+    assert found.object == "=bin_1"

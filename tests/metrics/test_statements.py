@@ -443,3 +443,17 @@ def test_between_events_is_neither_of_their_moments():
     pair = {"a": "ball 1", "b": "ball 2", "when": "start..e1"}
     assert world.states("never_touches", hits, **pair).kept
     assert world.states("touches", hits, **pair).kept
+
+
+def test_a_touch_at_the_start_is_logged_in_its_first_step():
+    world = pair(0.0).touch(1 / 240, "ball_1", "crate_1", 0.01)
+    assert world.states("touches", **TO, when="start").kept
+    assert not world.states("touches", **TO, when="end").kept
+
+
+def test_a_ball_moves_forward_the_way_it_sets_off():
+    world = World(2.0).add(ball("ball_1"), y=line(0.0, -1.0), yaw_deg=77.0)
+    assert world.states("moves", object="ball", direction="forward").kept
+    back = World(2.0).add(ball("ball_1"), y=lambda t: np.minimum(t, 0.2) - 2 * np.maximum(t - 1, 0))
+    assert back.states("moves", object="ball", direction="forward").kept is False
+    assert back.states("moves", object="ball", direction="backward").kept is None

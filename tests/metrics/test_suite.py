@@ -7,7 +7,9 @@ from pathlib import Path
 from hypothesis import given, settings
 from hypothesis import strategies as st
 import pytest
+import yaml
 
+from esg.graph.models import Predicate
 from esg.metrics import load_suite, parse_suite
 from esg.outcomes import UserError
 
@@ -296,3 +298,46 @@ def test_events_of_the_second_edition_are_read():
     assert "/target: is missing in a 'misses'" in problems(
         with_events("{id: e2, type: misses, object: b}")
     )
+
+
+@pytest.mark.parametrize("path", sorted(PAPER.parent.glob("*.yaml")), ids=lambda p: p.stem)
+def test_shipped_suites_are_read(path):
+    suite = load_suite(path)
+    assert suite.scenes
+    assert all(s.events or s.statements or s.objects for s in suite.scenes)
+
+
+def test_the_suite_of_words_keeps_a_third_of_its_scenes_unopened():
+    scenes = load_suite(PAPER.with_name("words.yaml")).scenes
+    assert [k for k, s in enumerate(scenes, 1) if s.level == "unopened"] == list(range(3, 40, 3))
+    assert all(s.statements for s in scenes)
+
+
+JUNK = st.recursive(
+    st.none()
+    | st.booleans()
+    | st.integers()
+    | st.floats()
+    | st.sampled_from(["e1", "a; b", "", "left"]),
+    lambda inner: (
+        st.lists(inner, max_size=2) | st.dictionaries(st.text(max_size=3), inner, max_size=2)
+    ),
+    max_leaves=4,
+)
+FIELDS = ("id", "object", "target", "a", "b", "noun", "direction", "quantity", "value", "distance",
+          "as", "unit", "when")  # fmt: skip
+
+
+@settings(max_examples=200, deadline=None)
+@given(
+    st.sampled_from([p.value for p in Predicate]) | JUNK,
+    st.dictionaries(st.sampled_from(FIELDS), JUNK, max_size=6),
+)
+def test_whatever_stands_in_a_statement_is_read_or_reported(says, fields):
+    scene = {"id": "A", "prompt": "p", "statements": [{"says": says, **fields}]}
+    try:
+        suite = parse_suite(yaml.safe_dump({"suite": "s", "scenes": [scene]}))
+    except UserError as error:
+        assert "scene 'A' /statements/0" in str(error)
+    else:
+        assert suite.scenes[0].statements[0].says == says

@@ -25,7 +25,7 @@ from esg.thresholds import (
     SLOPE_SHARE,
     STILL_M,
 )
-from esg.units import quat_rotate, yaw_from_quat
+from esg.units import quat_rotate
 
 _VIEWER: dict[str, tuple[float, float, float]] = {
     "left": (1.0, 0.0, 0.0),
@@ -89,9 +89,14 @@ def _of_viewer(replay: Replay, q: StatementQuery, body: int, path: Floats) -> Ke
 
 
 def _of_own(replay: Replay, q: StatementQuery, body: int, path: Floats) -> Kept:
-    """Forward and backward: by its own heading at the start."""
+    """Forward and backward: by its own heading at the start.
+
+    A round thing has none: forward is the way that it sets off, and backward says nothing.
+    """
     direction = q.statement.direction or ""
-    yaw = float(yaw_from_quat(replay.quaternion[0, body]))
+    if direction == "backward" and replay.scene.bodies[body].roll_radius > 0:
+        return Kept(None, reason="a round thing has no back to move to")
+    yaw = float(replay.heading(body)[0])
     sign = 1.0 if direction == "forward" else -1.0
     wanted = sign * np.array([math.cos(yaw), math.sin(yaw), 0.0])
     shift = _level(path[-1] - path[0])
@@ -191,15 +196,17 @@ def _along(replay: Replay, q: StatementQuery, body: int, path: Floats) -> Kept:
     best = Kept(False, reason=f"{q.goal} has no length to move along")
     size = 2.0 * max(replay.scene.bodies[body].half_extents)
     for other in (j for j in q.target.bodies if j != body):
-        half = np.array(replay.scene.bodies[other].half_extents[:2])
+        b = replay.scene.bodies[other]
+        half = np.array(b.half_extents[:2])
         shift = _level(path[-1] - path[0])
         turn = replay.quaternion[q.window.first, other]
         axes = quat_rotate(turn, np.eye(3)[:2])
         # A square has two long ways.
         long = axes[half >= half.max() / 1.2]
         off = min(min(angle_deg(shift, s * _level(a)) for s in (1, -1)) for a in long)
-        local = np.abs(local_position(replay, body, other)[q.window.frames, :2])
-        aside = float(np.median(np.linalg.norm(np.maximum(local - half, 0.0), axis=1)))
+        local = local_position(replay, body, other)[q.window.frames] - np.array(b.origin_offset)
+        beyond = np.maximum(np.abs(local[:, :2]) - half, 0.0)
+        aside = float(np.median(np.linalg.norm(beyond, axis=1)))
         found = _off(shift, off, f"the length of {q.goal}")
         if found.kept and aside > max(ALONG_M, size):
             reason = f"keeps {aside:.1f} m off {q.goal}; limit {max(ALONG_M, size):.1f} m"

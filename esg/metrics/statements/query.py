@@ -12,7 +12,7 @@ from esg.graph.models import Predicate
 from esg.metrics.binding import Binding
 from esg.metrics.models import SuiteStatement
 from esg.metrics.replay import Replay
-from esg.thresholds import MOMENT_S, OPENING_S, SAMPLE_S
+from esg.thresholds import HIT_GAP_S, MOMENT_S, OPENING_S, SAMPLE_S
 
 OF_MOTION = frozenset(
     {
@@ -74,8 +74,8 @@ class Window:
         return np.unique(np.append(np.arange(self.first, self.last + 1, step), self.last))
 
     def contains(self, time: float, replay: Replay) -> bool:
-        """Whether a time lies in it, give or take half a frame."""
-        slack = 0.5 * replay.frame_s
+        """Whether a time lies in it, give or take half a frame; by an instant, the same touch."""
+        slack = HIT_GAP_S if self.begin == self.end else 0.5 * replay.frame_s
         return self.begin - slack <= time <= self.end + slack
 
 
