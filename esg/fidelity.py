@@ -147,6 +147,29 @@ def most_unseen(lost: Iterable[Sequence[Mapping[str, Any]]]) -> list[Row]:
     return [{"words": w, "status": s, "scenes": n} for (w, s), n in ordered[:_MOST]]
 
 
+def block(lost: Sequence[Mapping[str, Any]], where: str) -> list[str]:
+    """Lines that cannot be overlooked: the words of a prompt that a result does not show.
+
+    Args:
+        lost: Shortfalls; without any there is no line.
+        where: In what they are missing: scene or draft.
+    """
+    if not lost:
+        return []
+    width = 2 + max(len(row["words"]) for row in lost)
+    lines = [f"NOT ALL OF THE PROMPT IS IN THIS {where.upper()}:"]
+    for row in lost:
+        why = ": ".join(filter(None, (row["status"].replace("_", " "), row["reason"])))
+        quoted = f'"{row["words"]}"'
+        lines.append(f"  {quoted:{width}}  {why}")
+    return [f"  !! {line}" for line in lines]
+
+
+def counted(rows: Iterable[Mapping[str, Any]]) -> str:
+    """The words of `most_unseen`, each with the number of its scenes."""
+    return ", ".join(f'"{row["words"]}" ({row["scenes"]})' for row in rows)
+
+
 def _dropped_verbs(document: Mapping[str, Any]) -> list[Mapping[str, Any]]:
     items = (document.get("coverage") or {}).get("items", ())
     return [i for i in items if i["kind"] == "event" and i["status"] == NOT_UNDERSTOOD]

@@ -129,10 +129,11 @@ def read_metrics(path: Path) -> dict[str, Any]:
         return {}
     from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
-    class Part(BaseModel):
-        model_config = ConfigDict(extra="ignore", strict=True)
+    strict = ConfigDict(extra="ignore", strict=True)
 
-    class Lost(Part):
+    class Lost(BaseModel):
+        model_config = strict
+
         words: str
         start: int
         end: int
@@ -145,7 +146,9 @@ def read_metrics(path: Path) -> dict[str, Any]:
         kept: bool | None
         measured: dict[str, float]
 
-    class Facts(Part):
+    class Facts(BaseModel):
+        model_config = strict
+
         outcome: str = ""
         reason: str = ""
         advice: str = ""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator, Mapping, Sequence
+from collections.abc import Generator
 import contextlib
 import json
 import os
@@ -87,29 +87,6 @@ def note_first_use() -> None:
                 "longer (`esg setup` does it ahead)"
             ]
         )
-
-
-def unshown(lost: Sequence[Mapping[str, Any]], where: str) -> list[str]:
-    """A block that cannot be overlooked: the words of a prompt that a result does not show.
-
-    Args:
-        lost: Shortfalls (esg.fidelity); without any there is no block.
-        where: In what they are missing: scene or draft.
-    """
-    if not lost:
-        return []
-    width = max(len(row["words"]) for row in lost)
-    lines = [f"NOT ALL OF THE PROMPT IS IN THIS {where.upper()}:"]
-    for row in lost:
-        why = row["status"].replace("_", " ") + (f": {row['reason']}" if row["reason"] else "")
-        quoted = f'"{row["words"]}"'
-        lines.append(f"  {quoted:{width + 2}}  {why}")
-    return [f"  !! {line}" for line in lines]
-
-
-def unseen(rows: Sequence[Mapping[str, Any]]) -> str:
-    """Words that are not shown, each with the number of its scenes."""
-    return ", ".join(f'"{row["words"]}" ({row["scenes"]})' for row in rows)
 
 
 class Progress:

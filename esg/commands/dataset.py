@@ -356,7 +356,7 @@ def _summary(
 
 def describe(summary: dict[str, Any]) -> str:
     """The same for people."""
-    from esg.commands.console import unseen
+    from esg.fidelity import counted
 
     state = "complete" if summary["complete"] else "other shards are missing"
     lines = [
@@ -368,7 +368,7 @@ def describe(summary: dict[str, Any]) -> str:
     if summary["splits"]:
         lines.append("  " + ", ".join(f"{k} {v}" for k, v in summary["splits"].items()))
     if summary["not_represented"]:
-        lines.append(f"  most often not shown: {unseen(summary['not_represented'])}")
+        lines.append(f"  most often not shown: {counted(summary['not_represented'])}")
     if summary["failures"]:
         lines.append(f"  why: {summary['failures']}")
     return "\n".join(lines)

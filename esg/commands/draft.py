@@ -22,10 +22,10 @@ def draft(
         drafter: rules needs nothing; llm needs an OpenAI-compatible endpoint.
         json: Print one JSON document: esg, coverage, statements, not_kept, violations.
     """
-    from esg.commands.console import emit, table, unshown
+    from esg.commands.console import emit, table
     from esg.commands.inputs import check_seed, checked, clean_prompt
     from esg.draft import draft as run
-    from esg.fidelity import shortfalls, statement_rows
+    from esg.fidelity import block, shortfalls, statement_rows
     from esg.graph import canonical_json, verify
 
     prompt, seed = checked(lambda: clean_prompt(prompt), lambda: check_seed(seed))
@@ -66,7 +66,7 @@ def draft(
         print("\n" + table(["words", "kind", "status", "became"], rows))
     for row in statements:
         print(f'statement: {row["id"]}  {row["says"]}  "{row["words"]}"')
-    print("".join(f"{line}\n" for line in unshown(lost, "draft")), end="")
+    print("".join(f"{line}\n" for line in block(lost, "draft")), end="")
     for warning in doc.coverage.warnings:
         print(f"warning:   {warning}")
     for violation in violations:

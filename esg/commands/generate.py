@@ -181,11 +181,11 @@ def _assumed(doc: dict[str, Any]) -> set[str]:
 
 def describe(summary: dict[str, Any]) -> str:
     """The same for people."""
-    from esg.commands.console import unshown
+    from esg.fidelity import block
     from esg.pipeline import STAGES
 
     lines = [f"{summary['outcome']}: {summary['folder']}"]
-    lines += unshown(summary["not_kept"], "scene")
+    lines += block(summary["not_kept"], "scene")
     # The reason of what is partial is that block in one sentence.
     if summary["reason"] and summary["outcome"] != "partial":
         lines.append(f"  {summary['reason']}")

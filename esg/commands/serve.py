@@ -205,7 +205,7 @@ def _serve_on_server(cron: str, options: dict[str, Any]) -> int:
 
 def describe(nights: Sequence[dict[str, Any]]) -> str:
     """What a night brought, for people."""
-    from esg.commands.console import unseen
+    from esg.fidelity import counted
 
     lines: list[str] = []
     for night in nights:
@@ -218,7 +218,7 @@ def describe(nights: Sequence[dict[str, Any]]) -> str:
             f"{night['folder']}"
         )
         if night["not_represented"]:
-            lines.append(f"  most often not shown: {unseen(night['not_represented'])}")
+            lines.append(f"  most often not shown: {counted(night['not_represented'])}")
         if night["report"]:
             lines.append(f"  report: {night['report']}")
     return "\n".join(lines)

@@ -141,7 +141,6 @@ def make_record(
     """
     common = _common(run, scene_id, seed)
     documents = documents or {}
-    verdicts = verdicts or {}
     family = prompt_family(prompt) if family is None else family
     split = split_of(family) if split is None else split
     scene: dict[str, Any] = {
@@ -157,21 +156,18 @@ def make_record(
         "proof": proof,
         "outcome": outcome,
         "reason": reason,
-        **_judged(verdicts.get(run.engine), run),
-        **_documented(documents),
-        **_understood(documents.get("draft"), statements or {}),
+        **_judged((verdicts or {}).get(run.engine), run),
+        **_documented(documents, statements or {}),
         **_timed(stages),
         "artifacts": json.dumps(dict(artifacts or {}), sort_keys=True),
         **(extra or {}),
     }
-    judged = list(verdicts.items())
     played = (rollouts or {}).items()
     return SceneRecord(
         {
             "runs": [run.row()],
             "scenes": [scene],
-            "metrics": [row for e, v in judged for row in event_rows(common, run, e, v)],
-            "constraints": [row for e, v in judged for row in constraint_rows(common, run, e, v)],
+            **_judged_rows(common, run, verdicts or {}),
             "trajectories": [trajectory_row(common, split, e, r, bodies) for e, r in played],
             "coverage": coverage_rows(common, documents.get("draft")),
             "statements": statement_rows(common, run, statements or {}),
@@ -188,6 +184,17 @@ def _common(run: RunInfo, scene_id: str, seed: int) -> dict[str, Any]:
         "suite": run.suite,
         "scene_id": scene_id,
         "seed": seed,
+    }
+
+
+def _judged_rows(
+    common: Mapping[str, Any], run: RunInfo, verdicts: Mapping[str, SceneVerdict]
+) -> dict[str, list[dict[str, Any]]]:
+    """Rows of what verdicts say, of every engine."""
+    judged = list(verdicts.items())
+    return {
+        "metrics": [row for e, v in judged for row in event_rows(common, run, e, v)],
+        "constraints": [row for e, v in judged for row in constraint_rows(common, run, e, v)],
     }
 
 
@@ -219,20 +226,17 @@ def _judged(verdict: SceneVerdict | None, run: RunInfo) -> dict[str, Any]:
     }
 
 
-def _documented(documents: Mapping[str, bytes]) -> dict[str, Any]:
-    """The document of every stage, and the hash of the last one."""
+def _documented(
+    documents: Mapping[str, bytes], statements: Mapping[str, Sequence[Mapping[str, Any]]]
+) -> dict[str, Any]:
+    """The document of every stage and the hash of the last one; whether the draft holds all that
+    the prompt says, and which share of it was kept.
+    """
+    draft = documents.get("draft")
     last = list(documents.values())[-1] if documents else b""
     return {
         **{f"esg_{name}": data.decode() for name, data in documents.items()},
         "esg_sha256": hashlib.sha256(last).hexdigest() if last else None,
-    }
-
-
-def _understood(
-    draft: bytes | None, statements: Mapping[str, Sequence[Mapping[str, Any]]]
-) -> dict[str, Any]:
-    """Whether the draft holds all that the prompt says, and which share of it was kept."""
-    return {
         "fully_understood": None if draft is None else fidelity.fully_understood(json.loads(draft)),
         "statements_kept": fidelity.share_kept(statements.get("prompt", ())),
     }

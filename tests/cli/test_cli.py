@@ -132,8 +132,8 @@ LOST = [
 
 def test_words_that_are_not_shown_cannot_be_overlooked() -> None:
     """A block right below the outcome, and every statement with what was measured."""
-    from esg.commands.console import unshown
     from esg.commands.generate import describe
+    from esg.fidelity import block
 
     said = {"id": "s1", "says": "supported_by", "words": "on it", "start": 0, "end": 5}
     rows = [
@@ -158,7 +158,7 @@ def test_words_that_are_not_shown_cannot_be_overlooked() -> None:
     ]
     assert '  kept     "on it" (supported by): share 0.988' in lines
     assert '  BROKEN   "on it" (supported by)' in lines
-    assert unshown([], "draft") == []
+    assert block([], "draft") == []
 
 
 def test_a_draft_says_what_it_does_not_hold(

@@ -120,14 +120,13 @@ def test_a_night_counts_partial_scenes_apart_from_failures(
     for place, value in {
         "esg.scenefolder.publish": lambda state, folder: folder,
         "esg.failures.report_failures": lambda *_: None,
-        "esg.runs.record_run": lambda *_, **__: None,
         "esg.nightly._report": lambda *_: "",
         "esg.nightly.not_kept": lambda s: lost if s.outcome is Outcome.PARTIAL else [],
     }.items():
         monkeypatch.setattr(place, value)
     ends = [Outcome.PARTIAL] * 2 + [Outcome.CRASHED] + [Outcome.SOLVED] * 7
     states = [SceneState(SceneRequest("x", name=f"S{k}"), outcome=o) for k, o in enumerate(ends)]
-    found = conclude_suite(states, str(DEFAULT_SUITE), 1, tmp_path)
+    found = conclude_suite(states, str(DEFAULT_SUITE), 1, tmp_path, tmp_path / "x.duckdb")
     assert (found.failed, found.partial) == (1, 2)
     assert found.to_json()["not_represented"] == [
         {"words": "slowly", "status": "not_represented", "scenes": 2}

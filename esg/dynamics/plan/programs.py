@@ -142,6 +142,7 @@ class Composer:
         target = self.cast.target(first)
         straight = first.end.event not in (NodeEvent.TRIGGER, NodeEvent.HEADING_REACHED)
         yaw = float(yaw_from_quat(body.quaternion))
+        yaw += math.pi if self.story.reverses(actor) else 0.0
         if self.cast.drives(actor) and not straight:
             return yaw
         if target is not None and straight and not self.cast.look_ahead:
