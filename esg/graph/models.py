@@ -380,8 +380,8 @@ class TimelineNode(Model):
     """EnterRegion: "node_id/region name" of a NamedRegion, e.g. "pool_table_1/bottom pocket"."""
     turn_direction: Literal["left", "right"] | None = None
     turn_degrees: float | None = None
-    """HeadingReached: change of heading; left is counter-clockwise seen from above. Spin: how far it
-    turns, 360 where it states nothing."""
+    """HeadingReached: change of heading; left is counter-clockwise seen from above. Spin: how far
+    it turns, 360 where it states nothing."""
     times: int | None = None
     """Bounce, Jump: how often; once where it states nothing."""
     description: str = ""
