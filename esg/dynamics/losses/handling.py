@@ -21,7 +21,8 @@ REBOUND_MPS, SAFE_REBOUND_MPS = 0.3, 0.45
 NEAR_BOUNCE_M = 0.05
 JUMP_SHARE, SAFE_JUMP = 0.1, 1.5
 """What jumps rises by such a share of its height; by so many times that in every engine."""
-DOWN_MPS = 0.5
+DOWN_MPS, DOWN_FOR_S = 0.5, 0.15
+"""What is down again moves up or down no faster, for longer than it does at the top of its leap."""
 TURN_SCALE = math.radians(30.0)
 
 
@@ -97,9 +98,12 @@ def jump(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) -> 
     needed = JUMP_SHARE * 2.0 * rec.scene.bodies[body].half_extents[2]
     base = np.minimum.accumulate(np.where(late, z, np.inf), axis=1)
     up = late & (z - base > needed)
-    down = late & (np.abs(v) < DOWN_MPS) & (z - base < 0.5 * needed)
-    if len(node.participants) > 1:
-        down |= late & np.maximum.accumulate(up, axis=1) & (np.abs(v) < 0.1 * DOWN_MPS)
+    calm = np.abs(v) < DOWN_MPS
+    still = calm.copy()
+    for k in range(1, max(1, round(DOWN_FOR_S * rec.fps)) + 1):
+        still[:, :-k] &= calm[:, k:]
+    # Where it took off it is down at once, and on what is higher when it has come to rest there.
+    down = late & ((calm & (z - base < 0.5 * needed)) | still)
     landed, aloft = np.zeros(z.shape, int), np.zeros(rec.n, bool)
     for k in range(1, len(rec.t)):
         aloft |= up[:, k]

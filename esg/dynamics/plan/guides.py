@@ -29,7 +29,7 @@ SET_DOWN_M = 0.004
 """What is set down is let go so far above its goal."""
 BESIDE_M = 0.05
 """Room on every side of what is carried past or set down beside something."""
-HAND_MPS, CRANE_MPS, HEAVY_KG = 0.5, 0.3, 50.0
+HAND_MPS, CRANE_MPS, HEAVY_KG = 0.7, 0.4, 50.0
 """Mean speed of what is carried: light and heavy things."""
 SHORTEST_LEG_S = 0.5
 STEPS = 9

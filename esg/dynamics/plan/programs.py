@@ -19,6 +19,7 @@ from esg.dynamics.story.stagecraft import stacked_with, support_of
 from esg.dynamics.story.story import REACH_BRAKE_DAMPING, Phase, turn_of
 from esg.engines.program import (
     AdjustProperties,
+    GuideAlong,
     HoldSpin,
     HoldVelocity,
     Primitive,
@@ -37,8 +38,8 @@ STILL_MPS = 0.07
 """Speed of what has come to rest [m/s]."""
 SHAKEN_S = 0.15
 """From the hit of a support until something on it sets off to fall [s]."""
-SPIN_SLACK = 1.3
-"""A spin is kept up so much longer than its turns take without friction."""
+STANDING_SLACK, MOVING_SLACK = 1.05, 1.3
+"""A spin is kept up so much longer than its turns take: of what moves, friction takes a part."""
 
 TIMED = (NodeEvent.TRIGGER, NodeEvent.REACH, NodeEvent.STOP, NodeEvent.MISS)
 """Events at which a phase ends when theta says so; others end it when they happen."""
@@ -229,19 +230,29 @@ class Composer:
         course.clock, course.held = end, not release
 
     def _spin(self, course: _Course, leg: _Leg) -> None:
-        """It is kept turning where it is, on as little friction as there may be."""
+        """It is kept turning: on the spot where it has stood, else wherever it goes.
+
+        What stands is held where it is until something touches it: on its flat base it would walk
+        off in some engines, and friction would slow it in all of them by its own law.
+        """
         actor, edge, start = course.actor, leg.phase.edge, leg.start
-        rate = leg.v[f"{edge.id}/turn_rate"]
-        end = leg.end
+        rate, end, slack = leg.v[f"{edge.id}/turn_rate"], leg.end, STANDING_SLACK
+        if not leg.first:
+            slack = MOVING_SLACK
         if leg.phase.end.event is NodeEvent.SPIN:
             asked = math.radians(leg.phase.end.turn_degrees or 360.0)
-            end = start + SPIN_SLACK * asked / rate
-        sign = -1.0 if edge.params.turn_direction == "right" else 1.0
-        course.out += [
-            AdjustProperties(actor, start, friction=0.0),
-            HoldSpin(actor, start, end, sign * rate),
-            AdjustProperties(actor, end, friction=self.scene.body(actor).friction),
-        ]
+            end = start + slack * asked / rate
+        rate *= -1.0 if edge.params.turn_direction == "right" else 1.0
+        if leg.first:
+            at, rest = self.scene.body(actor).position, ((0.0, 0.0, 0.0),) * 2
+            under = (actor, support_of(self.doc, actor))
+            others = tuple(n for n in self._others(actor) if n not in under)
+            course.out.append(
+                GuideAlong(actor, start, (0.0, end - start), (at, at), rest, rate, others)
+            )
+        else:
+            course.out = [_until(p, start) for p in course.out]
+            course.out.append(HoldSpin(actor, start, end, rate))
         course.clock = end
 
     def _jump(self, course: _Course, leg: _Leg) -> None:
