@@ -1,6 +1,6 @@
 """Executes the program of a manifest.json, with nothing of this project, on any engine's bodies.
 
-A body has linvel, angvel, mass, linear_damping and angular_damping, as Rapier's have;
+A body has translation, linvel, angvel, mass, linear_damping and angular_damping, as Rapier's have;
 play_manifest.py beside this file plays whole scenes with it.
 """
 
@@ -16,12 +16,12 @@ class Program:
         """Acts before the step from t to t + dt; touching: pairs of names in the step before."""
         for p in [p for p in self.waiting if p.get("start", p.get("time")) <= t + dt / 2]:
             body = body_of(p["body"])
-            if p["kind"] == "HoldVelocity":
+            if p["kind"] in LASTING:
                 hit = any({p["body"], other} in touching for other in p["until_contact"])
-                late = p["end"] is not None and t + dt / 2 > p["end"]
-                if not late and not (hit and p in self.driving):
+                end = p["start"] + p["times"][-1] if "times" in p else p["end"]
+                if not (end is not None and t + dt / 2 > end) and not (hit and p in self.driving):
                     self.driving.append(p)
-                    drive(p, body, t - p["start"], self.gravity_z * dt)
+                    LASTING[p["kind"]](p, body, t - p["start"], dt, self.gravity_z * dt)
                     continue
             elif p["kind"] == "SetVelocity":
                 body.linvel = tuple(p["linear"])
@@ -39,7 +39,7 @@ class Program:
             self.waiting.remove(p)
 
 
-def drive(p, body, s, pull):
+def drive(p, body, s, dt, pull):
     """Motion s seconds after its start: rolling, or flying against the step's pull of gravity."""
     speed = max(0.0, p["speed"] + p["acceleration"] * s)
     if p["acceleration"] > 0 and p["max_speed"] is not None:
@@ -48,3 +48,31 @@ def drive(p, body, s, pull):
     vx, vy = speed * math.cos(heading), speed * math.sin(heading)
     body.linvel = (vx, vy, p["climb"] - pull if "climb" in p else tuple(body.linvel)[2])
     body.angvel = (-vy / r, vx / r, 0.0) if r else (0.0, 0.0, p["turn_rate"])
+
+
+def guide(p, body, s, dt, pull):
+    """Along its path, returning to it where it has left it (10 m/s for a metre)."""
+    (x, y), at = (place(p, s), place(p, s + dt)), tuple(body.translation)
+    v = [(y[i] - x[i]) / dt + 10 * (x[i] - at[i]) for i in range(3)]
+    body.linvel, body.angvel = (v[0], v[1], v[2] - pull), (0.0, 0.0, p["turn_rate"])
+
+
+def place(p, s):
+    """The cubic through the two points around s, with their velocities; straight outside."""
+    t, knots = p["times"], list(zip(p["points"], p["velocities"], strict=True))
+    k = max([i for i, time in enumerate(t) if time < s], default=0)
+    (x, v), h = knots[k], s - t[k]
+    if k + 1 == len(t) or s < t[0]:
+        return [x[i] + v[i] * h for i in range(3)]
+    (y, w), d = knots[k + 1], t[k + 1] - t[k]
+    u = h / d
+    a, b = u * u * (3 - 2 * u), d * u * (1 - u)
+    return [x[i] + a * (y[i] - x[i]) + b * ((1 - u) * v[i] - u * w[i]) for i in range(3)]
+
+
+def spin(p, body, s, dt, pull):
+    """About its axis; where it goes is physics."""
+    body.angvel = tuple(p["rate"] * a / math.hypot(*p["axis"]) for a in p["axis"])
+
+
+LASTING = {"HoldVelocity": drive, "GuideAlong": guide, "HoldSpin": spin}

@@ -60,6 +60,8 @@ BODY_FIELDS = (
 )
 
 _TIME = Field("double", "Time", "0.0", "Since the scene started.", "s", "0", "3600")
+_START = Field("double", "Start", "0.0", "Since the scene started.", "s", "0", "3600")
+_END = Field("double", "End", "0.0", "Since the scene started.", "s", "0")
 
 PRIMITIVE_FIELDS = {
     "SetVelocity": (
@@ -82,14 +84,27 @@ PRIMITIVE_FIELDS = {
         Field("float", "Friction", "0.0f", "Friction coefficient.", "", "0", "4"),
     ),
     "HoldVelocity": (
-        Field("double", "Start", "0.0", "Since the scene started.", "s", "0", "3600"),
-        Field("double", "End", "0.0", "Since the scene started.", "s", "0"),
+        _START,
+        _END,
         Field("double", "Speed", "0.0", "At the start.", "cm/s", "-100000", "100000"),
         Field("double", "Heading", "0.0", "Yaw of the motion at the start.", "deg"),
         Field("double", "Acceleration", "0.0", "[cm/s^2], negative slows down."),
         Field("double", "MaxSpeed", "0.0", "Limit while speeding up.", "cm/s", "0"),
         Field("double", "TurnRate", "0.0", "Change of yaw [deg/s]."),
         Field("double", "RollRadius", "0.0", "Of a body that rolls, else 0.", "cm", "0", "10000"),
+    ),
+    "GuideAlong": (
+        _START,
+        _END,
+        Field("double", "TurnRate", "0.0", "Change of yaw [deg/s]."),
+        Field("TArray<double>", "Times", "{}", "Of the path's points since Start [s]."),
+        Field("TArray<FVector>", "Points", "{}", "Of the centre of mass [cm]."),
+        Field("TArray<FVector>", "Velocities", "{}", "Of the centre of mass there [cm/s]."),
+    ),
+    "HoldSpin": (
+        _START,
+        _END,
+        Field("FVector", "Spin", _ZERO, "Angular velocity [deg/s]."),
     ),
 }
 
@@ -104,6 +119,8 @@ PRIMITIVE_TEXT = {
     "ApplyImpulse": "Applies an impulse once.",
     "AdjustProperties": "Changes damping or friction once.",
     "HoldVelocity": "Drives a body until an end time or a touch.",
+    "GuideAlong": "Moves a body along a path until it is let go, or touches.",
+    "HoldSpin": "Keeps a body spinning until an end time or a touch.",
 }
 
 
@@ -298,12 +315,13 @@ private:
 
 def _runners(plan: ScenePlan) -> str:
     """Declarations of what plays the program's kinds of primitives."""
+    path = f"\tstatic FVector PathPoint(const F{plan.name}GuideAlong& Command, double Elapsed);\n"
     return "".join(
         f"\tvoid Run{kind}(UPrimitiveComponent* Body, const F{plan.name}{kind}& Command,"
         f" FCommandState& State, double Due);\n"
         for kind in PRIMITIVE_FIELDS
         if kind in plan.kinds
-    )
+    ) + (path if "GuideAlong" in plan.kinds else "")
 
 
 def _body_members(plan: ScenePlan, body: UnrealBody) -> str:

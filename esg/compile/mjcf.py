@@ -16,7 +16,13 @@ import numpy as np
 
 from esg.compile import names
 from esg.engines.manifest import Manifest
-from esg.engines.program import ApplyImpulse, HoldVelocity, SetVelocity
+from esg.engines.program import (
+    ApplyImpulse,
+    GuideAlong,
+    HoldSpin,
+    HoldVelocity,
+    SetVelocity,
+)
 from esg.engines.scene import Body, Shape, SimScene
 from esg.engines.worlds import cylinder_vertices, principal_axes
 from esg.units import quat_rotate
@@ -109,6 +115,10 @@ def start_velocities(manifest: Manifest) -> dict[str, tuple[Any, Any]]:
             if p.roll_radius > 0.0 and p.climb is None:
                 spin = (-vy / p.roll_radius, vx / p.roll_radius, 0.0)
             out[p.body] = ((vx, vy, linear[2] if p.climb is None else p.climb), spin)
+        elif isinstance(p, GuideAlong):
+            out[p.body] = (p.velocities[0], (0.0, 0.0, p.turn_rate))
+        elif isinstance(p, HoldSpin):
+            out[p.body] = (linear, p.spin)
     return out
 
 

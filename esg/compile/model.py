@@ -6,6 +6,7 @@ text modules (header, source) format what they find here and compute nothing.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,10 +17,13 @@ from esg.compile.assets import MeshAsset, mesh_assets
 from esg.engines.program import (
     AdjustProperties,
     ApplyImpulse,
-    HoldVelocity,
+    GuideAlong,
+    HoldSpin,
+    Lasting,
     Primitive,
     Program,
     SetVelocity,
+    Vec,
 )
 from esg.engines.scene import GROUND, Body, SimScene
 from esg.engines.worlds import principal_axes
@@ -154,6 +158,11 @@ class ScenePlan:
         """Whether a hold keeps its body in the air; classes without one say nothing of it."""
         return any(field == "bFlies" for p in self.primitives for field, _ in p.values)
 
+    @property
+    def guides(self) -> bool:
+        """Whether something else than motion under its own power lasts."""
+        return bool({"GuideAlong", "HoldSpin"} & self.kinds)
+
 
 def class_name(scene_id: str) -> str:
     """Name of the class and its files, without Unreal's leading A."""
@@ -238,6 +247,8 @@ def _primitives(program: Program, idents: dict[str, str]) -> tuple[UnrealPrimiti
             "ApplyImpulse": "Impulse",
             "AdjustProperties": "Change",
             "HoldVelocity": "Drive",
+            "GuideAlong": "Guide",
+            "HoldSpin": "Spin",
         }[p.kind]
         while True:
             number = counts[name, stem] = counts.get((name, stem), 0) + 1
@@ -246,7 +257,7 @@ def _primitives(program: Program, idents: dict[str, str]) -> tuple[UnrealPrimiti
                 break
         members.add(member.lower())
         until: tuple[str, ...] = ()
-        if isinstance(p, HoldVelocity):
+        if isinstance(p, Lasting):
             until = tuple(_known(idents, n, f"hold of {p.body!r}") for n in p.until_contact)
         out.append(UnrealPrimitive(member, p.kind, name + MESH, _values(p), until))
     return tuple(out)
@@ -256,7 +267,7 @@ def _values(p: Primitive) -> tuple[tuple[str, str], ...]:
     if isinstance(p, SetVelocity):
         values = [
             ("Time", frames.literal(p.time)),
-            ("Velocity", frames.vector_literal(frames.vector_to_unreal(p.linear))),
+            ("Velocity", _vector(p.linear)),
         ]
         if p.angular is not None:
             spin = frames.vector_literal(frames.angular_to_unreal(p.angular))
@@ -265,7 +276,7 @@ def _values(p: Primitive) -> tuple[tuple[str, str], ...]:
     if isinstance(p, ApplyImpulse):
         return (
             ("Time", frames.literal(p.time)),
-            ("Impulse", frames.vector_literal(frames.vector_to_unreal(p.impulse))),
+            ("Impulse", _vector(p.impulse)),
         )
     if isinstance(p, AdjustProperties):
         values = [("Time", frames.literal(p.time))]
@@ -277,14 +288,26 @@ def _values(p: Primitive) -> tuple[tuple[str, str], ...]:
             if value is not None:
                 values += [(flag, "true"), (field, frames.float_literal(value))]
         return tuple(values)
-    end = min(p.end, UNLIMITED)
+    span = (
+        ("Start", frames.literal(p.start)),
+        ("End", frames.literal(min(p.end, UNLIMITED))),
+    )
+    if isinstance(p, GuideAlong):
+        return (
+            *span,
+            ("TurnRate", frames.literal(frames.heading_to_unreal(p.turn_rate))),
+            ("Times", _list(frames.literal(t) for t in p.times)),
+            ("Points", _list(_vector(x) for x in p.points)),
+            ("Velocities", _list(_vector(v) for v in p.velocities)),
+        )
+    if isinstance(p, HoldSpin):
+        return (*span, ("Spin", frames.vector_literal(frames.angular_to_unreal(p.spin))))
     limit = min(p.max_speed * frames.CM_PER_M, UNLIMITED)
     flight: list[tuple[str, str]] = []
     if p.climb is not None:
         flight = [("bFlies", "true"), ("Climb", frames.literal(p.climb * frames.CM_PER_M))]
     return (
-        ("Start", frames.literal(p.start)),
-        ("End", frames.literal(end)),
+        *span,
         ("Speed", frames.literal(p.speed * frames.CM_PER_M)),
         ("Heading", frames.literal(frames.heading_to_unreal(p.heading))),
         ("Acceleration", frames.literal(p.acceleration * frames.CM_PER_M)),
@@ -293,6 +316,14 @@ def _values(p: Primitive) -> tuple[tuple[str, str], ...]:
         ("RollRadius", frames.literal(p.roll_radius * frames.CM_PER_M)),
         *flight,
     )
+
+
+def _vector(v: Vec) -> str:
+    return frames.vector_literal(frames.vector_to_unreal(v))
+
+
+def _list(values: Iterable[str]) -> str:
+    return f"{{ {', '.join(values)} }}"
 
 
 def _events(watch: tuple[WatchedEvent, ...], idents: dict[str, str]) -> tuple[UnrealEvent, ...]:

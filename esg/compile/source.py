@@ -9,6 +9,7 @@ from esg.compile import frames, names
 from esg.compile.assets import MeshAsset, Probe, probes
 from esg.compile.header import PRIMITIVE_FIELDS
 from esg.compile.model import ScenePlan, UnrealBody
+from esg.engines.program import GUIDE_RATE
 
 INCLUDES = (
     "Components/PrimitiveComponent.h",
@@ -41,6 +42,16 @@ FLIGHT = """\
 \t}"""
 """Vertical velocity of a hold, in classes with powered flight."""
 
+GUIDING = f"""\
+\t/** How fast a guided body that is off its path returns to it [1/s]. */
+\tconstexpr double GuideRate = {frames.literal(GUIDE_RATE)};
+
+\t/** Of the cubic that leads from one point of a path to the next. */
+\tconstexpr double CubicSlope = 3.0;
+
+"""
+"""Constants of classes that guide a body."""
+
 
 @cache
 def _template(name: str) -> str:
@@ -58,7 +69,7 @@ def emit_source(plan: ScenePlan) -> str:
         _collect(plan, shapes),
         _dispatch(plan),
         *(_run(plan, kind) for kind in PRIMITIVE_FIELDS if kind in plan.kinds),
-        _template("Fixed"),
+        _template("Fixed").replace("@LASTING@", "Hold" if plan.guides else "HoldVelocity"),
     ]
     text = "\n".join(part.strip("\n") + "\n" for part in parts)
     return text.replace("@CLASS@", plan.name)
@@ -75,6 +86,7 @@ def _run(plan: ScenePlan, kind: str) -> str:
 def _preamble(plan: ScenePlan) -> str:
     includes = "\n".join(f'#include "{path}"' for path in INCLUDES)
     tables = "\n".join(_probe_table(a) for a in plan.assets)
+    guiding = GUIDING if "GuideAlong" in plan.kinds else ""
     return f"""#include "@CLASS@.h"
 
 {includes}
@@ -102,7 +114,7 @@ namespace @CLASS@Detail
 	/** Unreal's impulse unit is kg cm/s. */
 	constexpr double ImpulsePerNewtonSecond = 100.0;
 
-	/** A shape that penetration queries accept, in its mesh's frame. */
+{guiding}	/** A shape that penetration queries accept, in its mesh's frame. */
 	struct FProbe
 	{{
 		FCollisionShape Shape;

@@ -12,7 +12,14 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from esg.engines.program import Action, Column, ProgramBatch
+from esg.engines.program import (
+    GUIDE_RATE,
+    KNOT_FIELDS,
+    Action,
+    Column,
+    ProgramBatch,
+    path_point,
+)
 from esg.engines.scene import ContactLog
 from esg.engines.worlds import MAX_SPEED_MPS, ContactRecorder, Frames, Start, join_logs
 from esg.units import GRAVITY_MPS2
@@ -23,6 +30,7 @@ Vec = tuple[float, float, float]
 class BodyAccess(Protocol):
     """What the executor needs from a world: velocities and properties by body index."""
 
+    def position(self, body: int) -> Vec: ...
     def linear(self, body: int) -> Vec: ...
     def set_linear(self, body: int, velocity: Vec) -> None: ...
     def set_flight(self, body: int, velocity: Vec, pull: float) -> None:
@@ -94,15 +102,21 @@ class Executor:
         hits = set(touched)
         for k in self._pending:
             row, body = self._rows[k], self._body[k]
-            if self._kind[k] is Action.HOLD:
-                if self._hold_is_active(k, now, hits):
-                    _hold(row, body, t, world, self._gravity_z * dt)
+            if self._kind[k] >= Action.HOLD:
+                if self._is_active(k, now, hits):
+                    pull = self._gravity_z * dt
+                    if self._kind[k] is Action.HOLD:
+                        _hold(row, body, t, world, pull)
+                    elif self._kind[k] is Action.GUIDE:
+                        _guide(row, body, t, dt, world, pull)
+                    else:
+                        world.set_angular(body, _vector(row, Column.SPIN))
             elif row[Column.START] <= now:
                 self._done[k] = True
                 _fire(self._kind[k], row, body, world)
         self._pending = [k for k in self._pending if not self._done[k]]
 
-    def _hold_is_active(self, k: int, now: float, hits: set[tuple[int, int]]) -> bool:
+    def _is_active(self, k: int, now: float, hits: set[tuple[int, int]]) -> bool:
         body, row = self._body[k], self._rows[k]
         if self._active[k] and any(
             (min(body, other), max(body, other)) in hits for other in self._until[k]
@@ -214,6 +228,23 @@ def _fire(kind: Action, row: list[float], body: int, world: BodyAccess) -> None:
 
 def _vector(row: list[float], column: Column) -> Vec:
     return row[column], row[column + 1], row[column + 2]
+
+
+def _guide(
+    row: list[float], body: int, t: float, dt: float, world: BodyAccess, pull: float
+) -> None:
+    """Moves a body along its path; `pull` is what gravity adds in the step [m/s]."""
+    s, n = t - row[Column.START], int(row[Column.KNOTS])
+    knots = [Column.KNOT + KNOT_FIELDS * k for k in range(n)]
+    times = [row[k] for k in knots]
+    points = [(row[k + 1], row[k + 2], row[k + 3]) for k in knots]
+    velocities = [(row[k + 4], row[k + 5], row[k + 6]) for k in knots]
+    here = path_point(times, points, velocities, s)
+    there = path_point(times, points, velocities, s + dt)
+    x = world.position(body)
+    v = [(there[i] - here[i]) / dt + GUIDE_RATE * (here[i] - x[i]) for i in range(3)]
+    world.set_flight(body, (v[0], v[1], v[2]), pull)
+    world.set_angular(body, (0.0, 0.0, row[Column.GUIDE_TURN_RATE]))
 
 
 def _hold(row: list[float], body: int, t: float, world: BodyAccess, pull: float) -> None:

@@ -20,8 +20,10 @@ from pydantic import BaseModel, ValidationError
 from esg.engines.manifest_model import (
     CLIMB_CONVENTION,
     CONVENTIONS,
+    GUIDE_CONVENTION,
     MANIFEST_FORMAT,
     MANIFEST_VERSION,
+    SPIN_CONVENTION,
     BodyModel,
     HoldVelocityModel,
     ManifestModel,
@@ -30,6 +32,8 @@ from esg.engines.manifest_model import (
 )
 from esg.engines.program import (
     PROGRAM_VERSION,
+    GuideAlong,
+    HoldSpin,
     HoldVelocity,
     Program,
     program_from_json,
@@ -79,12 +83,11 @@ def manifest_to_json(
         ValueError: If the scene cannot be written, with every reason.
     """
     pairs = tuple((a, b) for a, b in watch)
-    flies = any(isinstance(p, HoldVelocity) and p.climb is not None for p in program.primitives)
     data = {
         "format": MANIFEST_FORMAT,
         "version": MANIFEST_VERSION,
         "scene_id": scene.scene_id,
-        "conventions": CONVENTIONS | ({"climb": CLIMB_CONVENTION} if flies else {}),
+        "conventions": CONVENTIONS | _special_conventions(program),
         "dt": dt,
         "gravity": list(scene.gravity),
         "ground": {
@@ -108,6 +111,19 @@ def manifest_to_json(
     if problems:
         raise ValueError("; ".join(problems))
     return data
+
+
+def _special_conventions(program: Program) -> dict[str, str]:
+    """What has to be said of a program beyond the usual; others read as they always did."""
+    out: dict[str, str] = {}
+    for p in program.primitives:
+        if isinstance(p, HoldVelocity) and p.climb is not None:
+            out["climb"] = CLIMB_CONVENTION
+        elif isinstance(p, GuideAlong):
+            out["guide"] = GUIDE_CONVENTION
+        elif isinstance(p, HoldSpin):
+            out["spin"] = SPIN_CONVENTION
+    return out
 
 
 def manifest_from_json(data: Any) -> Manifest:
@@ -144,9 +160,11 @@ def manifest_from_json(data: Any) -> Manifest:
         if isinstance(p, HoldVelocityModel) and p.max_speed is None:
             item["max_speed"] = math.inf
         primitives.append(item)
-    program = program_from_json(
-        {"version": PROGRAM_VERSION, "duration": model.program.duration, "primitives": primitives}
-    )
+    plain = {"version": PROGRAM_VERSION, "duration": model.program.duration}
+    try:
+        program = program_from_json(plain | {"primitives": primitives})
+    except ValueError as error:
+        raise UserError(f"not a valid manifest:\n/program: {error}") from None
     return Manifest(scene, program, model.watch, model.dt, dict(model.extra))
 
 

@@ -16,6 +16,7 @@ from pydantic import (
     model_serializer,
 )
 
+from esg.engines.program import GUIDE_RATE, MAX_KNOTS
 from esg.engines.scene import GROUND, ShapeKind
 
 MANIFEST_FORMAT = "esg-manifest"
@@ -50,6 +51,19 @@ CLIMB_CONVENTION = (
     "vertical velocity is kept"
 )
 """Stands under `climb` of the conventions of a manifest whose program has one."""
+
+GUIDE_CONVENTION = (
+    "a GuideAlong is active as a HoldVelocity is, until start + its last time; its path P is the "
+    "cubic Hermite curve through points [m] with velocities [m/s] at times [s since start], and "
+    "goes straight on outside of them; with s = t - start and x the centre of mass it sets the "
+    f"velocity to (P(s + dt) - P(s)) / dt + {GUIDE_RATE:g} (P(s) - x), its vertical part less "
+    "gravity_z dt, and the angular velocity to (0, 0, turn_rate)"
+)
+SPIN_CONVENTION = (
+    "a HoldSpin is active as a HoldVelocity is; it sets the angular velocity to rate [rad/s] along "
+    "the unit vector of axis, and leaves the linear velocity"
+)
+"""Stand under `guide` and `spin` of the conventions of manifests whose programs have them."""
 
 Number = Annotated[float, Field(allow_inf_nan=False)]
 Positive = Annotated[float, Field(gt=0.0, allow_inf_nan=False)]
@@ -169,6 +183,31 @@ class HoldVelocityModel(_Model):
         return data
 
 
+class GuideAlongModel(_Model):
+    """Motion along a path until it is let go."""
+
+    kind: Literal["GuideAlong"]
+    body: Name
+    start: Number
+    times: Annotated[tuple[NonNegative, ...], Field(min_length=2, max_length=MAX_KNOTS)]
+    points: tuple[Vec, ...]
+    velocities: tuple[Vec, ...]
+    turn_rate: Number = 0.0
+    until_contact: tuple[Name, ...] = ()
+
+
+class HoldSpinModel(_Model):
+    """A spin that is kept up; a null end is infinite."""
+
+    kind: Literal["HoldSpin"]
+    body: Name
+    start: Number
+    end: Number | None
+    rate: Number
+    axis: Vec = (0.0, 0.0, 1.0)
+    until_contact: tuple[Name, ...] = ()
+
+
 class ProgramModel(_Model):
     """The control program, primitives in order of execution."""
 
@@ -176,7 +215,12 @@ class ProgramModel(_Model):
     duration: Positive
     primitives: tuple[
         Annotated[
-            SetVelocityModel | ApplyImpulseModel | AdjustPropertiesModel | HoldVelocityModel,
+            SetVelocityModel
+            | ApplyImpulseModel
+            | AdjustPropertiesModel
+            | HoldVelocityModel
+            | GuideAlongModel
+            | HoldSpinModel,
             Field(discriminator="kind"),
         ],
         ...,

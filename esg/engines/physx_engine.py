@@ -242,6 +242,10 @@ class PhysxWorld:
         self._add(component, "", to_pose((0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0)))
         self._index[component._physx_pointer] = -1
 
+    def position(self, body: int) -> Vec:
+        x, y, z = self.bodies[body].entity.pose.p
+        return float(x), float(y), float(z)
+
     def linear(self, body: int) -> Vec:
         v = self.bodies[body].linear_velocity
         return float(v[0]), float(v[1]), float(v[2])

@@ -14,14 +14,23 @@ semantics. Before the physics step that leads from t to t + dt, in list order:
   otherwise that of rolling without slipping, (-vy, vx, 0) / roll_radius.
   With a `climb` (powered flight) the vertical velocity becomes climb - g_z dt, which the gravity
   of the step turns into `climb`; the body does not roll, whatever its roll_radius.
+* A `GuideAlong` is active as a hold is, with end = start + times[-1]. Its path P(s) is the cubic
+  Hermite curve through `points` with `velocities` at `times`, and straight on with the first or
+  last velocity outside of them. While active it sets, with s = t - start and x the centre of mass,
+  linear velocity = (P(s + dt) - P(s)) / dt + GUIDE_RATE (P(s) - x), its vertical part less g_z dt,
+  and angular velocity = (0, 0, turn_rate). Let go, the body keeps what it has.
+* A `HoldSpin` is active as a hold is. While active it sets angular velocity = rate times the unit
+  vector along `axis`, in the world's axes; the linear velocity is left to physics.
 
 Damping is applied by every engine as v *= max(0, 1 - c dt) once per step.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from dataclasses import asdict, dataclass, fields
 from enum import IntEnum
+from itertools import pairwise
 import math
 from typing import Any, ClassVar
 
@@ -102,17 +111,149 @@ class HoldVelocity:
         return self.start
 
 
-Primitive = SetVelocity | ApplyImpulse | AdjustProperties | HoldVelocity
-KINDS: tuple[type[Any], ...] = (SetVelocity, ApplyImpulse, AdjustProperties, HoldVelocity)
+MAX_KNOTS = 6
+"""Points of a guided path."""
+GUIDE_RATE = 10.0
+"""How fast a guided body that is off its path returns to it [1/s]; what is in its way is pushed no
+faster than its lag grows."""
+
+
+@dataclass(frozen=True)
+class GuideAlong:
+    """Moves `body` along a path without turning it over, until it is let go (module docstring).
+
+    Args:
+        body: Name of the guided body.
+        start: [s].
+        times: Of the points since `start` [s]: 2 to MAX_KNOTS numbers, the first 0, rising.
+        points: Where the centre of mass shall be then [m].
+        velocities: How fast it shall move there [m/s].
+        turn_rate: [rad/s] about the vertical, counter-clockwise positive.
+        until_contact: Names of bodies whose touch ends it.
+
+    Raises:
+        ValueError: If the points are too few or too many, or their times do not rise from 0.
+    """
+
+    kind: ClassVar[str] = "GuideAlong"
+    body: str
+    start: float
+    times: tuple[float, ...]
+    points: tuple[Vec, ...]
+    velocities: tuple[Vec, ...]
+    turn_rate: float = 0.0
+    until_contact: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        n, times = len(self.times), self.times
+        if not 2 <= n <= MAX_KNOTS or len(self.points) != n or len(self.velocities) != n:
+            raise ValueError(
+                f"path of {self.body!r} has {n} times, {len(self.points)} points and "
+                f"{len(self.velocities)} velocities; it needs 2 to {MAX_KNOTS} of each"
+            )
+        if times[0] != 0.0 or not all(a < b for a, b in pairwise(times)):
+            raise ValueError(f"times {list(times)} of the path of {self.body!r} must rise from 0")
+
+    @property
+    def time(self) -> float:
+        return self.start
+
+    @property
+    def end(self) -> float:
+        return self.start + self.times[-1]
+
+    def at(self, s: float) -> Vec:
+        """Where the path is `s` seconds after its start [m]."""
+        return path_point(self.times, self.points, self.velocities, s)
+
+
+def path_point(
+    times: Sequence[float], points: Sequence[Vec], velocities: Sequence[Vec], s: float
+) -> Vec:
+    """A point of a guided path (module docstring) [m].
+
+    Args:
+        times, points, velocities: Of a `GuideAlong`.
+        s: Time since its start [s].
+    """
+    last = len(times) - 1
+    if s <= times[0] or s >= times[last]:
+        k = 0 if s <= times[0] else last
+        return _vec(p + v * (s - times[k]) for p, v in zip(points[k], velocities[k], strict=True))
+    k = max(i for i in range(last) if times[i] <= s)
+    h = times[k + 1] - times[k]
+    u = (s - times[k]) / h
+    a, b = u * u * (3.0 - 2.0 * u), u * (1.0 - u)
+    from_here, to_there = h * b * (1.0 - u), h * b * u
+    ends = zip(points[k], points[k + 1], velocities[k], velocities[k + 1], strict=True)
+    return _vec(p + a * (q - p) + from_here * v - to_there * w for p, q, v, w in ends)
+
+
+def _vec(values: Iterable[float]) -> Vec:
+    x, y, z = values
+    return x, y, z
+
+
+@dataclass(frozen=True)
+class HoldSpin:
+    """Keeps `body` spinning, wherever it goes (module docstring).
+
+    Args:
+        body: Name of the spinning body.
+        start, end: [s]; `end` may be math.inf.
+        rate: [rad/s], positive by the right hand about `axis`.
+        axis: In the world's axes, of any length but 0.
+        until_contact: Names of bodies whose touch ends it.
+
+    Raises:
+        ValueError: If the axis has no length.
+    """
+
+    kind: ClassVar[str] = "HoldSpin"
+    body: str
+    start: float
+    end: float
+    rate: float
+    axis: Vec = (0.0, 0.0, 1.0)
+    until_contact: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        if not math.hypot(*self.axis) > 0.0:
+            raise ValueError(f"spin of {self.body!r} has the axis {self.axis}")
+
+    @property
+    def time(self) -> float:
+        return self.start
+
+    @property
+    def spin(self) -> Vec:
+        """Angular velocity [rad/s]."""
+        length = math.hypot(*self.axis)
+        return _vec(self.rate * a / length for a in self.axis)
+
+
+Lasting = HoldVelocity | GuideAlong | HoldSpin
+"""What goes on from its start until its end or a touch."""
+Primitive = SetVelocity | ApplyImpulse | AdjustProperties | Lasting
+KINDS: tuple[type[Any], ...] = (
+    SetVelocity,
+    ApplyImpulse,
+    AdjustProperties,
+    HoldVelocity,
+    GuideAlong,
+    HoldSpin,
+)
 
 
 class Action(IntEnum):
-    """What a primitive does: its index into KINDS, in arrays and kernels."""
+    """What a primitive does: its index into KINDS, in arrays and kernels; what lasts comes last."""
 
     SET_VELOCITY = 0
     APPLY_IMPULSE = 1
     ADJUST = 2
     HOLD = 3
+    GUIDE = 4
+    SPIN = 5
 
 
 class Column(IntEnum):
@@ -137,6 +278,16 @@ class Column(IntEnum):
     TURN_RATE = 6
     ROLL_RADIUS = 7
     CLIMB = 8
+    # GUIDE: turn rate, number of points, then per point its time, place and velocity.
+    GUIDE_TURN_RATE = 2
+    KNOTS = 3
+    KNOT = 4
+    # SPIN: three columns.
+    SPIN = 2
+
+
+KNOT_FIELDS = 7
+"""Floats per point of a guided path."""
 
 
 @dataclass(frozen=True)
@@ -158,7 +309,7 @@ class Program:
             object.__setattr__(self, "primitives", ordered)
 
 
-FIELDS = 16
+FIELDS = Column.KNOT + KNOT_FIELDS * MAX_KNOTS
 """Floats per primitive in the numeric table."""
 
 
@@ -208,7 +359,7 @@ def batch_programs(programs: list[Program], names: tuple[str, ...]) -> ProgramBa
     for k, p in enumerate(programs[0].primitives):
         if p.body not in index:
             raise ValueError(f"program moves unknown body {p.body!r}; bodies are {list(names)}")
-        if isinstance(p, HoldVelocity):
+        if isinstance(p, Lasting):
             for other in p.until_contact:
                 if other not in index:
                     raise ValueError(f"hold of {p.body!r} ends at unknown body {other!r}")
@@ -236,7 +387,7 @@ def batch_programs(programs: list[Program], names: tuple[str, ...]) -> ProgramBa
 def _row(p: Primitive) -> NDArray[np.float64]:
     row, nan = np.full(FIELDS, np.nan), math.nan
     row[Column.START] = p.time
-    row[Column.END] = p.end if isinstance(p, HoldVelocity) else p.time
+    row[Column.END] = p.end if isinstance(p, Lasting) else p.time
     values: tuple[float | None, ...]
     if isinstance(p, SetVelocity):
         values = (*p.linear, *((nan, nan, nan) if p.angular is None else p.angular))
@@ -244,6 +395,11 @@ def _row(p: Primitive) -> NDArray[np.float64]:
         values = p.impulse
     elif isinstance(p, AdjustProperties):
         values = (p.linear_damping, p.angular_damping, p.friction)
+    elif isinstance(p, GuideAlong):
+        knots = zip(p.times, p.points, p.velocities, strict=True)
+        values = (p.turn_rate, float(len(p.times)), *(v for t, x, u in knots for v in (t, *x, *u)))
+    elif isinstance(p, HoldSpin):
+        values = p.spin
     else:
         values = (p.speed, p.heading, p.acceleration, p.max_speed, p.turn_rate, p.roll_radius,
                   p.climb)  # fmt: skip
@@ -262,9 +418,17 @@ def program_to_json(program: Program) -> dict[str, Any]:
                 continue
             if isinstance(value, float) and math.isinf(value):
                 value = None
-            item[key] = list(value) if isinstance(value, tuple) else value
+            item[key] = _listed(value)
         out.append(item)
     return {"version": PROGRAM_VERSION, "duration": program.duration, "primitives": out}
+
+
+def _listed(value: Any) -> Any:
+    return [_listed(v) for v in value] if isinstance(value, tuple) else value
+
+
+def _tupled(value: Any) -> Any:
+    return tuple(_tupled(v) for v in value) if isinstance(value, (list, tuple)) else value
 
 
 def program_from_json(data: dict[str, Any]) -> Program:
@@ -284,13 +448,11 @@ def program_from_json(data: dict[str, Any]) -> Program:
                 f"/primitives/{i}/kind: {item.get('kind')!r}, expected {list(by_kind)}"
             )
         known = {f.name for f in fields(cls)}
-        values: dict[str, Any] = {
-            k: tuple(v) if isinstance(v, list) else v for k, v in item.items() if k != "kind"
-        }
+        values: dict[str, Any] = {k: _tupled(v) for k, v in item.items() if k != "kind"}
         unknown = set(values) - known
         if unknown:
             raise ValueError(f"/primitives/{i}: unknown fields {sorted(unknown)}")
-        if cls is HoldVelocity and values.get("end") is None:
+        if cls in (HoldVelocity, HoldSpin) and values.get("end") is None:
             values["end"] = math.inf
         out.append(cls(**values))
     return Program(tuple(out), float(data["duration"]))

@@ -8,7 +8,9 @@ from __future__ import annotations
 # pyright: reportOperatorIssue=false, reportReturnType=false, reportAssignmentType=false
 import warp as wp
 
-from esg.engines.program import Column
+from esg.engines.program import GUIDE_RATE, KNOT_FIELDS, Column
+
+_RATE, _WIDTH = wp.constant(GUIDE_RATE), wp.constant(KNOT_FIELDS)
 
 
 @wp.func
@@ -46,3 +48,92 @@ def held_spin(table: wp.array3d(dtype=wp.float64), w: int, k: int, v: wp.vec3) -
     if radius != 0.0 and wp.isnan(table[w, k, Column.CLIMB]):
         return wp.vec3(-v[1] / radius, v[0] / radius, 0.0)
     return wp.vec3(0.0, 0.0, float(table[w, k, Column.TURN_RATE]))
+
+
+@wp.func
+def path_knot(table: wp.array3d(dtype=wp.float64), w: int, k: int, s: wp.float64) -> int:
+    """The point of a guided path from which the piece at time `s` starts; -1 before the first."""
+    count = int(table[w, k, Column.KNOTS])
+    found = int(-1)  # noqa: RUF046, UP018  # a variable to Warp
+    for j in range(count):
+        if table[w, k, Column.KNOT + _WIDTH * j] < s:
+            found = j
+    return found
+
+
+@wp.func
+def _knot_vector(table: wp.array3d(dtype=wp.float64), w: int, k: int, column: int) -> wp.vec3d:
+    return wp.vec3d(table[w, k, column], table[w, k, column + 1], table[w, k, column + 2])
+
+
+@wp.func
+def path_point(
+    table: wp.array3d(dtype=wp.float64), w: int, k: int, j: int, s: wp.float64
+) -> wp.vec3d:
+    """A guided path at time `s` [m], in the piece that starts at point j (`path_knot`)."""
+    one = Column.KNOT + _WIDTH * wp.max(j, 0)
+    p = _knot_vector(table, w, k, one + 1)
+    v = _knot_vector(table, w, k, one + 4)
+    late = s - table[w, k, one]
+    if j < 0 or j + 1 >= int(table[w, k, Column.KNOTS]):
+        return p + v * late
+    two = one + _WIDTH
+    h = table[w, k, two] - table[w, k, one]
+    u = late / h
+    a = u * u * (wp.float64(3.0) - wp.float64(2.0) * u)
+    b = h * u * (wp.float64(1.0) - u)
+    q = _knot_vector(table, w, k, two + 1)
+    out = p + (q - p) * a + v * (b * (wp.float64(1.0) - u))
+    return out - _knot_vector(table, w, k, two + 4) * (b * u)
+
+
+@wp.func
+def path_velocity(
+    table: wp.array3d(dtype=wp.float64),
+    w: int,
+    k: int,
+    here: int,
+    there: int,
+    s: wp.float64,
+    dt: wp.float64,
+) -> wp.vec3:
+    """Mean velocity along a guided path from time `s` on [m/s].
+
+    `here` and `there` are the pieces at s and at s + dt.
+    """
+    v = (path_point(table, w, k, there, s + dt) - path_point(table, w, k, here, s)) / dt
+    return wp.vec3(float(v[0]), float(v[1]), float(v[2]))
+
+
+@wp.func
+def guided_velocity(
+    table: wp.array3d(dtype=wp.float64),
+    w: int,
+    k: int,
+    here: int,
+    there: int,
+    s: wp.float64,
+    dt: wp.float64,
+    x: wp.vec3,
+) -> wp.vec3:
+    """Velocity of a guided body at `x` once gravity has acted, `s` after the start of its path."""
+    p = path_point(table, w, k, here, s)
+    lag = wp.vec3(float(p[0]), float(p[1]), float(p[2])) - x
+    return path_velocity(table, w, k, here, there, s, dt) + lag * _RATE
+
+
+@wp.func
+def guide(
+    table: wp.array3d(dtype=wp.float64),
+    w: int,
+    k: int,
+    t: wp.float64,
+    dt: wp.float64,
+    x: wp.vec3,
+    pull: float,
+) -> wp.vec3:
+    """Velocity that a guide asks for before the step from time `t`, against the pull of gravity."""
+    s = t - table[w, k, Column.START]
+    here = path_knot(table, w, k, s)
+    there = path_knot(table, w, k, s + dt)
+    return guided_velocity(table, w, k, here, there, s, dt, x) - wp.vec3(0.0, 0.0, pull)

@@ -137,6 +137,10 @@ class RapierWorld:
     def _body(self, body: int) -> Any:
         return self._bodies[self._handles[body]]
 
+    def position(self, body: int) -> Vec:
+        x, y, z = self._body(body).translation
+        return float(x), float(y), float(z)
+
     def linear(self, body: int) -> Vec:
         x, y, z = self._body(body).linvel
         return float(x), float(y), float(z)

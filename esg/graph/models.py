@@ -84,7 +84,7 @@ class ForceDirection(str, enum.Enum):
 
 
 class NodeEvent(str, enum.Enum):
-    """Point events. Fall, Reach and Miss extend the paper's list (docs/graph.md says why)."""
+    """Point events. Fall, Reach, Miss and what follows extend the paper's list (docs/graph.md)."""
 
     SCENE_START = "SceneStart"
     COLLISION = "Collision"
@@ -97,6 +97,11 @@ class NodeEvent(str, enum.Enum):
     FALL = "Fall"
     REACH = "Reach"
     MISS = "Miss"
+    PICKED_UP = "PickedUp"
+    PLACED = "Placed"
+    BOUNCE = "Bounce"
+    JUMP = "Jump"
+    SPIN = "Spin"
 
 
 class EdgeEvent(str, enum.Enum):
@@ -104,7 +109,9 @@ class EdgeEvent(str, enum.Enum):
 
     UniformMotion, AcceleratedMotion and Turn are motion under own power (HoldVelocity); Toward is a
     launch: a throw, kick, strike or roll that sets the velocity once and then leaves the body to
-    physics; Brake raises damping; InertialConnector links a passive body's two collisions.
+    physics; Brake raises damping; InertialConnector links a passive body's two collisions. Guide
+    moves a body that something outside of the scene holds (GuideAlong), Spin keeps it turning about
+    its vertical where it is (HoldSpin).
     """
 
     UNIFORM_MOTION = "UniformMotion"
@@ -113,6 +120,8 @@ class EdgeEvent(str, enum.Enum):
     BRAKE = "Brake"
     TURN = "Turn"
     INERTIAL_CONNECTOR = "InertialConnector"
+    GUIDE = "Guide"
+    SPIN = "Spin"
 
 
 class CoordinateSystem(Model):
@@ -359,7 +368,7 @@ class TimelineNode(Model):
     id: str
     event: NodeEvent
     participants: tuple[str, ...] = ()
-    """Object ids. Collision, Reach and Miss name two: (mover, target)."""
+    """Object ids. Collision, Reach, Miss, Placed and Bounce name two: (mover, target)."""
     timestamp: float | None = None
     window: Interval | None = None
     time_is_prescribed: bool = False
@@ -371,7 +380,10 @@ class TimelineNode(Model):
     """EnterRegion: "node_id/region name" of a NamedRegion, e.g. "pool_table_1/bottom pocket"."""
     turn_direction: Literal["left", "right"] | None = None
     turn_degrees: float | None = None
-    """HeadingReached: change of heading; left is counter-clockwise seen from above."""
+    """HeadingReached: change of heading; left is counter-clockwise seen from above. Spin: how far
+    it turns, 360 where it states nothing."""
+    times: int | None = None
+    """Bounce, Jump: how often; once where it states nothing."""
     description: str = ""
 
 
@@ -395,6 +407,14 @@ class MotionParams(Model):
     spin: Literal["roll", "slide", "none"] | None = None
     backward: Literal[True] | None = None
     """Moves with its back in front; `heading_deg` is the way it goes."""
+    lift_cm: Quantity | None = None
+    """Guide: gap left under the body while it is carried [cm]"""
+    clearance_cm: Quantity | None = None
+    """Guide that ends at a Trigger: gap between the target's top and the body above it [cm]"""
+    release: bool | None = None
+    """Guide: False holds the body on at the end; otherwise it is let go there"""
+    height_cm: Quantity | None = None
+    """Toward that ends in a Jump: how far the body rises [cm]"""
 
 
 class TimelineEdge(Model):

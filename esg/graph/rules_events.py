@@ -18,15 +18,26 @@ E = NodeEvent
 TIME_S = (0.0, 600.0)
 MAX_SPEED_CM_S = 15_000.0
 
-PAIRS = frozenset({E.COLLISION, E.REACH, E.MISS})
-SINGLES = frozenset({E.POSITION_AT, E.ENTER_REGION, E.HEADING_REACHED})
+PAIRS = frozenset({E.COLLISION, E.REACH, E.MISS, E.PLACED, E.BOUNCE})
+SINGLES = frozenset({E.POSITION_AT, E.ENTER_REGION, E.HEADING_REACHED, E.PICKED_UP, E.SPIN})
 
-_OWN_FIELDS: dict[str, NodeEvent] = {
+_OWN_FIELDS: dict[str, tuple[NodeEvent, ...]] = {
+    "position_cm": (E.POSITION_AT,),
+    "region": (E.ENTER_REGION,),
+    "turn_direction": (E.HEADING_REACHED,),
+    "turn_degrees": (E.HEADING_REACHED, E.SPIN),
+    "times": (E.BOUNCE, E.JUMP),
+}
+"""Fields that only some events have."""
+_NEEDED: dict[str, NodeEvent] = {
     "position_cm": E.POSITION_AT,
     "region": E.ENTER_REGION,
     "turn_direction": E.HEADING_REACHED,
     "turn_degrees": E.HEADING_REACHED,
 }
+MOST_TURNS_DEG = 7200.0
+"""Of a spin; a turn of what drives has 720 at most."""
+MOST_TIMES = 20
 _CONSTRAINT_LIMITS: dict[str, tuple[float, float, str]] = {
     "speed_after": (0.0, MAX_SPEED_CM_S, "cm/s"),
     "speed_before": (0.0, MAX_SPEED_CM_S, "cm/s"),
@@ -160,9 +171,9 @@ def _mover(ctx: Context, where: str, node: TimelineNode) -> None:
 
 def _fields(ctx: Context, where: str, node: TimelineNode) -> None:
     """Checks that a point event has the fields of its own type and no other's."""
-    for field, owner in _OWN_FIELDS.items():
+    for field, owners in _OWN_FIELDS.items():
         value = getattr(node, field)
-        if value is None and node.event is owner and ctx.parsed.intact(*_NODES):
+        if value is None and node.event is _NEEDED.get(field) and ctx.parsed.intact(*_NODES):
             ctx.add(
                 "EVENT_FIELD_MISSING",
                 f"{where}/{field}",
@@ -170,21 +181,31 @@ def _fields(ctx: Context, where: str, node: TimelineNode) -> None:
                 f"{node.event.value} {node.id!r} has no {field}.",
                 f"Add {field!r}.",
             )
-        elif value is not None and node.event is not owner:
+        elif value is not None and node.event not in owners:
+            owner = " or ".join(o.value for o in owners)
             ctx.add(
                 "EVENT_FIELD_FORBIDDEN",
                 f"{where}/{field}",
                 value,
-                f"{node.event.value} {node.id!r} has {field!r}, which belongs to {owner.value}.",
-                f"Remove it, or make the event {owner.value}.",
+                f"{node.event.value} {node.id!r} has {field!r}, which belongs to {owner}.",
+                f"Remove it, or make the event {owner}.",
             )
-    if node.turn_degrees is not None and not 0.0 < node.turn_degrees <= 720.0:
+    most = MOST_TURNS_DEG if node.event is E.SPIN else 720.0
+    if node.turn_degrees is not None and not 0.0 < node.turn_degrees <= most:
         ctx.add(
             "EVENT_RANGE",
             where + "/turn_degrees",
             node.turn_degrees,
             f"A turn by {node.turn_degrees:g} degrees is not plausible.",
-            "Use more than 0 and at most 720; turn_direction says which way.",
+            f"Use more than 0 and at most {most:g}; turn_direction says which way.",
+        )
+    if node.times is not None and not 1 <= node.times <= MOST_TIMES:
+        ctx.add(
+            "EVENT_RANGE",
+            where + "/times",
+            node.times,
+            f"{node.event.value} {node.id!r} happens {node.times} times.",
+            f"Use 1 to {MOST_TIMES}.",
         )
     if node.position_cm is not None:
         low, high = ctx.doc.scene_definition.coordinate_system.world_bounds_cm

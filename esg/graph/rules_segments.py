@@ -29,15 +29,33 @@ LIMITS: dict[str, tuple[float, float, str]] = {
     "turn_degrees": (0.0, 720.0, "degrees"),
     "turn_rate_deg_s": (0.0, 720.0, "degrees/s"),
     "duration": (0.0, 600.0, "s"),
+    "lift_cm": (0.0, 5000.0, "cm"),
+    "clearance_cm": (0.0, 5000.0, "cm"),
+    "height_cm": (1.0, 1000.0, "cm"),
 }
 _ONLY: dict[str, frozenset[EdgeEvent]] = {
     "damping": frozenset({M.BRAKE}),
     "elevation_deg": frozenset({M.TOWARD}),
     "turn_degrees": frozenset({M.TURN}),
-    "turn_direction": frozenset({M.TURN}),
-    "turn_rate_deg_s": frozenset({M.TURN}),
+    "turn_direction": frozenset({M.TURN, M.SPIN}),
+    "turn_rate_deg_s": frozenset({M.TURN, M.SPIN}),
+    "lift_cm": frozenset({M.GUIDE}),
+    "clearance_cm": frozenset({M.GUIDE}),
+    "release": frozenset({M.GUIDE}),
+    "height_cm": frozenset({M.TOWARD}),
 }
 """Parameters that only some segments have; all others fit every driven segment."""
+
+LEADS_TO: dict[NodeEvent, EdgeEvent] = {
+    NodeEvent.PICKED_UP: M.GUIDE,
+    NodeEvent.PLACED: M.GUIDE,
+    NodeEvent.JUMP: M.TOWARD,
+}
+"""Events that only one type of segment of their first participant brings about."""
+GUIDED_TO = frozenset(
+    {NodeEvent.PICKED_UP, NodeEvent.PLACED, NodeEvent.TRIGGER, NodeEvent.ENTER_REGION}
+)
+"""Where a Guide may end."""
 
 _NODES = ("timeline_system", "sequence_graph", "nodes")
 _EDGES = ("timeline_system", "sequence_graph", "edges")
@@ -56,6 +74,38 @@ def check(ctx: Context) -> None:
         _references(ctx, timeline, where, edge)
         _role(ctx, timeline, where, edge, events)
         check_parameters(ctx, timeline, where, edge, events)
+        _guided_end(ctx, where, edge, events.get(edge.to))
+    for i, node in enumerate(graph.nodes):
+        _brought_about(ctx, timeline, pointer(*_NODES, i), node)
+
+
+def _guided_end(ctx: Context, where: str, edge: TimelineEdge, end: TimelineNode | None) -> None:
+    if edge.event is not M.GUIDE or end is None or end.event in GUIDED_TO:
+        return
+    ctx.add(
+        "GUIDE_END",
+        where + "/to",
+        edge.to,
+        f"Guide {edge.id!r} leads to {edge.to!r}, which is a {end.event.value}.",
+        f"Lead to one of {listing(e.value for e in GUIDED_TO)}; physics goes on from there.",
+    )
+
+
+def _brought_about(ctx: Context, timeline: TimelineSystem, where: str, node: TimelineNode) -> None:
+    """Checks that what is placed, picked up or jumps is guided or launched there."""
+    needed = LEADS_TO.get(node.event)
+    if needed is None or not node.participants or not ctx.parsed.intact(*_EDGES):
+        return
+    leading = [e for e in timeline.sequence_graph.edges if e.to == node.id]
+    if not leading or any(e.event is needed for e in leading):
+        return  # What nothing leads to is reported as TIMELINE_UNREACHABLE.
+    ctx.add(
+        "EVENT_NOT_LED_TO",
+        where + "/event",
+        node.event.value,
+        f"No {needed.value} leads {node.participants[0]!r} to {node.event.value} {node.id!r}.",
+        f"Add a {needed.value} segment of it that ends there.",
+    )
 
 
 def _references(ctx: Context, timeline: TimelineSystem, where: str, edge: TimelineEdge) -> None:

@@ -264,7 +264,7 @@ def _dynamics(ctx: Context) -> None:
 
 
 def _program(ctx: Context, program: dict[str, Any]) -> None:
-    from esg.engines.program import HoldVelocity, program_from_json
+    from esg.engines.program import Lasting, program_from_json
 
     where = "/dynamics_result/program"
     try:
@@ -280,7 +280,7 @@ def _program(ctx: Context, program: dict[str, Any]) -> None:
         )
         return
     for p in primitives:
-        others = p.until_contact if isinstance(p, HoldVelocity) else ()
+        others = p.until_contact if isinstance(p, Lasting) else ()
         for name in (p.body, *others):
             if name not in ctx.node_names:
                 ctx.add(
@@ -292,7 +292,8 @@ def _program(ctx: Context, program: dict[str, Any]) -> None:
                 )
 
 
-_VECTORS = ("linear", "angular", "impulse")
+_VECTORS = ("linear", "angular", "impulse", "axis")
+_PATHS = ("points", "velocities")
 _MAY_BE_NULL = ("end", "angular", "linear_damping", "angular_damping", "friction", "climb")
 
 
@@ -306,6 +307,9 @@ def _program_types(program: dict[str, Any]) -> None:
     def number(value: Any) -> bool:
         return isinstance(value, (int, float)) and not isinstance(value, bool)
 
+    def vector(value: Any) -> bool:
+        return is_array(value) and list(map(number, value)) == [True] * 3
+
     if not isinstance(program.get("primitives"), (list, tuple)):
         raise TypeError("/primitives is not a list")
     for i, item in enumerate(program["primitives"]):
@@ -317,7 +321,11 @@ def _program_types(program: dict[str, Any]) -> None:
             elif value is None:
                 good = key in _MAY_BE_NULL
             elif key in _VECTORS:
-                good = is_array(value) and list(map(number, value)) == [True] * 3
+                good = vector(value)
+            elif key in _PATHS:
+                good = is_array(value) and all(map(vector, value))
+            elif key == "times":
+                good = is_array(value) and all(map(number, value))
             else:
                 good = number(value)
             if not good:

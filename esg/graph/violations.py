@@ -164,6 +164,8 @@ RULES: dict[str, str] = {
     "EDGE_PARAM_FORBIDDEN": "A segment has no parameter of another type.",
     "EDGE_PARAM_RANGE": "A segment's parameters are plausible.",
     "UNIT_SPEED": "Speeds lie in 0 to 150 m/s; an open interval reaches 0.2 m/s.",
+    "GUIDE_END": "A Guide ends where something is picked up, placed, let go or in a region.",
+    "EVENT_NOT_LED_TO": "A Guide leads to PickedUp and Placed, a Toward to a Jump.",
     "EDGE_FORCE_DIRECTION": "A segment agrees with its actor's force direction.",
     "CONNECTOR_ACTIVE": "Inertial connectors belong to passive actors.",
     "CONNECTOR_UPSTREAM": "A connector's body, its support or its plural was hit before.",

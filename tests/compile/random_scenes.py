@@ -8,27 +8,36 @@ import numpy as np
 
 from esg.compile import WatchedEvent
 from esg.engines.program import (
+    MAX_KNOTS,
     AdjustProperties,
     ApplyImpulse,
+    GuideAlong,
+    HoldSpin,
     HoldVelocity,
     Primitive,
     Program,
     SetVelocity,
+    Vec,
 )
 from esg.engines.scene import Body, Shape, SimScene
 
 SPACING_M = 2.0
 
 
-def random_scene(seed: int) -> tuple[SimScene, Program, tuple[WatchedEvent, ...]]:
-    """Up to twelve bodies on a grid (no overlap at the start) under up to ten commands."""
+def random_scene(
+    seed: int, *, guided: bool = True
+) -> tuple[SimScene, Program, tuple[WatchedEvent, ...]]:
+    """Up to twelve bodies on a grid (no overlap at the start) under up to ten commands.
+
+    `guided`: paths too. A class cannot spare its bodies gravity, whose substeps in Rapier then show.
+    """
     rng = np.random.default_rng(seed)
     count = int(rng.integers(2, 13))
     bodies = tuple(_body(rng, i) for i in range(count))
     moving = [b for b in bodies if not b.static and b.collides]
     if not moving:
-        return random_scene(seed + 100_000)
-    commands = [_command(rng, moving, bodies) for _ in range(int(rng.integers(0, 11)))]
+        return random_scene(seed + 100_000, guided=guided)
+    commands = [_command(rng, moving, bodies, guided) for _ in range(int(rng.integers(0, 11)))]
     program = Program(tuple(commands), float(rng.uniform(0.5, 1.5)))
     solid = [b.name for b in bodies if b.collides]
     watch = tuple(
@@ -95,11 +104,17 @@ def _body(rng: np.random.Generator, index: int) -> Body:
     )
 
 
-def _command(rng: np.random.Generator, moving: list[Body], bodies: tuple[Body, ...]) -> Primitive:
+def _tuples(rows: list[list[float]]) -> tuple[Vec, ...]:
+    return tuple((x, y, z) for x, y, z in rows)
+
+
+def _command(
+    rng: np.random.Generator, moving: list[Body], bodies: tuple[Body, ...], guided: bool
+) -> Primitive:
     body = moving[rng.integers(len(moving))]
     time = float(rng.uniform(0.0, 0.8))
     vector = tuple(rng.uniform(-4.0, 4.0, 3).tolist())
-    kind = rng.integers(4)
+    kind = rng.integers(6 if guided else 5)
     if kind == 0:
         spin = tuple(rng.uniform(-5.0, 5.0, 3).tolist()) if rng.random() < 0.5 else None
         return SetVelocity(body.name, time, vector, spin)  # type: ignore[arg-type]
@@ -110,6 +125,16 @@ def _command(rng: np.random.Generator, moving: list[Body], bodies: tuple[Body, .
         return AdjustProperties(body.name, time, *values)
     others = [b.name for b in bodies if b.collides and b.name != body.name]
     until = tuple(str(n) for n in rng.choice(others, min(2, len(others)), replace=False))
+    if kind == 5:
+        count = int(rng.integers(2, MAX_KNOTS + 1))
+        times = (0.0, *np.cumsum(rng.uniform(0.1, 0.3, count - 1)).tolist())
+        points = (np.array(body.position) + rng.uniform(-0.3, 0.3, (count, 3))).tolist()
+        ways = rng.uniform(-1.0, 1.0, (count, 3)).tolist()
+        turn = float(rng.uniform(-2.0, 2.0))
+        return GuideAlong(body.name, time, times, _tuples(points), _tuples(ways), turn, until)
+    if kind == 4:
+        axis = _tuples(rng.normal(size=(1, 3)).tolist())[0]
+        return HoldSpin(body.name, time, time + 0.3, vector[0], axis, until)
     return HoldVelocity(
         body.name,
         time,

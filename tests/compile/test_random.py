@@ -32,7 +32,7 @@ def sensitivity(scene: SimScene, program: Program, rollout: Rollout, engine: str
 
 def compare(root: Path, seeds: range, engine: str) -> None:
     """Every class compiles, and runs as its program does in the same engine."""
-    scenes = {seed: random_scene(seed) for seed in seeds}
+    scenes = {seed: random_scene(seed, guided=engine == "physx") for seed in seeds}
     folders = {seed: written(root / str(seed), *case) for seed, case in scenes.items()}
     assert all(isinstance(x, Library) for x in compile_many(read_classes(folders.values())))
     for seed, (scene, program, _) in scenes.items():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 import math
 
 import numpy as np
@@ -10,8 +11,11 @@ import pytest
 from esg.engines import ENGINES, get_engine
 from esg.engines.executor import Executor
 from esg.engines.program import (
+    MAX_KNOTS,
     AdjustProperties,
     ApplyImpulse,
+    GuideAlong,
+    HoldSpin,
     HoldVelocity,
     Program,
     SetVelocity,
@@ -20,7 +24,7 @@ from esg.engines.program import (
     program_to_json,
 )
 from esg.engines.scene import SimScene, Variation
-from tests.engines.lab import ball
+from tests.engines.lab import ball, box
 
 DT = 1.0 / 240.0
 NAMES = ("a", "b", "c")
@@ -35,10 +39,14 @@ class Points:
     """Free bodies without forces or contacts: the executor's world for the reference."""
 
     def __init__(self, masses):
+        self.x = np.array([b.position for b in SCENE.bodies])
         self.v = np.zeros((len(masses), 3))
         self.w = np.zeros((len(masses), 3))
         self.damping = np.zeros((len(masses), 2))
         self.masses = masses
+
+    def position(self, body):
+        return tuple(self.x[body])
 
     def linear(self, body):
         return tuple(self.v[body])
@@ -65,13 +73,15 @@ class Points:
         pass
 
 
-def reference(batch, world, masses, n_steps):
-    points, executor = Points(masses), Executor(batch, world)
+def reference(batch, world, masses, n_steps, home=None):
+    points, executor = Points(masses), Executor(batch, world, 0.0)
+    points.x = points.x if home is None else home
     v, w = [points.v.copy()], [points.w.copy()]
     for step in range(n_steps):
         executor.before_step(step * DT, DT, (), points)
         points.v *= np.maximum(0.0, 1.0 - points.damping[:, :1] * DT)
         points.w *= np.maximum(0.0, 1.0 - points.damping[:, 1:] * DT)
+        points.x = points.x + points.v * DT
         v.append(points.v.copy())
         w.append(points.w.copy())
     return np.array(v), np.array(w)
@@ -91,6 +101,9 @@ def random_program(rng, signature):
             damping = float(rng.uniform(0, 3)) if rng.random() < 0.7 else None
             spin = float(rng.uniform(0, 3)) if rng.random() < 0.7 else None
             out.append(AdjustProperties(body, t, damping, spin, friction=0.3))
+        elif kind == 4:
+            end = math.inf if rng.random() < 0.3 else t + abs(x[0]) * 0.2
+            out.append(HoldSpin(body, t, end, x[1], tuple(x[2:5])))
         else:
             end = math.inf if rng.random() < 0.3 else t + abs(x[0]) * 0.2
             out.append(
@@ -105,7 +118,7 @@ def random_program(rng, signature):
 @pytest.fixture(scope="module")
 def random_batch():
     rng = np.random.default_rng(7)
-    signature = [(int(rng.integers(4)), NAMES[int(rng.integers(3))]) for _ in range(12)]
+    signature = [(int(rng.integers(5)), NAMES[int(rng.integers(3))]) for _ in range(12)]
     # Several primitives of one kind and body exercise the order within a list.
     signature += signature[:4]
     programs = [random_program(rng, signature) for _ in range(5)]
@@ -122,6 +135,39 @@ def test_random_programs_match_the_reference_executor(name, random_batch):
         masses = [b.mass * k for b, k in zip(SCENE.bodies, factor[w], strict=True)]
         v, omega = reference(random_batch, w, masses, len(rollout.time) - 1)
         np.testing.assert_allclose(rollout.linear_velocity[w], v, atol=2e-5)
+        np.testing.assert_allclose(rollout.angular_velocity[w], omega, atol=2e-4)
+
+
+@pytest.fixture(scope="module")
+def random_paths():
+    """Near the origin, where single precision tells tenths of micrometres apart."""
+    scene = replace(
+        SCENE,
+        bodies=tuple(replace(b, position=(0.0, 4.0 * i, 4.0)) for i, b in enumerate(SCENE.bodies)),
+    )
+    rng = np.random.default_rng(11)
+
+    def path(body):
+        n = int(rng.integers(2, MAX_KNOTS + 1))
+        times = (0.0, *np.cumsum(rng.uniform(0.02, 0.1, n - 1)).tolist())
+        home = np.array(body.position)
+        points = tuple(map(tuple, (home + rng.normal(0.0, 0.05, (n, 3))).tolist()))
+        velocities = tuple(map(tuple, rng.normal(0.0, 0.5, (n, 3)).tolist()))
+        start, turn = float(rng.uniform(0.0, 0.2)), float(rng.normal())
+        return GuideAlong(body.name, start, times, points, velocities, turn)
+
+    programs = [Program(tuple(map(path, scene.bodies)), 0.7) for _ in range(5)]
+    return scene, batch_programs(programs, NAMES)
+
+
+@pytest.mark.parametrize("name", (*ENGINES, "surrogate"))
+def test_random_paths_match_the_reference_executor(name, random_paths):
+    scene, batch = random_paths
+    rollout = get_engine(name).rollout(scene, batch, dt=DT)
+    for w in range(5):
+        home = np.array([b.position for b in scene.bodies])
+        v, omega = reference(batch, w, [1.0] * 3, len(rollout.time) - 1, home)
+        np.testing.assert_allclose(rollout.linear_velocity[w], v, atol=5e-4)
         np.testing.assert_allclose(rollout.angular_velocity[w], omega, atol=2e-4)
 
 
@@ -211,3 +257,93 @@ def test_a_climb_ends_at_the_touch_and_a_program_without_one_reads_as_before():
     points.v[0] = (0.0, 0.0, -1.0)
     executor.before_step(DT, DT, [(0, 1)], points)
     assert points.v[0, 2] == -1.0
+
+
+def guided():
+    """A crate is lifted, carried and set down beside a spinning top; a ball is let go in flight."""
+    scene = SimScene(
+        "crane",
+        (
+            box("crate", (0.2, 0.15, 0.1), 3.0, (0.0, 0.0, 0.1), restitution=0.0),
+            box("top", (0.1, 0.1, 0.1), 1.0, (0.0, 3.0, 0.1), friction=0.0, wheeled=True),
+            ball("ball", 0.1, 1.0, (0.0, 6.0, 3.0)),
+        ),
+    )
+    rest = (0.0, 0.0, 0.0)
+    program = Program(
+        (
+            GuideAlong(
+                "crate",
+                0.2,
+                (0.0, 0.5, 1.3, 1.8),
+                ((0.0, 0.0, 0.1), (0.0, 0.0, 0.6), (1.0, 0.5, 0.6), (1.0, 0.5, 0.102)),
+                (rest, (0.3, 0.1, 0.2), (0.2, 0.1, -0.3), rest),
+                turn_rate=0.5,
+            ),
+            HoldSpin("top", 0.1, 2.1, 4.0),
+            GuideAlong("ball", 0.0, (0.0, 0.5), ((0.0, 6.0, 3.0), (0.5, 6.0, 3.4)),
+                       (rest, (2.0, 0.0, 0.0))),
+        ),
+        2.5,
+    )  # fmt: skip
+    return scene, program, lambda t, dt: round(t / dt)
+
+
+@pytest.mark.parametrize("dt", [1 / 240, 1 / 120])
+@pytest.mark.parametrize("name", (*ENGINES, "surrogate"))
+def test_a_guided_thing_goes_its_way_in_every_engine(name, dt):
+    scene, program, at = guided()
+    r = get_engine(name).rollout(scene, batch_programs([program], scene.names), dt=dt)
+    crate = next(p for p in program.primitives if p.body == "crate")
+    for s in (0.25, 0.5, 0.9, 1.3, 1.6):
+        expected = crate.at(s)
+        np.testing.assert_allclose(r.position[0, at(0.2 + s, dt), 0], expected, atol=0.004)
+    # Let go at rest, it stays where it was put, turned and upright.
+    np.testing.assert_allclose(r.position[0, -1, 0], (1.0, 0.5, 0.1), atol=0.006)
+    np.testing.assert_allclose(r.linear_velocity[0, -1, 0], 0.0, atol=0.02)
+    turn = 2.0 * math.atan2(r.quaternion[0, -1, 0, 2], r.quaternion[0, -1, 0, 3])
+    assert turn == pytest.approx(0.9, abs=0.03)
+    # The top turns on the spot: 8 rad.
+    spin = r.angular_velocity[0, :, 1, 2]
+    assert spin[at(1.0, dt)] == pytest.approx(4.0, abs=0.2)
+    off = r.position[0, : at(2.1, dt), 1, :2] - np.array([0.0, 3.0])
+    assert np.abs(off).max() < 0.02
+    assert float(spin[: at(2.1, dt)].sum()) * dt == pytest.approx(8.0, abs=0.4)
+    # The ball flies on with the velocity it had at the end of its path.
+    np.testing.assert_allclose(r.linear_velocity[0, at(0.5, dt), 2, 0], 2.0, atol=0.06)
+    drop = 3.4 - r.position[0, at(0.9, dt), 2, 2]
+    assert drop == pytest.approx(0.5 * 9.81 * 0.4**2, abs=0.05)
+
+
+def test_a_path_passes_its_points_with_their_velocities():
+    path = GuideAlong("a", 1.0, (0.0, 0.5, 2.0), ((0, 0, 0), (1, 2, 3), (4, 4, 4)),
+                      ((1, 0, 0), (0, 1, 0), (0, 0, -2)))  # fmt: skip
+    assert path.end == 3.0
+    for s, point, velocity in zip(path.times, path.points, path.velocities, strict=True):
+        np.testing.assert_allclose(path.at(s), point, atol=1e-12)
+        for a, b in ((s - 1e-6, s), (s, s + 1e-6)):
+            slope = (np.array(path.at(b)) - np.array(path.at(a))) / 1e-6
+            np.testing.assert_allclose(slope, velocity, atol=1e-4)
+
+
+@pytest.mark.parametrize("times", [(0.0,), (0.1, 1.0), (0.0, 1.0, 1.0), tuple(range(7))])
+def test_a_path_that_cannot_be_followed_is_refused(times):
+    points = ((0.0, 0.0, 0.0),) * len(times)
+    with pytest.raises(ValueError, match="of 'a'"):
+        GuideAlong("a", 0.0, times, points, points)
+
+
+def test_what_lasts_ends_at_a_touch_and_survives_json():
+    rest = (0.0, 0.0, 0.0)
+    guide = GuideAlong("a", 0.0, (0.0, 1.0), (rest, (1.0, 0.0, 0.0)), (rest, rest),
+                       until_contact=("b",))  # fmt: skip
+    for primitive in (guide, HoldSpin("a", 0.0, math.inf, 2.0, (0.0, 3.0, 4.0), ("b",))):
+        program = Program((primitive,), 1.0)
+        assert program_from_json(program_to_json(program)) == program
+        points, executor = Points([1.0] * 3), Executor(batch_programs([program], NAMES), 0, 0.0)
+        executor.before_step(0.0, DT, (), points)
+        assert points.v[0].any() or points.w[0].any()
+        points.v[0] = points.w[0] = 0.0
+        executor.before_step(DT, DT, [(0, 1)], points)
+        assert not points.v[0].any() and not points.w[0].any()
+    np.testing.assert_allclose(primitive.spin, (0.0, 1.2, 1.6))

@@ -578,6 +578,65 @@ def carried() -> Json:
     return copy.deepcopy(out)
 
 
+def handled() -> Json:
+    """A mug is put on a shelf, a ball held above it and let go, a top spins, a dog jumps."""
+    return document(
+        "handled",
+        "The mug is picked up and put on the shelf. A ball is held above the floor, released and "
+        "bounces three times. The top spins. The dog jumps over the fence.",
+        {
+            "mug": asset("mug", (10, 10, 10), 0.3, shape="cylinder"),
+            "shelf": asset("shelf", (80, 30, 120), 20),
+            "ball": BALL,
+            "top": asset("spinning_top", (8, 8, 10), 0.2, shape="cylinder"),
+            "dog": asset("dog", (90, 30, 60), 25),
+            "fence": asset("fence", (10, 150, 40), 15),
+        },
+        {
+            "mug_1": node("mug"),
+            "shelf_1": node("shelf"),
+            "ball_1": node("ball"),
+            "top_1": node("top"),
+            "dog_1": node("dog"),
+            "fence_1": node("fence"),
+            "spare_1": node("mug", mentioned=False),
+        },
+        [
+            rel("shelf_1", "face", "ground_1", cardinal="+Y"),
+            rel("dog_1", "face", "fence_1"),
+            rel("fence_1", "face", "ground_1", cardinal="+Y"),
+        ],
+        timeline(
+            {
+                "mug_1": active("ANY_3D"),
+                "ball_1": active("ANY_3D"),
+                "top_1": active(),
+                "dog_1": active("ALONG_FORWARD_ONLY"),
+            },
+            [
+                event("lifted", "PickedUp", ["mug_1"], window=[0.3, 2.0]),
+                event("put", "Placed", ["mug_1", "shelf_1"], window=[2.1, 6.0]),
+                event("let_go", "Trigger", ["ball_1"], window=[0.5, 2.0]),
+                event("bounces", "Bounce", ["ball_1", "ground_1"], window=[2.1, 6.0], times=3),
+                event("turned", "Spin", ["top_1"], window=[0.5, 9.0], turn_degrees=1080.0),
+                event("jumped", "Jump", ["dog_1", "fence_1"], window=[0.5, 4.0]),
+            ],
+            [
+                edge("lift", "scene_start", "lifted", "Guide", "mug_1", params={"lift_cm": 20}),
+                edge("carry", "lifted", "put", "Guide", "mug_1", target="shelf_1",
+                     params={"duration": [1.0, 3.0], "release": True}),
+                edge("hold", "scene_start", "let_go", "Guide", "ball_1", target="ground_1",
+                     params={"clearance_cm": [80, 150]}),
+                edge("drop", "let_go", "bounces", "Toward", "ball_1"),
+                edge("spin", "scene_start", "turned", "Spin", "top_1",
+                     params={"turn_rate_deg_s": [200, 700]}),
+                edge("jump", "scene_start", "jumped", "Toward", "dog_1", target="fence_1",
+                     params={"height_cm": [45, 80]}),
+            ],
+        ),
+    )  # fmt: skip
+
+
 VALID = {f.__name__: f for f in (
-    chain, braking, turning, throwing, billiards, study, carried, finished,
+    chain, braking, turning, throwing, billiards, study, carried, handled, finished,
 )}  # fmt: skip

@@ -636,8 +636,20 @@ def events(m: Maker) -> None:
             )
             m.add("EVENT_FIELD_MISSING", path, without(raw, (*path, "turn_direction")), note="side")
             m.set("EVENT_RANGE", (*path, "turn_degrees"), -90.0, "CONSTRAINT_CONTRADICTION")
+        elif kind == "Spin":
+            m.set("EVENT_RANGE", (*path, "turn_degrees"), 1e5)
         else:
             m.set("EVENT_FIELD_FORBIDDEN", (*path, "turn_degrees"), 90.0)
+        if kind in ("Bounce", "Jump"):
+            m.set("EVENT_RANGE", (*path, "times"), 0)
+        else:
+            m.set("EVENT_FIELD_FORBIDDEN", (*path, "times"), 2)
+        if kind in ("PickedUp", "Placed", "Jump"):
+            led = [e for e in get(raw, SEGMENTS) if e["to"] != item["id"]]
+            back = edge("led", "scene_start", item["id"], "UniformMotion", people[0])
+            m.add(
+                "EVENT_NOT_LED_TO", path, put(raw, SEGMENTS, [*led, back]), "TIMELINE_UNREACHABLE"
+            )
         constraint = {"quantity": "speed_after", "object": people[0], "value": 100.0}
         more = [*item.get("constraints", []), constraint]
         last = (*path, "constraints", len(more) - 1)
@@ -695,6 +707,7 @@ def segments(m: Maker) -> None:
             ),
             "EVENT_NO_ACTOR",
             "EDGE_PARAM_MISSING",
+            "GUIDE_END",
             note=str(i),
         )
         m.set(
@@ -703,6 +716,7 @@ def segments(m: Maker) -> None:
             "InertialConnector",
             "EDGE_PARAM_FORBIDDEN",
             "CONNECTOR_DOWNSTREAM",
+            "EVENT_NOT_LED_TO",
         )
         for name, value, code in (
             ("speed", -5.0, "UNIT_SPEED"),
@@ -715,6 +729,19 @@ def segments(m: Maker) -> None:
             ("duration", [2.0, 1.0], "INTERVAL_REVERSED"),
         ):
             m.add(code, (*path, name), put(raw, path, {**params, name: value}), note=str(value))
+        if item["event"] == "Guide":
+            m.add("EDGE_PARAM_RANGE", path, put(raw, path, {**params, "lift_cm": -5.0}))
+            stopped = put(raw, (*SEGMENTS, i, "to"), "halted")
+            halt = event("halted", "Stop", [item["actor"]], window=[50, 51])
+            m.add(
+                "GUIDE_END",
+                (*SEGMENTS, i),
+                append(stopped, EVENTS, halt),
+                "EVENT_NOT_LED_TO",
+                "TIMELINE_UNREACHABLE",
+            )
+        else:
+            m.add("EDGE_PARAM_FORBIDDEN", path, put(raw, path, {**params, "release": True}))
         if item["event"] == "Brake":
             m.add("EDGE_PARAM_RANGE", path, put(raw, path, {"damping": -1.0}))
         else:
@@ -729,7 +756,14 @@ def segments(m: Maker) -> None:
         else:
             m.add("EDGE_PARAM_FORBIDDEN", path, put(raw, path, {**params, "turn_degrees": 9.0}))
             to_turn = put(raw, (*SEGMENTS, i, "event"), "Turn")
-            m.add("EDGE_PARAM_MISSING", path, to_turn, "EDGE_PARAM_FORBIDDEN", note="turn")
+            m.add(
+                "EDGE_PARAM_MISSING",
+                path,
+                to_turn,
+                "EDGE_PARAM_FORBIDDEN",
+                "EVENT_NOT_LED_TO",
+                note="turn",
+            )
         if item["event"] == "Toward":
             flat = put(raw, path, {**params, "elevation_deg": [10, 40]})
             flat = put(flat, (*ACTORS, item["actor"], "force_direction"), "HORIZONTAL_PLANE")

@@ -697,6 +697,14 @@ public:
 		Shim::State().Host->GetVelocity(ShimId, Linear, Angular);
 		return FVector(Linear[0], Linear[1], Linear[2]);
 	}
+	FVector GetCenterOfMass(FName = NAME_None) const
+	{
+		ShimRequireLive("GetCenterOfMass");
+		double Location[3], Rotation[4];
+		Shim::State().Host->GetPose(ShimId, Location, Rotation);
+		const FQuat Turn(Rotation[0], Rotation[1], Rotation[2], Rotation[3]);
+		return FVector(Location[0], Location[1], Location[2]) + Turn.RotateVector(ShimInstance.ShimFrame.Translation);
+	}
 	void AddImpulse(FVector Impulse, FName, bool bVelChange)
 	{
 		ShimRequireLive("AddImpulse");

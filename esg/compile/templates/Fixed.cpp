@@ -194,7 +194,7 @@ void A@CLASS@::EndDrivesAtTouch(const UPrimitiveComponent* First, const UPrimiti
 		{
 			State.bDone = true;
 			UE_LOG(
-				Log@CLASS@, Display, TEXT("COMMAND HoldVelocity ends body=%s at=%s t=%.4f"),
+				Log@CLASS@, Display, TEXT("COMMAND @LASTING@ ends body=%s at=%s t=%.4f"),
 				*First->GetName(), *Second->GetName(), SceneTime);
 		}
 	}

@@ -102,6 +102,9 @@ def plain(stage: Stage, node: TimelineNode) -> None:
 def _advance(stage: Stage, actor: str, phase: Phase, duration: float) -> None:
     """Moves an actor through a phase whose end is set by time."""
     track, edge = stage.tracks[actor], phase.edge
+    if edge.event in (EdgeEvent.GUIDE, EdgeEvent.SPIN):
+        track.straight(0.0, duration, 0.0)
+        return
     if edge.event is EdgeEvent.BRAKE:
         speed = track.speed or stage.speed(actor, phase)
         low, high, fixed = bounds(edge.params.damping, (0.3, 8.0))

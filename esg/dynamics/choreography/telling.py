@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from esg.dynamics.choreography.handling import bounced, jumped, spun, taken, tell_guided
 from esg.dynamics.choreography.meetings import collision, enters
 from esg.dynamics.choreography.moves import controlled, plain, turned
 from esg.dynamics.choreography.placing import enter_beside
@@ -31,6 +32,11 @@ HANDLERS = {
     NodeEvent.REACH: collision,
     NodeEvent.MISS: collision,
     NodeEvent.ENTER_REGION: enters,
+    NodeEvent.PICKED_UP: taken,
+    NodeEvent.PLACED: taken,
+    NodeEvent.BOUNCE: bounced,
+    NodeEvent.JUMP: jumped,
+    NodeEvent.SPIN: spun,
 }
 """How each event is told; all others are told by `plain`."""
 ATTEMPTS = 12
@@ -56,25 +62,34 @@ def choreograph(doc: EsgDocument, *, seed: int = 0) -> Choreography:
     rng = np.random.default_rng([seed, entropy(doc)])
     constellations: list[Constellation] = []
     nominal: dict[str, float] = {}
-    told: dict[str, float] = {}
+    told: dict[str, float] = tell_guided(story, {})
     for component in _in_order(story, _components(doc, story)):
         stage = _play(Stage(doc, story, component, rng.spawn(1)[0], elsewhere=dict(told)))
         told.update(stage.time)
         constellations.append(stage.constellation())
         nominal.update(stage.nominal)
         nominal.update({f"{k}/event_time": t for k, t in stage.time.items()})
+    guided = tell_guided(story, told)
+    nominal.update({f"{k}/event_time": t for k, t in guided.items()})
     return Choreography(StartHints(tuple(c for c in constellations if c.placements)), nominal)
 
 
 def _components(doc: EsgDocument, story: Story) -> list[set[str]]:
     """Sets of objects whose motions touch each other."""
     groups: list[set[str]] = []
-    links = [set(n.participants) | _region_parent(n) for n in story.nodes.values()]
+    # What is carried starts where it stands and ends where that leads; nothing is placed for it.
+    carried = {a for a in story.phases if story.guided(a)}
+    links = [
+        set(n.participants) | _region_parent(n)
+        for n in story.nodes.values()
+        if not carried & set(n.participants)
+    ]
     links += [{c.object, c.to} for n in story.nodes.values() for c in n.constraints if c.to]
     links += [
         {e.edge.actor, *([e.edge.target] if e.edge.target else [])}
-        for p in story.phases.values()
+        for a, p in story.phases.items()
         for e in p
+        if a not in carried
     ]
     links += [{s.object[0], s.target[0]} for s in ways_stated(doc, story)]
     for link in [s for s in links if s]:

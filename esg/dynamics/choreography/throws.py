@@ -158,7 +158,8 @@ def asked_height(stage: Stage, node: TimelineNode, a: str) -> float | None:
 def is_let_go(stage: Stage, e: Encounter) -> bool:
     """Whether a falls without a speed of its own, or falls on after it was dropped."""
     first = stage.story.phases[e.a][0]
-    on = e.coming.edge.params.speed is None and is_dropped(first)
+    released = is_dropped(first) or first.edge.event is EdgeEvent.GUIDE
+    on = e.coming.edge.params.speed is None and released
     return is_dropped(e.coming) or on
 
 

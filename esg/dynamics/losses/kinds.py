@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from esg.dynamics.losses import measures, quantities, residuals
+from esg.dynamics.losses import handling, measures, quantities, residuals
 from esg.dynamics.losses.measures import AddTerm, Detected
 from esg.dynamics.losses.recording import Floats, Recording
 from esg.graph.models import NodeEvent, TimelineNode
@@ -164,5 +164,10 @@ for _kind in (
     EventKind(
         NodeEvent.POSITION_AT.value, measures.position, after_s=0.3, smooth=residuals.position
     ),
+    EventKind(NodeEvent.PICKED_UP.value, handling.picked_up, after_s=0.3),
+    EventKind(NodeEvent.PLACED.value, handling.placed, after_s=0.5, contact=True),
+    EventKind(NodeEvent.BOUNCE.value, handling.bounce, after_s=0.3, contact=True),
+    EventKind(NodeEvent.JUMP.value, handling.jump, after_s=0.3),
+    EventKind(NodeEvent.SPIN.value, handling.spin, after_s=0.2),
 ):
     register(_kind)

@@ -8,11 +8,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.dynamics.choreography.flights import flown_to
+from esg.dynamics.choreography.handling import goes_straight_up
 from esg.dynamics.plan.aim import aim_point, region_center
 from esg.dynamics.story.stagecraft import support_of
 from esg.dynamics.story.story import Phase, Story, read_story, rebounds, stranded
 from esg.engines.scene import Region, SimScene
 from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, TimelineNode
+
+NOT_DRIVEN = (EdgeEvent.TOWARD, EdgeEvent.GUIDE, EdgeEvent.SPIN)
+"""What begins so does not turn to where it goes."""
 
 
 class Cast:
@@ -43,7 +47,7 @@ class Cast:
     def drives(self, actor: str) -> bool:
         """Under its own power on the ground: its body points where it goes."""
         first = self.story.phases[actor][0].edge.event
-        return first is not EdgeEvent.TOWARD and self.scene.body(actor).roll_radius == 0.0
+        return first not in NOT_DRIVEN and self.scene.body(actor).roll_radius == 0.0
 
     def target(self, phase: Phase) -> str | None:
         """The body a phase is directed at."""
@@ -60,6 +64,8 @@ class Cast:
 
     def throw_goal(self, actor: str, phase: Phase) -> NDArray[np.float64] | None:
         """The point a throw is aimed at: the region to enter, or the target's broadest part."""
+        if goes_straight_up(phase):
+            return None
         banked = self._bank_point(actor, phase)
         if banked is not None:
             return banked

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from esg.dynamics.choreography import choreography_of
 from esg.dynamics.plan.cast import Cast
+from esg.dynamics.plan.guides import times_of, ways
 from esg.dynamics.plan.programs import Composer, Values
 from esg.dynamics.plan.variables import Declarations, Variable
 from esg.dynamics.story.story import Story
@@ -73,7 +74,9 @@ def make_plan(doc: EsgDocument, scene: SimScene, *, seed: int = 0, look_ahead: b
             centre of the first target.
     """
     cast = Cast(doc, scene, choreography_of(doc, seed=seed).nominal, look_ahead)
-    declared, composer = Declarations(cast), Composer(cast)
+    carried = ways(cast)
+    cast.nominal.update(times_of(cast, carried))
+    declared, composer = Declarations(cast), Composer(cast, carried)
     latest = _latest(cast, declared.variables)
     duration = min(MAX_DURATION_S, math.ceil(10.0 * (1.15 * latest + AFTERMATH_S)) / 10.0)
 

@@ -10,16 +10,25 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.dynamics.choreography.flights import flown_to
+from esg.dynamics.choreography.handling import BETWEEN_JUMPS_S
 from esg.dynamics.choreography.ways import arrives
 from esg.dynamics.plan.aim import aim_heading
 from esg.dynamics.plan.cast import Cast
+from esg.dynamics.plan.guides import Way
 from esg.dynamics.story.kinematics import ballistic_velocity, wrap_angle
 from esg.dynamics.story.stagecraft import stacked_with, support_of
 from esg.dynamics.story.story import REACH_BRAKE_DAMPING, Phase, turn_of
-from esg.engines.program import AdjustProperties, HoldVelocity, Primitive, SetVelocity
+from esg.engines.program import (
+    AdjustProperties,
+    GuideAlong,
+    HoldSpin,
+    HoldVelocity,
+    Primitive,
+    SetVelocity,
+)
 from esg.engines.scene import Body
 from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, TimelineNode
-from esg.units import quat_from_euler_deg, yaw_from_quat
+from esg.units import GRAVITY_MPS2, quat_from_euler_deg, yaw_from_quat
 
 AFTER_HIT_DAMPING = 4.0
 """Linear damping [1/s] of a driver who brakes after the hit that was asked for."""
@@ -30,6 +39,8 @@ STILL_MPS = 0.07
 """Speed of what has come to rest [m/s]."""
 SHAKEN_S = 0.15
 """From the hit of a support until something on it sets off to fall [s]."""
+STANDING_SLACK, MOVING_SLACK = 1.05, 1.3
+"""A spin is kept up so much longer than its turns take: of what moves, friction takes a part."""
 
 TIMED = (NodeEvent.TRIGGER, NodeEvent.REACH, NodeEvent.STOP, NodeEvent.MISS)
 """Events at which a phase ends when theta says so; others end it when they happen."""
@@ -46,6 +57,7 @@ class _Course:
         heading: [rad].
         speed: [m/s].
         clock: When the next phase may begin [s].
+        held: Whether it is still held then, by what guided it.
         out: The primitives so far.
     """
 
@@ -53,6 +65,7 @@ class _Course:
     heading: float
     speed: float = 0.0
     clock: float = 0.0
+    held: bool = False
     out: list[Primitive] = field(default_factory=list)
 
 
@@ -92,9 +105,11 @@ class Composer:
 
     Args:
         cast: Who takes part, and how.
+        carried: Ways of what is guided, by segment id.
     """
 
-    def __init__(self, cast: Cast) -> None:
+    def __init__(self, cast: Cast, carried: dict[str, Way]) -> None:
+        self.carried = carried
         self.cast, self.doc, self.scene = cast, cast.doc, cast.scene
         self.story, self.nominal = cast.story, cast.nominal
 
@@ -182,18 +197,25 @@ class Composer:
             v: Values of all variables by name.
             duration: Of the scene [s].
         """
-        course = _Course(actor, self.base_heading(actor) + v[f"{actor}/aim"])
+        course = _Course(actor, self.base_heading(actor) + v.get(f"{actor}/aim", 0.0))
         for k, phase in enumerate(phases):
             start = max(course.clock, self.node_time(phase.start, v, course.clock))
             start = max(start, self._shaken.get(actor, 0.0) if k == 0 else 0.0)
             end = self.phase_end(phase, v, start, duration)
             if self.cast.coasts(phase):
                 continue
-            if self.story.tips(phase) or (k > 0 and self.story.flies(actor)):
+            jumps = phase.end.event is NodeEvent.JUMP
+            if self.story.tips(phase) or (k > 0 and (jumps or self.story.flies(actor))):
                 # Nothing may hold it upright or on its course any more.
                 course.out = [_until(p, start) for p in course.out]
             leg = _Leg(phase, v, start, end, k == 0, k + 1 == len(phases), duration)
-            if phase.edge.event is EdgeEvent.TOWARD or self.story.tips(phase):
+            if phase.edge.event is EdgeEvent.GUIDE:
+                self._guide(course, leg)
+            elif phase.edge.event is EdgeEvent.SPIN:
+                self._spin(course, leg)
+            elif jumps:
+                self._jump(course, leg)
+            elif phase.edge.event is EdgeEvent.TOWARD or self.story.tips(phase):
                 self._let_go(course, leg)
             elif f"{phase.edge.id}/stopping" in v:
                 self._stop_in_time(course, leg)
@@ -210,6 +232,61 @@ class Composer:
         if leg.last:
             course.out += self._rolls_out(actor, body, leg.phase, leg.v, leg.start, leg.end)
         course.clock = leg.start
+
+    def _guide(self, course: _Course, leg: _Leg) -> None:
+        """It is carried along its way, and let go at the end or held on."""
+        edge, ends_at, way = leg.phase.edge, leg.phase.end.event, self.carried[leg.phase.edge.id]
+        begin = course.clock if course.held else leg.start
+        release = edge.params.release
+        if release is None:
+            release = ends_at is not NodeEvent.PICKED_UP
+        if ends_at is NodeEvent.TRIGGER:
+            end = leg.end
+            way = way.lasting(min(way.times[-1], end - leg.start))
+        else:
+            way = way.lasting(leg.v[f"{edge.id}/duration"])
+            end = leg.start + way.times[-1]
+        held_until = leg.duration + 1.0 if leg.last and not release else end
+        course.out.append(way.path(course.actor, begin, leg.start - begin, held_until))
+        course.clock, course.held = end, not release
+
+    def _spin(self, course: _Course, leg: _Leg) -> None:
+        """It is kept turning: on the spot where it has stood, else wherever it goes.
+
+        What stands is held where it is until something touches it: on its flat base it would walk
+        off in some engines, and friction would slow it in all of them by its own law.
+        """
+        actor, edge, start = course.actor, leg.phase.edge, leg.start
+        rate, end, slack = leg.v[f"{edge.id}/turn_rate"], leg.end, STANDING_SLACK
+        if not leg.first:
+            slack = MOVING_SLACK
+        if leg.phase.end.event is NodeEvent.SPIN:
+            asked = math.radians(leg.phase.end.turn_degrees or 360.0)
+            end = start + slack * asked / rate
+        rate *= -1.0 if edge.params.turn_direction == "right" else 1.0
+        if leg.first:
+            at, rest = self.scene.body(actor).position, ((0.0, 0.0, 0.0),) * 2
+            under = (actor, support_of(self.doc, actor))
+            others = tuple(n for n in self._others(actor) if n not in under)
+            course.out.append(
+                GuideAlong(actor, start, (0.0, end - start), (at, at), rest, rate, others)
+            )
+        else:
+            course.out = [_until(p, start) for p in course.out]
+            course.out.append(HoldSpin(actor, start, end, rate))
+        course.clock = end
+
+    def _jump(self, course: _Course, leg: _Leg) -> None:
+        """It leaves the ground, once or several times, and does not turn over in the air."""
+        edge, count = leg.phase.edge, leg.phase.end.times or 1
+        rise, speed = leg.v[f"{edge.id}/rise"], leg.v[f"{edge.id}/speed"]
+        velocity = (speed * math.cos(course.heading), speed * math.sin(course.heading), rise)
+        period = 2.0 * rise / GRAVITY_MPS2 + BETWEEN_JUMPS_S
+        course.out += [
+            SetVelocity(course.actor, leg.start + k * period, velocity, (0.0, 0.0, 0.0))
+            for k in range(count)
+        ]
+        course.clock, course.speed = leg.start + count * period, 0.0
 
     def _stop_in_time(self, course: _Course, leg: _Leg) -> None:
         """It slows down step by step, to rest."""

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.dynamics.choreography.flights import flown_to
+from esg.dynamics.choreography.handling import TURN_RATE_DEG_S
 from esg.dynamics.choreography.throws import opens_upwards
 from esg.dynamics.plan.aim import aim_point
 from esg.dynamics.plan.cast import Cast
@@ -109,6 +110,10 @@ class Declarations:
     def declare(self, actor: str, phases: tuple[Phase, ...]) -> None:
         body = self.scene.body(actor)
         first = phases[0]
+        if first.edge.event in (EdgeEvent.GUIDE, EdgeEvent.SPIN):
+            for phase in phases:
+                self.declare_phase(actor, body, phase)
+            return
         limit = 3.0 if self.cast.drives(actor) else 14.0
         if self.scene.body(actor).roll_radius and body.half_extents[0] < 0.05:
             limit = 20.0
@@ -144,7 +149,11 @@ class Declarations:
         nominal = self.nominal
         if self.cast.coasts(phase):
             return
-        if edge.event is EdgeEvent.TOWARD and self.story.flies(actor):
+        if phase.end.event is NodeEvent.JUMP:
+            self.declare_jump(phase)
+        elif edge.event is EdgeEvent.GUIDE:
+            self.declare_way(phase)
+        elif edge.event is EdgeEvent.TOWARD and self.story.flies(actor):
             self.declare_throw(actor, body, phase)
         elif edge.event in (
             EdgeEvent.UNIFORM_MOTION,
@@ -192,8 +201,9 @@ class Declarations:
                 "1/s",
                 fixed=fixed,
             )
-        if edge.event is EdgeEvent.TURN:
-            low, high, fixed = bounds(params.turn_rate_deg_s, (20.0, 80.0))
+        if edge.event in (EdgeEvent.TURN, EdgeEvent.SPIN):
+            usual = TURN_RATE_DEG_S if edge.event is EdgeEvent.SPIN else (20.0, 80.0)
+            low, high, fixed = bounds(params.turn_rate_deg_s, usual)
             start = nominal.get(f"{edge.id}/turn_rate", math.radians(45.0))
             self.add(
                 f"{edge.id}/turn_rate",
@@ -207,6 +217,23 @@ class Declarations:
             )
         for node in (phase.start, phase.end):
             self.declare_time(phase, node)
+
+    def declare_jump(self, phase: Phase) -> None:
+        """Vertical and horizontal speed of a jump."""
+        for part in ("rise", "speed"):
+            name = f"{phase.edge.id}/{part}"
+            told = self.nominal.get(name, 2.0 if part == "rise" else 0.0)
+            fixed = told == 0.0
+            self.add(name, 0.8 * told, 1.4 * told, told, told, 0.04 * told, "m/s", fixed=fixed)
+
+    def declare_way(self, phase: Phase) -> None:
+        """How long something is carried; a Trigger at its end has a time of its own."""
+        if phase.end.event is NodeEvent.TRIGGER:
+            return
+        name = f"{phase.edge.id}/duration"
+        usual = self.nominal.get(name, 2.0)
+        low, high, fixed = bounds(phase.edge.params.duration, (0.7 * usual, 2.0 * usual))
+        self.add(name, low, high, usual, 0.5 * (low + high), 0.05 * usual, "s", fixed=fixed)
 
     def declare_time(self, phase: Phase, node: TimelineNode) -> None:
         """Times the program sets: triggers, and starts of phases that follow an outcome."""
@@ -225,6 +252,7 @@ class Declarations:
         )
         follows_outcome = starts_here and node.event not in (
             NodeEvent.SCENE_START,
+            NodeEvent.PICKED_UP,
             NodeEvent.HEADING_REACHED,
             NodeEvent.TRIGGER,
         )

@@ -72,9 +72,15 @@ class Story:
     def is_active(self, name: str) -> bool:
         return name in self.phases
 
+    def guided(self, actor: str) -> bool:
+        """Whether it starts on its support and something outside of the scene takes it up."""
+        first = self.phases[actor][0]
+        return first.edge.event is EdgeEvent.GUIDE and first.end.event is not NodeEvent.TRIGGER
+
     def flies(self, actor: str) -> bool:
-        """Thrown, dropped or flying: it starts in the air."""
-        return self.force[actor] is ForceDirection.ANY_3D
+        """Thrown, dropped, held up or flying: it starts in the air."""
+        jumps = self.phases[actor][0].end.event is NodeEvent.JUMP
+        return self.force[actor] is ForceDirection.ANY_3D and not (jumps or self.guided(actor))
 
     def soars(self, actor: str) -> bool:
         """Whether it flies under its own power: held against gravity until its last hold ends."""

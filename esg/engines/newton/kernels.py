@@ -17,7 +17,7 @@ import warp as wp
 
 from esg.engines.newton.setup import FIXED_POINT
 from esg.engines.program import Action, Column
-from esg.engines.program_kernels import held_spin, held_velocity, vector
+from esg.engines.program_kernels import guide, held_spin, held_velocity, vector
 
 
 @wp.func
@@ -67,6 +67,7 @@ def run_programs(
     angular_damping: wp.array(dtype=float),
     shape_mu: wp.array(dtype=float),
     gravity: wp.array(dtype=wp.vec3),
+    body_q: wp.array(dtype=wp.transform),
     body_qd: wp.array(dtype=wp.spatial_vector),
     joint_qd: wp.array(dtype=float),
 ):
@@ -84,7 +85,7 @@ def run_programs(
         if target < 0 and kind[world, k] != Action.ADJUST:
             continue
         start = table[world, k, Column.START]
-        if kind[world, k] == Action.HOLD:
+        if kind[world, k] >= Action.HOLD:
             if active[world, k] != 0:
                 for other in range(until.shape[2]):
                     if until[world, k, other] != 0 and touched[world, b, other] == step:
@@ -93,11 +94,18 @@ def run_programs(
                 done[world, k] = 1
             if done[world, k] == 0 and start <= now:
                 active[world, k] = 1
-                vertical = wp.spatial_top(body_qd[target])[2]
+                v = wp.spatial_top(body_qd[target])
+                omega = vector(table, world, k, Column.SPIN)
                 pull = gravity[world][2] * float(dt)
-                v = held_velocity(table, world, k, t, vertical, pull)
+                if kind[world, k] == Action.HOLD:
+                    v = held_velocity(table, world, k, t, v[2], pull)
+                    omega = held_spin(table, world, k, v)
+                elif kind[world, k] == Action.GUIDE:
+                    x = wp.transform_get_translation(body_q[target])
+                    v = guide(table, world, k, t, dt, x, pull)
+                    omega = wp.vec3(0.0, 0.0, float(table[world, k, Column.GUIDE_TURN_RATE]))
                 _set_linear(target, v, body_qd, joint_qd)
-                _set_angular(target, held_spin(table, world, k, v), body_qd, joint_qd)
+                _set_angular(target, omega, body_qd, joint_qd)
         elif start <= now:
             done[world, k] = 1
             if kind[world, k] == Action.SET_VELOCITY:

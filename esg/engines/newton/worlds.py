@@ -269,7 +269,7 @@ class NewtonWorlds:
                 self.table, self.dynamic, self.first_shape, self.shape_body,
                 self.friction_scale, self.touched, self.done, self.active, model.body_mass,
                 model.steel.rigid_body_linear_damping, model.steel.rigid_body_angular_damping,
-                model.shape_material_mu, model.gravity, s.body_qd, s.joint_qd,
+                model.shape_material_mu, model.gravity, s.body_q, s.body_qd, s.joint_qd,
             ],
         )  # fmt: skip
         if self.has_friction_change:

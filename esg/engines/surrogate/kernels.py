@@ -14,7 +14,7 @@ from typing import Any
 import warp as wp
 
 from esg.engines.program import Action, Column
-from esg.engines.program_kernels import held_spin, held_velocity, vector
+from esg.engines.program_kernels import guide, held_spin, held_velocity, vector
 from esg.engines.surrogate.contacts import find_contacts, prepare_bodies, wake
 from esg.engines.surrogate.solver import move, solve
 from esg.engines.surrogate.types import (
@@ -68,13 +68,19 @@ def _fire(model: Model, state: State, w: int, k: int):
 
 @wp.func
 def _hold(model: Model, state: State, w: int, k: int, t: wp.float64, dt: wp.float64):
-    """Sets the velocity of a body that moves under its own power."""
+    """Sets what a primitive that lasts keeps up: motion under own power, a guide, a spin."""
     i = model.target[k]
     _rouse(state, w, i)
     pull = model.gravity[2] * float(dt)
-    v = held_velocity(model.table, w, k, t, state.v[w, i][2], pull)
-    state.v[w, i] = v
-    state.o[w, i] = held_spin(model.table, w, k, v)
+    if model.action[k] == Action.HOLD:
+        v = held_velocity(model.table, w, k, t, state.v[w, i][2], pull)
+        state.v[w, i] = v
+        state.o[w, i] = held_spin(model.table, w, k, v)
+    elif model.action[k] == Action.GUIDE:
+        state.v[w, i] = guide(model.table, w, k, t, dt, state.x[w, i], pull)
+        state.o[w, i] = wp.vec3(0.0, 0.0, float(model.table[w, k, Column.GUIDE_TURN_RATE]))
+    else:
+        state.o[w, i] = vector(model.table, w, k, Column.SPIN)
 
 
 @wp.func
@@ -86,7 +92,7 @@ def run_program(model: Model, state: State, trace: Trace, w: int, step: int, dt:
         if state.done[w, k] != 0:
             continue
         end = model.table[w, k, Column.END]
-        if model.action[k] == Action.HOLD:
+        if model.action[k] >= Action.HOLD:
             if state.active[w, k] != 0:
                 for other in range(model.n_bodies):
                     touched = state.touched[w, model.target[k], other] == step

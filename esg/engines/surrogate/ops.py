@@ -134,7 +134,8 @@ def _acts(model: Model, trace: Trace, w: int, step: int, i: int, holds: int) -> 
     for k in range(model.n_primitives):
         kind = model.action[k]
         sets = kind == Action.SET_VELOCITY or kind == Action.APPLY_IMPULSE
-        sets = sets or (holds == 1 and kind == Action.HOLD)
+        lasts = kind == Action.HOLD or kind == Action.GUIDE
+        sets = sets or (holds == 1 and lasts)
         if model.target[k] == i and sets and trace.fired[w, step, k] != 0:
             return True
     return False
@@ -185,13 +186,14 @@ def _control_change(model: Model, trace: Trace, w: int, step: int, i: int) -> in
         if model.target[k] == i:
             kind = model.action[k]
             fires = trace.fired[w, step, k] != 0
-            if kind == Action.HOLD and fires:
+            lasts = kind == Action.HOLD or kind == Action.GUIDE
+            if lasts and fires:
                 return -1
-            if kind == Action.HOLD and trace.fired[w, step - 1, k] == Fired.LAST:
+            if lasts and trace.fired[w, step - 1, k] == Fired.LAST:
                 out = CHANGES * k + Change.HOLD_ENDS
             if kind == Action.SET_VELOCITY and fires:
                 out = CHANGES * k + Change.VELOCITY
-            other = kind != Action.HOLD and kind != Action.SET_VELOCITY
+            other = kind == Action.APPLY_IMPULSE or kind == Action.ADJUST
             if other and fires and out < 0:
                 out = CHANGES * k + Change.FORCE
     return out

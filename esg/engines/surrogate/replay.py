@@ -14,7 +14,7 @@ from __future__ import annotations
 import warp as wp
 
 from esg.engines.program import Action, Column
-from esg.engines.program_kernels import vector
+from esg.engines.program_kernels import guided_velocity, path_knot, path_velocity, vector
 from esg.engines.surrogate.features import Features
 from esg.engines.surrogate.impact import ahead_of, prepare, tangent, turned
 from esg.engines.surrogate.ops import CHANGES, Act, Change, Operation, Ops
@@ -39,6 +39,7 @@ def _act(
     pose: int,
     V: wp.array(dtype=wp.vec3),
     O: wp.array(dtype=wp.vec3),  # noqa: E741
+    X: wp.array(dtype=wp.vec3),
     shift: wp.array(dtype=wp.vec3),
 ):
     kind = model.action[k]
@@ -77,6 +78,25 @@ def _act(
             O[vout] = wp.vec3(-vy / radius, vx / radius, 0.0)
         else:
             O[vout] = wp.vec3(0.0, 0.0, float(table[w, k, Column.TURN_RATE]))
+    elif kind == Action.GUIDE:
+        t = wp.float64(step) * dt
+        # Which piece of the path it is on is a decision of the trace.
+        here = path_knot(frozen, w, k, t - frozen[w, k, Column.START])
+        there = path_knot(frozen, w, k, t + dt - frozen[w, k, Column.START])
+        s = t - table[w, k, Column.START]
+        guided = guided_velocity(table, w, k, here, there, s, dt, X[pose])
+        if (how & Act.LAST) != 0:
+            # Let go later, it is as much faster as the path is there, and no farther off it.
+            longer = s + table[w, k, Column.END] - frozen[w, k, Column.END]
+            faster = path_velocity(table, w, k, here, there, longer, dt)
+            guided = guided + faster - path_velocity(table, w, k, here, there, s, dt)
+        V[vout] = guided - wp.vec3(0.0, 0.0, model.gravity[2] * float(dt))
+        O[vout] = wp.vec3(0.0, 0.0, float(table[w, k, Column.GUIDE_TURN_RATE]))
+        if (how & Act.FIRST) != 0:
+            wp.atomic_add(shift, pose, (v - guided) * float(late))
+    elif kind == Action.SPIN:
+        V[vout] = v
+        O[vout] = vector(table, w, k, Column.SPIN)
     else:
         a = vector(table, w, k, Column.LINEAR)
         if kind == Action.SET_VELOCITY:
@@ -300,5 +320,5 @@ def replay(
         else:
             _act(
                 model, w, b, a, ops.step[q], c, dt, table, frozen, va, ops.out_a[q], pa, V, O,
-                shift,
+                X, shift,
             )  # fmt: skip

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -11,6 +13,8 @@ from esg.dynamics.plan.planner import make_plan
 from esg.engines.program import (
     AdjustProperties,
     ApplyImpulse,
+    GuideAlong,
+    HoldSpin,
     HoldVelocity,
     Program,
     SetVelocity,
@@ -61,6 +65,14 @@ PAIR = SimScene(
     gravity=(0.0, 0.0, 0.0),
 )  # fmt: skip
 
+PATH = GuideAlong(
+    "a",
+    0.2,
+    (0.0, 0.3, 0.5),
+    ((0.0, 0.0, 5.0), (0.3, 0.2, 5.4), (0.52, 0.3, 5.3)),
+    ((0.0, 0.0, 0.0), (1.0, 0.5, 0.5), (1.0, 1.0, -1.0)),
+)
+
 
 @pytest.mark.parametrize(
     ("scene", "program", "body", "axis", "column", "field"),
@@ -78,6 +90,10 @@ PAIR = SimScene(
         (LONE, HoldVelocity("a", 0.2, 0.5, 2.0, 0.4, climb=0.5), "a", 2, 1, "position"),
         (LONE, HoldVelocity("a", 0.2, 0.5, 2.0, 0.4, climb=0.5), "a", 0, 2, "position"),
         (LONE, HoldVelocity("a", 0.2, 0.5, 2.0, 0.4, climb=0.5), "a", 2, 8, "velocity"),
+        # Place and velocity of a path's last point, and a spin.
+        (LONE, PATH, "a", 0, 19, "position"),
+        (LONE, PATH, "a", 1, 23, "position"),
+        (FLOOR, HoldSpin("b", 0.0, 0.5, 4.0, (0.0, 1.0, 0.0)), "b", 0, 3, "position"),
         (PAIR, SetVelocity("a", 0.0, (2.0, 0.0, 0.0)), "b", 0, 2, "velocity"),
         (PAIR, SetVelocity("a", 0.0, (2.0, 0.0, 0.0)), "b", 1, 3, "velocity"),
         (PAIR, SetVelocity("a", 0.0, (2.0, 0.0, 0.0)), "b", 0, 2, "position"),
@@ -91,6 +107,21 @@ def test_derivatives_by_the_program(scene, program, body, axis, column, field):
     )
     assert abs(difference) > 0.01
     assert tape == pytest.approx(difference, rel=0.03)
+
+
+@pytest.mark.parametrize("axis", [0, 2])
+def test_derivative_by_the_start_of_a_path(axis):
+    """What starts later is let go later."""
+    batch = batch_programs([Program((PATH,), 0.9)], LONE.names)
+    taped, i, _ = final(LONE, batch, "a")
+    seed = np.zeros((1, taped.frames.n_steps + 1, 1, 3))
+    seed[0, -1, i, axis] = 1.0
+    pulled = taped.pull(Seeds(position=seed)).table[0, 0]
+    moved = [Program((replace(PATH, start=0.2 + d),), 0.9) for d in (4 * DT, -4 * DT)]
+    ends = final(LONE, batch_programs(moved, LONE.names), "a")[2]
+    difference = (ends[0, axis] - ends[1, axis]) / (8.0 * DT)
+    assert abs(difference) > 0.1
+    assert pulled[0] + pulled[1] == pytest.approx(difference, rel=0.03)
 
 
 def test_derivative_by_the_time_of_braking():

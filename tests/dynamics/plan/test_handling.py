@@ -1,0 +1,338 @@
+"""What is carried, let go, spun, bounced and jumped is planned so that it happens everywhere."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from esg.assets import resolve
+from esg.compile import compile_scene, replay_class
+from esg.dynamics import cast, optimize
+from esg.dynamics.losses.kinds import kind_of
+from esg.dynamics.losses.recording import Recording
+from esg.dynamics.plan import make_plan
+from esg.dynamics.plan.aim import body_bounds
+from esg.dynamics.plan.build import build_scene
+from esg.dynamics.story.stagecraft import top_surface
+from esg.engines import get_engine
+from esg.engines.program import HoldSpin, batch_programs
+from esg.graph import effective, verify
+from esg.graph.models import Actor, EsgDocument, NamedRegion, Pose, TimelineEdge, TimelineNode
+from esg.layout import solve, stored_hints
+from tests.dynamics.stage import BALL, CAR, TABLE, asset, document, lay_out
+from tests.graph import builders as graph
+
+N = TimelineNode
+START = N(id="start", event="SceneStart", timestamp=0)
+MUG = asset("mug", (10, 10, 12), 0.4, "cylinder")
+WALL = asset("wall", (10, 120, 90), 60, movable=False)
+DOG = asset("dog", (90, 30, 60), 25)
+FENCE = asset("fence", (10, 150, 40), 60)
+TOP = asset("top", (10, 10, 12), 0.3, "cylinder")
+
+
+def edge(name, start, end, event, actor, **more) -> TimelineEdge:
+    raw = {"id": name, "from": start, "to": end, "event": event, "actor": actor, **more}
+    return TimelineEdge.model_validate(raw)
+
+
+def moves(direction="ANY_3D") -> Actor:
+    return Actor(role="active", force_direction=direction)
+
+
+def at(doc: EsgDocument, **places: tuple[float, float, float]) -> EsgDocument:
+    """The document laid out, with some things at places of their own [cm]."""
+    out = lay_out(doc)
+    assert out.layout_result is not None
+    poses = dict(out.layout_result.poses)
+    poses.update({n: Pose(position_cm=p) for n, p in places.items()})
+    layout = out.layout_result.model_copy(update={"poses": poses})
+    return out.model_copy(update={"layout_result": layout})
+
+
+def put_on_table() -> EsgDocument:
+    """A mug is taken from the floor, over a wall, onto a table on which another one stands."""
+    doc = document(
+        "put",
+        {"mug_1": MUG, "mug_2": MUG, "wall_1": WALL, "table_1": TABLE},
+        {"mug_1": moves()},
+        [
+            START,
+            N(id="lifted", event="PickedUp", participants=("mug_1",), window=(0.2, 3)),
+            N(id="put", event="Placed", participants=("mug_1", "table_1"), window=(3, 9)),
+        ],
+        [
+            edge("lift", "start", "lifted", "Guide", "mug_1"),
+            edge("carry", "lifted", "put", "Guide", "mug_1", target="table_1"),
+        ],
+    )
+    places = {"mug_1": (0, 0, 0), "wall_1": (70, 0, 0), "table_1": (200, 0, 0)}
+    return at(doc, mug_2=(200, 0, 75), **places)
+
+
+def lowered_into_bin() -> EsgDocument:
+    """A block is lifted over the rim of a bin and let go at its floor."""
+    inside = NamedRegion(
+        name="inside", center_cm=(0, 0, 25), half_extents_cm=(24, 24, 22), kind="inside"
+    )
+    sides = [asset("side", s, 5) for s in ((50, 2, 50), (2, 46, 50), (50, 50, 2))]
+    long, cross, floor = (s.proxies[0] for s in sides)
+    walls = tuple(
+        p.model_copy(update={"position_cm": c})
+        for p, c in (
+            (long, (0, 24, 25)), (long, (0, -24, 25)), (cross, (24, 0, 25)), (cross, (-24, 0, 25)),
+            (floor, (0, 0, 1)),
+        )
+    )  # fmt: skip
+    bin_ = asset("bin", (50, 50, 50), 20, regions=(inside,)).model_copy(update={"proxies": walls})
+    doc = document(
+        "lower",
+        {"block_1": asset("block", (20, 20, 20), 3), "bin_1": bin_},
+        {"block_1": moves()},
+        [
+            START,
+            N(id="in", event="EnterRegion", participants=("block_1",), window=(1, 9),
+              region="bin_1/inside"),
+        ],
+        [edge("lower", "start", "in", "Guide", "block_1", target="bin_1")],
+    )  # fmt: skip
+    return at(doc, block_1=(0, 0, 0), bin_1=(120, 0, 0))
+
+
+def held_and_released() -> EsgDocument:
+    return lay_out(
+        document(
+            "held",
+            {"ball_1": BALL, "box_1": asset("box", (60, 60, 40), 10)},
+            {"ball_1": moves(), "box_1": Actor(role="passive")},
+            [
+                START,
+                N(id="let_go", event="Trigger", participants=("ball_1",), window=(0.5, 2)),
+                N(id="hit", event="Collision", participants=("ball_1", "box_1"), window=(1, 4)),
+            ],
+            [
+                edge("hold", "start", "let_go", "Guide", "ball_1", target="box_1"),
+                edge("drop", "let_go", "hit", "Toward", "ball_1"),
+            ],
+        )
+    )
+
+
+def spinning() -> EsgDocument:
+    return lay_out(
+        document(
+            "spin",
+            {"top_1": TOP},
+            {"top_1": moves("HORIZONTAL_PLANE")},
+            [START, N(id="turned", event="Spin", participants=("top_1",), window=(0.5, 6),
+                      turn_degrees=720)],
+            [edge("spin", "start", "turned", "Spin", "top_1", params={"turn_rate_deg_s": 400})],
+        )
+    )  # fmt: skip
+
+
+def jumping(over: bool = True) -> EsgDocument:
+    who = ("dog_1", "fence_1") if over else ("dog_1",)
+    node = N(
+        id="jumped", event="Jump", participants=who, window=(0.3, 4), times=None if over else 3
+    )
+    target = {"target": "fence_1"} if over else {}
+    return lay_out(
+        document(
+            "jump",
+            {"dog_1": DOG, **({"fence_1": FENCE} if over else {})},
+            {"dog_1": moves("ALONG_FORWARD_ONLY")},
+            [START, node],
+            [edge("jump", "start", "jumped", "Toward", "dog_1", **target)],
+        )
+    )
+
+
+def bouncing(thrown: bool = False) -> EsgDocument:
+    up = {"speed": (300, 400), "elevation_deg": 90}
+    return lay_out(
+        document(
+            "bounce",
+            {"ball_1": BALL},
+            {"ball_1": moves()},
+            [START, N(id="bounced", event="Bounce", participants=("ball_1", "ground_1"),
+                      window=(0.3, 6), times=1 if thrown else 3)],
+            [edge("drop", "start", "bounced", "Toward", "ball_1", target="ground_1",
+                  params=up if thrown else {"speed": 0.0})],
+        )
+    )  # fmt: skip
+
+
+STORIES = {
+    "put": put_on_table,
+    "lower": lowered_into_bin,
+    "held": held_and_released,
+    "spin": spinning,
+    "over": jumping,
+    "hop": lambda: jumping(over=False),
+    "bounce": bouncing,
+    "up": lambda: bouncing(thrown=True),
+}
+
+
+def played(name: str, engine: str):
+    """The story under its nominal parameters: plan, rollout and when each event happened."""
+    doc = STORIES[name]()
+    scene = build_scene(doc)
+    plan = make_plan(doc, scene)
+    program = plan.compile(plan.initial())
+    batch = batch_programs([program], scene.names)
+    dt = 1 / 120 if engine == "newton" else 1 / 240
+    rollout = get_engine(engine).rollout(scene, batch, dt=dt, duration=plan.duration)
+    theta = dict(zip([v.name for v in plan.variables], plan.initial(), strict=True))
+    own = {n: theta[f"{n}/time"] for n in plan.story.nodes if f"{n}/time" in theta}
+    rec = Recording(scene, plan.story, rollout, [own])
+    times, before = {}, np.zeros(1)
+    for node in plan.story.nodes.values():
+        measure = kind_of(node).measure
+        if measure is not None:
+            times[node.id] = float(measure(rec, node, before, lambda *_: None).time[0])
+            before = np.array([times[node.id]])
+    return plan, rollout, times
+
+
+@pytest.mark.parametrize("engine", ["newton", "physx", "rapier"])
+@pytest.mark.parametrize("name", STORIES)
+def test_a_handled_thing_does_what_is_said(name, engine):
+    plan, rollout, times = played(name, engine)
+    assert rollout.valid.all()
+    assert times and all(np.isfinite(t) for t in times.values()), times
+    assert max(times.values()) < plan.duration
+
+
+def way(rollout, plan, name):
+    return rollout.position[0, :, plan.scene.index(name)].astype(float)
+
+
+def test_what_is_put_down_passes_over_what_is_in_between_and_beside_what_stands_there():
+    plan, rollout, times = played("put", "physx")
+    mug, wall, other = (way(rollout, plan, n) for n in ("mug_1", "wall_1", "mug_2"))
+    over = np.abs(mug[:, 0] - wall[0, 0]) < 0.1
+    assert over.any() and mug[over, 2].min() - 0.06 > 0.9
+    np.testing.assert_allclose(mug[-1, 2], 0.75 + 0.06, atol=0.005)
+    assert np.linalg.norm(mug[-1, :2] - other[-1, :2]) > 0.1
+    np.testing.assert_allclose(other[-1], other[0], atol=0.005)
+    assert times["lifted"] < 1.0 < times["put"]
+
+
+def test_what_is_lowered_into_a_bin_touches_neither_rim_nor_wall_on_its_way():
+    plan, rollout, _ = played("lower", "physx")
+    block, bin_ = way(rollout, plan, "block_1"), way(rollout, plan, "bin_1")
+    np.testing.assert_allclose(block[-1], (*bin_[-1, :2], 0.12), atol=0.02)
+    np.testing.assert_allclose(bin_[-1], bin_[0], atol=0.005)
+
+
+def test_what_is_held_stays_until_it_is_released():
+    plan, rollout, times = played("held", "physx")
+    ball = way(rollout, plan, "ball_1")
+    release = next(v.initial for v in plan.variables if v.name == "let_go/time")
+    held = rollout.time < release - 0.05
+    np.testing.assert_allclose(ball[held], ball[:1].repeat(held.sum(), axis=0), atol=1e-3)
+    fall = np.sqrt(2.0 * (ball[0, 2] - 0.4 - 0.11) / 9.81)
+    assert times["hit"] - release == pytest.approx(fall, abs=0.03)
+
+
+def test_a_jump_has_the_height_and_time_of_its_leap():
+    plan, rollout, times = played("over", "physx")
+    dog, fence = way(rollout, plan, "dog_1"), way(rollout, plan, "fence_1")
+    rise, speed = (next(v.initial for v in plan.variables if v.name == f"jump/{n}")
+                   for n in ("rise", "speed"))  # fmt: skip
+    assert dog[:, 2].max() - dog[0, 2] == pytest.approx(rise**2 / (2 * 9.81), rel=0.03)
+    assert times["jumped"] == pytest.approx(2 * rise / 9.81, abs=0.05)
+    assert dog[0, 0] < fence[0, 0] < dog[-1, 0] and speed > 1.0
+    np.testing.assert_allclose(fence[-1], fence[0], atol=1e-3)
+
+
+def test_what_spins_turns_as_often_as_is_said_and_stays():
+    plan, rollout, times = played("spin", "rapier")
+    top = way(rollout, plan, "top_1")
+    np.testing.assert_allclose(top[-1], top[0], atol=0.01)
+    assert times["turned"] == pytest.approx(720.0 / 400.0, abs=0.05)
+
+
+def test_what_moves_keeps_moving_while_it_spins():
+    doc = lay_out(
+        document(
+            "ice",
+            {"car_1": CAR},
+            {"car_1": moves("ALONG_FORWARD_ONLY")},
+            [
+                START,
+                N(id="loses_grip", event="Trigger", participants=("car_1",), window=(0.5, 2)),
+                N(id="turned", event="Spin", participants=("car_1",), window=(1, 6)),
+            ],
+            [
+                edge("drive", "start", "loses_grip", "UniformMotion", "car_1",
+                     params={"speed": (400, 600)}),
+                edge("spin", "loses_grip", "turned", "Spin", "car_1"),
+            ],
+        )
+    )  # fmt: skip
+    scene = build_scene(doc)
+    plan = make_plan(doc, scene)
+    drive, spin = plan.compile(plan.initial()).primitives
+    assert isinstance(spin, HoldSpin) and drive.end == spin.start
+    program = plan.compile(plan.initial())
+    rollout = get_engine("physx").rollout(scene, batch_programs([program], scene.names))
+    car, turn = way(rollout, plan, "car_1"), rollout.angular_velocity[0, :, 1, 2]
+    after = rollout.time > spin.start + 0.1
+    assert np.linalg.norm(car[-1] - car[after][0]) > 1.0
+    assert turn[(rollout.time > spin.start + 0.02) & (rollout.time < spin.end)].min() > 1.0
+
+
+def test_a_mug_is_put_on_the_shelf_from_prompt_document_to_replay(tmp_path):
+    """A document as a drafter writes it, through every stage to the class in PhysX."""
+    raw = graph.document(
+        "mug",
+        "The mug is picked up and put on the shelf.",
+        {
+            "mug": graph.asset("mug", (12, 9, 10), 0.35),
+            "shelf": graph.asset("shelf", (80, 30, 120), 20),
+            "table": graph.asset("table", (120, 80, 75), 30),
+        },
+        {
+            "shelf_1": graph.node("shelf"),
+            "table_1": graph.node("table"),
+            "mug_1": graph.node("mug", "table_top"),
+        },
+        [
+            graph.rel("mug_1", "on", "table_1"),
+            graph.rel("shelf_1", "near", "table_1"),
+            *(graph.rel(n, "face", "ground_1", cardinal="+Y")
+              for n in ("shelf_1", "table_1", "mug_1")),
+        ],
+        graph.timeline(
+            {"mug_1": graph.active("ANY_3D")},
+            [
+                graph.event("lifted", "PickedUp", ["mug_1"], window=[0.2, 3]),
+                graph.event("put", "Placed", ["mug_1", "shelf_1"], window=[3.1, 12]),
+            ],
+            [
+                graph.edge("lift", "scene_start", "lifted", "Guide", "mug_1"),
+                graph.edge("carry", "lifted", "put", "Guide", "mug_1", target="shelf_1"),
+            ],
+        ),
+        {"table_top": graph.region("table_1")},
+    )  # fmt: skip
+    assert verify(raw) == ()
+    doc = cast(resolve(EsgDocument.model_validate(raw)))
+    assert doc.choreography is not None
+    doc = optimize(solve(doc, hints=stored_hints(doc.choreography)))
+    assert verify(doc) == ()
+    assert doc.dynamics_result is not None and doc.dynamics_result.outcome == "solved"
+    compile_scene(doc, tmp_path)
+    replay = replay_class(tmp_path, dt=1 / 240)
+    names = replay.scene.names
+    mug, shelf = names.index("mug_1"), replay.scene.body("shelf_1")
+    end, speed = replay.rollout.position[0, -1, mug], replay.rollout.linear_velocity[0, -1, mug]
+    low, high = body_bounds(shelf)
+    assert np.linalg.norm(speed) < 0.02
+    assert (low[:2] < end[:2]).all() and (end[:2] < high[:2]).all()
+    surface = top_surface(effective(doc), "shelf_1").center_cm[2] / 100.0
+    bottom = end[2] + replay.scene.body("mug_1").origin_offset[2]
+    assert bottom == pytest.approx(surface, abs=0.01)
