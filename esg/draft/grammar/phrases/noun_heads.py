@@ -13,13 +13,16 @@ from esg.draft.grammar.phrases.noun_questions import (
     bare_color,
     color_acts,
     does_next,
+    ends_as_noun,
     ends_phrase,
+    heap_of,
     is_attribute_start,
     is_name,
     let_do,
     like_a_verb,
     many_do,
     names_it,
+    names_no_thing,
     noun_then_verb,
     numbers,
     one_does,
@@ -159,6 +162,8 @@ def _compound(c: Chunks, j: int, noun: NounMatch, m: Mention) -> tuple[int, bool
         following = match_noun(c, k) if k < len(c.tokens) else None
         if following is None or plural or not _continues(c, k, following, m):
             break
+        if heap_of(c, k, entry):
+            break  # "a domino chain"
         m.adjectives.extend(" ".join(t.low for t in c.tokens[first:k]).split())
         entry, n, plural, phrase = following
         first, k = k, k + n
@@ -253,7 +258,7 @@ def _unknown_after(c: Chunks, j: int, m: Mention) -> int:
     if token.low in _NO_NOUNS or verb_readings(token.low):
         return j
     single, several = lex.singular(token.low)
-    if single in lex.ATTRIBUTES:
+    if single in lex.ATTRIBUTES or names_no_thing(single):
         m.attribute, m.head, m.noun = True, single, None
     elif single in lex.PARTS:
         m.part = single
@@ -411,6 +416,9 @@ def _adjective_alone(c: Chunks, p: Place, m: Mention) -> Head | None:
         return OTHER
     if p.at < len(c.tokens) and unknown_noun(c, p.at):
         return OTHER
+    if p.at < len(c.tokens) and ends_as_noun(c, p.at, m):
+        m.attribute, m.head = True, p.low
+        return Head(p.at + 1)
     last = m.adjectives[-1]
     if not known_adjective(last) and not last.startswith("@"):
         m.adjectives.pop()  # the tagger took an unknown noun for an adjective
@@ -436,7 +444,7 @@ def _unknown(c: Chunks, p: Place, m: Mention) -> Head | None:
     if not introduced and tokens[j].tag not in ("NOUN", "PROPN") and not named_before(c, j):
         return OTHER
     k = j
-    while _unknown_goes_on(c, k) or noun_then_verb(c, k + 1, m):
+    while _unknown_goes_on(c, k, m) or noun_then_verb(c, k + 1, m):
         m.adjectives.append(low_at(c, k))
         k += 1
     known = match_noun(c, k + 1) if k + 1 < len(tokens) else None
@@ -447,13 +455,16 @@ def _unknown(c: Chunks, p: Place, m: Mention) -> Head | None:
     if k == j and is_name(c, j, m):
         m.head, m.plural, m.noun = low_at(c, k), False, lex.nouns()["person"]
     titled = k == j and k + 1 < len(tokens) and tokens[k + 1].text == ":"
-    m.attribute = m.head in lex.ATTRIBUTES and not titled  # "Night has fallen."
+    nothing = m.noun is None and (m.head in lex.ATTRIBUTES or names_no_thing(m.head))
+    m.attribute = nothing and not titled  # "Night has fallen."
     m.known = m.attribute or m.noun is not None
     return Head(k + 1)
 
 
-def _unknown_goes_on(c: Chunks, k: int) -> bool:
+def _unknown_goes_on(c: Chunks, k: int, m: Mention) -> bool:
     """Whether one more unknown noun follows the one at token k."""
+    if looks_like_verb(c, k + 1, m):
+        return False  # "a metronome ticks"
     if k + 1 >= len(c.tokens) or match_noun(c, k + 1) is not None or not unknown_noun(c, k + 1):
         return False
     return c.tokens[k + 1].tag in ("NOUN", "PROPN", "") and c.tokens[k].tag != ""
@@ -478,10 +489,10 @@ def _verb_form(c: Chunks, p: Place, m: Mention) -> Head | None:
 
 
 HEADS: tuple[HeadReader, ...] = (
+    _body_part,
     _known,
     _rest,
     _piece,
-    _body_part,
     _part,
     _bus_stop,
     _doer,

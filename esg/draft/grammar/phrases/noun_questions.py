@@ -8,6 +8,7 @@ from esg.draft.grammar.phrases.nouns import low_at, match_noun, token_at
 from esg.draft.grammar.phrases.reader import element_before, noun_soon, verb_ahead
 from esg.draft.text.elements import Mention, Verb, Word
 from esg.draft.verbphrases import verb_readings
+from esg.lexicon.senses import no_things
 
 _NUMERALS = lex.word_set("numerals")
 _ALSO_THINGS = lex.word_set("also things")
@@ -19,6 +20,8 @@ _TOOLS = frozenset({"saw", "shot"})
 _IS = lex.word_set("is")
 _LETTING = lex.word_set("letting (noun questions)")
 _MEASURES = lex.word_set("measures (noun questions)")
+_STACKS = frozenset({"stack", "pile", "heap"})
+_HEAPED, _LINED_UP = lex.word_set("heaped"), lex.word_set("lined up")
 
 
 def numbers(c: Chunks, j: int) -> bool:
@@ -50,17 +53,24 @@ def names_it(m: Mention, low: str) -> bool:
     return bool(m.determiner) and m.determiner not in lex.PRONOUNS and low not in lex.GROUP_WORDS
 
 
-def piled(c: Chunks, k: int, m: Mention) -> int:
-    """ "the tyre stack", "a book pile": several things; the words that say so."""
+def heap_of(c: Chunks, k: int, noun: lex.Noun | None) -> bool:
+    """Whether the word at token k makes several things of the noun before it."""
     word = low_at(c, k)
-    if word not in ("stack", "pile", "heap") or not m.determiner or m.group_word or m.plural:
+    lined_up = noun is not None and noun.kind in _LINED_UP
+    return word in _STACKS or (word in _HEAPED and lined_up)
+
+
+def piled(c: Chunks, k: int, m: Mention) -> int:
+    """ "the tyre stack", "a domino chain": several things; the words that say so."""
+    word = low_at(c, k)
+    if not heap_of(c, k, m.noun) or not m.determiner or m.group_word or m.plural:
         return 0
     nxt = token_at(c, k + 1)
     small = lex.PREPOSITIONS - {"of", "up", "on", "onto"} | {"and", "but", "or", "is", "which"}
     ends = nxt is None or nxt.kind in ("punct", "qty", "number") or nxt.low in small
     if not (ends or _finite(c, k + 1)):
         return 0
-    m.pattern, m.group_word, m.plural, m.count = "stack", word, True, None
+    m.pattern, m.group_word, m.plural, m.count = lex.GROUP_WORDS[word], word, True, None
     return 1
 
 
@@ -204,6 +214,20 @@ def bare_color(c: Chunks, i: int, j: int, m: Mention) -> bool:
         return placed
     acts = any(r.form == "s" for r in verb_readings(nxt.low))
     return placed and (acts or nxt.low in ("into", "off", "onto", "past", "in", "and", "goes"))
+
+
+def names_no_thing(head: str) -> bool:
+    """ "an interaction", "smoke": what nobody can touch, or what things are made of."""
+    return no_things().get(head) in ("nothing", "substance")
+
+
+def ends_as_noun(c: Chunks, k: int, m: Mention) -> bool:
+    """ "a visible dent", "a gentle touch of a finger": no verb, and no thing either."""
+    nxt = token_at(c, k + 1)
+    small = lex.PREPOSITIONS | lex.SUBORDINATORS | {"and", "but", "that", "which"}
+    ends = nxt is None or nxt.kind == "punct" or nxt.low in small
+    base = any(r.form == "base" for r in verb_readings(low_at(c, k)))
+    return m.determiner in ("a", "an") and base and ends and names_no_thing(low_at(c, k))
 
 
 def is_name(c: Chunks, j: int, m: Mention) -> bool:
