@@ -16,30 +16,39 @@ import sys
 
 from esg.lexicon.senses import TABLE, NounClass
 
-_THING, _BODY, _SHAPE, _SUBSTANCE, _PLACE, _POSSESSION = (5, 6, 13, 17, 18, 20), 8, 25, 27, 15, 21
+_THING, _BODY, _SUBSTANCE, _PLACE = (5, 6, 13, 17, 18, 20), 8, 27, 15
 """Lexicographer files (lexnames(5WN)); what is in no other of these names no thing."""
 _PLACES = (
-    "room.1", "facility.1", "way.6", "geological_formation.1", "body_of_water.1", "tract.1",
-    "building_complex.1", "area.5", "atmosphere.3",
+    "room.1", "facility.1", "road.1", "passageway.1", "hallway.1", "stairway.1", "waterway.1",
+    "geological_formation.1", "body_of_water.1", "tract.1", "building_complex.1", "atmosphere.3",
 )  # fmt: skip
 _SUBSTANCES = (
     "foodstuff.2", "beverage.1", "condiment.1", "sauce.1", "dough.1", "batter.2", "fuel.1", "gas.2",
     "liquid.1",
 )  # fmt: skip
-_MONEY, _SOLIDS = ("coin.1", "paper_money.1"), ("solid.3", "disk.1")
-"""Concepts below which all names a place or a substance, though filed with things; or a thing."""
+_SHAPED = ("coin.1", "paper_money.1", "bread.1", "solid.3", "disk.1")
+"""Concepts below which all names a place, a substance or a thing, whatever it is filed with."""
 _LEAST_SHARE = 0.25
 """From this weight of its senses that are things on, a noun may name one."""
 _MARKS = (
-    "addition bulge by-product cleft crack creation crevice dent draft draught gap groove harvest"
-    " indentation interface invention lighting modification niche overhang product protuberance"
-    " requirement rift rut scenery scraping segment seam soundtrack stretch stuff subject"
-    " subsection total wrinkle backdrop workings composition opening outlet rendering footing texture"
+    "addition backdrop bulge by-product cleft composition crack creation crevice dent draft"
+    " draught footing gap grip groove harvest indentation interface invention lighting"
+    " modification niche opening outlet overhang physic physics plume product protuberance puff"
+    " rendering requirement rift rut scenery scraping seam segment soundtrack spray stretch stuff"
+    " subject subsection texture total workings wrinkle"
 )
 """Filed with artifacts and objects, but marks on things, results and words for pictures."""
 _THINGS = (
-    "object item thing body letter sign penny dime nickel target obstacle fragment shard token"
-    " droplet feather crowd team audience couple family puppet duplicate plaything"
+    "aerial animal atlas award bait beacon bearing beast belt birdcage biscuit body bone bonfire"
+    " bracket cage campfire catheter charm club coral cork couple cracker creature crowd diamond"
+    " diary dime display document droplet drum duplicate eggs family fawn feather fieldstone fig"
+    " file fireplace flint food fragment furnace ghost guidepost hatch incinerator individual"
+    " insert item journal kiln leaflet ledger letter level lid limb mail mechanism medal memorial"
+    " menu mite model nickel object obstacle opener organ packet page patch pennant pennies penny"
+    " pick pickle placard plant plaything pounder press pretzel prize probe puppet quiver rattle"
+    " ray relic rule sampler seat shaft shard showcase shred sign silver somebody spotlight straw"
+    " strut tag target team thing thorn ticket toast token tool triangle tug unit wafer wagon"
+    " waterfall yardstick zip"
 )
 """What prompts mean as things, whatever is commonest in texts."""
 _WORD = re.compile(r"[a-z][a-z-]+")
@@ -116,19 +125,20 @@ def above(net: WordNet, start: str) -> set[str]:
 def _class_of(net: WordNet, offset: str, wider: dict[str, set[str]]) -> NounClass | None:
     """What a concept is; None for a thing."""
     file, all_above = net.concepts[offset].file, above(net, offset)
+    if all_above & wider["shaped"]:
+        return None
     if file == _PLACE or all_above & wider["places"]:
         return "place"
     if file == _SUBSTANCE or all_above & wider["substances"]:
         return "substance"
     if file == _BODY:
         return "body"
-    thing = file in _THING or (file == _POSSESSION and all_above & wider["money"])
-    return None if thing or (file == _SHAPE and all_above & wider["solids"]) else "nothing"
+    return None if file in _THING else "nothing"
 
 
 def classes(net: WordNet) -> dict[str, NounClass]:
     """The single words that as nouns name no thing, and what they name instead."""
-    groups = {"places": _PLACES, "substances": _SUBSTANCES, "money": _MONEY, "solids": _SOLIDS}
+    groups = {"places": _PLACES, "substances": _SUBSTANCES, "shaped": _SHAPED}
     wider = {name: {net.find(x) for x in words} for name, words in groups.items()}
     found: dict[str, NounClass] = {}
     for word, offsets in sorted(net.senses.items()):

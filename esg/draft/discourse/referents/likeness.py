@@ -17,6 +17,8 @@ _PEOPLE = re.compile(
     r"|^(?:step|grand|ex-|god|vice-)(?!stand)\w+"
 )
 """Words that name persons by how they are built."""
+_ROOTED_KG = 100.0
+"""What is lighter and only like a fixture may move."""
 _OF_THE_GROUND = frozenset({"structural", "decal"})
 _OF_THEIR_OWN = lex.word_set("kinds of their own")
 
@@ -51,6 +53,8 @@ def _like(words: str, head: str) -> lex.Noun | None:
         return None
     if own is None and model.kind in _OF_THEIR_OWN:
         model = replace(model, kind="generic")
+    if own is None and (above is None or (above.mass_kg or kind.mass_kg) < _ROOTED_KG):
+        model = replace(model, traits=model.traits - {"fixed"})  # "a tumbleweed" is like a bush
     figures = above if own is None else None
     longest = figures.longest_cm if figures is not None else None
     mass = figures.mass_kg if figures is not None else None
@@ -77,12 +81,11 @@ def _named() -> dict[str, Kind]:
 
 @cache
 def _drawn() -> dict[str, Kind]:
-    """Kinds of the library alone, by every name."""
+    """Kinds that are drawn, by every name that the library knows."""
     found: dict[str, Kind] = {}
     for kind in _named().values():
         for name in (kind.name, *kind.found_as):
-            if not kind.kind:
-                found.setdefault(re.sub(r"[^a-z0-9]+", " ", name), kind)
+            found.setdefault(re.sub(r"[^a-z0-9]+", " ", name), kind)
     return found
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from esg.draft import lexicon as lex
+from esg.draft.discourse.referents.matching import same_kind
 from esg.draft.discourse.referents.record import World
 from esg.draft.text.elements import Mention
 from esg.lexicon.hypernyms import hypernyms
@@ -27,8 +28,9 @@ def names_nothing(world: World, m: Mention, subject: bool) -> bool:
         m: The noun phrase.
         subject: Whether it is a grammatical subject.
     """
-    named = any(e.head == m.head for e in world.entities.values())
-    return not named and any(test(world, m, subject) for test in _TESTS)
+    if m.part or any(same_kind(m, e) for e in world.entities.values()):
+        return False
+    return any(test(world, m, subject) for test in _TESTS)
 
 
 def _cushion(world: World, m: Mention, subject: bool) -> bool:

@@ -10,12 +10,14 @@ from esg.draft import lexicon as lex
 from esg.draft.grammar.phrases.chunks import Chunks, NounMatch
 from esg.draft.grammar.phrases.letters import letters
 from esg.draft.grammar.phrases.noun_questions import (
+    PIECES,
     bare_color,
     color_acts,
     does_next,
     ends_as_noun,
     ends_phrase,
     heap_of,
+    in_a_lump,
     is_attribute_start,
     is_name,
     let_do,
@@ -31,6 +33,7 @@ from esg.draft.grammar.phrases.noun_questions import (
     plain_noun,
     pronoun_here,
     waiting_place,
+    wisp,
 )
 from esg.draft.grammar.phrases.nouns import low_at, match_noun, token_at
 from esg.draft.grammar.phrases.reader import (
@@ -45,7 +48,6 @@ from esg.draft.grammar.phrases.rows import inner_phrase, member_of_row, the_rest
 from esg.draft.text.elements import Mention
 from esg.draft.verbphrases import verb_readings
 
-_PIECES = lex.word_set("pieces")
 _RUNNING_GEAR = lex.word_set("running gear")
 _SINGULAR = lex.word_set("singular")
 _MOSTLY_NOUNS = lex.word_set("mostly nouns")
@@ -112,8 +114,8 @@ def _noun_here(c: Chunks, j: int, m: Mention) -> NounMatch | None:
     noun = match_noun(c, j) if j < len(c.tokens) else None
     if noun is None:
         return None
-    if noun[3] == "corner" and low_at(c, j + 1) == "of":
-        return None  # of a room or a table, not of the street
+    if noun[3] in ("corner", "entrance", "exit") and low_at(c, j + 1) == "of":
+        return None  # of a room or a table, not of the street; a tunnel has no door
     if noun[3] == "path" and m.determiner and low_at(c, j + 1) == "of":
         return None  # "into the path of a tram": no footpath
     if m.determiner in ("both", "all") and many_do(c, j, m):
@@ -258,7 +260,7 @@ def _unknown_after(c: Chunks, j: int, m: Mention) -> int:
     if token.low in _NO_NOUNS or verb_readings(token.low):
         return j
     single, several = lex.singular(token.low)
-    if single in lex.ATTRIBUTES or names_no_thing(single):
+    if single in lex.ATTRIBUTES or names_no_thing(token.low):
         m.attribute, m.head, m.noun = True, single, None
     elif single in lex.PARTS:
         m.part = single
@@ -277,9 +279,18 @@ def _rest(c: Chunks, p: Place, m: Mention) -> Head | None:
     return Head(the_rest(c, p.at, m))
 
 
+def _wisp(c: Chunks, p: Place, m: Mention) -> Head | None:
+    """ "a puff of smoke": no thing."""
+    words = wisp(c, p.at)
+    if not words:
+        return OTHER
+    m.head, m.attribute = p.low, True
+    return Head(p.at + words)
+
+
 def _piece(c: Chunks, p: Place, m: Mention) -> Head | None:
     """ "a roll of tape": the thing itself."""
-    if p.low not in _PIECES or low_at(c, p.at + 1) != "of":
+    if p.low not in PIECES or low_at(c, p.at + 1) != "of":
         return OTHER
     inner = inner_phrase(c, p.at + 2, m)
     return Head(inner, complete=True) if inner else OTHER
@@ -455,7 +466,9 @@ def _unknown(c: Chunks, p: Place, m: Mention) -> Head | None:
     if k == j and is_name(c, j, m):
         m.head, m.plural, m.noun = low_at(c, k), False, lex.nouns()["person"]
     titled = k == j and k + 1 < len(tokens) and tokens[k + 1].text == ":"
-    nothing = m.noun is None and (m.head in lex.ATTRIBUTES or names_no_thing(m.head))
+    bare = not m.determiner and m.count is None
+    nothing = m.head in lex.ATTRIBUTES or names_no_thing(low_at(c, k), bare=bare)
+    nothing = nothing and m.noun is None and not in_a_lump(c, p.first)
     m.attribute = nothing and not titled  # "Night has fallen."
     m.known = m.attribute or m.noun is not None
     return Head(k + 1)
@@ -490,6 +503,7 @@ def _verb_form(c: Chunks, p: Place, m: Mention) -> Head | None:
 
 HEADS: tuple[HeadReader, ...] = (
     _body_part,
+    _wisp,
     _known,
     _rest,
     _piece,

@@ -17,10 +17,13 @@ _MEETING = lex.word_set("meeting (noun questions)")
 _ARTICLES = lex.word_set("articles")
 _TOOLS = frozenset({"saw", "shot"})
 """Things whose names are also the past of a verb."""
+PIECES = lex.word_set("pieces")
 _IS = lex.word_set("is")
 _LETTING = lex.word_set("letting (noun questions)")
 _MEASURES = lex.word_set("measures (noun questions)")
 _STACKS = frozenset({"stack", "pile", "heap"})
+_WISPS, _WISPS_OF = lex.word_set("wisps"), lex.word_set("wisps of")
+_SHINING = lex.word_set("shining")
 _HEAPED, _LINED_UP = lex.word_set("heaped"), lex.word_set("lined up")
 
 
@@ -216,9 +219,30 @@ def bare_color(c: Chunks, i: int, j: int, m: Mention) -> bool:
     return placed and (acts or nxt.low in ("into", "off", "onto", "past", "in", "and", "goes"))
 
 
-def names_no_thing(head: str) -> bool:
-    """ "an interaction", "smoke": what nobody can touch, or what things are made of."""
-    return no_things().get(head) in ("nothing", "substance")
+def names_no_thing(word: str, *, bare: bool = False) -> bool:
+    """ "an interaction", "smoke": what nobody can touch, or what things are made of.
+
+    Args:
+        word: The noun as it stands.
+        bare: Whether it has neither article nor number ("stirs soup").
+    """
+    kinds = {no_things().get(word), no_things().get(lex.singular(word)[0])}
+    return bool(kinds & {"nothing", "substance"}) or (bare and word in lex.SUBSTANCES)
+
+
+def wisp(c: Chunks, j: int) -> int:
+    """ "a plume of grey smoke", "a laser beam": the words from token j on, 0 if it is a thing."""
+    if lex.singular(low_at(c, j))[0] not in _WISPS:
+        return 0
+    if low_at(c, j + 1) == "of":
+        of = next((k for k in (j + 2, j + 3) if low_at(c, k) in _WISPS_OF), j)
+        return of + 1 - j if of > j else 0
+    return int(lex.singular(low_at(c, j))[0] == "beam" and low_at(c, j - 1) in _SHINING)
+
+
+def in_a_lump(c: Chunks, i: int) -> bool:
+    """ "a lump of clay": a thing, whatever it is made of."""
+    return low_at(c, i - 1) == "of" and low_at(c, i - 2) in PIECES
 
 
 def ends_as_noun(c: Chunks, k: int, m: Mention) -> bool:
