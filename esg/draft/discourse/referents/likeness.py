@@ -10,6 +10,7 @@ from esg.draft import lexicon as lex
 from esg.draft.discourse.referents.entities import nameless
 from esg.lexicon import Kind, kinds
 from esg.lexicon.hypernyms import hypernyms
+from esg.lexicon.senses import no_things
 
 _PEOPLE = re.compile(
     r"(?:man|men|woman|women|person|(?<!e)ist|player|keeper|worker|driver|officer|smith|monger"
@@ -51,13 +52,13 @@ def _like(words: str, head: str) -> lex.Noun | None:
     model = _behaves(kind)
     if _OF_THE_GROUND & model.traits:
         return None
-    if own is None and model.kind in _OF_THEIR_OWN:
+    if own is None and (model.kind in _OF_THEIR_OWN or no_things().get(head) == "place"):
         model = replace(model, kind="generic")
-    if own is None and (above is None or (above.mass_kg or kind.mass_kg) < _ROOTED_KG):
-        model = replace(model, traits=model.traits - {"fixed"})  # "a tumbleweed" is like a bush
     figures = above if own is None else None
-    longest = figures.longest_cm if figures is not None else None
     mass = figures.mass_kg if figures is not None else None
+    if (mass or kind.mass_kg) < _ROOTED_KG:
+        model = replace(model, traits=model.traits - {"fixed"})  # "a tumbleweed" is like a bush
+    longest = figures.longest_cm if figures is not None else None
     scale = longest / max(kind.dimensions_cm) if longest else 1.0
     length, width, height = (round(scale * d, 3) for d in kind.dimensions_cm)
     cube = length == width == height

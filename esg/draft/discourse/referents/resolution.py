@@ -29,6 +29,7 @@ from esg.draft.discourse.referents.wholes import whole_of
 from esg.draft.text.elements import Mention
 
 _STACKS = lex.word_set("stacks (resolution)")
+_OF_A_TRADE = lex.word_set("of a trade")
 _THE = ("the", "this", "that")
 _ONE = ("a", "an", "one", "any")
 _KNOWN = frozenset({*_THE, "these", "those", "its", "his", "her", "their"}) | frozenset(
@@ -98,7 +99,7 @@ def resolve_one(world: World, m: Mention, subject: bool, avoid: list[str]) -> li
     owner = m.possessor
     if m.role and m.determiner != "a" and (driven := _driven(world, owner)):
         return driven  # "the driver brakes": the car
-    if owner is not None and not owner.pronoun and owner.noun is not None:
+    if owner is not None and not owner.pronoun and owner.noun is not None and not _any(owner, m):
         resolve(world, owner)  # "the man's hat": the man is there too
     found = existing(world, m, avoid)
     another = OTHER & {*m.adjectives} or owner is not None
@@ -106,6 +107,17 @@ def resolve_one(world: World, m: Mention, subject: bool, avoid: list[str]) -> li
         found = []  # "a curling stone hits the guard stone": not itself
     enrich(world, m, found)
     return found or create(world, m)
+
+
+def _any(owner: Mention, m: Mention) -> bool:
+    """ "a student's desk", "a barber's chair": what sort of thing it is, not whose."""
+    person = owner.noun is not None and owner.noun.kind == "person"
+    return (
+        person
+        and owner.determiner in ("a", "an")
+        and m.noun is not None
+        and (m.noun.kind in _OF_A_TRADE)
+    )
 
 
 def _plural_by_name(world: World, m: Mention) -> list[str]:

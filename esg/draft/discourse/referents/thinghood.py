@@ -8,7 +8,6 @@ from esg.draft import lexicon as lex
 from esg.draft.discourse.referents.matching import same_kind
 from esg.draft.discourse.referents.record import World
 from esg.draft.text.elements import Mention
-from esg.lexicon.hypernyms import hypernyms
 from esg.lexicon.senses import no_things
 
 _SCENES = lex.word_set("scenes")
@@ -44,11 +43,6 @@ def _scene(world: World, m: Mention, subject: bool) -> bool:
         return False
     place = no_things().get(m.head) == "place"
     return (m.head in _SCENES and m.after_prep in _DURING) or (place and m.after_prep in _WHERE)
-
-
-def _shapeless_place(world: World, m: Mention, subject: bool) -> bool:
-    """ "creates a crater": a place that is like nothing which has a shape."""
-    return m.noun is None and no_things().get(m.head) == "place" and m.head not in hypernyms()
 
 
 def _with_a_part(world: World, m: Mention, subject: bool) -> bool:
@@ -87,7 +81,6 @@ def _running_water(world: World, m: Mention, subject: bool) -> bool:
 _TESTS: tuple[Callable[[World, Mention, bool], bool], ...] = (
     _cushion,
     _scene,
-    _shapeless_place,
     _with_a_part,
     _formation,
     _who_films,

@@ -17,7 +17,6 @@ from esg.draft.grammar.phrases.noun_questions import (
     ends_as_noun,
     ends_phrase,
     heap_of,
-    in_a_lump,
     is_attribute_start,
     is_name,
     let_do,
@@ -33,6 +32,7 @@ from esg.draft.grammar.phrases.noun_questions import (
     plain_noun,
     pronoun_here,
     waiting_place,
+    weighed,
     wisp,
 )
 from esg.draft.grammar.phrases.nouns import low_at, match_noun, token_at
@@ -42,6 +42,7 @@ from esg.draft.grammar.phrases.reader import (
     looks_like_verb,
     named_before,
     noun_not_verb,
+    noun_soon,
     unknown_noun,
 )
 from esg.draft.grammar.phrases.rows import inner_phrase, member_of_row, the_rest
@@ -164,8 +165,8 @@ def _compound(c: Chunks, j: int, noun: NounMatch, m: Mention) -> tuple[int, bool
         following = match_noun(c, k) if k < len(c.tokens) else None
         if following is None or plural or not _continues(c, k, following, m):
             break
-        if heap_of(c, k, entry):
-            break  # "a domino chain"
+        if heap_of(c, k, entry) or wisp(c, k):
+            break  # "a domino chain", "a lighthouse beam"
         m.adjectives.extend(" ".join(t.low for t in c.tokens[first:k]).split())
         entry, n, plural, phrase = following
         first, k = k, k + n
@@ -260,7 +261,7 @@ def _unknown_after(c: Chunks, j: int, m: Mention) -> int:
     if token.low in _NO_NOUNS or verb_readings(token.low):
         return j
     single, several = lex.singular(token.low)
-    if single in lex.ATTRIBUTES or names_no_thing(token.low):
+    if single in lex.ATTRIBUTES or names_no_thing(token.low) or wisp(c, j):
         m.attribute, m.head, m.noun = True, single, None
     elif single in lex.PARTS:
         m.part = single
@@ -292,6 +293,11 @@ def _piece(c: Chunks, p: Place, m: Mention) -> Head | None:
     """ "a roll of tape": the thing itself."""
     if p.low not in PIECES or low_at(c, p.at + 1) != "of":
         return OTHER
+    of = low_at(c, p.at + 2)
+    if of in lex.MATERIALS and match_noun(c, p.at + 2) is None and not noun_soon(c, p.at + 3):
+        m.adjectives.append(of)  # "a lump of clay falls"
+        m.head, m.known = p.low, False
+        return Head(p.at + 3)
     inner = inner_phrase(c, p.at + 2, m)
     return Head(inner, complete=True) if inner else OTHER
 
@@ -467,8 +473,10 @@ def _unknown(c: Chunks, p: Place, m: Mention) -> Head | None:
         m.head, m.plural, m.noun = low_at(c, k), False, lex.nouns()["person"]
     titled = k == j and k + 1 < len(tokens) and tokens[k + 1].text == ":"
     bare = not m.determiner and m.count is None
+    titled = titled and m.head in lex.ATTRIBUTES
     nothing = m.head in lex.ATTRIBUTES or names_no_thing(low_at(c, k), bare=bare)
-    nothing = nothing and m.noun is None and not in_a_lump(c, p.first)
+    weighs = any(a.dimension == "mass" for a in m.amounts) or weighed(c, p.first, k)
+    nothing = nothing and m.noun is None and not weighs
     m.attribute = nothing and not titled  # "Night has fallen."
     m.known = m.attribute or m.noun is not None
     return Head(k + 1)

@@ -7,6 +7,7 @@ from esg.draft.grammar.phrases.chunks import Chunks
 from esg.draft.grammar.phrases.nouns import low_at, match_noun, token_at
 from esg.draft.grammar.phrases.reader import element_before, noun_soon, verb_ahead
 from esg.draft.text.elements import Mention, Verb, Word
+from esg.draft.text.numerals import parse_number
 from esg.draft.verbphrases import verb_readings
 from esg.lexicon.senses import no_things
 
@@ -226,6 +227,8 @@ def names_no_thing(word: str, *, bare: bool = False) -> bool:
         word: The noun as it stands.
         bare: Whether it has neither article nor number ("stirs soup").
     """
+    if word in lex.COLORS or parse_number(word) is not None:
+        return False  # "the pink", "ball two"
     kinds = {no_things().get(word), no_things().get(lex.singular(word)[0])}
     return bool(kinds & {"nothing", "substance"}) or (bare and word in lex.SUBSTANCES)
 
@@ -240,9 +243,24 @@ def wisp(c: Chunks, j: int) -> int:
     return int(lex.singular(low_at(c, j))[0] == "beam" and low_at(c, j - 1) in _SHINING)
 
 
-def in_a_lump(c: Chunks, i: int) -> bool:
-    """ "a lump of clay": a thing, whatever it is made of."""
-    return low_at(c, i - 1) == "of" and low_at(c, i - 2) in PIECES
+def weighed(c: Chunks, first: int, last: int) -> bool:
+    """ "a lump of clay", "10 kg of rice", "coal weighing 3 kg": a thing, whatever it is made of.
+
+    Args:
+        c: The text.
+        first: First token of the phrase.
+        last: Its noun.
+    """
+    if low_at(c, first - 1) == "of" and (low_at(c, first - 2) in PIECES or _mass(c, first - 2)):
+        return True
+    said = low_at(c, last + 1) in ("weighing", "of", "with", "has", "weighs")
+    return said and any(_mass(c, k) for k in range(last + 2, last + 6))
+
+
+def _mass(c: Chunks, k: int) -> bool:
+    token = token_at(c, k)
+    amount = token.amount if token is not None else None
+    return amount is not None and amount.dimension in ("mass", "volume")
 
 
 def ends_as_noun(c: Chunks, k: int, m: Mention) -> bool:

@@ -78,9 +78,11 @@ def _compounded(c: Chunks, i: int) -> NounMatch | None:
 
 def _modal(c: Chunks, i: int) -> bool:
     """ "The viewer can watch": no tin."""
-    if low_at(c, i) != "can" or low_at(c, i - 1) in lex.DETERMINERS or i + 1 >= len(c.tokens):
+    if low_at(c, i) != "can" or i == 0 or i + 1 >= len(c.tokens):
         return False
-    after = c.tokens[i + 1]
+    before, after = c.tokens[i - 1], c.tokens[i + 1]
+    if before.tag not in ("NOUN", "PROPN"):
+        return False
     verb = after.tag == "VERB" or low_at(c, i + 1) == "be"
     return verb and c.tokens[i].tag == "AUX" and lex.singular(after.low)[0] == after.low
 
