@@ -16,6 +16,7 @@ from esg.draft.grammar.phrases.noun_questions import (
     does_next,
     ends_as_noun,
     ends_phrase,
+    fills,
     heap_of,
     is_attribute_start,
     is_name,
@@ -207,6 +208,7 @@ def _measure_or_role(c: Chunks, k: int, m: Mention) -> None:
 def _made_of(c: Chunks, j: int, m: Mention) -> int:
     """ "a ball of steel", "an armchair on wheels": no objects of their own."""
     substance = low_at(c, j + 1) in lex.SUBSTANCES and match_noun(c, j + 1) is None
+    substance = substance or (m.noun is not None and fills(c, j + 1, m.noun))
     if low_at(c, j) == "of" and substance:
         m.adjectives.append(low_at(c, j + 1))
         j += 2
@@ -261,7 +263,8 @@ def _unknown_after(c: Chunks, j: int, m: Mention) -> int:
     if token.low in _NO_NOUNS or verb_readings(token.low):
         return j
     single, several = lex.singular(token.low)
-    if single in lex.ATTRIBUTES or names_no_thing(token.low) or wisp(c, j):
+    nothing = (names_no_thing(token.low) and not _weighs(c, j, j, m)) or wisp(c, j)
+    if single in lex.ATTRIBUTES or nothing:
         m.attribute, m.head, m.noun = True, single, None
     elif single in lex.PARTS:
         m.part = single
@@ -475,11 +478,15 @@ def _unknown(c: Chunks, p: Place, m: Mention) -> Head | None:
     bare = not m.determiner and m.count is None
     titled = titled and m.head in lex.ATTRIBUTES
     nothing = m.head in lex.ATTRIBUTES or names_no_thing(low_at(c, k), bare=bare)
-    weighs = any(a.dimension == "mass" for a in m.amounts) or weighed(c, p.first, k)
-    nothing = nothing and m.noun is None and not weighs
+    nothing = nothing and m.noun is None and not _weighs(c, p.first, k, m)
     m.attribute = nothing and not titled  # "Night has fallen."
     m.known = m.attribute or m.noun is not None
     return Head(k + 1)
+
+
+def _weighs(c: Chunks, first: int, last: int, m: Mention) -> bool:
+    """Whether a mass is stated of what a phrase names."""
+    return any(a.dimension == "mass" for a in m.amounts) or weighed(c, first, last)
 
 
 def _unknown_goes_on(c: Chunks, k: int, m: Mention) -> bool:

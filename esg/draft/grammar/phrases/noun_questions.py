@@ -19,6 +19,7 @@ _ARTICLES = lex.word_set("articles")
 _TOOLS = frozenset({"saw", "shot"})
 """Things whose names are also the past of a verb."""
 PIECES = lex.word_set("pieces")
+_VESSELS = lex.word_set("vessels (noun heads)")
 _IS = lex.word_set("is")
 _LETTING = lex.word_set("letting (noun questions)")
 _MEASURES = lex.word_set("measures (noun questions)")
@@ -229,8 +230,10 @@ def names_no_thing(word: str, *, bare: bool = False) -> bool:
     """
     if word in lex.COLORS or parse_number(word) is not None:
         return False  # "the pink", "ball two"
-    kinds = {no_things().get(word), no_things().get(lex.singular(word)[0])}
-    return bool(kinds & {"nothing", "substance"}) or (bare and word in lex.SUBSTANCES)
+    single = lex.singular(word)[0]
+    kinds = {no_things().get(word), no_things().get(single)}
+    filling = bare and word == single and word in lex.SUBSTANCES
+    return filling or bool(kinds & {"nothing", "substance"})
 
 
 def wisp(c: Chunks, j: int) -> int:
@@ -241,6 +244,17 @@ def wisp(c: Chunks, j: int) -> int:
         of = next((k for k in (j + 2, j + 3) if low_at(c, k) in _WISPS_OF), j)
         return of + 1 - j if of > j else 0
     return int(lex.singular(low_at(c, j))[0] == "beam" and low_at(c, j - 1) in _SHINING)
+
+
+def fills(c: Chunks, j: int, vessel: lex.Noun) -> bool:
+    """ "a pot of stew", "a bowl of batter": a bare singular after a vessel is what fills it."""
+    token, after = token_at(c, j), token_at(c, j + 1)
+    if vessel.kind not in _VESSELS or token is None or token.kind != "word":
+        return False
+    closed = lex.DETERMINERS | lex.PRONOUNS | _NUMERALS | _ARTICLES
+    single = lex.singular(token.low)[0] == token.low and token.low not in closed
+    compound = after is not None and (after.tag == "NOUN" or match_noun(c, j + 1) is not None)
+    return token.tag == "NOUN" and single and not compound
 
 
 def weighed(c: Chunks, first: int, last: int) -> bool:
