@@ -8,7 +8,6 @@ WordNet's authors tagged, and their order). Run it again after the rules here we
 
 from __future__ import annotations
 
-from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
 import re
@@ -146,12 +145,13 @@ def classes(net: WordNet) -> dict[str, NounClass]:
         own = [(n, o) for n, o in enumerate(offsets, 1) if not net.concepts[o].instance]
         if not _WORD.fullmatch(word) or all(word not in net.concepts[o].words for _, o in own):
             continue  # names, and what is spelled with a capital
-        weights = Counter[NounClass | None]()
+        weights: dict[NounClass | None, float] = {}
         for n, offset in own:
-            weights[_class_of(net, offset, wider)] += net.counts.get((word, n), 0) + 1.0 / n
-        if weights[None] < _LEAST_SHARE * weights.total():
-            kind = max((k for k in weights if k is not None), key=lambda k: weights[k])
-            found[word] = kind
+            kind = _class_of(net, offset, wider)
+            weights[kind] = weights.get(kind, 0.0) + net.counts.get((word, n), 0) + 1.0 / n
+        if weights.get(None, 0.0) < _LEAST_SHARE * sum(weights.values()):
+            others: list[NounClass] = [k for k in weights if k is not None]
+            found[word] = max(others, key=lambda k: weights[k])
     found.update(dict.fromkeys(_MARKS.split(), "nothing"))
     for word in _THINGS.split():
         found.pop(word, None)

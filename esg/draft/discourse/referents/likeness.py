@@ -21,7 +21,7 @@ _PEOPLE = re.compile(
 _ROOTED_KG = 100.0
 """What is lighter and only like a fixture may move."""
 _OF_THE_GROUND = frozenset({"structural", "decal"})
-_OF_THEIR_OWN = lex.word_set("kinds of their own")
+_ALIKE = lex.word_set("behave alike")
 
 
 def unknown_noun(head: str, adjectives: list[str] | None = None) -> lex.Noun:
@@ -50,9 +50,10 @@ def _like(words: str, head: str) -> lex.Noun | None:
     if kind is None:
         return None
     model = _behaves(kind)
+    model = replace(model, traits=model.traits - {"topples"})  # it falls as other things do
     if _OF_THE_GROUND & model.traits:
         return None
-    if own is None and (model.kind in _OF_THEIR_OWN or no_things().get(head) == "place"):
+    if model.kind not in _ALIKE or no_things().get(head) == "place":
         model = replace(model, kind="generic")
     figures = above if own is None else None
     mass = figures.mass_kg if figures is not None else None
@@ -93,9 +94,8 @@ def _drawn() -> dict[str, Kind]:
 @cache
 def _behaves(kind: Kind) -> lex.Noun:
     """A noun that moves and behaves like a kind, be that one of the drafter's or not."""
-    for name in (kind.name, *kind.found_as):
-        if name in lex.nouns():
-            return lex.nouns()[name]
+    if kind.name in lex.nouns():
+        return lex.nouns()[kind.name]
     classes = {noun.kind for noun in lex.nouns().values()}
     return lex.Noun(
         name=kind.name,
