@@ -51,9 +51,10 @@ def _like(words: str, head: str) -> lex.Noun | None:
         return None
     model = _behaves(kind)
     model = replace(model, traits=model.traits - {"topples"})  # it falls as other things do
-    if _OF_THE_GROUND & model.traits:
-        return None
-    if model.kind not in _ALIKE or no_things().get(head) == "place":
+    place = no_things().get(head) == "place"
+    if _OF_THE_GROUND & model.traits or (place and model.kind in ("animal", "person")):
+        return None  # a quarry is no game
+    if model.kind not in _ALIKE or place:
         model = replace(model, kind="generic")
     figures = above if own is None else None
     mass = figures.mass_kg if figures is not None else None
