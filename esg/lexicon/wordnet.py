@@ -30,7 +30,7 @@ _SHAPED = ("coin.1", "paper_money.1", "bread.1", "solid.3", "disk.1")
 _LEAST_SHARE = 0.25
 """From this weight of its senses that are things on, a noun may name one."""
 _MARKS = (
-    "addition backdrop bulge by-product cleft clink composition crack crater creation crevice"
+    "abyss addition backdrop bulge by-product cleft clink composition crack crater creation crevice"
     " dent draft draught footing furrow gap grip groove harvest indentation interface invention"
     " lighting modification niche opening outlet overhang physic physics plume product"
     " protuberance puff rendering requirement rift rut scenery scraping seam segment soundtrack"

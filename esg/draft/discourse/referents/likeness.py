@@ -21,6 +21,7 @@ _PEOPLE = re.compile(
 _ROOTED_KG = 100.0
 """What is lighter and only like a fixture may move."""
 _OF_THE_GROUND = frozenset({"structural", "decal"})
+_SCENES = lex.word_set("scenes")
 _ALIKE = lex.word_set("behave alike")
 
 
@@ -51,7 +52,7 @@ def _like(words: str, head: str) -> lex.Noun | None:
         return None
     model = _behaves(kind)
     model = replace(model, traits=model.traits - {"topples"})  # it falls as other things do
-    place = no_things().get(head) == "place"
+    place = no_things().get(head) == "place" or head in _SCENES
     if _OF_THE_GROUND & model.traits or (place and model.kind in ("animal", "person")):
         return None  # a quarry is no game
     if model.kind not in _ALIKE or place:

@@ -16,7 +16,9 @@ _WHERE = lex.word_set("where things are")
 _WITH = lex.word_set("with a part of the body")
 _FILMING = lex.word_set("filming")
 _TO_PIECES = lex.word_set("to pieces")
-_THE_PICTURE = frozenset({"", "the"})
+_PICTURE, _THE_PICTURE = ("frame", "screen"), ("", "the")
+_ACROSS = ("across", "of", "off", "on")
+_OWN = ("his", "her", "its", "their")
 
 
 def names_nothing(world: World, m: Mention, subject: bool) -> bool:
@@ -27,7 +29,7 @@ def names_nothing(world: World, m: Mention, subject: bool) -> bool:
         m: The noun phrase.
         subject: Whether it is a grammatical subject.
     """
-    if m.part or any(same_kind(m, e) for e in world.entities.values()):
+    if any(same_kind(m, e) for e in world.entities.values()):
         return False
     return any(test(world, m, subject) for test in _TESTS)
 
@@ -39,16 +41,17 @@ def _cushion(world: World, m: Mention, subject: bool) -> bool:
 
 def _scene(world: World, m: Mention, subject: bool) -> bool:
     """ "in a depot", "over a valley", "along a hallway"."""
-    if m.noun is not None or not m.after_prep:
-        return False
+    if m.noun is not None or not m.after_prep or m.part:
+        return False  # "over the edge of a quarry"
     place = no_things().get(m.head) == "place"
     return (m.head in _SCENES and m.after_prep in _DURING) or (place and m.after_prep in _WHERE)
 
 
 def _with_a_part(world: World, m: Mention, subject: bool) -> bool:
-    """ "with one hand", "in its mouth": a part of who acts."""
+    """ "with one hand", "in its mouth", "wags its tail": a part of who acts."""
     part = m.head in lex.BODY_PARTS or (m.noun is None and no_things().get(m.head) == "body")
-    return part and m.after_prep in _WITH and m.possessor is None
+    own = m.after_prep in _WITH or (m.determiner in _OWN and not subject)
+    return part and own and m.possessor is None
 
 
 def _formation(world: World, m: Mention, subject: bool) -> bool:
@@ -65,7 +68,9 @@ def _who_films(world: World, m: Mention, subject: bool) -> bool:
     """ "shot with a static camera", "towards the camera", "out of the frame"."""
     if m.head == "camera":
         return m.after_prep in _FILMING
-    return m.head == "frame" and m.determiner in _THE_PICTURE and not m.adjectives
+    if m.head == "screen" and not (m.part or m.after_prep in _ACROSS):
+        return False
+    return m.head in _PICTURE and m.determiner in _THE_PICTURE and not m.adjectives
 
 
 def _pieces(world: World, m: Mention, subject: bool) -> bool:
@@ -74,8 +79,9 @@ def _pieces(world: World, m: Mention, subject: bool) -> bool:
 
 
 def _running_water(world: World, m: Mention, subject: bool) -> bool:
-    """ "Water drips from a tap": no pool of it."""
-    return subject and m.head == "water" and not m.determiner
+    """ "Water drips from a tap", "filled with water": no pool of it."""
+    bare = m.head == "water" and not m.determiner
+    return bare and (subject or m.after_prep in ("of", "with"))
 
 
 _TESTS: tuple[Callable[[World, Mention, bool], bool], ...] = (

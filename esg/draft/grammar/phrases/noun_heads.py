@@ -116,7 +116,7 @@ def _noun_here(c: Chunks, j: int, m: Mention) -> NounMatch | None:
     noun = match_noun(c, j) if j < len(c.tokens) else None
     if noun is None:
         return None
-    if noun[3] in ("corner", "entrance", "exit") and low_at(c, j + 1) == "of":
+    if noun[3] in ("corner", "entrance", "exit", "rim") and low_at(c, j + 1) == "of":
         return None  # of a room or a table, not of the street; a tunnel has no door
     if noun[3] == "path" and m.determiner and low_at(c, j + 1) == "of":
         return None  # "into the path of a tram": no footpath
