@@ -18,9 +18,11 @@ from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.statements.unkept import dropped, missing
 from esg.draft.statements.unseen import NO_MANNER, manner, unseen
 from esg.draft.text.elements import Word
-from esg.graph.models import Predicate, Quantity, Statement, TimelineEdge
+from esg.graph.models import EdgeEvent, Predicate, Quantity, Statement, TimelineEdge
 
 START = "scene_start"
+GENTLE_CM_S = 150.0
+"""What is put down "gently" is nowhere faster: hands that reach go at 0.5 to 1.5 m/s."""
 _LASTING = ("own", "roll", "slide", "spin", "coast", "continue", "accelerate", "brake", "swerve")
 """Senses of moving on something, and not onto it."""
 _TURNING = ("turn", "swerve", "face", "topple")
@@ -285,6 +287,8 @@ def _pace(d: Discourse, clause: Clause, mover: str, says: Predicate) -> float | 
     """The speed [cm/s] that a word such as "slowly" leaves a mover of its kind."""
     since = clause.since.get(mover, START)
     edge = next((e for e in _of(d, mover) if e.from_ == since), None)
+    if edge is not None and edge.event is EdgeEvent.GUIDE:
+        return GENTLE_CM_S if says is Predicate.SLOWER_THAN else None
     speed: Quantity | None = edge.params.speed if edge is not None else None
     if edge is None or edge.speed_is_prescribed or not isinstance(speed, tuple):
         return None
