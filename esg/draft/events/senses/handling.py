@@ -6,6 +6,7 @@ from esg.draft import lexicon as lex
 from esg.draft.discourse.core import kind_of, mark_used, movable, structural
 from esg.draft.discourse.places import holds, place
 from esg.draft.discourse.record import Discourse
+from esg.draft.discourse.referents.entities import Entity
 from esg.draft.discourse.scene import GROUND, SPEEDS
 from esg.draft.discourse.tracks import Motion
 from esg.draft.events.acts import add_event
@@ -170,7 +171,7 @@ def bounces_on_ground(d: Discourse, f: Frame, s: list[str], met: list[str]) -> b
         return False
     free = [i for i in s if "round" in traits_of(d, i) and movable(d, i)]
     free = [i for i in free if not moved_by_others(d, i)]
-    target = met[0] if met and not structural(d, met[0]) else GROUND
+    target = met[0] if met and not structural(d, met[0]) else _ground(d)
     for body in free:
         if at_rest(d, body):
             drop = Motion("drop", 0.0, params={"elevation_deg": -90.0, "spin": "none"})
@@ -181,6 +182,13 @@ def bounces_on_ground(d: Discourse, f: Frame, s: list[str], met: list[str]) -> b
     if free:
         mark_used(d, f, "bounce")
     return bool(free)
+
+
+def _ground(d: Discourse) -> str:
+    """The node of the ground, which is drawn whether it is named or not."""
+    noun = lex.nouns()["ground"]
+    ground = Entity(GROUND, noun, noun.name, noun.name, mentioned=False)
+    return d.world.entities.setdefault(GROUND, ground).id
 
 
 def _so_often(d: Discourse, f: Frame, node: str) -> None:
