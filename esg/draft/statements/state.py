@@ -9,7 +9,7 @@ from typing import Any
 from esg.draft.discourse.core import kind_of, structural
 from esg.draft.discourse.proposition import Clause, Said
 from esg.draft.discourse.record import Discourse
-from esg.draft.discourse.scene import SELF_POWERED
+from esg.draft.discourse.scene import GROUND, SELF_POWERED
 from esg.draft.events.courses import AT_ITS_OWN_PACE, measurable
 from esg.draft.events.motions import flies_itself
 from esg.draft.events.stated import start_of
@@ -25,6 +25,11 @@ GENTLE_CM_S = 150.0
 """What is put down "gently" is nowhere faster: hands that reach go at 0.5 to 1.5 m/s."""
 _LASTING = ("own", "roll", "slide", "spin", "coast", "continue", "accelerate", "brake", "swerve")
 """Senses of moving on something, and not onto it."""
+_POSTURES = {
+    **dict.fromkeys(("hang", "dangle", "suspend"), Predicate.HANGS_FROM),
+    **dict.fromkeys(("lean", "prop"), Predicate.LEANS_ON),
+}
+"""What verbs of posture say of what holds something."""
 _TURNING = ("turn", "swerve", "face", "topple")
 """Senses whose sides are not ways of moving."""
 _ON_THE_WAY = ("along", "across", "through")
@@ -70,6 +75,8 @@ def state(d: Discourse, frames: list[Frame], words: list[Word]) -> tuple[Stateme
             _unkept(book, clause.frame, why)
         if clause.movers:
             _motion(book, clause)
+        else:
+            _posture(book, clause)
     said = {(s.start, s.end) for s in book.items}
     for f in frames:
         why = "" if (f.verb.start, f.verb.end) in said else dropped(d, f)
@@ -78,8 +85,8 @@ def state(d: Discourse, frames: list[Frame], words: list[Word]) -> tuple[Stateme
     for w in words:
         if (w.start, w.end) not in d.scene.used and manner(w.low):
             book.add(Predicate.NOT_REPRESENTED, w.start, w.end, note=NO_MANNER)
-    for m, why in unseen(d):
-        book.add(Predicate.NOT_REPRESENTED, m.start, m.end, note=why)
+    for start, end, why in unseen(d, frames):
+        book.add(Predicate.NOT_REPRESENTED, start, end, note=why)
     for actor, at in d.moves.still.items():
         if actor in d.world.entities:
             book.add(Predicate.STAYS_STILL, at, _word_end(d.text, at), object=(actor,))
@@ -130,7 +137,7 @@ def _said(book: _Book, clause: Clause, s: Said, mover: str) -> None:
     elif s.row.part == "goal":
         _goal(book, clause, s, mover)
     elif says is Predicate.AIRBORNE:
-        if mover in d.moves.flying or kind_of(d, mover) == "flyer" or flies_itself(d, mover):
+        if clause.frame.verb.sense == "fly" or mover in d.moves.flying or flies_itself(d, mover):
             book.add(says, s.start, s.end, object=(mover,), when=where)
     elif says in (Predicate.INSIDE, Predicate.SUPPORTED_BY):
         _driver(book, clause, s, mover)
@@ -142,6 +149,21 @@ def _said(book: _Book, clause: Clause, s: Said, mover: str) -> None:
                      direction=s.row.direction, when=where)  # fmt: skip
     elif says is Predicate.MOVES:
         _direction(book, clause, s, mover, where)
+
+
+def _posture(book: _Book, clause: Clause) -> None:
+    """ "A lamp hangs from a branch", "a broom leans on a wall"."""
+    d, f = book.d, clause.frame
+    says = _POSTURES.get(f.verb.lemma)
+    held = f.phrase("from", "by") if says is Predicate.HANGS_FROM else f.phrase("on", "against")
+    targets = [i for i in things(held) if i in d.world.entities][:1]
+    if says is None or not targets or held is None or held.mention is None:
+        return
+    for body in _ids(f.subject):
+        if body in d.world.entities and body not in targets:
+            start = start_of(held, d.text)
+            book.add(says, start, held.mention.end, object=(body,), target=tuple(targets),
+                     when="start")  # fmt: skip
 
 
 def _goal(book: _Book, clause: Clause, s: Said, mover: str) -> None:
@@ -223,6 +245,10 @@ def _support(book: _Book, clause: Clause, p: Phrase) -> None:
         return
     for mover in clause.movers:
         host = d.scene.supported_by.get(mover)
+        road = next((i for i in things(p) if structural(d, i) and i != GROUND), None)
+        if host is None and road is not None and p.prep == "on":
+            book.add(Predicate.SUPPORTED_BY, p.mention.start, p.mention.end, object=(mover,),
+                     target=(road,), when="start")  # fmt: skip
         if host is None or host not in p.mention.entities or structural(d, host):
             continue
         leaves = any(mover in n.participants and n.event.value in ("Fall", "EnterRegion")

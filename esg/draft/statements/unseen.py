@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+import re
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.record import Discourse
-from esg.draft.text.elements import Mention
+from esg.draft.grammar.clauses.frames import Frame
 from esg.lexicon.senses import no_things
 
 _KINDS = (
@@ -25,23 +26,31 @@ def manner(word: str) -> bool:
     return (word.endswith("ly") and word not in _PLAIN) or word in ("sideways", "aside", "askew")
 
 
+_PATTERNS = tuple(
+    (re.compile(rf"\b(?:{'|'.join(map(re.escape, sorted(words)))})\b", re.IGNORECASE), why)
+    for words, why in _KINDS
+)
 _CLASSES = {
     "nothing": "no solid thing or motion stands for it",
     "substance": "substances are not simulated",
     "body": "parts of bodies do not move by themselves",
 }
-_UNDERSTOOD = lex.ATTRIBUTES | lex.word_set("understood without a thing")
+_MOODS = lex.word_set("unseen attributes")
+_UNDERSTOOD = (lex.ATTRIBUTES - _MOODS) | lex.word_set("understood without a thing")
 
 
-def unseen(d: Discourse) -> Iterator[tuple[Mention, str]]:
-    """Noun phrases that became no object, with what the scene lacks of them."""
+def unseen(d: Discourse, frames: list[Frame]) -> Iterator[tuple[int, int, str]]:
+    """Words for what became no object: where they stand, and what the scene lacks of it."""
+    drawn = [(m.start, m.end) for m in d.mentions if m.entities or d.world.resolved.get(id(m))]
+    taken = [*drawn, *((f.verb.start, f.verb.end) for f in frames)]
+    for words, why in _PATTERNS:
+        for found in words.finditer(d.text):
+            if not any(start <= found.start() < end for start, end in taken):
+                yield found.start(), found.end(), why
     for m in d.mentions:
-        if m.entities or d.world.resolved.get(id(m)) or m.amounts or m.pronoun:
+        if (m.start, m.end) in drawn or m.amounts or m.pronoun or m.noun is not None or m.part:
             continue
-        found = next(
-            (why for words, why in _KINDS if {m.head, lex.singular(m.head)[0]} & words), ""
-        )
-        if not found and m.noun is None and not m.part and m.head not in _UNDERSTOOD:
-            found = _CLASSES.get(no_things().get(lex.singular(m.head)[0], ""), "")
-        if found:
-            yield m, found
+        head = lex.singular(m.head)[0]
+        why = _CLASSES.get("nothing" if head in _MOODS else no_things().get(head, ""), "")
+        if why and m.head not in _UNDERSTOOD:
+            yield m.start, m.end, why

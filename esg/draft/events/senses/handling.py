@@ -122,7 +122,7 @@ def read_jump(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """ "Jumps over the fence", "hops three times": leaps from the ground and back to it."""
     over = [i for i in (*things(f.phrase("over", "across")), *o) if i not in s]
     over = [i for i in over if not structural(d, i)][:1]
-    elsewhere = f.phrase("on", "onto", "off", "into", "in", "from", "out of", "down", "at")
+    elsewhere = f.phrase(*_PUT_ON, "off", "into", "in", "from", "out of", "down", "at")
     leaps = [a for a in s if kind_of(d, a) in _JUMPERS and a not in d.scene.supported_by]
     if (elsewhere is not None and things(elsewhere)) or not leaps:
         read_as(d, "own", f, s, o)
