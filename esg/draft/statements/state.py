@@ -25,6 +25,8 @@ GENTLE_CM_S = 150.0
 """What is put down "gently" is nowhere faster: hands that reach go at 0.5 to 1.5 m/s."""
 _LASTING = ("own", "roll", "slide", "spin", "coast", "continue", "accelerate", "brake", "swerve")
 """Senses of moving on something, and not onto it."""
+_REASONS = ("for", "like", "because of", "of", "as")
+"""Prepositions that tell why, or what something is like, and not where it goes."""
 _POSTURES = {
     **dict.fromkeys(("hang", "dangle", "suspend"), Predicate.HANGS_FROM),
     **dict.fromkeys(("lean", "prop"), Predicate.LEANS_ON),
@@ -260,7 +262,7 @@ def _support(book: _Book, clause: Clause, p: Phrase) -> None:
 def _left_over(book: _Book, clause: Clause, p: Phrase) -> None:
     """A phrase of a motion that nothing in the document takes up ("passes under a bridge")."""
     d, m = book.d, p.mention
-    if m is None or m.attribute or p.amount is not None:
+    if m is None or m.attribute or p.amount is not None or p.prep in _REASONS:
         return
     others = [i for i in things(p) if i in d.world.entities and i not in clause.movers]
     if not others or structural(d, others[0]) or _taken_up(d, clause, p, others):
