@@ -8,6 +8,7 @@ import pytest
 from esg.assets import resolve
 from esg.compile import compile_scene, replay_class
 from esg.dynamics import cast, optimize
+from esg.dynamics.losses.handling import jump
 from esg.dynamics.losses.kinds import kind_of
 from esg.dynamics.losses.recording import Recording
 from esg.dynamics.plan import make_plan
@@ -245,7 +246,49 @@ def test_a_jump_has_the_height_and_time_of_its_leap():
     assert dog[:, 2].max() - dog[0, 2] == pytest.approx(rise**2 / (2 * 9.81), rel=0.03)
     assert times["jumped"] == pytest.approx(2 * rise / 9.81, abs=0.05)
     assert dog[0, 0] < fence[0, 0] < dog[-1, 0] and speed > 1.0
+    np.testing.assert_allclose(dog[-1, 2], dog[0, 2], atol=0.01)  # on its feet
     np.testing.assert_allclose(fence[-1], fence[0], atol=1e-3)
+
+
+def test_a_jump_against_what_it_leads_over_is_none():
+    """Without a fence in its way it is over; with one that is met it is not."""
+    doc = jumping()
+    scene = build_scene(doc)
+    plan = make_plan(doc, scene)
+    low = plan.initial() * np.where([v.name == "jump/rise" for v in plan.variables], 0.75, 1.0)
+    rollout = get_engine("physx").rollout(
+        scene, batch_programs([plan.compile(low)], scene.names), dt=1 / 240, duration=plan.duration
+    )
+    rec = Recording(scene, plan.story, rollout, [{}])
+    node = plan.story.nodes["jumped"]
+    found = jump(rec, node, np.zeros(1), lambda *_: None)
+    assert not np.isfinite(found.time[0]) and found.far[0] > 1.0
+    alone = node.model_copy(update={"participants": ("dog_1",)})
+    assert np.isfinite(jump(rec, alone, np.zeros(1), lambda *_: None).time[0])
+
+
+def test_one_that_runs_jumps_where_the_obstacle_is():
+    doc = lay_out(
+        document(
+            "run",
+            {"dog_1": DOG, "fence_1": FENCE},
+            {"dog_1": moves("ALONG_FORWARD_ONLY")},
+            [
+                START,
+                N(id="off", event="Trigger", participants=("dog_1",), window=(0.5, 2)),
+                N(id="jumped", event="Jump", participants=("dog_1", "fence_1"), window=(2, 6)),
+            ],
+            [
+                edge("run", "start", "off", "UniformMotion", "dog_1",
+                     params={"speed": (200, 400)}),
+                edge("jump", "off", "jumped", "Toward", "dog_1", target="fence_1"),
+            ],
+        )
+    )  # fmt: skip
+    result = optimize(doc).dynamics_result
+    assert result is not None and result.outcome == "solved"
+    kinds = [p["kind"] for p in result.program["primitives"]]
+    assert kinds == ["HoldVelocity", "SetVelocity", "HoldVelocity"]
 
 
 def test_what_spins_turns_as_often_as_is_said_and_stays():
