@@ -16,10 +16,12 @@ from esg.dynamics.plan.aim import body_bounds
 from esg.dynamics.plan.build import build_scene
 from esg.dynamics.story.stagecraft import top_surface
 from esg.engines import get_engine
+from esg.engines.manifest import load_manifest
 from esg.engines.program import HoldSpin, batch_programs
 from esg.graph import effective, verify
 from esg.graph.models import Actor, EsgDocument, NamedRegion, Pose, TimelineEdge, TimelineNode
 from esg.layout import solve, stored_hints
+from esg.metrics import expectations_from_timeline, judge
 from tests.dynamics.stage import BALL, CAR, TABLE, asset, document, lay_out
 from tests.graph import builders as graph
 
@@ -206,6 +208,28 @@ def test_a_handled_thing_does_what_is_said(name, engine):
     assert max(times.values()) < plan.duration
 
 
+MORE = {
+    "put": ("put", {"participants": ("mug_2", "table_1")}),
+    "held": ("let_go", {"event": "PickedUp"}),
+    "spin": ("turned", {"turn_degrees": 1440.0}),
+    "bounce": ("bounced", {"times": 15}),
+    "hop": ("jumped", {"times": 4}),
+}
+"""Events that do not happen: one thing stands still, one only falls, others happen less often."""
+
+
+@pytest.mark.parametrize("name", MORE)
+def test_what_does_not_happen_is_not_detected(name):
+    plan, rollout, _ = played(name, "physx")
+    rec = Recording(plan.scene, plan.story, rollout, [{}])
+    event, change = MORE[name]
+    node = N.model_validate(plan.story.nodes[event].model_dump() | change)
+    measure = kind_of(node).measure
+    assert measure is not None
+    found = measure(rec, node, np.zeros(1), lambda *_: None)
+    assert not np.isfinite(found.time[0]) and found.far[0] > 0.0
+
+
 def way(rollout, plan, name):
     return rollout.position[0, :, plan.scene.index(name)].astype(float)
 
@@ -328,6 +352,62 @@ def test_what_moves_keeps_moving_while_it_spins():
     assert turn[(rollout.time > spin.start + 0.02) & (rollout.time < spin.end)].min() > 1.0
 
 
+def staged(raw, folder):
+    """A document as a drafter writes it through every stage: the result and its class in PhysX."""
+    assert verify(raw) == ()
+    doc = cast(resolve(EsgDocument.model_validate(raw)))
+    assert doc.choreography is not None
+    doc = optimize(solve(doc, hints=stored_hints(doc.choreography)))
+    assert verify(doc) == ()
+    assert doc.dynamics_result is not None and doc.dynamics_result.outcome == "solved"
+    compile_scene(doc, folder)
+    return doc, replay_class(folder, dt=1 / 240)
+
+
+def test_the_judge_sees_an_apple_put_into_a_basket_and_a_ball_let_go_above_a_box(tmp_path):
+    """Events that the judge knew before are brought about by guides, as it sees them."""
+    raw = graph.document(
+        "apple",
+        "An apple is put into the basket. A ball is held above a box and released.",
+        {
+            "apple": graph.asset("apple", (8, 8, 8), 0.2, shape="sphere"),
+            "basket": graph.asset("basket", (40, 40, 30), 1.5),
+            "ball": graph.BALL,
+            "box": graph.BOX,
+        },
+        {n: graph.node(n[:-2]) for n in ("apple_1", "basket_1", "ball_1", "box_1")},
+        [
+            graph.rel("apple_1", "near", "basket_1"),
+            graph.rel("basket_1", "face", "ground_1", cardinal="+Y"),
+        ],
+        graph.timeline(
+            {
+                "apple_1": graph.active("ANY_3D"),
+                "ball_1": graph.active("ANY_3D"),
+                "box_1": graph.PASSIVE,
+            },
+            [
+                graph.event("in", "EnterRegion", ["apple_1"], window=[1, 9],
+                            region="basket_1/inside"),
+                graph.event("let_go", "Trigger", ["ball_1"], window=[0.5, 1.9]),
+                graph.event("hit", "Collision", ["ball_1", "box_1"], window=[2, 5]),
+            ],
+            [
+                graph.edge("put", "scene_start", "in", "Guide", "apple_1", target="basket_1"),
+                graph.edge("hold", "scene_start", "let_go", "Guide", "ball_1", target="box_1"),
+                graph.edge("drop", "let_go", "hit", "Toward", "ball_1"),
+            ],
+        ),
+    )  # fmt: skip
+    doc, replay = staged(raw, tmp_path)
+    told = load_manifest(tmp_path / "manifest.json")
+    verdict = judge(told.scene, told.program, replay.rollout, expectations_from_timeline(doc))
+    assert [(e.type, e.completed) for e in verdict.events] == [
+        ("enters", True),
+        ("collision", True),
+    ]
+
+
 def test_a_mug_is_put_on_the_shelf_from_prompt_document_to_replay(tmp_path):
     """A document as a drafter writes it, through every stage to the class in PhysX."""
     raw = graph.document(
@@ -362,14 +442,7 @@ def test_a_mug_is_put_on_the_shelf_from_prompt_document_to_replay(tmp_path):
         ),
         {"table_top": graph.region("table_1")},
     )  # fmt: skip
-    assert verify(raw) == ()
-    doc = cast(resolve(EsgDocument.model_validate(raw)))
-    assert doc.choreography is not None
-    doc = optimize(solve(doc, hints=stored_hints(doc.choreography)))
-    assert verify(doc) == ()
-    assert doc.dynamics_result is not None and doc.dynamics_result.outcome == "solved"
-    compile_scene(doc, tmp_path)
-    replay = replay_class(tmp_path, dt=1 / 240)
+    doc, replay = staged(raw, tmp_path)
     names = replay.scene.names
     mug, shelf = names.index("mug_1"), replay.scene.body("shelf_1")
     end, speed = replay.rollout.position[0, -1, mug], replay.rollout.linear_velocity[0, -1, mug]
