@@ -14,8 +14,9 @@ from esg.units import yaw_from_quat
 
 PICKED_UP_M, PICKED_UP_SHARE = 0.05, 1.0 / 3.0
 """What is picked up has risen by so much, and by such a share of its height."""
-PLACED_MPS, TOUCHES_M = 0.05, 0.01
-"""What was put down is slower, and its surface is so near to what it was put on."""
+PLACED_MPS, TOUCHES_M = 0.05, 0.003
+"""What was put down is slower, and its surface is so near to what it was put on: nearer than what
+is held just above that (`plan.guides.SET_DOWN_M`)."""
 REBOUND_MPS, SAFE_REBOUND_MPS = 0.3, 0.45
 """What bounces leaves at more than that; at more than this in every engine."""
 NEAR_BOUNCE_M = 0.05

@@ -180,7 +180,10 @@ STORIES = {
 
 def played(name: str, engine: str):
     """The story under its nominal parameters: plan, rollout and when each event happened."""
-    doc = STORIES[name]()
+    return played_of(STORIES[name](), engine)
+
+
+def played_of(doc: EsgDocument, engine: str):
     scene = build_scene(doc)
     plan = make_plan(doc, scene)
     program = plan.compile(plan.initial())
@@ -243,6 +246,14 @@ def test_what_is_put_down_passes_over_what_is_in_between_and_beside_what_stands_
     assert np.linalg.norm(mug[-1, :2] - other[-1, :2]) > 0.1
     np.testing.assert_allclose(other[-1], other[0], atol=0.005)
     assert times["lifted"] < 1.0 < times["put"]
+
+
+def test_what_is_held_on_is_not_placed():
+    raw = put_on_table().model_dump(by_alias=True)
+    raw["timeline_system"]["sequence_graph"]["edges"][1]["params"]["release"] = False
+    plan, rollout, times = played_of(EsgDocument.model_validate(raw), "physx")
+    assert np.isfinite(times["lifted"]) and not np.isfinite(times["put"])
+    np.testing.assert_allclose(way(rollout, plan, "mug_1")[-1, 2], 0.75 + 0.06 + 0.004, atol=1e-3)
 
 
 def test_what_is_lowered_into_a_bin_touches_neither_rim_nor_wall_on_its_way():
