@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -117,40 +117,62 @@ def _motion(book: _Book, clause: Clause) -> None:
 
 
 def _said(book: _Book, clause: Clause, s: Said, mover: str) -> None:
-    d, says = book.d, s.row.states
-    where = _when(d, clause, mover)
-    if says in (Predicate.SLOWER_THAN, Predicate.FASTER_THAN):
-        own = clause.frame.verb.sense in AT_ITS_OWN_PACE
-        value = None if own else _pace(d, clause, mover, says)
-        if value is not None:
-            book.add(says, s.start, s.end, object=(mover,), quantity="speed", value=value,
-                     when=where)  # fmt: skip
-    elif says is Predicate.CARRIED_BY:
-        bearers = [i for i in _ids(clause.frame.subject) if i != mover]
-        for load in [i for i in _ids(clause.frame.object) if i in d.world.entities]:
-            if d.scene.supported_by.get(load) in (bearers or [mover]):
-                bearer = d.scene.supported_by[load]
-                book.add(says, s.start, s.end, object=(load,), target=(bearer,))
-    elif says is Predicate.ROLLS:
-        if "round" in traits_of(d, mover) or kind_of(d, mover) not in SELF_POWERED:
-            book.add(says, s.start, s.end, object=(mover,), when=where)
-    elif says is Predicate.SLIDES:
-        book.add(says, s.start, s.end, object=(mover,), when=where)
-    elif s.row.part == "goal":
+    if s.row.part == "goal":
         _goal(book, clause, s, mover)
-    elif says is Predicate.AIRBORNE:
-        if clause.frame.verb.sense == "fly" or mover in d.moves.flying or flies_itself(d, mover):
-            book.add(says, s.start, s.end, object=(mover,), when=where)
-    elif says in (Predicate.INSIDE, Predicate.SUPPORTED_BY):
-        _driver(book, clause, s, mover)
-    elif s.row.part == "verb":
-        others = [i for i in _ids(clause.frame.object) if i != mover and i in d.world.entities]
-        some = () if s.row.direction in ("up", "down") else tuple(others[:1])
-        if some != tuple(others[:1]) or (others and not _met(d, mover, others)):
-            book.add(says, s.start, s.end, object=(mover,), target=some,
-                     direction=s.row.direction, when=where)  # fmt: skip
-    elif says is Predicate.MOVES:
-        _direction(book, clause, s, mover, where)
+    else:
+        _SAYINGS[s.row.states](book, clause, s, mover)
+
+
+def _paced(book: _Book, clause: Clause, s: Said, mover: str) -> None:
+    """ "Slowly", "races": no faster, or faster, than what the word leaves of its kind's speeds."""
+    if clause.frame.verb.sense in AT_ITS_OWN_PACE:
+        return
+    value = _pace(book.d, clause, mover, s.row.states)
+    if value is not None:
+        book.add(s.row.states, s.start, s.end, object=(mover,), quantity="speed", value=value,
+                 when=_when(book.d, clause, mover))  # fmt: skip
+
+
+def _carried(book: _Book, clause: Clause, s: Said, mover: str) -> None:
+    """ "A truck carries a crate"."""
+    d, f = book.d, clause.frame
+    bearers = [i for i in _ids(f.subject) if i != mover] or [mover]
+    for load in _ids(f.object):
+        bearer = d.scene.supported_by.get(load)
+        if load in d.world.entities and bearer in bearers:
+            book.add(s.row.states, s.start, s.end, object=(load,), target=(bearer,))
+
+
+def _rolled(book: _Book, clause: Clause, s: Said, mover: str) -> None:
+    """ "A ball rolls"; of a car it is only how one says that it moves."""
+    if "round" in traits_of(book.d, mover) or kind_of(book.d, mover) not in SELF_POWERED:
+        _plainly(book, clause, s, mover)
+
+
+def _plainly(book: _Book, clause: Clause, s: Said, mover: str) -> None:
+    where = _when(book.d, clause, mover)
+    book.add(s.row.states, s.start, s.end, object=(mover,), when=where)
+
+
+def _flown(book: _Book, clause: Clause, s: Said, mover: str) -> None:
+    """ "Flies", and "floats" of what stays in the air."""
+    d = book.d
+    if clause.frame.verb.sense == "fly" or mover in d.moves.flying or flies_itself(d, mover):
+        _plainly(book, clause, s, mover)
+
+
+def _moved(book: _Book, clause: Clause, s: Said, mover: str) -> None:
+    """Which way something moves: by an adverb, a phrase, or the verb itself ("crosses")."""
+    if s.row.part != "verb":
+        _direction(book, clause, s, mover, _when(book.d, clause, mover))
+        return
+    d = book.d
+    others = [i for i in _ids(clause.frame.object) if i != mover and i in d.world.entities][:1]
+    upright = s.row.direction in ("up", "down")
+    if upright or (others and not _met(d, mover, others)):
+        target = () if upright else tuple(others)
+        book.add(s.row.states, s.start, s.end, object=(mover,), target=target,
+                 direction=s.row.direction, when=_when(d, clause, mover))  # fmt: skip
 
 
 def _posture(book: _Book, clause: Clause) -> None:
@@ -336,3 +358,17 @@ def _word_end(text: str, start: int) -> int:
     while end < len(text) and (text[end].isalnum() or text[end] in "'’"):
         end += 1
     return max(end, start + 1)
+
+
+_SAYINGS: dict[Predicate, Callable[[_Book, Clause, Said, str], None]] = {
+    Predicate.SLOWER_THAN: _paced,
+    Predicate.FASTER_THAN: _paced,
+    Predicate.CARRIED_BY: _carried,
+    Predicate.ROLLS: _rolled,
+    Predicate.SLIDES: _plainly,
+    Predicate.AIRBORNE: _flown,
+    Predicate.INSIDE: _driver,
+    Predicate.SUPPORTED_BY: _driver,
+    Predicate.MOVES: _moved,
+}
+"""How each predicate that a row of the table states is written down."""

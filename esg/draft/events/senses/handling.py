@@ -7,7 +7,7 @@ from esg.draft.discourse.core import kind_of, mark_used, movable, structural
 from esg.draft.discourse.places import holds, place
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.entities import Entity
-from esg.draft.discourse.scene import GROUND, SPEEDS
+from esg.draft.discourse.scene import GROUND, SELF_POWERED, SPEEDS
 from esg.draft.discourse.tracks import Motion
 from esg.draft.events.acts import add_event
 from esg.draft.events.roles import doer_and_done
@@ -20,6 +20,8 @@ from esg.graph.models import ForceDirection, NodeEvent
 
 _PUT_ON = ("on", "onto", "on top of", "upon", "atop")
 _PUT_IN = ("in", "into", "inside")
+_ELSEWHERE = frozenset({"in", "off", "on", "out", "down", "aboard", "aside", "away"})
+"""Adverbs that lead a leap somewhere else than back to the ground it left."""
 _JUMPERS = ("person", "animal", "robot")
 
 
@@ -124,7 +126,8 @@ def read_jump(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     over = [i for i in over if not structural(d, i)][:1]
     elsewhere = f.phrase(*_PUT_ON, "off", "into", "in", "from", "out of", "down", "at")
     leaps = [a for a in s if kind_of(d, a) in _JUMPERS and a not in d.scene.supported_by]
-    if (elsewhere is not None and things(elsewhere)) or not leaps:
+    away = _ELSEWHERE & {*f.adverbs, f.verb.extra.get("particle", "")}
+    if away or (elsewhere is not None and things(elsewhere)) or not leaps:
         read_as(d, "own", f, s, o)
         return
     for actor in leaps:
@@ -146,8 +149,12 @@ def read_spin(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """ "A top spins on the table", "the car spins around": it turns where it is."""
     turned = [i for i in (o or s) if movable(d, i)]
     into = f.phrase("into", "against", "off", "to")
-    if into is not None and things(into):
+    if into is not None and things(into) and turned:
         read_as(d, "slide" if moved_by_others(d, turned[0]) else "turn", f, s, o)
+        return
+    angle = amount(d, f, "angle")
+    if angle is not None and turned and kind_of(d, turned[0]) in SELF_POWERED:
+        read_as(d, "turn", f, s, o)  # "the robot spins around by 180 degrees"
         return
     on = things(f.phrase(*_PUT_ON))
     if turned and on and not structural(d, on[0]):
@@ -157,7 +164,7 @@ def read_spin(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
             continue
         d.timeline.move(body, Motion("spin"), ForceDirection.HORIZONTAL_PLANE)
         node = add_event(d, NodeEvent.SPIN, (body,), f, time_of(d, f))
-        angle, draft = amount(d, f, "angle"), d.timeline.node(node)
+        draft = d.timeline.node(node)
         if angle is not None and draft is not None:
             draft.extra["turn_degrees"] = angle.high
             mark_used(d, angle, "how far it turns")
