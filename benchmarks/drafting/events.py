@@ -86,8 +86,15 @@ def _is(node: TimelineNode, kind: str) -> bool:
     return node.event.value.lower().startswith(_STEMS.get(kind, ("-",)))
 
 
+def _put_in(doc: EsgDocument, node: TimelineNode) -> bool:
+    """Whether something is guided into a container and let go there: placed in it."""
+    edges = doc.timeline_system.sequence_graph.edges if doc.timeline_system else ()
+    guided = any(e.to == node.id and e.event.value == "Guide" for e in edges)
+    return guided and node.event.value == "EnterRegion"
+
+
 def _matches(doc: EsgDocument, node: TimelineNode, event: dict[str, Any]) -> bool:
-    if not _is(node, event["type"]):
+    if not (_is(node, event["type"]) or (event["type"] == "placed" and _put_in(doc, node))):
         return False
     first = bind(doc, event.get("a") or event["object"])
     participants = node.participants

@@ -35,6 +35,10 @@ _CLASSES = {
     "substance": "substances are not simulated",
     "body": "parts of bodies do not move by themselves",
 }
+_CONTENTS = re.compile(
+    rf"\b(?:of|with)\s+(?:\w+\s+)?(?:{'|'.join(map(re.escape, sorted(_KINDS[0][0])))})\b",
+    re.IGNORECASE,
+)
 _MOODS = lex.word_set("unseen attributes")
 _UNDERSTOOD = (lex.ATTRIBUTES - _MOODS) | lex.word_set("understood without a thing")
 
@@ -47,6 +51,9 @@ def unseen(d: Discourse, frames: list[Frame]) -> Iterator[tuple[int, int, str]]:
         for found in words.finditer(d.text):
             if not any(start <= found.start() < end for start, end in taken):
                 yield found.start(), found.end(), why
+    for found in _CONTENTS.finditer(d.text):
+        if any(start < found.start() < end for start, end in drawn):
+            yield found.start(), found.end(), _KINDS[0][1]  # "a bowl of water"
     for m in d.mentions:
         if (m.start, m.end) in drawn or m.amounts or m.pronoun or m.noun is not None or m.part:
             continue

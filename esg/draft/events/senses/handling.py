@@ -124,7 +124,7 @@ def read_jump(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """ "Jumps over the fence", "hops three times": leaps from the ground and back to it."""
     over = [i for i in (*things(f.phrase("over", "across")), *o) if i not in s]
     over = [i for i in over if not structural(d, i)][:1]
-    elsewhere = f.phrase(*_PUT_ON, "off", "into", "in", "from", "out of", "down", "at")
+    elsewhere = f.phrase(*_PUT_ON, "to", "off", "into", "in", "from", "out of", "down", "at")
     leaps = [a for a in s if kind_of(d, a) in _JUMPERS and a not in d.scene.supported_by]
     away = _ELSEWHERE & {*f.adverbs, f.verb.extra.get("particle", "")}
     if away or (elsewhere is not None and things(elsewhere)) or not leaps:
@@ -175,6 +175,8 @@ def read_spin(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
 def bounces_on_ground(d: Discourse, f: Frame, s: list[str], met: list[str]) -> bool:
     """ "A ball bounces three times on the floor": off what it falls on; False if off a thing."""
     if met and not structural(d, met[0]) and "support" not in traits_of(d, met[0]):
+        return False
+    if things(f.phrase("down", "along", "across", "over", "past", "to", "toward", "towards")):
         return False
     free = [i for i in s if "round" in traits_of(d, i) and movable(d, i)]
     free = [i for i in free if not moved_by_others(d, i)]
