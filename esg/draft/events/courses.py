@@ -13,7 +13,7 @@ from esg.draft.events.motions import paced
 from esg.draft.events.stated import said
 from esg.draft.events.told import size_of
 from esg.draft.grammar.clauses.frames import Frame
-from esg.graph.models import EdgeEvent, ForceDirection, MotionParams, NodeEvent
+from esg.graph.models import EdgeEvent, ForceDirection, MotionParams, NodeEvent, Predicate
 from esg.graph.rules_segments import LEAST_SPEED_CM_S
 
 _TRANSITIVE = frozenset(
@@ -22,6 +22,8 @@ _TRANSITIVE = frozenset(
 """Senses whose object, where there is one, is what moves as the clause says."""
 AT_ITS_OWN_PACE = ("brake", "stop", "slow", "fall", "drop", "topple", "turn")
 """Senses whose adverbs of pace are not about a speed that one could choose."""
+TURNING = ("turn", "swerve", "face", "topple")
+"""Senses whose sides are not ways of moving."""
 _HEADINGS = {"left": 0.0, "right": 180.0, "front": 90.0, "back": 270.0}
 """Headings [degrees] of the viewer's directions: left is +X, front +Y."""
 _ABOUT_S = 2.5
@@ -91,8 +93,13 @@ def _carry_over(d: Discourse, clause: Clause, mover: str, was: Before) -> None:
     first = d.timeline.tracks[mover].at == "scene_start" or was.edges == 0 or not any(
         e.actor == mover for e in d.timeline.edges[: was.edges]
     )  # fmt: skip
+    told = d.timeline.nodes[was.nodes :]
+    turned = any(n.event is NodeEvent.HEADING_REACHED for n in told)
+    turned = turned or clause.frame.verb.sense in TURNING
     for s in clause.said:
         if s.row.pace and clause.frame.verb.sense in AT_ITS_OWN_PACE:
+            continue
+        if s.row.states is Predicate.MOVES and turned:
             continue
         if s.row.pace:
             _change(d, mover, was, pace=s.row.pace)

@@ -10,7 +10,7 @@ from esg.draft.discourse.core import kind_of, structural
 from esg.draft.discourse.proposition import Clause, Said
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import GROUND, SELF_POWERED
-from esg.draft.events.courses import AT_ITS_OWN_PACE, measurable
+from esg.draft.events.courses import AT_ITS_OWN_PACE, TURNING, measurable
 from esg.draft.events.motions import flies_itself
 from esg.draft.events.stated import start_of
 from esg.draft.events.told import things, traits_of
@@ -32,8 +32,6 @@ _POSTURES = {
     **dict.fromkeys(("lean", "prop"), Predicate.LEANS_ON),
 }
 """What verbs of posture say of what holds something."""
-_TURNING = ("turn", "swerve", "face", "topple")
-"""Senses whose sides are not ways of moving."""
 _ON_THE_WAY = ("along", "across", "through")
 """Directions that roads, fields and floors have, too."""
 _TARGETED = frozenset({"toward", "away_from", "along", "past", "across", "through", "around"})
@@ -222,7 +220,7 @@ def _direction(book: _Book, clause: Clause, s: Said, mover: str, where: str) -> 
     if s.phrase is not None and direction in ("up", "down"):
         _slope(book, s, mover, where)
         return
-    if clause.frame.verb.sense in _TURNING or "turn" in d.scene.used.get(_span(clause.frame), ""):
+    if clause.frame.verb.sense in TURNING or "turn" in d.scene.used.get(_span(clause.frame), ""):
         return
     if direction not in _TARGETED and direction != "between":
         book.add(Predicate.MOVES, s.start, s.end, object=(mover,), direction=direction, when=where)
@@ -323,6 +321,9 @@ def _when(d: Discourse, clause: Clause, mover: str) -> str:
     kinds = {n.id: n.event for n in d.timeline.nodes}
     begin = "start" if since == START else since
     end = edge.to if edge is not None else "end"
+    turns = any(e.event is EdgeEvent.TURN for e in _of(d, mover))
+    if turns and end in kinds and not measurable(kinds[end]):
+        return "start" if begin == "start" else "throughout"  # it goes another way later
     if begin != "start" and not measurable(kinds[begin]):
         return "throughout"
     end = end if end in kinds and measurable(kinds[end]) else "end"

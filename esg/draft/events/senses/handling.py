@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import kind_of, mark_used, movable, structural
 from esg.draft.discourse.places import holds, place
@@ -63,6 +65,8 @@ def read_put(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """ "Puts the mug on the shelf", "lowers a crate onto a truck": it ends there, let go."""
     agents, moved = doer_and_done(f, s, o)
     moved, goal = _loose(d, _held(d, f) or moved), _goal(f)
+    if _held_by(d, s) and f.object is None:
+        moved, f = s, replace(f, verb=replace(f.verb, passive=True))  # "is lifted and put on"
     act = not f.reduced and (_told_as_act(d, f) if f.verb.passive else f.object is not None)
     if not moved or goal is None or not act or any(moved_by_others(d, i) for i in moved):
         read_as(d, "posture", f, s, o)
@@ -79,6 +83,12 @@ def _held(d: Discourse, f: Frame) -> list[str]:
         return []
     last = next((n for n in reversed(d.timeline.nodes) if n.participants), None)
     return [last.participants[0]] if last and last.event is NodeEvent.PICKED_UP else []
+
+
+def _held_by(d: Discourse, bodies: list[str]) -> bool:
+    """Whether some are what has been picked up last."""
+    last = next((n for n in reversed(d.timeline.nodes) if n.participants), None)
+    return last is not None and last.event is NodeEvent.PICKED_UP and last.participants[0] in bodies
 
 
 def _told_as_act(d: Discourse, f: Frame) -> bool:
@@ -164,7 +174,10 @@ def read_spin(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
             continue
         d.timeline.move(body, Motion("spin"), ForceDirection.HORIZONTAL_PLANE)
         node = add_event(d, NodeEvent.SPIN, (body,), f, time_of(d, f))
+        _so_often(d, f, node)
         draft = d.timeline.node(node)
+        if draft is not None and "times" in draft.extra:
+            draft.extra["turn_degrees"] = 360.0 * draft.extra.pop("times")
         if angle is not None and draft is not None:
             draft.extra["turn_degrees"] = angle.high
             mark_used(d, angle, "how far it turns")
