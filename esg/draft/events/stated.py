@@ -77,9 +77,11 @@ def said(text: str, f: Frame) -> list[Said]:
 
 
 def adverbs_of(text: str, f: Frame) -> list[str]:
-    """The adverbs of a clause, those inside its verb group ("is gently placed") included."""
-    group = text[f.verb.start : f.verb.end].lower().split()
-    return [*f.adverbs, *[w for w in group[1:-1] if w not in f.adverbs]]
+    """The adverbs of a clause, those of its verb group included ("is gently placed", "drives on")."""
+    group = text[f.verb.start : f.verb.end].lower().split()[1:]
+    if group and any(form.lemma == f.verb.lemma for form in lex.verb_forms().get(group[-1], ())):
+        group = group[:-1]
+    return [*f.adverbs, *[w for w in group if w not in f.adverbs]]
 
 
 def _goes_up(f: Frame) -> bool:

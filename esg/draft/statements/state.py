@@ -134,8 +134,9 @@ def _said(book: _Book, clause: Clause, s: Said, mover: str) -> None:
         _driver(book, clause, s, mover)
     elif s.row.part == "verb":
         others = [i for i in _ids(clause.frame.object) if i != mover and i in d.world.entities]
-        some = () if s.row.direction in ("up", "down") else tuple(others[:1])
-        if some != tuple(others[:1]) or (others and not _met(d, mover, others)):
+        level = s.row.direction not in ("up", "down")
+        some = tuple(others[:1]) if level else ()
+        if not level or (others and not _met(d, mover, others)):
             book.add(says, s.start, s.end, object=(mover,), target=some,
                      direction=s.row.direction, when=where)  # fmt: skip
     elif says is Predicate.MOVES:
