@@ -45,6 +45,7 @@ class Noun:
         traits: wheeled, round, container, support, fixed, goal, decal, structural,
             topples, incline.
         description: Phrase for retrieval.
+        like: What a noun outside the lexicon is shaped and sized like ("disc of 6 cm").
     """
 
     name: str
@@ -56,6 +57,7 @@ class Noun:
     traits: frozenset[str]
     description: str
     synonyms: tuple[str, ...] = ()
+    like: str = ""
 
     @property
     def category(self) -> str:

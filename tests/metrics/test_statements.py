@@ -12,6 +12,7 @@ from esg.engines.scene import Region, Shape
 from esg.graph.models import Predicate
 from esg.metrics import SuiteEvent, SuiteScene, SuiteStatement
 from esg.metrics.judging import failed_verdict
+from esg.units import quat_rotate
 from tests.metrics.worlds import World, ball, body, line
 
 TABLE = Shape("box", (1.0, 0.5, 0.4))
@@ -457,3 +458,71 @@ def test_a_ball_moves_forward_the_way_it_sets_off():
     back = World(2.0).add(ball("ball_1"), y=lambda t: np.minimum(t, 0.2) - 2 * np.maximum(t - 1, 0))
     assert back.states("moves", object="ball", direction="forward").kept is False
     assert back.states("moves", object="ball", direction="backward").kept is None
+
+
+def wheeled(slip_deg: float) -> World:
+    a = math.radians(slip_deg)
+    made = body("car_1", wheeled=True)
+    return World(2.0).add(made, x=line(0, 2 * math.cos(a)), y=line(0, 2 * math.sin(a)))
+
+
+def spun(share: float) -> World:
+    return World(2.0).add(ball("ball_1"), x=line(0, 2), rolling=share)
+
+
+def on_slope(drop: float) -> World:
+    ramp = body("ramp_1", Shape("box", (1.0, 1.0, 0.5)), static=True)
+    return World(2.0).add(ramp).add(ball("ball_1"), x=line(0, 1), z=line(1.1, -drop / 2))
+
+
+def tilted(pitch_deg: float) -> World:
+    made = body("plank_1", Shape("box", (0.1, 0.1, 0.5)))
+    reach = 0.1 * math.cos(math.radians(pitch_deg)) + 0.5 * math.sin(math.radians(pitch_deg))
+    return wall().add(made, x=2.9 - reach, z=0.55, pitch_deg=pitch_deg)
+
+
+BALL = {"object": "ball"}
+
+
+@pytest.mark.parametrize(
+    ("says", "inside", "outside", "fields"),
+    [
+        ("slides", lambda: spun(0.17), lambda: spun(0.23), BALL),
+        ("rolls", lambda: spun(0.87), lambda: spun(0.83), BALL),
+        ("rolls", lambda: spun(1.13), lambda: spun(1.17), BALL),
+        ("rolls", lambda: wheeled(18), lambda: wheeled(22), CAR),
+        ("leans_on", lambda: tilted(6), lambda: tilted(4), {"object": "plank", "target": "wall"}),
+        ("moves", lambda: on_slope(0.27), lambda: on_slope(0.23),
+         {"direction": "down", "object": "ball", "target": "ramp"}),
+        ("carried_by", lambda: moving(line(0, 1)).add(ball("ball_1"), x=line(0, 1.02), z=0.3),
+         lambda: moving(line(0, 1)).add(ball("ball_1"), x=line(0, 1.03), z=0.3),
+         {"object": "ball", "target": "car"}),
+        ("size", lambda: World().add(body("car_1")), lambda: World().add(body("car_1")),
+         {"object": "car", "quantity": "height"}),
+        ("faster_than", lambda: moving(line(0, 1, 0.4)), lambda: moving(line(0, 1, 0.6)),
+         {**CAR, "value": 0.5, "when": "start"}),
+    ],
+)  # fmt: skip
+def test_limits_are_where_they_are_said_to_be(says, inside, outside, fields):
+    near, far = ({"value": 0.23}, {"value": 0.24}) if says == "size" else ({}, {})
+    kept, broken = inside().states(says, **fields, **near), outside().states(says, **fields, **far)
+    assert (kept.kept, broken.kept) == (True, False), (kept, broken)
+
+
+@pytest.mark.parametrize(("gap", "kept"), [(0.11, True), (0.09, False)])
+def test_before_is_by_a_tenth_of_a_second(gap, kept):
+    world = World().add(ball("ball_1")).add(ball("ball_2"), x=1.0).add(ball("ball_3"), x=2.0)
+    world.touch(0.4, "ball_1", "ball_2", 2.0).touch(0.4 + gap, "ball_2", "ball_3", 2.0)
+    free = (HITS[0], HITS[1].model_copy(update={"after": ()}))
+    assert world.states("before", free, a="e1", b="e2").kept is kept
+
+
+@pytest.mark.parametrize(("pitch_deg", "kept"), [(40.0, True), (85.0, False)])
+def test_a_ramp_carries_and_a_wall_does_not(pitch_deg, kept):
+    slab = body("ramp_1", Shape("box", (2.0, 1.0, 0.1)), static=True)
+    world = World(1.0).add(slab, z=2.0, pitch_deg=pitch_deg)
+    x, _, z = 0.2 * quat_rotate(world.turns[0][0], np.array([0.0, 0.0, 1.0]))
+    world.add(ball("ball_1"), x=float(x), z=2.0 + float(z))
+    found = world.states("supported_by", object="ball", target="ramp")
+    assert found.measured["gap_m"] == pytest.approx(0.0, abs=1e-4)
+    assert found.kept is kept

@@ -1,19 +1,14 @@
 """Nouns outside the library and the kind that stands for each: a samovar is an urn, so a vase.
 
-The table was made from WordNet 3.0 (esg/assets/library/wordnet.py). It names the nearest concept
-above a noun for which the library has a mesh, and how large and heavy things below that concept
-are.
+The table is esg/lexicon/hypernyms.txt.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
-from importlib.resources import files
 
 from esg.assets.library.catalogue import Entry, entries_by_name, normalize
-
-TABLE_FILE = "hypernyms.txt"
+from esg.lexicon.hypernyms import hypernyms
 
 
 @dataclass(frozen=True)
@@ -40,16 +35,6 @@ class Kin:
         return entries_by_name()[self.kind]
 
 
-@lru_cache(maxsize=1)
-def _table() -> tuple[dict[str, int], list[list[str]]]:
-    text = files("esg.assets.data").joinpath(TABLE_FILE).read_text(encoding="utf-8")
-    rows = [line.split("\t") for line in text.splitlines()]
-    nouns = {noun: i for i, row in enumerate(rows) for noun in row[4].split(";")}
-    for noun, i in list(nouns.items()):
-        nouns.setdefault(noun.replace(" ", ""), i)
-    return nouns, rows
-
-
 def kin(text: str, *, whole: bool = False) -> Kin | None:
     """What the longest known ending of a noun phrase is ("copper samovar" -> samovar).
 
@@ -59,18 +44,10 @@ def kin(text: str, *, whole: bool = False) -> Kin | None:
     """
     from esg.assets.library.lookup import head_phrase
 
-    nouns, rows = _table()
     words = head_phrase(text).split()
     for start in range(1 if whole and words else len(words)):
         noun = normalize(" ".join(words[start:]))
-        row = nouns.get(noun)
-        if row is not None:
-            kind, longest, mass, concept, _ = rows[row]
-            return Kin(
-                noun,
-                concept,
-                kind,
-                float(longest) if longest else None,
-                float(mass) if mass else None,
-            )
+        wider = hypernyms().get(noun)
+        if wider is not None:
+            return Kin(noun, wider.concept, wider.kind, wider.longest_cm, wider.mass_kg)
     return None

@@ -1,4 +1,4 @@
-"""Makes the table of nouns outside the library from WordNet 3.0 (its licence lies in data/).
+"""Makes the table of nouns outside the library from WordNet 3.0 (licence: esg/lexicon/).
 
     python -m esg.assets.library.wordnet /usr/share/wordnet      (Debian: wordnet-base)
 
@@ -11,14 +11,14 @@ catalogue or the anchors were edited.
 from __future__ import annotations
 
 import csv
-from dataclasses import dataclass
 from importlib.resources import files
 from pathlib import Path
 import re
 import sys
 
 from esg.assets.library.catalogue import Entry, entries_by_name, lexicon, normalize
-from esg.assets.library.hypernyms import TABLE_FILE
+from esg.lexicon.hypernyms import TABLE
+from esg.lexicon.wordnet import WordNet, above, read_wordnet
 
 _ANIMAL, _ARTIFACT, _FOOD, _OBJECT, _PERSON, _PLANT = 5, 6, 13, 17, 18, 20
 _PHYSICAL = (_ANIMAL, _ARTIFACT, _FOOD, _OBJECT, _PERSON, _PLANT)
@@ -53,55 +53,6 @@ _FLESH = re.compile(
 )
 """Animals as food come back as the animals themselves."""
 _WORDS = re.compile(r"[a-z][a-z' -]*")
-
-
-@dataclass(frozen=True)
-class Concept:
-    """A synset: lexicographer file, words, concepts above it, instance of something, gloss."""
-
-    file: int
-    words: tuple[str, ...]
-    above: tuple[str, ...]
-    instance: bool
-    gloss: str
-
-
-@dataclass(frozen=True)
-class WordNet:
-    """The nouns of a WordNet database."""
-
-    concepts: dict[str, Concept]
-    senses: dict[str, tuple[str, ...]]
-
-    def find(self, name: str) -> str:
-        """Offset of "word.2", the second sense of a word."""
-        word, _, sense = name.rpartition(".")
-        return self.senses[word][int(sense) - 1]
-
-
-def read_wordnet(folder: Path) -> WordNet:
-    """Reads data.noun and index.noun (wndb(5WN))."""
-    concepts, senses = {}, {}
-    for line in (folder / "data.noun").read_text(encoding="latin-1").splitlines():
-        if line.startswith("  "):
-            continue
-        head, _, gloss = line.partition(" | ")
-        f = head.split()
-        count = int(f[3], 16)
-        start = 4 + 2 * count
-        pointers = [f[start + 1 + 4 * k : start + 5 + 4 * k] for k in range(int(f[start]))]
-        concepts[f[0]] = Concept(
-            file=int(f[1]),
-            words=tuple(f[4:start:2]),
-            above=tuple(p[1] for p in pointers if p[0] in ("@", "@i")),
-            instance=any(p[0] == "@i" for p in pointers),
-            gloss=gloss.strip(),
-        )
-    for line in (folder / "index.noun").read_text(encoding="latin-1").splitlines():
-        if not line.startswith("  "):
-            f = line.split()
-            senses[f[0]] = tuple(f[-int(f[2]) :])
-    return WordNet(concepts, senses)
 
 
 def _files(kind: Entry) -> tuple[int, ...]:
@@ -144,16 +95,6 @@ def climb(net: WordNet, start: str, anchors: dict[str, tuple[str, str, str]]) ->
     return None
 
 
-def _above(net: WordNet, start: str) -> set[str]:
-    out, todo = set(), [start]
-    while todo:
-        offset = todo.pop()
-        if offset not in out:
-            out.add(offset)
-            todo += net.concepts[offset].above
-    return out
-
-
 def _usable(net: WordNet, word: str, offset: str, people: set[str]) -> bool:
     concept = net.concepts[offset]
     if concept.file not in _PHYSICAL or concept.instance or _RUDE.search(concept.gloss):
@@ -163,7 +104,7 @@ def _usable(net: WordNet, word: str, offset: str, people: set[str]) -> bool:
     spelled = next(w for w in concept.words if w.lower() == word)
     if spelled != word and concept.file not in (_ARTIFACT, _FOOD):
         return False  # Latin names of species, names of people and places
-    return concept.file != _PERSON or bool(_above(net, offset) & people)
+    return concept.file != _PERSON or bool(above(net, offset) & people)
 
 
 def table(net: WordNet) -> str:
@@ -205,11 +146,10 @@ def table(net: WordNet) -> str:
 
 
 def main() -> None:
-    """Writes `data/hypernyms.txt` from the folder of a WordNet database."""
+    """Writes `esg/lexicon/hypernyms.txt` from the folder of a WordNet database."""
     net = read_wordnet(Path(sys.argv[1]))
-    target = Path(str(files("esg.assets.data"))) / TABLE_FILE
-    target.write_text(table(net), encoding="utf-8")
-    print(f"wrote {target}: {target.stat().st_size} bytes")
+    TABLE.write_text(table(net), encoding="utf-8")
+    print(f"wrote {TABLE}: {TABLE.stat().st_size} bytes")
 
 
 if __name__ == "__main__":

@@ -85,6 +85,8 @@ def _mention(m: Mention, words: str, scene: Scene) -> _Fate:
         pointer = f"/spatial_relation_graph/nodes/{ids[0]}"
         if e.known:
             return _Fate("object", pointer=pointer)
+        if e.noun.like:
+            return _Fate("object", note=f"shaped and sized like: {e.noun.like}", pointer=pointer)
         warning = f'"{e.head}" is not in the lexicon; a stand-in of 40 cm and 5 kg is used.'
         note = "not in the lexicon: a sized stand-in is used"
         return _Fate("object", "used", note, warning, pointer)

@@ -8,12 +8,13 @@ import math
 import pytest
 
 from esg.assets.library.catalogue import Entry, entries_by_name, normalize
-from esg.assets.library.hypernyms import TABLE_FILE, _table, kin
+from esg.assets.library.hypernyms import kin
 from esg.assets.library.proposal import guessed
 from esg.assets.library.retrieve import GATE
 from esg.assets.stage import configure
-from esg.draft.discourse.referents.entities import UNKNOWN_MASS_KG, unknown_noun
+from esg.draft.discourse.referents.entities import UNKNOWN_MASS_KG, nameless
 from esg.graph.models import AssetRequirement
+from esg.lexicon.hypernyms import TABLE, hypernyms
 from tests.assets.worlds import faults, settle_configs
 
 NAMES = [
@@ -85,8 +86,8 @@ NAMES = [
 
 
 def asked(noun: str, **changes: object) -> AssetRequirement:
-    """What the rule drafter asks of a noun it does not know."""
-    stand_in = unknown_noun(noun)
+    """What the rule drafter asks of a noun of which it knows nothing."""
+    stand_in = nameless(noun)
     values: dict[str, object] = {
         "asset_category": noun.replace(" ", "_"),
         "asset_description": f"{noun}: {stand_in.description}, {stand_in.material}",
@@ -207,13 +208,16 @@ def test_guess_is_what_the_drafter_says_of_unknown_nouns() -> None:
 
 
 def test_table_names_kinds_that_exist_and_bodies_that_collide() -> None:
-    nouns, rows = _table()
-    assert len(nouns) > 20_000, TABLE_FILE
+    nouns = hypernyms()
+    assert len(nouns) > 20_000
     kinds = entries_by_name()
-    for kind, longest, mass, concept, words in rows:
-        assert kind in kinds, (kind, concept)
-        assert (not longest or float(longest) > 0) and (not mass or float(mass) > 0)
-        assert all(w == normalize(w) for w in words.split(";"))
+    for wider in set(nouns.values()):
+        assert wider.kind in kinds, wider
+        assert all(figure is None or figure > 0 for figure in (wider.longest_cm, wider.mass_kg))
+    words = [
+        w for line in TABLE.read_text("utf-8").splitlines() for w in line.split("\t")[4].split(";")
+    ]
+    assert all(w == normalize(w) for w in words)
 
 
 def test_kin_takes_the_longest_ending_of_the_phrase_before_a_preposition() -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 import re
 import unicodedata
 
@@ -91,19 +91,8 @@ def slug(text: str) -> str:
     return re.sub(r"[^a-z0-9]+", "_", plain.lower()).strip("_")
 
 
-_PEOPLE = re.compile(
-    r"(?:man|men|woman|women|person|(?<!e)ist|player|keeper|worker|driver|officer|smith|monger|dresser"
-    r"|herder|ologist|ographer|istrator|in-law|brother|sister|mother|father)$"
-    r"|^(?:step|grand|ex-|god|vice-)(?!stand)\w+"
-)
-"""Words that name persons by how they are built."""
-
-
-def unknown_noun(head: str) -> lex.Noun:
-    """A sized stand-in for a noun outside the lexicon: a box, or a person ("bookkeeper")."""
-    if _PEOPLE.search(head):
-        like = lex.nouns()["person"]
-        return replace(like, name=head, description=f"{head}, a person", synonyms=())
+def nameless(head: str) -> lex.Noun:
+    """A sized stand-in for a noun of which nothing is known: a box."""
     return lex.Noun(
         name=head,
         kind="generic",

@@ -6,7 +6,8 @@ from collections.abc import Iterable
 from itertools import count
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.referents.entities import PLACES, Entity, slug, unknown_noun
+from esg.draft.discourse.referents.entities import PLACES, Entity, slug
+from esg.draft.discourse.referents.likeness import unknown_noun
 from esg.draft.discourse.referents.matching import same_kind
 from esg.draft.discourse.referents.record import World
 from esg.draft.discourse.referents.sizes import HOLLOW, holding, inclined, sized
@@ -191,7 +192,7 @@ def create(world: World, m: Mention) -> list[str]:
     """The new things that a phrase names; their ids."""
     if m.group_word == "pair" and m.head in _TWINS:
         m.count, m.plural, m.group_word = None, False, ""  # "a pair of scissors" is one thing
-    noun = m.noun or unknown_noun(m.head)
+    noun = m.noun or unknown_noun(m.head, m.adjectives)
     named = list(world.entities.values())
     noun = noun_here(m, noun, named, movers_of(world), net_sport=world.net_sport)
     if "structural" in noun.traits and "decal" not in noun.traits:
@@ -249,7 +250,7 @@ def letter_of(world: World, m: Mention, letter: str) -> str:
         alike = [e for e in like if e.letter[0] == letter[0] and len(letter) > 1]
         model = (alike or like)[-1]  # "ball A hits ball B; B hits C", "robot R1 ... R2"
         m.noun, m.head = model.noun, model.head
-    noun, known = m.noun or unknown_noun(m.head), m.noun is not None
+    noun, known = m.noun or unknown_noun(m.head, m.adjectives), m.noun is not None
     plain = [a for a in m.adjectives if not a.startswith("@")]
     entity = add_entity(
         world, noun, m.head, adjectives=plain, letter=letter, label=f"{m.head} {letter}",

@@ -24,12 +24,12 @@ from esg.draft.discourse.referents.registry import (
     letter_of,
     note_referents,
 )
+from esg.draft.discourse.referents.thinghood import names_nothing
 from esg.draft.discourse.referents.wholes import whole_of
 from esg.draft.text.elements import Mention
 
 _STACKS = lex.word_set("stacks (resolution)")
-_SCENES = lex.word_set("scenes")
-_DURING = lex.word_set("during")
+_OF_A_TRADE = lex.word_set("of a trade")
 _THE = ("the", "this", "that")
 _ONE = ("a", "an", "one", "any")
 _KNOWN = frozenset({*_THE, "these", "those", "its", "his", "her", "their"}) | frozenset(
@@ -81,11 +81,11 @@ def resolve_one(world: World, m: Mention, subject: bool, avoid: list[str]) -> li
     """Node ids of what a noun phrase means, without what is coordinated with it."""
     if whole := _plural_by_name(world, m):
         return whole
-    if _names_nothing(world, m):
-        m.attribute = True
-        return []
     if whole := whole_of(world, m, subject, avoid):
         return whole
+    if names_nothing(world, m, subject):
+        m.attribute = True
+        return []
     if m.attribute or (not m.head and not m.pronoun):
         return resolve(world, m.possessor) if m.possessor is not None else []
     if m.count == 0:
@@ -99,7 +99,7 @@ def resolve_one(world: World, m: Mention, subject: bool, avoid: list[str]) -> li
     owner = m.possessor
     if m.role and m.determiner != "a" and (driven := _driven(world, owner)):
         return driven  # "the driver brakes": the car
-    if owner is not None and not owner.pronoun and owner.noun is not None:
+    if owner is not None and not owner.pronoun and owner.noun is not None and not _any(owner, m):
         resolve(world, owner)  # "the man's hat": the man is there too
     found = existing(world, m, avoid)
     another = OTHER & {*m.adjectives} or owner is not None
@@ -107,6 +107,17 @@ def resolve_one(world: World, m: Mention, subject: bool, avoid: list[str]) -> li
         found = []  # "a curling stone hits the guard stone": not itself
     enrich(world, m, found)
     return found or create(world, m)
+
+
+def _any(owner: Mention, m: Mention) -> bool:
+    """ "a student's desk", "a barber's chair": what sort of thing it is, not whose."""
+    person = owner.noun is not None and owner.noun.kind == "person"
+    return (
+        person
+        and owner.determiner in ("a", "an")
+        and m.noun is not None
+        and (m.noun.kind in _OF_A_TRADE)
+    )
 
 
 def _plural_by_name(world: World, m: Mention) -> list[str]:
@@ -128,20 +139,6 @@ def _driven(world: World, owner: Mention | None) -> list[str]:
         return resolve(world, owner)
     driven = (i for i in named_alone(world) if world.entities[i[0]].noun.kind in _DRIVEN)
     return next(driven, list[str]())
-
-
-def _names_nothing(world: World, m: Mention) -> bool:
-    """Whether a phrase is about the scene: a cushion of the table, "in a depot", "in a queue"."""
-    if world.billiards and m.head in ("cushion", "rail"):
-        return True
-    if m.noun is None and m.head in _SCENES and m.after_prep in _DURING:
-        return True
-    if m.after_prep not in ("in", "into") or m.head not in lex.ARRANGEMENTS or m.group_word:
-        return False
-    if m.determiner not in ("", "a", "an", "one") or m.plural or m.letters:
-        return False
-    last = world.salience[-1] if world.salience else []
-    return len(last) > 1 or m.head in lex.SHAPES_OF_GROUPS
 
 
 def existing(world: World, m: Mention, avoid: list[str]) -> list[str]:

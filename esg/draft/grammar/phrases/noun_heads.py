@@ -10,16 +10,21 @@ from esg.draft import lexicon as lex
 from esg.draft.grammar.phrases.chunks import Chunks, NounMatch
 from esg.draft.grammar.phrases.letters import letters
 from esg.draft.grammar.phrases.noun_questions import (
+    PIECES,
     bare_color,
     color_acts,
     does_next,
+    ends_as_noun,
     ends_phrase,
+    fills,
+    heap_of,
     is_attribute_start,
     is_name,
     let_do,
     like_a_verb,
     many_do,
     names_it,
+    names_no_thing,
     noun_then_verb,
     numbers,
     one_does,
@@ -28,6 +33,8 @@ from esg.draft.grammar.phrases.noun_questions import (
     plain_noun,
     pronoun_here,
     waiting_place,
+    weighed,
+    wisp,
 )
 from esg.draft.grammar.phrases.nouns import low_at, match_noun, token_at
 from esg.draft.grammar.phrases.reader import (
@@ -36,13 +43,13 @@ from esg.draft.grammar.phrases.reader import (
     looks_like_verb,
     named_before,
     noun_not_verb,
+    noun_soon,
     unknown_noun,
 )
 from esg.draft.grammar.phrases.rows import inner_phrase, member_of_row, the_rest
 from esg.draft.text.elements import Mention
 from esg.draft.verbphrases import verb_readings
 
-_PIECES = lex.word_set("pieces")
 _RUNNING_GEAR = lex.word_set("running gear")
 _SINGULAR = lex.word_set("singular")
 _MOSTLY_NOUNS = lex.word_set("mostly nouns")
@@ -109,8 +116,8 @@ def _noun_here(c: Chunks, j: int, m: Mention) -> NounMatch | None:
     noun = match_noun(c, j) if j < len(c.tokens) else None
     if noun is None:
         return None
-    if noun[3] == "corner" and low_at(c, j + 1) == "of":
-        return None  # of a room or a table, not of the street
+    if noun[3] in ("corner", "entrance", "exit", "rim") and low_at(c, j + 1) == "of":
+        return None  # of a room or a table, not of the street; a tunnel has no door
     if noun[3] == "path" and m.determiner and low_at(c, j + 1) == "of":
         return None  # "into the path of a tram": no footpath
     if m.determiner in ("both", "all") and many_do(c, j, m):
@@ -159,6 +166,8 @@ def _compound(c: Chunks, j: int, noun: NounMatch, m: Mention) -> tuple[int, bool
         following = match_noun(c, k) if k < len(c.tokens) else None
         if following is None or plural or not _continues(c, k, following, m):
             break
+        if heap_of(c, k, entry) or wisp(c, k):
+            break  # "a domino chain", "a lighthouse beam"
         m.adjectives.extend(" ".join(t.low for t in c.tokens[first:k]).split())
         entry, n, plural, phrase = following
         first, k = k, k + n
@@ -199,6 +208,7 @@ def _measure_or_role(c: Chunks, k: int, m: Mention) -> None:
 def _made_of(c: Chunks, j: int, m: Mention) -> int:
     """ "a ball of steel", "an armchair on wheels": no objects of their own."""
     substance = low_at(c, j + 1) in lex.SUBSTANCES and match_noun(c, j + 1) is None
+    substance = substance or (m.noun is not None and fills(c, j + 1, m.noun))
     if low_at(c, j) == "of" and substance:
         m.adjectives.append(low_at(c, j + 1))
         j += 2
@@ -253,7 +263,8 @@ def _unknown_after(c: Chunks, j: int, m: Mention) -> int:
     if token.low in _NO_NOUNS or verb_readings(token.low):
         return j
     single, several = lex.singular(token.low)
-    if single in lex.ATTRIBUTES:
+    nothing = (names_no_thing(token.low) and not _weighs(c, j, j, m)) or wisp(c, j)
+    if single in lex.ATTRIBUTES or nothing:
         m.attribute, m.head, m.noun = True, single, None
     elif single in lex.PARTS:
         m.part = single
@@ -272,10 +283,24 @@ def _rest(c: Chunks, p: Place, m: Mention) -> Head | None:
     return Head(the_rest(c, p.at, m))
 
 
+def _wisp(c: Chunks, p: Place, m: Mention) -> Head | None:
+    """ "a puff of smoke": no thing."""
+    words = wisp(c, p.at)
+    if not words:
+        return OTHER
+    m.head, m.attribute = p.low, True
+    return Head(p.at + words)
+
+
 def _piece(c: Chunks, p: Place, m: Mention) -> Head | None:
     """ "a roll of tape": the thing itself."""
-    if p.low not in _PIECES or low_at(c, p.at + 1) != "of":
+    if p.low not in PIECES or low_at(c, p.at + 1) != "of":
         return OTHER
+    of = low_at(c, p.at + 2)
+    if of in lex.MATERIALS and match_noun(c, p.at + 2) is None and not noun_soon(c, p.at + 3):
+        m.adjectives.append(of)  # "a lump of clay falls"
+        m.head, m.known = p.low, False
+        return Head(p.at + 3)
     inner = inner_phrase(c, p.at + 2, m)
     return Head(inner, complete=True) if inner else OTHER
 
@@ -411,6 +436,9 @@ def _adjective_alone(c: Chunks, p: Place, m: Mention) -> Head | None:
         return OTHER
     if p.at < len(c.tokens) and unknown_noun(c, p.at):
         return OTHER
+    if p.at < len(c.tokens) and ends_as_noun(c, p.at, m):
+        m.attribute, m.head = True, p.low
+        return Head(p.at + 1)
     last = m.adjectives[-1]
     if not known_adjective(last) and not last.startswith("@"):
         m.adjectives.pop()  # the tagger took an unknown noun for an adjective
@@ -436,7 +464,7 @@ def _unknown(c: Chunks, p: Place, m: Mention) -> Head | None:
     if not introduced and tokens[j].tag not in ("NOUN", "PROPN") and not named_before(c, j):
         return OTHER
     k = j
-    while _unknown_goes_on(c, k) or noun_then_verb(c, k + 1, m):
+    while _unknown_goes_on(c, k, m) or noun_then_verb(c, k + 1, m):
         m.adjectives.append(low_at(c, k))
         k += 1
     known = match_noun(c, k + 1) if k + 1 < len(tokens) else None
@@ -447,13 +475,24 @@ def _unknown(c: Chunks, p: Place, m: Mention) -> Head | None:
     if k == j and is_name(c, j, m):
         m.head, m.plural, m.noun = low_at(c, k), False, lex.nouns()["person"]
     titled = k == j and k + 1 < len(tokens) and tokens[k + 1].text == ":"
-    m.attribute = m.head in lex.ATTRIBUTES and not titled  # "Night has fallen."
+    bare = not m.determiner and m.count is None
+    titled = titled and m.head in lex.ATTRIBUTES
+    nothing = m.head in lex.ATTRIBUTES or names_no_thing(low_at(c, k), bare=bare)
+    nothing = nothing and m.noun is None and not _weighs(c, p.first, k, m)
+    m.attribute = nothing and not titled  # "Night has fallen."
     m.known = m.attribute or m.noun is not None
     return Head(k + 1)
 
 
-def _unknown_goes_on(c: Chunks, k: int) -> bool:
+def _weighs(c: Chunks, first: int, last: int, m: Mention) -> bool:
+    """Whether a mass is stated of what a phrase names."""
+    return any(a.dimension == "mass" for a in m.amounts) or weighed(c, first, last)
+
+
+def _unknown_goes_on(c: Chunks, k: int, m: Mention) -> bool:
     """Whether one more unknown noun follows the one at token k."""
+    if looks_like_verb(c, k + 1, m):
+        return False  # "a metronome ticks"
     if k + 1 >= len(c.tokens) or match_noun(c, k + 1) is not None or not unknown_noun(c, k + 1):
         return False
     return c.tokens[k + 1].tag in ("NOUN", "PROPN", "") and c.tokens[k].tag != ""
@@ -478,10 +517,11 @@ def _verb_form(c: Chunks, p: Place, m: Mention) -> Head | None:
 
 
 HEADS: tuple[HeadReader, ...] = (
+    _body_part,
+    _wisp,
     _known,
     _rest,
     _piece,
-    _body_part,
     _part,
     _bus_stop,
     _doer,

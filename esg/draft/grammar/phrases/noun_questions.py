@@ -7,7 +7,9 @@ from esg.draft.grammar.phrases.chunks import Chunks
 from esg.draft.grammar.phrases.nouns import low_at, match_noun, token_at
 from esg.draft.grammar.phrases.reader import element_before, noun_soon, verb_ahead
 from esg.draft.text.elements import Mention, Verb, Word
+from esg.draft.text.numerals import parse_number
 from esg.draft.verbphrases import verb_readings
+from esg.lexicon.senses import no_things
 
 _NUMERALS = lex.word_set("numerals")
 _ALSO_THINGS = lex.word_set("also things")
@@ -16,9 +18,15 @@ _MEETING = lex.word_set("meeting (noun questions)")
 _ARTICLES = lex.word_set("articles")
 _TOOLS = frozenset({"saw", "shot"})
 """Things whose names are also the past of a verb."""
+PIECES = lex.word_set("pieces")
+_VESSELS = lex.word_set("vessels (noun heads)")
 _IS = lex.word_set("is")
 _LETTING = lex.word_set("letting (noun questions)")
 _MEASURES = lex.word_set("measures (noun questions)")
+_STACKS = frozenset({"stack", "pile", "heap"})
+_WISPS, _WISPS_OF = lex.word_set("wisps"), lex.word_set("wisps of")
+_SHINING = lex.word_set("shining")
+_HEAPED, _LINED_UP = lex.word_set("heaped"), lex.word_set("lined up")
 
 
 def numbers(c: Chunks, j: int) -> bool:
@@ -50,17 +58,24 @@ def names_it(m: Mention, low: str) -> bool:
     return bool(m.determiner) and m.determiner not in lex.PRONOUNS and low not in lex.GROUP_WORDS
 
 
-def piled(c: Chunks, k: int, m: Mention) -> int:
-    """ "the tyre stack", "a book pile": several things; the words that say so."""
+def heap_of(c: Chunks, k: int, noun: lex.Noun | None) -> bool:
+    """Whether the word at token k makes several things of the noun before it."""
     word = low_at(c, k)
-    if word not in ("stack", "pile", "heap") or not m.determiner or m.group_word or m.plural:
+    lined_up = noun is not None and noun.kind in _LINED_UP
+    return word in _STACKS or (word in _HEAPED and lined_up)
+
+
+def piled(c: Chunks, k: int, m: Mention) -> int:
+    """ "the tyre stack", "a domino chain": several things; the words that say so."""
+    word = low_at(c, k)
+    if not heap_of(c, k, m.noun) or not m.determiner or m.group_word or m.plural:
         return 0
     nxt = token_at(c, k + 1)
     small = lex.PREPOSITIONS - {"of", "up", "on", "onto"} | {"and", "but", "or", "is", "which"}
     ends = nxt is None or nxt.kind in ("punct", "qty", "number") or nxt.low in small
     if not (ends or _finite(c, k + 1)):
         return 0
-    m.pattern, m.group_word, m.plural, m.count = "stack", word, True, None
+    m.pattern, m.group_word, m.plural, m.count = lex.GROUP_WORDS[word], word, True, None
     return 1
 
 
@@ -204,6 +219,71 @@ def bare_color(c: Chunks, i: int, j: int, m: Mention) -> bool:
         return placed
     acts = any(r.form == "s" for r in verb_readings(nxt.low))
     return placed and (acts or nxt.low in ("into", "off", "onto", "past", "in", "and", "goes"))
+
+
+def names_no_thing(word: str, *, bare: bool = False) -> bool:
+    """ "an interaction", "smoke": what nobody can touch, or what things are made of.
+
+    Args:
+        word: The noun as it stands.
+        bare: Whether it has neither article nor number ("stirs soup").
+    """
+    if word in lex.COLORS or parse_number(word) is not None:
+        return False  # "the pink", "ball two"
+    single = lex.singular(word)[0]
+    kinds = {no_things().get(word), no_things().get(single)}
+    filling = bare and word == single and word in lex.SUBSTANCES
+    return filling or bool(kinds & {"nothing", "substance"})
+
+
+def wisp(c: Chunks, j: int) -> int:
+    """ "a plume of grey smoke", "a laser beam": the words from token j on, 0 if it is a thing."""
+    if lex.singular(low_at(c, j))[0] not in _WISPS:
+        return 0
+    if low_at(c, j + 1) == "of":
+        of = next((k for k in (j + 2, j + 3) if low_at(c, k) in _WISPS_OF), j)
+        return of + 1 - j if of > j else 0
+    return int(lex.singular(low_at(c, j))[0] == "beam" and low_at(c, j - 1) in _SHINING)
+
+
+def fills(c: Chunks, j: int, vessel: lex.Noun) -> bool:
+    """ "a pot of stew", "a bowl of batter": a bare singular after a vessel is what fills it."""
+    token, after = token_at(c, j), token_at(c, j + 1)
+    if vessel.kind not in _VESSELS or token is None or token.kind != "word":
+        return False
+    closed = lex.DETERMINERS | lex.PRONOUNS | _NUMERALS | _ARTICLES
+    single = lex.singular(token.low)[0] == token.low and token.low not in closed
+    compound = after is not None and (after.tag == "NOUN" or match_noun(c, j + 1) is not None)
+    return token.tag == "NOUN" and single and not compound
+
+
+def weighed(c: Chunks, first: int, last: int) -> bool:
+    """ "a lump of clay", "10 kg of rice", "coal weighing 3 kg": a thing, whatever it is made of.
+
+    Args:
+        c: The text.
+        first: First token of the phrase.
+        last: Its noun.
+    """
+    if low_at(c, first - 1) == "of" and (low_at(c, first - 2) in PIECES or _mass(c, first - 2)):
+        return True
+    said = low_at(c, last + 1) in ("weighing", "of", "with", "has", "weighs")
+    return said and any(_mass(c, k) for k in range(last + 2, last + 6))
+
+
+def _mass(c: Chunks, k: int) -> bool:
+    token = token_at(c, k)
+    amount = token.amount if token is not None else None
+    return amount is not None and amount.dimension in ("mass", "volume")
+
+
+def ends_as_noun(c: Chunks, k: int, m: Mention) -> bool:
+    """ "a visible dent", "a gentle touch of a finger": no verb, and no thing either."""
+    nxt = token_at(c, k + 1)
+    small = lex.PREPOSITIONS | lex.SUBORDINATORS | {"and", "but", "that", "which"}
+    ends = nxt is None or nxt.kind == "punct" or nxt.low in small
+    base = any(r.form == "base" for r in verb_readings(low_at(c, k)))
+    return m.determiner in ("a", "an") and base and ends and names_no_thing(low_at(c, k))
 
 
 def is_name(c: Chunks, j: int, m: Mention) -> bool:

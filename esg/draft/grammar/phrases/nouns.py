@@ -31,7 +31,7 @@ def match_noun(c: Chunks, i: int) -> NounMatch | None:
 
 
 def _find_noun(c: Chunks, i: int) -> NounMatch | None:
-    if not 0 <= i < len(c.tokens):
+    if not 0 <= i < len(c.tokens) or _modal(c, i):
         return None
     most = lex.longest_nouns().get(c.tokens[i].low, 1)
     for n in range(min(most, len(c.tokens) - i), 0, -1):
@@ -74,6 +74,17 @@ def _compounded(c: Chunks, i: int) -> NounMatch | None:
     if low in ("light", "lights") and _of_traffic(c, i):
         return table["traffic light"], 1, False, "traffic light"
     return None
+
+
+def _modal(c: Chunks, i: int) -> bool:
+    """ "The viewer can watch": no tin."""
+    if low_at(c, i) != "can" or i == 0 or i + 1 >= len(c.tokens):
+        return False
+    before, after = c.tokens[i - 1], c.tokens[i + 1]
+    if before.tag not in ("NOUN", "PROPN"):
+        return False
+    verb = after.tag == "VERB" or low_at(c, i + 1) == "be"
+    return verb and c.tokens[i].tag == "AUX" and lex.singular(after.low)[0] == after.low
 
 
 def _of_traffic(c: Chunks, i: int) -> bool:

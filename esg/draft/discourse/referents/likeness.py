@@ -1,0 +1,112 @@
+"""Nouns outside the lexicon: what they are like, and so their size, shape and behaviour."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+import re
+
+from esg.draft import lexicon as lex
+from esg.draft.discourse.referents.entities import nameless
+from esg.lexicon import Kind, kinds
+from esg.lexicon.hypernyms import hypernyms
+from esg.lexicon.senses import no_things
+
+_PEOPLE = re.compile(
+    r"(?:man|men|woman|women|person|(?<!e)ist|player|keeper|worker|driver|officer|smith|monger"
+    r"|(?<=.)dresser|herder|ologist|ographer|istrator|in-law|brother|sister|mother|father)$"
+    r"|^(?:step|grand|ex-|god|vice-)(?!stand)\w+"
+)
+"""Words that name persons by how they are built."""
+_ROOTED_KG = 100.0
+"""What is lighter and only like a fixture may move."""
+_OF_THE_GROUND = frozenset({"structural", "decal"})
+_SCENES = lex.word_set("scenes")
+_ALIKE = lex.word_set("behave alike")
+
+
+def unknown_noun(head: str, adjectives: list[str] | None = None) -> lex.Noun:
+    """What a noun outside the lexicon is taken for.
+
+    Args:
+        head: The noun ("bookkeeper", "yo-yo", "feeder").
+        adjectives: What stands before it, of which the last may be part of the noun ("bird").
+
+    Returns:
+        A person, what the noun is like (`Noun.like` says so), or a box of 40 cm.
+    """
+    if _PEOPLE.search(head):
+        like = lex.nouns()["person"]
+        return replace(like, name=head, description=f"{head}, a person", synonyms=(), like="person")
+    before = [a for a in (adjectives or [])[-1:] if a.isalpha()]
+    said = [re.sub(r"[^a-z0-9]+", " ", words) for words in (" ".join([*before, head]), head)]
+    return next((n for words in said if (n := _like(words, head))), None) or nameless(head)
+
+
+@cache
+def _like(words: str, head: str) -> lex.Noun | None:
+    """The noun with figures and behaviour of the kind nearest to it; None if there is none."""
+    own, above = _drawn().get(words), hypernyms().get(words)
+    kind = own or (_named().get(above.kind) if above is not None else None)
+    if kind is None:
+        return None
+    model = _behaves(kind)
+    model = replace(model, traits=model.traits - {"topples"})  # it falls as other things do
+    place = no_things().get(head) == "place" or head in _SCENES
+    if _OF_THE_GROUND & model.traits or (place and model.kind in ("animal", "person")):
+        return None  # a quarry is no game
+    if model.kind not in _ALIKE or place:
+        model = replace(model, kind="generic")
+    figures = above if own is None else None
+    mass = figures.mass_kg if figures is not None else None
+    if (mass or kind.mass_kg) < _ROOTED_KG:
+        model = replace(model, traits=model.traits - {"fixed"})  # "a tumbleweed" is like a bush
+    longest = figures.longest_cm if figures is not None else None
+    scale = longest / max(kind.dimensions_cm) if longest else 1.0
+    length, width, height = (round(scale * d, 3) for d in kind.dimensions_cm)
+    cube = length == width == height
+    return replace(
+        model,
+        name=head,
+        dimensions_cm=(length, width, height),
+        mass_kg=mass or max(round(kind.mass_kg * scale**3, 4), 0.001),
+        shape="" if cube and model.shape == "box" else model.shape,
+        description=head,
+        synonyms=(),
+        like=f"{kind.name} of {max(length, width, height):g} cm",
+    )
+
+
+@cache
+def _named() -> dict[str, Kind]:
+    """Kinds that are drawn, by name with underscores."""
+    return {kind.slug: kind for kind in kinds() if kind.builder}
+
+
+@cache
+def _drawn() -> dict[str, Kind]:
+    """Kinds that are drawn, by every name that the library knows."""
+    found: dict[str, Kind] = {}
+    for kind in _named().values():
+        for name in (kind.name, *kind.found_as):
+            found.setdefault(re.sub(r"[^a-z0-9]+", " ", name), kind)
+    return found
+
+
+@cache
+def _behaves(kind: Kind) -> lex.Noun:
+    """A noun that moves and behaves like a kind, be that one of the drafter's or not."""
+    if kind.name in lex.nouns():
+        return lex.nouns()[kind.name]
+    classes = {noun.kind for noun in lex.nouns().values()}
+    return lex.Noun(
+        name=kind.name,
+        kind=next((p for p in kind.parents if p in classes), "generic"),
+        dimensions_cm=kind.dimensions_cm,
+        mass_kg=kind.mass_kg,
+        material=kind.material or "plastic",
+        shape="",
+        traits=frozenset({"fixed", "wheeled", "container"} & kind.flags)
+        | frozenset({"round"} if "rolls" in kind.flags else ()),
+        description=kind.name,
+    )

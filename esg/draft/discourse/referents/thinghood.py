@@ -1,0 +1,95 @@
+"""Noun phrases that name no thing where they stand: scenes, places, instruments, the camera."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from esg.draft import lexicon as lex
+from esg.draft.discourse.referents.matching import same_kind
+from esg.draft.discourse.referents.record import World
+from esg.draft.text.elements import Mention
+from esg.lexicon.senses import no_things
+
+_SCENES = lex.word_set("scenes")
+_DURING = lex.word_set("during")
+_WHERE = lex.word_set("where things are")
+_WITH = lex.word_set("with a part of the body")
+_FILMING = lex.word_set("filming")
+_TO_PIECES = lex.word_set("to pieces")
+_PICTURE, _THE_PICTURE = ("frame", "screen"), ("", "the")
+_ACROSS = ("across", "of", "off", "on")
+_OWN = ("his", "her", "its", "their")
+
+
+def names_nothing(world: World, m: Mention, subject: bool) -> bool:
+    """Whether a phrase names no thing here, though its noun may elsewhere.
+
+    Args:
+        world: What has been named so far.
+        m: The noun phrase.
+        subject: Whether it is a grammatical subject.
+    """
+    if any(same_kind(m, e) for e in world.entities.values()):
+        return False
+    return any(test(world, m, subject) for test in _TESTS)
+
+
+def _cushion(world: World, m: Mention, subject: bool) -> bool:
+    """Of a billiard table."""
+    return world.billiards and m.head in ("cushion", "rail")
+
+
+def _scene(world: World, m: Mention, subject: bool) -> bool:
+    """ "in a depot", "over a valley", "along a hallway"."""
+    if m.noun is not None or not m.after_prep or m.part:
+        return False  # "over the edge of a quarry"
+    place = no_things().get(m.head) == "place"
+    return (m.head in _SCENES and m.after_prep in _DURING) or (place and m.after_prep in _WHERE)
+
+
+def _with_a_part(world: World, m: Mention, subject: bool) -> bool:
+    """ "with one hand", "in its mouth", "wags its tail": a part of who acts."""
+    part = m.head in lex.BODY_PARTS or (m.noun is None and no_things().get(m.head) == "body")
+    own = m.after_prep in _WITH or (m.determiner in _OWN and not subject)
+    return part and own and m.possessor is None
+
+
+def _formation(world: World, m: Mention, subject: bool) -> bool:
+    """ "in a queue"."""
+    if m.after_prep not in ("in", "into") or m.head not in lex.ARRANGEMENTS or m.group_word:
+        return False
+    if m.determiner not in ("", "a", "an", "one") or m.plural or m.letters:
+        return False
+    last = world.salience[-1] if world.salience else []
+    return len(last) > 1 or m.head in lex.SHAPES_OF_GROUPS
+
+
+def _who_films(world: World, m: Mention, subject: bool) -> bool:
+    """ "shot with a static camera", "towards the camera", "out of the frame"."""
+    if m.head == "camera":
+        return m.after_prep in _FILMING
+    if m.head == "screen" and not (m.part or m.after_prep in _ACROSS):
+        return False
+    return m.head in _PICTURE and m.determiner in _THE_PICTURE and not m.adjectives
+
+
+def _pieces(world: World, m: Mention, subject: bool) -> bool:
+    """ "smashes it into pieces", "cut in half"."""
+    return m.head in _TO_PIECES and m.after_prep in ("in", "into", "to") and not m.determiner
+
+
+def _running_water(world: World, m: Mention, subject: bool) -> bool:
+    """ "Water drips from a tap", "filled with water": no pool of it."""
+    bare = m.head == "water" and not m.determiner
+    return bare and (subject or m.after_prep in ("of", "with"))
+
+
+_TESTS: tuple[Callable[[World, Mention, bool], bool], ...] = (
+    _cushion,
+    _scene,
+    _with_a_part,
+    _formation,
+    _who_films,
+    _pieces,
+    _running_water,
+)
