@@ -77,7 +77,7 @@ def said(text: str, f: Frame) -> list[Said]:
 
 
 def adverbs_of(text: str, f: Frame) -> list[str]:
-    """The adverbs of a clause, those of its verb group included ("is gently placed", "drives on")."""
+    """The adverbs of a clause, those in its verb group included ("is gently placed")."""
     group = text[f.verb.start : f.verb.end].lower().split()[1:]
     if group and any(form.lemma == f.verb.lemma for form in lex.verb_forms().get(group[-1], ())):
         group = group[:-1]
