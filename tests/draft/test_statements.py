@@ -218,15 +218,16 @@ def test_what_leaves_a_table_is_not_slowed_down() -> None:
         ("A ball rolls to the right.", {"heading_deg": 180.0}),
         ("A car rolls backwards.", {"backward": True}),
         ("A car drives backward.", {"backward": True}),
+        ("A car reverses slowly into a wall.", {"backward": True}),
+        ("A truck backs up quickly into a gate.", {"backward": True}),
         ("A ball is thrown up.", {"elevation_deg": 90.0}),
         ("A ball rolls.", {}),
     ],
 )
 def test_words_of_direction_are_a_course(prompt: str, course: dict[str, object]) -> None:
-    names = ("heading_deg", "backward", "elevation_deg")
     params = edge(prompt, prompt.split()[1] + "_1").params
-    assert {n: v for n in names if (v := getattr(params, n))} | course == course
-    assert {n: getattr(params, n) for n in course} == course
+    names = ("heading_deg", "backward", "elevation_deg")
+    assert {n: v for n in names if (v := getattr(params, n)) is not None} == course
 
 
 @pytest.mark.parametrize(

@@ -143,9 +143,9 @@ def _said(book: _Book, clause: Clause, s: Said, mover: str) -> None:
         _driver(book, clause, s, mover)
     elif s.row.part == "verb":
         others = [i for i in _ids(clause.frame.object) if i != mover and i in d.world.entities]
-        level = s.row.direction not in ("up", "down")
-        some = tuple(others[:1]) if level else ()
-        if not level or (others and not _met(d, mover, others)):
+        targeted = s.row.direction in _TARGETED
+        some = tuple(others[:1]) if targeted else ()
+        if not targeted or (others and not _met(d, mover, others)):
             book.add(says, s.start, s.end, object=(mover,), target=some,
                      direction=s.row.direction, when=where)  # fmt: skip
     elif says is Predicate.MOVES:
