@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 import json
+from pathlib import Path
+import re
 
 import pytest
 
@@ -25,6 +27,8 @@ from esg.graph.models import (
 STATED = stated.rows()
 UNKEPT = unkept.rows()
 WALL = "A car hits a wall. "
+DOCS = Path(__file__).parents[2] / "docs"
+EXAMPLE = re.compile(r"^\| (?P<prompt>[A-Z][^|]*\.) \| (?P<said>[^|]*) \|", re.MULTILINE)
 
 
 def statements(prompt: str) -> tuple[Statement, ...]:
@@ -80,31 +84,32 @@ def test_a_statement_of_a_row_comes_of_its_row(row: Row, monkeypatch: pytest.Mon
     assert after < before
 
 
-def test_a_word_of_direction_is_one_row(monkeypatch: pytest.MonkeyPatch) -> None:
-    row = next(r for r in STATED if r.part == "adverb" and r.direction == "left")
-    assert told("A ball rolls downhill.") == [("rolls", "rolls")]
-    more = (*STATED, replace(row, words=frozenset({"downhill"})))
+def test_a_word_of_direction_is_one_word_in_a_row(monkeypatch: pytest.MonkeyPatch) -> None:
+    prompt = "A car rolls backwardly."
+    assert told(prompt) == [("not_represented", "backwardly")]
+    row = next(r for r in STATED if "backwards" in r.words)
+    more = (*STATED, replace(row, words=frozenset({"backwardly"})))
     monkeypatch.setattr(stated, "rows", lambda: more)
     stated._by_word.cache_clear()
-    assert ("moves", "downhill") in told("A ball rolls downhill.")
-    assert edge("A ball rolls downhill.", "ball_1").params.heading_deg == 0.0
+    assert told(prompt) == [("moves", "backwardly")]
+    assert edge(prompt, "car_1").params.backward is True
     monkeypatch.undo()
     stated._by_word.cache_clear()
 
 
 def test_an_unkept_verb_is_one_row(monkeypatch: pytest.MonkeyPatch) -> None:
-    prompt = "A dog ambles along."
-    assert all(says != "not_represented" for says, _ in told(prompt))
-    row = replace(UNKEPT[0], sense="own", lemmas=frozenset({"amble"}), voice="", missing="no gait")
-    monkeypatch.setattr(unkept, "rows", lambda: (row,))
-    (found,) = [s for s in statements(prompt) if s.predicate is Predicate.NOT_REPRESENTED]
-    assert (found.text, found.note, found.object) == ("ambles", "no gait", ("dog_1",))
+    prompt = "A man staggers."
+    assert told(prompt) == []
+    row = replace(UNKEPT[0], sense="own", lemmas=frozenset({"stagger"}), voice="*", missing="why")
+    monkeypatch.setattr(unkept, "rows", lambda: (*UNKEPT, row))
+    (found,) = statements(prompt)
+    assert (found.text, found.note, found.object) == ("staggers", "why", ("man_1",))
 
 
 @pytest.mark.parametrize("word", ["slowly", "gently", "softly", "lightly", "leisurely"])
 def test_slow_words_leave_the_slow_part_of_a_range(word: str) -> None:
     plain, slow = draft("A car drives."), draft(f"A car drives {word}.")
-    (said,) = slow.statements or ()
+    (said,) = list(slow.statements or ())
     assert said.predicate is Predicate.SLOWER_THAN
     assert isinstance(said.value, float)
     assert fastest(slow) < said.value < 0.5 * fastest(plain)
@@ -113,7 +118,7 @@ def test_slow_words_leave_the_slow_part_of_a_range(word: str) -> None:
 @pytest.mark.parametrize("word", ["quickly", "fast", "rapidly", "swiftly"])
 def test_fast_words_leave_the_fast_part_of_a_range(word: str) -> None:
     plain, fast = draft("A car drives."), draft(f"A car drives {word}.")
-    (said,) = fast.statements or ()
+    (said,) = list(fast.statements or ())
     assert said.predicate is Predicate.FASTER_THAN
     assert isinstance(said.value, float)
     assert said.value > 0.5 * fastest(plain)
@@ -154,7 +159,7 @@ def test_markup_may_stand_between_the_words_of_a_place(typed: str) -> None:
 def test_a_repeated_word_is_placed_where_it_was_read() -> None:
     said = Statement(id="s1", predicate=Predicate.ROLLS, text="rolls", start=20, end=25)
     typed = "x rolls " + "<i></i>" * 3 + " rolls"
-    (moved,) = stated_in_prompt((said,), "x rolls " + " " * 12 + "rolls", typed) or ()
+    (moved,) = list(stated_in_prompt((said,), "x rolls " + " " * 12 + "rolls", typed) or ())
     assert (moved.start, moved.end) == (30, 35)
     assert stated_in_prompt(None, "a", "b") is None
 
@@ -314,3 +319,23 @@ def test_riders_and_loads_are_said_to_be_with_what_moves(
 )
 def test_what_no_scene_shows_is_owned_up_to(prompt: str, note: str) -> None:
     assert note in [s.note for s in statements(prompt)]
+
+
+def test_the_page_on_statements_shows_what_the_reader_says() -> None:
+    page = (DOCS / "drafting" / "statements.md").read_text("utf-8")
+    shown = {
+        m["prompt"]: re.findall(r'`(\w+)`(?: [\w ]+)? \("([^"]+)"\)', m["said"])
+        for m in EXAMPLE.finditer(page)
+    }
+    assert len(shown) >= 10
+    assert shown == {prompt: told(prompt) for prompt in shown}
+
+
+def test_the_page_of_the_document_shows_a_true_one() -> None:
+    page = (DOCS / "graph" / "statements.md").read_text("utf-8")
+    prompt = re.search(r'^esg draft "([^"]+)" --json', page, re.MULTILINE)
+    shown = re.search(r"```json\n(.*?)```", page, re.DOTALL)
+    assert prompt is not None
+    assert shown is not None
+    document = json.loads(canonical_json(draft(prompt[1])))
+    assert json.loads(shown[1]) == document["statements"]
