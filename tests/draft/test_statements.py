@@ -226,6 +226,7 @@ def test_what_leaves_a_table_is_not_slowed_down() -> None:
         ("A car reverses slowly into a wall.", {"backward": True}),
         ("A truck backs up quickly into a gate.", {"backward": True}),
         ("A ball is thrown up.", {"elevation_deg": 90.0}),
+        ("A ball is thrown upwards and hits a lamp.", {"elevation_deg": 90.0}),
         ("A ball rolls.", {}),
     ],
 )
