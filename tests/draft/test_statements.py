@@ -226,7 +226,8 @@ def test_what_leaves_a_table_is_not_slowed_down() -> None:
         ("A car reverses slowly into a wall.", {"backward": True}),
         ("A truck backs up quickly into a gate.", {"backward": True}),
         ("A ball is thrown up.", {"elevation_deg": 90.0}),
-        ("A ball is thrown upwards and hits a lamp.", {"elevation_deg": 90.0}),
+        ("A ball is thrown up. It bounces twice on the ground.", {"elevation_deg": 90.0}),
+        ("A ball is thrown up into a basket.", {"elevation_deg": (-10.0, 60.0)}),
         ("A ball rolls.", {}),
     ],
 )
@@ -254,6 +255,18 @@ def test_a_way_is_stated_wherever_its_word_stands(prompt: str, words: str) -> No
 )
 def test_words_that_only_look_like_directions_state_none(prompt: str) -> None:
     assert "moves" not in [says for says, _ in told(prompt)]
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A ball is thrown by a boy.",
+        "A ball kicked by a boy hits a wall.",
+        "A crate is pulled by a dog.",
+    ],
+)
+def test_who_does_it_is_not_passed(prompt: str) -> None:
+    assert "past" not in [s.direction for s in statements(prompt)]
 
 
 @pytest.mark.parametrize("where", ["in front of", "near", "beside", "next to"])

@@ -66,7 +66,8 @@ def said(text: str, f: Frame) -> list[Said]:
         if p.mention.attribute and p.prep in ("to", "toward", "towards"):
             found = _by_word().get(("side", p.mention.head), ())
         else:
-            solid = not p.mention.attribute
+            agent = p.prep == "by" and (f.verb.passive or f.reduced)
+            solid = not p.mention.attribute and not agent
             away = p.prep == "from" and text[: start_of(p, text)].rstrip().endswith("away")
             prep = "away from" if away else p.prep
             found = _by_word().get(("phrase", prep), ()) if solid else ()
