@@ -109,6 +109,10 @@ def _pairs(asked: _Asked) -> Iterable[tuple[str, str]]:
             yield from ((a, b) for a in one for b in other if a != b)
 
 
+_PLACES = frozenset({"supported_by", "inside", "above", "airborne", "carried_by", "attached_to"})
+"""Predicates of being somewhere: what holds throughout holds at the start."""
+
+
 def _same(statement: Statement, asked: _Asked) -> bool:
     """Whether a statement of the document says what is asked."""
     says, when = asked.says, asked.label.get("when", "throughout")
@@ -122,7 +126,8 @@ def _same(statement: Statement, asked: _Asked) -> bool:
     if says in ("absent", "count"):
         nouns = words_of(statement.noun or "")[-1:], words_of(asked.label["noun"])[-1:]
         return nouns[0] == nouns[1] and _value(statement, asked.label, 1.0)
-    if when != "throughout" and statement.when != _moments(when, asked):
+    always = statement.when == "throughout" and says in _PLACES
+    if when != "throughout" and not always and statement.when != _moments(when, asked):
         return False
     if asked.direction and statement.direction != asked.direction:
         return False

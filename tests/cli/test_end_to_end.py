@@ -94,7 +94,8 @@ def test_without_a_compiler_the_program_is_replayed_and_said_so(tmp_path: Path) 
     [
         ("A ball rolls on a table.", "solved", {"rolls": "kept", "a table": "kept"}),
         ("A car reverses slowly into a wall.", "solved", {"reverses": "kept", "slowly": "kept"}),
-        ("A woman picks up a mug.", "partial", {"picks": "not_represented"}),
+        ("A boy fetches a ball.", "partial", {"fetches": "not_represented"}),
+        ("A woman picks up a mug.", "solved", {}),
     ],
 )
 def test_words_are_kept_or_owned_up_to(

@@ -2,6 +2,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 import json
+import math
 from pathlib import Path
 import struct
 import subprocess
@@ -18,9 +19,17 @@ from test_emit import HOSTILE
 from esg.compile import replay_class
 from esg.compile.export import export
 from esg.compile.glb import read_glb
+from esg.compile.mjcf import start_velocities
 from esg.engines.executor import Executor
 from esg.engines.manifest import load_manifest, manifest_bytes, manifest_to_json
-from esg.engines.program import ApplyImpulse, Program, SetVelocity, batch_programs
+from esg.engines.program import (
+    ApplyImpulse,
+    GuideAlong,
+    HoldSpin,
+    Program,
+    SetVelocity,
+    batch_programs,
+)
 from esg.engines.scene import Rollout, SimScene
 from esg.outcomes import UserError
 from esg.units import quat_rotate
@@ -269,6 +278,29 @@ def test_start_velocities_arrive_in_the_frames_the_formats_ask_for(tmp_path: Pat
     )
     np.testing.assert_allclose(found[3:], total, atol=1e-9)
     np.testing.assert_allclose(found[:3], angular, atol=1e-9)
+
+
+def test_what_is_guided_or_spins_at_the_start_has_its_velocity_then(tmp_path: Path) -> None:
+    """A manifest with both comes back as it was, and formats without programs get its start."""
+    crate = scenes.box("crate", (0.0, 0.0, 2.0), (0.3, 0.2, 0.1), 4.0, 0.0)
+    path = ((0.0, 0.0, 2.0), (1.0, 0.0, 2.0))
+    program = Program(
+        (
+            GuideAlong("crate", 0.0, (0.0, 1.0), path, ((0.5, 0.0, 0.2), (0.0, 0.0, 0.0)), 0.3),
+            HoldSpin("top", 0.0, math.inf, 5.0, (0.0, 0.0, -2.0)),
+        ),
+        2.0,
+    )
+    top = replace(crate, name="top", position=(0.0, 3.0, 0.1))
+    folder = folder_of(tmp_path, SimScene("start", (crate, top)), program)
+    manifest = load_manifest(folder / "manifest.json")
+    assert manifest.program == program
+    said = json.loads((folder / "manifest.json").read_text())["conventions"]
+    assert {"guide", "spin"} <= said.keys() and "climb" not in said
+    assert start_velocities(manifest) == {
+        "crate": ((0.5, 0.0, 0.2), (0.0, 0.0, 0.3)),
+        "top": ((0.0, 0.0, 0.0), (0.0, 0.0, -5.0)),
+    }
 
 
 def test_usd_animation_plays_the_replay(folder: Path, tmp_path: Path) -> None:

@@ -184,6 +184,10 @@ def test_what_does_not_happen_states_nothing(clause: str) -> None:
     assert told(f"{clause} {WALL}") == []
 
 
+def test_a_word_is_owned_up_to_once() -> None:
+    assert told("A car drives through the rain.") == [("not_represented", "rain")]
+
+
 def test_an_adverb_of_both_is_of_what_happens() -> None:
     prompt = "A man does not walk carefully. A car carefully hits a wall."
     (said,) = statements(prompt)
@@ -328,7 +332,7 @@ def test_riders_and_loads_are_said_to_be_with_what_moves(
     [
         ("A car drives through the rain.", "light and weather are not simulated"),
         ("A ball rolls gracefully to the left.", "manner is not simulated"),
-        ("A boy grabs a ball.", "nothing picks it up"),
+        ("A boy fetches a ball.", "nothing picks it up"),
     ],
 )
 def test_what_no_scene_shows_is_owned_up_to(prompt: str, note: str) -> None:

@@ -49,7 +49,7 @@ def constraint(doc: EsgDocument, quantity: str) -> Any:
         ("A wall is hit by a truck and falls on a car.", None),
         ("A goose lands on a fence.", ["Collision goose_1 fence_1"]),
         ("A player shoots a puck toward the goalie, who stops it.", None),
-        ("A child jumps over a log.", []),
+        ("A child jumps over a log.", ["Jump child_1 log_1"]),
         ("A stone thrown over a fence lands on a bench.", ["Collision stone_1 bench_1"]),
         ("A car skids through a fence and hits a tree.", None),
         ("A pallet tips off a forklift.", ["Fall pallet_1"]),

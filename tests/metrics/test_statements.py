@@ -35,7 +35,8 @@ def on_tray(x=0.0) -> World:
 
 def on_field(x=0.0) -> World:
     """A ball of 0.2 m on a static plane of 20 m."""
-    return World(2.0).add(body("road_1", **ROAD), z=0.0).add(ball("ball_1"), x=x)
+    field = body("field_1", shapes=(), static=True, half_extents=(10.0, 10.0, 0.005))
+    return World(2.0).add(field, z=0.0).add(ball("ball_1"), x=x)
 
 
 def pair(gap: float = 1.0, **more: object) -> World:
@@ -227,7 +228,7 @@ CASES = [
     case("moves", lambda: on_tray(line(-0.9, 0.8)), lambda: on_tray(line(-0.9, 0.3)),
          "goes over 30% of tray", direction="across", object="ball", target="tray"),
     case("moves", lambda: on_field(line(-5.0, 0.3)), lambda: on_field(line(-5.0, 0.15)),
-         "goes over 38% of road", direction="across", object="ball", target="road"),
+         "goes over 38% of field", direction="across", object="ball", target="field"),
     case("moves", lambda: gate().add(ball("ball_1"), x=line(0, 2)),
          lambda: gate().add(ball("ball_1"), x=line(0, 1)), "ends inside gate",
          direction="through", object="ball", target="gate"),

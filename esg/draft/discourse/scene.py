@@ -51,6 +51,8 @@ class Scene:
     """The clauses that were read, with what they move."""
 
 
+GROUND = "ground_1"
+"""Node of what everything stands on."""
 STRUCK = lex.word_set("struck")
 MAX_TIME_S = 600.0
 """Longest scene [s]."""

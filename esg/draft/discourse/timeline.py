@@ -38,6 +38,9 @@ _EDGES: dict[str, EdgeEvent] = {
     "throw": EdgeEvent.TOWARD,
     "drop": EdgeEvent.TOWARD,
     "fly": EdgeEvent.TOWARD,
+    "guide": EdgeEvent.GUIDE,
+    "jump": EdgeEvent.TOWARD,
+    "spin": EdgeEvent.SPIN,
 }
 _STEADY = frozenset({EdgeEvent.UNIFORM_MOTION, EdgeEvent.TOWARD})
 Gaps = dict[frozenset[str], Quantity]
@@ -46,9 +49,13 @@ _NAMES = {
     NodeEvent.ENTER_REGION: "enter", NodeEvent.HEADING_REACHED: "turn_end",
     NodeEvent.POSITION_AT: "position", NodeEvent.COLLISION: "collision",
     NodeEvent.TRIGGER: "trigger", NodeEvent.STOP: "stop", NodeEvent.TOPPLE: "topple",
+    NodeEvent.PICKED_UP: "picked_up", NodeEvent.PLACED: "placed", NodeEvent.BOUNCE: "bounce",
+    NodeEvent.JUMP: "jump", NodeEvent.SPIN: "spin",
     NodeEvent.FALL: "fall", NodeEvent.REACH: "reach", NodeEvent.MISS: "miss",
 }  # fmt: skip
 """Last words of the ids of point events."""
+_ENDING = (NodeEvent.STOP, NodeEvent.PICKED_UP, NodeEvent.PLACED, NodeEvent.SPIN, NodeEvent.JUMP)
+"""Events with which a motion is over: what comes next is told anew."""
 _LEGS = {"own": "drive", "throw": "flight", "fly": "flight"}
 """Last words of the ids of segments, where they differ from the mode."""
 _FREEDOM = (
@@ -147,7 +154,7 @@ class TimelineBuilder:
             if actor in moving or event is NodeEvent.COLLISION:
                 track.at = node_id
                 track.closed = True
-            if event is NodeEvent.STOP:
+            if event in _ENDING:
                 track.motion = None
         self.last_event = node_id
         return node_id

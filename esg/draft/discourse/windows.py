@@ -29,6 +29,11 @@ _DURATIONS: dict[NodeEvent, tuple[float, float]] = {
     NodeEvent.REACH: (0.5, 3.0),
     NodeEvent.MISS: (0.5, 2.5),
     NodeEvent.POSITION_AT: (0.5, 3.0),
+    NodeEvent.PICKED_UP: (0.3, 3.0),
+    NodeEvent.PLACED: (0.8, 8.0),
+    NodeEvent.BOUNCE: (0.3, 6.0),
+    NodeEvent.JUMP: (0.2, 5.0),
+    NodeEvent.SPIN: (0.5, 5.0),
 }
 """Shortest and longest time since the event before, where the prompt states none [s]."""
 

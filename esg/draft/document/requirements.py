@@ -7,10 +7,9 @@ from typing import Any
 from esg.draft import lexicon as lex
 from esg.draft.discourse.referents.entities import Entity, slug
 from esg.draft.discourse.referents.sizes import dimensions_of, mass_of
-from esg.draft.discourse.scene import Scene
+from esg.draft.discourse.scene import GROUND, Scene
 from esg.graph.models import AssetRequirement
 
-GROUND = "ground_1"
 GROUND_SIZE_CM = (12000.0, 12000.0, 2.0)
 _OFFICE = frozenset({"desk", "office"})
 _ICY = lex.word_set("icy")

@@ -42,6 +42,13 @@ _AT_FIRST = re.compile(
     re.IGNORECASE,
 )
 _HITS = (NodeEvent.COLLISION,)
+_HANDLED = {
+    **dict.fromkeys((("posture", v) for v in lex.word_set("puts")), "put"),
+    **dict.fromkeys((("carry", v) for v in lex.word_set("picks up")), "pick"),
+    **dict.fromkeys((("own", v) for v in lex.word_set("jumps")), "jump"),
+    ("carry", "lower"): "put",
+}
+"""Verbs of states and motions that may tell of a hand, or of a leap, by sense and lemma."""
 _NAMED_EVENTS = {
     **dict.fromkeys(("collision", "impact", "crash", "hit", "strike", "contact", "smash"), _HITS),
     **dict.fromkeys(("bump", "blow", "knock", "accident", "touch"), _HITS),
@@ -88,8 +95,10 @@ def interpret(
     d.told, d.attached = frames, attachments
     refer_all(d, frames)
     dodge(frames, d.text)
+    goals = {id(p.mention) for f in frames if _tells_of_hands(f) for p in f.phrases}
     for m, p in attachments:
-        attachment(d, m, p)
+        if p.mention is None or id(p.mention) not in goals:
+            attachment(d, m, p)
     before = -1
     for f in frames:
         d.now.telling = (f.sentence, before, f.verb.sense)
@@ -110,6 +119,12 @@ def interpret(
         else:
             d.scene.used.pop((amount.start, amount.end), None)
     return d.scene
+
+
+def _tells_of_hands(f: Frame) -> bool:
+    """Whether a clause tells where something is put: not where it is at first."""
+    put = _HANDLED.get((f.verb.sense, f.verb.lemma)) == "put"
+    return put and not f.verb.passive and not f.reduced and f.object is not None
 
 
 @dataclass
@@ -272,6 +287,9 @@ STEPS: tuple[Step, ...] = (
 def _sense_here(f: Frame, parts: Parts) -> str:
     """The sense to read the clause by: "ends up in", "breaks on a rock" have one of their own."""
     sense, lemma = f.verb.sense, f.verb.lemma
+    handled = _HANDLED.get((sense, lemma))
+    if handled is not None:
+        return handled
     if lemma in ("end", "wind", "finish") and sense in ("noop", "reach"):
         return "end"
     against = f.phrase("on", "against", "at") is not None

@@ -31,6 +31,7 @@ _SLOW, _FAST = (0.0, 0.25), (0.5, 1.0)
 """The parts of the range of plausible speeds that are slow and fast."""
 
 
+_FLOATERS = lex.word_set("floaters")
 _CARRYING = ("on", "atop", "on top of")
 _COMES_ONTO = lex.word_set("comes onto")
 _IN_THE_AIR = lex.word_set("in the air")
@@ -63,6 +64,8 @@ def flies_itself(d: Discourse, actor: str) -> bool:
     """Whether it stays in the air by its own power: aircraft, birds, winged insects."""
     e = entity_of(d, actor)
     winged = e.noun.material == "feather" or e.label.rpartition(" ")[2] in _WINGED
+    if e.label.rpartition(" ")[2] in _FLOATERS:
+        return True
     return e.noun.kind == "flyer" or (e.noun.kind == "animal" and winged)
 
 

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
 from esg.draft.discourse.core import kind_of, structural
 from esg.draft.discourse.proposition import Clause, Said
 from esg.draft.discourse.record import Discourse
-from esg.draft.discourse.scene import SELF_POWERED
+from esg.draft.discourse.scene import GROUND, SELF_POWERED
 from esg.draft.events.courses import AT_ITS_OWN_PACE, measurable
 from esg.draft.events.motions import flies_itself
 from esg.draft.events.stated import adverbs_of, start_of
@@ -18,11 +18,20 @@ from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.statements.unkept import dropped, missing
 from esg.draft.statements.unseen import NO_MANNER, manner, unseen
 from esg.draft.text.elements import Word
-from esg.graph.models import Predicate, Quantity, Statement, TimelineEdge
+from esg.graph.models import EdgeEvent, Predicate, Quantity, Statement, TimelineEdge
 
 START = "scene_start"
+GENTLE_CM_S = 150.0
+"""What is put down "gently" is nowhere faster: hands that reach go at 0.5 to 1.5 m/s."""
 _LASTING = ("own", "roll", "slide", "spin", "coast", "continue", "accelerate", "brake", "swerve")
 """Senses of moving on something, and not onto it."""
+_REASONS = ("for", "like", "because of", "of", "as")
+"""Prepositions that tell why, or what something is like, and not where it goes."""
+_POSTURES = {
+    **dict.fromkeys(("hang", "dangle", "suspend"), Predicate.HANGS_FROM),
+    **dict.fromkeys(("lean", "prop"), Predicate.LEANS_ON),
+}
+"""What verbs of posture say of what holds something."""
 _TURNING = ("turn", "swerve", "face", "topple")
 """Senses whose sides are not ways of moving."""
 _ON_THE_WAY = ("along", "across", "through")
@@ -68,6 +77,8 @@ def state(d: Discourse, frames: list[Frame], words: list[Word]) -> tuple[Stateme
             _unkept(book, clause.frame, why)
         if clause.movers:
             _motion(book, clause)
+        else:
+            _posture(book, clause)
     said = {(s.start, s.end) for s in book.items}
     for f in frames:
         why = "" if (f.verb.start, f.verb.end) in said else dropped(d, f)
@@ -77,8 +88,8 @@ def state(d: Discourse, frames: list[Frame], words: list[Word]) -> tuple[Stateme
     for w in words:
         if (w.start, w.end) not in d.scene.used and manner(w.low) and w.low not in unsaid:
             book.add(Predicate.NOT_REPRESENTED, w.start, w.end, note=NO_MANNER)
-    for m, why in unseen(d):
-        book.add(Predicate.NOT_REPRESENTED, m.start, m.end, note=why)
+    for start, end, why in unseen(d, frames):
+        book.add(Predicate.NOT_REPRESENTED, start, end, note=why)
     for actor, at in d.moves.still.items():
         if actor in d.world.entities:
             book.add(Predicate.STAYS_STILL, at, _word_end(d.text, at), object=(actor,))
@@ -115,41 +126,77 @@ def _motion(book: _Book, clause: Clause) -> None:
 
 
 def _said(book: _Book, clause: Clause, s: Said, mover: str) -> None:
-    d, says = book.d, s.row.states
-    where = _when(d, clause, mover)
-    if says in (Predicate.SLOWER_THAN, Predicate.FASTER_THAN):
-        own = clause.frame.verb.sense in AT_ITS_OWN_PACE
-        value = None if own else _pace(d, clause, mover, says)
-        if value is not None:
-            book.add(says, s.start, s.end, object=(mover,), quantity="speed", value=value,
-                     when=where)  # fmt: skip
-    elif says is Predicate.CARRIED_BY:
-        bearers = [i for i in _ids(clause.frame.subject) if i != mover]
-        for load in [i for i in _ids(clause.frame.object) if i in d.world.entities]:
-            if d.scene.supported_by.get(load) in (bearers or [mover]):
-                bearer = d.scene.supported_by[load]
-                book.add(says, s.start, s.end, object=(load,), target=(bearer,))
-    elif says is Predicate.ROLLS:
-        if "round" in traits_of(d, mover) or kind_of(d, mover) not in SELF_POWERED:
-            book.add(says, s.start, s.end, object=(mover,), when=where)
-    elif says is Predicate.SLIDES:
-        book.add(says, s.start, s.end, object=(mover,), when=where)
-    elif s.row.part == "goal":
+    if s.row.part == "goal":
         _goal(book, clause, s, mover)
-    elif says is Predicate.AIRBORNE:
-        if mover in d.moves.flying or kind_of(d, mover) == "flyer" or flies_itself(d, mover):
-            book.add(says, s.start, s.end, object=(mover,), when=where)
-    elif says in (Predicate.INSIDE, Predicate.SUPPORTED_BY):
-        _driver(book, clause, s, mover)
-    elif s.row.part == "verb":
-        others = [i for i in _ids(clause.frame.object) if i != mover and i in d.world.entities]
-        targeted = s.row.direction in _TARGETED
-        some = tuple(others[:1]) if targeted else ()
-        if not targeted or (others and not _met(d, mover, others)):
-            book.add(says, s.start, s.end, object=(mover,), target=some,
-                     direction=s.row.direction, when=where)  # fmt: skip
-    elif says is Predicate.MOVES:
-        _direction(book, clause, s, mover, where)
+    else:
+        _SAYINGS[s.row.states](book, clause, s, mover)
+
+
+def _paced(book: _Book, clause: Clause, s: Said, mover: str) -> None:
+    """ "Slowly", "races": no faster, or faster, than what the word leaves of its kind's speeds."""
+    if clause.frame.verb.sense in AT_ITS_OWN_PACE:
+        return
+    value = _pace(book.d, clause, mover, s.row.states)
+    if value is not None:
+        book.add(s.row.states, s.start, s.end, object=(mover,), quantity="speed", value=value,
+                 when=_when(book.d, clause, mover))  # fmt: skip
+
+
+def _carried(book: _Book, clause: Clause, s: Said, mover: str) -> None:
+    """ "A truck carries a crate"."""
+    d, f = book.d, clause.frame
+    bearers = [i for i in _ids(f.subject) if i != mover] or [mover]
+    for load in _ids(f.object):
+        bearer = d.scene.supported_by.get(load)
+        if load in d.world.entities and bearer in bearers:
+            book.add(s.row.states, s.start, s.end, object=(load,), target=(bearer,))
+
+
+def _rolled(book: _Book, clause: Clause, s: Said, mover: str) -> None:
+    """ "A ball rolls"; of a car it is only how one says that it moves."""
+    if "round" in traits_of(book.d, mover) or kind_of(book.d, mover) not in SELF_POWERED:
+        _plainly(book, clause, s, mover)
+
+
+def _plainly(book: _Book, clause: Clause, s: Said, mover: str) -> None:
+    where = _when(book.d, clause, mover)
+    book.add(s.row.states, s.start, s.end, object=(mover,), when=where)
+
+
+def _flown(book: _Book, clause: Clause, s: Said, mover: str) -> None:
+    """ "Flies", and "floats" of what stays in the air."""
+    d = book.d
+    if clause.frame.verb.sense == "fly" or mover in d.moves.flying or flies_itself(d, mover):
+        _plainly(book, clause, s, mover)
+
+
+def _moved(book: _Book, clause: Clause, s: Said, mover: str) -> None:
+    """Which way something moves: by an adverb, a phrase, or the verb itself ("crosses")."""
+    if s.row.part != "verb":
+        _direction(book, clause, s, mover, _when(book.d, clause, mover))
+        return
+    d = book.d
+    others = [i for i in _ids(clause.frame.object) if i != mover and i in d.world.entities][:1]
+    targeted = s.row.direction in _TARGETED
+    if not targeted or (others and not _met(d, mover, others)):
+        target = tuple(others) if targeted else ()
+        book.add(s.row.states, s.start, s.end, object=(mover,), target=target,
+                 direction=s.row.direction, when=_when(d, clause, mover))  # fmt: skip
+
+
+def _posture(book: _Book, clause: Clause) -> None:
+    """ "A lamp hangs from a branch", "a broom leans on a wall"."""
+    d, f = book.d, clause.frame
+    says = _POSTURES.get(f.verb.lemma)
+    held = f.phrase("from", "by") if says is Predicate.HANGS_FROM else f.phrase("on", "against")
+    targets = [i for i in things(held) if i in d.world.entities][:1]
+    if says is None or not targets or held is None or held.mention is None:
+        return
+    for body in _ids(f.subject):
+        if body in d.world.entities and body not in targets:
+            start = start_of(held, d.text)
+            book.add(says, start, held.mention.end, object=(body,), target=tuple(targets),
+                     when="start")  # fmt: skip
 
 
 def _goal(book: _Book, clause: Clause, s: Said, mover: str) -> None:
@@ -231,6 +278,10 @@ def _support(book: _Book, clause: Clause, p: Phrase) -> None:
         return
     for mover in clause.movers:
         host = d.scene.supported_by.get(mover)
+        road = next((i for i in things(p) if structural(d, i) and i != GROUND), None)
+        if host is None and road is not None and p.prep == "on":
+            book.add(Predicate.SUPPORTED_BY, p.mention.start, p.mention.end, object=(mover,),
+                     target=(road,), when="start")  # fmt: skip
         if host is None or host not in p.mention.entities or structural(d, host):
             continue
         leaves = any(mover in n.participants and n.event.value in ("Fall", "EnterRegion")
@@ -242,7 +293,7 @@ def _support(book: _Book, clause: Clause, p: Phrase) -> None:
 def _left_over(book: _Book, clause: Clause, p: Phrase) -> None:
     """A phrase of a motion that nothing in the document takes up ("passes under a bridge")."""
     d, m = book.d, p.mention
-    if m is None or m.attribute or p.amount is not None:
+    if m is None or m.attribute or p.amount is not None or p.prep in _REASONS:
         return
     others = [i for i in things(p) if i in d.world.entities and i not in clause.movers]
     if not others or structural(d, others[0]) or _taken_up(d, clause, p, others):
@@ -295,6 +346,8 @@ def _pace(d: Discourse, clause: Clause, mover: str, says: Predicate) -> float | 
     """The speed [cm/s] that a word such as "slowly" leaves a mover of its kind."""
     since = clause.since.get(mover, START)
     edge = next((e for e in _of(d, mover) if e.from_ == since), None)
+    if edge is not None and edge.event is EdgeEvent.GUIDE:
+        return GENTLE_CM_S if says is Predicate.SLOWER_THAN else None
     speed: Quantity | None = edge.params.speed if edge is not None else None
     if edge is None or edge.speed_is_prescribed or not isinstance(speed, tuple):
         return None
@@ -314,3 +367,17 @@ def _word_end(text: str, start: int) -> int:
     while end < len(text) and (text[end].isalnum() or text[end] in "'’"):
         end += 1
     return max(end, start + 1)
+
+
+_SAYINGS: dict[Predicate, Callable[[_Book, Clause, Said, str], None]] = {
+    Predicate.SLOWER_THAN: _paced,
+    Predicate.FASTER_THAN: _paced,
+    Predicate.CARRIED_BY: _carried,
+    Predicate.ROLLS: _rolled,
+    Predicate.SLIDES: _plainly,
+    Predicate.AIRBORNE: _flown,
+    Predicate.INSIDE: _driver,
+    Predicate.SUPPORTED_BY: _driver,
+    Predicate.MOVES: _moved,
+}
+"""How each predicate that a row of the table states is written down."""

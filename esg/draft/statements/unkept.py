@@ -94,7 +94,9 @@ def _leads_to_an_event(d: Discourse, clause: Clause) -> bool:
 
 
 def _acted_before(d: Discourse, clause: Clause, doers: list[str]) -> bool:
-    """Whether an earlier clause tells of a motion of those who act, or that they did anything."""
+    """Whether those who act have bodies to pose, and an earlier clause tells of their motion."""
+    if not {kind_of(d, i) for i in doers if i in d.world.entities} & {"person", "animal"}:
+        return False
     earlier = d.scene.clauses[: d.scene.clauses.index(clause)]
     return any({*doers} & {*c.movers} for c in earlier)
 

@@ -121,8 +121,8 @@ def _spot(
         side = math.atan2(y, x) - yaw
         reach = half_along(its.length, its.width, -yaw - side) + _BESIDE_M
         reach += half_along(mine.length, mine.width, heading - side)
-        way = stage.tracks[mover].speed / REACH_BRAKE_DAMPING
-        end = (end[0] + way * math.cos(heading), end[1] + way * math.sin(heading))
+        brakes = stage.tracks[mover].speed / REACH_BRAKE_DAMPING
+        end = (end[0] + brakes * math.cos(heading), end[1] + brakes * math.sin(heading))
         return _beside(end, side + math.pi, reach, -yaw)
     if s.direction == "toward":
         reach = mine.half_length + half_along(its.length, its.width, 0.0) + _AHEAD_M

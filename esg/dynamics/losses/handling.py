@@ -14,8 +14,9 @@ from esg.units import yaw_from_quat
 
 PICKED_UP_M, PICKED_UP_SHARE = 0.05, 1.0 / 3.0
 """What is picked up has risen by so much, and by such a share of its height."""
-PLACED_MPS, TOUCHES_M = 0.05, 0.01
-"""What was put down is slower, and its surface is so near to what it was put on."""
+PLACED_MPS, TOUCHES_M = 0.05, 0.003
+"""What was put down is slower, and its surface is so near to what it was put on: nearer than what
+is held just above that (`plan.guides.SET_DOWN_M`)."""
 REBOUND_MPS, SAFE_REBOUND_MPS = 0.3, 0.45
 """What bounces leaves at more than that; at more than this in every engine."""
 NEAR_BOUNCE_M = 0.05
@@ -97,7 +98,7 @@ def jump(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) -> 
     late = _late(rec, earliest)
     needed = JUMP_SHARE * 2.0 * rec.scene.bodies[body].half_extents[2]
     base = np.minimum.accumulate(np.where(late, z, np.inf), axis=1)
-    up = late & (z - base > needed)
+    up = late & (z - base > needed) & (v > DOWN_MPS)
     calm = np.abs(v) < DOWN_MPS
     still = calm.copy()
     for k in range(1, max(1, round(DOWN_FOR_S * rec.fps)) + 1):
@@ -113,12 +114,25 @@ def jump(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) -> 
     risen = np.where(np.isfinite(base), z - base, 0.0).max(axis=1)
     safe = SAFE_JUMP * needed
     add(f"{node.id}/weak", np.maximum(safe - risen, 0.0) / safe)
-    if len(node.participants) > 1:
-        over = rec.members(node.participants[1])
-        beside = gap_over_time(rec, [body], over).min(axis=1)
-        add(f"{node.id}/touch", np.where(beside <= TOUCHES_M, 1.0, 0.0))
-    time = rec.first(landed >= count)
-    return Detected(time, 1.0 + count - landed[:, -1])
+    over = rec.members(node.participants[1]) if len(node.participants) > 1 else []
+    clears, missed = np.ones(z.shape, bool), np.zeros(rec.n)
+    if over:
+        clears, missed = _clears(rec, body, over, late)
+    time = rec.first((landed >= count) & clears)
+    return Detected(time, 1.0 + missed + np.maximum(count - landed[:, -1], 0))
+
+
+def _clears(rec: Recording, body: int, over: list[int], late: Bools) -> tuple[Bools, Floats]:
+    """Whether a body is on the other side of things, untouched, and how deep it got into them [m].
+
+    Shapes [W, T] and [W].
+    """
+    gap = np.where(late, np.nan_to_num(gap_over_time(rec, [body], over), posinf=10.0), 10.0)
+    p = rec.r.position.astype(float)
+    aside = p[:, :, body, :2] - p[:, :, over, :2].mean(axis=2)
+    beyond = (aside * aside[np.arange(rec.n), np.argmax(late, axis=1)][:, None]).sum(-1) < 0.0
+    untouched = np.minimum.accumulate(gap, axis=1) > 0.0
+    return beyond & untouched, 1.0 + np.clip(-gap.min(axis=1), 0.0, 1.0)
 
 
 def spin(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) -> Detected:

@@ -102,7 +102,7 @@ class Cast:
         """A launched body that is already on its way: nothing new is done to it."""
         nothing = phase.edge.params.speed is None and phase.edge.params.elevation_deg is None
         first = self.story.phases[phase.edge.actor][0]
-        if phase is first or self.story.tips(phase):
+        if phase is first or self.story.tips(phase) or phase.end.event is NodeEvent.JUMP:
             return False
         if stranded(self.story, phase, lambda name: self.scene.body(name).static):
             return True

@@ -32,6 +32,8 @@ BESIDE_M = 0.05
 HAND_MPS, CRANE_MPS, HEAVY_KG = 0.7, 0.4, 50.0
 """Mean speed of what is carried: light and heavy things."""
 SHORTEST_LEG_S = 0.5
+LONGEST_WAY_S = 6.0
+"""What has farther to go is moved faster."""
 STEPS = 9
 """Places tried along each side of a support."""
 AROUND_M = 3.0
@@ -109,7 +111,8 @@ def _timed(body: Body, corners: list[Floats]) -> Way:
             times.append(times[-1] + max(way / speed, SHORTEST_LEG_S))
     if len(points) == 1:
         return Way((_vec(points[0]), _vec(points[0])), (0.0, SHORTEST_LEG_S))
-    return Way(tuple(_vec(p) for p in points), tuple(times))
+    way = Way(tuple(_vec(p) for p in points), tuple(times))
+    return way.lasting(min(way.times[-1], LONGEST_WAY_S))
 
 
 def _goal(cast: Cast, phase: Phase, body: Body) -> Floats | None:

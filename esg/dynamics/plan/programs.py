@@ -39,6 +39,8 @@ STILL_MPS = 0.07
 """Speed of what has come to rest [m/s]."""
 SHAKEN_S = 0.15
 """From the hit of a support until something on it sets off to fall [s]."""
+RUN_OUT_MPS2 = 5.0
+"""How fast a jumper comes to rest after it has landed."""
 STANDING_SLACK, MOVING_SLACK = 1.05, 1.3
 """A spin is kept up so much longer than its turns take: of what moves, friction takes a part."""
 
@@ -287,6 +289,20 @@ class Composer:
             for k in range(count)
         ]
         course.clock, course.speed = leg.start + count * period, 0.0
+        if leg.last and speed > 0.0 and self.scene.body(course.actor).roll_radius == 0.0:
+            # On its feet again it runs out; left to friction it would go head over heels.
+            landing = course.clock - BETWEEN_JUMPS_S
+            lasts = speed / RUN_OUT_MPS2
+            course.out.append(
+                HoldVelocity(
+                    course.actor,
+                    landing,
+                    landing + lasts,
+                    speed,
+                    course.heading,
+                    acceleration=-RUN_OUT_MPS2,
+                )
+            )
 
     def _stop_in_time(self, course: _Course, leg: _Leg) -> None:
         """It slows down step by step, to rest."""
@@ -334,8 +350,8 @@ class Composer:
         pushed = self.cast.pushes_off(actor, phase) if leg.last else None
         if pushed is not None:
             end, until = self.nominal.get(f"{pushed.id}/event_time", leg.duration) + 0.3, ()
-        if soars and leg.last and phase.end.event is NodeEvent.MISS:
-            # It flies on past what it does not touch.
+        if soars and leg.last and phase.end.event in (NodeEvent.MISS, NodeEvent.TRIGGER):
+            # It flies on: past what it does not touch, and when all that is told of it is over.
             end = math.inf
         if leg.first and not acceleration:
             flat = abs(speed) * np.array([math.cos(course.heading), math.sin(course.heading), 0.0])

@@ -46,6 +46,28 @@ def _set_angular(
         joint_qd[6 * body + 3 + k] = w[k]
 
 
+@wp.func
+def _kept_up(
+    table: wp.array3d(dtype=wp.float64),
+    kind: int,
+    world: int,
+    k: int,
+    t: wp.float64,
+    dt: wp.float64,
+    x: wp.vec3,
+    v: wp.vec3,
+    pull: float,
+) -> wp.spatial_vector:
+    """Linear and angular velocity that a primitive that lasts gives a body at x that moves at v."""
+    if kind == Action.HOLD:
+        held = held_velocity(table, world, k, t, v[2], pull)
+        return wp.spatial_vector(held, held_spin(table, world, k, held))
+    if kind == Action.GUIDE:
+        turn = wp.vec3(0.0, 0.0, float(table[world, k, Column.GUIDE_TURN_RATE]))
+        return wp.spatial_vector(guide(table, world, k, t, dt, x, pull), turn)
+    return wp.spatial_vector(v, vector(table, world, k, Column.SPIN))
+
+
 @wp.kernel(enable_backward=False)
 def run_programs(
     clock: wp.array(dtype=int),
@@ -94,18 +116,12 @@ def run_programs(
                 done[world, k] = 1
             if done[world, k] == 0 and start <= now:
                 active[world, k] = 1
-                v = wp.spatial_top(body_qd[target])
-                omega = vector(table, world, k, Column.SPIN)
                 pull = gravity[world][2] * float(dt)
-                if kind[world, k] == Action.HOLD:
-                    v = held_velocity(table, world, k, t, v[2], pull)
-                    omega = held_spin(table, world, k, v)
-                elif kind[world, k] == Action.GUIDE:
-                    x = wp.transform_get_translation(body_q[target])
-                    v = guide(table, world, k, t, dt, x, pull)
-                    omega = wp.vec3(0.0, 0.0, float(table[world, k, Column.GUIDE_TURN_RATE]))
-                _set_linear(target, v, body_qd, joint_qd)
-                _set_angular(target, omega, body_qd, joint_qd)
+                v = wp.spatial_top(body_qd[target])
+                x = wp.transform_get_translation(body_q[target])
+                kept = _kept_up(table, kind[world, k], world, k, t, dt, x, v, pull)
+                _set_linear(target, wp.spatial_top(kept), body_qd, joint_qd)
+                _set_angular(target, wp.spatial_bottom(kept), body_qd, joint_qd)
         elif start <= now:
             done[world, k] = 1
             if kind[world, k] == Action.SET_VELOCITY:

@@ -24,6 +24,31 @@ wp.set_module_options({"enable_backward": True})
 
 
 @wp.func
+def _guided(
+    w: int,
+    k: int,
+    t: wp.float64,
+    how: int,
+    dt: wp.float64,
+    table: wp.array3d(dtype=wp.float64),
+    frozen: wp.array3d(dtype=wp.float64),
+    x: wp.vec3,
+) -> wp.vec3:
+    """Velocity of a guided body at `x` once gravity has acted."""
+    # Which piece of the path it is on is a decision of the trace.
+    here = path_knot(frozen, w, k, t - frozen[w, k, Column.START])
+    there = path_knot(frozen, w, k, t + dt - frozen[w, k, Column.START])
+    s = t - table[w, k, Column.START]
+    guided = guided_velocity(table, w, k, here, there, s, dt, x)
+    if (how & Act.LAST) != 0:
+        # Let go later, it is as much faster as the path is there, and no farther off it.
+        longer = s + table[w, k, Column.END] - frozen[w, k, Column.END]
+        faster = path_velocity(table, w, k, here, there, longer, dt)
+        return guided + faster - path_velocity(table, w, k, here, there, s, dt)
+    return guided
+
+
+@wp.func
 def _act(
     model: Model,
     w: int,
@@ -79,17 +104,7 @@ def _act(
         else:
             O[vout] = wp.vec3(0.0, 0.0, float(table[w, k, Column.TURN_RATE]))
     elif kind == Action.GUIDE:
-        t = wp.float64(step) * dt
-        # Which piece of the path it is on is a decision of the trace.
-        here = path_knot(frozen, w, k, t - frozen[w, k, Column.START])
-        there = path_knot(frozen, w, k, t + dt - frozen[w, k, Column.START])
-        s = t - table[w, k, Column.START]
-        guided = guided_velocity(table, w, k, here, there, s, dt, X[pose])
-        if (how & Act.LAST) != 0:
-            # Let go later, it is as much faster as the path is there, and no farther off it.
-            longer = s + table[w, k, Column.END] - frozen[w, k, Column.END]
-            faster = path_velocity(table, w, k, here, there, longer, dt)
-            guided = guided + faster - path_velocity(table, w, k, here, there, s, dt)
+        guided = _guided(w, k, wp.float64(step) * dt, how, dt, table, frozen, X[pose])
         V[vout] = guided - wp.vec3(0.0, 0.0, model.gravity[2] * float(dt))
         O[vout] = wp.vec3(0.0, 0.0, float(table[w, k, Column.GUIDE_TURN_RATE]))
         if (how & Act.FIRST) != 0:

@@ -24,6 +24,7 @@ from esg.thresholds import (
     PASS_SIZES,
     SLOPE_SHARE,
     STILL_M,
+    WIDE_M,
 )
 from esg.units import quat_rotate
 
@@ -255,7 +256,8 @@ def _across(replay: Replay, q: StatementQuery, body: int, path: Floats) -> Kept:
         with np.errstate(divide="ignore"):
             chord = float(np.min(2.0 * half * length / np.abs(way)))
         # Of a floor or a field nobody crosses the half: several lengths of its own will do.
-        enough = chord if not b.static else min(chord, ACROSS_LENGTHS * size / ACROSS_SHARE)
+        wide = b.static and 2.0 * float(half.min()) > WIDE_M
+        enough = min(chord, ACROSS_LENGTHS * size / ACROSS_SHARE) if wide else chord
         most = max(most, length / enough)
     reason = f"goes over {100 * most:.0f}% of {q.goal}; limit {100 * ACROSS_SHARE:.0f}%"
     return Kept.when(most >= ACROSS_SHARE, reason, share=most)

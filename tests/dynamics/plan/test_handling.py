@@ -8,6 +8,7 @@ import pytest
 from esg.assets import resolve
 from esg.compile import compile_scene, replay_class
 from esg.dynamics import cast, optimize
+from esg.dynamics.losses.handling import jump
 from esg.dynamics.losses.kinds import kind_of
 from esg.dynamics.losses.recording import Recording
 from esg.dynamics.plan import make_plan
@@ -15,10 +16,12 @@ from esg.dynamics.plan.aim import body_bounds
 from esg.dynamics.plan.build import build_scene
 from esg.dynamics.story.stagecraft import top_surface
 from esg.engines import get_engine
+from esg.engines.manifest import load_manifest
 from esg.engines.program import HoldSpin, batch_programs
 from esg.graph import effective, verify
 from esg.graph.models import Actor, EsgDocument, NamedRegion, Pose, TimelineEdge, TimelineNode
 from esg.layout import solve, stored_hints
+from esg.metrics import expectations_from_timeline, judge
 from tests.dynamics.stage import BALL, CAR, TABLE, asset, document, lay_out
 from tests.graph import builders as graph
 
@@ -177,7 +180,10 @@ STORIES = {
 
 def played(name: str, engine: str):
     """The story under its nominal parameters: plan, rollout and when each event happened."""
-    doc = STORIES[name]()
+    return played_of(STORIES[name](), engine)
+
+
+def played_of(doc: EsgDocument, engine: str):
     scene = build_scene(doc)
     plan = make_plan(doc, scene)
     program = plan.compile(plan.initial())
@@ -205,6 +211,28 @@ def test_a_handled_thing_does_what_is_said(name, engine):
     assert max(times.values()) < plan.duration
 
 
+MORE = {
+    "put": ("put", {"participants": ("mug_2", "table_1")}),
+    "held": ("let_go", {"event": "PickedUp"}),
+    "spin": ("turned", {"turn_degrees": 1440.0}),
+    "bounce": ("bounced", {"times": 15}),
+    "hop": ("jumped", {"times": 4}),
+}
+"""Events that do not happen: one thing stands still, one only falls, others happen less often."""
+
+
+@pytest.mark.parametrize("name", MORE)
+def test_what_does_not_happen_is_not_detected(name):
+    plan, rollout, _ = played(name, "physx")
+    rec = Recording(plan.scene, plan.story, rollout, [{}])
+    event, change = MORE[name]
+    node = N.model_validate(plan.story.nodes[event].model_dump() | change)
+    measure = kind_of(node).measure
+    assert measure is not None
+    found = measure(rec, node, np.zeros(1), lambda *_: None)
+    assert not np.isfinite(found.time[0]) and found.far[0] > 0.0
+
+
 def way(rollout, plan, name):
     return rollout.position[0, :, plan.scene.index(name)].astype(float)
 
@@ -218,6 +246,14 @@ def test_what_is_put_down_passes_over_what_is_in_between_and_beside_what_stands_
     assert np.linalg.norm(mug[-1, :2] - other[-1, :2]) > 0.1
     np.testing.assert_allclose(other[-1], other[0], atol=0.005)
     assert times["lifted"] < 1.0 < times["put"]
+
+
+def test_what_is_held_on_is_not_placed():
+    raw = put_on_table().model_dump(by_alias=True)
+    raw["timeline_system"]["sequence_graph"]["edges"][1]["params"]["release"] = False
+    plan, rollout, times = played_of(EsgDocument.model_validate(raw), "physx")
+    assert np.isfinite(times["lifted"]) and not np.isfinite(times["put"])
+    np.testing.assert_allclose(way(rollout, plan, "mug_1")[-1, 2], 0.75 + 0.06 + 0.004, atol=1e-3)
 
 
 def test_what_is_lowered_into_a_bin_touches_neither_rim_nor_wall_on_its_way():
@@ -245,7 +281,49 @@ def test_a_jump_has_the_height_and_time_of_its_leap():
     assert dog[:, 2].max() - dog[0, 2] == pytest.approx(rise**2 / (2 * 9.81), rel=0.03)
     assert times["jumped"] == pytest.approx(2 * rise / 9.81, abs=0.05)
     assert dog[0, 0] < fence[0, 0] < dog[-1, 0] and speed > 1.0
+    np.testing.assert_allclose(dog[-1, 2], dog[0, 2], atol=0.01)  # on its feet
     np.testing.assert_allclose(fence[-1], fence[0], atol=1e-3)
+
+
+def test_a_jump_against_what_it_leads_over_is_none():
+    """Without a fence in its way it is over; with one that is met it is not."""
+    doc = jumping()
+    scene = build_scene(doc)
+    plan = make_plan(doc, scene)
+    low = plan.initial() * np.where([v.name == "jump/rise" for v in plan.variables], 0.75, 1.0)
+    rollout = get_engine("physx").rollout(
+        scene, batch_programs([plan.compile(low)], scene.names), dt=1 / 240, duration=plan.duration
+    )
+    rec = Recording(scene, plan.story, rollout, [{}])
+    node = plan.story.nodes["jumped"]
+    found = jump(rec, node, np.zeros(1), lambda *_: None)
+    assert not np.isfinite(found.time[0]) and found.far[0] > 1.0
+    alone = node.model_copy(update={"participants": ("dog_1",)})
+    assert np.isfinite(jump(rec, alone, np.zeros(1), lambda *_: None).time[0])
+
+
+def test_one_that_runs_jumps_where_the_obstacle_is():
+    doc = lay_out(
+        document(
+            "run",
+            {"dog_1": DOG, "fence_1": FENCE},
+            {"dog_1": moves("ALONG_FORWARD_ONLY")},
+            [
+                START,
+                N(id="off", event="Trigger", participants=("dog_1",), window=(0.5, 2)),
+                N(id="jumped", event="Jump", participants=("dog_1", "fence_1"), window=(2, 6)),
+            ],
+            [
+                edge("run", "start", "off", "UniformMotion", "dog_1",
+                     params={"speed": (200, 400)}),
+                edge("jump", "off", "jumped", "Toward", "dog_1", target="fence_1"),
+            ],
+        )
+    )  # fmt: skip
+    result = optimize(doc).dynamics_result
+    assert result is not None and result.outcome == "solved"
+    kinds = [p["kind"] for p in result.program["primitives"]]
+    assert kinds == ["HoldVelocity", "SetVelocity", "HoldVelocity"]
 
 
 def test_what_spins_turns_as_often_as_is_said_and_stays():
@@ -285,6 +363,62 @@ def test_what_moves_keeps_moving_while_it_spins():
     assert turn[(rollout.time > spin.start + 0.02) & (rollout.time < spin.end)].min() > 1.0
 
 
+def staged(raw, folder):
+    """A document as a drafter writes it through every stage: the result and its class in PhysX."""
+    assert verify(raw) == ()
+    doc = cast(resolve(EsgDocument.model_validate(raw)))
+    assert doc.choreography is not None
+    doc = optimize(solve(doc, hints=stored_hints(doc.choreography)))
+    assert verify(doc) == ()
+    assert doc.dynamics_result is not None and doc.dynamics_result.outcome == "solved"
+    compile_scene(doc, folder)
+    return doc, replay_class(folder, dt=1 / 240)
+
+
+def test_the_judge_sees_an_apple_put_into_a_basket_and_a_ball_let_go_above_a_box(tmp_path):
+    """Events that the judge knew before are brought about by guides, as it sees them."""
+    raw = graph.document(
+        "apple",
+        "An apple is put into the basket. A ball is held above a box and released.",
+        {
+            "apple": graph.asset("apple", (8, 8, 8), 0.2, shape="sphere"),
+            "basket": graph.asset("basket", (40, 40, 30), 1.5),
+            "ball": graph.BALL,
+            "box": graph.BOX,
+        },
+        {n: graph.node(n[:-2]) for n in ("apple_1", "basket_1", "ball_1", "box_1")},
+        [
+            graph.rel("apple_1", "near", "basket_1"),
+            graph.rel("basket_1", "face", "ground_1", cardinal="+Y"),
+        ],
+        graph.timeline(
+            {
+                "apple_1": graph.active("ANY_3D"),
+                "ball_1": graph.active("ANY_3D"),
+                "box_1": graph.PASSIVE,
+            },
+            [
+                graph.event("in", "EnterRegion", ["apple_1"], window=[1, 9],
+                            region="basket_1/inside"),
+                graph.event("let_go", "Trigger", ["ball_1"], window=[0.5, 1.9]),
+                graph.event("hit", "Collision", ["ball_1", "box_1"], window=[2, 5]),
+            ],
+            [
+                graph.edge("put", "scene_start", "in", "Guide", "apple_1", target="basket_1"),
+                graph.edge("hold", "scene_start", "let_go", "Guide", "ball_1", target="box_1"),
+                graph.edge("drop", "let_go", "hit", "Toward", "ball_1"),
+            ],
+        ),
+    )  # fmt: skip
+    doc, replay = staged(raw, tmp_path)
+    told = load_manifest(tmp_path / "manifest.json")
+    verdict = judge(told.scene, told.program, replay.rollout, expectations_from_timeline(doc))
+    assert [(e.type, e.completed) for e in verdict.events] == [
+        ("enters", True),
+        ("collision", True),
+    ]
+
+
 def test_a_mug_is_put_on_the_shelf_from_prompt_document_to_replay(tmp_path):
     """A document as a drafter writes it, through every stage to the class in PhysX."""
     raw = graph.document(
@@ -319,14 +453,7 @@ def test_a_mug_is_put_on_the_shelf_from_prompt_document_to_replay(tmp_path):
         ),
         {"table_top": graph.region("table_1")},
     )  # fmt: skip
-    assert verify(raw) == ()
-    doc = cast(resolve(EsgDocument.model_validate(raw)))
-    assert doc.choreography is not None
-    doc = optimize(solve(doc, hints=stored_hints(doc.choreography)))
-    assert verify(doc) == ()
-    assert doc.dynamics_result is not None and doc.dynamics_result.outcome == "solved"
-    compile_scene(doc, tmp_path)
-    replay = replay_class(tmp_path, dt=1 / 240)
+    doc, replay = staged(raw, tmp_path)
     names = replay.scene.names
     mug, shelf = names.index("mug_1"), replay.scene.body("shelf_1")
     end, speed = replay.rollout.position[0, -1, mug], replay.rollout.linear_velocity[0, -1, mug]

@@ -20,10 +20,11 @@ from esg.draft.events.ends import bounces_over
 from esg.draft.events.motions import flies_itself, motion, own, start_motion, target_of
 from esg.draft.events.roles import doer_and_done, filling
 from esg.draft.events.senses.contact import hit_targets
+from esg.draft.events.senses.handling import bounces_on_ground
 from esg.draft.events.senses.launch import aim_at, launch_by, motion_of_things
 from esg.draft.events.senses.steer import turn
 from esg.draft.events.senses.topple import read_knock
-from esg.draft.events.table import read_as, sense
+from esg.draft.events.table import sense
 from esg.draft.events.timing import (
     enter,
     enterable,
@@ -32,7 +33,7 @@ from esg.draft.events.timing import (
     representatives,
     time_of,
 )
-from esg.draft.events.told import happened, ignore, moves, things, traits_of
+from esg.draft.events.told import moves, things, traits_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.graph.models import NodeEvent
 
@@ -206,28 +207,13 @@ def read_fly(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         motion(d, f, s, "throw")
 
 
-@sense("spin")
-def read_spin(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    about = {"around", "round"} & {*f.adverbs} or quantity_of(d, f, "angle")
-    own = bool(s) and kind_of(d, s[0]) in SELF_POWERED
-    own = own and not any(happened(d, NodeEvent.COLLISION, a) for a in s)
-    if own and about and f.phrase("to", "into") is None:
-        read_as(d, "turn", f, s, o)  # "the robot spins around", which no hit makes it do
-        return
-    under = filling(f, "surface")
-    if s and under:
-        place(d, s, under, "on")
-    elif s and not moved_by_others(d, s[0]):
-        motion(d, f, s, None)
-    elif s and f.phrase("into", "against", "off") is not None:
-        read_as(d, "slide", f, s, o)  # hit by a car, it spins into a wall
-    ignore(d, f, "spin is not prescribed")
-
-
 @sense("bounce")
 def read_bounce(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """ "bounces off a wall into a bucket": off the first thing, then what the rest names."""
     p = f.phrase("off", "against", "on", "from", "into", "onto")
+    named = p is None or (p.mention is not None and not p.mention.attribute)
+    if named and d.moves.last_hit is None and bounces_on_ground(d, f, s, things(p)):
+        return
     kinematics(d, f, s, [])
     for actor in s:
         _rebound(d, f, actor, p)

@@ -31,7 +31,7 @@ def match_noun(c: Chunks, i: int) -> NounMatch | None:
 
 
 def _find_noun(c: Chunks, i: int) -> NounMatch | None:
-    if not 0 <= i < len(c.tokens) or _modal(c, i):
+    if not 0 <= i < len(c.tokens) or _modal(c, i) or _picks_up(c, i):
         return None
     most = lex.longest_nouns().get(c.tokens[i].low, 1)
     for n in range(min(most, len(c.tokens) - i), 0, -1):
@@ -85,6 +85,12 @@ def _modal(c: Chunks, i: int) -> bool:
         return False
     verb = after.tag == "VERB" or low_at(c, i + 1) == "be"
     return verb and c.tokens[i].tag == "AUX" and lex.singular(after.low)[0] == after.low
+
+
+def _picks_up(c: Chunks, i: int) -> bool:
+    """ "Pick up the cup": no lorry."""
+    up = low_at(c, i) == "pick" and low_at(c, i + 1) == "up"
+    return up and low_at(c, i + 2) in lex.DETERMINERS
 
 
 def _of_traffic(c: Chunks, i: int) -> bool:

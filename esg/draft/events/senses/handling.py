@@ -1,0 +1,211 @@
+"""Verbs of handling: pick up, lift, put, lower; and of what goes nowhere: jump, spin, bounce."""
+
+from __future__ import annotations
+
+from esg.draft import lexicon as lex
+from esg.draft.discourse.core import kind_of, mark_used, movable, structural
+from esg.draft.discourse.places import holds, place
+from esg.draft.discourse.record import Discourse
+from esg.draft.discourse.referents.entities import Entity
+from esg.draft.discourse.scene import GROUND, SELF_POWERED, SPEEDS
+from esg.draft.discourse.tracks import Motion
+from esg.draft.events.acts import add_event
+from esg.draft.events.roles import doer_and_done
+from esg.draft.events.table import read_as, sense
+from esg.draft.events.timing import enter, moved_by_others, time_of
+from esg.draft.events.told import amount, at_rest, things, traits_of
+from esg.draft.grammar.clauses.frames import Frame, Phrase
+from esg.draft.text.numerals import parse_number
+from esg.graph.models import ForceDirection, NodeEvent
+
+_PUT_ON = ("on", "onto", "on top of", "upon", "atop")
+_PUT_IN = ("in", "into", "inside")
+_ELSEWHERE = frozenset({"in", "off", "on", "out", "down", "aboard", "aside", "away"})
+"""Adverbs that lead a leap somewhere else than back to the ground it left."""
+_JUMPERS = ("person", "animal", "robot")
+
+
+def _loose(d: Discourse, bodies: list[str]) -> list[str]:
+    """What a hand can take: what moves, and is no vehicle."""
+    return [i for i in bodies if movable(d, i) and kind_of(d, i) not in ("vehicle", "person")]
+
+
+def _from_where(d: Discourse, f: Frame, bodies: list[str]) -> None:
+    """ "Picks the cup up from the table", "out of the box": where it is at first."""
+    for preps, prep in ((("from", "off"), "on"), (("out of",), "in")):
+        host = [i for i in things(f.phrase(*preps)) if not structural(d, i)]
+        if host:
+            place(d, [i for i in bodies if i not in d.scene.supported_by], host[:1], prep)
+
+
+@sense("pick")
+def read_pick(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
+    """ "Picks up the mug", "lifts a crate off a truck": it rises, held."""
+    agents, taken = doer_and_done(f, s, o or things(f.phrase("up")))
+    taken = _loose(d, taken)
+    if not taken:
+        read_as(d, "carry", f, s, o)
+        return
+    _from_where(d, f, taken)
+    place(d, [a for a in agents if kind_of(d, a) != "building"], taken[:1], "near")
+    goal = _goal(f)
+    for body in taken:
+        if at_rest(d, body):
+            d.timeline.move(body, Motion("guide"), ForceDirection.ANY_3D)
+            add_event(d, NodeEvent.PICKED_UP, (body,), f, time_of(d, f))
+    mark_used(d, f, "picked up")
+    if goal is not None:
+        _put(d, f, taken, goal)
+
+
+@sense("put")
+def read_put(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
+    """ "Puts the mug on the shelf", "lowers a crate onto a truck": it ends there, let go."""
+    agents, moved = doer_and_done(f, s, o)
+    moved, goal = _loose(d, _held(d, f) or moved), _goal(f)
+    act = not f.reduced and (_told_as_act(d, f) if f.verb.passive else f.object is not None)
+    if not moved or goal is None or not act or any(moved_by_others(d, i) for i in moved):
+        read_as(d, "posture", f, s, o)
+        return
+    place(d, [a for a in agents if kind_of(d, a) in _JUMPERS], moved[:1], "near")
+    _from_where(d, f, moved)
+    _put(d, f, moved, goal)
+
+
+def _held(d: Discourse, f: Frame) -> list[str]:
+    """What "it" is that is put somewhere: what has been picked up last."""
+    m = f.subject if f.verb.passive else f.object
+    if m is None or m.pronoun not in ("it", "them"):
+        return []
+    last = next((n for n in reversed(d.timeline.nodes) if n.participants), None)
+    return [last.participants[0]] if last and last.event is NodeEvent.PICKED_UP else []
+
+
+def _told_as_act(d: Discourse, f: Frame) -> bool:
+    """ "Is gently placed", "is lowered onto", "is picked up and placed": no state of what lies."""
+    group = {*f.adverbs, *d.text[f.verb.start : f.verb.end].lower().split()}
+    known = any(i in d.timeline.tracks for i in (f.subject.entities if f.subject else []))
+    being = f.verb.lemma == "lower" or "being" in group or "then" in group
+    return being or known or bool(group & lex.word_set("manners of acting"))
+
+
+def _goal(f: Frame) -> Phrase | None:
+    found = f.phrase(*_PUT_ON, *_PUT_IN)
+    return found if found is not None and things(found) else None
+
+
+def _put(d: Discourse, f: Frame, moved: list[str], goal: Phrase) -> None:
+    """Guides things to where they are put."""
+    target = things(goal)[0]
+    for body in [i for i in moved if i != target]:
+        if d.scene.supported_by.get(body) == target:
+            if not at_rest(d, body):
+                continue
+            _lay_aside(d, body, target)
+        d.timeline.move(body, Motion("guide", target=target), ForceDirection.ANY_3D)
+        if goal.prep in _PUT_IN and holds(d, target):
+            enter(d, f, body, target, time_of(d, f))
+        else:
+            add_event(d, NodeEvent.PLACED, (body, target), f, time_of(d, f))
+        d.timeline.track(body).motion = None
+    mark_used(d, f, "put")
+
+
+def _lay_aside(d: Discourse, body: str, target: str) -> None:
+    """What is to be put on something is not there yet ("put the bowl on the plate")."""
+    d.scene.supported_by.pop(body)
+    d.scene.inside_of.pop(body, None)
+    told = d.scene.relations
+    told[:] = [r for r in told if (r.source, r.target) != (body, target)]
+
+
+@sense("jump")
+def read_jump(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
+    """ "Jumps over the fence", "hops three times": leaps from the ground and back to it."""
+    over = [i for i in (*things(f.phrase("over", "across")), *o) if i not in s]
+    over = [i for i in over if not structural(d, i)][:1]
+    elsewhere = f.phrase(*_PUT_ON, "off", "into", "in", "from", "out of", "down", "at")
+    leaps = [a for a in s if kind_of(d, a) in _JUMPERS and a not in d.scene.supported_by]
+    away = _ELSEWHERE & {*f.adverbs, f.verb.extra.get("particle", "")}
+    if away or (elsewhere is not None and things(elsewhere)) or not leaps:
+        read_as(d, "own", f, s, o)
+        return
+    for actor in leaps:
+        speed = SPEEDS.get(kind_of(d, actor))
+        jump = Motion("jump", None if not over else speed, target=next(iter(over), None))
+        if at_rest(d, actor):
+            d.timeline.move(actor, jump, ForceDirection.ALONG_FORWARD_ONLY)
+        else:
+            d.timeline.trigger(actor, f"{actor} takes off")
+            d.timeline.track(actor).motion = jump
+        node = add_event(d, NodeEvent.JUMP, (actor, *over), f, time_of(d, f))
+        _so_often(d, f, node)
+        d.timeline.track(actor).motion = None
+    mark_used(d, f, "jump")
+
+
+@sense("spin")
+def read_spin(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
+    """ "A top spins on the table", "the car spins around": it turns where it is."""
+    turned = [i for i in (o or s) if movable(d, i)]
+    into = f.phrase("into", "against", "off", "to")
+    if into is not None and things(into) and turned:
+        read_as(d, "slide" if moved_by_others(d, turned[0]) else "turn", f, s, o)
+        return
+    angle = amount(d, f, "angle")
+    if angle is not None and turned and kind_of(d, turned[0]) in SELF_POWERED:
+        read_as(d, "turn", f, s, o)  # "the robot spins around by 180 degrees"
+        return
+    on = things(f.phrase(*_PUT_ON))
+    if turned and on and not structural(d, on[0]):
+        place(d, turned, on, "on")
+    for body in turned:
+        if not at_rest(d, body):
+            continue
+        d.timeline.move(body, Motion("spin"), ForceDirection.HORIZONTAL_PLANE)
+        node = add_event(d, NodeEvent.SPIN, (body,), f, time_of(d, f))
+        draft = d.timeline.node(node)
+        if angle is not None and draft is not None:
+            draft.extra["turn_degrees"] = angle.high
+            mark_used(d, angle, "how far it turns")
+        d.timeline.track(body).motion = None
+    mark_used(d, f, "spin")
+
+
+def bounces_on_ground(d: Discourse, f: Frame, s: list[str], met: list[str]) -> bool:
+    """ "A ball bounces three times on the floor": off what it falls on; False if off a thing."""
+    if met and not structural(d, met[0]) and "support" not in traits_of(d, met[0]):
+        return False
+    free = [i for i in s if "round" in traits_of(d, i) and movable(d, i)]
+    free = [i for i in free if not moved_by_others(d, i)]
+    target = met[0] if met and not structural(d, met[0]) else _ground(d)
+    for body in free:
+        if at_rest(d, body):
+            drop = Motion("drop", 0.0, params={"elevation_deg": -90.0, "spin": "none"})
+            drop.target = target
+            d.timeline.move(body, drop, ForceDirection.ANY_3D)
+        node = add_event(d, NodeEvent.BOUNCE, (body, target), f, time_of(d, f))
+        _so_often(d, f, node)
+    if free:
+        mark_used(d, f, "bounce")
+    return bool(free)
+
+
+def _ground(d: Discourse) -> str:
+    """The node of the ground, which is drawn whether it is named or not."""
+    noun = lex.nouns()["ground"]
+    ground = Entity(GROUND, noun, noun.name, noun.name, mentioned=False)
+    return d.world.entities.setdefault(GROUND, ground).id
+
+
+def _so_often(d: Discourse, f: Frame, node: str) -> None:
+    """ "Three times", "twice": how often it happens."""
+    after = d.text[f.verb.end : f.verb.end + 40].lower().split()
+    draft = d.timeline.node(node)
+    for k, word in enumerate(after):
+        n = {"once": 1, "twice": 2, "thrice": 3}.get(word.strip(".,;"))
+        if n is None and k + 1 < len(after) and after[k + 1].startswith("time"):
+            n = parse_number(word)
+        if isinstance(n, int | float) and draft is not None and 1 <= n <= 20:
+            draft.extra["times"] = int(n)
+            return
