@@ -86,3 +86,28 @@ def test_without_a_compiler_the_program_is_replayed_and_said_so(tmp_path: Path) 
     document = json.loads(done.stdout)
     assert document["proof"] == "program"
     assert document["verified"]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("prompt", "outcome", "status"),
+    [
+        ("A ball rolls on a table.", "solved", {"rolls": "kept", "a table": "kept"}),
+        ("A car reverses slowly into a wall.", "solved", {"reverses": "kept", "slowly": "kept"}),
+        ("A boy fetches a ball.", "partial", {"fetches": "not_represented"}),
+        ("A woman picks up a mug.", "solved", {}),
+    ],
+)
+def test_words_are_kept_or_owned_up_to(
+    tmp_path: Path, prompt: str, outcome: str, status: dict[str, str]
+) -> None:
+    """From the words of a prompt to what is measured of them in PhysX."""
+    done = esg(tmp_path / "cache", tmp_path, "generate", prompt, "--json")
+    assert done.returncode == 0, done.stdout + done.stderr
+    scene: dict[str, Any] = json.loads(done.stdout)
+    assert scene["outcome"] == outcome
+    assert {s["words"]: s["status"] for s in scene["statements"]} == status
+    assert all(prompt[s["start"] : s["end"]] == s["words"] for s in scene["statements"])
+    assert [s["words"] for s in scene["not_kept"]] == [w for w, s in status.items() if s != "kept"]
+    assert scene["metrics"]["engine"] == "physx"
+    assert scene["metrics"]["completed"] == scene["metrics"]["n_events"]

@@ -28,8 +28,24 @@ def on_table(x=0.0, z=0.9, **more: object) -> World:
     return World(2.0).add(table()).add(ball("ball_1"), x=x, z=z, **more)
 
 
+def on_tray(x=0.0) -> World:
+    """A ball on something that can be moved."""
+    return World(2.0).add(body("tray_1", TABLE)).add(ball("ball_1"), x=x, z=0.9)
+
+
+def on_field(x=0.0) -> World:
+    """A ball of 0.2 m on a static plane of 20 m."""
+    field = body("field_1", shapes=(), static=True, half_extents=(10.0, 10.0, 0.005))
+    return World(2.0).add(field, z=0.0).add(ball("ball_1"), x=x)
+
+
 def pair(gap: float = 1.0, **more: object) -> World:
     return World(2.0).add(ball("ball_1"), **more).add(body("crate_1", BOX), x=0.2 + gap)
+
+
+def beside(x=0.0, y=0.0) -> World:
+    """A ball whose offset from a crate is (x, y)."""
+    return World(2.0).add(body("crate_1", BOX)).add(ball("ball_1"), x=x, y=y)
 
 
 def moving(x=0.0, y=0.0, z=None, **more: object) -> World:
@@ -127,6 +143,18 @@ CASES = [
     case("above", lambda: on_table(z=1.4), on_table, "stay clear", distance=None, **ON),
     case("above", lambda: on_table(z=1.4), lambda: on_table(x=2.0), "not over", **ON),
     case("above", lambda: on_table(z=1.44), lambda: on_table(z=1.5), "at 0.5 m", value=0.5, **ON),
+    case("under", lambda: on_table(z=0.2), on_table, "not stay under", **ON),
+    case("under", lambda: on_table(z=0.2), lambda: on_table(x=1.2, z=0.2), "not stay under", **ON),
+    case("left_of", lambda: beside(1.0), lambda: beside(-1.0), "not stay left of", **TO),
+    case("left_of", lambda: beside(1.0, 0.9), lambda: beside(0.9, 1.0), "not stay left of", **TO),
+    case("right_of", lambda: beside(-1.0), lambda: beside(1.0), "not stay right of", **TO),
+    case("right_of", lambda: beside(-1.0), lambda: beside(line(-1.0, 0.9)), "for 56% of the time",
+         **TO),
+    case("in_front_of", lambda: beside(0.0, 1.0), lambda: beside(0.0, -1.0), "stay in front of",
+         **TO),
+    case("in_front_of", lambda: beside(0.0, line(-1.0, 0.9)), lambda: beside(0.0, line(1.0, -0.9)),
+         "stay in front of", when="end", **TO),
+    case("behind", lambda: beside(0.0, -1.0), lambda: beside(1.0), "not stay behind", **TO),
     case(
         "hangs_from",
         lambda: World().add(table(), z=2.0).add(body("lamp_1", static=True), z=1.5),
@@ -197,8 +225,10 @@ CASES = [
     case("moves", lambda: pair().add(body("car_1"), x=line(0, 2), y=1.0),
          lambda: pair().add(body("car_1"), x=line(0, 2), y=5.0), "4.9 m away; limit 3.0 m",
          direction="past", object="car", target="crate"),
-    case("moves", lambda: on_table(line(-0.9, 0.8)), lambda: on_table(line(-0.9, 0.3)),
-         "goes over 30% of table", direction="across", **ON),
+    case("moves", lambda: on_tray(line(-0.9, 0.8)), lambda: on_tray(line(-0.9, 0.3)),
+         "goes over 30% of tray", direction="across", object="ball", target="tray"),
+    case("moves", lambda: on_field(line(-5.0, 0.3)), lambda: on_field(line(-5.0, 0.15)),
+         "goes over 38% of field", direction="across", object="ball", target="field"),
     case("moves", lambda: gate().add(ball("ball_1"), x=line(0, 2)),
          lambda: gate().add(ball("ball_1"), x=line(0, 1)), "ends inside gate",
          direction="through", object="ball", target="gate"),
@@ -396,6 +426,23 @@ def test_a_mirrored_scene_swaps_left_and_right(degrees):
         assert here.measured["off_deg"] == pytest.approx(there.measured["off_deg"], abs=1e-4)
     kept = [world.states("moves", object="car", direction=d).kept for d in ("left", "right")]
     assert kept == [vx >= math.cos(math.radians(35)), -vx >= math.cos(math.radians(35))]
+
+
+@pytest.mark.parametrize("degrees", range(0, 360, 20))
+def test_a_thing_is_on_one_side_of_another_and_the_mirrored_one_on_the_mirrored_side(degrees):
+    x, y = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    sides = {"left_of": "right_of", "right_of": "left_of"}
+    sides |= {"in_front_of": "in_front_of", "behind": "behind"}
+    here = [side for side in sides if beside(x, y).states(side, **TO).kept]
+    there = [side for side in sides if beside(-x, y).states(side, **TO).kept]
+    assert len(here) == 1
+    assert there == [sides[side] for side in here]
+
+
+def test_sides_are_those_of_the_viewer_however_things_are_turned():
+    world = World(2.0).add(body("crate_1", BOX), yaw_deg=130.0).add(ball("ball_1"), x=1.0)
+    assert world.states("left_of", **TO).kept
+    assert world.states("left_of", **TO).measured["offset_m"] == pytest.approx(1.0)
 
 
 @pytest.mark.parametrize("yaw", [0.0, 40.0, 130.0, 250.0])

@@ -172,9 +172,16 @@ def stated_in_prompt(
     return tuple(_moved(s, prompt) for s in statements)
 
 
+_MARKUP = r"(?:<[^<>]*>|[^\w<])+"
+"""What may stand between two words that were read one after the other ("to the *left*")."""
+
+
 def _moved(item: _T, prompt: str) -> _T:
     """An item at the place of its words in the prompt that is nearest to where it was read."""
-    found = [m.start() for m in re.finditer(re.escape(item.text), prompt)] if item.text else []
-    start = min(found, key=lambda k: abs(k - item.start), default=min(item.start, len(prompt)))
-    end = start + len(item.text) if found else min(item.end, len(prompt))
+    words = [re.escape(word) for word in item.text.split()]
+    found: list[tuple[int, int]] = []
+    for gap in (r"\s+", _MARKUP):
+        found = found or [m.span() for m in re.finditer(gap.join(words), prompt) if words]
+    read = (min(item.start, len(prompt)), min(item.end, len(prompt)))
+    start, end = min(found, key=lambda at: abs(at[0] - item.start), default=read)
     return item.model_copy(update={"start": start, "end": max(start, end)})

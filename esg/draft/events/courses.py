@@ -13,7 +13,7 @@ from esg.draft.events.motions import paced
 from esg.draft.events.stated import said
 from esg.draft.events.told import size_of
 from esg.draft.grammar.clauses.frames import Frame
-from esg.graph.models import EdgeEvent, ForceDirection, MotionParams, NodeEvent, Predicate
+from esg.graph.models import EdgeEvent, ForceDirection, NodeEvent, Predicate, TimelineEdge
 from esg.graph.rules_segments import LEAST_SPEED_CM_S
 
 _TRANSITIVE = frozenset(
@@ -121,7 +121,7 @@ def _change(d: Discourse, mover: str, was: Before, pace: str = "", **course: Any
     for k, e in enumerate(d.timeline.edges):
         if k < was.edges or e.actor != mover or e.event not in _DRIVEN:
             continue
-        changed: dict[str, Any] = _fitting(e.event, e.params, course)
+        changed: dict[str, Any] = _fitting(e, course)
         if pace and not e.speed_is_prescribed and e.params.speed is not None:
             changed["speed"] = paced(e.params.speed, pace)
         if changed:
@@ -133,17 +133,18 @@ def _change_motion(motion: Motion, pace: str, course: dict[str, Any]) -> None:
     if pace and not motion.prescribed and motion.speed is not None:
         motion.speed = paced(motion.speed, pace)
     if "thrown_up" in course:
-        if motion.mode in ("throw", "fly"):
+        if motion.mode in ("throw", "fly") and motion.target is None:
             motion.params["elevation_deg"] = 90.0
     else:
         motion.params.update(course)
 
 
-def _fitting(event: EdgeEvent, params: MotionParams, course: dict[str, Any]) -> dict[str, Any]:
+def _fitting(e: TimelineEdge, course: dict[str, Any]) -> dict[str, Any]:
+    """What of a course a segment takes: straight up leads to nothing that it is aimed at."""
     if "thrown_up" not in course:
         return dict(course)
-    flies = event is EdgeEvent.TOWARD and isinstance(params.elevation_deg, tuple)
-    return {"elevation_deg": 90.0} if flies else {}
+    flies = e.event is EdgeEvent.TOWARD and isinstance(e.params.elevation_deg, tuple)
+    return {"elevation_deg": 90.0} if flies and e.target is None else {}
 
 
 def keep_on(d: Discourse) -> None:

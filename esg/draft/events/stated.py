@@ -66,7 +66,8 @@ def said(text: str, f: Frame) -> list[Said]:
         if p.mention.attribute and p.prep in ("to", "toward", "towards"):
             found = _by_word().get(("side", p.mention.head), ())
         else:
-            solid = not p.mention.attribute
+            agent = p.prep == "by" and (f.verb.passive or f.reduced)
+            solid = not p.mention.attribute and not agent
             away = p.prep == "from" and text[: start_of(p, text)].rstrip().endswith("away")
             prep = "away from" if away else p.prep
             found = _by_word().get(("phrase", prep), ()) if solid else ()
@@ -77,9 +78,11 @@ def said(text: str, f: Frame) -> list[Said]:
 
 
 def adverbs_of(text: str, f: Frame) -> list[str]:
-    """The adverbs of a clause, those inside its verb group ("is gently placed") included."""
-    group = text[f.verb.start : f.verb.end].lower().split()
-    return [*f.adverbs, *[w for w in group[1:-1] if w not in f.adverbs]]
+    """The adverbs of a clause, those in its verb group included ("is gently placed")."""
+    group = text[f.verb.start : f.verb.end].lower().split()[1:]
+    if group and any(form.lemma == f.verb.lemma for form in lex.verb_forms().get(group[-1], ())):
+        group = group[:-1]
+    return [*f.adverbs, *[w for w in group if w not in f.adverbs]]
 
 
 def _goes_up(f: Frame) -> bool:

@@ -12,7 +12,7 @@ from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import GROUND, SELF_POWERED
 from esg.draft.events.courses import AT_ITS_OWN_PACE, TURNING, measurable
 from esg.draft.events.motions import flies_itself
-from esg.draft.events.stated import start_of
+from esg.draft.events.stated import adverbs_of, start_of
 from esg.draft.events.told import things, traits_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.statements.unkept import dropped, missing
@@ -82,8 +82,9 @@ def state(d: Discourse, frames: list[Frame], words: list[Word]) -> tuple[Stateme
         why = "" if (f.verb.start, f.verb.end) in said else dropped(d, f)
         if why and ((f.verb.start, f.verb.end) not in read or not _moves(d, f)):
             _unkept(book, f, why)
+    unsaid = _of_what_does_not_happen(d, frames)
     for w in words:
-        if (w.start, w.end) not in d.scene.used and manner(w.low):
+        if (w.start, w.end) not in d.scene.used and manner(w.low) and w.low not in unsaid:
             book.add(Predicate.NOT_REPRESENTED, w.start, w.end, note=NO_MANNER)
     for start, end, why in unseen(d, frames):
         book.add(Predicate.NOT_REPRESENTED, start, end, note=why)
@@ -91,6 +92,14 @@ def state(d: Discourse, frames: list[Frame], words: list[Word]) -> tuple[Stateme
         if actor in d.world.entities:
             book.add(Predicate.STAYS_STILL, at, _word_end(d.text, at), object=(actor,))
     return tuple(sorted(book.items, key=lambda s: s.start)) or None
+
+
+def _of_what_does_not_happen(d: Discourse, frames: list[Frame]) -> set[str]:
+    """The adverbs of clauses that tell of nothing ("does not walk carefully"), and of no other."""
+    told, untold = set[str](), set[str]()
+    for f in frames:
+        (untold if f.unreal or f.verb.negated else told).update(adverbs_of(d.text, f))
+    return untold - told
 
 
 def _moves(d: Discourse, f: Frame) -> bool:
@@ -166,9 +175,9 @@ def _moved(book: _Book, clause: Clause, s: Said, mover: str) -> None:
         return
     d = book.d
     others = [i for i in _ids(clause.frame.object) if i != mover and i in d.world.entities][:1]
-    upright = s.row.direction in ("up", "down")
-    if upright or (others and not _met(d, mover, others)):
-        target = () if upright else tuple(others)
+    targeted = s.row.direction in _TARGETED
+    if not targeted or (others and not _met(d, mover, others)):
+        target = tuple(others) if targeted else ()
         book.add(s.row.states, s.start, s.end, object=(mover,), target=target,
                  direction=s.row.direction, when=_when(d, clause, mover))  # fmt: skip
 

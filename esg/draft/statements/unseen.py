@@ -47,9 +47,11 @@ def unseen(d: Discourse, frames: list[Frame]) -> Iterator[tuple[int, int, str]]:
     """Words for what became no object: where they stand, and what the scene lacks of it."""
     drawn = [(m.start, m.end) for m in d.mentions if m.entities or d.world.resolved.get(id(m))]
     taken = [*drawn, *((f.verb.start, f.verb.end) for f in frames)]
+    told: list[int] = []
     for words, why in _PATTERNS:
         for found in words.finditer(d.text):
             if not any(start <= found.start() < end for start, end in taken):
+                told.append(found.start())
                 yield found.start(), found.end(), why
     for found in _CONTENTS.finditer(d.text):
         if any(start < found.start() < end for start, end in drawn):
@@ -59,5 +61,6 @@ def unseen(d: Discourse, frames: list[Frame]) -> Iterator[tuple[int, int, str]]:
             continue
         head = lex.singular(m.head)[0]
         why = _CLASSES.get("nothing" if head in _MOODS else no_things().get(head, ""), "")
-        if why and m.head not in _UNDERSTOOD:
+        said = any(m.start <= at < m.end for at in told)
+        if why and not said and m.head not in _UNDERSTOOD:
             yield m.start, m.end, why

@@ -117,14 +117,13 @@ def under(replay: Replay, q: StatementQuery, body: int) -> Kept:
     for other in (j for j in q.target.bodies if j != body):
         over = is_over(replay, body, other)[samples]
         held |= over & (replay.position[samples, body, 2] < replay.position[samples, other, 2])
-    return mostly(held, f"be under {q.goal}")
+    return mostly(held, f"stay under {q.goal}")
 
 
 def on_side(side: str) -> OfBody:
     """A measure of being on a side of the target, in the viewer's directions: left is +X.
 
-    Of the two horizontal offsets of their centres, the one to that side is the larger, and the
-    outlines are clear of each other that way.
+    Of the two horizontal offsets of their centres, the one to that side is the larger.
     """
     axis, sign = {"left": (0, 1), "right": (0, -1), "front": (1, 1), "behind": (1, -1)}[side]
     words = {"front": "in front of", "behind": "behind"}.get(side, f"{side} of")
@@ -137,7 +136,7 @@ def on_side(side: str) -> OfBody:
             off = sign * offset[:, axis]
             held |= (off > 0.0) & (off >= np.abs(offset[:, 1 - axis]))
             last = float(off[-1])
-        return mostly(held, f"be {words} {q.goal}", offset_m=last)
+        return mostly(held, f"stay {words} {q.goal}", offset_m=last)
 
     return measure
 
