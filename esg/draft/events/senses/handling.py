@@ -33,7 +33,10 @@ def _loose(d: Discourse, bodies: list[str]) -> list[str]:
 
 
 def _from_where(d: Discourse, f: Frame, bodies: list[str]) -> None:
-    """ "Picks the cup up from the table", "out of the box": where it is at first."""
+    """ "Picks the cup up from the table", "in the box pick up the cup": where it is at first."""
+    ahead = f.phrase(*_PUT_ON, *_PUT_IN)
+    if ahead is not None and ahead.mention is not None and ahead.mention.start < f.verb.start:
+        place(d, [i for i in bodies if i not in d.scene.supported_by], things(ahead), ahead.prep)
     for preps, prep in ((("from", "off"), "on"), (("out of",), "in")):
         host = [i for i in things(f.phrase(*preps)) if not structural(d, i)]
         if host:
@@ -101,7 +104,8 @@ def _told_as_act(d: Discourse, f: Frame) -> bool:
 
 def _goal(f: Frame) -> Phrase | None:
     found = f.phrase(*_PUT_ON, *_PUT_IN)
-    return found if found is not None and things(found) else None
+    said = found.mention if found is not None and things(found) else None
+    return found if said is not None and said.start > f.verb.start else None
 
 
 def _put(d: Discourse, f: Frame, moved: list[str], goal: Phrase) -> None:

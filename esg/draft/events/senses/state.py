@@ -70,6 +70,12 @@ def attachment(d: Discourse, m: Mention, p: Phrase) -> None:
         _tell(d, owners, [a for c in listed for a in c.amounts], p.mention.head, p.prep)
     elif p.mention is not None:
         others = p.mention.entities or ids_of(d, p.mention, avoid=owners)
+        if p.prep == "of":
+            # "a cart of laundry": what it holds
+            loose = [o for o in others if o not in d.scene.supported_by and o not in owners]
+            if owners and holds(d, owners[0]):
+                place(d, [o for o in loose if movable(d, o)], owners[:1], "in")
+            return
         if p.prep != "with":
             if p.prep == "on" and p.mention.head in lex.BODY_PARTS:
                 # "slides down a ramp on its belly": how it lies, not where the ramp is
