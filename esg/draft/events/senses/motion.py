@@ -37,6 +37,7 @@ from esg.draft.events.told import moves, things, traits_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.graph.models import NodeEvent
 
+_DRIVERS = ("person", "animal", "robot")
 _HOVERING = ("float", "hover", "levitate")
 _ON_FOOT = lex.word_set("on foot")
 _TURNING = ("go", "move", "drive", "head", "run", "walk", "ride")
@@ -51,21 +52,10 @@ _ANYHOW = frozenset(
 @sense("own")
 def read_own(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """Drives, walks, runs: by itself, or what a person drives."""
-    person = bool(s) and kind_of(d, s[0]) in ("person", "animal", "robot")
-    if person and o and kind_of(d, o[0]) in STRUCK:
-        launch_by(d, f, s, o)  # "the batsman drives the ball past the bowler"
+    if _sets_going(d, f, s, o):
+        launch_by(d, f, s, o)
         return
-    if f.verb.lemma == "move" and s and o and s[0] != o[0] and _by_hand(d, s[0], o[0]):
-        launch_by(d, f, s, o)  # "a dog moves a pillow"
-        return
-    actors = s or o
-    drives = person and o and f.object is not None and not f.object.attribute
-    if drives and kind_of(d, o[0]) in SELF_POWERED:
-        actors = o[:1]
-        if f.subject is not None:
-            d.refs.mounts[id(f.subject)] = actors
-        place(d, s, o, "near")
-    actors = [a for a in actors if movable(d, a)]
+    actors = [a for a in _driven(d, f, s, o) if movable(d, a)]
     kind = kind_of(d, actors[0]) if actors else ""
     sides = [x for x in f.adverbs if x in ("left", "right")]
     if sides and kind in SELF_POWERED and f.verb.lemma in _TURNING:
@@ -83,6 +73,27 @@ def read_own(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         aim_at(d, f, actors, next(iter(target_of(d, f, actors)), None))
 
 
+def _sets_going(d: Discourse, f: Frame, s: list[str], o: list[str]) -> bool:
+    """ "The batsman drives the ball past the bowler", "a dog moves a pillow"."""
+    if not s or not o:
+        return False
+    struck = kind_of(d, s[0]) in _DRIVERS and kind_of(d, o[0]) in STRUCK
+    return struck or (f.verb.lemma == "move" and s[0] != o[0] and _by_hand(d, s[0], o[0]))
+
+
+def _driven(d: Discourse, f: Frame, s: list[str], o: list[str]) -> list[str]:
+    """Who moves: what a person drives, else who the clause is about."""
+    thing = f.object is not None and not f.object.attribute
+    if not (s and o and thing) or kind_of(d, s[0]) not in _DRIVERS:
+        return s or o
+    if kind_of(d, o[0]) not in SELF_POWERED:
+        return s
+    if f.subject is not None:
+        d.refs.mounts[id(f.subject)] = o[:1]
+    place(d, s, o, "near")
+    return o[:1]
+
+
 def _hovers(d: Discourse, f: Frame, actors: list[str]) -> None:
     """ "A drone floats in the air": it holds its height, and goes nowhere unless it is said."""
     ways = [p for p in f.phrases if p.mention is not None and not p.mention.attribute]
@@ -97,7 +108,7 @@ def _hovers(d: Discourse, f: Frame, actors: list[str]) -> None:
 
 def _by_hand(d: Discourse, doer: str, thing: str) -> bool:
     """Whether somebody moves a thing that does not move by itself."""
-    acts = kind_of(d, doer) in ("person", "animal", "robot")
+    acts = kind_of(d, doer) in _DRIVERS
     return acts and movable(d, thing) and kind_of(d, thing) not in SELF_POWERED
 
 

@@ -69,22 +69,24 @@ def attachment(d: Discourse, m: Mention, p: Phrase) -> None:
         listed = [p.mention, *[c for c in p.mention.coordinated if c.attribute]]
         _tell(d, owners, [a for c in listed for a in c.amounts], p.mention.head, p.prep)
     elif p.mention is not None:
-        others = p.mention.entities or ids_of(d, p.mention, avoid=owners)
-        if p.prep == "of":
-            # "a cart of laundry": what it holds
-            loose = [o for o in others if o not in d.scene.supported_by and o not in owners]
-            if owners and holds(d, owners[0]):
-                place(d, [o for o in loose if movable(d, o)], owners[:1], "in")
-            return
-        if p.prep != "with":
-            if p.prep == "on" and p.mention.head in lex.BODY_PARTS:
-                # "slides down a ramp on its belly": how it lies, not where the ramp is
-                owners = [o for o in owners if movable(d, o) and not _bears(d, o)]
-            place(d, owners, others, p.prep, p.mention.part)
-            return
+        _beside_others(d, owners, p, p.mention)
+
+
+def _beside_others(d: Discourse, owners: list[str], p: Phrase, m: Mention) -> None:
+    """Where things are with respect to what a phrase of theirs names."""
+    others = m.entities or ids_of(d, m, avoid=owners)
+    loose = [o for o in others if o not in d.scene.supported_by and o not in owners]
+    if p.prep == "of":
+        if owners and holds(d, owners[0]):  # "a cart of laundry"
+            place(d, [o for o in loose if movable(d, o)], owners[:1], "in")
+    elif p.prep == "with":
         # "a table with bottles on it": the on-phrase places them; else they rest on a support
-        loose = [o for o in others if o not in d.scene.supported_by and o not in owners]
         attachment_with(d, owners, loose)
+    else:
+        if p.prep == "on" and m.head in lex.BODY_PARTS:
+            # "slides down a ramp on its belly": how it lies, not where the ramp is
+            owners = [o for o in owners if movable(d, o) and not _bears(d, o)]
+        place(d, owners, others, p.prep, m.part)
 
 
 def _bears(d: Discourse, node: str) -> bool:
