@@ -93,8 +93,17 @@ def _put_in(doc: EsgDocument, node: TimelineNode) -> bool:
     return guided and node.event.value == "EnterRegion"
 
 
+def _turned(doc: EsgDocument, node: TimelineNode) -> str | None:
+    """The side to which something is turned where it is; None of what just spins."""
+    edges = doc.timeline_system.sequence_graph.edges if doc.timeline_system else ()
+    spun = (e for e in edges if e.to == node.id and e.event.value == "Spin")
+    return next((e.params.turn_direction for e in spun), None)
+
+
 def _matches(doc: EsgDocument, node: TimelineNode, event: dict[str, Any]) -> bool:
-    if not (_is(node, event["type"]) or (event["type"] == "placed" and _put_in(doc, node))):
+    kind = event["type"]
+    alike = (kind == "placed" and _put_in(doc, node)) or (kind == "turns" and _turned(doc, node))
+    if not (alike or _is(node, kind)):
         return False
     first = bind(doc, event.get("a") or event["object"])
     participants = node.participants
@@ -105,7 +114,8 @@ def _matches(doc: EsgDocument, node: TimelineNode, event: dict[str, Any]) -> boo
     if participants[0] not in first:
         return False
     if event["type"] == "turns":
-        return event.get("direction", "any") in ("any", node.turn_direction)
+        side = node.turn_direction or _turned(doc, node)
+        return event.get("direction", "any") in ("any", side)
     target = event.get("target", "")
     if event["type"] == "enters":
         region = node.region or ""

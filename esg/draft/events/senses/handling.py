@@ -140,6 +140,7 @@ def read_jump(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     over = [i for i in over if not structural(d, i)][:1]
     elsewhere = f.phrase(*_PUT_ON, "to", "off", "into", "in", "from", "out of", "down", "at")
     leaps = [a for a in s if kind_of(d, a) in _JUMPERS and a not in d.scene.supported_by]
+    leaps = [a for a in leaps if not moved_by_others(d, a)]
     away = _ELSEWHERE & {*f.adverbs, f.verb.extra.get("particle", "")}
     if away or (elsewhere is not None and things(elsewhere)) or not leaps:
         read_as(d, "own", f, s, o)

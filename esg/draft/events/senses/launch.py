@@ -5,7 +5,15 @@ from __future__ import annotations
 from dataclasses import replace
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.core import aimable, amounts_of, entity_of, kind_of, mark_used, movable
+from esg.draft.discourse.core import (
+    aimable,
+    amounts_of,
+    entity_of,
+    kind_of,
+    mark_used,
+    movable,
+    structural,
+)
 from esg.draft.discourse.places import place
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.registry import add_entity
@@ -192,9 +200,23 @@ def motion_of_things(d: Discourse, f: Frame, bodies: list[str], mode: str) -> No
         d.refs.thrown[id(f.subject)] = moved
         people = [i for i in f.subject.entities if kind_of(d, i) == "person"]
         d.refs.launched_by.update((i, moved) for i in people)
+    if mode == "throw" and aim is None:
+        _at_the_ground(d, f, moved)
     outcomes(d, f, moved)
     consequence(d, f, moved)
     aim_at(d, f, moved, aim)
+
+
+def _at_the_ground(d: Discourse, f: Frame, moved: list[str]) -> None:
+    """ "Is thrown towards the ground": down, and back up if it is a ball."""
+    down = f.phrase("onto", "at", "against", "to", "toward", "towards", "on")
+    met = [i for i in things(down) if structural(d, i)]
+    for body in moved if met else []:
+        track = d.timeline.track(body).motion
+        if track is None or "round" not in traits_of(d, body):
+            continue
+        track.params["elevation_deg"] = (-80.0, -30.0)
+        add_event(d, NodeEvent.BOUNCE, (body, met[0]), f, time_of(d, f))
 
 
 def aim_at(d: Discourse, f: Frame, moved: list[str], aim: str | None) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from esg.draft.discourse.core import amounts_of, kind_of, mark_used, movable, structural
 from esg.draft.discourse.places import place
 from esg.draft.discourse.record import Discourse
+from esg.draft.discourse.scene import SELF_POWERED
 from esg.draft.discourse.tracks import Motion
 from esg.draft.events.acts import add_event, outcomes
 from esg.draft.events.motions import direction_of, each_passed, motion, reverse, start_motion
@@ -14,7 +15,7 @@ from esg.draft.events.timing import time_of
 from esg.draft.events.told import amount, at_rest, constrain, ignore, things
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.quantities import Amount, find_amounts
-from esg.graph.models import NodeEvent
+from esg.graph.models import ForceDirection, NodeEvent
 
 _LEAST_TURN_S = 0.01
 """A turn told to last less has no rate of its own."""
@@ -76,6 +77,9 @@ def turn(d: Discourse, f: Frame, actors: list[str], direction: str, degrees: flo
     """Each actor turns from when the clause says on, or until then."""
     for actor in [a for a in actors if movable(d, a)]:
         track = d.timeline.track(actor)
+        if track.motion is None and not track.hit and kind_of(d, actor) not in SELF_POWERED:
+            _turn_in_place(d, f, actor, direction, degrees)
+            continue
         if track.motion is None:
             start_motion(d, f, [actor], "own")
         lasting, ends = _lasting(d, f), None
@@ -93,6 +97,14 @@ def turn(d: Discourse, f: Frame, actors: list[str], direction: str, degrees: flo
         if lasting is not None:
             constrain(d.timeline.node(end), "time_since", lasting.value, actor, since=begin)
             mark_used(d, lasting, f"duration of the turn up to {end}")
+
+
+def _turn_in_place(d: Discourse, f: Frame, body: str, direction: str, degrees: float) -> None:
+    """ "Turn the block to the left": what goes nowhere by itself is turned where it is."""
+    spin = Motion("spin", params={"turn_direction": direction})
+    d.timeline.move(body, spin, ForceDirection.HORIZONTAL_PLANE)
+    add_event(d, NodeEvent.SPIN, (body,), f, time_of(d, f), turn_degrees=degrees)
+    mark_used(d, f, "turn in place")
 
 
 def _lasting(d: Discourse, f: Frame) -> Amount | None:
