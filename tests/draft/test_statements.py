@@ -357,3 +357,24 @@ def test_the_page_of_the_document_shows_a_true_one() -> None:
     assert shown is not None
     document = json.loads(canonical_json(draft(prompt[1])))
     assert json.loads(shown[1]) == document["statements"]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "told"),
+    [
+        ("Turn the blue block right.", [("Spin", ("blue_block_1",))]),
+        ("A sledge turns left.", [("HeadingReached", ("sledge_1",))]),
+        ("A rubber ball is thrown onto the ground.", [("Bounce", ("rubber_ball_1", "ground_1"))]),
+        ("Put the cup in the box.", [("EnterRegion", ("cup_1",))]),
+        ("A teapot is lifted and put on a table.",
+         [("PickedUp", ("teapot_1",)), ("Placed", ("teapot_1", "table_1"))]),
+        ("A frog hops three times.", [("Jump", ("frog_1",))]),
+        ("A child jumps onto a chair.", []),
+    ],
+)  # fmt: skip
+def test_hands_leaps_and_turns_are_events(prompt, told):
+    """What is done to a thing that goes nowhere by itself, and what leaves the ground."""
+    timeline = draft(prompt).timeline_system
+    nodes = timeline.sequence_graph.nodes if timeline else ()
+    kinds = ("Spin", "HeadingReached", "Bounce", "EnterRegion", "PickedUp", "Placed", "Jump")
+    assert [(n.event.value, n.participants) for n in nodes if n.event.value in kinds] == told

@@ -77,7 +77,9 @@ def turn(d: Discourse, f: Frame, actors: list[str], direction: str, degrees: flo
     """Each actor turns from when the clause says on, or until then."""
     for actor in [a for a in actors if movable(d, a)]:
         track = d.timeline.track(actor)
-        if track.motion is None and not track.hit and kind_of(d, actor) not in SELF_POWERED:
+        done_to = f.object is not None and actor in f.object.entities
+        idle = track.motion is None and not track.hit and kind_of(d, actor) not in SELF_POWERED
+        if done_to and idle:
             _turn_in_place(d, f, actor, direction, degrees)
             continue
         if track.motion is None:
