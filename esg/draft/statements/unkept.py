@@ -24,7 +24,7 @@ _NOT_TOLD = frozenset({"gerund", "no event of its own"})
 _ACTS = frozenset(
     {"own", "launch", "roll", "slide", "fly", "bounce", "carry", "drop", "fall", "hit", "knock",
      "tow", "topple", "turn", "swerve", "enter", "pocket", "scatter", "accelerate", "reverse",
-     "land", "reach"}
+     "land", "reach", "leave", "approach", "follow", "cross", "overtake", "pass", "coast"}
 )  # fmt: skip
 """Senses of acting: what they tell adds something to the scene, or was told before."""
 NOTHING_MOVES = "nothing of the kind happens in the scene"

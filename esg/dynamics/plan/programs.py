@@ -350,7 +350,8 @@ class Composer:
         pushed = self.cast.pushes_off(actor, phase) if leg.last else None
         if pushed is not None:
             end, until = self.nominal.get(f"{pushed.id}/event_time", leg.duration) + 0.3, ()
-        if soars and leg.last and phase.end.event in (NodeEvent.MISS, NodeEvent.TRIGGER):
+        flies_on = phase.end.event is NodeEvent.TRIGGER and not arrives(self.doc, actor)
+        if soars and leg.last and (flies_on or phase.end.event is NodeEvent.MISS):
             # It flies on: past what it does not touch, and when all that is told of it is over.
             end = math.inf
         if leg.first and not acceleration:
