@@ -96,7 +96,11 @@ def test_without_a_compiler_the_program_is_replayed_and_said_so(tmp_path: Path) 
         ("A car reverses slowly into a wall.", "solved", {"reverses": "kept", "slowly": "kept"}),
         ("A boy fetches a ball.", "partial", {"fetches": "not_represented"}),
         ("A woman picks up a mug.", "solved", {}),
-        ("A drone flies to the right of a tower.", "solved", {"right of a tower": "kept"}),
+        (
+            "A drone flies to the right of a tower.",
+            "solved",
+            {"flies": "kept", "right of a tower": "kept"},
+        ),
     ],
 )
 def test_words_are_kept_or_owned_up_to(
