@@ -378,3 +378,9 @@ def test_hands_leaps_and_turns_are_events(prompt, told):
     nodes = timeline.sequence_graph.nodes if timeline else ()
     kinds = ("Spin", "HeadingReached", "Bounce", "EnterRegion", "PickedUp", "Placed", "Jump")
     assert [(n.event.value, n.participants) for n in nodes if n.event.value in kinds] == told
+
+
+def test_what_gets_to_another_side_also_starts_on_its_own():
+    told = draft("A fox is in front of a shoe, then the fox runs to the left of the shoe.")
+    sides = {(s.predicate.value, s.when, s.text) for s in told.statements or ()}
+    assert sides == {("in_front_of", "start", "front"), ("left_of", "end", "left of the shoe")}

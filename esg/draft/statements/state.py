@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
+import re
 from typing import Any
 
 from esg.draft.discourse.core import kind_of, structural
@@ -25,6 +26,13 @@ GENTLE_CM_S = 150.0
 """What is put down "gently" is nowhere faster: hands that reach go at 0.5 to 1.5 m/s."""
 _LASTING = ("own", "roll", "slide", "spin", "coast", "continue", "accelerate", "brake", "swerve")
 """Senses of moving on something, and not onto it."""
+_SIDE_WORDS = {
+    "left_of": re.compile(r"\bleft\b", re.IGNORECASE),
+    "right_of": re.compile(r"\bright\b", re.IGNORECASE),
+    "in_front_of": re.compile(r"\bfront\b", re.IGNORECASE),
+    "behind": re.compile(r"\b(?:behind|back|rear)\b", re.IGNORECASE),
+}
+"""The words of a side, of which the first in the text is where something starts."""
 _REASONS = ("for", "like", "because of", "of", "as")
 """Prepositions that tell why, or what something is like, and not where it goes."""
 _POSTURES = {
@@ -208,6 +216,20 @@ def _goal(book: _Book, clause: Clause, s: Said, mover: str) -> None:
     if own and not any(c.to in targets for n in d.timeline.nodes for c in n.constraints):
         when = "throughout" if targets[0] in also else "end"
         book.add(s.row.states, s.start, s.end, object=(mover,), target=tuple(targets), when=when)
+        _starts_there(book, mover, targets[0])
+
+
+def _starts_there(book: _Book, mover: str, other: str) -> None:
+    """ "Is on the left of a chair, then ...": where it starts is stated of what gets elsewhere."""
+    d = book.d
+    for r in d.scene.relations:
+        words = _SIDE_WORDS.get(r.kind)
+        if words is None or (r.source, r.target) != (mover, other):
+            continue
+        found = words.search(d.text)
+        if found is not None:
+            book.add(Predicate(r.kind), found.start(), found.end(), object=(mover,),
+                     target=(other,), when="start")  # fmt: skip
 
 
 def _driver(book: _Book, clause: Clause, s: Said, mover: str) -> None:
