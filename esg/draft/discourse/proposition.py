@@ -44,7 +44,6 @@ class Clause:
         frame: Its words.
         movers: What moves as it says (node ids).
         since: By mover, the event that its motion starts from.
-        events: Ids of the point events it told at once.
         said: What its words state of the motion.
         told: Whether it added anything to the scene.
     """
@@ -52,6 +51,5 @@ class Clause:
     frame: Frame
     movers: list[str]
     since: dict[str, str]
-    events: list[str]
     said: list[Said] = field(default_factory=list[Said])
     told: bool = True

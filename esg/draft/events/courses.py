@@ -9,6 +9,7 @@ from esg.draft.discourse.core import kind_of, movable
 from esg.draft.discourse.proposition import Clause
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.tracks import Motion
+from esg.draft.discourse.windows import START
 from esg.draft.events.motions import paced
 from esg.draft.events.stated import said
 from esg.draft.events.told import size_of
@@ -78,8 +79,7 @@ def follow(d: Discourse, f: Frame, was: Before, subject: list[str], objects: lis
     clause = Clause(
         f,
         moved,
-        {a: was.tracks[a][2] if a in was.tracks else "scene_start" for a in moved},
-        [n.id for n in d.timeline.nodes[was.nodes :]],
+        {a: was.tracks[a][2] if a in was.tracks else START for a in moved},
         said(d.text, f),
         told=bool(new) or snapshot(d) != was,
     )
@@ -90,9 +90,8 @@ def follow(d: Discourse, f: Frame, was: Before, subject: list[str], objects: lis
 
 def _carry_over(d: Discourse, clause: Clause, mover: str, was: Before) -> None:
     """Gives the motions of a clause the course and the pace that its words state."""
-    first = d.timeline.tracks[mover].at == "scene_start" or was.edges == 0 or not any(
-        e.actor == mover for e in d.timeline.edges[: was.edges]
-    )  # fmt: skip
+    earlier = any(e.actor == mover for e in d.timeline.edges[: was.edges])
+    first = d.timeline.tracks[mover].at == START or not earlier
     told = d.timeline.nodes[was.nodes :]
     turned = any(n.event is NodeEvent.HEADING_REACHED for n in told)
     turned = turned or clause.frame.verb.sense in TURNING

@@ -11,6 +11,7 @@ from esg.draft.discourse.core import kind_of, structural
 from esg.draft.discourse.proposition import Clause, Said
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import GROUND, SELF_POWERED
+from esg.draft.discourse.windows import START
 from esg.draft.events.courses import AT_ITS_OWN_PACE, TURNING, measurable
 from esg.draft.events.motions import flies_itself
 from esg.draft.events.stated import adverbs_of, start_of
@@ -21,7 +22,6 @@ from esg.draft.statements.unseen import NO_MANNER, manner, unseen
 from esg.draft.text.elements import Word
 from esg.graph.models import EdgeEvent, Predicate, Quantity, Statement, TimelineEdge
 
-START = "scene_start"
 GENTLE_CM_S = 150.0
 """What is put down "gently" is nowhere faster: hands that reach go at 0.5 to 1.5 m/s."""
 _LASTING = ("own", "roll", "slide", "spin", "coast", "continue", "accelerate", "brake", "swerve")
@@ -76,7 +76,7 @@ def state(d: Discourse, frames: list[Frame], words: list[Word]) -> tuple[Stateme
         words: The adverbs of the text.
     """
     book = _Book(d)
-    read = {(c.frame.verb.start, c.frame.verb.end) for c in d.scene.clauses}
+    read = {_span(c.frame) for c in d.scene.clauses}
     for clause in d.scene.clauses:
         why = missing(d, clause)
         if why:
@@ -87,8 +87,8 @@ def state(d: Discourse, frames: list[Frame], words: list[Word]) -> tuple[Stateme
             _posture(book, clause)
     said = {(s.start, s.end) for s in book.items}
     for f in frames:
-        why = "" if (f.verb.start, f.verb.end) in said else dropped(d, f)
-        if why and ((f.verb.start, f.verb.end) not in read or not _moves(d, f)):
+        why = "" if _span(f) in said else dropped(d, f)
+        if why and (_span(f) not in read or not _moves(d, f)):
             _unkept(book, f, why)
     unsaid = _of_what_does_not_happen(d, frames)
     for w in words:
@@ -118,7 +118,7 @@ def _unkept(book: _Book, f: Frame, why: str) -> None:
     """A verb that no part of the document stands for."""
     about = [i for m in (f.subject, f.object) if m is not None for i in m.entities]
     nodes = tuple(i for i in dict.fromkeys(about) if i in book.d.world.entities)
-    book.add(Predicate.NOT_REPRESENTED, f.verb.start, f.verb.end, object=nodes, note=why)
+    book.add(Predicate.NOT_REPRESENTED, *_span(f), object=nodes, note=why)
 
 
 def _motion(book: _Book, clause: Clause) -> None:

@@ -67,8 +67,8 @@ def read_pick(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
 def read_put(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """ "Puts the mug on the shelf", "lowers a crate onto a truck": it ends there, let go."""
     agents, moved = doer_and_done(f, s, o)
-    moved, goal = _loose(d, _held(d, f) or moved), _goal(f)
-    if _held_by(d, s) and f.object is None:
+    moved, goal = _loose(d, _named_it(d, f) or moved), _goal(f)
+    if f.object is None and {*s} & {*_in_hand(d)}:
         moved, f = s, replace(f, verb=replace(f.verb, passive=True))  # "is lifted and put on"
     act = not f.reduced and (_told_as_act(d, f) if f.verb.passive else f.object is not None)
     if not moved or goal is None or not act or any(moved_by_others(d, i) for i in moved):
@@ -79,19 +79,16 @@ def read_put(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     _put(d, f, moved, goal)
 
 
-def _held(d: Discourse, f: Frame) -> list[str]:
-    """What "it" is that is put somewhere: what has been picked up last."""
-    m = f.subject if f.verb.passive else f.object
-    if m is None or m.pronoun not in ("it", "them"):
-        return []
+def _in_hand(d: Discourse) -> list[str]:
+    """What has been picked up last, if nothing happened since."""
     last = next((n for n in reversed(d.timeline.nodes) if n.participants), None)
     return [last.participants[0]] if last and last.event is NodeEvent.PICKED_UP else []
 
 
-def _held_by(d: Discourse, bodies: list[str]) -> bool:
-    """Whether some are what has been picked up last."""
-    last = next((n for n in reversed(d.timeline.nodes) if n.participants), None)
-    return last is not None and last.event is NodeEvent.PICKED_UP and last.participants[0] in bodies
+def _named_it(d: Discourse, f: Frame) -> list[str]:
+    """What "it" is that is put somewhere: what is in hand."""
+    m = f.subject if f.verb.passive else f.object
+    return _in_hand(d) if m is not None and m.pronoun in ("it", "them") else []
 
 
 def _told_as_act(d: Discourse, f: Frame) -> bool:
