@@ -4,10 +4,10 @@
     python -m benchmarks.usd_player runs/paper --suite data/suites/paper.yaml \
         [--python PYTHON] [--json benchmarks/results/usd_paper.json]
 
-Every scene folder below the run is exported, and the player that the export puts beside the USD
-simulates it twice: as the file stands, and with its control program. What it records is judged as
-any replay is. An event needs a command if one acts before it other than a velocity or an impulse
-at time 0, which the file holds; the times are those of the class in PhysX.
+Every scene folder below the run is exported, and docs/play_usd.py simulates it twice: as the file
+stands, and with its control program. What it records is judged as any replay is. An event needs a
+command if one acts before it other than a velocity or an impulse at time 0, which the file holds;
+the times are those of the class in PhysX.
 
 `ovphysx` asks for other versions than this package does: PYTHON is the interpreter of a virtual
 environment of its own (docs/usd.md).
@@ -33,6 +33,8 @@ from esg.engines.program import ApplyImpulse, Program, SetVelocity
 from esg.engines.rollout_file import load_rollout
 from esg.metrics import SceneVerdict, Suite, judge, load_suite
 from esg.scenefolder import is_scene_folder
+
+PLAYER = Path(__file__).parents[1] / "docs" / "play_usd.py"
 
 
 @dataclass(frozen=True)
@@ -79,8 +81,8 @@ def play(folder: Path, suite: Suite | None, python: str) -> Played:
         export(folder, "usd", out, rollout=proven)
         for flags in (["--no-program"], []):
             record = Path(out) / "rollout.npz"
-            command = [python, "play_usd.py", "scene.usda", "--record", record.name, *flags]
-            done = subprocess.run(command, cwd=out, capture_output=True, text=True, check=False)
+            command = [python, PLAYER, f"{out}/scene.usda", "--record", record, *flags]
+            done = subprocess.run(command, capture_output=True, text=True, check=False)
             if done.returncode != 0:
                 raise RuntimeError(f"{folder.name}: {done.stderr[-2000:]}")
             rollout = load_rollout(record)

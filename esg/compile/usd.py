@@ -33,7 +33,7 @@ _RAD_TO_DEG = 180.0 / np.pi
 
 
 def write_usd(manifest: Manifest, rollout: Rollout, folder: Path, out: Path) -> list[Path]:
-    """Writes both layers and a player for NVIDIA's PhysX; the same input gives the same bytes.
+    """Writes both layers; the same input gives the same bytes.
 
     Args:
         manifest: Scene and program.
@@ -41,16 +41,19 @@ def write_usd(manifest: Manifest, rollout: Rollout, folder: Path, out: Path) -> 
         folder: Scene folder with the meshes.
         out: Where to write.
     """
-    physics, animation, player = (
-        out / name for name in ("scene.usda", "scene_animation.usda", "play_usd.py")
-    )
-    physics.write_text(_physics_layer(manifest, folder), "utf-8", newline="\n")
+    physics, animation = out / "scene.usda", out / "scene_animation.usda"
+    physics.write_text(physics_layer(manifest, folder), "utf-8", newline="\n")
     animation.write_text(_animation_layer(manifest, rollout, physics.name), "utf-8", newline="\n")
-    player.write_bytes((Path(__file__).parent / "templates" / player.name).read_bytes())
-    return [physics, animation, player]
+    return [physics, animation]
 
 
-def _physics_layer(manifest: Manifest, folder: Path) -> str:
+def physics_layer(manifest: Manifest, folder: Path) -> str:
+    """The scene to simulate, as text.
+
+    Args:
+        manifest: Scene and program.
+        folder: Scene folder with the meshes.
+    """
     from pxr import Gf, Sdf, Usd, UsdGeom, UsdPhysics
 
     scene = manifest.scene
@@ -165,6 +168,8 @@ def _body(stage: Any, path: str, body: Body) -> Any:
     form.AddOrientOp(UsdGeom.XformOp.PrecisionDouble).Set(_quatd(body.quaternion))
     # As JSON, because a name may hold characters that USD text cannot.
     prim.SetCustomDataByKey("esg:name", json.dumps(body.name))
+    prim.SetCustomDataByKey("esg:roll_radius", float(body.roll_radius))
+    prim.SetCustomDataByKey("esg:wheeled", body.wheeled)
     mass = UsdPhysics.MassAPI.Apply(prim)
     mass.CreateCenterOfMassAttr(Gf.Vec3f(*(float(-v) for v in offset)))
     if body.collides and not body.static:

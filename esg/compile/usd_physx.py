@@ -2,7 +2,7 @@
 """What UsdPhysics has no word for, in the attributes that NVIDIA's PhysX reads from USD.
 
 They are plain attributes and names of applied schemas: any OpenUSD opens them, and simulators that
-do not know them pass over them. The values are those with which the class was proven.
+do not know them pass over them.
 """
 
 from __future__ import annotations
@@ -13,13 +13,18 @@ from typing import Any
 
 from esg.engines.physx_engine import (
     BOUNCE_THRESHOLD_MPS,
-    CONTACT_OFFSET_M,
     POSITION_ITERATIONS,
     SLEEP_THRESHOLD,
     VELOCITY_ITERATIONS,
 )
 from esg.engines.scene import Body
 
+SOLVER = "PGS"
+"""Of 24 oblique bounces in `ovphysx` 0.7 all have the friction of the formula with PGS; with TGS
+and contacts solved ahead the median is 33% off."""
+CONTACT_OFFSET_M = 0.05
+"""Contacts are solved ahead of touching when bodies would touch within the step, so that they meet
+without overlap: two bodies see each other at twice this distance."""
 FASTEST_SPIN_RADPS = 1e6
 FASTEST_PUSH_MPS = 1e5
 """At which bodies that overlap may part: no limit, as in PhysX itself; NVIDIA's USD takes 3 m/s."""
@@ -40,7 +45,7 @@ def physx_scene(prim: Any, dt: float) -> None:
         "physxScene",
         {
             "timeStepsPerSecond": round(1.0 / dt),
-            "solverType": "TGS",
+            "solverType": SOLVER,
             "bounceThreshold": BOUNCE_THRESHOLD_MPS,
             "enableCCD": False,
             "enableEnhancedDeterminism": True,

@@ -1,129 +1,76 @@
-# pyright: basic, reportMissingImports=false, reportAttributeAccessIssue=false
-"""Plays scene.usda with its control program in NVIDIA's PhysX, with nothing of who wrote it.
+"""Plays scene.usda with its control program in NVIDIA's PhysX, with nothing of this project.
 
     pip install ovphysx physx-usd-schemas usd-core numpy
     python play_usd.py scene.usda [--no-program] [--hz 240] [--record FILE.npz]
 
-Prints the first touch of every pair of bodies. --no-program simulates what stands in the file alone:
-poses, velocities at time 0, materials. --record keeps every step: centres of mass [m], quaternions
-(x, y, z, w), velocities [m/s, rad/s] and contacts.
+Prints the first touch of every pair of bodies. --no-program simulates what stands in the file
+alone: poses, materials, velocities at time 0. --record keeps every step: centres of mass [m],
+quaternions (x, y, z, w), velocities [m/s, rad/s], contacts. read_manifest.py beside this file says
+what the commands of a program do.
 """
 
 import argparse
 import json
 import math
+import warnings
 
 import numpy as np
+from read_manifest import Program
 
-# What a command does if the file does not say otherwise.
-UNSAID = {"until_contact": (), "end": math.inf, "max_speed": math.inf}
+ABSENT = ("angular", "end", "max_speed", "linear_damping", "angular_damping", "friction")
 
 
-def read_program(stage):
-    """The commands of /World/Program as dictionaries with names of bodies: (commands, root)."""
-    names = {p.GetPath(): json.loads(n) for p in stage.Traverse() if (n := named(p))}
+def read_scene(stage):
+    """What read_manifest.py has to know of a stage: {gravity, dt, bodies, program}."""
+    from pxr import UsdPhysics
+
     root = stage.GetPrimAtPath("/World/Program")
-    commands = []
-    for prim in root.GetChildren():
-        command = {}
-        for item in prim.GetAuthoredPropertiesInNamespace("esg"):
-            field = item.GetBaseName()
-            if field in ("body", "until_contact"):
-                targets = [names[t] for t in item.GetTargets()]
-                command[field] = targets[0] if field == "body" else targets
-            else:
-                command[field] = plain(item.Get())
-        commands.append(command)
-    return commands, {a.GetBaseName(): a.Get() for a in root.GetAttributes()}
+    head = {a.GetBaseName(): a.Get() for a in root.GetAttributes()}
+    commands = [dict.fromkeys(ABSENT) | read_fields(p) for p in root.GetChildren()]
+    gravity = UsdPhysics.Scene(stage.GetPrimAtPath("/World/PhysicsScene"))
+    strength = gravity.GetGravityMagnitudeAttr().Get()
+    return {
+        "gravity": [strength * g for g in gravity.GetGravityDirectionAttr().Get()],
+        "dt": head["step"],
+        "bodies": [read_body(p) for p in stage.Traverse() if is_body(p)],
+        "program": {"duration": head["duration"], "primitives": commands},
+    }
 
 
-def named(prim):
-    return prim.GetCustomDataByKey("esg:name")
+def is_body(prim):
+    return prim.GetCustomDataByKey("esg:name") is not None
+
+
+def name_of(prim):
+    return json.loads(prim.GetCustomDataByKey("esg:name"))
+
+
+def read_body(prim):
+    from pxr import UsdPhysics
+
+    moves = prim.HasAPI(UsdPhysics.RigidBodyAPI)
+    shapes = [c for c in prim.GetChildren() if c.HasAPI(UsdPhysics.CollisionAPI)]
+    own = {k: v for k, v in prim.GetCustomDataByKey("esg").items() if k != "name"}
+    return own | {"name": name_of(prim), "static": not moves, "shapes": shapes}
+
+
+def read_fields(prim):
+    """The esg: attributes of a command; bodies are named by relationships."""
+    fields = {"until_contact": []}
+    for item in prim.GetAuthoredPropertiesInNamespace("esg"):
+        field = item.GetBaseName()
+        if field in ("body", "until_contact"):
+            named = [name_of(prim.GetStage().GetPrimAtPath(t)) for t in item.GetTargets()]
+            fields[field] = named[0] if field == "body" else named
+        else:
+            fields[field] = plain(item.Get())
+    return fields
 
 
 def plain(value):
     if isinstance(value, str | float):
         return value
     return [v if isinstance(v, float) else list(v) for v in value]
-
-
-class Program:
-    """Acts on bodies that have position, linear, angular, mass and set_friction, set_damping."""
-
-    def __init__(self, commands, gravity_z):
-        self.waiting = [UNSAID | c for c in commands]
-        self.driving, self.gravity_z = [], gravity_z
-
-    def before_step(self, t, dt, bodies, touching):
-        """Acts before the step from t to t + dt; touching: pairs of names in the step before."""
-        for p in [p for p in self.waiting if p.get("start", p.get("time")) <= t + dt / 2]:
-            body = bodies[p["body"]]
-            if p["kind"] in LASTING:
-                hit = any({p["body"], other} in touching for other in p["until_contact"])
-                end = p["start"] + p["times"][-1] if "times" in p else p["end"]
-                if t + dt / 2 <= end and not (hit and p in self.driving):
-                    self.driving.append(p)
-                    LASTING[p["kind"]](p, body, t - p["start"], dt, self.gravity_z * dt)
-                    continue
-            else:
-                ONCE[p["kind"]](p, body)
-            self.waiting.remove(p)
-
-
-def set_velocity(p, body):
-    body.linear, body.angular = p["linear"], p.get("angular", body.angular)
-
-
-def push(p, body):
-    body.linear = [v + j / body.mass for v, j in zip(body.linear, p["impulse"], strict=True)]
-
-
-def adjust(p, body):
-    for kind in ("linear", "angular"):
-        if f"{kind}_damping" in p:
-            body.set_damping(kind, p[f"{kind}_damping"])
-    if "friction" in p:
-        body.set_friction(p["friction"])
-
-
-def drive(p, body, s, dt, pull):
-    """Motion s seconds after its start: rolling, or flying against the step's pull of gravity."""
-    speed = max(0.0, p["speed"] + p["acceleration"] * s)
-    if p["acceleration"] > 0:
-        speed = min(speed, p["max_speed"])
-    heading, r = p["heading"] + p["turn_rate"] * s, 0.0 if "climb" in p else p["roll_radius"]
-    vx, vy = speed * math.cos(heading), speed * math.sin(heading)
-    body.linear = [vx, vy, p["climb"] - pull if "climb" in p else body.linear[2]]
-    body.angular = [-vy / r, vx / r, 0.0] if r else [0.0, 0.0, p["turn_rate"]]
-
-
-def guide(p, body, s, dt, pull):
-    """Along its path, returning to it where it has left it (10 m/s for a metre)."""
-    x, y = place(p, s), place(p, s + dt)
-    v = [(y[i] - x[i]) / dt + 10 * (x[i] - body.position[i]) for i in range(3)]
-    body.linear, body.angular = [v[0], v[1], v[2] - pull], [0.0, 0.0, p["turn_rate"]]
-
-
-def place(p, s):
-    """The cubic through the two points around s, with their velocities; straight outside."""
-    t, knots = p["times"], list(zip(p["points"], p["velocities"], strict=True))
-    k = max([i for i, time in enumerate(t) if time < s], default=0)
-    (x, v), h = knots[k], s - t[k]
-    if k + 1 == len(t) or s < t[0]:
-        return [x[i] + v[i] * h for i in range(3)]
-    (y, w), d = knots[k + 1], t[k + 1] - t[k]
-    u = h / d
-    a, b = u * u * (3 - 2 * u), d * u * (1 - u)
-    return [x[i] + a * (y[i] - x[i]) + b * ((1 - u) * v[i] - u * w[i]) for i in range(3)]
-
-
-def spin(p, body, s, dt, pull):
-    """About its axis; where it goes is physics."""
-    body.angular = [p["rate"] * a / math.hypot(*p["axis"]) for a in p["axis"]]
-
-
-ONCE = {"SetVelocity": set_velocity, "ApplyImpulse": push, "AdjustProperties": adjust}
-LASTING = {"HoldVelocity": drive, "GuideAlong": guide, "HoldSpin": spin}
 
 
 class Body:
@@ -133,11 +80,14 @@ class Body:
         from pxr import Usd, UsdGeom, UsdPhysics
 
         self.world, self.number = world, number
-        self.name, self.path = json.loads(named(prim)), str(prim.GetPath())
+        self.name, self.path = name_of(prim), str(prim.GetPath())
         self.moves = prim.HasAPI(UsdPhysics.RigidBodyAPI)
         mass = UsdPhysics.MassAPI(prim)
-        self.mass = mass.GetMassAttr().Get() if self.moves else 0.0
-        self.centre = np.array(mass.GetCenterOfMassAttr().Get(), float)
+        self.mass, self.centre = mass.GetMassAttr().Get(), mass.GetCenterOfMassAttr().Get()
+        self._damping = {}
+        for kind in ("linear", "angular"):
+            authored = prim.GetAttribute(f"physxRigidBody:{kind}Damping")
+            self._damping[kind] = authored.Get() if authored else 0.0
         pose = UsdGeom.Xformable(prim).ComputeLocalToWorldTransform(Usd.TimeCode.Default())
         q = pose.ExtractRotationQuat()
         self.see(pose.ExtractTranslation(), (*q.GetImaginary(), q.GetReal()), (0, 0, 0), (0, 0, 0))
@@ -146,15 +96,24 @@ class Body:
         self.quaternion = np.array(quaternion, float)
         axis, w = self.quaternion[:3], self.quaternion[3]
         twice = 2 * np.cross(axis, self.centre)
-        self.position = np.array(origin) + self.centre + w * twice + np.cross(axis, twice)
-        self.linear, self.angular = list(map(float, linear)), list(map(float, angular))
+        self.translation = np.array(origin) + self.centre + w * twice + np.cross(axis, twice)
+        self.linvel, self.angvel = tuple(map(float, linear)), tuple(map(float, angular))
 
     def set_friction(self, value):
         for attribute in ("staticFriction", "dynamicFriction"):
             self.world.write(attribute, {self.path: value})
 
-    def set_damping(self, kind, value):
-        self.world.edit(f"physxRigidBody:{kind}Damping", self.path, value)
+    def _damp(self, kind, value):
+        if value != self._damping[kind]:
+            self._damping[kind] = value
+            self.world.edit(f"physxRigidBody:{kind}Damping", self.path, value)
+
+    linear_damping = property(
+        lambda self: self._damping["linear"], lambda self, value: self._damp("linear", value)
+    )
+    angular_damping = property(
+        lambda self: self._damping["angular"], lambda self, value: self._damp("angular", value)
+    )
 
 
 class World:
@@ -166,7 +125,7 @@ class World:
         import physx_usd_schemas
         import warp
 
-        warp.config.quiet = True
+        warp.config.log_level = warp.LOG_ERROR
         self.stage_of, self.kinds = ovstage, ovphysx.types.SimObjectType
         schemas = [str(p) for p in physx_usd_schemas.schema_paths()]
         ovstage.population.register_usd_schemas(schemas)
@@ -178,7 +137,7 @@ class World:
         self.physx.wait_task(self.physx.attach_ovstage(self.stage, read_ordinal=1))
         self.physx.wait_all()
         self.paths = ovstage.PathDictionary(self.stage)
-        prims = [p for p in stage.Traverse() if named(p)]
+        prims = [p for p in stage.Traverse() if is_body(p)]
         self.bodies = [Body(self, prim, i) for i, prim in enumerate(prims)]
         self.moving = {b.path: b for b in self.bodies if b.moves}
         self.look()
@@ -205,9 +164,7 @@ class World:
     def write(self, attribute, values):
         """Sets an attribute of some bodies by path, of all their shapes where it is of shapes."""
         handles = [self.paths.intern_path(p) for p in values]
-        with self.physx.write_sync(
-            self.kinds.RIGID_BODY, attribute, prim_paths=handles
-        ) as session:
+        with self.physx.write_sync(self.kinds.RIGID_BODY, attribute, prim_paths=handles) as session:
             for group in session.groups:
                 rows = group.tensors[0].numpy()
                 for i, path in enumerate(self.paths.get_path_strings(group.prim_list)):
@@ -227,12 +184,12 @@ class World:
 
     def step(self, dt, act):
         """Lets `act` change velocities, then steps."""
-        before = {p: (b.linear, b.angular) for p, b in self.moving.items()}
+        before = {p: (b.linvel, b.angvel) for p, b in self.moving.items()}
         act()
-        for i, name in enumerate(("linear", "angular")):
-            new = {p: getattr(b, name) for p, b in self.moving.items()}
-            if changed := {p: v for p, v in new.items() if v is not before[p][i]}:
-                self.write(f"{name}Velocity", changed)
+        after = {p: (b.linvel, b.angvel) for p, b in self.moving.items()}
+        for i, name in enumerate(("linearVelocity", "angularVelocity")):
+            if new := {p: v[i] for p, v in after.items() if v[i] is not before[p][i]}:
+                self.write(name, new)
         self.physx.step_sync(dt)
         self.look()
 
@@ -271,22 +228,29 @@ class World:
 
 
 def play(path, hz, with_program):
-    """Simulates the file; returns time, frames and touches."""
-    from pxr import Usd, UsdPhysics
+    """Simulates the file; returns names, step, frames and touches."""
+    from pxr import Usd
 
     stage = Usd.Stage.Open(path)
-    commands, head = read_program(stage)
-    dt = 1 / hz if hz else head["step"]
-    gravity = UsdPhysics.Scene(stage.GetPrimAtPath("/World/PhysicsScene"))
-    down = gravity.GetGravityDirectionAttr().Get()[2] * gravity.GetGravityMagnitudeAttr().Get()
-    program = Program(commands if with_program else [], down)
-    world = World(path, stage)
+    scene = read_scene(stage)
+    dt, steps = (1 / hz if hz else scene["dt"]), scene["program"]["duration"]
+    steps = math.ceil(steps / dt - 1e-6)
+    if not with_program:
+        scene["program"]["primitives"] = []
+    program, world = Program(scene), World(path, stage)
     bodies = {b.name: b for b in world.bodies}
     frames, touches, touching = [snapshot(world)], {}, []
-    steps = math.ceil(head["duration"] / dt - 1e-6)
+
+    def set_friction(name, value):
+        bodies[name].set_friction(value)
+
     for step in range(steps):
-        t = step * dt
-        world.step(dt, lambda t=t, near=touching: program.before_step(t, dt, bodies, near))
+        world.step(
+            dt,
+            lambda t=step * dt, near=touching: program.before_step(
+                t, dt, bodies.__getitem__, near, set_friction
+            ),
+        )
         touching = []
         for a, b, impulse, depth, point, normal in world.contacts():
             if impulse > 0:
@@ -294,23 +258,26 @@ def play(path, hz, with_program):
                 row[0], row[1] = row[0] + impulse, max(row[1], depth)
                 touching.append({world.bodies[a].name, world.bodies[b].name})
         frames.append(snapshot(world))
-    names = [b.name for b in world.bodies]
     world.close()
-    return names, dt, frames, touches
+    return list(bodies), dt, frames, touches
 
 
 def snapshot(world):
-    return [np.concatenate([b.position, b.quaternion, b.linear, b.angular]) for b in world.bodies]
+    return [np.concatenate([b.translation, b.quaternion, b.linvel, b.angvel]) for b in world.bodies]
 
 
 def record(path, dt, frames, touches):
     states = np.array(frames, np.float32)[None]
-    parts = dict(position=(0, 3), quaternion=(3, 7), linear_velocity=(7, 10), angular_velocity=(10, 13))
+    parts = dict(
+        position=(0, 3), quaternion=(3, 7), linear_velocity=(7, 10), angular_velocity=(10, 13)
+    )
     arrays = {name: states[..., a:b] for name, (a, b) in parts.items()}
     keys = sorted(touches)
     index = np.array(keys, np.int32).reshape(-1, 3)
     rows = [touches[k] for k in keys]
-    contacts = dict(world=np.zeros(len(keys), np.int32), frame=index[:, 0], a=index[:, 1], b=index[:, 2])
+    contacts = dict(
+        world=np.zeros(len(keys), np.int32), frame=index[:, 0], a=index[:, 1], b=index[:, 2]
+    )
     contacts |= dict(time=index[:, 0] * dt)
     for i, name in enumerate(("impulse", "depth", "point", "normal")):
         wide = (len(rows), 3) if name in ("point", "normal") else (len(rows),)
@@ -333,6 +300,7 @@ def main():
     parser.add_argument("--hz", type=float, help="steps a second; default as the file was proven")
     parser.add_argument("--record")
     options = parser.parse_args()
+    warnings.simplefilter("ignore", RuntimeWarning)  # about schemas and devices that are not used
     names, dt, frames, touches = play(options.file, options.hz, not options.no_program)
     seen = set()
     for (frame, a, b), (impulse, *_) in sorted(touches.items()):
