@@ -70,7 +70,7 @@ def physx_body(prim: Any, body: Body) -> None:
             "sleepThreshold": SLEEP_THRESHOLD,
             "solverPositionIterationCount": POSITION_ITERATIONS,
             "solverVelocityIterationCount": VELOCITY_ITERATIONS,
-            "enableGyroscopicForces": False,
+            "enableGyroscopicForces": True,
         },
     )
     _apply(prim, "PhysxContactReportAPI", "physxContactReport", {"threshold": 0.0})
