@@ -369,12 +369,16 @@ class GltfMeshes:
 
     def parts(self) -> list[tuple[Floats, NDArray[np.int64], tuple[float, ...]]]:
         """Vertices [m], faces and RGBA of every part, in the file's order."""
+        return [(vertices, faces, color) for _, vertices, faces, color in self.held_parts()]
+
+    def held_parts(self) -> list[tuple[str, Floats, NDArray[np.int64], tuple[float, ...]]]:
+        """The name of the node that holds a part, its vertices [m], faces and RGBA."""
         import io
 
         import trimesh
 
         loaded: Any = trimesh.load(io.BytesIO(self._data), file_type="glb", force="scene")
-        out: list[tuple[Floats, NDArray[np.int64], tuple[float, ...]]] = []
+        out: list[tuple[str, Floats, NDArray[np.int64], tuple[float, ...]]] = []
         for name in loaded.graph.nodes_geometry:
             transform, geometry = loaded.graph[name]
             mesh = loaded.geometry[geometry]
@@ -384,5 +388,6 @@ class GltfMeshes:
             base = getattr(material, "baseColorFactor", None)
             color = (0.6, 0.6, 0.6, 1.0) if base is None else tuple(float(c) / 255 for c in base)
             vertices = np.stack([x, -z, y], axis=1)
-            out.append((vertices, np.asarray(mesh.faces), color))
+            holder = str(loaded.graph.transforms.parents.get(name, ""))
+            out.append((holder, vertices, np.asarray(mesh.faces), color))
         return out

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.engines.scene import Body, Rollout, SimScene
-from esg.units import quat_multiply, quat_rotate
+from esg.units import quat_rotate
 
 Floats = NDArray[np.float64]
 
@@ -68,24 +68,19 @@ def _carried(at: Floats, q: Floats, span: Floats, gravity: Floats) -> NDArray[np
     return standing[1:] & ~falls
 
 
-def with_wheels(
-    scene: SimScene, rollout: Rollout, *, world: int = 0
-) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """Poses of all bodies, and after them of all wheels in the order of their bodies.
-
-    Returns:
-        Positions [m], shape [T, B + W, 3], of a wheel that of its axle; quaternions (x, y, z, w),
-        shape [T, B + W, 4].
-    """
-    positions, turns = [rollout.position[world]], [rollout.quaternion[world]]
-    for i, body in enumerate(scene.bodies):
-        at, q = rollout.position[world, :, i], rollout.quaternion[world, :, i]
-        angles = wheel_angles(body, rollout.time, at, q, scene.gravity)
-        for wheel, angle in zip(body.wheels, angles.T, strict=True):
-            axle = at + quat_rotate(q, np.asarray(wheel.axle, float))
-            positions.append(axle[:, None].astype(np.float32))
-            turns.append(quat_multiply(q, about_axle(angle))[:, None].astype(np.float32))
-    return np.concatenate(positions, axis=1), np.concatenate(turns, axis=1)
+def scene_angles(scene: SimScene, rollout: Rollout, *, world: int = 0) -> Floats:
+    """Angles [rad] of all wheels in the order of their bodies, shape [T, W]."""
+    found = [
+        wheel_angles(
+            body,
+            rollout.time,
+            rollout.position[world, :, i],
+            rollout.quaternion[world, :, i],
+            scene.gravity,
+        )
+        for i, body in enumerate(scene.bodies)
+    ]
+    return np.concatenate([np.zeros((len(rollout.time), 0)), *found], axis=1)
 
 
 def about_axle(angle: Floats) -> Floats:
