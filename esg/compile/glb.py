@@ -8,6 +8,7 @@ bytes.
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass, field
 import json
 from pathlib import Path
@@ -355,6 +356,32 @@ def shape_mesh(shape: Shape, body: Body) -> Any:
     at = np.array(shape.position) - np.array(body.origin_offset)
     mesh.vertices = quat_rotate(shape.quaternion, mesh.vertices) + at
     return mesh
+
+
+def part_of(data: bytes, *, holders: Collection[str] = (), without: Collection[str] = ()) -> bytes:
+    """A GLB of some parts of another: those in the nodes `holders`, or all but those in `without`.
+
+    What one node holds comes in that node's frame.
+    """
+    import io
+
+    import trimesh
+
+    loaded: Any = trimesh.load(io.BytesIO(data), file_type="glb", force="scene")
+    parents = loaded.graph.transforms.parents
+    scene = trimesh.Scene()
+    for name in loaded.graph.nodes_geometry:
+        holder = parents.get(name, "")
+        if holder in without or (holders and holder not in holders):
+            continue
+        transform, geometry = loaded.graph[name]
+        if holders:
+            transform = np.linalg.inv(loaded.graph[holder][0]) @ transform
+        mesh = loaded.geometry[geometry]
+        scene.add_geometry(mesh, node_name=name, geom_name=geometry, transform=transform)
+    out = scene.export(file_type="glb")
+    assert isinstance(out, bytes)
+    return out
 
 
 class GltfMeshes:

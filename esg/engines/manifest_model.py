@@ -301,6 +301,13 @@ def dangling(data: dict[str, Any]) -> list[str]:
         for i, n in enumerate(names)
         if n == GROUND or n in names[:i]
     ]
+    for i, body in enumerate(data["bodies"]):
+        wheels = [wheel["name"] for wheel in body.get("wheels", ())]
+        out += [
+            f"/bodies/{i}/wheels/{k}/name: {n!r} is used twice"
+            for k, n in enumerate(wheels)
+            if n in wheels[:k]
+        ]
     uses = [(f"/regions/{i}/parent", r["parent"]) for i, r in enumerate(data["regions"])]
     for i, p in enumerate(data["program"]["primitives"]):
         uses.append((f"/program/primitives/{i}/body", p["body"]))
