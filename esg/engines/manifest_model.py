@@ -71,6 +71,15 @@ WHEELS_CONVENTION = (
     "the body while the body is upright and carried; else they go on turning and run down"
 )
 """Stands under `wheels` of the conventions of a manifest with bodies that have them."""
+BRAKING_CONVENTION = (
+    "an AdjustProperties with a braking [m/s^2] sets the body's brakes (0 lets go): from then on, "
+    "before every step and after all primitives, its horizontal velocity loses min(|v_h|, braking "
+    "dt), and the horizontal part of the angular velocity of a body with roll_radius > 0 the same "
+    "share; not in a step in which a HoldVelocity or GuideAlong sets its velocity, nor if its "
+    "vertical velocity has fallen by more than |gravity_z| dt / 2 since the last step began (after "
+    "the program had acted; not known before the first step): nothing carries it then"
+)
+"""Stands under `braking` of the conventions of a manifest whose program brakes."""
 
 Number = Annotated[float, Field(allow_inf_nan=False)]
 Positive = Annotated[float, Field(gt=0.0, allow_inf_nan=False)]
@@ -170,7 +179,7 @@ class ApplyImpulseModel(_Model):
 
 
 class AdjustPropertiesModel(_Model):
-    """Changes damping [1/s] and friction; null leaves a property as it is."""
+    """Changes damping [1/s], friction and brakes; null leaves a property as it is."""
 
     kind: Literal["AdjustProperties"]
     body: Name
@@ -178,6 +187,17 @@ class AdjustPropertiesModel(_Model):
     linear_damping: NonNegative | None = None
     angular_damping: NonNegative | None = None
     friction: NonNegative | None = None
+    braking: NonNegative | None = Field(
+        None, description="Deceleration by the brakes [m/s^2], 0 lets go; absent: it is kept"
+    )
+
+    @model_serializer(mode="wrap")
+    def _without_none(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
+        # Programs without brakes read as they always did.
+        data = handler(self)
+        if data["braking"] is None:
+            del data["braking"]
+        return data
 
 
 class HoldVelocityModel(_Model):
