@@ -6,6 +6,7 @@ import re
 
 from esg.assets.geometry.massprops import mass_properties
 from esg.assets.geometry.sketch import Color, Sketch
+from esg.assets.geometry.wheels import wheels_of
 from esg.assets.library.catalogue import Entry, entries_by_name, uniform_factor
 from esg.assets.library.proposal import is_toy
 from esg.assets.library.retrieve import Decision
@@ -59,6 +60,7 @@ def finish(
         angular_damping=ROLLING_DAMPING if rolls else requirement.linear_damping,
         is_wheeled=wheeled,
         rolls=rolls,
+        wheels=wheels_of(sketch),
         color_rgb=color,
         license=entry.license,
         attribution=entry.attribution,

@@ -22,6 +22,7 @@ from esg.compile.usd_physx import physx_body, physx_collider, physx_material, ph
 from esg.compile.usd_program import write_program
 from esg.engines.manifest import Manifest
 from esg.engines.scene import Body, Rollout, Shape
+from esg.engines.wheels import wheel_angles
 from esg.engines.worlds import principal_axes
 from esg.units import quat_rotate
 
@@ -260,8 +261,11 @@ def _visual(stage: Any, prim: Any, body: Body, folder: Path, library: dict[str, 
         root = f"/Assets/Asset{number}"
         stage.CreateClassPrim("/Assets")
         UsdGeom.Xform.Define(stage, root)
-        for i, (vertices, faces, color) in enumerate(GltfMeshes(data).parts()):
-            mesh = UsdGeom.Mesh.Define(stage, f"{root}/Part{i}")
+        wheels = _wheels(stage, root, body)
+        for i, (holder, vertices, faces, color) in enumerate(GltfMeshes(data).held_parts()):
+            path, axle = wheels.get(holder, (root, 0.0))
+            mesh = UsdGeom.Mesh.Define(stage, f"{path}/Part{i}")
+            vertices = vertices - axle
             _triangles(mesh, vertices, faces)
             mesh.CreateDisplayColorAttr([color[:3]])
             if color[3] < 1.0:
@@ -269,6 +273,34 @@ def _visual(stage: Any, prim: Any, body: Body, folder: Path, library: dict[str, 
         library[key] = root
     visual = UsdGeom.Xform.Define(stage, f"{prim.GetPath()}/Visual").GetPrim()
     visual.GetReferences().AddInternalReference(library[key])
+
+
+def _wheels(stage: Any, root: str, body: Body) -> dict[str, tuple[str, Any]]:
+    """Prims of a body's wheels below its asset: path and axle in the mesh's frame [m] by name."""
+    from pxr import Gf, UsdGeom
+
+    out: dict[str, tuple[str, Any]] = {}
+    idents = names.unique_identifiers((w.name for w in body.wheels), "Wheel")
+    for wheel in body.wheels:
+        path = f"{root}/{idents[wheel.name]}"
+        form = UsdGeom.Xform.Define(stage, path)
+        axle = np.asarray(wheel.axle) - np.asarray(body.origin_offset)
+        form.AddTranslateOp(UsdGeom.XformOp.PrecisionDouble).Set(Gf.Vec3d(*map(float, axle)))
+        form.AddRotateYOp(UsdGeom.XformOp.PrecisionDouble).Set(0.0)
+        out[wheel.name] = path, axle
+    return out
+
+
+def _turn_wheels(stage: Any, path: str, body: Body, angles: Any) -> None:
+    """Time samples of the wheels of the body at `path`, angles [rad], shape [T, wheels]."""
+    from pxr import Sdf
+
+    idents = names.unique_identifiers((w.name for w in body.wheels), "Wheel")
+    for wheel, turned in zip(body.wheels, np.degrees(angles).T, strict=True):
+        prim = stage.OverridePrim(f"{path}/Visual/{idents[wheel.name]}")
+        attribute = prim.CreateAttribute("xformOp:rotateY", Sdf.ValueTypeNames.Double)
+        for frame, angle in enumerate(turned):
+            attribute.Set(float(angle), float(frame))
 
 
 def _animation_layer(manifest: Manifest, rollout: Rollout, physics: str) -> str:
@@ -300,6 +332,9 @@ def _animation_layer(manifest: Manifest, rollout: Rollout, physics: str) -> str:
         for frame in range(len(q)):
             translate.Set(tuple(map(float, at[frame])), float(frame))
             orient.Set(_quatd(q[frame]), float(frame))
+        centers, turns = rollout.position[0, :, i], rollout.quaternion[0, :, i]
+        angles = wheel_angles(body, rollout.time, centers, turns, scene.gravity)
+        _turn_wheels(stage, str(prim.GetPath()), body, angles)
     # The layer is in memory: a stage would look for the sublayer beside nothing and complain.
     del stage
     layer.subLayerPaths.append(f"./{physics}")
