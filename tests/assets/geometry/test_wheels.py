@@ -71,7 +71,9 @@ def test_nodes_of_the_mesh_turn_about_their_axles(name: str) -> None:
         parts = [n for n in scene.graph.nodes_geometry if parents[n] == wheel.name]
         points = np.concatenate(
             [
-                trimesh.transform_points(scene.geometry[scene.graph[n][1]].vertices, scene.graph[n][0])
+                trimesh.transform_points(
+                    scene.geometry[scene.graph[n][1]].vertices, scene.graph[n][0]
+                )
                 for n in parts
             ]
         )
