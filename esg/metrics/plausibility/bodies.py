@@ -151,12 +151,11 @@ def _touches(f: Facts) -> list[_Group]:
         pairs.setdefault((int(c.a[k]), int(c.b[k])), []).append(float(c.time[k]))
     out: list[_Group] = []
     for pair, times in pairs.items():
-        t = np.sort(times)
-        cuts = np.flatnonzero(np.diff(t) > 2.0 * _JOINED_S)
-        edges = [0, *(cuts + 1).tolist(), len(t)]
-        for a, b in pairwise(edges):
-            start = int(np.searchsorted(r.time, t[a] - _JOINED_S))
-            stop = int(np.searchsorted(r.time, t[b - 1] + _JOINED_S)) + 1
+        times.sort()
+        cuts = [k for k in range(1, len(times)) if times[k] - times[k - 1] > 2.0 * _JOINED_S]
+        for a, b in pairwise([0, *cuts, len(times)]):
+            start = int(np.searchsorted(r.time, times[a] - _JOINED_S))
+            stop = int(np.searchsorted(r.time, times[b - 1] + _JOINED_S)) + 1
             out.append(_Group(frozenset(pair), start, min(stop, len(r.time))))
     return out
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 from pydantic import BaseModel, ConfigDict
 
@@ -51,6 +52,14 @@ class Plausibility(BaseModel):
     def failed(self) -> tuple[Check, ...]:
         """The checks that do not hold, the worst first."""
         return tuple(sorted((c for c in self.checks if not c.ok), key=lambda c: -_excess(c)))
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain JSON for `metrics.json`: `plausible`, the worst check in words, all checks."""
+        return {
+            "plausible": self.plausible,
+            "worst": self.failed[0].text if self.failed else "",
+            "checks": [c.model_dump(mode="json") for c in self.checks],
+        }
 
 
 def _excess(check: Check) -> float:
