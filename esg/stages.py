@@ -110,6 +110,13 @@ def load_verdict(state: SceneState) -> SceneVerdict:
     return _read_verdict(metrics["verdict"])
 
 
+def plausibility(state: SceneState) -> dict[str, Any] | None:
+    """What the judge wrote of a scene's plausibility; None if it did not come to that."""
+    if "judge" not in state.artifacts:
+        return None
+    return json.loads((state.artifact("judge") / "metrics.json").read_bytes()).get("plausibility")
+
+
 def not_kept(state: SceneState) -> list[Row]:
     """What of its prompt a scene does not show, as far as it came (esg.fidelity)."""
     if "judge" in state.artifacts:
@@ -237,6 +244,7 @@ def _judge(state: SceneState, folder: Path) -> None:
         "judged_against": "suite" if from_suite else "timeline",
         "verified": own.verified,
         "verdict": verdict.to_json(),
+        "plausibility": _plausibility(state, doc),
     }
     if from_suite:
         metrics["own_timeline"] = own.to_json()
@@ -252,6 +260,15 @@ def _verdict(state: SceneState, expected: SuiteScene) -> SceneVerdict:
     scene, program = load_scene(state)
     rollout = load_rollout(state.artifact("replay") / ROLLOUT)
     return judge(scene, program, rollout, expected)
+
+
+def _plausibility(state: SceneState, doc: EsgDocument) -> dict[str, Any]:
+    from esg.engines.rollout_file import load_rollout
+    from esg.metrics.plausibility import assess, told_of
+
+    scene, program = load_scene(state)
+    rollout = load_rollout(state.artifact("replay") / ROLLOUT)
+    return assess(scene, program, rollout, told_of(doc)).to_json()
 
 
 def _outcome(doc: EsgDocument, own: SceneVerdict, lost: Sequence[Row] = ()) -> tuple[Outcome, str]:
