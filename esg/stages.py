@@ -149,6 +149,9 @@ def _draft(state: SceneState, folder: Path) -> None:
 
     request = state.request
     doc = draft(request.prompt, seed=request.seed, drafter=request.drafter)
+    if request.traffic != "right":
+        scene = doc.scene_definition.model_copy(update={"traffic": request.traffic})
+        doc = doc.model_copy(update={"scene_definition": scene})
     write_doc(doc, folder)
     _write_json([v.to_json() for v in verify(doc)], folder / "violations.json")
 
@@ -336,7 +339,7 @@ def _write_json(value: Any, path: Path) -> None:
 
 
 SPECS: dict[str, Spec] = {
-    "draft": Spec(_draft, (), ("prompt", "seed", "drafter")),
+    "draft": Spec(_draft, (), ("prompt", "seed", "drafter", "traffic")),
     "resolve": Spec(_resolve, ("draft",), ("seed",)),
     "cast": Spec(_cast, ("resolve",), ("seed",)),
     "layout": Spec(_layout, ("cast",), ("seed", "choreographed")),

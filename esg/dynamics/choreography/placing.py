@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from esg.dynamics.choreography.hovering import cruise
+from esg.dynamics.choreography.kerbs import kerb_passed
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.choreography.throws import is_swung
 from esg.dynamics.story.kinematics import (
@@ -153,7 +154,7 @@ def _place_target(
     """Puts b where a arrives: ahead of it, past it for a Miss, short of it for a Reach."""
     pb = stage.prop(b)
     sets_off = _sets_off(stage, node, b)
-    yaw = heading if sets_off else target_yaw(pb, heading, stage.rng)
+    yaw = heading if sets_off else target_yaw(pb, heading, stage.rng, pa)
     if node.event is NodeEvent.ENTER_REGION:
         # Its opening towards what comes (`meetings.enters`).
         yaw = heading + math.pi
@@ -168,6 +169,11 @@ def _place_target(
         gap = asked_distance(stage, node, a) or 0.25
         lateral = pa.half_width + pb.half_lateral(yaw - heading) + gap
         front = 0.0
+        kerb = kerb_passed(stage, a, b)
+        if kerb is not None:
+            yaw = heading + kerb.turned
+            gap = asked_distance(stage, node, a) or kerb.gap_m(pa)
+            lateral = kerb.side * (pa.half_width + pb.half_lateral(yaw - heading) + gap)
     if node.event is NodeEvent.REACH:
         # Room to come to rest after the hold ends.
         front += 0.15 + stage.tracks[a].speed / REACH_BRAKE_DAMPING
