@@ -8,7 +8,7 @@ import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from esg.fidelity import Row, lost_in, sentence, shortfalls, statement_rows
+from esg.fidelity import Row, lost_in, sentence, shortfalls, statement_rows, unplaced
 from esg.outcomes import Outcome
 
 if TYPE_CHECKING:
@@ -234,9 +234,9 @@ def _judge(state: SceneState, folder: Path) -> None:
     expected, from_suite = load_suite_scene(state.request, doc)
     verdict = _verdict(state, expected)
     own = _verdict(state, expectations_from_timeline(doc)) if from_suite else verdict
-    said = doc.model_dump(mode="json", include={"coverage", "statements"})
+    said = doc.model_dump(mode="json", include={"coverage", "statements", "layout_result"})
     statements = statement_rows(said, [s.model_dump(mode="json") for s in own.statements])
-    lost = shortfalls(said, statements)
+    lost = [*unplaced(said), *shortfalls(said, statements)]
     outcome, reason = _outcome(doc, own, lost)
     facts = json.loads((state.artifact("replay") / "replay.json").read_bytes())
     metrics = {
