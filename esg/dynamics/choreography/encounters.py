@@ -6,6 +6,7 @@ import math
 
 from esg.dynamics.choreography import overtaking
 from esg.dynamics.choreography.placing import gap_at_start
+from esg.dynamics.choreography.setting_off import ride_of
 from esg.dynamics.choreography.stage import FASTEST_MPS, Encounter, Stage, speed_is_fixed
 from esg.dynamics.choreography.throws import asked_height, drop_height, fallen, is_dropped
 from esg.dynamics.story.kinematics import (
@@ -155,7 +156,8 @@ def meet_head_on(stage: Stage, e: Encounter) -> None:
             time = start + approach_distance(stage.prop(actor), speed, stage.rng) / speed
         track = stage.tracks[actor]
         duration = max(0.2, time - track.time)
-        track.straight(covers(stage, actor, phase, speed, duration), duration, speed)
+        way, left = covers(stage, actor, phase, speed, duration)
+        track.straight(way, duration, left)
         if stage.story.soars(actor):
             stage.heights.setdefault(actor, MEETING_HEIGHT_M)
         elif stage.story.flies(actor):
@@ -219,8 +221,8 @@ def _dropped_onto(stage: Stage, node: TimelineNode, a: str, b: str, phase: Phase
             before = track.speed or speed
             way, duration, left = brake_into(stage, phase, before, fall.time, track.time)
         else:
-            stage.nominal[f"{phase.edge.id}/speed"] = left = speed
-            way = covers(stage, b, phase, speed, duration)
+            stage.nominal[f"{phase.edge.id}/speed"] = speed
+            way, left = covers(stage, b, phase, speed, duration)
         track.straight(way, duration, left)
     stage.time[node.id] = max(fall.time, track.time)
     if stage.story.flies(b):
@@ -255,12 +257,14 @@ def run_into_waiting(stage: Stage, e: Encounter) -> None:
     covered = max(math.dist(first, p) for p in ahead.points)
     least = covered + reach + BEHIND_M
     duration = max(0.2, time - rear.time)
-    if speed * duration < least and not speed_is_fixed(chase):
+    ride = ride_of(stage, behind, chase, speed)
+    if ride.way(duration) < least and not speed_is_fixed(chase):
         speed = min(least / duration, max(speed, FASTEST_MPS))
-    if speed * duration < least and stage.prescribed_time(node) is None:
-        duration = least / speed
+        ride = ride_of(stage, behind, chase, speed)
+    if ride.way(duration) < least and stage.prescribed_time(node) is None:
+        duration = ride.lasts(least)
     stage.nominal[f"{chase.edge.id}/speed"] = speed
-    rear.straight(speed * duration, duration, speed)
+    rear.straight(ride.way(duration), duration, ride.left(duration))
     stage.time[node.id] = rear.time
     frame = stage.frames[front]
     heading = ahead.heading + frame.angle
@@ -332,15 +336,18 @@ def _is_front(stage: Stage, a: str) -> bool:
     return any(w in words for w in ("front", "lead", "leading"))
 
 
-def covers(stage: Stage, actor: str, phase: Phase, speed: float, duration: float) -> float:
-    """Way [m] of an actor in a given time: what was let go at a fixed speed slows down.
+def covers(
+    stage: Stage, actor: str, phase: Phase, speed: float, duration: float
+) -> tuple[float, float]:
+    """Way [m] of an actor in a given time, and its speed then: what was let go slows down.
 
     Where the speed is open, it starts that much faster instead (`variables.damping_loss`).
     """
     let_go = phase.edge.event is EdgeEvent.TOWARD and not stage.story.flies(actor)
-    if not let_go or not speed_is_fixed(phase):
-        return speed * duration
-    return braking_distance(speed, stage.prop(actor).damping, duration)
+    if let_go and speed_is_fixed(phase):
+        return braking_distance(speed, stage.prop(actor).damping, duration), speed
+    ride = ride_of(stage, actor, phase, speed)
+    return ride.way(duration), ride.left(duration)
 
 
 def brake_into(

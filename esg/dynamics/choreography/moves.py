@@ -6,6 +6,7 @@ import math
 
 from esg.dynamics.choreography.falls import goes_over_edge, over_edge, tip_over
 from esg.dynamics.choreography.placing import asked_distance, gap_left, join
+from esg.dynamics.choreography.setting_off import gain_of, ride_of
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.kinematics import (
     Frame,
@@ -16,7 +17,7 @@ from esg.dynamics.story.kinematics import (
     stopping_way,
 )
 from esg.dynamics.story.stagecraft import coasting_drag, top_surface
-from esg.dynamics.story.story import Phase, bounds, middle, rebounds, turn_of
+from esg.dynamics.story.story import Phase, bounds, rebounds, turn_of
 from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
 
 TURNED_RAD = math.radians(10.0)
@@ -57,13 +58,13 @@ def turned(stage: Stage, node: TimelineNode) -> None:
     for actor, phase in stage.incoming(node):
         track = stage.tracks[actor]
         speed = stage.speed(actor, phase) if phase.edge.params.speed else track.speed
-        track.speed = speed or stage.speed(actor, phase)
-        stage.nominal[f"{phase.edge.id}/speed"] = track.speed
+        ride = ride_of(stage, actor, phase, speed or stage.speed(actor, phase))
+        stage.nominal[f"{phase.edge.id}/speed"] = ride.speed
         low, high, fixed = bounds(phase.edge.params.turn_rate_deg_s, (25.0, 70.0))
         rate = math.radians(low if fixed else min(max(45.0, low), high))
         degrees, sign = turn_of(phase)
         stage.nominal[f"{phase.edge.id}/turn_rate"] = rate
-        track.arc(sign * math.radians(degrees), rate)
+        track.arc(sign * math.radians(degrees), rate, ride)
         lead = TURNED_RAD / rate
     times = [stage.tracks[a].time for a in stage.tracks if a in node.participants]
     stage.time[node.id] = max(times, default=1.0) - lead
@@ -137,8 +138,7 @@ def _advance(stage: Stage, actor: str, phase: Phase, duration: float) -> None:
         return
     speed = stage.speed(actor, phase)
     if edge.event is EdgeEvent.ACCELERATED_MOTION:
-        low, high, fixed = bounds(edge.params.acceleration, (100.0, 400.0))
-        rate = (low if fixed else middle(low, high) if low > 0 else 0.5 * (low + high)) / 100.0
+        rate = gain_of(stage, actor, phase)
         start = track.speed if track.time > 0 else (speed if edge.params.speed is not None else 0.5)
         stage.nominal[f"{edge.id}/acceleration"] = rate
         stage.nominal[f"{edge.id}/speed"] = start
@@ -154,7 +154,8 @@ def _advance(stage: Stage, actor: str, phase: Phase, duration: float) -> None:
         left = max(0.0, speed - drag * duration)
         track.straight(sliding_travel(speed, drag, duration), duration, left)
         return
-    track.straight(speed * duration, duration, speed)
+    ride = ride_of(stage, actor, phase, speed)
+    track.straight(ride.way(duration), duration, ride.left(duration))
 
 
 def _stops_by_itself(stage: Stage, actor: str, duration: float) -> bool:

@@ -15,7 +15,7 @@ from esg.dynamics.choreography.ways import arrives
 from esg.dynamics.plan.aim import aim_heading
 from esg.dynamics.plan.cast import Cast
 from esg.dynamics.plan.guides import Way
-from esg.dynamics.story.kinematics import ballistic_velocity, wrap_angle
+from esg.dynamics.story.kinematics import Ride, ballistic_velocity, wrap_angle
 from esg.dynamics.story.stagecraft import stacked_with, support_of
 from esg.dynamics.story.story import REACH_BRAKE_DAMPING, Phase, turn_of
 from esg.engines.program import (
@@ -44,6 +44,8 @@ RUN_OUT_MPS2 = 5.0
 STANDING_SLACK, MOVING_SLACK = 1.05, 1.3
 """A spin is kept up so much longer than its turns take: of what moves, friction takes a part."""
 
+UNDISTURBED = (NodeEvent.TRIGGER, NodeEvent.HEADING_REACHED)
+"""Events that change no speed: what goes on after them begins with the speed it had."""
 TIMED = (NodeEvent.TRIGGER, NodeEvent.REACH, NodeEvent.STOP, NodeEvent.MISS)
 """Events at which a phase ends when theta says so; others end it when they happen."""
 
@@ -340,12 +342,14 @@ class Composer:
         actor, phase, edge, v, start = course.actor, leg.phase, leg.phase.edge, leg.v, leg.start
         soars, turns = self.story.soars(actor), edge.event is EdgeEvent.TURN
         roll_radius = self.scene.body(actor).roll_radius
-        course.speed = speed = v.get(f"{edge.id}/speed", course.speed)
+        usual = self.nominal.get(f"{edge.id}/reaches", course.speed)
+        before, speed = course.speed, v.get(f"{edge.id}/speed", usual)
         rate, end, until = 0.0, leg.end, self.cast.contacts(phase)
         if turns:
             degrees, sign = turn_of(phase)
             rate = sign * v[f"{edge.id}/turn_rate"]
             end = start + math.radians(degrees) / abs(rate)
+        ride = self._ride(leg, speed, before)
         acceleration = v.get(f"{edge.id}/acceleration", 0.0)
         pushed = self.cast.pushes_off(actor, phase) if leg.last else None
         if pushed is not None:
@@ -354,7 +358,7 @@ class Composer:
         if soars and leg.last and (flies_on or phase.end.event is NodeEvent.MISS):
             # It flies on: past what it does not touch, and when all that is told of it is over.
             end = math.inf
-        if leg.first and not acceleration:
+        if leg.first and not acceleration and math.isinf(ride.rate):
             flat = abs(speed) * np.array([math.cos(course.heading), math.sin(course.heading), 0.0])
             course.out += [SetVelocity(r, start, _vec(flat)) for r in self._riders[actor]]
         if leg.first and self.cast.leaves_support(actor, phase):
@@ -363,21 +367,24 @@ class Composer:
             course.out.append(SetVelocity(actor, start, _vec(abs(speed) * flat)))
             course.clock = start
             return
-        course.out.append(
-            HoldVelocity(
-                actor,
-                start,
-                end,
-                speed=abs(speed),
-                heading=course.heading,
-                acceleration=acceleration,
-                turn_rate=rate,
-                roll_radius=roll_radius,
-                until_contact=until,
-                climb=self.nominal.get(f"{edge.id}/slope", 0.0) * abs(speed) if soars else None,
-            )
+        hold = HoldVelocity(
+            actor,
+            start,
+            end,
+            speed=abs(speed),
+            heading=course.heading,
+            acceleration=acceleration,
+            turn_rate=rate,
+            roll_radius=roll_radius,
+            until_contact=until,
+            climb=self.nominal.get(f"{edge.id}/slope", 0.0) * abs(speed) if soars else None,
         )
+        if not math.isinf(ride.rate):
+            hold = replace(hold, speed=ride.first, acceleration=ride.rate, max_speed=ride.speed)
+        course.out.append(hold)
         course.heading += rate * (end - start) if turns else 0.0
+        lasted = min(end, leg.duration) - start
+        course.speed = max(0.0, ride.left(lasted) + acceleration * lasted)
         if leg.last and turns:
             # Let go while it turns, it would go on turning; what flies would sink.
             course.out.append(
@@ -385,19 +392,35 @@ class Composer:
                     actor,
                     end,
                     math.inf if soars else end + STRAIGHT_S,
-                    abs(speed),
+                    abs(course.speed),
                     course.heading,
                     roll_radius=roll_radius,
                     until_contact=self._others(actor) if soars else (),
                     climb=0.0 if soars else None,
                 )
             )
-        course.speed = max(0.0, speed + acceleration * (min(end, leg.duration) - start))
         # What follows a hit follows it when it happens, not when the hold would have ended.
         told = v.get(f"{phase.end.id}/time", self.told(phase.end, end))
         course.clock = min(end, max(start, told))
         if leg.last:
             self._end_drive(course, leg, end, pushed is not None)
+
+    def _ride(self, leg: _Leg, speed: float, before: float) -> Ride:
+        """How it comes to its speed: at once, or as the choreography has it gain speed.
+
+        Args:
+            leg: What it does.
+            speed: That it gets to [m/s].
+            before: That it has [m/s], where nothing has happened to it.
+        """
+        name, phases = leg.phase.edge.id, self.story.phases[leg.phase.edge.actor]
+        rate = self.nominal.get(f"{name}/gains")
+        if rate is None:
+            return Ride.under_way(speed)
+        begins = self.nominal[f"{name}/begins"]
+        if not leg.first and phases[phases.index(leg.phase) - 1].end.event in UNDISTURBED:
+            begins = before
+        return Ride(min(begins, abs(speed)), rate, abs(speed))
 
     def _end_drive(self, course: _Course, leg: _Leg, end: float, pushes: bool) -> None:
         """What a driver does at the end of its part: it brakes, or hovers."""

@@ -165,6 +165,8 @@ class Declarations:
         if edge.event is EdgeEvent.ACCELERATED_MOTION:
             low, high, fixed = bounds(params.acceleration, (50.0, 500.0))
             start = nominal.get(f"{edge.id}/acceleration", 0.005 * (low + high))
+            if not fixed:
+                low, high = max(low, 70.0 * start), min(high, 130.0 * start)
             self.add(
                 f"{edge.id}/acceleration",
                 low / 100,

@@ -14,6 +14,51 @@ import numpy as np
 from esg.units import GRAVITY_MPS2
 
 
+@dataclass(frozen=True)
+class Ride:
+    """Motion that gains speed evenly up to one that it keeps.
+
+    Args:
+        first: Speed at the start [m/s].
+        rate: At which it gains speed [m/s^2]; infinite for what is under way.
+        speed: In the end, at least the first one [m/s].
+    """
+
+    first: float
+    rate: float
+    speed: float
+
+    @staticmethod
+    def under_way(speed: float) -> Ride:
+        """Motion at one speed [m/s]."""
+        return Ride(speed, math.inf, speed)
+
+    @property
+    def gaining(self) -> float:
+        """How long it gains speed [s]."""
+        return (self.speed - self.first) / self.rate
+
+    def left(self, duration: float) -> float:
+        """Speed [m/s] after a time [s]."""
+        return self.speed if duration >= self.gaining else self.first + self.rate * duration
+
+    def way(self, duration: float) -> float:
+        """Way [m] in a time [s]."""
+        part = min(duration, self.gaining)
+        return 0.5 * (self.first + self.left(part)) * part + self.speed * (duration - part)
+
+    def lasts(self, way: float) -> float:
+        """Time [s] that a way [m] takes."""
+        whole = self.way(self.gaining)
+        if way >= whole:
+            return self.gaining + (way - whole) / max(self.speed, 1e-6)
+        return (math.sqrt(self.first**2 + 2.0 * self.rate * way) - self.first) / self.rate
+
+    def until(self, speed: float) -> float:
+        """Way [m] on which it gains a speed [m/s]."""
+        return max(min(speed, self.speed) ** 2 - self.first**2, 0.0) / (2.0 * self.rate)
+
+
 @dataclass
 class Track:
     """State of one body along its planned path, in its own frame.
@@ -43,19 +88,21 @@ class Track:
         self.speed = speed
         self.points.append((self.x, self.y))
 
-    def arc(self, angle: float, turn_rate: float) -> None:
+    def arc(self, angle: float, turn_rate: float, ride: Ride) -> None:
         """Turns by `angle` [rad] (positive left) at `turn_rate` > 0 [rad/s]."""
         steps = max(2, int(abs(angle) / 0.25))
         duration = abs(angle) / turn_rate / steps
-        for _ in range(steps):
+        for k in range(steps):
             half = angle / steps / 2.0
-            chord = self.speed * duration * (math.sin(half) / half if abs(half) > 1e-9 else 1.0)
+            way = ride.way((k + 1) * duration) - ride.way(k * duration)
+            chord = way * (math.sin(half) / half if abs(half) > 1e-9 else 1.0)
             self.heading += half
             self.x += chord * math.cos(self.heading)
             self.y += chord * math.sin(self.heading)
             self.heading += half
             self.points.append((self.x, self.y))
         self.time += abs(angle) / turn_rate
+        self.speed = ride.left(abs(angle) / turn_rate)
 
 
 @dataclass(frozen=True)
