@@ -114,6 +114,15 @@ FLIGHT_FIELDS = (
 )
 """Of holds, in classes with powered flight."""
 
+BRAKE_FIELDS = (
+    Field("bool", "bSetBraking", "false", "Whether Braking is set."),
+    Field("double", "Braking", "0.0", "Deceleration by the brakes [cm/s^2].", "", "0", "100000"),
+)
+"""Of changes of properties, in classes with brakes."""
+
+ROUND_FIELD = Field("bool", "bRolls", "false", "Round: braking slows its roll as well.")
+"""Of bodies, in classes with brakes."""
+
 PRIMITIVE_TEXT = {
     "SetVelocity": "Sets a velocity once.",
     "ApplyImpulse": "Applies an impulse once.",
@@ -159,12 +168,15 @@ ACCEPTANCE_FIELDS = (
 def emit_header(plan: ScenePlan) -> str:
     """The .h file."""
     name = plan.name
-    parts = [_preamble(plan), _struct(f"F{name}Body", "Physical values of one body.", BODY_FIELDS)]
+    body = (*BODY_FIELDS, ROUND_FIELD) if plan.brakes else BODY_FIELDS
+    parts = [_preamble(plan), _struct(f"F{name}Body", "Physical values of one body.", body)]
     for kind in PRIMITIVE_FIELDS:
         if kind in plan.kinds:
             fields = PRIMITIVE_FIELDS[kind]
             if kind == "HoldVelocity" and plan.flies:
                 fields = (*fields, *FLIGHT_FIELDS)
+            if kind == "AdjustProperties" and plan.brakes:
+                fields = (*fields, *BRAKE_FIELDS)
             parts.append(_struct(f"F{name}{kind}", PRIMITIVE_TEXT[kind], fields))
     parts.append(_class(plan))
     return "\n".join(parts)
@@ -200,7 +212,7 @@ _RECORDS_AND_PARTS = """\
 	{
 		bool bActive = false;
 		bool bDone = false;
-		UPrimitiveComponent* Body = nullptr;
+@DRIVES@		UPrimitiveComponent* Body = nullptr;
 		TArray<UPrimitiveComponent*> EndsAtTouchOf;
 	};
 
@@ -266,6 +278,15 @@ _WATCHING = """\
 """The class from its watching of contacts to its end, the same for every scene."""
 
 
+DRIVES = "\t\tbool bDrives = false;\n"
+BRAKED = """\
+		double Braking = 0.0;
+		/** Vertical velocity at the beginning of the last step; so low before the first one. */
+		double Rise = -1.0e9;
+"""
+"""Of commands and bodies, in classes with brakes."""
+
+
 def _class(plan: ScenePlan) -> str:
     name = plan.name
     simulation = "\n".join(f.emit("ESG|Simulation") for f in simulation_fields(plan))
@@ -275,6 +296,7 @@ def _class(plan: ScenePlan) -> str:
         f'\tUPROPERTY(EditAnywhere, Category = "ESG|Program")\n\tF{name}{p.kind} {p.member};\n'
         for p in plan.primitives
     )
+    records = _RECORDS_AND_PARTS.replace("@DRIVES@", DRIVES if plan.brakes else "")
     return f"""UCLASS()
 class ESGSCENES_API A{name} : public AActor
 {{
@@ -299,9 +321,9 @@ private:
 		UStaticMeshComponent* Component = nullptr;
 		const F{name}Body* Settings = nullptr;
 		int32 Shape = 0;
-	}};
+{BRAKED if plan.brakes else ""}	}};
 
-{_RECORDS_AND_PARTS}	UStaticMeshComponent* CreateMesh(const TCHAR* Name, const TCHAR* AssetPath);
+{records}	UStaticMeshComponent* CreateMesh(const TCHAR* Name, const TCHAR* AssetPath);
 	void ConfigureGround(UStaticMeshComponent* Plane, bool bForWheels);
 	void ConfigureBody(UStaticMeshComponent* Body, const F{name}Body& Settings);
 	void ApplyMassProperties(UStaticMeshComponent* Body, const F{name}Body& Settings);
@@ -313,15 +335,25 @@ private:
 {_runners(plan)}{_WATCHING}"""
 
 
+_BRAKE = """\
+	void ApplyBrakes(double Due);
+	bool IsDriven(const UPrimitiveComponent* Body) const;
+"""
+
+
 def _runners(plan: ScenePlan) -> str:
     """Declarations of what plays the program's kinds of primitives."""
     path = f"\tstatic FVector PathPoint(const F{plan.name}GuideAlong& Command, double Elapsed);\n"
-    return "".join(
-        f"\tvoid Run{kind}(UPrimitiveComponent* Body, const F{plan.name}{kind}& Command,"
-        f" FCommandState& State, double Due);\n"
-        for kind in PRIMITIVE_FIELDS
-        if kind in plan.kinds
-    ) + (path if "GuideAlong" in plan.kinds else "")
+    return (
+        "".join(
+            f"\tvoid Run{kind}(UPrimitiveComponent* Body, const F{plan.name}{kind}& Command,"
+            f" FCommandState& State, double Due);\n"
+            for kind in PRIMITIVE_FIELDS
+            if kind in plan.kinds
+        )
+        + (path if "GuideAlong" in plan.kinds else "")
+        + (_BRAKE if plan.brakes else "")
+    )
 
 
 def _body_members(plan: ScenePlan, body: UnrealBody) -> str:

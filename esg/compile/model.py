@@ -159,6 +159,11 @@ class ScenePlan:
         return any(field == "bFlies" for p in self.primitives for field, _ in p.values)
 
     @property
+    def brakes(self) -> bool:
+        """Whether the program uses brakes; classes without them say nothing of it."""
+        return any(field == "bSetBraking" for p in self.primitives for field, _ in p.values)
+
+    @property
     def guides(self) -> bool:
         """Whether something else than motion under its own power lasts."""
         return bool({"GuideAlong", "HoldSpin"} & self.kinds)
@@ -287,6 +292,9 @@ def _values(p: Primitive) -> tuple[tuple[str, str], ...]:
         ):
             if value is not None:
                 values += [(flag, "true"), (field, frames.float_literal(value))]
+        if p.braking is not None:
+            braking = frames.literal(p.braking * frames.CM_PER_M)
+            values += [("bSetBraking", "true"), ("Braking", braking)]
         return tuple(values)
     span = (
         ("Start", frames.literal(p.start)),

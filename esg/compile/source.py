@@ -10,6 +10,7 @@ from esg.compile.assets import MeshAsset, Probe, probes
 from esg.compile.header import PRIMITIVE_FIELDS
 from esg.compile.model import ScenePlan, UnrealBody
 from esg.engines.program import GUIDE_RATE
+from esg.engines.traction import FALLING
 
 INCLUDES = (
     "Components/PrimitiveComponent.h",
@@ -42,6 +43,24 @@ FLIGHT = """\
 \t}"""
 """Vertical velocity of a hold, in classes with powered flight."""
 
+SET_BRAKING = """\
+	if (Command.bSetBraking)
+	{
+		for (FBodyRef& Braked : Bodies)
+		{
+			Braked.Braking = Braked.Component == Body ? Command.Braking : Braked.Braking;
+		}
+	}
+"""
+"""What sets the brakes of a body, in classes with brakes."""
+
+FALLING_SHARE = f"""\
+	/** What loses more than this share of a step's gravity within it, nothing carries. */
+	constexpr double FallingShare = {frames.literal(FALLING)};
+
+"""
+"""Constant of classes with brakes."""
+
 GUIDING = f"""\
 \t/** How fast a guided body that is off its path returns to it [1/s]. */
 \tconstexpr double GuideRate = {frames.literal(GUIDE_RATE)};
@@ -69,6 +88,7 @@ def emit_source(plan: ScenePlan) -> str:
         _collect(plan, shapes),
         _dispatch(plan),
         *(_run(plan, kind) for kind in PRIMITIVE_FIELDS if kind in plan.kinds),
+        *([_template("ApplyBrakes")] if plan.brakes else []),
         _template("Fixed").replace("@LASTING@", "Hold" if plan.guides else "HoldVelocity"),
     ]
     text = "\n".join(part.strip("\n") + "\n" for part in parts)
@@ -78,6 +98,7 @@ def emit_source(plan: ScenePlan) -> str:
 def _run(plan: ScenePlan, kind: str) -> str:
     """What executes primitives of a kind."""
     text = _template(f"Run{kind}")
+    text = text.replace("@SET_BRAKING@\n", SET_BRAKING if plan.brakes else "")
     return text.replace("@ON_GROUND@", IN_FLIGHT if plan.flies else "").replace(
         "@RISE@", FLIGHT if plan.flies else KEPT_RISE
     )
@@ -86,7 +107,8 @@ def _run(plan: ScenePlan, kind: str) -> str:
 def _preamble(plan: ScenePlan) -> str:
     includes = "\n".join(f'#include "{path}"' for path in INCLUDES)
     tables = "\n".join(_probe_table(a) for a in plan.assets)
-    guiding = GUIDING if "GuideAlong" in plan.kinds else ""
+    constants = GUIDING if "GuideAlong" in plan.kinds else ""
+    constants += FALLING_SHARE if plan.brakes else ""
     return f"""#include "@CLASS@.h"
 
 {includes}
@@ -114,7 +136,7 @@ namespace @CLASS@Detail
 	/** Unreal's impulse unit is kg cm/s. */
 	constexpr double ImpulsePerNewtonSecond = 100.0;
 
-{guiding}	/** A shape that penetration queries accept, in its mesh's frame. */
+{constants}	/** A shape that penetration queries accept, in its mesh's frame. */
 	struct FProbe
 	{{
 		FCollisionShape Shape;
@@ -178,6 +200,7 @@ def _constructor(plan: ScenePlan) -> str:
 
 def _body_defaults(plan: ScenePlan, body: UnrealBody) -> list[str]:
     src, f = body.source, frames.float_literal
+    rolls = [("bRolls", "true")] if plan.brakes and src.roll_radius > 0.0 else []
     values = [
         ("Location", frames.vector_literal(body.location)),
         ("Rotation", frames.quaternion_literal(body.rotation)),
@@ -196,6 +219,7 @@ def _body_defaults(plan: ScenePlan, body: UnrealBody) -> list[str]:
             ("Inertia", frames.vector_literal(body.inertia)),
             ("LinearDamping", f(src.linear_damping)),
             ("AngularDamping", f(src.angular_damping)),
+            *rolls,
         ]
     path, name = names.string_literal(body.asset.path), names.string_literal(body.name)
     return [
@@ -225,6 +249,8 @@ def _collect(plan: ScenePlan, shapes: dict[str, int]) -> str:
     lines: list[str] = []
     for i, p in enumerate(plan.primitives):
         lines.append(f"\tCommands[{i}].Body = {p.body};")
+        if plan.brakes and p.kind in ("HoldVelocity", "GuideAlong"):
+            lines.append(f"\tCommands[{i}].bDrives = true;")
         if p.until:
             lines.append(f"\tCommands[{i}].EndsAtTouchOf = {{ {', '.join(p.until)} }};")
     for i, e in enumerate(plan.events):
@@ -257,6 +283,8 @@ def _dispatch(plan: ScenePlan) -> str:
         f"\tRun{p.kind}({p.body}, {p.member}, Commands[{i}], Due);"
         for i, p in enumerate(plan.primitives)
     )
+    if plan.brakes:
+        calls += "\n\tApplyBrakes(Due);"
     due = (
         "" if calls else "\t// The program is empty: nothing is driven.\n\tstatic_cast<void>(Due);"
     )

@@ -18,6 +18,7 @@ from typing import Any
 from pydantic import BaseModel, ValidationError
 
 from esg.engines.manifest_model import (
+    BRAKING_CONVENTION,
     CLIMB_CONVENTION,
     CONVENTIONS,
     GUIDE_CONVENTION,
@@ -32,6 +33,7 @@ from esg.engines.manifest_model import (
 )
 from esg.engines.program import (
     PROGRAM_VERSION,
+    AdjustProperties,
     GuideAlong,
     HoldSpin,
     HoldVelocity,
@@ -123,6 +125,8 @@ def _special_conventions(program: Program) -> dict[str, str]:
             out["guide"] = GUIDE_CONVENTION
         elif isinstance(p, HoldSpin):
             out["spin"] = SPIN_CONVENTION
+        elif isinstance(p, AdjustProperties) and p.braking is not None:
+            out["braking"] = BRAKING_CONVENTION
     return out
 
 

@@ -65,6 +65,16 @@ SPIN_CONVENTION = (
 )
 """Stand under `guide` and `spin` of the conventions of manifests whose programs have them."""
 
+BRAKING_CONVENTION = (
+    "an AdjustProperties with a braking [m/s^2] sets the body's brakes (0 lets go): from then on, "
+    "before every step and after all primitives, its horizontal velocity loses min(|v_h|, braking "
+    "dt), and the horizontal part of the angular velocity of a body with roll_radius > 0 the same "
+    "share; not in a step in which a HoldVelocity or GuideAlong sets its velocity, nor if its "
+    "vertical velocity has fallen by more than |gravity_z| dt / 2 since the last step began (after "
+    "the program had acted; not known before the first step): nothing carries it then"
+)
+"""Stands under `braking` of the conventions of a manifest whose program brakes."""
+
 Number = Annotated[float, Field(allow_inf_nan=False)]
 Positive = Annotated[float, Field(gt=0.0, allow_inf_nan=False)]
 NonNegative = Annotated[float, Field(ge=0.0, allow_inf_nan=False)]
@@ -146,7 +156,7 @@ class ApplyImpulseModel(_Model):
 
 
 class AdjustPropertiesModel(_Model):
-    """Changes damping [1/s] and friction; null leaves a property as it is."""
+    """Changes damping [1/s], friction and brakes; null leaves a property as it is."""
 
     kind: Literal["AdjustProperties"]
     body: Name
@@ -154,6 +164,17 @@ class AdjustPropertiesModel(_Model):
     linear_damping: NonNegative | None = None
     angular_damping: NonNegative | None = None
     friction: NonNegative | None = None
+    braking: NonNegative | None = Field(
+        None, description="Deceleration by the brakes [m/s^2], 0 lets go; absent: it is kept"
+    )
+
+    @model_serializer(mode="wrap")
+    def _without_none(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
+        # Programs without brakes read as they always did.
+        data = handler(self)
+        if data["braking"] is None:
+            del data["braking"]
+        return data
 
 
 class HoldVelocityModel(_Model):

@@ -24,6 +24,7 @@ from esg.engines.program import (
     program_to_json,
 )
 from esg.engines.scene import SimScene, Variation
+from esg.engines.traction import features
 from tests.engines.lab import ball, box
 
 DT = 1.0 / 240.0
@@ -51,6 +52,9 @@ class Points:
     def linear(self, body):
         return tuple(self.v[body])
 
+    def read(self, body):
+        return self.x[body], (0.0, 0.0, 0.0, 1.0), self.v[body], self.w[body]
+
     def set_linear(self, body, velocity):
         self.v[body] = velocity
 
@@ -74,7 +78,7 @@ class Points:
 
 
 def reference(batch, world, masses, n_steps, home=None):
-    points, executor = Points(masses), Executor(batch, world, 0.0)
+    points, executor = Points(masses), Executor(batch, world, 0.0, features(SCENE))
     points.x = points.x if home is None else home
     v, w = [points.v.copy()], [points.w.copy()]
     for step in range(n_steps):
@@ -100,7 +104,8 @@ def random_program(rng, signature):
         elif kind == 2:
             damping = float(rng.uniform(0, 3)) if rng.random() < 0.7 else None
             spin = float(rng.uniform(0, 3)) if rng.random() < 0.7 else None
-            out.append(AdjustProperties(body, t, damping, spin, friction=0.3))
+            braking = float(rng.uniform(0, 3)) if rng.random() < 0.5 else None
+            out.append(AdjustProperties(body, t, damping, spin, 0.3, braking))
         elif kind == 4:
             end = math.inf if rng.random() < 0.3 else t + abs(x[0]) * 0.2
             out.append(HoldSpin(body, t, end, x[1], tuple(x[2:5])))
