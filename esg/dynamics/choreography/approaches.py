@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 import math
 
+from esg.dynamics.choreography.braking import brake_into
 from esg.dynamics.choreography.caroms import is_carom
 from esg.dynamics.choreography.demands import (
     demanded,
@@ -14,7 +15,7 @@ from esg.dynamics.choreography.demands import (
     sends_sliding,
     timed_push,
 )
-from esg.dynamics.choreography.encounters import brake_into, covers
+from esg.dynamics.choreography.encounters import covers
 from esg.dynamics.choreography.flights import took_off
 from esg.dynamics.choreography.hovering import fly_in
 from esg.dynamics.choreography.impacts import returns
@@ -23,6 +24,7 @@ from esg.dynamics.choreography.placing import (
     gap_at_start,
     goes_on,
     join,
+    stays_there,
     struck_again,
 )
 from esg.dynamics.choreography.setting_off import gain_of, ride_of
@@ -37,6 +39,7 @@ from esg.dynamics.choreography.throws import (
     slowest_passage,
 )
 from esg.dynamics.story.kinematics import Ride, lob_time
+from esg.dynamics.story.paces import usual_stop
 from esg.dynamics.story.stagecraft import (
     approach_distance,
     coasting_drag,
@@ -214,6 +217,8 @@ def _come_at_speed(stage: Stage, e: Encounter, demand: Demand, speed: float, las
 def _come_faster(stage: Stage, e: Encounter, demand: Demand, ride: Ride, run: float) -> None:
     """It gains speed on its way, at least as much as its hit needs where the time is open."""
     lasts = demand.time_left(stage.tracks[e.a].time)
+    if lasts is not None and e.node.event is NodeEvent.REACH and stays_there(stage, e.node, e.a):
+        lasts -= ride.left(lasts) / usual_stop(stage.doc, stage.member(e.a), ride.speed)
     if lasts is None:
         needed = ride.until(max(demand.needed, demand.least))
         lasts = ride.lasts(demand.asked or max(run, needed, _room_after(stage, e.a, e.b)))
@@ -330,6 +335,11 @@ def _pace(stage: Stage, e: Encounter, demand: Demand, run: float) -> tuple[float
     phase, speed, tossed = e.coming, demand.speed, _tossed(stage, e)
     wait = demand.time_left(stage.tracks[e.a].time)
     if wait is not None:
+        if e.node.event is NodeEvent.REACH and stays_there(stage, e.node, e.a):
+            # Its way ends at rest.
+            rate = usual_stop(stage.doc, stage.member(e.a), speed)
+            speed = min(speed, 0.5 * rate * wait)
+            wait -= speed / rate
         if not (_thrown(stage, e.a) or phase.edge.speed_is_prescribed):
             speed = max(speed * stage.tight, min(speed, demand.least))
         return min(speed, LOB_M / wait) if tossed else speed, wait

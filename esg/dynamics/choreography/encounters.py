@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from esg.dynamics.choreography import overtaking
+from esg.dynamics.choreography.braking import brake_into, shortest
 from esg.dynamics.choreography.placing import gap_at_start
 from esg.dynamics.choreography.setting_off import ride_of
 from esg.dynamics.choreography.stage import FASTEST_MPS, Encounter, Stage, speed_is_fixed
@@ -13,16 +14,13 @@ from esg.dynamics.story.kinematics import (
     Frame,
     braking_distance,
     frame_mapping,
-    slowing,
-    stopping_damping,
 )
 from esg.dynamics.story.stagecraft import (
     approach_distance,
-    coasting_drag,
     ground_restitution,
     min_hit_speed,
 )
-from esg.dynamics.story.story import Phase, bounds
+from esg.dynamics.story.story import Phase
 from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
 from esg.units import GRAVITY_MPS2
 
@@ -283,7 +281,10 @@ def _rear_end(stage: Stage, e: Encounter) -> None:
     rear, ahead = stage.tracks[behind], stage.tracks[front]
     speed = stage.speed(behind, chase)
     began = ahead.time
-    time = stage.prescribed_time(node) or began + float(stage.rng.uniform(1.0, 1.4))
+    usual = float(stage.rng.uniform(1.0, 1.4))
+    if lead.edge.event is EdgeEvent.BRAKE:
+        usual = max(usual, shortest(stage, front, ahead.speed))
+    time = stage.prescribed_time(node) or began + usual
     if lead.edge.event is EdgeEvent.BRAKE:
         distance, _, left = brake_into(stage, lead, ahead.speed, time, began)
     else:
@@ -348,28 +349,3 @@ def covers(
         return braking_distance(speed, stage.prop(actor).damping, duration), speed
     ride = ride_of(stage, actor, phase, speed)
     return ride.way(duration), ride.left(duration)
-
-
-def brake_into(
-    stage: Stage, phase: Phase, speed: float, prescribed: float | None, now: float
-) -> tuple[float, float, float]:
-    """Braking that still ends in a hit: at most half of the speed is left."""
-    low, high, _ = bounds(phase.edge.params.damping, (0.3, 6.0))
-    left = 0.38
-    duration = (
-        max(0.2, prescribed - now) if prescribed is not None else float(stage.rng.uniform(0.7, 1.0))
-    )
-    actor = phase.edge.actor
-    body = stage.prop(actor)
-    drag = 0.0 if stage.story.soars(actor) else coasting_drag(body)
-    powered = stage.story.phases[actor][0].edge.event is not EdgeEvent.TOWARD
-    if powered and not (body.wheeled or body.rolls) and (1.0 - left) * speed < drag * duration:
-        # Its soles would stop it before the hit: it slows down step by step instead.
-        stage.nominal[f"{phase.edge.id}/stopping"] = duration / (1.0 - left)
-        return 0.5 * (1.0 + left) * speed * duration, duration, left * speed
-    if prescribed is None and drag > 0.0:
-        duration = min(duration, 0.7 * (1.0 - left) * speed / drag)
-    damping = min(max(stopping_damping(speed, duration, drag, left * speed), low), high)
-    stage.nominal[f"{phase.edge.id}/damping"] = damping
-    distance, slower = slowing(speed, damping, drag, duration)
-    return distance, duration, slower

@@ -16,8 +16,9 @@ from esg.dynamics.plan.aim import aim_heading
 from esg.dynamics.plan.cast import Cast
 from esg.dynamics.plan.guides import Way
 from esg.dynamics.story.kinematics import Ride, ballistic_velocity, wrap_angle
+from esg.dynamics.story.paces import pace, slows_by, usual_brake
 from esg.dynamics.story.stagecraft import stacked_with, support_of
-from esg.dynamics.story.story import REACH_BRAKE_DAMPING, Phase, turn_of
+from esg.dynamics.story.story import Phase, turn_of
 from esg.engines.program import (
     AdjustProperties,
     GuideAlong,
@@ -30,13 +31,12 @@ from esg.engines.scene import Body
 from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, TimelineNode
 from esg.units import GRAVITY_MPS2, quat_from_euler_deg, yaw_from_quat
 
-AFTER_HIT_DAMPING = 4.0
-"""Linear damping [1/s] of a driver who brakes after the hit that was asked for."""
-
 STRAIGHT_S = 1.0
 """How long an actor drives on straight after a turn that nothing follows [s]."""
 STILL_MPS = 0.07
 """Speed of what has come to rest [m/s]."""
+AT_REST_DAMPING = 9.0
+"""Linear and angular damping [1/s] of a ball that has rolled out."""
 SHAKEN_S = 0.15
 """From the hit of a support until something on it sets off to fall [s]."""
 RUN_OUT_MPS2 = 5.0
@@ -328,14 +328,23 @@ class Composer:
         course.speed, course.clock = 0.0, leg.start + lasts
 
     def _brake(self, course: _Course, leg: _Leg) -> None:
-        """Its damping is raised, until what it does next."""
-        actor, damping = course.actor, leg.v[f"{leg.phase.edge.id}/damping"]
-        course.out.append(AdjustProperties(actor, leg.start, linear_damping=damping))
-        course.speed *= math.exp(-damping * max(leg.end - leg.start, 0.0))
+        """Its brakes are put on, or its damping is raised, until what it does next."""
+        actor, name, lasts = course.actor, leg.phase.edge.id, max(leg.end - leg.start, 0.0)
+        damping = leg.v.get(f"{name}/damping")
+        if damping is not None:
+            usual = self.scene.body(actor).linear_damping
+            course.out.append(AdjustProperties(actor, leg.start, linear_damping=damping))
+            lets_go = AdjustProperties(actor, leg.end, linear_damping=usual)
+            course.speed *= math.exp(-damping * lasts)
+        else:
+            braking = leg.v[f"{name}/braking"]
+            course.out.append(AdjustProperties(actor, leg.start, braking=braking))
+            lets_go = AdjustProperties(actor, leg.end, braking=0.0)
+            lost = (braking + slows_by(self.doc, actor, course.speed)) * lasts
+            course.speed = max(course.speed - lost, 0.0)
         course.clock = leg.end
         if not leg.last:
-            usual = self.scene.body(actor).linear_damping
-            course.out.append(AdjustProperties(actor, leg.end, linear_damping=usual))
+            course.out.append(lets_go)
 
     def _drive(self, course: _Course, leg: _Leg) -> None:
         """Motion under its own power, straight on or in a curve."""
@@ -432,9 +441,13 @@ class Composer:
             return
         if self.cast.leaves_to_others(actor, leg.phase):
             hit = end if pushes else self.nominal.get(f"{node.id}/event_time", leg.duration)
-            course.out.append(AdjustProperties(actor, hit, linear_damping=AFTER_HIT_DAMPING))
+            course.out.append(AdjustProperties(actor, hit, braking=self._brakes(course)))
         if stays:
-            course.out.append(AdjustProperties(actor, end, linear_damping=REACH_BRAKE_DAMPING))
+            course.out.append(AdjustProperties(actor, end, braking=self._brakes(course)))
+
+    def _brakes(self, course: _Course) -> float:
+        """How hard an actor usually brakes [m/s^2]."""
+        return usual_brake(self.doc, course.actor, course.speed)
 
     def _rolls_out(
         self, actor: str, body: Body, phase: Phase, v: Values, start: float, end: float
@@ -453,20 +466,20 @@ class Composer:
             AdjustProperties(
                 actor,
                 end,
-                linear_damping=REACH_BRAKE_DAMPING,
-                angular_damping=REACH_BRAKE_DAMPING,
+                linear_damping=AT_REST_DAMPING,
+                angular_damping=AT_REST_DAMPING,
             ),
         ]
 
     def _hover(self, actor: str, time: float, speed: float, heading: float) -> HoldVelocity:
-        """Slows down in the air as a brake does on the ground, and stays there."""
+        """Slows down in the air, and stays there."""
         return HoldVelocity(
             actor,
             time,
             math.inf,
             speed=abs(speed),
             heading=heading,
-            acceleration=-abs(speed) * REACH_BRAKE_DAMPING,
+            acceleration=-pace(self.doc, actor).brakes,
             until_contact=self._others(actor),
             climb=0.0,
         )

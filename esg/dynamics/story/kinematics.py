@@ -127,6 +127,14 @@ def frame_mapping(
     return Frame(to[0] - x, to[1] - y, angle)
 
 
+def braked(speed: float, deceleration: float, duration: float) -> tuple[float, float]:
+    """Way [m] and speed left [m/s] after a time [s] of constant deceleration [m/s^2]."""
+    return (
+        sliding_travel(speed, deceleration, duration),
+        max(0.0, speed - deceleration * duration),
+    )
+
+
 def braking_distance(speed: float, damping: float, duration: float) -> float:
     """Distance travelled in `duration` under linear damping [m]."""
     if damping < 1e-9:
@@ -149,39 +157,12 @@ def slowing(speed: float, damping: float, drag: float, duration: float) -> tuple
     return way, max(0.0, (speed + ends) * fades - ends)
 
 
-def stopping_damping(
-    speed: float, duration: float, deceleration: float, final: float = 0.1
-) -> float:
-    """Linear damping [1/s] that with a Coulomb deceleration [m/s^2] slows to `final` [m/s] in time.
-
-    v(t) = (v0 + a/c) exp(-c t) - a/c, solved for c by bisection.
-    """
-
-    def left(c: float) -> float:
-        return (speed + deceleration / c) * math.exp(-c * duration) - deceleration / c
-
-    low, high = 1e-3, 50.0
-    for _ in range(60):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if left(middle) > final else (low, middle)
-    return 0.5 * (low + high)
-
-
 def stopping_way(speed: float, damping: float, drag: float) -> tuple[float, float]:
     """Distance [m] and time [s] to rest under linear damping and a Coulomb deceleration > 0."""
     if damping < 1e-6:
         return speed * speed / (2.0 * drag), speed / drag
     lasts = math.log1p(damping * speed / drag) / damping
     return speed / damping - drag / damping * lasts, lasts
-
-
-def damping_for_way(speed: float, way: float, drag: float) -> float:
-    """Linear damping [1/s] that with a Coulomb deceleration `drag` stops a body in `way` [m]."""
-    low, high = 1e-6, 60.0
-    for _ in range(60):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if stopping_way(speed, middle, drag)[0] > way else (low, middle)
-    return 0.5 * (low + high)
 
 
 def impact_speed(mass_a: float, mass_b: float, speed: float, restitution: float) -> float:

@@ -111,11 +111,23 @@ def grip(doc: EsgDocument) -> float:
     return (BRAKING_WET_G if friction < WET else BRAKING_DRY_G) * GRAVITY_MPS2
 
 
-def hardest_brake(doc: EsgDocument, name: str) -> float:
-    """The hardest braking [m/s^2] beside what slows a node by itself: rolling, soles."""
-    return max(grip(doc) - coasting_drag(prop(doc, name)), 0.05)
+def slows_by(doc: EsgDocument, name: str, speed: float) -> float:
+    """Mean rate [m/s^2] at which a node comes to rest from a speed [m/s] without any brakes."""
+    body = prop(doc, name)
+    return coasting_drag(body) + 0.5 * body.damping * speed
 
 
-def usual_brake(doc: EsgDocument, name: str) -> float:
+def hardest_brake(doc: EsgDocument, name: str, speed: float) -> float:
+    """The hardest braking [m/s^2] that the ground allows beside what slows a node by itself."""
+    body = prop(doc, name)
+    return max(grip(doc) - coasting_drag(body) - body.damping * speed, 0.05)
+
+
+def usual_brake(doc: EsgDocument, name: str, speed: float) -> float:
     """The usual braking [m/s^2] of a node beside what slows it by itself."""
-    return min(pace(doc, name).brakes, hardest_brake(doc, name))
+    return min(pace(doc, name).brakes, hardest_brake(doc, name, speed))
+
+
+def usual_stop(doc: EsgDocument, name: str, speed: float) -> float:
+    """Mean rate [m/s^2] at which a node usually comes to rest from a speed [m/s]."""
+    return usual_brake(doc, name, speed) + slows_by(doc, name, speed)
