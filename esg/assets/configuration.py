@@ -18,6 +18,10 @@ WHEELED_FRICTION = 0.1
 ROLLING_DAMPING = 0.1
 
 
+PLAIN_ROLLS = {"sphere": ("rolls",), "cylinder": ("rim",), "capsule": ("axle",)}
+"""How plain bodies roll, as flags of the catalogue."""
+
+
 def mesh_path(key: str) -> str:
     """Path of an asset's GLB inside the scene folder."""
     return f"meshes/{re.sub(r'[^A-Za-z0-9_.-]+', '_', key) or 'asset'}.glb"
@@ -87,7 +91,7 @@ def plain_entry(
         mass_kg=mass_kg,
         material=material,
         color_rgb=color,
-        flags=frozenset(),
+        flags=frozenset(PLAIN_ROLLS.get(shape, ())),
         synonyms=(),
         description="",
     )

@@ -162,6 +162,8 @@ class SceneDefinition(Model):
     scene_parameters: SceneParameters
     wording: Wording | None = None
     """None where the words say nothing of the kind."""
+    traffic: Literal["right", "left"] | None = None
+    """The side of the road that vehicles keep to; None is the right one."""
 
 
 class AssetRequirement(Model):

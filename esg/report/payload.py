@@ -71,6 +71,8 @@ def index_entry(
         "statements": len(scene.statements),
         "kept": sum(row["status"] == "kept" for row in scene.statements),
         "not_kept": [{k: row[k] for k in ("words", "status")} for row in scene.not_kept],
+        "plausible": scene.plausible,
+        "implausible": (scene.metrics.get("plausibility") or {}).get("worst", ""),
         "warnings": coverage.get("warnings", []),
         "objects": len(scene.document.get("spatial_relation_graph", {}).get("nodes", {})),
         "seconds": round(scene.seconds, 2),

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.assets.configuration import parametric_entry
-from esg.assets.geometry.rolling import is_rolling_form, rolling, turned_size
+from esg.assets.geometry.rolling import drawn_size, is_rolling_form, rolling
 from esg.assets.geometry.rotations import GLTF_FROM_LOCAL
 from esg.assets.geometry.sketch import Sketch
 from esg.assets.geometry.wheels import wheels_of
@@ -80,7 +80,7 @@ def configured_sketch(entry: Entry, config: AssetConfiguration) -> Sketch:
     """What an entry draws for a configuration: lying, or on its rim."""
     if not is_rolling_form(entry, config.rolls):
         return build_sketch(entry, config.dimensions_cm, config.color_rgb)
-    size = turned_size(entry, config.dimensions_cm)
+    size = drawn_size(entry, config.dimensions_cm)
     return rolling(entry, build_sketch(entry, size, config.color_rgb), size)
 
 

@@ -84,6 +84,7 @@ class Stage:
         tipped: Actors that fell over where they stood.
         thrown_back: Actors that bounced off something.
         way_back: Least way [m] from there to what an actor meets next behind its start.
+        struck: Speed that a hit gave to what goes on under its own power [m/s].
         met: What each actor met last.
         overtaken: Who was overtaken, by whom, when [s] and where on that one's way [m].
         lifted: An actor without a place of its own that starts on the anchor beside its target.
@@ -115,6 +116,7 @@ class Stage:
         self.edge_run: float | None = None
         self.thrown_back: set[str] = set()
         self.way_back: dict[str, float] = {}
+        self.struck: dict[str, float] = {}
         self.met: dict[str, str] = {}
         self.overtaken: dict[str, tuple[str, float, tuple[float, float]]] = {}
         self._next_phase = {a: 0 for a in self.tracks}

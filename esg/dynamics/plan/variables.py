@@ -18,6 +18,7 @@ from esg.dynamics.choreography.handling import TURN_RATE_DEG_S
 from esg.dynamics.choreography.throws import opens_upwards
 from esg.dynamics.plan.aim import aim_point
 from esg.dynamics.plan.cast import Cast
+from esg.dynamics.story.paces import hardest_brake, usual_brake
 from esg.dynamics.story.story import Phase, bounds, middle
 from esg.dynamics.story.tipping import FLIES_AT
 from esg.engines.scene import Body, Region
@@ -31,6 +32,8 @@ OVER_MOUTH = 1.25
 """Height over the middle of a container at which a throw is aimed, in half heights of it."""
 CHAIN_PRECISION = 0.4
 """Factor on the first spread of the aim for every ball that a struck ball shall hit."""
+SOFTEST_BRAKE_MPS2 = 0.5
+"""Nothing that is said to brake does so more gently."""
 AFTER_EVENT_S = 0.12
 """What follows an outcome is planned for this long after it."""
 
@@ -165,6 +168,8 @@ class Declarations:
         if edge.event is EdgeEvent.ACCELERATED_MOTION:
             low, high, fixed = bounds(params.acceleration, (50.0, 500.0))
             start = nominal.get(f"{edge.id}/acceleration", 0.005 * (low + high))
+            if not fixed:
+                low, high = max(low, 70.0 * start), min(high, 130.0 * start)
             self.add(
                 f"{edge.id}/acceleration",
                 low / 100,
@@ -187,20 +192,7 @@ class Declarations:
                 "s",
             )
         elif edge.event is EdgeEvent.BRAKE:
-            low, high, fixed = bounds(params.damping, (0.3, 8.0))
-            start = nominal.get(f"{edge.id}/damping", 1.5)
-            if not fixed:
-                high = max(high, 1.3 * start)
-            self.add(
-                f"{edge.id}/damping",
-                low,
-                high,
-                start,
-                0.5 * (low + high),
-                0.15 * start,
-                "1/s",
-                fixed=fixed,
-            )
+            self.declare_brake(actor, phase)
         if edge.event in (EdgeEvent.TURN, EdgeEvent.SPIN):
             usual = TURN_RATE_DEG_S if edge.event is EdgeEvent.SPIN else (20.0, 80.0)
             low, high, fixed = bounds(params.turn_rate_deg_s, usual)
@@ -217,6 +209,27 @@ class Declarations:
             )
         for node in (phase.start, phase.end):
             self.declare_time(phase, node)
+
+    def declare_brake(self, actor: str, phase: Phase) -> None:
+        """How hard it brakes: as the ground allows, or by a damping that the document states."""
+        edge = phase.edge
+        damping, _, stated = bounds(edge.params.damping, (0.0, 0.0))
+        if stated:
+            name = f"{edge.id}/damping"
+            self.add(name, damping, damping, damping, damping, 0.0, "1/s", fixed=True)
+            return
+        hardest = hardest_brake(self.cast.doc, actor, 0.0)
+        usual = usual_brake(self.cast.doc, actor, 0.0)
+        start = self.nominal.get(f"{edge.id}/braking", usual)
+        self.add(
+            f"{edge.id}/braking",
+            min(SOFTEST_BRAKE_MPS2, 0.5 * start),
+            hardest,
+            start,
+            usual,
+            0.12 * start,
+            "m/s^2",
+        )
 
     def declare_jump(self, phase: Phase) -> None:
         """Vertical and horizontal speed of a jump."""

@@ -25,8 +25,6 @@ OWN_POWER = (
     EdgeEvent.BRAKE,
 )
 POWERED = (EdgeEvent.UNIFORM_MOTION, EdgeEvent.ACCELERATED_MOTION)
-REACH_BRAKE_DAMPING = 9.0
-"""Linear damping [1/s] with which a body stops that reaches a place without a hit."""
 
 
 @dataclass(frozen=True)
