@@ -13,8 +13,8 @@ from typing import Any
 
 from esg.engines.physx_engine import (
     BOUNCE_THRESHOLD_MPS,
+    DEPENETRATION_MPS,
     POSITION_ITERATIONS,
-    SLEEP_THRESHOLD,
     VELOCITY_ITERATIONS,
 )
 from esg.engines.scene import Body
@@ -64,7 +64,8 @@ def physx_body(prim: Any, body: Body) -> None:
             "linearDamping": float(body.linear_damping),
             "angularDamping": float(body.angular_damping),
             "maxAngularVelocity": math.degrees(FASTEST_SPIN_RADPS),
-            "sleepThreshold": SLEEP_THRESHOLD,
+            "maxDepenetrationVelocity": DEPENETRATION_MPS,
+            "sleepThreshold": 0.0,
             "solverPositionIterationCount": POSITION_ITERATIONS,
             "solverVelocityIterationCount": VELOCITY_ITERATIONS,
             "enableGyroscopicForces": True,
