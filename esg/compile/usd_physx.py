@@ -14,7 +14,6 @@ from typing import Any
 from esg.engines.physx_engine import (
     BOUNCE_THRESHOLD_MPS,
     POSITION_ITERATIONS,
-    SLEEP_THRESHOLD,
     VELOCITY_ITERATIONS,
 )
 from esg.engines.scene import Body
@@ -67,7 +66,7 @@ def physx_body(prim: Any, body: Body) -> None:
             "angularDamping": float(body.angular_damping),
             "maxAngularVelocity": math.degrees(FASTEST_SPIN_RADPS),
             "maxDepenetrationVelocity": FASTEST_PUSH_MPS,
-            "sleepThreshold": SLEEP_THRESHOLD,
+            "sleepThreshold": 0.0,
             "solverPositionIterationCount": POSITION_ITERATIONS,
             "solverVelocityIterationCount": VELOCITY_ITERATIONS,
             "enableGyroscopicForces": True,
