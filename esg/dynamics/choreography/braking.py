@@ -5,7 +5,7 @@ from __future__ import annotations
 from esg.dynamics.choreography.placing import asked_distance
 from esg.dynamics.choreography.stage import Stage, speed_is_fixed
 from esg.dynamics.story.kinematics import braked, slowing
-from esg.dynamics.story.paces import grip, hardest_brake, slows_by, usual_stop
+from esg.dynamics.story.paces import grip, hardest_brake, slows_by, stated_rate, usual_stop
 from esg.dynamics.story.stagecraft import coasting_drag
 from esg.dynamics.story.story import Phase, bounds
 from esg.graph.models import EdgeEvent, NodeEvent
@@ -76,7 +76,8 @@ def slow_down(
         stage.nominal[f"{edge.id}/damping"] = low
         way, left = slowing(speed, low, drag, lasts)
         return way, lasts, left
-    needed = (speed - left) / lasts
+    told = stated_rate(edge)
+    needed = 0.5 * sum(told) if told else (speed - left) / lasts
     if _walks(stage, actor) or stage.story.soars(actor):
         # Its soles would stop it in their own time: it slows down step by step instead.
         rate = max(min(needed, grip(stage.doc)), 0.05)
@@ -84,11 +85,13 @@ def slow_down(
         way, left = braked(speed, rate, lasts)
         return way, lasts, left
     by_itself = slows_by(stage.doc, name, speed)
-    hardest = hardest_brake(stage.doc, name, speed)
-    rate = min(max(needed - by_itself, 0.05), hardest)
+    rate = max(needed - by_itself, 0.05)
+    if told is None:
+        rate = min(rate, hardest_brake(stage.doc, name, speed))
     stage.nominal[f"{edge.id}/braking"] = rate
-    if left <= 0.0:
-        lasts = speed / (rate + by_itself)
+    stage.nominal[f"{edge.id}/brakes_from"] = speed
+    if left <= 0.0 or told:
+        lasts = (speed - left) / (rate + by_itself)
     way, left = braked(speed, rate + by_itself, lasts)
     return way, lasts, left
 

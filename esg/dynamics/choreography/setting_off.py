@@ -11,12 +11,11 @@ from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.kinematics import Ride
 from esg.dynamics.story.paces import pace
 from esg.dynamics.story.stagecraft import support_of
-from esg.dynamics.story.story import Phase, bounds
-from esg.graph.models import EdgeEvent, NodeEvent
+from esg.dynamics.story.story import CRUISES, Phase, bounds
+from esg.graph.models import NodeEvent
 
 SAME_MPS = 0.25
 """Speeds that differ by less are the same."""
-DRIVEN = (EdgeEvent.UNIFORM_MOTION, EdgeEvent.TURN)
 
 
 def ride_of(stage: Stage, actor: str, phase: Phase, speed: float) -> Ride:
@@ -50,7 +49,7 @@ def gain_of(stage: Stage, actor: str, phase: Phase) -> float:
 def _begins(stage: Stage, actor: str, phase: Phase) -> float | None:
     """Speed [m/s] with which a segment begins; None for what is at its speed at once."""
     body, phases, start = stage.prop(actor), stage.story.phases[actor], phase.start
-    if phase.edge.event not in DRIVEN or stage.story.flies(actor):
+    if phase.edge.event not in CRUISES or stage.story.flies(actor):
         return None
     by_hand = body.rolls and not body.wheeled
     if by_hand or stage.anchor is not None or support_of(stage.doc, stage.member(actor)):

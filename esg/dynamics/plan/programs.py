@@ -18,7 +18,7 @@ from esg.dynamics.plan.guides import Way
 from esg.dynamics.story.kinematics import Ride, ballistic_velocity, wrap_angle
 from esg.dynamics.story.paces import pace, slows_by, usual_brake
 from esg.dynamics.story.stagecraft import stacked_with, support_of
-from esg.dynamics.story.story import Phase, turn_of
+from esg.dynamics.story.story import UNDISTURBED, Phase, turn_of
 from esg.engines.program import (
     AdjustProperties,
     GuideAlong,
@@ -44,8 +44,6 @@ RUN_OUT_MPS2 = 5.0
 STANDING_SLACK, MOVING_SLACK = 1.05, 1.3
 """A spin is kept up so much longer than its turns take: of what moves, friction takes a part."""
 
-UNDISTURBED = (NodeEvent.TRIGGER, NodeEvent.HEADING_REACHED)
-"""Events that change no speed: what goes on after them begins with the speed it had."""
 TIMED = (NodeEvent.TRIGGER, NodeEvent.REACH, NodeEvent.STOP, NodeEvent.MISS)
 """Events at which a phase ends when theta says so; others end it when they happen."""
 

@@ -18,8 +18,8 @@ from esg.dynamics.choreography.handling import TURN_RATE_DEG_S
 from esg.dynamics.choreography.throws import opens_upwards
 from esg.dynamics.plan.aim import aim_point
 from esg.dynamics.plan.cast import Cast
-from esg.dynamics.story.paces import hardest_brake, usual_brake
-from esg.dynamics.story.story import Phase, bounds, middle
+from esg.dynamics.story.paces import hardest_brake, slows_by, stated_rate, usual_brake
+from esg.dynamics.story.story import CRUISES, UNDISTURBED, Phase, bounds, middle
 from esg.dynamics.story.tipping import FLIES_AT
 from esg.engines.scene import Body, Region
 from esg.graph.models import EdgeEvent, NodeEvent, TimelineEdge, TimelineNode
@@ -218,18 +218,15 @@ class Declarations:
             name = f"{edge.id}/damping"
             self.add(name, damping, damping, damping, damping, 0.0, "1/s", fixed=True)
             return
-        hardest = hardest_brake(self.cast.doc, actor, 0.0)
-        usual = usual_brake(self.cast.doc, actor, 0.0)
+        speed = self.nominal.get(f"{edge.id}/brakes_from", 0.0)
+        usual = usual_brake(self.cast.doc, actor, speed)
         start = self.nominal.get(f"{edge.id}/braking", usual)
-        self.add(
-            f"{edge.id}/braking",
-            min(SOFTEST_BRAKE_MPS2, 0.5 * start),
-            hardest,
-            start,
-            usual,
-            0.12 * start,
-            "m/s^2",
-        )
+        low, high = min(SOFTEST_BRAKE_MPS2, 0.5 * start), hardest_brake(self.cast.doc, actor, speed)
+        rate = stated_rate(edge)
+        if rate is not None:
+            by_itself = slows_by(self.cast.doc, actor, speed)
+            low, high = (max(r - by_itself, 0.0) for r in rate)
+        self.add(f"{edge.id}/braking", low, high, start, max(usual, low), 0.12 * start, "m/s^2")
 
     def declare_jump(self, phase: Phase) -> None:
         """Vertical and horizontal speed of a jump."""
@@ -301,7 +298,7 @@ class Declarations:
             low, high = min(low, 60.0 * nominal), max(high, 160.0 * nominal)
         if self.story.tips(phase):
             low, high = 50.0 * nominal, 400.0 * nominal
-        tie = self.same_speed_as(phase)
+        tie = self.same_speed_as(phase) or self.keeps_speed(phase)
         if tie is not None:
             self.tied[name] = tie
             return
@@ -337,6 +334,20 @@ class Declarations:
                 ):
                     return name
         return None
+
+    def keeps_speed(self, phase: Phase) -> str | None:
+        """What drives on as before shares the variable of the segment before."""
+        phases = self.story.phases[phase.edge.actor]
+        k = phases.index(phase)
+        if k == 0 or phase.edge.speed_is_prescribed:
+            return None
+        before = phases[k - 1]
+        if before.edge.event not in CRUISES or before.end.event not in UNDISTURBED:
+            return None
+        name, former = f"{phase.edge.id}/speed", f"{before.edge.id}/speed"
+        same = math.isclose(self.nominal.get(name, 0.0), self.nominal.get(former, -1.0))
+        former = self.tied.get(former, former)
+        return former if same and former in self.variables else None
 
     def speed_for_transfer(self, actor: str, phase: Phase) -> float | None:
         """Speed that gives the target its prescribed speed in a central impact."""

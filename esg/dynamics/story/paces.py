@@ -12,7 +12,8 @@ from functools import cache
 from pathlib import Path
 
 from esg.dynamics.story.stagecraft import SLICK, coasting_drag, ground_friction, prop
-from esg.graph.models import EsgDocument
+from esg.dynamics.story.story import bounds
+from esg.graph.models import EsgDocument, TimelineEdge
 from esg.lexicon.hypernyms import hypernyms
 from esg.lexicon.kinds import kinds
 from esg.thresholds import BRAKING_DRY_G, BRAKING_ICY_G, BRAKING_WET_G
@@ -109,6 +110,15 @@ def grip(doc: EsgDocument) -> float:
     if (wording is not None and wording.surface == "ice") or friction < SLICK:
         return BRAKING_ICY_G * GRAVITY_MPS2
     return (BRAKING_WET_G if friction < WET else BRAKING_DRY_G) * GRAVITY_MPS2
+
+
+def stated_rate(edge: TimelineEdge) -> tuple[float, float] | None:
+    """The least and greatest rate [m/s^2] at which a document has something brake, or None."""
+    if edge.params.acceleration is None:
+        return None
+    low, high, _ = bounds(edge.params.acceleration, (0.0, 0.0))
+    slow, fast = sorted((0.01 * abs(low), 0.01 * abs(high)))
+    return slow, fast
 
 
 def slows_by(doc: EsgDocument, name: str, speed: float) -> float:

@@ -24,6 +24,10 @@ OWN_POWER = (
     EdgeEvent.TURN,
     EdgeEvent.BRAKE,
 )
+CRUISES = (EdgeEvent.UNIFORM_MOTION, EdgeEvent.TURN)
+"""Segments at one speed."""
+UNDISTURBED = (NodeEvent.TRIGGER, NodeEvent.HEADING_REACHED, NodeEvent.MISS)
+"""Events that change no speed: what goes on after them begins with the speed it had."""
 POWERED = (EdgeEvent.UNIFORM_MOTION, EdgeEvent.ACCELERATED_MOTION)
 
 
