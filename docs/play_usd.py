@@ -55,6 +55,7 @@ def read_body(prim):
     axes = mass.GetPrincipalAxesAttr().Get()
     turn = np.array([turned((*axes.GetImaginary(), axes.GetReal()), e) for e in np.eye(3)]).T
     return {
+        "roll_radius": 0.0,
         **prim.GetCustomDataByKey("esg"),
         "name": name_of(prim),
         "static": not moves,
