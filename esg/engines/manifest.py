@@ -25,6 +25,7 @@ from esg.engines.manifest_model import (
     MANIFEST_FORMAT,
     MANIFEST_VERSION,
     SPIN_CONVENTION,
+    TYRES_CONVENTION,
     BodyModel,
     HoldVelocityModel,
     ManifestModel,
@@ -89,7 +90,7 @@ def manifest_to_json(
         "format": MANIFEST_FORMAT,
         "version": MANIFEST_VERSION,
         "scene_id": scene.scene_id,
-        "conventions": CONVENTIONS | _special_conventions(program),
+        "conventions": CONVENTIONS | _special_conventions(scene, program),
         "dt": dt,
         "gravity": list(scene.gravity),
         "ground": {
@@ -115,9 +116,11 @@ def manifest_to_json(
     return data
 
 
-def _special_conventions(program: Program) -> dict[str, str]:
-    """What has to be said of a program beyond the usual; others read as they always did."""
+def _special_conventions(scene: SimScene, program: Program) -> dict[str, str]:
+    """What has to be said of a scene beyond the usual; others read as they always did."""
     out: dict[str, str] = {}
+    if any(b.tyre_friction > 0.0 for b in scene.bodies):
+        out["tyres"] = TYRES_CONVENTION
     for p in program.primitives:
         if isinstance(p, HoldVelocity) and p.climb is not None:
             out["climb"] = CLIMB_CONVENTION
