@@ -26,6 +26,7 @@ from esg.engines.manifest_model import (
     MANIFEST_VERSION,
     SPIN_CONVENTION,
     TYRES_CONVENTION,
+    WHEELS_CONVENTION,
     BodyModel,
     HoldVelocityModel,
     ManifestModel,
@@ -42,7 +43,7 @@ from esg.engines.program import (
     program_from_json,
     program_to_json,
 )
-from esg.engines.scene import GROUND, Body, Region, Shape, SimScene
+from esg.engines.scene import GROUND, Body, Region, Shape, SimScene, Wheel
 from esg.outcomes import UserError
 
 
@@ -117,10 +118,12 @@ def manifest_to_json(
 
 
 def _special_conventions(scene: SimScene, program: Program) -> dict[str, str]:
-    """What has to be said of a scene beyond the usual; others read as they always did."""
+    """What has to be said beyond the usual; other manifests read as they always did."""
     out: dict[str, str] = {}
     if any(b.tyre_friction > 0.0 for b in scene.bodies):
         out["tyres"] = TYRES_CONVENTION
+    if any(b.wheels for b in scene.bodies):
+        out["wheels"] = WHEELS_CONVENTION
     for p in program.primitives:
         if isinstance(p, HoldVelocity) and p.climb is not None:
             out["climb"] = CLIMB_CONVENTION
@@ -226,6 +229,7 @@ def _effective_pairs(
 def _body(model: BodyModel) -> Body:
     values = _fields(model)
     values["shapes"] = tuple(Shape(**_fields(s)) for s in model.shapes)
+    values["wheels"] = tuple(Wheel(**_fields(w)) for w in model.wheels)
     return Body(**values)
 
 

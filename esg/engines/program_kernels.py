@@ -9,10 +9,10 @@ from __future__ import annotations
 import warp as wp
 
 from esg.engines.program import GUIDE_RATE, KNOT_FIELDS, Column
-from esg.engines.traction import FALLING, UPRIGHT, Feature
+from esg.engines.traction import FALLING, ON_WHEELS, Feature
 
 _RATE, _WIDTH = wp.constant(GUIDE_RATE), wp.constant(KNOT_FIELDS)
-_FALLING, _UPRIGHT = wp.constant(FALLING), wp.constant(UPRIGHT)
+_FALLING, _ON_WHEELS = wp.constant(FALLING), wp.constant(ON_WHEELS)
 
 
 @wp.func
@@ -88,7 +88,7 @@ def grounded(
             spin = wp.vec3(o[0] * kept, o[1] * kept, o[2])
     limit = features[i, Feature.GRIP] * weight
     up = wp.quat_rotate(turn, wp.vec3(0.0, 0.0, 1.0))
-    if limit <= taken or up[2] <= _UPRIGHT:
+    if limit <= taken or up[2] <= _ON_WHEELS:
         return wp.spatial_vector(slow, spin)
     if taken > 0.0:
         limit = wp.sqrt(limit * limit - taken * taken)

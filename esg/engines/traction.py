@@ -19,7 +19,7 @@ from esg.units import quat_rotate
 
 FALLING = 0.5
 """Nothing carries what has lost more than this share of g dt of its vertical velocity in a step."""
-UPRIGHT = math.sqrt(0.5)
+ON_WHEELS = math.sqrt(0.5)
 """A body stands on its wheels while the cosine of its tilt is larger than this (45 degrees)."""
 
 
@@ -167,7 +167,7 @@ def grounded(
     if limit <= taken:
         return v, o
     ahead, up = quat_rotate(turn, np.eye(3)[0]), quat_rotate(turn, np.eye(3)[2])
-    if up[2] <= UPRIGHT:
+    if up[2] <= ON_WHEELS:
         return v, o
     # What the brakes have taken, the tyres cannot give to the side.
     return _gripped(row, math.sqrt(limit**2 - taken**2), v, o, float(ahead[0]), float(ahead[1]))

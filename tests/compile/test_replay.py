@@ -126,6 +126,9 @@ def test_hold_ends_by_time_and_by_touch(tmp_path: Path) -> None:
     )
     replayed, rollout = both(tmp_path, SimScene("holds", (wall, cart)), program)
     assert_same(replayed.rollout, rollout, tolerance_m=1e-6)
+    under_way = [(0.0, 0.0, 0.0), (1.0, 0.0, 0.0)]
+    np.testing.assert_allclose(replayed.rollout.linear_velocity[0, 0], under_way, atol=1e-6)
+    np.testing.assert_allclose(rollout.linear_velocity[0, 0], under_way, atol=1e-6)
     ends = [line for line in replayed.log if "ends" in line]
     assert "t=0.5" in ends[0] and "at=Wall" in ends[1] and len(ends) == 2
 

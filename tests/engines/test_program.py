@@ -143,6 +143,34 @@ def test_random_programs_match_the_reference_executor(name, random_batch):
         np.testing.assert_allclose(rollout.angular_velocity[w], omega, atol=2e-4)
 
 
+@pytest.mark.parametrize("name", (*ENGINES, "surrogate"))
+def test_what_is_under_way_at_the_start_has_its_velocity_in_frame_0(name):
+    """The first frame shows what the first step is given, in every world; later things are not."""
+    spin = (0.0, 0.0, 2.0)
+    path = ((0.0, 200.0, 1e3), (1.0, 200.0, 1e3))
+    programs = [
+        Program(
+            (
+                SetVelocity("a", 0.0, (speed, 0.0, 1.0)),
+                HoldSpin("a", 0.001, math.inf, 2.0),
+                ApplyImpulse("a", 0.0, (0.0, 4.0, 0.0)),
+                HoldVelocity("b", 0.0, 1.0, speed, math.pi / 2, 1.0, 2.5, roll_radius=0.1),
+                GuideAlong("c", late, (0.0, 1.0), path, ((1.0, 0.0, 0.0),) * 2, 0.5),
+            ),
+            0.1,
+        )
+        for speed, late in ((2.0, 0.0), (3.0, 0.05))
+    ]
+    factor = np.array([[1.0, 1.0, 1.0], [2.0, 1.0, 1.0]])
+    r = get_engine(name).rollout(
+        SCENE, batch_programs(programs, NAMES), dt=DT, variation=Variation(mass_scale=factor)
+    )
+    first = [[(2, 4, 1), (0, 2, 0), (1, 0, 0)], [(3, 2, 1), (0, 2.5, 0), (0, 0, 0)]]
+    np.testing.assert_allclose(r.linear_velocity[:, 0], first, atol=1e-5)
+    turning = [[spin, (-20, 0, 0), (0, 0, 0.5)], [spin, (-25, 0, 0), (0, 0, 0)]]
+    np.testing.assert_allclose(r.angular_velocity[:, 0], turning, atol=1e-5)
+
+
 @pytest.fixture(scope="module")
 def random_paths():
     """Near the origin, where single precision tells tenths of micrometres apart."""
