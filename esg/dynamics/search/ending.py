@@ -1,7 +1,7 @@
 """When a recording ends: when all has come to rest, played once with the theta that was found.
 
-A search stops to look when the last event has been told (`losses.horizon`). A viewer does not: a pin
-that still falls, a ball that still rolls when the film is cut looks broken.
+A search stops to look when the last event has been told (`losses.horizon`). A viewer does not: a
+film that is cut while a pin still falls or a ball still rolls looks broken.
 """
 
 from __future__ import annotations
