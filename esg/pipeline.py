@@ -68,6 +68,7 @@ class SceneRequest:
         name: Folder name of the scene; empty takes the document's scene id.
         close_loop: Whether the verify engine's outcome error is fed back to the search.
         collision: What bodies collide with during the search: exact, proxy or sdf.
+        traffic: Side of the road that vehicles keep to: right or left.
     """
 
     prompt: str
@@ -80,6 +81,7 @@ class SceneRequest:
     name: str = ""
     close_loop: bool = False
     collision: str = "exact"
+    traffic: str = "right"
 
     @property
     def choreographed(self) -> bool:

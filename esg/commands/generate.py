@@ -28,6 +28,7 @@ def generate(
     device: str = "cpu",
     close_loop: Annotated[bool, Parameter(negative="")] = False,
     collision: Collision = "exact",
+    traffic: Literal["right", "left"] = "right",
     render: str = "",
     strict: Annotated[bool, Parameter(negative="")] = False,
     json: Annotated[bool, Parameter(negative="")] = False,
@@ -44,6 +45,7 @@ def generate(
         close_loop: Feed the verify engine's outcome error back to the search, three rounds at most.
         collision: What bodies collide with during the search: exact (their parts), proxy (one
             sphere or box each), or sdf (that first, then signed distance fields).
+        traffic: Side of the road that vehicles keep to.
         render: Ground-truth channels to render into the scene folder at 256x256 and 24 frames a
             second, with commas, or all; esg render has further options.
         strict: Count a scene that does not show all of its prompt (partial) or is not plausible as
@@ -70,7 +72,7 @@ def generate(
     )
     with live(1) as bar:
         # A scene that is already in the store needs no scheduler: the answer comes at once.
-        arguments = ([prompt], seed, drafter, strategy, device, close_loop, collision)
+        arguments = ([prompt], seed, drafter, strategy, device, close_loop, collision, traffic)
         request = generate_requests(*arguments)[0]
         state = recall(request)
         if state is None:

@@ -21,6 +21,12 @@ semantics. Before the physics step that leads from t to t + dt, in list order:
   and angular velocity = (0, 0, turn_rate). Let go, the body keeps what it has.
 * A `HoldSpin` is active as a hold is. While active it sets angular velocity = rate times the unit
   vector along `axis`, in the world's axes; the linear velocity is left to physics.
+* After them, the brakes act on every body whose `braking` an `AdjustProperties` has set: its
+  horizontal velocity loses min(|v_h|, braking dt), and the horizontal part of the angular velocity
+  of a body with roll_radius > 0 the same share, so that what rolls goes on without slipping. They
+  do not act in a step in which a hold or a guide sets the body's velocity, nor on what nothing
+  carries: a body whose vertical velocity has fallen by more than g dt / 2 since the last step
+  began (after the program had acted; before the first step everything counts as carried).
 
 Damping is applied by every engine as v *= max(0, 1 - c dt) once per step.
 """
@@ -65,7 +71,15 @@ class ApplyImpulse:
 
 @dataclass(frozen=True)
 class AdjustProperties:
-    """Changes damping [1/s] and friction of `body` at `time` [s]; None leaves a property as is."""
+    """Changes properties of `body` at `time` [s]; None leaves one as it is.
+
+    Args:
+        body: Name.
+        time: [s].
+        linear_damping, angular_damping: [1/s].
+        friction: Friction coefficient.
+        braking: Deceleration by its brakes from then on (module docstring) [m/s^2]; 0 lets go.
+    """
 
     kind: ClassVar[str] = "AdjustProperties"
     body: str
@@ -73,6 +87,7 @@ class AdjustProperties:
     linear_damping: float | None = None
     angular_damping: float | None = None
     friction: float | None = None
+    braking: float | None = None
 
 
 @dataclass(frozen=True)
@@ -270,6 +285,7 @@ class Column(IntEnum):
     LINEAR_DAMPING = 2
     ANGULAR_DAMPING = 3
     FRICTION = 4
+    BRAKING = 5
     # HOLD: a climb of NaN keeps the vertical velocity.
     SPEED = 2
     HEADING = 3
@@ -285,6 +301,9 @@ class Column(IntEnum):
     # SPIN: three columns.
     SPIN = 2
 
+
+OPTIONAL = frozenset({"climb", "braking"})
+"""Fields that programs without them do not mention."""
 
 KNOT_FIELDS = 7
 """Floats per point of a guided path."""
@@ -394,7 +413,7 @@ def _row(p: Primitive) -> NDArray[np.float64]:
     elif isinstance(p, ApplyImpulse):
         values = p.impulse
     elif isinstance(p, AdjustProperties):
-        values = (p.linear_damping, p.angular_damping, p.friction)
+        values = (p.linear_damping, p.angular_damping, p.friction, p.braking)
     elif isinstance(p, GuideAlong):
         knots = zip(p.times, p.points, p.velocities, strict=True)
         values = (p.turn_rate, float(len(p.times)), *(v for t, x, u in knots for v in (t, *x, *u)))
@@ -409,12 +428,12 @@ def _row(p: Primitive) -> NDArray[np.float64]:
 
 
 def program_to_json(program: Program) -> dict[str, Any]:
-    """Plain JSON of a program; an infinite hold end is null, a climb that is None is left out."""
+    """Plain JSON of a program; an infinite hold end is null, `OPTIONAL` ones are left out."""
     out: list[dict[str, Any]] = []
     for p in program.primitives:
         item: dict[str, Any] = {"kind": p.kind}
         for key, value in asdict(p).items():
-            if key == "climb" and value is None:
+            if key in OPTIONAL and value is None:
                 continue
             if isinstance(value, float) and math.isinf(value):
                 value = None

@@ -9,8 +9,10 @@ from __future__ import annotations
 import warp as wp
 
 from esg.engines.program import GUIDE_RATE, KNOT_FIELDS, Column
+from esg.engines.traction import FALLING
 
 _RATE, _WIDTH = wp.constant(GUIDE_RATE), wp.constant(KNOT_FIELDS)
+_FALLING = wp.constant(FALLING)
 
 
 @wp.func
@@ -48,6 +50,31 @@ def held_spin(table: wp.array3d(dtype=wp.float64), w: int, k: int, v: wp.vec3) -
     if radius != 0.0 and wp.isnan(table[w, k, Column.CLIMB]):
         return wp.vec3(-v[1] / radius, v[0] / radius, 0.0)
     return wp.vec3(0.0, 0.0, float(table[w, k, Column.TURN_RATE]))
+
+
+@wp.func
+def carried(before: float, rise: float, pull: float) -> bool:
+    """Whether something carries a body; NaN `before` the first step, when everything is.
+
+    `before` is the vertical velocity it began the last step with, `rise` the one it has, `pull`
+    what gravity adds in a step.
+    """
+    return not (before - rise > -_FALLING * pull)
+
+
+@wp.func
+def kept_in_braking(v: wp.vec3, loss: float) -> float:
+    """Share of a horizontal velocity that is left when the brakes take `loss` [m/s] of it."""
+    speed = wp.length(wp.vec2(v[0], v[1]))
+    if speed <= loss:
+        return 0.0
+    return 1.0 - loss / speed
+
+
+@wp.func
+def slowed(v: wp.vec3, kept: float) -> wp.vec3:
+    """A velocity with a share of its horizontal part."""
+    return wp.vec3(v[0] * kept, v[1] * kept, v[2])
 
 
 @wp.func

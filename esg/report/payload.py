@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from esg.engines.scene import Rollout, SimScene
+from esg.engines.wheels import scene_angles
 from esg.report.binary import Chunk
 from esg.report.meshes import MeshLibrary
 from esg.report.replays import Replayed
@@ -180,6 +181,7 @@ def _bodies(
             "offset": list(b.origin_offset),
             "collides": b.collides,
             "mesh": meshes.add(b, folder, problems),
+            **({"wheels": [[w.name, *w.axle] for w in b.wheels]} if b.wheels else {}),
         }
         for b in sim.bodies
     ]
@@ -216,6 +218,9 @@ def _replay(chunk: Chunk, number: int, replay: Replayed) -> dict[str, Any]:
     chunk.quantized(f"position{number}", position[:, moving].reshape(len(frames), -1), delta=True)
     chunk.quantized(f"turn{number}", quaternion[:, moving].reshape(len(frames), -1), delta=True)
     chunk.quantized(f"speed{number}", speed, delta=True)
+    angles = scene_angles(replay.scene, rollout)[frames]
+    if angles.shape[1]:
+        chunk.quantized(f"wheels{number}", angles, delta=True)
     return {
         "engine": rollout.engine,
         "hz": round(1 / rollout.dt),

@@ -121,7 +121,7 @@ def _command(
     if kind == 1:
         return ApplyImpulse(body.name, time, tuple(v * body.mass for v in vector))  # type: ignore[arg-type]
     if kind == 2:
-        values = [float(v) if rng.random() < 0.7 else None for v in rng.uniform(0.0, 2.0, 3)]
+        values = [float(v) if rng.random() < 0.7 else None for v in rng.uniform(0.0, 2.0, 4)]
         return AdjustProperties(body.name, time, *values)
     others = [b.name for b in bodies if b.collides and b.name != body.name]
     until = tuple(str(n) for n in rng.choice(others, min(2, len(others)), replace=False))

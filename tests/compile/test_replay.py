@@ -125,6 +125,9 @@ def test_hold_ends_by_time_and_by_touch(tmp_path: Path) -> None:
     )
     replayed, rollout = both(tmp_path, SimScene("holds", (wall, cart)), program)
     assert_same(replayed.rollout, rollout, tolerance_m=1e-6)
+    under_way = [(0.0, 0.0, 0.0), (1.0, 0.0, 0.0)]
+    np.testing.assert_allclose(replayed.rollout.linear_velocity[0, 0], under_way, atol=1e-6)
+    np.testing.assert_allclose(rollout.linear_velocity[0, 0], under_way, atol=1e-6)
     ends = [line for line in replayed.log if "ends" in line]
     assert "t=0.5" in ends[0] and "at=Wall" in ends[1] and len(ends) == 2
 
@@ -339,3 +342,33 @@ def test_only_classes_that_guide_speak_of_it() -> None:
     assert "GuideRate = 10.0" in guiding.source and "PathPoint" in guiding.header
     plain = emit_class(scene, Program((), 2.5))
     assert not re.search("Guid|PathPoint|HoldSpin", plain.header + plain.source)
+
+
+@pytest.mark.parametrize("engine", ["physx", "rapier"])
+def test_the_class_brakes_as_its_program(tmp_path: Path, engine: str) -> None:
+    scene = SimScene(
+        "brakes",
+        (
+            box("sledge", (0.0, 0.0, 0.2), (0.5, 0.4, 0.2), 30.0, friction=0.0),
+            scenes.ball("ball", (0.0, 4.0, 0.2), 0.2, 3.0),
+            box("stone", (0.0, 8.0, 30.0), (0.1, 0.1, 0.1), 1.0),
+        ),
+        ground_friction=0.0,
+    )
+    program = Program(
+        (
+            HoldVelocity("sledge", 0.0, 0.7, 4.0, 0.5),
+            SetVelocity("ball", 0.0, (2.0, 0.0, 0.0), (0.0, 10.0, 0.0)),
+            SetVelocity("stone", 0.0, (5.0, 0.0, 0.0)),
+            *(AdjustProperties(n, 0.5, braking=3.0) for n in scene.names),
+            AdjustProperties("sledge", 1.2, braking=0.0),
+        ),
+        1.5,
+    )
+    replayed, rollout = both(tmp_path, scene, program, engine=engine)
+    assert_same(replayed.rollout, rollout, tolerance_m=1e-6)
+    speed = np.linalg.norm(replayed.rollout.linear_velocity[0, -1, :, :2], axis=1)
+    np.testing.assert_allclose(speed, (4.0 - 3.0 * 0.5, 0.0, 5.0), atol=0.03)
+    plain = tuple(p for p in program.primitives if not isinstance(p, AdjustProperties))
+    emitted = emit_class(scene, Program(plain, 1.5))
+    assert "Braking" not in emitted.header + emitted.source

@@ -697,6 +697,13 @@ public:
 		Shim::State().Host->GetVelocity(ShimId, Linear, Angular);
 		return FVector(Linear[0], Linear[1], Linear[2]);
 	}
+	FVector GetPhysicsAngularVelocityInDegrees(FName = NAME_None) const
+	{
+		ShimRequireLive("GetPhysicsAngularVelocityInDegrees");
+		double Linear[3], Angular[3];
+		Shim::State().Host->GetVelocity(ShimId, Linear, Angular);
+		return FVector(Angular[0], Angular[1], Angular[2]);
+	}
 	FVector GetCenterOfMass(FName = NAME_None) const
 	{
 		ShimRequireLive("GetCenterOfMass");

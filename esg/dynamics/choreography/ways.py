@@ -9,9 +9,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 import math
 
+from esg.dynamics.choreography.kerbs import kerb_passed
+from esg.dynamics.choreography.placing import comes_to_rest
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.kinematics import Frame, half_along
-from esg.dynamics.story.story import REACH_BRAKE_DAMPING, Story
+from esg.dynamics.story.story import Story
 from esg.graph.models import EdgeEvent, EsgDocument, Predicate, Statement
 
 _AHEAD_M = 1.0
@@ -121,7 +123,7 @@ def _spot(
         side = math.atan2(y, x) - yaw
         reach = half_along(its.length, its.width, -yaw - side) + _BESIDE_M
         reach += half_along(mine.length, mine.width, heading - side)
-        brakes = stage.tracks[mover].speed / REACH_BRAKE_DAMPING
+        brakes = comes_to_rest(stage, mover)[0]
         end = (end[0] + brakes * math.cos(heading), end[1] + brakes * math.sin(heading))
         return _beside(end, side + math.pi, reach, -yaw)
     if s.direction == "toward":
@@ -136,6 +138,10 @@ def _spot(
         middle = (0.5 * (start[0] + end[0]), 0.5 * (start[1] + end[1]))
         lengthwise = 0.0 if its.length >= its.width else math.pi / 2
         reach = mine.half_width + 0.5 * min(its.length, its.width) + _BESIDE_M
+        kerb = kerb_passed(stage, mover, other)
+        if kerb is not None:
+            reach = mine.half_width + its.half_lateral(kerb.turned) + kerb.gap_m(mine)
+            return _beside(middle, heading + kerb.side * math.pi / 2, reach, heading + kerb.turned)
         return _beside(middle, heading + math.pi / 2, reach, heading + lengthwise)
     return None
 

@@ -17,7 +17,16 @@ import warp as wp
 
 from esg.engines.newton.setup import FIXED_POINT
 from esg.engines.program import Action, Column
-from esg.engines.program_kernels import guide, held_spin, held_velocity, vector
+from esg.engines.program_kernels import (
+    carried,
+    guide,
+    held_spin,
+    held_velocity,
+    kept_in_braking,
+    slowed,
+    vector,
+)
+from esg.engines.traction import Feature
 
 
 @wp.func
@@ -92,6 +101,10 @@ def run_programs(
     body_q: wp.array(dtype=wp.transform),
     body_qd: wp.array(dtype=wp.spatial_vector),
     joint_qd: wp.array(dtype=float),
+    features: wp.array2d(dtype=float),
+    braking: wp.array(dtype=float),
+    driven: wp.array(dtype=int),
+    rise: wp.array(dtype=float),
 ):
     """One thread per world executes its program before a step (`esg.engines.program`)."""
     world = wp.tid()
@@ -122,6 +135,8 @@ def run_programs(
                 kept = _kept_up(table, kind[world, k], world, k, t, dt, x, v, pull)
                 _set_linear(target, wp.spatial_top(kept), body_qd, joint_qd)
                 _set_angular(target, wp.spatial_bottom(kept), body_qd, joint_qd)
+                if kind[world, k] != Action.SPIN:
+                    driven[target] = step + 1
         elif start <= now:
             done[world, k] = 1
             if kind[world, k] == Action.SET_VELOCITY:
@@ -140,10 +155,24 @@ def run_programs(
                     linear_damping[target] = to[0]
                 if target >= 0 and not wp.isnan(to[1]):
                     angular_damping[target] = to[1]
+                if target >= 0 and not wp.isnan(table[world, k, Column.BRAKING]):
+                    braking[target] = float(table[world, k, Column.BRAKING])
                 if not wp.isnan(to[2]):
                     for shape in range(first_shape[world], first_shape[world + 1]):
                         if shape_body[shape] == b:
                             shape_mu[shape] = to[2] * friction_scale[world]
+    for b in range(dynamic.shape[1]):
+        target = dynamic[world, b]
+        if target >= 0:
+            v = wp.spatial_top(body_qd[target])
+            holds = carried(rise[target], v[2], gravity[world][2] * float(dt))
+            rise[target] = v[2]
+            if holds and braking[target] > 0.0 and driven[target] != step + 1:
+                share = kept_in_braking(v, braking[target] * float(dt))
+                _set_linear(target, slowed(v, share), body_qd, joint_qd)
+                if features[target, Feature.ROUND] > 0.0:
+                    omega = wp.spatial_bottom(body_qd[target])
+                    _set_angular(target, slowed(omega, share), body_qd, joint_qd)
 
 
 @wp.kernel(enable_backward=False)

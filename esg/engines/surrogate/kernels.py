@@ -14,7 +14,15 @@ from typing import Any
 import warp as wp
 
 from esg.engines.program import Action, Column
-from esg.engines.program_kernels import guide, held_spin, held_velocity, vector
+from esg.engines.program_kernels import (
+    carried,
+    guide,
+    held_spin,
+    held_velocity,
+    kept_in_braking,
+    slowed,
+    vector,
+)
 from esg.engines.surrogate.contacts import find_contacts, prepare_bodies, wake
 from esg.engines.surrogate.solver import move, solve
 from esg.engines.surrogate.types import (
@@ -28,6 +36,7 @@ from esg.engines.surrogate.types import (
     State,
     Trace,
 )
+from esg.engines.traction import Feature
 
 wp.set_module_options({"enable_backward": False})
 
@@ -55,6 +64,8 @@ def _fire(model: Model, state: State, w: int, k: int):
         state.damping[w, i] = d
         if not wp.isnan(to[2]):
             state.friction[w, i] = to[2] * model.friction_scale[w]
+        if not wp.isnan(model.table[w, k, Column.BRAKING]):
+            state.braking[w, i] = float(model.table[w, k, Column.BRAKING])
         return
     _rouse(state, w, i)
     if kind == Action.SET_VELOCITY:
@@ -67,11 +78,13 @@ def _fire(model: Model, state: State, w: int, k: int):
 
 
 @wp.func
-def _hold(model: Model, state: State, w: int, k: int, t: wp.float64, dt: wp.float64):
+def _hold(model: Model, state: State, w: int, k: int, step: int, t: wp.float64, dt: wp.float64):
     """Sets what a primitive that lasts keeps up: motion under own power, a guide, a spin."""
     i = model.target[k]
     _rouse(state, w, i)
     pull = model.gravity[2] * float(dt)
+    if model.action[k] != Action.SPIN:
+        state.driven[w, i] = step + 1
     if model.action[k] == Action.HOLD:
         v = held_velocity(model.table, w, k, t, state.v[w, i][2], pull)
         state.v[w, i] = v
@@ -102,7 +115,7 @@ def run_program(model: Model, state: State, trace: Trace, w: int, step: int, dt:
                 state.done[w, k] = 1
             if state.done[w, k] == 0 and model.table[w, k, Column.START] <= now:
                 state.active[w, k] = 1
-                _hold(model, state, w, k, t, dt)
+                _hold(model, state, w, k, step, t, dt)
                 if trace.steps > 0:
                     trace.fired[w, step, k] = wp.where(now + dt > end, Fired.LAST, Fired.ACTS)
         elif model.table[w, k, Column.START] <= now:
@@ -110,6 +123,27 @@ def run_program(model: Model, state: State, trace: Trace, w: int, step: int, dt:
             _fire(model, state, w, k)
             if trace.steps > 0:
                 trace.fired[w, step, k] = Fired.ACTS
+
+
+@wp.func
+def _brake(model: Model, state: State, trace: Trace, w: int, step: int, dt: float):
+    """What the brakes take before a step, after what the program sets."""
+    for i in range(model.n_bodies):
+        if model.dynamic[i] == 0:
+            continue
+        v = state.v[w, i]
+        holds = step == 0 or carried(state.rise[w, i], v[2], model.gravity[2] * dt)
+        state.rise[w, i] = v[2]
+        loss = state.braking[w, i] * dt
+        rests = v[0] == 0.0 and v[1] == 0.0
+        if not holds or loss <= 0.0 or rests or state.driven[w, i] == step + 1:
+            continue
+        kept = kept_in_braking(v, loss)
+        state.v[w, i] = slowed(v, kept)
+        if model.features[i, Feature.ROUND] > 0.0:
+            state.o[w, i] = slowed(state.o[w, i], kept)
+        if trace.steps > 0:
+            trace.braked[w, step, i] = 1
 
 
 @wp.func
@@ -250,6 +284,8 @@ def make_roll(find_contacts: Any, module: str) -> Any:
         record_every = model.record_every
         for step in range(model.n_steps):
             run_program(model, state, trace, w, step, dt)
+            if model.brakes != 0:
+                _brake(model, state, trace, w, step, h)
             prepare_bodies(model, state, w, h)
             wake(model, state, w, h)
             find_contacts(fields, s, model, state, raw, con, w, step, h)

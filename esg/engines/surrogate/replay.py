@@ -14,11 +14,19 @@ from __future__ import annotations
 import warp as wp
 
 from esg.engines.program import Action, Column
-from esg.engines.program_kernels import guided_velocity, path_knot, path_velocity, vector
+from esg.engines.program_kernels import (
+    guided_velocity,
+    kept_in_braking,
+    path_knot,
+    path_velocity,
+    slowed,
+    vector,
+)
 from esg.engines.surrogate.features import Features
 from esg.engines.surrogate.impact import ahead_of, prepare, tangent, turned
 from esg.engines.surrogate.ops import CHANGES, Act, Change, Operation, Ops
 from esg.engines.surrogate.types import Model
+from esg.engines.traction import Feature
 
 wp.set_module_options({"enable_backward": True})
 
@@ -325,6 +333,14 @@ def replay(
                 model, feat, w, c, a, b, va, vb, pa, pb, h, V, O, X, R, inverse, normal, arm_a,
                 arm_b, wanted, delay, share,
             )  # fmt: skip
+        elif kind == Operation.BRAKE:
+            loss = float(table[w, b, Column.BRAKING]) * h
+            kept = kept_in_braking(V[va], loss)
+            V[ops.out_a[q]] = slowed(V[va], kept)
+            if model.features[a, Feature.ROUND] > 0.0:
+                O[ops.out_a[q]] = slowed(O[va], kept)
+            else:
+                O[ops.out_a[q]] = O[va]
         elif kind == Operation.DELAY:
             push = J[ops.impulse_in[q]][0]
             weight = wp.vec2(push * delay[c], push)

@@ -13,6 +13,7 @@ from esg.dynamics.plan.planner import make_plan
 from esg.engines.program import (
     AdjustProperties,
     ApplyImpulse,
+    Column,
     GuideAlong,
     HoldSpin,
     HoldVelocity,
@@ -134,6 +135,28 @@ def test_derivative_by_the_time_of_braking():
     # The longer it runs free, the further it gets: v (1 - exp(-2 * 0.6)).
     assert difference == pytest.approx(3.0 * (1.0 - np.exp(-1.2)), rel=0.02)
     assert tape == pytest.approx(difference, rel=0.02)
+
+
+@pytest.mark.parametrize(
+    ("speed", "primitive", "column", "expected"),
+    [
+        # Slower at the end: x = v T - b (T - t)^2 / 2.
+        (3.0, 1, Column.START, 2.0 * 0.6),
+        (3.0, 1, Column.BRAKING, -0.5 * 0.6**2),
+        # Stopped before the end: x = v t + v^2 / (2 b).
+        (1.0, 1, Column.START, 1.0),
+        (1.0, 1, Column.BRAKING, -0.5 / 2.0**2),
+        (1.0, 0, Column.LINEAR, 0.4 + 1.0 / 2.0),
+    ],
+)
+def test_derivatives_by_constant_braking(speed, primitive, column, expected):
+    scene = SimScene("brake", (ball("a", 0.1, 1.0, (0, 0, 5.0)),), gravity=(0, 0, 0))
+    program = Program(
+        (SetVelocity("a", 0.0, (speed, 0.0, 0.0)), AdjustProperties("a", 0.4, braking=2.0)), 1.0
+    )
+    tape, difference = table_gradient(scene, program, "a", 0, int(column), primitive=primitive)
+    assert tape == pytest.approx(expected, rel=0.02)
+    assert difference == pytest.approx(expected, rel=0.02)
 
 
 def test_a_bounce_has_the_derivative_of_the_continuous_motion():
