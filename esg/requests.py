@@ -15,10 +15,20 @@ def generate_requests(
     device: str,
     close_loop: bool = False,
     collision: str = "exact",
+    traffic: str = "right",
 ) -> list[SceneRequest]:
     """The scenes of a `generate` run; arguments as of `flows.generate`."""
     return [
-        SceneRequest(p, seed, drafter, strategy, device, close_loop=close_loop, collision=collision)
+        SceneRequest(
+            p,
+            seed,
+            drafter,
+            strategy,
+            device,
+            close_loop=close_loop,
+            collision=collision,
+            traffic=traffic,
+        )
         for p in prompts
     ]
 

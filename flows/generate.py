@@ -20,6 +20,7 @@ def generate(
     device: str = "cpu",
     close_loop: bool = False,
     collision: str = "exact",
+    traffic: str = "right",
 ) -> list[SceneState]:
     """Generates one scene a prompt.
 
@@ -31,10 +32,11 @@ def generate(
         device: cpu or cuda:N.
         close_loop: Whether the verify engine's outcome error is fed back to the search.
         collision: What bodies collide with during the search: exact, proxy or sdf.
+        traffic: Side of the road that vehicles keep to: right or left.
 
     Returns:
         Final states in the order of the prompts.
     """
     return run_all(
-        generate_requests(prompts, seed, drafter, strategy, device, close_loop, collision)
+        generate_requests(prompts, seed, drafter, strategy, device, close_loop, collision, traffic)
     )

@@ -248,6 +248,8 @@ class ClassRun:
                     raise ReplayError(f"{name} is a second ground of the same kind")
                 grounds[for_wheels], self._plane[for_wheels] = record, i
                 continue
+            if "node" in self._assets.get(record.asset.decode(), {}):
+                continue  # a wheel is a picture
             if name not in self._components:
                 raise ReplayError(f"component {name} is not in the import manifest")
             entry = self._components[name]

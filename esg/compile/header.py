@@ -59,6 +59,13 @@ BODY_FIELDS = (
     Field("float", "AngularDamping", "0.0f", "Per second.", "", "0", "1000"),
 )
 
+WHEEL_FIELDS = (
+    Field("FVector", "Axle", _ZERO, "In the frame of the body's mesh [cm]."),
+    Field(
+        "double", "Radius", "1.0", "A wheel turns by what its axle goes over this.", "cm", "0.01"
+    ),
+)
+
 _TIME = Field("double", "Time", "0.0", "Since the scene started.", "s", "0", "3600")
 _START = Field("double", "Start", "0.0", "Since the scene started.", "s", "0", "3600")
 _END = Field("double", "End", "0.0", "Since the scene started.", "s", "0")
@@ -170,6 +177,8 @@ def emit_header(plan: ScenePlan) -> str:
     name = plan.name
     body = (*BODY_FIELDS, ROUND_FIELD) if plan.brakes else BODY_FIELDS
     parts = [_preamble(plan), _struct(f"F{name}Body", "Physical values of one body.", body)]
+    if plan.wheels:
+        parts.append(_struct(f"F{name}Wheel", "A wheel: a picture that turns.", WHEEL_FIELDS))
     for kind in PRIMITIVE_FIELDS:
         if kind in plan.kinds:
             fields = PRIMITIVE_FIELDS[kind]
@@ -260,6 +269,31 @@ _RECORDS_AND_PARTS = """\
 """
 """What is the same in every class: records of the run, parts of the scene, the hit callback."""
 
+_WHEELS = """\
+	/** A wheel, how far it has turned and how fast it turns. */
+	struct FTurningWheel
+	{
+		UStaticMeshComponent* Component = nullptr;
+		UStaticMeshComponent* Body = nullptr;
+		const F@CLASS@Wheel* Settings = nullptr;
+		bool bStarted = false;
+		FVector Axle = FVector::ZeroVector;
+		FVector Ahead = FVector::ZeroVector;
+		double Rise = 0.0;
+		double Rate = 0.0;
+		double Angle = 0.0;
+	};
+
+	UStaticMeshComponent* CreateWheel(
+		UStaticMeshComponent* Body, const TCHAR* Name, const TCHAR* AssetPath);
+	void ConfigureWheel(UStaticMeshComponent* Wheel, const F@CLASS@Wheel& Settings);
+	void CollectWheels();
+	void TurnWheels(double Step);
+	TArray<FTurningWheel> Wheels;
+
+"""
+"""What classes with wheels declare besides."""
+
 _WATCHING = """\
 	void EndDrivesAtTouch(const UPrimitiveComponent* First, const UPrimitiveComponent* Second);
 	void WatchTouch(FWatchedEvent& Event, const FTouch& Touch);
@@ -332,7 +366,11 @@ private:
 	void CollectEvents();
 	void PinSimulation();
 	void DispatchProgram(double Due);
-{_runners(plan)}{_WATCHING}"""
+{_runners(plan)}{_turning(plan)}{_WATCHING}"""
+
+
+def _turning(plan: ScenePlan) -> str:
+    return _WHEELS.replace("@CLASS@", plan.name) if plan.wheels else ""
 
 
 _BRAKE = """\
@@ -362,4 +400,10 @@ def _body_members(plan: ScenePlan, body: UnrealBody) -> str:
         f"\tTObjectPtr<UStaticMeshComponent> {body.member};\n\n"
         f'\tUPROPERTY(EditAnywhere, Category = "ESG|Bodies")\n'
         f"\tF{plan.name}Body {body.settings};\n"
+    ) + "".join(
+        f'\n\tUPROPERTY(VisibleAnywhere, Category = "ESG|Wheels")\n'
+        f"\tTObjectPtr<UStaticMeshComponent> {wheel.member};\n\n"
+        f'\tUPROPERTY(EditAnywhere, Category = "ESG|Wheels")\n'
+        f"\tF{plan.name}Wheel {wheel.settings};\n"
+        for wheel in body.wheels
     )

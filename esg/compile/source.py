@@ -8,9 +8,10 @@ from pathlib import Path
 from esg.compile import frames, names
 from esg.compile.assets import MeshAsset, Probe, probes
 from esg.compile.header import PRIMITIVE_FIELDS
-from esg.compile.model import ScenePlan, UnrealBody
+from esg.compile.model import ScenePlan, UnrealBody, UnrealWheel
 from esg.engines.program import GUIDE_RATE
 from esg.engines.traction import FALLING
+from esg.engines.wheels import FALLS, RUNS_DOWN_S, UPRIGHT
 
 INCLUDES = (
     "Components/PrimitiveComponent.h",
@@ -71,6 +72,19 @@ GUIDING = f"""\
 """
 """Constants of classes that guide a body."""
 
+WHEELS = f"""\
+\t/** A body whose up axis rises less than this does not stand on its wheels. */
+\tconstexpr double Upright = {frames.literal(UPRIGHT)};
+
+\t/** What gains this share of gravity's speed downwards is carried by nothing. */
+\tconstexpr double Falls = {frames.literal(FALLS)};
+
+\t/** In which a wheel that touches nothing runs down [s]. */
+\tconstexpr double RunsDown = {frames.literal(RUNS_DOWN_S)};
+
+"""
+"""Constants of classes with wheels."""
+
 
 @cache
 def _template(name: str) -> str:
@@ -89,10 +103,37 @@ def emit_source(plan: ScenePlan) -> str:
         _dispatch(plan),
         *(_run(plan, kind) for kind in PRIMITIVE_FIELDS if kind in plan.kinds),
         *([_template("ApplyBrakes")] if plan.brakes else []),
-        _template("Fixed").replace("@LASTING@", "Hold" if plan.guides else "HoldVelocity"),
+        _fixed(plan),
+        *([_template("Wheels"), _collect_wheels(plan)] if plan.wheels else []),
     ]
     text = "\n".join(part.strip("\n") + "\n" for part in parts)
     return text.replace("@CLASS@", plan.name)
+
+
+def _fixed(plan: ScenePlan) -> str:
+    """What is the same in every class, but for the words of its log and the call of its wheels."""
+    text = _template("Fixed").replace("@LASTING@", "Hold" if plan.guides else "HoldVelocity")
+    for mark, call in (
+        ("@COLLECT_WHEELS@", "CollectWheels();"),
+        ("@TURN_WHEELS@", "TurnWheels(Step);"),
+    ):
+        text = text.replace(f"\t{mark}\n", f"\t{call}\n" if plan.wheels else "")
+    return text
+
+
+def _collect_wheels(plan: ScenePlan) -> str:
+    lines = "\n".join(
+        f"\tWheels.Add(FTurningWheel{{ {wheel.member}, {body.member}, &{wheel.settings} }});"
+        for body, wheel in plan.wheels
+        if body.simulated
+    )
+    return f"""
+void A@CLASS@::CollectWheels()
+{{
+	Wheels.Reset();
+{lines}
+}}
+"""
 
 
 def _run(plan: ScenePlan, kind: str) -> str:
@@ -109,6 +150,7 @@ def _preamble(plan: ScenePlan) -> str:
     tables = "\n".join(_probe_table(a) for a in plan.assets)
     constants = GUIDING if "GuideAlong" in plan.kinds else ""
     constants += FALLING_SHARE if plan.brakes else ""
+    constants += WHEELS if plan.wheels else ""
     return f"""#include "@CLASS@.h"
 
 {includes}
@@ -225,11 +267,23 @@ def _body_defaults(plan: ScenePlan, body: UnrealBody) -> list[str]:
     return [
         f"\t{body.member} = CreateMesh({name}, {path});",
         *(f"\t{body.settings}.{field} = {value};" for field, value in values),
+        *(line for wheel in body.wheels for line in _wheel_defaults(body, wheel)),
+    ]
+
+
+def _wheel_defaults(body: UnrealBody, wheel: UnrealWheel) -> list[str]:
+    path, name = names.string_literal(wheel.path), names.string_literal(wheel.name)
+    return [
+        f"\t{wheel.member} = CreateWheel({body.member}, {name}, {path});",
+        f"\t{wheel.settings}.Axle = {frames.vector_literal(wheel.axle)};",
+        f"\t{wheel.settings}.Radius = {frames.literal(wheel.radius)};",
     ]
 
 
 def _construction(plan: ScenePlan) -> str:
-    calls = "\n".join(f"\tConfigureBody({b.member}, {b.settings});" for b in plan.bodies)
+    lines = [f"\tConfigureBody({b.member}, {b.settings});" for b in plan.bodies]
+    lines += [f"\tConfigureWheel({w.member}, {w.settings});" for _, w in plan.wheels]
+    calls = "\n".join(lines)
     return f"""
 void A@CLASS@::OnConstruction(const FTransform& Transform)
 {{

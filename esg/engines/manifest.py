@@ -25,6 +25,7 @@ from esg.engines.manifest_model import (
     MANIFEST_FORMAT,
     MANIFEST_VERSION,
     SPIN_CONVENTION,
+    WHEELS_CONVENTION,
     BodyModel,
     HoldVelocityModel,
     ManifestModel,
@@ -41,7 +42,7 @@ from esg.engines.program import (
     program_from_json,
     program_to_json,
 )
-from esg.engines.scene import GROUND, Body, Region, Shape, SimScene
+from esg.engines.scene import GROUND, Body, Region, Shape, SimScene, Wheel
 from esg.outcomes import UserError
 
 
@@ -89,7 +90,7 @@ def manifest_to_json(
         "format": MANIFEST_FORMAT,
         "version": MANIFEST_VERSION,
         "scene_id": scene.scene_id,
-        "conventions": CONVENTIONS | _special_conventions(program),
+        "conventions": CONVENTIONS | _special_conventions(scene, program),
         "dt": dt,
         "gravity": list(scene.gravity),
         "ground": {
@@ -115,9 +116,11 @@ def manifest_to_json(
     return data
 
 
-def _special_conventions(program: Program) -> dict[str, str]:
-    """What has to be said of a program beyond the usual; others read as they always did."""
+def _special_conventions(scene: SimScene, program: Program) -> dict[str, str]:
+    """What has to be said beyond the usual; other manifests read as they always did."""
     out: dict[str, str] = {}
+    if any(b.wheels for b in scene.bodies):
+        out["wheels"] = WHEELS_CONVENTION
     for p in program.primitives:
         if isinstance(p, HoldVelocity) and p.climb is not None:
             out["climb"] = CLIMB_CONVENTION
@@ -223,6 +226,7 @@ def _effective_pairs(
 def _body(model: BodyModel) -> Body:
     values = _fields(model)
     values["shapes"] = tuple(Shape(**_fields(s)) for s in model.shapes)
+    values["wheels"] = tuple(Wheel(**_fields(w)) for w in model.wheels)
     return Body(**values)
 
 

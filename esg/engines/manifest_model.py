@@ -65,6 +65,12 @@ SPIN_CONVENTION = (
 )
 """Stand under `guide` and `spin` of the conventions of manifests whose programs have them."""
 
+WHEELS_CONVENTION = (
+    "no engine simulates wheels; a recording turns them: the node `name` of the mesh by +1 rad "
+    "about Y of the body frame, through axle, for every radius [m] that the axle goes along +X of "
+    "the body while the body is upright and carried; else they go on turning and run down"
+)
+"""Stands under `wheels` of the conventions of a manifest with bodies that have them."""
 BRAKING_CONVENTION = (
     "an AdjustProperties with a braking [m/s^2] sets the body's brakes (0 lets go): from then on, "
     "before every step and after all primitives, its horizontal velocity loses min(|v_h|, braking "
@@ -98,6 +104,14 @@ class ShapeModel(_Model):
     vertices: tuple[Vec, ...] = Field((), description="Hull points of a convex shape")
 
 
+class WheelModel(_Model):
+    """A wheel of a body: a part of its mesh that turns about Y of the body frame."""
+
+    name: Name
+    axle: Vec
+    radius: Positive
+
+
 class BodyModel(_Model):
     """One rigid body."""
 
@@ -124,6 +138,15 @@ class BodyModel(_Model):
     group: str = ""
     mentioned: bool = True
     active: bool = False
+    wheels: tuple[WheelModel, ...] = Field((), description="Absent where there are none")
+
+    @model_serializer(mode="wrap")
+    def _without_wheels(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
+        # Bodies without wheels read as they always did.
+        data = handler(self)
+        if not data["wheels"]:
+            del data["wheels"]
+        return data
 
 
 class RegionModel(_Model):
@@ -298,6 +321,13 @@ def dangling(data: dict[str, Any]) -> list[str]:
         for i, n in enumerate(names)
         if n == GROUND or n in names[:i]
     ]
+    for i, body in enumerate(data["bodies"]):
+        wheels = [wheel["name"] for wheel in body.get("wheels", ())]
+        out += [
+            f"/bodies/{i}/wheels/{k}/name: {n!r} is used twice"
+            for k, n in enumerate(wheels)
+            if n in wheels[:k]
+        ]
     uses = [(f"/regions/{i}/parent", r["parent"]) for i, r in enumerate(data["regions"])]
     for i, p in enumerate(data["program"]["primitives"]):
         uses.append((f"/program/primitives/{i}/body", p["body"]))

@@ -46,6 +46,21 @@ class Shape:
 
 
 @dataclass(frozen=True)
+class Wheel:
+    """A wheel of a body, of which no engine knows: what plays a recording turns it.
+
+    Args:
+        name: Of its node in the body's mesh.
+        axle: A point of its axis, which lies along Y of the body frame [m], shape [3].
+        radius: [m].
+    """
+
+    name: str
+    axle: tuple[float, float, float]
+    radius: float
+
+
+@dataclass(frozen=True)
 class Body:
     """One rigid body.
 
@@ -73,6 +88,7 @@ class Body:
         group: Name shared by the members of one plural.
         mentioned: False if expansion added it.
         active: It moves under its own control.
+        wheels: What turns as the body travels (`esg.engines.wheels`).
     """
 
     name: str
@@ -98,6 +114,7 @@ class Body:
     group: str = ""
     mentioned: bool = True
     active: bool = False
+    wheels: tuple[Wheel, ...] = ()
 
     @property
     def collides(self) -> bool:

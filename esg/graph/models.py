@@ -162,6 +162,8 @@ class SceneDefinition(Model):
     scene_parameters: SceneParameters
     wording: Wording | None = None
     """None where the words say nothing of the kind."""
+    traffic: Literal["right", "left"] | None = None
+    """The side of the road that vehicles keep to; None is the right one."""
 
 
 class AssetRequirement(Model):
@@ -230,6 +232,16 @@ class RetrievalCandidate(Model):
     physical: float = 0.0
 
 
+class Wheel(Model):
+    """A wheel of an asset: it turns about a line along Y of the local frame."""
+
+    name: str
+    """Of its node in the mesh; unique in the asset, e.g. `wheel_front_left`."""
+    axle_cm: Vec3
+    """A point of its axis, in the local frame [cm]."""
+    radius_cm: float
+
+
 class AssetConfiguration(Model):
     """What is used (stage 2): geometry, proxies and physics of one requirement."""
 
@@ -259,6 +271,8 @@ class AssetConfiguration(Model):
     """Rolls on wheels: coasts on the low-friction vehicle ground (docs/engines.md)."""
     rolls: bool = False
     """A round body that rolls about its centre (ball, wheel)."""
+    wheels: tuple[Wheel, ...] | None = None
+    """What turns as the asset travels (docs/assets.md); None if nothing does."""
     color_rgb: tuple[float, float, float] = (0.6, 0.6, 0.6)
     license: str = "Apache-2.0"
     attribution: str = ""

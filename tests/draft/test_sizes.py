@@ -238,3 +238,40 @@ def test_the_blue_one_of_three_is_a_member() -> None:
 def test_the_corner_of_a_room_is_no_street_corner() -> None:
     doc = draft("In the corner of the workshop stands a drum. A trolley bumps into it.")
     assert not [n for n in doc.spatial_relation_graph.nodes if n.startswith("corner")]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "thing", "reference", "side"),
+    [
+        ("A domino as tall as a chair falls onto a box.", "domino_1", "chair", 2),
+        ("A wall as high as a house is hit by a truck.", "wall_1", "house", 2),
+        ("A log as long as a car rolls into a fence.", "log_1", "car", 0),
+    ],
+)
+def test_a_side_is_compared_and_the_reference_is_not_drawn(
+    prompt: str, thing: str, reference: str, side: int
+) -> None:
+    doc = draft(prompt)
+    nodes = doc.spatial_relation_graph.nodes
+    required = doc.asset_requirement[nodes[thing].asset_id]
+    other = draft(f"A ball hits a {reference}.")
+    wanted = other.asset_requirement[
+        other.spatial_relation_graph.nodes[f"{reference}_1"].asset_id
+    ].expected_dimensions_cm
+    assert required.expected_dimensions_cm[side] == pytest.approx(wanted[side], rel=0.01)
+    assert required.dimensions_are_prescribed
+    assert f"{reference}_1" not in nodes
+
+
+@pytest.mark.parametrize("words", ["as big as", "the size of", "as large as"])
+def test_a_size_keeps_the_shape_of_what_has_it(words: str) -> None:
+    doc = draft(f"A ball {words} a car rolls into a wall.")
+    nodes = doc.spatial_relation_graph.nodes
+    size = doc.asset_requirement[nodes["ball_1"].asset_id].expected_dimensions_cm
+    assert size[0] == size[1] == size[2] == pytest.approx((450 * 180 * 145) ** (1 / 3), rel=0.01)
+    assert not {"car_1", "road_1"} & nodes.keys()
+
+
+def test_a_reference_that_is_in_the_scene_stays() -> None:
+    doc = draft("A car hits a ball as big as the car.")
+    assert "car_1" in doc.spatial_relation_graph.nodes

@@ -57,12 +57,13 @@ def test_report_has_the_stable_shape():
     data = report()
     assert list(data) == ["suite", "runs", "strategy", "engine", "dt", "scenes", "totals"]
     assert list(data["scenes"][0]) == [
-        "id", "n_events", "completed", "slr", "ppa", "statements", "outcome", "seconds",
+        "id", "n_events", "completed", "slr", "ppa", "statements", "plausible", "plausibility",
+        "outcome", "seconds",
     ]  # fmt: skip
     assert list(data["scenes"][0]["ppa"][0]) == ["constraint", "scores", "measured"]
     assert list(data["totals"]) == [
         "events", "ecr_mean", "ecr_std", "slr", "ppa", "ppa_strict", "ppa_lenient", "skr",
-        "seconds_per_scene",
+        "plausible", "seconds_per_scene",
     ]  # fmt: skip
     json.dumps(data, allow_nan=False)
 

@@ -11,7 +11,7 @@ import pytest
 
 from esg import stages
 from esg.draft import draft
-from esg.graph.models import DynamicsResult, Statement
+from esg.graph.models import DynamicsResult, LayoutResult, RelationReport, Statement
 from esg.metrics import SceneVerdict, SuiteScene
 from esg.metrics.models import LayoutVerdict, StatementVerdict
 from esg.outcomes import Outcome
@@ -117,3 +117,23 @@ def test_the_prompts_own_statements_decide_with_a_suite_too(
     state = SceneState(SceneRequest(prompt), {"judge": "key"})
     assert stages.not_kept(state) == metrics.get("not_kept", [])
     assert stages.conclude("judge", state)[0] is Outcome(expected)
+
+
+def test_a_relation_that_the_layout_did_not_satisfy_makes_a_scene_partial(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    report = RelationReport(
+        edge="ball_1 left_of box_1", relation_type="left_of", satisfied=False, violation=12.0
+    )
+    laid = LayoutResult(poses={}, energy=0.0, relations=(report,))
+    doc = draft("A ball hits a box.").model_copy(update={"layout_result": laid})
+    verdict = SceneVerdict(
+        scene_id="x", suite_scene="", engine="physx", dt_s=1 / 240, layout=LayoutVerdict(valid=True)
+    )
+    monkeypatch.setattr(stages, "load_doc", lambda state: doc)
+    monkeypatch.setattr(stages, "_verdict", lambda state, expected: verdict)
+    monkeypatch.setattr(SceneState, "artifact", lambda self, stage: tmp_path)
+    (tmp_path / "replay.json").write_text('{"proof": "class"}')
+    stages._judge(SceneState(SceneRequest("A ball hits a box.")), tmp_path)
+    metrics = json.loads((tmp_path / "metrics.json").read_text())
+    assert metrics["outcome"] == "partial" and "ball 1 left of box 1" in metrics["reason"]

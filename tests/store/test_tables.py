@@ -114,7 +114,7 @@ def test_dataset_layout_info_and_card(tmp_path):
     trains = [n for n in names if n.startswith("train-")]
     assert trains[0] == f"train-00000-of-{len(trains):05d}.parquet"
     info = json.loads((out / "meta" / "info.json").read_text())
-    assert info["format_version"] == "1.3.0"
+    assert info["format_version"] == "1.4.0"
     assert info["rows"] == counts
     assert sum(info["scenes_per_split"].values()) == 24
     card = (out / "README.md").read_text()

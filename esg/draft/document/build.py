@@ -48,6 +48,8 @@ _RESTRICTED = re.compile(
 )
 
 
+_STREETS = frozenset({"road", "sidewalk"})
+"""Grounds on or beside which things stay, whatever comes to hit them."""
 _CARDINALS = {0.0: "+X", 90.0: "+Y", 180.0: "-X", 270.0: "-Y"}
 """Directions by heading [degrees]."""
 
@@ -210,11 +212,13 @@ def _top_of_stack(host: Entity, e: Entity, entities: dict[str, Entity]) -> str:
 def _road_under(e: Entity, graph: _Graph) -> str:
     """The road or lane that something waits on, if nothing of its plural takes part in events.
 
-    What moves is placed by its motion; the road then lies under it wherever that is.
+    What moves is placed by its motion; the road then lies under it wherever that is. Of a street or
+    a pavement it matters on which of them something is met, too.
     """
     road, timeline = graph.scene.marked.get(e.id, ""), graph.scene.timeline
-    acting = {i for n in timeline.nodes for i in n.participants}
-    acting |= {a for a, track in timeline.tracks.items() if track.motion}
+    acting = {a for a, track in timeline.tracks.items() if track.motion}
+    if road not in graph.entities or graph.entities[road].noun.name not in _STREETS:
+        acting |= {i for n in timeline.nodes for i in n.participants}
     members = graph.scene.world.groups.get(e.group or "", [e.id])
     return road if road in graph.entities and not acting & set(members) else ""
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Container
+from collections.abc import Container, Sequence
 import re
 
 from esg.draft import lexicon as lex
@@ -14,12 +14,17 @@ from esg.draft.text.numerals import parse_number
 
 _COMPARISON = re.compile(
     r"\b(?:(?P<ratio>twice|half|double|(?:\w+|\d+(?:\.\d+)?)\s+times)\s+)?"
-    r"(?:as\s+(?P<as>heavy|big|large|fast|quickly|quick)\s+as"
+    r"(?:as\s+(?P<as>heavy|big|large|fast|quickly|quick|tall|high|long|wide|broad|thick|deep)\s+as"
     r"|(?P<more>heavier|bigger|larger|faster|quicker)\s+than|(?P<less>slower)\s+than"
-    r"|the\s+(?P<same>same\s+)?(?P<noun>mass|weight|size|speed)\s+(?:of|as))\b",
+    r"|the\s+(?P<same>same\s+)?(?P<noun>mass|weight|size|speed|height|length|width)\s+(?:of|as))\b",
     re.IGNORECASE,
 )
 _MASS = lex.word_set("mass")
+_SIDES = {
+    "tall": "height", "high": "height", "long": "length", "wide": "width", "broad": "width",
+    "thick": "width", "deep": "width",
+}  # fmt: skip
+"""Sides by the adjectives that compare them."""
 _SPEED = frozenset({"fast", "quickly", "quick", "faster", "quicker", "slower", "speed"})
 
 
@@ -28,17 +33,18 @@ def compare(text: str, mentions: list[Mention], scene: Scene) -> None:
 
     What is compared with is the value stated, else the commonsense one; the result counts as
     prescribed if the other is. "Heavier than" alone means twice as heavy; "faster than" leaves an
-    interval above the other speed, and applies only where that is stated.
+    interval above the other speed, and applies only where that is stated. A size keeps the shape of
+    what has it: as tall as the other, or of its volume. What is only there to be compared with ("as
+    tall as a chair") is no thing of the scene, and the size is stated.
     """
     movers = {edge.actor for edge in scene.timeline.edges}
     for match in _COMPARISON.finditer(text):
         word = (match["as"] or match["more"] or match["less"] or match["noun"]).lower()
-        left, right = _compared(match, mentions, scene, movers if word in _SPEED else ())
-        if (
-            left is None
-            or right is None
-            or (match["noun"] and not (match["ratio"] or match["same"]))
-        ):
+        left, right, told = _compared(match, mentions, scene, movers if word in _SPEED else ())
+        if left is None or right is None or told is None:
+            continue
+        only = word not in _SPEED and _only_compared(told, right, scene)
+        if match["noun"] and not (match["ratio"] or match["same"] or only):
             continue
         ratio = _ratio(match["ratio"]) if match["ratio"] else None
         if word in _SPEED:
@@ -50,8 +56,36 @@ def compare(text: str, mentions: list[Mention], scene: Scene) -> None:
             left.mass_kg = factor * required.expected_mass_kg
             left.mass_prescribed = right.mass_prescribed
         elif word not in _MASS and not left.dimensions_prescribed:
-            left.dimensions_cm = [factor * x for x in required.expected_dimensions_cm]
-            left.dimensions_prescribed = right.dimensions_prescribed
+            other = required.expected_dimensions_cm
+            mine = requirement(left).expected_dimensions_cm
+            scale = factor * _measure(word, other) / _measure(word, mine)
+            left.dimensions_cm = [scale * x for x in mine]
+            left.dimensions_prescribed = right.dimensions_prescribed or only
+        if only:
+            told.attribute = True
+            del scene.world.entities[right.id]
+
+
+def _measure(word: str, size: Sequence[float]) -> float:
+    """What a word compares of a size: one side, else the side of a cube of its volume [cm]."""
+    length, width, height = size
+    sides = {"height": height, "length": max(length, width), "width": min(length, width)}
+    cube = (length * width * height) ** (1.0 / 3.0)
+    return sides.get(_SIDES.get(word, word), cube)
+
+
+def _only_compared(told: Mention, e: Entity, scene: Scene) -> bool:
+    """Whether a thing is named only to say how large another one is."""
+    if told.determiner not in ("a", "an") or told.plural or e.group is not None:
+        return False
+    named = [ids for ids in scene.world.resolved.values() if e.id in ids]
+    timeline = scene.timeline
+    acts = any(e.id in n.participants for n in timeline.nodes)
+    acts = acts or any(e.id in (edge.actor, edge.target) for edge in timeline.edges)
+    places = (scene.supported_by, scene.inside_of, scene.attached, scene.marked, scene.facing)
+    placed = any(e.id in place or e.id in place.values() for place in places)
+    related = any(e.id in (r.source, r.target) for r in scene.relations)
+    return len(named) == 1 and not (acts or placed or related)
 
 
 def _set_speed(
@@ -80,14 +114,14 @@ def _ratio(word: str) -> float:
 
 def _compared(
     match: re.Match[str], mentions: list[Mention], scene: Scene, movers: Container[str]
-) -> tuple[Entity | None, Entity | None]:
+) -> tuple[Entity | None, Entity | None, Mention | None]:
     """The things named just before (what moves first of all) and just after a comparison."""
     named: list[tuple[Mention, Entity]] = []
     for m in sorted(mentions, key=lambda m: m.start):
         ids = [i for i in scene.world.resolved.get(id(m), []) if i in scene.world.entities]
         if ids:
             named.append((m, scene.world.entities[ids[0]]))
-    right = next((e for m, e in named if m.start >= match.end() - 1), None)
+    told, right = next(((m, e) for m, e in named if m.start >= match.end() - 1), (None, None))
     before = [e for m, e in reversed(named) if m.end <= match.start() + 1 and e is not right]
     before.sort(key=lambda e: e.id not in movers)
-    return (before[0] if before else None), right
+    return (before[0] if before else None), right, told

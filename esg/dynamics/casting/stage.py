@@ -12,6 +12,8 @@ from collections.abc import Mapping
 import enum
 from typing import Any
 
+from esg.dynamics.casting.changes import with_assets
+from esg.dynamics.casting.roads import fit_roads
 from esg.dynamics.casting.rules import LOADS, RULES
 from esg.dynamics.choreography.record import record
 from esg.dynamics.story.story import read_story
@@ -50,10 +52,11 @@ def cast(doc: EsgDocument, *, seed: int = 0) -> EsgDocument:
         }
     )
     played, reasons = _choose(given)
-    casting = _casting(given, played, reasons)
     told: Choreography | None = None
     if given.timeline_system is not None:
         told = record(played, seed=seed)
+        played = _on_roads(played, told, reasons)
+    casting = _casting(given, played, reasons)
     if casting is None and told is None:
         return given
     provenance = (*given.provenance, Provenance(stage="cast", version=VERSION, seed=seed))
@@ -106,6 +109,14 @@ def _parts(doc: EsgDocument) -> dict[str, Mapping[str, Any]]:
         "actors": {name: actor.force_direction for name, actor in actors.items()},
         "segments": {edge.id: edge.params for edge in edges},
     }
+
+
+def _on_roads(played: EsgDocument, told: Choreography, reasons: Reasons) -> EsgDocument:
+    """The document with its street as long as what was told needs."""
+    longer = with_assets(played, fit_roads(played, told))
+    for place, what in _changes(played, longer).items():
+        reasons[place] = (*reasons.get(place, ()), f"{what}: it is longer than the way")
+    return longer
 
 
 def _changes(before: EsgDocument, after: EsgDocument) -> dict[tuple[str, str], str]:

@@ -185,7 +185,7 @@ def chain(stage: Stage, e: Encounter) -> None:
         return
     node, pa, pb = e.node, stage.prop(a), stage.prop(b)
     gap, rolled = _gap_to_next(stage, node, a, b, track)
-    yaw = target_yaw(pb, track.heading, stage.rng)
+    yaw = target_yaw(pb, track.heading, stage.rng, pa)
     if node.event is NodeEvent.ENTER_REGION:
         yaw = track.heading + math.pi
     aside = _aside(stage, node, a, b, track.heading, yaw)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from esg.dynamics.choreography.hovering import cruise
+from esg.dynamics.choreography.kerbs import kerb_passed
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.choreography.throws import is_swung
 from esg.dynamics.story.kinematics import (
@@ -163,7 +164,7 @@ def _place_target(
     """Puts b where a arrives: ahead of it, past it for a Miss, short of it for a Reach."""
     pb = stage.prop(b)
     sets_off = _sets_off(stage, node, b)
-    yaw = heading if sets_off else target_yaw(pb, heading, stage.rng)
+    yaw = heading if sets_off else target_yaw(pb, heading, stage.rng, pa)
     if node.event is NodeEvent.ENTER_REGION:
         # Its opening towards what comes (`meetings.enters`).
         yaw = heading + math.pi
@@ -178,6 +179,11 @@ def _place_target(
         gap = asked_distance(stage, node, a) or 0.25
         lateral = pa.half_width + pb.half_lateral(yaw - heading) + gap
         front = 0.0
+        kerb = kerb_passed(stage, a, b)
+        if kerb is not None:
+            yaw = heading + kerb.turned
+            gap = asked_distance(stage, node, a) or kerb.gap_m(pa)
+            lateral = kerb.side * (pa.half_width + pb.half_lateral(yaw - heading) + gap)
     if node.event is NodeEvent.REACH:
         front += _room_to_stop(stage, node, a)
     cx = x + front * math.cos(heading) - lateral * math.sin(heading)

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 import math
 
+from esg.dynamics.choreography.kerbs import kerb_passed
 from esg.dynamics.choreography.placing import comes_to_rest
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.kinematics import Frame, half_along
@@ -137,6 +138,10 @@ def _spot(
         middle = (0.5 * (start[0] + end[0]), 0.5 * (start[1] + end[1]))
         lengthwise = 0.0 if its.length >= its.width else math.pi / 2
         reach = mine.half_width + 0.5 * min(its.length, its.width) + _BESIDE_M
+        kerb = kerb_passed(stage, mover, other)
+        if kerb is not None:
+            reach = mine.half_width + its.half_lateral(kerb.turned) + kerb.gap_m(mine)
+            return _beside(middle, heading + kerb.side * math.pi / 2, reach, heading + kerb.turned)
         return _beside(middle, heading + math.pi / 2, reach, heading + lengthwise)
     return None
 

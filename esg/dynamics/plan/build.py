@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from esg.engines.scene import Body, Region, Shape, SimScene
+from esg.engines.scene import Body, Region, Shape, SimScene, Wheel
 from esg.graph.casting import effective
 from esg.graph.models import AssetConfiguration, EsgDocument, Node, Pose, Proxy, ProxyKind, Role
 from esg.outcomes import UserError
@@ -104,6 +104,10 @@ def make_body(
         group=node.group or "",
         mentioned=node.mentioned,
         active=active,
+        wheels=tuple(
+            Wheel(w.name, _vec((np.array(w.axle_cm) - com) / 100.0), w.radius_cm / 100.0)
+            for w in config.wheels or ()
+        ),
     )
 
 

@@ -181,16 +181,20 @@ def has_foot(body: Prop) -> bool:
     return top.center_cm[0] < -20.0 * body.length and top.center_cm[2] > 90.0 * body.height
 
 
-def target_yaw(body: Prop, heading: float, rng: np.random.Generator) -> float:
+def target_yaw(
+    body: Prop, heading: float, rng: np.random.Generator, mover: Prop | None = None
+) -> float:
     """Yaw [rad] at which a waiting body is met: broadside, the larger and steadier mark.
 
-    A ramp is met at its foot.
+    A ramp is met at its foot. A vehicle waits or parks along the way of other vehicles, not across.
     """
     if body.rolls or body.grouped:
         return heading
     if has_foot(body):
         return heading + math.pi
     side = float(rng.choice([-1.0, 1.0]))
+    if mover is not None and mover.wheeled and body.wheeled:
+        return heading
     if body.length > 1.15 * body.width:
         return heading + side * math.pi / 2
     return heading + math.pi

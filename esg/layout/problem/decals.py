@@ -13,6 +13,7 @@ from esg.layout.problem.edges import AXES, adjacent_band, near_band
 from esg.layout.problem.hints import Corridor
 from esg.layout.problem.obstacles import is_road
 from esg.layout.problem.poses import Pose2, compose
+from esg.layout.problem.streets import CROSSINGS, drivers, kept_side, street_in, street_of
 from esg.layout.problem.supports import Shape, SupportMap
 from esg.layout.problem.units import Unit
 
@@ -55,8 +56,13 @@ def _distance(s: Segment, x: float, y: float) -> float:
     return math.hypot(x - s[0] - t * dx, y - s[1] - t * dy)
 
 
-def _turn_centre(corridors: list[Corridor]) -> tuple[float, float] | None:
-    """Where the incoming and the outgoing straight of a turning path would meet."""
+def _turn_centre(corridors: list[Corridor], aside: float) -> tuple[float, float] | None:
+    """Where the axes cross of roads whose lanes a turning path comes from and goes on in.
+
+    Args:
+        corridors: Paths; the first that turns counts.
+        aside: How far to the left of each axis the path runs [cm].
+    """
     for c in corridors:
         legs = _segments([c])
         if len(legs) < 3:
@@ -67,8 +73,11 @@ def _turn_centre(corridors: list[Corridor]) -> tuple[float, float] | None:
         det = ux * vy - uy * vx
         if abs(det) < 0.3:
             continue
-        t = ((b[2] - a[0]) * vy - (b[3] - a[1]) * vx) / det
-        return a[0] + t * ux, a[1] + t * uy
+        # both axes, moved from the path to its right
+        ax, ay = a[0] + aside * uy, a[1] - aside * ux
+        bx, by = b[2] + aside * vy, b[3] - aside * vx
+        t = ((bx - ax) * vy - (by - ay) * vx) / det
+        return ax + t * ux, ay + t * uy
     return None
 
 
@@ -112,8 +121,8 @@ def lay_decals(
         if under:
             out[name] = _under(shape[name], unit.members[under[0]], legs, main)
         elif riders or (not beside and is_road(doc, name) and not taken_elsewhere):
-            if _is_crossing(doc, name):
-                centre = _turn_centre(unit.corridors)
+            if is_crossing(doc, name):
+                centre = _turn_centre(unit.corridors, _lane(doc, name, unit, shape))
                 if centre is not None and longest is not None:
                     out[name] = (*centre, _direction(legs[0]))
                     continue
@@ -123,10 +132,23 @@ def lay_decals(
     return out
 
 
-def _is_crossing(doc: EsgDocument, name: str) -> bool:
+def _lane(doc: EsgDocument, name: str, unit: Unit, shape: dict[str, Shape]) -> float:
+    """How far to the left of a crossing's axes vehicles drive, 0 for anything else [cm]."""
+    if not drivers(doc, unit, shape):
+        return 0.0
+    road = street_in(doc)
+    street = street_of(doc, road) if road is not None else None
+    if street is not None:
+        return street.keeps * street.lane
+    inner = [r.half_extents_cm[1] for r in shape[name].config.regions]
+    return kept_side(doc) * 0.5 * max(inner, default=0.0)
+
+
+def is_crossing(doc: EsgDocument, name: str) -> bool:
+    """Whether a decal is where roads cross."""
     config = doc.asset_configurations[doc.spatial_relation_graph.nodes[name].asset_id]
     words = f"{config.category} {name}".lower().replace("_", " ").replace("-", " ").split()
-    return bool(set(words) & set(CROSSING_WORDS))
+    return bool(set(words) & set(CROSSING_WORDS)) and config.category not in CROSSINGS
 
 
 def _lengthwise(decal: Shape, yaw: float) -> float:

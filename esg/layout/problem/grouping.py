@@ -11,11 +11,13 @@ import numpy as np
 
 from esg.graph.models import EsgDocument, RelationType
 from esg.layout.judge.setting import set_on_supports
-from esg.layout.problem.decals import lay_decals
+from esg.layout.problem.decals import is_crossing, lay_decals
 from esg.layout.problem.hints import Constellation, Corridor, StartHints, in_the_way
+from esg.layout.problem.kerbs import lay_along, line_up
 from esg.layout.problem.patterns import arrange, is_domino_like
 from esg.layout.problem.poses import Pose2, compose, inverse
 from esg.layout.problem.roles import falling_nodes, ground_nodes
+from esg.layout.problem.streets import Street, lay_street, street_in, street_of, users
 from esg.layout.problem.supports import Shape, SupportMap, stand_on
 from esg.layout.problem.units import Unit, group_members
 
@@ -71,6 +73,8 @@ class UnitBuilder:
         queues = [u for u in self.units if len(u.members) > 1 and self._is_queue(u)]
         for unit in planned or queues[:1]:
             self._lay_decals(unit)
+        if not planned:
+            self._line_street()
         for name in self.nodes:
             if name not in self.taken:
                 self._add(Unit({name: (0.0, 0.0, 0.0)}, parent=self.supports.of[name].parent))
@@ -302,7 +306,48 @@ class UnitBuilder:
         ]
 
     def _lay_decals(self, unit: Unit) -> None:
+        self._lay_street(unit)
         free = [n for n in self.nodes if n not in self.taken and self.shape[n].is_decal]
         for name, pose in lay_decals(self.doc, unit, free, self.supports, self.shape).items():
             unit.members[name] = pose
             self.taken[name] = unit
+
+    def _lay_street(self, unit: Unit) -> None:
+        """Lays the scene's street under those who drive on it, and what belongs to it along it."""
+        road = street_in(self.doc)
+        street = street_of(self.doc, road) if road is not None else None
+        if road is None or street is None or road in self.taken or not unit.is_planned:
+            return
+        who = users(self.doc, unit, road, self.supports, self.shape)
+        if not who.drivers:
+            return
+        if any(is_crossing(self.doc, n) for n in self.nodes if self.shape[n].is_decal):
+            who.beside.clear()  # most of it stands along the other road
+        ways = [p[:2] for p in unit.members.values()]
+        ways += [p for c in unit.corridors for p in c.points_cm]
+        self._put(unit, road, lay_street(street, who, ways))
+        line_up(street, unit.members[road], who, unit)
+        self._line(unit, road, street)
+
+    def _line_street(self) -> None:
+        """Puts what belongs at its kerbs along a street on which nothing is planned."""
+        road = street_in(self.doc)
+        if road is None:
+            return
+        unit = self.taken.get(road)
+        if unit is None:
+            unit = Unit({road: (0.0, 0.0, 0.0)})
+            self._add(unit)
+        street = street_of(self.doc, road)
+        assert street is not None
+        self._line(unit, road, street)
+
+    def _line(self, unit: Unit, road: str, street: Street) -> None:
+        free = [n for n in self.nodes if n not in self.taken]
+        poses = lay_along(self.doc, road, street, unit, free, self.supports, self.shape)
+        for name, pose in poses.items():
+            self._put(unit, name, pose)
+
+    def _put(self, unit: Unit, name: str, pose: Pose2) -> None:
+        unit.members[name] = pose
+        self.taken[name] = unit

@@ -136,8 +136,10 @@ def _start_reach(c: Corridor, unit: Unit, shape: dict[str, Shape]) -> float:
 
 
 def is_road(doc: EsgDocument, name: str) -> bool:
-    """Whether a decal is something that vehicles or balls run along."""
+    """Whether a decal is something that vehicles or balls run along, not a pavement beside it."""
     config = doc.asset_configurations[doc.spatial_relation_graph.nodes[name].asset_id]
+    if config.asset_name == "pavement":
+        return False  # "the street side"
     words = f"{config.category} {config.asset_name} {name}".lower().replace("_", " ")
     return bool(set(words.replace("-", " ").split()) & set(ROAD_WORDS))
 

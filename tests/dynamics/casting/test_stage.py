@@ -13,6 +13,8 @@ from esg.assets import resolve
 from esg.draft import draft, said
 from esg.dynamics import cast, start_hints
 from esg.dynamics.casting import fitted
+from esg.dynamics.casting.changes import with_assets
+from esg.dynamics.casting.roads import fit_roads
 from esg.dynamics.choreography.record import choreography_of
 from esg.dynamics.choreography.telling import choreograph
 from esg.graph import EsgDocument, canonical_json, effective, verify
@@ -66,6 +68,8 @@ def test_it_survives_json_and_gives_the_fitted_document(prompt: str) -> None:
     again = EsgDocument.model_validate_json(canonical_json(doc))
     assert again == doc and verify(again) == ()
     played, wanted = effective(again), fitted(resolved(prompt))
+    if doc.choreography is not None:  # streets follow what was told
+        wanted = with_assets(wanted, fit_roads(wanted, doc.choreography))
     for field in EsgDocument.model_fields.keys() - GIVEN:
         assert getattr(played, field) == getattr(wanted, field), field
 

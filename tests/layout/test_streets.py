@@ -1,0 +1,145 @@
+"""Streets lie under their traffic, and what belongs to the roadside stands beyond the kerb."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from esg.assets import resolve
+from esg.draft import draft
+from esg.dynamics import cast
+from esg.graph import effective
+from esg.graph.models import EsgDocument
+from esg.layout import solve, stored_hints
+
+SIGHT_CM = 1000.0
+
+
+def laid(prompt: str, *, traffic: str | None = None) -> EsgDocument:
+    doc = resolve(draft(prompt))
+    scene = doc.scene_definition.model_copy(update={"traffic": traffic})
+    doc = cast(doc.model_copy(update={"scene_definition": scene}))
+    hints = stored_hints(doc.choreography) if doc.choreography is not None else None
+    return effective(solve(doc, hints=hints))
+
+
+def on_street(doc: EsgDocument, road: str, name: str) -> tuple[float, float, float, float]:
+    """Along and across a street [cm], heading off it [deg], half the extent across it [cm]."""
+    assert doc.layout_result is not None
+    r, p = doc.layout_result.poses[road], doc.layout_result.poses[name]
+    yaw = math.radians(r.yaw_deg)
+    dx, dy = (p.position_cm[k] - r.position_cm[k] for k in (0, 1))
+    off = math.remainder(math.radians(p.yaw_deg) - yaw, 2 * math.pi)
+    length, width, _ = doc.asset_configurations[
+        doc.spatial_relation_graph.nodes[name].asset_id
+    ].dimensions_cm
+    reach = 0.5 * (length * abs(math.sin(off)) + width * abs(math.cos(off)))
+    along = math.cos(yaw) * dx + math.sin(yaw) * dy
+    return along, math.cos(yaw) * dy - math.sin(yaw) * dx, math.degrees(off), reach
+
+
+def half_width(doc: EsgDocument, road: str) -> float:
+    key = doc.spatial_relation_graph.nodes[road].asset_id
+    return 0.5 * doc.asset_configurations[key].dimensions_cm[1]
+
+
+def in_its_lane(doc: EsgDocument, road: str, name: str, keeps: float = -1.0) -> bool:
+    _, across, off, _ = on_street(doc, road, name)
+    way = 1.0 if abs(off) < 90.0 else -1.0
+    # its middle is, and its body does not cross the axis by more than a turned corner
+    return 60.0 < keeps * way * across < half_width(doc, road) - 60.0
+
+
+@pytest.mark.parametrize(
+    ("prompt", "road", "driver", "thing"),
+    [
+        ("A truck drives down the street and hits a table at the side of the road.",
+         "street_1", "truck_1", "table_1"),
+        ("A car hits a mailbox on the sidewalk.", "road_1", "car_1", "mailbox_1"),
+        ("A van crashes into a lamp post.", "road_1", "van_1", "lamp_post_1"),
+        ("A car hits a trash can on the street side, and the trash can knocks over a table.",
+         "road_1", "car_1", "trash_can_1"),
+    ],
+)  # fmt: skip
+def test_what_is_hit_at_the_roadside_stands_beyond_the_kerb(
+    prompt: str, road: str, driver: str, thing: str
+) -> None:
+    """The driver starts in its lane, and the thing is off the carriageway."""
+    doc = laid(prompt)
+    _, across, _, reach = on_street(doc, road, thing)
+    assert in_its_lane(doc, road, driver)
+    assert abs(across) - reach > half_width(doc, road)
+    assert (
+        abs(on_street(doc, road, driver)[2]) < 30.0 or abs(on_street(doc, road, driver)[2]) > 150.0
+    )
+
+
+def test_what_is_on_the_road_is_hit_in_the_carriageway() -> None:
+    doc = laid("A car hits a bench on the road.")
+    _, across, _, _ = on_street(doc, "road_1", "bench_1")
+    assert abs(across) < half_width(doc, "road_1")
+    assert abs(on_street(doc, "road_1", "car_1")[2]) < 5.0
+
+
+@pytest.mark.parametrize(("traffic", "keeps"), [(None, -1.0), ("right", -1.0), ("left", 1.0)])
+def test_traffic_keeps_its_side(traffic: str | None, keeps: float) -> None:
+    doc = laid("A car drives along the road.", traffic=traffic)
+    assert in_its_lane(doc, "road_1", "car_1", keeps)
+    assert abs(on_street(doc, "road_1", "car_1")[2]) < 1.0
+
+
+def test_oncoming_cars_start_in_a_lane_each() -> None:
+    doc = laid("Two cars drive towards each other on a road and collide.")
+    assert in_its_lane(doc, "road_1", "car_1")
+    assert in_its_lane(doc, "road_1", "car_2")
+
+
+def test_parked_vehicles_stand_along_the_kerb() -> None:
+    doc = laid("A red car drives down the road past a parked van.")
+    _, across, off, reach = on_street(doc, "road_1", "van_1")
+    assert across < 0.0  # right-hand traffic parks at the right
+    assert 0.0 < abs(across) - reach - half_width(doc, "road_1") < 100.0
+    assert abs(math.remainder(off, 180.0)) < 1.0
+
+
+def test_what_is_passed_at_the_kerb_is_beside_the_lane() -> None:
+    doc = laid("A car drives past a bus stop.")
+    _, across, _, reach = on_street(doc, "road_1", "bus_stop_1")
+    assert across < 0.0
+    assert abs(across) - reach > half_width(doc, "road_1")
+    assert in_its_lane(doc, "road_1", "car_1")
+
+
+def test_furniture_that_nothing_happens_to_lines_the_street() -> None:
+    doc = laid("A car brakes on a road beside a lamp post and a mailbox.")
+    for thing in ("lamp_post_1", "mailbox_1"):
+        _, across, _, reach = on_street(doc, "road_1", thing)
+        assert 0.0 < abs(across) - reach - half_width(doc, "road_1") < 150.0
+
+
+def test_a_street_without_motion_is_lined_too() -> None:
+    doc = laid("A parked car and a fire hydrant stand by the road.")
+    for thing in ("parked_car_1" if "parked_car_1" in doc.spatial_relation_graph.nodes
+                  else "car_1", "fire_hydrant_1"):  # fmt: skip
+        _, across, _, reach = on_street(doc, "road_1", thing)
+        assert 0.0 < abs(across) - reach - half_width(doc, "road_1") < 150.0
+
+
+def test_a_street_is_longer_than_the_way() -> None:
+    doc = laid("A truck drives down the road at 20 m/s and brakes after 4 seconds.")
+    along, *_ = on_street(doc, "road_1", "truck_1")
+    key = doc.spatial_relation_graph.nodes["road_1"].asset_id
+    length = doc.asset_configurations[key].dimensions_cm[0]
+    assert length >= 8000.0 + 2 * SIGHT_CM
+    assert abs(along) < 0.5 * length - SIGHT_CM
+
+
+def test_a_pavement_lies_beside_the_street() -> None:
+    doc = laid("A truck hits a bench on the pavement.")
+    _, across, off, _ = on_street(doc, "road_1", "pavement_1")
+    beyond = abs(across) - half_width(doc, "pavement_1")
+    assert beyond == pytest.approx(half_width(doc, "road_1"), abs=1.0)
+    assert abs(math.remainder(off, 180.0)) < 1.0
+    _, bench, _, _ = on_street(doc, "pavement_1", "bench_1")
+    assert abs(bench) < half_width(doc, "pavement_1")
