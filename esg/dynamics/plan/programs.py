@@ -43,6 +43,9 @@ LEAST_S = 0.05
 """Least time of a segment."""
 RUN_OUT_MPS2 = 5.0
 """How fast a jumper comes to rest after it has landed."""
+HELD_ON_S = 8.0
+"""What nothing ends is held on for so long after a search has seen enough: the recording plays on
+until the others rest (`search.ending`)."""
 STANDING_SLACK, MOVING_SLACK = 1.05, 1.3
 """A spin is kept up so much longer than its turns take: of what moves, friction takes a part."""
 
@@ -252,7 +255,7 @@ class Composer:
         else:
             way = way.lasting(leg.v[f"{edge.id}/duration"])
             end = leg.start + way.times[-1]
-        held_until = leg.duration + 1.0 if leg.last and not release else end
+        held_until = leg.duration + HELD_ON_S if leg.last and not release else end
         course.out.append(way.path(course.actor, begin, leg.start - begin, held_until))
         course.clock, course.held = end, not release
 
@@ -534,7 +537,7 @@ class Composer:
             return max(start + LEAST_S, v[name])
         if phase.end.event is NodeEvent.POSITION_AT and phase.end.timestamp is not None:
             return max(start + LEAST_S, phase.end.timestamp)
-        return duration + 1.0
+        return duration + HELD_ON_S
 
     def _lets_go(
         self, actor: str, body: Body, phase: Phase, flat: NDArray[np.float64]
