@@ -109,11 +109,7 @@ def state(
 
 
 def _own_up(
-    book: _Book,
-    frames: list[Frame],
-    words: list[Word],
-    elements: list[Element],
-    tokens: list[Token],
+    book: _Book, frames: list[Frame], words: list[Word], elements: list[Element], tokens: list[Token]
 ) -> None:
     """Writes down what nothing in the document stands for, unless a statement is about the words."""
     d, said = book.d, [*book.items]

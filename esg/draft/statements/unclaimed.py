@@ -27,9 +27,7 @@ Gap = tuple[int, int, tuple[str, ...], str]
 
 _PASSED_OVER = lex.word_set("passed over (unclaimed)")
 """Words that tell nothing of their own: of order, of degree, particles of verbs."""
-_WAYS = frozenset(
-    {"on", "in", "at", "along", "across", "over", "through", "down", "up", "onto", "to"}
-)
+_WAYS = frozenset({"on", "in", "at", "along", "across", "over", "through", "down", "up", "onto", "to"})
 """Prepositions that the ground and what is painted on it answer by being there."""
 _OPEN = frozenset({"for", "like", "as", "because of", "due to", "despite"})
 """Prepositions of reasons and likeness, and "of", which belongs to its noun."""
@@ -53,9 +51,7 @@ def carriers() -> dict[str, Carriers]:
     out: dict[str, Carriers] = {}
     with open(lex.DATA / "carriers.csv", encoding="utf-8", newline="") as file:
         for r in csv.DictReader(file, delimiter=";"):
-            sets = (
-                frozenset(filter(None, r[k].split("|"))) for k in ("relations", "states", "events")
-            )
+            sets = (frozenset(filter(None, r[k].split("|"))) for k in ("relations", "states", "events"))
             row = Carriers(*sets, r["holds"], r["aims"], r["example"])
             out.update(dict.fromkeys(r["preps"].split("|"), row))
     return out
@@ -143,30 +139,21 @@ def _event_to(d: Discourse, f: Frame | None, side: str) -> bool:
     return False
 
 
-_TURNS = frozenset(
-    {"left", "right", "clockwise", "counterclockwise", "anticlockwise", "around", "round"}
-)
+_TURNS = frozenset({"left", "right", "clockwise", "counterclockwise", "anticlockwise", "around", "round"})
 _AIR = frozenset({"air", "sky", "midair", "mid-air"})
 
 
-def _carried(
-    d: Discourse, about: set[str], p: Phrase, others: list[str], said: list[Statement]
-) -> bool:
+def _carried(d: Discourse, about: set[str], p: Phrase, others: list[str], said: list[Statement]) -> bool:
     """Whether something in the document is about what a phrase names and those it is said of."""
     by, some = carriers().get(p.prep) or _ANY, {*others}
-    if structural(d, others[0]) and (
-        p.prep in _WAYS or (p.prep == "around" and others[0] == GROUND)
-    ):
+    if structural(d, others[0]) and (p.prep in _WAYS or (p.prep == "around" and others[0] == GROUND)):
         return True
     return (
         (by.holds == "yes" and _holds(d, about, some))
         or _related(d, about, some, by, p.mention.part if p.mention else "")
         or any(_tells(s, about, some, p.prep, by) for s in said)
         or _happens(d, about, some, by)
-        or (
-            by.aims == "yes"
-            and any(e.actor in about and e.target in some for e in d.timeline.edges)
-        )
+        or (by.aims == "yes" and any(e.actor in about and e.target in some for e in d.timeline.edges))
     )
 
 
@@ -187,13 +174,7 @@ def _related(d: Discourse, about: set[str], some: set[str], by: Carriers, part: 
     return False
 
 
-_SIDES = {
-    "front": "in_front_of",
-    "back": "behind",
-    "rear": "behind",
-    "left": "left_of",
-    "right": "right_of",
-}
+_SIDES = {"front": "in_front_of", "back": "behind", "rear": "behind", "left": "left_of", "right": "right_of"}
 
 
 def _tells(s: Statement, about: set[str], some: set[str], prep: str, by: Carriers) -> bool:
@@ -220,13 +201,7 @@ def arguments(d: Discourse, frames: Iterable[Frame], said: list[Statement]) -> I
     taking = {i for n in d.timeline.nodes for i in n.participants}
     taking |= {i for e in d.timeline.edges for i in (e.actor, e.target) if i}
     taking |= {i for r in d.scene.relations for i in (r.source, r.target, r.text)}
-    for at in (
-        d.scene.supported_by,
-        d.scene.inside_of,
-        d.scene.attached,
-        d.scene.marked,
-        d.scene.facing,
-    ):
+    for at in (d.scene.supported_by, d.scene.inside_of, d.scene.attached, d.scene.marked, d.scene.facing):
         taking |= {*at, *at.values()}
     taking |= {i for s in said for i in (*s.object, *s.target)} | {*d.moves.still}
     for f in frames:
@@ -235,17 +210,10 @@ def arguments(d: Discourse, frames: Iterable[Frame], said: list[Statement]) -> I
         for m in (f.subject, f.object):
             ids = _nodes(d, m)
             if m is not None and ids and not {*ids} & taking and not structural(d, ids[0]):
-                yield (
-                    f.verb.start,
-                    f.verb.end,
-                    tuple(ids),
-                    "nothing of the kind happens in the scene",
-                )
+                yield f.verb.start, f.verb.end, tuple(ids), "nothing of the kind happens in the scene"
 
 
-_STATES = frozenset(
-    {"be", "posture", "have", "weigh", "contain", "measure", "unknown", "lead", "noop"}
-)
+_STATES = frozenset({"be", "posture", "have", "weigh", "contain", "measure", "unknown", "lead", "noop"})
 
 
 def adverbs(d: Discourse, words: Iterable[Word], said: list[Statement]) -> Iterator[Gap]:
@@ -260,9 +228,7 @@ def adverbs(d: Discourse, words: Iterable[Word], said: list[Statement]) -> Itera
             yield w.start, w.end, (), "nothing in the scene stands for it"
 
 
-def dropped_words(
-    d: Discourse, elements: Iterable[Element], tokens: Iterable[Token]
-) -> Iterator[Gap]:
+def dropped_words(d: Discourse, elements: Iterable[Element], tokens: Iterable[Token]) -> Iterator[Gap]:
     """Words that were taken off before anything was read, and had something to say ("in a blue shirt")."""
     read = [(e.start, e.end) for e in elements]
     for t in tokens:
@@ -272,14 +238,7 @@ def dropped_words(
             yield t.start, t.end, (), "nothing in the scene stands for it"
 
 
-_SMALL = (
-    lex.DETERMINERS
-    | lex.PREPOSITIONS
-    | lex.PRONOUNS
-    | lex.MODALS
-    | lex.word_set("be")
-    | frozenset({"and", "or", "but", "to", "not", "that", "who", "which"})
-)
+_SMALL = lex.DETERMINERS | lex.PREPOSITIONS | lex.PRONOUNS | lex.MODALS | lex.word_set("be") | frozenset({"and", "or", "but", "to", "not", "that", "who", "which"})
 
 
 def idle_members(d: Discourse, frames: Iterable[Frame]) -> Iterator[Gap]:
@@ -287,13 +246,7 @@ def idle_members(d: Discourse, frames: Iterable[Frame]) -> Iterator[Gap]:
     for c in d.scene.clauses:
         f = c.frame
         m = f.subject
-        if (
-            m is None
-            or f.verb.passive
-            or not c.movers
-            or f.verb.sense not in _EACH
-            or f.verb.auxiliary == "have"
-        ):
+        if m is None or f.verb.passive or not c.movers or f.verb.sense not in _EACH or f.verb.auxiliary == "have":
             continue
         group = [i for i in m.entities if i in d.world.entities]
         moving = {e.actor for e in d.timeline.edges}
