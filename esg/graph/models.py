@@ -109,7 +109,7 @@ class EdgeEvent(str, enum.Enum):
 
     UniformMotion, AcceleratedMotion and Turn are motion under own power (HoldVelocity); Toward is a
     launch: a throw, kick, strike or roll that sets the velocity once and then leaves the body to
-    physics; Brake raises damping; InertialConnector links a passive body's two collisions. Guide
+    physics; Brake slows down evenly; InertialConnector links a passive body's two collisions. Guide
     moves a body that something outside of the scene holds (GuideAlong), Spin keeps it turning about
     its vertical where it is (HoldSpin).
     """
@@ -407,9 +407,9 @@ class MotionParams(Model):
     speed: Quantity | None = None
     """[cm/s]"""
     acceleration: Quantity | None = None
-    """[cm/s^2], positive speeds up"""
+    """[cm/s^2], positive speeds up; Brake: how fast it slows down, where the prompt says so"""
     damping: Quantity | None = None
-    """Brake: linear damping [1/s]"""
+    """Brake: a number is a linear damping [1/s], a pair leaves open how hard it brakes"""
     heading_deg: Quantity | None = None
     elevation_deg: Quantity | None = None
     """Toward with ANY_3D: launch angle above the horizon"""

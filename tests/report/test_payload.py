@@ -193,6 +193,24 @@ def test_a_scene_recorded_before_statements_has_none(tmp_path: Path) -> None:
     assert (scene.statements, scene.not_kept, scene.problems) == ([], [], ())
 
 
+@pytest.mark.parametrize("plausible", [True, False])
+def test_plausibility_is_told_on_the_card_and_check_by_check_on_the_page(
+    tmp_path: Path, plausible: bool
+) -> None:
+    made = folders.write_scene(tmp_path / "a", completed=plausible)
+    scene = read_scene(made)
+    entry = index_entry(scene, 1, "a")
+    assert entry["plausible"] is plausible
+    assert ("speed 99 m/s" in entry["implausible"]) is not plausible
+    (check,) = decode(scene_chunk(scene, [], MeshLibrary()))["metrics"]["plausibility"]["checks"]
+    assert (check["name"], check["ok"], check["limit"]) == ("speed", plausible, 47.3)
+    path = made / "metrics.json"
+    older = json.loads(path.read_text())
+    del older["plausibility"]
+    path.write_text(json.dumps(older))
+    assert read_scene(made).plausible is None and not read_scene(made).problems
+
+
 def test_a_suite_s_statements_stand_apart_from_the_prompt_s(tmp_path: Path) -> None:
     made = folders.write_scene(tmp_path / "a", SAID, said=said())
     path = made / "metrics.json"
