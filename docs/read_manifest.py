@@ -1,7 +1,6 @@
 """Executes the program of a manifest.json, with nothing of this project, on any engine's bodies.
 
-A body has translation, linvel, angvel, mass, linear_damping and angular_damping, as Rapier's have;
-play_manifest.py beside this file plays whole scenes with it.
+A body has what Rapier's have; play_manifest.py beside this file plays whole scenes with it.
 """
 
 import math
@@ -16,6 +15,7 @@ class Program:
 
     def before_step(self, t, dt, body_of, touching, set_friction):
         """Acts before the step from t to t + dt; touching: pairs of names in the step before."""
+        self.traction.look(dt, body_of)
         for p in [p for p in self.waiting if p.get("start", p.get("time")) <= t + dt / 2]:
             body = body_of(p["body"])
             if p["kind"] in LASTING:

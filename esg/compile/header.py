@@ -130,6 +130,14 @@ BRAKE_FIELDS = (
 ROUND_FIELD = Field("bool", "bRolls", "false", "Round: braking slows its roll as well.")
 """Of bodies, in classes with brakes."""
 
+TYRE_FIELDS = (
+    Field("double", "TyreFriction", "0.0", "Against sliding sideways.", "", "0", "4"),
+    Field("double", "TyreDrop", "0.0", "Of the tyres' push below the centre of mass.", "cm", "0"),
+    Field("double", "Axle", "0.0", "From the centre of mass to each axle.", "cm", "0"),
+    Field("double", "Lean", "0.0", "Lean [rad/s] by a push to the side [cm/s].", "", "0"),
+)
+"""Of bodies, in classes with tyres."""
+
 PRIMITIVE_TEXT = {
     "SetVelocity": "Sets a velocity once.",
     "ApplyImpulse": "Applies an impulse once.",
@@ -176,6 +184,7 @@ def emit_header(plan: ScenePlan) -> str:
     """The .h file."""
     name = plan.name
     body = (*BODY_FIELDS, ROUND_FIELD) if plan.brakes else BODY_FIELDS
+    body = (*body, *TYRE_FIELDS) if plan.tyres else body
     parts = [_preamble(plan), _struct(f"F{name}Body", "Physical values of one body.", body)]
     if plan.wheels:
         parts.append(_struct(f"F{name}Wheel", "A wheel: a picture that turns.", WHEEL_FIELDS))
@@ -313,12 +322,13 @@ _WATCHING = """\
 
 
 DRIVES = "\t\tbool bDrives = false;\n"
-BRAKED = """\
+GROUNDED = """\
 		double Braking = 0.0;
 		/** Vertical velocity at the beginning of the last step; so low before the first one. */
 		double Rise = -1.0e9;
+		bool bFalls = false;
 """
-"""Of commands and bodies, in classes with brakes."""
+"""Of commands and bodies, in classes with brakes or tyres."""
 
 
 def _class(plan: ScenePlan) -> str:
@@ -330,7 +340,8 @@ def _class(plan: ScenePlan) -> str:
         f'\tUPROPERTY(EditAnywhere, Category = "ESG|Program")\n\tF{name}{p.kind} {p.member};\n'
         for p in plan.primitives
     )
-    records = _RECORDS_AND_PARTS.replace("@DRIVES@", DRIVES if plan.brakes else "")
+    grounded = plan.brakes or plan.tyres
+    records = _RECORDS_AND_PARTS.replace("@DRIVES@", DRIVES if grounded else "")
     return f"""UCLASS()
 class ESGSCENES_API A{name} : public AActor
 {{
@@ -355,7 +366,7 @@ private:
 		UStaticMeshComponent* Component = nullptr;
 		const F{name}Body* Settings = nullptr;
 		int32 Shape = 0;
-{BRAKED if plan.brakes else ""}	}};
+{GROUNDED if grounded else ""}	}};
 
 {records}	UStaticMeshComponent* CreateMesh(const TCHAR* Name, const TCHAR* AssetPath);
 	void ConfigureGround(UStaticMeshComponent* Plane, bool bForWheels);
@@ -373,9 +384,14 @@ def _turning(plan: ScenePlan) -> str:
     return _WHEELS.replace("@CLASS@", plan.name) if plan.wheels else ""
 
 
-_BRAKE = """\
-	void ApplyBrakes(double Due);
+_GROUND = """\
+	void FindFalling(double Due);
+	void ApplyTraction(double Due);
+	double ApplyBrakes(const FBodyRef& Body, double Loss);
 	bool IsDriven(const UPrimitiveComponent* Body) const;
+"""
+_TYRES = """\
+	void ApplyTyres(const FBodyRef& Body, double Weight, double Taken);
 """
 
 
@@ -390,7 +406,8 @@ def _runners(plan: ScenePlan) -> str:
             if kind in plan.kinds
         )
         + (path if "GuideAlong" in plan.kinds else "")
-        + (_BRAKE if plan.brakes else "")
+        + (_GROUND if plan.brakes or plan.tyres else "")
+        + (_TYRES if plan.tyres else "")
     )
 
 

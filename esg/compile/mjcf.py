@@ -31,6 +31,10 @@ NOTES = (
     "damping_<body>. Apply v *= max(0, 1 - c dt) each step to match.",
     "Program: the key frame holds the velocities at time 0; later commands are in manifest.json.",
 )
+TYRES_NOTE = (
+    "Tyres: no part of MJCF; without them a wheeled body slides sideways as easily as it rolls. "
+    "The conventions of manifest.json say what they do."
+)
 _NORMAL, _WHEELS = 1, 2
 GROUND_SIZE_M = 100.0
 """Half side of the drawn ground; collision is with the whole plane."""
@@ -41,7 +45,8 @@ def scene_mjcf(manifest: Manifest) -> str:
     scene = manifest.scene
     idents = names.unique_identifiers(scene.names)
     root = ET.Element("mujoco", model=names.comment(scene.scene_id) or "scene")
-    root.append(ET.Comment(" " + " ".join(NOTES) + " "))
+    tyres = (TYRES_NOTE,) if any(b.tyre_friction > 0.0 for b in scene.bodies) else ()
+    root.append(ET.Comment(" " + " ".join((*NOTES, *tyres)) + " "))
     ET.SubElement(root, "compiler", angle="radian", autolimits="true")
     ET.SubElement(
         root, "option", timestep=_n(manifest.dt), gravity=_v(scene.gravity), cone="elliptic"

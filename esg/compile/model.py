@@ -200,6 +200,11 @@ class ScenePlan:
         return any(field == "bSetBraking" for p in self.primitives for field, _ in p.values)
 
     @property
+    def tyres(self) -> bool:
+        """Whether bodies stand on tyres; classes without them say nothing of it."""
+        return any(b.simulated and b.source.tyre_friction > 0.0 for b in self.bodies)
+
+    @property
     def guides(self) -> bool:
         """Whether something else than motion under its own power lasts."""
         return bool({"GuideAlong", "HoldSpin"} & self.kinds)

@@ -10,7 +10,8 @@ from esg.compile.assets import MeshAsset, Probe, probes
 from esg.compile.header import PRIMITIVE_FIELDS
 from esg.compile.model import ScenePlan, UnrealBody, UnrealWheel
 from esg.engines.program import GUIDE_RATE
-from esg.engines.traction import FALLING
+from esg.engines.scene import Body, SimScene
+from esg.engines.traction import FALLING, ON_WHEELS, Feature, features
 from esg.engines.wheels import FALLS, RUNS_DOWN_S, UPRIGHT
 
 INCLUDES = (
@@ -60,7 +61,32 @@ FALLING_SHARE = f"""\
 	constexpr double FallingShare = {frames.literal(FALLING)};
 
 """
-"""Constant of classes with brakes."""
+"""Constant of classes with brakes or tyres."""
+
+UPRIGHT_COSINE = f"""\
+\t/** Of the tilt up to which a body stands on its wheels. */
+\tconstexpr double UprightCosine = {frames.literal(ON_WHEELS)};
+
+"""
+"""Constant of classes with tyres."""
+
+ROLL = """\
+\tif (Body.Settings->bRolls)
+\t{
+\t\tFVector Spin = Body.Component->GetPhysicsAngularVelocityInDegrees();
+\t\tSpin.X *= Kept;
+\t\tSpin.Y *= Kept;
+\t\tBody.Component->SetPhysicsAngularVelocityInDegrees(Spin);
+\t}
+"""
+"""What brakes do to a round body, in classes with brakes."""
+
+BRAKES = "\t\tApplyBrakes(Body, Body.Braking * Step);\n"
+TYRES = """\
+\t\tconst double Taken = ApplyBrakes(Body, Body.Braking * Step);
+\t\tApplyTyres(Body, -WorldGravityZ * Step, Taken);
+"""
+"""What acts on a body, in classes without and with tyres."""
 
 GUIDING = f"""\
 \t/** How fast a guided body that is off its path returns to it [1/s]. */
@@ -102,7 +128,7 @@ def emit_source(plan: ScenePlan) -> str:
         _collect(plan, shapes),
         _dispatch(plan),
         *(_run(plan, kind) for kind in PRIMITIVE_FIELDS if kind in plan.kinds),
-        *([_template("ApplyBrakes")] if plan.brakes else []),
+        *_traction(plan),
         _fixed(plan),
         *([_template("Wheels"), _collect_wheels(plan)] if plan.wheels else []),
     ]
@@ -145,11 +171,21 @@ def _run(plan: ScenePlan, kind: str) -> str:
     )
 
 
+def _traction(plan: ScenePlan) -> list[str]:
+    """What plays brakes and tyres, in classes with them."""
+    if not (plan.brakes or plan.tyres):
+        return []
+    text = _template("ApplyTraction").replace("@ROLL@\n", ROLL if plan.brakes else "")
+    tyres = [_template("ApplyTyres")] if plan.tyres else []
+    return [text.replace("@ACTS@\n", TYRES if plan.tyres else BRAKES), *tyres]
+
+
 def _preamble(plan: ScenePlan) -> str:
     includes = "\n".join(f'#include "{path}"' for path in INCLUDES)
     tables = "\n".join(_probe_table(a) for a in plan.assets)
     constants = GUIDING if "GuideAlong" in plan.kinds else ""
-    constants += FALLING_SHARE if plan.brakes else ""
+    constants += FALLING_SHARE if plan.brakes or plan.tyres else ""
+    constants += UPRIGHT_COSINE if plan.tyres else ""
     constants += WHEELS if plan.wheels else ""
     return f"""#include "@CLASS@.h"
 
@@ -262,6 +298,7 @@ def _body_defaults(plan: ScenePlan, body: UnrealBody) -> list[str]:
             ("LinearDamping", f(src.linear_damping)),
             ("AngularDamping", f(src.angular_damping)),
             *rolls,
+            *_tyres(plan, src),
         ]
     path, name = names.string_literal(body.asset.path), names.string_literal(body.name)
     return [
@@ -278,6 +315,19 @@ def _wheel_defaults(body: UnrealBody, wheel: UnrealWheel) -> list[str]:
         f"\t{wheel.settings}.Axle = {frames.vector_literal(wheel.axle)};",
         f"\t{wheel.settings}.Radius = {frames.literal(wheel.radius)};",
     ]
+
+
+def _tyres(plan: ScenePlan, body: Body) -> list[tuple[str, str]]:
+    if not plan.tyres or body.tyre_friction == 0.0:
+        return []
+    row = features(SimScene("", (body,)))[0].tolist()
+    values = (
+        ("TyreFriction", row[Feature.GRIP]),
+        ("TyreDrop", row[Feature.DROP] * frames.CM_PER_M),
+        ("Axle", row[Feature.AXLE] * frames.CM_PER_M),
+        ("Lean", row[Feature.LEAN] / frames.CM_PER_M),
+    )
+    return [(name, frames.literal(value)) for name, value in values]
 
 
 def _construction(plan: ScenePlan) -> str:
@@ -303,7 +353,7 @@ def _collect(plan: ScenePlan, shapes: dict[str, int]) -> str:
     lines: list[str] = []
     for i, p in enumerate(plan.primitives):
         lines.append(f"\tCommands[{i}].Body = {p.body};")
-        if plan.brakes and p.kind in ("HoldVelocity", "GuideAlong"):
+        if (plan.brakes or plan.tyres) and p.kind in ("HoldVelocity", "GuideAlong"):
             lines.append(f"\tCommands[{i}].bDrives = true;")
         if p.until:
             lines.append(f"\tCommands[{i}].EndsAtTouchOf = {{ {', '.join(p.until)} }};")
@@ -337,8 +387,8 @@ def _dispatch(plan: ScenePlan) -> str:
         f"\tRun{p.kind}({p.body}, {p.member}, Commands[{i}], Due);"
         for i, p in enumerate(plan.primitives)
     )
-    if plan.brakes:
-        calls += "\n\tApplyBrakes(Due);"
+    if plan.brakes or plan.tyres:
+        calls = f"\tFindFalling(Due);\n{calls}\n\tApplyTraction(Due);".replace("\n\n", "\n")
     due = (
         "" if calls else "\t// The program is empty: nothing is driven.\n\tstatic_cast<void>(Due);"
     )

@@ -71,7 +71,8 @@ class Executor:
         batch: W programs.
         world: Which of them.
         gravity_z: Of the scene, which powered flight works against [m/s^2].
-        rows: `esg.engines.traction.features` of the bodies; None if all move and none is round.
+        rows: `esg.engines.traction.features` of the bodies; None if all move and none is
+            round or has tyres.
     """
 
     def __init__(
@@ -103,6 +104,7 @@ class Executor:
             touched: Body pairs (a < b) with a normal impulse > 0 in the step before this one.
             world: The bodies.
         """
+        self._traction.look(dt, world)
         driven = self._act(t, dt, set(touched), world) if self._pending else {}
         self._traction.act(dt, driven, world)
 
@@ -154,11 +156,11 @@ def play_all(start: Start, world: Callable[[int], World], ground_contacts: bool)
         ground_contacts: Whether the log includes contacts with the ground.
     """
     logs: list[ContactLog] = []
-    rows = features(start.scene)
     for w in range(start.batch.n_worlds):
         if not start.valid[w]:
             continue
         recorder = ContactRecorder(w, start.frames)
+        rows = features(start.scene, float(start.values.friction_scale[w]))
         program = Executor(start.batch, w, start.scene.gravity[2], rows)
         start.valid[w] = play(
             world(w), program, start.frames, start.states, recorder, ground_contacts

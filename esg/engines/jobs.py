@@ -18,7 +18,7 @@ from esg.engines.program import Action, Column, ProgramBatch
 from esg.engines.rest import starts_at_rest
 from esg.engines.scene import ContactLog, Rollout, SimScene, Variation
 from esg.engines.shapes import SceneShapes
-from esg.engines.traction import features
+from esg.engines.traction import features, has_tyres
 from esg.engines.worlds import MAX_SPEED_MPS, Frames, Start, join_logs, moving
 
 Singles = NDArray[np.float32]
@@ -102,9 +102,10 @@ class Job:
         return len(self.mass)
 
     @property
-    def brakes(self) -> bool:
-        """Whether the program does."""
-        return bool(np.isfinite(self.table[:, self.kind == Action.ADJUST, Column.BRAKING]).any())
+    def grounded(self) -> bool:
+        """Whether there are brakes or tyres."""
+        braking = self.table[:, self.kind == Action.ADJUST, Column.BRAKING]
+        return bool(np.isfinite(braking).any()) or has_tyres(self.features)
 
     def of_worlds(self, worlds: NDArray[np.int64]) -> Job:
         """The same for some of the worlds, in their order; a world may be named twice."""

@@ -25,6 +25,7 @@ from esg.engines.manifest_model import (
     MANIFEST_FORMAT,
     MANIFEST_VERSION,
     SPIN_CONVENTION,
+    TYRES_CONVENTION,
     WHEELS_CONVENTION,
     BodyModel,
     HoldVelocityModel,
@@ -119,6 +120,8 @@ def manifest_to_json(
 def _special_conventions(scene: SimScene, program: Program) -> dict[str, str]:
     """What has to be said beyond the usual; other manifests read as they always did."""
     out: dict[str, str] = {}
+    if any(b.tyre_friction > 0.0 for b in scene.bodies):
+        out["tyres"] = TYRES_CONVENTION
     if any(b.wheels for b in scene.bodies):
         out["wheels"] = WHEELS_CONVENTION
     for p in program.primitives:

@@ -75,11 +75,26 @@ BRAKING_CONVENTION = (
     "an AdjustProperties with a braking [m/s^2] sets the body's brakes (0 lets go): from then on, "
     "before every step and after all primitives, its horizontal velocity loses min(|v_h|, braking "
     "dt), and the horizontal part of the angular velocity of a body with roll_radius > 0 the same "
-    "share; not in a step in which a HoldVelocity or GuideAlong sets its velocity, nor if its "
-    "vertical velocity has fallen by more than |gravity_z| dt / 2 since the last step began (after "
-    "the program had acted; not known before the first step): nothing carries it then"
+    "share; not in a step in which a HoldVelocity or GuideAlong sets its velocity, nor while "
+    "nothing carries it: in the last step, from after the program and the brakes to before the "
+    "program acts again, it lost more than |gravity_z| dt / 2 of its vertical velocity (in the "
+    "first step everything is carried)"
 )
-"""Stands under `braking` of the conventions of a manifest whose program brakes."""
+TYRES_CONVENTION = (
+    "the tyres of a wheeled body with tyre_friction mu > 0 act before every step, after the "
+    "program and the brakes, while the body's Z axis is within 45 degrees of the vertical; with "
+    "k = sqrt(Izz / m), h = tyre_drop, q = m h / Ixx (body axes), f the horizontal part of its X "
+    "axis as a unit vector, s = z x f, v and w its linear and angular velocity: limit = sqrt((mu "
+    "|gravity_z| dt)^2 - l^2), l what the brakes have taken of |v_h| in this step (no tyres if "
+    "that is more); slip = (v.s + h w.f) / (1 + h q); front and rear = slip + k w_z and slip - k "
+    "w_z, each clipped to [-limit, limit]; a = (front + rear) / 2, b = (front - rear) / 2; v "
+    "loses a s, w loses q a f + b / k z. They act neither in a step in which a HoldVelocity or "
+    "GuideAlong sets its velocity nor while nothing carries it: in the last step, from after all "
+    "this to before the program acts again, it lost more than |gravity_z| dt / 2 of its vertical "
+    "velocity (in the first step everything is carried). So a body resists sliding sideways and "
+    "spinning, and rolls on unhindered"
+)
+"""Stand under `braking` and `tyres` of the conventions of manifests with brakes and tyres."""
 
 Number = Annotated[float, Field(allow_inf_nan=False)]
 Positive = Annotated[float, Field(gt=0.0, allow_inf_nan=False)]
@@ -127,6 +142,12 @@ class BodyModel(_Model):
     linear_damping: NonNegative = 0.0
     angular_damping: NonNegative = 0.0
     wheeled: bool = False
+    tyre_friction: NonNegative = Field(
+        0.0, description="Side friction of its tyres beyond that of its contacts; absent: 0"
+    )
+    tyre_drop: NonNegative = Field(
+        0.0, description="How far below the centre of mass they push [m]; absent: 0"
+    )
     roll_radius: NonNegative = 0.0
     origin_offset: Vec = (0.0, 0.0, 0.0)
     half_extents: tuple[NonNegative, NonNegative, NonNegative] = (0.5, 0.5, 0.5)
@@ -146,6 +167,15 @@ class BodyModel(_Model):
         data = handler(self)
         if not data["wheels"]:
             del data["wheels"]
+        return data
+
+    @model_serializer(mode="wrap")
+    def _without_tyres(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
+        # Scenes without tyres read as they always did.
+        data = handler(self)
+        for name in ("tyre_friction", "tyre_drop"):
+            if not data[name]:
+                del data[name]
         return data
 
 

@@ -23,10 +23,17 @@ semantics. Before the physics step that leads from t to t + dt, in list order:
   vector along `axis`, in the world's axes; the linear velocity is left to physics.
 * After them, the brakes act on every body whose `braking` an `AdjustProperties` has set: its
   horizontal velocity loses min(|v_h|, braking dt), and the horizontal part of the angular velocity
-  of a body with roll_radius > 0 the same share, so that what rolls goes on without slipping. They
-  do not act in a step in which a hold or a guide sets the body's velocity, nor on what nothing
-  carries: a body whose vertical velocity has fallen by more than g dt / 2 since the last step
-  began (after the program had acted; before the first step everything counts as carried).
+  of a body with roll_radius > 0 the same share, so that what rolls goes on without slipping.
+* Then the tyres of a wheeled body with `tyre_friction` mu act while it is upright: its up axis is
+  within 45 degrees of the vertical. With k = sqrt(Izz / m), h = `tyre_drop` and q = m h / Ixx
+  (body axes), f the horizontal part of its X axis as a unit vector, s = z x f, limit =
+  sqrt((mu g dt)^2 - l^2) where l is what the brakes have taken (none if l is larger): the slips
+  of its axles are u = (v.s + h w.f) / (1 + h q) + k w_z and (...) - k w_z, each clipped to
+  +-limit; with their half sum a and half difference b, v loses a s, w loses q a f + b / k z.
+  So a body is pushed to the side by at most mu m g, and kept from turning about the vertical.
+* Brakes and tyres do not act in a step in which a hold or a guide sets the body's velocity, nor on
+  what nothing carries: a body that lost more than g dt / 2 of its vertical velocity in the last
+  step, from after all this to before the primitives (in the first step everything is carried).
 
 Damping is applied by every engine as v *= max(0, 1 - c dt) once per step.
 """

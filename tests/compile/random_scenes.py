@@ -99,6 +99,8 @@ def _body(rng: np.random.Generator, index: int) -> Body:
         linear_damping=float(rng.choice([0.0, rng.uniform(0.0, 1.0)])),
         angular_damping=float(rng.choice([0.0, rng.uniform(0.0, 1.0)])),
         wheeled=wheeled,
+        tyre_friction=float(rng.choice([0.0, 0.8])) if wheeled else 0.0,
+        tyre_drop=float(rng.choice([0.0, 0.3])) if wheeled else 0.0,
         origin_offset=tuple(rng.uniform(-0.2, 0.2, 3).tolist()),  # type: ignore[arg-type]
         half_extents=(0.4, 0.4, 0.4),
     )

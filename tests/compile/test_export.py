@@ -34,7 +34,7 @@ from esg.engines.program import (
 from esg.engines.scene import Rollout, SimScene
 from esg.engines.traction import features
 from esg.outcomes import UserError
-from esg.units import quat_rotate
+from esg.units import quat_from_euler_deg, quat_rotate
 
 CASES = {"street": scenes.street, "marbles": scenes.marbles}
 
@@ -522,10 +522,17 @@ def test_the_documented_program_does_what_the_executor_does(
 class Bodies:
     """Bodies that only remember what a program set; access as the executor wants it."""
 
+    class Turn:
+        """Some are upright, others are not."""
+
+        def __init__(self, mass: float) -> None:
+            self.quaternion = tuple(quat_from_euler_deg(50.0 * mass, 2.0 * mass, 10.0).tolist())
+
     class Body:
         def __init__(self, mass: float) -> None:
             self.mass = mass
             self.translation = (0.1, -0.2, 1.0)
+            self.rotation = Bodies.Turn(mass)
             self.linvel = self.angvel = (0.0, 0.0, 0.0)
             self.linear_damping = self.angular_damping = self.friction = 0.0
 
@@ -537,7 +544,7 @@ class Bodies:
 
     def read(self, body: int) -> tuple[Any, Any, Any, Any]:
         b = self.bodies[body]
-        return b.translation, (0.0, 0.0, 0.0, 1.0), b.linvel, b.angvel
+        return b.translation, b.rotation.quaternion, b.linvel, b.angvel
 
     def position(self, body: int) -> tuple[float, float, float]:
         return self.bodies[body].translation

@@ -22,8 +22,9 @@ from esg.engines.program import (
     Program,
     SetVelocity,
 )
-from esg.engines.scene import SimScene
+from esg.engines.scene import Body, SimScene
 from esg.outcomes import UserError
+from esg.units import quat_rotate
 
 CASES = {
     "street": (*scenes.street(), scenes.STREET_WATCH),
@@ -372,3 +373,43 @@ def test_the_class_brakes_as_its_program(tmp_path: Path, engine: str) -> None:
     plain = tuple(p for p in program.primitives if not isinstance(p, AdjustProperties))
     emitted = emit_class(scene, Program(plain, 1.5))
     assert "Braking" not in emitted.header + emitted.source
+
+
+@pytest.mark.parametrize("engine", ["physx", "rapier"])
+def test_the_class_has_the_tyres_of_its_program(tmp_path: Path, engine: str) -> None:
+    """Shoved to the side, hit at a corner with the brakes on, on two wheels, and thrown."""
+
+    def car(name: str, y: float, z: float = 0.6, **more: float) -> Body:
+        half = (2.2, 0.9, 0.6)
+        body = box(name, (0.0, y, z), half, 1400.0, friction=0.1, wheeled=True, restitution=0.0)
+        offset = (0.1, 0.0, -0.6)
+        return replace(body, tyre_friction=0.75, origin_offset=offset, **more)
+
+    bike = box("bike_1", (0.0, 30.0, 0.5), (1.0, 0.06, 0.5), 200.0, friction=0.1, wheeled=True)
+    bodies = (
+        car("car_1", 0.0),
+        replace(car("car_2", 10.0), quaternion=(0.0, 0.0, 0.6, 0.8)),
+        car("car_3", 20.0, 40.0),
+        replace(bike, tyre_friction=0.75, tyre_drop=0.5),
+    )
+    program = Program(
+        (
+            HoldVelocity("car_1", 0.0, 0.3, 5.0, 0.0),
+            *(SetVelocity(b.name, 0.5, (1.0, 3.0, 0.0), (0.0, 0.0, 2.0)) for b in bodies),
+            AdjustProperties("car_2", 0.6, braking=4.0),
+        ),
+        2.0,
+    )
+    replayed, rollout = both(tmp_path, SimScene("tyres", bodies), program, engine=engine)
+    assert_same(replayed.rollout, rollout, tolerance_m=1e-4)
+    v, spin = replayed.rollout.linear_velocity[0, -1], replayed.rollout.angular_velocity[0, -1]
+    ahead = quat_rotate(replayed.rollout.quaternion[0, -1, 0].astype(float), (1.0, 0.0, 0.0))
+    assert abs(ahead[0] * v[0, 1] - ahead[1] * v[0, 0]) < 0.02 and abs(spin[0, 2]) < 0.02
+    assert np.linalg.norm(v[0]) > 0.2
+    assert np.linalg.norm(v[1]) < 0.02
+    np.testing.assert_allclose(v[2, :2], (1.0, 3.0), atol=1e-3)
+    x, y, _, _ = replayed.rollout.quaternion[0, -1, 3]
+    assert 1.0 - 2.0 * (x**2 + y**2) < 0.3  # It has fallen over.
+    plain = SimScene("tyres", tuple(replace(b, tyre_friction=0.0) for b in bodies))
+    emitted = emit_class(plain, Program((), 1.0))
+    assert "TyreFriction" not in emitted.header + emitted.source

@@ -140,6 +140,7 @@ struct FMath
 	template <class T> static T Min(T A, T B) { return A < B ? A : B; }
 	template <class T> static T Clamp(T V, T Low, T High) { return Max(Low, Min(V, High)); }
 	template <class T> static T Square(T V) { return V * V; }
+	static double Sqrt(double V) { return std::sqrt(V); }
 	static double Sin(double V) { return std::sin(V); }
 	static double Cos(double V) { return std::cos(V); }
 	static double DegreesToRadians(double V) { return V * (M_PI / 180.0); }

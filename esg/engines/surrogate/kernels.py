@@ -15,12 +15,11 @@ import warp as wp
 
 from esg.engines.program import Action, Column
 from esg.engines.program_kernels import (
-    carried,
+    falls,
+    grounded,
     guide,
     held_spin,
     held_velocity,
-    kept_in_braking,
-    slowed,
     vector,
 )
 from esg.engines.surrogate.contacts import find_contacts, prepare_bodies, wake
@@ -36,7 +35,6 @@ from esg.engines.surrogate.types import (
     State,
     Trace,
 )
-from esg.engines.traction import Feature
 
 wp.set_module_options({"enable_backward": False})
 
@@ -126,24 +124,33 @@ def run_program(model: Model, state: State, trace: Trace, w: int, step: int, dt:
 
 
 @wp.func
-def _brake(model: Model, state: State, trace: Trace, w: int, step: int, dt: float):
-    """What the brakes take before a step, after what the program sets."""
+def _look(model: Model, state: State, w: int, step: int, dt: float):
+    """What nothing carries is left alone by brakes and tyres, as what is driven."""
     for i in range(model.n_bodies):
-        if model.dynamic[i] == 0:
+        if step > 0 and falls(state.rise[w, i], state.v[w, i][2], model.gravity[2] * dt):
+            state.driven[w, i] = step + 1
+
+
+@wp.func
+def _ground(model: Model, state: State, trace: Trace, w: int, step: int, dt: float):
+    """What brakes and tyres do before a step, after what the program sets."""
+    for i in range(model.n_bodies):
+        if model.dynamic[i] == 0 or state.awake[w, i] == 0:
             continue
         v = state.v[w, i]
-        holds = step == 0 or carried(state.rise[w, i], v[2], model.gravity[2] * dt)
+        o = state.o[w, i]
         state.rise[w, i] = v[2]
-        loss = state.braking[w, i] * dt
-        rests = v[0] == 0.0 and v[1] == 0.0
-        if not holds or loss <= 0.0 or rests or state.driven[w, i] == step + 1:
+        if state.driven[w, i] == step + 1:
             continue
-        kept = kept_in_braking(v, loss)
-        state.v[w, i] = slowed(v, kept)
-        if model.features[i, Feature.ROUND] > 0.0:
-            state.o[w, i] = slowed(state.o[w, i], kept)
+        weight = -model.gravity[2] * dt * model.friction_scale[w]
+        loss = state.braking[w, i] * dt
+        kept = grounded(model.features, i, loss, weight, v, o, state.r[w, i])
+        state.v[w, i] = wp.spatial_top(kept)
+        state.o[w, i] = wp.spatial_bottom(kept)
         if trace.steps > 0:
-            trace.braked[w, step, i] = 1
+            changed = wp.length_sq(wp.spatial_top(kept) - v) > 0.0
+            changed = changed or wp.length_sq(wp.spatial_bottom(kept) - o) > 0.0
+            trace.grounded[w, step, i] = wp.where(changed, 1, 0)
 
 
 @wp.func
@@ -283,9 +290,11 @@ def make_roll(find_contacts: Any, module: str) -> Any:
         h = float(dt)
         record_every = model.record_every
         for step in range(model.n_steps):
+            if model.grounded != 0:
+                _look(model, state, w, step, h)
             run_program(model, state, trace, w, step, dt)
-            if model.brakes != 0:
-                _brake(model, state, trace, w, step, h)
+            if model.grounded != 0:
+                _ground(model, state, trace, w, step, h)
             prepare_bodies(model, state, w, h)
             wake(model, state, w, h)
             find_contacts(fields, s, model, state, raw, con, w, step, h)

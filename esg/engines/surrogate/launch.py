@@ -145,7 +145,7 @@ class Launch:
         w, b = job.mass.shape
         steps, p = job.frames.n_steps, max(1, len(job.kind))
         shapes = {"awake": (w, steps, b), "fired": (w, steps, p), "sweeps": (w, steps),
-                  "braked": (w, steps, b)}  # fmt: skip
+                  "grounded": (w, steps, b)}  # fmt: skip
         self.trace.steps = steps
         for name, shape in shapes.items():
             setattr(self.trace, name, self.wp.zeros(shape, dtype=int, device=self.device))
@@ -307,7 +307,7 @@ def _models(model: Records, arena: Arena, jobs: list[Job], scenes: list[SceneArr
             "features": [j.features for j in jobs],
         },
     )
-    model.rows["brakes"] = [j.brakes for j in jobs]
+    model.rows["grounded"] = [j.grounded for j in jobs]
     programs = [_program(j) for j in jobs]
     arena.data(model, {name: [p[name] for p in programs] for name in programs[0]})
     return model

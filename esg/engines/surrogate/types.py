@@ -52,8 +52,8 @@ class Model:
     inverse_inertia: wp.array(dtype=wp.mat33)
     features: wp.array2d(dtype=float)
     """For the ground (`esg.engines.traction.Feature`), [B, FEATURES]."""
-    brakes: int
-    """Whether the program does."""
+    grounded: int
+    """Whether there are brakes or tyres."""
     # Worlds, [W] and [W, B]; `factor` scales the inertia.
     mass: wp.array2d(dtype=float)
     factor: wp.array2d(dtype=float)
@@ -144,8 +144,8 @@ class Trace:
     """`Fired`, [W, steps, P]."""
     sweeps: wp.array2d(dtype=int)
     """[W, steps]"""
-    braked: wp.array3d(dtype=int)
-    """Whether the brakes acted, [W, steps, B]."""
+    grounded: wp.array3d(dtype=int)
+    """Whether brakes or tyres changed a velocity, [W, steps, B]."""
 
 
 @wp.struct

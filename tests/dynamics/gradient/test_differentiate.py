@@ -159,6 +159,20 @@ def test_derivatives_by_constant_braking(speed, primitive, column, expected):
     assert difference == pytest.approx(expected, rel=0.02)
 
 
+@pytest.mark.parametrize(("column", "axis"), [(Column.LINEAR, 0), (Column.LINEAR + 1, 1)])
+def test_derivatives_of_what_stands_on_tyres(column, axis):
+    """On it rolls, and to the side it slides v^2 / (2 mu g)."""
+    car = box("a", (2.2, 0.9, 0.6), 1400.0, (0, 0, 0.6), friction=0.0, restitution=0.0)
+    scene = SimScene(
+        "tyres", (type(car)(**{**car.__dict__, "wheeled": True, "tyre_friction": 0.8}),)
+    )
+    program = Program((SetVelocity("a", 0.1, (3.0, 2.0, 0.0)),), 1.0)
+    tape, difference = table_gradient(scene, program, "a", axis, int(column))
+    expected = 0.9 if axis == 0 else 2.0 / (0.8 * 9.81)
+    assert tape == pytest.approx(expected, rel=0.02)
+    assert difference == pytest.approx(expected, rel=0.02)
+
+
 def test_a_bounce_has_the_derivative_of_the_continuous_motion():
     """x(T) = L - e v (T - L / v): a step that ignores when the wall is hit is wrong by (1 + e) L / v."""
     wall = box("wall", (0.1, 1.0, 1.0), 1.0, (1.2, 0.0, 5.0), restitution=0.8)
