@@ -191,6 +191,20 @@ def test_a_hit_makes_no_energy(factor: float, ok: bool) -> None:
         assert found.measured == pytest.approx(0.5 * (3.0**2 - 2.0**2) * 101.0, rel=0.02)
 
 
+@pytest.mark.parametrize(("lasts", "ok"), [(0.05, True), (0.3, False)])
+def test_a_contact_may_store_energy_for_a_moment(lasts: float, ok: bool) -> None:
+    """Two balls come together, stand, and part at the speed at which they came."""
+
+    def way(side: float) -> Curve:
+        apart = lambda t: np.maximum(0.4 - t, 0.0) + np.maximum(t - 0.4 - lasts, 0.0)  # noqa: E731
+        return lambda t: side * (0.1 + 2.0 * apart(t))
+
+    world = World().add(ball("ball_1"), x=way(-1.0)).add(ball("ball_2"), x=way(1.0))
+    for t in np.arange(0.4, 0.4 + lasts + 0.01, 0.01):
+        world.touch(float(t), "ball_1", "ball_2", 1.0)
+    assert checked(world)["energy"].ok is ok
+
+
 def test_energy_from_the_program_is_no_gain_and_from_nowhere_is() -> None:
     rises = World().add(body("box_1"), z=line(0.1, 1.0, 0.5))
     assert not checked(rises)["energy"].ok
