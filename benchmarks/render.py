@@ -42,7 +42,7 @@ def street() -> tuple[list[Part], int]:
     for node in doc.spatial_relation_graph.nodes.values():
         config = doc.asset_configurations[node.asset_id]
         moves = bool(config.proxies) and not node.is_structural
-        for vertices, faces, color in mesh_parts(build_mesh(config), config.color_rgb):
+        for vertices, faces, color, _ in mesh_parts(build_mesh(config), config.color_rgb):
             parts.append(Part(body if moves else -1, vertices / CM_PER_M, faces, color))
         body += moves
     return parts, body

@@ -1,19 +1,21 @@
 """Executes the program of a manifest.json, with nothing of this project, on any engine's bodies.
 
-A body has translation, linvel, angvel, mass, linear_damping and angular_damping, as Rapier's have;
-play_manifest.py beside this file plays whole scenes with it.
+A body has what Rapier's have; play_manifest.py beside this file plays whole scenes with it.
 """
 
 import math
+
+from read_traction import Traction
 
 
 class Program:
     def __init__(self, manifest):
         self.waiting, self.driving = list(manifest["program"]["primitives"]), []
-        self.gravity_z = manifest["gravity"][2]
+        self.gravity_z, self.traction = manifest["gravity"][2], Traction(manifest)
 
     def before_step(self, t, dt, body_of, touching, set_friction):
         """Acts before the step from t to t + dt; touching: pairs of names in the step before."""
+        self.traction.look(dt, body_of)
         for p in [p for p in self.waiting if p.get("start", p.get("time")) <= t + dt / 2]:
             body = body_of(p["body"])
             if p["kind"] in LASTING:
@@ -25,18 +27,18 @@ class Program:
                     continue
             elif p["kind"] == "SetVelocity":
                 body.linvel = tuple(p["linear"])
-                if p["angular"] is not None:
-                    body.angvel = tuple(p["angular"])
+                body.angvel = tuple(p["angular"] or body.angvel)
             elif p["kind"] == "ApplyImpulse":
                 v, j = tuple(body.linvel), p["impulse"]
                 body.linvel = tuple(v[i] + j[i] / body.mass for i in range(3))
             elif p["kind"] == "AdjustProperties":
                 for name in ("linear_damping", "angular_damping"):
-                    if p[name] is not None:
-                        setattr(body, name, p[name])
+                    setattr(body, name, getattr(body, name) if p[name] is None else p[name])
                 if p["friction"] is not None:
                     set_friction(p["body"], p["friction"])
+                self.traction.adjust(p)
             self.waiting.remove(p)
+        self.traction.act(dt, [p for p in self.driving if p in self.waiting], body_of)
 
 
 def drive(p, body, s, dt, pull):

@@ -33,7 +33,7 @@ def report_failures(
         out: The output folder.
         adding: Whether the lines of other scenes that are still in the folder stay: single scenes
             gather there, while a suite is one run.
-        strict: Whether `partial` counts as a failure.
+        strict: Whether what is `partial` or not plausible counts as a failure.
     """
     rows = [
         row | {"scene": folder.name}

@@ -94,6 +94,29 @@ def shortfalls(document: Mapping[str, Any], rows: Iterable[Mapping[str, Any]]) -
     return sorted(lost, key=lambda row: (row["start"], row["end"]))
 
 
+def unplaced(document: Mapping[str, Any]) -> list[Row]:
+    """Relations between things that the layout did not satisfy, as shortfalls; they have no words.
+
+    Args:
+        document: The ESG with its layout. Where things face is the layout's own choice, and what
+            the planned start moves where it belongs is held.
+    """
+    reports = (document.get("layout_result") or {}).get("relations", ())
+    return [
+        {
+            "words": r["edge"].replace("_", " "),
+            "start": 0,
+            "end": 0,
+            "status": "broken",
+            "reason": r.get("note") or "the layout does not satisfy it",
+        }
+        for r in reports
+        if not r["satisfied"]
+        and r["relation_type"] != "face"
+        and "held by the planned start" not in r.get("note", "")
+    ]
+
+
 def lost_in(document: Mapping[str, Any], metrics: Mapping[str, Any] | None) -> list[Row]:
     """The shortfalls of a scene, as far as it came.
 

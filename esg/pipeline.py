@@ -317,7 +317,7 @@ def failures(states: Sequence[SceneState], *, strict: bool = False) -> list[dict
 
     Args:
         states: Scenes that have ended.
-        strict: Whether `partial` counts as a failure.
+        strict: Whether what is `partial` or not plausible counts as a failure.
     """
     return [
         {
@@ -325,7 +325,7 @@ def failures(states: Sequence[SceneState], *, strict: bool = False) -> list[dict
             "prompt": s.request.prompt,
             "seed": s.request.seed,
             "outcome": s.outcome.value if s.outcome else "unfinished",
-            "reason": s.reason,
+            "reason": s.reason or (f"implausible: {implausible(s)}" if implausible(s) else ""),
             "stage": s.log[-1]["stage"] if s.log else "",
         }
         for s in states
@@ -338,8 +338,18 @@ def good(state: SceneState, *, strict: bool = False) -> bool:
 
     Args:
         state: The scene.
-        strict: Whether it must also show all that its prompt says.
+        strict: Whether it must also show all that its prompt says, and be plausible.
     """
-    if state.outcome is None or (strict and state.outcome is Outcome.PARTIAL):
+    if state.outcome is None:
+        return False
+    if strict and (state.outcome is Outcome.PARTIAL or implausible(state)):
         return False
     return state.outcome.is_good
+
+
+def implausible(state: SceneState) -> str:
+    """The worst that a scene's replay shows and nature does not; empty if it is plausible."""
+    from esg.stages import plausibility
+
+    found = plausibility(state)
+    return found["worst"] if found else ""

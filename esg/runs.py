@@ -95,7 +95,7 @@ def results(
         engine: Engine of the replay.
     """
     from esg.metrics import SceneRun, bench_json
-    from esg.stages import REPLAY_RATE_HZ
+    from esg.stages import REPLAY_RATE_HZ, plausibility
 
     by_scene: dict[str, list[SceneRun]] = {}
     for k, scene in enumerate(suite.scenes):
@@ -105,6 +105,7 @@ def results(
                 verdict=verdict_of(state),
                 outcome=state.outcome.value if state.outcome else "crashed",
                 seconds=round(state.seconds, 3),
+                checks=(plausibility(state) or {}).get("checks", ()),
             )
             for run, state in enumerate(states[k * runs : (k + 1) * runs])
         ]

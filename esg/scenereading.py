@@ -146,6 +146,25 @@ def read_metrics(path: Path) -> dict[str, Any]:
         kept: bool | None
         measured: dict[str, float]
 
+    class Measured(BaseModel):
+        model_config = strict
+
+        name: str
+        unit: str
+        ok: bool
+        measured: float | None = None
+        limit: float | None = None
+        body: str = ""
+        time_s: float | None = None
+        note: str = ""
+
+    class Plausible(BaseModel):
+        model_config = strict
+
+        plausible: bool
+        worst: str = ""
+        checks: list[Measured]
+
     class Facts(BaseModel):
         model_config = strict
 
@@ -157,6 +176,7 @@ def read_metrics(path: Path) -> dict[str, Any]:
         verified: bool = False
         statements: list[Said] = Field(default_factory=list)
         not_kept: list[Lost] = Field(default_factory=list)
+        plausibility: Plausible | None = None
 
     value = read_object(path)
     try:

@@ -8,7 +8,7 @@ import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from esg.fidelity import Row, lost_in, sentence, shortfalls, statement_rows
+from esg.fidelity import Row, lost_in, sentence, shortfalls, statement_rows, unplaced
 from esg.outcomes import Outcome
 
 if TYPE_CHECKING:
@@ -108,6 +108,13 @@ def load_verdict(state: SceneState) -> SceneVerdict:
     """The judge's verdict: against the suite if there is one, else against the own timeline."""
     metrics = json.loads((state.artifact("judge") / "metrics.json").read_bytes())
     return _read_verdict(metrics["verdict"])
+
+
+def plausibility(state: SceneState) -> dict[str, Any] | None:
+    """What the judge wrote of a scene's plausibility; None if it did not come to that."""
+    if "judge" not in state.artifacts:
+        return None
+    return json.loads((state.artifact("judge") / "metrics.json").read_bytes()).get("plausibility")
 
 
 def not_kept(state: SceneState) -> list[Row]:
@@ -227,9 +234,9 @@ def _judge(state: SceneState, folder: Path) -> None:
     expected, from_suite = load_suite_scene(state.request, doc)
     verdict = _verdict(state, expected)
     own = _verdict(state, expectations_from_timeline(doc)) if from_suite else verdict
-    said = doc.model_dump(mode="json", include={"coverage", "statements"})
+    said = doc.model_dump(mode="json", include={"coverage", "statements", "layout_result"})
     statements = statement_rows(said, [s.model_dump(mode="json") for s in own.statements])
-    lost = shortfalls(said, statements)
+    lost = [*unplaced(said), *shortfalls(said, statements)]
     outcome, reason = _outcome(doc, own, lost)
     facts = json.loads((state.artifact("replay") / "replay.json").read_bytes())
     metrics = {
@@ -240,6 +247,7 @@ def _judge(state: SceneState, folder: Path) -> None:
         "judged_against": "suite" if from_suite else "timeline",
         "verified": own.verified,
         "verdict": verdict.to_json(),
+        "plausibility": _plausibility(state, doc),
     }
     if from_suite:
         metrics["own_timeline"] = own.to_json()
@@ -255,6 +263,15 @@ def _verdict(state: SceneState, expected: SuiteScene) -> SceneVerdict:
     scene, program = load_scene(state)
     rollout = load_rollout(state.artifact("replay") / ROLLOUT)
     return judge(scene, program, rollout, expected)
+
+
+def _plausibility(state: SceneState, doc: EsgDocument) -> dict[str, Any]:
+    from esg.engines.rollout_file import load_rollout
+    from esg.metrics.plausibility import assess, told_of
+
+    scene, program = load_scene(state)
+    rollout = load_rollout(state.artifact("replay") / ROLLOUT)
+    return assess(scene, program, rollout, told_of(doc)).to_json()
 
 
 def _outcome(doc: EsgDocument, own: SceneVerdict, lost: Sequence[Row] = ()) -> tuple[Outcome, str]:

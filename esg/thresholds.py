@@ -158,3 +158,6 @@ SAFE_BRAKED_TO = 0.45
 """Share of its speed that a braked body may keep (`BRAKED_TO`)."""
 SAFE_TURN_DEG = 15.0
 """By how much a turn may miss its angle (`TURN_TOLERANCE_DEG`)."""
+BRAKING_DRY_G, BRAKING_WET_G, BRAKING_ICY_G = 0.8, 0.3, 0.1
+"""The hardest braking on dry, wet and icy ground, over g: what good tyres pass on to asphalt (0.7
+to 0.9), to wet cobbles or packed snow (0.2 to 0.4) and to ice (0.1)."""

@@ -185,12 +185,12 @@ def _damping(usd: Path) -> dict[str, tuple[float, float]]:
     """Linear and angular damping [1/s] by prim name, which the file says beside UsdPhysics."""
     from pxr import Usd
 
-    keys = ("esg:linear_damping", "esg:angular_damping")
+    keys = ("physxRigidBody:linearDamping", "physxRigidBody:angularDamping")
     stage = Usd.Stage.Open(str(usd))
     return {
-        prim.GetName(): tuple(float(prim.GetCustomDataByKey(k) or 0.0) for k in keys)
+        prim.GetName(): tuple(float(prim.GetAttribute(k).Get()) for k in keys)
         for prim in stage.Traverse()
-        if prim.GetCustomDataByKey(keys[0]) is not None
+        if prim.HasAttribute(keys[0])
     }  # type: ignore[return-value]  # two keys, two numbers
 
 

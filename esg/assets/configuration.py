@@ -6,6 +6,7 @@ import re
 
 from esg.assets.geometry.massprops import mass_properties
 from esg.assets.geometry.sketch import Color, Sketch
+from esg.assets.geometry.wheels import wheels_of
 from esg.assets.library.catalogue import Entry, entries_by_name, uniform_factor
 from esg.assets.library.proposal import is_toy
 from esg.assets.library.retrieve import Decision
@@ -15,6 +16,10 @@ from esg.graph.models import AssetConfiguration, AssetRequirement, Vec3
 WHEELED_FRICTION = 0.1
 """Averages with the vehicle ground's 0 to a rolling resistance of 0.05."""
 ROLLING_DAMPING = 0.1
+
+
+PLAIN_ROLLS = {"sphere": ("rolls",), "cylinder": ("rim",), "capsule": ("axle",)}
+"""How plain bodies roll, as flags of the catalogue."""
 
 
 def mesh_path(key: str) -> str:
@@ -59,6 +64,7 @@ def finish(
         angular_damping=ROLLING_DAMPING if rolls else requirement.linear_damping,
         is_wheeled=wheeled,
         rolls=rolls,
+        wheels=wheels_of(sketch),
         color_rgb=color,
         license=entry.license,
         attribution=entry.attribution,
@@ -85,7 +91,7 @@ def plain_entry(
         mass_kg=mass_kg,
         material=material,
         color_rgb=color,
-        flags=frozenset(),
+        flags=frozenset(PLAIN_ROLLS.get(shape, ())),
         synonyms=(),
         description="",
     )

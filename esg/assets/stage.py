@@ -128,7 +128,7 @@ def build_configuration(
 ) -> AssetConfiguration:
     """The configuration that a decision leads to."""
     if decision.entry is None:
-        return _fallback(key, requirement, decision)
+        return _fallback(key, requirement, decision, rolled)
     if decision.entry.library != "parametric":
         from esg.assets.imports.imported import configure_imported
 
@@ -165,7 +165,7 @@ def _parametric(
 ) -> AssetConfiguration:
     if rolled is None:
         rolled = "rim" in entry.flags and on_its_rim(requirement)
-    rolled = rolled and bool(entry.flags & FLAGS)
+    rolled = rolled and bool(entry.flags & FLAGS.keys())
     requirement = as_drawn(entry, requirement)
     dimensions = choose_dimensions(entry, requirement)
     material, ratio = _surface_material(entry, requirement)
@@ -209,7 +209,9 @@ def _material_color(requirement: AssetRequirement, entry: Entry) -> tuple[float,
     return table.get(asked.name, entry.color_rgb)
 
 
-def _fallback(key: str, requirement: AssetRequirement, decision: Decision) -> AssetConfiguration:
+def _fallback(
+    key: str, requirement: AssetRequirement, decision: Decision, rolled: bool | None = None
+) -> AssetConfiguration:
     """A plain body of the requested size for a noun that the library does not hold."""
     shape = decision.shape or "box"
     material = find_material(requirement.material) or MATERIALS["plastic_hard"]
@@ -225,9 +227,10 @@ def _fallback(key: str, requirement: AssetRequirement, decision: Decision) -> As
             dimensions = (max(a, b, width), width, width)
     color = find_color(requirement.color) or (0.55, 0.58, 0.62)
     entry = plain_entry(shape, dimensions, requirement.expected_mass_kg, material.name, color)
-    if shape in ("sphere", "capsule"):
-        entry = replace(entry, flags=frozenset({"rolls"}))
     sketch = build_sketch(entry, dimensions, color)
+    if rolled and entry.flags & FLAGS.keys():
+        sketch, dimensions = rolling(entry, sketch, dimensions), turned_size(entry, dimensions)
+        entry = replace(entry, flags=entry.flags | {"rolls"})
     return finish(
         key,
         entry,

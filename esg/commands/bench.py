@@ -43,7 +43,8 @@ def bench(
         collision: What bodies collide with during the search: exact (their parts), proxy (one
             sphere or box each), or sdf (that first, then signed distance fields).
         out: Folder of the scene folders; default runs/bench-SUITE-STRATEGY-ENGINE.
-        strict: Count scenes that do not show all of their prompt (partial) as failed.
+        strict: Count scenes that do not show all of their prompt (partial) or are not plausible as
+            failed.
         workers: Worker processes; default one a core.
     """
     from esg.commands import inputs
@@ -84,6 +85,7 @@ def bench(
         result = results(loaded, states, runs, seed, strategy, engine)
         result["missed"] = missed(states)
         result["not_kept"] = not_kept(states)
+        result["implausible"] = implausible(states)
         if close_loop:
             result["closed_loop"] = closed_loop(states)
         # What `esg report` shows beside the scenes.
@@ -120,7 +122,7 @@ def _tell(result: dict[str, Any]) -> None:
     from esg.metrics import comparison_table
 
     print(comparison_table(result), end="")
-    for word in ("missed", "not_kept"):
+    for word in ("missed", "not_kept", "implausible"):
         print("".join(f"{line}\n" for line in missed_lines(result[word], word)), end="")
     if "closed_loop" in result:
         before, after = result["closed_loop"]["open"], result["closed_loop"]["closed"]
@@ -216,6 +218,24 @@ def not_kept(states: list[SceneState]) -> list[dict[str, Any]]:
     ]
 
 
+def implausible(states: list[SceneState]) -> list[dict[str, Any]]:
+    """Every check of plausibility that a replay does not pass."""
+    from esg.metrics.plausibility import Check
+    from esg.stages import plausibility
+
+    return [
+        {
+            "scene": state.request.name,
+            "seed": state.request.seed,
+            "what": check["name"].replace("_", " "),
+            "reason": Check.model_validate(check).text,
+        }
+        for state in states
+        for check in (plausibility(state) or {}).get("checks", ())
+        if not check["ok"]
+    ]
+
+
 def _off(measured: float | None, target: float | tuple[float, float]) -> str:
     asked = f"{target[0]:g} to {target[1]:g}" if isinstance(target, tuple) else f"{target:g}"
     return f"asked {asked}, " + ("not measured" if measured is None else f"measured {measured:.3g}")
@@ -225,7 +245,7 @@ def missed_lines(rows: list[dict[str, Any]], word: str = "missed") -> list[str]:
     """The same for people: one line for what several runs of a scene have in common.
 
     Args:
-        rows: Of `missed` or `not_kept`.
+        rows: Of `missed`, `not_kept` or `implausible`.
         word: Which of them, for the beginning of every line.
     """
     common: dict[tuple[str, str, str], list[str]] = {}

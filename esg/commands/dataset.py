@@ -66,7 +66,8 @@ def dataset(
         strategy: How the physics is searched; none keeps the first guess.
         engine: Engine of the replay: physx runs the emitted class.
         device: cpu or cuda:N.
-        strict: Count scenes that do not show all of their prompt (partial) as failed.
+        strict: Count scenes that do not show all of their prompt (partial) or are not plausible as
+            failed.
         json: Print one JSON document with counts and paths.
     """
     from esg.commands.console import progress

@@ -48,7 +48,8 @@ def generate(
         traffic: Side of the road that vehicles keep to.
         render: Ground-truth channels to render into the scene folder at 256x256 and 24 frames a
             second, with commas, or all; esg render has further options.
-        strict: Count a scene that does not show all of its prompt (partial) as failed.
+        strict: Count a scene that does not show all of its prompt (partial) or is not plausible as
+            failed.
         json: Print one JSON document with outcome, metrics and paths.
     """
     from esg.commands.console import emit, note_first_use
@@ -146,6 +147,7 @@ def summarize(state: SceneState, folder: Path) -> dict[str, Any]:
         "metrics": metrics["verdict"] if metrics else None,
         "statements": metrics.get("statements", []) if metrics else statement_rows(doc),
         "not_kept": lost_in(doc, metrics),
+        "plausibility": metrics.get("plausibility") if metrics else None,
         "coverage": {
             "warnings": coverage.get("warnings", []),
             "not_understood": [
@@ -169,6 +171,19 @@ def _told(row: dict[str, Any]) -> str:
     found = ", ".join(f"{k} {v:.3g}" for k, v in row["measured"].items())
     says = f'"{row["words"]}" ({row["says"].replace("_", " ")})'
     return f"  {mark:8} {says}" + (f": {found}" if found else "")
+
+
+def _plausible(found: dict[str, Any] | None) -> list[str]:
+    """Whether a replay is plausible, in lines: every check that it does not pass."""
+    from esg.metrics.plausibility import Check
+
+    if found is None:
+        return []
+    if found["plausible"]:
+        return ["  plausible"]
+    checks = [Check.model_validate(c) for c in found["checks"] if not c["ok"]]
+    worst = [f"  implausible: {found['worst']}"]
+    return worst + [f"    also {c.text}" for c in checks if c.text != found["worst"]]
 
 
 def _assumed(doc: dict[str, Any]) -> set[str]:
@@ -208,6 +223,7 @@ def describe(summary: dict[str, Any]) -> str:
             asked = re.sub(r"(?<!\S)=(?=\S)", "", item["constraint"])
             lines.append(f"  score {item['score']:.2f} {asked}: {measured}")
         lines += [_told(row) for row in summary["statements"]]
+        lines += _plausible(summary["plausibility"])
         layout = "valid" if metrics["slr"] else "INVALID"
         proof = {
             "class": "the emitted class, compiled and run in PhysX",

@@ -130,9 +130,12 @@ def run(folder: Path, engine: str, dt: float, expected: SuiteScene, against: str
     """
     from esg.compile.transfer import replay_scene
     from esg.engines.manifest import load_manifest
+    from esg.graph import load_document
     from esg.metrics import judge
+    from esg.metrics.plausibility import assess, told_of
 
     manifest = load_manifest(folder / "manifest.json")
+    told = told_of(load_document(folder / "esg.json"))
     rollout, proof = replay_scene(folder, manifest, engine, dt)
     verdict = judge(manifest.scene, manifest.program, rollout, expected)
     return {
@@ -143,6 +146,7 @@ def run(folder: Path, engine: str, dt: float, expected: SuiteScene, against: str
         "judged_against": against,
         "verified": verdict.verified,
         "verdict": verdict.to_json(),
+        "plausibility": assess(manifest.scene, manifest.program, rollout, told).to_json(),
     }
 
 
@@ -200,6 +204,8 @@ def verdict_table(result: dict[str, Any]) -> str:
         tail += f", {kept} of {len(verdict['statements'])} statements kept"
     if verdict["ppa"]["standard"] is not None:
         tail += f", PPA {100 * verdict['ppa']['standard']:.0f}%"
+    worst = result["plausibility"]["worst"]
+    tail += f"\nimplausible: {worst}" if worst else ", plausible"
     if not rows:
         return f"{head}\n{tail}"
     columns = ["", "event", "type", "bodies", "time", "reason"]

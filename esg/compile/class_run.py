@@ -26,7 +26,7 @@ from esg.compile.records import (
     record_pose,
     shape_of,
 )
-from esg.engines.executor import BodyAccess, play
+from esg.engines.executor import play
 from esg.engines.scene import Body, Rollout, Shape, SimScene
 from esg.engines.worlds import ContactRecorder, Frames, Principal, Values, rest_states, world_values
 from esg.units import quat_rotate
@@ -248,6 +248,8 @@ class ClassRun:
                     raise ReplayError(f"{name} is a second ground of the same kind")
                 grounds[for_wheels], self._plane[for_wheels] = record, i
                 continue
+            if "node" in self._assets.get(record.asset.decode(), {}):
+                continue  # a wheel is a picture
             if name not in self._components:
                 raise ReplayError(f"component {name} is not in the import manifest")
             entry = self._components[name]
@@ -293,7 +295,7 @@ class ClassRun:
         states = rest_states(values, grid)
         self._entry("live", None)()
         recorder = ContactRecorder(0, grid)
-        driver: Any = _Driver(self)
+        driver: Any = _Driver(self, states)
         valid = play(self._world, driver, grid, states, recorder, ground)
         self._check(0)
         return Rollout(
@@ -321,16 +323,20 @@ class ClassRun:
 class _Driver:
     """Stands where an engine has its program: ticks the class, reports its hits."""
 
-    def __init__(self, run: ClassRun) -> None:
-        self._run = run
+    def __init__(self, run: ClassRun, states: tuple[Any, Any, Any, Any]) -> None:
+        self._run, self._states = run, states
         self._tick = run._entry("tick", C.c_int, C.c_double)
         self._hit = run._entry("hit", C.c_int, C.c_int, C.c_int, _D, _D, _D, C.c_double)
 
-    def before_step(self, t: float, dt: float, touched: Any, world: BodyAccess) -> None:
+    def before_step(self, t: float, dt: float, touched: Any, world: Any) -> None:
         """Reports the hits of the last step, then ticks (see `Executor.before_step`)."""
         if t > 0.0:
             self._report(world)
         self._run._check(self._tick(dt))
+        if t == 0.0:
+            # What the first tick has given is what is under way when the scene begins.
+            for i in world.moving:
+                _, _, self._states[2][0, 0, i], self._states[3][0, 0, i] = world.read(i)
 
     def _report(self, world: Any) -> None:
         notifies = self._run._records

@@ -69,7 +69,7 @@ def imports_json(what: ScenePlan) -> str:
         "(x, y, z) -> 100 (x, z, y), which is what Unreal's glTF import does",
         "shape": "size: sphere (r, r, r); box half extents; capsule and cylinder (r, r, half "
         "height along local Z without caps); convex half extents of its bounding box",
-        "assets": [_asset(a) for a in what.assets],
+        "assets": [*(_asset(a, what) for a in what.assets), *_wheel_assets(what)],
         "components": {
             b.name: {
                 "body": b.source.name,
@@ -82,8 +82,25 @@ def imports_json(what: ScenePlan) -> str:
     return json.dumps(data, indent=1, ensure_ascii=True, allow_nan=False) + "\n"
 
 
-def _asset(asset: MeshAsset) -> dict[str, Any]:
+def _wheel_assets(what: ScenePlan) -> list[dict[str, Any]]:
+    """The meshes of wheels: each a node of its body's file, about its axle."""
+    assets = {
+        wheel.path: {
+            "path": wheel.path,
+            "source": body.asset.source,
+            "node": wheel.node,
+            "half_extents_cm": [wheel.radius] * 3,
+            "collision": [],
+        }
+        for body, wheel in what.wheels
+    }
+    return list(assets.values())
+
+
+def _asset(asset: MeshAsset, what: ScenePlan) -> dict[str, Any]:
+    apart = dict.fromkeys(w.node for body, w in what.wheels if body.asset == asset)
     return {
+        **({"without_nodes": list(apart)} if apart else {}),
         "path": asset.path,
         "source": asset.source,
         "half_extents_cm": list(asset.half_extents),

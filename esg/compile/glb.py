@@ -8,6 +8,7 @@ bytes.
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass, field
 import json
 from pathlib import Path
@@ -19,6 +20,7 @@ from numpy.typing import NDArray
 
 from esg.compile.assets import mesh_file
 from esg.engines.scene import Body, Rollout, Shape, SimScene
+from esg.engines.wheels import about_axle, wheel_angles
 from esg.units import quat_rotate
 
 _MAGIC, _JSON, _BIN = 0x46546C67, 0x4E4F534A, 0x004E4942
@@ -60,6 +62,9 @@ class _Document:
     binary: bytearray = field(default_factory=bytearray)
     extensions: set[str] = field(default_factory=set)
     required: set[str] = field(default_factory=set)
+    channels: list[dict[str, Any]] = field(default_factory=list)
+    samplers: list[dict[str, Any]] = field(default_factory=list)
+    clock: int = -1
 
     def append(self, key: str, item: Any) -> int:
         items = self.data.setdefault(key, [])
@@ -134,6 +139,26 @@ class _Document:
                 copy["children"] = [c + base for c in copy["children"]]
             self.data["nodes"].append(copy)
         return [r + base for r in roots]
+
+    def animate(self, node: int, path: str, values: Floats, time: Floats) -> None:
+        """Moves a node: key frames of its translation or rotation; none if it keeps still.
+
+        Args:
+            node: Its index.
+            path: translation or rotation.
+            values: At the frames, shape [T, 3] or [T, 4].
+            time: Of the frames [s], shape [T].
+        """
+        if len(time) < 2 or np.abs(values - values[0]).max() < _MOVED:
+            return
+        if self.clock < 0:
+            self.clock = self.floats(time, _SCALAR, limits=True)
+        turns = path == "rotation"
+        keys = self.floats(_unit32(values) if turns else values, _VEC4 if turns else _VEC3)
+        sampler = {"input": self.clock, "output": keys, "interpolation": "LINEAR"}
+        self.samplers.append(sampler)
+        target = {"node": node, "path": path}
+        self.channels.append({"sampler": len(self.samplers) - 1, "target": target})
 
     def glb(self) -> bytes:
         """The file; a scene without bodies has neither buffer nor binary chunk."""
@@ -211,9 +236,6 @@ def scene_glb(scene: SimScene, rollout: Rollout, folder: Path, *, world: int = 0
     document = _Document({"asset": {"version": "2.0", "generator": "esg-scenes"}, "scene": 0})
     roots: list[int] = []
     library: dict[str, tuple[list[dict[str, Any]], list[int]]] = {}
-    channels: list[dict[str, Any]] = []
-    samplers: list[dict[str, Any]] = []
-    clock = -1
     document.data["nodes"] = []
     for i, body in enumerate(scene.bodies):
         key, data = mesh_of(body, folder)
@@ -221,10 +243,10 @@ def scene_glb(scene: SimScene, rollout: Rollout, folder: Path, *, world: int = 0
             continue
         if key not in library:
             library[key] = document.merge(data)
+        parts = len(document.data["nodes"])
         children = document.place(*library[key])
-        at, turn = origin_poses(
-            body, rollout.position[world, :, i], rollout.quaternion[world, :, i]
-        )
+        poses = rollout.position[world, :, i], rollout.quaternion[world, :, i]
+        at, turn = origin_poses(body, *poses)
         at, turn = to_gltf_vector(at), _continuous(to_gltf_quaternion(turn))
         node: dict[str, Any] = {
             "name": body.name,
@@ -236,28 +258,35 @@ def scene_glb(scene: SimScene, rollout: Rollout, folder: Path, *, world: int = 0
             node["children"] = children
         index = document.append("nodes", node)
         roots.append(index)
-        for path, values, kind in (("translation", at, _VEC3), ("rotation", turn, _VEC4)):
-            if len(rollout.time) < 2 or np.abs(values - values[0]).max() < _MOVED:
-                continue
-            if clock < 0:
-                clock = document.floats(rollout.time, _SCALAR, limits=True)
-            keys = _unit32(values) if path == "rotation" else values
-            sampler = {
-                "input": clock,
-                "output": document.floats(keys, kind),
-                "interpolation": "LINEAR",
-            }
-            samplers.append(sampler)
-            target = {"node": index, "path": path}
-            channels.append({"sampler": len(samplers) - 1, "target": target})
+        document.animate(index, "translation", at, rollout.time)
+        document.animate(index, "rotation", turn, rollout.time)
+        angles = wheel_angles(body, rollout.time, *poses, scene.gravity)
+        _turn_wheels(document, range(parts, index), body, angles, rollout.time)
     document.data["scenes"] = [{"name": scene.scene_id, "nodes": roots}]
-    if channels:
+    if document.channels:
         document.data["animations"] = [
-            {"name": "replay", "channels": channels, "samplers": samplers}
+            {"name": "replay", "channels": document.channels, "samplers": document.samplers}
         ]
     if not roots:
         del document.data["scenes"][0]["nodes"], document.data["nodes"]
     return document.glb()
+
+
+def _turn_wheels(
+    document: _Document, nodes: range, body: Body, angles: Floats, time: Floats
+) -> None:
+    """Turns the nodes of a body's wheels, among `nodes`, by angles [rad], shape [T, wheels]."""
+    for wheel, angle in zip(body.wheels, angles.T, strict=True):
+        for index in nodes:
+            node = document.data["nodes"][index]
+            if node.get("name") != wheel.name:
+                continue
+            # A node that is animated states its place as a translation, not as a matrix.
+            matrix = node.pop("matrix", None)
+            if matrix is not None:
+                node["translation"] = matrix[12:15]
+            turn = to_gltf_quaternion(about_axle(angle))
+            document.animate(index, "rotation", _continuous(turn), time)
 
 
 def _continuous(q: Floats) -> Floats:
@@ -329,6 +358,32 @@ def shape_mesh(shape: Shape, body: Body) -> Any:
     return mesh
 
 
+def part_of(data: bytes, *, holders: Collection[str] = (), without: Collection[str] = ()) -> bytes:
+    """A GLB of some parts of another: those in the nodes `holders`, or all but those in `without`.
+
+    What one node holds comes in that node's frame.
+    """
+    import io
+
+    import trimesh
+
+    loaded: Any = trimesh.load(io.BytesIO(data), file_type="glb", force="scene")
+    parents = loaded.graph.transforms.parents
+    scene = trimesh.Scene()
+    for name in loaded.graph.nodes_geometry:
+        holder = parents.get(name, "")
+        if holder in without or (holders and holder not in holders):
+            continue
+        transform, geometry = loaded.graph[name]
+        if holders:
+            transform = np.linalg.inv(loaded.graph[holder][0]) @ transform
+        mesh = loaded.geometry[geometry]
+        scene.add_geometry(mesh, node_name=name, geom_name=geometry, transform=transform)
+    out = scene.export(file_type="glb")
+    assert isinstance(out, bytes)
+    return out
+
+
 class GltfMeshes:
     """Triangles of a GLB, back in the simulation's frame.
 
@@ -341,12 +396,16 @@ class GltfMeshes:
 
     def parts(self) -> list[tuple[Floats, NDArray[np.int64], tuple[float, ...]]]:
         """Vertices [m], faces and RGBA of every part, in the file's order."""
+        return [(vertices, faces, color) for _, vertices, faces, color in self.held_parts()]
+
+    def held_parts(self) -> list[tuple[str, Floats, NDArray[np.int64], tuple[float, ...]]]:
+        """The name of the node that holds a part, its vertices [m], faces and RGBA."""
         import io
 
         import trimesh
 
         loaded: Any = trimesh.load(io.BytesIO(self._data), file_type="glb", force="scene")
-        out: list[tuple[Floats, NDArray[np.int64], tuple[float, ...]]] = []
+        out: list[tuple[str, Floats, NDArray[np.int64], tuple[float, ...]]] = []
         for name in loaded.graph.nodes_geometry:
             transform, geometry = loaded.graph[name]
             mesh = loaded.geometry[geometry]
@@ -356,5 +415,6 @@ class GltfMeshes:
             base = getattr(material, "baseColorFactor", None)
             color = (0.6, 0.6, 0.6, 1.0) if base is None else tuple(float(c) / 255 for c in base)
             vertices = np.stack([x, -z, y], axis=1)
-            out.append((vertices, np.asarray(mesh.faces), color))
+            holder = str(loaded.graph.transforms.parents.get(name, ""))
+            out.append((holder, vertices, np.asarray(mesh.faces), color))
         return out

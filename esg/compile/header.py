@@ -59,6 +59,13 @@ BODY_FIELDS = (
     Field("float", "AngularDamping", "0.0f", "Per second.", "", "0", "1000"),
 )
 
+WHEEL_FIELDS = (
+    Field("FVector", "Axle", _ZERO, "In the frame of the body's mesh [cm]."),
+    Field(
+        "double", "Radius", "1.0", "A wheel turns by what its axle goes over this.", "cm", "0.01"
+    ),
+)
+
 _TIME = Field("double", "Time", "0.0", "Since the scene started.", "s", "0", "3600")
 _START = Field("double", "Start", "0.0", "Since the scene started.", "s", "0", "3600")
 _END = Field("double", "End", "0.0", "Since the scene started.", "s", "0")
@@ -114,6 +121,23 @@ FLIGHT_FIELDS = (
 )
 """Of holds, in classes with powered flight."""
 
+BRAKE_FIELDS = (
+    Field("bool", "bSetBraking", "false", "Whether Braking is set."),
+    Field("double", "Braking", "0.0", "Deceleration by the brakes [cm/s^2].", "", "0", "100000"),
+)
+"""Of changes of properties, in classes with brakes."""
+
+ROUND_FIELD = Field("bool", "bRolls", "false", "Round: braking slows its roll as well.")
+"""Of bodies, in classes with brakes."""
+
+TYRE_FIELDS = (
+    Field("double", "TyreFriction", "0.0", "Against sliding sideways.", "", "0", "4"),
+    Field("double", "TyreDrop", "0.0", "Of the tyres' push below the centre of mass.", "cm", "0"),
+    Field("double", "Axle", "0.0", "From the centre of mass to each axle.", "cm", "0"),
+    Field("double", "Lean", "0.0", "Lean [rad/s] by a push to the side [cm/s].", "", "0"),
+)
+"""Of bodies, in classes with tyres."""
+
 PRIMITIVE_TEXT = {
     "SetVelocity": "Sets a velocity once.",
     "ApplyImpulse": "Applies an impulse once.",
@@ -159,12 +183,18 @@ ACCEPTANCE_FIELDS = (
 def emit_header(plan: ScenePlan) -> str:
     """The .h file."""
     name = plan.name
-    parts = [_preamble(plan), _struct(f"F{name}Body", "Physical values of one body.", BODY_FIELDS)]
+    body = (*BODY_FIELDS, ROUND_FIELD) if plan.brakes else BODY_FIELDS
+    body = (*body, *TYRE_FIELDS) if plan.tyres else body
+    parts = [_preamble(plan), _struct(f"F{name}Body", "Physical values of one body.", body)]
+    if plan.wheels:
+        parts.append(_struct(f"F{name}Wheel", "A wheel: a picture that turns.", WHEEL_FIELDS))
     for kind in PRIMITIVE_FIELDS:
         if kind in plan.kinds:
             fields = PRIMITIVE_FIELDS[kind]
             if kind == "HoldVelocity" and plan.flies:
                 fields = (*fields, *FLIGHT_FIELDS)
+            if kind == "AdjustProperties" and plan.brakes:
+                fields = (*fields, *BRAKE_FIELDS)
             parts.append(_struct(f"F{name}{kind}", PRIMITIVE_TEXT[kind], fields))
     parts.append(_class(plan))
     return "\n".join(parts)
@@ -200,7 +230,7 @@ _RECORDS_AND_PARTS = """\
 	{
 		bool bActive = false;
 		bool bDone = false;
-		UPrimitiveComponent* Body = nullptr;
+@DRIVES@		UPrimitiveComponent* Body = nullptr;
 		TArray<UPrimitiveComponent*> EndsAtTouchOf;
 	};
 
@@ -248,6 +278,31 @@ _RECORDS_AND_PARTS = """\
 """
 """What is the same in every class: records of the run, parts of the scene, the hit callback."""
 
+_WHEELS = """\
+	/** A wheel, how far it has turned and how fast it turns. */
+	struct FTurningWheel
+	{
+		UStaticMeshComponent* Component = nullptr;
+		UStaticMeshComponent* Body = nullptr;
+		const F@CLASS@Wheel* Settings = nullptr;
+		bool bStarted = false;
+		FVector Axle = FVector::ZeroVector;
+		FVector Ahead = FVector::ZeroVector;
+		double Rise = 0.0;
+		double Rate = 0.0;
+		double Angle = 0.0;
+	};
+
+	UStaticMeshComponent* CreateWheel(
+		UStaticMeshComponent* Body, const TCHAR* Name, const TCHAR* AssetPath);
+	void ConfigureWheel(UStaticMeshComponent* Wheel, const F@CLASS@Wheel& Settings);
+	void CollectWheels();
+	void TurnWheels(double Step);
+	TArray<FTurningWheel> Wheels;
+
+"""
+"""What classes with wheels declare besides."""
+
 _WATCHING = """\
 	void EndDrivesAtTouch(const UPrimitiveComponent* First, const UPrimitiveComponent* Second);
 	void WatchTouch(FWatchedEvent& Event, const FTouch& Touch);
@@ -266,6 +321,16 @@ _WATCHING = """\
 """The class from its watching of contacts to its end, the same for every scene."""
 
 
+DRIVES = "\t\tbool bDrives = false;\n"
+GROUNDED = """\
+		double Braking = 0.0;
+		/** Vertical velocity at the beginning of the last step; so low before the first one. */
+		double Rise = -1.0e9;
+		bool bFalls = false;
+"""
+"""Of commands and bodies, in classes with brakes or tyres."""
+
+
 def _class(plan: ScenePlan) -> str:
     name = plan.name
     simulation = "\n".join(f.emit("ESG|Simulation") for f in simulation_fields(plan))
@@ -275,6 +340,8 @@ def _class(plan: ScenePlan) -> str:
         f'\tUPROPERTY(EditAnywhere, Category = "ESG|Program")\n\tF{name}{p.kind} {p.member};\n'
         for p in plan.primitives
     )
+    grounded = plan.brakes or plan.tyres
+    records = _RECORDS_AND_PARTS.replace("@DRIVES@", DRIVES if grounded else "")
     return f"""UCLASS()
 class ESGSCENES_API A{name} : public AActor
 {{
@@ -299,9 +366,9 @@ private:
 		UStaticMeshComponent* Component = nullptr;
 		const F{name}Body* Settings = nullptr;
 		int32 Shape = 0;
-	}};
+{GROUNDED if grounded else ""}	}};
 
-{_RECORDS_AND_PARTS}	UStaticMeshComponent* CreateMesh(const TCHAR* Name, const TCHAR* AssetPath);
+{records}	UStaticMeshComponent* CreateMesh(const TCHAR* Name, const TCHAR* AssetPath);
 	void ConfigureGround(UStaticMeshComponent* Plane, bool bForWheels);
 	void ConfigureBody(UStaticMeshComponent* Body, const F{name}Body& Settings);
 	void ApplyMassProperties(UStaticMeshComponent* Body, const F{name}Body& Settings);
@@ -310,18 +377,38 @@ private:
 	void CollectEvents();
 	void PinSimulation();
 	void DispatchProgram(double Due);
-{_runners(plan)}{_WATCHING}"""
+{_runners(plan)}{_turning(plan)}{_WATCHING}"""
+
+
+def _turning(plan: ScenePlan) -> str:
+    return _WHEELS.replace("@CLASS@", plan.name) if plan.wheels else ""
+
+
+_GROUND = """\
+	void FindFalling(double Due);
+	void ApplyTraction(double Due);
+	double ApplyBrakes(const FBodyRef& Body, double Loss);
+	bool IsDriven(const UPrimitiveComponent* Body) const;
+"""
+_TYRES = """\
+	void ApplyTyres(const FBodyRef& Body, double Weight, double Taken);
+"""
 
 
 def _runners(plan: ScenePlan) -> str:
     """Declarations of what plays the program's kinds of primitives."""
     path = f"\tstatic FVector PathPoint(const F{plan.name}GuideAlong& Command, double Elapsed);\n"
-    return "".join(
-        f"\tvoid Run{kind}(UPrimitiveComponent* Body, const F{plan.name}{kind}& Command,"
-        f" FCommandState& State, double Due);\n"
-        for kind in PRIMITIVE_FIELDS
-        if kind in plan.kinds
-    ) + (path if "GuideAlong" in plan.kinds else "")
+    return (
+        "".join(
+            f"\tvoid Run{kind}(UPrimitiveComponent* Body, const F{plan.name}{kind}& Command,"
+            f" FCommandState& State, double Due);\n"
+            for kind in PRIMITIVE_FIELDS
+            if kind in plan.kinds
+        )
+        + (path if "GuideAlong" in plan.kinds else "")
+        + (_GROUND if plan.brakes or plan.tyres else "")
+        + (_TYRES if plan.tyres else "")
+    )
 
 
 def _body_members(plan: ScenePlan, body: UnrealBody) -> str:
@@ -330,4 +417,10 @@ def _body_members(plan: ScenePlan, body: UnrealBody) -> str:
         f"\tTObjectPtr<UStaticMeshComponent> {body.member};\n\n"
         f'\tUPROPERTY(EditAnywhere, Category = "ESG|Bodies")\n'
         f"\tF{plan.name}Body {body.settings};\n"
+    ) + "".join(
+        f'\n\tUPROPERTY(VisibleAnywhere, Category = "ESG|Wheels")\n'
+        f"\tTObjectPtr<UStaticMeshComponent> {wheel.member};\n\n"
+        f'\tUPROPERTY(EditAnywhere, Category = "ESG|Wheels")\n'
+        f"\tF{plan.name}Wheel {wheel.settings};\n"
+        for wheel in body.wheels
     )

@@ -8,21 +8,15 @@ values stand in `<custom>`. The control program is not part of MJCF: `manifest.j
 from __future__ import annotations
 
 import json
-import math
 from typing import Any
 from xml.etree import ElementTree as ET
 
 import numpy as np
 
 from esg.compile import names
+from esg.engines import starts
 from esg.engines.manifest import Manifest
-from esg.engines.program import (
-    ApplyImpulse,
-    GuideAlong,
-    HoldSpin,
-    HoldVelocity,
-    SetVelocity,
-)
+from esg.engines.program import batch_programs
 from esg.engines.scene import Body, Shape, SimScene
 from esg.engines.worlds import cylinder_vertices, principal_axes
 from esg.units import quat_rotate
@@ -37,6 +31,10 @@ NOTES = (
     "damping_<body>. Apply v *= max(0, 1 - c dt) each step to match.",
     "Program: the key frame holds the velocities at time 0; later commands are in manifest.json.",
 )
+TYRES_NOTE = (
+    "Tyres: no part of MJCF; without them a wheeled body slides sideways as easily as it rolls. "
+    "The conventions of manifest.json say what they do."
+)
 _NORMAL, _WHEELS = 1, 2
 GROUND_SIZE_M = 100.0
 """Half side of the drawn ground; collision is with the whole plane."""
@@ -47,7 +45,8 @@ def scene_mjcf(manifest: Manifest) -> str:
     scene = manifest.scene
     idents = names.unique_identifiers(scene.names)
     root = ET.Element("mujoco", model=names.comment(scene.scene_id) or "scene")
-    root.append(ET.Comment(" " + " ".join(NOTES) + " "))
+    tyres = (TYRES_NOTE,) if any(b.tyre_friction > 0.0 for b in scene.bodies) else ()
+    root.append(ET.Comment(" " + " ".join((*NOTES, *tyres)) + " "))
     ET.SubElement(root, "compiler", angle="radian", autolimits="true")
     ET.SubElement(
         root, "option", timestep=_n(manifest.dt), gravity=_v(scene.gravity), cone="elliptic"
@@ -97,29 +96,16 @@ def scene_mjcf(manifest: Manifest) -> str:
 
 def start_velocities(manifest: Manifest) -> dict[str, tuple[Any, Any]]:
     """Linear [m/s] and angular [rad/s] velocity of each body that the first step is given."""
-    out: dict[str, tuple[Any, Any]] = {}
-    mass = {b.name: b.mass for b in manifest.scene.bodies}
-    for p in manifest.program.primitives:
-        if p.time > manifest.dt / 2:
-            continue
-        linear, angular = out.get(p.body, ((0.0,) * 3, (0.0,) * 3))
-        if isinstance(p, SetVelocity):
-            out[p.body] = (p.linear, angular if p.angular is None else p.angular)
-        elif isinstance(p, ApplyImpulse):
-            pushed = (v + j / mass[p.body] for v, j in zip(linear, p.impulse, strict=True))
-            out[p.body] = (tuple(pushed), angular)
-        elif isinstance(p, HoldVelocity):
-            speed = max(0.0, p.speed)
-            vx, vy = speed * math.cos(p.heading), speed * math.sin(p.heading)
-            spin = (0.0, 0.0, p.turn_rate)
-            if p.roll_radius > 0.0 and p.climb is None:
-                spin = (-vy / p.roll_radius, vx / p.roll_radius, 0.0)
-            out[p.body] = ((vx, vy, linear[2] if p.climb is None else p.climb), spin)
-        elif isinstance(p, GuideAlong):
-            out[p.body] = (p.velocities[0], (0.0, 0.0, p.turn_rate))
-        elif isinstance(p, HoldSpin):
-            out[p.body] = (linear, p.spin)
-    return out
+    bodies = manifest.scene.bodies
+    batch = batch_programs([manifest.program], manifest.scene.names)
+    mass = np.array([[b.mass for b in bodies]])
+    given = starts.start_velocities(batch, mass, manifest.dt)
+    due = {p.body for p in manifest.program.primitives if p.time <= manifest.dt / 2}
+    return {
+        b.name: (tuple(linear.tolist()), tuple(angular.tolist()))
+        for b, linear, angular in zip(bodies, *(v[0] for v in given), strict=True)
+        if b.name in due
+    }
 
 
 def _geom(

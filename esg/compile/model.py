@@ -25,7 +25,7 @@ from esg.engines.program import (
     SetVelocity,
     Vec,
 )
-from esg.engines.scene import GROUND, Body, SimScene
+from esg.engines.scene import GROUND, Body, SimScene, Wheel
 from esg.engines.worlds import principal_axes
 from esg.units import quat_rotate
 
@@ -60,6 +60,35 @@ class WatchedEvent:
 
 
 @dataclass(frozen=True)
+class UnrealWheel:
+    """A component that turns on a body's: a picture without collision.
+
+    Args:
+        name: Identifier of the component.
+        node: Of the mesh that it is a part of.
+        path: Unreal object path of its own mesh.
+        axle: In the body component's frame [cm], shape [3].
+        radius: [cm].
+    """
+
+    name: str
+    node: str
+    path: str
+    axle: Floats
+    radius: float
+
+    @property
+    def member(self) -> str:
+        """The class member that points to the component."""
+        return self.name + MESH
+
+    @property
+    def settings(self) -> str:
+        """The class member that holds its settings."""
+        return self.name + "Settings"
+
+
+@dataclass(frozen=True)
 class UnrealBody:
     """One component and its settings.
 
@@ -73,6 +102,7 @@ class UnrealBody:
         principal_axes: Rotation of the principal axes of inertia in the component's frame.
         inertia: Principal moments [kg cm^2], shape [3].
         index: Position in the scene.
+        wheels: What turns on it.
     """
 
     name: str
@@ -84,6 +114,7 @@ class UnrealBody:
     principal_axes: Floats
     inertia: Floats
     index: int
+    wheels: tuple[UnrealWheel, ...] = ()
 
     @property
     def member(self) -> str:
@@ -159,6 +190,21 @@ class ScenePlan:
         return any(field == "bFlies" for p in self.primitives for field, _ in p.values)
 
     @property
+    def wheels(self) -> tuple[tuple[UnrealBody, UnrealWheel], ...]:
+        """All wheels with their bodies; classes without any say nothing of them."""
+        return tuple((b, w) for b in self.bodies for w in b.wheels)
+
+    @property
+    def brakes(self) -> bool:
+        """Whether the program uses brakes; classes without them say nothing of it."""
+        return any(field == "bSetBraking" for p in self.primitives for field, _ in p.values)
+
+    @property
+    def tyres(self) -> bool:
+        """Whether bodies stand on tyres; classes without them say nothing of it."""
+        return any(b.simulated and b.source.tyre_friction > 0.0 for b in self.bodies)
+
+    @property
     def guides(self) -> bool:
         """Whether something else than motion under its own power lasts."""
         return bool({"GuideAlong", "HoldSpin"} & self.kinds)
@@ -186,11 +232,10 @@ def plan(
     if scene.gravity[0] or scene.gravity[1]:
         raise ValueError(f"gravity {scene.gravity}: Unreal's world gravity has a Z component only")
     name = class_name(scene.scene_id)
-    idents = names.unique_identifiers(scene.names)
+    wheels = [_wheel_key(b, w) for b in scene.bodies for w in b.wheels]
+    idents = names.unique_identifiers((*scene.names, *wheels))
     assets = mesh_assets(scene, f"/Game/ESG/{name.removeprefix(CLASS_PREFIX + '_')}")
-    bodies = tuple(
-        _body(i, body, idents[body.name], assets[i]) for i, body in enumerate(scene.bodies)
-    )
+    bodies = tuple(_body(i, body, idents, assets[i]) for i, body in enumerate(scene.bodies))
     primitives = _primitives(program, idents)
     events = _events(watch, idents)
     notified = {n for e in events for n in e.first}
@@ -213,12 +258,33 @@ def plan(
     )
 
 
-def _body(index: int, body: Body, name: str, asset: MeshAsset) -> UnrealBody:
+def _wheel_key(body: Body, wheel: Wheel) -> str:
+    """Stands for a wheel among the names of a scene's components; no body is called so."""
+    return f"{body.name}\0{wheel.name}"
+
+
+def _wheels(body: Body, idents: dict[str, str], asset: MeshAsset) -> tuple[UnrealWheel, ...]:
+    offset = np.asarray(body.origin_offset, float)
+    parts = names.unique_identifiers((w.name for w in body.wheels), "Wheel")
+    stem = asset.path.rpartition(".")[2]
+    return tuple(
+        UnrealWheel(
+            name=idents[_wheel_key(body, w)],
+            node=w.name,
+            path=f"{asset.path.rpartition('.')[0]}_{parts[w.name]}.{stem}_{parts[w.name]}",
+            axle=frames.vector_to_unreal(np.asarray(w.axle, float) - offset),
+            radius=w.radius * frames.CM_PER_M,
+        )
+        for w in body.wheels
+    )
+
+
+def _body(index: int, body: Body, idents: dict[str, str], asset: MeshAsset) -> UnrealBody:
     offset = np.asarray(body.origin_offset, float)
     origin = np.asarray(body.position, float) + quat_rotate(body.quaternion, offset)
     moments, axes = principal_axes(np.asarray(body.inertia, float))
     return UnrealBody(
-        name=name,
+        name=idents[body.name],
         source=body,
         asset=asset,
         location=frames.vector_to_unreal(origin),
@@ -227,6 +293,7 @@ def _body(index: int, body: Body, name: str, asset: MeshAsset) -> UnrealBody:
         principal_axes=frames.quaternion_to_unreal(axes),
         inertia=moments * frames.CM2_PER_M2,
         index=index,
+        wheels=_wheels(body, idents, asset),
     )
 
 
@@ -287,6 +354,9 @@ def _values(p: Primitive) -> tuple[tuple[str, str], ...]:
         ):
             if value is not None:
                 values += [(flag, "true"), (field, frames.float_literal(value))]
+        if p.braking is not None:
+            braking = frames.literal(p.braking * frames.CM_PER_M)
+            values += [("bSetBraking", "true"), ("Braking", braking)]
         return tuple(values)
     span = (
         ("Start", frames.literal(p.start)),

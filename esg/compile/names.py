@@ -43,16 +43,23 @@ def identifier(text: str, fallback: str = "Object") -> str:
     return out
 
 
-def unique_identifiers(names: Iterable[str], fallback: str = "Object") -> dict[str, str]:
+def unique_identifiers(
+    names: Iterable[str], fallback: str = "Object", reserved: Iterable[str] = ()
+) -> dict[str, str]:
     """Maps names to identifiers that differ even on case-insensitive file systems.
 
     Names are handled in order; a collision gets the next free number after an underscore.
+
+    Args:
+        names: What to name.
+        fallback: For a name without a usable character.
+        reserved: Identifiers that none may get.
 
     Raises:
         ValueError: If a name appears twice.
     """
     out: dict[str, str] = {}
-    taken: set[str] = set()
+    taken = {r.lower() for r in reserved}
     for name in names:
         if name in out:
             raise ValueError(f"name {name!r} appears twice")

@@ -9,10 +9,12 @@ from __future__ import annotations
 from functools import cache
 import json
 from pathlib import Path
-import shutil
+from typing import Any
 
+from esg.compile import names
 from esg.compile.assets import mesh_file
 from esg.compile.build import ClassFiles
+from esg.compile.glb import part_of
 from esg.compile.lint import lint
 from esg.compile.replay import load_imports
 from esg.outcomes import UserError
@@ -44,13 +46,16 @@ def write_plugin(folder: Path, out: Path) -> list[Path]:
         raise damaged(folder / "unreal", "; ".join(complaints))
     imports = load_imports(folder / "unreal" / "imports.json")
     root = out / PLUGIN
+    resources = root / "Resources" / files.name
+    meshes: dict[str, bytes] = {}
+    imports = imports | {"assets": [_resource(folder, a, meshes) for a in imports["assets"]]}
     source = root / "Source" / PLUGIN
     texts = {
         root / f"{PLUGIN}.uplugin": _descriptor(),
         root / "README.md": _template("plugin_readme.md").replace("@CLASS@", files.name),
         root / "Config" / "DefaultEngine.fragment.ini": _template("plugin_engine.ini"),
         root / "Content" / "Python" / "import_esg_assets.py": _template("plugin_import.py.txt"),
-        root / "Resources" / files.name / "imports.json": json.dumps(imports, indent=1) + "\n",
+        resources / "imports.json": json.dumps(imports, indent=1) + "\n",
         source / f"{PLUGIN}.Build.cs": _template("plugin_build.cs.txt"),
         source / "Private" / f"{PLUGIN}Module.cpp": _template("plugin_module.cpp"),
         source / "Public" / f"{files.name}.h": files.header,
@@ -59,15 +64,30 @@ def write_plugin(folder: Path, out: Path) -> list[Path]:
     for path, text in texts.items():
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text, "utf-8", newline="\n")
-    written = list(texts)
-    for asset in imports["assets"]:
-        mesh = mesh_file(folder, asset["source"])
-        if mesh is not None:
-            target = root / "Resources" / files.name / mesh.relative_to(folder)
-            target.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copyfile(mesh, target)
-            written.append(target)
-    return sorted(set(written))
+    for source, data in meshes.items():
+        target = resources / source
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_bytes(data)
+    return sorted({*texts, *(resources / source for source in meshes)})
+
+
+def _resource(folder: Path, asset: dict[str, Any], meshes: dict[str, bytes]) -> dict[str, Any]:
+    """An asset with a file of its own, which is added to `meshes`: Unreal imports whole files."""
+    mesh = mesh_file(folder, asset["source"])
+    if mesh is None:
+        return asset
+    node, rest = asset.get("node", ""), asset.get("without_nodes", [])
+    source = mesh.relative_to(folder)
+    data = mesh.read_bytes()
+    if node:
+        source = source.with_suffix(f".{names.identifier(node)}.glb")
+        data = part_of(data, holders=[node])
+    elif rest:
+        source = source.with_suffix(".Body.glb")
+        data = part_of(data, without=rest)
+    meshes[source.as_posix()] = data
+    plain = {k: v for k, v in asset.items() if k not in ("node", "without_nodes")}
+    return plain | {"source": source.as_posix()}
 
 
 @cache

@@ -8,8 +8,11 @@ from pathlib import Path
 from esg.compile import frames, names
 from esg.compile.assets import MeshAsset, Probe, probes
 from esg.compile.header import PRIMITIVE_FIELDS
-from esg.compile.model import ScenePlan, UnrealBody
+from esg.compile.model import ScenePlan, UnrealBody, UnrealWheel
 from esg.engines.program import GUIDE_RATE
+from esg.engines.scene import Body, SimScene
+from esg.engines.traction import FALLING, ON_WHEELS, Feature, features
+from esg.engines.wheels import FALLS, RUNS_DOWN_S, UPRIGHT
 
 INCLUDES = (
     "Components/PrimitiveComponent.h",
@@ -42,6 +45,49 @@ FLIGHT = """\
 \t}"""
 """Vertical velocity of a hold, in classes with powered flight."""
 
+SET_BRAKING = """\
+	if (Command.bSetBraking)
+	{
+		for (FBodyRef& Braked : Bodies)
+		{
+			Braked.Braking = Braked.Component == Body ? Command.Braking : Braked.Braking;
+		}
+	}
+"""
+"""What sets the brakes of a body, in classes with brakes."""
+
+FALLING_SHARE = f"""\
+	/** What loses more than this share of a step's gravity within it, nothing carries. */
+	constexpr double FallingShare = {frames.literal(FALLING)};
+
+"""
+"""Constant of classes with brakes or tyres."""
+
+UPRIGHT_COSINE = f"""\
+\t/** Of the tilt up to which a body stands on its wheels. */
+\tconstexpr double UprightCosine = {frames.literal(ON_WHEELS)};
+
+"""
+"""Constant of classes with tyres."""
+
+ROLL = """\
+\tif (Body.Settings->bRolls)
+\t{
+\t\tFVector Spin = Body.Component->GetPhysicsAngularVelocityInDegrees();
+\t\tSpin.X *= Kept;
+\t\tSpin.Y *= Kept;
+\t\tBody.Component->SetPhysicsAngularVelocityInDegrees(Spin);
+\t}
+"""
+"""What brakes do to a round body, in classes with brakes."""
+
+BRAKES = "\t\tApplyBrakes(Body, Body.Braking * Step);\n"
+TYRES = """\
+\t\tconst double Taken = ApplyBrakes(Body, Body.Braking * Step);
+\t\tApplyTyres(Body, -WorldGravityZ * Step, Taken);
+"""
+"""What acts on a body, in classes without and with tyres."""
+
 GUIDING = f"""\
 \t/** How fast a guided body that is off its path returns to it [1/s]. */
 \tconstexpr double GuideRate = {frames.literal(GUIDE_RATE)};
@@ -51,6 +97,19 @@ GUIDING = f"""\
 
 """
 """Constants of classes that guide a body."""
+
+WHEELS = f"""\
+\t/** A body whose up axis rises less than this does not stand on its wheels. */
+\tconstexpr double Upright = {frames.literal(UPRIGHT)};
+
+\t/** What gains this share of gravity's speed downwards is carried by nothing. */
+\tconstexpr double Falls = {frames.literal(FALLS)};
+
+\t/** In which a wheel that touches nothing runs down [s]. */
+\tconstexpr double RunsDown = {frames.literal(RUNS_DOWN_S)};
+
+"""
+"""Constants of classes with wheels."""
 
 
 @cache
@@ -69,24 +128,65 @@ def emit_source(plan: ScenePlan) -> str:
         _collect(plan, shapes),
         _dispatch(plan),
         *(_run(plan, kind) for kind in PRIMITIVE_FIELDS if kind in plan.kinds),
-        _template("Fixed").replace("@LASTING@", "Hold" if plan.guides else "HoldVelocity"),
+        *_traction(plan),
+        _fixed(plan),
+        *([_template("Wheels"), _collect_wheels(plan)] if plan.wheels else []),
     ]
     text = "\n".join(part.strip("\n") + "\n" for part in parts)
     return text.replace("@CLASS@", plan.name)
 
 
+def _fixed(plan: ScenePlan) -> str:
+    """What is the same in every class, but for the words of its log and the call of its wheels."""
+    text = _template("Fixed").replace("@LASTING@", "Hold" if plan.guides else "HoldVelocity")
+    for mark, call in (
+        ("@COLLECT_WHEELS@", "CollectWheels();"),
+        ("@TURN_WHEELS@", "TurnWheels(Step);"),
+    ):
+        text = text.replace(f"\t{mark}\n", f"\t{call}\n" if plan.wheels else "")
+    return text
+
+
+def _collect_wheels(plan: ScenePlan) -> str:
+    lines = "\n".join(
+        f"\tWheels.Add(FTurningWheel{{ {wheel.member}, {body.member}, &{wheel.settings} }});"
+        for body, wheel in plan.wheels
+        if body.simulated
+    )
+    return f"""
+void A@CLASS@::CollectWheels()
+{{
+	Wheels.Reset();
+{lines}
+}}
+"""
+
+
 def _run(plan: ScenePlan, kind: str) -> str:
     """What executes primitives of a kind."""
     text = _template(f"Run{kind}")
+    text = text.replace("@SET_BRAKING@\n", SET_BRAKING if plan.brakes else "")
     return text.replace("@ON_GROUND@", IN_FLIGHT if plan.flies else "").replace(
         "@RISE@", FLIGHT if plan.flies else KEPT_RISE
     )
 
 
+def _traction(plan: ScenePlan) -> list[str]:
+    """What plays brakes and tyres, in classes with them."""
+    if not (plan.brakes or plan.tyres):
+        return []
+    text = _template("ApplyTraction").replace("@ROLL@\n", ROLL if plan.brakes else "")
+    tyres = [_template("ApplyTyres")] if plan.tyres else []
+    return [text.replace("@ACTS@\n", TYRES if plan.tyres else BRAKES), *tyres]
+
+
 def _preamble(plan: ScenePlan) -> str:
     includes = "\n".join(f'#include "{path}"' for path in INCLUDES)
     tables = "\n".join(_probe_table(a) for a in plan.assets)
-    guiding = GUIDING if "GuideAlong" in plan.kinds else ""
+    constants = GUIDING if "GuideAlong" in plan.kinds else ""
+    constants += FALLING_SHARE if plan.brakes or plan.tyres else ""
+    constants += UPRIGHT_COSINE if plan.tyres else ""
+    constants += WHEELS if plan.wheels else ""
     return f"""#include "@CLASS@.h"
 
 {includes}
@@ -114,7 +214,7 @@ namespace @CLASS@Detail
 	/** Unreal's impulse unit is kg cm/s. */
 	constexpr double ImpulsePerNewtonSecond = 100.0;
 
-{guiding}	/** A shape that penetration queries accept, in its mesh's frame. */
+{constants}	/** A shape that penetration queries accept, in its mesh's frame. */
 	struct FProbe
 	{{
 		FCollisionShape Shape;
@@ -178,6 +278,7 @@ def _constructor(plan: ScenePlan) -> str:
 
 def _body_defaults(plan: ScenePlan, body: UnrealBody) -> list[str]:
     src, f = body.source, frames.float_literal
+    rolls = [("bRolls", "true")] if plan.brakes and src.roll_radius > 0.0 else []
     values = [
         ("Location", frames.vector_literal(body.location)),
         ("Rotation", frames.quaternion_literal(body.rotation)),
@@ -196,16 +297,43 @@ def _body_defaults(plan: ScenePlan, body: UnrealBody) -> list[str]:
             ("Inertia", frames.vector_literal(body.inertia)),
             ("LinearDamping", f(src.linear_damping)),
             ("AngularDamping", f(src.angular_damping)),
+            *rolls,
+            *_tyres(plan, src),
         ]
     path, name = names.string_literal(body.asset.path), names.string_literal(body.name)
     return [
         f"\t{body.member} = CreateMesh({name}, {path});",
         *(f"\t{body.settings}.{field} = {value};" for field, value in values),
+        *(line for wheel in body.wheels for line in _wheel_defaults(body, wheel)),
     ]
 
 
+def _wheel_defaults(body: UnrealBody, wheel: UnrealWheel) -> list[str]:
+    path, name = names.string_literal(wheel.path), names.string_literal(wheel.name)
+    return [
+        f"\t{wheel.member} = CreateWheel({body.member}, {name}, {path});",
+        f"\t{wheel.settings}.Axle = {frames.vector_literal(wheel.axle)};",
+        f"\t{wheel.settings}.Radius = {frames.literal(wheel.radius)};",
+    ]
+
+
+def _tyres(plan: ScenePlan, body: Body) -> list[tuple[str, str]]:
+    if not plan.tyres or body.tyre_friction == 0.0:
+        return []
+    row = features(SimScene("", (body,)))[0].tolist()
+    values = (
+        ("TyreFriction", row[Feature.GRIP]),
+        ("TyreDrop", row[Feature.DROP] * frames.CM_PER_M),
+        ("Axle", row[Feature.AXLE] * frames.CM_PER_M),
+        ("Lean", row[Feature.LEAN] / frames.CM_PER_M),
+    )
+    return [(name, frames.literal(value)) for name, value in values]
+
+
 def _construction(plan: ScenePlan) -> str:
-    calls = "\n".join(f"\tConfigureBody({b.member}, {b.settings});" for b in plan.bodies)
+    lines = [f"\tConfigureBody({b.member}, {b.settings});" for b in plan.bodies]
+    lines += [f"\tConfigureWheel({w.member}, {w.settings});" for _, w in plan.wheels]
+    calls = "\n".join(lines)
     return f"""
 void A@CLASS@::OnConstruction(const FTransform& Transform)
 {{
@@ -225,6 +353,8 @@ def _collect(plan: ScenePlan, shapes: dict[str, int]) -> str:
     lines: list[str] = []
     for i, p in enumerate(plan.primitives):
         lines.append(f"\tCommands[{i}].Body = {p.body};")
+        if (plan.brakes or plan.tyres) and p.kind in ("HoldVelocity", "GuideAlong"):
+            lines.append(f"\tCommands[{i}].bDrives = true;")
         if p.until:
             lines.append(f"\tCommands[{i}].EndsAtTouchOf = {{ {', '.join(p.until)} }};")
     for i, e in enumerate(plan.events):
@@ -257,6 +387,8 @@ def _dispatch(plan: ScenePlan) -> str:
         f"\tRun{p.kind}({p.body}, {p.member}, Commands[{i}], Due);"
         for i, p in enumerate(plan.primitives)
     )
+    if plan.brakes or plan.tyres:
+        calls = f"\tFindFalling(Due);\n{calls}\n\tApplyTraction(Due);".replace("\n\n", "\n")
     due = (
         "" if calls else "\t// The program is empty: nothing is driven.\n\tstatic_cast<void>(Due);"
     )

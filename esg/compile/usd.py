@@ -2,9 +2,9 @@
 """OpenUSD: a UsdPhysics scene to simulate, and a layer with the baked replay to play.
 
 `scene.usda` (m, kg, Z up) holds bodies with mass properties, colliders, materials, start
-velocities, and the control program and watched pairs as custom data. `scene_animation.usda`
-sublayers it, switches its rigid bodies off and adds time samples of the replay, so that one file
-simulates and the other plays.
+velocities, and the control program as prims. `scene_animation.usda` sublayers it, switches its
+rigid bodies off and adds time samples of the replay, so that one file simulates and the other
+plays.
 """
 
 from __future__ import annotations
@@ -18,15 +18,20 @@ import numpy as np
 from esg.compile import names
 from esg.compile.glb import GltfMeshes, _continuous, mesh_of
 from esg.compile.mjcf import start_velocities
+from esg.compile.usd_physx import physx_body, physx_collider, physx_material, physx_scene
+from esg.compile.usd_program import write_program
 from esg.engines.manifest import Manifest
-from esg.engines.program import program_to_json
 from esg.engines.scene import Body, Rollout, Shape
+from esg.engines.wheels import wheel_angles
 from esg.engines.worlds import principal_axes
 from esg.units import quat_rotate
 
 GROUND_SIZE_M = 200.0
 """Side of the drawn ground; the collider is an endless plane."""
 
+GROUNDED = ("roll_radius", "wheeled", "tyre_friction", "tyre_drop")
+"""Fields of a body that a player asks for who lets brakes and tyres act (docs/read_traction.py)."""
+_RESERVED = ("Ground", "VehicleGround", "Looks", "PhysicsScene", "Program")
 _RAD_TO_DEG = 180.0 / np.pi
 
 
@@ -40,12 +45,18 @@ def write_usd(manifest: Manifest, rollout: Rollout, folder: Path, out: Path) -> 
         out: Where to write.
     """
     physics, animation = out / "scene.usda", out / "scene_animation.usda"
-    physics.write_text(_physics_layer(manifest, folder), "utf-8", newline="\n")
+    physics.write_text(physics_layer(manifest, folder), "utf-8", newline="\n")
     animation.write_text(_animation_layer(manifest, rollout, physics.name), "utf-8", newline="\n")
     return [physics, animation]
 
 
-def _physics_layer(manifest: Manifest, folder: Path) -> str:
+def physics_layer(manifest: Manifest, folder: Path) -> str:
+    """The scene to simulate, as text.
+
+    Args:
+        manifest: Scene and program.
+        folder: Scene folder with the meshes.
+    """
     from pxr import Gf, Sdf, Usd, UsdGeom, UsdPhysics
 
     scene = manifest.scene
@@ -53,16 +64,16 @@ def _physics_layer(manifest: Manifest, folder: Path) -> str:
     _stage_metrics(stage)
     world = UsdGeom.Xform.Define(stage, "/World").GetPrim()
     stage.SetDefaultPrim(world)
-    program = json.dumps(program_to_json(manifest.program), sort_keys=True, allow_nan=False)
     world.SetCustomDataByKey("esg:scene_id", json.dumps(scene.scene_id))
-    world.SetCustomDataByKey("esg:program", program)
     world.SetCustomDataByKey("esg:watch", json.dumps([list(p) for p in manifest.watch]))
     physics = UsdPhysics.Scene.Define(stage, "/World/PhysicsScene")
     strength = float(np.linalg.norm(scene.gravity))
     down = np.array(scene.gravity) / strength if strength else np.array([0.0, 0.0, -1.0])
     physics.CreateGravityDirectionAttr(Gf.Vec3f(*map(float, down)))
     physics.CreateGravityMagnitudeAttr(strength)
-    idents = names.unique_identifiers(scene.names)
+    physx_scene(physics.GetPrim(), manifest.dt)
+    idents = names.unique_identifiers(scene.names, reserved=_RESERVED)
+    paths = {name: f"/World/{ident}" for name, ident in idents.items()}
     moving = [b for b in scene.bodies if b.collides and not b.static]
     wheeled = [idents[b.name] for b in moving if b.wheeled]
     normal = [idents[b.name] for b in moving if not b.wheeled]
@@ -71,8 +82,7 @@ def _physics_layer(manifest: Manifest, folder: Path) -> str:
     library: dict[str, str] = {}
     UsdGeom.Scope.Define(stage, "/World/Looks")
     for body in scene.bodies:
-        path = f"/World/{idents[body.name]}"
-        prim = _body(stage, path, body)
+        prim = _body(stage, paths[body.name], body)
         _visual(stage, prim, body, folder, library)
         if body.collides and not body.static:
             # UsdPhysics states velocities in the space of the body's own xform, angles in degrees.
@@ -84,6 +94,10 @@ def _physics_layer(manifest: Manifest, folder: Path) -> str:
             rigid = UsdPhysics.RigidBodyAPI(prim)
             rigid.CreateVelocityAttr(Gf.Vec3f(*map(float, linear)))
             rigid.CreateAngularVelocityAttr(Gf.Vec3f(*(float(v) * _RAD_TO_DEG for v in angular)))
+            # NVIDIA's PhysX takes velocities as the world's unless a body says otherwise.
+            prim.SetCustomDataByKey("physics:localSpaceVelocities", True)
+            physx_body(prim, body)
+    write_program(stage, manifest.program, manifest.dt, paths)
     layer = stage.GetRootLayer()
     assert isinstance(layer, Sdf.Layer)
     return layer.ExportToString()
@@ -105,6 +119,7 @@ def _material(stage: Any, name: str, friction: float, restitution: float) -> Any
     physics.CreateStaticFrictionAttr(float(friction))
     physics.CreateDynamicFrictionAttr(float(friction))
     physics.CreateRestitutionAttr(float(restitution))
+    physx_material(material.GetPrim())
     return material
 
 
@@ -136,6 +151,7 @@ def _ground(stage: Any, manifest: Manifest, normal: list[str], wheeled: list[str
         if name == "VehicleGround":
             plane.CreateVisibilityAttr("invisible")
         UsdPhysics.CollisionAPI.Apply(plane.GetPrim())
+        physx_collider(plane.GetPrim())
         _bind(plane.GetPrim(), _material(stage, name, friction, scene.ground_restitution))
         if deaf_to:
             pairs = UsdPhysics.FilteredPairsAPI.Apply(plane.GetPrim()).CreateFilteredPairsRel()
@@ -155,14 +171,15 @@ def _body(stage: Any, path: str, body: Body) -> Any:
     form.AddOrientOp(UsdGeom.XformOp.PrecisionDouble).Set(_quatd(body.quaternion))
     # As JSON, because a name may hold characters that USD text cannot.
     prim.SetCustomDataByKey("esg:name", json.dumps(body.name))
-    prim.SetCustomDataByKey("esg:linear_damping", float(body.linear_damping))
-    prim.SetCustomDataByKey("esg:angular_damping", float(body.angular_damping))
+    for field in GROUNDED:
+        if value := getattr(body, field, 0.0):
+            prim.SetCustomDataByKey(f"esg:{field}", value)
+    mass = UsdPhysics.MassAPI.Apply(prim)
+    mass.CreateCenterOfMassAttr(Gf.Vec3f(*(float(-v) for v in offset)))
     if body.collides and not body.static:
         UsdPhysics.RigidBodyAPI.Apply(prim)
-        mass = UsdPhysics.MassAPI.Apply(prim)
         moments, axes = principal_axes(np.asarray(body.inertia, float))
         mass.CreateMassAttr(float(body.mass))
-        mass.CreateCenterOfMassAttr(Gf.Vec3f(*(float(-v) for v in offset)))
         mass.CreateDiagonalInertiaAttr(Gf.Vec3f(*map(float, moments)))
         mass.CreatePrincipalAxesAttr(Gf.Quatf(_quatd(axes)))
     if body.shapes:
@@ -209,6 +226,7 @@ def _collider(stage: Any, path: str, shape: Shape, body: Body, material: Any) ->
         geom.AddScaleOp(UsdGeom.XformOp.PrecisionDouble).Set(Gf.Vec3d(2 * x, 2 * y, 2 * z))
     geom.CreatePurposeAttr("guide")
     UsdPhysics.CollisionAPI.Apply(geom.GetPrim())
+    physx_collider(geom.GetPrim(), hull=shape.kind == "convex")
     _bind(geom.GetPrim(), material)
 
 
@@ -246,8 +264,11 @@ def _visual(stage: Any, prim: Any, body: Body, folder: Path, library: dict[str, 
         root = f"/Assets/Asset{number}"
         stage.CreateClassPrim("/Assets")
         UsdGeom.Xform.Define(stage, root)
-        for i, (vertices, faces, color) in enumerate(GltfMeshes(data).parts()):
-            mesh = UsdGeom.Mesh.Define(stage, f"{root}/Part{i}")
+        wheels = _wheels(stage, root, body)
+        for i, (holder, vertices, faces, color) in enumerate(GltfMeshes(data).held_parts()):
+            path, axle = wheels.get(holder, (root, 0.0))
+            mesh = UsdGeom.Mesh.Define(stage, f"{path}/Part{i}")
+            vertices = vertices - axle
             _triangles(mesh, vertices, faces)
             mesh.CreateDisplayColorAttr([color[:3]])
             if color[3] < 1.0:
@@ -257,11 +278,39 @@ def _visual(stage: Any, prim: Any, body: Body, folder: Path, library: dict[str, 
     visual.GetReferences().AddInternalReference(library[key])
 
 
+def _wheels(stage: Any, root: str, body: Body) -> dict[str, tuple[str, Any]]:
+    """Prims of a body's wheels below its asset: path and axle in the mesh's frame [m] by name."""
+    from pxr import Gf, UsdGeom
+
+    out: dict[str, tuple[str, Any]] = {}
+    idents = names.unique_identifiers((w.name for w in body.wheels), "Wheel")
+    for wheel in body.wheels:
+        path = f"{root}/{idents[wheel.name]}"
+        form = UsdGeom.Xform.Define(stage, path)
+        axle = np.asarray(wheel.axle) - np.asarray(body.origin_offset)
+        form.AddTranslateOp(UsdGeom.XformOp.PrecisionDouble).Set(Gf.Vec3d(*map(float, axle)))
+        form.AddRotateYOp(UsdGeom.XformOp.PrecisionDouble).Set(0.0)
+        out[wheel.name] = path, axle
+    return out
+
+
+def _turn_wheels(stage: Any, path: str, body: Body, angles: Any) -> None:
+    """Time samples of the wheels of the body at `path`, angles [rad], shape [T, wheels]."""
+    from pxr import Sdf
+
+    idents = names.unique_identifiers((w.name for w in body.wheels), "Wheel")
+    for wheel, turned in zip(body.wheels, np.degrees(angles).T, strict=True):
+        prim = stage.OverridePrim(f"{path}/Visual/{idents[wheel.name]}")
+        attribute = prim.CreateAttribute("xformOp:rotateY", Sdf.ValueTypeNames.Double)
+        for frame, angle in enumerate(turned):
+            attribute.Set(float(angle), float(frame))
+
+
 def _animation_layer(manifest: Manifest, rollout: Rollout, physics: str) -> str:
     from pxr import Sdf, Usd
 
     scene = manifest.scene
-    idents = names.unique_identifiers(scene.names)
+    idents = names.unique_identifiers(scene.names, reserved=_RESERVED)
     rate = 1.0 / (rollout.time[1] - rollout.time[0]) if len(rollout.time) > 1 else 1.0
     layer = Sdf.Layer.CreateAnonymous(".usda")
     stage = Usd.Stage.Open(layer)
@@ -286,6 +335,9 @@ def _animation_layer(manifest: Manifest, rollout: Rollout, physics: str) -> str:
         for frame in range(len(q)):
             translate.Set(tuple(map(float, at[frame])), float(frame))
             orient.Set(_quatd(q[frame]), float(frame))
+        centers, turns = rollout.position[0, :, i], rollout.quaternion[0, :, i]
+        angles = wheel_angles(body, rollout.time, centers, turns, scene.gravity)
+        _turn_wheels(stage, str(prim.GetPath()), body, angles)
     # The layer is in memory: a stage would look for the sublayer beside nothing and complain.
     del stage
     layer.subLayerPaths.append(f"./{physics}")

@@ -20,6 +20,7 @@ from esg.store.assembling import Counts, card_header, card_tables
 _SCENE_COLUMNS = [
     "scene_key", "prompt", "family", "level", "rule", "pair", "changed", "outcome", "verified",
     "slr", "n_events", "n_completed", "ppa", "proof", "fully_understood",
+    "plausible",
 ]  # fmt: skip
 _MAX_FAILURES = 20
 
@@ -50,6 +51,13 @@ def statistics(out: Path, spec: DatasetSpec, failed: Sequence[Mapping[str, Any]]
         "outcomes": _counted(s["outcome"] for s in scenes),
         "partial": sum(s["outcome"] == Outcome.PARTIAL.value for s in scenes),
         "fully_understood": sum(bool(s["fully_understood"]) for s in scenes),
+        "plausible": sum(s["plausible"] is True for s in scenes),
+        "replayed": sum(s["plausible"] is not None for s in scenes),
+        "implausible": _counted(
+            r["check_name"]
+            for r in _rows(out, "plausibility_checks", ["check_name", "ok"])
+            if not r["ok"]
+        ),
         "statements": _counted(
             r["status"]
             for r in _rows(out, "statements", ["source", "status"])
@@ -212,6 +220,7 @@ def card(spec: DatasetSpec, counts: Counts, facts: Mapping[str, Any]) -> str:
     lines += _size_lines(facts["sizes"])
     lines += _share_table("How scenes end", "outcome", facts["outcomes"], n)
     lines += _statement_lines(facts, n)
+    lines += _plausible_lines(facts)
     if facts["levels"]:
         lines += _rate_table("By difficulty", "level", facts["levels"], "scenes", "verified")
     if facts["rules"]:
@@ -332,6 +341,21 @@ def _statement_lines(facts: Mapping[str, Any], n: int) -> list[str]:
         words = row["words"].replace("|", "\\|")
         lines.append(f"| {words} | {row['status'].replace('_', ' ')} | {row['scenes']} |")
     return [*lines, ""]
+
+
+def _plausible_lines(facts: Mapping[str, Any]) -> list[str]:
+    """How many replays are plausible, and which checks the others fail."""
+    lines = ["## Plausibility", ""]
+    lines += [
+        f"{facts['plausible']} of {facts['replayed']} replays are `plausible`: every check of "
+        "table `plausibility_checks` stays within its limit.",
+        "",
+    ]
+    if not facts["implausible"]:
+        return lines
+    lines += ["| check | replays that fail it |", "| --- | ---: |"]
+    ordered = sorted(facts["implausible"].items(), key=lambda item: (-item[1], item[0]))
+    return [*lines, *(f"| {name.replace('_', ' ')} | {n} |" for name, n in ordered), ""]
 
 
 def _rate_table(

@@ -12,7 +12,7 @@ from typing import Any
 from esg.dataset.job import BatchJob, BatchResult
 from esg.dataset.plan import SAMPLE_EVERY, PlannedScene
 from esg.outcomes import Outcome
-from esg.pipeline import SceneState, failures
+from esg.pipeline import SceneState, failures, implausible
 
 
 def write_batch(job: BatchJob, states: Sequence[SceneState]) -> tuple[BatchResult, float]:
@@ -90,13 +90,14 @@ def _failures(
 
     The expectation decides: a scene whose layout and events are what its sentence says is no
     failure, whatever the optimizer thought of it; one that ended well but not as its sentence says
-    is. A `partial` scene is one only if the dataset is strict.
+    is. A `partial` or implausible scene is one only if the dataset is strict.
     """
     told = {row["scene"]: row for row in failures(states, strict=job.spec.strict)}
     out: list[dict[str, Any]] = []
     for scene, state, good in zip(job.scenes, states, met, strict=True):
         row = told.get(scene.scene_id)
-        if good and (row is None or state.outcome is not Outcome.PARTIAL):
+        lacking = job.spec.strict and (state.outcome is Outcome.PARTIAL or implausible(state))
+        if good and (row is None or not lacking):
             continue
         if row is None:
             row = {

@@ -43,7 +43,7 @@ class Noun:
         material: Main material.
         shape: sphere, box, cylinder, capsule or compound.
         traits: wheeled, round, container, support, fixed, goal, decal, structural,
-            topples, incline.
+            topples, incline; rolls (round about some axis, from the library's flags).
         description: Phrase for retrieval.
         like: What a noun outside the lexicon is shaped and sized like ("disc of 6 cm").
     """
@@ -100,7 +100,7 @@ def _noun(kind: Kind) -> Noun:
         mass_kg=kind.mass_kg,
         material=kind.material,
         shape=kind.shape,
-        traits=kind.traits,
+        traits=kind.traits | ({"rolls"} if kind.rolls else set()),
         description=kind.request,
         synonyms=kind.said_as,
     )

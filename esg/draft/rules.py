@@ -23,7 +23,7 @@ from esg.draft.grammar.rewrites.ones import name_ones
 from esg.draft.grammar.rewrites.patterns import rewrite
 from esg.draft.grammar.rewrites.shares import count
 from esg.draft.statements import state
-from esg.draft.text.elements import Element, Word
+from esg.draft.text.elements import Element
 from esg.draft.text.tagging import pos_tags
 from esg.draft.text.tokens import tokenize
 from esg.draft.text.topics import is_billiards, is_net_sport
@@ -87,8 +87,7 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     gaps = {frozenset((r.source, r.target)): r.distance for r in told if r.distance is not None}
     timeline = scene.timeline.build(gaps)
     too_long(timeline)
-    adverbs = [e for e in elements if isinstance(e, Word) and e.kind == "adv"]
-    statements = state(discourse, clauses.frames, adverbs)
+    statements = state(discourse, clauses.frames, elements, tokens)
     coverage = in_prompt(account(text, elements, clauses.mentions, scene, tokens), text, prompt)
     statements = stated_in_prompt(statements, text, prompt)
     expanded = text + ("" if not reasons else " [" + "; ".join(reasons) + "]")

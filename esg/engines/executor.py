@@ -18,13 +18,13 @@ from esg.engines.program import (
     Action,
     Column,
     ProgramBatch,
+    Vec,
     path_point,
 )
-from esg.engines.scene import ContactLog
+from esg.engines.scene import ContactLog, Floats
+from esg.engines.traction import Traction, features
 from esg.engines.worlds import MAX_SPEED_MPS, ContactRecorder, Frames, Start, join_logs
 from esg.units import GRAVITY_MPS2
-
-Vec = tuple[float, float, float]
 
 
 class BodyAccess(Protocol):
@@ -39,6 +39,10 @@ class BodyAccess(Protocol):
 
     def set_angular(self, body: int, velocity: Vec) -> None: ...
     def mass(self, body: int) -> float: ...
+    def read(self, body: int) -> tuple[Any, Any, Any, Any]:
+        """Position, quaternion (x, y, z, w), linear and angular velocity."""
+        ...
+
     def set_linear_damping(self, body: int, damping: float) -> None: ...
     def set_angular_damping(self, body: int, damping: float) -> None: ...
     def set_friction(self, body: int, friction: float) -> None: ...
@@ -55,11 +59,6 @@ class World(BodyAccess, Protocol):
     """Indices of the bodies whose state changes."""
 
     def step(self) -> None: ...
-
-    def read(self, body: int) -> tuple[Any, Any, Any, Any]:
-        """Position, quaternion (x, y, z, w), linear and angular velocity."""
-        ...
-
     def contacts(self, ground: bool) -> Iterator[Touch]:
         """Pairs that touched in the last step; contacts with the ground only if asked for."""
         ...
@@ -72,10 +71,19 @@ class Executor:
         batch: W programs.
         world: Which of them.
         gravity_z: Of the scene, which powered flight works against [m/s^2].
+        rows: `esg.engines.traction.features` of the bodies; None if all move and none is
+            round or has tyres.
     """
 
-    def __init__(self, batch: ProgramBatch, world: int, gravity_z: float = -GRAVITY_MPS2) -> None:
+    def __init__(
+        self,
+        batch: ProgramBatch,
+        world: int,
+        gravity_z: float = -GRAVITY_MPS2,
+        rows: Floats | None = None,
+    ) -> None:
         self._gravity_z = gravity_z
+        self._traction = Traction(batch, world, rows, gravity_z)
         self._kind = [Action(k) for k in batch.kind]
         self._body = [int(b) for b in batch.body]
         self._rows = [[float(v) for v in row] for row in batch.table[world]]
@@ -96,25 +104,35 @@ class Executor:
             touched: Body pairs (a < b) with a normal impulse > 0 in the step before this one.
             world: The bodies.
         """
-        if not self._pending:
-            return
+        self._traction.look(dt, world)
+        driven = self._act(t, dt, set(touched), world) if self._pending else {}
+        self._traction.act(dt, driven, world)
+
+    def _act(
+        self, t: float, dt: float, hits: set[tuple[int, int]], world: BodyAccess
+    ) -> dict[int, float]:
+        """Executes the primitives; returns the bodies whose velocity a hold or a guide has set, and
+        the vertical velocity that they start the step with [m/s]."""
+        driven: dict[int, float] = {}
         now = t + 0.5 * dt
-        hits = set(touched)
         for k in self._pending:
             row, body = self._rows[k], self._body[k]
             if self._kind[k] >= Action.HOLD:
                 if self._is_active(k, now, hits):
                     pull = self._gravity_z * dt
                     if self._kind[k] is Action.HOLD:
-                        _hold(row, body, t, world, pull)
+                        driven[body] = _hold(row, body, t, world, pull)
                     elif self._kind[k] is Action.GUIDE:
-                        _guide(row, body, t, dt, world, pull)
+                        driven[body] = _guide(row, body, t, dt, world, pull)
                     else:
                         world.set_angular(body, _vector(row, Column.SPIN))
             elif row[Column.START] <= now:
                 self._done[k] = True
                 _fire(self._kind[k], row, body, world)
+                if self._kind[k] is Action.ADJUST and not math.isnan(row[Column.BRAKING]):
+                    self._traction.set_braking(body, row[Column.BRAKING])
         self._pending = [k for k in self._pending if not self._done[k]]
+        return driven
 
     def _is_active(self, k: int, now: float, hits: set[tuple[int, int]]) -> bool:
         body, row = self._body[k], self._rows[k]
@@ -142,7 +160,8 @@ def play_all(start: Start, world: Callable[[int], World], ground_contacts: bool)
         if not start.valid[w]:
             continue
         recorder = ContactRecorder(w, start.frames)
-        program = Executor(start.batch, w, start.scene.gravity[2])
+        rows = features(start.scene, float(start.values.friction_scale[w]))
+        program = Executor(start.batch, w, start.scene.gravity[2], rows)
         start.valid[w] = play(
             world(w), program, start.frames, start.states, recorder, ground_contacts
         )
@@ -232,8 +251,12 @@ def _vector(row: list[float], column: Column) -> Vec:
 
 def _guide(
     row: list[float], body: int, t: float, dt: float, world: BodyAccess, pull: float
-) -> None:
-    """Moves a body along its path; `pull` is what gravity adds in the step [m/s]."""
+) -> float:
+    """Moves a body along its path; `pull` is what gravity adds in the step [m/s].
+
+    Returns:
+        The vertical velocity that it starts the step with [m/s].
+    """
     s, n = t - row[Column.START], int(row[Column.KNOTS])
     knots = [Column.KNOT + KNOT_FIELDS * k for k in range(n)]
     times = [row[k] for k in knots]
@@ -245,10 +268,15 @@ def _guide(
     v = [(there[i] - here[i]) / dt + GUIDE_RATE * (here[i] - x[i]) for i in range(3)]
     world.set_flight(body, (v[0], v[1], v[2]), pull)
     world.set_angular(body, (0.0, 0.0, row[Column.GUIDE_TURN_RATE]))
+    return v[2] - pull
 
 
-def _hold(row: list[float], body: int, t: float, world: BodyAccess, pull: float) -> None:
-    """Drives a body; `pull` is what gravity adds to its vertical velocity in the step [m/s]."""
+def _hold(row: list[float], body: int, t: float, world: BodyAccess, pull: float) -> float:
+    """Drives a body; `pull` is what gravity adds to its vertical velocity in the step [m/s].
+
+    Returns:
+        The vertical velocity that it starts the step with [m/s].
+    """
     s, acceleration = t - row[Column.START], row[Column.ACCELERATION]
     speed = max(0.0, row[Column.SPEED] + acceleration * s)
     if acceleration > 0.0:
@@ -257,11 +285,13 @@ def _hold(row: list[float], body: int, t: float, world: BodyAccess, pull: float)
     vx, vy = speed * math.cos(heading), speed * math.sin(heading)
     radius, climb = row[Column.ROLL_RADIUS], row[Column.CLIMB]
     flies = not math.isnan(climb)
+    rise = climb - pull if flies else world.linear(body)[2]
     if flies:
         world.set_flight(body, (vx, vy, climb), pull)
     else:
-        world.set_linear(body, (vx, vy, world.linear(body)[2]))
+        world.set_linear(body, (vx, vy, rise))
     if flies or radius == 0.0:
         world.set_angular(body, (0.0, 0.0, row[Column.TURN_RATE]))
     else:
         world.set_angular(body, (-vy / radius, vx / radius, 0.0))
+    return rise

@@ -14,10 +14,11 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.engines.program import ProgramBatch
+from esg.engines.program import Action, Column, ProgramBatch
 from esg.engines.rest import starts_at_rest
 from esg.engines.scene import ContactLog, Rollout, SimScene, Variation
 from esg.engines.shapes import SceneShapes
+from esg.engines.traction import features, has_tyres
 from esg.engines.worlds import MAX_SPEED_MPS, Frames, Start, join_logs, moving
 
 Singles = NDArray[np.float32]
@@ -70,6 +71,7 @@ class Job:
         ground: Two frictions and the restitution, shape [W, 3].
         friction_scale: Shape [W].
         asleep: Bodies that rest where they start, for the surrogate, shape [W, B].
+        features: Of the bodies for the ground (`esg.engines.traction.features`), [B, FEATURES].
         kind, body, until, table: The programs (`ProgramBatch`).
         ground_contacts: Whether the log includes contacts with the ground.
     """
@@ -88,6 +90,7 @@ class Job:
     ground: Singles
     friction_scale: Singles
     asleep: NDArray[np.bool_]
+    features: Singles
     kind: Ints
     body: Ints
     until: NDArray[np.bool_]
@@ -97,6 +100,12 @@ class Job:
     @property
     def n_worlds(self) -> int:
         return len(self.mass)
+
+    @property
+    def grounded(self) -> bool:
+        """Whether there are brakes or tyres."""
+        braking = self.table[:, self.kind == Action.ADJUST, Column.BRAKING]
+        return bool(np.isfinite(braking).any()) or has_tyres(self.features)
 
     def of_worlds(self, worlds: NDArray[np.int64]) -> Job:
         """The same for some of the worlds, in their order; a world may be named twice."""
@@ -216,6 +225,7 @@ def job_of(
         ground=v.ground.astype(single),
         friction_scale=v.friction_scale.astype(single),
         asleep=asleep,
+        features=features(start.scene).astype(single),
         kind=batch.kind,
         body=batch.body,
         until=batch.until,

@@ -18,12 +18,15 @@ from typing import Any
 from pydantic import BaseModel, ValidationError
 
 from esg.engines.manifest_model import (
+    BRAKING_CONVENTION,
     CLIMB_CONVENTION,
     CONVENTIONS,
     GUIDE_CONVENTION,
     MANIFEST_FORMAT,
     MANIFEST_VERSION,
     SPIN_CONVENTION,
+    TYRES_CONVENTION,
+    WHEELS_CONVENTION,
     BodyModel,
     HoldVelocityModel,
     ManifestModel,
@@ -32,6 +35,7 @@ from esg.engines.manifest_model import (
 )
 from esg.engines.program import (
     PROGRAM_VERSION,
+    AdjustProperties,
     GuideAlong,
     HoldSpin,
     HoldVelocity,
@@ -39,7 +43,7 @@ from esg.engines.program import (
     program_from_json,
     program_to_json,
 )
-from esg.engines.scene import GROUND, Body, Region, Shape, SimScene
+from esg.engines.scene import GROUND, Body, Region, Shape, SimScene, Wheel
 from esg.outcomes import UserError
 
 
@@ -87,7 +91,7 @@ def manifest_to_json(
         "format": MANIFEST_FORMAT,
         "version": MANIFEST_VERSION,
         "scene_id": scene.scene_id,
-        "conventions": CONVENTIONS | _special_conventions(program),
+        "conventions": CONVENTIONS | _special_conventions(scene, program),
         "dt": dt,
         "gravity": list(scene.gravity),
         "ground": {
@@ -113,9 +117,13 @@ def manifest_to_json(
     return data
 
 
-def _special_conventions(program: Program) -> dict[str, str]:
-    """What has to be said of a program beyond the usual; others read as they always did."""
+def _special_conventions(scene: SimScene, program: Program) -> dict[str, str]:
+    """What has to be said beyond the usual; other manifests read as they always did."""
     out: dict[str, str] = {}
+    if any(b.tyre_friction > 0.0 for b in scene.bodies):
+        out["tyres"] = TYRES_CONVENTION
+    if any(b.wheels for b in scene.bodies):
+        out["wheels"] = WHEELS_CONVENTION
     for p in program.primitives:
         if isinstance(p, HoldVelocity) and p.climb is not None:
             out["climb"] = CLIMB_CONVENTION
@@ -123,6 +131,8 @@ def _special_conventions(program: Program) -> dict[str, str]:
             out["guide"] = GUIDE_CONVENTION
         elif isinstance(p, HoldSpin):
             out["spin"] = SPIN_CONVENTION
+        elif isinstance(p, AdjustProperties) and p.braking is not None:
+            out["braking"] = BRAKING_CONVENTION
     return out
 
 
@@ -219,6 +229,7 @@ def _effective_pairs(
 def _body(model: BodyModel) -> Body:
     values = _fields(model)
     values["shapes"] = tuple(Shape(**_fields(s)) for s in model.shapes)
+    values["wheels"] = tuple(Wheel(**_fields(w)) for w in model.wheels)
     return Body(**values)
 
 

@@ -65,6 +65,37 @@ SPIN_CONVENTION = (
 )
 """Stand under `guide` and `spin` of the conventions of manifests whose programs have them."""
 
+WHEELS_CONVENTION = (
+    "no engine simulates wheels; a recording turns them: the node `name` of the mesh by +1 rad "
+    "about Y of the body frame, through axle, for every radius [m] that the axle goes along +X of "
+    "the body while the body is upright and carried; else they go on turning and run down"
+)
+"""Stands under `wheels` of the conventions of a manifest with bodies that have them."""
+BRAKING_CONVENTION = (
+    "an AdjustProperties with a braking [m/s^2] sets the body's brakes (0 lets go): from then on, "
+    "before every step and after all primitives, its horizontal velocity loses min(|v_h|, braking "
+    "dt), and the horizontal part of the angular velocity of a body with roll_radius > 0 the same "
+    "share; not in a step in which a HoldVelocity or GuideAlong sets its velocity, nor while "
+    "nothing carries it: in the last step, from after the program and the brakes to before the "
+    "program acts again, it lost more than |gravity_z| dt / 2 of its vertical velocity (in the "
+    "first step everything is carried)"
+)
+TYRES_CONVENTION = (
+    "the tyres of a wheeled body with tyre_friction mu > 0 act before every step, after the "
+    "program and the brakes, while the body's Z axis is within 45 degrees of the vertical; with "
+    "k = sqrt(Izz / m), h = tyre_drop, q = m h / Ixx (body axes), f the horizontal part of its X "
+    "axis as a unit vector, s = z x f, v and w its linear and angular velocity: limit = sqrt((mu "
+    "|gravity_z| dt)^2 - l^2), l what the brakes have taken of |v_h| in this step (no tyres if "
+    "that is more); slip = (v.s + h w.f) / (1 + h q); front and rear = slip + k w_z and slip - k "
+    "w_z, each clipped to [-limit, limit]; a = (front + rear) / 2, b = (front - rear) / 2; v "
+    "loses a s, w loses q a f + b / k z. They act neither in a step in which a HoldVelocity or "
+    "GuideAlong sets its velocity nor while nothing carries it: in the last step, from after all "
+    "this to before the program acts again, it lost more than |gravity_z| dt / 2 of its vertical "
+    "velocity (in the first step everything is carried). So a body resists sliding sideways and "
+    "spinning, and rolls on unhindered"
+)
+"""Stand under `braking` and `tyres` of the conventions of manifests with brakes and tyres."""
+
 Number = Annotated[float, Field(allow_inf_nan=False)]
 Positive = Annotated[float, Field(gt=0.0, allow_inf_nan=False)]
 NonNegative = Annotated[float, Field(ge=0.0, allow_inf_nan=False)]
@@ -88,6 +119,14 @@ class ShapeModel(_Model):
     vertices: tuple[Vec, ...] = Field((), description="Hull points of a convex shape")
 
 
+class WheelModel(_Model):
+    """A wheel of a body: a part of its mesh that turns about Y of the body frame."""
+
+    name: Name
+    axle: Vec
+    radius: Positive
+
+
 class BodyModel(_Model):
     """One rigid body."""
 
@@ -103,6 +142,12 @@ class BodyModel(_Model):
     linear_damping: NonNegative = 0.0
     angular_damping: NonNegative = 0.0
     wheeled: bool = False
+    tyre_friction: NonNegative = Field(
+        0.0, description="Side friction of its tyres beyond that of its contacts; absent: 0"
+    )
+    tyre_drop: NonNegative = Field(
+        0.0, description="How far below the centre of mass they push [m]; absent: 0"
+    )
     roll_radius: NonNegative = 0.0
     origin_offset: Vec = (0.0, 0.0, 0.0)
     half_extents: tuple[NonNegative, NonNegative, NonNegative] = (0.5, 0.5, 0.5)
@@ -114,6 +159,24 @@ class BodyModel(_Model):
     group: str = ""
     mentioned: bool = True
     active: bool = False
+    wheels: tuple[WheelModel, ...] = Field((), description="Absent where there are none")
+
+    @model_serializer(mode="wrap")
+    def _without_wheels(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
+        # Bodies without wheels read as they always did.
+        data = handler(self)
+        if not data["wheels"]:
+            del data["wheels"]
+        return data
+
+    @model_serializer(mode="wrap")
+    def _without_tyres(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
+        # Scenes without tyres read as they always did.
+        data = handler(self)
+        for name in ("tyre_friction", "tyre_drop"):
+            if not data[name]:
+                del data[name]
+        return data
 
 
 class RegionModel(_Model):
@@ -146,7 +209,7 @@ class ApplyImpulseModel(_Model):
 
 
 class AdjustPropertiesModel(_Model):
-    """Changes damping [1/s] and friction; null leaves a property as it is."""
+    """Changes damping [1/s], friction and brakes; null leaves a property as it is."""
 
     kind: Literal["AdjustProperties"]
     body: Name
@@ -154,6 +217,17 @@ class AdjustPropertiesModel(_Model):
     linear_damping: NonNegative | None = None
     angular_damping: NonNegative | None = None
     friction: NonNegative | None = None
+    braking: NonNegative | None = Field(
+        None, description="Deceleration by the brakes [m/s^2], 0 lets go; absent: it is kept"
+    )
+
+    @model_serializer(mode="wrap")
+    def _without_none(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
+        # Programs without brakes read as they always did.
+        data = handler(self)
+        if data["braking"] is None:
+            del data["braking"]
+        return data
 
 
 class HoldVelocityModel(_Model):
@@ -277,6 +351,13 @@ def dangling(data: dict[str, Any]) -> list[str]:
         for i, n in enumerate(names)
         if n == GROUND or n in names[:i]
     ]
+    for i, body in enumerate(data["bodies"]):
+        wheels = [wheel["name"] for wheel in body.get("wheels", ())]
+        out += [
+            f"/bodies/{i}/wheels/{k}/name: {n!r} is used twice"
+            for k, n in enumerate(wheels)
+            if n in wheels[:k]
+        ]
     uses = [(f"/regions/{i}/parent", r["parent"]) for i, r in enumerate(data["regions"])]
     for i, p in enumerate(data["program"]["primitives"]):
         uses.append((f"/program/primitives/{i}/body", p["body"]))

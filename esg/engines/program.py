@@ -21,6 +21,19 @@ semantics. Before the physics step that leads from t to t + dt, in list order:
   and angular velocity = (0, 0, turn_rate). Let go, the body keeps what it has.
 * A `HoldSpin` is active as a hold is. While active it sets angular velocity = rate times the unit
   vector along `axis`, in the world's axes; the linear velocity is left to physics.
+* After them, the brakes act on every body whose `braking` an `AdjustProperties` has set: its
+  horizontal velocity loses min(|v_h|, braking dt), and the horizontal part of the angular velocity
+  of a body with roll_radius > 0 the same share, so that what rolls goes on without slipping.
+* Then the tyres of a wheeled body with `tyre_friction` mu act while it is upright: its up axis is
+  within 45 degrees of the vertical. With k = sqrt(Izz / m), h = `tyre_drop` and q = m h / Ixx
+  (body axes), f the horizontal part of its X axis as a unit vector, s = z x f, limit =
+  sqrt((mu g dt)^2 - l^2) where l is what the brakes have taken (none if l is larger): the slips
+  of its axles are u = (v.s + h w.f) / (1 + h q) + k w_z and (...) - k w_z, each clipped to
+  +-limit; with their half sum a and half difference b, v loses a s, w loses q a f + b / k z.
+  So a body is pushed to the side by at most mu m g, and kept from turning about the vertical.
+* Brakes and tyres do not act in a step in which a hold or a guide sets the body's velocity, nor on
+  what nothing carries: a body that lost more than g dt / 2 of its vertical velocity in the last
+  step, from after all this to before the primitives (in the first step everything is carried).
 
 Damping is applied by every engine as v *= max(0, 1 - c dt) once per step.
 """
@@ -65,7 +78,15 @@ class ApplyImpulse:
 
 @dataclass(frozen=True)
 class AdjustProperties:
-    """Changes damping [1/s] and friction of `body` at `time` [s]; None leaves a property as is."""
+    """Changes properties of `body` at `time` [s]; None leaves one as it is.
+
+    Args:
+        body: Name.
+        time: [s].
+        linear_damping, angular_damping: [1/s].
+        friction: Friction coefficient.
+        braking: Deceleration by its brakes from then on (module docstring) [m/s^2]; 0 lets go.
+    """
 
     kind: ClassVar[str] = "AdjustProperties"
     body: str
@@ -73,6 +94,7 @@ class AdjustProperties:
     linear_damping: float | None = None
     angular_damping: float | None = None
     friction: float | None = None
+    braking: float | None = None
 
 
 @dataclass(frozen=True)
@@ -270,6 +292,7 @@ class Column(IntEnum):
     LINEAR_DAMPING = 2
     ANGULAR_DAMPING = 3
     FRICTION = 4
+    BRAKING = 5
     # HOLD: a climb of NaN keeps the vertical velocity.
     SPEED = 2
     HEADING = 3
@@ -285,6 +308,9 @@ class Column(IntEnum):
     # SPIN: three columns.
     SPIN = 2
 
+
+OPTIONAL = frozenset({"climb", "braking"})
+"""Fields that programs without them do not mention."""
 
 KNOT_FIELDS = 7
 """Floats per point of a guided path."""
@@ -394,7 +420,7 @@ def _row(p: Primitive) -> NDArray[np.float64]:
     elif isinstance(p, ApplyImpulse):
         values = p.impulse
     elif isinstance(p, AdjustProperties):
-        values = (p.linear_damping, p.angular_damping, p.friction)
+        values = (p.linear_damping, p.angular_damping, p.friction, p.braking)
     elif isinstance(p, GuideAlong):
         knots = zip(p.times, p.points, p.velocities, strict=True)
         values = (p.turn_rate, float(len(p.times)), *(v for t, x, u in knots for v in (t, *x, *u)))
@@ -409,12 +435,12 @@ def _row(p: Primitive) -> NDArray[np.float64]:
 
 
 def program_to_json(program: Program) -> dict[str, Any]:
-    """Plain JSON of a program; an infinite hold end is null, a climb that is None is left out."""
+    """Plain JSON of a program; an infinite hold end is null, `OPTIONAL` ones are left out."""
     out: list[dict[str, Any]] = []
     for p in program.primitives:
         item: dict[str, Any] = {"kind": p.kind}
         for key, value in asdict(p).items():
-            if key == "climb" and value is None:
+            if key in OPTIONAL and value is None:
                 continue
             if isinstance(value, float) and math.isinf(value):
                 value = None

@@ -9,8 +9,10 @@ from __future__ import annotations
 import warp as wp
 
 from esg.engines.program import GUIDE_RATE, KNOT_FIELDS, Column
+from esg.engines.traction import FALLING, ON_WHEELS, Feature
 
 _RATE, _WIDTH = wp.constant(GUIDE_RATE), wp.constant(KNOT_FIELDS)
+_FALLING, _ON_WHEELS = wp.constant(FALLING), wp.constant(ON_WHEELS)
 
 
 @wp.func
@@ -48,6 +50,68 @@ def held_spin(table: wp.array3d(dtype=wp.float64), w: int, k: int, v: wp.vec3) -
     if radius != 0.0 and wp.isnan(table[w, k, Column.CLIMB]):
         return wp.vec3(-v[1] / radius, v[0] / radius, 0.0)
     return wp.vec3(0.0, 0.0, float(table[w, k, Column.TURN_RATE]))
+
+
+@wp.func
+def falls(before: float, rise: float, pull: float) -> bool:
+    """Whether nothing carries a body, which is not said of NaN `before` the first step.
+
+    `before` is the vertical velocity it began the last step with, `rise` the one it has, `pull`
+    what gravity adds in a step.
+    """
+    return before - rise > -_FALLING * pull
+
+
+@wp.func
+def grounded(
+    features: wp.array2d(dtype=float),
+    i: int,
+    loss: float,
+    weight: float,
+    v: wp.vec3,
+    o: wp.vec3,
+    turn: wp.quat,
+) -> wp.spatial_vector:
+    """Velocities of body `i` of `features` after brakes and tyres (`esg.engines.traction`).
+
+    `loss` is what the brakes take at most, `weight` what gravity gives in a step times the factor
+    on friction [m/s].
+    """
+    speed = wp.sqrt(v[0] * v[0] + v[1] * v[1])
+    taken = wp.min(loss, speed)
+    slow = v
+    spin = o
+    if taken > 0.0:
+        kept = 1.0 - taken / speed
+        slow = wp.vec3(v[0] * kept, v[1] * kept, v[2])
+        if features[i, Feature.ROUND] > 0.0:
+            spin = wp.vec3(o[0] * kept, o[1] * kept, o[2])
+    limit = features[i, Feature.GRIP] * weight
+    up = wp.quat_rotate(turn, wp.vec3(0.0, 0.0, 1.0))
+    if limit <= taken or up[2] <= _ON_WHEELS:
+        return wp.spatial_vector(slow, spin)
+    if taken > 0.0:
+        limit = wp.sqrt(limit * limit - taken * taken)
+    return _gripped(features, i, limit, slow, spin, turn)
+
+
+@wp.func
+def _gripped(
+    features: wp.array2d(dtype=float), i: int, limit: float, v: wp.vec3, o: wp.vec3, turn: wp.quat
+) -> wp.spatial_vector:
+    axle = features[i, Feature.AXLE]
+    drop = features[i, Feature.DROP]
+    lean = features[i, Feature.LEAN]
+    ahead = wp.quat_rotate(turn, wp.vec3(1.0, 0.0, 0.0))
+    f = wp.normalize(wp.vec3(ahead[0], ahead[1], 0.0))
+    s = wp.vec3(-f[1], f[0], 0.0)
+    slip = (wp.dot(s, v) + drop * wp.dot(f, o)) / (1.0 + drop * lean)
+    yaw = axle * o[2]
+    front = wp.clamp(slip + yaw, -limit, limit)
+    rear = wp.clamp(slip - yaw, -limit, limit)
+    side = 0.5 * (front + rear)
+    back = wp.vec3(0.0, 0.0, 0.5 * (front - rear) / axle)
+    return wp.spatial_vector(v - s * side, o - f * (lean * side) - back)
 
 
 @wp.func

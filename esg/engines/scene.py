@@ -46,6 +46,21 @@ class Shape:
 
 
 @dataclass(frozen=True)
+class Wheel:
+    """A wheel of a body, of which no engine knows: what plays a recording turns it.
+
+    Args:
+        name: Of its node in the body's mesh.
+        axle: A point of its axis, which lies along Y of the body frame [m], shape [3].
+        radius: [m].
+    """
+
+    name: str
+    axle: tuple[float, float, float]
+    radius: float
+
+
+@dataclass(frozen=True)
 class Body:
     """One rigid body.
 
@@ -62,6 +77,10 @@ class Body:
         linear_damping: [1/s]; per step v *= max(0, 1 - c dt).
         angular_damping: [1/s]; likewise.
         wheeled: Touches the vehicle ground instead of the normal ground.
+        tyre_friction: Side friction coefficient of the tyres of a wheeled body, beyond that of its
+            contacts; 0 lets it slide sideways as easily as it rolls (`esg.engines.program`).
+        tyre_drop: How far below the centre of mass they push [m]: 0 for what stands on a wide
+            track, else it leans and may fall over.
         roll_radius: Radius [m] of a round body that rolls, 0 for others.
         origin_offset: From the centre of mass to the asset's local origin, body axes [m].
         half_extents: Of the asset's bounding box [m]; `height` is twice the last.
@@ -73,6 +92,7 @@ class Body:
         group: Name shared by the members of one plural.
         mentioned: False if expansion added it.
         active: It moves under its own control.
+        wheels: What turns as the body travels (`esg.engines.wheels`).
     """
 
     name: str
@@ -87,6 +107,8 @@ class Body:
     linear_damping: float = 0.0
     angular_damping: float = 0.0
     wheeled: bool = False
+    tyre_friction: float = 0.0
+    tyre_drop: float = 0.0
     roll_radius: float = 0.0
     origin_offset: tuple[float, float, float] = (0.0, 0.0, 0.0)
     half_extents: tuple[float, float, float] = (0.5, 0.5, 0.5)
@@ -98,6 +120,7 @@ class Body:
     group: str = ""
     mentioned: bool = True
     active: bool = False
+    wheels: tuple[Wheel, ...] = ()
 
     @property
     def collides(self) -> bool:

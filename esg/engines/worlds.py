@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from esg.engines.program import KINDS, Action, ProgramBatch
 from esg.engines.scene import GROUND, ContactLog, Floats, Rollout, Shape, SimScene, Variation
+from esg.engines.starts import start_velocities
 
 MAX_SPEED_MPS = 500.0
 """A body faster than this means that the world diverged."""
@@ -337,7 +338,8 @@ class Start:
         batch: W programs.
         frames: The time grid.
         values: Initial states and materials.
-        states: Arrays of the rollout, filled in place (`rest_states`).
+        states: Arrays of the rollout, filled in place (`rest_states`); what is under way at t = 0
+            has its velocity in frame 0.
         valid: Worlds with finite start poses, shape [W]; engines clear those that diverge.
     """
 
@@ -368,7 +370,9 @@ class Start:
         values = world_values(scene, variation, batch.n_worlds)
         start = np.concatenate([values.position, values.quaternion], axis=2)
         finite = np.asarray(np.isfinite(start).all((1, 2)), np.bool_)
-        return Start(scene, batch, frames, values, rest_states(values, frames), finite)
+        states = rest_states(values, frames)
+        states[2][:, 0], states[3][:, 0] = start_velocities(batch, values.mass, dt)
+        return Start(scene, batch, frames, values, states, finite)
 
     def rollout(self, engine: str, contacts: ContactLog, extra: dict[str, Any]) -> Rollout:
         """The rollout after an engine has filled the arrays.

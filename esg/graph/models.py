@@ -109,7 +109,7 @@ class EdgeEvent(str, enum.Enum):
 
     UniformMotion, AcceleratedMotion and Turn are motion under own power (HoldVelocity); Toward is a
     launch: a throw, kick, strike or roll that sets the velocity once and then leaves the body to
-    physics; Brake raises damping; InertialConnector links a passive body's two collisions. Guide
+    physics; Brake slows down evenly; InertialConnector links a passive body's two collisions. Guide
     moves a body that something outside of the scene holds (GuideAlong), Spin keeps it turning about
     its vertical where it is (HoldSpin).
     """
@@ -232,6 +232,16 @@ class RetrievalCandidate(Model):
     physical: float = 0.0
 
 
+class Wheel(Model):
+    """A wheel of an asset: it turns about a line along Y of the local frame."""
+
+    name: str
+    """Of its node in the mesh; unique in the asset, e.g. `wheel_front_left`."""
+    axle_cm: Vec3
+    """A point of its axis, in the local frame [cm]."""
+    radius_cm: float
+
+
 class AssetConfiguration(Model):
     """What is used (stage 2): geometry, proxies and physics of one requirement."""
 
@@ -261,6 +271,8 @@ class AssetConfiguration(Model):
     """Rolls on wheels: coasts on the low-friction vehicle ground (docs/engines.md)."""
     rolls: bool = False
     """A round body that rolls about its centre (ball, wheel)."""
+    wheels: tuple[Wheel, ...] | None = None
+    """What turns as the asset travels (docs/assets.md); None if nothing does."""
     color_rgb: tuple[float, float, float] = (0.6, 0.6, 0.6)
     license: str = "Apache-2.0"
     attribution: str = ""
@@ -395,9 +407,9 @@ class MotionParams(Model):
     speed: Quantity | None = None
     """[cm/s]"""
     acceleration: Quantity | None = None
-    """[cm/s^2], positive speeds up"""
+    """[cm/s^2], positive speeds up; Brake: how fast it slows down, where the prompt says so"""
     damping: Quantity | None = None
-    """Brake: linear damping [1/s]"""
+    """Brake: a number is a linear damping [1/s], a pair leaves open how hard it brakes"""
     heading_deg: Quantity | None = None
     elevation_deg: Quantity | None = None
     """Toward with ANY_3D: launch angle above the horizon"""

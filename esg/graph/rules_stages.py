@@ -294,7 +294,8 @@ def _program(ctx: Context, program: dict[str, Any]) -> None:
 
 _VECTORS = ("linear", "angular", "impulse", "axis")
 _PATHS = ("points", "velocities")
-_MAY_BE_NULL = ("end", "angular", "linear_damping", "angular_damping", "friction", "climb")
+_ADJUSTED = ("linear_damping", "angular_damping", "friction", "braking")
+_MAY_BE_NULL = ("end", "angular", *_ADJUSTED, "climb")
 
 
 def _program_types(program: dict[str, Any]) -> None:

@@ -18,6 +18,10 @@ NEAR = 1.12
 """Ratios of extents up to this are the same size."""
 
 
+ROLLING = frozenset({"rolls", "rim", "axle", "across"})
+"""Flags of what rolls: a ball, or a thing round about its height, its front axis or across it."""
+
+
 @dataclass(frozen=True)
 class Kind:
     """One row: a kind of object.
@@ -67,6 +71,11 @@ class Kind:
     found_as: tuple[str, ...]
     description: str
     reference: str
+
+    @property
+    def rolls(self) -> bool:
+        """Whether it is round about some axis, and rolls about it."""
+        return bool(self.flags & ROLLING)
 
     @property
     def slug(self) -> str:

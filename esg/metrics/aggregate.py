@@ -26,12 +26,19 @@ class SceneRun:
         verdict: What the judge said; None if there was nothing to judge (invalid draft, crash).
         outcome: Value of the Outcome enum.
         seconds: Wall time of the scene [s].
+        checks: Of its plausibility, as JSON; empty if there was nothing to judge.
     """
 
     seed: int
     verdict: SceneVerdict | None
     outcome: str
     seconds: float
+    checks: Sequence[Mapping[str, Any]] = ()
+
+    @property
+    def plausible(self) -> bool | None:
+        """Whether every check holds; None without a replay."""
+        return all(check["ok"] for check in self.checks) if self.checks else None
 
 
 def bench_json(
@@ -46,7 +53,8 @@ def bench_json(
 
     A run without a verdict completes nothing, fails SLR and scores 0. `ecr_std` is the (population)
     standard deviation over the per-run sums of completed events; SLR, PPA, SKR are percentages; a
-    suite without constraints has null PPA, one without statements null SKR.
+    suite without constraints has null PPA, one without statements null SKR. `plausible` is the
+    percentage of the runs that came to a replay.
 
     Args:
         suite: The suite.
@@ -81,6 +89,7 @@ def bench_json(
             "ppa_strict": _ppa(suite, runs, "score_strict"),
             "ppa_lenient": _ppa(suite, runs, "score_lenient"),
             "skr": _skr(scenes),
+            "plausible": _plausible(every),
             "seconds_per_scene": statistics.fmean(run.seconds for run in every),
         },
     }
@@ -104,6 +113,8 @@ def _scene_json(scene: SuiteScene, runs: Sequence[SceneRun]) -> dict[str, Any]:
         "slr": [int(r.verdict.slr) if r.verdict else 0 for r in runs],
         "ppa": ppa,
         "statements": [_statement_json(s, i, runs) for i, s in enumerate(scene.statements)],
+        "plausible": [r.plausible for r in runs],
+        "plausibility": [list(r.checks) for r in runs],
         "outcome": [r.outcome for r in runs],
         "seconds": [r.seconds for r in runs],
     }
@@ -123,6 +134,12 @@ def _skr(scenes: Sequence[Mapping[str, Any]]) -> float | None:
     """Share of statements kept over all scenes and runs, in percent (suite format)."""
     kept = [k is True for scene in scenes for s in scene["statements"] for k in s["kept"]]
     return 100.0 * statistics.fmean(kept) if kept else None
+
+
+def _plausible(runs: Sequence[SceneRun]) -> float | None:
+    """Share of plausible runs among those that came to a replay, in percent."""
+    known = [run.plausible for run in runs if run.plausible is not None]
+    return 100.0 * statistics.fmean(known) if known else None
 
 
 def _ppa(suite: Suite, runs: Mapping[str, Sequence[SceneRun]], name: str) -> float | None:
@@ -160,6 +177,7 @@ def comparison_rows(bench: Mapping[str, Any]) -> list[dict[str, str]]:
             "slr": f"{100 * statistics.fmean(scene['slr']):.0f}%",
             "ppa": _percent([x for c in scene["ppa"] for x in c["scores"]]),
             "skr": _percent([k is True for s in scene["statements"] for k in s["kept"]]),
+            "plausible": _percent([p for p in scene["plausible"] if p is not None]),
             "outcome": _tally(scene["outcome"]),
             "seconds": f"{statistics.fmean(scene['seconds']):.1f}",
         }
@@ -175,6 +193,7 @@ def comparison_rows(bench: Mapping[str, Any]) -> list[dict[str, str]]:
         "slr": f"{totals['slr']:.0f}%",
         "ppa": "" if totals["ppa"] is None else f"{totals['ppa']:.1f}%",
         "skr": "" if totals["skr"] is None else f"{totals['skr']:.1f}%",
+        "plausible": "" if totals["plausible"] is None else f"{totals['plausible']:.0f}%",
         "outcome": "",
         "seconds": f"{totals['seconds_per_scene']:.1f}",
     }
@@ -189,7 +208,7 @@ def comparison_table(bench: Mapping[str, Any]) -> str:
     paper = load_paper_results()
     columns = {
         "scene": "Scene", "events": "N", "ours": "Ours", "slr": "SLR", "ppa": "PPA",
-        "skr": "SKR", "outcome": "Outcome", "seconds": "s/scene",
+        "skr": "SKR", "plausible": "Plausible", "outcome": "Outcome", "seconds": "s/scene",
     }  # fmt: skip
     if bench["totals"]["skr"] is None:
         del columns["skr"]

@@ -154,7 +154,7 @@ def _of_body(c: SuiteConstraint, body: int, world: Scored) -> tuple[float | None
 
 def start_frame(r: Replay, body: int) -> int:
     """First frame that shows the state the program starts a body with: frame 0, or the frame after
-    its first motion primitive has fired (frame 0 is recorded before the program acts).
+    its first motion primitive has fired (recordings of others may show frame 0 at rest).
     """
     motions = r.motions(body)
     if not motions:

@@ -143,16 +143,20 @@ def is_over(replay: Replay, body: int, support: int) -> NDArray[np.bool_]:
 
 
 def topples(replay: Replay, q: Query) -> Iterator[Found]:
-    """Tilting by more than `TOPPLED_DEG` from the attitude after the event before."""
+    """Tilting by more than `TOPPLED_DEG` from the initial pose; who lies does not topple again."""
     begin = replay.after(q.since)
     for i in q.bound["object"].bodies:
         up = replay.up(i)
-        rest = up[max(begin - 1, 0)]
-        tilt = np.degrees(np.arccos(np.clip(up @ rest, -1.0, 1.0)))
-        far = np.flatnonzero(tilt[begin:] > TOPPLED_DEG)
-        if len(far):
-            k = begin + int(far[0])
+        tilt = np.degrees(np.arccos(np.clip(up @ up[0], -1.0, 1.0)))
+        over = tilt > TOPPLED_DEG
+        passes = 1 + np.flatnonzero(over[1:] & ~over[:-1])
+        later = passes[passes >= begin]
+        if len(later):
+            k = int(later[0])
             yield Found(float(replay.time[k]), (i,), measured={"tilt_deg": float(tilt.max())})
+        elif over[begin:].any():
+            before = float(tilt[begin])
+            yield Found(None, (i,), f"tilts by {before:.0f} degrees before the event could happen")
         else:
             most = float(tilt[begin:].max(initial=0.0))
             yield Found(None, (i,), f"tilts by {most:.0f} degrees (needs more than 45)")

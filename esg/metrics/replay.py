@@ -238,11 +238,11 @@ class Replay:
         )
 
     def brakings(self, body: int) -> tuple[float, ...]:
-        """Times at which the program brakes a body: raised damping or friction, a hold that slows
-        down, or a hold below the speed the body has.
+        """Times at which the program brakes a body: brakes, raised damping or friction, a hold that
+        slows down, or a hold below the speed the body has.
         """
         b = self.scene.bodies[body]
-        linear, friction = b.linear_damping, b.friction
+        linear, friction, braking = b.linear_damping, b.friction, 0.0
         out: list[float] = []
         for c in self.controls(body):
             p = c.primitive
@@ -251,7 +251,9 @@ class Replay:
                 rough = p.friction is not None and p.friction > friction + 1e-9
                 linear = linear if p.linear_damping is None else p.linear_damping
                 friction = friction if p.friction is None else p.friction
-                if more or rough:
+                hard = p.braking is not None and p.braking > braking + 1e-9
+                braking = braking if p.braking is None else p.braking
+                if more or rough or hard:
                     out.append(c.time)
             elif isinstance(p, HoldVelocity):
                 now = float(self.speed[self.frame_before(c.time), body])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 import hashlib
 from pathlib import Path
 
@@ -39,24 +40,25 @@ class MeshLibrary:
             return ""
         key = hashlib.sha256(data).hexdigest()[:16]
         if key not in self.chunks:
-            self.chunks[key] = mesh_chunk(data)
+            self.chunks[key] = mesh_chunk(data, [w.name for w in body.wheels])
         if source == body.mesh:
             self._keys[str(folder), body.mesh] = key
         return key
 
 
-def mesh_chunk(data: bytes) -> str:
+def mesh_chunk(data: bytes, wheels: Collection[str] = ()) -> str:
     """A GLB as a chunk: parts of one colour merged, vertices welded, in the asset's frame [m].
 
     Args:
         data: A binary glTF file.
+        wheels: Names of the nodes that turn: their parts stay apart.
     """
-    by_color: dict[tuple[float, ...], list[tuple[np.ndarray, np.ndarray]]] = {}
-    for vertices, faces, color in GltfMeshes(data).parts():
-        key = tuple(round(float(c), 3) for c in color)
-        by_color.setdefault(key, []).append((vertices, faces))
+    pieces: dict[tuple[str, tuple[float, ...]], list[tuple[np.ndarray, np.ndarray]]] = {}
+    for holder, vertices, faces, color in GltfMeshes(data).held_parts():
+        key = holder if holder in wheels else "", tuple(round(float(c), 3) for c in color)
+        pieces.setdefault(key, []).append((vertices, faces))
     colors, vertices, faces, counts, start = [], [], [], [], 0
-    for color, parts in by_color.items():
+    for (_, color), parts in pieces.items():
         total = 0
         for points, triangles in parts:
             welded, index = np.unique(np.round(points, 5), axis=0, return_inverse=True)
@@ -67,6 +69,8 @@ def mesh_chunk(data: bytes) -> str:
         colors.append(list(color))
         counts.append(total)
     chunk = Chunk({"colors": colors, "counts": counts})
+    if wheels:
+        chunk.head["wheels"] = [wheel for wheel, _ in pieces]
     chunk.quantized("vertices", np.concatenate(vertices) if vertices else np.zeros((0, 3)))
     index = np.concatenate(faces).reshape(-1) if faces else np.zeros(0, int)
     chunk.integers("index", index, "u2" if start < 65536 else "u4")

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from esg.engines.scene import Rollout, SimScene
+from esg.engines.wheels import scene_angles
 from esg.report.binary import Chunk
 from esg.report.meshes import MeshLibrary
 from esg.report.replays import Replayed
@@ -70,6 +71,8 @@ def index_entry(
         "statements": len(scene.statements),
         "kept": sum(row["status"] == "kept" for row in scene.statements),
         "not_kept": [{k: row[k] for k in ("words", "status")} for row in scene.not_kept],
+        "plausible": scene.plausible,
+        "implausible": (scene.metrics.get("plausibility") or {}).get("worst", ""),
         "warnings": coverage.get("warnings", []),
         "objects": len(scene.document.get("spatial_relation_graph", {}).get("nodes", {})),
         "seconds": round(scene.seconds, 2),
@@ -178,6 +181,7 @@ def _bodies(
             "offset": list(b.origin_offset),
             "collides": b.collides,
             "mesh": meshes.add(b, folder, problems),
+            **({"wheels": [[w.name, *w.axle] for w in b.wheels]} if b.wheels else {}),
         }
         for b in sim.bodies
     ]
@@ -214,6 +218,9 @@ def _replay(chunk: Chunk, number: int, replay: Replayed) -> dict[str, Any]:
     chunk.quantized(f"position{number}", position[:, moving].reshape(len(frames), -1), delta=True)
     chunk.quantized(f"turn{number}", quaternion[:, moving].reshape(len(frames), -1), delta=True)
     chunk.quantized(f"speed{number}", speed, delta=True)
+    angles = scene_angles(replay.scene, rollout)[frames]
+    if angles.shape[1]:
+        chunk.quantized(f"wheels{number}", angles, delta=True)
     return {
         "engine": rollout.engine,
         "hz": round(1 / rollout.dt),

@@ -98,6 +98,12 @@ class SceneEntry:
         return lost_in(self.document, self.metrics or None)
 
     @property
+    def plausible(self) -> bool | None:
+        """Whether its replay is plausible; None if that was never judged."""
+        found = self.metrics.get("plausibility")
+        return None if not found else bool(found["plausible"])
+
+    @property
     def seconds(self) -> float:
         """Time spent in stages [s]."""
         return sum(float(e.get("seconds", 0.0)) for e in self.log)
@@ -246,6 +252,7 @@ def totals_of(scenes: Sequence[SceneEntry]) -> dict[str, Any]:
         "ppa": percent(scores["score"]),
         "ppa_strict": percent(scores["score_strict"]),
         "ppa_lenient": percent(scores["score_lenient"]),
+        "plausible": percent(float(s.plausible) for s in scenes if s.plausible is not None),
         "seconds_per_scene": statistics.fmean(s.seconds for s in scenes),
     }
 

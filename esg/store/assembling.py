@@ -247,6 +247,7 @@ _ONE_ROW = {
     "constraints": "a prompt-specified parameter of a scene's replay",
     "coverage": "a noun, event or quantity of a prompt",
     "statements": "a statement of a prompt or a suite and whether a scene's replay keeps it",
+    "plausibility_checks": "a check of a scene's replay: measured value and limit",
     "timings": "a pipeline stage of a scene",
 }
 

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 from esg import fidelity
 from esg.metrics.models import SceneVerdict
 from esg.store.rows import (
+    check_rows,
     constraint_rows,
     coverage_rows,
     event_rows,
@@ -113,6 +114,7 @@ def make_record(
     bodies: tuple[str, ...] = (),
     stages: tuple[Mapping[str, Any], ...] = (),
     statements: Mapping[str, Sequence[Mapping[str, Any]]] | None = None,
+    checks: Sequence[Mapping[str, Any]] = (),
     split: str | None = None,
     family: str | None = None,
     extra: Mapping[str, Any] | None = None,
@@ -135,6 +137,7 @@ def make_record(
         bodies: Names in the order of the rollouts' body axis.
         stages: Log entries of the stages: stage, seconds, cached, outcome.
         statements: What became of statements (rows of esg.fidelity), by source: prompt or suite.
+        checks: Of the plausibility of the replay in the run's engine, as JSON.
         split: Overrides the split of the prompt family.
         family: Overrides the prompt family (counterfactual pairs keep one).
         extra: Further columns of the scene's row, such as rule, pair and manifest.
@@ -158,6 +161,7 @@ def make_record(
         "reason": reason,
         **_judged((verdicts or {}).get(run.engine), run),
         **_documented(documents, statements or {}),
+        "plausible": all(c["ok"] for c in checks) if checks else None,
         **_timed(stages),
         "artifacts": json.dumps(dict(artifacts or {}), sort_keys=True),
         **(extra or {}),
@@ -171,6 +175,7 @@ def make_record(
             "trajectories": [trajectory_row(common, split, e, r, bodies) for e, r in played],
             "coverage": coverage_rows(common, documents.get("draft")),
             "statements": statement_rows(common, run, statements or {}),
+            "plausibility_checks": check_rows(common, run, checks),
             "timings": [{**common, **_timing(i, s)} for i, s in enumerate(stages)],
         }
     )
@@ -289,6 +294,7 @@ def record_of(
         scene_id = json.loads(documents["draft"])["scene_definition"]["scene_id"]
     verdicts: dict[str, SceneVerdict] = {}
     proof = ""
+    checks: list[dict[str, Any]] = []
     said = fidelity.statement_rows(json.loads(documents.get("draft", b"{}")))
     if "judge" in state.artifacts:
         metrics = json.loads((state.artifact("judge") / "metrics.json").read_bytes())
@@ -297,6 +303,7 @@ def record_of(
         verdicts[verdict.engine] = verdict
         proof = metrics.get("proof", "")
         said = metrics.get("statements", [])
+        checks = metrics.get("plausibility", {}).get("checks", [])
     elif request.suite_scene:
         verdicts[run.engine] = _nothing(state, run)
     rollouts: dict[str, Rollout] = {}
@@ -326,6 +333,7 @@ def record_of(
         bodies=bodies,
         stages=state.log,
         statements={"prompt": said, "suite": _asked(state, verdicts.get(run.engine))},
+        checks=checks,
         split=split,
         family=family,
         extra=extra,

@@ -101,6 +101,24 @@ def statement_rows(
     ]
 
 
+def check_rows(
+    common: Mapping[str, Any], run: RunInfo, checks: Sequence[Mapping[str, Any]]
+) -> list[dict[str, Any]]:
+    """Rows of table `plausibility_checks`: those of the replay in the run's engine."""
+    return [
+        {
+            **common,
+            "strategy": run.strategy,
+            "engine": run.engine,
+            "check_name": check["name"],
+            "check_index": i,
+            "limit_value": check["limit"],
+            **{k: check[k] for k in ("unit", "ok", "measured", "body", "time_s", "note")},
+        }
+        for i, check in enumerate(checks)
+    ]
+
+
 def trajectory_row(
     common: Mapping[str, Any],
     split: str,

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     from esg.store.records import SceneRecord
 
-FORMAT_VERSION = "1.3.0"
+FORMAT_VERSION = "1.4.0"
 ROW_GROUP_SCENES = 100
 COMPRESSION = "zstd"
 
@@ -31,6 +31,7 @@ KEYS: dict[str, tuple[str, ...]] = {
     "constraints": ("scene_key", "engine", "constraint_index"),
     "coverage": ("scene_key", "item_index"),
     "statements": ("scene_key", "engine", "source", "statement_id"),
+    "plausibility_checks": ("scene_key", "engine", "check_name"),
     "timings": ("scene_key", "stage"),
 }
 """Primary key of every table; `scene_key` is run, suite, scene and seed (esg.store.records)."""
@@ -56,7 +57,7 @@ COLUMNS: dict[str, dict[str, str]] = {
         "artifacts": "string",
         "rule": "string", "pair": "string", "changed": "string", "parameters": "string",
         "expectation": "string", "manifest": "string",
-        "fully_understood": "bool", "statements_kept": "float64",
+        "fully_understood": "bool", "statements_kept": "float64", "plausible": "bool",
     },
     "trajectories": {
         **_SCENE, "split": "string", "engine": "string", "dt_s": "float64", "fps": "float64",
@@ -89,6 +90,11 @@ COLUMNS: dict[str, dict[str, str]] = {
         "words": "string", "start": "int32", "stop": "int32", "status": "string",
         "kept": "bool", "measured": "string", "reason": "string",
     },
+    "plausibility_checks": {
+        **_SCENE, "strategy": "string", "engine": "string", "check_name": "string",
+        "check_index": "int32", "unit": "string", "ok": "bool", "measured": "float64",
+        "limit_value": "float64", "body": "string", "time_s": "float64", "note": "string",
+    },
     "timings": {
         **_SCENE, "stage": "string", "stage_index": "int32", "seconds": "float64",
         "cached": "bool", "outcome": "string",
@@ -99,11 +105,11 @@ COLUMNS: dict[str, dict[str, str]] = {
 ADDED_COLUMNS: dict[str, tuple[str, ...]] = {
     "scenes": (
         "rule", "pair", "changed", "parameters", "expectation", "manifest", "esg_cast",
-        "fully_understood", "statements_kept",
+        "fully_understood", "statements_kept", "plausible",
     ),
 }  # fmt: skip
 """Columns that files of an older format lack (`esg_cast` is of 1.2, what became of statements of
-1.3): they read as null."""
+1.3, `plausible` of 1.4): they read as null."""
 
 TABLES = tuple(COLUMNS)
 

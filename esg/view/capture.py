@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from esg.engines.scene import Rollout, SimScene
+from esg.engines.wheels import scene_angles
 from esg.files import explained, refused
 from esg.outcomes import UserError
 from esg.view import png16, truth
@@ -199,18 +200,22 @@ def _write(
         device=settings.device,
         sun=math.atan2(direction[1], direction[0]),
     )
+    angles = scene_angles(scene, rollout)
+    moved = renderer.movers.poses(rollout.position[0], rollout.quaternion[0], angles)
     for number, camera in enumerate(cameras):
         pinhole = Pinhole.of(camera, settings.size)
         for first in range(0, len(frames), batch):
             shown = frames[first : first + batch]
             # A last batch that is not full draws its last frame several times.
             filled = shown + shown[-1:] * (batch - len(shown))
-            renderer.pose(rollout.position[0, filled], rollout.quaternion[0, filled])
+            renderer.pose(
+                rollout.position[0, filled], rollout.quaternion[0, filled], angles[filled]
+            )
             renderer.draw([camera] * batch, rgb="rgb" in settings.channels)
             views = renderer.read(rgb="rgb" in settings.channels)
             for k in range(len(shown)):
                 row = _row(
-                    views, k, pinhole, scene, rollout, frames, first + k, settings, points, owner
+                    views, k, pinhole, scene, moved, frames, first + k, settings, points, owner
                 )
                 sink.add(number, first + k, float(rollout.time[shown[k]]), row)
             on_frames(len(shown))
@@ -224,19 +229,18 @@ def _row(
     k: int,
     pinhole: Pinhole,
     scene: SimScene,
-    rollout: Rollout,
+    moved: tuple[Any, Any],
     frames: list[int],
     at: int,
     settings: Settings,
     points: Any,
     owner: Any,
 ) -> dict[str, Any]:
-    """Encoded channels of one picture."""
+    """Encoded channels of one picture; `moved` are the poses of bodies and wheels."""
     wanted = settings.channels
     depth, body = views.depth[k], views.body[k]
     f = frames[at]
-    position = rollout.position[0, f].astype(float)
-    quaternion = rollout.quaternion[0, f].astype(float)
+    position, quaternion = (v[f].astype(float) for v in moved)
     row: dict[str, Any] = {}
     if views.rgb is not None:
         row["rgb"] = png16.encode(views.rgb[k])
@@ -249,16 +253,17 @@ def _row(
     if "flow" in wanted:
         shift = None
         if at + 1 < len(frames):
-            g = frames[at + 1]
-            later = rollout.position[0, g].astype(float), rollout.quaternion[0, g].astype(float)
-            shift = truth.flow(pinhole, depth, body, (position, quaternion), later)
+            at_next, turn_next = (v[frames[at + 1]].astype(float) for v in moved)
+            now, later = (position, quaternion), (at_next, turn_next)
+            shift = truth.flow(pinhole, depth, views.mover[k], now, later)
         row["flow"] = png16.encode(encode_flow(shift, depth.shape))
     if "boxes2d" in wanted:
         row["boxes2d"] = [_identified(b) for b in truth.boxes_2d(body)]
     if "boxes3d" in wanted:
         half = np.array([b.half_extents for b in scene.bodies])
         offset = np.array([b.origin_offset for b in scene.bodies])
-        found = truth.boxes_3d(pinhole, half, offset, position, quaternion)
+        n = len(scene.bodies)
+        found = truth.boxes_3d(pinhole, half, offset, position[:n], quaternion[:n])
         row["boxes3d"] = [_identified(b) for b in found]
     if "tracks" in wanted:
         pixels, seen = truth.track(pinhole, depth, body, owner, points, position, quaternion)
@@ -308,7 +313,7 @@ def _tracked(parts: Any, n_bodies: int, settings: Settings) -> tuple[Any, Any]:
         return np.zeros((0, 3)), np.zeros(0, np.int64)
     points, owner = [], []
     for body in range(n_bodies):
-        mine = [p for p in parts if p.body == body]
+        mine = [p for p in parts if p.body == body and p.wheel is None]
         if not mine:
             continue
         starts = np.cumsum([0, *(len(p.vertices) for p in mine[:-1])])

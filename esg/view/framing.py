@@ -34,9 +34,12 @@ def frame_at(rollout: Rollout, time: float) -> int:
     return int(np.argmin(np.abs(rollout.time - time)))
 
 
-def pose(renderer: Renderer, rollout: Rollout, frame: int) -> None:
-    """Puts all bodies where they are in a frame."""
-    renderer.pose(rollout.position[0, frame], rollout.quaternion[0, frame])
+def pose(
+    renderer: Renderer, rollout: Rollout, frame: int, angles: NDArray[np.float64] | None = None
+) -> None:
+    """Puts all bodies where they are in a frame; angles of wheels are [rad], shape [T, W]."""
+    turned = None if angles is None else angles[frame]
+    renderer.pose(rollout.position[0, frame], rollout.quaternion[0, frame], turned)
 
 
 def corners_of(scene: SimScene, rollout: Rollout, frame: int, body: int) -> NDArray[np.float64]:

@@ -11,7 +11,7 @@ from esg.engines.scene import Rollout, SimScene
 from esg.graph.casting import effective
 from esg.graph.models import EsgDocument
 from esg.units import CM_PER_M
-from esg.view.render import Part
+from esg.view.render import Part, Turning
 
 GROUND_HALF_EXTENT_M = 45.0
 """A surface without collision at least this wide is the ground."""
@@ -27,9 +27,11 @@ def scene_parts(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> list[Par
     doc = effective(doc)
     parts: list[Part] = []
     meshes: dict[str, Any] = {}
+    turning = 0
     ground = GROUND_RGB[doc.scene_definition.scene_parameters.scene_type]
     decals: list[tuple[float, float, list[Part]]] = []
     for index, body in enumerate(scene.bodies):
+        first, turning = turning, turning + len(body.wheels)
         node = doc.spatial_relation_graph.nodes.get(body.name)
         if node is None:
             continue
@@ -40,9 +42,12 @@ def scene_parts(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> list[Par
             continue
         if node.asset_id not in meshes:
             meshes[node.asset_id] = build_mesh(doc.asset_configurations[node.asset_id])
+        mesh = meshes[node.asset_id]
+        wheels = {w.name: Turning(first + k, w.axle) for k, w in enumerate(body.wheels)}
+        offset = np.asarray(body.origin_offset)
         own = [
-            Part(index, vertices / CM_PER_M + np.asarray(body.origin_offset), faces, color)
-            for vertices, faces, color in mesh_parts(meshes[node.asset_id], body.color)
+            Part(index, vertices / CM_PER_M + offset, faces, color, wheels.get(holder))
+            for vertices, faces, color, holder in mesh_parts(mesh, body.color)
         ]
         if flat:
             area, thickness = body.half_extents[0] * body.half_extents[1], 2 * body.half_extents[2]
@@ -58,15 +63,17 @@ def scene_parts(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> list[Par
 
 
 def mesh_parts(mesh: Any, fallback: tuple[float, float, float]) -> list[Any]:
-    """Vertices in the asset's frame [cm], faces and colour of every geometry of a trimesh scene."""
+    """Vertices in the asset's frame [cm], faces, colour and parent of every geometry of a scene."""
     out = []
+    parents = mesh.graph.transforms.parents
     for name in sorted(mesh.graph.nodes_geometry):
         transform, geometry_name = mesh.graph[name]
         geometry = mesh.geometry[geometry_name]
         if not len(getattr(geometry, "faces", ())):
             continue
         vertices = np.asarray(geometry.vertices, float) @ transform[:3, :3].T + transform[:3, 3]
-        out.append((vertices, np.asarray(geometry.faces), _color(geometry, fallback)))
+        color = _color(geometry, fallback)
+        out.append((vertices, np.asarray(geometry.faces), color, parents.get(name, "")))
     return out
 
 

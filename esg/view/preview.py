@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.engines.scene import Rollout, SimScene
+from esg.engines.wheels import scene_angles
 from esg.graph.models import EsgDocument
 from esg.view.camera import Camera
 from esg.view.framing import (
@@ -84,7 +85,7 @@ def preview(
         frame = frame_at(rollout, moment.time)
         shots.append(Shot(frame, camera_of_moment(scene, rollout, moment, view, renderers[0])))
     film = loop_shots(scene, rollout, moments, view) if loop else []
-    images = _render(renderers, rollout, [*shots, *film])
+    images = _render(renderers, rollout, scene_angles(scene, rollout), [*shots, *film])
     panels: list[Panel] = []
     since = 0.0
     for moment, shot, image in zip(moments, shots, images[: len(shots)], strict=True):
@@ -112,14 +113,17 @@ def _threads() -> int:
 
 
 def _render(
-    renderers: Sequence[Renderer], rollout: Rollout, shots: Sequence[Shot]
+    renderers: Sequence[Renderer],
+    rollout: Rollout,
+    angles: NDArray[np.float64],
+    shots: Sequence[Shot],
 ) -> list[NDArray[np.uint8]]:
     """One picture a shot, dealt out to the renderers; which one draws makes no difference."""
 
     def draw(k: int) -> list[NDArray[np.uint8]]:
         out: list[NDArray[np.uint8]] = []
         for shot in shots[k :: len(renderers)]:
-            pose(renderers[k], rollout, shot.frame)
+            pose(renderers[k], rollout, shot.frame, angles)
             out.append(renderers[k].color(shot.camera, shot.size, shot.samples))
         return out
 

@@ -10,12 +10,27 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.engines.wheels import about_axle
+from esg.units import quat_multiply, quat_rotate
 from esg.view.camera import Camera
 
 SKY = (205, 219, 235)
 """RGB of everything the rays miss."""
 SAMPLES = 4
 """Rays a pixel. What they hit is shaded once a pixel and surface (MSAA)."""
+
+
+@dataclass(frozen=True)
+class Turning:
+    """What turns on a body: wheel number `index` of the scene, about Y of the body through `axle`.
+
+    Args:
+        index: Among all wheels of the scene, in the order of their bodies.
+        axle: In the body's frame [m], shape [3].
+    """
+
+    index: int
+    axle: tuple[float, float, float]
 
 
 @dataclass(frozen=True)
@@ -27,12 +42,14 @@ class Part:
         vertices: In the body's frame [m], shape [n, 3].
         faces: Vertex indices, counter-clockwise seen from outside, shape [m, 3].
         color: Linear-ish RGB in [0, 1].
+        wheel: The wheel it is a part of, which turns on the body.
     """
 
     body: int
     vertices: NDArray[np.float64]
     faces: NDArray[np.int64]
     color: tuple[float, float, float]
+    wheel: Turning | None = None
 
 
 def merged(parts: Sequence[Part]) -> list[Part]:
@@ -40,16 +57,67 @@ def merged(parts: Sequence[Part]) -> list[Part]:
 
     Every mesh costs the tracer a search of its own; a car of forty pieces in six colours is six.
     """
-    groups: dict[tuple[int, tuple[float, float, float]], list[Part]] = {}
+    groups: dict[tuple[int, Turning | None, tuple[float, float, float]], list[Part]] = {}
     for part in parts:
-        groups.setdefault((part.body, part.color), []).append(part)
+        groups.setdefault((part.body, part.wheel, part.color), []).append(part)
     out: list[Part] = []
-    for (body, color), members in groups.items():
+    for (body, wheel, color), members in groups.items():
         starts = np.cumsum([0, *(len(m.vertices) for m in members[:-1])])
         faces = [m.faces + start for m, start in zip(members, starts, strict=True)]
         vertices = np.concatenate([m.vertices for m in members])
-        out.append(Part(body, vertices, np.concatenate(faces), color))
+        out.append(Part(body, vertices, np.concatenate(faces), color, wheel))
     return out
+
+
+class Movers:
+    """What has a pose of its own: all bodies, and after them the wheels that turn on them.
+
+    Args:
+        parts: Meshes of the scene.
+        n_bodies: Number of bodies B that `Part.body` refers to.
+    """
+
+    def __init__(self, parts: Iterable[Part], n_bodies: int) -> None:
+        self._n_bodies = n_bodies
+        turning = {p.wheel: p.body for p in parts if p.wheel is not None}
+        self._wheels = sorted(turning, key=lambda w: w.index)
+        self._carriers = [turning[w] for w in self._wheels]
+        self._axles = np.array([w.axle for w in self._wheels]).reshape(-1, 3)
+        self._indices = [w.index for w in self._wheels]
+
+    def __len__(self) -> int:
+        return self._n_bodies + len(self._wheels)
+
+    def of(self, part: Part) -> int:
+        """Index of the pose that moves a part; -1 for the world."""
+        if part.wheel is None:
+            return part.body
+        return self._n_bodies + self._wheels.index(part.wheel)
+
+    def poses(
+        self, position: NDArray[Any], quaternion: NDArray[Any], angles: NDArray[Any] | None = None
+    ) -> tuple[NDArray[Any], NDArray[Any]]:
+        """Poses of everything for poses of the bodies.
+
+        Args:
+            position: Body origins [m], shape [..., B, 3].
+            quaternion: (x, y, z, w), shape [..., B, 4].
+            angles: Of all wheels of the scene [rad], shape [..., W]; None for none turned.
+
+        Returns:
+            Positions and quaternions of bodies and wheels, both in the body's frame at angle 0.
+        """
+        if not self._wheels:
+            return position, quaternion
+        at, q = position[..., self._carriers, :], quaternion[..., self._carriers, :]
+        turned = q
+        if angles is not None:
+            turned = quat_multiply(q, about_axle(angles[..., self._indices]))
+        at = at + quat_rotate(q, self._axles) - quat_rotate(turned, self._axles)
+        return (
+            np.concatenate([position, at], axis=-2),
+            np.concatenate([quaternion, turned], axis=-2),
+        )
 
 
 _kernels: dict[Any, Any] = {}
@@ -91,7 +159,8 @@ class Renderer:
         parts = merged(parts)
         builder = newton.ModelBuilder(gravity=(0.0, 0.0, 0.0))
         inertia = wp.mat33(np.eye(3).flatten())
-        for _ in range(n_bodies):
+        self._movers = Movers(parts, n_bodies)
+        for _ in range(len(self._movers)):
             builder.add_body(mass=1.0, inertia=inertia, lock_inertia=True)
         for part in parts:
             mesh = newton.Mesh(
@@ -99,7 +168,7 @@ class Renderer:
                 np.ascontiguousarray(part.faces, np.int32).reshape(-1),
                 compute_inertia=False,
             )
-            builder.add_shape_mesh(part.body, mesh=mesh, color=part.color)
+            builder.add_shape_mesh(self._movers.of(part), mesh=mesh, color=part.color)
         self._model = builder.finalize(device="cpu")
         self._state = self._model.state()
         self._part_bodies = np.array([p.body for p in parts])
@@ -130,14 +199,18 @@ class Renderer:
             color=(0.8, 0.78, 0.74),
         )
 
-    def pose(self, position: NDArray[Any], quaternion: NDArray[Any]) -> None:
+    def pose(
+        self, position: NDArray[Any], quaternion: NDArray[Any], angles: NDArray[Any] | None = None
+    ) -> None:
         """Moves the bodies.
 
         Args:
             position: Body origins [m], shape [B, 3].
             quaternion: (x, y, z, w), shape [B, 4].
+            angles: Of the scene's wheels [rad], shape [W].
         """
-        poses = np.concatenate([position, quaternion], axis=1).astype(np.float32)
+        moved = self._movers.poses(position, quaternion, angles)
+        poses = np.concatenate(moved, axis=1).astype(np.float32)
         if self._state.body_q is not None:  # as it is without bodies
             self._state.body_q.assign(poses)
         self._model.bvh_refit_shapes(self._state)

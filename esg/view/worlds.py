@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.view.camera import Camera
-from esg.view.render import SAMPLES, SKY, Part, merged, share_kernels
+from esg.view.render import SAMPLES, SKY, Movers, Part, merged, share_kernels
 
 NOTHING, GROUND = -2, -1
 """Body indices of pixels that hit nothing, and the ground."""
@@ -30,12 +30,14 @@ class Views:
         depth: Along the camera's axis [m], 0 where nothing is hit, shape [W, H, L], float32.
         normal: Unit normals in the world's frame, 0 where nothing is hit, shape [W, H, L, 3].
         body: Index of the body, `GROUND` or `NOTHING`, shape [W, H, L], int32.
+        mover: The same with wheels told from their bodies (`Movers`), shape [W, H, L], int32.
     """
 
     rgb: NDArray[np.uint8] | None
     depth: NDArray[np.float32]
     normal: NDArray[np.float32]
     body: NDArray[np.int32]
+    mover: NDArray[np.int32]
 
 
 class WorldRenderer:
@@ -79,12 +81,13 @@ class WorldRenderer:
             for p in pieces
         ]
         one = newton.ModelBuilder(gravity=(0.0, 0.0, 0.0))
-        for _ in range(n_bodies):
+        self.movers = Movers(pieces, n_bodies)
+        for _ in range(len(self.movers)):
             one.add_body(mass=1.0, inertia=inertia, lock_inertia=True)
         builder = newton.ModelBuilder(gravity=(0.0, 0.0, 0.0))
         for part, mesh in zip(pieces, shapes, strict=True):
             if part.body >= 0:
-                one.add_shape_mesh(part.body, mesh=mesh, color=part.color)
+                one.add_shape_mesh(self.movers.of(part), mesh=mesh, color=part.color)
         for _ in range(worlds):
             builder.add_world(one)
         # What belongs to no body is the same in every world: it is there once.
@@ -93,9 +96,10 @@ class WorldRenderer:
                 builder.add_shape_mesh(-1, mesh=mesh, color=part.color)
         self._model = builder.finalize(device=device)
         self._state = self._model.state()
-        owners = [p.body for p in pieces if p.body >= 0] * worlds
-        owners += [GROUND for p in pieces if p.body < 0]
-        self._owner = np.array([*owners, NOTHING], np.int32)
+        owned = [p for p in pieces if p.body >= 0] * worlds
+        rest = [*(GROUND for p in pieces if p.body < 0), NOTHING]
+        self._owner = np.array([*(p.body for p in owned), *rest], np.int32)
+        self._mover = np.array([*(self.movers.of(p) for p in owned), *rest], np.int32)
         self._plain = SensorCamera.RenderConfig()
         self._fine = SensorCamera.RenderConfig(
             enable_shadows=True, anti_aliasing=SensorCamera.AntiAliasing.MSAA
@@ -121,14 +125,18 @@ class WorldRenderer:
             "shape": allocate.allocate_image_shape_index(worlds, *size),
         }
 
-    def pose(self, position: NDArray[Any], quaternion: NDArray[Any]) -> None:
+    def pose(
+        self, position: NDArray[Any], quaternion: NDArray[Any], angles: NDArray[Any] | None = None
+    ) -> None:
         """Moves all bodies.
 
         Args:
             position: Body origins [m], shape [W, B, 3].
             quaternion: (x, y, z, w), shape [W, B, 4].
+            angles: Of the wheels of a scene [rad], shape [W, wheels].
         """
-        poses = np.concatenate([position, quaternion], axis=-1).reshape(-1, 7)
+        moved = self.movers.poses(position, quaternion, angles)
+        poses = np.concatenate(moved, axis=-1).reshape(-1, 7)
         if self._state.body_q is not None:  # as it is without bodies
             self._state.body_q.assign(np.ascontiguousarray(poses, np.float32))
         self._model.bvh_refit_shapes(self._state)
@@ -178,6 +186,7 @@ class WorldRenderer:
             depth=self._images["depth"].numpy().copy(),
             normal=self._images["normal"].numpy().reshape(*shape.shape, 3).copy(),
             body=self._owner[shape],
+            mover=self._mover[shape],
         )
 
     def _bundle(self, fov: float, samples: int) -> Any:

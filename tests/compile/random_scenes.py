@@ -99,6 +99,8 @@ def _body(rng: np.random.Generator, index: int) -> Body:
         linear_damping=float(rng.choice([0.0, rng.uniform(0.0, 1.0)])),
         angular_damping=float(rng.choice([0.0, rng.uniform(0.0, 1.0)])),
         wheeled=wheeled,
+        tyre_friction=float(rng.choice([0.0, 0.8])) if wheeled else 0.0,
+        tyre_drop=float(rng.choice([0.0, 0.3])) if wheeled else 0.0,
         origin_offset=tuple(rng.uniform(-0.2, 0.2, 3).tolist()),  # type: ignore[arg-type]
         half_extents=(0.4, 0.4, 0.4),
     )
@@ -121,7 +123,7 @@ def _command(
     if kind == 1:
         return ApplyImpulse(body.name, time, tuple(v * body.mass for v in vector))  # type: ignore[arg-type]
     if kind == 2:
-        values = [float(v) if rng.random() < 0.7 else None for v in rng.uniform(0.0, 2.0, 3)]
+        values = [float(v) if rng.random() < 0.7 else None for v in rng.uniform(0.0, 2.0, 4)]
         return AdjustProperties(body.name, time, *values)
     others = [b.name for b in bodies if b.collides and b.name != body.name]
     until = tuple(str(n) for n in rng.choice(others, min(2, len(others)), replace=False))

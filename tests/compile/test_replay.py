@@ -22,8 +22,9 @@ from esg.engines.program import (
     Program,
     SetVelocity,
 )
-from esg.engines.scene import SimScene
+from esg.engines.scene import Body, SimScene
 from esg.outcomes import UserError
+from esg.units import quat_rotate
 
 CASES = {
     "street": (*scenes.street(), scenes.STREET_WATCH),
@@ -125,6 +126,9 @@ def test_hold_ends_by_time_and_by_touch(tmp_path: Path) -> None:
     )
     replayed, rollout = both(tmp_path, SimScene("holds", (wall, cart)), program)
     assert_same(replayed.rollout, rollout, tolerance_m=1e-6)
+    under_way = [(0.0, 0.0, 0.0), (1.0, 0.0, 0.0)]
+    np.testing.assert_allclose(replayed.rollout.linear_velocity[0, 0], under_way, atol=1e-6)
+    np.testing.assert_allclose(rollout.linear_velocity[0, 0], under_way, atol=1e-6)
     ends = [line for line in replayed.log if "ends" in line]
     assert "t=0.5" in ends[0] and "at=Wall" in ends[1] and len(ends) == 2
 
@@ -339,3 +343,73 @@ def test_only_classes_that_guide_speak_of_it() -> None:
     assert "GuideRate = 10.0" in guiding.source and "PathPoint" in guiding.header
     plain = emit_class(scene, Program((), 2.5))
     assert not re.search("Guid|PathPoint|HoldSpin", plain.header + plain.source)
+
+
+@pytest.mark.parametrize("engine", ["physx", "rapier"])
+def test_the_class_brakes_as_its_program(tmp_path: Path, engine: str) -> None:
+    scene = SimScene(
+        "brakes",
+        (
+            box("sledge", (0.0, 0.0, 0.2), (0.5, 0.4, 0.2), 30.0, friction=0.0),
+            scenes.ball("ball", (0.0, 4.0, 0.2), 0.2, 3.0),
+            box("stone", (0.0, 8.0, 30.0), (0.1, 0.1, 0.1), 1.0),
+        ),
+        ground_friction=0.0,
+    )
+    program = Program(
+        (
+            HoldVelocity("sledge", 0.0, 0.7, 4.0, 0.5),
+            SetVelocity("ball", 0.0, (2.0, 0.0, 0.0), (0.0, 10.0, 0.0)),
+            SetVelocity("stone", 0.0, (5.0, 0.0, 0.0)),
+            *(AdjustProperties(n, 0.5, braking=3.0) for n in scene.names),
+            AdjustProperties("sledge", 1.2, braking=0.0),
+        ),
+        1.5,
+    )
+    replayed, rollout = both(tmp_path, scene, program, engine=engine)
+    assert_same(replayed.rollout, rollout, tolerance_m=1e-6)
+    speed = np.linalg.norm(replayed.rollout.linear_velocity[0, -1, :, :2], axis=1)
+    np.testing.assert_allclose(speed, (4.0 - 3.0 * 0.5, 0.0, 5.0), atol=0.03)
+    plain = tuple(p for p in program.primitives if not isinstance(p, AdjustProperties))
+    emitted = emit_class(scene, Program(plain, 1.5))
+    assert "Braking" not in emitted.header + emitted.source
+
+
+@pytest.mark.parametrize("engine", ["physx", "rapier"])
+def test_the_class_has_the_tyres_of_its_program(tmp_path: Path, engine: str) -> None:
+    """Shoved to the side, hit at a corner with the brakes on, on two wheels, and thrown."""
+
+    def car(name: str, y: float, z: float = 0.6, **more: float) -> Body:
+        half = (2.2, 0.9, 0.6)
+        body = box(name, (0.0, y, z), half, 1400.0, friction=0.1, wheeled=True, restitution=0.0)
+        offset = (0.1, 0.0, -0.6)
+        return replace(body, tyre_friction=0.75, origin_offset=offset, **more)
+
+    bike = box("bike_1", (0.0, 30.0, 0.5), (1.0, 0.06, 0.5), 200.0, friction=0.1, wheeled=True)
+    bodies = (
+        car("car_1", 0.0),
+        replace(car("car_2", 10.0), quaternion=(0.0, 0.0, 0.6, 0.8)),
+        car("car_3", 20.0, 40.0),
+        replace(bike, tyre_friction=0.75, tyre_drop=0.5),
+    )
+    program = Program(
+        (
+            HoldVelocity("car_1", 0.0, 0.3, 5.0, 0.0),
+            *(SetVelocity(b.name, 0.5, (1.0, 3.0, 0.0), (0.0, 0.0, 2.0)) for b in bodies),
+            AdjustProperties("car_2", 0.6, braking=4.0),
+        ),
+        2.0,
+    )
+    replayed, rollout = both(tmp_path, SimScene("tyres", bodies), program, engine=engine)
+    assert_same(replayed.rollout, rollout, tolerance_m=1e-4)
+    v, spin = replayed.rollout.linear_velocity[0, -1], replayed.rollout.angular_velocity[0, -1]
+    ahead = quat_rotate(replayed.rollout.quaternion[0, -1, 0].astype(float), (1.0, 0.0, 0.0))
+    assert abs(ahead[0] * v[0, 1] - ahead[1] * v[0, 0]) < 0.02 and abs(spin[0, 2]) < 0.02
+    assert np.linalg.norm(v[0]) > 0.2
+    assert np.linalg.norm(v[1]) < 0.02
+    np.testing.assert_allclose(v[2, :2], (1.0, 3.0), atol=1e-3)
+    x, y, _, _ = replayed.rollout.quaternion[0, -1, 3]
+    assert 1.0 - 2.0 * (x**2 + y**2) < 0.3  # It has fallen over.
+    plain = SimScene("tyres", tuple(replace(b, tyre_friction=0.0) for b in bodies))
+    emitted = emit_class(plain, Program((), 1.0))
+    assert "TyreFriction" not in emitted.header + emitted.source

@@ -24,6 +24,7 @@ from esg.engines.program import (
     program_to_json,
 )
 from esg.engines.scene import SimScene, Variation
+from esg.engines.traction import features
 from tests.engines.lab import ball, box
 
 DT = 1.0 / 240.0
@@ -51,6 +52,9 @@ class Points:
     def linear(self, body):
         return tuple(self.v[body])
 
+    def read(self, body):
+        return self.x[body], (0.0, 0.0, 0.0, 1.0), self.v[body], self.w[body]
+
     def set_linear(self, body, velocity):
         self.v[body] = velocity
 
@@ -74,7 +78,7 @@ class Points:
 
 
 def reference(batch, world, masses, n_steps, home=None):
-    points, executor = Points(masses), Executor(batch, world, 0.0)
+    points, executor = Points(masses), Executor(batch, world, 0.0, features(SCENE))
     points.x = points.x if home is None else home
     v, w = [points.v.copy()], [points.w.copy()]
     for step in range(n_steps):
@@ -100,7 +104,8 @@ def random_program(rng, signature):
         elif kind == 2:
             damping = float(rng.uniform(0, 3)) if rng.random() < 0.7 else None
             spin = float(rng.uniform(0, 3)) if rng.random() < 0.7 else None
-            out.append(AdjustProperties(body, t, damping, spin, friction=0.3))
+            braking = float(rng.uniform(0, 3)) if rng.random() < 0.5 else None
+            out.append(AdjustProperties(body, t, damping, spin, 0.3, braking))
         elif kind == 4:
             end = math.inf if rng.random() < 0.3 else t + abs(x[0]) * 0.2
             out.append(HoldSpin(body, t, end, x[1], tuple(x[2:5])))
@@ -136,6 +141,34 @@ def test_random_programs_match_the_reference_executor(name, random_batch):
         v, omega = reference(random_batch, w, masses, len(rollout.time) - 1)
         np.testing.assert_allclose(rollout.linear_velocity[w], v, atol=2e-5)
         np.testing.assert_allclose(rollout.angular_velocity[w], omega, atol=2e-4)
+
+
+@pytest.mark.parametrize("name", (*ENGINES, "surrogate"))
+def test_what_is_under_way_at_the_start_has_its_velocity_in_frame_0(name):
+    """The first frame shows what the first step is given, in every world; later things are not."""
+    spin = (0.0, 0.0, 2.0)
+    path = ((0.0, 200.0, 1e3), (1.0, 200.0, 1e3))
+    programs = [
+        Program(
+            (
+                SetVelocity("a", 0.0, (speed, 0.0, 1.0)),
+                HoldSpin("a", 0.001, math.inf, 2.0),
+                ApplyImpulse("a", 0.0, (0.0, 4.0, 0.0)),
+                HoldVelocity("b", 0.0, 1.0, speed, math.pi / 2, 1.0, 2.5, roll_radius=0.1),
+                GuideAlong("c", late, (0.0, 1.0), path, ((1.0, 0.0, 0.0),) * 2, 0.5),
+            ),
+            0.1,
+        )
+        for speed, late in ((2.0, 0.0), (3.0, 0.05))
+    ]
+    factor = np.array([[1.0, 1.0, 1.0], [2.0, 1.0, 1.0]])
+    r = get_engine(name).rollout(
+        SCENE, batch_programs(programs, NAMES), dt=DT, variation=Variation(mass_scale=factor)
+    )
+    first = [[(2, 4, 1), (0, 2, 0), (1, 0, 0)], [(3, 2, 1), (0, 2.5, 0), (0, 0, 0)]]
+    np.testing.assert_allclose(r.linear_velocity[:, 0], first, atol=1e-5)
+    turning = [[spin, (-20, 0, 0), (0, 0, 0.5)], [spin, (-25, 0, 0), (0, 0, 0)]]
+    np.testing.assert_allclose(r.angular_velocity[:, 0], turning, atol=1e-5)
 
 
 @pytest.fixture(scope="module")

@@ -49,7 +49,7 @@ def test_it_keeps_its_speed_and_stays_on_the_ground(
 
 
 def test_what_tips_over_lies_on_its_side_on_the_ground() -> None:
-    out = play(roller(0.31, 0.11), 1.0, tilting=16.0, duration=6.0)
+    out = play(roller(0.31, 0.11), 0.3, tilting=16.0, duration=6.0)
     assert out.position[0, -1, 0, 2] == pytest.approx(0.11, abs=5e-3)
     assert out.position[0, :, 0, 2].min() > 0.1
 

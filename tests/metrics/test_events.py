@@ -448,6 +448,28 @@ def test_topples_by_more_than_forty_five_degrees(tilt, completed):
     assert not yawing.event(type="topples", object="pin").completed
 
 
+@pytest.mark.parametrize(
+    ("due", "completed"), [(0.5 + 30.0 / 90.0, True), (0.5 + 69.0 / 90.0, False)]
+)
+def test_topples_from_the_initial_pose_whatever_the_tilt_when_it_is_due(due, completed):
+    """A domino of 30 degrees has 15 to go; one of 69 has toppled before and slews while it lies."""
+    slews = lambda t: 80.0 * np.clip((t - 1.6) / 0.5, 0.0, 1.0)  # noqa: E731
+    world = World().add(body("domino_1"), pitch_deg=turning(90), yaw_deg=slews)
+    world.add(body("domino_2"), x=5.0).add(body("ball_1"), x=line(0.0, 1.0)).touch(
+        due, "ball_1", "domino_2"
+    )
+    events = [
+        {"id": "e1", "type": "collision", "a": "ball", "b": "=domino_2"},
+        {"id": "e2", "type": "topples", "object": "=domino_1", "after": ["e1"]},
+    ]
+    found = world.judge([SuiteEvent.model_validate(e) for e in events]).events[1]
+    assert found.completed is completed
+    if completed:
+        assert found.time_s == pytest.approx(1.0, abs=2 * DT)
+    else:
+        assert "tilts by 69 degrees before" in found.reason
+
+
 @pytest.mark.parametrize(("gap", "completed"), [(0.29, True), (0.31, False)])
 def test_reaches_within_thirty_centimetres_of_the_surface(gap, completed):
     world = World().add(body("car_1"), x=line(0.0, 1.0, 0.0, 3.0 - 0.2 - gap))

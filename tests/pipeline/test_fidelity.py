@@ -14,6 +14,7 @@ from esg.fidelity import (
     share_kept,
     shortfalls,
     statement_rows,
+    unplaced,
 )
 
 PROMPT = "The ball on the table flies straight up and wags."
@@ -132,3 +133,23 @@ def test_the_most_frequent_words_count_scenes_not_mentions() -> None:
     most = most_unseen(scenes)
     assert most[0] == {"words": "slowly", "status": "not_represented", "scenes": 2}
     assert most[1]["words"] == "spins" and len(most) == 10
+
+
+def relation(edge: str, kind: str, satisfied: bool, note: str = "") -> dict[str, Any]:
+    return {"edge": edge, "relation_type": kind, "satisfied": satisfied, "note": note}
+
+
+def test_relations_that_the_layout_did_not_satisfy_are_broken() -> None:
+    reports = (
+        relation("dog_1 left_of tree_1", "left_of", False, "12 cm off"),
+        relation("dog_1 near bench_1", "near", True),
+        relation("dog_1 face tree_1", "face", False),
+        relation("car_1 behind bus_1", "behind", False, "held by the planned start"),
+        relation("cup_1 above tray_1", "above", False),
+    )
+    lost = unplaced({"layout_result": {"relations": reports}})
+    assert [(r["words"], r["status"], r["reason"]) for r in lost] == [
+        ("dog 1 left of tree 1", "broken", "12 cm off"),
+        ("cup 1 above tray 1", "broken", "the layout does not satisfy it"),
+    ]
+    assert unplaced({}) == unplaced({"layout_result": None}) == []

@@ -11,7 +11,7 @@ import pytest
 
 from esg import stages
 from esg.draft import draft
-from esg.graph.models import DynamicsResult, Statement
+from esg.graph.models import DynamicsResult, LayoutResult, RelationReport, Statement
 from esg.metrics import SceneVerdict, SuiteScene
 from esg.metrics.models import LayoutVerdict, StatementVerdict
 from esg.outcomes import Outcome
@@ -77,6 +77,22 @@ def test_partial_is_good_unless_one_is_strict() -> None:
     assert strict - {row["outcome"] for row in failures(ended)} == {"partial"}
 
 
+def test_what_is_implausible_is_good_unless_one_is_strict(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The outcome keeps its meaning; the failure says what nature would not have done."""
+    monkeypatch.setattr(SceneState, "artifact", lambda self, stage: tmp_path)
+    state = SceneState(SceneRequest("x"), {"judge": "key"}, outcome=Outcome.SOLVED)
+    for worst, failed in (("", 0), ("car_1: braking 20 m/s2, limit 8 m/s2", 1)):
+        found = {"plausible": not worst, "worst": worst, "checks": []}
+        (tmp_path / "metrics.json").write_text(json.dumps({"plausibility": found}))
+        assert failures([state]) == []
+        rows = failures([state], strict=True)
+        assert [r["reason"] for r in rows] == [f"implausible: {worst}"] * failed
+    (tmp_path / "metrics.json").write_text("{}")
+    assert failures([state], strict=True) == []
+
+
 SUPPORTED = {
     "id": "s1", "predicate": "supported_by", "text": "A ball", "start": 0, "end": 6,
     "object": ("ball_1",), "target": ("box_1",),
@@ -103,6 +119,7 @@ def test_the_prompts_own_statements_decide_with_a_suite_too(
 
     monkeypatch.setattr(stages, "load_doc", lambda state: doc)
     monkeypatch.setattr(stages, "_verdict", judged)
+    monkeypatch.setattr(stages, "_plausibility", lambda state, doc: {"worst": "", "checks": []})
     monkeypatch.setattr(SceneState, "artifact", lambda self, stage: tmp_path)
     (tmp_path / "replay.json").write_text('{"proof": "class"}')
     asked = SuiteScene(id="T1", prompt=prompt).model_dump_json() if suite else ""
@@ -117,3 +134,23 @@ def test_the_prompts_own_statements_decide_with_a_suite_too(
     state = SceneState(SceneRequest(prompt), {"judge": "key"})
     assert stages.not_kept(state) == metrics.get("not_kept", [])
     assert stages.conclude("judge", state)[0] is Outcome(expected)
+
+
+def test_a_relation_that_the_layout_did_not_satisfy_makes_a_scene_partial(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    report = RelationReport(
+        edge="ball_1 left_of box_1", relation_type="left_of", satisfied=False, violation=12.0
+    )
+    laid = LayoutResult(poses={}, energy=0.0, relations=(report,))
+    doc = draft("A ball hits a box.").model_copy(update={"layout_result": laid})
+    verdict = SceneVerdict(
+        scene_id="x", suite_scene="", engine="physx", dt_s=1 / 240, layout=LayoutVerdict(valid=True)
+    )
+    monkeypatch.setattr(stages, "load_doc", lambda state: doc)
+    monkeypatch.setattr(stages, "_verdict", lambda state, expected: verdict)
+    monkeypatch.setattr(SceneState, "artifact", lambda self, stage: tmp_path)
+    (tmp_path / "replay.json").write_text('{"proof": "class"}')
+    stages._judge(SceneState(SceneRequest("A ball hits a box.")), tmp_path)
+    metrics = json.loads((tmp_path / "metrics.json").read_text())
+    assert metrics["outcome"] == "partial" and "ball 1 left of box 1" in metrics["reason"]

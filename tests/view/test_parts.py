@@ -14,7 +14,7 @@ def flat(name: str, size: tuple[float, float, float], collides: bool = False) ->
     """A body with its origin at the bottom centre; `size` is in metres."""
     return SimpleNamespace(
         name=name, collides=collides, color=(0.5, 0.5, 0.5), origin_offset=(0.0, 0.0, 0.0),
-        half_extents=tuple(0.5 * s for s in size),
+        half_extents=tuple(0.5 * s for s in size), wheels=(),
     )  # fmt: skip
 
 

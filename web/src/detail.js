@@ -25,7 +25,7 @@ export async function detail(s) {
     s.problems.map((p) => h("p", { class: "warn" }, p)),
     s.reason && h("p", { class: s.outcome === "solved" ? "" : "warn", id: "reason" }, s.reason),
     s.outcome !== "solved" && s.advice && h("p", { class: "faint" }, s.advice),
-    h("div", { class: "two" }, h("div", {}, stage, controls?.element), h("div", {}, events(view, () => player), statements(data.statements, "Statements", "statements"), statements(data.asked, "Statements of the suite", "asked"), constraints(data), engines(view))),
+    h("div", { class: "two" }, h("div", {}, stage, controls?.element), h("div", {}, events(view, () => player), statements(data.statements, "Statements", "statements"), statements(data.asked, "Statements of the suite", "asked"), plausibility(data.metrics.plausibility), constraints(data), engines(view))),
     graphs?.element,
     section("Scene graph", graphTabs(data)),
     section("Optimizer", optimizer(data)),
@@ -107,6 +107,38 @@ function quantity(key, value) {
   const at = key.lastIndexOf("_");
   const unit = at > 0 ? UNITS[key.slice(at + 1)] : undefined;
   return unit ? `${words(key.slice(0, at))} ${number(value)} ${unit}` : `${words(key)} ${number(value)}`;
+}
+
+// What the replay shows against what nature allows: a row a check.
+function plausibility(found) {
+  if (!found) return null;
+  const failed = found.checks.filter((c) => !c.ok).length;
+  const size = (value, unit) => (value === null ? "–" : `${number(value, 3)} ${unit}`);
+  const where = (c) => [c.body, c.time_s === null ? "" : `${number(c.time_s, 2)} s`, c.note].filter(Boolean).join(", ");
+  return h(
+    "div",
+    { id: "plausibility", class: "statements" },
+    h("h2", {}, failed ? `Not plausible: ${failed} of ${found.checks.length} checks fail` : "Plausible"),
+    h(
+      "table",
+      { class: "figures" },
+      h("thead", {}, h("tr", {}, ["check", "measured", "limit", "where"].map((c) => h("th", { scope: "col" }, c)))),
+      h(
+        "tbody",
+        {},
+        found.checks.map((c) =>
+          h(
+            "tr",
+            { class: c.ok ? "" : "failed" },
+            h("th", { scope: "row" }, `${c.ok ? "✓" : "✗"} ${words(c.name)}`),
+            h("td", {}, size(c.measured, c.unit)),
+            h("td", {}, size(c.limit, c.unit)),
+            h("td", {}, c.measured === null ? "nothing to measure" : where(c)),
+          ),
+        ),
+      ),
+    ),
+  );
 }
 
 function statements(rows, title, id) {

@@ -25,6 +25,7 @@ const PROBLEMS = {
   files: ["damaged files", (s) => s.problems.length > 0],
   words: ["words not understood", (s) => s.not_understood.length > 0],
   said: ["words not shown", (s) => s.not_kept.length > 0],
+  implausible: ["not plausible", (s) => s.plausible === false],
 };
 
 export function summary() {
@@ -49,6 +50,7 @@ export function summary() {
     ["Events completed", (c) => (c.events ? `${number(c.ecr_mean)} ± ${number(c.ecr_std, 2)} of ${c.events}` : "no events")],
     ["Scene layout rate", (c) => percent(c.slr)],
     ["Parameter accuracy", (c) => percent(c.ppa)],
+    ["Plausible", (c) => percent(c.plausible)],
     ["Time a scene", (c) => `${number(c.seconds_per_scene)} s`],
   ];
   const ended = new Map();
@@ -232,12 +234,14 @@ function card(s) {
   if (s.slr !== null && s.slr !== undefined) facts.push(s.slr ? "layout valid" : "layout INVALID");
   if (s.ppa !== null) facts.push(`parameters ${percent(100 * s.ppa)}`);
   if (s.statements) facts.push(`${s.kept}/${s.statements} statements kept`);
+  if (s.plausible !== null) facts.push(s.plausible ? "plausible" : "NOT PLAUSIBLE");
   if (s.items) facts.push(`${s.used}/${s.items} words used`);
   facts.push(`${number(s.seconds, 2)} s`);
   const lost = s.not_kept.map((x) => x.words);
   const nouns = s.not_understood.filter((text) => !lost.includes(text));
   const missing = [
     s.not_kept.length > 0 && h("p", { class: "warn" }, s.not_kept.map((x) => `${words(x.status)}: “${x.words}”`).join("; ")),
+    s.implausible && h("p", { class: "warn" }, `implausible: ${s.implausible}`),
     nouns.length > 0 && h("p", { class: "warn" }, `not understood: ${nouns.join(", ")}`),
   ];
   const failed = s.events.filter((e) => !e.completed);

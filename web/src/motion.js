@@ -7,6 +7,7 @@ export class Motion {
     this.positions = arrays[`position${k}`];
     this.turns = arrays[`turn${k}`];
     this.speeds = arrays[`speed${k}`];
+    this.wheels = arrays[`wheels${k}`];
     this.end = this.time[this.time.length - 1];
     this.column = new Map(this.moving.map((body, c) => [body, c]));
   }
@@ -45,6 +46,15 @@ export class Motion {
     length = Math.sqrt(length) || 1;
     for (let i = 3; i < 7; i++) out[i] /= length;
     return out;
+  }
+
+  // Angle [rad] of a wheel, counted over all bodies.
+  angle(wheel, t) {
+    if (!this.wheels) return 0;
+    const n = this.wheels.length / this.time.length;
+    const [f, u] = this.at(t);
+    const g = Math.min(f + 1, this.time.length - 1);
+    return this.wheels[f * n + wheel] * (1 - u) + this.wheels[g * n + wheel] * u;
   }
 
   speed(body, frame) {

@@ -87,6 +87,7 @@ export function createPlayer(stage, view) {
   function layer(motion, k) {
     const group = new Group();
     group.visible = k === 0;
+    let turning = 0;
     const bodies = data.bodies.map((body, i) => {
       const node = new Group();
       node.name = body.name;
@@ -98,11 +99,12 @@ export function createPlayer(stage, view) {
       box.position.set(body.offset[0], body.offset[1], body.offset[2] + body.half[2]);
       box.visible = false;
       node.add(box);
+      const wheels = (body.wheels ?? []).map(([name, ...axle]) => pivot(name, axle, body.offset));
       const wide = !body.collides && Math.max(body.half[0], body.half[1]) > GROUND_WIDE_M;
       if (body.mesh && !wide && (k === 0 || motion.column.has(i))) {
         loadMesh(body.mesh).then((m) => {
           if (!alive || !m) return;
-          const solid = build(m, k === 0 ? null : TINT[motion.engine]);
+          const solid = build(m, k === 0 ? null : TINT[motion.engine], wheels);
           solid.position.set(...body.offset);
           if (!body.collides) solid.position.z += decalLift(i);
           solid.traverse((o) => {
@@ -113,7 +115,9 @@ export function createPlayer(stage, view) {
           dirty = true;
         });
       }
-      return { node, box };
+      const first = turning;
+      turning += wheels.length;
+      return { node, box, wheels, first };
     });
     world.add(group);
     const trails = new Group();
@@ -301,6 +305,7 @@ export function createPlayer(stage, view) {
         motion.pose(i, time, pose);
         bodies[i].node.position.set(pose[0], pose[1], pose[2]);
         bodies[i].node.quaternion.set(pose[3], pose[4], pose[5], pose[6]);
+        bodies[i].wheels.forEach((wheel, w) => (wheel.rotation.y = motion.angle(bodies[i].first + w, time)));
       }
       const [f] = motion.at(time);
       for (const line of trails.children) line.geometry.setDrawRange(0, f + 1);
@@ -418,7 +423,15 @@ export function createPlayer(stage, view) {
 
 const CREASE = 0.6;
 
-function build(m, tint) {
+// A group that turns about an axle along Y, given from the body's centre of mass.
+function pivot(name, axle, offset) {
+  const wheel = new Group();
+  wheel.name = name;
+  wheel.position.set(axle[0] - offset[0], axle[1] - offset[1], axle[2] - offset[2]);
+  return wheel;
+}
+
+function build(m, tint, wheels) {
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(m.arrays.vertices, 3));
   const index = m.arrays.index;
@@ -433,8 +446,12 @@ function build(m, tint) {
     const color = tint === null ? new Color().setRGB(r, g, b, SRGBColorSpace) : new Color(tint);
     const opacity = tint === null ? (a ?? 1) : 0.45;
     const material = new MeshStandardMaterial({ color, roughness: 0.75, metalness: 0, transparent: opacity < 1, opacity, depthWrite: opacity >= 1 });
-    group.add(new Mesh(toCreasedNormals(part, CREASE), material));
+    const mesh = new Mesh(toCreasedNormals(part, CREASE), material);
+    const wheel = wheels.find((w) => w.name && w.name === m.wheels?.[k]);
+    if (wheel) mesh.position.copy(wheel.position).negate();
+    (wheel ?? group).add(mesh);
   });
+  for (const wheel of wheels) group.add(wheel);
   return group;
 }
 

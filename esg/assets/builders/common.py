@@ -89,6 +89,7 @@ def shift(s: Sketch, dx: float = 0.0, dy: float = 0.0, dz: float = 0.0) -> None:
         return (v[0] + dx, v[1] + dy, v[2] + dz)
 
     s.parts[:] = [replace(p, mesh=moved(p.mesh)) for p in s.parts]
+    s.axles[:] = [replace(a, point=at(a.point)) for a in s.axles]
     s.proxies[:] = [p.model_copy(update={"position_cm": at(p.position_cm)}) for p in s.proxies]
     if s.weighed is not None:
         s.weighed = [p.model_copy(update={"position_cm": at(p.position_cm)}) for p in s.weighed]
@@ -100,6 +101,21 @@ def wheel(s: Sketch, x: float, y: float, r: float, width: float, hub: Color = CH
     """A wheel about Y whose middle is at `y`."""
     s.rod(r, (x, y - width / 2, r), (x, y + width / 2, r), RUBBER, rough=0.9, sections=32)
     s.rod(r * 0.58, (x, y - width * 0.55, r), (x, y + width * 0.55, r), hub, rough=0.4, metal=0.4)
+    holes(s, (x, y, r), r * 0.58, width * 1.16)
+    s.wheel((x, y, r), r, parts=3)
+
+
+def holes(s: Sketch, at: Vec3, rim: float, width: float) -> None:
+    """Five dark spots on the faces of a rim about Y: without them one does not see it turn."""
+    x, y, z = at
+    turns = [2 * math.pi * k / 5 for k in range(5)]
+
+    def make() -> Any:
+        spots = [(x + 0.58 * rim * math.cos(a), z + 0.58 * rim * math.sin(a)) for a in turns]
+        ends = [((u, y - width / 2, v), (u, y + width / 2, v)) for u, v in spots]
+        return shapes.join([shapes.rod(0.24 * rim, a, b, 12) for a, b in ends])
+
+    s.add(make, RUBBER, 0.9)
 
 
 def spokes(s: Sketch, x: float, y: float, r: float, c: Color = CHROME) -> None:
@@ -110,3 +126,4 @@ def spokes(s: Sketch, x: float, y: float, r: float, c: Color = CHROME) -> None:
         a = math.pi * k / 6
         d = (0.9 * r * math.cos(a), 0.9 * r * math.sin(a))
         s.rod(0.025 * r, (x - d[0], y, r - d[1]), (x + d[0], y, r + d[1]), c, sections=6)
+    s.wheel((x, y, r), r, parts=8)

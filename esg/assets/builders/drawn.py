@@ -3,7 +3,7 @@
 A section is headed by a builder and its parameters (`[bag kind=sack]`); each row below names a
 primitive of the sketch and its arguments, positional ones first: numbers and tuples [cm], names of
 colours, `c` for the main colour, `STEEL*0.8` for a shade, `#rrggbb`. `shift` moves what stands
-above it. All of these keep their proportions.
+above it; `turns` makes what was drawn last a wheel. All of these keep their proportions.
 """
 
 from __future__ import annotations
@@ -43,6 +43,7 @@ PRIMITIVES: dict[str, Callable[..., object]] = {
     "surface": Sketch.surface,
     "torus": Sketch.torus,
     "tub": Sketch.tub,
+    "turns": Sketch.wheel,
     "wheel": wheel,
 }
 Arguments = tuple[tuple[Any, ...], dict[str, Any]]

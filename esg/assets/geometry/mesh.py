@@ -10,14 +10,18 @@ import hashlib
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import numpy as np
+from numpy.typing import NDArray
+
 from esg.assets.configuration import parametric_entry
-from esg.assets.geometry.rolling import is_rolling_form, rolling, turned_size
+from esg.assets.geometry.rolling import drawn_size, is_rolling_form, rolling
 from esg.assets.geometry.rotations import GLTF_FROM_LOCAL
 from esg.assets.geometry.sketch import Sketch
+from esg.assets.geometry.wheels import wheels_of
 from esg.assets.imports.imported import load_imported
 from esg.assets.library.catalogue import Entry, build_sketch
 from esg.graph.casting import effective
-from esg.graph.models import AssetConfiguration, EsgDocument
+from esg.graph.models import AssetConfiguration, EsgDocument, Vec3
 from esg.outcomes import UserError
 
 if TYPE_CHECKING:
@@ -38,8 +42,15 @@ def build_mesh(config: AssetConfiguration) -> trimesh.Scene:
     if entry is None:
         return load_imported(config)
     scene = trimesh.Scene()
-    for part in configured_sketch(entry, config).parts:
+    sketch = configured_sketch(entry, config)
+    wheels = wheels_of(sketch) or ()
+    for wheel in wheels:
+        scene.graph.update(frame_to=wheel.name, matrix=_moved(wheel.axle_cm))
+    for part in sketch.parts:
         mesh = part.mesh()
+        wheel = None if part.axle is None else wheels[part.axle]
+        if wheel is not None:
+            mesh.apply_translation([-c for c in wheel.axle_cm])
         rgba = [round(255 * c) for c in (*part.color, part.alpha)]
         mesh.visual = TextureVisuals(
             material=PBRMaterial(
@@ -50,26 +61,49 @@ def build_mesh(config: AssetConfiguration) -> trimesh.Scene:
                 alphaMode="BLEND" if part.alpha < 1.0 else "OPAQUE",
             )
         )
-        scene.add_geometry(mesh, node_name=part.name, geom_name=part.name)
+        scene.add_geometry(
+            mesh,
+            node_name=part.name,
+            geom_name=part.name,
+            parent_node_name=None if wheel is None else wheel.name,
+        )
     return scene
+
+
+def _moved(by: Vec3) -> NDArray[np.float64]:
+    matrix = np.eye(4)
+    matrix[:3, 3] = by
+    return matrix
 
 
 def configured_sketch(entry: Entry, config: AssetConfiguration) -> Sketch:
     """What an entry draws for a configuration: lying, or on its rim."""
     if not is_rolling_form(entry, config.rolls):
         return build_sketch(entry, config.dimensions_cm, config.color_rgb)
-    size = turned_size(entry, config.dimensions_cm)
+    size = drawn_size(entry, config.dimensions_cm)
     return rolling(entry, build_sketch(entry, size, config.color_rgb), size)
 
 
 def glb_bytes(config: AssetConfiguration) -> bytes:
     """The asset as binary glTF (metres, Y up); the same configuration gives the same bytes."""
     scene = build_mesh(config)
-    scene.apply_transform(GLTF_FROM_LOCAL)
+    _to_gltf(scene)
     data = scene.export(file_type="glb")
     if not isinstance(data, bytes):
         raise UserError(f"{config.asset_name}: the mesh could not be exported as GLB", exit_code=1)
     return data
+
+
+def _to_gltf(scene: trimesh.Scene) -> None:
+    """Leads a scene into glTF's frame; nodes of wheels keep no more than their place, to turn."""
+    graph = scene.graph
+    scene.apply_transform(GLTF_FROM_LOCAL)
+    for wheel in set(graph.nodes) - set(graph.nodes_geometry) - {graph.base_frame}:
+        place = _moved(graph[wheel][0][:3, 3])
+        graph.update(frame_to=wheel, matrix=place)
+        for part in graph.transforms.children[wheel]:
+            matrix = GLTF_FROM_LOCAL.copy()
+            graph.update(frame_from=wheel, frame_to=part, matrix=matrix)
 
 
 def write_meshes(doc: EsgDocument, folder: Path) -> dict[str, str]:

@@ -9,18 +9,23 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+import math
 from typing import Any
 
-from esg.assets.geometry.rotations import ALONG, turn
+from esg.assets.geometry.massprops import mass_properties
+from esg.assets.geometry.rotations import ALONG, IDENTITY, turn
 from esg.assets.geometry.sketch import Sketch
 from esg.assets.library.catalogue import Entry
 from esg.graph.models import AssetRequirement, EsgDocument, Proxy, ProxyKind, Quat, Vec3
 from esg.units import quat_multiply
 
-FLAGS = frozenset({"rim", "axle"})
-"""In the catalogue: drawn with its axis upright (rim), or lying along X (axle)."""
+FLAGS = {"rim": 2, "axle": 0, "across": 1}
+"""In the catalogue: drawn with its axis upright (rim), lying along X (axle) or along Y (across):
+the index of that axis."""
 _THIN = 0.8
 _ROUND = 1.25
+_OFF_AXIS = 0.02
+"""Share of the radius by which the centre of mass of what rolls may lie beside its axis."""
 
 
 def _spun(doc: EsgDocument, spin: str) -> frozenset[str]:
@@ -65,34 +70,46 @@ def as_drawn(entry: Entry, requirement: AssetRequirement) -> AssetRequirement:
 
 
 def turned_size(entry: Entry, size: Vec3) -> Vec3:
-    """Extents [cm] of the rolling form of a thing drawn at `size`, and back."""
-    if "rim" in entry.flags:
-        return (size[0], size[2], size[1])
-    return (size[1], size[0], size[2])
+    """Extents [cm] of the rolling form of a thing drawn at `size`.
+
+    What is not quite round, as a pencil, becomes as wide as high: its volume stays.
+    """
+    (flag,) = entry.flags & FLAGS.keys()
+    around = math.sqrt(math.prod(size) / size[FLAGS[flag]])
+    return (around, size[FLAGS[flag]], around)
+
+
+def drawn_size(entry: Entry, size: Vec3) -> Vec3:
+    """Extents [cm] at which a thing is drawn whose rolling form has these."""
+    (flag,) = entry.flags & FLAGS.keys()
+    around, long, _ = size
+    return {0: (long, around, around), 1: size, 2: (around, around, long)}[FLAGS[flag]]
 
 
 def rolling(entry: Entry, sketch: Sketch, size: Vec3) -> Sketch:
     """The rolling form of a sketch.
 
     Args:
-        entry: Flagged `rim` or `axle`.
+        entry: Flagged with one of `FLAGS`.
         sketch: As drawn.
         size: Extents of the sketch [cm].
 
     Returns:
-        A sketch with its axis along Y, one cylinder proxy, and the turned original proxies as what
-        is weighed: a hoop keeps the inertia of a ring.
+        A sketch with its axis along Y, one cylinder proxy of the largest radius (what tapers rolls
+        on its wider rim, its axis level), and the turned original proxies as what is weighed: a
+        hoop keeps the inertia of a ring.
     """
-    upright = "rim" in entry.flags
-    quat = turn("x", -90.0) if upright else turn("z", 90.0)
-    radius = max(size[0], size[1]) / 2 if upright else max(size[1], size[2]) / 2
-    half = (size[2] if upright else size[0]) / 2
+    (flag,) = entry.flags & FLAGS.keys()
+    around, long, _ = turned_size(entry, size)
+    radius, half = around / 2, long / 2
+    quat = {"rim": turn("x", -90.0), "axle": turn("z", 90.0), "across": IDENTITY}[flag]
+    middle = size[2] / 2  # of what is drawn
 
     def at(v: Any) -> Vec3:
         x, y, z = (float(c) for c in v)
-        if upright:  # Rx(-90): z goes to y, y to -z; then the rim is set on the ground
-            return (x, z - half, radius - y)
-        return (-y, x, z)
+        if flag == "rim":  # Rx(-90): z goes to y, y to -z; then the rim is set on the ground
+            return (x, z - middle, radius - y)
+        return (-y, x, z - middle + radius) if flag == "axle" else (x, y, z - middle + radius)
 
     def moved(make: Callable[[], Any]) -> Callable[[], Any]:
         def mesh() -> Any:
@@ -115,14 +132,20 @@ def rolling(entry: Entry, sketch: Sketch, size: Vec3) -> Sketch:
         position_cm=(0.0, 0.0, radius),
         orientation_xyzw=ALONG["y"],
     )
+    weighed = [placed(p) for p in sketch.weighed or sketch.proxies]
+    densities = list(sketch.densities)
+    (x, _, z), _ = mass_properties(weighed, 1.0, densities)
+    if math.hypot(x, z - radius) > _OFF_AXIS * radius:
+        # Drawn with a flat to lie on, or with proxies beside the axis: it would limp.
+        weighed, densities = [cylinder], [1.0]
     return Sketch(
         parts=[replace(p, mesh=moved(p.mesh)) for p in sketch.parts],
         proxies=[cylinder],
-        densities=list(sketch.densities),
-        weighed=[placed(p) for p in sketch.weighed or sketch.proxies],
+        densities=densities,
+        weighed=weighed,
     )
 
 
 def is_rolling_form(entry: Entry, rolls: bool) -> bool:
     """Whether a configuration of an entry is its rolling form."""
-    return rolls and bool(entry.flags & FLAGS)
+    return rolls and bool(entry.flags & FLAGS.keys())

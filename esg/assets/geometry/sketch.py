@@ -8,7 +8,7 @@ made only when somebody looks at them, so that resolving a scene never waits for
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 import itertools
 from typing import TYPE_CHECKING, Any
 
@@ -37,8 +37,19 @@ ORANGE, CARDBOARD, BRASS = rgb(236, 104, 30), rgb(186, 146, 98), rgb(196, 160, 8
 
 
 @dataclass(frozen=True)
+class Axle:
+    """Where a wheel turns: a point of its axis, which lies along Y, and its radius [cm]."""
+
+    point: Vec3
+    radius: float
+
+
+@dataclass(frozen=True)
 class Part:
-    """One closed mesh with one material; `mesh` makes it (cm, local frame)."""
+    """One closed mesh with one material; `mesh` makes it (cm, local frame).
+
+    A part of a wheel knows its `axle`, an index into those of its sketch.
+    """
 
     name: str
     mesh: Callable[[], trimesh.Trimesh]
@@ -46,6 +57,7 @@ class Part:
     roughness: float = 0.6
     metallic: float = 0.0
     alpha: float = 1.0
+    axle: int | None = None
 
 
 @dataclass
@@ -53,6 +65,7 @@ class Sketch(Collider):
     """What a builder fills. `solid` arguments are relative densities: 0 draws without a proxy."""
 
     parts: list[Part] = field(default_factory=list)
+    axles: list[Axle] = field(default_factory=list)
 
     def add(
         self,
@@ -65,6 +78,12 @@ class Sketch(Collider):
         """Records a closed mesh made by `make`."""
         name = f"part_{len(self.parts):03d}"
         self.parts.append(Part(name, make, color, rough, metal, alpha))
+
+    def wheel(self, point: Vec3, radius: float, parts: int = 1) -> None:
+        """Says that the last `parts` parts are a wheel that turns about Y through `point`."""
+        self.axles.append(Axle(point, radius))
+        number = len(self.axles) - 1
+        self.parts[-parts:] = [replace(p, axle=number) for p in self.parts[-parts:]]
 
     def box(
         self,

@@ -16,7 +16,7 @@ import numpy as np
 
 from esg.assets.geometry.massprops import mass_properties
 from esg.assets.geometry.rotations import IDENTITY
-from esg.assets.geometry.sketch import Sketch
+from esg.assets.geometry.sketch import Axle, Sketch
 from esg.graph.models import Proxy, ProxyKind, Vec3
 from esg.units import quat_rotate
 
@@ -46,8 +46,12 @@ def stretched(sketch: Sketch, factors: Vec3) -> Sketch:
         return mesh
 
     weighed = sketch.weighed
+    # A wheel that is no circle any more does not turn.
+    turns = abs(factors[0] - factors[2]) < 1e-9 * factors[2]
     return Sketch(
-        parts=[replace(p, mesh=grown(p.mesh)) for p in sketch.parts],
+        parts=[
+            replace(p, mesh=grown(p.mesh), axle=p.axle if turns else None) for p in sketch.parts
+        ],
         proxies=[_proxy(p, factors) for p in sketch.proxies],
         densities=list(sketch.densities),
         surfaces=[
@@ -69,6 +73,7 @@ def stretched(sketch: Sketch, factors: Vec3) -> Sketch:
             for r in sketch.regions
         ],
         weighed=None if weighed is None else [_proxy(p, factors) for p in weighed],
+        axles=[Axle(vec(a.point), a.radius * factors[2]) for a in sketch.axles if turns],
     )
 
 

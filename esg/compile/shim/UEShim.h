@@ -140,6 +140,7 @@ struct FMath
 	template <class T> static T Min(T A, T B) { return A < B ? A : B; }
 	template <class T> static T Clamp(T V, T Low, T High) { return Max(Low, Min(V, High)); }
 	template <class T> static T Square(T V) { return V * V; }
+	static double Sqrt(double V) { return std::sqrt(V); }
 	static double Sin(double V) { return std::sin(V); }
 	static double Cos(double V) { return std::cos(V); }
 	static double DegreesToRadians(double V) { return V * (M_PI / 180.0); }
@@ -696,6 +697,13 @@ public:
 		double Linear[3], Angular[3];
 		Shim::State().Host->GetVelocity(ShimId, Linear, Angular);
 		return FVector(Linear[0], Linear[1], Linear[2]);
+	}
+	FVector GetPhysicsAngularVelocityInDegrees(FName = NAME_None) const
+	{
+		ShimRequireLive("GetPhysicsAngularVelocityInDegrees");
+		double Linear[3], Angular[3];
+		Shim::State().Host->GetVelocity(ShimId, Linear, Angular);
+		return FVector(Angular[0], Angular[1], Angular[2]);
 	}
 	FVector GetCenterOfMass(FName = NAME_None) const
 	{

@@ -66,6 +66,7 @@ void A@CLASS@::BeginPlay()
 	Super::BeginPlay();
 	CollectBodies();
 	CollectEvents();
+	@COLLECT_WHEELS@
 	PinSimulation();
 	GroundPlane->SetPhysMaterialOverride(CreateMaterial(GroundFriction, GroundRestitution));
 	VehicleGroundPlane->SetPhysMaterialOverride(CreateMaterial(VehicleGroundFriction, GroundRestitution));
@@ -147,6 +148,7 @@ void A@CLASS@::Tick(float DeltaTime)
 	const double Step = bPinned ? FixedTimeStep : Given;
 	RecheckEvents();
 	DispatchProgram(SceneTime + @CLASS@Detail::HalfStep * Step);
+	@TURN_WHEELS@
 	SceneTime += Step;
 	if (!bFinished && SceneTime >= SceneDuration)
 	{

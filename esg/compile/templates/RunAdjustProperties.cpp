@@ -19,6 +19,7 @@ void A@CLASS@::RunAdjustProperties(
 	{
 		Body->SetPhysMaterialOverride(CreateMaterial(Command.Friction, Known->Settings->Restitution));
 	}
+@SET_BRAKING@
 	UE_LOG(
 		Log@CLASS@, Display, TEXT("COMMAND AdjustProperties body=%s t=%.4f"), *Body->GetName(), SceneTime);
 }

@@ -69,6 +69,13 @@ def flies_itself(d: Discourse, actor: str) -> bool:
     return e.noun.kind == "flyer" or (e.noun.kind == "animal" and winged)
 
 
+def can_roll(d: Discourse, actor: str) -> bool:
+    """Whether it is round about some axis: balls, and coins, barrels, pencils and tyres."""
+    noun = entity_of(d, actor).noun
+    shaped = noun.shape in ("cylinder", "capsule") and noun.kind not in SELF_POWERED
+    return shaped or bool({"round", "rolls"} & noun.traits)
+
+
 def direction_of(d: Discourse, actor: str, mode: str) -> ForceDirection:
     flies = kind_of(d, actor) == "flyer" or actor in d.moves.flying
     if mode in ("throw", "drop", "fly") or flies:
@@ -92,9 +99,7 @@ def _launch(
     elif mode == "drop":
         params, speed = {"elevation_deg": -90.0, "spin": "none"}, 0.0
     elif mode == "roll":
-        noun = entity_of(d, actor).noun  # coins, barrels and tyres roll on their rim
-        rolls = "round" in noun.traits or noun.shape == "cylinder"
-        params = {"spin": "roll" if rolls else "slide"}
+        params = {"spin": "roll" if can_roll(d, actor) else "slide"}
     elif mode == "slide":
         params = {"spin": "slide"}
     d.timeline.move(

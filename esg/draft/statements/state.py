@@ -7,19 +7,20 @@ from dataclasses import dataclass, field
 import re
 from typing import Any
 
-from esg.draft.discourse.core import kind_of, structural
+from esg.draft.discourse.core import entity_of, kind_of, structural
 from esg.draft.discourse.proposition import Clause, Said
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import GROUND, SELF_POWERED
 from esg.draft.discourse.windows import START
 from esg.draft.events.courses import AT_ITS_OWN_PACE, TURNING, measurable
-from esg.draft.events.motions import flies_itself
+from esg.draft.events.motions import can_roll, flies_itself
 from esg.draft.events.stated import adverbs_of, start_of
-from esg.draft.events.told import things, traits_of
+from esg.draft.events.told import things
 from esg.draft.grammar.clauses.frames import Frame, Phrase
+from esg.draft.statements.unclaimed import Account, unclaimed
 from esg.draft.statements.unkept import dropped, missing
-from esg.draft.statements.unseen import NO_MANNER, manner, unseen
-from esg.draft.text.elements import Word
+from esg.draft.statements.unseen import unseen
+from esg.draft.text.elements import Element, Token
 from esg.graph.models import EdgeEvent, Predicate, Quantity, Statement, TimelineEdge
 
 GENTLE_CM_S = 150.0
@@ -33,8 +34,6 @@ _SIDE_WORDS = {
     "behind": re.compile(r"\b(?:behind|back|rear)\b", re.IGNORECASE),
 }
 """The words of a side, of which the first in the text is where something starts."""
-_REASONS = ("for", "like", "because of", "of", "as")
-"""Prepositions that tell why, or what something is like, and not where it goes."""
 _POSTURES = {
     **dict.fromkeys(("hang", "dangle", "suspend"), Predicate.HANGS_FROM),
     **dict.fromkeys(("lean", "prop"), Predicate.LEANS_ON),
@@ -42,6 +41,8 @@ _POSTURES = {
 """What verbs of posture say of what holds something."""
 _ON_THE_WAY = ("along", "across", "through")
 """Directions that roads, fields and floors have, too."""
+_CORNERED = ("box", "compound")
+"""Shapes that do not roll, whatever a text says."""
 _TARGETED = frozenset({"toward", "away_from", "along", "past", "across", "through", "around"})
 
 
@@ -58,22 +59,26 @@ class _Book:
         told = Statement(
             id=f"s{len(self.items) + 1}", predicate=says, text=words, start=start, end=end, **more
         )
-        same = ("id", "text", "start", "end")
+        lost = says is Predicate.NOT_REPRESENTED  # each word of its own
+        same = ("id",) if lost else ("id", "text", "start", "end")
         if all(
             told.model_dump(exclude={*same}) != x.model_dump(exclude={*same}) for x in self.items
         ):
             self.items.append(told)
-        if says is not Predicate.NOT_REPRESENTED:
+        if not lost:
             self.d.scene.used.setdefault((start, end), f"statement: {says.value}")
 
 
-def state(d: Discourse, frames: list[Frame], words: list[Word]) -> tuple[Statement, ...] | None:
+def state(
+    d: Discourse, frames: list[Frame], elements: list[Element], tokens: list[Token]
+) -> tuple[Statement, ...] | None:
     """What the prompt states beyond objects, relations and events; None if nothing.
 
     Args:
         d: The discourse, after the timeline's motions have been finished.
         frames: All clauses.
-        words: The adverbs of the text.
+        elements: What the text was read as.
+        tokens: Its words.
     """
     book = _Book(d)
     read = {_span(c.frame) for c in d.scene.clauses}
@@ -90,16 +95,27 @@ def state(d: Discourse, frames: list[Frame], words: list[Word]) -> tuple[Stateme
         why = "" if _span(f) in said else dropped(d, f)
         if why and (_span(f) not in read or not _moves(d, f)):
             _unkept(book, f, why)
-    unsaid = _of_what_does_not_happen(d, frames)
-    for w in words:
-        if (w.start, w.end) not in d.scene.used and manner(w.low) and w.low not in unsaid:
-            book.add(Predicate.NOT_REPRESENTED, w.start, w.end, note=NO_MANNER)
     for start, end, why in unseen(d, frames):
         book.add(Predicate.NOT_REPRESENTED, start, end, note=why)
+    _own_up(book, frames, elements, tokens)
     for actor, at in d.moves.still.items():
         if actor in d.world.entities:
             book.add(Predicate.STAYS_STILL, at, _word_end(d.text, at), object=(actor,))
     return tuple(sorted(book.items, key=lambda s: s.start)) or None
+
+
+def _own_up(book: _Book, frames: list[Frame], elements: list[Element], tokens: list[Token]) -> None:
+    """Writes down what nothing in the document stands for, unless a statement is about the words."""
+    d = book.d
+    lost = [(s.start, s.end) for s in book.items if s.predicate is Predicate.NOT_REPRESENTED]
+    told = [f for f in frames if not f.unreal and not f.verb.negated]
+    told = [f for f in told if _span(f) in d.scene.used and _span(f) not in lost]
+    untold = _of_what_does_not_happen(d, frames)
+    for gap in unclaimed(Account(d, told, elements, tokens, [*book.items], untold)):
+        if not any(a < gap.end and gap.start < b for a, b in lost):
+            lost.append((gap.start, gap.end))
+            book.add(Predicate.NOT_REPRESENTED, gap.start, gap.end, object=gap.nodes,
+                     note=gap.missing)  # fmt: skip
 
 
 def _of_what_does_not_happen(d: Discourse, frames: list[Frame]) -> set[str]:
@@ -128,7 +144,6 @@ def _motion(book: _Book, clause: Clause) -> None:
             _said(book, clause, s, mover)
     for p in clause.frame.phrases:
         _support(book, clause, p)
-        _left_over(book, clause, p)
 
 
 def _said(book: _Book, clause: Clause, s: Said, mover: str) -> None:
@@ -159,8 +174,15 @@ def _carried(book: _Book, clause: Clause, s: Said, mover: str) -> None:
 
 
 def _rolled(book: _Book, clause: Clause, s: Said, mover: str) -> None:
-    """ "A ball rolls"; of a car it is only how one says that it moves."""
-    if "round" in traits_of(book.d, mover) or kind_of(book.d, mover) not in SELF_POWERED:
+    """ "A ball rolls"; of a car it is only how one says that it moves, and a box cannot."""
+    d = book.d
+    noun = entity_of(d, mover).noun
+    if "round" not in noun.traits and noun.kind in SELF_POWERED:
+        return
+    if noun.shape in _CORNERED and not can_roll(d, mover) and "wheeled" not in noun.traits:
+        note = f"{entity_of(d, mover).head} is not round: it slides"
+        book.add(Predicate.NOT_REPRESENTED, s.start, s.end, object=(mover,), note=note)
+    else:
         _plainly(book, clause, s, mover)
 
 
@@ -235,7 +257,8 @@ def _starts_there(book: _Book, mover: str, other: str) -> None:
 def _driver(book: _Book, clause: Clause, s: Said, mover: str) -> None:
     """ "A man drives a car": he is in it; "rides a horse": on it."""
     d = book.d
-    riders = [i for i in _ids(clause.frame.subject) if i in d.world.entities and i != mover]
+    riders = [i for i in _ids(clause.frame.subject) if i in d.world.entities]
+    riders = [i for i in riders if i not in clause.movers]
     riders = [i for i in riders if kind_of(d, i) in ("person", "animal", "robot")]
     if riders and kind_of(d, mover) in SELF_POWERED:
         open_ = d.scene.supported_by.get(riders[0]) == mover or s.row.states is not Predicate.INSIDE
@@ -308,41 +331,6 @@ def _support(book: _Book, clause: Clause, p: Phrase) -> None:
                      for n in d.timeline.nodes)  # fmt: skip
         book.add(Predicate.SUPPORTED_BY, p.mention.start, p.mention.end, object=(mover,),
                  target=(host,), when="start" if leaves else _when(d, clause, mover))  # fmt: skip
-
-
-def _left_over(book: _Book, clause: Clause, p: Phrase) -> None:
-    """A phrase of a motion that nothing in the document takes up ("passes under a bridge")."""
-    d, m = book.d, p.mention
-    if m is None or m.attribute or p.amount is not None or p.prep in _REASONS:
-        return
-    others = [i for i in things(p) if i in d.world.entities and i not in clause.movers]
-    if not others or structural(d, others[0]) or _taken_up(d, clause, p, others):
-        return
-    if any(s.target and set(s.target) & {*others} for s in book.items):
-        return
-    start = max(start_of(p, d.text), 0)
-    note = f'nothing in the scene stands for "{p.prep}"'
-    book.add(Predicate.NOT_REPRESENTED, start, m.end, object=tuple(clause.movers[:1]),
-             target=tuple(others[:1]), note=note)  # fmt: skip
-
-
-def _taken_up(d: Discourse, clause: Clause, p: Phrase, others: list[str]) -> bool:
-    """Whether a relation, a support, an aim or an event is about what a phrase names."""
-    some, scene, f = {*others}, d.scene, clause.frame
-    about = {*clause.movers, *_ids(f.subject), *_ids(f.object)}
-    if any({r.source, r.target} & some and {r.source, r.target} & about for r in scene.relations):
-        return True
-    if any(scene.supported_by.get(i) in some or scene.attached.get(i) in some for i in about):
-        return True
-    if any(scene.supported_by.get(o) in about for o in others):
-        return True
-    if any(e.actor in about and e.target in some for e in d.timeline.edges if e.target):
-        return True
-    if any(c.to in some for n in d.timeline.nodes for c in n.constraints):
-        return True  # "stops 1 m in front of a gate"
-    if p.prep == "with" and any(o in scene.supported_by or o in scene.attached for o in others):
-        return True  # "a table with bottles": told of the table
-    return any(_met(d, i, others) for i in about)
 
 
 def _when(d: Discourse, clause: Clause, mover: str) -> str:

@@ -21,12 +21,11 @@ _NO_PICTURE = lex.word_set("no picture (statements)")
 _MANNERS = frozenset({"gently", "carefully", "slowly", "softly", "quickly", "then", "suddenly"})
 _NOT_TOLD = frozenset({"gerund", "no event of its own"})
 """Reasons for which a verb is no statement of the prompt."""
-_ACTS = frozenset(
-    {"own", "launch", "roll", "slide", "fly", "bounce", "carry", "drop", "fall", "hit", "knock",
-     "tow", "topple", "turn", "swerve", "enter", "pocket", "scatter", "accelerate", "reverse",
-     "land", "reach", "leave", "approach", "follow", "cross", "overtake", "pass", "coast"}
+_STATES = frozenset(
+    {"be", "posture", "have", "weigh", "contain", "face", "measure", "surround", "lead", "unknown",
+     "park", "give", "acquire", "apply", "cause", "continue", "avoid", "miss", "end", "lose", "start"}
 )  # fmt: skip
-"""Senses of acting: what they tell adds something to the scene, or was told before."""
+"""Senses that may add nothing to a scene: states, and what other clauses tell."""
 NOTHING_MOVES = "nothing of the kind happens in the scene"
 
 
@@ -34,9 +33,15 @@ NOTHING_MOVES = "nothing of the kind happens in the scene"
 class _Row:
     sense: str
     lemmas: frozenset[str]
+    all_but: bool
     voice: str
     missing: str
     example: str
+
+    def names(self, f: Frame) -> bool:
+        """Whether a clause's verb is among the row's: of its sense, and listed ("!" before all but those)."""
+        listed = f.verb.lemma in self.lemmas or "*" in self.lemmas
+        return self.sense == f.verb.sense and listed is not self.all_but
 
 
 @cache
@@ -44,8 +49,8 @@ def rows() -> tuple[_Row, ...]:
     """The table."""
     with open(lex.DATA / "unkept.csv", encoding="utf-8", newline="") as file:
         return tuple(
-            _Row(r["sense"], frozenset(r["lemmas"].split("|")), r["voice"], r["missing"],
-                 r["example"])
+            _Row(r["sense"], frozenset(r["lemmas"].lstrip("!").split("|")), r["lemmas"][0] == "!",
+                 r["voice"], r["missing"], r["example"])
             for r in csv.DictReader(file, delimiter=";")
         )  # fmt: skip
 
@@ -54,13 +59,12 @@ def missing(d: Discourse, clause: Clause) -> str:
     """What a clause that was read says and the document does not hold; empty if it holds it."""
     f = clause.frame
     for row in rows():
-        named = row.sense == f.verb.sense and {f.verb.lemma, "*"} & row.lemmas
-        if named and _applies(d, row.voice, clause):
+        if row.names(f) and _applies(d, row.voice, clause):
             return row.missing
     note = d.scene.used.get((f.verb.start, f.verb.end), "")
     again = any(n.id == note for n in d.timeline.nodes)
     told = clause.told or again or bool(clause.movers)
-    return "" if told or f.verb.sense not in _ACTS else NOTHING_MOVES
+    return "" if told or f.verb.sense in _STATES else NOTHING_MOVES
 
 
 def _applies(d: Discourse, voice: str, clause: Clause) -> bool:
@@ -78,19 +82,24 @@ def _applies(d: Discourse, voice: str, clause: Clause) -> bool:
             return False
         if condition == "unmet" and _leads_to_an_event(d, clause):
             return False
+        if condition.startswith("without:") and _leads_to_an_event(d, clause, condition[8:]):
+            return False
         if condition == "later" and f.relative:
             return False
         if condition == "later" and not _acted_before(d, clause, doers):
             return False
         if condition.startswith("!") and condition[1:] in kinds:
             return False
+        if condition.startswith("of:") and condition[3:] not in kinds:
+            return False
     return True
 
 
-def _leads_to_an_event(d: Discourse, clause: Clause) -> bool:
-    """Whether an event that one could see is told of what a clause moves."""
+def _leads_to_an_event(d: Discourse, clause: Clause, kind: str = "") -> bool:
+    """Whether an event that one could see, of a kind if one is named, is told of what a clause moves."""
     about = {*clause.movers}
-    return any(measurable(n.event) and about & {*n.participants} for n in d.timeline.nodes)
+    told = [n.event for n in d.timeline.nodes if about & {*n.participants}]
+    return any(measurable(event) and kind in ("", event.value) for event in told)
 
 
 def _acted_before(d: Discourse, clause: Clause, doers: list[str]) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 import math
 
+from esg.dynamics.choreography.braking import brake_into
 from esg.dynamics.choreography.caroms import is_carom
 from esg.dynamics.choreography.demands import (
     demanded,
@@ -14,7 +15,7 @@ from esg.dynamics.choreography.demands import (
     sends_sliding,
     timed_push,
 )
-from esg.dynamics.choreography.encounters import brake_into, covers
+from esg.dynamics.choreography.encounters import covers
 from esg.dynamics.choreography.flights import took_off
 from esg.dynamics.choreography.hovering import fly_in
 from esg.dynamics.choreography.impacts import returns
@@ -23,8 +24,10 @@ from esg.dynamics.choreography.placing import (
     gap_at_start,
     goes_on,
     join,
+    stays_there,
     struck_again,
 )
+from esg.dynamics.choreography.setting_off import gain_of, ride_of
 from esg.dynamics.choreography.slopes import descend, goes_down
 from esg.dynamics.choreography.stage import FASTEST_MPS, Encounter, Stage, speed_is_fixed
 from esg.dynamics.choreography.throws import (
@@ -36,7 +39,7 @@ from esg.dynamics.choreography.throws import (
     slowest_passage,
     within_reach,
 )
-from esg.dynamics.story.kinematics import lob_time
+from esg.dynamics.story.kinematics import Ride, lob_time
 from esg.dynamics.story.stagecraft import (
     approach_distance,
     coasting_drag,
@@ -70,6 +73,8 @@ LONG_CHAIN = 4
 """Number of hits of a chain of balls from which on it goes as gently as its last hit allows."""
 STANDSTILL_MPS, CRAWL_MPS = 0.5, 0.05
 """Speed with which something that accelerates sets off at most, and that of what stands still."""
+GAINS_TO_MPS = 100.0
+"""Speed beyond which nothing that gains speed is followed."""
 CALM_MPS = 4.0
 """Speed at which something that is no wheel and no ball slides on and stays on the ground."""
 GENTLE = 0.4
@@ -182,29 +187,44 @@ def slide_in(stage: Stage, e: Encounter) -> None:
 
 def come(stage: Stage, e: Encounter) -> None:
     """It drives, walks, rolls, flies or is thrown there."""
-    demand, phase = _demand(stage, e), e.coming
-    rate, first = _gains(stage, e.a, phase, demand.speed)
+    demand = _demand(stage, e)
+    gaining = _gains(stage, e.a, e.coming, demand.speed)
     run = _run_up(stage, e, demand)
     demand = _slow_enough(stage, e, demand)
     if _thrown(stage, e.a) and not is_lobbed(stage, e.node) and stage.anchor is None:
         run = _throwing_distance(stage, e, demand, run)
     speed, lasts = _pace(stage, e, demand, run)
-    if demand.prescribed is None and rate is not None and not _tossed(stage, e):
-        lasts = _gaining(first, rate, demand.asked or run)
-    way = demand.asked or covers(stage, e.a, phase, speed, lasts)
-    if demand.prescribed is None and rate is None:
+    ride = gaining or ride_of(stage, e.a, e.coming, speed)
+    if math.isinf(ride.rate):
+        _come_at_speed(stage, e, demand, speed, lasts)
+    else:
+        _come_faster(stage, e, demand, ride, run)
+
+
+def _come_at_speed(stage: Stage, e: Encounter, demand: Demand, speed: float, lasts: float) -> None:
+    """It is under way at its speed [m/s], for a time [s] that the room may lengthen."""
+    phase = e.coming
+    way = demand.asked or covers(stage, e.a, phase, speed, lasts)[0]
+    if demand.prescribed is None:
         way = max(way, _room_after(stage, e.a, e.b))
         lasts = way / max(speed, CRAWL_MPS)
-    left = speed
-    if rate is not None:
-        speed, left = first, first + rate * lasts
-        way = 0.5 * (speed + left) * lasts
-        stage.nominal[f"{phase.edge.id}/acceleration"] = rate
-    elif way > MAX_APPROACH_M and not speed_is_fixed(phase):
-        speed = left = MAX_APPROACH_M / lasts
-        way = MAX_APPROACH_M
+    if way > MAX_APPROACH_M and not speed_is_fixed(phase):
+        speed, way = MAX_APPROACH_M / lasts, MAX_APPROACH_M
     stage.nominal[f"{phase.edge.id}/speed"] = speed
-    _arrive(stage, e, demand, Run(way, lasts, left))
+    _arrive(stage, e, demand, Run(way, lasts, speed))
+
+
+def _come_faster(stage: Stage, e: Encounter, demand: Demand, ride: Ride, run: float) -> None:
+    """It gains speed on its way, at least as much as its hit needs where the time is open."""
+    lasts = demand.time_left(stage.tracks[e.a].time)
+    if lasts is not None and e.node.event is NodeEvent.REACH and stays_there(stage, e.node, e.a):
+        lasts -= ride.left(lasts) / stage.halt(e.a, ride.speed)
+    if lasts is None:
+        needed = ride.until(max(demand.needed, demand.least))
+        lasts = ride.lasts(demand.asked or max(run, needed, _room_after(stage, e.a, e.b)))
+    gains = f"{e.coming.edge.id}/acceleration" in stage.nominal
+    stage.nominal[f"{e.coming.edge.id}/speed"] = ride.first if gains else ride.speed
+    _arrive(stage, e, demand, Run(ride.way(lasts), lasts, ride.left(lasts)))
 
 
 # -- how hard, when, how far ---------------------------------------------------------------------
@@ -315,6 +335,11 @@ def _pace(stage: Stage, e: Encounter, demand: Demand, run: float) -> tuple[float
     phase, speed, tossed = e.coming, demand.speed, _tossed(stage, e)
     wait = demand.time_left(stage.tracks[e.a].time)
     if wait is not None:
+        if e.node.event is NodeEvent.REACH and stays_there(stage, e.node, e.a):
+            # Its way ends at rest.
+            rate = stage.halt(e.a, speed)
+            speed = min(speed, 0.5 * rate * wait)
+            wait -= speed / rate
         if not (_thrown(stage, e.a) or phase.edge.speed_is_prescribed):
             speed = max(speed * stage.tight, min(speed, demand.least))
         return min(speed, LOB_M / wait) if tossed else speed, wait
@@ -328,25 +353,16 @@ def _pace(stage: Stage, e: Encounter, demand: Demand, run: float) -> tuple[float
     return way / lasts, lasts
 
 
-def _gains(stage: Stage, actor: str, phase: Phase, speed: float) -> tuple[float | None, float]:
-    """How an accelerated approach sets off: acceleration [m/s^2] and first speed [m/s].
-
-    None where the prompt states neither the acceleration nor that it starts at rest.
-    """
+def _gains(stage: Stage, actor: str, phase: Phase, speed: float) -> Ride | None:
+    """How an approach of which the prompt says that it gains speed does so; None for others."""
     edge, track = phase.edge, stage.tracks[actor]
     if edge.event is not EdgeEvent.ACCELERATED_MOTION:
-        return None, speed
-    low, high, fixed = bounds(edge.params.acceleration, (100.0, 400.0))
-    if not fixed and speed > CRAWL_MPS:
-        return None, speed
+        return None
+    rate = gain_of(stage, actor, phase)
     if not (speed_is_fixed(phase) and edge.params.speed is not None):
         speed = track.speed if track.time > 0.0 else min(speed, STANDSTILL_MPS)
-    return max(0.005 * (low + high), 0.1), speed
-
-
-def _gaining(speed: float, rate: float, way: float) -> float:
-    """Time [s] in which something that gains speed covers a way [m]."""
-    return (math.sqrt(speed * speed + 2.0 * rate * way) - speed) / rate
+    stage.nominal[f"{edge.id}/acceleration"] = rate
+    return Ride(speed, rate, GAINS_TO_MPS)
 
 
 def _fresh_run(stage: Stage, a: str, phase: Phase, speed: float) -> float:

@@ -5,23 +5,22 @@ from __future__ import annotations
 import math
 
 from esg.dynamics.choreography import overtaking
+from esg.dynamics.choreography.braking import brake_into, shortest
 from esg.dynamics.choreography.placing import gap_at_start
+from esg.dynamics.choreography.setting_off import ride_of
 from esg.dynamics.choreography.stage import FASTEST_MPS, Encounter, Stage, speed_is_fixed
 from esg.dynamics.choreography.throws import asked_height, drop_height, fallen, is_dropped
 from esg.dynamics.story.kinematics import (
     Frame,
     braking_distance,
     frame_mapping,
-    slowing,
-    stopping_damping,
 )
 from esg.dynamics.story.stagecraft import (
     approach_distance,
-    coasting_drag,
     ground_restitution,
     min_hit_speed,
 )
-from esg.dynamics.story.story import Phase, bounds
+from esg.dynamics.story.story import Phase
 from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
 from esg.units import GRAVITY_MPS2
 
@@ -155,7 +154,8 @@ def meet_head_on(stage: Stage, e: Encounter) -> None:
             time = start + approach_distance(stage.prop(actor), speed, stage.rng) / speed
         track = stage.tracks[actor]
         duration = max(0.2, time - track.time)
-        track.straight(covers(stage, actor, phase, speed, duration), duration, speed)
+        way, left = covers(stage, actor, phase, speed, duration)
+        track.straight(way, duration, left)
         if stage.story.soars(actor):
             stage.heights.setdefault(actor, MEETING_HEIGHT_M)
         elif stage.story.flies(actor):
@@ -219,8 +219,8 @@ def _dropped_onto(stage: Stage, node: TimelineNode, a: str, b: str, phase: Phase
             before = track.speed or speed
             way, duration, left = brake_into(stage, phase, before, fall.time, track.time)
         else:
-            stage.nominal[f"{phase.edge.id}/speed"] = left = speed
-            way = covers(stage, b, phase, speed, duration)
+            stage.nominal[f"{phase.edge.id}/speed"] = speed
+            way, left = covers(stage, b, phase, speed, duration)
         track.straight(way, duration, left)
     stage.time[node.id] = max(fall.time, track.time)
     if stage.story.flies(b):
@@ -255,12 +255,14 @@ def run_into_waiting(stage: Stage, e: Encounter) -> None:
     covered = max(math.dist(first, p) for p in ahead.points)
     least = covered + reach + BEHIND_M
     duration = max(0.2, time - rear.time)
-    if speed * duration < least and not speed_is_fixed(chase):
+    ride = ride_of(stage, behind, chase, speed)
+    if ride.way(duration) < least and not speed_is_fixed(chase):
         speed = min(least / duration, max(speed, FASTEST_MPS))
-    if speed * duration < least and stage.prescribed_time(node) is None:
-        duration = least / speed
+        ride = ride_of(stage, behind, chase, speed)
+    if ride.way(duration) < least and stage.prescribed_time(node) is None:
+        duration = ride.lasts(least)
     stage.nominal[f"{chase.edge.id}/speed"] = speed
-    rear.straight(speed * duration, duration, speed)
+    rear.straight(ride.way(duration), duration, ride.left(duration))
     stage.time[node.id] = rear.time
     frame = stage.frames[front]
     heading = ahead.heading + frame.angle
@@ -279,7 +281,10 @@ def _rear_end(stage: Stage, e: Encounter) -> None:
     rear, ahead = stage.tracks[behind], stage.tracks[front]
     speed = stage.speed(behind, chase)
     began = ahead.time
-    time = stage.prescribed_time(node) or began + float(stage.rng.uniform(1.0, 1.4))
+    usual = float(stage.rng.uniform(1.0, 1.4))
+    if lead.edge.event is EdgeEvent.BRAKE:
+        usual = max(usual, shortest(stage, front, ahead.speed))
+    time = stage.prescribed_time(node) or began + usual
     if lead.edge.event is EdgeEvent.BRAKE:
         distance, _, left = brake_into(stage, lead, ahead.speed, time, began)
     else:
@@ -332,37 +337,15 @@ def _is_front(stage: Stage, a: str) -> bool:
     return any(w in words for w in ("front", "lead", "leading"))
 
 
-def covers(stage: Stage, actor: str, phase: Phase, speed: float, duration: float) -> float:
-    """Way [m] of an actor in a given time: what was let go at a fixed speed slows down.
+def covers(
+    stage: Stage, actor: str, phase: Phase, speed: float, duration: float
+) -> tuple[float, float]:
+    """Way [m] of an actor in a given time, and its speed then: what was let go slows down.
 
     Where the speed is open, it starts that much faster instead (`variables.damping_loss`).
     """
     let_go = phase.edge.event is EdgeEvent.TOWARD and not stage.story.flies(actor)
-    if not let_go or not speed_is_fixed(phase):
-        return speed * duration
-    return braking_distance(speed, stage.prop(actor).damping, duration)
-
-
-def brake_into(
-    stage: Stage, phase: Phase, speed: float, prescribed: float | None, now: float
-) -> tuple[float, float, float]:
-    """Braking that still ends in a hit: at most half of the speed is left."""
-    low, high, _ = bounds(phase.edge.params.damping, (0.3, 6.0))
-    left = 0.38
-    duration = (
-        max(0.2, prescribed - now) if prescribed is not None else float(stage.rng.uniform(0.7, 1.0))
-    )
-    actor = phase.edge.actor
-    body = stage.prop(actor)
-    drag = 0.0 if stage.story.soars(actor) else coasting_drag(body)
-    powered = stage.story.phases[actor][0].edge.event is not EdgeEvent.TOWARD
-    if powered and not (body.wheeled or body.rolls) and (1.0 - left) * speed < drag * duration:
-        # Its soles would stop it before the hit: it slows down step by step instead.
-        stage.nominal[f"{phase.edge.id}/stopping"] = duration / (1.0 - left)
-        return 0.5 * (1.0 + left) * speed * duration, duration, left * speed
-    if prescribed is None and drag > 0.0:
-        duration = min(duration, 0.7 * (1.0 - left) * speed / drag)
-    damping = min(max(stopping_damping(speed, duration, drag, left * speed), low), high)
-    stage.nominal[f"{phase.edge.id}/damping"] = damping
-    distance, slower = slowing(speed, damping, drag, duration)
-    return distance, duration, slower
+    if let_go and speed_is_fixed(phase):
+        return braking_distance(speed, stage.prop(actor).damping, duration), speed
+    ride = ride_of(stage, actor, phase, speed)
+    return ride.way(duration), ride.left(duration)

@@ -65,12 +65,15 @@ def impact(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
     else:
         source, frame = stage.moving.get(a, Track()), Frame()
     stage.time[node.id] = source.time
-    if node.event is not NodeEvent.COLLISION or b in stage.tracks:
+    if node.event is not NodeEvent.COLLISION:
         return
     pa, pb = stage.prop(a), stage.prop(b)
+    restitution = 0.5 * (pa.restitution + pb.restitution)
+    if b in stage.tracks:
+        stage.struck[b] = impact_speed(pa.mass, pb.mass, source.speed, restitution)
+        return
     if b not in stage.places:
         return
-    restitution = 0.5 * (pa.restitution + pb.restitution)
     if pb.fixed:
         _bounce(stage, node, a, b, restitution)
         return

@@ -4,24 +4,23 @@ from __future__ import annotations
 
 import math
 
+from esg.dynamics.choreography.braking import brake
 from esg.dynamics.choreography.falls import goes_over_edge, over_edge, tip_over
-from esg.dynamics.choreography.placing import asked_distance, gap_left, join
+from esg.dynamics.choreography.placing import comes_to_rest, gap_left, join
+from esg.dynamics.choreography.setting_off import gain_of, ride_of
 from esg.dynamics.choreography.stage import Stage
-from esg.dynamics.story.kinematics import (
-    Frame,
-    braking_distance,
-    damping_for_way,
-    sliding_travel,
-    stopping_damping,
-    stopping_way,
-)
+from esg.dynamics.story.kinematics import Frame, sliding_travel
 from esg.dynamics.story.stagecraft import coasting_drag, top_surface
-from esg.dynamics.story.story import Phase, bounds, middle, rebounds, turn_of
+from esg.dynamics.story.story import CRUISES, Phase, bounds, rebounds, turn_of
 from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
+from esg.units import GRAVITY_MPS2
 
 TURNED_RAD = math.radians(10.0)
 """A turn counts as made this far before its end: between the end of its tolerance and of itself."""
-LONGEST_STOP_S = 10.0
+USUAL_S = 2.0
+"""Time of a segment where nothing says how long it lasts."""
+STEADY_G = 0.6
+"""Sideways acceleration of a usual turn at most, over g."""
 SLIDES_ON = 0.4
 """Share of the time to rest after which something that slides is acted upon at the latest."""
 REBOUND_S = 0.15
@@ -36,6 +35,8 @@ def controlled(stage: Stage, node: TimelineNode) -> None:
         track = stage.tracks[actor]
         if prescribed is not None:
             duration = max(0.2, prescribed - track.time)
+        elif phase.edge.event is EdgeEvent.BRAKE:
+            duration = None
         elif rebounds(stage.story, phase, lambda name: stage.prop(name).fixed):
             track.straight(0.0, REBOUND_S, 0.25 * track.speed)
             arrived.append(track.time)
@@ -57,13 +58,14 @@ def turned(stage: Stage, node: TimelineNode) -> None:
     for actor, phase in stage.incoming(node):
         track = stage.tracks[actor]
         speed = stage.speed(actor, phase) if phase.edge.params.speed else track.speed
-        track.speed = speed or stage.speed(actor, phase)
-        stage.nominal[f"{phase.edge.id}/speed"] = track.speed
+        ride = ride_of(stage, actor, phase, speed or stage.speed(actor, phase))
+        stage.nominal[f"{phase.edge.id}/speed"] = ride.speed
         low, high, fixed = bounds(phase.edge.params.turn_rate_deg_s, (25.0, 70.0))
-        rate = math.radians(low if fixed else min(max(45.0, low), high))
+        steady = math.degrees(STEADY_G * GRAVITY_MPS2 / max(ride.speed, 1.0))
+        rate = math.radians(low if fixed else min(max(min(45.0, steady), low), high))
         degrees, sign = turn_of(phase)
         stage.nominal[f"{phase.edge.id}/turn_rate"] = rate
-        track.arc(sign * math.radians(degrees), rate)
+        track.arc(sign * math.radians(degrees), rate, ride)
         lead = TURNED_RAD / rate
     times = [stage.tracks[a].time for a in stage.tracks if a in node.participants]
     stage.time[node.id] = max(times, default=1.0) - lead
@@ -83,7 +85,7 @@ def plain(stage: Stage, node: TimelineNode) -> None:
             told = True
             continue
         track = stage.tracks[actor]
-        duration = _stop_time(node) if node.event is NodeEvent.STOP else 2.0
+        duration = _stop_time(node)
         if prescribed is not None:
             duration = max(0.3, prescribed - track.time)
         _advance(stage, actor, phase, duration)
@@ -99,46 +101,19 @@ def plain(stage: Stage, node: TimelineNode) -> None:
         _place_for_fall(stage, node)
 
 
-def _advance(stage: Stage, actor: str, phase: Phase, duration: float) -> None:
-    """Moves an actor through a phase whose end is set by time."""
+def _advance(stage: Stage, actor: str, phase: Phase, duration: float | None) -> None:
+    """Moves an actor through a phase whose end is set by time [s], None where that is open."""
     track, edge = stage.tracks[actor], phase.edge
+    if edge.event is EdgeEvent.BRAKE:
+        brake(stage, actor, phase, duration)
+        return
+    duration = USUAL_S if duration is None else duration
     if edge.event in (EdgeEvent.GUIDE, EdgeEvent.SPIN):
         track.straight(0.0, duration, 0.0)
         return
-    if edge.event is EdgeEvent.BRAKE:
-        speed = track.speed or stage.speed(actor, phase)
-        low, high, fixed = bounds(edge.params.damping, (0.3, 8.0))
-        stop = phase.end.event is NodeEvent.STOP
-        if stop:
-            drag = max(coasting_drag(stage.prop(actor)), 0.02)
-            way = asked_distance(stage, phase.end, actor)
-            if way is not None:
-                damping = damping_for_way(speed, way, drag)
-                duration = min(stopping_way(speed, damping, drag)[1], LONGEST_STOP_S)
-            else:
-                damping = stopping_damping(speed, duration, drag)
-        else:
-            damping = -math.log(0.4) / duration
-        damping = low if fixed else min(max(damping, low), high)
-        walker = stage.prop(actor)
-        soars = stage.story.soars(actor)
-        if soars or (
-            stop
-            and not (walker.wheeled or walker.rolls)
-            and _stops_by_itself(stage, actor, duration)
-        ):
-            # Friction alone would stop it sooner: it slows down step by step instead.
-            stage.nominal[f"{edge.id}/stopping"] = duration
-            track.straight(0.5 * speed * duration, duration, 0.0)
-            return
-        stage.nominal[f"{edge.id}/damping"] = damping
-        distance = braking_distance(speed, damping, duration)
-        track.straight(distance, duration, speed * math.exp(-damping * duration))
-        return
     speed = stage.speed(actor, phase)
     if edge.event is EdgeEvent.ACCELERATED_MOTION:
-        low, high, fixed = bounds(edge.params.acceleration, (100.0, 400.0))
-        rate = (low if fixed else middle(low, high) if low > 0 else 0.5 * (low + high)) / 100.0
+        rate = gain_of(stage, actor, phase)
         start = track.speed if track.time > 0 else (speed if edge.params.speed is not None else 0.5)
         stage.nominal[f"{edge.id}/acceleration"] = rate
         stage.nominal[f"{edge.id}/speed"] = start
@@ -154,24 +129,25 @@ def _advance(stage: Stage, actor: str, phase: Phase, duration: float) -> None:
         left = max(0.0, speed - drag * duration)
         track.straight(sliding_travel(speed, drag, duration), duration, left)
         return
-    track.straight(speed * duration, duration, speed)
+    ride = ride_of(stage, actor, phase, speed)
+    node = phase.end
+    halts = node.event is NodeEvent.STOP and edge.event in CRUISES
+    if halts:
+        # Its brakes set in before it stands.
+        duration = max(duration - speed / stage.halt(actor, speed), 0.1)
+        stage.nominal[f"{node.id}/time"] = track.time + duration
+    track.straight(ride.way(duration), duration, ride.left(duration))
+    if halts:
+        track.straight(*comes_to_rest(stage, actor), 0.0)
 
 
-def _stops_by_itself(stage: Stage, actor: str, duration: float) -> bool:
-    """Whether something that walks or runs would slide to rest sooner than it is to stop."""
-    phases = stage.story.phases[actor]
-    drag = coasting_drag(stage.prop(actor))
-    powered = phases[0].edge.event is not EdgeEvent.TOWARD
-    return powered and stage.tracks[actor].speed < 1.1 * drag * duration
-
-
-def _stop_time(node: TimelineNode) -> float:
-    """Prescribed or usual duration of a stop [s]."""
+def _stop_time(node: TimelineNode) -> float | None:
+    """Prescribed duration of a stop [s], None where that is open."""
     for c in node.constraints:
         if c.quantity == "time_to_stop":
-            low, high, _ = bounds(c.value, (2.0, 2.0))
+            low, high, _ = bounds(c.value, (USUAL_S, USUAL_S))
             return 0.5 * (low + high)
-    return 2.0
+    return None
 
 
 def _place_for_fall(stage: Stage, node: TimelineNode) -> None:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 
+from esg.dynamics.choreography.braking import INTO_HIT, shortest, slow_down
 from esg.dynamics.choreography.placing import asked_distance
 from esg.dynamics.choreography.stage import FASTEST_MPS, Encounter, Stage, speed_is_fixed
-from esg.dynamics.story.kinematics import Frame, braking_distance
-from esg.dynamics.story.story import Phase, bounds
+from esg.dynamics.story.kinematics import Frame
+from esg.dynamics.story.story import Phase
 from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
 
 BESIDE_M = 0.6
@@ -16,8 +17,6 @@ CLEAR_M = 1.5
 """How far one is ahead of the other when it cuts in."""
 CUT_IN_S = 1.2
 """Time it is given for that after they were side by side, beside what the story leaves."""
-HARD_BRAKE = 2.5
-"""Damping [1/s] of who brakes right before another."""
 OVERLAP = 0.3
 """Offset of the two at the hit, as a share of the other's half width."""
 LONGEST_S = 6.0
@@ -89,9 +88,10 @@ def cut_in(stage: Stage, e: Encounter) -> None:
     reach = side.half_length + back.half_length
     gained = (fast - slow) * (ahead.time - passed)
     wait = 0.0
-    if gained < reach + CLEAR_M and not lead.start.time_is_prescribed:
-        wait = (reach + CLEAR_M - gained) / (fast - slow)
-        gained = reach + CLEAR_M
+    ahead_by = reach + max(CLEAR_M, _lost(stage, lead, fast, slow))
+    if gained < ahead_by and not lead.start.time_is_prescribed:
+        wait = (ahead_by - gained) / (fast - slow)
+        gained = ahead_by
         ahead.straight(fast * wait, wait, fast)
         stage.time[lead.start.id] = stage.nominal[f"{lead.start.id}/time"] = ahead.time
     way, duration, left = _slowing(stage, node, lead, ahead.time, fast, slow, gained - reach)
@@ -124,25 +124,33 @@ def _slowing(
         stage.nominal[f"{lead.edge.id}/speed"] = left
         duration = gap / max(slow - left, 0.2)
         return left * duration, duration, left
-    low, high, _ = bounds(lead.edge.params.damping, (0.3, 6.0))
     prescribed = stage.prescribed_time(node)
-    damping = min(max(HARD_BRAKE, low), high)
-    step, duration = 0.02, 0.02
     if prescribed is not None:
         duration = max(prescribed - now, 0.2)
-        options = [low + k * (high - low) / 50.0 for k in range(51)]
-        damping = min(
-            options,
-            key=lambda c: abs(slow * duration - braking_distance(fast, c, duration) - gap),
-        )
-    else:
-        while slow * duration - braking_distance(fast, damping, duration) < gap:
-            duration += step
-            if duration > LONGEST_S:
-                break
-    stage.nominal[f"{lead.edge.id}/damping"] = damping
-    way = braking_distance(fast, damping, duration)
-    return way, duration, fast * math.exp(-damping * duration)
+        # It has lost on the other what that was behind.
+        left = max(fast - 2.0 * max(fast - slow + gap / duration, 0.0), 0.0)
+        return slow_down(stage, lead, fast, left, duration)
+    rate = stage.halt(lead.edge.actor, fast)
+    duration = _caught_up(fast, slow, gap, rate)
+    return slow_down(stage, lead, fast, max(fast - rate * duration, 0.0), duration)
+
+
+def _lost(stage: Stage, lead: Phase, fast: float, slow: float) -> float:
+    """Way [m] that one who brakes loses on another until it counts as braking."""
+    if lead.edge.event is not EdgeEvent.BRAKE:
+        return 0.0
+    duration = shortest(stage, lead.edge.actor, fast)
+    return (slow - 0.5 * (1.0 + INTO_HIT) * fast) * duration
+
+
+def _caught_up(fast: float, slow: float, gap: float, rate: float) -> float:
+    """Time [s] in which one at a constant speed catches up with another that brakes."""
+    gains = fast - slow
+    duration = (gains + math.sqrt(gains * gains + 2.0 * rate * gap)) / rate
+    stands = fast / rate
+    if duration > stands:
+        duration = (gap + 0.5 * fast * stands) / slow
+    return min(duration, LONGEST_S)
 
 
 def _put_beside(

@@ -17,8 +17,11 @@ from esg.dynamics.story.kinematics import (
 )
 from esg.dynamics.story.solid import beside_the_middle
 from esg.dynamics.story.stagecraft import Prop, coasting_drag, support_of, target_yaw
-from esg.dynamics.story.story import REACH_BRAKE_DAMPING, bounds
-from esg.graph.models import EsgDocument, NodeEvent, RegionType, TimelineNode
+from esg.dynamics.story.story import bounds
+from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, RegionType, TimelineNode
+
+SHORT_OF_M = 0.15
+"""Gap that is left to what is reached."""
 
 
 def goes_on(stage: Stage, node: TimelineNode, b: str) -> bool:
@@ -92,8 +95,14 @@ def join(stage: Stage, a: str, b: str, node: TimelineNode, gap: float = 0.0) -> 
         else:
             heading = stage.free_heading(bx, by)
         reach = pa.half_length + half_along(pb.length, pb.width, heading - (byaw or 0.0)) + gap
+        if node.event is NodeEvent.REACH:
+            reach += _room_to_stop(stage, node, a)
         end = (bx - reach * math.cos(heading), by - reach * math.sin(heading))
         stage.frames[a] = frame_mapping((track.x, track.y), track.heading, end, heading)
+    if node.event is NodeEvent.REACH:
+        stage.nominal[f"{node.id}/time"] = track.time
+        if stays_there(stage, node, a):
+            track.straight(*comes_to_rest(stage, a), 0.0)
     x, y = stage.frames[a].apply(0.0, 0.0)
     turned = math.pi / 2 if is_swung(stage, node, a, b) else stage.reverse_yaw(a)
     stage.places[a] = (x, y, stage.frames[a].angle + turned)
@@ -175,15 +184,32 @@ def _place_target(
             gap = asked_distance(stage, node, a) or kerb.gap_m(pa)
             lateral = kerb.side * (pa.half_width + pb.half_lateral(yaw - heading) + gap)
     if node.event is NodeEvent.REACH:
-        # Room to come to rest after the hold ends.
-        front += 0.15 + stage.tracks[a].speed / REACH_BRAKE_DAMPING
-        stage.nominal[f"{node.id}/time"] = stage.tracks[a].time
+        front += _room_to_stop(stage, node, a)
     cx = x + front * math.cos(heading) - lateral * math.sin(heading)
     cy = y + front * math.sin(heading) + lateral * math.cos(heading)
     stage.places[b] = (cx, cy, yaw + stage.reverse_yaw(b) if sets_off else yaw)
     if sets_off:
         stage.frames[b] = Frame(cx, cy, heading)
     bring_support(stage, b, cx, cy, heading)
+
+
+def stays_there(stage: Stage, node: TimelineNode, a: str) -> bool:
+    """Whether what is told of an actor ends with an event, so that it comes to rest there."""
+    return a in stage.tracks and stage.story.phases[a][-1].end.id == node.id
+
+
+def _room_to_stop(stage: Stage, node: TimelineNode, a: str) -> float:
+    """Gap [m] to what is reached when the brakes set in."""
+    after = [p for p in stage.story.phases.get(a, ()) if p.start.id == node.id]
+    brakes = stays_there(stage, node, a) or any(p.edge.event is EdgeEvent.BRAKE for p in after)
+    return SHORT_OF_M + (comes_to_rest(stage, a)[0] if brakes else 0.0)
+
+
+def comes_to_rest(stage: Stage, a: str) -> tuple[float, float]:
+    """Way [m] and time [s] in which an actor usually comes to rest from the speed it has."""
+    speed = stage.tracks[a].speed
+    rate = stage.halt(a, speed)
+    return 0.5 * speed * speed / rate, speed / rate
 
 
 def _sets_off(stage: Stage, node: TimelineNode, b: str) -> bool:

@@ -10,6 +10,7 @@ import numpy as np
 
 from esg.dynamics.story.edges import edge_of
 from esg.dynamics.story.kinematics import Frame, Track, wrap_angle
+from esg.dynamics.story.paces import on_foot, usual_halt
 from esg.dynamics.story.stagecraft import (
     Prop,
     climb_height,
@@ -19,8 +20,8 @@ from esg.dynamics.story.stagecraft import (
     support_of,
     top_surface,
 )
-from esg.dynamics.story.story import Phase, Story, bounds, stranded
-from esg.graph.models import EsgDocument, TimelineNode
+from esg.dynamics.story.story import CRUISES, UNDISTURBED, Phase, Story, bounds, stranded
+from esg.graph.models import EdgeEvent, EsgDocument, TimelineNode
 from esg.layout.problem.hints import Constellation, Corridor, Placement
 
 if TYPE_CHECKING:
@@ -84,6 +85,7 @@ class Stage:
         tipped: Actors that fell over where they stood.
         thrown_back: Actors that bounced off something.
         way_back: Least way [m] from there to what an actor meets next behind its start.
+        struck: Speed that a hit gave to what goes on under its own power [m/s].
         met: What each actor met last.
         overtaken: Who was overtaken, by whom, when [s] and where on that one's way [m].
         lifted: An actor without a place of its own that starts on the anchor beside its target.
@@ -115,6 +117,7 @@ class Stage:
         self.edge_run: float | None = None
         self.thrown_back: set[str] = set()
         self.way_back: dict[str, float] = {}
+        self.struck: dict[str, float] = {}
         self.met: dict[str, str] = {}
         self.overtaken: dict[str, tuple[str, float, tuple[float, float]]] = {}
         self._next_phase = {a: 0 for a in self.tracks}
@@ -275,7 +278,7 @@ class Stage:
 
         Guessed bounds give way to `needed`, without which an event cannot happen.
         """
-        preferred = max(default_speed(self.prop(actor)), least)
+        preferred = max(self._cruises(actor, phase) or default_speed(self.prop(actor)), least)
         if phase.edge.params.speed is None:
             return self.tracks[actor].speed or preferred
         low, high, fixed = bounds(phase.edge.params.speed, (100.0, 1000.0))
@@ -286,6 +289,26 @@ class Stage:
         if not phase.edge.speed_is_prescribed:
             speed = max(speed, min(needed, FASTEST_MPS))
         return speed
+
+    def _cruises(self, actor: str, phase: Phase) -> float | None:
+        """Speed [m/s] of the segment before, where nothing has changed it since."""
+        phases = self.story.phases[actor]
+        before = phases[phases.index(phase) - 1] if phase is not phases[0] else None
+        if before is None or before.end.event not in UNDISTURBED:
+            return None
+        return self.nominal.get(f"{before.edge.id}/speed") if before.edge.event in CRUISES else None
+
+    def held(self, actor: str) -> bool:
+        """Whether an actor is on its feet or wings, so that it slows down step by step.
+
+        Its soles alone would stop it in their own time.
+        """
+        powered = self.story.phases[actor][0].edge.event is not EdgeEvent.TOWARD
+        return self.story.soars(actor) or (powered and on_foot(self.prop(actor)))
+
+    def halt(self, actor: str, speed: float) -> float:
+        """The rate [m/s^2] at which an actor usually comes to rest from a speed [m/s]."""
+        return usual_halt(self.doc, self.member(actor), speed, held=self.held(actor))
 
     def prescribed_time(self, node: TimelineNode) -> float | None:
         """Absolute time [s] the prompt asks for, or None."""

@@ -10,9 +10,10 @@ from collections.abc import Iterator
 import math
 
 from esg.dynamics.choreography.kerbs import kerb_passed
+from esg.dynamics.choreography.placing import comes_to_rest
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.kinematics import Frame, half_along
-from esg.dynamics.story.story import REACH_BRAKE_DAMPING, Story
+from esg.dynamics.story.story import Story
 from esg.graph.models import EdgeEvent, EsgDocument, Predicate, Statement
 
 _AHEAD_M = 1.0
@@ -122,7 +123,7 @@ def _spot(
         side = math.atan2(y, x) - yaw
         reach = half_along(its.length, its.width, -yaw - side) + _BESIDE_M
         reach += half_along(mine.length, mine.width, heading - side)
-        brakes = stage.tracks[mover].speed / REACH_BRAKE_DAMPING
+        brakes = comes_to_rest(stage, mover)[0]
         end = (end[0] + brakes * math.cos(heading), end[1] + brakes * math.sin(heading))
         return _beside(end, side + math.pi, reach, -yaw)
     if s.direction == "toward":

@@ -57,7 +57,7 @@ class Detected(NamedTuple):
 
 
 EARLY_SCALE_S, MOST_EARLY = 0.1, 3.0
-"""Scale of how much too early the last hit came, and the most that it costs."""
+"""Scale of how much too early the last hit (or topple) came, and the most that it costs."""
 SPARE_S = 0.15
 """A recording goes on for so much longer: in another engine the hit may come later."""
 DISTANCE_SCALE_M = 0.3
@@ -256,22 +256,27 @@ def _since(rec: Recording, earliest: Floats) -> NDArray[np.int64]:
     return np.clip(frame, 0, len(rec.t) - 1)
 
 
-def _tilt(rec: Recording, body: int, since: NDArray[np.int64]) -> Floats:
-    """Angle between a body's upright direction at a frame and at present [deg], shape [W, T]."""
+def _tilt(rec: Recording, body: int) -> Floats:
+    """Angle between a body's upright direction at the start and at present [deg], shape [W, T]."""
     q = rec.r.quaternion[:, :, body].astype(float)
     up = quat_rotate(q, np.array([0.0, 0.0, 1.0]))
-    rest = up[np.arange(rec.n), since][:, None]
-    return np.degrees(np.arccos(np.clip((up * rest).sum(axis=-1), -1.0, 1.0)))
+    return np.degrees(np.arccos(np.clip((up * up[:, :1]).sum(axis=-1), -1.0, 1.0)))
 
 
 def topple(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) -> Detected:
-    since = _since(rec, earliest)
-    tilt = np.max([_tilt(rec, body, since) for body in rec.members(node.participants[0])], axis=0)
+    tilts = np.stack([_tilt(rec, body) for body in rec.members(node.participants[0])])
     late = rec.t[None, :] >= earliest[:, None]
-    most = np.where(late, tilt, 0.0).max(axis=1)
+    over = tilts > SAFE_TOPPLED_DEG
+    # Who lies already does not topple again.
+    passes = np.zeros_like(over)
+    passes[..., 1:] = over[..., 1:] & ~over[..., :-1]
+    time = rec.first((passes & late).any(axis=0))
+    most = np.where(late, tilts.max(axis=0), 0.0).max(axis=1)
     add(f"{node.id}/weak", np.maximum(70.0 - most, 0.0) / 70.0 * 0.3)
     short = (SAFE_TOPPLED_DEG - np.minimum(most, SAFE_TOPPLED_DEG)) / TILT_SCALE_DEG
-    time = rec.first((tilt > SAFE_TOPPLED_DEG) & late)
+    known = (most > SAFE_TOPPLED_DEG) & np.isfinite(earliest)
+    lead = np.where(known, earliest, 0.0) - np.where(known, rec.first(passes.any(axis=0)), 0.0)
+    early = np.where(known, 0.5 + np.clip(lead / EARLY_SCALE_S, 0.0, MOST_EARLY), 0.0)
     before = rec.story.previous_outcome(node.id)
     if before is not None and rec.story.nodes[before].event is NodeEvent.COLLISION:
         # What hangs over its edge after a hit falls back in another engine.
@@ -280,7 +285,7 @@ def topple(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) -
         wait = np.where(struck, time, 0.0) - np.where(struck, earliest, 0.0)
         fall = math.sqrt(height / GRAVITY_MPS2)
         add(f"{node.id}/slow", 0.15 * np.clip(wait / fall - BRISK, 0.0, 4.0))
-    return Detected(time, short**2)
+    return Detected(time, short**2 + early)
 
 
 def tilt_of(loss: float) -> float:

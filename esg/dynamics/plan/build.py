@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from esg.engines.scene import Body, Region, Shape, SimScene
+from esg.dynamics.plan.tyres import with_tyres
+from esg.engines.scene import Body, Region, Shape, SimScene, Wheel
 from esg.graph.casting import effective
 from esg.graph.models import AssetConfiguration, EsgDocument, Node, Pose, Proxy, ProxyKind, Role
 from esg.outcomes import UserError
@@ -55,13 +56,14 @@ def build_scene(doc: EsgDocument) -> SimScene:
             )
         if node.is_structural and not config.proxies and config.category in _GROUND_CATEGORIES:
             friction, restitution = config.friction, config.restitution
-    return SimScene(
+    scene = SimScene(
         scene_id=doc.scene_definition.scene_id,
         bodies=tuple(bodies),
         regions=tuple(regions),
         ground_friction=friction,
         ground_restitution=restitution,
     )
+    return with_tyres(doc, scene)
 
 
 def make_body(
@@ -104,6 +106,10 @@ def make_body(
         group=node.group or "",
         mentioned=node.mentioned,
         active=active,
+        wheels=tuple(
+            Wheel(w.name, _vec((np.array(w.axle_cm) - com) / 100.0), w.radius_cm / 100.0)
+            for w in config.wheels or ()
+        ),
     )
 
 

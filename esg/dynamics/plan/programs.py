@@ -15,9 +15,10 @@ from esg.dynamics.choreography.ways import arrives
 from esg.dynamics.plan.aim import aim_heading
 from esg.dynamics.plan.cast import Cast
 from esg.dynamics.plan.guides import Way
-from esg.dynamics.story.kinematics import ballistic_velocity, wrap_angle
-from esg.dynamics.story.stagecraft import stacked_with, support_of
-from esg.dynamics.story.story import REACH_BRAKE_DAMPING, Phase, turn_of
+from esg.dynamics.story.kinematics import Ride, ballistic_velocity, wrap_angle
+from esg.dynamics.story.paces import grip, on_foot, pace, slows_by, usual_brake, usual_halt
+from esg.dynamics.story.stagecraft import prop, stacked_with, support_of
+from esg.dynamics.story.story import UNDISTURBED, Phase, turn_of
 from esg.engines.program import (
     AdjustProperties,
     GuideAlong,
@@ -30,17 +31,21 @@ from esg.engines.scene import Body
 from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, TimelineNode
 from esg.units import GRAVITY_MPS2, quat_from_euler_deg, yaw_from_quat
 
-AFTER_HIT_DAMPING = 4.0
-"""Linear damping [1/s] of a driver who brakes after the hit that was asked for."""
-
 STRAIGHT_S = 1.0
 """How long an actor drives on straight after a turn that nothing follows [s]."""
 STILL_MPS = 0.07
 """Speed of what has come to rest [m/s]."""
+AT_REST_DAMPING = 9.0
+"""Linear and angular damping [1/s] of a ball that has rolled out."""
 SHAKEN_S = 0.15
 """From the hit of a support until something on it sets off to fall [s]."""
+LEAST_S = 0.05
+"""Least time of a segment."""
 RUN_OUT_MPS2 = 5.0
 """How fast a jumper comes to rest after it has landed."""
+HELD_ON_S = 8.0
+"""What nothing ends is held on for so long after a search has seen enough: the recording plays on
+until the others rest (`search.ending`)."""
 STANDING_SLACK, MOVING_SLACK = 1.05, 1.3
 """A spin is kept up so much longer than its turns take: of what moves, friction takes a part."""
 
@@ -221,6 +226,8 @@ class Composer:
                 self._let_go(course, leg)
             elif f"{phase.edge.id}/stopping" in v:
                 self._stop_in_time(course, leg)
+            elif f"{phase.edge.id}/leaves" in self.nominal:
+                self._slow_to(course, leg, phases[k + 1])
             elif phase.edge.event is EdgeEvent.BRAKE:
                 self._brake(course, leg)
             else:
@@ -248,7 +255,7 @@ class Composer:
         else:
             way = way.lasting(leg.v[f"{edge.id}/duration"])
             end = leg.start + way.times[-1]
-        held_until = leg.duration + 1.0 if leg.last and not release else end
+        held_until = leg.duration + HELD_ON_S if leg.last and not release else end
         course.out.append(way.path(course.actor, begin, leg.start - begin, held_until))
         course.clock, course.held = end, not release
 
@@ -325,27 +332,59 @@ class Composer:
         )
         course.speed, course.clock = 0.0, leg.start + lasts
 
+    def _slow_to(self, course: _Course, leg: _Leg, after: Phase) -> None:
+        """It slows down to the speed with which it goes on, no sooner than the ground allows."""
+        share = self.nominal[f"{leg.phase.edge.id}/leaves"]
+        left = min(leg.v.get(f"{after.edge.id}/speed", share * course.speed), course.speed)
+        lasts = max(leg.end - leg.start, (course.speed - left) / grip(self.doc), LEAST_S)
+        soars = self.story.soars(course.actor)
+        course.out.append(
+            HoldVelocity(
+                course.actor,
+                leg.start,
+                leg.start + lasts,
+                course.speed,
+                course.heading,
+                acceleration=-(course.speed - left) / lasts,
+                roll_radius=self.scene.body(course.actor).roll_radius,
+                until_contact=self._others(course.actor) if soars else (),
+                climb=0.0 if soars else None,
+            )
+        )
+        course.speed, course.clock = left, leg.start + lasts
+
     def _brake(self, course: _Course, leg: _Leg) -> None:
-        """Its damping is raised, until what it does next."""
-        actor, damping = course.actor, leg.v[f"{leg.phase.edge.id}/damping"]
-        course.out.append(AdjustProperties(actor, leg.start, linear_damping=damping))
-        course.speed *= math.exp(-damping * max(leg.end - leg.start, 0.0))
+        """Its brakes are put on, or its damping is raised, until what it does next."""
+        actor, name, lasts = course.actor, leg.phase.edge.id, max(leg.end - leg.start, 0.0)
+        damping = leg.v.get(f"{name}/damping")
+        if damping is not None:
+            usual = self.scene.body(actor).linear_damping
+            course.out.append(AdjustProperties(actor, leg.start, linear_damping=damping))
+            lets_go = AdjustProperties(actor, leg.end, linear_damping=usual)
+            course.speed *= math.exp(-damping * lasts)
+        else:
+            braking = leg.v[f"{name}/braking"]
+            course.out.append(AdjustProperties(actor, leg.start, braking=braking))
+            lets_go = AdjustProperties(actor, leg.end, braking=0.0)
+            lost = (braking + slows_by(self.doc, actor, course.speed)) * lasts
+            course.speed = max(course.speed - lost, 0.0)
         course.clock = leg.end
         if not leg.last:
-            usual = self.scene.body(actor).linear_damping
-            course.out.append(AdjustProperties(actor, leg.end, linear_damping=usual))
+            course.out.append(lets_go)
 
     def _drive(self, course: _Course, leg: _Leg) -> None:
         """Motion under its own power, straight on or in a curve."""
         actor, phase, edge, v, start = course.actor, leg.phase, leg.phase.edge, leg.v, leg.start
         soars, turns = self.story.soars(actor), edge.event is EdgeEvent.TURN
         roll_radius = self.scene.body(actor).roll_radius
-        course.speed = speed = v.get(f"{edge.id}/speed", course.speed)
+        usual = self.nominal.get(f"{edge.id}/reaches", course.speed)
+        before, speed = course.speed, v.get(f"{edge.id}/speed", usual)
         rate, end, until = 0.0, leg.end, self.cast.contacts(phase)
         if turns:
             degrees, sign = turn_of(phase)
             rate = sign * v[f"{edge.id}/turn_rate"]
             end = start + math.radians(degrees) / abs(rate)
+        ride = self._ride(leg, speed, before)
         acceleration = v.get(f"{edge.id}/acceleration", 0.0)
         pushed = self.cast.pushes_off(actor, phase) if leg.last else None
         if pushed is not None:
@@ -354,7 +393,7 @@ class Composer:
         if soars and leg.last and (flies_on or phase.end.event is NodeEvent.MISS):
             # It flies on: past what it does not touch, and when all that is told of it is over.
             end = math.inf
-        if leg.first and not acceleration:
+        if leg.first and not acceleration and math.isinf(ride.rate):
             flat = abs(speed) * np.array([math.cos(course.heading), math.sin(course.heading), 0.0])
             course.out += [SetVelocity(r, start, _vec(flat)) for r in self._riders[actor]]
         if leg.first and self.cast.leaves_support(actor, phase):
@@ -363,21 +402,24 @@ class Composer:
             course.out.append(SetVelocity(actor, start, _vec(abs(speed) * flat)))
             course.clock = start
             return
-        course.out.append(
-            HoldVelocity(
-                actor,
-                start,
-                end,
-                speed=abs(speed),
-                heading=course.heading,
-                acceleration=acceleration,
-                turn_rate=rate,
-                roll_radius=roll_radius,
-                until_contact=until,
-                climb=self.nominal.get(f"{edge.id}/slope", 0.0) * abs(speed) if soars else None,
-            )
+        hold = HoldVelocity(
+            actor,
+            start,
+            end,
+            speed=abs(speed),
+            heading=course.heading,
+            acceleration=acceleration,
+            turn_rate=rate,
+            roll_radius=roll_radius,
+            until_contact=until,
+            climb=self.nominal.get(f"{edge.id}/slope", 0.0) * abs(speed) if soars else None,
         )
+        if not math.isinf(ride.rate):
+            hold = replace(hold, speed=ride.first, acceleration=ride.rate, max_speed=ride.speed)
+        course.out.append(hold)
         course.heading += rate * (end - start) if turns else 0.0
+        lasted = min(end, leg.duration) - start
+        course.speed = max(0.0, ride.left(lasted) + acceleration * lasted)
         if leg.last and turns:
             # Let go while it turns, it would go on turning; what flies would sink.
             course.out.append(
@@ -385,19 +427,35 @@ class Composer:
                     actor,
                     end,
                     math.inf if soars else end + STRAIGHT_S,
-                    abs(speed),
+                    abs(course.speed),
                     course.heading,
                     roll_radius=roll_radius,
                     until_contact=self._others(actor) if soars else (),
                     climb=0.0 if soars else None,
                 )
             )
-        course.speed = max(0.0, speed + acceleration * (min(end, leg.duration) - start))
         # What follows a hit follows it when it happens, not when the hold would have ended.
         told = v.get(f"{phase.end.id}/time", self.told(phase.end, end))
         course.clock = min(end, max(start, told))
         if leg.last:
             self._end_drive(course, leg, end, pushed is not None)
+
+    def _ride(self, leg: _Leg, speed: float, before: float) -> Ride:
+        """How it comes to its speed: at once, or as the choreography has it gain speed.
+
+        Args:
+            leg: What it does.
+            speed: That it gets to [m/s].
+            before: That it has [m/s], where nothing has happened to it.
+        """
+        name, phases = leg.phase.edge.id, self.story.phases[leg.phase.edge.actor]
+        rate = self.nominal.get(f"{name}/gains")
+        if rate is None:
+            return Ride.under_way(speed)
+        begins = self.nominal[f"{name}/begins"]
+        if not leg.first and phases[phases.index(leg.phase) - 1].end.event in UNDISTURBED:
+            begins = before
+        return Ride(min(begins, abs(speed)), rate, abs(speed))
 
     def _end_drive(self, course: _Course, leg: _Leg, end: float, pushes: bool) -> None:
         """What a driver does at the end of its part: it brakes, or hovers."""
@@ -409,9 +467,24 @@ class Composer:
             return
         if self.cast.leaves_to_others(actor, leg.phase):
             hit = end if pushes else self.nominal.get(f"{node.id}/event_time", leg.duration)
-            course.out.append(AdjustProperties(actor, hit, linear_damping=AFTER_HIT_DAMPING))
-        if stays:
-            course.out.append(AdjustProperties(actor, end, linear_damping=REACH_BRAKE_DAMPING))
+            course.out.append(AdjustProperties(actor, hit, braking=self._brakes(course)))
+        if stays and on_foot(prop(self.doc, actor)):
+            course.out.append(self._halts(course, end))
+        elif stays:
+            course.out.append(AdjustProperties(actor, end, braking=self._brakes(course)))
+
+    def _halts(self, course: _Course, time: float) -> HoldVelocity:
+        """It slows down within a step or two, and stands."""
+        actor, speed = course.actor, abs(course.speed)
+        rate = usual_halt(self.doc, actor, speed, held=True)
+        lasts = max(speed / rate, LEAST_S)
+        return HoldVelocity(
+            actor, time, time + lasts, speed, course.heading, acceleration=-speed / lasts
+        )
+
+    def _brakes(self, course: _Course) -> float:
+        """How hard an actor usually brakes [m/s^2]."""
+        return usual_brake(self.doc, course.actor, course.speed)
 
     def _rolls_out(
         self, actor: str, body: Body, phase: Phase, v: Values, start: float, end: float
@@ -430,20 +503,20 @@ class Composer:
             AdjustProperties(
                 actor,
                 end,
-                linear_damping=REACH_BRAKE_DAMPING,
-                angular_damping=REACH_BRAKE_DAMPING,
+                linear_damping=AT_REST_DAMPING,
+                angular_damping=AT_REST_DAMPING,
             ),
         ]
 
     def _hover(self, actor: str, time: float, speed: float, heading: float) -> HoldVelocity:
-        """Slows down in the air as a brake does on the ground, and stays there."""
+        """Slows down in the air, and stays there."""
         return HoldVelocity(
             actor,
             time,
             math.inf,
             speed=abs(speed),
             heading=heading,
-            acceleration=-abs(speed) * REACH_BRAKE_DAMPING,
+            acceleration=-pace(self.doc, actor).brakes,
             until_contact=self._others(actor),
             climb=0.0,
         )
@@ -461,10 +534,10 @@ class Composer:
     def phase_end(self, phase: Phase, v: Values, start: float, duration: float) -> float:
         name = f"{phase.end.id}/time"
         if phase.end.event in TIMED and name in v:
-            return max(start + 0.05, v[name])
+            return max(start + LEAST_S, v[name])
         if phase.end.event is NodeEvent.POSITION_AT and phase.end.timestamp is not None:
-            return max(start + 0.05, phase.end.timestamp)
-        return duration + 1.0
+            return max(start + LEAST_S, phase.end.timestamp)
+        return duration + HELD_ON_S
 
     def _lets_go(
         self, actor: str, body: Body, phase: Phase, flat: NDArray[np.float64]

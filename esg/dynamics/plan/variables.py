@@ -18,7 +18,8 @@ from esg.dynamics.choreography.handling import TURN_RATE_DEG_S
 from esg.dynamics.choreography.throws import opens_upwards
 from esg.dynamics.plan.aim import aim_point
 from esg.dynamics.plan.cast import Cast
-from esg.dynamics.story.story import Phase, bounds, middle
+from esg.dynamics.story.paces import hardest_brake, slows_by, stated_rate, usual_brake
+from esg.dynamics.story.story import CRUISES, UNDISTURBED, Phase, bounds, middle
 from esg.dynamics.story.tipping import FLIES_AT
 from esg.engines.scene import Body, Region
 from esg.graph.models import EdgeEvent, NodeEvent, TimelineEdge, TimelineNode
@@ -31,6 +32,8 @@ OVER_MOUTH = 1.25
 """Height over the middle of a container at which a throw is aimed, in half heights of it."""
 CHAIN_PRECISION = 0.4
 """Factor on the first spread of the aim for every ball that a struck ball shall hit."""
+SOFTEST_BRAKE_MPS2 = 0.5
+"""Nothing that is said to brake does so more gently."""
 AFTER_EVENT_S = 0.12
 """What follows an outcome is planned for this long after it."""
 
@@ -165,6 +168,8 @@ class Declarations:
         if edge.event is EdgeEvent.ACCELERATED_MOTION:
             low, high, fixed = bounds(params.acceleration, (50.0, 500.0))
             start = nominal.get(f"{edge.id}/acceleration", 0.005 * (low + high))
+            if not fixed:
+                low, high = max(low, 70.0 * start), min(high, 130.0 * start)
             self.add(
                 f"{edge.id}/acceleration",
                 low / 100,
@@ -186,21 +191,8 @@ class Declarations:
                 0.05 * stopping,
                 "s",
             )
-        elif edge.event is EdgeEvent.BRAKE:
-            low, high, fixed = bounds(params.damping, (0.3, 8.0))
-            start = nominal.get(f"{edge.id}/damping", 1.5)
-            if not fixed:
-                high = max(high, 1.3 * start)
-            self.add(
-                f"{edge.id}/damping",
-                low,
-                high,
-                start,
-                0.5 * (low + high),
-                0.15 * start,
-                "1/s",
-                fixed=fixed,
-            )
+        elif edge.event is EdgeEvent.BRAKE and f"{edge.id}/leaves" not in nominal:
+            self.declare_brake(actor, phase)
         if edge.event in (EdgeEvent.TURN, EdgeEvent.SPIN):
             usual = TURN_RATE_DEG_S if edge.event is EdgeEvent.SPIN else (20.0, 80.0)
             low, high, fixed = bounds(params.turn_rate_deg_s, usual)
@@ -217,6 +209,24 @@ class Declarations:
             )
         for node in (phase.start, phase.end):
             self.declare_time(phase, node)
+
+    def declare_brake(self, actor: str, phase: Phase) -> None:
+        """How hard it brakes: as the ground allows, or by a damping that the document states."""
+        edge = phase.edge
+        damping, _, stated = bounds(edge.params.damping, (0.0, 0.0))
+        if stated:
+            name = f"{edge.id}/damping"
+            self.add(name, damping, damping, damping, damping, 0.0, "1/s", fixed=True)
+            return
+        speed = self.nominal.get(f"{edge.id}/brakes_from", 0.0)
+        usual = usual_brake(self.cast.doc, actor, speed)
+        start = self.nominal.get(f"{edge.id}/braking", usual)
+        low, high = min(SOFTEST_BRAKE_MPS2, 0.5 * start), hardest_brake(self.cast.doc, actor, speed)
+        rate = stated_rate(edge)
+        if rate is not None:
+            by_itself = slows_by(self.cast.doc, actor, speed)
+            low, high = (max(r - by_itself, 0.0) for r in rate)
+        self.add(f"{edge.id}/braking", low, high, start, max(usual, low), 0.12 * start, "m/s^2")
 
     def declare_jump(self, phase: Phase) -> None:
         """Vertical and horizontal speed of a jump."""
@@ -263,7 +273,9 @@ class Declarations:
         window = node.window or (0.3, 12.0)
         told = self.nominal.get(f"{node.id}/event_time", 0.5 * (window[0] + window[1]))
         nominal = self.nominal.get(name, told + (AFTER_EVENT_S if follows_outcome else 0.0))
-        if node.timestamp is not None and node.time_is_prescribed:
+        # It comes to rest then; its brakes set in before.
+        brakes = (brakes_at_reach or plain_stop) and f"{node.id}/time" in self.nominal
+        if node.timestamp is not None and node.time_is_prescribed and not brakes:
             self.add(
                 name,
                 node.timestamp,
@@ -275,7 +287,8 @@ class Declarations:
                 fixed=True,
             )
             return
-        low, high = window if node.time_is_prescribed else (0.3 * nominal, 2.5 * nominal + 1.0)
+        prescribed = node.time_is_prescribed and not brakes
+        low, high = window if prescribed else (0.3 * nominal, 2.5 * nominal + 1.0)
         self.add(name, low, high, nominal, 0.5 * (window[0] + window[1]), 0.12, "s")
 
     def declare_speed(self, actor: str, phase: Phase) -> None:
@@ -288,7 +301,7 @@ class Declarations:
             low, high = min(low, 60.0 * nominal), max(high, 160.0 * nominal)
         if self.story.tips(phase):
             low, high = 50.0 * nominal, 400.0 * nominal
-        tie = self.same_speed_as(phase)
+        tie = self.same_speed_as(phase) or self.keeps_speed(phase)
         if tie is not None:
             self.tied[name] = tie
             return
@@ -324,6 +337,20 @@ class Declarations:
                 ):
                     return name
         return None
+
+    def keeps_speed(self, phase: Phase) -> str | None:
+        """What drives on as before shares the variable of the segment before."""
+        phases = self.story.phases[phase.edge.actor]
+        k = phases.index(phase)
+        if k == 0 or phase.edge.speed_is_prescribed:
+            return None
+        before = phases[k - 1]
+        if before.edge.event not in CRUISES or before.end.event not in UNDISTURBED:
+            return None
+        name, former = f"{phase.edge.id}/speed", f"{before.edge.id}/speed"
+        same = math.isclose(self.nominal.get(name, 0.0), self.nominal.get(former, -1.0))
+        former = self.tied.get(former, former)
+        return former if same and former in self.variables else None
 
     def speed_for_transfer(self, actor: str, phase: Phase) -> float | None:
         """Speed that gives the target its prescribed speed in a central impact."""

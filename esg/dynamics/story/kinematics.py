@@ -14,6 +14,51 @@ import numpy as np
 from esg.units import GRAVITY_MPS2
 
 
+@dataclass(frozen=True)
+class Ride:
+    """Motion that gains speed evenly up to one that it keeps.
+
+    Args:
+        first: Speed at the start [m/s].
+        rate: At which it gains speed [m/s^2]; infinite for what is under way.
+        speed: In the end, at least the first one [m/s].
+    """
+
+    first: float
+    rate: float
+    speed: float
+
+    @staticmethod
+    def under_way(speed: float) -> Ride:
+        """Motion at one speed [m/s]."""
+        return Ride(speed, math.inf, speed)
+
+    @property
+    def gaining(self) -> float:
+        """How long it gains speed [s]."""
+        return (self.speed - self.first) / self.rate
+
+    def left(self, duration: float) -> float:
+        """Speed [m/s] after a time [s]."""
+        return self.speed if duration >= self.gaining else self.first + self.rate * duration
+
+    def way(self, duration: float) -> float:
+        """Way [m] in a time [s]."""
+        part = min(duration, self.gaining)
+        return 0.5 * (self.first + self.left(part)) * part + self.speed * (duration - part)
+
+    def lasts(self, way: float) -> float:
+        """Time [s] that a way [m] takes."""
+        whole = self.way(self.gaining)
+        if way >= whole:
+            return self.gaining + (way - whole) / max(self.speed, 1e-6)
+        return (math.sqrt(self.first**2 + 2.0 * self.rate * way) - self.first) / self.rate
+
+    def until(self, speed: float) -> float:
+        """Way [m] on which it gains a speed [m/s]."""
+        return max(min(speed, self.speed) ** 2 - self.first**2, 0.0) / (2.0 * self.rate)
+
+
 @dataclass
 class Track:
     """State of one body along its planned path, in its own frame.
@@ -43,19 +88,21 @@ class Track:
         self.speed = speed
         self.points.append((self.x, self.y))
 
-    def arc(self, angle: float, turn_rate: float) -> None:
+    def arc(self, angle: float, turn_rate: float, ride: Ride) -> None:
         """Turns by `angle` [rad] (positive left) at `turn_rate` > 0 [rad/s]."""
         steps = max(2, int(abs(angle) / 0.25))
         duration = abs(angle) / turn_rate / steps
-        for _ in range(steps):
+        for k in range(steps):
             half = angle / steps / 2.0
-            chord = self.speed * duration * (math.sin(half) / half if abs(half) > 1e-9 else 1.0)
+            way = ride.way((k + 1) * duration) - ride.way(k * duration)
+            chord = way * (math.sin(half) / half if abs(half) > 1e-9 else 1.0)
             self.heading += half
             self.x += chord * math.cos(self.heading)
             self.y += chord * math.sin(self.heading)
             self.heading += half
             self.points.append((self.x, self.y))
         self.time += abs(angle) / turn_rate
+        self.speed = ride.left(abs(angle) / turn_rate)
 
 
 @dataclass(frozen=True)
@@ -80,6 +127,14 @@ def frame_mapping(
     return Frame(to[0] - x, to[1] - y, angle)
 
 
+def braked(speed: float, deceleration: float, duration: float) -> tuple[float, float]:
+    """Way [m] and speed left [m/s] after a time [s] of constant deceleration [m/s^2]."""
+    return (
+        sliding_travel(speed, deceleration, duration),
+        max(0.0, speed - deceleration * duration),
+    )
+
+
 def braking_distance(speed: float, damping: float, duration: float) -> float:
     """Distance travelled in `duration` under linear damping [m]."""
     if damping < 1e-9:
@@ -102,39 +157,12 @@ def slowing(speed: float, damping: float, drag: float, duration: float) -> tuple
     return way, max(0.0, (speed + ends) * fades - ends)
 
 
-def stopping_damping(
-    speed: float, duration: float, deceleration: float, final: float = 0.1
-) -> float:
-    """Linear damping [1/s] that with a Coulomb deceleration [m/s^2] slows to `final` [m/s] in time.
-
-    v(t) = (v0 + a/c) exp(-c t) - a/c, solved for c by bisection.
-    """
-
-    def left(c: float) -> float:
-        return (speed + deceleration / c) * math.exp(-c * duration) - deceleration / c
-
-    low, high = 1e-3, 50.0
-    for _ in range(60):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if left(middle) > final else (low, middle)
-    return 0.5 * (low + high)
-
-
 def stopping_way(speed: float, damping: float, drag: float) -> tuple[float, float]:
     """Distance [m] and time [s] to rest under linear damping and a Coulomb deceleration > 0."""
     if damping < 1e-6:
         return speed * speed / (2.0 * drag), speed / drag
     lasts = math.log1p(damping * speed / drag) / damping
     return speed / damping - drag / damping * lasts, lasts
-
-
-def damping_for_way(speed: float, way: float, drag: float) -> float:
-    """Linear damping [1/s] that with a Coulomb deceleration `drag` stops a body in `way` [m]."""
-    low, high = 1e-6, 60.0
-    for _ in range(60):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if stopping_way(speed, middle, drag)[0] > way else (low, middle)
-    return 0.5 * (low + high)
 
 
 def impact_speed(mass_a: float, mass_b: float, speed: float, restitution: float) -> float:

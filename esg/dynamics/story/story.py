@@ -24,9 +24,11 @@ OWN_POWER = (
     EdgeEvent.TURN,
     EdgeEvent.BRAKE,
 )
+CRUISES = (EdgeEvent.UNIFORM_MOTION, EdgeEvent.TURN)
+"""Segments at one speed."""
+UNDISTURBED = (NodeEvent.TRIGGER, NodeEvent.HEADING_REACHED, NodeEvent.MISS)
+"""Events that change no speed: what goes on after them begins with the speed it had."""
 POWERED = (EdgeEvent.UNIFORM_MOTION, EdgeEvent.ACCELERATED_MOTION)
-REACH_BRAKE_DAMPING = 9.0
-"""Linear damping [1/s] with which a body stops that reaches a place without a hit."""
 
 
 @dataclass(frozen=True)

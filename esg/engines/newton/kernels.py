@@ -17,7 +17,15 @@ import warp as wp
 
 from esg.engines.newton.setup import FIXED_POINT
 from esg.engines.program import Action, Column
-from esg.engines.program_kernels import guide, held_spin, held_velocity, vector
+from esg.engines.program_kernels import (
+    falls,
+    grounded,
+    guide,
+    held_spin,
+    held_velocity,
+    vector,
+)
+from esg.engines.traction import Feature
 
 
 @wp.func
@@ -92,6 +100,10 @@ def run_programs(
     body_q: wp.array(dtype=wp.transform),
     body_qd: wp.array(dtype=wp.spatial_vector),
     joint_qd: wp.array(dtype=float),
+    features: wp.array2d(dtype=float),
+    braking: wp.array(dtype=float),
+    driven: wp.array(dtype=int),
+    rise: wp.array(dtype=float),
 ):
     """One thread per world executes its program before a step (`esg.engines.program`)."""
     world = wp.tid()
@@ -99,6 +111,14 @@ def run_programs(
     dt = grid[0]
     t = wp.float64(step) * dt
     now = t + wp.float64(0.5) * dt
+    pull = gravity[world][2] * float(dt)
+    for b in range(dynamic.shape[1]):
+        target = dynamic[world, b]
+        if target < 0:
+            continue
+        # What nothing carries is left alone as what is driven.
+        if falls(rise[target], wp.spatial_top(body_qd[target])[2], pull):
+            driven[target] = step + 1
     for k in range(primitives[world]):
         if done[world, k] != 0:
             continue
@@ -116,12 +136,13 @@ def run_programs(
                 done[world, k] = 1
             if done[world, k] == 0 and start <= now:
                 active[world, k] = 1
-                pull = gravity[world][2] * float(dt)
                 v = wp.spatial_top(body_qd[target])
                 x = wp.transform_get_translation(body_q[target])
                 kept = _kept_up(table, kind[world, k], world, k, t, dt, x, v, pull)
                 _set_linear(target, wp.spatial_top(kept), body_qd, joint_qd)
                 _set_angular(target, wp.spatial_bottom(kept), body_qd, joint_qd)
+                if kind[world, k] != Action.SPIN:
+                    driven[target] = step + 1
         elif start <= now:
             done[world, k] = 1
             if kind[world, k] == Action.SET_VELOCITY:
@@ -140,10 +161,78 @@ def run_programs(
                     linear_damping[target] = to[0]
                 if target >= 0 and not wp.isnan(to[1]):
                     angular_damping[target] = to[1]
+                if target >= 0 and not wp.isnan(table[world, k, Column.BRAKING]):
+                    braking[target] = float(table[world, k, Column.BRAKING])
                 if not wp.isnan(to[2]):
                     for shape in range(first_shape[world], first_shape[world + 1]):
                         if shape_body[shape] == b:
                             shape_mu[shape] = to[2] * friction_scale[world]
+    for b in range(dynamic.shape[1]):
+        target = dynamic[world, b]
+        if target >= 0:
+            v = wp.spatial_top(body_qd[target])
+            rise[target] = v[2]
+            acts = braking[target] > 0.0 or features[target, Feature.GRIP] > 0.0
+            if acts and driven[target] != step + 1:
+                omega = wp.spatial_bottom(body_qd[target])
+                turn = wp.transform_get_rotation(body_q[target])
+                loss = braking[target] * float(dt)
+                weight = -pull * friction_scale[world]
+                kept = grounded(features, target, loss, weight, v, omega, turn)
+                _set_linear(target, wp.spatial_top(kept), body_qd, joint_qd)
+                _set_angular(target, wp.spatial_bottom(kept), body_qd, joint_qd)
+
+
+@wp.kernel(enable_backward=False)
+def touch_movers(
+    count: wp.array(dtype=int),
+    shape0: wp.array(dtype=int),
+    shape1: wp.array(dtype=int),
+    normal: wp.array(dtype=wp.vec3),
+    margin0: wp.array(dtype=float),
+    margin1: wp.array(dtype=float),
+    model_shape_body: wp.array(dtype=int),
+    body_q: wp.array(dtype=wp.transform),
+    point0: wp.array(dtype=wp.vec3),
+    point1: wp.array(dtype=wp.vec3),
+):
+    """One thread per contact that is solved ahead of touching moves it to where it will be felt.
+
+    The solver's friction acts half-way between the two surfaces. Of a ball that comes down on the
+    ground with 4 m/s that is up to 8 mm below it, and its spin after the bounce 8% too large. Both
+    points are shifted along the normal, which changes neither their gap nor the normal's moment,
+    so that half-way is the surface of what moves.
+    """
+    i = wp.tid()
+    if i >= count[0]:
+        return
+    s0 = shape0[i]
+    s1 = shape1[i]
+    if s0 < 0 or s1 < 0:
+        return
+    body0 = model_shape_body[s0]
+    body1 = model_shape_body[s1]
+    if (body0 < 0) == (body1 < 0):
+        return
+    n = normal[i]
+    if body0 >= 0:
+        x = wp.transform_point(body_q[body0], point0[i])
+        gap = wp.dot(n, point1[i] - x) - (margin0[i] + margin1[i])
+        if gap > 0.0:
+            shift = -0.5 * gap * n
+            point1[i] = point1[i] + shift
+            point0[i] = point0[i] + wp.quat_rotate_inv(
+                wp.transform_get_rotation(body_q[body0]), shift
+            )
+    else:
+        x = wp.transform_point(body_q[body1], point1[i])
+        gap = wp.dot(n, x - point0[i]) - (margin0[i] + margin1[i])
+        if gap > 0.0:
+            shift = 0.5 * gap * n
+            point0[i] = point0[i] + shift
+            point1[i] = point1[i] + wp.quat_rotate_inv(
+                wp.transform_get_rotation(body_q[body1]), shift
+            )
 
 
 @wp.kernel(enable_backward=False)

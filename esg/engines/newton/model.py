@@ -191,7 +191,8 @@ class NewtonModel(NewtonWorlds):
             mass = bodies([j.mass[:, d].reshape(-1) for j, d in pairs])
             inertia = bodies([j.inertia.reshape(-1, 3, 3) for j in jobs])
             damping = bodies([np.tile(j.damping[d], (j.n_worlds, 1)) for j, d in pairs])
-            self._load_bodies(mass, inertia, damping)
+            ground = bodies([np.tile(j.features[d], (j.n_worlds, 1)) for j, d in pairs])
+            self._load_bodies(mass, inertia, damping, ground)
         self._load_materials(jobs)
         self.friction_scale.assign(np.concatenate([j.friction_scale for j in jobs]))
         self._load_states(bodies([

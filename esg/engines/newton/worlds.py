@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -17,6 +18,7 @@ from esg.engines.newton.setup import (
 )
 from esg.engines.newton.sharing import share_kernels, sort_few_contacts
 from esg.engines.program import FIELDS
+from esg.engines.traction import FEATURES
 
 Ints = NDArray[np.int32]
 Singles = NDArray[np.float32]
@@ -138,16 +140,23 @@ class NewtonWorlds:
         self.depth = wp.zeros((c, n_pairs), dtype=float)
         self.moments = wp.zeros((c, n_pairs, 6), dtype=wp.int64)
         self.primitive_counts = wp.zeros(w, dtype=int)
+        n = max(1, self.model.body_count)
+        self.features = wp.zeros((n, FEATURES), dtype=float)
+        self.braking, self.rise = wp.zeros(n, dtype=float), wp.zeros(n, dtype=float)
+        self.driven = wp.zeros(n, dtype=int)
 
     # -- before a rollout --------------------------------------------------------------------------
 
-    def _load_bodies(self, mass: Singles, inertia: Singles, damping: Singles) -> None:
+    def _load_bodies(
+        self, mass: Singles, inertia: Singles, damping: Singles, features: Singles
+    ) -> None:
         """Writes what moving bodies (D in all worlds) are like.
 
         Args:
             mass: [kg], shape [D].
             inertia: Body axes [kg m^2], shape [D, 3, 3].
             damping: Linear and angular [1/s], shape [D, 2].
+            features: For the ground, shape [D, FEATURES].
         """
         model = self.model
         model.body_mass.assign(mass)
@@ -156,6 +165,7 @@ class NewtonWorlds:
         model.body_inv_inertia.assign(np.linalg.inv(inertia.astype(float)))
         model.steel.rigid_body_linear_damping.assign(damping[:, 0].copy())
         model.steel.rigid_body_angular_damping.assign(damping[:, 1].copy())
+        self.features.assign(features)
 
     def _load_shapes(self, mu: Singles, restitution: Singles, pose: Singles) -> None:
         """Writes materials and poses [S, 7] of all shapes; `_load_bodies` comes before."""
@@ -207,6 +217,9 @@ class NewtonWorlds:
     def _start(self, dt: float, record_every: int, chunk_frames: int) -> None:
         """Sets the time grid to the beginning."""
         self.touched.fill_(-1)
+        self.braking.zero_()
+        self.driven.zero_()
+        self.rise.fill_(math.nan)
         self.grid.fill_(dt)
         self.dt, self.record_every = dt, record_every
         self._clock = np.array([0, record_every, 0, chunk_frames], np.int32)
@@ -244,7 +257,8 @@ class NewtonWorlds:
                 ),
                 self.clock, self.touched, self.done, self.active, self.impulse, self.first,
                 self.depth, self.moments, self.model.shape_material_mu,
-                steel.rigid_body_linear_damping, steel.rigid_body_angular_damping,
+                steel.rigid_body_linear_damping, steel.rigid_body_angular_damping, self.braking,
+                self.rise, self.driven,
             )
         ]  # fmt: skip
         self._step()
@@ -270,12 +284,22 @@ class NewtonWorlds:
                 self.friction_scale, self.touched, self.done, self.active, model.body_mass,
                 model.steel.rigid_body_linear_damping, model.steel.rigid_body_angular_damping,
                 model.shape_material_mu, model.gravity, s.body_q, s.body_qd, s.joint_qd,
+                self.features, self.braking, self.driven, self.rise,
             ],
         )  # fmt: skip
         if self.has_friction_change:
             self.solver.notify_model_changed(newton.ModelFlags.SHAPE_PROPERTIES)
         s.clear_forces()
         self.pipeline.collide(s, c, dt=self.dt)
+        wp.launch(
+            kernels.touch_movers,
+            dim=c.rigid_contact_max,
+            inputs=[
+                c.rigid_contact_count, c.rigid_contact_shape0, c.rigid_contact_shape1,
+                c.rigid_contact_normal, c.rigid_contact_margin0, c.rigid_contact_margin1,
+                model.shape_body, s.body_q, c.rigid_contact_point0, c.rigid_contact_point1,
+            ],
+        )  # fmt: skip
         self.solver.step(s, self.other, self.control, c, self.dt, observables=self.observables)
         wp.launch(
             kernels.accumulate_contacts,

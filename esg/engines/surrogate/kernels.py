@@ -14,7 +14,14 @@ from typing import Any
 import warp as wp
 
 from esg.engines.program import Action, Column
-from esg.engines.program_kernels import guide, held_spin, held_velocity, vector
+from esg.engines.program_kernels import (
+    falls,
+    grounded,
+    guide,
+    held_spin,
+    held_velocity,
+    vector,
+)
 from esg.engines.surrogate.contacts import find_contacts, prepare_bodies, wake
 from esg.engines.surrogate.solver import move, solve
 from esg.engines.surrogate.types import (
@@ -55,6 +62,8 @@ def _fire(model: Model, state: State, w: int, k: int):
         state.damping[w, i] = d
         if not wp.isnan(to[2]):
             state.friction[w, i] = to[2] * model.friction_scale[w]
+        if not wp.isnan(model.table[w, k, Column.BRAKING]):
+            state.braking[w, i] = float(model.table[w, k, Column.BRAKING])
         return
     _rouse(state, w, i)
     if kind == Action.SET_VELOCITY:
@@ -67,11 +76,13 @@ def _fire(model: Model, state: State, w: int, k: int):
 
 
 @wp.func
-def _hold(model: Model, state: State, w: int, k: int, t: wp.float64, dt: wp.float64):
+def _hold(model: Model, state: State, w: int, k: int, step: int, t: wp.float64, dt: wp.float64):
     """Sets what a primitive that lasts keeps up: motion under own power, a guide, a spin."""
     i = model.target[k]
     _rouse(state, w, i)
     pull = model.gravity[2] * float(dt)
+    if model.action[k] != Action.SPIN:
+        state.driven[w, i] = step + 1
     if model.action[k] == Action.HOLD:
         v = held_velocity(model.table, w, k, t, state.v[w, i][2], pull)
         state.v[w, i] = v
@@ -102,7 +113,7 @@ def run_program(model: Model, state: State, trace: Trace, w: int, step: int, dt:
                 state.done[w, k] = 1
             if state.done[w, k] == 0 and model.table[w, k, Column.START] <= now:
                 state.active[w, k] = 1
-                _hold(model, state, w, k, t, dt)
+                _hold(model, state, w, k, step, t, dt)
                 if trace.steps > 0:
                     trace.fired[w, step, k] = wp.where(now + dt > end, Fired.LAST, Fired.ACTS)
         elif model.table[w, k, Column.START] <= now:
@@ -110,6 +121,36 @@ def run_program(model: Model, state: State, trace: Trace, w: int, step: int, dt:
             _fire(model, state, w, k)
             if trace.steps > 0:
                 trace.fired[w, step, k] = Fired.ACTS
+
+
+@wp.func
+def _look(model: Model, state: State, w: int, step: int, dt: float):
+    """What nothing carries is left alone by brakes and tyres, as what is driven."""
+    for i in range(model.n_bodies):
+        if step > 0 and falls(state.rise[w, i], state.v[w, i][2], model.gravity[2] * dt):
+            state.driven[w, i] = step + 1
+
+
+@wp.func
+def _ground(model: Model, state: State, trace: Trace, w: int, step: int, dt: float):
+    """What brakes and tyres do before a step, after what the program sets."""
+    for i in range(model.n_bodies):
+        if model.dynamic[i] == 0 or state.awake[w, i] == 0:
+            continue
+        v = state.v[w, i]
+        o = state.o[w, i]
+        state.rise[w, i] = v[2]
+        if state.driven[w, i] == step + 1:
+            continue
+        weight = -model.gravity[2] * dt * model.friction_scale[w]
+        loss = state.braking[w, i] * dt
+        kept = grounded(model.features, i, loss, weight, v, o, state.r[w, i])
+        state.v[w, i] = wp.spatial_top(kept)
+        state.o[w, i] = wp.spatial_bottom(kept)
+        if trace.steps > 0:
+            changed = wp.length_sq(wp.spatial_top(kept) - v) > 0.0
+            changed = changed or wp.length_sq(wp.spatial_bottom(kept) - o) > 0.0
+            trace.grounded[w, step, i] = wp.where(changed, 1, 0)
 
 
 @wp.func
@@ -249,7 +290,11 @@ def make_roll(find_contacts: Any, module: str) -> Any:
         h = float(dt)
         record_every = model.record_every
         for step in range(model.n_steps):
+            if model.grounded != 0:
+                _look(model, state, w, step, h)
             run_program(model, state, trace, w, step, dt)
+            if model.grounded != 0:
+                _ground(model, state, trace, w, step, h)
             prepare_bodies(model, state, w, h)
             wake(model, state, w, h)
             find_contacts(fields, s, model, state, raw, con, w, step, h)

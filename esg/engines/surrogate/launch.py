@@ -144,7 +144,8 @@ class Launch:
     def _place_trace(self, job: Job) -> None:
         w, b = job.mass.shape
         steps, p = job.frames.n_steps, max(1, len(job.kind))
-        shapes = {"awake": (w, steps, b), "fired": (w, steps, p), "sweeps": (w, steps)}
+        shapes = {"awake": (w, steps, b), "fired": (w, steps, p), "sweeps": (w, steps),
+                  "grounded": (w, steps, b)}  # fmt: skip
         self.trace.steps = steps
         for name, shape in shapes.items():
             setattr(self.trace, name, self.wp.zeros(shape, dtype=int, device=self.device))
@@ -303,8 +304,10 @@ def _models(model: Records, arena: Arena, jobs: list[Job], scenes: list[SceneArr
             "restitution": [j.restitution for j in jobs],
             "ground": [j.ground for j in jobs],
             "friction_scale": [j.friction_scale for j in jobs],
+            "features": [j.features for j in jobs],
         },
     )
+    model.rows["grounded"] = [j.grounded for j in jobs]
     programs = [_program(j) for j in jobs]
     arena.data(model, {name: [p[name] for p in programs] for name in programs[0]})
     return model
@@ -341,7 +344,8 @@ def _states(state: Records, arena: Arena, jobs: list[Job], scenes: list[SceneArr
             "awake": [a.astype(np.int32) for a in awake],
         },
     )
-    still = ("v", "o", "before_v", "before_o", "delay", "inverse", "idle", "light")
+    still = ("v", "o", "before_v", "before_o", "delay", "inverse", "idle", "light", "braking",
+             "driven", "rise")  # fmt: skip
     arena.fill(state, still, [w, b])
     arena.fill(state, ("touched",), [w, b, b], "minus")
     arena.fill(state, ("done", "active"), [w, primitives])

@@ -37,6 +37,8 @@ class Operation(IntEnum):
     """Adds when a contact pressed to the mean moment of its bodies."""
     MOVE = 5
     """A body by its new velocity."""
+    GROUND = 6
+    """What brakes and tyres take of a body's velocities."""
 
 
 class Act(IntFlag):
@@ -78,7 +80,7 @@ class Ops:
     step: wp.array(dtype=int)
     a: wp.array(dtype=int)
     b: wp.array(dtype=int)
-    """Bodies; for ACT `b` is the primitive. A body that impulses do not move is -1."""
+    """Bodies; for ACT and GROUND `b` is the primitive. A body that impulses do not move is -1."""
     in_a: wp.array(dtype=int)
     in_b: wp.array(dtype=int)
     out_a: wp.array(dtype=int)
@@ -279,12 +281,28 @@ def _link_program(model: Model, trace: Trace, ops: Ops, ver: Versions, w: int, s
 
 
 @wp.func
+def _link_ground(model: Model, ops: Ops, ver: Versions, w: int, step: int, i: int):
+    """Tyres of a body, and its brakes as the last primitive that set them has it, or none (-1)."""
+    q = _op(ops, ver, w, Operation.GROUND, step, i)
+    ops.b[q] = -1
+    for k in range(model.n_primitives):
+        adjusts = model.action[k] == Action.ADJUST and ver.acted[w, k] != 0
+        adjusts = adjusts and model.target[k] == i
+        if adjusts and not wp.isnan(model.table[w, k, Column.BRAKING]):
+            ops.b[q] = k
+    ops.in_a[q] = ver.now_v[w, i]
+    ops.out_a[q] = _velocity(ver, w, i)
+
+
+@wp.func
 def _link_forces(model: Model, trace: Trace, ops: Ops, ver: Versions, w: int, step: int):
-    """Gravity and damping of what is awake."""
+    """Brakes, tyres, gravity and damping of what is awake."""
     for i in range(model.n_bodies):
         ver.set_v[w, i] = ver.now_v[w, i]
         if model.dynamic[i] == 0 or trace.awake[w, step, i] == 0:
             continue
+        if trace.grounded[w, step, i] != 0:
+            _link_ground(model, ops, ver, w, step, i)
         damper = int(-1)  # noqa: RUF046, UP018  # a variable to Warp
         spin_damper = int(-1)  # noqa: RUF046, UP018  # a variable to Warp
         for k in range(model.n_primitives):

@@ -14,7 +14,13 @@ from __future__ import annotations
 import warp as wp
 
 from esg.engines.program import Action, Column
-from esg.engines.program_kernels import guided_velocity, path_knot, path_velocity, vector
+from esg.engines.program_kernels import (
+    grounded,
+    guided_velocity,
+    path_knot,
+    path_velocity,
+    vector,
+)
 from esg.engines.surrogate.features import Features
 from esg.engines.surrogate.impact import ahead_of, prepare, tangent, turned
 from esg.engines.surrogate.ops import CHANGES, Act, Change, Operation, Ops
@@ -124,6 +130,33 @@ def _act(
         else:
             V[vout] = v + a / model.mass[w, i]
             wp.atomic_add(shift, pose, a * (-float(late) / model.mass[w, i]))
+
+
+@wp.func
+def _stand(
+    model: Model,
+    w: int,
+    i: int,
+    brake: int,
+    dt: float,
+    table: wp.array3d(dtype=wp.float64),
+    vin: int,
+    vout: int,
+    pose: int,
+    V: wp.array(dtype=wp.vec3),
+    O: wp.array(dtype=wp.vec3),  # noqa: E741
+    R: wp.array(dtype=wp.quat),
+):
+    weight = -model.gravity[2] * dt * model.friction_scale[w]
+    if brake >= 0:
+        loss = float(table[w, brake, Column.BRAKING]) * dt
+        braked = grounded(model.features, i, loss, weight, V[vin], O[vin], R[pose])
+        V[vout] = wp.spatial_top(braked)
+        O[vout] = wp.spatial_bottom(braked)
+    else:
+        kept = grounded(model.features, i, 0.0, weight, V[vin], O[vin], R[pose])
+        V[vout] = wp.spatial_top(kept)
+        O[vout] = wp.spatial_bottom(kept)
 
 
 @wp.func
@@ -325,6 +358,8 @@ def replay(
                 model, feat, w, c, a, b, va, vb, pa, pb, h, V, O, X, R, inverse, normal, arm_a,
                 arm_b, wanted, delay, share,
             )  # fmt: skip
+        elif kind == Operation.GROUND:
+            _stand(model, w, a, b, h, table, va, ops.out_a[q], pa, V, O, R)
         elif kind == Operation.DELAY:
             push = J[ops.impulse_in[q]][0]
             weight = wp.vec2(push * delay[c], push)

@@ -196,8 +196,9 @@ class Replay:
         awake[..., ~taped.moving] = 0
         fired = ((trace.fired.numpy() != 0) & inside[..., None]).sum(-1)
         moves, solves = awake.sum(-1), trace.sweeps.numpy() * used
-        n_ops = (fired + 2 * moves + 2 * used + solves).sum(1)
-        n_v = 1 + b + (fired + 2 * moves + 2 * solves).sum(1)
+        grounded = ((trace.grounded.numpy() != 0) & inside[..., None]).sum(-1)
+        n_ops = (fired + grounded + 2 * moves + 2 * used + solves).sum(1)
+        n_v = 1 + b + (fired + grounded + 2 * moves + 2 * solves).sum(1)
         n_x = b + 1 + moves.sum(1)
         n_j = 1 + solves.sum(1)
         self.first_x, first_j = _starts(n_x), _starts(n_j)

@@ -50,6 +50,10 @@ class Model:
     wheeled: wp.array(dtype=int)
     inertia: wp.array(dtype=wp.mat33)
     inverse_inertia: wp.array(dtype=wp.mat33)
+    features: wp.array2d(dtype=float)
+    """For the ground (`esg.engines.traction.Feature`), [B, FEATURES]."""
+    grounded: int
+    """Whether there are brakes or tyres."""
     # Worlds, [W] and [W, B]; `factor` scales the inertia.
     mass: wp.array2d(dtype=float)
     factor: wp.array2d(dtype=float)
@@ -86,6 +90,11 @@ class State:
     """Normal impulses on a body, times the delay of each contact, and their sum."""
     touched: wp.array3d(dtype=int)
     """Step after the last one in which two bodies touched, [W, B, B]."""
+    braking: wp.array2d(dtype=float)
+    driven: wp.array2d(dtype=int)
+    """Step after the last one in which a hold or a guide set the velocity."""
+    rise: wp.array2d(dtype=float)
+    """Vertical velocity at the beginning of the last step."""
     done: wp.array2d(dtype=int)
     active: wp.array2d(dtype=int)
     """Of every primitive, [W, P]."""
@@ -135,6 +144,8 @@ class Trace:
     """`Fired`, [W, steps, P]."""
     sweeps: wp.array2d(dtype=int)
     """[W, steps]"""
+    grounded: wp.array3d(dtype=int)
+    """Whether brakes or tyres changed a velocity, [W, steps, B]."""
 
 
 @wp.struct

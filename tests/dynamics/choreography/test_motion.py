@@ -12,12 +12,11 @@ from esg.dynamics.choreography.telling import choreograph
 from esg.dynamics.plan.planner import make_plan
 from esg.dynamics.story.kinematics import (
     back_spin,
-    damping_for_way,
     rolling_travel,
     sliding_travel,
     slowing,
-    stopping_way,
 )
+from esg.dynamics.story.paces import slows_by
 from esg.engines.program import HoldVelocity, SetVelocity
 from esg.graph.models import AssetConfiguration, EsgDocument
 from esg.layout import solve
@@ -206,14 +205,11 @@ def test_what_is_pushed_arrives_with_most_of_its_speed() -> None:
     assert math.sqrt(2.0**2 - 2.0 * drag * way) > 1.5
 
 
-def test_the_way_of_a_stop_decides_its_damping() -> None:
-    """Without damping v^2 / 2 a is left; the damping found stops it within the way asked."""
-    assert stopping_way(10.0, 0.0, 2.0) == pytest.approx((25.0, 5.0))
-    damping = damping_for_way(10.0, 20.0, 0.5)
-    assert stopping_way(10.0, damping, 0.5)[0] == pytest.approx(20.0, rel=1e-4)
+def test_the_way_of_a_stop_decides_how_hard_it_brakes() -> None:
+    """v^2 / 2 s is shared between the brakes and what slows a car by itself."""
     doc = cast("A car drives at 10 m/s, brakes and stops after 20 m of braking.")
-    told = choreograph(doc).nominal["car_1_brake/damping"]
-    assert stopping_way(10.0, told, 0.49)[0] == pytest.approx(20.0, rel=0.05)
+    told = choreograph(doc).nominal["car_1_brake/braking"]
+    assert told + slows_by(doc, "car_1", 10.0) == pytest.approx(10.0**2 / 40.0, rel=1e-6)
 
 
 def test_what_was_struck_is_met_on_the_line_it_was_sent_along() -> None:

@@ -13,6 +13,7 @@ from esg.dynamics.plan.planner import make_plan
 from esg.engines.program import (
     AdjustProperties,
     ApplyImpulse,
+    Column,
     GuideAlong,
     HoldSpin,
     HoldVelocity,
@@ -134,6 +135,42 @@ def test_derivative_by_the_time_of_braking():
     # The longer it runs free, the further it gets: v (1 - exp(-2 * 0.6)).
     assert difference == pytest.approx(3.0 * (1.0 - np.exp(-1.2)), rel=0.02)
     assert tape == pytest.approx(difference, rel=0.02)
+
+
+@pytest.mark.parametrize(
+    ("speed", "primitive", "column", "expected"),
+    [
+        # Slower at the end: x = v T - b (T - t)^2 / 2.
+        (3.0, 1, Column.START, 2.0 * 0.6),
+        (3.0, 1, Column.BRAKING, -0.5 * 0.6**2),
+        # Stopped before the end: x = v t + v^2 / (2 b).
+        (1.0, 1, Column.START, 1.0),
+        (1.0, 1, Column.BRAKING, -0.5 / 2.0**2),
+        (1.0, 0, Column.LINEAR, 0.4 + 1.0 / 2.0),
+    ],
+)
+def test_derivatives_by_constant_braking(speed, primitive, column, expected):
+    scene = SimScene("brake", (ball("a", 0.1, 1.0, (0, 0, 5.0)),), gravity=(0, 0, 0))
+    program = Program(
+        (SetVelocity("a", 0.0, (speed, 0.0, 0.0)), AdjustProperties("a", 0.4, braking=2.0)), 1.0
+    )
+    tape, difference = table_gradient(scene, program, "a", 0, int(column), primitive=primitive)
+    assert tape == pytest.approx(expected, rel=0.02)
+    assert difference == pytest.approx(expected, rel=0.02)
+
+
+@pytest.mark.parametrize(("column", "axis"), [(Column.LINEAR, 0), (Column.LINEAR + 1, 1)])
+def test_derivatives_of_what_stands_on_tyres(column, axis):
+    """On it rolls, and to the side it slides v^2 / (2 mu g)."""
+    car = box("a", (2.2, 0.9, 0.6), 1400.0, (0, 0, 0.6), friction=0.0, restitution=0.0)
+    scene = SimScene(
+        "tyres", (type(car)(**{**car.__dict__, "wheeled": True, "tyre_friction": 0.8}),)
+    )
+    program = Program((SetVelocity("a", 0.1, (3.0, 2.0, 0.0)),), 1.0)
+    tape, difference = table_gradient(scene, program, "a", axis, int(column))
+    expected = 0.9 if axis == 0 else 2.0 / (0.8 * 9.81)
+    assert tape == pytest.approx(expected, rel=0.02)
+    assert difference == pytest.approx(expected, rel=0.02)
 
 
 def test_a_bounce_has_the_derivative_of_the_continuous_motion():

@@ -11,7 +11,13 @@ from esg.dynamics import start_hints
 from esg.dynamics.losses.gap import surface_gap
 from esg.dynamics.plan.build import build_scene
 from esg.dynamics.plan.planner import make_plan
-from esg.dynamics.story.kinematics import Track, ballistic_velocity, braking_distance, frame_mapping
+from esg.dynamics.story.kinematics import (
+    Ride,
+    Track,
+    ballistic_velocity,
+    braking_distance,
+    frame_mapping,
+)
 from esg.dynamics.story.story import read_story
 from esg.engines.scene import Body, Shape
 from tests.dynamics import stories
@@ -34,9 +40,31 @@ def test_braking_distance_tends_to_v_over_c() -> None:
 def test_arc_has_the_radius_of_its_speed_and_rate() -> None:
     """A quarter turn at v and w ends at (v/w, v/w)."""
     track = Track(speed=6.0)
-    track.arc(math.pi / 2, 0.75)
+    track.arc(math.pi / 2, 0.75, Ride.under_way(track.speed))
     assert (track.x, track.y) == pytest.approx((8.0, 8.0), rel=1e-3)
     assert track.heading == pytest.approx(math.pi / 2)
+
+
+def test_what_sets_off_gains_speed_evenly() -> None:
+    """3 m/s^2 up to 6 m/s: 2 s and 6 m, then 6 m/s."""
+    ride = Ride(0.0, 3.0, 6.0)
+    assert (ride.gaining, ride.way(1.0), ride.way(4.0)) == pytest.approx((2.0, 1.5, 18.0))
+    assert (ride.left(1.0), ride.left(3.0)) == pytest.approx((3.0, 6.0))
+    assert [ride.lasts(w) for w in (1.5, 6.0, 18.0)] == pytest.approx([1.0, 2.0, 4.0])
+    assert (ride.until(3.0), ride.until(20.0)) == pytest.approx((1.5, 6.0))
+    going = Ride.under_way(5.0)
+    assert (going.way(2.0), going.lasts(10.0), going.until(4.0)) == pytest.approx((10.0, 2.0, 0.0))
+
+
+def test_arc_from_rest_is_as_long_as_its_ride() -> None:
+    """Turning while it gains speed it covers the ride's way along the arc."""
+    track, ride = Track(), Ride(0.0, 2.0, 3.0)
+    track.arc(math.pi / 2, 0.5, ride)
+    lasts = math.pi
+    assert (track.time, track.speed) == pytest.approx((lasts, 3.0))
+    steps = [math.dist(a, b) for a, b in zip(track.points, track.points[1:], strict=False)]
+    assert sum(steps) == pytest.approx(ride.way(lasts), rel=0.01)
+    assert steps[0] < 0.5 * steps[-1]
 
 
 def test_frame_mapping_takes_one_pose_to_another() -> None:

@@ -72,6 +72,7 @@ def robot(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.lathe([(0, 26), (24, 26), (20, 34), (15, 60), (17, 76), (0, 80)], c, smooth=40, rough=0.3)
     for side in (-1, 1):
         s.rod(10, (0, side * 22, 10), (0, side * 28, 10), RUBBER, sections=28)
+        s.wheel((0, side * 25, 10), 10)
         s.rod(5, (side * 20, 0, 5), (side * 20, 0.01 + 4, 5), RUBBER, sections=20)
         bone(s, (0, side * 17, 70), 3.6, (8, side * 23, 50), 3, shade(c, 0.7))
         bone(s, (8, side * 23, 50), 3, (24, side * 21, 46), 2.6, shade(c, 0.7))
@@ -109,6 +110,7 @@ def robot_vacuum(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     )
     for side in (-1, 1):
         s.rod(3, (0, side * 11, 3), (0, side * 13, 3), RUBBER, sections=20)
+        s.wheel((0, side * 12, 3), 3)
     s.proxy_cylinder(17.2, (0, 8.6), 1.0)
     s.proxy_cylinder(4.5, (8.6, 9.7), 0.5, (-6, 0))
 

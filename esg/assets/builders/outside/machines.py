@@ -39,6 +39,7 @@ def artillery(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "ca
                 WOOD,
                 sections=8,
             )
+        s.wheel((x, y, r), r, parts=8)
 
     if kind == "cannon":
         for side in (-1, 1):

@@ -33,6 +33,7 @@ def unicycle(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         d = ((r - 5) * math.cos(a), 0.0, (r - 5) * math.sin(a))
         s.rod(0.3, (-d[0], 0, r + 1 - d[2]), (d[0], 0, r + 1 + d[2]), STEEL, sections=6)
     s.rod(2.4, (0, -5, r + 1), (0, 5, r + 1), CHROME, metal=0.8)
+    s.wheel((0, 0, r + 1), r, parts=11)
     for y, k in ((-7, 1), (7, -1)):
         s.pipe(1.1, [(0, y * 0.7, r + 1), (11 * k, y, r - 8)], STEEL, metal=0.6)
         s.box((9, 9, 2.2), (11 * k, y * 1.7, r - 8), DARK)

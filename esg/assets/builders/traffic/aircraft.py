@@ -84,11 +84,13 @@ def airliner(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
             x = -1150 + 110 * k
             s.slab((x, x + 34), mirrored(side, 192, 200.5), (460, 505), GLASS)
         s.rod(60, (-120, side * 260, 60), (-120, side * 320, 60), RUBBER, sections=28)
+        s.wheel((-120, side * 290, 60), 60)
         s.rod(18, (-120, side * 290, 60), (-60, side * 290, 330), STEEL, sections=14)
     s.extrude(
         [(-1400, 560), (-1880, 1180), (-1680, 1180), (-1240, 590)], (-14, 14), rgb(40, 78, 150)
     )
     s.rod(45, (1450, -30, 45), (1450, 30, 45), RUBBER, sections=28)
+    s.wheel((1450, 0, 45), 45)
     s.rod(14, (1450, 0, 45), (1450, 0, 260), STEEL, sections=14)
     s.extrude([(1700, 470), (1812, 440), (1760, 505), (1690, 530)], (-110, 110), GLASS)
     s.proxy_slab((-160, 1500), (-120, 120), (0, 220), 1.0)
@@ -118,9 +120,11 @@ def airplane(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         _wing(s, (-418, -330), (-412, -350), (0, side * 165), (146, 150), 9, c)
         s.rod(3, (50, side * 50, 110), (52, side * 260, 222), STEEL, sections=10)
         s.rod(20, (-10, side * 112, 20), (-10, side * 126, 20), RUBBER, sections=28)
+        s.wheel((-10, side * 119, 20), 20)
         s.rod(4, (-10, side * 112, 22), (0, side * 34, 84), c, sections=12)
     s.extrude([(-340, 150), (-398, 268), (-434, 268), (-430, 140)], (-5, 5), RED)
     s.rod(17, (250, -6, 17), (250, 6, 17), RUBBER, sections=28)
+    s.wheel((250, 0, 17), 17)
     s.rod(4, (250, 0, 17), (250, 0, 96), STEEL, sections=12)
     s.lathe([(0, 352), (15, 352), (8, 384), (0, 390)], DARK, center=(0, 0, 128), axis="x")
     for side in (-1, 1):

@@ -66,8 +66,8 @@ def stroller(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "str
     """Baby stroller, or a wheelchair with large rear wheels."""
     if kind == "wheelchair":
         for side in (-1, 1):
-            spokes(s, -18, side * 30, 31)
             s.torus(26, 0.9, (-18, side * 33, 31), CHROME, axis="y")
+            spokes(s, -18, side * 30, 31)
             wheel(s, 36, side * 24, 9, 4)
             s.pipe(1.2, [(-26, side * 24, 20), (-26, side * 24, 92), (-40, side * 24, 92)], CHROME)
             s.pipe(

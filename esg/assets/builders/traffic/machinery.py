@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from esg.assets.builders import builder
-from esg.assets.builders.common import bone, mirrored, prism, shade, shift, wheel
+from esg.assets.builders.common import bone, holes, mirrored, prism, shade, shift, wheel
 from esg.assets.geometry.sketch import CHROME, DARK, GLASS, RED, STEEL, YELLOW, Color, Sketch
 
 _LAMP = (0.98, 0.96, 0.86)
@@ -75,6 +75,8 @@ def train(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "engine
                 s.rod(
                     r, (x, side * (w * 0.72), r), (x, side * (w * 0.72 + 12), r), STEEL, metal=0.6
                 )
+                holes(s, (x, side * (w * 0.72 + 6), r), r * 0.7, 12.6)
+                s.wheel((x, side * (w * 0.72 + 6), r), r, parts=2)
     s.slab(
         (-0.3 * half, 0.3 * half), (-w * 0.7, w * 0.7), (30 if not tram else 20, floor + 4), DARK
     )
@@ -96,6 +98,8 @@ def toy_train(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         for x, r in ((-7, 2.8), (-0.5, 2.0), (4, 2.0), (8, 2.0)):
             s.rod(r, (x, side * 3.0, r), (x, side * 4.2, r), RED, sections=24)
             s.rod(r * 0.35, (x, side * 3.0, r), (x, side * 4.5, r), YELLOW, sections=14)
+            holes(s, (x, side * 3.6, r), r * 1.1, 1.3)
+            s.wheel((x, side * 3.6, r), r, parts=3)
     s.lathe([(0, 8), (1.1, 8), (1.1, 10.6), (1.8, 12.6), (0, 12.6)], DARK, center=(7.2, 0, 0))
     s.ball(1.3, (2.4, 0, 9), YELLOW)
     s.extrude([(10.3, 0.4), (13, 0.4), (10.3, 3)], (-3.2, 3.2), shade(c, 0.6))
@@ -184,6 +188,8 @@ def _track(s: Sketch, x: tuple[float, float], y: float, r: float, width: float) 
     for k in range(n):
         px = lo + (hi - lo) * k / (n - 1)
         s.rod(r * 0.62, (px, y - width * 0.54, r), (px, y + width * 0.54, r), STEEL, metal=0.4)
+        holes(s, (px, y, r), r * 0.62, width * 1.09)
+        s.wheel((px, y, r), r * 0.62, parts=2)
 
 
 @builder("tracked")

@@ -63,6 +63,7 @@ def wheelie_bin(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.rod(2, (-35, -24, 101), (-35, 24, 101), shade(c, 0.7), sections=14)
     for y in (-1, 1):
         s.rod(10, (-24, 20 * y, 10), (-24, 26 * y, 10), RUBBER)
+        s.wheel((-24, 23 * y, 10), 10)
     s.slab((14, 22), (-18, 18), (0, 5), shade(c, 0.8))
     s.proxy_slab((-34, 22), (-26, 26), (0, 12), 1.4)
     s.proxy_slab((-29, 28), (-26, 26), (12, 60), 1.0)

@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import Any
 
 from esg.assets.builders import builder
-from esg.assets.builders.common import mirrored
+from esg.assets.builders.common import holes, mirrored
 from esg.assets.geometry.sketch import (
     CHROME,
     DARK,
@@ -31,7 +31,9 @@ def _wheel(s: Sketch, x: float, y: float, r: float, width: float, side: int) -> 
     inner = y - side * width
     s.rod(r, (x, inner, r), (x, y, r), RUBBER, rough=0.9, sections=36)
     s.rod(r * 0.62, (x, y, r), (x, y + side * 0.8, r), CHROME, rough=0.3, metal=0.7)
-    s.rod(r * 0.16, (x, y, r), (x, y + side * 1.2, r), STEEL, metal=0.6, sections=16)
+    s.rod(r * 0.16, (x, y, r), (x, y + side * 1.2, r), CHROME, metal=0.6, sections=16)
+    holes(s, (x, y + side * 0.45, r), r * 0.62, 0.9)
+    s.wheel((x, y - side * width / 2, r), r, parts=4)
 
 
 def _hull_with_wells(

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from esg.assets.builders import builder
+from esg.assets.builders.common import holes
 from esg.assets.geometry.sketch import CHROME, DARK, RED, RUBBER, STEEL, Color, Sketch
 
 
@@ -16,6 +17,7 @@ def _spoked(s: Sketch, x: float, r: float, tyre: float) -> None:
         a = math.pi * k / 8
         d = (r - 2.2 * tyre) * math.cos(a), (r - 2.2 * tyre) * math.sin(a)
         s.rod(0.25, (x - d[0], 0, r - d[1]), (x + d[0], 0, r + d[1]), CHROME, sections=6, metal=0.8)
+    s.wheel((x, 0, r), r, parts=11)
 
 
 @builder("bicycle")
@@ -68,6 +70,8 @@ def motorcycle(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         s.torus(r - t, t, (x, 0, r), RUBBER, axis="y", rough=0.9)
         s.rod(r - 1.6 * t, (x, -2.5, r), (x, 2.5, r), STEEL, metal=0.6)
         s.rod(9, (x, -4.5, r), (x, 4.5, r), CHROME, metal=0.8)
+        holes(s, (x, 0, r), r - 1.6 * t, 6)
+        s.wheel((x, 0, r), r, parts=4)
     for y in (-9.0, 9.0):
         s.rod(2.4, (xf, y, r), (46, y, 88), CHROME, metal=0.8, sections=14)
         s.rod(2.8, (xr, y, r), (-20, y, 36), DARK, sections=12)
@@ -113,6 +117,8 @@ def skateboard(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         s.rod(0.9, (x, -8, 3), (x, 8, 3), STEEL, metal=0.6)
         for y in (-9.4, 5.8):
             s.rod(3, (x, y, 3), (x, y + 3.6, 3), (0.93, 0.9, 0.8), sections=24)
+            holes(s, (x, y + 1.8, 3), 3, 3.8)
+            s.wheel((x, y + 1.8, 3), 3, parts=2)
     s.proxy_slab((-40, 40), (-10, 10), (7, 10))
     for x in (-21, 21):
         s.proxy_slab((x - 3, x + 3), (-9.4, 9.4), (0, 7))
@@ -125,6 +131,7 @@ def shopping_cart(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     for x, w in ((36, 14), (-38, 26)):
         for y in (-w, w):
             s.rod(6, (x, y - 1.5, 6), (x, y + 1.5, 6), RUBBER, sections=24)
+            s.wheel((x, y, 6), 6)
             s.rod(1.2, (x, y, 9), (x, y, 18), STEEL, metal=0.7, sections=10)
     for y in (-1, 1):
         s.pipe(

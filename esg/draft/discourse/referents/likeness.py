@@ -107,6 +107,7 @@ def _behaves(kind: Kind) -> lex.Noun:
         material=kind.material or "plastic",
         shape="",
         traits=frozenset({"fixed", "wheeled", "container"} & kind.flags)
-        | frozenset({"round"} if "rolls" in kind.flags else ()),
+        | frozenset({"round"} if "rolls" in kind.flags else ())
+        | frozenset({"rolls"} if kind.rolls else ()),
         description=kind.name,
     )

@@ -1,0 +1,60 @@
+void A@CLASS@::FindFalling(double Due)
+{
+	using namespace @CLASS@Detail;
+	const double Step = (Due - SceneTime) / HalfStep;
+	for (FBodyRef& Body : Bodies)
+	{
+		if (Body.Settings->bSimulated && Body.Settings->bCollides)
+		{
+			const double Lost = Body.Rise - Body.Component->GetPhysicsLinearVelocity().Z;
+			Body.bFalls = Lost > -FallingShare * WorldGravityZ * Step;
+		}
+	}
+}
+
+void A@CLASS@::ApplyTraction(double Due)
+{
+	const double Step = (Due - SceneTime) / @CLASS@Detail::HalfStep;
+	for (FBodyRef& Body : Bodies)
+	{
+		if (!Body.Settings->bSimulated || !Body.Settings->bCollides)
+		{
+			continue;
+		}
+		Body.Rise = Body.Component->GetPhysicsLinearVelocity().Z;
+		if (Body.bFalls || IsDriven(Body.Component))
+		{
+			continue;
+		}
+@ACTS@
+	}
+}
+
+double A@CLASS@::ApplyBrakes(const FBodyRef& Body, double Loss)
+{
+	FVector Velocity = Body.Component->GetPhysicsLinearVelocity();
+	const double Speed = FVector(Velocity.X, Velocity.Y, 0.0).Size();
+	const double Taken = FMath::Min(Loss, Speed);
+	if (Taken <= 0.0)
+	{
+		return 0.0;
+	}
+	const double Kept = 1.0 - Taken / Speed;
+	Velocity.X *= Kept;
+	Velocity.Y *= Kept;
+	Body.Component->SetPhysicsLinearVelocity(Velocity);
+@ROLL@
+	return Taken;
+}
+
+bool A@CLASS@::IsDriven(const UPrimitiveComponent* Body) const
+{
+	for (const FCommandState& State : Commands)
+	{
+		if (State.bDrives && State.bActive && !State.bDone && State.Body == Body)
+		{
+			return true;
+		}
+	}
+	return false;
+}

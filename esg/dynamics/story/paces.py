@@ -1,0 +1,155 @@
+"""How fast things under their own power speed up and brake, and what the ground allows.
+
+Nothing is at its speed at once: what sets off from rest gains speed at a rate of its kind, and what
+brakes loses it at a constant rate that tyres, hooves and soles can pass on to the ground.
+"""
+
+from __future__ import annotations
+
+import csv
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+from esg.dynamics.story.stagecraft import SLICK, Prop, coasting_drag, ground_friction, prop
+from esg.dynamics.story.story import bounds
+from esg.graph.models import EsgDocument, TimelineEdge
+from esg.lexicon.hypernyms import hypernyms
+from esg.lexicon.kinds import kinds
+from esg.thresholds import BRAKING_DRY_G, BRAKING_ICY_G, BRAKING_WET_G
+from esg.units import GRAVITY_MPS2
+
+TABLE = Path(__file__).parent / "paces.csv"
+SLOWEST_G, FASTEST_G = 0.1, 0.5
+"""What anything gains at least and at most, over g."""
+WET = 0.5
+"""Friction below which the ground counts as wet."""
+
+
+@dataclass(frozen=True)
+class Pace:
+    """Rates of one kind [m/s^2].
+
+    Args:
+        gains: With which it sets off.
+        brakes: With which it usually brakes, on dry ground.
+    """
+
+    gains: float
+    brakes: float
+
+
+USUAL = Pace(0.3 * GRAVITY_MPS2, 0.5 * GRAVITY_MPS2)
+"""Of what no row of the table is about."""
+
+
+@cache
+def paces() -> dict[str, Pace]:
+    """The rows of the table by kind."""
+    with open(TABLE, encoding="utf-8", newline="") as file:
+        return {
+            row["kind"]: Pace(
+                float(row["sets_off_g"]) * GRAVITY_MPS2, float(row["brakes_g"]) * GRAVITY_MPS2
+            )
+            for row in csv.DictReader(file)
+        }
+
+
+@cache
+def _broader() -> dict[str, tuple[str, ...]]:
+    """What stands above a kind, nearest first, by all of its names."""
+    out: dict[str, tuple[str, ...]] = {}
+    for kind in kinds():
+        above = (kind.name, *(p.replace("_", " ") for p in kind.parents))
+        for name in (kind.name, *kind.said_as, *kind.found_as):
+            out.setdefault(name, above)
+    return out
+
+
+def pace_of(*names: str) -> Pace:
+    """The pace of the first name that the table, or what stands above it, knows.
+
+    Args:
+        names: What a thing is called, the most telling first: its label, its category.
+    """
+    for name in names:
+        for known in _chain(name.lower().replace("_", " ")):
+            if known in paces():
+                return paces()[known]
+    return USUAL
+
+
+def _chain(name: str) -> list[str]:
+    """A name, its last words and what stands above them: "red racing car", "racing car", "car"."""
+    words = name.split()
+    out: list[str] = []
+    for k in range(len(words)):
+        part = " ".join(words[k:])
+        wider = hypernyms().get(part)
+        above = _broader().get(part, ())
+        if not above and wider is not None:
+            above = _broader().get(wider.kind.replace("_", " "), ())
+        out += [part, *above]
+    return out
+
+
+def pace(doc: EsgDocument, name: str) -> Pace:
+    """How a node speeds up and brakes.
+
+    Args:
+        doc: A document with assets.
+        name: A node.
+    """
+    node = doc.spatial_relation_graph.nodes[name]
+    return pace_of(node.label, doc.asset_configurations[node.asset_id].category)
+
+
+def grip(doc: EsgDocument) -> float:
+    """The hardest braking [m/s^2] that a document's ground allows: dry, wet or icy."""
+    wording, friction = doc.scene_definition.wording, ground_friction(doc)
+    if (wording is not None and wording.surface == "ice") or friction < SLICK:
+        return BRAKING_ICY_G * GRAVITY_MPS2
+    return (BRAKING_WET_G if friction < WET else BRAKING_DRY_G) * GRAVITY_MPS2
+
+
+def stated_rate(edge: TimelineEdge) -> tuple[float, float] | None:
+    """The least and greatest rate [m/s^2] at which a document has something brake, or None."""
+    if edge.params.acceleration is None:
+        return None
+    low, high, _ = bounds(edge.params.acceleration, (0.0, 0.0))
+    slow, fast = sorted((0.01 * abs(low), 0.01 * abs(high)))
+    return slow, fast
+
+
+def slows_by(doc: EsgDocument, name: str, speed: float) -> float:
+    """Mean rate [m/s^2] at which a node comes to rest from a speed [m/s] without any brakes."""
+    body = prop(doc, name)
+    return coasting_drag(body) + 0.5 * body.damping * speed
+
+
+def hardest_brake(doc: EsgDocument, name: str, speed: float) -> float:
+    """The hardest braking [m/s^2] that the ground allows beside what slows a node by itself."""
+    body = prop(doc, name)
+    return max(grip(doc) - coasting_drag(body) - body.damping * speed, 0.05)
+
+
+def usual_brake(doc: EsgDocument, name: str, speed: float) -> float:
+    """The usual braking [m/s^2] of a node beside what slows it by itself."""
+    return min(pace(doc, name).brakes, hardest_brake(doc, name, speed))
+
+
+def usual_stop(doc: EsgDocument, name: str, speed: float) -> float:
+    """Mean rate [m/s^2] at which a node usually comes to rest from a speed [m/s]."""
+    return usual_brake(doc, name, speed) + slows_by(doc, name, speed)
+
+
+def usual_halt(doc: EsgDocument, name: str, speed: float, *, held: bool) -> float:
+    """The rate [m/s^2] at which a node comes to rest: on its feet or wings, or by its brakes."""
+    if held:
+        return min(pace(doc, name).brakes, grip(doc))
+    return usual_stop(doc, name, speed)
+
+
+def on_foot(body: Prop) -> bool:
+    """Whether a body that moves by itself does so on feet or soles, which do not roll."""
+    return not (body.wheeled or body.rolls)

@@ -1,0 +1,191 @@
+"""What the ground does to a body beyond its contacts: brakes and tyres (`esg.engines.program`).
+
+The plain arithmetic that PhysX and Rapier execute; the kernels of the others are tested against it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from enum import IntEnum
+import math
+from typing import Any, Protocol
+
+import numpy as np
+
+from esg.engines.program import Action, Column, ProgramBatch, Vec
+from esg.engines.scene import Body, Floats, SimScene
+from esg.engines.worlds import moving
+from esg.units import quat_rotate
+
+FALLING = 0.5
+"""Nothing carries what has lost more than this share of g dt of its vertical velocity in a step."""
+ON_WHEELS = math.sqrt(0.5)
+"""A body stands on its wheels while the cosine of its tilt is larger than this (45 degrees)."""
+
+
+class Feature(IntEnum):
+    """Columns of what the ground has to know about a body (`features`)."""
+
+    ROUND = 0
+    """1 if it rolls."""
+    GRIP = 1
+    """Side friction coefficient of its tyres, 0 without any."""
+    AXLE = 2
+    """Distance of the axles from the centre of mass [m]: the radius of gyration about its up axis,
+    at which a push on one axle does not move the other."""
+    DROP = 3
+    """`Body.tyre_drop` [m]."""
+    LEAN = 4
+    """Angular velocity about its forward axis by the side velocity that a push on the tyres gives
+    [rad/m]."""
+
+
+FEATURES = len(Feature)
+
+
+def features(scene: SimScene, friction_scale: float = 1.0) -> Floats:
+    """What the ground has to know about B bodies, shape [B, FEATURES]; NaN for what stays put.
+
+    Args:
+        scene: The bodies.
+        friction_scale: Factor on the grip of tyres.
+    """
+    out = np.full((len(scene.bodies), FEATURES), np.nan)
+    for i in np.nonzero(moving(scene))[0]:
+        out[i] = _features(scene.bodies[i])
+    out[:, Feature.GRIP] *= friction_scale
+    return out
+
+
+def _features(body: Body) -> tuple[float, ...]:
+    grip = body.tyre_friction if body.wheeled else 0.0
+    axle = math.sqrt(body.inertia[2][2] / body.mass)
+    lean = body.mass * body.tyre_drop / body.inertia[0][0]
+    return float(body.roll_radius > 0.0), grip, axle, body.tyre_drop, lean
+
+
+def has_tyres(rows: Floats) -> bool:
+    """Whether any of these bodies has tyres."""
+    return bool((rows[:, Feature.GRIP] > 0.0).any())
+
+
+class Bodies(Protocol):
+    """Access to bodies by index."""
+
+    def read(self, body: int) -> tuple[Any, Any, Any, Any]: ...
+    def linear(self, body: int) -> Vec: ...
+    def set_linear(self, body: int, velocity: Vec) -> None: ...
+    def set_angular(self, body: int, velocity: Vec) -> None: ...
+
+
+class Traction:
+    """Brakes and tyres of one world.
+
+    Args:
+        batch: W programs.
+        world: Which of them.
+        rows: `features` of the bodies; None if all move and none is round or has tyres.
+        gravity_z: [m/s^2].
+    """
+
+    def __init__(
+        self, batch: ProgramBatch, world: int, rows: Floats | None, gravity_z: float
+    ) -> None:
+        self._gravity_z = gravity_z
+        if rows is None:
+            rows = np.zeros((int(batch.until.shape[1]), FEATURES))
+        adjusts = np.nonzero(batch.kind == Action.ADJUST)[0]
+        brakes = np.isfinite(batch.table[world, adjusts, Column.BRAKING])
+        watched = {int(b) for b in batch.body[adjusts[brakes]] if not math.isnan(rows[b, 0])}
+        watched |= {int(b) for b in np.nonzero(rows[:, Feature.GRIP] > 0.0)[0]}
+        self._rows = {b: [float(v) for v in rows[b]] for b in sorted(watched)}
+        self._braking = dict.fromkeys(self._rows, 0.0)
+        self._rise = dict.fromkeys(self._rows, math.nan)
+        self._falls: set[int] = set()
+
+    def set_braking(self, body: int, braking: float) -> None:
+        """Deceleration of a body by its brakes from now on [m/s^2]."""
+        if body in self._braking:
+            self._braking[body] = braking
+
+    def look(self, dt: float, bodies: Bodies) -> None:
+        """Finds out what nothing carries, before the primitives.
+
+        Args:
+            dt: Physics step [s].
+            bodies: The world's.
+        """
+        least = -FALLING * self._gravity_z * dt
+        self._falls = {b for b, z in self._rise.items() if z - bodies.linear(b)[2] > least}
+
+    def act(self, dt: float, driven: Mapping[int, float], bodies: Bodies) -> None:
+        """Acts after the primitives, before the step.
+
+        Args:
+            dt: Physics step [s].
+            driven: Bodies whose velocity a hold or a guide has set in this step, and the vertical
+                velocity that they start it with [m/s].
+            bodies: The world's.
+        """
+        pull = self._gravity_z * dt
+        for body, row in self._rows.items():
+            if body in driven:
+                self._rise[body] = driven[body]
+                continue
+            _, turn, linear, angular = bodies.read(body)
+            v, o = [float(x) for x in linear], [float(x) for x in angular]
+            self._rise[body] = v[2]
+            if body in self._falls:
+                continue
+            slow, turned = grounded(row, self._braking[body] * dt, -pull, v, o, turn)
+            if slow != v:
+                bodies.set_linear(body, (slow[0], slow[1], slow[2]))
+            if turned != o:
+                bodies.set_angular(body, (turned[0], turned[1], turned[2]))
+
+
+def grounded(
+    row: list[float], loss: float, weight: float, v: list[float], o: list[float], turn: Any
+) -> tuple[list[float], list[float]]:
+    """Linear and angular velocity of a body that stands on something, after brakes and tyres.
+
+    Args:
+        row: Its `features`.
+        loss: What the brakes take of its horizontal velocity, at most [m/s].
+        weight: Velocity that gravity gives within a step [m/s].
+        v, o: Linear [m/s] and angular [rad/s] velocity.
+        turn: Quaternion (x, y, z, w).
+    """
+    speed = math.hypot(v[0], v[1])
+    taken = min(loss, speed)
+    if taken > 0.0:
+        kept = 1.0 - taken / speed
+        v = [v[0] * kept, v[1] * kept, v[2]]
+        if row[Feature.ROUND] > 0.0:
+            o = [o[0] * kept, o[1] * kept, o[2]]
+    limit = row[Feature.GRIP] * weight
+    if limit <= taken:
+        return v, o
+    ahead, up = quat_rotate(turn, np.eye(3)[0]), quat_rotate(turn, np.eye(3)[2])
+    if up[2] <= ON_WHEELS:
+        return v, o
+    # What the brakes have taken, the tyres cannot give to the side.
+    return _gripped(row, math.sqrt(limit**2 - taken**2), v, o, float(ahead[0]), float(ahead[1]))
+
+
+def _gripped(
+    row: list[float], limit: float, v: list[float], o: list[float], fx: float, fy: float
+) -> tuple[list[float], list[float]]:
+    """Two axles, each with half the grip, against sliding to the side."""
+    length = math.hypot(fx, fy)
+    fx, fy = fx / length, fy / length
+    axle, drop, lean = row[Feature.AXLE], row[Feature.DROP], row[Feature.LEAN]
+    slip = (fx * v[1] - fy * v[0] + drop * (fx * o[0] + fy * o[1])) / (1.0 + drop * lean)
+    yaw = axle * o[2]
+    front = max(-limit, min(limit, slip + yaw))
+    rear = max(-limit, min(limit, slip - yaw))
+    side, turn = 0.5 * (front + rear), 0.5 * (front - rear)
+    return (
+        [v[0] + fy * side, v[1] - fx * side, v[2]],
+        [o[0] - fx * lean * side, o[1] - fy * lean * side, o[2] - turn / axle],
+    )

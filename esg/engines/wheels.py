@@ -1,0 +1,89 @@
+"""Wheels of a recording: how far each has turned, told from how its body travelled.
+
+Engines simulate a vehicle as one body; its wheels are drawn. A wheel turns by the distance that its
+axle goes along the body's heading (+X) over its radius: backwards the other way, sideways not at
+all, and in a bend the inner wheel less than the outer. That holds while the body stands upright on
+something. In the air, or lying on its side, a wheel keeps the rate it had and runs down.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from esg.engines.scene import Body, Rollout, SimScene
+from esg.units import quat_rotate
+
+Floats = NDArray[np.float64]
+
+UPRIGHT = 0.5
+"""A body whose up axis rises less than this (60 degrees of tilt) does not stand on its wheels."""
+FALLS = 0.5
+"""What gains this share of gravity's speed downwards is carried by nothing."""
+RUNS_DOWN_S = 2.0
+"""Time in which a wheel that touches nothing loses 63% of its rate [s]: bearings of a bicycle."""
+
+
+def wheel_angles(
+    body: Body, time: Floats, position: Floats, quaternion: Floats, gravity: Sequence[float]
+) -> Floats:
+    """Angles [rad] of a body's wheels about its Y axis, from 0 at the start, shape [T, wheels].
+
+    Args:
+        body: With W wheels, maybe none.
+        time: Of the frames [s], shape [T].
+        position: Of its centre of mass [m], shape [T, 3].
+        quaternion: (x, y, z, w), shape [T, 4].
+        gravity: Of the scene [m/s^2], shape [3].
+    """
+    out = np.zeros((len(time), len(body.wheels)))
+    if not body.wheels or len(time) < 2:
+        return out
+    at, q = np.asarray(position, float), np.asarray(quaternion, float)
+    span = np.maximum(np.diff(np.asarray(time, float)), 1e-9)
+    forward = quat_rotate(q, np.array([1.0, 0.0, 0.0]))
+    heading = forward[1:] + forward[:-1]
+    heading /= np.maximum(np.linalg.norm(heading, axis=1, keepdims=True), 1e-9)
+    carried = _carried(at, q, span, np.asarray(gravity, float))
+    for k, wheel in enumerate(body.wheels):
+        axle = at + quat_rotate(q, np.asarray(wheel.axle, float))
+        rolled = np.einsum("ti,ti->t", np.diff(axle, axis=0), heading) / wheel.radius
+        rate = 0.0
+        for t, step in enumerate(span):
+            rate = rolled[t] / step if carried[t] else rate * np.exp(-step / RUNS_DOWN_S)
+            out[t + 1, k] = out[t, k] + rate * step
+    return out
+
+
+def _carried(at: Floats, q: Floats, span: Floats, gravity: Floats) -> NDArray[np.bool_]:
+    """Whether a body stands upright on something in the steps between frames, shape [T - 1]."""
+    strength = float(np.linalg.norm(gravity))
+    up = -gravity / strength if strength else np.array([0.0, 0.0, 1.0])
+    standing = quat_rotate(q, np.array([0.0, 0.0, 1.0])) @ up >= UPRIGHT
+    rise = (np.diff(at, axis=0) / span[:, None]) @ up
+    gained = np.diff(rise, prepend=rise[:1]) / span
+    falls = (gained < -FALLS * strength) & (strength > 0.0)
+    return standing[1:] & ~falls
+
+
+def scene_angles(scene: SimScene, rollout: Rollout, *, world: int = 0) -> Floats:
+    """Angles [rad] of all wheels in the order of their bodies, shape [T, W]."""
+    found = [
+        wheel_angles(
+            body,
+            rollout.time,
+            rollout.position[world, :, i],
+            rollout.quaternion[world, :, i],
+            scene.gravity,
+        )
+        for i, body in enumerate(scene.bodies)
+    ]
+    return np.concatenate([np.zeros((len(rollout.time), 0)), *found], axis=1)
+
+
+def about_axle(angle: Floats) -> Floats:
+    """Rotations by angles [rad], shape [T], about Y, as quaternions (x, y, z, w), shape [T, 4]."""
+    half, nothing = 0.5 * np.asarray(angle, float), np.zeros(np.shape(angle))
+    return np.stack([nothing, np.sin(half), nothing, np.cos(half)], axis=-1)

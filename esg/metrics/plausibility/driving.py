@@ -1,0 +1,168 @@
+"""Checks of what moves on the ground: gaining, losing and keeping speed, slipping, leaving it."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from esg.metrics.detection import runs
+from esg.metrics.plausibility.facts import Bools, Facts
+from esg.metrics.plausibility.limits import limit
+from esg.metrics.plausibility.record import Check, Worst
+from esg.metrics.replay import Floats
+from esg.metrics.support import local_position
+from esg.thresholds import MOVING_MPS, STOPPED_MPS, UPRIGHT_DEG
+from esg.units import quat_rotate
+
+_ROADS = ("road", "crossroad", "crossroads", "lane", "parking_lot", "crossing", "crosswalk")
+_FLAT_M = 0.05
+
+
+def acceleration(f: Facts) -> Check:
+    """Gains speed, or turns, faster than its kind can while nothing pushes it.
+
+    What has no power of its own gains as much as friction gives it, and may be launched.
+    """
+    worst = Worst()
+    for i in f.dynamic:
+        motion, v = f.motion(i), f.replay.velocity[:, i]
+        level = np.linalg.norm(v[:, :2], axis=1)
+        gain = f.gains(level)
+        powered, free = f.powered(i), f.clear(f.struck(i), f.guided(i))
+        if not motion.own_power:
+            free &= f.clear(f.launched(i))
+        driven = ~f.clear(powered) | motion.own_power
+        _look(f, worst, i, gain, np.full(len(gain), motion.accelerate_mps2), free & driven)
+        normal = np.maximum(f.gains(v[:, 2]) + f.g, 0.0)
+        on_ground = ~f.clear(f.level(i))
+        given = np.where(on_ground, f.friction(i) * normal, 0.0) + limit("free flight")
+        _look(f, worst, i, gain, given, free & ~driven & f.clear(f.touching(i) & ~f.level(i)))
+        if motion.own_power:
+            side = _sideways(f, i)
+            most = np.full(len(side), f.friction(i) * f.g * (1.0 + limit("brake tolerance")))
+            _look(f, worst, i, side, most, free & f.clear(~powered), "in a turn")
+    return worst.check("acceleration", "m/s2")
+
+
+def _sideways(f: Facts, i: int) -> Floats:
+    """Acceleration across the way over each window [m/s^2]."""
+    v = f.replay.velocity[:, i, :2]
+    n = f.window
+    a = f.gains(v)
+    mean = 0.5 * (v[n:] + v[:-n])
+    size = np.linalg.norm(mean, axis=1)
+    across = np.abs(mean[:, 0] * a[:, 1] - mean[:, 1] * a[:, 0])
+    return np.where(size > MOVING_MPS, across / np.maximum(size, MOVING_MPS), 0.0)
+
+
+def _look(
+    f: Facts, worst: Worst, i: int, value: Floats, most: Floats, where: Bools, note: str = ""
+) -> None:
+    """Considers the window in which a value is largest against its limit."""
+    if where.any():
+        k = int(np.argmax(np.where(where, value / np.maximum(most, 1e-9), -np.inf)))
+        if value[k] > 0.0:
+            time = float(f.replay.time[k])
+            worst.look(float(value[k]), float(most[k]), f.name(i), time, note)
+
+
+def braking(f: Facts) -> Check:
+    """Loses speed faster than friction and its drag allow while nothing pushes it."""
+    worst = Worst()
+    for i in f.dynamic:
+        motion, v = f.motion(i), f.replay.velocity[:, i]
+        level = np.linalg.norm(v[:, :2], axis=1)
+        normal = np.maximum(f.gains(v[:, 2]) + f.g, f.g)
+        drag = f.replay.scene.bodies[i].linear_damping * level[: -f.window]
+        most = f.friction(i) * normal * (1.0 + limit("brake tolerance")) + drag
+        free = f.clear(f.struck(i), f.guided(i))
+        flies = motion.moves in ("air", "water")
+        free &= f.clear(~f.powered(i)) if flies else f.clear(~f.level(i))
+        _look(f, worst, i, -f.gains(level), most, free)
+    return worst.check("braking", "m/s2")
+
+
+def side_slip(f: Facts) -> Check:
+    """Slides sideways on upright wheels farther than the energy that it lost pays for.
+
+    A tyre that slips across takes mu m g per metre. Shoved at v it slides v^2/(2 mu g) far.
+    """
+    worst = Worst()
+    for i in f.dynamic:
+        body, motion = f.replay.scene.bodies[i], f.motion(i)
+        if not body.wheeled or motion.moves in ("casters", "air", "water", "legs"):
+            continue
+        v, q = f.replay.velocity[:, i], f.replay.quaternion[:, i]
+        across = np.abs((quat_rotate(q, np.array([0.0, 1.0, 0.0])) * v).sum(axis=1))
+        upright = f.replay.up(i)[:, 2] >= math.cos(math.radians(UPRIGHT_DEG))
+        slips = (across > STOPPED_MPS) & upright & f.level(i) & ~f.struck(i)
+        turning = body.inertia[2][2] / body.mass * f.replay.spin[:, i, 2] ** 2
+        energy = 0.5 * ((v[:, :2] ** 2).sum(axis=1) + turning)
+        for start, stop in runs(slips):
+            way = float(across[start:stop].sum() * f.replay.frame_s)
+            lost = max(float(energy[start] - energy[min(stop, len(energy) - 1)]), 0.0)
+            most = lost / (f.friction(i) * f.g) + limit("side slip tolerance")
+            worst.look(way, most, f.name(i), float(f.replay.time[start]))
+    return worst.check("side_slip", "m")
+
+
+def speed(f: Facts) -> Check:
+    """Goes faster than its kind does before anything pushes it, unless the prompt asks for it."""
+    worst = Worst()
+    for i in f.dynamic:
+        own = f.replay.speed[:, i][f.upto_struck(i)]
+        if not len(own):
+            continue
+        most, said = f.motion(i).speed_mps, f.told.speeds_mps.get(f.name(i), 0.0)
+        asked = said * (1.0 + limit("prescribed"))
+        k = int(np.argmax(own))
+        note = "prescribed by the prompt" if asked > most else ""
+        worst.look(float(own[k]), max(most, asked), f.name(i), float(f.replay.time[k]), note)
+    return worst.check("speed", "m/s")
+
+
+def leaving(f: Facts) -> Check:
+    """Moves beyond the drawn ground, or drives off the road that it set out on."""
+    worst = Worst()
+    bodies = f.replay.scene.bodies
+    flat = [i for i, b in enumerate(bodies) if not b.collides and b.half_extents[2] < _FLAT_M]
+    roads = [i for i in flat if bodies[i].category in _ROADS]
+    for i in f.dynamic:
+        beyond = _outside(f, i, flat)
+        k = int(np.argmax(beyond))
+        time = float(f.replay.time[k])
+        worst.look(float(beyond[k]), limit("off the ground"), f.name(i), time, "off the ground")
+        if f.motion(i).moves != "road" or f.told.off_road or not roads:
+            continue
+        off = _outside(f, i, roads)
+        goes = f.upto_struck(i) & np.logical_or.accumulate(f.powered(i)) & f.level(i)
+        if off[0] > 0.0 or not goes.any() or _meets_off_road(f, i, off):
+            continue
+        k = int(np.argmax(np.where(goes, off, -1.0)))
+        time = float(f.replay.time[k])
+        worst.look(float(off[k]), limit("off the ground"), f.name(i), time, "off the road")
+    return worst.check("leaving", "m")
+
+
+def _meets_off_road(f: Facts, i: int, off: Floats) -> bool:
+    """Whether what it runs into, or nearly, stands beside the road: its way leads there."""
+    struck = np.flatnonzero(f.struck(i))
+    return bool(len(struck)) and bool(off[struck[0]] > 0.0)
+
+
+def _outside(f: Facts, i: int, flat: list[int]) -> Floats:
+    """How far a body's centre is outside of all outlines over time [m]; without any, of the plane
+    that exports draw.
+    """
+    if not flat:
+        p = np.abs(f.replay.position[:, i, :2]) - limit("drawn ground")
+        return np.linalg.norm(np.maximum(p, 0.0), axis=1)
+    away: list[Floats] = []
+    for k in flat:
+        b = f.replay.scene.bodies[k]
+        local = local_position(f.replay, i, k)[:, :2] - np.array(b.origin_offset[:2])
+        away.append(
+            np.linalg.norm(np.maximum(np.abs(local) - np.array(b.half_extents[:2]), 0.0), axis=1)
+        )
+    return np.min(away, axis=0)

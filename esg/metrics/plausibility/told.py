@@ -1,0 +1,88 @@
+"""What a document says that plausibility has to know: who moves by himself, what is prescribed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+import re
+
+from esg.graph.casting import effective
+from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, Predicate, Quantity, Role
+from esg.units import m_from_cm
+
+_WET = re.compile(r"\b(?:wet|rain|rainy|rain-soaked|flooded)\b", re.IGNORECASE)
+_OFF_ROAD = re.compile(
+    r"\boff-?road\b|\b(?:off|leav(?:es?|ing))\s+(?:of\s+)?(?:the\s+)?"
+    r"(?:road|street|highway|lane|track|roadway|pavement)\b",
+    re.IGNORECASE,
+)
+_TOO_EARLY = (NodeEvent.SCENE_START, NodeEvent.TRIGGER)
+
+
+@dataclass(frozen=True)
+class Told:
+    """What is known of a scene beside its physics.
+
+    Args:
+        movers: Bodies that may set out before anything touches them: whoever acts, and whatever
+            the first events are about (a tree that topples, a ball that falls).
+        speeds_mps: The largest speed that the prompt states of a body.
+        slides: Bodies that are said to slide, or not to roll.
+        surface: dry, wet or ice.
+        off_road: Whether something is said to leave the road.
+    """
+
+    movers: frozenset[str] = frozenset()
+    speeds_mps: Mapping[str, float] = field(default_factory=dict[str, float])
+    slides: frozenset[str] = frozenset()
+    surface: str = "dry"
+    off_road: bool = False
+
+
+def told_of(doc: EsgDocument) -> Told:
+    """What a document says, drafted or cast."""
+    doc = effective(doc)
+    definition = doc.scene_definition
+    groups: dict[str, list[str]] = {}
+    for name, node in doc.spatial_relation_graph.nodes.items():
+        groups.setdefault(node.group or name, []).append(name)
+
+    def members(names: Iterable[str]) -> list[str]:
+        return [n for name in names for n in groups.get(name, [name])]
+
+    slides = {n for s in doc.statements or () if s.predicate is Predicate.SLIDES for n in s.object}
+    movers: set[str] = set()
+    speeds: dict[str, float] = {}
+    if doc.timeline_system is not None:
+        timeline = doc.timeline_system
+        movers |= {n for n, a in timeline.actors.items() if a.role is Role.ACTIVE}
+        graph = timeline.sequence_graph
+        nodes = {n.id: n for n in graph.nodes}
+        later = {e.to for e in graph.edges if nodes[e.from_].event not in _TOO_EARLY}
+        first = [n for n in graph.nodes if n.event not in _TOO_EARLY and n.id not in later]
+        movers |= {p for n in first for p in n.participants[:1]}
+        for edge in graph.edges:
+            if edge.params.spin in ("slide", "none") or edge.event is EdgeEvent.SPIN:
+                slides.add(edge.actor)
+            if edge.speed_is_prescribed and edge.params.speed is not None:
+                _raise(speeds, members([edge.actor]), edge.params.speed)
+        for node in graph.nodes:
+            for c in node.constraints:
+                if c.quantity in ("speed_after", "speed_before"):
+                    _raise(speeds, members([c.object]), c.value)
+    wording = definition.wording
+    ice = wording is not None and wording.surface == "ice"
+    wet = _WET.search(definition.original_description) is not None
+    return Told(
+        movers=frozenset(members(movers)),
+        speeds_mps=speeds,
+        slides=frozenset(members(slides)),
+        surface="ice" if ice else "wet" if wet else "dry",
+        off_road=_OFF_ROAD.search(definition.original_description) is not None,
+    )
+
+
+def _raise(speeds: dict[str, float], names: Iterable[str], value: Quantity) -> None:
+    most = m_from_cm(max(value) if isinstance(value, tuple) else value)
+    for name in names:
+        speeds[name] = max(speeds.get(name, 0.0), most)

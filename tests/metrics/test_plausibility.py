@@ -1,0 +1,248 @@
+"""Every check of plausibility, kept and broken, on replays with known answers."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+import math
+
+import numpy as np
+import pytest
+
+from esg.engines.program import AdjustProperties, GuideAlong, HoldVelocity, SetVelocity
+from esg.engines.scene import Shape
+from esg.metrics.plausibility import CHECKS, Check, Told, assess
+from esg.metrics.plausibility.limits import limit, motion_of
+from tests.metrics.worlds import DT, World, ball, body, line
+
+G = 9.81
+Curve = Callable[[np.ndarray], np.ndarray]
+
+
+def checked(world: World, told: Told | None = None) -> dict[str, Check]:
+    """The checks of a world that is under way at its first frame."""
+    rollout = world.rollout()
+    for series in (rollout.linear_velocity, rollout.angular_velocity):
+        series[:, 0] = series[:, 1]
+    found = assess(world.scene, world.program, rollout, told or Told())
+    return {check.name: check for check in found.checks}
+
+
+def changing(speed: float, rate: float, begin: float = 0.5, end: float = math.inf) -> Curve:
+    """A way with constant speed that changes at a rate [m/s^2] from a time on, never below zero."""
+
+    def way(t: np.ndarray) -> np.ndarray:
+        rates = np.where((t >= begin) & (t < end), rate, 0.0)
+        v = np.maximum(speed + np.cumsum(rates) * DT, 0.0)
+        return np.cumsum(v) * DT
+
+    return way
+
+
+def car(name: str = "car_1", **more: object):
+    half = (2.0, 0.9, 0.7)
+    return body(name, Shape("box", half), wheeled=True, mass=1400.0, **more)
+
+
+DRIVE = HoldVelocity("car_1", 0.0, math.inf, 8.0, 0.0)
+
+
+def test_every_check_is_made_and_says_what_it_found() -> None:
+    found = checked(World().add(car(), x=line(0.0, 8.0)).run(DRIVE))
+    assert list(found) == list(CHECKS)
+    assert all(check.ok for check in found.values())
+    assert found["speed"].measured == pytest.approx(8.0)
+    assert found["speed"].limit == motion_of("car").speed_mps
+    assert found["speed"].body == "car_1"
+
+
+@pytest.mark.parametrize(("rate", "ok"), [(4.5, True), (6.0, False)])
+def test_a_car_gains_speed_no_faster_than_cars_can(rate: float, ok: bool) -> None:
+    found = checked(World().add(car(), x=changing(2.0, rate)).run(DRIVE))["acceleration"]
+    assert found.ok is ok
+    assert found.measured == pytest.approx(rate, rel=0.01)
+
+
+def test_a_car_that_is_under_way_within_a_step_is_accelerated_by_nothing() -> None:
+    world = World().add(car(), x=line(0.0, 8.0, 0.5)).run(replace(DRIVE, start=0.5))
+    found = checked(world)["acceleration"]
+    assert not found.ok
+    assert found.measured == pytest.approx(8.0 / limit("window"), rel=0.01)
+
+
+def test_what_is_hit_or_thrown_may_gain_speed_at_once() -> None:
+    thrown = World().add(ball("ball_1"), x=line(0.0, 8.0, 0.5), rolling=1.0)
+    assert not checked(thrown)["acceleration"].ok
+    assert checked(thrown.run(SetVelocity("ball_1", 0.5, (8.0, 0.0, 0.0))))["acceleration"].ok
+    hit = World().add(car(), x=line(0.0, 8.0, 0.5)).add(car("car_2"), x=-4.0, y=0.5)
+    assert checked(hit.touch(0.5, "car_1", "car_2"))["acceleration"].ok
+
+
+@pytest.mark.parametrize(("rate", "ok"), [(0.7, True), (0.9, False)])
+def test_a_turn_needs_grip(rate: float, ok: bool) -> None:
+    """Round a circle at 8 m/s: 0.9 rad/s take 7.2 m/s^2, under 0.8 g; 1.2 take 9.6."""
+    omega = rate * 8.0 / 6.0
+    circle = World().add(
+        car(),
+        x=lambda t: 8.0 / omega * np.sin(omega * t),
+        y=lambda t: 8.0 / omega * (1.0 - np.cos(omega * t)),
+        yaw_deg=lambda t: np.degrees(omega * t),
+    )
+    found = checked(circle.run(replace(DRIVE, turn_rate=omega)))["acceleration"]
+    assert found.ok is ok
+    assert (found.note == "in a turn") is True
+
+
+@pytest.mark.parametrize(
+    ("surface", "rate", "ok"),
+    [("dry", 7.8, True), ("dry", 9.0, False), ("wet", 2.8, True), ("wet", 4.0, False),
+     ("ice", 0.9, True), ("ice", 1.5, False)],
+)  # fmt: skip
+def test_braking_stays_under_friction(surface: str, rate: float, ok: bool) -> None:
+    world = World().add(car(), x=changing(10.0, -rate))
+    world.run(AdjustProperties("car_1", 0.5, linear_damping=4.0))
+    found = checked(world, Told(surface=surface))["braking"]
+    assert found.ok is ok
+    assert found.measured == pytest.approx(rate, rel=0.02)
+
+
+def shoved(rate: float) -> World:
+    """A car that something has set sliding sideways at 4 m/s, and that slows down at a rate."""
+    return World(6.0).add(car(), y=changing(4.0, -rate, 0.0))
+
+
+@pytest.mark.parametrize(("rate", "ok"), [(0.8 * G, True), (0.8, False)])
+def test_tyres_hold_against_a_shove(rate: float, ok: bool) -> None:
+    """4 m/s slide 1.02 m at mu 0.8; ten metres are ice, or no tyres."""
+    found = checked(shoved(rate))["side_slip"]
+    assert found.ok is ok
+    assert found.measured == pytest.approx(4.0**2 / 2.0 / rate, rel=0.05)
+    assert found.limit == pytest.approx(1.02 + limit("side slip tolerance"), rel=0.05)
+
+
+def test_casters_do_not_hold() -> None:
+    world = World(6.0).add(car("shopping_cart_1"), y=changing(4.0, -0.8, 0.0))
+    assert checked(world)["side_slip"].measured is None
+
+
+@pytest.mark.parametrize(("rolling", "ok"), [(1.0, True), (0.2, False)])
+def test_a_ball_rolls_on_its_support(rolling: float, ok: bool) -> None:
+    world = World().add(ball("ball_1"), x=line(0.0, 3.0), rolling=rolling)
+    found = checked(world)["rolling"]
+    assert found.ok is ok
+    if not ok:
+        slip, mu = 3.0 * (1.0 - rolling), 0.6
+        expected = 2.0 * slip / (7.0 * mu * G) + limit("rolling tolerance")
+        assert found.limit == pytest.approx(expected, rel=0.01)
+        assert checked(world, Told(slides=frozenset({"ball_1"})))["rolling"].ok
+
+
+@pytest.mark.parametrize(("factor", "ok"), [(1.0, True), (1.5, False)])
+def test_a_hit_makes_no_energy(factor: float, ok: bool) -> None:
+    """Equal balls hand over the speed of 2 m/s; half more of it is 2.5 J from nowhere."""
+    world = World().add(ball("ball_1"), x=line(0.0, 2.0, 0.0, 0.4), rolling=1.0)
+    world.add(ball("ball_2"), x=line(1.0, 2.0 * factor, 0.4), rolling=1.0)
+    world.touch(0.4, "ball_1", "ball_2", 2.0)
+    found = checked(world)["energy"]
+    assert found.ok is ok
+    if not ok:
+        assert found.measured == pytest.approx(0.5 * (3.0**2 - 2.0**2) * 101.0, rel=0.02)
+
+
+def test_energy_from_the_program_is_no_gain_and_from_nowhere_is() -> None:
+    rises = World().add(body("box_1"), z=line(0.1, 1.0, 0.5))
+    assert not checked(rises)["energy"].ok
+    path = GuideAlong(
+        "box_1", 0.4, (0.0, 2.6), ((0.0, 0.0, 0.1), (0.0, 0.0, 2.6)), ((0.0, 0.0, 1.0),) * 2
+    )
+    assert checked(rises.run(path))["energy"].ok
+
+
+def dropped(begin: float, height: float, half: float) -> Curve:
+    return lambda t: np.maximum(height - 0.5 * G * np.maximum(t - begin, 0.0) ** 2, half)
+
+
+@pytest.mark.parametrize(("begin", "ok"), [(0.0, True), (1.0, False)])
+def test_what_is_in_the_air_falls(begin: float, ok: bool) -> None:
+    found = checked(World().add(body("box_1"), z=dropped(begin, 2.0, 0.1)))["hovering"]
+    assert found.ok is ok
+    if not ok:
+        assert found.measured == pytest.approx(begin, abs=3 * DT)
+
+
+def test_what_flies_is_held_or_stands_on_something_does_not_hover() -> None:
+    level = HoldVelocity("drone_1", 0.0, math.inf, 1.0, 0.0, climb=0.0)
+    flies = World().add(body("drone_1"), x=line(0.0, 1.0), z=2.0).run(level)
+    assert checked(flies)["hovering"].ok
+    shelf = body("shelf_1", Shape("box", (0.5, 0.5, 0.5)), static=True)
+    assert checked(World().add(shelf).add(body("box_1"), z=1.1))["hovering"].ok
+
+
+@pytest.mark.parametrize(("depth", "ok"), [(0.015, True), (0.03, False)])
+def test_bodies_are_not_in_each_other_for_long(depth: float, ok: bool) -> None:
+    def pressed(lasts: float) -> Check:
+        world = World().add(body("box_1")).add(body("box_2"), x=0.21)
+        for t in np.arange(0.5, 0.5 + lasts, DT):
+            world.touch(float(t), "box_1", "box_2", 1.0, depth)
+        return checked(world)["penetration"]
+
+    assert pressed(0.1).ok
+    assert pressed(0.4).ok is ok
+    sunk = World().add(body("box_1"), z=0.1 - depth)
+    assert checked(sunk)["penetration"].ok is ok
+    together = World().add(body("box_1")).add(body("box_2"), x=0.2 - depth)
+    assert checked(together)["penetration"].ok is ok
+
+
+@pytest.mark.parametrize(("drift", "ok"), [(0.01, True), (0.05, False)])
+def test_nothing_moves_before_it_is_touched(drift: float, ok: bool) -> None:
+    settles = World().add(body("vase_1"), x=line(0.0, drift, 0.0, 1.0))
+    found = checked(settles)["motion_before"]
+    assert found.ok is ok
+    assert found.measured == pytest.approx(drift, abs=1e-3)
+    assert checked(settles, Told(movers=frozenset({"vase_1"})))["motion_before"].ok
+    settles.add(ball("ball_1"), x=line(-3.0, 3.0), y=0.5).touch(0.0, "ball_1", "vase_1")
+    settles.run(SetVelocity("ball_1", 0.0, (3.0, 0.0, 0.0)))
+    assert checked(settles)["motion_before"].ok
+
+
+def paved() -> World:
+    ground = body("ground_1", static=True, shapes=(), half_extents=(20.0, 20.0, 0.01))
+    road = replace(ground, name="road_1", category="road", half_extents=(20.0, 4.0, 0.01))
+    return World().add(replace(ground, category="ground")).add(road)
+
+
+@pytest.mark.parametrize(("across", "ok"), [(1.2, True), (2.0, False)])
+def test_a_car_stays_on_its_road(across: float, ok: bool) -> None:
+    world = paved().add(car(), x=line(-10.0, 3.0), y=line(0.0, across)).run(DRIVE)
+    found = checked(world)["leaving"]
+    assert found.ok is ok
+    if not ok:
+        assert found.measured == pytest.approx(3.0 * across - 4.0, abs=0.02)
+        assert checked(world, Told(off_road=True))["leaving"].ok
+        world.add(body("tree_1", static=True), x=-1.0, y=6.0).touch(3.0, "car_1", "tree_1")
+        assert checked(world)["leaving"].ok
+
+
+@pytest.mark.parametrize(("speed", "ok"), [(6.0, True), (8.0, False)])
+def test_nothing_goes_beyond_the_drawn_ground(speed: float, ok: bool) -> None:
+    world = paved().add(ball("ball_1"), x=line(0.0, speed), rolling=1.0)
+    assert checked(world)["leaving"].ok is ok
+    bare = World().add(ball("ball_1"), x=line(limit("drawn ground") - 20.0, speed), rolling=1.0)
+    assert checked(bare)["leaving"].ok is ok
+
+
+@pytest.mark.parametrize(("speed", "ok"), [(12.0, True), (14.0, False)])
+def test_a_person_runs_no_faster_than_people(speed: float, ok: bool) -> None:
+    world = World().add(body("person_1"), x=line(0.0, speed))
+    found = checked(world)["speed"]
+    assert found.ok is ok
+    said = checked(world, Told(speeds_mps={"person_1": 14.0}))["speed"]
+    assert said.ok
+    assert (said.note == "prescribed by the prompt") is True
+
+
+def test_a_world_that_diverged_is_not_plausible() -> None:
+    world = World().add(ball("ball_1"))
+    found = assess(world.scene, world.program, world.rollout(valid=False), Told())
+    assert not found.plausible
