@@ -102,9 +102,7 @@ def state(
     return tuple(sorted(book.items, key=lambda s: s.start)) or None
 
 
-def _own_up(
-    book: _Book, frames: list[Frame], elements: list[Element], tokens: list[Token]
-) -> None:
+def _own_up(book: _Book, frames: list[Frame], elements: list[Element], tokens: list[Token]) -> None:
     """Writes down what nothing in the document stands for, unless a statement is about the words."""
     d = book.d
     lost = [(s.start, s.end) for s in book.items if s.predicate is Predicate.NOT_REPRESENTED]
@@ -148,6 +146,8 @@ def _motion(book: _Book, clause: Clause) -> None:
 
 def _said(book: _Book, clause: Clause, s: Said, mover: str) -> None:
     if s.row.part == "goal":
+        if clause.frame.verb.lemma == "pass":
+            return  # "passes under a bridge": it does not end there
         _goal(book, clause, s, mover)
     else:
         _SAYINGS[s.row.states](book, clause, s, mover)
@@ -208,6 +208,9 @@ def _moved(book: _Book, clause: Clause, s: Said, mover: str) -> None:
 def _posture(book: _Book, clause: Clause) -> None:
     """ "A lamp hangs from a branch", "a broom leans on a wall"."""
     d, f = book.d, clause.frame
+    if f.verb.lemma == "hover":
+        for body in (i for i in _ids(f.subject) if i in d.world.entities):
+            book.add(Predicate.AIRBORNE, *_span(f), object=(body,))
     says = _POSTURES.get(f.verb.lemma)
     held = f.phrase("from", "by") if says is Predicate.HANGS_FROM else f.phrase("on", "against")
     targets = [i for i in things(held) if i in d.world.entities][:1]
@@ -288,7 +291,7 @@ def _slope(book: _Book, s: Said, mover: str, where: str) -> None:
     """ "Up the stairs" is a way up; "down the road" one along it."""
     d = book.d
     on = [i for i in things(s.phrase) if i != mover and i in d.world.entities][:1]
-    if on and structural(d, on[0]):
+    if on and (structural(d, on[0]) or kind_of(d, on[0]) == "water"):
         book.add(Predicate.MOVES, s.start, s.end, object=(mover,), target=tuple(on),
                  direction="along", when=where)  # fmt: skip
     elif on:
