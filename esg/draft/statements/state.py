@@ -14,7 +14,7 @@ from esg.draft.discourse.scene import GROUND, SELF_POWERED
 from esg.draft.discourse.windows import START
 from esg.draft.events.courses import AT_ITS_OWN_PACE, TURNING, measurable
 from esg.draft.events.motions import flies_itself
-from esg.draft.events.stated import adverbs_of, start_of
+from esg.draft.events.stated import adverbs_of, place_of, start_of
 from esg.draft.events.told import things, traits_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.statements.unclaimed import Account, unclaimed
@@ -103,7 +103,7 @@ def state(
 
 
 def _own_up(book: _Book, frames: list[Frame], elements: list[Element], tokens: list[Token]) -> None:
-    """Writes down what nothing in the document stands for, unless a statement is about the words."""
+    """Writes down what nothing in the document stands for, each of the words once."""
     d = book.d
     lost = [(s.start, s.end) for s in book.items if s.predicate is Predicate.NOT_REPRESENTED]
     told = [f for f in frames if not f.unreal and not f.verb.negated]
@@ -116,12 +116,11 @@ def _own_up(book: _Book, frames: list[Frame], elements: list[Element], tokens: l
                      note=gap.missing)  # fmt: skip
 
 
-def _of_what_does_not_happen(d: Discourse, frames: list[Frame]) -> set[str]:
-    """The adverbs of clauses that tell of nothing ("does not walk carefully"), and of no other."""
-    told, untold = set[str](), set[str]()
-    for f in frames:
-        (untold if f.unreal or f.verb.negated else told).update(adverbs_of(d.text, f))
-    return untold - told
+def _of_what_does_not_happen(d: Discourse, frames: list[Frame]) -> set[tuple[int, int]]:
+    """Where the adverbs of clauses that tell of nothing stand ("does not walk carefully")."""
+    denied = [f for f in frames if f.unreal or f.verb.negated]
+    places = (place_of(word, d.text, f) for f in denied for word in adverbs_of(d.text, f))
+    return {at for at in places if at is not None}
 
 
 def _moves(d: Discourse, f: Frame) -> bool:

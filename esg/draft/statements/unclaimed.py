@@ -111,8 +111,12 @@ def carriers() -> dict[str, Carriers]:
     out: dict[str, Carriers] = {}
     with open(lex.DATA / "carriers.csv", encoding="utf-8", newline="") as file:
         for r in csv.DictReader(file, delimiter=";"):
-            sets = (frozenset(r[k].split("|")) for k in ("relations", "states", "events"))
-            row = Carriers(*sets, r["holds"] == "yes", r["aims"] == "yes", r["example"])
+            row = Carriers(
+                *[frozenset(r[k].split("|")) for k in ("relations", "states", "events")],
+                holds=r["holds"] == "yes",
+                aims=r["aims"] == "yes",
+                example=r["example"],
+            )
             out.update(dict.fromkeys(r["preps"].split("|"), row))
     return out
 
@@ -127,7 +131,7 @@ class Account:
         elements: What the text was read as.
         tokens: Its words.
         said: Its statements.
-        untold: Adverbs of what does not happen.
+        untold: Where adverbs of what does not happen stand.
     """
 
     d: Discourse
@@ -135,7 +139,7 @@ class Account:
     elements: list[Element]
     tokens: list[Token]
     said: list[Statement]
-    untold: set[str] = field(default_factory=set[str])
+    untold: set[tuple[int, int]] = field(default_factory=set[tuple[int, int]])
 
     @property
     def kept(self) -> list[Statement]:
@@ -287,9 +291,10 @@ def _arguments(a: Account) -> Iterator[Gap]:
             if ids and not {*ids} & taking and not structural(d, ids[0]):
                 yield Gap(f.verb.start, f.verb.end, NO_EVENT, tuple(ids))
         m = f.object if f.verb.sense not in ("avoid", "miss") else None
-        if m is not None and not (_nodes(d, m) or m.pronoun or m.amounts or m.count == 0):
-            if m.head not in _PASSED_OVER and (m.start, m.end) not in d.scene.used:
-                yield Gap(m.start, m.end, NOTHING)
+        if m is None or _nodes(d, m) or m.pronoun or m.amounts or m.count == 0:
+            continue
+        if m.head not in _PASSED_OVER and (m.start, m.end) not in d.scene.used:
+            yield Gap(m.start, m.end, NOTHING)
 
 
 def _left_behind(a: Account) -> Iterator[Gap]:
@@ -335,7 +340,12 @@ def _adverbs(a: Account) -> Iterator[Gap]:
         over = {*a.d.text[w.start : w.end].lower().split()} if w.low == "indeed" else set[str]()
         if over & _BACK_AND_FORTH:
             yield Gap(w.start, w.end, NOTHING)
-        if w.low in _PASSED_OVER or w.low in a.untold | rebounds or (turned and w.low in _TURNS):
+        if (
+            w.low in _PASSED_OVER
+            or (w.start, w.end) in a.untold
+            or w.low in rebounds
+            or (turned and w.low in _TURNS)
+        ):
             continue
         if not any(s.start <= w.start < s.end for s in a.said):
             yield Gap(w.start, w.end, NO_MANNER if w.low.endswith("ly") else NOTHING)
