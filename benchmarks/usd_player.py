@@ -50,8 +50,9 @@ class Played:
     apart_m: float
 
     def to_json(self) -> dict[str, Any]:
-        """Plain JSON values."""
-        return dict(vars(self))
+        """Plain JSON values, to a millisecond and a millimetre."""
+        late = {i: None if t is None else round(t, 3) for i, t in self.late_s.items()}
+        return vars(self) | {"late_s": late, "apart_m": round(self.apart_m, 3)}
 
 
 def measure(run: Path, suite: Suite | None, python: str) -> list[Played]:
@@ -153,8 +154,8 @@ def main() -> None:
     scenes = measure(options.run, suite, options.python)
     print(report(scenes))
     if options.json:
-        data = {"scenes": [s.to_json() for s in scenes]}
-        options.json.write_text(json.dumps(data, indent=1) + "\n", "utf-8")
+        lines = ",\n".join(json.dumps(s.to_json()) for s in scenes)
+        options.json.write_text(f'{{"scenes": [\n{lines}\n]}}\n', "utf-8")
 
 
 if __name__ == "__main__":

@@ -12,6 +12,7 @@ what the commands of a program do.
 import argparse
 import json
 import math
+from types import SimpleNamespace
 import warnings
 
 import numpy as np
@@ -50,8 +51,25 @@ def read_body(prim):
 
     moves = prim.HasAPI(UsdPhysics.RigidBodyAPI)
     shapes = [c for c in prim.GetChildren() if c.HasAPI(UsdPhysics.CollisionAPI)]
-    own = {k: v for k, v in prim.GetCustomDataByKey("esg").items() if k != "name"}
-    return own | {"name": name_of(prim), "static": not moves, "shapes": shapes}
+    mass = UsdPhysics.MassAPI(prim)
+    axes = mass.GetPrincipalAxesAttr().Get()
+    turn = np.array([turned((*axes.GetImaginary(), axes.GetReal()), e) for e in np.eye(3)]).T
+    return {
+        "roll_radius": 0.0,
+        **prim.GetCustomDataByKey("esg"),
+        "name": name_of(prim),
+        "static": not moves,
+        "shapes": shapes,
+        "mass": mass.GetMassAttr().Get(),
+        "inertia": turn @ np.diag(mass.GetDiagonalInertiaAttr().Get()) @ turn.T,
+    }
+
+
+def turned(quaternion, vector):
+    """A vector turned by a quaternion (x, y, z, w)."""
+    axis, w = np.array(quaternion[:3]), quaternion[3]
+    twice = 2 * np.cross(axis, vector)
+    return np.array(vector) + w * twice + np.cross(axis, twice)
 
 
 def read_fields(prim):
@@ -93,10 +111,8 @@ class Body:
         self.see(pose.ExtractTranslation(), (*q.GetImaginary(), q.GetReal()), (0, 0, 0), (0, 0, 0))
 
     def see(self, origin, quaternion, linear, angular):
-        self.quaternion = np.array(quaternion, float)
-        axis, w = self.quaternion[:3], self.quaternion[3]
-        twice = 2 * np.cross(axis, self.centre)
-        self.translation = np.array(origin) + self.centre + w * twice + np.cross(axis, twice)
+        self.rotation = SimpleNamespace(quaternion=np.array(quaternion, float))
+        self.translation = np.array(origin) + turned(quaternion, self.centre)
         self.linvel, self.angvel = tuple(map(float, linear)), tuple(map(float, angular))
 
     def set_friction(self, value):
@@ -182,14 +198,14 @@ class World:
         self.stage.advance_write_floor(ordinal=self.ordinal).wait()
         self.physx.wait_task(self.physx.update_from_ovstage(self.ordinal, self.ordinal))
 
-    def step(self, dt, act):
-        """Lets `act` change velocities, then steps."""
-        before = {p: (b.linvel, b.angvel) for p, b in self.moving.items()}
-        act()
-        after = {p: (b.linvel, b.angvel) for p, b in self.moving.items()}
+    def command(self, before):
+        """Gives PhysX the velocities that the program has changed since they were `before`."""
+        after = {b.path: (b.linvel, b.angvel, *before[b.name]) for b in self.moving.values()}
         for i, name in enumerate(("linearVelocity", "angularVelocity")):
-            if new := {p: v[i] for p, v in after.items() if v[i] is not before[p][i]}:
+            if new := {p: v[i] for p, v in after.items() if tuple(v[i]) != v[i + 2]}:
                 self.write(name, new)
+
+    def step(self, dt):
         self.physx.step_sync(dt)
         self.look()
 
@@ -235,9 +251,7 @@ def play(path, hz, with_program):
     scene = read_scene(stage)
     dt, steps = (1 / hz if hz else scene["dt"]), scene["program"]["duration"]
     steps = math.ceil(steps / dt - 1e-6)
-    if not with_program:
-        scene["program"]["primitives"] = []
-    program, world = Program(scene), World(path, stage)
+    program, world = Program(scene) if with_program else None, World(path, stage)
     bodies = {b.name: b for b in world.bodies}
     frames, touches, touching = [snapshot(world)], {}, []
 
@@ -245,12 +259,11 @@ def play(path, hz, with_program):
         bodies[name].set_friction(value)
 
     for step in range(steps):
-        world.step(
-            dt,
-            lambda t=step * dt, near=touching: program.before_step(
-                t, dt, bodies.__getitem__, near, set_friction
-            ),
-        )
+        if program:
+            before = {n: (b.linvel, b.angvel) for n, b in bodies.items()}
+            program.before_step(step * dt, dt, bodies.__getitem__, touching, set_friction)
+            world.command(before)
+        world.step(dt)
         touching = []
         for a, b, impulse, depth, point, normal in world.contacts():
             if impulse > 0:
@@ -263,7 +276,10 @@ def play(path, hz, with_program):
 
 
 def snapshot(world):
-    return [np.concatenate([b.translation, b.quaternion, b.linvel, b.angvel]) for b in world.bodies]
+    return [
+        np.concatenate([b.translation, b.rotation.quaternion, b.linvel, b.angvel])
+        for b in world.bodies
+    ]
 
 
 def record(path, dt, frames, touches):

@@ -29,6 +29,8 @@ from esg.units import quat_rotate
 GROUND_SIZE_M = 200.0
 """Side of the drawn ground; the collider is an endless plane."""
 
+GROUNDED = ("roll_radius", "wheeled", "tyre_friction", "tyre_drop")
+"""Fields of a body that a player asks for who lets brakes and tyres act (docs/read_traction.py)."""
 _RESERVED = ("Ground", "VehicleGround", "Looks", "PhysicsScene", "Program")
 _RAD_TO_DEG = 180.0 / np.pi
 
@@ -169,8 +171,9 @@ def _body(stage: Any, path: str, body: Body) -> Any:
     form.AddOrientOp(UsdGeom.XformOp.PrecisionDouble).Set(_quatd(body.quaternion))
     # As JSON, because a name may hold characters that USD text cannot.
     prim.SetCustomDataByKey("esg:name", json.dumps(body.name))
-    prim.SetCustomDataByKey("esg:roll_radius", float(body.roll_radius))
-    prim.SetCustomDataByKey("esg:wheeled", body.wheeled)
+    for field in GROUNDED:
+        if value := getattr(body, field):
+            prim.SetCustomDataByKey(f"esg:{field}", value)
     mass = UsdPhysics.MassAPI.Apply(prim)
     mass.CreateCenterOfMassAttr(Gf.Vec3f(*(float(-v) for v in offset)))
     if body.collides and not body.static:

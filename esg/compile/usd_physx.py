@@ -13,6 +13,7 @@ from typing import Any
 
 from esg.engines.physx_engine import (
     BOUNCE_THRESHOLD_MPS,
+    DEPENETRATION_MPS,
     POSITION_ITERATIONS,
     VELOCITY_ITERATIONS,
 )
@@ -25,8 +26,6 @@ CONTACT_OFFSET_M = 0.05
 """Contacts are solved ahead of touching when bodies would touch within the step, so that they meet
 without overlap: two bodies see each other at twice this distance."""
 FASTEST_SPIN_RADPS = 1e6
-FASTEST_PUSH_MPS = 1e5
-"""At which bodies that overlap may part: no limit, as in PhysX itself; NVIDIA's USD takes 3 m/s."""
 HULL_VERTICES = 255
 """Of a convex hull at most; NVIDIA's USD takes 64."""
 
@@ -65,7 +64,7 @@ def physx_body(prim: Any, body: Body) -> None:
             "linearDamping": float(body.linear_damping),
             "angularDamping": float(body.angular_damping),
             "maxAngularVelocity": math.degrees(FASTEST_SPIN_RADPS),
-            "maxDepenetrationVelocity": FASTEST_PUSH_MPS,
+            "maxDepenetrationVelocity": DEPENETRATION_MPS,
             "sleepThreshold": 0.0,
             "solverPositionIterationCount": POSITION_ITERATIONS,
             "solverVelocityIterationCount": VELOCITY_ITERATIONS,

@@ -13,6 +13,7 @@ from random_scenes import random_scene
 import scenes
 from usd import DOCS, PLAYER, player, usd_of
 
+from esg.compile.usd import GROUNDED
 from esg.engines.manifest import manifest_to_json
 from esg.engines.program import (
     KINDS,
@@ -75,8 +76,11 @@ def test_every_command_comes_back_from_the_file(
         np.testing.assert_allclose(found["gravity"], scene.gravity, rtol=1e-6, atol=1e-9)
         expected = manifest_to_json(scene, program, dt=1 / 240)["bodies"]
         for mine, theirs in zip(found["bodies"], expected, strict=True):
-            assert mine["name"] == theirs["name"] and mine["wheeled"] == theirs["wheeled"]
-            assert mine["roll_radius"] == theirs["roll_radius"]
+            assert mine["name"] == theirs["name"]
+            for field in GROUNDED:
+                assert mine.get(field, 0.0) == theirs.get(field, 0.0)
+            if not mine["static"]:
+                np.testing.assert_allclose(mine["inertia"], theirs["inertia"], rtol=1e-5, atol=1e-7)
             assert bool(mine["shapes"]) == bool(theirs["shapes"])
 
 

@@ -384,3 +384,37 @@ def test_what_gets_to_another_side_also_starts_on_its_own():
     told = draft("A fox is in front of a shoe, then the fox runs to the left of the shoe.")
     sides = {(s.predicate.value, s.when, s.text) for s in told.statements or ()}
     assert sides == {("in_front_of", "start", "front"), ("left_of", "end", "left of the shoe")}
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A box rolls into a chair.",
+        "A wardrobe rolls across the room.",
+        "Two bricks roll towards each other and collide.",
+    ],
+)
+def test_what_has_corners_does_not_roll(prompt: str) -> None:
+    """It slides, and the draft says so instead of promising what cannot be."""
+    found = [s for s in statements(prompt) if s.text in ("rolls", "roll")]
+    assert found and all(s.predicate is Predicate.NOT_REPRESENTED for s in found)
+    assert all("is not round" in s.note for s in found)
+    mover = found[0].object[0]
+    assert edge(prompt, mover).params.spin == "slide"
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A pencil rolls into a book.",
+        "A dumbbell rolls into a bench.",
+        "A round hay bale rolls into a tractor.",
+        "A baseball bat rolls into a ball.",
+        "A trash bin rolls into a wall.",
+    ],
+)
+def test_what_is_round_about_some_axis_rolls(prompt: str) -> None:
+    """The library's flags say so, whatever class of things the drafter files it under."""
+    (said,) = [s for s in statements(prompt) if s.text == "rolls"]
+    assert said.predicate is Predicate.ROLLS
+    assert edge(prompt, said.object[0]).params.spin == "roll"

@@ -68,6 +68,20 @@ def test_report_has_the_stable_shape():
     json.dumps(data, allow_nan=False)
 
 
+def test_plausible_runs_are_counted_among_those_that_came_to_a_replay():
+    fine, bad = {"name": "speed", "ok": True}, {"name": "speed", "ok": False}
+    runs = {
+        "A": [SceneRun(k, good(SCENES[0]), "solved", 1.0, c) for k, c in enumerate(([fine], [bad, fine], []))],
+        "B": [SceneRun(k, good(SCENES[1]), "solved", 1.0, [fine]) for k in range(3)],
+    }  # fmt: skip
+    data = bench_json(SUITE, runs, strategy="batched", engine="physx", dt=1 / 240)
+    assert data["scenes"][0]["plausible"] == [True, False, None]
+    assert data["scenes"][0]["plausibility"] == [[fine], [bad, fine], []]
+    assert data["totals"]["plausible"] == pytest.approx(100 * 4 / 5)
+    assert "| 80%" in comparison_table(data)
+    assert report()["totals"]["plausible"] is None
+
+
 def test_totals():
     data = report()
     assert data["scenes"][0]["completed"] == [2, 1, 0]

@@ -77,6 +77,22 @@ def test_partial_is_good_unless_one_is_strict() -> None:
     assert strict - {row["outcome"] for row in failures(ended)} == {"partial"}
 
 
+def test_what_is_implausible_is_good_unless_one_is_strict(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The outcome keeps its meaning; the failure says what nature would not have done."""
+    monkeypatch.setattr(SceneState, "artifact", lambda self, stage: tmp_path)
+    state = SceneState(SceneRequest("x"), {"judge": "key"}, outcome=Outcome.SOLVED)
+    for worst, failed in (("", 0), ("car_1: braking 20 m/s2, limit 8 m/s2", 1)):
+        found = {"plausible": not worst, "worst": worst, "checks": []}
+        (tmp_path / "metrics.json").write_text(json.dumps({"plausibility": found}))
+        assert failures([state]) == []
+        rows = failures([state], strict=True)
+        assert [r["reason"] for r in rows] == [f"implausible: {worst}"] * failed
+    (tmp_path / "metrics.json").write_text("{}")
+    assert failures([state], strict=True) == []
+
+
 SUPPORTED = {
     "id": "s1", "predicate": "supported_by", "text": "A ball", "start": 0, "end": 6,
     "object": ("ball_1",), "target": ("box_1",),
@@ -103,6 +119,7 @@ def test_the_prompts_own_statements_decide_with_a_suite_too(
 
     monkeypatch.setattr(stages, "load_doc", lambda state: doc)
     monkeypatch.setattr(stages, "_verdict", judged)
+    monkeypatch.setattr(stages, "_plausibility", lambda state, doc: {"worst": "", "checks": []})
     monkeypatch.setattr(SceneState, "artifact", lambda self, stage: tmp_path)
     (tmp_path / "replay.json").write_text('{"proof": "class"}')
     asked = SuiteScene(id="T1", prompt=prompt).model_dump_json() if suite else ""

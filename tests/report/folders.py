@@ -274,6 +274,22 @@ def write_scene(
         "verified": completed,
         "verdict": verdict,
         "statements": list(said),
+        "plausibility": {
+            "plausible": completed,
+            "worst": "" if completed else "ball_1: speed 99 m/s, limit 47.3 m/s at 0.00 s",
+            "checks": [
+                {
+                    "name": "speed",
+                    "unit": "m/s",
+                    "ok": completed,
+                    "measured": 4.9 if completed else 99.0,
+                    "limit": 47.3,
+                    "body": "ball_1",
+                    "time_s": 0.0,
+                    "note": "",
+                }
+            ],
+        },
         "not_kept": [
             {k: row[k] for k in ("words", "start", "end", "status", "reason")}
             for row in said

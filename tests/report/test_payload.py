@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from esg.engines.scene import Wheel
 from esg.report.binary import Chunk
 from esg.report.meshes import MeshLibrary, mesh_chunk
 from esg.report.page import STATIC, embed_json, write_report
@@ -190,6 +191,24 @@ def test_a_scene_recorded_before_statements_has_none(tmp_path: Path) -> None:
     path.write_text(json.dumps(old))
     scene = read_scene(made)
     assert (scene.statements, scene.not_kept, scene.problems) == ([], [], ())
+
+
+@pytest.mark.parametrize("plausible", [True, False])
+def test_plausibility_is_told_on_the_card_and_check_by_check_on_the_page(
+    tmp_path: Path, plausible: bool
+) -> None:
+    made = folders.write_scene(tmp_path / "a", completed=plausible)
+    scene = read_scene(made)
+    entry = index_entry(scene, 1, "a")
+    assert entry["plausible"] is plausible
+    assert ("speed 99 m/s" in entry["implausible"]) is not plausible
+    (check,) = decode(scene_chunk(scene, [], MeshLibrary()))["metrics"]["plausibility"]["checks"]
+    assert (check["name"], check["ok"], check["limit"]) == ("speed", plausible, 47.3)
+    path = made / "metrics.json"
+    older = json.loads(path.read_text())
+    del older["plausibility"]
+    path.write_text(json.dumps(older))
+    assert read_scene(made).plausible is None and not read_scene(made).problems
 
 
 def test_a_suite_s_statements_stand_apart_from_the_prompt_s(tmp_path: Path) -> None:
@@ -372,3 +391,37 @@ def test_licenses_of_every_bundled_library_are_kept() -> None:
     for name in ("three", "@dagrejs/dagre"):
         assert re.search(rf"^{name} \d+\.\d+\.\d+ \(MIT\)$", text, re.M)
     assert text.count("Permission is hereby granted") == 2
+
+
+def test_wheels_travel_apart_with_their_angles(tmp_path: Path) -> None:
+    """Their parts are no part of the body's; a scene without wheels says nothing of them."""
+    import trimesh
+
+    scene = trimesh.Scene()
+    scene.add_geometry(trimesh.creation.box((4, 1, 2)), node_name="part_000")
+    place = trimesh.transformations.translation_matrix((1.0, 0.0, 0.5))
+    scene.graph.update(frame_to="wheel_front", matrix=place)
+    tyre = trimesh.creation.cylinder(0.3, 0.1)
+    scene.add_geometry(tyre, node_name="part_001", parent_node_name="wheel_front")
+    data = scene.export(file_type="glb")
+    mesh = decode(mesh_chunk(data, ["wheel_front"]))
+    pieces = dict(zip(mesh["wheels"], mesh["counts"], strict=True))
+    assert pieces == {"": 36, "wheel_front": 3 * len(tyre.faces)}
+    assert "wheels" not in decode(mesh_chunk(data)) and len(decode(mesh_chunk(data))["counts"]) == 1
+
+    plain = read_scene(folders.write_scene(tmp_path / "plain"))
+    still = decode(scene_chunk(plain, replays_of(plain.folder, plain.metrics), MeshLibrary()))
+    assert "wheels0" not in still["data"] and "wheels" not in still["bodies"][0]
+    wheel = Wheel("wheel_front", (1.0, 0.0, -0.3), 0.5)
+    sim = folders.scene()
+    sim = sim.with_bodies((replace(sim.bodies[0], wheels=(wheel,)), sim.bodies[1]))
+    rollout = folders.rollout()
+    position = rollout.position.copy()
+    position[0, :, 0] = np.array([0.0, 0.0, 1.0]) + rollout.time[:, None] * [2.0, 0.0, 0.0]
+    replay = Replayed(sim, replace(rollout, position=position), "class")
+    chunk = decode(scene_chunk(plain, [replay], MeshLibrary()))
+    assert chunk["bodies"][0]["wheels"] == [["wheel_front", 1.0, 0.0, -0.3]]
+    assert "wheels" not in chunk["bodies"][1]
+    assert chunk["data"]["wheels0"].ravel() == pytest.approx(
+        4.0 * chunk["data"]["time0"].ravel(), abs=1e-3
+    )

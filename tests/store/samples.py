@@ -60,6 +60,12 @@ def record(
     rows = {"prompt": statement_rows(json.loads(draft), said), "suite": []}
     if run.suite:
         rows["suite"] = [judged({**said[0], "says": "ends_near", "kept": True, "reason": ""})]
+    ends = {"body": "ball_1", "time_s": 0.0, "note": ""}
+    checks = [
+        {"name": "braking", "unit": "m/s2", "ok": True, "measured": None, "limit": None, **ends},
+        {"name": "speed", "unit": "m/s", "ok": complete, "measured": 10.0 if complete else 94.6 + seed,
+         "limit": 47.3, **ends},
+    ]  # fmt: skip
     return make_record(
         run,
         scene_id=scene,
@@ -74,6 +80,7 @@ def record(
         rollouts={run.engine: made.rollout()},
         bodies=made.scene.names,
         statements=rows,
+        checks=checks,
         stages=(
             {"stage": "draft", "seconds": 0.5, "cached": False},
             {"stage": "replay", "seconds": 1.5, "cached": seed == 1},

@@ -92,6 +92,7 @@ def test_ingest_is_idempotent(db, parts):
     assert before == {
         "runs": 1, "scenes": 6, "trajectories": 6, "metrics": 12, "constraints": 12,
         "coverage": 12, "timings": 12, "statements": 18,
+            "plausibility_checks": 12,
     }  # fmt: skip
     again = ingest(db, [parts])
     assert (again.files, again.unchanged) == (0, len(TABLES))
@@ -512,6 +513,19 @@ def test_the_words_that_are_most_often_not_shown_come_first(db):
     assert one(db, most) == ("of scene",)
 
 
+def test_plausibility_tells_for_every_check_how_many_fail_and_the_worst(db):
+    rows = {r["check_name"]: r for r in query(db, "FROM plausibility").dicts()}
+    assert list(rows) == ["braking", "speed"]
+    assert (rows["braking"]["scenes"], rows["braking"]["failed"]) == (6, 0)
+    speed = rows["speed"]
+    assert (speed["scenes"], speed["failed"], speed["unit"]) == (6, 2, "m/s")
+    assert speed["failed_percent"] == pytest.approx(100 * 2 / 6)
+    assert (speed["worst_measured"], speed["worst_limit"]) == (95.6, 47.3)
+    assert speed["worst_ratio"] == pytest.approx(95.6 / 47.3)
+    assert (speed["worst_scene"], speed["worst_body"]) == ("S2", "ball_1")
+    assert one(db, "SELECT count(*) FROM scenes WHERE plausible") == (4,)
+
+
 def test_a_verb_without_an_event_is_not_kept_unless_lost_words_tell_of_it(tmp_path):
     """Verbs come from the coverage; one inside lost words is told once."""
     run = run_info()
@@ -550,7 +564,7 @@ def test_a_database_from_before_statements_grows_and_takes_older_parts(
     older = tmp_path / "older"
     for table in ("runs", "scenes", "metrics", "coverage"):
         data = pq.read_table(part_files(parts, table)[0])
-        new = {"fully_understood", "statements_kept"} & set(data.column_names)
+        new = {"fully_understood", "statements_kept", "plausible"} & set(data.column_names)
         data = data.drop_columns(sorted(new)).replace_schema_metadata(
             {b"esg.table": table.encode(), b"esg.format": b"1.2.0"}
         )
@@ -565,6 +579,7 @@ def test_a_database_from_before_statements_grows_and_takes_older_parts(
     assert one(path, "SELECT count(*), count(fully_understood) FROM scenes") == (6, 0)
     assert query(path, "FROM statements").rows == []
     assert query(path, "FROM not_kept").rows == []
+    assert query(path, "FROM plausibility").rows == []
     write_tables(tmp_path / "newer", records(run_info("run-2")), name="run-2")
     ingest(path, [tmp_path / "newer"])
     assert one(path, "SELECT count(DISTINCT run_id) FROM statements") == (1,)

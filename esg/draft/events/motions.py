@@ -72,7 +72,8 @@ def flies_itself(d: Discourse, actor: str) -> bool:
 def can_roll(d: Discourse, actor: str) -> bool:
     """Whether it is round about some axis: balls, and coins, barrels, pencils and tyres."""
     noun = entity_of(d, actor).noun
-    return bool({"round", "rolls"} & noun.traits) or noun.shape == "cylinder"
+    shaped = noun.shape in ("cylinder", "capsule") and noun.kind not in SELF_POWERED
+    return shaped or bool({"round", "rolls"} & noun.traits)
 
 
 def direction_of(d: Discourse, actor: str, mode: str) -> ForceDirection:

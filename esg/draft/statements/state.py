@@ -17,10 +17,10 @@ from esg.draft.events.motions import can_roll, flies_itself
 from esg.draft.events.stated import adverbs_of, start_of
 from esg.draft.events.told import things
 from esg.draft.grammar.clauses.frames import Frame, Phrase
-from esg.draft.statements import unclaimed
+from esg.draft.statements.unclaimed import Account, unclaimed
 from esg.draft.statements.unkept import dropped, missing
-from esg.draft.statements.unseen import NO_MANNER, manner, unseen
-from esg.draft.text.elements import Element, Token, Word
+from esg.draft.statements.unseen import unseen
+from esg.draft.text.elements import Element, Token
 from esg.graph.models import EdgeEvent, Predicate, Quantity, Statement, TimelineEdge
 
 GENTLE_CM_S = 150.0
@@ -59,12 +59,13 @@ class _Book:
         told = Statement(
             id=f"s{len(self.items) + 1}", predicate=says, text=words, start=start, end=end, **more
         )
-        same = ("id", "text", "start", "end")
+        lost = says is Predicate.NOT_REPRESENTED  # each word of its own
+        same = ("id",) if lost else ("id", "text", "start", "end")
         if all(
             told.model_dump(exclude={*same}) != x.model_dump(exclude={*same}) for x in self.items
         ):
             self.items.append(told)
-        if says is not Predicate.NOT_REPRESENTED:
+        if not lost:
             self.d.scene.used.setdefault((start, end), f"statement: {says.value}")
 
 
@@ -79,7 +80,6 @@ def state(
         elements: What the text was read as.
         tokens: Its words.
     """
-    words = [e for e in elements if isinstance(e, Word) and e.kind == "adv"]
     book = _Book(d)
     read = {_span(c.frame) for c in d.scene.clauses}
     for clause in d.scene.clauses:
@@ -95,44 +95,27 @@ def state(
         why = "" if _span(f) in said else dropped(d, f)
         if why and (_span(f) not in read or not _moves(d, f)):
             _unkept(book, f, why)
-    unsaid = _of_what_does_not_happen(d, frames)
-    for w in words:
-        if (w.start, w.end) not in d.scene.used and manner(w.low) and w.low not in unsaid:
-            book.add(Predicate.NOT_REPRESENTED, w.start, w.end, note=NO_MANNER)
     for start, end, why in unseen(d, frames):
         book.add(Predicate.NOT_REPRESENTED, start, end, note=why)
-    _own_up(book, frames, words, elements, tokens)
+    _own_up(book, frames, elements, tokens)
     for actor, at in d.moves.still.items():
         if actor in d.world.entities:
             book.add(Predicate.STAYS_STILL, at, _word_end(d.text, at), object=(actor,))
     return tuple(sorted(book.items, key=lambda s: s.start)) or None
 
 
-def _own_up(
-    book: _Book, frames: list[Frame], words: list[Word], elements: list[Element], tokens: list[Token]
-) -> None:
+def _own_up(book: _Book, frames: list[Frame], elements: list[Element], tokens: list[Token]) -> None:
     """Writes down what nothing in the document stands for, unless a statement is about the words."""
-    d, said = book.d, [*book.items]
-    lost = [(s.start, s.end) for s in said if s.predicate is Predicate.NOT_REPRESENTED]
+    d = book.d
+    lost = [(s.start, s.end) for s in book.items if s.predicate is Predicate.NOT_REPRESENTED]
+    told = [f for f in frames if not f.unreal and not f.verb.negated]
+    told = [f for f in told if _span(f) in d.scene.used and _span(f) not in lost]
     untold = _of_what_does_not_happen(d, frames)
-    happening = [f for f in frames if not f.unreal and not f.verb.negated]
-    shown = [f for f in happening if not _lost(book.d, f, lost)]
-    gaps = [
-        *unclaimed.phrases(d, shown, said),
-        *unclaimed.adverbs(d, [w for w in words if w.low not in untold], said),
-        *unclaimed.idle_members(d, shown),
-        *unclaimed.arguments(d, shown, said),
-        *unclaimed.dropped_words(d, elements, tokens),
-    ]
-    for start, end, nodes, why in gaps:
-        if not any(a < end and start < b for a, b in lost):
-            lost.append((start, end))
-            book.add(Predicate.NOT_REPRESENTED, start, end, object=nodes, note=why)
-
-
-def _lost(d: Discourse, f: Frame, lost: list[tuple[int, int]]) -> bool:
-    """Whether a clause's verb is owned up to, so that its phrases need not be."""
-    return _span(f) in lost or _span(f) not in d.scene.used
+    for gap in unclaimed(Account(d, told, elements, tokens, [*book.items], untold)):
+        if not any(a < gap.end and gap.start < b for a, b in lost):
+            lost.append((gap.start, gap.end))
+            book.add(Predicate.NOT_REPRESENTED, gap.start, gap.end, object=gap.nodes,
+                     note=gap.missing)  # fmt: skip
 
 
 def _of_what_does_not_happen(d: Discourse, frames: list[Frame]) -> set[str]:
@@ -274,7 +257,8 @@ def _starts_there(book: _Book, mover: str, other: str) -> None:
 def _driver(book: _Book, clause: Clause, s: Said, mover: str) -> None:
     """ "A man drives a car": he is in it; "rides a horse": on it."""
     d = book.d
-    riders = [i for i in _ids(clause.frame.subject) if i in d.world.entities and i != mover]
+    riders = [i for i in _ids(clause.frame.subject) if i in d.world.entities]
+    riders = [i for i in riders if i not in clause.movers]
     riders = [i for i in riders if kind_of(d, i) in ("person", "animal", "robot")]
     if riders and kind_of(d, mover) in SELF_POWERED:
         open_ = d.scene.supported_by.get(riders[0]) == mover or s.row.states is not Predicate.INSIDE

@@ -1,79 +1,167 @@
 """Words that nothing in the finished document stands for.
 
-Every clause, phrase and adverb is asked what carries it; what nothing carries is owned up to. There is no list of what may be
-missing, only of what may be passed over: `data/carriers.csv` says what can carry a preposition.
+Every phrase, adverb and argument of what is told is asked what carries it; what nothing carries is
+owned up to. No list says what may be missing, only `data/carriers.csv` what can carry a
+preposition, and the word set "passed over (unclaimed)" what shows nothing of its own.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterator
 import csv
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.core import structural
+from esg.draft.discourse.core import entity_of, movable, structural
 from esg.draft.discourse.record import Discourse
-from esg.draft.discourse.scene import GROUND
+from esg.draft.discourse.windows import Draft
 from esg.draft.events.courses import measurable
 from esg.draft.events.stated import start_of
-from esg.draft.events.told import things
 from esg.draft.grammar.clauses.frames import Frame, Phrase
-from esg.draft.text.elements import Element, Mention, Token, Verb, Word
+from esg.draft.text.elements import Element, Mention, Token, Word
+from esg.draft.verbphrases import verb_readings
 from esg.graph.models import NodeEvent, Predicate, Statement
 
-Gap = tuple[int, int, tuple[str, ...], str]
-"""Where words stand that nothing stands for, the nodes that they are about, and what is missing."""
-
 _PASSED_OVER = lex.word_set("passed over (unclaimed)")
-"""Words that tell nothing of their own: of order, of degree, particles of verbs."""
-_WAYS = frozenset({"on", "in", "at", "along", "across", "over", "through", "down", "up", "onto", "to"})
+_QUALITIES = lex.word_set("unseen qualities")
+_WAYS = frozenset(
+    {"on", "in", "at", "along", "across", "over", "through", "down", "up", "onto", "to"}
+)
 """Prepositions that the ground and what is painted on it answer by being there."""
-_OPEN = frozenset({"for", "like", "as", "because of", "due to", "despite"})
-"""Prepositions of reasons and likeness, and "of", which belongs to its noun."""
+_WHY = frozenset({"for", "like", "as", "because of", "due to", "despite"})
+"""Prepositions that tell why, or what something is like, and not where it is."""
+_AIR = frozenset({"air", "sky", "midair", "mid-air"})
+_TURNS = frozenset(
+    {"left", "right", "clockwise", "counterclockwise", "anticlockwise", "around", "round"}
+)
+_SIDES = {
+    "front": "in_front_of",
+    "back": "behind",
+    "rear": "behind",
+    "left": "left_of",
+    "right": "right_of",
+}
+"""Parts that name a side, and the relation that has it ("in the front of an apple")."""
+_TO_A_PART = frozenset({"to", "toward", "towards", "at", "in", "into", "under", "with"})
+_ENDS = frozenset({"ends_on", "ends_in", "ends_near", "above", "under"})
+_EACH = frozenset({"own", "fly", "fall", "roll", "slide", "launch", "drop", "bounce", "coast"})
+"""Senses of which each of several things needs a motion of its own."""
+_STATES = frozenset(
+    {"be", "posture", "have", "weigh", "contain", "measure", "unknown", "lead", "noop"}
+)
+_MOTIONS = frozenset({"own", "fly", "fall", "roll", "accelerate"})
+_SMALL = (
+    lex.DETERMINERS | lex.PREPOSITIONS | lex.PRONOUNS | lex.MODALS | lex.word_set("be")
+    | frozenset({"and", "or", "but", "to", "not", "who", "which"})
+)  # fmt: skip
+NO_MANNER = "manner is not simulated"
+NOTHING = "nothing in the scene stands for it"
+
+
+@dataclass(frozen=True)
+class Gap:
+    """Words, from `start` to `end` in the text, that nothing stands for, and what is missing.
+
+    Args:
+        nodes: What they are about.
+    """
+
+    start: int
+    end: int
+    missing: str
+    nodes: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
 class Carriers:
-    """What can stand for a preposition: kinds of relations, predicates, events, and whether being carried or held does."""
+    """What can stand for a preposition: relations, predicates, events; support and aims or not.
 
-    relations: frozenset[str]
-    states: frozenset[str]
-    events: frozenset[str]
-    holds: str
-    aims: str
-    example: str
+    Empty sets stand for any.
+    """
+
+    relations: frozenset[str] = frozenset()
+    states: frozenset[str] = frozenset()
+    events: frozenset[str] = frozenset()
+    holds: bool = True
+    aims: bool = True
+    example: str = ""
+
+
+_ANY = Carriers()
+"""Of prepositions without a row: anything between the two will do."""
 
 
 @cache
 def carriers() -> dict[str, Carriers]:
-    """The table, by preposition."""
+    """The table, by preposition; a cell with "none" has nothing."""
     out: dict[str, Carriers] = {}
     with open(lex.DATA / "carriers.csv", encoding="utf-8", newline="") as file:
         for r in csv.DictReader(file, delimiter=";"):
-            sets = (frozenset(filter(None, r[k].split("|"))) for k in ("relations", "states", "events"))
-            row = Carriers(*sets, r["holds"], r["aims"], r["example"])
+            sets = (frozenset(r[k].split("|")) for k in ("relations", "states", "events"))
+            row = Carriers(*sets, r["holds"] == "yes", r["aims"] == "yes", r["example"])
             out.update(dict.fromkeys(r["preps"].split("|"), row))
     return out
 
 
-_ANY = Carriers(frozenset(), frozenset(), frozenset(), "yes", "yes", "")
-"""Of prepositions without a row: anything between the two will do."""
+@dataclass
+class Account:
+    """What has been told and stated: the text's elements, its clauses, its statements.
+
+    Args:
+        d: The discourse, after everything has been read.
+        frames: The clauses whose verbs are kept.
+        elements: What the text was read as.
+        tokens: Its words.
+        said: Its statements.
+        untold: Adverbs of what does not happen.
+    """
+
+    d: Discourse
+    frames: list[Frame]
+    elements: list[Element]
+    tokens: list[Token]
+    said: list[Statement]
+    untold: set[str] = field(default_factory=set[str])
+
+    @property
+    def kept(self) -> list[Statement]:
+        """The statements that the document holds."""
+        return [s for s in self.said if s.predicate is not Predicate.NOT_REPRESENTED]
 
 
-def phrases(d: Discourse, frames: Iterable[Frame], said: list[Statement]) -> Iterator[Gap]:
-    """Phrases of clauses and nouns that nothing takes up ("passes under a bridge")."""
+def unclaimed(a: Account) -> Iterator[Gap]:
+    """Everything that nothing in the document stands for."""
+    for find in _FINDERS:
+        yield from find(a)
+
+
+def _phrases(a: Account) -> Iterator[Gap]:
+    """Phrases of clauses and nouns ("passes under a bridge", "a cart of laundry")."""
     asked: dict[int, tuple[Phrase, set[str]]] = {}
-    for f in frames:
-        about = _about(d, f)
+    for f in a.frames:
+        about = _about(a.d, f)
         for p in f.phrases:
-            if not _turned(d, f, p):
+            if not _side_of_a_turn(a.d, f, p):
                 asked.setdefault(id(p.mention), (p, set()))[1].update(about)
-            about |= {*_nodes(d, p.mention)}
-    for m, p in d.attached:
-        asked.setdefault(id(p.mention), (p, set()))[1].update(_nodes(d, m))
+            about |= {*_nodes(a.d, p.mention)}
+    for m, p in a.d.attached:
+        asked.setdefault(id(p.mention), (p, set()))[1].update(_nodes(a.d, m))
     for p, about in asked.values():
-        yield from _phrase(d, about - {*_nodes(d, p.mention)}, p, said)
+        m = p.mention
+        if m is None or p.amount is not None or m.amounts or p.prep in _WHY:
+            continue
+        others = {*_nodes(a.d, m)}
+        about -= others
+        if about and not (_answered(a, about, others, p) if others else _no_place(a, about, p)):
+            missing = f'nothing in the scene stands for "{p.prep}"'
+            yield Gap(max(start_of(p, a.d.text), 0), m.end, missing, tuple(sorted(about))[:1])
+
+
+def _nodes(d: Discourse, m: Mention | None) -> list[str]:
+    """What a noun phrase stands for in the scene."""
+    named = [] if m is None else m.entities or d.world.resolved.get(id(m), [])
+    return [i for i in named if i in d.world.entities]
 
 
 def _about(d: Discourse, f: Frame) -> set[str]:
@@ -84,175 +172,159 @@ def _about(d: Discourse, f: Frame) -> set[str]:
     return about | ({*made.participants} if made is not None else set())
 
 
-def _nodes(d: Discourse, m: Mention | None) -> list[str]:
-    """What a noun phrase stands for in the scene."""
-    named = [] if m is None else m.entities or d.world.resolved.get(id(m), [])
-    return [i for i in named if i in d.world.entities]
-
-
-def _phrase(d: Discourse, about: set[str], p: Phrase, said: list[Statement]) -> Iterator[Gap]:
-    m = p.mention
-    if m is None or p.amount is not None or m.amounts or p.prep in _OPEN or not about:
-        return
-    start = max(start_of(p, d.text), 0)
-    others = _nodes(d, m)
-    if not others:
-        kept = (s for s in said if s.predicate is not Predicate.NOT_REPRESENTED)
-        if any(s.start < m.end and start < s.end for s in kept):
-            return
-        flies = any(s.predicate is Predicate.AIRBORNE and about & {*s.object} for s in said)
-        if m.head in _AIR and flies:
-            return
-        named = m.pronoun or m.head in _PASSED_OVER or (m.start, m.end) in d.scene.used
-        if named or p.prep == "of":
-            return
-    elif _carried(d, about, p, others, said) and not _part_lost(p, about, said):
-        return
-    nodes = tuple(sorted(about))[:1]
-    yield start, m.end, nodes, f'nothing in the scene stands for "{p.prep}"'
-
-
-def _part_lost(p: Phrase, about: set[str], said: list[Statement]) -> bool:
-    """Whether a phrase names a part that its preposition alone does not ("to the top of the box")."""
-    part = p.mention.part if p.mention is not None else ""
-    if not part or part in _SIDES or p.prep not in _PLACES:
-        return False
-    return not any(about & {*s.object} and s.predicate.value in _ENDS for s in said)
-
-
-_PLACES = frozenset({"to", "toward", "towards", "at", "in", "into", "under", "with"})
-_ENDS = frozenset({"ends_on", "ends_in", "ends_near", "above", "under"})
-
-
-def _turned(d: Discourse, f: Frame, p: Phrase) -> bool:
-    """Whether a phrase tells the side of a turn, which an event has."""
+def _side_of_a_turn(d: Discourse, f: Frame, p: Phrase) -> bool:
+    """ "Turns to the left": an event has the side."""
     sided = p.mention is not None and {p.mention.head, p.mention.part} & {"left", "right"}
-    return bool(sided) and _event_to(d, f, "")
+    return bool(sided) and _turns(d, _about(d, f))
 
 
-def _event_to(d: Discourse, f: Frame | None, side: str) -> bool:
-    """Whether a turn is told, to a side if one is named."""
-    for n in d.timeline.nodes:
-        turns = n.event in (NodeEvent.HEADING_REACHED, NodeEvent.SPIN)
-        if turns and (f is None or _about(d, f) & {*n.participants}):
-            return True
-    return False
+def _turns(d: Discourse, about: set[str] | None = None) -> bool:
+    turns = (NodeEvent.HEADING_REACHED, NodeEvent.SPIN)
+    told = [n for n in d.timeline.nodes if n.event in turns]
+    return any(about is None or about & {*n.participants} for n in told)
 
 
-_TURNS = frozenset({"left", "right", "clockwise", "counterclockwise", "anticlockwise", "around", "round"})
-_AIR = frozenset({"air", "sky", "midair", "mid-air"})
-
-
-def _carried(d: Discourse, about: set[str], p: Phrase, others: list[str], said: list[Statement]) -> bool:
-    """Whether something in the document is about what a phrase names and those it is said of."""
-    by, some = carriers().get(p.prep) or _ANY, {*others}
-    if structural(d, others[0]) and (p.prep in _WAYS or (p.prep == "around" and others[0] == GROUND)):
+def _no_place(a: Account, about: set[str], p: Phrase) -> bool:
+    """Whether a phrase that names nothing in the scene need not be missed."""
+    m = p.mention
+    assert m is not None
+    if p.prep == "of" or m.pronoun or m.head in _PASSED_OVER or (m.start, m.end) in a.d.scene.used:
         return True
+    start = start_of(p, a.d.text)
+    if any(s.start < m.end and start < s.end for s in a.kept):
+        return True
+    flies = any(s.predicate is Predicate.AIRBORNE and about & {*s.object} for s in a.kept)
+    return flies and m.head in _AIR
+
+
+def _answered(a: Account, about: set[str], others: set[str], p: Phrase) -> bool:
+    """Whether something in the document is about both what a phrase names and who it is said of."""
+    d, by = a.d, carriers().get(p.prep, _ANY)
+    if p.prep in _WAYS and any(structural(d, i) for i in others):
+        return True
+    part = p.mention.part if p.mention is not None else ""
+    if part in _SIDES:
+        by = Carriers(frozenset({_SIDES[part]}), by.states, by.events, by.holds, by.aims)
+    elif part and p.prep in _TO_A_PART:
+        return any(about & {*s.object} and s.predicate.value in _ENDS for s in a.kept)
     return (
-        (by.holds == "yes" and _holds(d, about, some))
-        or _related(d, about, some, by, p.mention.part if p.mention else "")
-        or any(_tells(s, about, some, p.prep, by) for s in said)
-        or _happens(d, about, some, by)
-        or (by.aims == "yes" and any(e.actor in about and e.target in some for e in d.timeline.edges))
+        (by.holds and _held(d, about, others))
+        or _related(d, about, others, by)
+        or any(_tells(s, about, others, p.prep, by) for s in a.kept)
+        or any(_happens(n, about, others, by) for n in d.timeline.nodes)
+        or (by.aims and any(e.actor in about and e.target in others for e in d.timeline.edges))
     )
 
 
-def _holds(d: Discourse, about: set[str], some: set[str]) -> bool:
+def _held(d: Discourse, about: set[str], others: set[str]) -> bool:
     scene = d.scene
     places = (scene.supported_by, scene.inside_of, scene.attached, scene.marked)
-    pairs = [pair for at in places for pair in at.items()]
-    return any((i in about and h in some) or (i in some and h in about) for i, h in pairs)
+    pairs = [{*pair} for at in places for pair in at.items()]
+    return any(pair & about and pair & others for pair in pairs)
 
 
-def _related(d: Discourse, about: set[str], some: set[str], by: Carriers, part: str) -> bool:
-    side = _SIDES.get(part)
+def _related(d: Discourse, about: set[str], others: set[str], by: Carriers) -> bool:
     for r in d.scene.relations:
         ends = {r.source, r.target, r.text}
-        fits = r.kind == side if side else not by.relations or r.kind in by.relations
-        if fits and ends & some and ends & about:
+        if ends & others and ends & about and (not by.relations or r.kind in by.relations):
             return True
     return False
 
 
-_SIDES = {"front": "in_front_of", "back": "behind", "rear": "behind", "left": "left_of", "right": "right_of"}
-
-
-def _tells(s: Statement, about: set[str], some: set[str], prep: str, by: Carriers) -> bool:
+def _tells(s: Statement, about: set[str], others: set[str], prep: str, by: Carriers) -> bool:
     ends = {*s.object, *s.target}
-    if s.predicate is Predicate.NOT_REPRESENTED or not ends & about:
-        return False
     fits = not by.states or s.predicate.value in by.states
-    return (fits and bool(ends & some)) or (s.predicate is Predicate.MOVES and s.direction == prep)
+    way = s.predicate is Predicate.MOVES and s.direction == prep
+    return bool(ends & about) and (way or (fits and bool(ends & others)))
 
 
-def _happens(d: Discourse, about: set[str], some: set[str], by: Carriers) -> bool:
-    for n in d.timeline.nodes:
-        also = {*n.participants, str(n.extra.get("region", "")).split("/")[0]}
-        if measurable(n.event) and about & also and any(c.to in some for c in n.constraints):
-            return True  # "stops 1 m in front of a gate"
-        fits = not by.events or n.event.value in by.events
-        if measurable(n.event) and fits and about & also and some & also:
-            return True
-    return False
+def _happens(n: Draft, about: set[str], others: set[str], by: Carriers) -> bool:
+    """Whether an event tells of both, or is told by its place ("stops 1 m in front of a gate")."""
+    also = {*n.participants, str(n.extra.get("region", "")).split("/")[0]}
+    if not measurable(n.event) or not about & also:
+        return False
+    fits = not by.events or n.event.value in by.events
+    return any(c.to in others for c in n.constraints) or (fits and bool(others & also))
 
 
-def arguments(d: Discourse, frames: Iterable[Frame], said: list[Statement]) -> Iterator[Gap]:
-    """What a clause says something of and nothing in the document does ("a girl walks a dog")."""
+def _arguments(a: Account) -> Iterator[Gap]:
+    """What a clause says something of and the document does not ("a girl walks a dog")."""
+    d, scene = a.d, a.d.scene
     taking = {i for n in d.timeline.nodes for i in n.participants}
     taking |= {i for e in d.timeline.edges for i in (e.actor, e.target) if i}
-    taking |= {i for r in d.scene.relations for i in (r.source, r.target, r.text)}
-    for at in (d.scene.supported_by, d.scene.inside_of, d.scene.attached, d.scene.marked, d.scene.facing):
+    taking |= {i for r in scene.relations for i in (r.source, r.target, r.text)}
+    for at in (scene.supported_by, scene.inside_of, scene.attached, scene.marked, scene.facing):
         taking |= {*at, *at.values()}
-    taking |= {i for s in said for i in (*s.object, *s.target)} | {*d.moves.still}
-    for f in frames:
-        if f.verb.sense in _STATES:
-            continue
-        for m in (f.subject, f.object):
+    taking |= {i for s in a.said for i in (*s.object, *s.target)} | {*d.moves.still}
+    for f in a.frames:
+        for m in (f.subject, f.object) if f.verb.sense not in _STATES else ():
             ids = _nodes(d, m)
-            if m is not None and ids and not {*ids} & taking and not structural(d, ids[0]):
-                yield f.verb.start, f.verb.end, tuple(ids), "nothing of the kind happens in the scene"
+            if ids and not {*ids} & taking and not structural(d, ids[0]):
+                missing = "nothing of the kind happens in the scene"
+                yield Gap(f.verb.start, f.verb.end, missing, tuple(ids))
 
 
-_STATES = frozenset({"be", "posture", "have", "weigh", "contain", "measure", "unknown", "lead", "noop"})
-
-
-def adverbs(d: Discourse, words: Iterable[Word], said: list[Statement]) -> Iterator[Gap]:
-    """Adverbs that neither order events nor state anything."""
-    told = [(s.start, s.end) for s in said]
-    for w in words:
-        if (w.start, w.end) in d.scene.used or w.low in _PASSED_OVER:
-            continue
-        if w.low in _TURNS and _event_to(d, None, w.low):
-            continue
-        if not any(a <= w.start < b for a, b in told):
-            yield w.start, w.end, (), "nothing in the scene stands for it"
-
-
-def dropped_words(d: Discourse, elements: Iterable[Element], tokens: Iterable[Token]) -> Iterator[Gap]:
-    """Words that were taken off before anything was read, and had something to say ("in a blue shirt")."""
-    read = [(e.start, e.end) for e in elements]
-    for t in tokens:
-        if t.kind != "word" or t.low in _SMALL or t.low in _PASSED_OVER:
-            continue
-        if not any(a <= t.start < b for a, b in read):
-            yield t.start, t.end, (), "nothing in the scene stands for it"
-
-
-_SMALL = lex.DETERMINERS | lex.PREPOSITIONS | lex.PRONOUNS | lex.MODALS | lex.word_set("be") | frozenset({"and", "or", "but", "to", "not", "that", "who", "which"})
-
-
-def idle_members(d: Discourse, frames: Iterable[Frame]) -> Iterator[Gap]:
+def _idle(a: Account) -> Iterator[Gap]:
     """Clauses that tell of several things and move only some of them."""
-    for c in d.scene.clauses:
+    moving = {e.actor for e in a.d.timeline.edges}
+    for c in a.d.scene.clauses:
         f = c.frame
-        m = f.subject
-        if m is None or f.verb.passive or not c.movers or f.verb.sense not in _EACH or f.verb.auxiliary == "have":
+        if not any(f.verb is kept.verb for kept in a.frames) or f.verb.passive:
             continue
-        group = [i for i in m.entities if i in d.world.entities]
-        moving = {e.actor for e in d.timeline.edges}
+        told = c.movers and f.verb.sense in _EACH and f.verb.auxiliary != "have"
+        group = _nodes(a.d, f.subject) if told else []
         idle = [i for i in group if i not in moving]
         if 0 < len(idle) < len(group):
-            yield f.verb.start, f.verb.end, tuple(idle), "only one of them does"
+            yield Gap(f.verb.start, f.verb.end, "only one of them does", tuple(idle))
 
 
-_EACH = frozenset({"own", "fly", "fall", "roll", "slide", "launch", "drop", "bounce", "coast"})
+def _adverbs(a: Account) -> Iterator[Gap]:
+    """Adverbs that neither order events nor state anything."""
+    turned = _turns(a.d)
+    for w in a.elements:
+        if not isinstance(w, Word) or w.kind != "adv" or (w.start, w.end) in a.d.scene.used:
+            continue
+        if w.low in _PASSED_OVER or w.low in a.untold or (turned and w.low in _TURNS):
+            continue
+        if not any(s.start <= w.start < s.end for s in a.said):
+            yield Gap(w.start, w.end, NO_MANNER if w.low.endswith("ly") else NOTHING)
+
+
+def _qualities(a: Account) -> Iterator[Gap]:
+    """ "A curious sloth", and "a moving vehicle" that does not move."""
+    moving = {e.actor for e in a.d.timeline.edges}
+    for m in a.d.mentions:
+        ids = _nodes(a.d, m)
+        if not ids or structural(a.d, ids[0]):
+            continue
+        for t in a.tokens:
+            if not m.start <= t.start < m.end or t.low not in m.adjectives:
+                continue
+            going = t.low.endswith("ing") and _motion(t.low) and movable(a.d, ids[0])
+            named = t.low in entity_of(a.d, ids[0]).noun.name
+            if t.low in _QUALITIES or (going and not named and not {*ids} & moving):
+                yield Gap(t.start, t.end, NOTHING, tuple(ids))
+
+
+def _motion(word: str) -> bool:
+    return any(r.form == "ing" and r.sense in _MOTIONS for r in verb_readings(word))
+
+
+def _left_out(a: Account) -> Iterator[Gap]:
+    """Words that were taken off before anything was read ("in a blue shirt")."""
+    read = [(e.start, e.end) for e in a.elements]
+    for t in a.tokens:
+        if t.kind != "word" or t.low in _SMALL or t.low in _PASSED_OVER:
+            continue
+        if not any(start <= t.start < end for start, end in read):
+            yield Gap(t.start, t.end, NOTHING)
+
+
+_FINDERS: tuple[Callable[[Account], Iterator[Gap]], ...] = (
+    _phrases,
+    _arguments,
+    _idle,
+    _adverbs,
+    _qualities,
+    _left_out,
+)

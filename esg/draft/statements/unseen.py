@@ -17,15 +17,6 @@ _KINDS = (
 )
 
 
-_PLAIN = lex.word_set("adverbs of no picture")
-NO_MANNER = "manner is not simulated"
-
-
-def manner(word: str) -> bool:
-    """Whether an adverb says how something looks or goes, and not when, whether or how much."""
-    return (word.endswith("ly") and word not in _PLAIN) or word in ("sideways", "aside", "askew")
-
-
 _PATTERNS = tuple(
     (re.compile(rf"\b(?:{'|'.join(map(re.escape, sorted(words)))})\b", re.IGNORECASE), why)
     for words, why in _KINDS

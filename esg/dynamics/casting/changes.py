@@ -29,10 +29,17 @@ def resized(
     `dimensions` [cm] make it so long, wide and high where that kind of thing comes in such
     proportions, else the factor must say how large.
     """
+    from esg.assets.configuration import parametric_entry
+    from esg.assets.geometry.rolling import drawn_size, is_rolling_form
     from esg.assets.stage import configure
 
     wanted = kind or doc.asset_requirement[key]
     size = dimensions or tuple(factor * d for d in config.dimensions_cm)
+    entry = parametric_entry(config)
+    rolled = None
+    if entry is not None and is_rolling_form(entry, config.rolls):
+        # Asked for is the size as it is drawn; what rolls goes on rolling.
+        size, rolled = drawn_size(entry, size), True
     mass = config.mass_kg if wanted.mass_is_prescribed else factor**3 * config.mass_kg
     made = configure(
         key,
@@ -44,6 +51,7 @@ def resized(
                 "mass_is_prescribed": True,
             }
         ),
+        rolled=rolled,
     )
     kept: dict[str, object] = {"is_movable": config.is_movable}
     if kind is None:

@@ -7,7 +7,7 @@ import math
 
 from esg.dynamics.casting.changes import Configs, resized
 from esg.graph.models import Choreography, EsgDocument
-from esg.layout.problem.streets import PAVEMENTS, street_in, words_of
+from esg.layout.problem.streets import PAVEMENTS, streets_in, words_of
 
 CROSSROADS = "crossroads"
 """Asset of two roads that cross."""
@@ -27,8 +27,8 @@ def fit_roads(doc: EsgDocument, told: Choreography) -> Configs:
         told: Its choreography: starts and ways.
     """
     nodes = doc.spatial_relation_graph.nodes
-    road = street_in(doc)
-    lengthened = [n for n, v in nodes.items() if v.is_structural and _follows(doc, n, road)]
+    streets = streets_in(doc)
+    lengthened = [n for n, v in nodes.items() if v.is_structural and _follows(doc, n, streets)]
     ways = [
         [*((p.x_cm, p.y_cm) for p in c.placements), *(p for k in c.corridors for p in k.points_cm)]
         for c in told.constellations
@@ -49,9 +49,9 @@ def fit_roads(doc: EsgDocument, told: Choreography) -> Configs:
     return out
 
 
-def _follows(doc: EsgDocument, name: str, road: str | None) -> bool:
-    """Whether a decal is the street, lies along it, or is where vehicles turn off."""
+def _follows(doc: EsgDocument, name: str, streets: list[str]) -> bool:
+    """Whether a decal is a street, lies along it, or is where vehicles turn off."""
     config = doc.asset_configurations[doc.spatial_relation_graph.nodes[name].asset_id]
-    beside = road is not None and bool(words_of(doc, name) & PAVEMENTS)
+    beside = bool(streets and words_of(doc, name) & PAVEMENTS)
     drives = any(c.is_wheeled for c in doc.asset_configurations.values())
-    return drives and (name == road or beside or config.asset_name == CROSSROADS)
+    return drives and (name in streets or beside or config.asset_name == CROSSROADS)

@@ -15,7 +15,6 @@ from esg.dynamics.story.kinematics import (
     rolling_travel,
     sliding_travel,
 )
-from esg.dynamics.story.paces import pace, usual_stop
 from esg.dynamics.story.solid import beside_the_middle
 from esg.dynamics.story.stagecraft import Prop, coasting_drag, support_of, target_yaw
 from esg.dynamics.story.story import bounds
@@ -217,10 +216,8 @@ def _room_to_stop(stage: Stage, node: TimelineNode, a: str) -> float:
 
 def comes_to_rest(stage: Stage, a: str) -> tuple[float, float]:
     """Way [m] and time [s] in which an actor usually comes to rest from the speed it has."""
-    name, speed = stage.member(a), stage.tracks[a].speed
-    rate = usual_stop(stage.doc, name, speed)
-    if stage.story.soars(a):
-        rate = pace(stage.doc, name).brakes
+    speed = stage.tracks[a].speed
+    rate = stage.halt(a, speed)
     return 0.5 * speed * speed / rate, speed / rate
 
 

@@ -14,6 +14,7 @@ from esg.dynamics.losses.quantities import QUANTITIES, quantity_of
 from esg.dynamics.losses.shapes import MISSED
 from esg.dynamics.plan import Plan
 from esg.dynamics.plan.feasibility import impossible
+from esg.dynamics.search.ending import until_rest
 from esg.dynamics.search.panel import Found, Panel, rounded
 from esg.engines.program import Program, program_to_json
 from esg.graph.models import (
@@ -61,7 +62,8 @@ def write_result(
             f"{r.event}: {r.quantity} {r.achieved:.3g} {r.unit} instead of {r.requested}"
             for r in relaxed
         )
-    duration = _duration(plan, found) if happened else plan.duration
+    last, least = _ends(plan, found) if happened else (plan.latest, plan.duration)
+    duration = until_rest(plan, panel.reference, found.theta, last, least)
     program = replace(plan.compile(found.theta), duration=duration)
     return DynamicsResult(
         strategy=strategy,
@@ -96,11 +98,13 @@ def write_result(
     )
 
 
-def _duration(plan: Plan, found: Found) -> float:
-    """What is worth recording [s]: the last event in the slowest world, a margin and a tail."""
+def _ends(plan: Plan, found: Found) -> tuple[float, float]:
+    """The last event in the slowest world, and what is worth recording at least: that, a margin and
+    a tail [s].
+    """
     times = [t[np.isfinite(t)] for t in found.ensemble.time.values()]
     last = max((float(t.max()) for t in times if len(t)), default=plan.duration)
-    return min(plan.duration, math.ceil(10.0 * (LATER * last + TAIL_S)) / 10.0)
+    return last, min(plan.duration, math.ceil(10.0 * (LATER * last + TAIL_S)) / 10.0)
 
 
 def _start_poses(doc: EsgDocument, plan: Plan, theta: Floats) -> dict[str, Pose]:

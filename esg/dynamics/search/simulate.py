@@ -79,6 +79,7 @@ class Simulator:
             self._still = bystanders(plan)
         self._held = held(plan.scene, self._still) if self._still.any() else None
         self._actors = [plan.scene.index(a) for a in plan.story.phases]
+        self._every = max(1, round(1.0 / (FPS * dt)))
         self._aims = [i for i, v in enumerate(plan.variables) if v.name.endswith("/aim")]
 
     def assess(
@@ -123,6 +124,24 @@ class Simulator:
             _put(found, again, self._play(self.plan.scene, thetas[again], known, until)[1])
         return found
 
+    def play_on(self, theta: NDArray[np.float64], duration: float) -> Rollout:
+        """One unperturbed candidate with all its bodies, for longer than events need.
+
+        Nothing is judged: it is no evaluation.
+
+        Args:
+            theta: Shape [n].
+            duration: [s].
+        """
+        batch = batch_programs([self.plan.compile(theta)], self.plan.scene.names)
+        return self.engine.rollout(
+            self.plan.scene,
+            replace(batch, duration=duration),
+            dt=self.dt,
+            record_every=self._every,
+            variation=self._variation(theta[None], [NOMINAL]),
+        )
+
     @property
     def holds(self) -> bool:
         """Whether some bodies are held still."""
@@ -150,7 +169,7 @@ class Simulator:
             scene,
             batch,
             dt=self.dt,
-            record_every=max(1, round(1.0 / (FPS * self.dt))),
+            record_every=self._every,
             variation=self._variation(moved, members),
         )
         self.evaluations += len(thetas)

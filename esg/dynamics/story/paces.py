@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-from esg.dynamics.story.stagecraft import SLICK, coasting_drag, ground_friction, prop
+from esg.dynamics.story.stagecraft import SLICK, Prop, coasting_drag, ground_friction, prop
 from esg.dynamics.story.story import bounds
 from esg.graph.models import EsgDocument, TimelineEdge
 from esg.lexicon.hypernyms import hypernyms
@@ -141,3 +141,15 @@ def usual_brake(doc: EsgDocument, name: str, speed: float) -> float:
 def usual_stop(doc: EsgDocument, name: str, speed: float) -> float:
     """Mean rate [m/s^2] at which a node usually comes to rest from a speed [m/s]."""
     return usual_brake(doc, name, speed) + slows_by(doc, name, speed)
+
+
+def usual_halt(doc: EsgDocument, name: str, speed: float, *, held: bool) -> float:
+    """The rate [m/s^2] at which a node comes to rest: on its feet or wings, or by its brakes."""
+    if held:
+        return min(pace(doc, name).brakes, grip(doc))
+    return usual_stop(doc, name, speed)
+
+
+def on_foot(body: Prop) -> bool:
+    """Whether a body that moves by itself does so on feet or soles, which do not roll."""
+    return not (body.wheeled or body.rolls)

@@ -196,6 +196,58 @@ def run_programs(
 
 
 @wp.kernel(enable_backward=False)
+def touch_movers(
+    count: wp.array(dtype=int),
+    shape0: wp.array(dtype=int),
+    shape1: wp.array(dtype=int),
+    normal: wp.array(dtype=wp.vec3),
+    margin0: wp.array(dtype=float),
+    margin1: wp.array(dtype=float),
+    model_shape_body: wp.array(dtype=int),
+    body_q: wp.array(dtype=wp.transform),
+    point0: wp.array(dtype=wp.vec3),
+    point1: wp.array(dtype=wp.vec3),
+):
+    """One thread per contact that is solved ahead of touching moves it to where it will be felt.
+
+    The solver's friction acts half-way between the two surfaces. Of a ball that comes down on the
+    ground with 4 m/s that is up to 8 mm below it, and its spin after the bounce 8% too large. Both
+    points are shifted along the normal, which changes neither their gap nor the normal's moment,
+    so that half-way is the surface of what moves.
+    """
+    i = wp.tid()
+    if i >= count[0]:
+        return
+    s0 = shape0[i]
+    s1 = shape1[i]
+    if s0 < 0 or s1 < 0:
+        return
+    body0 = model_shape_body[s0]
+    body1 = model_shape_body[s1]
+    if (body0 < 0) == (body1 < 0):
+        return
+    n = normal[i]
+    if body0 >= 0:
+        x = wp.transform_point(body_q[body0], point0[i])
+        gap = wp.dot(n, point1[i] - x) - (margin0[i] + margin1[i])
+        if gap > 0.0:
+            shift = -0.5 * gap * n
+            point1[i] = point1[i] + shift
+            point0[i] = point0[i] + wp.quat_rotate_inv(
+                wp.transform_get_rotation(body_q[body0]), shift
+            )
+    else:
+        x = wp.transform_point(body_q[body1], point1[i])
+        gap = wp.dot(n, x - point0[i]) - (margin0[i] + margin1[i])
+        if gap > 0.0:
+            shift = 0.5 * gap * n
+            point0[i] = point0[i] + shift
+            point1[i] = point1[i] + wp.quat_rotate_inv(
+                wp.transform_get_rotation(body_q[body1]), shift
+            )
+
+
+@wp.kernel(enable_backward=False)
 def accumulate_contacts(
     clock: wp.array(dtype=int),
     grid: wp.array(dtype=wp.float64),

@@ -294,6 +294,15 @@ class NewtonWorlds:
             self.solver.notify_model_changed(newton.ModelFlags.SHAPE_PROPERTIES)
         s.clear_forces()
         self.pipeline.collide(s, c, dt=self.dt)
+        wp.launch(
+            kernels.touch_movers,
+            dim=c.rigid_contact_max,
+            inputs=[
+                c.rigid_contact_count, c.rigid_contact_shape0, c.rigid_contact_shape1,
+                c.rigid_contact_normal, c.rigid_contact_margin0, c.rigid_contact_margin1,
+                model.shape_body, s.body_q, c.rigid_contact_point0, c.rigid_contact_point1,
+            ],
+        )  # fmt: skip
         self.solver.step(s, self.other, self.control, c, self.dt, observables=self.observables)
         wp.launch(
             kernels.accumulate_contacts,

@@ -17,7 +17,15 @@ from esg.layout.problem.kerbs import lay_along, line_up
 from esg.layout.problem.patterns import arrange, is_domino_like
 from esg.layout.problem.poses import Pose2, compose, inverse
 from esg.layout.problem.roles import falling_nodes, ground_nodes
-from esg.layout.problem.streets import Street, lay_street, street_in, street_of, users
+from esg.layout.problem.streets import (
+    Street,
+    lay_street,
+    street_in,
+    street_of,
+    streets_in,
+    turned_into,
+    users,
+)
 from esg.layout.problem.supports import Shape, SupportMap, stand_on
 from esg.layout.problem.units import Unit, group_members
 
@@ -322,11 +330,15 @@ class UnitBuilder:
         if not who.drivers:
             return
         if any(is_crossing(self.doc, n) for n in self.nodes if self.shape[n].is_decal):
-            who.beside.clear()  # most of it stands along the other road
+            who = replace(who, beside={}, waiting={}, on_it={})  # most is along the other road
         ways = [p[:2] for p in unit.members.values()]
         ways += [p for c in unit.corridors for p in c.points_cm]
         self._put(unit, road, lay_street(street, who, ways))
         line_up(street, unit.members[road], who, unit)
+        for other in streets_in(self.doc):
+            if other not in self.taken:
+                arrived = turned_into(unit, who) or who
+                self._put(unit, other, lay_street(street, arrived, ways))
         self._line(unit, road, street)
 
     def _line_street(self) -> None:

@@ -138,10 +138,16 @@ def kept_side(doc: EsgDocument) -> float:
     return 1.0 if doc.scene_definition.traffic == "left" else -1.0
 
 
+def streets_in(doc: EsgDocument) -> list[str]:
+    """The streets of a scene, first those of which a motion is told, else in order."""
+    streets = [n for n in doc.spatial_relation_graph.nodes if street_of(doc, n) is not None]
+    told = {n for s in doc.statements or () for n in s.target}
+    return sorted(streets, key=lambda n: n not in told)
+
+
 def street_in(doc: EsgDocument) -> str | None:
     """The first street of a scene."""
-    nodes = doc.spatial_relation_graph.nodes
-    return next((n for n in nodes if street_of(doc, n) is not None), None)
+    return next(iter(streets_in(doc)), None)
 
 
 def is_parked(doc: EsgDocument, name: str) -> bool:
@@ -212,6 +218,18 @@ def drivers(doc: EsgDocument, unit: Unit, shape: dict[str, Shape]) -> dict[str, 
             if onward and wheeled and math.dist((x, y), start) < 1.0 and name not in out:
                 out[name] = math.atan2(onward[1] - start[1], onward[0] - start[0])
     return out
+
+
+def turned_into(unit: Unit, who: Users) -> Users | None:
+    """The first driver as it goes on where its way has turned off; None where it does not turn."""
+    name, first = next(iter(who.drivers.items()))
+    for corridor in unit.corridors:
+        before, end = corridor.points_cm[-2:]
+        heading = math.atan2(end[1] - before[1], end[0] - before[0])
+        off = math.degrees(abs(math.remainder(heading - first.pose[2], 2.0 * math.pi)))
+        if math.dist(corridor.points_cm[0], first.pose[:2]) < 1.0 and off > TURNED_DEG:
+            return Users({name: Body((*before, heading), first.half)}, {}, {}, {})
+    return None
 
 
 def lay_street(street: Street, who: Users, ways: Iterable[tuple[float, float]]) -> Pose2:

@@ -110,6 +110,9 @@ def rename(world: World, e: Entity, name: str) -> None:
 def _count(world: World, m: Mention, noun: lex.Noun) -> int:
     """How many things a phrase names; a usual number where it gives none."""
     one = m.plural and m.determiner in ("a", "an") and not m.group_word  # "a 50 g dice"
+    mass = m.head in lex.SUBSTANCES and m.text.lower().split()[-1:] == [m.head]
+    if mass and (m.vague or m.group_word):
+        return 1  # "some water", "a pile of hay"
     if m.count is not None:
         if m.count > MAX_COUNT:
             world.warnings.append(

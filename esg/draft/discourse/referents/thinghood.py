@@ -15,6 +15,7 @@ _DURING = lex.word_set("during")
 _WHERE = lex.word_set("where things are")
 _WITH = lex.word_set("with a part of the body")
 _FILMING = lex.word_set("filming")
+_MONTHS, _SEASONS = lex.word_set("months"), lex.word_set("seasons")
 _TO_PIECES = lex.word_set("to pieces")
 _PICTURE, _THE_PICTURE = ("frame", "screen"), ("", "the")
 _ACROSS = ("across", "of", "off", "on")
@@ -84,6 +85,19 @@ def _running_water(world: World, m: Mention, subject: bool) -> bool:
     return bare and (subject or m.after_prep in ("of", "with"))
 
 
+def _date(world: World, m: Mention, subject: bool) -> bool:
+    """ "12 december 2019", "in the spring of 1999": a time and no number of things."""
+    year = m.count is not None and 1900 <= m.count < 2100 and not m.plural
+    season = m.head in _SEASONS and m.after_prep in ("in", "during", "of") and not m.adjectives
+    return year or m.head in _MONTHS or season
+
+
+def _place_name(world: World, m: Mention, subject: bool) -> bool:
+    """ "in berlin", "at cambodia": a bare noun that nobody knows, where something is."""
+    bare = not (m.determiner or m.plural or m.adjectives or m.count or m.letters or m.amounts)
+    return bare and m.noun is None and m.after_prep in ("in", "at") and m.possessor is None
+
+
 _TESTS: tuple[Callable[[World, Mention, bool], bool], ...] = (
     _cushion,
     _scene,
@@ -92,4 +106,6 @@ _TESTS: tuple[Callable[[World, Mention, bool], bool], ...] = (
     _who_films,
     _pieces,
     _running_water,
+    _date,
+    _place_name,
 )

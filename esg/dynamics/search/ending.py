@@ -1,0 +1,73 @@
+"""When a recording ends: when all has come to rest, played once with the theta that was found.
+
+A search stops to look when the last event has been told (`losses.horizon`). A viewer does not: a
+film that is cut while a pin still falls or a ball still rolls looks broken.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from esg.dynamics.plan import Plan
+from esg.dynamics.search.simulate import Simulator
+from esg.engines.program import AdjustProperties, Lasting
+from esg.engines.scene import Rollout
+from esg.thresholds import AT_REST_MPS
+
+LONGEST_S = 6.0
+"""Nothing is recorded for longer after the last event: what rolls on does so for half a minute."""
+STILL_S = 0.3
+"""How long the rest is shown; another engine may come to it so much later."""
+
+Floats = NDArray[np.float64]
+
+
+def until_rest(plan: Plan, reference: Simulator, theta: Floats, last: float, least: float) -> float:
+    """How long a scene is worth recording [s], on tenths.
+
+    Args:
+        plan: With the program that theta makes.
+        reference: Plays it on.
+        theta: Shape [n].
+        last: Time of the last event [s].
+        least: A recording is no shorter [s].
+
+    Returns:
+        When every body is slower than `AT_REST_MPS` and stays so, between `least` and `LONGEST_S`
+        after the last event. What drives or flies on has no end and is not waited for.
+    """
+    longest = last + LONGEST_S
+    if longest <= least:
+        return least
+    rollout = reference.play_on(theta, longest)
+    if not rollout.valid[0]:
+        return least
+    waits = [
+        i
+        for i, body in enumerate(plan.scene.bodies)
+        if not body.static and body.collides and not _goes_on(plan, theta, rollout, i)
+    ]
+    if not waits:
+        return least
+    speed = np.linalg.norm(rollout.linear_velocity[0][:, waits].astype(float), axis=-1)
+    moving = np.flatnonzero((speed >= AT_REST_MPS).any(axis=1))
+    rest = float(rollout.time[moving[-1]]) if len(moving) else 0.0
+    return max(least, math.ceil(10.0 * min(rest + STILL_S, longest)) / 10.0)
+
+
+def _goes_on(plan: Plan, theta: Floats, rollout: Rollout, body: int) -> bool:
+    """Whether a body moves by itself to the end: nothing has met it, and nobody brakes it."""
+    name = plan.scene.bodies[body].name
+    own = [p for p in plan.compile(theta).primitives if p.body == name]
+    drives = [p for p in own if isinstance(p, Lasting)]
+    if not drives:
+        return False
+    begun = drives[-1].start
+    if any(isinstance(p, AdjustProperties) and p.time >= begun for p in own):
+        return False
+    c = rollout.contacts
+    mine = ((c.a == body) | (c.b == body)) & (c.a >= 0) & (c.b >= 0) & (c.impulse > 0)
+    return not bool((mine & (c.time >= begun)).any())

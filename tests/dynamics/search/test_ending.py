@@ -1,0 +1,59 @@
+"""Recordings last until all has come to rest, six seconds after the last event at most."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from esg.dynamics.search.ending import LONGEST_S, STILL_S, until_rest
+from esg.engines.program import AdjustProperties, HoldVelocity, Primitive, Program
+from esg.engines.scene import Rollout
+from tests.dynamics.recordings import FPS, SCENE, Row, rollout
+
+DRIVE = HoldVelocity("a", 0.0, 20.0, 2.0, 0.0)
+LAST, LEAST = 1.0, 2.2
+
+
+def ends(
+    until: dict[str, float], *primitives: Primitive, rows: tuple[Row, ...] = (), valid: bool = True
+) -> float:
+    """Bodies that move at 2 m/s until a time each [s], recorded after an event at `LAST`."""
+
+    def play_on(theta: Any, duration: float) -> Rollout:
+        made = rollout([list(rows)], duration)
+        t = np.arange(made.position.shape[1]) / FPS
+        for name, stop in until.items():
+            made.linear_velocity[0, :, SCENE.index(name), 0] = np.where(t < stop, 2.0, 0.049)
+        made.valid[:] = valid
+        return made
+
+    plan: Any = SimpleNamespace(scene=SCENE, compile=lambda theta: Program(primitives, LEAST))
+    reference: Any = SimpleNamespace(play_on=play_on)
+    return until_rest(plan, reference, np.zeros(0), LAST, LEAST)
+
+
+@pytest.mark.parametrize(
+    ("stops", "expected"),
+    [(0.5, LEAST), (3.2, 3.2 + STILL_S), (60.0, LAST + LONGEST_S)],
+)
+def test_a_recording_lasts_until_the_last_body_rests(stops: float, expected: float) -> None:
+    assert ends({"a": 0.4, "b": stops}) == pytest.approx(expected, abs=0.11)
+
+
+def test_what_drives_on_for_ever_is_not_waited_for() -> None:
+    assert ends({"a": 60.0}, DRIVE) == LEAST
+    assert ends({"a": 60.0, "b": 3.2}, DRIVE) == pytest.approx(3.2 + STILL_S, abs=0.11)
+
+
+def test_what_was_hit_or_brakes_is() -> None:
+    hit = ((0.9, 0, 1, 5.0),)
+    assert ends({"a": 4.0}, DRIVE, rows=hit) == pytest.approx(4.0 + STILL_S, abs=0.11)
+    brake = AdjustProperties("a", 1.0, linear_damping=2.0)
+    assert ends({"a": 4.0}, DRIVE, brake) == pytest.approx(4.0 + STILL_S, abs=0.11)
+
+
+def test_what_diverges_is_no_reason_to_record_longer() -> None:
+    assert ends({"a": 60.0}, valid=False) == LEAST
