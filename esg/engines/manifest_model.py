@@ -163,17 +163,9 @@ class BodyModel(_Model):
 
     @model_serializer(mode="wrap")
     def _without_wheels(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
-        # Bodies without wheels read as they always did.
+        # Bodies without wheels and tyres read as they always did. A model has one serializer.
         data = handler(self)
-        if not data["wheels"]:
-            del data["wheels"]
-        return data
-
-    @model_serializer(mode="wrap")
-    def _without_tyres(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
-        # Scenes without tyres read as they always did.
-        data = handler(self)
-        for name in ("tyre_friction", "tyre_drop"):
+        for name in ("wheels", "tyre_friction", "tyre_drop"):
             if not data[name]:
                 del data[name]
         return data
